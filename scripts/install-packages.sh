@@ -1,0 +1,115 @@
+#!/usr/bin/env bash
+# Installs by apt what building, running and testing nullscope need (Debian 12 and 13, Ubuntu 24.04 and later).
+# Only what is missing is installed: when nothing is, this takes a fraction of a second and touches nothing.
+# The package lists live here and nowhere else; third_party/versions.md says what each is for.
+set -euo pipefail
+
+build=(g++ cmake ninja-build pkg-config python3 python3-glad libglfw3-dev libglm-dev libimgui-dev libstb-dev libegl-dev
+       libgl-dev libtomlplusplus-dev libcli11-dev libfmt-dev libtbb-dev libboost-dev libopenexr-dev doctest-dev)
+run=(libegl1 libgl1 libgl1-mesa-dri)
+test=(xvfb xauth xdotool)
+# Used where they exist: a faster second build; a second way to render without a window system (it left Mesa in 25.1).
+optional=(ccache libosmesa6)
+
+usage() {
+    cat <<'END'
+Usage: install-packages.sh [--quiet]
+Installs the packages that nullscope needs by apt, if any are missing. Needs root or sudo for that.
+  --quiet   say nothing unless something is missing or goes wrong
+END
+}
+
+quiet=no
+case "${1-}" in
+    '') ;;
+    --quiet) quiet=yes ;;
+    -h | --help) usage; exit 0 ;;
+    *) usage >&2; exit 2 ;;
+esac
+
+say() { echo "install-packages: $*" >&2; }
+fail() { say "$@"; exit 1; }
+
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    fail "there is no apt here; install the counterparts of these packages by hand: ${build[*]} ${run[*]} ${test[*]}"
+fi
+
+# Prints those of the given packages that are not installed.
+missing_of() {
+    local installed
+    installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
+                sed -n 's/^installed //p') || true
+    printf '%s\n' "$@" | grep -vxF -e "$installed" || true
+}
+
+# Prints those of the given packages that apt can supply.
+known_to_apt() {
+    [[ $# -eq 0 ]] || LC_ALL=C apt-cache policy "$@" 2>/dev/null |
+        awk '/^[^ ]/ { name = $1; sub(/:$/, "", name) } /^ +Candidate: [^(]/ { print name }'
+}
+
+# Package names hold no blanks, so plain word splitting serves; <(...) would need /proc, which a bare chroot may lack.
+required=($(missing_of "${build[@]}" "${run[@]}" "${test[@]}"))
+wished=($(missing_of "${optional[@]}"))
+
+say_what_is_absent() {
+    if [[ $quiet == no && " ${wished[*]-} " == *' libosmesa6 '* && " ${wanted[*]-} " != *' libosmesa6 '* ]]; then
+        say "libosmesa6 is not offered here; EGL renders without it and the OSMesa tests skip"
+    fi
+}
+
+if [[ ${#required[@]} -eq 0 ]]; then
+    wanted=($(known_to_apt ${wished[@]+"${wished[@]}"}))
+    if [[ ${#wanted[@]} -eq 0 ]]; then
+        say_what_is_absent
+        [[ $quiet == yes ]] || say "everything is installed"
+        exit 0
+    fi
+fi
+
+apt_environment=(env DEBIAN_FRONTEND=noninteractive LC_ALL=C)
+if [[ $EUID -eq 0 ]]; then
+    as_root=("${apt_environment[@]}")
+elif command -v sudo >/dev/null && { sudo -n true 2>/dev/null || [[ -t 0 ]]; }; then
+    as_root=(sudo "${apt_environment[@]}")   # asks for a password only on a terminal
+elif [[ ${#required[@]} -eq 0 ]]; then
+    [[ $quiet == yes ]] || say "optional packages are missing and need root: apt-get install ${wanted[*]}"
+    exit 0
+else
+    say "root is needed and sudo does not give it; run this once as root, then try again:"
+    echo "apt-get update && apt-get install --yes --no-install-recommends ${required[*]}" >&2
+    exit 1
+fi
+
+log=$(mktemp "${TMPDIR:-/tmp}/nullscope-apt.XXXXXX")
+trap 'rm -f "$log"' EXIT
+
+# apt-get, tried twice: mirrors and networks hiccup. Its output goes to a file; the end of it is shown when both tries fail.
+apt_get() {
+    local options=(-qq -o DPkg::Lock::Timeout=120 -o Dpkg::Use-Pty=0)
+    if "${as_root[@]}" apt-get "${options[@]}" "$@" >"$log" 2>&1 </dev/null; then return; fi
+    say "apt-get $1 failed; trying once more"
+    sleep 3
+    if "${as_root[@]}" apt-get "${options[@]}" "$@" >"$log" 2>&1 </dev/null; then return; fi
+    tail -n 20 "$log" >&2
+    say "apt-get $1 failed twice; its last lines are above"
+    return 1
+}
+
+[[ $quiet == yes ]] || say "reading the package lists"
+apt_get update || say "going on with the package lists that are here"   # one broken source need not matter
+
+wanted=($(known_to_apt ${wished[@]+"${wished[@]}"}))
+say_what_is_absent
+known=$(known_to_apt ${required[@]+"${required[@]}"})
+unknown=($(printf '%s\n' ${required[@]+"${required[@]}"} | grep -vxF -e "$known" || true))
+if [[ ${#unknown[@]} -gt 0 ]]; then
+    cat "$log" >&2   # why a list could not be read, if that is why
+    fail "apt does not know ${unknown[*]} (nullscope needs Debian 12, Ubuntu 24.04 with 'universe', or later)"
+fi
+
+all=(${required[@]+"${required[@]}"} ${wanted[@]+"${wanted[@]}"})
+say "installing ${#all[@]} packages and what they need (about a minute on a bare system)"
+start=$SECONDS
+apt_get install --yes --no-install-recommends "${all[@]}" || exit 1
+[[ $quiet == yes ]] || say "done in $((SECONDS - start)) s"

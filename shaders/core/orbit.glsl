@@ -1,0 +1,62 @@
+// The orbit map: where a ray is after a swept angle, for every ray of this frame's zeta0. Bicubic Hermite patches over
+//   across: octave cells of w as in strip.glsl, 8 an octave (each octave has 9 columns, its own copy of both ends),
+//   along:  v = swept angle / phi_end, kOrbitRows cells.
+// Texels: (Z, dZ/dx, dZ/dv, d2Z/dxdv), derivatives per cell. Z = zeta for captured rays, zeta/(1-v) for rays to the sky, so that
+// a distant disc keeps its relative accuracy. Segments below each other: sky first.
+
+#define ORBIT_CELLS_PER_OCTAVE 8
+#define ORBIT_ROWS 128
+
+struct OrbitPoint {
+    float zeta;         // r_s / r
+    float along;        // d zeta / d phi at fixed look direction
+    float across;       // d zeta / d w at fixed phi
+};
+
+// w: as in StripRay. phi: swept angle < phi_end; phi_end_slope: d phi_end / d w.
+OrbitPoint orbit_point(bool escapes, float u, float u_per_w, float phi, float phi_end, float phi_end_slope) {
+    Octave octave = octave_cell(u, ORBIT_CELLS_PER_OCTAVE);
+    int whole = octave.cell / ORBIT_CELLS_PER_OCTAVE;
+    int column = octave.cell + whole;
+    float v = phi / phi_end;
+    float position = v * float(ORBIT_ROWS);
+    int row = int(min(position, float(ORBIT_ROWS) - 0.5));
+    float g = position - float(row);
+    float f = octave.place;
+    int base = escapes ? row : row + (ORBIT_ROWS + 1);
+    vec4 t00 = orbit_fetch(column, base);
+    vec4 t10 = orbit_fetch(column + 1, base);
+    vec4 t01 = orbit_fetch(column, base + 1);
+    vec4 t11 = orbit_fetch(column + 1, base + 1);
+
+    // Hermite across, for value (x, y) and slope along v (z, w) at once.
+    float f2 = f * f;
+    float h1 = f2 * (3.0 - 2.0 * f);
+    float h2 = f * (1.0 - f) * (1.0 - f);
+    float h3 = f2 * (f - 1.0);
+    float d1 = 6.0 * f * (1.0 - f);
+    float d2 = 1.0 + f * (3.0 * f - 4.0);
+    float d3 = f * (3.0 * f - 2.0);
+    float low = t00.x + h1 * (t10.x - t00.x) + h2 * t00.y + h3 * t10.y;
+    float low_v = t00.z + h1 * (t10.z - t00.z) + h2 * t00.w + h3 * t10.w;
+    float high = t01.x + h1 * (t11.x - t01.x) + h2 * t01.y + h3 * t11.y;
+    float high_v = t01.z + h1 * (t11.z - t01.z) + h2 * t01.w + h3 * t11.w;
+    float low_x = d1 * (t10.x - t00.x) + d2 * t00.y + d3 * t10.y;
+    float high_x = d1 * (t11.x - t01.x) + d2 * t01.y + d3 * t11.y;
+
+    float g2 = g * g;
+    float e1 = g2 * (3.0 - 2.0 * g);
+    float value = low + e1 * (high - low) + g * (1.0 - g) * (1.0 - g) * low_v + g2 * (g - 1.0) * high_v;
+    float slope_v = 6.0 * g * (1.0 - g) * (high - low) + (1.0 + g * (3.0 * g - 4.0)) * low_v + g * (3.0 * g - 2.0) * high_v;
+    slope_v *= float(ORBIT_ROWS);
+    float slope_x = low_x + e1 * (high_x - low_x);   // slopes of slopes left out: for footprints only
+    float slope_w = slope_x * (float(ORBIT_CELLS_PER_OCTAVE) / octave.start) * u_per_w;
+
+    float rest = escapes ? 1.0 - v : 1.0;
+    OrbitPoint point;
+    point.zeta = value * rest;
+    float zeta_v = slope_v * rest - (escapes ? value : 0.0);
+    point.along = zeta_v / phi_end;
+    point.across = slope_w * rest - zeta_v * v * phi_end_slope / phi_end;
+    return point;
+}

@@ -1,0 +1,41 @@
+// What is known of a pixel's ray before any colour: written by raydata.frag, compared by the tests, printed by `trace`.
+
+struct PixelData {
+    float fate;     // 0 escaped, 1 captured, 4 hit (scene/ray.h)
+    vec3 sky;       // unit direction on the celestial sphere; zero unless escaped
+    float g;        // frequency in the camera over frequency at infinity; 0 unless escaped
+    float delay;
+    float angle;    // swept from the camera to the end
+    float hit;      // number of the first object met, 0 for none
+    vec2 place;     // surface coordinates of it
+};
+
+PixelData pixel_data(vec2 pixel) {
+    Trace trace = trace_pixel(pixel);
+    PixelData data;
+    data.fate = trace.escapes ? 0.0 : 1.0;
+    data.angle = trace.phi_end;
+    data.hit = 0.0;
+    data.place = vec2(0.0, 0.0);
+    data.delay = 0.0;
+#ifdef EFFECT_DISC
+    PlaneMeeting meeting = disc_meeting(trace);
+    for (int k = 0; k < DISC_MOST_CROSSINGS; ++k) {
+        if (meeting.phi + 3.14159265358979323846 * float(k) >= trace.phi_end) break;
+        DiscCrossing crossing = disc_cross(trace, meeting, k, 0.0);
+        if (crossing.hit && data.hit == 0.0) {
+            data.hit = 1.0;
+            data.place = crossing.place;
+            if (frame.disc_look.x >= 1.0) {   // opaque: the ray ends here
+                data.fate = 4.0;
+                data.angle = crossing.phi;
+                break;
+            }
+        }
+    }
+#endif
+    bool sky = data.fate == 0.0;
+    data.sky = sky ? normalize(trace.sky) : vec3(0.0, 0.0, 0.0);
+    data.g = sky ? frame.shift.x * trace.doppler : 0.0;
+    return data;
+}

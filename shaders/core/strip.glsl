@@ -1,0 +1,71 @@
+// The strip: the deflection table's row for this frame's zeta0. One cubic polynomial a cell; the cells halve their width
+// octave by octave towards the critical ray, so that every winding is resolved with the same number of cells.
+//
+//   w = distance in rad from the critical direction;  u = 1 + w/w0;  octave = floor(log2 u), 16 equal cells an octave:
+//   cell number and place in the cell are the bits of the float u, exact, without a logarithm.
+//
+//   w: |.........|....|..|.||:   <- cells crowd towards the critical ray on either side   :||.|..|....|.........|
+//                            theta_c
+//
+// Rows of the texture (x = cell): 3 a segment, segment 0 = rays that reach the sky, 1 = rays that are captured:
+//   row 0: cos(phi), row 1: sin(phi)/sin(alpha), row 2: phi_end/sin(alpha)
+// as coefficients of 1, f, f^2, f^3, 0 <= f < 1 across the cell. phi_end: angle swept to the sky or to the horizon.
+
+#define STRIP_CELLS_PER_OCTAVE 16
+#define STRIP_ROWS 3
+
+struct Octave {
+    int cell;      // number of the cell
+    float place;   // 0 ... 1 in it
+    float start;   // u where the octave starts: a power of two
+};
+
+#ifdef __cplusplus
+inline Octave octave_cell(float u, int cells_per_octave) {
+    int exponent;
+    float mantissa = std::frexp(u, &exponent) * float(2.0) - float(1.0);  // 0 ... 1
+    float position = mantissa * float(cells_per_octave);
+    Octave result;
+    result.cell = (exponent - 1) * cells_per_octave + int(position);
+    result.place = position - std::floor(position);
+    result.start = std::ldexp(float(1.0), exponent - 1);
+    return result;
+}
+#else
+// u >= 1; cells_per_octave a power of two.
+Octave octave_cell(float u, int cells_per_octave) {
+    int bits = floatBitsToInt(u);
+    float position = float(bits & 0x7FFFFF) * (float(cells_per_octave) * 1.1920928955078125e-7);
+    int cell = int(position);
+    Octave result;
+    result.cell = ((bits >> 23) - 127) * cells_per_octave + cell;
+    result.place = position - float(cell);
+    result.start = intBitsToFloat(bits & 0x7F800000);
+    return result;
+}
+#endif
+
+float cubic(vec4 c, float f) { return c.x + f * (c.y + f * (c.z + f * c.w)); }
+float cubic_slope(vec4 c, float f) { return c.y + f * (2.0 * c.z + f * (3.0 * c.w)); }
+
+struct StripRay {
+    bool escapes;     // reaches the sky
+    float theta;      // angle from the strip's axis
+    float w;          // distance from the critical direction, >= 0
+    Octave octave;
+};
+
+// s = |n x e|, c = n.e of the look direction n (any length) and the outward radial e; strip and axis as in FrameData.
+StripRay strip_locate(float s, float c, vec4 strip, float axis) {
+    StripRay ray;
+    ray.theta = arc_tangent2(s, axis * c);
+    float w = (ray.theta - strip.x) * strip.z;
+    ray.escapes = w > 0.0;
+    ray.w = abs(w);
+    ray.octave = octave_cell(1.0 + ray.w * strip.y, STRIP_CELLS_PER_OCTAVE);
+    return ray;
+}
+
+vec4 strip_coefficients(StripRay ray, int row) {
+    return strip_fetch(ray.octave.cell, row + (ray.escapes ? 0 : STRIP_ROWS));
+}

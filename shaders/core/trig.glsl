@@ -1,0 +1,26 @@
+// Inverse trigonometry to float rounding on every driver. (Built-in acos, asin and atan of software drivers are off by
+// 1.6e-4, 3.9e-4 and 3.4e-6 rad; asin and acos are banned in shaders/core.)
+
+// atan(t)/t as a polynomial in t^2 on [0, 1]: minimax fit of scripts/fit_arctangent.py, error 1.3e-8 rad.
+float arc_tangent_unit(float t) {
+    float z = t * t;
+    float p = 0.0020492594004690575;
+    p = p * z + -0.01265689523252287;
+    p = p * z + 0.036702608213945609;
+    p = p * z + -0.069461808065979916;
+    p = p * z + 0.10344522437755749;
+    p = p * z + -0.14114268577644762;
+    p = p * z + 0.19978313127170089;
+    p = p * z + -0.3333204390973229;
+    p = p * z + 0.99999976853751105;
+    return p * t;
+}
+
+// Angle of (x, y), y >= 0, in [0, pi]; any scale; 0 for (0, 0).
+float arc_tangent2(float y, float x) {
+    float ax = abs(x);
+    float high = max(max(ax, y), 1.0e-37);
+    float a = arc_tangent_unit(min(ax, y) / high);
+    a = y > ax ? 1.57079632679489661923 - a : a;
+    return x < 0.0 ? 3.14159265358979323846 - a : a;
+}

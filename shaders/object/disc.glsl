@@ -1,0 +1,64 @@
+// The disc: a plane through the centre between two radii. Every crossing of the ray with it, in order along the ray.
+
+#define DISC_MOST_CROSSINGS 8   // a float resolves windings down to 1e-7 of the critical angle: phi_end < 8 pi
+
+struct DiscCrossing {
+    bool hit;
+    float r;          // r_s
+    vec2 place;       // disc (x, y), r_s
+    float phi;        // swept angle
+    vec2 along;       // footprint of one pixel on the disc in (x, y), r_s: image of its side along the ray's plane
+    vec2 across;      // ... and of the side across it
+};
+
+// The first crossing of the plane; crossing k lies k half turns further and on alternating sides.
+PlaneMeeting disc_meeting(Trace trace) {
+    vec3 normal = vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z);
+    return plane_meet(trace.n, radial_direction(), trace.s, normal, frame.disc_normal.w);
+}
+
+// Position on crossing `number` (0, 1, ...). margin: pixels by which the rims are widened (for covered fractions).
+DiscCrossing disc_cross(Trace trace, PlaneMeeting meeting, int number, float margin) {
+    DiscCrossing crossing;
+    crossing.hit = false;
+    crossing.phi = meeting.phi + 3.14159265358979323846 * float(number);
+#ifdef EFFECT_LENSING
+    float u = 1.0 + trace.ray.w * frame.strip.y;
+    OrbitPoint point = orbit_point(trace.escapes, u, frame.strip.y, crossing.phi, trace.phi_end, trace.phi_end_slope);
+    float zeta = max(point.zeta, 1.0e-12);
+    float r = 1.0 / zeta;
+    float r_along = -point.along * r * r;
+    float r_across = -point.across * r * r;
+#else
+    float zeta0 = frame.shift.y;
+    float sin_rest = sin(max(trace.phi_end - crossing.phi, 0.0));
+    float zeta = max(zeta0 * sin_rest / max(trace.s, 1.0e-12), 1.0e-12);
+    float r = 1.0 / zeta;
+    float r_along = r * cos(trace.phi_end - crossing.phi) / max(sin_rest, 1.0e-6);
+    float r_across = -r * r * zeta0 * sin(crossing.phi) / max(trace.s * trace.s, 1.0e-12);
+#endif
+    // Moving the pixel by d(chi) about the radial axis: the crossing moves along the ray and round the disc by
+    // d phi_1 = height hN / rho^2, d lambda = height / rho^2 with hN = orbital normal . disc normal, rho^2 = 1 - hN^2.
+    vec3 normal = vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z);
+    float inverse_s = 1.0 / max(trace.s, 1.0e-6);
+    float orbital = dot(cross(radial_direction(), trace.n), normal) * inverse_s;
+    float turn = frame.disc_normal.w / max((1.0 - orbital) * (1.0 + orbital), 1.0e-6) * inverse_s * trace.pixel_angle;
+    float across_r = r_along * orbital * turn;
+    float across_t = r * turn;
+    float along_r = r_across * trace.pixel_angle;
+    float inner = frame.disc_x.w;
+    float outer = frame.disc_y.w;
+    float reach = min(margin * sqrt(along_r * along_r + across_r * across_r), 0.125 * (outer - inner));
+    crossing.r = r;
+    crossing.hit = r >= inner - reach && r <= outer + reach;
+    float sign_k = (number & 1) == 0 ? 1.0 : -1.0;
+    vec3 m = sign_k * meeting.direction;
+    vec3 x_axis = vec3(frame.disc_x.x, frame.disc_x.y, frame.disc_x.z);
+    vec3 y_axis = vec3(frame.disc_y.x, frame.disc_y.y, frame.disc_y.z);
+    vec2 outward = vec2(dot(m, x_axis), dot(m, y_axis));
+    vec2 around = vec2(-outward.y, outward.x);
+    crossing.place = r * outward;
+    crossing.along = along_r * outward;
+    crossing.across = across_r * outward + across_t * around;
+    return crossing;
+}

@@ -1,0 +1,21 @@
+// What one frame tells every pixel: the only uniform block. vec4 members only, so that std140 and C++ agree without padding;
+// a test compares the driver's offsets with offsetof. Everything that would cancel in float is formed in double on the host.
+struct FrameData {
+    vec4 image;        // width, height in px, pixel's angle at the image centre (rad), exposure factor
+    vec4 ray_0;        // look direction of pixel (x, y), not normalised: ray_0 + x ray_x + y ray_y, world axes in .xyz;
+    vec4 ray_x;        //   x, y in px from the image centre, y up. In .w the same of its dot product with `radial`
+    vec4 ray_y;
+    vec4 cross_0;      // look direction x radial, the same way: a hole of a few microradians keeps its shape
+    vec4 cross_x;
+    vec4 cross_y;
+    vec4 radial;       // outward radial unit vector e at the camera; .w = axis: +1 / -1, the strip measures angles from axis*e
+    vec4 strip;        // critical angle theta_c from axis*e (rad), 1/w0, first sign: +1 if angles beyond theta_c escape, 0
+    vec4 boost;        // direction of motion in world axes, .w = stretch sqrt((1+v)/(1-v))
+    vec4 shift;        // g of a static camera here (camera over infinity), 0, 0, 0
+    vec4 sky;          // texels per radian of the sky's finest level, highest level, brightness, most taps of a footprint
+    vec4 disc_normal;  // unit normal of the disc, .w = normal . radial (0 exactly for a camera in the plane)
+    vec4 disc_x;       // disc's x axis, .w = inner radius (r_s)
+    vec4 disc_y;       // disc's y axis, .w = outer radius (r_s)
+    vec4 disc_map;     // cos and sin of the image's rotation, each over 2 outer; texels per r_s; highest level
+    vec4 disc_look;    // opacity, rim fade (fraction of the width, 0 = none), brightness, most taps of a footprint
+};

@@ -1,0 +1,20 @@
+#include "base/assets.h"
+
+#include <cstdlib>
+#include <system_error>
+
+namespace nullscope {
+
+std::filesystem::path assets_directory() {
+    namespace fs = std::filesystem;
+    if (const char* set = std::getenv("NULLSCOPE_ASSETS"); set && *set) return set;
+    std::error_code error;
+    const fs::path executable = fs::read_symlink("/proc/self/exe", error);
+    if (!error) {
+        fs::path installed = executable.parent_path().parent_path() / "share" / "nullscope";
+        if (fs::is_directory(installed, error)) return installed;
+    }
+    return NULLSCOPE_SOURCE_ASSETS;
+}
+
+}  // namespace nullscope

@@ -1,0 +1,22 @@
+// A file appears under its name only when it is complete.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace nullscope {
+
+// Calls write(temporary path beside target); on success renames it to target, otherwise removes it.
+Status write_atomically(const std::filesystem::path& target,
+                        const std::function<Status(const std::filesystem::path&)>& write);
+
+// The same for text.
+Status write_text_atomically(const std::filesystem::path& target, std::string_view text);
+
+// The whole file; error if it cannot be read or is larger than max_bytes.
+Result<std::string> read_text(const std::filesystem::path& path, std::size_t max_bytes = 64u << 20);
+
+}  // namespace nullscope

@@ -1,0 +1,31 @@
+// Progress of long work on standard error: a bar on a terminal, one plain line every few seconds elsewhere.
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <string>
+
+namespace nullscope {
+
+class Progress {
+public:
+    // total: units of work; nothing is printed before half a second has passed.
+    Progress(std::string label, long long total);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    void advance(long long units = 1);  // thread-safe
+
+private:
+    void print(double elapsed_s, bool last);
+    std::string label_;
+    long long total_;
+    std::atomic<long long> done_{0};
+    std::chrono::steady_clock::time_point start_;
+    std::mutex mutex_;
+    double last_print_s_ = 0.0;
+    bool terminal_ = false;
+    bool printed_ = false;
+};
+
+}  // namespace nullscope

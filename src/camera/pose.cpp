@@ -1,0 +1,132 @@
+#include "camera/pose.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace nullscope {
+namespace {
+
+// 1 - |v|^2 to rounding of the result: the squares are exact sums of two doubles (fma), and so are the differences
+// (Knuth).
+long double one_minus_square(Vec3 v) {
+    double sum = 1.0, tail = 0.0;
+    for (const double x : {v.x, v.y, v.z}) {
+        const double square = x * x;
+        const double next = sum - square;
+        const double taken = sum - next;
+        tail += (sum - (next + taken)) + (taken - square) - std::fma(x, x, -square);
+        sum = next;
+    }
+    return static_cast<long double>(sum) + tail;
+}
+
+// a b - c d within 1.5 units in the last place (Kahan).
+double difference_of_products(double a, double b, double c, double d) {
+    const double cd = c * d;
+    return std::fma(a, b, -cd) + std::fma(-c, d, cd);
+}
+
+Vec3 exact_cross(Vec3 a, Vec3 b) {
+    return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+            difference_of_products(a.x, b.y, a.y, b.x)};
+}
+
+Result<Done> check_static_frame(const Spacetime& spacetime, const CameraSpec& camera) {
+    const double horizon = spacetime.horizon_radius().value_or(0.0);
+    if (!(camera.r > horizon)) {
+        return bad_input(fmt::format("no static frame at r = {}; allowed: r > {}", camera.r, horizon));
+    }
+    if (!(camera.theta >= 0.0 && camera.theta <= std::numbers::pi)) {
+        return bad_input(fmt::format("theta = {} rad is out of range; allowed: [0, pi]", camera.theta));
+    }
+    if (std::sin(camera.theta) == 0.0) return bad_input("no coordinate tetrad on the axis; allowed: 0 < theta < pi");
+    if (!(one_minus_square(camera.velocity) > 0.0L)) {
+        return bad_input(
+            fmt::format("speed {} is not below that of light; allowed: |velocity| < 1", length(camera.velocity)));
+    }
+    return Done{};
+}
+
+}  // namespace
+
+Mat3 world_from_static(double theta, double phi) {
+    const double st = std::sin(theta), ct = std::cos(theta), sp = std::sin(phi), cp = std::cos(phi);
+    return {{st * cp, st * sp, ct}, {ct * cp, ct * sp, -st}, {-sp, cp, 0.0}};
+}
+
+Mat3 static_from_camera(const CameraSpec& camera) {
+    const double sy = std::sin(camera.yaw), cy = std::cos(camera.yaw);
+    const double sp = std::sin(camera.pitch), cp = std::cos(camera.pitch);
+    const double sr = std::sin(camera.roll), cr = std::cos(camera.roll);
+    const Mat3 unrotated{{0, 0, 1}, {0, -1, 0}, {1, 0, 0}};
+    const Mat3 yaw{{cy, 0, sy}, {0, 1, 0}, {-sy, 0, cy}};    // forward = -z goes to (sin, 0, -cos)
+    const Mat3 pitch{{1, 0, 0}, {0, cp, sp}, {0, -sp, cp}};  // forward goes to (0, sin, -cos)
+    const Mat3 roll{{cr, -sr, 0}, {sr, cr, 0}, {0, 0, 1}};   // up = y goes to (sin, cos, 0)
+    return unrotated * yaw * pitch * roll;
+}
+
+// A camera axis c becomes e = (w . c, c + w (w . c)/(1 + gamma)) with w = gamma v. Errors of c stay of their own size,
+// those of the boost are multiplied by gamma^2: the boost is computed in long double.
+Result<TetradPair> camera_tetrad_pair(const Spacetime& spacetime, const CameraSpec& camera) {
+    if (Result<Done> ok = check_static_frame(spacetime, camera); !ok) return ok.error();
+    using Long3 = std::array<long double, 3>;
+    const Vec3 v = camera.velocity;
+    const long double gamma = 1.0L / std::sqrt(one_minus_square(v));
+    const Long3 w = {gamma * v.x, gamma * v.y, gamma * v.z};
+    const Matrix4 g = spacetime.metric(camera.r, camera.theta);
+    const Mat3 axes = static_from_camera(camera);
+
+    std::array<std::array<long double, 4>, 4> rows{};  // along the static tetrad
+    rows[0] = {gamma, w[0], w[1], w[2]};
+    int i = 1;
+    for (const Vec3 axis : {axes.a, axes.b, axes.c}) {
+        const Long3 c = {axis.x, axis.y, axis.z};
+        const long double along = w[0] * c[0] + w[1] * c[1] + w[2] * c[2];
+        const long double push = along / (1.0L + gamma);
+        rows[i++] = {along, c[0] + push * w[0], c[1] + push * w[1], c[2] + push * w[2]};
+    }
+    TetradPair tetrad{};
+    for (i = 0; i < 4; ++i) {
+        for (int mu = 0; mu < 4; ++mu) {
+            const long double component = rows[i][mu] / std::sqrt(std::fabs(static_cast<long double>(g[mu][mu])));
+            tetrad.high[i][mu] = static_cast<double>(component);
+            tetrad.low[i][mu] = static_cast<double>(component - tetrad.high[i][mu]);
+        }
+    }
+    return tetrad;
+}
+
+Result<Matrix4> camera_tetrad(const Spacetime& spacetime, const CameraSpec& camera) {
+    const Result<TetradPair> pair = camera_tetrad_pair(spacetime, camera);
+    if (!pair) return pair.error();
+    return pair->high;
+}
+
+Vec3 pixel_direction(const CameraSpec& camera, double x, double y) {
+    const double pixel = camera.plane_width / camera.width / camera.focal_distance;  // square pixels
+    return {(x - 0.5 * camera.width) * pixel, (0.5 * camera.height - y) * pixel, -1.0};
+}
+
+// With c = cos(theta_camera): D = sqrt(1 - b^2) / ((1 - c)(1 + b)/2 + (1 + c)(1 - b)/2), the part of n across the
+// motion is multiplied by D, the part along it becomes the difference over the sum of the two terms. 1 - c and 1 + c
+// follow from the sine |n x v| / b, and 1 - b from 1 - b^2, so that neither small number is a difference.
+Aberrated aberrate_to_static(Vec3 n, Vec3 velocity) {
+    const double speed = length(velocity);
+    if (speed == 0.0) return {n, 1.0};
+    const double one_minus_b2 = static_cast<double>(one_minus_square(velocity));
+    const Vec3 axis = velocity / speed;
+    const Vec3 normal = exact_cross(n, velocity) / speed;
+    const double c = dot(n, axis);
+    const double sine2 = dot(normal, normal);
+    const double one_minus_c = c > 0.0 ? sine2 / (1.0 + c) : 1.0 - c;
+    const double one_plus_c = c > 0.0 ? 1.0 + c : sine2 / (1.0 - c);
+    const double ahead = 0.5 * one_plus_c * one_minus_b2 / (1.0 + speed);  // (1 + c)(1 - b)/2
+    const double astern = 0.5 * one_minus_c * (1.0 + speed);
+    const double doppler = std::sqrt(one_minus_b2) / (ahead + astern);
+    const Vec3 across = cross(axis, normal);
+    return {doppler * across + ((ahead - astern) / (ahead + astern)) * axis, doppler};
+}
+
+}  // namespace nullscope

@@ -1,0 +1,35 @@
+// A subcommand registers itself with CLI11 and runs when it was named; it returns the process's exit status.
+#pragma once
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+
+namespace nullscope::cli {
+
+struct Command {
+    CLI::App* app = nullptr;
+    std::function<int()> run;
+};
+
+Command add_capture(CLI::App& parent);
+Command add_trace(CLI::App& parent);
+Command add_compare(CLI::App& parent);
+Command add_bench(CLI::App& parent);
+Command add_plan(CLI::App& parent);
+Command add_scenes(CLI::App& parent);
+Command add_info(CLI::App& parent);
+
+// One line on standard error; the exit status that goes with it (1 or 2).
+int report(const Error& error);
+
+struct Size {
+    int width, height;
+};
+// "1280x720"; each side 1 ... 65536.
+Result<Size> parse_size(const std::string& text);
+
+}  // namespace nullscope::cli

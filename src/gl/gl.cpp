@@ -1,0 +1,255 @@
+#include "gl/gl.h"
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+#include <sstream>
+
+namespace nullscope::gl {
+namespace {
+
+struct Loader {
+    void (*(*get_proc_address)(const char*, void*))();
+    void* user;
+};
+
+GLADapiproc load_one(void* userptr, const char* name) {
+    const auto* loader = static_cast<const Loader*>(userptr);
+    return reinterpret_cast<GLADapiproc>(loader->get_proc_address(name, loader->user));
+}
+
+std::string text_of(GLenum name) {
+    const GLubyte* text = glGetString(name);
+    return text == nullptr ? "" : reinterpret_cast<const char*>(text);
+}
+
+// The source with line numbers, so that a driver's "0:123" can be read.
+std::string numbered(const std::string& source) {
+    std::istringstream in(source);
+    std::string out, line;
+    for (int number = 1; std::getline(in, line); ++number) out += fmt::format("{:4} {}\n", number, line);
+    return out;
+}
+
+GLuint compile(GLenum kind, const std::string& source) {
+    const GLuint shader = glCreateShader(kind);
+    const char* text = source.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    GLint ok = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    if (ok == GL_TRUE) return shader;
+    GLint length = 0;
+    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    glGetShaderInfoLog(shader, length, nullptr, log.data());
+    glDeleteShader(shader);
+    throw GlError("the driver refuses a shader: " + log + "\n" + numbered(source));
+}
+
+void set_sampling(GLenum target, GLint minify, GLint magnify) {
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, minify);
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify);
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+GLuint new_texture(GLenum target) {
+    GLuint id = 0;
+    glGenTextures(1, &id);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(target, id);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    return id;
+}
+
+}  // namespace
+
+void load_functions(void (*(*get_proc_address)(const char*, void*))(), void* user) {
+    Loader loader{get_proc_address, user};
+    const int version = gladLoadGLUserPtr(load_one, &loader);
+    if (version == 0) throw GlError("the OpenGL functions cannot be loaded");
+    if (version < GLAD_MAKE_VERSION(3, 3))
+        throw GlError(fmt::format("OpenGL 3.3 is needed; this driver has {}.{} ({})", GLAD_VERSION_MAJOR(version),
+                                  GLAD_VERSION_MINOR(version), text_of(GL_RENDERER)));
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    glDisable(GL_DITHER);
+}
+
+Info info() {
+    Info i{text_of(GL_VERSION), text_of(GL_RENDERER), text_of(GL_VENDOR), text_of(GL_SHADING_LANGUAGE_VERSION), 0, 0, 0};
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &i.max_texture_size);
+    glGetIntegerv(GL_MAX_CUBE_MAP_TEXTURE_SIZE, &i.max_cube_size);
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &i.max_renderbuffer_size);
+    return i;
+}
+
+void check(const char* where) {
+    const GLenum error = glGetError();
+    if (error == GL_NO_ERROR) return;
+    if (error == GL_OUT_OF_MEMORY) throw GlError(fmt::format("{}: the GPU is out of memory", where));
+    throw GlError(fmt::format("{}: OpenGL error 0x{:04x}", where, error));
+}
+
+void delete_program(unsigned id) { glDeleteProgram(id); }
+void delete_texture(unsigned id) { glDeleteTextures(1, &id); }
+void delete_buffer(unsigned id) { glDeleteBuffers(1, &id); }
+void delete_framebuffer(unsigned id) { glDeleteFramebuffers(1, &id); }
+void delete_vertex_array(unsigned id) { glDeleteVertexArrays(1, &id); }
+
+Program make_program(const std::string& vertex, const std::string& fragment) {
+    const GLuint v = compile(GL_VERTEX_SHADER, vertex);
+    const GLuint f = compile(GL_FRAGMENT_SHADER, fragment);
+    Program program(glCreateProgram());
+    glAttachShader(program.id(), v);
+    glAttachShader(program.id(), f);
+    glLinkProgram(program.id());
+    glDeleteShader(v);
+    glDeleteShader(f);
+    GLint ok = 0;
+    glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
+    if (ok == GL_TRUE) return program;
+    GLint length = 0;
+    glGetProgramiv(program.id(), GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    glGetProgramInfoLog(program.id(), length, nullptr, log.data());
+    throw GlError("the driver cannot link a program: " + log);
+}
+
+void bind_uniform_block(const Program& program, const char* block, unsigned binding) {
+    const GLuint index = glGetUniformBlockIndex(program.id(), block);
+    if (index != GL_INVALID_INDEX) glUniformBlockBinding(program.id(), index, binding);
+}
+
+void bind_sampler(const Program& program, const char* sampler, int unit) {
+    glUseProgram(program.id());
+    glUniform1i(glGetUniformLocation(program.id(), sampler), unit);
+}
+
+std::vector<int> uniform_offsets(const Program& program, const std::vector<std::string>& members) {
+    std::vector<const char*> names;
+    for (const std::string& member : members) names.push_back(member.c_str());
+    std::vector<GLuint> indices(members.size(), GL_INVALID_INDEX);
+    glGetUniformIndices(program.id(), static_cast<GLsizei>(names.size()), names.data(), indices.data());
+    std::vector<int> offsets(members.size(), -1);
+    for (std::size_t i = 0; i < members.size(); ++i)
+        if (indices[i] != GL_INVALID_INDEX) glGetActiveUniformsiv(program.id(), 1, &indices[i], GL_UNIFORM_OFFSET, &offsets[i]);
+    return offsets;
+}
+
+Texture make_float_texture(int width, int height, const float* rgba) {
+    Texture texture(new_texture(GL_TEXTURE_2D));
+    set_sampling(GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, rgba);
+    check("table texture");
+    return texture;
+}
+
+Texture make_picture_texture(int width, int height, int channels, const float* data) {
+    Texture texture(new_texture(GL_TEXTURE_2D));
+    set_sampling(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, width, height, 0, channels == 4 ? GL_RGBA : GL_RGB, GL_FLOAT, data);
+    glGenerateMipmap(GL_TEXTURE_2D);
+    check("picture texture");
+    return texture;
+}
+
+Texture make_cube_texture(int size, const float* const faces[6]) {
+    Texture texture(new_texture(GL_TEXTURE_CUBE_MAP));
+    set_sampling(GL_TEXTURE_CUBE_MAP, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+    for (int face = 0; face < 6; ++face)
+        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), 0, GL_R11F_G11F_B10F, size, size, 0, GL_RGB,
+                     GL_FLOAT, faces[face]);
+    glGenerateMipmap(GL_TEXTURE_CUBE_MAP);
+    check("sky texture");
+    return texture;
+}
+
+Buffer make_uniform_buffer(std::size_t bytes) {
+    GLuint id = 0;
+    glGenBuffers(1, &id);
+    glBindBuffer(GL_UNIFORM_BUFFER, id);
+    glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_DRAW);
+    return Buffer(id);
+}
+
+void upload_uniforms(const Buffer& buffer, unsigned binding, const void* data, std::size_t bytes) {
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer.id());
+    glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer.id());
+}
+
+Target make_target(int width, int height, Format format, int count) {
+    Target target{width, height, {}, {}};
+    GLuint id = 0;
+    glGenFramebuffers(1, &id);
+    target.framebuffer = Framebuffer(id);
+    glBindFramebuffer(GL_FRAMEBUFFER, id);
+    std::vector<GLenum> buffers;
+    for (int i = 0; i < count; ++i) {
+        Texture texture(new_texture(GL_TEXTURE_2D));
+        set_sampling(GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST);
+        if (format == Format::kRgba8)
+            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        else
+            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
+        const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.id(), 0);
+        buffers.push_back(attachment);
+        target.colours.push_back(std::move(texture));
+    }
+    glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
+    check("framebuffer");
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw GlError(fmt::format("the driver cannot draw to a {}x{} target of this format", width, height));
+    return target;
+}
+
+void read_rgba8(const Target& target, unsigned char* out) {
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, target.width, target.height, GL_RGBA, GL_UNSIGNED_BYTE, out);
+    check("read pixels");
+}
+
+void read_rgba32f(const Target& target, int attachment, float* out) {
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachment));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, target.width, target.height, GL_RGBA, GL_FLOAT, out);
+    check("read pixels");
+}
+
+VertexArray make_vertex_array() {
+    GLuint id = 0;
+    glGenVertexArrays(1, &id);
+    return VertexArray(id);
+}
+
+void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, width, height);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glUseProgram(program.id());
+    glBindVertexArray(empty.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    check("draw");
+}
+
+void bind_texture_2d(int unit, const Texture& texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+}
+
+void bind_texture_cube(int unit, const Texture& texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
+}
+
+void finish() { glFinish(); }
+
+}  // namespace nullscope::gl

@@ -1,0 +1,94 @@
+// OpenGL objects with owners. A GL failure is a GlError with the driver's log; nothing here knows of scenes.
+// Every object must die while the context that made it is current.
+#pragma once
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nullscope::gl {
+
+struct GlError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// Loads the functions of the current context. throws GlError if it is older than 3.3.
+void load_functions(void (*(*get_proc_address)(const char*, void*))(), void* user);
+
+struct Info {
+    std::string version, renderer, vendor, glsl;
+    int max_texture_size = 0, max_cube_size = 0, max_renderbuffer_size = 0;
+};
+Info info();
+void check(const char* where);   // throws GlError if glGetError has something to say
+
+// Owns one GL name of a kind; movable.
+template <void (*Delete)(unsigned)>
+class Name {
+public:
+    Name() = default;
+    explicit Name(unsigned id) : id_(id) {}
+    ~Name() { reset(); }
+    Name(Name&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+    Name& operator=(Name&& other) noexcept {
+        if (this != &other) reset(), id_ = std::exchange(other.id_, 0);
+        return *this;
+    }
+    unsigned id() const { return id_; }
+    explicit operator bool() const { return id_ != 0; }
+
+private:
+    void reset() {
+        if (id_ != 0) Delete(id_);
+        id_ = 0;
+    }
+    unsigned id_ = 0;
+};
+void delete_program(unsigned id);
+void delete_texture(unsigned id);
+void delete_buffer(unsigned id);
+void delete_framebuffer(unsigned id);
+void delete_vertex_array(unsigned id);
+using Program = Name<delete_program>;
+using Texture = Name<delete_texture>;
+using Buffer = Name<delete_buffer>;
+using Framebuffer = Name<delete_framebuffer>;
+using VertexArray = Name<delete_vertex_array>;
+
+// throws GlError with the driver's log and the numbered lines it complains of.
+Program make_program(const std::string& vertex, const std::string& fragment);
+void bind_uniform_block(const Program& program, const char* block, unsigned binding);
+void bind_sampler(const Program& program, const char* sampler, int unit);   // silent if the program has no such sampler
+// Byte offsets of the members of a uniform block, in the order of `members`; -1 for one that the compiler dropped.
+std::vector<int> uniform_offsets(const Program& program, const std::vector<std::string>& members);
+
+// Numbers: RGBA32F, nearest, one level.
+Texture make_float_texture(int width, int height, const float* rgba);
+// A picture with mip levels: RGB(A) float, linear light, stored as RGBA16F; clamped, trilinear.
+Texture make_picture_texture(int width, int height, int channels, const float* data);
+// Six faces of RGB float, stored as R11F_G11F_B10F; seamless, trilinear.
+Texture make_cube_texture(int size, const float* const faces[6]);
+
+Buffer make_uniform_buffer(std::size_t bytes);
+void upload_uniforms(const Buffer& buffer, unsigned binding, const void* data, std::size_t bytes);
+
+enum class Format { kRgba8, kRgba32F };
+// A framebuffer with `count` colour textures of one format.
+struct Target {
+    int width = 0, height = 0;
+    std::vector<Texture> colours;
+    Framebuffer framebuffer;
+};
+Target make_target(int width, int height, Format format, int count = 1);
+void read_rgba8(const Target& target, unsigned char* out);               // bottom row first
+void read_rgba32f(const Target& target, int attachment, float* out);     // bottom row first
+
+VertexArray make_vertex_array();
+// Draws one triangle over the viewport of the bound framebuffer. framebuffer 0: the window.
+void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height);
+void bind_texture_2d(int unit, const Texture& texture);
+void bind_texture_cube(int unit, const Texture& texture);
+void finish();
+
+}  // namespace nullscope::gl

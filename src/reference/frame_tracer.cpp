@@ -1,0 +1,122 @@
+#include "reference/frame_tracer.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "camera/pose.h"
+#include "spacetime/registry.h"
+
+namespace nullscope::reference {
+namespace {
+
+double finite_or_zero(double value) { return std::isfinite(value) ? value : 0.0; }
+
+Status check_disc(const DiscSpec& disc) {
+    if (!(disc.inner > 0 && disc.inner < disc.outer && std::isfinite(disc.outer))) {
+        return bad_input(
+            fmt::format("disc: 0 < inner < outer is required, not inner = {}, outer = {}", disc.inner, disc.outer));
+    }
+    if (!(disc.opacity > 0 && disc.opacity <= 1)) {
+        return bad_input(fmt::format("disc: opacity = {} must lie in (0, 1]", disc.opacity));
+    }
+    return Done{};
+}
+
+}  // namespace
+
+Result<FrameTracer> FrameTracer::make(const Scene& scene) {
+    FrameTracer tracer;
+    tracer.camera_ = scene.camera;
+    tracer.disc_ = scene.disc;
+    const CameraSpec& camera = scene.camera;
+    if (camera.width < 1 || camera.height < 1) {
+        return bad_input(fmt::format("camera: size {}x{} must be at least 1x1", camera.width, camera.height));
+    }
+    if (!(camera.theta >= 0 && camera.theta <= M_PI && std::isfinite(camera.phi))) {
+        return bad_input(
+            fmt::format("camera: theta = {} must lie in [0, pi] and phi = {} be finite", camera.theta, camera.phi));
+    }
+    if (scene.disc) {
+        if (Status ok = check_disc(*scene.disc); !ok) return ok.error();
+    }
+    auto metric = make_orbit_metric(scene.spacetime);
+    if (!metric) return metric.error();
+    auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+    if (!spacetime) return spacetime.error();
+    // By spherical symmetry the tetrad's components along the static tetrad do not depend on theta: taken at the
+    // equator, where the coordinates are regular, they hold on the axis too.
+    CameraSpec equatorial = camera;
+    equatorial.theta = M_PI / 2;
+    auto tetrad = camera_tetrad_pair(**spacetime, equatorial);
+    if (!tetrad) return tetrad.error();
+    const Matrix4 g = (*spacetime)->metric(camera.r, equatorial.theta);
+    for (int i = 0; i < 4; ++i) {
+        for (int mu = 0; mu < 4; ++mu) {
+            const long double component = static_cast<long double>(tetrad->high[i][mu]) + tetrad->low[i][mu];
+            tracer.tetrad_[i][mu] = component * std::sqrt(std::abs(static_cast<long double>(g[mu][mu])));
+        }
+    }
+    tracer.metric_ = std::move(*metric);
+    tracer.lapse_ = tracer.metric_->lapse(camera.r);
+    return tracer;
+}
+
+CameraRay FrameTracer::ray(double x, double y) const {
+    const Vec3 look = pixel_direction(camera_, x, y);
+    const long double norm =
+        std::sqrt(static_cast<long double>(look.x) * look.x + static_cast<long double>(look.y) * look.y +
+                  static_cast<long double>(look.z) * look.z);
+    const std::array<long double, 3> n{look.x / norm, look.y / norm, look.z / norm};
+    std::array<long double, 4> p = tetrad_[0];
+    for (int i = 0; i < 3; ++i) {
+        for (int mu = 0; mu < 4; ++mu) p[mu] -= n[i] * tetrad_[i + 1][mu];
+    }
+    // The photon is null: its frequency in the static frame, E / sqrt(A), is the length of its spatial part.
+    const long double across = std::sqrt(p[2] * p[2] + p[3] * p[3]),
+                      frequency = std::sqrt(p[1] * p[1] + across * across);
+    const LocalRay local{camera_.r, static_cast<double>(-p[1] / frequency), static_cast<double>(across / frequency)};
+    const Vec3 direction{local.n_r, static_cast<double>(-p[2] / frequency), static_cast<double>(-p[3] / frequency)};
+    return {metric_->from_static(local), RayPlane(camera_.theta, camera_.phi, direction),
+            1 / (static_cast<double>(frequency) * lapse_)};
+}
+
+std::vector<DiscHit> FrameTracer::disc_hits(const CameraRay& ray, int max_hits) const {
+    std::vector<DiscHit> hits;
+    if (!disc_) return hits;
+    for (int k = 1; static_cast<int>(hits.size()) < max_hits; ++k) {
+        const double angle = ray.plane.crossing(k);
+        if (!(angle < ray.orbit->angle())) break;
+        const double r = 1 / ray.orbit->zeta_at(angle);
+        if (!(r >= disc_->inner && r <= disc_->outer)) continue;
+        const double phi = ray.plane.azimuth(angle);
+        hits.push_back({angle, r * std::cos(phi), r * std::sin(phi)});
+    }
+    return hits;
+}
+
+RayPixel FrameTracer::pixel(double x, double y) const {
+    const CameraRay traced = ray(x, y);
+    RayPixel pixel;
+    pixel.fate = traced.orbit->fate();
+    pixel.g = traced.g;
+    pixel.angle = finite_or_zero(traced.orbit->angle());
+    const std::vector<DiscHit> hits = disc_hits(traced, 1);
+    if (!hits.empty()) {
+        pixel.hit = 1;
+        pixel.u = hits.front().x;
+        pixel.v = hits.front().y;
+        if (disc_->opacity == 1) {
+            pixel.fate = Fate::kHit;
+            pixel.angle = hits.front().angle;
+        }
+    }
+    if (pixel.fate == Fate::kEscaped) {
+        pixel.sky = traced.plane.direction(pixel.angle);
+        pixel.delay = finite_or_zero(traced.orbit->delay());
+    }
+    pixel.order = static_cast<int>(std::floor(pixel.angle / M_PI));
+    return pixel;
+}
+
+}  // namespace nullscope::reference

@@ -1,0 +1,51 @@
+// The rays of a camera: from a pixel position to an orbit, a plane and a frequency ratio, for ray data and rendering.
+//
+// The direction is carried through the tetrad as a photon momentum, p = e_0 - n^i e_i for the photon that arrives from
+// n with unit frequency; E = -p_t and the static frame's components follow from the metric. On purpose not the product
+// form of camera/pose.h.
+#pragma once
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "base/result.h"
+#include "reference/orbit.h"
+#include "reference/ray_plane.h"
+#include "scene/ray.h"
+#include "scene/scene.h"
+
+namespace nullscope::reference {
+
+struct CameraRay {
+    std::unique_ptr<Orbit> orbit;
+    RayPlane plane;
+    double g;  // camera frequency over frequency at infinity
+};
+
+// A place where a ray meets the equatorial plane, in world axes: x = r cos(phi), y = r sin(phi), lengths in r_s.
+struct DiscHit {
+    double angle, x, y;
+};
+
+class FrameTracer {
+public:
+    // Errors: unknown metric, no static frame at the camera, a camera or disc out of range.
+    static Result<FrameTracer> make(const Scene& scene);
+    // Pixel position: column, row from the top, centres at +0.5. About a microsecond.
+    CameraRay ray(double x, double y) const;
+    // Where the ray meets the disc, in its order; empty if the scene has none. At most max_hits.
+    std::vector<DiscHit> disc_hits(const CameraRay& ray, int max_hits) const;
+    RayPixel pixel(double x, double y) const;
+
+private:
+    FrameTracer() = default;
+    CameraSpec camera_;
+    std::optional<DiscSpec> disc_;
+    std::shared_ptr<const OrbitMetric> metric_;
+    double lapse_ = 1;
+    // Rows: e_0, right, up, backward; components along the static tetrad (t, r, theta, phi). In long double because
+    // ahead of a camera with gamma = 700 the sum e_0 - n^i e_i leaves 1/gamma^2 of its terms.
+    std::array<std::array<long double, 4>, 4> tetrad_{};
+};
+
+}  // namespace nullscope::reference

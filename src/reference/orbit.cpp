@@ -1,0 +1,32 @@
+#include "reference/orbit.h"
+
+#include <array>
+
+#include "reference/minkowski_orbit.h"
+#include "reference/schwarzschild_orbit.h"
+
+namespace nullscope::reference {
+namespace {
+
+struct Entry {
+    const char* key;
+    std::unique_ptr<OrbitMetric> (*make)(const SpacetimeSpec& spec);
+};
+constexpr std::array<Entry, 2> kMetrics{{
+    {"schwarzschild", make_schwarzschild_orbits},
+    {"minkowski", make_minkowski_orbits},
+}};
+
+}  // namespace
+
+Result<std::unique_ptr<OrbitMetric>> make_orbit_metric(const SpacetimeSpec& spec) {
+    std::string known;
+    for (const Entry& entry : kMetrics) {
+        if (spec.metric == entry.key) return entry.make(spec);
+        known += known.empty() ? entry.key : std::string(", ") + entry.key;
+    }
+    return bad_input("the reference tracer has no orbits for the metric '" + spec.metric + "' (it knows: " + known +
+                     ")");
+}
+
+}  // namespace nullscope::reference

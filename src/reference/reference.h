@@ -1,0 +1,35 @@
+// The witness: an independent double-precision tracer. It shares no geodesic code with the shader core or the table.
+//
+// Orbits are closed forms (Carlson's integrals, Jacobi's functions) of quantities formed without cancellation: angles,
+// delays and positions along the ray are good to about 1e-15 relative, times the conditioning of the question.
+#pragma once
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "base/image.h"
+#include "base/result.h"
+#include "scene/ray.h"
+#include "scene/scene.h"
+#include "sky/sky.h"
+
+namespace nullscope::reference {
+
+// One ray in the scene's spacetime. crossings: how many crossings of the equatorial plane to list.
+// A ray that falls inward from a camera at or inside the horizon has ended where it starts: nothing is listed for it.
+// Errors: query outside the metric's domain, frame that does not exist there.
+Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int crossings = 0);
+
+// The ray data of a whole frame on all cores, 0.7 to 2 million rays a second and core. delay is always filled in.
+// done(n): called from any thread after n more pixels. Deterministic. Errors: bad camera, disc or metric.
+Result<RayFrame> trace_frame(const Scene& scene, const std::function<void(long long)>& done = {});
+
+// The same for a list of pixel positions (column, row from the top; centres at +0.5).
+Result<std::vector<RayPixel>> trace_pixels(const Scene& scene, const std::vector<std::array<double, 2>>& positions);
+
+// Linear RGB (exposure not applied), samples x samples rays a pixel, averaged in linear light. disc_image: 3 or 4
+// channels, alpha not multiplied in; without one the disc is white.
+Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const Image<float>* disc_image, int samples,
+                                  const std::function<void(long long)>& done = {});
+
+}  // namespace nullscope::reference

@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "reference/frame_tracer.h"
+#include "reference/reference.h"
+
+namespace nullscope::reference {
+namespace {
+
+struct Paint {
+    Vec3 colour;
+    double alpha;
+};
+
+// Bilinear, clamped at the rim. x, y in [0, 1], y from the top.
+Paint sample_image(const Image<float>& image, double x, double y) {
+    const double column = std::clamp(x * image.width - 0.5, 0.0, image.width - 1.0);
+    const double row = std::clamp(y * image.height - 0.5, 0.0, image.height - 1.0);
+    const int x0 = static_cast<int>(column), y0 = static_cast<int>(row);
+    const int x1 = std::min(x0 + 1, image.width - 1), y1 = std::min(y0 + 1, image.height - 1);
+    std::array<double, 4> sum{0, 0, 0, 0};
+    const auto add = [&](int i, int j, double weight) {
+        const float* texel = image.at(i, j);
+        for (int c = 0; c < 3; ++c) sum[c] += weight * texel[c];
+        sum[3] += weight * (image.channels == 4 ? texel[3] : 1.0f);
+    };
+    const double fx = column - x0, fy = row - y0;
+    add(x0, y0, (1 - fx) * (1 - fy));
+    add(x1, y0, fx * (1 - fy));
+    add(x0, y1, (1 - fx) * fy);
+    add(x1, y1, fx * fy);
+    return {{sum[0], sum[1], sum[2]}, sum[3]};
+}
+
+double smoothstep(double edge, double x) {
+    const double t = std::clamp(x / edge, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+// Colour and coverage of the disc at (x, y): the image's square covers [-outer, outer]^2, turned by rotation, row 0 at
+// the side +outer.
+Paint disc_paint(const DiscSpec& disc, const Image<float>* image, double x, double y) {
+    const double c = std::cos(disc.rotation), s = std::sin(disc.rotation);
+    const double u = (c * x + s * y) / disc.outer, v = (c * y - s * x) / disc.outer;
+    Paint paint = image ? sample_image(*image, 0.5 * (1 + u), 0.5 * (1 - v)) : Paint{{1, 1, 1}, 1};
+    const double r = std::hypot(x, y), distance = std::min(r - disc.inner, disc.outer - r) / (disc.outer - disc.inner);
+    paint.colour = disc.brightness * paint.colour;
+    paint.alpha *= disc.opacity * (disc.edge > 0 ? smoothstep(disc.edge, distance) : 1.0);
+    return paint;
+}
+
+// More hits than this add nothing: images beyond it are thinner than e^-200 of the disc.
+constexpr int kMostHits = 64;
+
+Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const SkyCube& sky, const Image<float>* disc_image,
+                double x, double y) {
+    const CameraRay ray = tracer.ray(x, y);
+    Vec3 colour{0, 0, 0};
+    double through = 1;
+    for (const DiscHit& hit : tracer.disc_hits(ray, kMostHits)) {
+        const Paint paint = disc_paint(*scene.disc, disc_image, hit.x, hit.y);
+        colour = colour + through * paint.alpha * paint.colour;
+        through *= 1 - paint.alpha;
+    }
+    if (ray.orbit->fate() == Fate::kEscaped && through > 0) {
+        colour = colour + through * sample_sky(sky, ray.plane.direction(ray.orbit->angle()));
+    }
+    return colour;
+}
+
+}  // namespace
+
+Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const Image<float>* disc_image, int samples,
+                                  const std::function<void(long long)>& done) {
+    if (samples < 1) return bad_input(fmt::format("samples = {} must be at least 1", samples));
+    if (disc_image && (disc_image->empty() || disc_image->channels < 3 || disc_image->channels > 4)) {
+        return bad_input("the disc's image must have 3 or 4 channels");
+    }
+    auto tracer = FrameTracer::make(scene);
+    if (!tracer) return tracer.error();
+    Image<float> image(scene.camera.width, scene.camera.height, 3);
+    tbb::parallel_for(tbb::blocked_range<int>(0, image.height), [&](const tbb::blocked_range<int>& rows) {
+        for (int y = rows.begin(); y < rows.end(); ++y) {
+            for (int x = 0; x < image.width; ++x) {
+                Vec3 sum{0, 0, 0};
+                for (int i = 0; i < samples * samples; ++i) {
+                    const double dx = (i % samples + 0.5) / samples, dy = (i / samples + 0.5) / samples;
+                    sum = sum + ray_colour(*tracer, scene, sky, disc_image, x + dx, y + dy);
+                }
+                sum = sum / (static_cast<double>(samples) * samples);
+                float* pixel = image.at(x, y);
+                pixel[0] = static_cast<float>(sum.x);
+                pixel[1] = static_cast<float>(sum.y);
+                pixel[2] = static_cast<float>(sum.z);
+            }
+            if (done) done(image.width);
+        }
+    });
+    return image;
+}
+
+}  // namespace nullscope::reference

@@ -1,0 +1,109 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reference/orbit.h"
+#include "reference/ray_plane.h"
+#include "reference/reference.h"
+
+namespace nullscope::reference {
+namespace {
+
+// Outside of these the squares of the orbit equation would leave the range of a double.
+constexpr double kLeastRadius = 1e-30, kLargestRadius = 1e60;
+
+struct Traced {
+    std::unique_ptr<Orbit> orbit;
+    double g;
+};
+
+Result<Traced> trace_reduced(const OrbitMetric& metric, const ReducedRay& ray) {
+    if (!(ray.q > 0)) return bad_input(fmt::format("q = {} must be positive (infinite for a radial ray)", ray.q));
+    if (!(ray.zeta0 >= 1 / kLargestRadius && ray.zeta0 <= 1 / kLeastRadius)) {
+        return bad_input(
+            fmt::format("zeta0 = {} must lie in [{}, {}]", ray.zeta0, 1 / kLargestRadius, 1 / kLeastRadius));
+    }
+    if (ray.s != 1 && ray.s != -1) return bad_input(fmt::format("s = {} must be 1 (towards the hole) or -1", ray.s));
+    auto orbit = metric.from_reduced(ray);
+    if (!orbit) return orbit.error();
+    const double r = 1 / ray.zeta0;
+    const bool has_static = !metric.horizon_radius() || r > *metric.horizon_radius();
+    return Traced{std::move(*orbit), has_static ? 1 / metric.lapse(r) : kNotANumber};
+}
+
+// query.n is a unit vector here.
+Result<Traced> trace_local(const OrbitMetric& metric, const RayQuery& query, Vec3 n) {
+    if (!(query.r >= kLeastRadius && query.r <= kLargestRadius)) {
+        return bad_input(fmt::format("r = {} must lie in [{}, {}]", query.r, kLeastRadius, kLargestRadius));
+    }
+    if (!(query.theta >= 0 && query.theta <= M_PI))
+        return bad_input(fmt::format("theta = {} must lie in [0, pi]", query.theta));
+    if (!std::isfinite(query.phi)) return bad_input("phi must be finite");
+    const LocalRay ray{query.r, n.x, std::hypot(n.y, n.z)};
+    if (query.frame == LocalFrame::kRain) {
+        RainOrbit rain = metric.from_rain(ray);
+        return Traced{std::move(rain.orbit), rain.g};
+    }
+    if (metric.horizon_radius() && !(query.r > *metric.horizon_radius())) {
+        return bad_input(
+            fmt::format("no static frame at r = {}: it needs r > {}, the horizon (use frame = rain inside)", query.r,
+                        *metric.horizon_radius()));
+    }
+    return Traced{metric.from_static(ray), 1 / metric.lapse(query.r)};
+}
+
+// A unit vector without overflow, or an error.
+Result<Vec3> unit_direction(Vec3 n) {
+    const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    if (!std::isfinite(n.x) || !std::isfinite(n.y) || !std::isfinite(n.z))
+        return bad_input("the look direction must be finite");
+    if (largest == 0) return bad_input("the look direction must not be zero");
+    return normalized(n / largest);
+}
+
+void list_crossings(const Orbit& orbit, const RayPlane& plane, int count, std::vector<RayRecord::Crossing>& list) {
+    for (int k = 1; k <= count; ++k) {
+        const double angle = plane.crossing(k);
+        if (!(angle < orbit.angle())) return;
+        list.push_back({1 / orbit.zeta_at(angle), plane.azimuth(angle)});
+    }
+}
+
+}  // namespace
+
+Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int crossings) {
+    auto metric = make_orbit_metric(scene.spacetime);
+    if (!metric) return metric.error();
+    if (query.at_angle && !(*query.at_angle >= 0 && std::isfinite(*query.at_angle))) {
+        return bad_input(fmt::format("at_angle = {} must be finite and not negative", *query.at_angle));
+    }
+    Vec3 n{0, 0, 1};  // of the reduced form: in the equatorial plane towards growing phi
+    double theta = M_PI / 2, phi = 0;
+    if (!query.orbit) {
+        auto unit = unit_direction(query.n);
+        if (!unit) return unit.error();
+        n = *unit;
+        theta = query.theta;
+        phi = query.phi;
+    }
+    auto traced = query.orbit ? trace_reduced(**metric, *query.orbit) : trace_local(**metric, query, n);
+    if (!traced) return traced.error();
+    const Orbit& orbit = *traced->orbit;
+    const RayPlane plane(theta, phi, n);
+    RayRecord record;
+    record.fate = orbit.fate();
+    record.angle = orbit.angle();
+    record.turn = orbit.turn();
+    record.g = traced->g;
+    record.delay = orbit.delay();
+    if (query.at_angle) record.at = orbit.zeta_at(*query.at_angle);
+    if (record.fate == Fate::kEscaped) {
+        record.sky = plane.direction(record.angle);
+        record.theta_inf = std::atan2(std::hypot(record.sky.x, record.sky.y), record.sky.z);
+        record.phi_inf = plane.azimuth(record.angle);
+    }
+    list_crossings(orbit, plane, crossings, record.crossings);
+    return record;
+}
+
+}  // namespace nullscope::reference

@@ -1,0 +1,111 @@
+#include "render/frame_tables.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "camera/pose.h"
+#include "table/orbit_map.h"
+
+namespace nullscope {
+namespace {
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Members of FrameData in the order of the block.
+class BlockWriter {
+public:
+    void put(double x, double y, double z, double w) {
+        for (const double value : {x, y, z, w}) numbers_[next_++] = value;
+    }
+    void put(Vec3 v, double w) { put(v.x, v.y, v.z, w); }
+    FrameNumbers numbers() const { return numbers_; }
+
+private:
+    FrameNumbers numbers_{};
+    std::size_t next_ = 0;
+};
+
+}  // namespace
+
+Status FrameTables::update(const Scene& scene) {
+    bool rows_stale = false;
+    if (spacetime_ == nullptr || !(spec_ == scene.spacetime)) {
+        auto made = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+        if (!made) return made.error();
+        spacetime_ = *made;
+        spec_ = scene.spacetime;
+        table_.reset();
+        if (spacetime_->photon_sphere()) {
+            const auto start = std::chrono::steady_clock::now();
+            table_ = std::make_shared<DeflectionTable>(*spacetime_);
+            table_ms_ = milliseconds_since(start);
+        }
+        rows_stale = true;
+    }
+    if (const double horizon = spacetime_->horizon_radius().value_or(0.0); !(scene.camera.r > horizon))
+        return bad_input(fmt::format("camera.r = {} is not outside the horizon; allowed: r > {}", scene.camera.r, horizon));
+    const EffectSet wanted = effect_set(required_effects(scene));
+    const bool orbits = wanted.contains(Effect::kDisc), had_orbits = effects_.contains(Effect::kDisc);
+    rows_stale = rows_stale || radius_ != scene.camera.r || (orbits && !had_orbits);
+    effects_ = wanted;
+    if (!rows_stale) return Done{};
+    radius_ = scene.camera.r;
+    fan_.reset();
+    strip_ = orbit_map_ = {};
+    ++revision_;
+    if (table_ == nullptr) return Done{};
+    const auto start = std::chrono::steady_clock::now();
+    fan_.emplace(spacetime_, table_, radius_);
+    strip_ = build_strip(*fan_);
+    if (orbits) orbit_map_ = build_orbit_map(*fan_);
+    rows_ms_ = milliseconds_since(start);
+    return Done{};
+}
+
+CoreInput FrameTables::core_input(const Scene& scene) const {
+    CoreInput input;
+    input.frame = frame_numbers(scene, *spacetime_, fan(), {});
+    input.strip = strip_.view();
+    input.orbit = orbit_map_.view();
+    input.lensing = effects_.contains(Effect::kLensing);
+    input.aberration = effects_.contains(Effect::kAberration);
+    return input;
+}
+
+FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures) {
+    const CameraSpec& camera = scene.camera;
+    const Mat3 world = world_from_static(camera.theta, camera.phi);
+    const Mat3 axes = static_from_camera(camera);
+    const double pixel = camera.plane_width / camera.width / camera.focal_distance;
+    const Vec3 local[3] = {-axes.c, pixel * axes.a, pixel * axes.b};   // forward, a pixel to the right, a pixel up
+    const double kMostTaps = getenv("TAPS") ? atof(getenv("TAPS")) : 2;
+    BlockWriter block;
+    block.put(camera.width, camera.height, pixel, std::exp2(camera.exposure_ev));
+    for (const Vec3 v : local) block.put(world * v, v.x);              // v . e_r
+    for (const Vec3 v : local) block.put(world * Vec3{0.0, v.z, -v.y}, 0.0);   // v x e_r
+    block.put(world.a, fan != nullptr ? fan->axis() : -1.0);
+    if (fan != nullptr) block.put(fan->critical_angle(), 1.0 / fan->w0(), fan->outside() ? 1.0 : -1.0, 0.0);
+    else block.put(0, 0, 0, 0);
+    const double speed = length(camera.velocity);
+    if (speed > 0.0) block.put(world * (camera.velocity / speed), std::sqrt((1.0 + speed) / (1.0 - speed)));
+    else block.put(1, 0, 0, 1);
+    block.put(1.0 / std::sqrt(spacetime.lapse_squared(1.0 / camera.r)), 1.0 / camera.r, 0, 0);
+    block.put(0.5 * textures.sky_size, std::log2(std::max(textures.sky_size, 1)), 1.0, kMostTaps);
+    const double height = std::cos(camera.theta);
+    constexpr double kInPlane = 1e-12;   // |cos theta| below which a camera stands in the disc's plane (interfaces: rays out)
+    block.put({0, 0, 1}, std::fabs(height) < kInPlane ? 0.0 : height);
+    const DiscSpec disc = scene.disc.value_or(DiscSpec{});
+    const double inner = scene.disc ? disc.inner : 1e30, outer = scene.disc ? disc.outer : 0.0;
+    block.put({1, 0, 0}, inner);
+    block.put({0, 1, 0}, outer);
+    block.put(std::cos(disc.rotation) / (2 * disc.outer), std::sin(disc.rotation) / (2 * disc.outer),
+              textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1)));
+    block.put(disc.opacity, disc.edge, disc.brightness, kMostTaps);
+    return block.numbers();
+}
+
+}  // namespace nullscope

@@ -1,0 +1,57 @@
+// What the CPU prepares for a frame: the spacetime's deflection table (once per spacetime), the strip and the orbit map (whenever
+// the camera's radius changes), and the numbers of the uniform block (every frame). No GL here: the shader core as C++ uses it too.
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "base/result.h"
+#include "scene/effects.h"
+#include "scene/scene.h"
+#include "shadercore/core_trace.h"
+#include "spacetime/registry.h"
+#include "table/deflection_table.h"
+#include "table/ray_fan.h"
+#include "table/strip.h"
+
+namespace nullscope {
+
+// Keeps what can be kept from frame to frame.
+class FrameTables {
+public:
+    // Errors: unknown metric, static camera at or below the horizon.
+    Status update(const Scene& scene);
+
+    const EffectSet& effects() const { return effects_; }
+    const Spacetime& spacetime() const { return *spacetime_; }
+    const DeflectionTable* table() const { return table_.get(); }   // nullptr in flat space
+    const RayFan* fan() const { return fan_ ? &*fan_ : nullptr; }
+    const TexelGrid& strip() const { return strip_; }
+    const TexelGrid& orbit_map() const { return orbit_map_; }
+    int revision() const { return revision_; }                      // grows whenever strip or orbit map change
+    double table_ms() const { return table_ms_; }                   // time of the last deflection table
+    double rows_ms() const { return rows_ms_; }                     // time of the last strip and orbit map
+
+    // For the shader core as C++; views into this object.
+    CoreInput core_input(const Scene& scene) const;
+
+private:
+    SpacetimeSpec spec_;
+    std::shared_ptr<const Spacetime> spacetime_;
+    std::shared_ptr<const DeflectionTable> table_;
+    std::optional<RayFan> fan_;
+    double radius_ = 0.0;
+    EffectSet effects_;
+    TexelGrid strip_, orbit_map_;
+    int revision_ = 0;
+    double table_ms_ = 0.0, rows_ms_ = 0.0;
+};
+
+// What textures tell the uniform block.
+struct TextureFacts {
+    int sky_size = 0, disc_width = 0;
+};
+
+// The uniform block of shaders/shared/frame_block.glsl for this scene, in double.
+FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures);
+
+}  // namespace nullscope

@@ -1,0 +1,207 @@
+#include "render/renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+
+#include "base/assets.h"
+#include "base/image_file.h"
+#include "sky/sky.h"
+
+namespace nullscope {
+namespace {
+
+constexpr unsigned kFrameBinding = 0;
+enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3 };
+
+template <class T>
+Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
+    Image<T> image(width, height, 3);
+    for (int y = 0; y < height; ++y) {
+        const T* row = rgba.data() + static_cast<std::size_t>(height - 1 - y) * width * 4;
+        for (int x = 0; x < width; ++x) std::copy_n(row + 4 * x, 3, image.at(x, y));
+    }
+    return image;
+}
+
+}  // namespace
+
+int sky_face_size(const CameraSpec& camera, int max_cube_size) {
+    const double pixel = camera.plane_width / camera.width / camera.focal_distance;
+    const int wanted = static_cast<int>(std::min(2.0 / pixel, 2048.0));   // a texel in a face's middle spans 2/size rad
+    return std::min(std::max(256, static_cast<int>(std::bit_ceil(static_cast<unsigned>(wanted)))), max_cube_size);
+}
+
+Result<Image<float>> load_disc_image(const DiscSpec& disc) {
+    return load_image(disc.image.empty() ? assets_directory() / "images" / "accretion-disc.png" : disc.image);
+}
+
+Renderer::Renderer() : info_(gl::info()), empty_(gl::make_vertex_array()), uniforms_(gl::make_uniform_buffer(sizeof(float) * 4 * kFrameVectors)) {}
+
+Status Renderer::prepare(const Scene& scene) {
+    const int limit = std::min(info_.max_texture_size, info_.max_renderbuffer_size);
+    if (scene.camera.width > limit || scene.camera.height > limit)
+        return bad_input(fmt::format("size {}x{} is beyond what this driver can draw; allowed: 1x1 to {}x{}", scene.camera.width,
+                                     scene.camera.height, limit, limit));
+    if (Status status = tables_.update(scene); !status) return status;
+    if (Status status = load_sky(scene); !status) return status;
+    if (Status status = load_disc(scene); !status) return status;
+    scene_ = scene;
+    if (rows_revision_ != tables_.revision()) {
+        rows_revision_ = tables_.revision();
+        strip_ = {};
+        orbit_map_ = {};
+        const TexelGrid &strip = tables_.strip(), &map = tables_.orbit_map();
+        if (strip.width > 0) strip_ = gl::make_float_texture(strip.width, strip.height, strip.texels.data());
+        if (map.width > 0) orbit_map_ = gl::make_float_texture(map.width, map.height, map.texels.data());
+    }
+    const FrameNumbers numbers = frame_numbers(scene, tables_.spacetime(), tables_.fan(), {sky_size_, disc_width_});
+    std::array<float, 4 * kFrameVectors> block{};
+    std::transform(numbers.begin(), numbers.end(), block.begin(), [](double n) { return static_cast<float>(n); });
+    gl::upload_uniforms(uniforms_, kFrameBinding, block.data(), sizeof(block));
+    return Done{};
+}
+
+Status Renderer::load_sky(const Scene& scene) {
+    if (!tables_.effects().contains(Effect::kSky)) {
+        sky_ = {};
+        sky_spec_.reset();
+        sky_size_ = 0;
+        return Done{};
+    }
+    const int size = sky_face_size(scene.camera, info_.max_cube_size);
+    if (sky_spec_ == scene.sky && sky_size_ >= size) return Done{};   // a finer one than needed stays: zooming does not hitch
+    auto built = build_sky(scene.sky, assets_directory(), size);
+    if (!built) return built.error();
+    const float* faces[6];
+    for (std::size_t i = 0; i < 6; ++i) faces[i] = built->faces[i].data.data();
+    sky_ = gl::make_cube_texture(size, faces);
+    sky_spec_ = scene.sky;
+    sky_size_ = size;
+    return Done{};
+}
+
+Status Renderer::load_disc(const Scene& scene) {
+    if (!scene.disc) {
+        disc_ = {};
+        disc_file_.reset();
+        disc_width_ = disc_height_ = 0;
+        return Done{};
+    }
+    const std::string file = scene.disc->image.string();
+    if (disc_file_ == file) return Done{};
+    auto image = load_disc_image(*scene.disc);
+    if (!image) return image.error();
+    if (std::max(image->width, image->height) > info_.max_texture_size)
+        return bad_input(fmt::format("disc.image: {}x{} px; this driver's textures end at {} px", image->width, image->height,
+                                     info_.max_texture_size));
+    disc_ = gl::make_picture_texture(image->width, image->height, image->channels, image->data.data());
+    disc_file_ = file;
+    disc_width_ = image->width;
+    disc_height_ = image->height;
+    return Done{};
+}
+
+const gl::Program& Renderer::program(Stage stage, Output output) {
+    const auto key = std::make_pair(std::make_pair(stage, output), tables_.effects());
+    const auto found = programs_.find(key);
+    if (found != programs_.end()) return found->second;
+    const auto start = std::chrono::steady_clock::now();
+    const ShaderSource source = shader_source(stage, tables_.effects(), output);
+    gl::Program made = gl::make_program(source.vertex, source.fragment);
+    gl::bind_uniform_block(made, "FrameBlock", kFrameBinding);
+    gl::bind_sampler(made, "strip_texture", kStripUnit);
+    gl::bind_sampler(made, "orbit_texture", kOrbitUnit);
+    gl::bind_sampler(made, "sky_texture", kSkyUnit);
+    gl::bind_sampler(made, "disc_texture", kDiscUnit);
+    compile_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return programs_.emplace(key, std::move(made)).first->second;
+}
+
+void Renderer::bind_textures() {
+    gl::bind_texture_2d(kStripUnit, strip_);
+    gl::bind_texture_2d(kOrbitUnit, orbit_map_);
+    gl::bind_texture_cube(kSkyUnit, sky_);
+    gl::bind_texture_2d(kDiscUnit, disc_);
+}
+
+void Renderer::draw(unsigned framebuffer, int width, int height, Output output) {
+    const gl::Program& built = program(Stage::kPicture, output);
+    bind_textures();
+    gl::draw_fullscreen(built, empty_, framebuffer, width, height);
+}
+
+void Renderer::draw_bare_fetch(unsigned framebuffer, int width, int height) {
+    const gl::Program& built = program(Stage::kBareFetch, Output::kLinear);
+    bind_textures();
+    gl::draw_fullscreen(built, empty_, framebuffer, width, height);
+}
+
+Image<unsigned char> Renderer::picture8() {
+    const int w = scene_.camera.width, h = scene_.camera.height;
+    const gl::Target target = gl::make_target(w, h, gl::Format::kRgba8);
+    draw(target.framebuffer.id(), w, h, Output::kDisplay);
+    std::vector<unsigned char> pixels(static_cast<std::size_t>(w) * h * 4);
+    gl::read_rgba8(target, pixels.data());
+    return turned_over(pixels, w, h);
+}
+
+Image<float> Renderer::picture() {
+    const int w = scene_.camera.width, h = scene_.camera.height;
+    const gl::Target target = gl::make_target(w, h, gl::Format::kRgba32F);
+    draw(target.framebuffer.id(), w, h, Output::kLinear);
+    std::vector<float> pixels(static_cast<std::size_t>(w) * h * 4);
+    gl::read_rgba32f(target, 0, pixels.data());
+    return turned_over(pixels, w, h);
+}
+
+RayFrame Renderer::ray_data() {
+    const int w = scene_.camera.width, h = scene_.camera.height;
+    const gl::Target target = gl::make_target(w, h, gl::Format::kRgba32F, 3);
+    const gl::Program& built = program(Stage::kRayData, Output::kLinear);
+    bind_textures();
+    gl::draw_fullscreen(built, empty_, target.framebuffer.id(), w, h);
+    RayFrame frame{w, h, std::vector<RayPixel>(static_cast<std::size_t>(w) * h)};
+    std::vector<float> values(static_cast<std::size_t>(w) * h * 4);
+    for (int attachment = 0; attachment < 3; ++attachment) {
+        gl::read_rgba32f(target, attachment, values.data());
+        for (int y = 0; y < h; ++y) {
+            const float* row = values.data() + static_cast<std::size_t>(h - 1 - y) * w * 4;
+            for (int x = 0; x < w; ++x, row += 4) {
+                RayPixel& pixel = frame.pixels[static_cast<std::size_t>(y) * w + x];
+                if (attachment == 0) {
+                    pixel.fate = static_cast<Fate>(static_cast<int>(row[0]));
+                    pixel.sky = {row[1], row[2], row[3]};
+                } else if (attachment == 1) {
+                    pixel.g = row[0], pixel.delay = row[1], pixel.angle = row[2];
+                    pixel.order = static_cast<int>(row[3]);
+                } else {
+                    pixel.hit = static_cast<int>(row[0]);
+                    pixel.u = row[1], pixel.v = row[2];
+                }
+            }
+        }
+    }
+    return frame;
+}
+
+std::vector<Renderer::TextureLine> Renderer::textures() const {
+    std::vector<TextureLine> lines;
+    const TexelGrid &strip = tables_.strip(), &map = tables_.orbit_map();
+    if (strip.width > 0) lines.push_back({"strip", strip.width, strip.height, strip.bytes()});
+    if (map.width > 0) lines.push_back({"orbit map", map.width, map.height, map.bytes()});
+    if (sky_size_ > 0) lines.push_back({"sky", sky_size_, sky_size_, static_cast<std::size_t>(sky_size_) * sky_size_ * 32});  // 6 faces, 4 B, mip levels
+    if (disc_width_ > 0) lines.push_back({"disc image", disc_width_, disc_height_, static_cast<std::size_t>(disc_width_) * disc_height_ * 32 / 3});
+    return lines;
+}
+
+std::size_t Renderer::texture_bytes() const {
+    std::size_t sum = 0;
+    for (const TextureLine& line : textures()) sum += line.bytes;
+    return sum;
+}
+
+}  // namespace nullscope

@@ -1,0 +1,76 @@
+// The renderer that window, file and test share. Needs a current OpenGL 3.3 core context whose functions are loaded
+// (gl::load_functions); knows of no window system.
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/image.h"
+#include "base/result.h"
+#include "gl/gl.h"
+#include "render/frame_tables.h"
+#include "scene/ray.h"
+#include "scene/scene.h"
+#include "shaderlib/shader_source.h"
+
+namespace nullscope {
+
+class Renderer {
+public:
+    Renderer();
+
+    // Makes ready what the scene calls for and drops what it does not: tables, textures, uniforms. Cheap when little changed:
+    // a moved camera costs a strip (and an orbit map if there are objects), a turned one nothing.
+    // Errors: an image that cannot be read, a camera where no static frame is, a size the driver cannot draw.
+    Status prepare(const Scene& scene);
+
+    // Draws the prepared scene's picture to a framebuffer of this size (0: the window).
+    void draw(unsigned framebuffer, int width, int height, Output output);
+
+    // A yardstick: one cube-map fetch a pixel. Needs a prepared scene with a sky.
+    void draw_bare_fetch(unsigned framebuffer, int width, int height);
+
+    // The prepared scene, read back; rows from the top.
+    Image<unsigned char> picture8();     // RGB, display-encoded
+    Image<float> picture();              // RGB, linear light
+    RayFrame ray_data();
+
+    const FrameTables& tables() const { return tables_; }
+    double compile_ms() const { return compile_ms_; }                 // sum over the programs built so far
+    std::size_t texture_bytes() const;                                // tables and pictures on the GPU
+    const gl::Info& info() const { return info_; }
+
+    struct TextureLine { std::string name; int width, height; std::size_t bytes; };
+    std::vector<TextureLine> textures() const;
+
+private:
+    const gl::Program& program(Stage stage, Output output);
+    void bind_textures();
+    Status load_sky(const Scene& scene);
+    Status load_disc(const Scene& scene);
+
+    gl::Info info_;
+    gl::VertexArray empty_;
+    gl::Buffer uniforms_;
+    std::map<std::pair<std::pair<Stage, Output>, EffectSet>, gl::Program> programs_;
+    FrameTables tables_;
+    Scene scene_;
+    int rows_revision_ = -1;
+    gl::Texture strip_, orbit_map_, sky_, disc_;
+    std::optional<SkySpec> sky_spec_;
+    int sky_size_ = 0;
+    std::optional<std::string> disc_file_;
+    int disc_width_ = 0, disc_height_ = 0;
+    double compile_ms_ = 0.0;
+};
+
+// Face size of the sky's cube map that matches a camera's pixels: a power of two, 256 ... 2048 and what the driver allows.
+int sky_face_size(const CameraSpec& camera, int max_cube_size);
+
+// The image of the disc: the scene's, or the one that ships.
+Result<Image<float>> load_disc_image(const DiscSpec& disc);
+
+}  // namespace nullscope

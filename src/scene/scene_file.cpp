@@ -1,0 +1,270 @@
+#include "scene/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "base/assets.h"
+#include "base/atomic_file.h"
+#include "base/text.h"
+#include "scene/scene_value.h"
+#include "spacetime/registry.h"
+
+namespace nullscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Dotted keys nest one table a dot, and toml++ frees tables recursively: 50 000 levels overflow the stack. It limits
+// arrays and inline tables to 256 levels by itself.
+constexpr std::ptrdiff_t kMostDots = 4096;
+
+int line_of(const toml::key& key) { return static_cast<int>(key.source().begin.line); }
+
+std::string listed(const std::vector<std::string>& words) {
+    std::string list;
+    for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+    return list;
+}
+
+// What may stand in a section; at the top level also the sections.
+std::vector<std::string> words_of(std::string_view section, const MetricEntry* metric) {
+    std::vector<std::string> words;
+    for (const SceneKey& key : scene_keys()) {
+        const std::string_view word = key.section == section ? key.key : section.empty() ? key.section : "";
+        if (!word.empty() && std::find(words.begin(), words.end(), word) == words.end()) words.emplace_back(word);
+    }
+    if (section == "spacetime" && metric != nullptr) {
+        for (const MetricParameter& parameter : metric->parameters) words.emplace_back(parameter.name);
+    }
+    return words;
+}
+
+class SceneReader {
+public:
+    SceneReader(std::string label, fs::path base) : label_(std::move(label)), base_(std::move(base)) {}
+    Result<Scene> read(const toml::table& root);
+
+private:
+    void read_section(std::string_view section, const toml::table& table);
+    void read_key(std::string_view section, const toml::key& name, const toml::node& node);
+    bool read_parameter(const toml::key& name, const toml::node& node);
+    void report_unknown(std::string_view section, const toml::key& name);
+    void check_camera();
+    void check_sky();
+    void check_disc();
+    bool given(const std::string& name) const { return lines_.count(name) != 0; }
+    int line(const std::string& name) const { return given(name) ? lines_.at(name) : 1; }
+    void report(int line, std::string_view name, std::string_view what, std::string_view allowed);
+
+    std::string label_;
+    fs::path base_;
+    Scene scene_;
+    const MetricEntry* metric_ = find_metric(scene_.spacetime.metric);  // null while the file names none that is known
+    std::map<std::string, int> lines_;                                  // of the keys that are there, by full name
+    std::map<int, std::string> reports_;                                // what is wrong, by line; the first is returned
+};
+
+void SceneReader::report(int line, std::string_view name, std::string_view what, std::string_view allowed) {
+    reports_.emplace(line, fmt::format("{}:{}: {}: {}; allowed: {}", label_, line, name, what, allowed));
+}
+
+void SceneReader::report_unknown(std::string_view section, const toml::key& name) {
+    const std::vector<std::string> words = words_of(section, metric_);
+    const std::string prefix = section.empty() ? "" : fmt::format("{}.", section);
+    std::string nearest = nearest_word(name.str(), words);
+    if (!nearest.empty()) nearest = prefix + nearest;
+    for (const SceneKey& key : scene_keys()) {
+        if (key.key == name.str()) nearest = full_name(key);  // the right word in the wrong place
+    }
+    const std::string shown = in_quotes(name.str());
+    const std::string what = section == "spacetime" && metric_ != nullptr
+                                 ? fmt::format("no parameter of metric \"{}\"", metric_->key)
+                                 : std::string("unknown key");
+    report(line_of(name), prefix + shown.substr(1, shown.size() - 2), what,
+           listed(words) + (nearest.empty() ? "" : fmt::format(" (nearest known key: {})", nearest)));
+}
+
+// False if the metric has no such parameter.
+bool SceneReader::read_parameter(const toml::key& name, const toml::node& node) {
+    if (metric_ == nullptr) return true;  // the unknown metric is what will be reported
+    for (const MetricParameter& parameter : metric_->parameters) {
+        if (parameter.name != name.str()) continue;
+        const KeyRange range{parameter.low, parameter.high};
+        const SceneKey key{"spacetime", parameter.name, KeyType::kNumber, "", "", range, "", "", nullptr};
+        const auto checked = check_value(key, node, base_);
+        if (const Fault* fault = std::get_if<Fault>(&checked)) {
+            report(line_of(name), full_name(key), fault->what, allowed_text(key));
+        } else {
+            scene_.spacetime.parameters[std::string(parameter.name)] = std::get<KeyValue>(checked).number;
+        }
+        return true;
+    }
+    return false;
+}
+
+void SceneReader::read_key(std::string_view section, const toml::key& name, const toml::node& node) {
+    for (const SceneKey& key : scene_keys()) {
+        if (key.section != section || key.key != name.str()) continue;
+        lines_[full_name(key)] = line_of(name);
+        const auto checked = check_value(key, node, base_);
+        if (const Fault* fault = std::get_if<Fault>(&checked)) {
+            report(line_of(name), full_name(key), fault->what, allowed_text(key));
+        } else {
+            key.apply(scene_, std::get<KeyValue>(checked));
+        }
+        return;
+    }
+    if (section != "spacetime" || !read_parameter(name, node)) report_unknown(section, name);
+}
+
+void SceneReader::read_section(std::string_view section, const toml::table& table) {
+    if (section == "disc") scene_.disc.emplace();
+    if (const auto metric = table.find("metric"); section == "spacetime" && metric != table.end()) {
+        read_key(section, metric->first, metric->second);  // first: it decides which other keys there are
+        metric_ = reports_.empty() ? find_metric(scene_.spacetime.metric) : nullptr;
+    }
+    for (const auto& [name, node] : table) {
+        if (section != "spacetime" || name.str() != "metric") read_key(section, name, node);
+    }
+}
+
+void SceneReader::check_camera() {
+    for (const char* other : {"camera.plane_width", "camera.focal_distance"}) {
+        if (given("camera.fov") && given(other)) {
+            report(std::max(line("camera.fov"), line(other)), "camera.fov", fmt::format("says the same as {}", other),
+                   "either fov, or plane_width and focal_distance");
+        }
+    }
+    const auto spacetime = make_spacetime(scene_.spacetime.metric, scene_.spacetime.parameters);
+    const double horizon = spacetime ? (*spacetime)->horizon_radius().value_or(0.0) : 0.0;
+    if (!(scene_.camera.r > horizon)) {
+        report(line(given("camera.r") ? "camera.r" : "spacetime.metric"), "camera.r",
+               fmt::format("a static camera cannot be at {}, on or inside the horizon", scene_.camera.r),
+               fmt::format("r > {}", horizon));
+    }
+}
+
+void SceneReader::check_sky() {
+    const bool image = scene_.sky.kind == SkyKind::kImage;
+    const bool caps = scene_.sky.mapping == SkyMapping::kBandAndCaps;
+    if (image && !given("sky.image")) {
+        report(line("sky.kind"), "sky.image", "missing, but kind is image", "an image file");
+    }
+    if (!image && given("sky.image")) {
+        report(line("sky.image"), "sky.image", "kind is not image", "with kind = \"image\" only");
+    }
+    if (!image && given("sky.mapping")) {
+        report(line("sky.mapping"), "sky.mapping", "kind is not image", "with kind = \"image\" only");
+    }
+    for (const char* cap : {"sky.north_cap", "sky.south_cap"}) {
+        if (!caps || given(cap)) continue;
+        report(line("sky.mapping"), cap, "missing, but mapping is band-and-caps", "an image file");
+    }
+    for (const char* key : {"sky.north_cap", "sky.south_cap", "sky.band_latitude"}) {
+        if (!caps && given(key)) {
+            report(line(key), key, "mapping is not band-and-caps", "with mapping = \"band-and-caps\" only");
+        }
+    }
+}
+
+void SceneReader::check_disc() {
+    if (!scene_.disc || scene_.disc->inner < scene_.disc->outer) return;
+    const bool inner = given("disc.inner");
+    report(line(inner ? "disc.inner" : "disc.outer"), inner ? "disc.inner" : "disc.outer",
+           fmt::format("inner = {} is not below outer = {}", scene_.disc->inner, scene_.disc->outer), "inner < outer");
+}
+
+Result<Scene> SceneReader::read(const toml::table& root) {
+    const std::vector<std::string> words = words_of("", nullptr);
+    for (const auto& [name, node] : root) {
+        const auto is_section = [&, &word = name](const SceneKey& key) { return key.section == word.str(); };
+        const bool section = std::any_of(scene_keys().begin(), scene_keys().end(), is_section) && !name.str().empty();
+        if (const toml::table* table = node.as_table(); section && table != nullptr) {
+            read_section(name.str(), *table);
+        } else if (section) {
+            report(line_of(name), name.str(), "must be a section", fmt::format("[{}]", name.str()));
+        } else {
+            read_key("", name, node);
+        }
+    }
+    if (reports_.empty()) {  // what follows compares values with each other
+        check_camera();
+        check_sky();
+        check_disc();
+    }
+    if (!reports_.empty()) return bad_input(without_controls(reports_.begin()->second));
+    if (scene_.name.empty()) scene_.name = fs::path(label_).stem().string();
+    return scene_;
+}
+
+}  // namespace
+
+Result<Scene> parse_scene(std::string_view toml_text, const std::string& file_label, const fs::path& base_directory) {
+    const auto refuse = [&](const std::string& what) { return bad_input(without_controls(file_label + what)); };
+    if (toml_text.size() > kLargestSceneFile) return refuse(fmt::format(": larger than {} bytes", kLargestSceneFile));
+    if (std::count(toml_text.begin(), toml_text.end(), '.') > kMostDots) {
+        return refuse(fmt::format(":1: more than {} dots: keys could nest too deeply", kMostDots));
+    }
+    try {
+        const toml::table root = toml::parse(toml_text);
+        return SceneReader(file_label, base_directory).read(root);
+    } catch (const toml::parse_error& error) {
+        return refuse(fmt::format(":{}: {}", error.source().begin.line, error.description()));
+    }
+}
+
+namespace {
+
+fs::path scenes_directory() { return assets_directory() / "scenes"; }
+
+std::vector<fs::path> scene_files() {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::directory_iterator i(scenes_directory(), error), end; !error && i != end; i.increment(error)) {
+        if (i->path().extension() == ".toml") files.push_back(i->path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+Error no_such_scene(const std::string& name) {
+    std::vector<std::string> names;
+    for (const fs::path& file : scene_files()) names.push_back(file.stem().string());
+    const std::string nearest = nearest_word(name, names);
+    const std::string hint = nearest.empty() ? "" : fmt::format(" (nearest: {})", nearest);
+    return bad_input(without_controls(fmt::format("{}: no such file, and no scene of this name ships; scenes: {}{}",
+                                                  in_quotes(name), listed(names), hint)));
+}
+
+}  // namespace
+
+Result<Scene> load_scene(const std::string& file_or_name) {
+    std::error_code error;
+    fs::path path = file_or_name;
+    if (!fs::is_regular_file(path, error) && file_or_name.find('/') == std::string::npos) {
+        const fs::path shipped = scenes_directory() / (file_or_name + ".toml");
+        if (fs::is_regular_file(shipped, error)) path = shipped;
+    }
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) return no_such_scene(file_or_name);
+    if (!fs::is_regular_file(status)) {
+        const char* what = fs::is_directory(status) ? "a folder" : "not a regular file";
+        return bad_input(without_controls(fmt::format("{}: {}, not a scene file", in_quotes(file_or_name), what)));
+    }
+    const Result<std::string> text = read_text(path, kLargestSceneFile);
+    if (!text) return bad_input(without_controls(text.error().message));
+    return parse_scene(*text, path.string(), path.parent_path());
+}
+
+std::vector<SceneInfo> shipped_scenes() {
+    std::vector<SceneInfo> scenes;
+    for (const fs::path& file : scene_files()) {
+        const Result<Scene> scene = load_scene(file.string());
+        scenes.push_back({file.stem().string(), scene ? scene->description : scene.error().message, file});
+    }
+    return scenes;
+}
+
+}  // namespace nullscope

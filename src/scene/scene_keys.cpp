@@ -1,0 +1,151 @@
+#include "scene/scene_keys.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/text.h"
+#include "spacetime/registry.h"
+
+namespace nullscope {
+namespace {
+
+constexpr KeyRange kAnyAngle{-3600.0, 3600.0, false, false};  // ten turns: digits are left after reduction
+constexpr KeyRange kLength{0.0, 1e6, true, false};
+constexpr KeyRange kPlane{1e-6, 1e6, false, false};  // so that no ratio of two overflows
+constexpr KeyRange kBrightness{0.0, 1e6, false, false};
+constexpr KeyRange kRadius{0.0, 1e9, true, false};
+constexpr KeyRange kPolarAngle{0.0, 180.0, false, false};
+constexpr KeyRange kFov{0.0, 180.0, true, true};
+constexpr KeyRange kPixels{1.0, 16384.0, false, false};
+constexpr KeyRange kExposure{-30.0, 30.0, false, false};
+constexpr KeyRange kLatitude{0.0, 90.0, true, true};
+constexpr KeyRange kOpacity{0.0, 1.0, true, false};
+constexpr KeyRange kEdge{0.0, 0.5, false, false};
+constexpr KeyRange kNone{};
+
+constexpr SceneKey kKeys[] = {
+    {"", "name", KeyType::kText, "", "", kNone, "", "Title; the file's stem where it is missing.",
+     [](Scene& s, const KeyValue& v) { s.name = v.text; }},
+    {"", "description", KeyType::kText, "", "", kNone, "", "One sentence that says what is to be seen.",
+     [](Scene& s, const KeyValue& v) { s.description = v.text; }},
+
+    {"spacetime", "metric", KeyType::kMetric, "", "schwarzschild", kNone, "", "The spacetime.",
+     [](Scene& s, const KeyValue& v) { s.spacetime.metric = v.text; }},
+
+    {"camera", "r", KeyType::kNumber, "r_s", "15", kRadius, "",
+     "Radial coordinate; outside the horizon, since the camera is described in the static frame.",
+     [](Scene& s, const KeyValue& v) { s.camera.r = v.number; }},
+    {"camera", "theta", KeyType::kNumber, "deg", "84.8", kPolarAngle, "",
+     "Polar angle: 0 above the north pole, 90 in the disc's plane.",
+     [](Scene& s, const KeyValue& v) { s.camera.theta = v.number; }},
+    {"camera", "phi", KeyType::kNumber, "deg", "0", kAnyAngle, "", "Azimuth.",
+     [](Scene& s, const KeyValue& v) { s.camera.phi = v.number; }},
+    {"camera", "yaw", KeyType::kNumber, "deg", "0", kAnyAngle, "",
+     "Turn to the right, away from the centre, which the camera looks at.",
+     [](Scene& s, const KeyValue& v) { s.camera.yaw = v.number; }},
+    {"camera", "pitch", KeyType::kNumber, "deg", "0", kAnyAngle, "", "Turn up, after yaw.",
+     [](Scene& s, const KeyValue& v) { s.camera.pitch = v.number; }},
+    {"camera", "roll", KeyType::kNumber, "deg", "0", kAnyAngle, "",
+     "Turn about the line of sight that takes the camera's top to its right, after pitch.",
+     [](Scene& s, const KeyValue& v) { s.camera.roll = v.number; }},
+    {"camera", "velocity", KeyType::kVelocity, "c", "[0, 0, 0]", kNone, "",
+     "Velocity in the static frame along (e_r, e_theta, e_phi): outward, southward, towards growing phi.",
+     [](Scene& s, const KeyValue& v) { s.camera.velocity = v.vector; }},
+    {"camera", "fov", KeyType::kNumber, "deg", "60", kFov, "",
+     "Horizontal field of view; instead of plane_width and focal_distance.",
+     [](Scene& s, const KeyValue& v) {
+         s.camera.plane_width = 2.0 * std::tan(0.5 * v.number);
+         s.camera.focal_distance = 1.0;
+     }},
+    {"camera", "plane_width", KeyType::kNumber, "", "1.1547", kPlane, "",
+     "Width of the projection plane, in the unit of focal_distance.",
+     [](Scene& s, const KeyValue& v) { s.camera.plane_width = v.number; }},
+    {"camera", "focal_distance", KeyType::kNumber, "", "1", kPlane, "",
+     "Distance of the projection plane from the focal point.",
+     [](Scene& s, const KeyValue& v) { s.camera.focal_distance = v.number; }},
+    {"camera", "size", KeyType::kSize, "px", "[1280, 720]", kPixels, "",
+     "Width and height of the picture; pixels are square.",
+     [](Scene& s, const KeyValue& v) { s.camera.width = v.width, s.camera.height = v.height; }},
+    {"camera", "exposure", KeyType::kNumber, "EV", "0", kExposure, "",
+     "The displayed brightness is multiplied by 2^exposure.",
+     [](Scene& s, const KeyValue& v) { s.camera.exposure_ev = v.number; }},
+
+    {"sky", "kind", KeyType::kChoice, "", "stars", kNone, "stars image black",
+     "The celestial sphere: the star catalogue and Milky Way that ship, an image, or nothing.",
+     [](Scene& s, const KeyValue& v) { s.sky.kind = static_cast<SkyKind>(v.choice); }},
+    {"sky", "mapping", KeyType::kChoice, "", "equirectangular", kNone, "equirectangular band-and-caps",
+     "How images cover the sphere: one for all of it, or a band about the equator and a cap on each pole.",
+     [](Scene& s, const KeyValue& v) { s.sky.mapping = static_cast<SkyMapping>(v.choice); }},
+    {"sky", "image", KeyType::kImage, "", "", kNone, "",
+     "The equirectangular image, or the band; needs kind = \"image\".",
+     [](Scene& s, const KeyValue& v) { s.sky.image = v.path; }},
+    {"sky", "north_cap", KeyType::kImage, "", "", kNone, "",
+     "Azimuthal equidistant image of the north cap; needs mapping = \"band-and-caps\".",
+     [](Scene& s, const KeyValue& v) { s.sky.north_cap = v.path; }},
+    {"sky", "south_cap", KeyType::kImage, "", "", kNone, "",
+     "Azimuthal equidistant image of the south cap; needs mapping = \"band-and-caps\".",
+     [](Scene& s, const KeyValue& v) { s.sky.south_cap = v.path; }},
+    {"sky", "band_latitude", KeyType::kNumber, "deg", "45", kLatitude, "",
+     "Latitude where the band ends and the caps begin; needs mapping = \"band-and-caps\".",
+     [](Scene& s, const KeyValue& v) { s.sky.band_latitude = v.number; }},
+    {"sky", "yaw", KeyType::kNumber, "deg", "0", kAnyAngle, "", "Turn of the sky about the polar axis, after tilt.",
+     [](Scene& s, const KeyValue& v) { s.sky.yaw = v.number; }},
+    {"sky", "tilt", KeyType::kNumber, "deg", "0", kAnyAngle, "", "Turn of the sky about the world's x axis.",
+     [](Scene& s, const KeyValue& v) { s.sky.tilt = v.number; }},
+    {"sky", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Factor on the sky's light.",
+     [](Scene& s, const KeyValue& v) { s.sky.brightness = v.number; }},
+
+    {"disc", "inner", KeyType::kNumber, "r_s", "3", kLength, "", "Inner radius; below outer.",
+     [](Scene& s, const KeyValue& v) { s.disc->inner = v.number; }},
+    {"disc", "outer", KeyType::kNumber, "r_s", "12", kLength, "", "Outer radius.",
+     [](Scene& s, const KeyValue& v) { s.disc->outer = v.number; }},
+    {"disc", "image", KeyType::kImage, "", "", kNone, "",
+     "Image whose square covers the disc's square; the disc image that ships where it is missing.",
+     [](Scene& s, const KeyValue& v) { s.disc->image = v.path; }},
+    {"disc", "opacity", KeyType::kNumber, "", "1", kOpacity, "", "Below 1, what lies behind the disc shines through.",
+     [](Scene& s, const KeyValue& v) { s.disc->opacity = v.number; }},
+    {"disc", "edge", KeyType::kNumber, "", "0", kEdge, "",
+     "Width of the fade at both rims, as a fraction of outer - inner.",
+     [](Scene& s, const KeyValue& v) { s.disc->edge = v.number; }},
+    {"disc", "rotation", KeyType::kNumber, "deg", "0", kAnyAngle, "", "Turn of the image about the polar axis.",
+     [](Scene& s, const KeyValue& v) { s.disc->rotation = v.number; }},
+    {"disc", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Factor on the disc's light.",
+     [](Scene& s, const KeyValue& v) { s.disc->brightness = v.number; }},
+};
+
+std::string list_of(const std::vector<std::string>& words) {
+    std::string list;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        list += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+    }
+    return list;
+}
+
+}  // namespace
+
+std::span<const SceneKey> scene_keys() { return kKeys; }
+
+std::string full_name(const SceneKey& key) {
+    return key.section.empty() ? std::string(key.key) : fmt::format("{}.{}", key.section, key.key);
+}
+
+std::string allowed_text(const SceneKey& key) {
+    const KeyRange& range = key.range;
+    switch (key.type) {
+        case KeyType::kNumber:
+            return fmt::format("{}{}, {}{}", range.open_low ? '(' : '[', range.low, range.high,
+                               range.open_high ? ')' : ']');
+        case KeyType::kVelocity: return "three numbers, speed below 1";
+        case KeyType::kSize: return fmt::format("two integers from {} to {}", range.low, range.high);
+        case KeyType::kChoice: return list_of(split(key.choices, ' '));
+        case KeyType::kText: return fmt::format("one line of at most {} bytes", kLongestText);
+        case KeyType::kImage: return "an image file, relative to the scene file";
+        case KeyType::kMetric: break;
+    }
+    std::vector<std::string> metrics;
+    for (const MetricEntry& entry : metric_registry()) metrics.emplace_back(entry.key);
+    return list_of(metrics);
+}
+
+}  // namespace nullscope

@@ -1,0 +1,148 @@
+#include "scene/scene_value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "base/text.h"
+#include "spacetime/registry.h"
+
+namespace nullscope {
+namespace {
+
+namespace fs = std::filesystem;
+using Checked = std::variant<KeyValue, Fault>;
+
+constexpr std::size_t kLongestQuote = 60;  // bytes
+
+bool is_control(std::string_view text, std::size_t i) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+    return byte(i) < 0x20 || byte(i) == 0x7F || (byte(i) == 0xC2 && i + 1 < text.size() && byte(i + 1) < 0xA0);
+}
+
+std::string_view type_name(const toml::node& node) {
+    switch (node.type()) {
+        case toml::node_type::table: return "a table";
+        case toml::node_type::array: return "an array";
+        case toml::node_type::string: return "a string";
+        case toml::node_type::integer: return "an integer";
+        case toml::node_type::floating_point: return "a number";
+        case toml::node_type::boolean: return "a boolean";
+        default: return "a date or time";
+    }
+}
+
+std::optional<double> finite_number(const toml::node& node) {
+    if (!node.is_number()) return std::nullopt;
+    const std::optional<double> value = node.value<double>();
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+Checked check_number(const SceneKey& key, const toml::node& node) {
+    if (!node.is_number()) return Fault{fmt::format("must be a number, not {}", type_name(node))};
+    const std::optional<double> number = finite_number(node);
+    if (!number) return Fault{"must be finite"};
+    if (!key.range.contains(*number)) return Fault{fmt::format("{} is out of range", *number)};
+    KeyValue value;
+    value.number = key.unit == "deg" ? *number * std::numbers::pi / 180.0 : *number;
+    return value;
+}
+
+Checked check_velocity(const toml::node& node) {
+    const toml::array* array = node.as_array();
+    if (array == nullptr) return Fault{fmt::format("must be three numbers, not {}", type_name(node))};
+    if (array->size() != 3) return Fault{fmt::format("must be three numbers, not {}", array->size())};
+    std::array<double, 3> v{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::optional<double> number = finite_number(*array->get(i));
+        if (!number) return Fault{fmt::format("component {} is not a finite number", i + 1)};
+        v[i] = *number;
+    }
+    KeyValue value;
+    value.vector = {v[0], v[1], v[2]};
+    if (!(length(value.vector) <= kFastestCamera)) return Fault{"the speed is not below that of light"};
+    return value;
+}
+
+Checked check_size(const SceneKey& key, const toml::node& node) {
+    const toml::array* array = node.as_array();
+    if (array == nullptr) return Fault{fmt::format("must be two integers, not {}", type_name(node))};
+    if (array->size() != 2) return Fault{fmt::format("must be two integers, not {}", array->size())};
+    std::array<int, 2> size{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const toml::node& item = *array->get(i);
+        if (!item.is_integer()) {
+            return Fault{fmt::format("must be two integers, but number {} is {}", i + 1, type_name(item))};
+        }
+        const double number = item.value<double>().value_or(-1.0);  // integers above 2^53 have no double: out of range
+        if (!key.range.contains(number)) return Fault{fmt::format("{} is out of range", number)};
+        size[i] = static_cast<int>(number);
+    }
+    KeyValue value;
+    value.width = size[0];
+    value.height = size[1];
+    return value;
+}
+
+Checked check_text(const SceneKey& key, const std::string& text, const fs::path& base) {
+    KeyValue value;
+    value.text = text;
+    if (text != without_controls(text)) return Fault{"control characters are not allowed"};
+    if (key.type == KeyType::kText) {
+        if (text.size() > kLongestText) return Fault{fmt::format("{} bytes are too long", text.size())};
+    } else if (key.type == KeyType::kImage) {
+        value.path = base / fs::path(text);
+        std::error_code error;
+        if (!fs::is_regular_file(value.path, error)) return Fault{fmt::format("there is no file {}", in_quotes(text))};
+    } else {
+        std::vector<std::string> words = split(key.choices, ' ');
+        if (key.type == KeyType::kMetric) {
+            words.clear();
+            for (const MetricEntry& entry : metric_registry()) words.emplace_back(entry.key);
+        }
+        const auto found = std::find(words.begin(), words.end(), text);
+        const std::string nearest = nearest_word(text, words);
+        if (found == words.end()) {
+            return Fault{fmt::format("unknown word {}{}", in_quotes(text),
+                                     nearest.empty() ? "" : fmt::format(" (nearest: {})", nearest))};
+        }
+        value.choice = static_cast<int>(found - words.begin());
+    }
+    return value;
+}
+
+}  // namespace
+
+std::variant<KeyValue, Fault> check_value(const SceneKey& key, const toml::node& node, const fs::path& base) {
+    switch (key.type) {
+        case KeyType::kNumber: return check_number(key, node);
+        case KeyType::kVelocity: return check_velocity(node);
+        case KeyType::kSize: return check_size(key, node);
+        default: break;
+    }
+    const toml::value<std::string>* text = node.as_string();
+    if (text == nullptr) return Fault{fmt::format("must be a string, not {}", type_name(node))};
+    return check_text(key, text->get(), base);
+}
+
+std::string in_quotes(std::string_view text) {
+    if (text.size() <= kLongestQuote) return fmt::format("\"{}\"", text);
+    std::size_t end = kLongestQuote;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+    return fmt::format("\"{}...\"", text.substr(0, end));
+}
+
+std::string without_controls(std::string text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (!is_control(text, i)) continue;
+        if (static_cast<unsigned char>(text[i]) == 0xC2) text[i + 1] = '?';
+        text[i] = '?';
+    }
+    return text;
+}
+
+}  // namespace nullscope

@@ -1,0 +1,24 @@
+// The four combinations of effects in one precision (Real) and their dispatch. The disc's code is always compiled.
+namespace lensed {
+#define EFFECT_DISC
+#define EFFECT_LENSING
+#include "shadercore/core_variant.inl"
+}  // namespace lensed
+namespace lensed_moving {
+#define EFFECT_ABERRATION
+#include "shadercore/core_variant.inl"
+}  // namespace lensed_moving
+#undef EFFECT_LENSING
+namespace flat_moving {
+#include "shadercore/core_variant.inl"
+}  // namespace flat_moving
+#undef EFFECT_ABERRATION
+namespace flat {
+#include "shadercore/core_variant.inl"
+}  // namespace flat
+#undef EFFECT_DISC
+
+RayPixel dispatch(const CoreInput& input, double x, double y) {
+    if (input.lensing) return (input.aberration ? lensed_moving::trace_one : lensed::trace_one)(input, x, y);
+    return (input.aberration ? flat_moving::trace_one : flat::trace_one)(input, x, y);
+}

@@ -1,0 +1,35 @@
+// The shader core as C++: the same source text as the fragment shader, in double (core64) and in float (core32), with the real
+// table. Three witnesses tell where an error comes from: reference - core64 is table error, core64 - core32 float error,
+// core32 - GL driver error.
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "scene/ray.h"
+
+namespace nullscope {
+
+// RGBA float texels, width * height * 4, row by row: what the GPU gets.
+struct TexelView {
+    const float* data = nullptr;
+    int width = 0, height = 0;
+};
+
+// FrameData of shaders/shared/frame_block.glsl as numbers, four a member, in the order of its members.
+inline constexpr std::size_t kFrameVectors = 17;
+using FrameNumbers = std::array<double, 4 * kFrameVectors>;
+
+struct CoreInput {
+    FrameNumbers frame{};
+    TexelView strip, orbit;
+    bool lensing = true, aberration = false;   // the effects compiled in (a scene without a disc has an empty range of radii)
+};
+
+// Ray data of the pixel at (x, y) px from the image centre, y up. Same result for the same input; thread-safe.
+RayPixel trace_core64(const CoreInput& input, double x, double y);
+RayPixel trace_core32(const CoreInput& input, double x, double y);
+
+// Byte offsets of the members of the float FrameData, for the test against the driver's.
+std::array<std::size_t, kFrameVectors> frame_offsets();
+
+}  // namespace nullscope

@@ -1,0 +1,58 @@
+// One combination of effects of the shader core in one precision. Expects Real and the EFFECT_ macros.
+#define NEEDS_PHI_END
+#include "shadercore/core_types.inl"
+#define float Real  // NOLINT: GLSL's float is this precision
+#include "shared/frame_block.glsl"
+static_assert(sizeof(FrameData) == kFrameVectors * 4 * sizeof(Real));
+
+struct Inputs {
+    FrameData frame;
+    TexelView strip, orbit;
+};
+thread_local Inputs inputs;
+#define frame inputs.frame
+
+vec4 fetch(const TexelView& view, int x, int y) {
+    const auto* texel = view.data + 4 * (static_cast<std::size_t>(y) * view.width + x);
+    return vec4(texel[0], texel[1], texel[2], texel[3]);
+}
+vec4 strip_fetch(int x, int y) { return fetch(inputs.strip, x, y); }
+vec4 orbit_fetch(int x, int y) { return fetch(inputs.orbit, x, y); }
+
+#include "core/trig.glsl"
+#include "core/aberration.glsl"
+#include "core/strip.glsl"
+#include "core/orbit.glsl"
+#include "core/plane.glsl"
+#include "core/trace.glsl"
+#include "object/disc.glsl"
+#include "core/raydata.glsl"
+
+#undef frame
+#undef float
+
+RayPixel trace_one(const CoreInput& input, double x, double y) {
+    for (std::size_t i = 0; i < input.frame.size(); ++i)
+        reinterpret_cast<Real*>(&inputs.frame)[i] = static_cast<Real>(input.frame[i]);
+    inputs.strip = input.strip;
+    inputs.orbit = input.orbit;
+    const PixelData data = pixel_data(vec2(static_cast<Real>(x), static_cast<Real>(y)));
+    RayPixel pixel;
+    pixel.fate = static_cast<Fate>(static_cast<int>(data.fate));
+    pixel.sky = {data.sky.x, data.sky.y, data.sky.z};
+    pixel.g = data.g;
+    pixel.delay = data.delay;
+    pixel.angle = data.angle;
+    pixel.order = static_cast<int>(std::floor(pixel.angle / M_PI));
+    pixel.hit = static_cast<int>(data.hit);
+    pixel.u = data.place.x;
+    pixel.v = data.place.y;
+    return pixel;
+}
+
+#undef STRIP_CELLS_PER_OCTAVE
+#undef STRIP_ROWS
+#undef ORBIT_CELLS_PER_OCTAVE
+#undef ORBIT_ROWS
+#undef DISC_MOST_CROSSINGS
+#undef NEEDS_PHI_END

@@ -1,0 +1,11 @@
+# Writes OUTPUT, a C++ file that holds every file of shaders/ (DIRECTORY) as text.
+file(GLOB_RECURSE files RELATIVE ${DIRECTORY} ${DIRECTORY}/*.glsl ${DIRECTORY}/*.frag ${DIRECTORY}/*.vert)
+set(text "#include \"shaderlib/embedded.h\"\n\n#include <array>\n\nnamespace nullscope {\n\n")
+list(LENGTH files count)
+string(APPEND text "std::span<const EmbeddedShader> embedded_shaders() {\n    static constexpr std::array<EmbeddedShader, ${count}> files = {{\n")
+foreach(file ${files})
+  file(READ ${DIRECTORY}/${file} content)
+  string(APPEND text "{\"${file}\", R\"glsl(${content})glsl\"},\n")
+endforeach()
+string(APPEND text "    }};\n    return files;\n}\n\n}  // namespace nullscope\n")
+file(WRITE ${OUTPUT} "${text}")

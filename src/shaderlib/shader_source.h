@@ -1,0 +1,23 @@
+// Final GLSL text: version line, defines from the EffectSet, and only the files that these call for. No GL in it.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "scene/effects.h"
+
+namespace nullscope {
+
+enum class Stage { kPicture, kRayData, kBareFetch };   // kBareFetch: one cube-map fetch a pixel, a yardstick of cost
+enum class Output { kLinear, kDisplay };   // kDisplay: exposure and sRGB encoding in the shader (8-bit targets)
+
+struct ShaderSource {
+    std::string vertex, fragment;
+};
+
+// Stage kRayData leaves out the sky's and the disc's look. Output concerns kPicture only.
+ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output);
+
+// One embedded file of shaders/ by its path there; aborts if there is none (a broken build).
+std::string_view shader_file(std::string_view path);
+
+}  // namespace nullscope

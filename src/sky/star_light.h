@@ -1,0 +1,28 @@
+// Draws stars into the faces of a cube map.
+//
+// A star is a radiance on the sphere, not a pattern of texels: flux 10^(-0.4 V) times a point spread that depends on
+// the angle to the star only. So it is as bright at a face's corner as in its middle, and crosses edges without a seam.
+#pragma once
+#include <vector>
+
+#include "base/vec.h"
+#include "sky/sky.h"
+#include "sky/star_catalogue.h"
+
+namespace nullscope {
+
+// Peak radiance of a star of V = 5 drawn with the core of a face of kReferenceFace texels: sRGB 0.66 on the display at
+// exposure 0, so V < 4 saturates and V = 9 is near the limit of what is seen. It scales the whole star field.
+constexpr double kPeakOfMagnitude5 = 0.4;
+constexpr int kReferenceFace = 2048;
+
+// Radius of the core in rad: 0.6 texels in the middle of a face, so that the flux summed over texels varies by less
+// than 0.4 % with the star's place within a texel (2 exp(-2 pi^2 sigma^2) an axis). Above kReferenceFace it stays what
+// it is there (2 arc minutes, an eye's), so that the picture does not depend on the size of the face.
+double core_sigma(int face_size);
+
+// Adds the stars' radiance, each turned by world_from_sky and multiplied by brightness. Parallel; the result does not
+// depend on the number of threads. Cost: about 0.15 s for the whole catalogue at face size 2048 on two cores.
+void add_stars(SkyCube& sky, const std::vector<Star>& stars, const Mat3& world_from_sky, double brightness);
+
+}  // namespace nullscope

@@ -1,0 +1,75 @@
+#include "spacetime/registry.h"
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "spacetime/minkowski.h"
+#include "spacetime/schwarzschild.h"
+
+namespace nullscope {
+namespace {
+
+const MetricParameter* find_parameter(const MetricEntry& entry, std::string_view name) {
+    for (const MetricParameter& parameter : entry.parameters) {
+        if (parameter.name == name) return &parameter;
+    }
+    return nullptr;
+}
+
+Error unknown_metric(const std::string& metric) {
+    std::vector<std::string> keys;
+    std::string list;
+    for (const MetricEntry& entry : metric_registry()) {
+        keys.emplace_back(entry.key);
+        list += (list.empty() ? "" : ", ") + std::string(entry.key);
+    }
+    const std::string nearest = nearest_word(metric, keys);
+    return bad_input(fmt::format("unknown metric \"{}\"; allowed: {}{}", metric, list,
+                                 nearest.empty() ? "" : fmt::format(" (nearest: {})", nearest)));
+}
+
+Error unknown_parameter(const MetricEntry& entry, const std::string& name) {
+    std::string list;
+    for (const MetricParameter& parameter : entry.parameters) {
+        list += (list.empty() ? "" : ", ") + std::string(parameter.name);
+    }
+    return bad_input(fmt::format("metric \"{}\" has no parameter \"{}\"; allowed: {}", entry.key, name,
+                                 list.empty() ? "none" : list));
+}
+
+}  // namespace
+
+std::span<const MetricEntry> metric_registry() {
+    static const std::vector<MetricEntry> entries = {
+        {"schwarzschild", "A black hole without spin or charge.", {}, make_schwarzschild},
+        {"minkowski", "Flat spacetime: light runs straight.", {}, make_minkowski},
+    };
+    return entries;
+}
+
+const MetricEntry* find_metric(std::string_view key) {
+    for (const MetricEntry& entry : metric_registry()) {
+        if (entry.key == key) return &entry;
+    }
+    return nullptr;
+}
+
+Result<std::shared_ptr<const Spacetime>> make_spacetime(const std::string& metric,
+                                                        const std::map<std::string, double>& parameters) {
+    const MetricEntry* entry = find_metric(metric);
+    if (entry == nullptr) return unknown_metric(metric);
+    std::map<std::string, double> complete;
+    for (const MetricParameter& parameter : entry->parameters) complete.emplace(parameter.name, parameter.fallback);
+    for (const auto& [name, value] : parameters) {
+        const MetricParameter* parameter = find_parameter(*entry, name);
+        if (parameter == nullptr) return unknown_parameter(*entry, name);
+        if (!(value >= parameter->low && value <= parameter->high)) {  // NaN too
+            return bad_input(fmt::format("{} = {} is out of range; allowed: [{}, {}]", name, value, parameter->low,
+                                         parameter->high));
+        }
+        complete[name] = value;
+    }
+    return std::shared_ptr<const Spacetime>(entry->make(complete));
+}
+
+}  // namespace nullscope

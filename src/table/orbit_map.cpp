@@ -1,0 +1,156 @@
+#include "table/orbit_map.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace nullscope {
+namespace {
+
+constexpr int kCellsPerOctave = 8;  // ORBIT_CELLS_PER_OCTAVE
+constexpr int kRows = 128;          // ORBIT_ROWS
+constexpr double kLargestStep = 0.08;  // rad; local error 1e-12
+
+// zeta(phi) and its derivative by w (the variational equation).
+struct State {
+    double zeta, slope, vary, vary_slope;
+};
+
+struct Nystrom {
+    static constexpr int kStages = 6;
+    static constexpr std::array<double, 6> c{0, 1. / 10, 3. / 10, 7. / 10, 17. / 25, 1};
+    static constexpr double a[6][5] = {{},
+                                       {1. / 200},
+                                       {-1. / 2200, 1. / 22},
+                                       {637. / 6600, -7. / 110, 7. / 33},
+                                       {225437. / 1968750, -30073. / 281250, 65569. / 281250, -9367. / 984375},
+                                       {151. / 2142, 5. / 116, 385. / 1368, 55. / 168, -6250. / 28101}};
+    static constexpr std::array<double, 6> b{151. / 2142, 5. / 116, 385. / 1368, 55. / 168, -6250. / 28101, 0};
+    static constexpr std::array<double, 6> b_slope{151. / 2142, 25. / 522, 275. / 684, 275. / 252, -78125. / 112404, 1. / 12};
+};
+
+State step(const Spacetime& spacetime, const State& s, double h) {
+    std::array<double, 6> f{}, g{};
+    for (int i = 0; i < Nystrom::kStages; ++i) {
+        double zeta = s.zeta + Nystrom::c[i] * h * s.slope, vary = s.vary + Nystrom::c[i] * h * s.vary_slope;
+        for (int j = 0; j < i; ++j) {
+            zeta += h * h * Nystrom::a[i][j] * f[j];
+            vary += h * h * Nystrom::a[i][j] * g[j];
+        }
+        f[i] = -spacetime.half_v_slope(zeta);
+        g[i] = -spacetime.half_v_curvature(zeta) * vary;
+    }
+    State next{s.zeta + h * s.slope, s.slope, s.vary + h * s.vary_slope, s.vary_slope};
+    for (int i = 0; i < Nystrom::kStages; ++i) {
+        next.zeta += h * h * Nystrom::b[i] * f[i];
+        next.vary += h * h * Nystrom::b[i] * g[i];
+        next.slope += h * Nystrom::b_slope[i] * f[i];
+        next.vary_slope += h * Nystrom::b_slope[i] * g[i];
+    }
+    return next;
+}
+
+using Column = std::array<State, kRows + 1>;
+
+// The orbit of one ray at v = 0 ... 1. Rays near the critical one linger at the photon sphere, where errors grow like exp(phi):
+// so the first half is integrated from the camera and the second half backward from the end, and d(phi_end)/dw is what makes
+// their derivatives meet in the middle. Amplification of the local error: at most exp(phi_end / 2).
+Column integrate(const RayFan& fan, Segment segment, const FanRay& ray, double& end_per_w) {
+    const Spacetime& spacetime = fan.spacetime();
+    const bool sky = segment == Segment::kSky;
+    const double q = fan.sqrt_v0() / ray.sin_beta;
+    const double beta_per_w = sky ? 1.0 : -1.0;  // beta grows away from the shadow's middle
+    const double cell = ray.phi_end / kRows;
+    const int substeps = std::max(1, static_cast<int>(std::ceil(cell / kLargestStep)));
+    const auto advance = [&](State s) {
+        for (int j = 0; j < substeps; ++j) s = step(spacetime, s, cell / substeps);
+        return s;
+    };
+    constexpr int kMiddle = kRows / 2;
+    Column orbit{};
+    orbit[0] = {fan.zeta0(), q * ray.cos_beta, 0.0, -beta_per_w * q / ray.sin_beta};
+    for (int i = 1; i <= kMiddle; ++i) orbit[i] = advance(orbit[i - 1]);
+
+    // Backward: zeta(phi) = Y(phi_end - phi), Y(0) = end value with V = 0, Y'(0) = q towards the camera.
+    const double inward = sky ? 1.0 : -1.0;
+    const double q_per_w = -q * ray.cos_beta / ray.sin_beta * beta_per_w;
+    State y{sky ? 0.0 : 1.0 / *spacetime.horizon_radius(), inward * q, 0.0, inward * q_per_w};
+    Column back{};
+    back[kRows] = y;
+    for (int i = kRows - 1; i >= kMiddle; --i) back[i] = advance(back[i + 1]);
+    const State& f = orbit[kMiddle];
+    y = back[kMiddle];
+    const double y_curvature = -spacetime.half_v_slope(y.zeta);
+    end_per_w = ((f.vary - y.vary) * y.slope - (f.vary_slope + y.vary_slope) * y_curvature) /
+                (y.slope * y.slope + y_curvature * y_curvature);
+    for (int i = kMiddle + 1; i <= kRows; ++i) {
+        const State& b = back[i];
+        orbit[i] = {b.zeta, -b.slope, b.vary + b.slope * end_per_w,
+                    -(b.vary_slope - spacetime.half_v_slope(b.zeta) * end_per_w)};
+    }
+    return orbit;
+}
+
+// One column: texels (Z, Z_w, Z_v, Z_wv) at v = 0 ... 1, derivatives by w and by v.
+std::array<std::array<double, 4>, kRows + 1> column(const RayFan& fan, Segment segment, double w) {
+    const Spacetime& spacetime = fan.spacetime();
+    const FanRay ray = fan.ray(segment, w);
+    double end_per_w = 0.0;
+    const Column orbit = integrate(fan, segment, ray, end_per_w);
+    std::array<std::array<double, 4>, kRows + 1> texels{};
+    for (int i = 0; i <= kRows; ++i) {
+        const double v = static_cast<double>(i) / kRows;
+        const State& o = orbit[i];
+        const double curvature = -spacetime.half_v_slope(o.zeta);
+        double z = o.zeta, z_v = o.slope * ray.phi_end;
+        double z_w = o.vary + o.slope * v * end_per_w;
+        double z_wv = ray.phi_end * (o.vary_slope + curvature * v * end_per_w) + o.slope * end_per_w;
+        if (segment == Segment::kSky) {  // divide by 1 - v; at v = 1 the limits, with zeta'' = 0 there
+            if (i < kRows) {
+                const double rest = 1.0 - v;
+                z /= rest, z_w /= rest;
+                z_v = (z_v + z) / rest, z_wv = (z_wv + z_w) / rest;
+            } else {
+                z = -z_v, z_w = -z_wv;
+                z_v = 0.0, z_wv = 0.0;
+            }
+        }
+        texels[i] = {z, z_w, z_v / kRows, z_wv / kRows};
+    }
+    return texels;
+}
+
+}  // namespace
+
+TexelGrid build_orbit_map(const RayFan& fan) {
+    const auto octaves = [&](Segment segment) {
+        return static_cast<int>(std::floor(std::log2(1.0 + fan.w_limit(segment) / fan.w0()))) + 1;
+    };
+    constexpr int kColumns = kCellsPerOctave + 1;
+    const int sky = octaves(Segment::kSky) * kColumns, captured = octaves(Segment::kCaptured) * kColumns;
+    TexelGrid map{std::max(sky, captured), 2 * (kRows + 1), {}};
+    map.texels.assign(static_cast<std::size_t>(map.width) * map.height * 4, 0.0f);
+    tbb::parallel_for(0, sky + captured, [&](int i) {
+        const Segment segment = i < sky ? Segment::kSky : Segment::kCaptured;
+        const int at = i < sky ? i : i - sky;
+        const double u_octave = std::exp2(at / kColumns);
+        const double u = u_octave * (1.0 + static_cast<double>(at % kColumns) / kCellsPerOctave);
+        // The very first column would be the critical ray itself: it stands for 1/64 of the first cell.
+        const double w = std::clamp((u - 1.0) * fan.w0(), fan.w0() / (64.0 * kCellsPerOctave), fan.w_limit(segment));
+        const double w_per_cell = u_octave * fan.w0() / kCellsPerOctave;
+        const auto texels = column(fan, segment, w);
+        for (int row = 0; row <= kRows; ++row) {
+            const std::size_t line = row + (segment == Segment::kSky ? 0 : kRows + 1);
+            float* out = map.texels.data() + 4 * (line * map.width + at);
+            out[0] = static_cast<float>(texels[row][0]);
+            out[1] = static_cast<float>(texels[row][1] * w_per_cell);
+            out[2] = static_cast<float>(texels[row][2]);
+            out[3] = static_cast<float>(texels[row][3] * w_per_cell);
+        }
+    });
+    return map;
+}
+
+}  // namespace nullscope

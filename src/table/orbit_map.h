@@ -1,0 +1,14 @@
+// The orbit map of shaders/core/orbit.glsl: where every ray of the fan is after a swept angle. Needed by objects, not by the sky.
+//
+// Each column is one orbit zeta(phi) with its derivative by the look direction, integrated from the camera with the sixth-order
+// Nystrom method RKN6(4)6FM (Dormand, El-Mikkawy, Prince 1987): zeta'' = -V'(zeta)/2, regular at turning points.
+#pragma once
+#include "table/ray_fan.h"
+#include "table/strip.h"
+
+namespace nullscope {
+
+// Error of zeta: 1e-7 relative to the ray's conditioning. About 10 core-milliseconds.
+TexelGrid build_orbit_map(const RayFan& fan);
+
+}  // namespace nullscope

@@ -1,0 +1,49 @@
+#include "table/ray_fan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace nullscope {
+
+namespace {
+constexpr double kRadialFloor = 1e-9;  // rad; ratios such as phi/sin(beta) have reached their limit to 1e-17 there
+}
+
+RayFan::RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r)
+    : spacetime_(std::move(spacetime)), table_(std::move(table)), zeta0_(1.0 / r) {
+    chi0_ = spacetime_->chi_from_zeta(zeta0_);
+    q_crit_ = spacetime_->photon_sphere()->q_crit;
+    sqrt_v0_ = zeta0_ * std::sqrt(spacetime_->lapse_squared(zeta0_));
+    outside_ = zeta0_ <= spacetime_->photon_sphere()->zeta;
+    theta_c_ = outside_ ? std::min(chi0_, M_PI / 2) : std::asin(std::min(1.0, sqrt_v0_ / q_crit_));
+}
+
+double RayFan::w_limit(Segment segment) const {
+    return outside_ == (segment == Segment::kSky) ? M_PI - theta_c_ : theta_c_;
+}
+
+FanRay RayFan::ray(Segment segment, double w) const {
+    const bool sky = segment == Segment::kSky;
+    // Angle from the strip's axis, then from the inward radial.
+    const double theta = std::clamp(outside_ == sky ? theta_c_ + w : theta_c_ - w, kRadialFloor, M_PI - kRadialFloor);
+    FanRay ray{};
+    ray.beta = outside_ ? theta : M_PI - theta;
+    ray.sin_beta = std::sin(theta);
+    ray.cos_beta = outside_ ? std::cos(theta) : -std::cos(theta);
+    const double sin_c = std::sin(theta_c_);
+    const double k = sin_c / ray.sin_beta;
+    const double signed_w = outside_ == sky ? w : -w;                               // theta - theta_c
+    const double one_minus_k2 = std::sin(signed_w) * std::sin(theta + theta_c_) / (ray.sin_beta * ray.sin_beta);
+    const double alpha = M_PI - ray.beta;
+    if (one_minus_k2 > 0.0) {
+        ray.phi_end = sky ? table_->turning_to_sky(k, one_minus_k2, alpha) : table_->turning_to_horizon(k, one_minus_k2, ray.beta);
+    } else {
+        const double d2 = std::max(-one_minus_k2, 1e-300);
+        const double from_infinity = table_->through_from_infinity(k, d2, chi0_);
+        ray.phi_end = sky ? from_infinity : table_->through_from_infinity(k, d2, M_PI) - from_infinity;
+    }
+    return ray;
+}
+
+}  // namespace nullscope

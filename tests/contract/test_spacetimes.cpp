@@ -1,0 +1,284 @@
+// What every metric of the registry must satisfy, at its default parameters and at the ends of their ranges.
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <numbers>
+#include <set>
+
+#include "spacetime/registry.h"
+
+using namespace nullscope;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kRounding = 2e-15;   // a few units in the last place of a product of a few factors
+constexpr double kDifference = 1e-9;  // central differences with step 1e-6: step^2 and 2^-53 / step
+constexpr double kStep = 1e-6;
+constexpr double kWeakFieldQ = 1e-4;    // r_s / impact parameter
+constexpr double kWeakFieldNext = 2.0;  // bending = 2 q (1 + c q + ...), |c| <= 15 pi / 32 = 1.47 for charge 0 ... 1
+
+struct Case {
+    std::string label;
+    std::shared_ptr<const Spacetime> spacetime;
+};
+
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    for (const MetricEntry& entry : metric_registry()) {
+        const std::string key(entry.key);
+        all.push_back({key, *make_spacetime(key, {})});
+        for (const MetricParameter& parameter : entry.parameters) {
+            for (const double value : {parameter.low, parameter.high}) {
+                const std::string name(parameter.name);
+                const std::string label = key + " " + name + " = " + std::to_string(value);
+                all.push_back({label, *make_spacetime(key, {{name, value}})});
+            }
+        }
+    }
+    return all;
+}
+
+// Radii from just outside the horizon (or from 0.01) to 10^6.
+std::vector<double> radii(const Spacetime& spacetime) {
+    const double innermost = spacetime.horizon_radius().value_or(0.0);
+    std::vector<double> values;
+    for (double offset = innermost > 0 ? 1e-6 : 1e-2; offset < 2e6; offset *= 3.0) values.push_back(innermost + offset);
+    return values;
+}
+
+double potential(const Spacetime& s, double zeta) { return s.lapse_squared(zeta) * zeta * zeta; }
+
+double slope(const auto& f, double x) { return (f(x + kStep) - f(x - kStep)) / (2.0 * kStep); }
+
+// Angle swept by a ray from infinity to infinity: the integral of h with sin(chi) = k sin(alpha), alpha in [0, pi/2],
+// twice, by the tanh-sinh rule (Takahasi and Mori 1974); its error here is that of rounding.
+double swept_angle(const Spacetime& spacetime, double k) {
+    constexpr double kTanhSinhStep = 1.0 / 16.0;
+    double sum = 0.0;
+    for (int i = -56; i <= 56; ++i) {
+        const double t = kTanhSinhStep * i;
+        const double alpha = 0.25 * kPi * (1.0 + std::tanh(0.5 * kPi * std::sinh(t)));
+        const double weight = 0.125 * kPi * kPi * std::cosh(t) / std::pow(std::cosh(0.5 * kPi * std::sinh(t)), 2);
+        const double sine = k * std::sin(alpha);
+        const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
+        sum += weight * spacetime.bending_density(std::atan2(sine, cosine)) / cosine;
+    }
+    return 2.0 * kTanhSinhStep * sum;
+}
+
+// True if the call ends the process by abort().
+template <class Call>
+bool aborts(Call call) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        std::signal(SIGABRT, SIG_DFL);
+        if (std::freopen("/dev/null", "w", stderr) == nullptr) ::_exit(1);
+        call();
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT;
+}
+
+}  // namespace
+
+TEST_CASE("registry: keys are unique, each makes the metric of its name") {
+    std::set<std::string_view> keys;
+    for (const MetricEntry& entry : metric_registry()) {
+        CHECK(keys.insert(entry.key).second);
+        CHECK(find_metric(entry.key) == &entry);
+        CHECK(entry.help.ends_with("."));
+        const auto made = make_spacetime(std::string(entry.key), {});
+        REQUIRE(made);
+        CHECK((*made)->name() == entry.key);
+        for (const MetricParameter& p : entry.parameters) {
+            const std::string key(entry.key), name(p.name);
+            CHECK((p.low <= p.fallback && p.fallback <= p.high));
+            for (const double bad : {std::nextafter(p.low, -1e300), std::nextafter(p.high, 1e300), std::nan("")}) {
+                const auto refused = make_spacetime(key, {{name, bad}});
+                REQUIRE_FALSE(refused);
+                CHECK(refused.error().message.find(name) != std::string::npos);
+            }
+        }
+    }
+    const auto typo = make_spacetime("schwarzshild", {});
+    REQUIRE_FALSE(typo);
+    CHECK(typo.error().kind == ErrorKind::kBadInput);
+    CHECK(typo.error().message.find("nearest: schwarzschild") != std::string::npos);
+    const auto parameter = make_spacetime("minkowski", {{"spin", 0.5}});
+    REQUIRE_FALSE(parameter);
+    CHECK(parameter.error().message == "metric \"minkowski\" has no parameter \"spin\"; allowed: none");
+    CHECK(find_metric("") == nullptr);
+}
+
+TEST_CASE("metric: signature (-,+,+,+) outside the horizon, and the inverse is the inverse") {
+    for (const auto& [label, s] : cases()) {
+        CAPTURE(label);
+        for (const double r : radii(*s)) {
+            for (const double theta : {0.1, 1.0, kPi / 2, 3.0}) {
+                const Matrix4 g = s->metric(r, theta), inverse = s->inverse_metric(r, theta);
+                for (int i = 0; i < 4; ++i) {
+                    CHECK((i == 0 ? g[i][i] < 0.0 : g[i][i] > 0.0));
+                    for (int j = 0; j < 4; ++j) {
+                        double product = 0.0;
+                        for (int k = 0; k < 4; ++k) product += g[i][k] * inverse[k][j];
+                        CHECK(std::fabs(product - (i == j)) < kRounding);
+                        CHECK(g[i][j] == g[j][i]);
+                    }
+                }
+                CHECK(std::fabs(g[0][0] * g[1][1] + 1.0) < kRounding);  // -A dt^2 + dr^2/A
+                CHECK(g[0][0] == -s->lapse_squared(1.0 / r));
+                CHECK(g[2][2] == r * r);
+                CHECK(g[3][3] == doctest::Approx(r * r * std::sin(theta) * std::sin(theta)).epsilon(kRounding));
+            }
+        }
+    }
+}
+
+TEST_CASE("flat limit: A goes to 1 at infinity, and stays there where light is not bent") {
+    for (const auto& [label, s] : cases()) {
+        CAPTURE(label);
+        CHECK(s->lapse_squared(0.0) == 1.0);
+        for (double zeta = 1e-12; zeta < 1e-2; zeta *= 10.0) {
+            CHECK(std::fabs(s->lapse_squared(zeta) - 1.0) <= 2.0 * zeta);
+        }
+        if (s->bends_light()) continue;
+        CHECK_FALSE(s->photon_sphere());
+        for (double zeta = 1e-3; zeta < 1e3; zeta *= 10.0) CHECK(s->lapse_squared(zeta) == 1.0);
+    }
+}
+
+TEST_CASE("horizon: A vanishes there and is positive outside") {
+    for (const auto& [label, s] : cases()) {
+        CAPTURE(label);
+        if (const std::optional<double> horizon = s->horizon_radius()) {
+            CHECK(std::fabs(s->lapse_squared(1.0 / *horizon)) < kRounding);
+        }
+        for (const double r : radii(*s)) CHECK(s->lapse_squared(1.0 / r) > 0.0);
+    }
+}
+
+TEST_CASE("half_v_slope and half_v_curvature are the derivatives of V/2") {
+    for (const auto& [label, s] : cases()) {
+        CAPTURE(label);
+        for (double zeta = 0.01; zeta < 3.0; zeta += 0.01) {
+            const double first = slope([&](double z) { return 0.5 * potential(*s, z); }, zeta);
+            const double second = slope([&](double z) { return s->half_v_slope(z); }, zeta);
+            CHECK(std::fabs(s->half_v_slope(zeta) - first) < kDifference * (1.0 + zeta * zeta));
+            CHECK(std::fabs(s->half_v_curvature(zeta) - second) < kDifference * (1.0 + zeta * zeta));
+        }
+        CHECK(s->half_v_slope(0.0) == 0.0);
+        CHECK(s->half_v_slope(1e-300) == doctest::Approx(1e-300).epsilon(kRounding));
+    }
+}
+
+TEST_CASE("photon sphere: the maximum of V outside the horizon, with V = q_crit^2") {
+    for (const auto& [label, s] : cases()) {
+        CAPTURE(label);
+        const std::optional<PhotonSphere> sphere = s->photon_sphere();
+        if (!sphere) continue;
+        CHECK(std::fabs(s->half_v_slope(sphere->zeta)) < kRounding);
+        CHECK(s->half_v_curvature(sphere->zeta) < 0.0);
+        const double q2 = sphere->q_crit * sphere->q_crit;
+        CHECK(potential(*s, sphere->zeta) == doctest::Approx(q2).epsilon(kRounding));
+        for (const double r : radii(*s)) CHECK(potential(*s, 1.0 / r) <= q2 * (1.0 + kRounding));
+        CHECK(sphere->zeta * s->horizon_radius().value_or(0.0) < 1.0);
+    }
+}
+
+TEST_CASE("chi: V = q_crit^2 sin^2 chi, both ways, to the last digits near infinity, photon sphere and horizon") {
+    for (const auto& [label, s] : cases()) {
+        CAPTURE(label);
+        const std::optional<PhotonSphere> sphere = s->photon_sphere();
+        if (!sphere) continue;
+        const double last = s->horizon_radius() ? 1.0 / *s->horizon_radius() : sphere->zeta;
+        std::vector<double> zetas;
+        for (double zeta = 1e-300; zeta < 1e-3; zeta *= 1e3) zetas.push_back(zeta);
+        for (int i = 1; i < 1000; ++i) zetas.push_back(last * i / 1000.0);
+        for (double offset = 1e-15; offset < 1e-2; offset *= 10.0) {
+            zetas.insert(zetas.end(), {sphere->zeta - offset, sphere->zeta + offset, last - offset});
+        }
+        std::sort(zetas.begin(), zetas.end());
+        double before = 0.0;
+        for (const double zeta : zetas) {
+            CAPTURE(zeta);
+            const double chi = s->chi_from_zeta(zeta);
+            CHECK((chi >= before && chi <= kPi));
+            before = chi;
+            // Back: relative, so that it says something near 0; near the horizon zeta is quadratic in pi - chi.
+            CHECK(std::fabs(s->zeta_from_chi(chi) / zeta - 1.0) < kRounding);
+            const double root_v = zeta * std::sqrt(s->lapse_squared(zeta));
+            CHECK(std::fabs(sphere->q_crit * std::sin(chi) - root_v) < kRounding * std::min(zeta, 1.0));
+        }
+        CHECK(s->chi_from_zeta(0.0) == 0.0);
+        CHECK(s->zeta_from_chi(0.0) == 0.0);
+        CHECK(s->chi_from_zeta(sphere->zeta) == doctest::Approx(kPi / 2).epsilon(kRounding));
+        CHECK(s->zeta_from_chi(kPi / 2) == doctest::Approx(sphere->zeta).epsilon(kRounding));
+        CHECK(s->zeta_from_chi(kPi) == doctest::Approx(last).epsilon(kRounding));
+        for (double chi = 1e-8; chi < kPi - 1e-7; chi += 1e-3) {
+            // d chi/d zeta = 1/(h q_crit): flat rounding of zeta becomes large only where h goes to 0, at the horizon.
+            CHECK(std::fabs(s->chi_from_zeta(s->zeta_from_chi(chi)) - chi) < kRounding / s->bending_density(chi));
+        }
+    }
+}
+
+TEST_CASE("h: d zeta = q_crit h d chi, 1 at infinity") {
+    for (const auto& [label, s] : cases()) {
+        CAPTURE(label);
+        const std::optional<PhotonSphere> sphere = s->photon_sphere();
+        if (!sphere) continue;
+        for (double chi = 0.01; chi < kPi - 0.01; chi += 0.01) {
+            const double rate = slope([&](double c) { return s->zeta_from_chi(c); }, chi);
+            CHECK(std::fabs(s->bending_density(chi) - rate / sphere->q_crit) < kDifference);
+        }
+        CHECK(s->bending_density(0.0) == doctest::Approx(1.0).epsilon(kRounding));
+    }
+}
+
+TEST_CASE("weak field: light that passes far away is bent by 2 r_s/b") {
+    for (const auto& [label, s] : cases()) {
+        CAPTURE(label);
+        const std::optional<PhotonSphere> sphere = s->photon_sphere();
+        if (!sphere) continue;
+        const double bending = swept_angle(*s, kWeakFieldQ / sphere->q_crit) - kPi;
+        CHECK(std::fabs(bending / (2.0 * kWeakFieldQ) - 1.0) < kWeakFieldNext * kWeakFieldQ);
+    }
+}
+
+TEST_CASE("schwarzschild: horizon, photon sphere, closest approach and known deflections") {
+    const auto s = *make_spacetime("schwarzschild", {});
+    CHECK(*s->horizon_radius() == 1.0);
+    CHECK(s->photon_sphere()->zeta == doctest::Approx(2.0 / 3.0).epsilon(kRounding));
+    CHECK(s->photon_sphere()->q_crit == doctest::Approx(2.0 / (3.0 * std::sqrt(3.0))).epsilon(kRounding));
+    CHECK(s->bending_density(kPi / 2) == doctest::Approx(1.0).epsilon(kRounding));  // Bozza's coefficient a
+    CHECK(s->bending_density(kPi) == 0.0);
+    // Deflection at impact parameter b = 10 M, 100 M, 1000 M, from 50-digit arithmetic.
+    const double q_crit = s->photon_sphere()->q_crit;
+    const auto bending = [&](double b_over_m) { return swept_angle(*s, 2.0 / b_over_m / q_crit) - kPi; };
+    constexpr double kQuadrature = 1e-14;  // rounding of a sum of 113 terms
+    CHECK(std::fabs(bending(10) - 0.59039578760582732) < kQuadrature);
+    CHECK(std::fabs(bending(100) - 0.041222539749273652) < kQuadrature);
+    CHECK(std::fabs(bending(1000) - 0.0040118238099253647) < kQuadrature);
+    CHECK(std::fabs(bending(6) - 1.7193883102301686) < kQuadrature);
+    CHECK(aborts([&] { (void)s->chi_from_zeta(1.0000001); }));
+    CHECK(aborts([&] { (void)s->chi_from_zeta(-1e-9); }));
+    CHECK(aborts([&] { (void)s->chi_from_zeta(std::nan("")); }));
+    CHECK_FALSE(aborts([&] { (void)s->chi_from_zeta(1.0); }));
+}
+
+TEST_CASE("where there is no photon sphere, asking for chi is a broken invariant") {
+    for (const auto& [label, s] : cases()) {
+        CAPTURE(label);
+        if (s->photon_sphere()) continue;
+        CHECK(aborts([&spacetime = s] { (void)spacetime->chi_from_zeta(0.5); }));
+        CHECK(aborts([&spacetime = s] { (void)spacetime->zeta_from_chi(0.5); }));
+        CHECK(aborts([&spacetime = s] { (void)spacetime->bending_density(0.5); }));
+    }
+}

@@ -1,0 +1,120 @@
+// Which effects a scene calls for: every combination of what a scene can contain, against a rule written out again
+// here.
+#include <doctest/doctest.h>
+
+#include <map>
+#include <set>
+
+#include "scene/effects.h"
+
+using namespace nullscope;
+
+namespace {
+
+EffectSet subset(unsigned bits) {
+    EffectSet set;
+    for (const EffectRow& row : kEffectTable) {
+        if (bits >> static_cast<unsigned>(row.effect) & 1u) set.insert(row.effect);
+    }
+    return set;
+}
+
+constexpr unsigned kSubsets = 1u << kEffectCount;
+
+}  // namespace
+
+TEST_CASE("the effect table names every effect once, with define, help and need") {
+    std::set<std::string_view> keys, defines;
+    for (std::size_t i = 0; i < kEffectCount; ++i) {
+        const EffectRow& row = kEffectTable[i];
+        CHECK(static_cast<std::size_t>(row.effect) == i);
+        CHECK(&effect_row(row.effect) == &row);
+        CHECK(keys.insert(row.key).second);
+        CHECK(defines.insert(row.define).second);
+        CHECK(row.define.starts_with("EFFECT_"));
+        CHECK(row.help.ends_with("."));
+        CHECK_FALSE(row.needs.empty());
+    }
+}
+
+TEST_CASE("an effect set is its content: all subsets, as map keys") {
+    std::map<EffectSet, unsigned> seen;
+    for (unsigned bits = 0; bits < kSubsets; ++bits) {
+        const EffectSet set = subset(bits);
+        EffectSet again;
+        for (const Effect effect : set.list()) again.insert(effect);
+        CHECK(again == set);
+        CHECK(set.list().size() == set.size());
+        CHECK(set.keys().size() == set.size());
+        CHECK(set.empty() == (bits == 0));
+        for (const EffectRow& row : kEffectTable) {
+            CHECK(set.contains(row.effect) == ((bits >> static_cast<unsigned>(row.effect) & 1u) != 0));
+        }
+        CHECK(seen.emplace(set, bits).second);
+    }
+    CHECK(seen.size() == kSubsets);
+    for (unsigned bits = 0; bits < kSubsets; ++bits) CHECK(seen.at(subset(bits)) == bits);
+    CHECK(EffectSet{Effect::kSky, Effect::kDisc} == EffectSet{Effect::kDisc, Effect::kSky, Effect::kDisc});
+    CHECK(EffectSet{Effect::kSky, Effect::kDisc}.keys() == std::vector<std::string_view>{"disc", "sky"});
+}
+
+TEST_CASE("a scene calls for exactly the effects of what is in it") {
+    const std::vector<std::string> metrics = {"schwarzschild", "minkowski"};
+    const std::vector<Vec3> velocities = {{0, 0, 0}, {0.5, 0, 0}, {0, -1e-300, 0}, {0, 0, 0.999999}};
+    const std::vector<SkyKind> skies = {SkyKind::kStars, SkyKind::kImage, SkyKind::kBlack};
+    std::vector<std::optional<DiscSpec>> discs(5);
+    discs[1] = DiscSpec{};
+    discs[2] = DiscSpec{};
+    discs[2]->opacity = 0.5;
+    discs[3] = DiscSpec{};
+    discs[3]->edge = 0.1;
+    discs[4] = discs[2];
+    discs[4]->edge = 0.1;
+
+    for (const std::string& metric : metrics) {
+        for (const Vec3 velocity : velocities) {
+            for (const SkyKind sky : skies) {
+                for (std::size_t disc = 0; disc < discs.size(); ++disc) {
+                    Scene scene;
+                    scene.spacetime.metric = metric;
+                    scene.camera.velocity = velocity;
+                    scene.sky.kind = sky;
+                    scene.disc = discs[disc];
+                    EffectSet expected;
+                    if (metric != "minkowski") expected.insert(Effect::kLensing);
+                    if (length(velocity) > 0.0) expected.insert(Effect::kAberration);
+                    if (disc >= 1) expected.insert(Effect::kDisc);
+                    if (disc >= 2) expected.insert(Effect::kTranslucentDisc);
+                    if (sky != SkyKind::kBlack) expected.insert(Effect::kSky);
+
+                    const std::vector<EffectReason> reasons = required_effects(scene);
+                    CHECK(effect_set(reasons) == expected);
+                    CHECK(reasons.size() == expected.size());  // none twice
+                    std::vector<Effect> order;
+                    for (const EffectReason& reason : reasons) order.push_back(reason.effect);
+                    CHECK(order == expected.list());
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("the reason quotes the scene") {
+    Scene scene;
+    scene.camera.velocity = {0, 0, 0.5};
+    scene.disc = DiscSpec{};
+    scene.disc->opacity = 0.25;
+    const std::vector<EffectReason> reasons = required_effects(scene);
+    REQUIRE(reasons.size() == 5);
+    CHECK(reasons[0].reason == "spacetime.metric = \"schwarzschild\"");
+    CHECK(reasons[1].reason == "camera.velocity = [0, 0, 0.5]");
+    CHECK(reasons[2].reason == "[disc] from 3 to 12");
+    CHECK(reasons[3].reason == "disc.opacity = 0.25");
+    CHECK(reasons[4].reason == "sky.kind = \"stars\"");
+}
+
+TEST_CASE("an unknown metric calls for no lensing") {
+    Scene scene;
+    scene.spacetime.metric = "no such metric";
+    CHECK_FALSE(effect_set(required_effects(scene)).contains(Effect::kLensing));
+}

@@ -1,0 +1,155 @@
+// Broken scenes: the line, the key and a part of the message of each.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <string>
+
+#include "scene/scene_file.h"
+
+using namespace nullscope;
+using namespace std::string_literals;
+
+namespace {
+
+struct Broken {
+    std::string text;
+    int line;
+    std::string key;   // "" for faults of the TOML itself
+    std::string part;  // of the message
+};
+
+const Broken kBroken[] = {
+    // Not TOML
+    {"[camera\nr = 1", 1, "", ""},
+    {"\n\nr 5", 3, "", ""},
+    {"[camera]\nr = ", 2, "", ""},
+    {"[camera]\nr = 5\nr = 6", 3, "", "redefine"},
+    {"[camera]\nr = 5\n[camera]\n", 3, "", "redefine"},
+    {"[camera]\nr = 1e999999", 2, "", ""},
+    {"[camera]\nr = 99999999999999999999", 2, "", ""},
+    {"name = \"abc", 1, "", ""},
+    {"name = \"\xFF\xFE\"", 1, "", ""},
+    {"name = \"\xC3\"", 1, "", ""},
+    {"name = \"a\nb\"", 1, "", ""},
+    {"name = \"a\0b\""s, 1, "", ""},
+    {"\0\0\0\0"s, 1, "", ""},
+    {"x = " + std::string(1000, '['), 1, "", "depth"},
+    {"a" + std::string(5000, '.') + "a = 1", 1, "", "more than 4096 dots"},
+    // Unknown words
+    {"nmae = \"x\"", 1, "nmae", "nearest known key: name"},
+    {"[camra]\nr = 5", 1, "camra", "nearest known key: camera"},
+    {"r = 5", 1, "r", "nearest known key: camera.r"},
+    {"[camera]\nfoov = 60", 2, "camera.foov", "nearest known key: camera.fov"},
+    {"[camera]\ninner = 3", 2, "camera.inner", "nearest known key: disc.inner"},
+    {"[sky]\nqqqqqqqq = 1", 2, "sky.qqqqqqqq", "allowed: kind, mapping, image"},
+    {"[disc]\n\"\" = 1", 2, "disc.", "unknown key"},
+    {"\"\" = 1", 1, "", "unknown key"},
+    {"[\"\"]\nr = 1", 1, "", "unknown key"},
+    {"[disc]\n\"a\\nb\\u001b[2J\" = 1", 2, "disc.a?b?[2J", "unknown key"},
+    {"[disc]\n\"\\u009b2J\" = 1", 2, "disc.??2J", "unknown key"},
+    {"[camera.r]\nx = 1", 1, "camera.r", "must be a number, not a table"},
+    {"[[camera]]\nr = 5", 1, "camera", "must be a section"},
+    {"camera = 5", 1, "camera", "must be a section"},
+    {"name = \"x\"\ndisc = true", 2, "disc", "must be a section"},
+    // Spacetime
+    {"[spacetime]\nmetric = \"schwarzchild\"", 2, "spacetime.metric", "nearest: schwarzschild"},
+    {"[spacetime]\nmetric = \"\"", 2, "spacetime.metric", "allowed: schwarzschild"},
+    {"[spacetime]\nmetric = 5", 2, "spacetime.metric", "must be a string, not an integer"},
+    {"[spacetime]\nmetric = [\"minkowski\"]", 2, "spacetime.metric", "must be a string, not an array"},
+    {"[spacetime]\nspin = 0.5", 2, "spacetime.spin", "no parameter of metric \"schwarzschild\"; allowed: metric"},
+    {"[spacetime]\nmetric = \"minkowski\"\ncharge = 0.5", 3, "spacetime.charge", "parameter of metric \"minkowski\""},
+    {"[spacetime]\ncharge = 0.5\nmetric = \"kerrr\"", 3, "spacetime.metric", "unknown word \"kerrr\""},
+    {"[spacetime]\nmetrik = \"minkowski\"", 2, "spacetime.metrik", "nearest known key: spacetime.metric"},
+    // Camera
+    {"[camera]\nr = 1.0", 2, "camera.r", "on or inside the horizon; allowed: r > 1"},
+    {"[camera]\nr = 0.3", 2, "camera.r", "allowed: r > 1"},
+    {"[camera]\nr = 0", 2, "camera.r", "0 is out of range; allowed: (0, 1000000000]"},
+    {"[camera]\nr = -3", 2, "camera.r", "-3 is out of range"},
+    {"[camera]\nr = nan", 2, "camera.r", "must be finite"},
+    {"[camera]\nr = -inf", 2, "camera.r", "must be finite"},
+    {"[camera]\nr = \"5\"", 2, "camera.r", "must be a number, not a string"},
+    {"[camera]\nr = true", 2, "camera.r", "must be a number, not a boolean"},
+    {"[camera]\nr = 2020-01-01", 2, "camera.r", "must be a number, not a date or time"},
+    {"[camera]\nr = [5]", 2, "camera.r", "must be a number, not an array"},
+    {"[camera]\ntheta = 181", 2, "camera.theta", "allowed: [0, 180]"},
+    {"[camera]\ntheta = -1e-9", 2, "camera.theta", "allowed: [0, 180]"},
+    {"[camera]\nyaw = 1e300", 2, "camera.yaw", "allowed: [-3600, 3600]"},
+    {"[camera]\nphi = inf", 2, "camera.phi", "must be finite"},
+    {"[camera]\npitch = \"up\"", 2, "camera.pitch", "must be a number"},
+    {"[camera]\nroll = {}", 2, "camera.roll", "must be a number, not a table"},
+    {"[camera]\nfov = 0", 2, "camera.fov", "allowed: (0, 180)"},
+    {"[camera]\nfov = 180", 2, "camera.fov", "allowed: (0, 180)"},
+    {"[camera]\nfov = 60\nplane_width = 1", 3, "camera.fov", "says the same as camera.plane_width"},
+    {"[camera]\nfocal_distance = 1\nfov = 60", 3, "camera.fov", "says the same as camera.focal_distance"},
+    {"[camera]\nplane_width = 0", 2, "camera.plane_width", "out of range"},
+    {"[camera]\nfocal_distance = -1", 2, "camera.focal_distance", "out of range"},
+    {"[camera]\nsize = [1280]", 2, "camera.size", "must be two integers, not 1"},
+    {"[camera]\nsize = 1280", 2, "camera.size", "must be two integers, not an integer"},
+    {"[camera]\nsize = [1280.0, 720]", 2, "camera.size", "number 1 is a number"},
+    {"[camera]\nsize = [0, 720]", 2, "camera.size", "0 is out of range; allowed: two integers from 1 to 16384"},
+    {"[camera]\nsize = [16, 16385]", 2, "camera.size", "16385 is out of range"},
+    {"[camera]\nsize = [16, 9223372036854775807]", 2, "camera.size", "out of range"},
+    {"[camera]\nvelocity = 0.5", 2, "camera.velocity", "must be three numbers"},
+    {"[camera]\nvelocity = [0.5, 0]", 2, "camera.velocity", "must be three numbers, not 2"},
+    {"[camera]\nvelocity = [0, nan, 0]", 2, "camera.velocity", "component 2 is not a finite number"},
+    {"[camera]\nvelocity = [0, 0, \"c\"]", 2, "camera.velocity", "component 3 is not a finite number"},
+    {"[camera]\nvelocity = [1, 0, 0]", 2, "camera.velocity", "light; allowed: three numbers, speed below 1"},
+    {"[camera]\nvelocity = [0.8, 0.6, 0.1]", 2, "camera.velocity", "not below that of light"},
+    {"[camera]\nvelocity = [1e308, 1e308, 0]", 2, "camera.velocity", "not below that of light"},
+    {"[camera]\nexposure = 31", 2, "camera.exposure", "allowed: [-30, 30]"},
+    // Sky
+    {"[sky]\nkind = \"star\"", 2, "sky.kind", "(nearest: stars); allowed: stars, image or black"},
+    {"[sky]\nkind = 1", 2, "sky.kind", "must be a string"},
+    {"\n[sky]\nkind = \"image\"", 3, "sky.image", "missing, but kind is image"},
+    {"[sky]\nkind = \"image\"\nimage = \"no-such.png\"", 3, "sky.image", "there is no file \"no-such.png\""},
+    {"[sky]\nkind = \"image\"\nimage = \"/\"", 3, "sky.image", "there is no file \"/\""},
+    {"[sky]\nkind = \"image\"\nimage = \"\"", 3, "sky.image", "there is no file"},
+    {"[sky]\nkind = \"image\"\nimage = \"a\\u0000b\"", 3, "sky.image", "control characters"},
+    {"[sky]\nimage = \"CMakeLists.txt\"", 2, "sky.image", "kind is not image"},
+    {"[sky]\nkind = \"black\"\nmapping = \"equirectangular\"", 3, "sky.mapping", "kind is not image"},
+    {"[sky]\nkind = \"image\"\nimage = \"CMakeLists.txt\"\nmapping = \"cube\"", 4, "sky.mapping", "word \"cube\""},
+    {"[sky]\nkind = \"image\"\nimage = \"CMakeLists.txt\"\nmapping = \"band-and-caps\"", 4, "sky.north_cap", "missing"},
+    {"[sky]\nkind = \"image\"\nimage = \"CMakeLists.txt\"\nnorth_cap = \"CMakeLists.txt\"", 4, "sky.north_cap",
+     "mapping is not band-and-caps"},
+    {"[sky]\nband_latitude = 40", 2, "sky.band_latitude", "mapping is not band-and-caps"},
+    {"[sky]\nband_latitude = 90", 2, "sky.band_latitude", "allowed: (0, 90)"},
+    {"[sky]\nbrightness = -1", 2, "sky.brightness", "allowed: [0, 1000000]"},
+    {"[sky]\ntilt = nan", 2, "sky.tilt", "must be finite"},
+    // Disc
+    {"[disc]\ninner = 12", 2, "disc.inner", "inner = 12 is not below outer = 12; allowed: inner < outer"},
+    {"[disc]\nouter = 2", 2, "disc.outer", "inner = 3 is not below outer = 2"},
+    {"[disc]\nouter = 5\ninner = 6", 3, "disc.inner", "inner = 6 is not below outer = 5"},
+    {"[disc]\ninner = 0", 2, "disc.inner", "out of range"},
+    {"[disc]\nouter = 1e7", 2, "disc.outer", "out of range"},
+    {"[disc]\nopacity = 0", 2, "disc.opacity", "allowed: (0, 1]"},
+    {"[disc]\nopacity = 1.01", 2, "disc.opacity", "allowed: (0, 1]"},
+    {"[disc]\nedge = 0.51", 2, "disc.edge", "allowed: [0, 0.5]"},
+    {"[disc]\nimage = \"no-such.png\"", 2, "disc.image", "there is no file"},
+    {"[disc]\nimage = 3", 2, "disc.image", "must be a string"},
+    {"[disc]\nrotation = \"x\"", 2, "disc.rotation", "must be a number"},
+    {"[disc]\nbrightness = inf", 2, "disc.brightness", "must be finite"},
+    // Text
+    {"name = 5", 1, "name", "must be a string"},
+    {"name = \"a\\nb\"", 1, "name", "control characters"},
+    {"description = \"\\u001b[31m\"", 1, "description", "control characters"},
+    {"description = \"" + std::string(201, 'x') + "\"", 1, "description", "201 bytes are too long"},
+};
+
+}  // namespace
+
+TEST_CASE("every broken scene is refused in one line that names file, line and key") {
+    const std::filesystem::path base = NULLSCOPE_TEST_DATA;  // its CMakeLists.txt serves as an image: none is opened
+    for (const Broken& broken : kBroken) {
+        const Result<Scene> scene = parse_scene(broken.text, "dir/scene.toml", base);
+        CAPTURE(broken.text.substr(0, 100));
+        REQUIRE_FALSE(scene);
+        const std::string& message = scene.error().message;
+        CAPTURE(message);
+        CHECK(scene.error().kind == ErrorKind::kBadInput);
+        const std::string key = broken.key.empty() ? "" : broken.key + ": ";
+        CHECK(message.starts_with(fmt::format("dir/scene.toml:{}: {}", broken.line, key)));
+        CHECK(message.find(broken.part) != std::string::npos);
+        CHECK(message.find_first_of("\n\r\x1b"s + '\0') == std::string::npos);
+        CHECK(message.size() < 500);
+    }
+}
