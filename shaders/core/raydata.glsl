@@ -21,7 +21,8 @@ PixelData pixel_data(vec2 pixel) {
 #ifdef EFFECT_DISC
     PlaneMeeting meeting = disc_meeting(trace);
     for (int k = 0; k < DISC_MOST_CROSSINGS; ++k) {
-        if (meeting.phi + 3.14159265358979323846 * float(k) >= trace.phi_end) break;
+        if (!disc_reachable(trace, meeting, k)) break;
+        if (!disc_close(trace, meeting, k)) continue;
         DiscCrossing crossing = disc_cross(trace, meeting, k, 0.0);
         if (crossing.hit && data.hit == 0.0) {
             data.hit = 1.0;

@@ -17,6 +17,23 @@ PlaneMeeting disc_meeting(Trace trace) {
     return plane_meet(trace.n, radial_direction(), trace.s, normal, frame.disc_normal.w);
 }
 
+// Two bounds that cost nothing. |d zeta / d phi| <= q = sqrt(V(zeta0)) / s on every orbit, so zeta grows from zeta0 and falls to
+// 0 at the sky no faster than q phi. DISC_WIDENED leaves room for the rims' covered fractions (see margin).
+#define DISC_WIDENED 1.15
+
+// Does the ray still reach crossing `number` (counted from 0), and, on its way out, may any later one be within the disc?
+bool disc_reachable(Trace trace, PlaneMeeting meeting, int number) {
+    float rest = trace.phi_end - (meeting.phi + 3.14159265358979323846 * float(number));
+    float slowest = trace.escapes ? trace.s / (DISC_WIDENED * frame.disc_y.w) : 0.0;
+    return rest * frame.shift.z > slowest && rest > 0.0;
+}
+
+// May crossing `number` be close enough to the centre, coming from the camera?
+bool disc_close(Trace trace, PlaneMeeting meeting, int number) {
+    float phi = meeting.phi + 3.14159265358979323846 * float(number);
+    return (frame.shift.y * trace.s + frame.shift.z * phi) * DISC_WIDENED * frame.disc_y.w >= trace.s;
+}
+
 // Position on crossing `number` (0, 1, ...). margin: pixels by which the rims are widened (for covered fractions).
 DiscCrossing disc_cross(Trace trace, PlaneMeeting meeting, int number, float margin) {
     DiscCrossing crossing;
@@ -48,7 +65,7 @@ DiscCrossing disc_cross(Trace trace, PlaneMeeting meeting, int number, float mar
     float along_r = r_across * trace.pixel_angle;
     float inner = frame.disc_x.w;
     float outer = frame.disc_y.w;
-    float reach = min(margin * sqrt(along_r * along_r + across_r * across_r), 0.125 * (outer - inner));
+    float reach = min(margin * sqrt(along_r * along_r + across_r * across_r), 0.125 * (outer - inner));   // DISC_WIDENED
     crossing.r = r;
     crossing.hit = r >= inner - reach && r <= outer + reach;
     float sign_k = (number & 1) == 0 ? 1.0 : -1.0;

@@ -8,7 +8,8 @@ void main() {
 #ifdef EFFECT_DISC
     PlaneMeeting meeting = disc_meeting(trace);
     for (int k = 0; k < DISC_MOST_CROSSINGS; ++k) {
-        if (meeting.phi + 3.14159265358979323846 * float(k) >= trace.phi_end || through < 0.002) break;
+        if (!disc_reachable(trace, meeting, k) || through < 0.002) break;
+        if (!disc_close(trace, meeting, k)) continue;
         DiscCrossing crossing = disc_cross(trace, meeting, k, 0.5);
         if (crossing.hit) {
             vec4 over = disc_colour(crossing);

@@ -174,11 +174,12 @@ Buffer make_uniform_buffer(std::size_t bytes) {
     return Buffer(id);
 }
 
-void upload_uniforms(const Buffer& buffer, unsigned binding, const void* data, std::size_t bytes) {
+void upload_uniforms(const Buffer& buffer, const void* data, std::size_t bytes) {
     glBindBuffer(GL_UNIFORM_BUFFER, buffer.id());
     glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
-    glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer.id());
 }
+
+void bind_uniforms(const Buffer& buffer, unsigned binding) { glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer.id()); }
 
 Target make_target(int width, int height, Format format, int count) {
     Target target{width, height, {}, {}};

@@ -71,7 +71,8 @@ Texture make_picture_texture(int width, int height, int channels, const float* d
 Texture make_cube_texture(int size, const float* const faces[6]);
 
 Buffer make_uniform_buffer(std::size_t bytes);
-void upload_uniforms(const Buffer& buffer, unsigned binding, const void* data, std::size_t bytes);
+void upload_uniforms(const Buffer& buffer, const void* data, std::size_t bytes);
+void bind_uniforms(const Buffer& buffer, unsigned binding);
 
 enum class Format { kRgba8, kRgba32F };
 // A framebuffer with `count` colour textures of one format.

@@ -82,7 +82,6 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     const Mat3 axes = static_from_camera(camera);
     const double pixel = camera.plane_width / camera.width / camera.focal_distance;
     const Vec3 local[3] = {-axes.c, pixel * axes.a, pixel * axes.b};   // forward, a pixel to the right, a pixel up
-    const double kMostTaps = getenv("TAPS") ? atof(getenv("TAPS")) : 2;
     BlockWriter block;
     block.put(camera.width, camera.height, pixel, std::exp2(camera.exposure_ev));
     for (const Vec3 v : local) block.put(world * v, v.x);              // v . e_r
@@ -93,8 +92,9 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     const double speed = length(camera.velocity);
     if (speed > 0.0) block.put(world * (camera.velocity / speed), std::sqrt((1.0 + speed) / (1.0 - speed)));
     else block.put(1, 0, 0, 1);
-    block.put(1.0 / std::sqrt(spacetime.lapse_squared(1.0 / camera.r)), 1.0 / camera.r, 0, 0);
-    block.put(0.5 * textures.sky_size, std::log2(std::max(textures.sky_size, 1)), 1.0, kMostTaps);
+    const double zeta0 = 1.0 / camera.r, lapse = std::sqrt(spacetime.lapse_squared(zeta0));
+    block.put(1.0 / lapse, zeta0, zeta0 * lapse, 0);
+    block.put(0.5 * textures.sky_size, std::log2(std::max(textures.sky_size, 1)), 1.0, 0);
     const double height = std::cos(camera.theta);
     constexpr double kInPlane = 1e-12;   // |cos theta| below which a camera stands in the disc's plane (interfaces: rays out)
     block.put({0, 0, 1}, std::fabs(height) < kInPlane ? 0.0 : height);
@@ -104,6 +104,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put({0, 1, 0}, outer);
     block.put(std::cos(disc.rotation) / (2 * disc.outer), std::sin(disc.rotation) / (2 * disc.outer),
               textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1)));
+    constexpr double kMostTaps = 3;   // of a footprint on the disc: bounds a grazing view's cost
     block.put(disc.opacity, disc.edge, disc.brightness, kMostTaps);
     return block.numbers();
 }

@@ -61,7 +61,7 @@ Status Renderer::prepare(const Scene& scene) {
     const FrameNumbers numbers = frame_numbers(scene, tables_.spacetime(), tables_.fan(), {sky_size_, disc_width_});
     std::array<float, 4 * kFrameVectors> block{};
     std::transform(numbers.begin(), numbers.end(), block.begin(), [](double n) { return static_cast<float>(n); });
-    gl::upload_uniforms(uniforms_, kFrameBinding, block.data(), sizeof(block));
+    gl::upload_uniforms(uniforms_, block.data(), sizeof(block));
     return Done{};
 }
 
@@ -121,7 +121,8 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     return programs_.emplace(key, std::move(made)).first->second;
 }
 
-void Renderer::bind_textures() {
+void Renderer::bind_inputs() {
+    gl::bind_uniforms(uniforms_, kFrameBinding);
     gl::bind_texture_2d(kStripUnit, strip_);
     gl::bind_texture_2d(kOrbitUnit, orbit_map_);
     gl::bind_texture_cube(kSkyUnit, sky_);
@@ -130,13 +131,13 @@ void Renderer::bind_textures() {
 
 void Renderer::draw(unsigned framebuffer, int width, int height, Output output) {
     const gl::Program& built = program(Stage::kPicture, output);
-    bind_textures();
+    bind_inputs();
     gl::draw_fullscreen(built, empty_, framebuffer, width, height);
 }
 
 void Renderer::draw_bare_fetch(unsigned framebuffer, int width, int height) {
     const gl::Program& built = program(Stage::kBareFetch, Output::kLinear);
-    bind_textures();
+    bind_inputs();
     gl::draw_fullscreen(built, empty_, framebuffer, width, height);
 }
 
@@ -162,7 +163,7 @@ RayFrame Renderer::ray_data() {
     const int w = scene_.camera.width, h = scene_.camera.height;
     const gl::Target target = gl::make_target(w, h, gl::Format::kRgba32F, 3);
     const gl::Program& built = program(Stage::kRayData, Output::kLinear);
-    bind_textures();
+    bind_inputs();
     gl::draw_fullscreen(built, empty_, target.framebuffer.id(), w, h);
     RayFrame frame{w, h, std::vector<RayPixel>(static_cast<std::size_t>(w) * h)};
     std::vector<float> values(static_cast<std::size_t>(w) * h * 4);

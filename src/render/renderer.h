@@ -48,7 +48,7 @@ public:
 
 private:
     const gl::Program& program(Stage stage, Output output);
-    void bind_textures();
+    void bind_inputs();
     Status load_sky(const Scene& scene);
     Status load_disc(const Scene& scene);
 

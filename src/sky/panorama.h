@@ -15,7 +15,7 @@ PanoramaPosition equirectangular_position(int width, int height, Vec3 direction)
 
 // Fills the faces from the image files of the spec: bilinear, averaged over as many samples a texel as an image finer
 // than the face needs. Errors: an image that load_image refuses; a band latitude outside (0, pi/2).
-// Cost: 0.6 s for 2048 and an image of up to 9600 columns on two cores, and the time to load it; in proportion to the
+// Cost: 0.7 s for 2048 and an image of up to 9600 columns on two cores, and the time to load it; in proportion to the
 // pixels of finer images.
 Status draw_image(SkyCube& sky, const SkySpec& spec, const Mat3& world_from_sky);
 

@@ -16,13 +16,14 @@ namespace nullscope {
 constexpr double kPeakOfMagnitude5 = 0.4;
 constexpr int kReferenceFace = 2048;
 
-// Radius of the core in rad: 0.6 texels in the middle of a face, so that the flux summed over texels varies by less
-// than 0.4 % with the star's place within a texel (2 exp(-2 pi^2 sigma^2) an axis). Above kReferenceFace it stays what
-// it is there (2 arc minutes, an eye's), so that the picture does not depend on the size of the face.
+// Radius of the core in rad: 0.6 texels in the middle of a face, so that a star looks much the same wherever it lies
+// between texel centres. Above kReferenceFace it stays what it is there (2 arc minutes, an eye's), so that the picture
+// does not depend on the size of the face.
 double core_sigma(int face_size);
 
-// Adds the stars' radiance, each turned by world_from_sky and multiplied by brightness. Parallel; the result does not
-// depend on the number of threads. Cost: about 0.15 s for the whole catalogue at face size 2048 on two cores.
+// Adds the stars' radiance, each turned by world_from_sky and multiplied by brightness. The sum over texels, each with
+// its solid angle, is a star's flux exactly. Parallel; the result does not depend on the number of threads. Cost:
+// about 0.25 s for the whole catalogue at face size 2048 on two cores.
 void add_stars(SkyCube& sky, const std::vector<Star>& stars, const Mat3& world_from_sky, double brightness);
 
 }  // namespace nullscope
