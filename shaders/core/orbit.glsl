@@ -18,7 +18,8 @@ OrbitPoint orbit_point(bool escapes, float u, float u_per_w, float phi, float ph
     Octave octave = octave_cell(u, ORBIT_CELLS_PER_OCTAVE);
     int whole = octave.cell / ORBIT_CELLS_PER_OCTAVE;
     int column = octave.cell + whole;
-    float v = phi / phi_end;
+    phi_end = max(phi_end, 1.0e-9);   // a radial ray sweeps nothing
+    float v = min(phi / phi_end, 1.0);
     float position = v * float(ORBIT_ROWS);
     int row = int(min(position, float(ORBIT_ROWS) - 0.5));
     float g = position - float(row);

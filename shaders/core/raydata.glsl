@@ -20,9 +20,7 @@ PixelData pixel_data(vec2 pixel) {
     data.delay = 0.0;
 #ifdef EFFECT_DISC
     PlaneMeeting meeting = disc_meeting(trace);
-    for (int k = 0; k < DISC_MOST_CROSSINGS; ++k) {
-        if (!disc_reachable(trace, meeting, k)) break;
-        if (!disc_close(trace, meeting, k)) continue;
+    for (int k = disc_first(trace, meeting); k < DISC_MOST_CROSSINGS && disc_reachable(trace, meeting, k); ++k) {
         DiscCrossing crossing = disc_cross(trace, meeting, k, 0.0);
         if (crossing.hit && data.hit == 0.0) {
             data.hit = 1.0;

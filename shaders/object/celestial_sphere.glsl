@@ -11,6 +11,6 @@ vec3 celestial_sphere(Trace trace) {
     float side2 = max(0.36 * wide * wide, along * across) * trace.pixel_angle * trace.pixel_angle;
     vec3 size = abs(trace.sky);
     float texels = frame.sky.x / max(max(size.x, size.y), size.z);   // a cube face is denser towards its corners
-    float level = clamp(0.5 * log2(side2 * texels * texels), 0.0, frame.sky.y);
+    float level = footprint_level(0.5 * log2(side2 * texels * texels), frame.sky.y);
     return textureLod(sky_texture, trace.sky, level).rgb * frame.sky.z;
 }

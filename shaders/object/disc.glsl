@@ -28,10 +28,10 @@ bool disc_reachable(Trace trace, PlaneMeeting meeting, int number) {
     return rest * frame.shift.z > slowest && rest > 0.0;
 }
 
-// May crossing `number` be close enough to the centre, coming from the camera?
-bool disc_close(Trace trace, PlaneMeeting meeting, int number) {
-    float phi = meeting.phi + 3.14159265358979323846 * float(number);
-    return (frame.shift.y * trace.s + frame.shift.z * phi) * DISC_WIDENED * frame.disc_y.w >= trace.s;
+// The first crossing that may be close enough to the centre, coming from the camera: number 0 or 1.
+int disc_first(Trace trace, PlaneMeeting meeting) {
+    float zeta_most = frame.shift.y * trace.s + frame.shift.z * meeting.phi;   // times s
+    return zeta_most * DISC_WIDENED * frame.disc_y.w >= trace.s ? 0 : 1;
 }
 
 // Position on crossing `number` (0, 1, ...). margin: pixels by which the rims are widened (for covered fractions).

@@ -11,19 +11,24 @@ vec4 disc_colour(DiscCrossing crossing) {
     vec2 a = crossing.along;
     vec2 b = crossing.across;
     float texels = frame.disc_map.z;
-    float la = length(a);
-    float lb = length(b);
-    vec2 wide = la > lb ? a : b;
-    float longer = max(la, lb);
-    float area = abs(a.x * b.y - a.y * b.x);
-    float shorter = area / max(longer, 1.0e-12);
-    Taps taps = footprint_taps(min(longer * texels, 1.0e5), shorter * texels, frame.disc_look.w, frame.disc_map.w);
+    float aa = dot(a, a);
+    float bb = dot(b, b);
+    vec2 wide = aa > bb ? a : b;
+    float longer2 = max(aa, bb) * texels * texels;                     // sides of the footprint in texels, squared
+    float area = abs(a.x * b.y - a.y * b.x) * texels * texels;
+    // One tap, or two along the longer side of a footprint that is long and more than one texel wide.
+    bool two = longer2 > 2.0 && longer2 > 2.25 * area;
+    float side2 = two ? max(0.25 * longer2, area) : longer2;
+    float level = footprint_level(0.5 * log2(max(side2, 1.0e-12)), frame.disc_map.w);
+    vec2 step = two ? 0.5 * wide : vec2(0.0);
+    vec2 place = crossing.place - 0.5 * step;
     vec4 texel = vec4(0.0);
-    for (int i = 0; i < taps.count; ++i) {
-        float offset = (float(i) + 0.5) / float(taps.count) - 0.5;
-        texel += disc_texel(crossing.place + offset * wide, taps.level);
-    }
-    texel /= float(taps.count);
+    int left = two ? 2 : 1;
+    do {   // tested at the end: software rasterisers run a loop's body once more than a test at its head lets through
+        texel += disc_texel(place, level);
+        place += step;
+    } while (--left > 0);
+    texel *= two ? 0.5 : 1.0;
     float inner = frame.disc_x.w;
     float outer = frame.disc_y.w;
     vec2 outward = crossing.place / crossing.r;

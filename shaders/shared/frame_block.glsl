@@ -17,5 +17,5 @@ struct FrameData {
     vec4 disc_x;       // disc's x axis, .w = inner radius (r_s)
     vec4 disc_y;       // disc's y axis, .w = outer radius (r_s)
     vec4 disc_map;     // cos and sin of the image's rotation, each over 2 outer; texels per r_s; highest level
-    vec4 disc_look;    // opacity, rim fade (fraction of the width, 0 = none), brightness, most taps of a footprint
+    vec4 disc_look;    // opacity, rim fade (fraction of the width, 0 = none), brightness, 0
 };

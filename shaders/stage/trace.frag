@@ -7,16 +7,17 @@ void main() {
     float through = 1.0;
 #ifdef EFFECT_DISC
     PlaneMeeting meeting = disc_meeting(trace);
-    for (int k = 0; k < DISC_MOST_CROSSINGS; ++k) {
-        if (!disc_reachable(trace, meeting, k) || through < 0.002) break;
-        if (!disc_close(trace, meeting, k)) continue;
+    int k = disc_first(trace, meeting);
+    bool more = disc_reachable(trace, meeting, k);
+    do {   // tested at the end, see disc_colour
         DiscCrossing crossing = disc_cross(trace, meeting, k, 0.5);
-        if (crossing.hit) {
-            vec4 over = disc_colour(crossing);
-            light += through * over.rgb;
-            through *= 1.0 - over.a;
-        }
-    }
+        vec4 over = disc_colour(crossing);
+        over = more && crossing.hit ? over * through : vec4(0.0);
+        light += over.rgb;
+        through -= over.a;
+        ++k;
+        more = through > 0.002 && k < DISC_MOST_CROSSINGS && disc_reachable(trace, meeting, k);
+    } while (more);
 #endif
 #ifdef EFFECT_SKY
     if (trace.escapes && through > 0.002) light += through * celestial_sphere(trace);

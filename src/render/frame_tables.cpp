@@ -104,8 +104,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put({0, 1, 0}, outer);
     block.put(std::cos(disc.rotation) / (2 * disc.outer), std::sin(disc.rotation) / (2 * disc.outer),
               textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1)));
-    constexpr double kMostTaps = 3;   // of a footprint on the disc: bounds a grazing view's cost
-    block.put(disc.opacity, disc.edge, disc.brightness, kMostTaps);
+    block.put(disc.opacity, disc.edge, disc.brightness, 0);
     return block.numbers();
 }
 

@@ -138,8 +138,9 @@ TexelGrid build_orbit_map(const RayFan& fan) {
         const double u_octave = std::exp2(at / kColumns);
         const double u = u_octave * (1.0 + static_cast<double>(at % kColumns) / kCellsPerOctave);
         // The very first column would be the critical ray itself: it stands for 1/64 of the first cell.
-        const double w = std::clamp((u - 1.0) * fan.w0(), fan.w0() / (64.0 * kCellsPerOctave), fan.w_limit(segment));
-        const double w_per_cell = u_octave * fan.w0() / kCellsPerOctave;
+        const double w_node = std::max((u - 1.0) * fan.w0(), fan.w0() / (64.0 * kCellsPerOctave));
+        const double w = fan.mirrored(segment, w_node);
+        const double w_per_cell = (w == w_node ? 1.0 : -1.0) * u_octave * fan.w0() / kCellsPerOctave;
         const auto texels = column(fan, segment, w);
         for (int row = 0; row <= kRows; ++row) {
             const std::size_t line = row + (segment == Segment::kSky ? 0 : kRows + 1);

@@ -23,6 +23,11 @@ double RayFan::w_limit(Segment segment) const {
     return outside_ == (segment == Segment::kSky) ? M_PI - theta_c_ : theta_c_;
 }
 
+double RayFan::mirrored(Segment segment, double w) const {
+    const double limit = w_limit(segment);
+    return w <= limit ? w : std::max(2.0 * limit - w, 1e-3 * w0());
+}
+
 FanRay RayFan::ray(Segment segment, double w) const {
     const bool sky = segment == Segment::kSky;
     // Angle from the strip's axis, then from the inward radial.

@@ -30,6 +30,9 @@ public:
     double critical_angle() const { return theta_c_; }      // from the axis, (0, pi/2]
     double w0() const { return kResolution * theta_c_; }    // innermost cell scale of the strip
     double w_limit(Segment segment) const;                  // largest w
+    // w_limit < w < 2 w_limit is the ray beyond the radial one, the mirror image of 2 w_limit - w: what is even in the angle from
+    // the radial direction stays smooth across it.
+    double mirrored(Segment segment, double w) const;
     // 0 < w <= w_limit; the last 1e-9 rad before a radial ray are taken as 1e-9 (limits are finite ratios).
     FanRay ray(Segment segment, double w) const;
 

@@ -44,7 +44,7 @@ TexelGrid build_strip(const RayFan& fan) {
         std::array<std::array<double, 4>, kRows> values{};
         for (int i = 0; i < 4; ++i) {
             const double u = u_octave * (1.0 + (cell % kCellsPerOctave + kNodes[i]) / kCellsPerOctave);
-            const FanRay ray = fan.ray(segment, std::min((u - 1.0) * fan.w0(), fan.w_limit(segment)));
+            const FanRay ray = fan.ray(segment, fan.mirrored(segment, (u - 1.0) * fan.w0()));
             values[0][i] = std::cos(ray.phi_end);
             values[1][i] = std::sin(ray.phi_end) / ray.sin_beta;
             values[2][i] = ray.phi_end / ray.sin_beta;

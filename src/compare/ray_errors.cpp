@@ -1,0 +1,136 @@
+#include "compare/ray_errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+
+namespace nullscope {
+namespace {
+
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+
+struct Plane2 {
+    double x = 0, y = 0;
+};
+
+// error over the motion per pixel, part by part along the principal directions of the motion; each motion at least `least`.
+float in_pixels(Plane2 error, Plane2 by_x, Plane2 by_y, double least) {
+    const double xx = by_x.x * by_x.x + by_y.x * by_y.x, yy = by_x.y * by_x.y + by_y.y * by_y.y;
+    const double xy = by_x.x * by_x.y + by_y.x * by_y.y;
+    const double turn = 0.5 * std::atan2(2 * xy, xx - yy), c = std::cos(turn), s = std::sin(turn);
+    const double major = std::sqrt(std::max(0.0, c * c * xx + 2 * c * s * xy + s * s * yy));
+    const double minor = std::sqrt(std::max(0.0, s * s * xx - 2 * c * s * xy + c * c * yy));
+    const auto part = [&](double value, double motion) {
+        return value == 0 ? 0.0 : std::abs(value) / std::max(motion, least);
+    };
+    const double px = std::hypot(part(c * error.x + s * error.y, major), part(c * error.y - s * error.x, minor));
+    return std::isfinite(px) ? static_cast<float>(px) : kInfinite;
+}
+
+float in_pixels(double error, double by_x, double by_y, double least) {
+    if (error == 0) return 0;
+    const double px = std::abs(error) / std::max(std::sqrt(by_x * by_x + by_y * by_y), least);
+    return std::isfinite(px) ? static_cast<float>(px) : kInfinite;
+}
+
+double plain_length(Vec3 v) { return std::sqrt(dot(v, v)); }
+
+// The plane that touches the sphere of directions at `middle`; directions become (angle, bearing).
+class Chart {
+public:
+    explicit Chart(Vec3 middle) : middle_(middle) {
+        const double x = std::abs(middle.x), y = std::abs(middle.y), z = std::abs(middle.z);
+        const Vec3 axis = x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+        const Vec3 across = cross(middle, axis);
+        a_ = across / plain_length(across);
+        b_ = cross(middle, a_);
+    }
+    Plane2 place(Vec3 direction) const {
+        const double x = dot(direction, a_), y = dot(direction, b_), off = std::sqrt(x * x + y * y);
+        if (off == 0) return dot(direction, middle_) < 0 ? Plane2{M_PI, 0} : Plane2{};
+        const double scale = std::atan2(off, dot(direction, middle_)) / off;
+        return {x * scale, y * scale};
+    }
+
+private:
+    Vec3 middle_, a_, b_;
+};
+
+Plane2 per_pixel(Plane2 moved, double px) { return px == 0 ? Plane2{} : Plane2{moved.x / px, moved.y / px}; }
+double per_pixel(double moved, double px) { return px == 0 ? 0.0 : moved / px; }
+
+void sky_errors(const RayPixel& tested, const ExactPixel& exact, PixelErrors& errors) {
+    const Chart chart(exact.here.sky);
+    const Plane2 error = chart.place(tested.sky);
+    const double angle = std::sqrt(error.x * error.x + error.y * error.y);
+    errors.forward_rad = std::isfinite(angle) ? static_cast<float>(angle) : kInfinite;
+    const Plane2 by_x = per_pixel(chart.place(exact.right.sky), exact.right_px);
+    const Plane2 by_y = per_pixel(chart.place(exact.down.sky), exact.down_px);
+    errors.sky_px = in_pixels(error, by_x, by_y, exact.pixel_angle);
+    const auto moved = [&](const RayPixel& beside) { return std::log(beside.g / exact.here.g); };
+    const double log_g = std::log(tested.g / exact.here.g);
+    errors.g_px = std::isfinite(log_g) ? in_pixels(log_g, per_pixel(moved(exact.right), exact.right_px),
+                                                   per_pixel(moved(exact.down), exact.down_px), exact.pixel_angle)
+                                       : kInfinite;
+}
+
+float place_error(const RayPixel& tested, const ExactPixel& exact) {
+    const RayPixel& here = exact.here;
+    const auto moved = [&](const RayPixel& beside) { return Plane2{beside.u - here.u, beside.v - here.v}; };
+    const double distance = length(exact.camera - Vec3{here.u, here.v, 0});
+    return in_pixels(moved(tested), per_pixel(moved(exact.right), exact.right_px),
+                     per_pixel(moved(exact.down), exact.down_px), exact.pixel_angle * distance);
+}
+
+}  // namespace
+
+float PixelErrors::worst_px() const {
+    if (end == RayEnd::kDiffers) return kInfinite;
+    if (end == RayEnd::kForgiven) return 0;
+    return std::max({sky_px, place_px, angle_px, g_px});
+}
+
+bool same_end(const RayPixel& a, const RayPixel& b) { return a.fate == b.fate && a.hit == b.hit; }
+
+bool all_finite(const RayPixel& p) {
+    for (const double value : {p.sky.x, p.sky.y, p.sky.z, p.g, p.delay, p.angle, p.u, p.v})
+        if (!std::isfinite(value)) return false;
+    return true;
+}
+
+PixelErrors pixel_errors(const RayPixel& tested, const ExactPixel& exact) {
+    PixelErrors errors;
+    if (!same_end(tested, exact.here)) {
+        errors.end = RayEnd::kDiffers;
+        return errors;
+    }
+    errors.escaped = exact.here.fate == Fate::kEscaped;
+    errors.hit = exact.here.hit != 0;
+    if (errors.escaped) sky_errors(tested, exact, errors);
+    if (errors.hit) errors.place_px = place_error(tested, exact);
+    const double angle = exact.here.angle;
+    errors.angle_px = in_pixels(tested.angle - angle, per_pixel(exact.right.angle - angle, exact.right_px),
+                                per_pixel(exact.down.angle - angle, exact.down_px), exact.pixel_angle);
+    return errors;
+}
+
+Spread spread_of(std::vector<float> values) {
+    Spread spread;
+    spread.count = values.size();
+    if (values.empty()) return spread;
+    for (float& value : values)
+        if (std::isnan(value)) value = kInfinite;
+    const auto rank = [&](double fraction) {
+        const auto n = static_cast<std::size_t>(std::ceil(fraction * static_cast<double>(values.size())));
+        const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(n, 1) - 1);
+        std::nth_element(values.begin(), nth, values.end());
+        return static_cast<double>(*nth);
+    };
+    spread.max = rank(1.0);
+    spread.p999 = rank(0.999);
+    spread.median = rank(0.5);
+    return spread;
+}
+
+}  // namespace nullscope

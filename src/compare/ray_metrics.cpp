@@ -1,0 +1,259 @@
+#include "compare/ray_metrics.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <thread>
+
+namespace nullscope {
+namespace {
+
+constexpr int kBandRows = 64;            // exact rows held at a time
+constexpr float kRefineAbove_px = 0.005f;  // errors above this are measured again with displaced rays
+constexpr double kStep_px = 1e-4;        // of displaced rays: small against any feature, 1e7 roundings of a 4K position
+constexpr float kJump_px = 1.0f;         // a place on the disc this far off is another image of the disc, beyond a rim
+constexpr int kBearings = 16;            // of displaced rays round a pixel: 0.98 of the band is covered in every direction
+
+void parallel_rows(int first, int end, const std::function<void(int)>& work) {
+    const int count = std::max(1, std::min(static_cast<int>(std::thread::hardware_concurrency()), end - first));
+    std::atomic<int> next{first};
+    std::vector<std::thread> threads;
+    const auto run = [&] { for (int y; (y = next++) < end;) work(y); };
+    for (int i = 1; i < count; ++i) threads.emplace_back(run);
+    run();
+    for (std::thread& thread : threads) thread.join();
+}
+
+// Rows of exact pixels around the ones that are compared.
+struct Band {
+    const RayPixel* pixels;
+    int width, first, end;   // rows
+    const RayPixel& at(int x, int y) const { return pixels[static_cast<std::size_t>(y - first) * width + x]; }
+    bool has(int x, int y) const { return x >= 0 && x < width && y >= first && y < end; }
+};
+
+double motion2(const RayPixel& a, const RayPixel& b) {
+    const Vec3 sky = b.sky - a.sky;
+    const double u = b.u - a.u, v = b.v - a.v, angle = b.angle - a.angle;
+    return dot(sky, sky) + u * u + v * v + angle * angle;
+}
+
+// The one of the two neighbours that ends alike and moves less: next to an edge the motion then is not overstated.
+void add_neighbour(const Band& band, int x, int y, int dx, int dy, RayPixel& beside, double& displacement) {
+    const RayPixel& here = band.at(x, y);
+    double least = INFINITY;
+    for (const int side : {1, -1}) {
+        if (!band.has(x + side * dx, y + side * dy)) continue;
+        const RayPixel& other = band.at(x + side * dx, y + side * dy);
+        if (!same_end(here, other)) continue;
+        const double moved = motion2(here, other);
+        if (moved < least) least = moved, beside = other, displacement = side;
+    }
+}
+
+ExactPixel with_neighbours(const Band& band, int x, int y) {
+    ExactPixel exact;
+    exact.here = band.at(x, y);
+    add_neighbour(band, x, y, 1, 0, exact.right, exact.right_px);
+    add_neighbour(band, x, y, 0, 1, exact.down, exact.down_px);
+    return exact;
+}
+
+struct Doubt {
+    int x, y;
+};
+
+// Pixels of one frame against an exact trace.
+class Judge {
+public:
+    Judge(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, RayMeasures& measures)
+        : tested_(tested), camera_(camera), trace_(trace), measures_(measures) {}
+
+    void band(int first, int end) {
+        const int above = std::max(0, first - 1), below = std::min(tested_.height, end + 1);
+        std::vector<std::array<double, 2>> positions;
+        positions.reserve(static_cast<std::size_t>(below - above) * tested_.width);
+        for (int y = above; y < below; ++y)
+            for (int x = 0; x < tested_.width; ++x) positions.push_back({x + 0.5, y + 0.5});
+        const std::vector<RayPixel> pixels = trace_(positions);
+        const Band band{pixels.data(), tested_.width, above, below};
+        parallel_rows(first, end, [&](int y) {
+            for (int x = 0; x < tested_.width; ++x) {
+                ExactPixel exact = with_neighbours(band, x, y);
+                set_camera(exact, x, y);
+                errors_at(x, y) = pixel_errors(tested_.at(x, y), exact);
+            }
+        });
+        std::vector<Doubt> doubts;
+        for (int y = first; y < end; ++y)
+            for (int x = 0; x < tested_.width; ++x)
+                if (errors_at(x, y).worst_px() > kRefineAbove_px) doubts.push_back({x, y});
+        refine(band, doubts);
+        judge_edges(band, doubts);
+    }
+
+private:
+    PixelErrors& errors_at(int x, int y) { return measures_.pixels[static_cast<std::size_t>(y) * tested_.width + x]; }
+    void set_camera(ExactPixel& exact, int x, int y) const {
+        exact.pixel_angle = pixel_angle(camera_, x + 0.5, y + 0.5);
+        exact.camera = camera_place(camera_);
+    }
+
+    void refine(const Band& band, const std::vector<Doubt>& doubts) {
+        std::vector<std::array<double, 2>> positions;
+        for (const Doubt d : doubts)
+            for (const double step : {kStep_px, -kStep_px}) {
+                positions.push_back({d.x + 0.5 + step, d.y + 0.5});
+                positions.push_back({d.x + 0.5, d.y + 0.5 + step});
+            }
+        const std::vector<RayPixel> moved = trace_(positions);
+        for (std::size_t i = 0; i < doubts.size(); ++i) {
+            const Doubt d = doubts[i];
+            if (errors_at(d.x, d.y).end == RayEnd::kDiffers) continue;
+            ExactPixel exact;
+            exact.here = band.at(d.x, d.y);
+            set_camera(exact, d.x, d.y);
+            for (const int side : {1, 0})   // the positive side last: it is kept where both are alike
+                for (const int axis : {0, 1}) {
+                    const RayPixel& beside = moved[4 * i + static_cast<std::size_t>(2 * side + axis)];
+                    if (!same_end(beside, exact.here)) continue;
+                    (axis == 0 ? exact.right : exact.down) = beside;
+                    (axis == 0 ? exact.right_px : exact.down_px) = side == 0 ? kStep_px : -kStep_px;
+                }
+            errors_at(d.x, d.y) = pixel_errors(tested_.at(d.x, d.y), exact);
+        }
+    }
+
+    // Pixels that end elsewhere, or on another image of the disc: does the exact answer become the tested one close by?
+    void judge_edges(const Band& band, const std::vector<Doubt>& doubts) {
+        std::vector<Doubt> edges;
+        std::vector<std::array<double, 2>> positions;
+        for (const Doubt d : doubts) {
+            const PixelErrors& errors = errors_at(d.x, d.y);
+            const bool differs = errors.end == RayEnd::kDiffers;
+            if (!differs && !(errors.place_px > kJump_px)) continue;
+            const bool rim = !differs || tested_.at(d.x, d.y).hit != band.at(d.x, d.y).hit;
+            const double reach = rim ? kSilhouetteBand_px : kFateBand_px;
+            edges.push_back(d);
+            for (int k = 0; k < kBearings; ++k) {
+                const double bearing = 2 * M_PI * k / kBearings;
+                positions.push_back({d.x + 0.5 + reach * std::cos(bearing), d.y + 0.5 + reach * std::sin(bearing)});
+            }
+        }
+        const std::vector<RayPixel> around = trace_(positions);
+        for (std::size_t i = 0; i < edges.size(); ++i)
+            for (int k = 0; k < kBearings; ++k)
+                if (explains(around[i * kBearings + static_cast<std::size_t>(k)], edges[i]))
+                    errors_at(edges[i].x, edges[i].y).end = RayEnd::kForgiven;
+    }
+
+    bool explains(const RayPixel& beside, Doubt d) const {
+        const RayPixel& tested = tested_.at(d.x, d.y);
+        if (!same_end(beside, tested) || !all_finite(tested)) return false;
+        if (beside.hit == 0) return true;
+        ExactPixel exact;
+        exact.here = beside;
+        set_camera(exact, d.x, d.y);
+        // Nothing is known of the motion here: the same image is told from another one by the swept angle alone.
+        constexpr double kSameImage_rad = 0.5;   // images of the disc lie pi apart
+        return std::abs(tested.angle - beside.angle) < kSameImage_rad || pixel_errors(tested, exact).place_px < kJump_px;
+    }
+
+    const RayFrame& tested_;
+    const CameraSpec& camera_;
+    const ExactTrace& trace_;
+    RayMeasures& measures_;
+};
+
+void summarise(const RayFrame& tested, RayMeasures& m) {
+    m.not_finite = std::count_if(tested.pixels.begin(), tested.pixels.end(), [](const RayPixel& p) { return !all_finite(p); });
+    std::vector<float> forward, sky, place, angle, g;
+    for (const PixelErrors& e : m.pixels) {
+        m.fate_errors += e.end == RayEnd::kDiffers;
+        m.forgiven += e.end == RayEnd::kForgiven;
+        if (e.end != RayEnd::kSame) continue;
+        angle.push_back(e.angle_px);
+        if (e.hit) place.push_back(e.place_px);
+        if (!e.escaped) continue;
+        forward.push_back(e.forward_rad);
+        sky.push_back(e.sky_px);
+        g.push_back(e.g_px);
+    }
+    m.forward_rad = spread_of(std::move(forward));
+    m.sky_px = spread_of(std::move(sky));
+    m.place_px = spread_of(std::move(place));
+    m.angle_px = spread_of(std::move(angle));
+    m.g_px = spread_of(std::move(g));
+}
+
+RayMeasures empty_measures(const RayFrame& tested) {
+    RayMeasures measures;
+    measures.width = tested.width;
+    measures.height = tested.height;
+    measures.pixels.resize(tested.pixels.size());
+    return measures;
+}
+
+}  // namespace
+
+double pixel_angle(const CameraSpec& camera, double x, double y) {
+    const double pixel = camera.plane_width / camera.width / camera.focal_distance;
+    const double u = (x - 0.5 * camera.width) * pixel, v = (y - 0.5 * camera.height) * pixel;
+    const double inverse = 1 / std::sqrt(1 + u * u + v * v);
+    return pixel * inverse * std::sqrt(inverse);
+}
+
+Vec3 camera_place(const CameraSpec& camera) {
+    const double s = std::sin(camera.theta);
+    return camera.r * Vec3{s * std::cos(camera.phi), s * std::sin(camera.phi), std::cos(camera.theta)};
+}
+
+RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace) {
+    RayMeasures measures = empty_measures(tested);
+    Judge judge(tested, camera, trace, measures);
+    for (int y = 0; y < tested.height; y += kBandRows) judge.band(y, std::min(y + kBandRows, tested.height));
+    summarise(tested, measures);
+    return measures;
+}
+
+RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact, const std::function<double(int, int)>& angle_of,
+                               Vec3 camera) {
+    RayMeasures measures = empty_measures(tested);
+    const Band band{exact.pixels.data(), exact.width, 0, exact.height};
+    parallel_rows(0, exact.height, [&](int y) {
+        for (int x = 0; x < exact.width; ++x) {
+            ExactPixel pixel = with_neighbours(band, x, y);
+            pixel.pixel_angle = angle_of(x, y);
+            pixel.camera = camera;
+            measures.pixels[static_cast<std::size_t>(y) * exact.width + x] = pixel_errors(tested.at(x, y), pixel);
+        }
+    });
+    summarise(tested, measures);
+    return measures;
+}
+
+double estimated_pixel_angle(const RayFrame& exact) {
+    std::vector<float> motions;
+    for (int y = 0; y < exact.height; ++y)
+        for (int x = 0; x + 1 < exact.width; ++x)
+            if (exact.at(x, y).fate == Fate::kEscaped && exact.at(x + 1, y).fate == Fate::kEscaped)
+                motions.push_back(static_cast<float>(angle_between(exact.at(x, y).sky, exact.at(x + 1, y).sky)));
+    return spread_of(std::move(motions)).median;
+}
+
+std::vector<PixelPlace> worst_pixels(const RayMeasures& measures, std::size_t most) {
+    std::vector<std::size_t> order(measures.pixels.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const std::size_t count = std::min(most, order.size());
+    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(), [&](std::size_t a, std::size_t b) {
+        const float ea = measures.pixels[a].worst_px(), eb = measures.pixels[b].worst_px();
+        return ea != eb ? ea > eb : a < b;
+    });
+    std::vector<PixelPlace> places;
+    const auto width = static_cast<std::size_t>(measures.width);
+    for (std::size_t i = 0; i < count; ++i) places.push_back({static_cast<int>(order[i] % width), static_cast<int>(order[i] / width)});
+    return places;
+}
+
+}  // namespace nullscope

@@ -1,0 +1,128 @@
+// The deflection table and what is cut from it: strip and orbit map, against the 50-digit vectors and against each other.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include "shadercore/core64.h"
+#include "spacetime/registry.h"
+#include "table/deflection_table.h"
+#include "table/orbit_map.h"
+#include "table/strip.h"
+#include "vector_file.h"
+
+using namespace nullscope;
+
+namespace {
+
+// Interpolation error of the remainder at the default size, for every row of the vectors, near-critical ones included.
+constexpr double kTableError = 2e-9;
+// The bound for the default table on two cores; measured 7 ms on a quiet machine, so a busy one passes too.
+constexpr double kBuildMs = 100.0;
+// Cubic cells of 1/16 octave: (1/32)^4/192 of the fourth derivative by ln w (largest in the innermost octave, where 1 + w/w0
+// is not yet w/w0), and float rounding of values of size 1.
+constexpr double kStripError = 3e-7;
+constexpr double kRoundTrip = 1e-15;   // a few roundings
+
+std::shared_ptr<const Spacetime> schwarzschild() { return *make_spacetime("schwarzschild", {}); }
+
+std::shared_ptr<const DeflectionTable> table() {
+    static const auto shared = std::make_shared<const DeflectionTable>(*schwarzschild());
+    return shared;
+}
+
+double horner(const float* c, double f) { return c[0] + f * (c[1] + f * (c[2] + f * c[3])); }
+
+}  // namespace
+
+TEST_CASE("table mapping: forward and inverse are each other's") {
+    for (int i = 0; i <= 1000; ++i) {
+        const double x = i / 1000.0;
+        CHECK(std::fabs(core64::turning_x_from_one_minus_k(core64::turning_one_minus_k_from_x(x)) - x) <= kRoundTrip);
+        CHECK(std::fabs(core64::table_y_from_angle(core64::table_angle_from_y(x)) - x) <= kRoundTrip);
+        if (i < 1000) CHECK(std::fabs(core64::through_x_from_k_minus_one(core64::through_k_minus_one_from_x(x)) - x) <= kRoundTrip);
+    }
+}
+
+TEST_CASE("deflection table: swept angle of every escaping vector") {
+    const auto spacetime = schwarzschild();
+    const double q_crit = spacetime->photon_sphere()->q_crit;
+    double worst = 0.0;
+    int rows = 0;
+    for (const VectorRow& row : load_vectors(NULLSCOPE_TEST_DATA "/vectors/schwarzschild.csv")) {
+        const double zeta0 = number(row, "zeta0"), delta = number(row, "delta");   // delta = q/q_crit - 1 to all digits
+        if (number(row, "status") != 0 || zeta0 >= 1.0) continue;
+        const double k = number(row, "q") / q_crit, one_minus_k2 = -delta * (2.0 + delta);
+        const double chi = spacetime->chi_from_zeta(zeta0);
+        double phi = 0.0;
+        if (delta < 0.0) {
+            const double sine = std::fmin(1.0, std::sin(chi) / k);
+            // At the turning point itself the angle follows from 1 - sin^2 only to half the digits: left to the hard cases.
+            if (row.at("group") == "camera_at_turning_point") continue;
+            const double acute = std::asin(sine);
+            phi = table()->turning_to_sky(k, one_minus_k2, number(row, "s") > 0 ? M_PI - acute : acute);
+        } else {
+            phi = table()->through_from_infinity(k, -one_minus_k2, chi);
+        }
+        const double condition = 1.0 + std::fabs(number(row, "dphi_dq") * number(row, "q"));
+        const double exact = number(row, "phi");
+        worst = std::fmax(worst, std::fabs(phi - exact) / std::fmax(1.0, 1e-6 * condition));
+        ++rows;
+    }
+    MESSAGE("rows " << rows << ", worst error " << worst << " rad");
+    CHECK(rows > 90);
+    CHECK(worst < kTableError);
+}
+
+TEST_CASE("deflection table: built within the time that is promised") {
+    double best = 1e9;
+    for (int i = 0; i < 3; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        const DeflectionTable built(*schwarzschild());
+        best = std::fmin(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    }
+    MESSAGE("build " << best << " ms, " << table()->bytes() << " bytes as double");
+    CHECK(best < kBuildMs);
+}
+
+TEST_CASE("ray fan: continuous through k = 1 and through the photon sphere") {
+    // Outgoing rays from outside pass k = 1 without anything happening: the two sheets must meet.
+    for (const double r : {1.6, 2.0, 5.0, 50.0, 1e4}) {
+        const RayFan fan(schwarzschild(), table(), r);
+        const double w = M_PI - 2.0 * fan.critical_angle();   // beta = pi - chi0: k = 1 on the way out
+        const double before = fan.ray(Segment::kSky, w * (1 - 1e-13)).phi_end, after = fan.ray(Segment::kSky, w * (1 + 1e-13)).phi_end;
+        CHECK(std::fabs(before - after) < 2 * kTableError);
+    }
+}
+
+TEST_CASE("strip: polynomials reproduce the fan") {
+    for (const double r : {1.0001, 1.1, 1.5, 2.0, 5.0, 20.0, 1000.0, 1e6}) {
+        const RayFan fan(schwarzschild(), table(), r);
+        const TexelGrid strip = build_strip(fan);
+        double worst = 0.0;
+        for (double w = fan.w0() * 0.7; w < fan.w_limit(Segment::kSky); w *= 1.037) {
+            const double u = 1.0 + w / fan.w0();
+            const int octave = std::ilogb(u);
+            const double position = (std::ldexp(u, -octave) - 1.0) * 16.0;
+            const int cell = octave * 16 + static_cast<int>(position);
+            const double f = position - std::floor(position);
+            const FanRay ray = fan.ray(Segment::kSky, w);
+            const auto row = [&](int number) { return horner(strip.texels.data() + 4 * (static_cast<std::size_t>(number) * strip.width + cell), f); };
+            worst = std::fmax(worst, std::fabs(row(0) - std::cos(ray.phi_end)));
+            worst = std::fmax(worst, std::fabs(row(1) * ray.sin_beta - std::sin(ray.phi_end)));
+        }
+        MESSAGE("r = " << r << ": worst of cos and sin phi " << worst);
+        CHECK(worst < kStripError);
+    }
+}
+
+TEST_CASE("strip and orbit map: finite everywhere") {
+    for (const double r : {1.0 + 1e-9, 1.0001, 1.1, 1.4999999, 1.5, 1.5000001, 3.0, 1e3, 1e9}) {
+        const RayFan fan(schwarzschild(), table(), r);
+        int bad = 0;
+        for (const float v : build_strip(fan).texels) bad += !std::isfinite(v);
+        for (const float v : build_orbit_map(fan).texels) bad += !std::isfinite(v);
+        CHECK_MESSAGE(bad == 0, "r = ", r);
+    }
+}
