@@ -8,6 +8,7 @@
 #include "base/assets.h"
 #include "base/image_file.h"
 #include "base/progress.h"
+#include "base/text.h"
 #include "cli/command.h"
 #include "cli/session.h"
 #include "compare/ray_channels.h"
@@ -19,8 +20,9 @@ namespace nullscope::cli {
 namespace {
 
 struct Options {
-    std::string scene, output = "frame.png", size, context = "auto", renderer = "gl";
+    std::string scene, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
     int samples = 3;
+    double time = 0.0;
     bool raydata = false, dump_shader = false;
 };
 
@@ -31,15 +33,13 @@ struct Captured {
     std::string made_by;
 };
 
-Result<Captured> capture_gl(const Scene& scene, const Options& options, bool exr) {
-    auto session = open_session(options.context);
-    if (!session) return session.error();
-    if (Status ready = session->renderer->prepare(scene); !ready) return ready.error();
+Result<Captured> capture_gl(Session& session, const Scene& scene, const Options& options, bool exr) {
+    if (Status ready = session.renderer->prepare(scene); !ready) return ready.error();
     Captured captured;
-    if (exr) captured.linear = session->renderer->picture();
-    else captured.display = session->renderer->picture8();
-    if (options.raydata) captured.rays = session->renderer->ray_data();
-    captured.made_by = session->context->kind() + ", " + session->renderer->info().renderer;
+    if (exr) captured.linear = session.renderer->picture();
+    else captured.display = session.renderer->picture8();
+    if (options.raydata) captured.rays = session.renderer->ray_data();
+    captured.made_by = session.context->kind() + ", " + session.renderer->info().renderer;
     return captured;
 }
 
@@ -73,8 +73,8 @@ Result<Captured> capture_reference(const Scene& scene, const Options& options, b
     return captured;
 }
 
-Status write(const Options& options, const Scene& scene, const Captured& captured, bool exr) {
-    if (!exr) return save_png(options.output, captured.display);
+Status write(const std::string& file_name, const Scene& scene, const Captured& captured, bool exr) {
+    if (!exr) return save_png(file_name, captured.display);
     ChannelImage file;
     file.width = captured.linear.width;
     file.height = captured.linear.height;
@@ -86,31 +86,77 @@ Status write(const Options& options, const Scene& scene, const Captured& capture
     }
     if (captured.rays) add_ray_channels(*captured.rays, file);
     file.attributes = {{"nullscope.scene", scene.name}, {"nullscope.renderer", captured.made_by}, {"nullscope.version", NULLSCOPE_VERSION}};
-    return save_exr(options.output, file);
+    return save_exr(file_name, file);
+}
+
+// "A:B", the half-open range of frame numbers.
+struct Frames { int first = 0, end = 1; };
+Result<Frames> parse_frames(const Options& options) {
+    constexpr double kMost = 1e8;
+    if (options.frames.empty()) return Frames{};
+    const auto parts = split(options.frames, ':');
+    const auto whole = [](const std::string& text) {
+        const auto n = parse_number(text);
+        return n && *n >= 0 && *n <= kMost && *n == static_cast<int>(*n) ? static_cast<int>(*n) : -1;
+    };
+    const int first = parts.size() == 2 ? whole(parts[0]) : -1, end = parts.size() == 2 ? whole(parts[1]) : -1;
+    if (first < 0 || end <= first)
+        return bad_input(fmt::format("--frames {}: not a range; allowed: A:B, whole numbers with 0 <= A < B", options.frames));
+    if (options.output.find("%05d") == std::string::npos)
+        return bad_input(fmt::format("-o {}: a sequence needs a place for the frame's number; allowed: names that hold %05d", options.output));
+    return Frames{first, end};
+}
+
+std::string numbered(std::string name, int frame) {
+    const std::size_t at = name.find("%05d");
+    return at == std::string::npos ? name : name.replace(at, 4, fmt::format("{:05d}", frame));
+}
+
+Result<Scene> scene_for(const Options& options) {
+    auto scene = load_scene(options.scene);
+    if (!scene || options.size.empty()) return scene;
+    const auto size = parse_size(options.size);
+    if (!size) return size.error();
+    scene->camera.width = size->width;
+    scene->camera.height = size->height;
+    return scene;
+}
+
+Status check_output(const Options& options, bool exr) {
+    if (!exr && !options.output.ends_with(".png"))
+        return bad_input(fmt::format("-o {}: unknown kind of file; allowed: names that end in .png or .exr", options.output));
+    if (options.raydata && !exr) return bad_input("--raydata goes into an .exr; give -o FILE.exr");
+    return Done{};
 }
 
 int run(const Options& options) {
-    auto scene = load_scene(options.scene);
+    const auto scene = scene_for(options);
     if (!scene) return report(scene.error());
-    if (!options.size.empty()) {
-        auto size = parse_size(options.size);
-        if (!size) return report(size.error());
-        scene->camera.width = size->width;
-        scene->camera.height = size->height;
-    }
     if (options.dump_shader) {
         const EffectSet effects = effect_set(required_effects(*scene));
         fmt::print("{}", shader_source(Stage::kPicture, effects, Output::kDisplay).fragment);
         return 0;
     }
     const bool exr = options.output.ends_with(".exr");
-    if (!exr && !options.output.ends_with(".png"))
-        return report(bad_input(fmt::format("-o {}: unknown kind of file; allowed: names that end in .png or .exr", options.output)));
-    if (options.raydata && !exr) return report(bad_input("--raydata goes into an .exr; give -o FILE.exr"));
-    const auto captured = options.renderer == "gl" ? capture_gl(*scene, options, exr) : capture_reference(*scene, options, exr);
-    if (!captured) return report(captured.error());
-    if (Status written = write(options, *scene, *captured, exr); !written) return report(written.error());
-    fmt::print("{}: {}x{}, {}\n", options.output, scene->camera.width, scene->camera.height, captured->made_by);
+    if (Status good = check_output(options, exr); !good) return report(good.error());
+    const auto frames = parse_frames(options);
+    if (!frames) return report(frames.error());
+    std::optional<Session> session;
+    if (options.renderer == "gl") {
+        auto opened = open_session(options.context);
+        if (!opened) return report(opened.error());
+        session = std::move(*opened);
+    }
+    std::optional<Progress> progress;
+    if (frames->end - frames->first > 1) progress.emplace("frames", frames->end - frames->first);
+    for (int frame = frames->first; frame < frames->end; ++frame) {
+        const std::string file = numbered(options.output, frame);
+        const auto captured = session ? capture_gl(*session, *scene, options, exr) : capture_reference(*scene, options, exr);
+        if (!captured) return report(captured.error());
+        if (Status written = write(file, *scene, *captured, exr); !written) return report(written.error());
+        if (progress) progress->advance();
+        fmt::print("{}: {}x{}, {}\n", file, scene->camera.width, scene->camera.height, captured->made_by);
+    }
     return 0;
 }
 
@@ -126,6 +172,11 @@ Command add_capture(CLI::App& parent) {
         ->check(CLI::IsMember({"auto", "egl", "osmesa"}))->capture_default_str();
     app->add_option("--renderer", options->renderer, "gl: the shader; reference: the double-precision tracer, slow")
         ->check(CLI::IsMember({"gl", "reference"}))->capture_default_str();
+    app->add_option("--method", options->method, "How the shader traces: auto, or table (the deflection table's row for the camera's radius)")
+        ->check(CLI::IsMember({"auto", "table"}))->capture_default_str();
+    app->add_option("--time", options->time, "Scene time in r_s/c; scenes without anything that moves look the same at all times")
+        ->check(CLI::Range(0.0, 1e9))->capture_default_str();
+    app->add_option("--frames", options->frames, "Draw frames A to B-1 of a sequence, A:B; -o then holds %05d");
     app->add_option("--samples", options->samples, "reference: rays per pixel along each side")->check(CLI::Range(1, 16))->capture_default_str();
     app->add_flag("--raydata", options->raydata, "Also write where every pixel's ray went, as channels of the EXR");
     app->add_flag("--dump-shader", options->dump_shader, "Print the fragment shader of this scene and stop");

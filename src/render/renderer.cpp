@@ -50,19 +50,26 @@ Status Renderer::prepare(const Scene& scene) {
     if (Status status = load_sky(scene); !status) return status;
     if (Status status = load_disc(scene); !status) return status;
     scene_ = scene;
-    if (rows_revision_ != tables_.revision()) {
-        rows_revision_ = tables_.revision();
-        strip_ = {};
-        orbit_map_ = {};
-        const TexelGrid &strip = tables_.strip(), &map = tables_.orbit_map();
-        if (strip.width > 0) strip_ = gl::make_float_texture(strip.width, strip.height, strip.texels.data());
-        if (map.width > 0) orbit_map_ = gl::make_float_texture(map.width, map.height, map.texels.data());
-    }
-    const FrameNumbers numbers = frame_numbers(scene, tables_.spacetime(), tables_.fan(), {sky_size_, disc_width_});
+    upload_tables();
+    upload_block(scene, {sky_size_, disc_width_});
+    return Done{};
+}
+
+void Renderer::upload_tables() {
+    if (rows_revision_ == tables_.revision()) return;
+    rows_revision_ = tables_.revision();
+    strip_ = {};
+    orbit_map_ = {};
+    const TexelGrid &strip = tables_.strip(), &map = tables_.orbit_map();
+    if (strip.width > 0) strip_ = gl::make_float_texture(strip.width, strip.height, strip.texels.data());
+    if (map.width > 0) orbit_map_ = gl::make_float_texture(map.width, map.height, map.texels.data());
+}
+
+void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
+    const FrameNumbers numbers = frame_numbers(scene, tables_.spacetime(), tables_.fan(), facts);
     std::array<float, 4 * kFrameVectors> block{};
     std::transform(numbers.begin(), numbers.end(), block.begin(), [](double n) { return static_cast<float>(n); });
     gl::upload_uniforms(uniforms_, block.data(), sizeof(block));
-    return Done{};
 }
 
 Status Renderer::load_sky(const Scene& scene) {
@@ -160,8 +167,25 @@ Image<float> Renderer::picture() {
 }
 
 RayFrame Renderer::ray_data() {
-    const int w = scene_.camera.width, h = scene_.camera.height;
-    const gl::Target target = gl::make_target(w, h, gl::Format::kRgba32F, 3);
+    return draw_rays(gl::make_target(scene_.camera.width, scene_.camera.height, gl::Format::kRgba32F, 3));
+}
+
+Result<std::vector<RayPixel>> Renderer::trace_middles(const std::vector<Scene>& views) {
+    const gl::Target target = gl::make_target(1, 1, gl::Format::kRgba32F, 3);
+    std::vector<RayPixel> rays;
+    for (Scene view : views) {
+        view.camera.plane_width /= view.camera.width;
+        view.camera.width = view.camera.height = 1;
+        if (Status status = tables_.update(view); !status) return status.error();
+        upload_tables();
+        upload_block(view, {});
+        rays.push_back(draw_rays(target).at(0, 0));
+    }
+    return rays;
+}
+
+RayFrame Renderer::draw_rays(const gl::Target& target) {
+    const int w = target.width, h = target.height;
     const gl::Program& built = program(Stage::kRayData, Output::kLinear);
     bind_inputs();
     gl::draw_fullscreen(built, empty_, target.framebuffer.id(), w, h);

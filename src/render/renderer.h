@@ -38,6 +38,10 @@ public:
     Image<float> picture();              // RGB, linear light
     RayFrame ray_data();
 
+    // The ray through the middle of each view's picture, in order; no picture of sky or disc is loaded. Needs no prepare(),
+    // and a new one before the next picture. Views that follow each other with one camera.r share a strip and an orbit map.
+    Result<std::vector<RayPixel>> trace_middles(const std::vector<Scene>& views);
+
     const FrameTables& tables() const { return tables_; }
     double compile_ms() const { return compile_ms_; }                 // sum over the programs built so far
     std::size_t texture_bytes() const;                                // tables and pictures on the GPU
@@ -49,6 +53,9 @@ public:
 private:
     const gl::Program& program(Stage stage, Output output);
     void bind_inputs();
+    void upload_tables();
+    void upload_block(const Scene& scene, const TextureFacts& facts);
+    RayFrame draw_rays(const gl::Target& target);
     Status load_sky(const Scene& scene);
     Status load_disc(const Scene& scene);
 

@@ -1,0 +1,104 @@
+#include "viewer/fly_camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "camera/pose.h"
+
+namespace nullscope::viewer {
+namespace {
+
+constexpr double kNearest = 5e-4;       // r/horizon - 1: the picture is a small disc of sky, and floats still resolve it
+constexpr double kNearestFlat = 0.01;   // where there is no horizon the centre is a point without a radial direction
+constexpr double kFarthest = 1e4;       // the shadow is a fifth of a pixel at 1280 px and 60 degrees
+constexpr double kLongestStep = 0.01;   // of one Euler step in fly()
+
+// The smallest rotation that takes unit vector a to unit vector b; not for a = -b.
+Mat3 rotation_between(Vec3 a, Vec3 b) {
+    const Vec3 v = cross(a, b);
+    const double c = dot(a, b), k = 1.0 / (1.0 + c);
+    return {{c + k * v.x * v.x, k * v.x * v.y + v.z, k * v.x * v.z - v.y},
+            {k * v.x * v.y - v.z, c + k * v.y * v.y, k * v.y * v.z + v.x},
+            {k * v.x * v.z + v.y, k * v.y * v.z - v.x, c + k * v.z * v.z}};
+}
+
+// Within the range, but a camera that is outside already is not pulled in.
+double kept_in_range(double wanted, double now, const FlightRange& range) {
+    return std::clamp(wanted, std::min(range.nearest, now), std::max(range.farthest, now));
+}
+
+void fly_short(FlyCamera& camera, Vec3 step, const Spacetime& spacetime, const FlightRange& range) {
+    const Vec3 along = camera.world_from_camera * step;
+    const double outward = dot(along, camera.place);
+    const Vec3 across = along - outward * camera.place;
+    const double lapse = std::sqrt(spacetime.lapse_squared(1.0 / camera.r));
+    const double angle = length(across) * (camera.r - range.horizon) / (lapse * camera.r);
+    if (angle > 0.0) {
+        const Vec3 next = normalized(std::cos(angle) * camera.place + std::sin(angle) * normalized(across));
+        camera.velocity = rotation_between(camera.place, next) * camera.velocity;
+        camera.place = next;
+    }
+    camera.r = scaled_radius(camera.r, outward, range);
+}
+
+}  // namespace
+
+FlyCamera fly_camera(const CameraSpec& spec) {
+    const Mat3 world = world_from_static(spec.theta, spec.phi);
+    return {spec.r, world.a, world * static_from_camera(spec), world * spec.velocity};
+}
+
+// Forward fixes yaw and pitch. Roll is what is left of the turn after both, not an angle of its own: where forward is
+// along a pole of yaw, an arbitrary yaw is undone by it.
+void write_spec(const FlyCamera& camera, CameraSpec& spec) {
+    spec.r = camera.r;
+    spec.theta = std::atan2(std::hypot(camera.place.x, camera.place.y), camera.place.z);
+    spec.phi = std::atan2(camera.place.y, camera.place.x);
+    const Mat3 static_from_world = transposed(world_from_static(spec.theta, spec.phi));
+    spec.velocity = static_from_world * camera.velocity;
+    const Mat3 turned = static_from_world * camera.world_from_camera;
+    const Vec3 back = turned.c;   // (cos yaw cos pitch, sin pitch, -sin yaw cos pitch) along (e_r, e_theta, e_phi)
+    spec.yaw = std::atan2(-back.z, back.x);
+    spec.pitch = std::atan2(back.y, std::hypot(back.x, back.z));
+    spec.roll = 0.0;
+    const Mat3 left = transposed(static_from_camera(spec)) * turned;
+    spec.roll = std::atan2(left.b.x - left.a.y, left.a.x + left.b.y);
+}
+
+Mat3 dragged(const Mat3& world_from_camera, Vec3 grabbed, Vec3 now) {
+    return world_from_camera * rotation_between(normalized(now), normalized(grabbed));
+}
+
+Mat3 rolled(const Mat3& world_from_camera, double angle) {
+    const double s = std::sin(angle), c = std::cos(angle);
+    return world_from_camera * Mat3{{c, -s, 0}, {s, c, 0}, {0, 0, 1}};
+}
+
+FlightRange flight_range(const Spacetime& spacetime) {
+    const double horizon = spacetime.horizon_radius().value_or(0.0);
+    return {horizon, horizon > 0.0 ? horizon * (1.0 + kNearest) : kNearestFlat, kFarthest};
+}
+
+double scaled_radius(double r, double change, const FlightRange& range) {
+    return kept_in_range(range.horizon + (r - range.horizon) * std::exp(change), r, range);
+}
+
+void fly(FlyCamera& camera, Vec3 step, const Spacetime& spacetime) {
+    const FlightRange range = flight_range(spacetime);
+    const int parts = std::max(1, static_cast<int>(std::ceil(length(step) / kLongestStep)));
+    for (int i = 0; i < parts; ++i) fly_short(camera, step / parts, spacetime, range);
+}
+
+double free_fall_speed(const Spacetime& spacetime, double r) {
+    return std::sqrt(std::max(0.0, 1.0 - spacetime.lapse_squared(1.0 / r)));
+}
+
+// v^2 = r A'/(2A); with d(A zeta^2)/dzeta / 2 = zeta A + zeta^2 (dA/dzeta)/2 it is 1 - half_v_slope/(zeta A).
+std::optional<double> circular_orbit_speed(const Spacetime& spacetime, double r) {
+    const double zeta = 1.0 / r;
+    const double v2 = 1.0 - spacetime.half_v_slope(zeta) / (zeta * spacetime.lapse_squared(zeta));
+    if (!(v2 > 0.0 && v2 < 1.0)) return std::nullopt;
+    return std::sqrt(v2);
+}
+
+}  // namespace nullscope::viewer

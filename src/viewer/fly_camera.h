@@ -1,0 +1,48 @@
+// The camera in the hand: a place and an orientation in world axes, which know no poles, and what a hand does to them.
+// Pure mathematics: no window, no OpenGL. World and camera axes are those of camera/pose.h.
+#pragma once
+#include <optional>
+
+#include "base/vec.h"
+#include "scene/scene.h"
+#include "spacetime/spacetime.h"
+
+namespace nullscope::viewer {
+
+struct FlyCamera {
+    double r = 15.0;
+    Vec3 place{1, 0, 0};     // unit vector from the centre to the camera, world axes
+    Mat3 world_from_camera;  // columns: right, up, backward
+    Vec3 velocity;           // in the static frame, along the world axes
+};
+
+FlyCamera fly_camera(const CameraSpec& spec);
+// Writes r, theta, phi, yaw, pitch, roll and velocity; angles in (-pi, pi], pitch in [-pi/2, pi/2]. The orientation
+// comes back within 1e-15 for every input, also where the angles themselves are not unique.
+void write_spec(const FlyCamera& camera, CameraSpec& spec);
+
+// The orientation in which the look direction `grabbed` of this one is seen along `now` (both in camera axes, any
+// length, less than a half turn apart): what was grabbed follows the hand.
+Mat3 dragged(const Mat3& world_from_camera, Vec3 grabbed, Vec3 now);
+// Turned about the line of sight: the camera's top goes to its right.
+Mat3 rolled(const Mat3& world_from_camera, double angle);
+
+// Radii between which one flies. A camera outside of them (from a scene file) may stay there, or come back.
+struct FlightRange {
+    double horizon, nearest, farthest;  // horizon: 0 where there is none
+};
+FlightRange flight_range(const Spacetime& spacetime);
+
+// The radius whose distance to the horizon is exp(change) times that of r, within the range.
+double scaled_radius(double r, double change, const FlightRange& range);
+
+// A step along camera axes (right, up, backward), length in units of r - horizon: a radial one scales r - horizon by its
+// exponential, one across keeps the proper ratio of lengths in the static frame. Orientation stays in world axes; the
+// velocity is carried parallel on the sphere, so that its outward part stays outward and nothing jumps at a pole.
+void fly(FlyCamera& camera, Vec3 step, const Spacetime& spacetime);
+
+// Speeds in the static frame at r: of a fall from rest at infinity, and of the circular orbit if there is one.
+double free_fall_speed(const Spacetime& spacetime, double r);
+std::optional<double> circular_orbit_speed(const Spacetime& spacetime, double r);
+
+}  // namespace nullscope::viewer

@@ -1,0 +1,177 @@
+#include "viewer/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "gl/gl.h"
+
+namespace nullscope::viewer {
+namespace {
+
+static_assert(GLFW_KEY_LAST < Input::kKeys);
+
+std::string last_glfw_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text == nullptr ? "no reason given" : text;
+}
+
+std::string no_display() {
+    const char* x11 = std::getenv("DISPLAY");
+    const char* wayland = std::getenv("WAYLAND_DISPLAY");
+    std::string why = "DISPLAY is not set";
+    if (x11 != nullptr && *x11 != '\0') why = fmt::format("nothing answers at DISPLAY={}", x11);
+    else if (wayland != nullptr && *wayland != '\0') why = last_glfw_error();
+    return fmt::format("no display could be opened ({}); use `nullscope capture` or xvfb-run", why);
+}
+
+void ask_for_core_context() {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+}
+
+// Called when there is no 3.3 core context: says which OpenGL there is instead.
+std::string no_opengl() {
+    constexpr unsigned kGlRenderer = 0x1F01;   // GL_RENDERER
+    const std::string reason = last_glfw_error();
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    std::string found = fmt::format("none could be had here ({})", reason);
+    if (GLFWwindow* plain = glfwCreateWindow(64, 64, "", nullptr, nullptr)) {
+        glfwMakeContextCurrent(plain);
+        using GetString = const unsigned char* (*)(unsigned);
+        const auto get_string = reinterpret_cast<GetString>(glfwGetProcAddress("glGetString"));
+        const unsigned char* renderer = get_string == nullptr ? nullptr : get_string(kGlRenderer);
+        found = fmt::format("this driver has {}.{} ({})", glfwGetWindowAttrib(plain, GLFW_CONTEXT_VERSION_MAJOR),
+                            glfwGetWindowAttrib(plain, GLFW_CONTEXT_VERSION_MINOR),
+                            renderer == nullptr ? "unnamed" : reinterpret_cast<const char*>(renderer));
+        glfwDestroyWindow(plain);
+    }
+    return fmt::format("OpenGL 3.3 core is needed; {}; update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw "
+                       "with the processor", found);
+}
+
+PixelSize fitted(PixelSize size) {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return size;
+    int x = 0, y = 0, width = 0, height = 0;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+    if (width <= 0 || height <= 0) return size;
+    return {std::min(size.width, width), std::min(size.height, height)};
+}
+
+Input& input_of(GLFWwindow* window) { return *static_cast<Input*>(glfwGetWindowUserPointer(window)); }
+
+void on_key(GLFWwindow* window, int key, int, int action, int) {
+    Input& input = input_of(window);
+    input.happened = true;
+    if (key < 0) return;   // a key that GLFW does not know
+    input.held[static_cast<std::size_t>(key)] = action != GLFW_RELEASE;
+    if (action != GLFW_PRESS) return;
+    input.pressed.push_back(key);
+    input.tapped[static_cast<std::size_t>(key)] = true;
+}
+
+void on_button(GLFWwindow* window, int button, int action, int) {
+    Input& input = input_of(window);
+    input.happened = true;
+    const bool press = action == GLFW_PRESS;
+    if (button == GLFW_MOUSE_BUTTON_LEFT) input.left = press, input.left_pressed = input.left_pressed || press;
+    if (button == GLFW_MOUSE_BUTTON_RIGHT) input.right = press, input.right_pressed = input.right_pressed || press;
+}
+
+void on_wheel(GLFWwindow* window, double x, double y) {
+    Input& input = input_of(window);
+    input.happened = true;
+    input.wheel += y;
+    input.wheel_sideways += x;
+}
+
+}  // namespace
+
+double seconds() { return glfwGetTime(); }
+
+Result<std::unique_ptr<Window>> Window::open(const WindowSpec& spec) {
+    if (glfwInit() != GLFW_TRUE) return failed(no_display());
+    std::unique_ptr<Window> window(new Window);   // from here on its end is GLFW's
+    const PixelSize size = spec.fit_to_screen ? fitted(spec.size) : spec.size;
+    ask_for_core_context();
+    glfwWindowHint(GLFW_VISIBLE, spec.hidden ? GLFW_FALSE : GLFW_TRUE);
+    window->handle_ = glfwCreateWindow(size.width, size.height, spec.title.c_str(), nullptr, nullptr);
+    if (window->handle_ == nullptr) return failed(no_opengl());
+    glfwMakeContextCurrent(window->handle_);
+    glfwSwapInterval(1);
+    gl::load_functions([](const char* name, void*) { return glfwGetProcAddress(name); }, nullptr);
+    constexpr int kLeastWidth = 320, kLeastHeight = 200;
+    glfwSetWindowSizeLimits(window->handle_, std::min(kLeastWidth, size.width), std::min(kLeastHeight, size.height),
+                            GLFW_DONT_CARE, GLFW_DONT_CARE);
+    window->listen();
+    return window;
+}
+
+Window::~Window() {
+    if (handle_ != nullptr) glfwDestroyWindow(handle_);
+    glfwTerminate();
+}
+
+void Window::listen() {
+    glfwSetWindowUserPointer(handle_, &input_);
+    glfwSetKeyCallback(handle_, on_key);
+    glfwSetMouseButtonCallback(handle_, on_button);
+    glfwSetScrollCallback(handle_, on_wheel);
+    glfwSetCursorPosCallback(handle_, [](GLFWwindow* w, double, double) { input_of(w).moved = true; });
+    glfwSetCursorEnterCallback(handle_, [](GLFWwindow* w, int) { input_of(w).happened = true; });
+    glfwSetWindowFocusCallback(handle_, [](GLFWwindow* w, int) { input_of(w).happened = true; });
+    glfwSetCharCallback(handle_, [](GLFWwindow* w, unsigned) { input_of(w).happened = true; });
+    glfwSetFramebufferSizeCallback(handle_, [](GLFWwindow* w, int, int) { input_of(w).happened = true; });
+    glfwSetWindowRefreshCallback(handle_, [](GLFWwindow* w) { input_of(w).happened = true; });
+    glfwSetWindowContentScaleCallback(handle_, [](GLFWwindow* w, float, float) { input_of(w).happened = true; });
+}
+
+const Input& Window::poll(double wait_s) {
+    input_.pressed.clear();
+    input_.tapped.reset();
+    input_.left_pressed = input_.right_pressed = input_.happened = input_.moved = false;
+    input_.wheel = input_.wheel_sideways = 0.0;
+    if (wait_s > 0.0) glfwWaitEventsTimeout(wait_s);
+    else glfwPollEvents();
+    glfwGetCursorPos(handle_, &input_.x, &input_.y);
+    const double ratio = pixel_ratio();
+    input_.x *= ratio;
+    input_.y *= ratio;
+    input_.shift = input_.held[GLFW_KEY_LEFT_SHIFT] || input_.held[GLFW_KEY_RIGHT_SHIFT];
+    return input_;
+}
+
+void Window::swap() { glfwSwapBuffers(handle_); }
+bool Window::closing() const { return glfwWindowShouldClose(handle_) != 0; }
+void Window::close() { glfwSetWindowShouldClose(handle_, GLFW_TRUE); }
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(handle_, title.c_str()); }
+
+PixelSize Window::framebuffer() const {
+    PixelSize size;
+    glfwGetFramebufferSize(handle_, &size.width, &size.height);
+    return size;
+}
+
+double Window::pixel_ratio() const {
+    int width = 0, height = 0;
+    glfwGetWindowSize(handle_, &width, &height);
+    return width > 0 ? static_cast<double>(framebuffer().width) / width : 1.0;
+}
+
+double Window::content_scale() const {
+    float x = 1.0f, y = 1.0f;
+    glfwGetWindowContentScale(handle_, &x, &y);
+    return std::clamp(static_cast<double>(std::max(x, y)), 0.5, 4.0);
+}
+
+}  // namespace nullscope::viewer

@@ -1,0 +1,68 @@
+// The window: GLFW, an OpenGL 3.3 core context whose functions are loaded, and what the hands did since the last look.
+#pragma once
+#include <bitset>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+struct GLFWwindow;
+
+namespace nullscope::viewer {
+
+struct PixelSize {
+    int width = 0, height = 0;
+    friend bool operator==(const PixelSize&, const PixelSize&) = default;
+};
+
+struct WindowSpec {
+    PixelSize size{1280, 720};
+    bool fit_to_screen = true;   // smaller where the screen is smaller
+    bool hidden = false;
+    std::string title;
+};
+
+// Since the last poll. Keys are GLFW's numbers; positions are framebuffer pixels from the top left.
+struct Input {
+    static constexpr int kKeys = 512;
+    std::vector<int> pressed;              // keys that went down, in order
+    std::bitset<kKeys> held, tapped;       // down now; went down, even if up again
+    bool left_pressed = false, right_pressed = false, left = false, right = false;
+    double x = 0.0, y = 0.0;
+    double wheel = 0.0, wheel_sideways = 0.0;
+    bool shift = false;
+    bool happened = false;                 // anything but mere motion of the pointer
+    bool moved = false;
+    bool down(int key) const { return held[static_cast<std::size_t>(key)] || tapped[static_cast<std::size_t>(key)]; }
+};
+
+class Window {
+public:
+    // Errors say what is missing and what to do: no display, no OpenGL 3.3.
+    static Result<std::unique_ptr<Window>> open(const WindowSpec& spec);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    // Takes what happened; waits for it up to wait_s seconds if that is above 0.
+    const Input& poll(double wait_s);
+    void swap();
+    bool closing() const;
+    void close();
+    PixelSize framebuffer() const;   // 0x0 while minimised
+    double pixel_ratio() const;      // framebuffer pixels a unit of the window's coordinates
+    double content_scale() const;    // how much larger than usual things must be drawn, in framebuffer pixels
+    void set_title(const std::string& title);
+    GLFWwindow* handle() const { return handle_; }
+
+private:
+    Window() = default;
+    void listen();
+    GLFWwindow* handle_ = nullptr;
+    Input input_;
+};
+
+double seconds();   // of a steady clock
+
+}  // namespace nullscope::viewer
