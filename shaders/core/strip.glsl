@@ -69,3 +69,7 @@ StripRay strip_locate(float s, float c, vec4 strip, float axis) {
 vec4 strip_coefficients(StripRay ray, int row) {
     return strip_fetch(ray.octave.cell, row + (ray.escapes ? 0 : STRIP_ROWS));
 }
+
+// d place / d w of the ray's cell, and d s / d w for s = sin(theta).
+float strip_place_per_w(StripRay ray) { return float(STRIP_CELLS_PER_OCTAVE) / ray.octave.start * frame.strip.y; }
+float strip_s_slope(float c) { return frame.strip.z * frame.radial.w * c; }

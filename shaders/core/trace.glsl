@@ -47,25 +47,17 @@ Trace trace_pixel(vec2 pixel) {
 #endif
 #ifdef EFFECT_LENSING
     StripRay ray = strip_locate(trace.s, trace.c, frame.strip, frame.radial.w);
-    vec4 cos_poly = strip_coefficients(ray, 0);
-    vec4 sin_poly = strip_coefficients(ray, 1);
-    float f = ray.octave.place;
-    float f_per_w = float(STRIP_CELLS_PER_OCTAVE) / ray.octave.start * frame.strip.y;
-    float cos_phi = cubic(cos_poly, f);
-    float ratio = cubic(sin_poly, f);
-    float cos_slope = cubic_slope(cos_poly, f) * f_per_w;
-    float ratio_slope = cubic_slope(sin_poly, f) * f_per_w;
+    Sweep sweep = sweep_to_sky(ray, trace.s, trace.c);
     trace.escapes = ray.escapes;
-    trace.sky = (cos_phi - trace.c * ratio) * radial_direction() + ratio * trace.n;
-    float s_slope = frame.strip.z * frame.radial.w * trace.c;   // d s / d w
-    trace.stretch_along = cos_phi * (ratio_slope * trace.s + ratio * s_slope) - ratio * trace.s * cos_slope;
-    trace.stretch_across = ratio;
+    trace.sky = (sweep.cos_phi - trace.c * sweep.ratio) * radial_direction() + sweep.ratio * trace.n;
+    trace.stretch_along = sweep.along;
+    trace.stretch_across = sweep.ratio;
 #ifdef NEEDS_PHI_END
     vec4 end_poly = strip_coefficients(ray, 2);
-    float end_ratio = cubic(end_poly, f);
+    float end_ratio = cubic(end_poly, ray.octave.place);
     trace.ray = ray;
     trace.phi_end = end_ratio * trace.s;
-    trace.phi_end_slope = cubic_slope(end_poly, f) * f_per_w * trace.s + end_ratio * s_slope;
+    trace.phi_end_slope = cubic_slope(end_poly, ray.octave.place) * strip_place_per_w(ray) * trace.s + end_ratio * strip_s_slope(trace.c);
 #endif
 #else
     trace.escapes = true;

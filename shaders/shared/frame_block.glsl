@@ -10,6 +10,8 @@ struct FrameData {
     vec4 cross_y;
     vec4 radial;       // outward radial unit vector e at the camera; .w = axis: +1 / -1, the strip measures angles from axis*e
     vec4 strip;        // critical angle theta_c from axis*e (rad), 1/w0, first sign: +1 if angles beyond theta_c escape, 0
+    vec4 orbit;        // sin(theta_c) = k sin(alpha), cos(chi0), a0, a1 of the deflection table
+    vec4 series;       // a2 of the deflection table, chi0, 0, 0
     vec4 boost;        // direction of motion in world axes, .w = stretch sqrt((1+v)/(1-v))
     vec4 shift;        // g of a static camera here (camera over infinity), zeta0, sqrt(V(zeta0)) = q sin(alpha), 0
     vec4 sky;          // texels per radian of the sky's finest level, highest level, brightness, 0

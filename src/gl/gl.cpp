@@ -137,13 +137,16 @@ std::vector<int> uniform_offsets(const Program& program, const std::vector<std::
     return offsets;
 }
 
-Texture make_float_texture(int width, int height, const float* rgba) {
+Texture make_number_texture(int width, int height, int channels, const float* values, bool linear) {
     Texture texture(new_texture(GL_TEXTURE_2D));
-    set_sampling(GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, rgba);
+    set_sampling(GL_TEXTURE_2D, linear ? GL_LINEAR : GL_NEAREST, linear ? GL_LINEAR : GL_NEAREST);
+    const bool one = channels == 1;
+    glTexImage2D(GL_TEXTURE_2D, 0, one ? GL_R32F : GL_RGBA32F, width, height, 0, one ? GL_RED : GL_RGBA, GL_FLOAT, values);
     check("table texture");
     return texture;
 }
+
+Texture make_float_texture(int width, int height, const float* rgba) { return make_number_texture(width, height, 4, rgba, false); }
 
 Texture make_picture_texture(int width, int height, int channels, const float* data) {
     Texture texture(new_texture(GL_TEXTURE_2D));

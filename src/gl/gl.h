@@ -65,6 +65,8 @@ std::vector<int> uniform_offsets(const Program& program, const std::vector<std::
 
 // Numbers: RGBA32F, nearest, one level.
 Texture make_float_texture(int width, int height, const float* rgba);
+// Numbers in 1 or 4 channels, float, one level; linear: the hardware's own filter (its weights may have 8 bits).
+Texture make_number_texture(int width, int height, int channels, const float* values, bool linear);
 // A picture with mip levels: RGB(A) float, linear light, stored as RGBA16F; clamped, trilinear.
 Texture make_picture_texture(int width, int height, int channels, const float* data);
 // Six faces of RGB float, stored as R11F_G11F_B10F; seamless, trilinear.

@@ -89,6 +89,14 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(world.a, fan != nullptr ? fan->axis() : -1.0);
     if (fan != nullptr) block.put(fan->critical_angle(), 1.0 / fan->w0(), fan->outside() ? 1.0 : -1.0, 0.0);
     else block.put(0, 0, 0, 0);
+    if (fan != nullptr) {
+        const auto& series = fan->table().series();
+        block.put(std::sin(fan->critical_angle()), std::cos(fan->chi0()), series.a0, series.a1);
+        block.put(series.a2, fan->chi0(), 0, 0);
+    } else {
+        block.put(0, 0, 0, 0);
+        block.put(0, 0, 0, 0);
+    }
     const double speed = length(camera.velocity);
     if (speed > 0.0) block.put(world * (camera.velocity / speed), std::sqrt((1.0 + speed) / (1.0 - speed)));
     else block.put(1, 0, 0, 1);

@@ -10,12 +10,13 @@
 #include "base/assets.h"
 #include "base/image_file.h"
 #include "sky/sky.h"
+#include "table/table_grid.h"
 
 namespace nullscope {
 namespace {
 
 constexpr unsigned kFrameBinding = 0;
-enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3 };
+enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4 };
 
 template <class T>
 Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
@@ -49,6 +50,7 @@ Status Renderer::prepare(const Scene& scene) {
     if (Status status = tables_.update(scene); !status) return status;
     if (Status status = load_sky(scene); !status) return status;
     if (Status status = load_disc(scene); !status) return status;
+    if (Status status = load_table(scene); !status) return status;
     scene_ = scene;
     upload_tables();
     upload_block(scene, {sky_size_, disc_width_});
@@ -112,18 +114,41 @@ Status Renderer::load_disc(const Scene& scene) {
     return Done{};
 }
 
+Status Renderer::load_table(const Scene& scene) {
+    const bool lensing = tables_.effects().contains(Effect::kLensing);
+    if (lensing && method_.kind == MethodKind::kClosedForm && scene.spacetime.metric != "schwarzschild")
+        return bad_input(fmt::format("method closed-form is not there for metric \"{}\"; allowed: strip, table, integrate", scene.spacetime.metric));
+    if (!lensing || method_.kind != MethodKind::kTable) {
+        table_ = {};
+        table_key_.reset();
+        table_bytes_ = 0;
+        return Done{};
+    }
+    const auto key = std::make_pair(scene.spacetime, method_);
+    if (table_key_ == key) return Done{};
+    const auto start = std::chrono::steady_clock::now();
+    const bool hermite = method_.lookup == Lookup::kHermite;
+    const TableGrid grid = build_table_grid(*tables_.table(), method_.size, hermite);
+    table_ = gl::make_number_texture(grid.width, grid.height, grid.channels, grid.values.data(), method_.lookup == Lookup::kHardware);
+    table_bytes_ = grid.values.size() * sizeof(float);
+    table_key_ = key;
+    gpu_table_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return Done{};
+}
+
 const gl::Program& Renderer::program(Stage stage, Output output) {
-    const auto key = std::make_pair(std::make_pair(stage, output), tables_.effects());
+    const auto key = std::make_tuple(stage, output, tables_.effects(), method_, scene_.spacetime.metric);
     const auto found = programs_.find(key);
     if (found != programs_.end()) return found->second;
     const auto start = std::chrono::steady_clock::now();
-    const ShaderSource source = shader_source(stage, tables_.effects(), output);
+    const ShaderSource source = shader_source(stage, tables_.effects(), output, method_, scene_.spacetime.metric);
     gl::Program made = gl::make_program(source.vertex, source.fragment);
     gl::bind_uniform_block(made, "FrameBlock", kFrameBinding);
     gl::bind_sampler(made, "strip_texture", kStripUnit);
     gl::bind_sampler(made, "orbit_texture", kOrbitUnit);
     gl::bind_sampler(made, "sky_texture", kSkyUnit);
     gl::bind_sampler(made, "disc_texture", kDiscUnit);
+    gl::bind_sampler(made, "table_texture", kTableUnit);
     compile_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return programs_.emplace(key, std::move(made)).first->second;
 }
@@ -134,6 +159,7 @@ void Renderer::bind_inputs() {
     gl::bind_texture_2d(kOrbitUnit, orbit_map_);
     gl::bind_texture_cube(kSkyUnit, sky_);
     gl::bind_texture_2d(kDiscUnit, disc_);
+    gl::bind_texture_2d(kTableUnit, table_);
 }
 
 void Renderer::draw(unsigned framebuffer, int width, int height, Output output) {
@@ -217,6 +243,7 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     std::vector<TextureLine> lines;
     const TexelGrid &strip = tables_.strip(), &map = tables_.orbit_map();
     if (strip.width > 0) lines.push_back({"strip", strip.width, strip.height, strip.bytes()});
+    if (table_bytes_ > 0) lines.push_back({"deflection table", method_.size + 1, 2 * (method_.size + 1), table_bytes_});
     if (map.width > 0) lines.push_back({"orbit map", map.width, map.height, map.bytes()});
     if (sky_size_ > 0) lines.push_back({"sky", sky_size_, sky_size_, static_cast<std::size_t>(sky_size_) * sky_size_ * 32});  // 6 faces, 4 B, mip levels
     if (disc_width_ > 0) lines.push_back({"disc image", disc_width_, disc_height_, static_cast<std::size_t>(disc_width_) * disc_height_ * 32 / 3});

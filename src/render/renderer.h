@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,10 @@ public:
     // Errors: an image that cannot be read, a camera where no static frame is, a size the driver cannot draw.
     Status prepare(const Scene& scene);
 
+    // How rays are traced from the next prepare() on. Errors (by prepare): a method that the metric does not have.
+    void set_method(const Method& method) { method_ = method; }
+    const Method& method() const { return method_; }
+
     // Draws the prepared scene's picture to a framebuffer of this size (0: the window).
     void draw(unsigned framebuffer, int width, int height, Output output);
 
@@ -43,6 +48,7 @@ public:
     Result<std::vector<RayPixel>> trace_middles(const std::vector<Scene>& views);
 
     const FrameTables& tables() const { return tables_; }
+    double gpu_table_ms() const { return gpu_table_ms_; }             // time of the last table of method kTable
     double compile_ms() const { return compile_ms_; }                 // sum over the programs built so far
     std::size_t texture_bytes() const;                                // tables and pictures on the GPU
     const gl::Info& info() const { return info_; }
@@ -58,15 +64,20 @@ private:
     RayFrame draw_rays(const gl::Target& target);
     Status load_sky(const Scene& scene);
     Status load_disc(const Scene& scene);
+    Status load_table(const Scene& scene);
 
     gl::Info info_;
     gl::VertexArray empty_;
     gl::Buffer uniforms_;
-    std::map<std::pair<std::pair<Stage, Output>, EffectSet>, gl::Program> programs_;
+    std::map<std::tuple<Stage, Output, EffectSet, Method, std::string>, gl::Program> programs_;
+    Method method_;
     FrameTables tables_;
     Scene scene_;
     int rows_revision_ = -1;
-    gl::Texture strip_, orbit_map_, sky_, disc_;
+    gl::Texture strip_, orbit_map_, sky_, disc_, table_;
+    std::optional<std::pair<SpacetimeSpec, Method>> table_key_;   // of table_
+    std::size_t table_bytes_ = 0;
+    double gpu_table_ms_ = 0.0;
     std::optional<SkySpec> sky_spec_;
     int sky_size_ = 0;
     std::optional<std::string> disc_file_;

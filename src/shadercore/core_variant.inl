@@ -24,6 +24,8 @@ vec4 orbit_fetch(int x, int y) { return fetch(inputs.orbit, x, y); }
 #include "core/strip.glsl"
 #include "core/orbit.glsl"
 #include "core/plane.glsl"
+#include "core/sweep.glsl"
+#include "method/strip.glsl"
 #include "core/trace.glsl"
 #include "object/disc.glsl"
 #include "core/raydata.glsl"

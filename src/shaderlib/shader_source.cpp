@@ -34,7 +34,8 @@ std::string resolved(const std::string& text, const std::vector<std::string>& de
     struct Level { bool ours, keep; };
     std::vector<Level> levels;
     const auto is_ours = [](const std::string& name) {
-        return name.starts_with("EFFECT_") || name.starts_with("NEEDS_") || name.starts_with("DISPLAY_") || name == "__cplusplus";
+        return name.starts_with("EFFECT_") || name.starts_with("NEEDS_") || name.starts_with("DISPLAY_") || name.starts_with("TABLE_") ||
+               name.starts_with("STEP_ORDER_") || name == "__cplusplus";
     };
     const auto kept = [&] {
         for (const Level& level : levels)
@@ -67,12 +68,46 @@ std::string resolved(const std::string& text, const std::vector<std::string>& de
     return out;
 }
 
-std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool ends) {
+std::vector<std::string> method_files(const Method& method, std::string_view metric) {
+    switch (method.kind) {
+        case MethodKind::kStrip: return {"method/strip.glsl"};
+        case MethodKind::kTable: return {"core/table_mapping.glsl", "method/by_angle.glsl", "method/table.glsl"};
+        case MethodKind::kClosedForm: return {"method/by_angle.glsl", "method/closed_form.glsl"};
+        case MethodKind::kIntegrate:
+            return {"method/by_angle.glsl", fmt::format("spacetime/{}.glsl", metric), "method/integrate.glsl"};
+    }
+    return {};
+}
+
+std::string method_constants(const Method& method) {
+    if (method.kind == MethodKind::kTable) return fmt::format("#define TABLE_SIZE {}\n", method.size);
+    if (method.kind == MethodKind::kIntegrate)
+        return fmt::format("#define STEP_ANGLE {:.9f}\n#define STEP_MOST {}\n", method.step, method.most_steps);
+    return "";
+}
+
+std::vector<std::string> method_defines(const Method& method) {
+    if (method.kind == MethodKind::kIntegrate) return {fmt::format("STEP_ORDER_{}", method.order)};
+    if (method.kind != MethodKind::kTable) return {};
+    switch (method.lookup) {
+        case Lookup::kHardware: return {"TABLE_HARDWARE"};
+        case Lookup::kBilinear: return {"TABLE_BILINEAR"};
+        case Lookup::kCubic: return {"TABLE_CUBIC"};
+        case Lookup::kHermite: return {"TABLE_HERMITE"};
+    }
+    return {};
+}
+
+std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool ends, const Method& method, std::string_view metric) {
     std::vector<std::string> files = {"core/trig.glsl"};
     const bool lensing = effects.contains(Effect::kLensing), disc = effects.contains(Effect::kDisc);
     const bool picture = stage == Stage::kPicture;
     if (effects.contains(Effect::kAberration)) files.emplace_back("core/aberration.glsl");
-    if (lensing) files.emplace_back("core/strip.glsl");
+    if (lensing) {
+        files.emplace_back("core/strip.glsl");
+        files.emplace_back("core/sweep.glsl");
+        for (std::string& file : method_files(method, metric)) files.push_back(std::move(file));
+    }
     if (lensing && disc) files.emplace_back("core/orbit.glsl");
     if (disc) files.emplace_back("core/plane.glsl");
     if (!lensing && !ends) files.erase(files.begin());   // nothing inverse to compute
@@ -85,13 +120,15 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
     return files;
 }
 
-std::string declarations(Stage stage, const EffectSet& effects) {
+std::string declarations(Stage stage, const EffectSet& effects, const Method& method) {
     std::string text = std::string(shader_file("shared/frame_block.glsl")) +
                        "layout(std140) uniform FrameBlock { FrameData frame; };\n";
     const bool disc = effects.contains(Effect::kDisc);
     if (effects.contains(Effect::kLensing)) {
         text += "uniform highp sampler2D strip_texture;\n"
                 "vec4 strip_fetch(int x, int y) { return texelFetch(strip_texture, ivec2(x, y), 0); }\n";
+        if (method.kind == MethodKind::kTable) text += "uniform highp sampler2D table_texture;\n";
+        text += method_constants(method);
         if (disc)
             text += "uniform highp sampler2D orbit_texture;\n"
                     "vec4 orbit_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(x, y), 0); }\n";
@@ -112,7 +149,7 @@ std::string_view shader_file(std::string_view path) {
     std::abort();
 }
 
-ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output) {
+ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method, std::string_view metric) {
     const std::string vertex = std::string(kVersion) + stripped(shader_file("stage/fullscreen.vert"));
     const std::string head = std::string(kVersion) + "precision highp float;\nprecision highp int;\n";
     if (stage == Stage::kBareFetch)
@@ -126,8 +163,11 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output)
     const bool display = stage == Stage::kPicture && output == Output::kDisplay;
     if (display) defines.emplace_back("DISPLAY_ENCODE");
 
-    std::string body = declarations(stage, effects);
-    for (const std::string& file : files_of(stage, effects, ends)) body += shader_file(file);
+    if (stage == Stage::kPicture) defines.emplace_back("NEEDS_FOOTPRINT");
+    for (std::string& define : method_defines(method)) defines.push_back(std::move(define));
+
+    std::string body = declarations(stage, effects, method);
+    for (const std::string& file : files_of(stage, effects, ends, method, metric)) body += shader_file(file);
     if (display) body += shader_file("effect/display.glsl");
     body += shader_file(stage == Stage::kPicture ? "stage/trace.frag" : "stage/raydata.frag");
     return {vertex, head + stripped(resolved(body, defines))};

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "scene/effects.h"
+#include "shaderlib/method.h"
 
 namespace nullscope {
 
@@ -14,8 +15,10 @@ struct ShaderSource {
     std::string vertex, fragment;
 };
 
+// method counts only if the effects contain lensing; metric: the registry's key, for methods that need the metric's formula.
 // Stage kRayData leaves out the sky's and the disc's look. Output concerns kPicture only.
-ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output);
+ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method = {},
+                           std::string_view metric = "schwarzschild");
 
 // One embedded file of shaders/ by its path there; aborts if there is none (a broken build).
 std::string_view shader_file(std::string_view path);

@@ -183,4 +183,12 @@ double DeflectionTable::through_from_infinity(double k, double k2_minus_one, dou
            through_.at(x, core64::table_y_from_angle(chi)) / k;
 }
 
+double DeflectionTable::through_remainder(double x, double y) const {
+    const double last = 1.0 - 1e-6;   // k = 5e5: the radial limit is reached to 1e-12
+    const double k1 = core64::through_k_minus_one_from_x(std::min(x, last));
+    const double k = 1.0 + k1, d2 = std::max(k1 * (2.0 + k1), 1e-24);
+    const auto j = through_integrals(d2, std::cos(core64::table_angle_from_y(y)));
+    return through_.at(std::min(x, last), y) + k * (series_.a2 * j[2] + series_.a3 * j[3]);
+}
+
 }  // namespace nullscope

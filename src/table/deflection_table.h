@@ -34,6 +34,12 @@ public:
     // k > 1 with k2_minus_one = k^2 - 1: angle between infinity and the radius chi. chi in [0, pi].
     double through_from_infinity(double k, double k2_minus_one, double chi) const;
 
+    struct Series { double a0, a1, a2, a3; };  // of G about the photon sphere
+    const Series& series() const { return series_; }
+    // What method kTable adds to its own closed forms, at table coordinates x, y in [0, 1]: R of the turning sheet outside the
+    // photon sphere; k (phi - a0 J0 - a1 J1) of the through sheet, without the terms that cancel in float.
+    double turning_remainder(double x, double y) const { return outer_.at(x, y); }
+    double through_remainder(double x, double y) const;
     int size() const { return size_; }
     std::size_t bytes() const;   // of the three sheets as double
 
@@ -44,7 +50,6 @@ private:
         std::vector<double> values;
         double at(double x, double y) const;   // 6x6-point Lagrange interpolation; x, y in [0, 1]
     };
-    struct Series { double a0, a1, a2, a3; };  // of G about the photon sphere
     void build_turning(const Spacetime& spacetime, bool inner, const Series& series, Sheet& sheet);
     void build_through(const Spacetime& spacetime, Sheet& sheet);
     double turning(const Sheet& sheet, double k, double one_minus_k2, double angle) const;

@@ -37,6 +37,8 @@ public:
     FanRay ray(Segment segment, double w) const;
 
     double zeta0() const { return zeta0_; }
+    double chi0() const { return chi0_; }
+    const DeflectionTable& table() const { return *table_; }
     double sqrt_v0() const { return sqrt_v0_; }              // sqrt(V(zeta0)) = q sin(alpha)
     const Spacetime& spacetime() const { return *spacetime_; }
 

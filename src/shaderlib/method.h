@@ -1,0 +1,34 @@
+// How the shader finds where a ray goes: one choice a program, compiled in. All methods share ray set-up, verdict (escaped or
+// captured, by the critical angle) and everything after the swept angle.
+#pragma once
+#include <compare>
+#include <string>
+
+#include "base/result.h"
+
+namespace nullscope {
+
+enum class MethodKind {
+    kStrip,        // the deflection table's row for the camera's radius, as polynomials: the default
+    kTable,        // the two-dimensional deflection table on the GPU
+    kClosedForm,   // elliptic integrals, no table; Schwarzschild only
+    kIntegrate,    // the orbit equation step by step
+};
+enum class Lookup { kHardware, kBilinear, kCubic, kHermite };   // of kTable
+
+struct Method {
+    MethodKind kind = MethodKind::kStrip;
+    int size = 128;                       // kTable: cells a side
+    Lookup lookup = Lookup::kHermite;     // kTable
+    int order = 6;                        // kIntegrate: 1, 4 or 6
+    double step = 0.6;                    // kIntegrate: rad / sqrt(1 + 3 zeta)
+    int most_steps = 64;                  // kIntegrate
+    friend auto operator<=>(const Method&, const Method&) = default;
+};
+
+// "strip", "table", "table:128:cubic", "closed-form", "integrate", "integrate:4:0.1", "euler:300" (300 steps over 5/2 pi rad).
+// Errors: the allowed forms and ranges.
+Result<Method> parse_method(const std::string& text);
+std::string method_name(const Method& method);   // parse_method(method_name(m)) == m
+
+}  // namespace nullscope
