@@ -15,10 +15,9 @@ float el1(float one_over_x, float kc) {
         m += kc;
         y -= e / (abs(y) > 1.0e-18 ? y : 1.0e-18);
         kc = 2.0 * sqrt(e);
-        l = 2.0 * l + (y < 0.0 ? 1.0 : 0.0);
+        l = (i < LANDEN_STEPS - 1 ? 2.0 * l : l) + (y < 0.0 ? 1.0 : 0.0);
     }
-    // The last step's kc equals m: F = atan(m / y) / m.
-    float angle = y < 0.0 ? 3.14159265358979323846 - arc_tangent2(m, -y) - 3.14159265358979323846 : arc_tangent2(m, y);
+    float angle = y < 0.0 ? -arc_tangent2(m, -y) : arc_tangent2(m, y);   // atan(m / y)
     return (angle + 3.14159265358979323846 * l) / m;
 }
 

@@ -10,7 +10,7 @@ TableGrid build_table_grid(const DeflectionTable& table, int size, bool with_slo
     const int side = size + 1;
     TableGrid grid{side, 2 * side, with_slopes ? 4 : 1, {}};
     grid.values.resize(static_cast<std::size_t>(grid.width) * grid.height * grid.channels);
-    const double h = 1e-3;   // of central differences: error h^2/6 of the third derivative, < 1e-6 of a slope, a hundredth of that in the value
+    const double h = 1e-4;   // of central differences
     tbb::parallel_for(0, grid.height, [&](int line) {
         const bool turning = line < side;
         const auto at = [&](double x, double y) { return turning ? table.turning_remainder(x, y) : table.through_remainder(x, y); };
