@@ -1,18 +1,20 @@
-// The strip: the deflection table's row for this frame's zeta0. One cubic polynomial a cell; the cells halve their width
-// octave by octave towards the critical ray, so that every winding is resolved with the same number of cells.
+// The strip: the deflection table's row for this frame's zeta0, in cells that halve their width octave by octave towards the
+// critical ray, so that every winding is resolved with the same number of cells.
 //
-//   w = distance in rad from the critical direction;  u = 1 + w/w0;  octave = floor(log2 u), 16 equal cells an octave:
+//   w = distance in rad from the critical direction;  u = 1 + w/w0;  octave = floor(log2 u), equal cells within an octave:
 //   cell number and place in the cell are the bits of the float u, exact, without a logarithm.
 //
 //   w: |.........|....|..|.||:   <- cells crowd towards the critical ray on either side   :||.|..|....|.........|
 //                            theta_c
 //
-// Rows of the texture (x = cell): 3 a segment, segment 0 = rays that reach the sky, 1 = rays that are captured:
-//   row 0: cos(phi), row 1: sin(phi)/sin(alpha), row 2: phi_end/sin(alpha)
-// as coefficients of 1, f, f^2, f^3, 0 <= f < 1 across the cell. phi_end: angle swept to the sky or to the horizon.
+// strip_fetch: rays that reach the sky, 512 cells an octave in rows of 1024; texel (c0, c1, r0, r1):
+//   cos(phi) = c0 + c1 f, sin(phi)/sin(alpha) = r0 + r1 f, 0 <= f < 1 across the cell. One fetch a ray.
+// ends_fetch: 16 cells an octave, row 0 rays to the sky, row 1 captured ones; phi_end/sin(alpha) as coefficients of 1, f, f^2, f^3.
+//   phi_end: angle swept to the sky or to the horizon. Needed by objects only.
 
-#define STRIP_CELLS_PER_OCTAVE 16
-#define STRIP_ROWS 3
+#define STRIP_CELLS_PER_OCTAVE 512
+#define STRIP_WIDTH 1024
+#define ENDS_CELLS_PER_OCTAVE 16
 
 struct Octave {
     int cell;      // number of the cell
@@ -52,7 +54,7 @@ struct StripRay {
     bool escapes;     // reaches the sky
     float theta;      // angle from the strip's axis
     float w;          // distance from the critical direction, >= 0
-    Octave octave;
+    float u;          // 1 + w/w0
 };
 
 // s = |n x e|, c = n.e of the look direction n (any length) and the outward radial e; strip and axis as in FrameData.
@@ -62,14 +64,9 @@ StripRay strip_locate(float s, float c, vec4 strip, float axis) {
     float w = (ray.theta - strip.x) * strip.z;
     ray.escapes = w > 0.0;
     ray.w = abs(w);
-    ray.octave = octave_cell(1.0 + ray.w * strip.y, STRIP_CELLS_PER_OCTAVE);
+    ray.u = 1.0 + ray.w * strip.y;
     return ray;
 }
 
-vec4 strip_coefficients(StripRay ray, int row) {
-    return strip_fetch(ray.octave.cell, row + (ray.escapes ? 0 : STRIP_ROWS));
-}
-
-// d place / d w of the ray's cell, and d s / d w for s = sin(theta).
-float strip_place_per_w(StripRay ray) { return float(STRIP_CELLS_PER_OCTAVE) / ray.octave.start * frame.strip.y; }
+// d s / d w for s = sin(theta).
 float strip_s_slope(float c) { return frame.strip.z * frame.radial.w * c; }

@@ -53,11 +53,13 @@ Trace trace_pixel(vec2 pixel) {
     trace.stretch_along = sweep.along;
     trace.stretch_across = sweep.ratio;
 #ifdef NEEDS_PHI_END
-    vec4 end_poly = strip_coefficients(ray, 2);
-    float end_ratio = cubic(end_poly, ray.octave.place);
+    Octave octave = octave_cell(ray.u, ENDS_CELLS_PER_OCTAVE);
+    vec4 end_poly = ends_fetch(octave.cell, ray.escapes ? 0 : 1);
+    float end_ratio = cubic(end_poly, octave.place);
+    float end_slope = cubic_slope(end_poly, octave.place) * (float(ENDS_CELLS_PER_OCTAVE) / octave.start * frame.strip.y);
     trace.ray = ray;
     trace.phi_end = end_ratio * trace.s;
-    trace.phi_end_slope = cubic_slope(end_poly, ray.octave.place) * strip_place_per_w(ray) * trace.s + end_ratio * strip_s_slope(trace.c);
+    trace.phi_end_slope = end_slope * trace.s + end_ratio * strip_s_slope(trace.c);
 #endif
 #else
     trace.escapes = true;

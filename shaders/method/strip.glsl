@@ -1,14 +1,12 @@
-// Method strip: two fetches and two cubics, no trigonometry (core/strip.glsl).
+// Method strip: one fetch and two straight lines, no trigonometry (core/strip.glsl).
 Sweep sweep_to_sky(StripRay ray, float s, float c) {
-    vec4 cos_poly = strip_coefficients(ray, 0);
-    vec4 ratio_poly = strip_coefficients(ray, 1);
-    float f = ray.octave.place;
-    float f_per_w = strip_place_per_w(ray);
+    Octave octave = octave_cell(ray.u, STRIP_CELLS_PER_OCTAVE);
+    vec4 line = strip_fetch(octave.cell & (STRIP_WIDTH - 1), octave.cell / STRIP_WIDTH);
+    float f_per_w = float(STRIP_CELLS_PER_OCTAVE) / octave.start * frame.strip.y;
     Sweep sweep;
-    sweep.cos_phi = cubic(cos_poly, f);
-    sweep.ratio = cubic(ratio_poly, f);
-    float cos_slope = cubic_slope(cos_poly, f) * f_per_w;
-    float ratio_slope = cubic_slope(ratio_poly, f) * f_per_w;
-    sweep.along = sweep.cos_phi * (ratio_slope * s + sweep.ratio * strip_s_slope(c)) - sweep.ratio * s * cos_slope;
+    sweep.cos_phi = line.x + octave.place * line.y;
+    sweep.ratio = line.z + octave.place * line.w;
+    float ratio_slope = line.w * f_per_w;
+    sweep.along = sweep.cos_phi * (ratio_slope * s + sweep.ratio * strip_s_slope(c)) - sweep.ratio * s * line.y * f_per_w;
     return sweep;
 }

@@ -55,7 +55,8 @@ Status FrameTables::update(const Scene& scene) {
     if (!rows_stale) return Done{};
     radius_ = scene.camera.r;
     fan_.reset();
-    strip_ = orbit_map_ = {};
+    strip_ = {};
+    orbit_map_ = {};
     ++revision_;
     if (table_ == nullptr) return Done{};
     const auto start = std::chrono::steady_clock::now();
@@ -69,7 +70,8 @@ Status FrameTables::update(const Scene& scene) {
 CoreInput FrameTables::core_input(const Scene& scene) const {
     CoreInput input;
     input.frame = frame_numbers(scene, *spacetime_, fan(), {});
-    input.strip = strip_.view();
+    input.strip = strip_.sky.view();
+    input.ends = strip_.ends.view();
     input.orbit = orbit_map_.view();
     input.lensing = effects_.contains(Effect::kLensing);
     input.aberration = effects_.contains(Effect::kAberration);

@@ -25,7 +25,8 @@ public:
     const Spacetime& spacetime() const { return *spacetime_; }
     const DeflectionTable* table() const { return table_.get(); }   // nullptr in flat space
     const RayFan* fan() const { return fan_ ? &*fan_ : nullptr; }
-    const TexelGrid& strip() const { return strip_; }
+    const TexelGrid& strip() const { return strip_.sky; }
+    const TexelGrid& ends() const { return strip_.ends; }
     const TexelGrid& orbit_map() const { return orbit_map_; }
     int revision() const { return revision_; }                      // grows whenever strip or orbit map change
     double table_ms() const { return table_ms_; }                   // time of the last deflection table
@@ -41,7 +42,8 @@ private:
     std::optional<RayFan> fan_;
     double radius_ = 0.0;
     EffectSet effects_;
-    TexelGrid strip_, orbit_map_;
+    Strip strip_;
+    TexelGrid orbit_map_;
     int revision_ = 0;
     double table_ms_ = 0.0, rows_ms_ = 0.0;
 };

@@ -16,7 +16,7 @@ namespace nullscope {
 namespace {
 
 constexpr unsigned kFrameBinding = 0;
-enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4 };
+enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5 };
 
 template <class T>
 Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
@@ -145,6 +145,7 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     gl::Program made = gl::make_program(source.vertex, source.fragment);
     gl::bind_uniform_block(made, "FrameBlock", kFrameBinding);
     gl::bind_sampler(made, "strip_texture", kStripUnit);
+    gl::bind_sampler(made, "ends_texture", kEndsUnit);
     gl::bind_sampler(made, "orbit_texture", kOrbitUnit);
     gl::bind_sampler(made, "sky_texture", kSkyUnit);
     gl::bind_sampler(made, "disc_texture", kDiscUnit);
@@ -156,6 +157,7 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
 void Renderer::bind_inputs() {
     gl::bind_uniforms(uniforms_, kFrameBinding);
     gl::bind_texture_2d(kStripUnit, strip_);
+    gl::bind_texture_2d(kEndsUnit, ends_);
     gl::bind_texture_2d(kOrbitUnit, orbit_map_);
     gl::bind_texture_cube(kSkyUnit, sky_);
     gl::bind_texture_2d(kDiscUnit, disc_);
@@ -203,6 +205,7 @@ Result<std::vector<RayPixel>> Renderer::trace_middles(const std::vector<Scene>& 
         view.camera.plane_width /= view.camera.width;
         view.camera.width = view.camera.height = 1;
         if (Status status = tables_.update(view); !status) return status.error();
+        if (Status status = load_table(view); !status) return status.error();
         upload_tables();
         upload_block(view, {});
         rays.push_back(draw_rays(target).at(0, 0));
@@ -241,8 +244,9 @@ RayFrame Renderer::draw_rays(const gl::Target& target) {
 
 std::vector<Renderer::TextureLine> Renderer::textures() const {
     std::vector<TextureLine> lines;
-    const TexelGrid &strip = tables_.strip(), &map = tables_.orbit_map();
+    const TexelGrid &strip = tables_.strip(), &ends = tables_.ends(), &map = tables_.orbit_map();
     if (strip.width > 0) lines.push_back({"strip", strip.width, strip.height, strip.bytes()});
+    if (ends.width > 0) lines.push_back({"ray ends", ends.width, ends.height, ends.bytes()});
     if (table_bytes_ > 0) lines.push_back({"deflection table", method_.size + 1, 2 * (method_.size + 1), table_bytes_});
     if (map.width > 0) lines.push_back({"orbit map", map.width, map.height, map.bytes()});
     if (sky_size_ > 0) lines.push_back({"sky", sky_size_, sky_size_, static_cast<std::size_t>(sky_size_) * sky_size_ * 32});  // 6 faces, 4 B, mip levels

@@ -74,7 +74,7 @@ private:
     FrameTables tables_;
     Scene scene_;
     int rows_revision_ = -1;
-    gl::Texture strip_, orbit_map_, sky_, disc_, table_;
+    gl::Texture strip_, ends_, orbit_map_, sky_, disc_, table_;
     std::optional<std::pair<SpacetimeSpec, Method>> table_key_;   // of table_
     std::size_t table_bytes_ = 0;
     double gpu_table_ms_ = 0.0;

@@ -21,7 +21,7 @@ using FrameNumbers = std::array<double, 4 * kFrameVectors>;
 
 struct CoreInput {
     FrameNumbers frame{};
-    TexelView strip, orbit;
+    TexelView strip, ends, orbit;
     bool lensing = true, aberration = false;   // the effects compiled in (a scene without a disc has an empty range of radii)
 };
 

@@ -7,7 +7,7 @@ static_assert(sizeof(FrameData) == kFrameVectors * 4 * sizeof(Real));
 
 struct Inputs {
     FrameData frame;
-    TexelView strip, orbit;
+    TexelView strip, ends, orbit;
 };
 thread_local Inputs inputs;
 #define frame inputs.frame
@@ -17,6 +17,7 @@ vec4 fetch(const TexelView& view, int x, int y) {
     return vec4(texel[0], texel[1], texel[2], texel[3]);
 }
 vec4 strip_fetch(int x, int y) { return fetch(inputs.strip, x, y); }
+vec4 ends_fetch(int x, int y) { return fetch(inputs.ends, x, y); }
 vec4 orbit_fetch(int x, int y) { return fetch(inputs.orbit, x, y); }
 
 #include "core/trig.glsl"
@@ -37,6 +38,7 @@ RayPixel trace_one(const CoreInput& input, double x, double y) {
     for (std::size_t i = 0; i < input.frame.size(); ++i)
         reinterpret_cast<Real*>(&inputs.frame)[i] = static_cast<Real>(input.frame[i]);
     inputs.strip = input.strip;
+    inputs.ends = input.ends;
     inputs.orbit = input.orbit;
     const PixelData data = pixel_data(vec2(static_cast<Real>(x), static_cast<Real>(y)));
     RayPixel pixel;
@@ -53,7 +55,8 @@ RayPixel trace_one(const CoreInput& input, double x, double y) {
 }
 
 #undef STRIP_CELLS_PER_OCTAVE
-#undef STRIP_ROWS
+#undef STRIP_WIDTH
+#undef ENDS_CELLS_PER_OCTAVE
 #undef ORBIT_CELLS_PER_OCTAVE
 #undef ORBIT_ROWS
 #undef DISC_MOST_CROSSINGS

@@ -120,13 +120,17 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
     return files;
 }
 
-std::string declarations(Stage stage, const EffectSet& effects, const Method& method) {
+std::string declarations(Stage stage, const EffectSet& effects, bool ends, const Method& method) {
     std::string text = std::string(shader_file("shared/frame_block.glsl")) +
                        "layout(std140) uniform FrameBlock { FrameData frame; };\n";
     const bool disc = effects.contains(Effect::kDisc);
     if (effects.contains(Effect::kLensing)) {
-        text += "uniform highp sampler2D strip_texture;\n"
-                "vec4 strip_fetch(int x, int y) { return texelFetch(strip_texture, ivec2(x, y), 0); }\n";
+        if (method.kind == MethodKind::kStrip)
+            text += "uniform highp sampler2D strip_texture;\n"
+                    "vec4 strip_fetch(int x, int y) { return texelFetch(strip_texture, ivec2(x, y), 0); }\n";
+        if (ends)
+            text += "uniform highp sampler2D ends_texture;\n"
+                    "vec4 ends_fetch(int x, int y) { return texelFetch(ends_texture, ivec2(x, y), 0); }\n";
         if (method.kind == MethodKind::kTable) text += "uniform highp sampler2D table_texture;\n";
         text += method_constants(method);
         if (disc)
@@ -166,7 +170,7 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
     if (stage == Stage::kPicture) defines.emplace_back("NEEDS_FOOTPRINT");
     for (std::string& define : method_defines(method)) defines.push_back(std::move(define));
 
-    std::string body = declarations(stage, effects, method);
+    std::string body = declarations(stage, effects, ends, method);
     for (const std::string& file : files_of(stage, effects, ends, method, metric)) body += shader_file(file);
     if (display) body += shader_file("effect/display.glsl");
     body += shader_file(stage == Stage::kPicture ? "stage/trace.frag" : "stage/raydata.frag");

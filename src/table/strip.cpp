@@ -2,62 +2,89 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace nullscope {
 namespace {
 
-constexpr int kCellsPerOctave = 16;  // STRIP_CELLS_PER_OCTAVE
-constexpr int kRows = 3;             // STRIP_ROWS
+constexpr int kCoarse = 16;    // ENDS_CELLS_PER_OCTAVE: cubics that follow the fan
+constexpr int kFine = 512;     // STRIP_CELLS_PER_OCTAVE: straight lines that follow the cubics
+constexpr int kWidth = 1024;   // STRIP_WIDTH
+
+using Cubic = std::array<double, 4>;
+double value(const Cubic& c, double f) { return c[0] + f * (c[1] + f * (c[2] + f * c[3])); }
 
 int octaves(const RayFan& fan, Segment segment) {
     return static_cast<int>(std::floor(std::log2(1.0 + fan.w_limit(segment) / fan.w0()))) + 1;
 }
 
-// Coefficients of the cubic through the four Chebyshev nodes of [0, 1].
+// The cubic through the four Chebyshev nodes of [0, 1], as coefficients of 1, f, f^2, f^3.
 constexpr std::array<double, 4> kNodes = {0.038060233744356625, 0.30865828381745514, 0.6913417161825449, 0.9619397662556434};
-std::array<float, 4> cubic_through(const std::array<double, 4>& y) {
+Cubic cubic_through(const std::array<double, 4>& y) {
     // Newton's divided differences, then expanded to powers of f.
     std::array<double, 4> d = y;
     for (int level = 1; level < 4; ++level)
         for (int i = 3; i >= level; --i) d[i] = (d[i] - d[i - 1]) / (kNodes[i] - kNodes[i - level]);
-    std::array<double, 4> c{d[3], 0, 0, 0};  // Horner on polynomials: c = c (f - node) + d
+    Cubic c{d[3], 0, 0, 0};  // Horner on polynomials: c = c (f - node) + d
     int degree = 0;
     for (int i = 2; i >= 0; --i) {
         ++degree;
         for (int p = degree; p >= 1; --p) c[p] = c[p - 1] - kNodes[i] * c[p];
         c[0] = d[i] - kNodes[i] * c[0];
     }
-    return {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2]), static_cast<float>(c[3])};
+    return c;
+}
+
+struct Cell {
+    Cubic cos_phi, ratio, end;
+};
+
+Cell coarse_cell(const RayFan& fan, Segment segment, int cell) {
+    const double u_octave = std::exp2(cell / kCoarse);
+    std::array<double, 4> cos_phi{}, ratio{}, end{};
+    for (int i = 0; i < 4; ++i) {
+        const double u = u_octave * (1.0 + (cell % kCoarse + kNodes[i]) / kCoarse);
+        const FanRay ray = fan.ray(segment, fan.mirrored(segment, (u - 1.0) * fan.w0()));
+        cos_phi[i] = std::cos(ray.phi_end);
+        ratio[i] = std::sin(ray.phi_end) / ray.sin_beta;
+        end[i] = ray.phi_end / ray.sin_beta;
+    }
+    return {cubic_through(cos_phi), cubic_through(ratio), cubic_through(end)};
+}
+
+// The straight line that errs least on [a, b] of a cubic, against 0 ... 1: through its Chebyshev nodes.
+std::array<float, 2> line_along(const Cubic& cubic, double a, double b) {
+    constexpr double kNode = 0.14644660940672624;   // (1 - 1/sqrt 2)/2
+    const double low = value(cubic, a + kNode * (b - a)), high = value(cubic, b - kNode * (b - a));
+    const double slope = (high - low) / (1.0 - 2.0 * kNode);
+    return {static_cast<float>(low - kNode * slope), static_cast<float>(slope)};
 }
 
 }  // namespace
 
-TexelGrid build_strip(const RayFan& fan) {
-    const int sky_cells = octaves(fan, Segment::kSky) * kCellsPerOctave;
-    const int captured_cells = octaves(fan, Segment::kCaptured) * kCellsPerOctave;
-    TexelGrid strip{std::max(sky_cells, captured_cells), 2 * kRows, {}};
-    strip.texels.assign(static_cast<std::size_t>(strip.width) * strip.height * 4, 0.0f);
-    const auto fill = [&](Segment segment, int cell) {
-        const double u_octave = std::exp2(cell / kCellsPerOctave);
-        std::array<std::array<double, 4>, kRows> values{};
-        for (int i = 0; i < 4; ++i) {
-            const double u = u_octave * (1.0 + (cell % kCellsPerOctave + kNodes[i]) / kCellsPerOctave);
-            const FanRay ray = fan.ray(segment, fan.mirrored(segment, (u - 1.0) * fan.w0()));
-            values[0][i] = std::cos(ray.phi_end);
-            values[1][i] = std::sin(ray.phi_end) / ray.sin_beta;
-            values[2][i] = ray.phi_end / ray.sin_beta;
-        }
-        for (int row = 0; row < kRows; ++row) {
-            const auto c = cubic_through(values[row]);
-            const std::size_t line = row + (segment == Segment::kSky ? 0 : kRows);
-            std::copy(c.begin(), c.end(), strip.texels.begin() + 4 * (line * strip.width + cell));
-        }
-    };
+Strip build_strip(const RayFan& fan) {
+    const int sky_cells = octaves(fan, Segment::kSky) * kCoarse, captured_cells = octaves(fan, Segment::kCaptured) * kCoarse;
+    constexpr int kPerCoarse = kFine / kCoarse;
+    Strip strip;
+    strip.sky = {kWidth, (sky_cells * kPerCoarse + kWidth - 1) / kWidth, {}};
+    strip.sky.texels.assign(static_cast<std::size_t>(strip.sky.width) * strip.sky.height * 4, 0.0f);
+    strip.ends = {std::max(sky_cells, captured_cells), 2, {}};
+    strip.ends.texels.assign(static_cast<std::size_t>(strip.ends.width) * 8, 0.0f);
     tbb::parallel_for(0, sky_cells + captured_cells, [&](int i) {
-        if (i < sky_cells) fill(Segment::kSky, i);
-        else fill(Segment::kCaptured, i - sky_cells);
+        const bool sky = i < sky_cells;
+        const int at = sky ? i : i - sky_cells;
+        const Cell cell = coarse_cell(fan, sky ? Segment::kSky : Segment::kCaptured, at);
+        float* end = strip.ends.texels.data() + 4 * (static_cast<std::size_t>(sky ? 0 : strip.ends.width) + at);
+        std::transform(cell.end.begin(), cell.end.end(), end, [](double c) { return static_cast<float>(c); });
+        if (!sky) return;
+        float* out = strip.sky.texels.data() + static_cast<std::size_t>(4) * kPerCoarse * at;
+        for (int j = 0; j < kPerCoarse; ++j, out += 4) {
+            const double a = static_cast<double>(j) / kPerCoarse, b = static_cast<double>(j + 1) / kPerCoarse;
+            const auto c = line_along(cell.cos_phi, a, b), r = line_along(cell.ratio, a, b);
+            out[0] = c[0], out[1] = c[1], out[2] = r[0], out[3] = r[1];
+        }
     });
     return strip;
 }

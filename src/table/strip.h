@@ -1,4 +1,4 @@
-// The strip of shaders/core/strip.glsl: the deflection table's row for the camera's zeta0, as cubic polynomials.
+// The strip of shaders/core/strip.glsl: the deflection table's row for the camera's zeta0.
 #pragma once
 #include <vector>
 
@@ -14,7 +14,13 @@ struct TexelGrid {
     std::size_t bytes() const { return texels.size() * sizeof(float); }
 };
 
-// Interpolation error at most 2e-8 (in cos phi and in sin phi / sin alpha) for w > w0. About 2 core-milliseconds.
-TexelGrid build_strip(const RayFan& fan);
+struct Strip {
+    TexelGrid sky;    // cos(phi) and sin(phi)/sin(alpha) of the rays that reach the sky
+    TexelGrid ends;   // phi_end/sin(alpha) of all rays
+};
+
+// Error of cos(phi) and of sin(phi): (1/512)^2/16 of the second derivative by ln w, at most 2e-6, where the sky moves by 1 rad
+// per rad; less in pixels towards the critical ray. About 1 core-millisecond.
+Strip build_strip(const RayFan& fan);
 
 }  // namespace nullscope

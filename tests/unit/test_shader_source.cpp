@@ -26,7 +26,7 @@ std::vector<EffectSet> all_sets() {
 // Identifiers that belong to one effect.
 struct Mark { Effect effect; std::vector<std::string> words; };
 const std::vector<Mark> kMarks = {
-    {Effect::kLensing, {"strip_locate", "strip_texture", "StripRay"}},
+    {Effect::kLensing, {"strip_locate", "strip_texture", "StripRay", "sweep_to_sky"}},
     {Effect::kAberration, {"aberrate", "Aberration"}},
     {Effect::kDisc, {"disc_cross", "disc_texture", "DiscCrossing", "plane_meet"}},
     {Effect::kTranslucentDisc, {"fade"}},
