@@ -62,7 +62,9 @@ void Renderer::upload_tables() {
     rows_revision_ = tables_.revision();
     strip_ = {};
     orbit_map_ = {};
-    const TexelGrid &strip = tables_.strip(), &map = tables_.orbit_map();
+    ends_ = {};
+    const TexelGrid &strip = tables_.strip(), &ends = tables_.ends(), &map = tables_.orbit_map();
+    if (ends.width > 0) ends_ = gl::make_float_texture(ends.width, ends.height, ends.texels.data());
     if (strip.width > 0) strip_ = gl::make_float_texture(strip.width, strip.height, strip.texels.data());
     if (map.width > 0) orbit_map_ = gl::make_float_texture(map.width, map.height, map.texels.data());
 }
