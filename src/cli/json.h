@@ -1,4 +1,4 @@
-// The little of JSON that is written: flat objects in a list.
+// The little of JSON that is written: objects, lists of them, and both inside objects (raw).
 #pragma once
 #include <fmt/format.h>
 
@@ -38,6 +38,14 @@ private:
     std::string body_;
 };
 
+// In one line, to stand inside an object.
+inline std::string json_array(const std::vector<JsonObject>& objects) {
+    std::string out = "[";
+    for (std::size_t i = 0; i < objects.size(); ++i) out += (i == 0 ? "" : ", ") + objects[i].text();
+    return out + "]";
+}
+
+// A whole file, one object a line.
 inline std::string json_list(const std::vector<JsonObject>& objects) {
     std::string out = "[";
     for (std::size_t i = 0; i < objects.size(); ++i) out += (i == 0 ? "\n  " : ",\n  ") + objects[i].text();

@@ -1,4 +1,171 @@
+// nullscope plan: the chain from a scene to its picture, with what in the scene calls for each link. Needs no OpenGL.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
 #include "cli/command.h"
+#include "cli/json.h"
+#include "render/renderer.h"
+#include "scene/scene_file.h"
+
 namespace nullscope::cli {
-Command add_plan(CLI::App& parent) { return {parent.add_subcommand("plan"), [] { return 1; }}; }
+namespace {
+
+constexpr int kMostCubeFace = 16384;  // px; what drivers allow is said by `nullscope info`
+
+struct Options {
+    std::string scene;
+    bool json = false;
+};
+
+// A table or texture: layers of width x height.
+struct Line {
+    std::string name;
+    long long layers, width, height, bytes;
+    std::string place, reason;  // where it lives; what calls for it
+};
+
+struct Plan {
+    Scene scene;
+    std::vector<EffectReason> effects;
+    std::vector<Line> tables;
+    long long shader_bytes = 0, shader_lines = 0;
+};
+
+long long bytes_of(std::size_t bytes) { return static_cast<long long>(bytes); }
+
+void add_tables(const FrameTables& tables, const Scene& scene, std::vector<Line>& lines) {
+    const DeflectionTable* table = tables.table();
+    if (table == nullptr) return;
+    const std::string metric = fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric);
+    const TexelGrid &strip = tables.strip(), &ends = tables.ends(), &map = tables.orbit_map();
+    lines.push_back(
+        {"deflection table", 3, table->size() + 1, table->size() + 1, bytes_of(table->bytes()), "host", metric});
+    const std::string radius = fmt::format("camera.r = {}", scene.camera.r);
+    lines.push_back({"strip", 1, strip.width, strip.height, bytes_of(strip.bytes()), "GPU", radius});
+    if (ends.width > 0)
+        lines.push_back({"ray ends", 1, ends.width, ends.height, bytes_of(ends.bytes()), "GPU", radius});
+    if (map.width > 0) lines.push_back({"orbit map", 1, map.width, map.height, bytes_of(map.bytes()), "GPU", "[disc]"});
 }
+
+// As Renderer::textures() counts them, once made.
+Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Line>& lines) {
+    if (effects.contains(Effect::kSky)) {
+        const long long size = sky_face_size(scene.camera, kMostCubeFace);
+        lines.push_back({"sky", 6, size, size, 32 * size * size, "GPU",
+                         "camera.fov and camera.size: a texel a pixel"});  // 4 B, mip levels
+    }
+    if (scene.disc) {
+        const auto image = load_disc_image(*scene.disc);
+        if (!image) return image.error();
+        const long long w = image->width, h = image->height;
+        lines.push_back({"disc image", 1, w, h, w * h * 32 / 3, "GPU", "disc.image"});  // 8 B, mip levels
+    }
+    return Done{};
+}
+
+Result<Plan> make_plan(const Scene& scene) {
+    Plan plan{scene, required_effects(scene), {}, 0, 0};
+    FrameTables tables;
+    if (Status made = tables.update(scene); !made) return made.error();
+    add_tables(tables, scene, plan.tables);
+    if (Status added = add_pictures(tables.effects(), scene, plan.tables); !added) return added.error();
+    const std::string shader = shader_source(Stage::kPicture, tables.effects(), Output::kDisplay).fragment;
+    plan.shader_bytes = bytes_of(shader.size());
+    plan.shader_lines = std::count(shader.begin(), shader.end(), '\n');
+    return plan;
+}
+
+std::vector<const EffectRow*> left_out(const Plan& plan) {
+    const EffectSet effects = effect_set(plan.effects);
+    std::vector<const EffectRow*> rows;
+    for (const EffectRow& row : kEffectTable)
+        if (!effects.contains(row.effect)) rows.push_back(&row);
+    return rows;
+}
+
+std::string size_text(long long bytes) {
+    return bytes < 1 << 20 ? fmt::format("{:.1f} KiB", static_cast<double>(bytes) / 1024.0)
+                           : fmt::format("{:.1f} MiB", static_cast<double>(bytes) / 1048576.0);
+}
+
+constexpr std::string_view kPassText =
+    "one triangle over the picture: every pixel traces its ray and shades what it meets";
+
+void print_text(const Plan& plan) {
+    const CameraSpec& camera = plan.scene.camera;
+    fmt::print("{}\n\nEffects\n", plan.scene.name);
+    for (const EffectReason& effect : plan.effects)
+        fmt::print("  {:<18}{}\n", effect_row(effect.effect).key, effect.reason);
+    if (plan.effects.empty()) fmt::print("  none\n");
+    fmt::print("Left out: not compiled, not built, not run\n");
+    for (const EffectRow* row : left_out(plan)) fmt::print("  {:<18}needs: {}\n", row->key, row->needs);
+    fmt::print("Tables and textures\n");
+    for (const Line& t : plan.tables)
+        fmt::print("  {:<18}{:>1} x {:>5} x {:<5} {:>10}  {:<4}  {}\n", t.name, t.layers, t.width, t.height,
+                   size_text(t.bytes), t.place, t.reason);
+    if (plan.tables.empty()) fmt::print("  none\n");
+    fmt::print("Passes\n  {:<18}{} x {} px; {}\n", "picture", camera.width, camera.height, kPassText);
+    fmt::print("Fragment shader\n  {} bytes, {} lines (nullscope capture SCENE --dump-shader prints it)\n",
+               plan.shader_bytes, plan.shader_lines);
+}
+
+std::string json_of(const Plan& plan) {
+    std::vector<JsonObject> effects, off, tables;
+    for (const EffectReason& e : plan.effects) {
+        const EffectRow& row = effect_row(e.effect);
+        effects.push_back(JsonObject().add("effect", row.key).add("reason", e.reason).add("define", row.define));
+    }
+    for (const EffectRow* row : left_out(plan))
+        off.push_back(JsonObject().add("effect", row->key).add("needs", row->needs));
+    long long total = 0;
+    for (const Line& t : plan.tables) {
+        tables.push_back(JsonObject()
+                             .add("name", t.name)
+                             .add("layers", t.layers)
+                             .add("width", t.width)
+                             .add("height", t.height)
+                             .add("bytes", t.bytes)
+                             .add("place", t.place)
+                             .add("reason", t.reason));
+        total += t.bytes;
+    }
+    const auto pass = JsonObject()
+                          .add("name", "picture")
+                          .add("width", plan.scene.camera.width)
+                          .add("height", plan.scene.camera.height)
+                          .add("what", kPassText);
+    const auto shader = JsonObject().add("bytes", plan.shader_bytes).add("lines", plan.shader_lines);
+    JsonObject all;
+    all.add("scene", plan.scene.name).add("metric", plan.scene.spacetime.metric);
+    all.raw("effects", json_array(effects)).raw("left_out", json_array(off)).raw("tables", json_array(tables));
+    all.add("table_bytes", total).raw("passes", json_array({pass})).raw("shader", shader.text());
+    return all.text() + "\n";
+}
+
+int run(const Options& options) {
+    const auto scene = load_scene(options.scene);
+    if (!scene) return report(scene.error());
+    const auto plan = make_plan(*scene);
+    if (!plan) return report(plan.error());
+    if (options.json)
+        fmt::print("{}", json_of(*plan));
+    else
+        print_text(*plan);
+    return 0;
+}
+
+}  // namespace
+
+Command add_plan(CLI::App& parent) {
+    auto options = std::make_shared<Options>();
+    CLI::App* app =
+        parent.add_subcommand("plan", "Say what a scene calls for: effects, tables, textures, passes, shader; and why");
+    app->add_option("scene", options->scene, "Scene file, or the name of one that ships (see: nullscope scenes)")
+        ->required();
+    app->add_flag("--json", options->json, "Print one JSON object");
+    return {app, [options] { return run(*options); }};
+}
+
+}  // namespace nullscope::cli

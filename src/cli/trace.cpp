@@ -1,4 +1,137 @@
+// nullscope trace: single rays, by the reference or through the shader's own text.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "base/atomic_file.h"
+#include "base/progress.h"
 #include "cli/command.h"
+#include "cli/ray_csv.h"
+#include "cli/shader_rays.h"
+#include "reference/ray_plane.h"
+#include "reference/reference.h"
+#include "scene/scene_file.h"
+#include "spacetime/registry.h"
+
 namespace nullscope::cli {
-Command add_trace(CLI::App& parent) { return {parent.add_subcommand("trace"), [] { return 1; }}; }
+namespace {
+
+struct Options {
+    std::string scene, rays, output, with = "reference", method = "auto", context = "auto";
+    int crossings = 0;
+};
+using Records = std::vector<std::optional<RayRecord>>;
+
+// Windings before double precision cannot tell the ray from the critical one: about 12 half turns.
+constexpr int kAllCrossings = 40;
+
+// Ends the ray on the scene's disc if that is opaque; everything along the light ray itself stays.
+void stop_at_disc(const DiscSpec& disc, const RayQuery& query, RayRecord& record) {
+    const Vec3 n = query.orbit ? Vec3{0, 0, 1} : query.n;  // the reduced form lies in the equatorial plane
+    const reference::RayPlane plane(query.orbit ? M_PI / 2 : query.theta, query.orbit ? 0.0 : query.phi, n);
+    for (std::size_t k = 0; k < record.crossings.size(); ++k) {
+        const double r = record.crossings[k].r;
+        if (!(r >= disc.inner && r <= disc.outer)) continue;
+        record.fate = Fate::kHit;
+        record.angle = plane.crossing(static_cast<int>(k) + 1);
+        record.theta_inf = record.phi_inf = record.delay = kNotANumber;
+        return;
+    }
 }
+
+Result<Records> trace_with_reference(const Scene& scene, const RayTable& table, int crossings, Progress& progress) {
+    const bool opaque = scene.disc && scene.disc->opacity >= 1.0;
+    Records records;
+    for (const RayRow& row : table.rows) {
+        auto record = reference::trace_ray(scene, row.query, opaque ? std::max(crossings, kAllCrossings) : crossings);
+        if (!record) return ray_error(table, row, record.error().message);
+        if (opaque) stop_at_disc(*scene.disc, row.query, *record);
+        records.emplace_back(std::move(*record));
+        progress.advance();
+    }
+    return records;
+}
+
+Result<Method> method_of(const Options& options) {
+    if (options.method == "auto") return Method{};
+    auto method = parse_method(options.method);
+    if (!method) return bad_input("--method: " + method.error().message);
+    if (options.with == "gl" || method->kind == MethodKind::kStrip || options.method == "table") return method;
+    return bad_input(fmt::format("--method {}: not with --with {}; allowed: auto, strip and table, or --with gl",
+                                 options.method, options.with));
+}
+
+Result<Records> trace_rows(const Scene& scene, const RayTable& table, const Spacetime& spacetime,
+                           const Options& options) {
+    const auto method = method_of(options);
+    if (!method) return method.error();
+    Progress progress("rays", static_cast<long long>(table.rows.size()));
+    if (options.with == "reference") return trace_with_reference(scene, table, options.crossings, progress);
+    const ShaderTracer tracer = options.with == "gl"       ? ShaderTracer::kGl
+                                : options.with == "core32" ? ShaderTracer::kCore32
+                                                           : ShaderTracer::kCore64;
+    return trace_with_shader(scene, spacetime, table, {tracer, *method, options.context, options.crossings > 0},
+                             [&](long long n) { progress.advance(n); });
+}
+
+int run(const Options& options) {
+    const auto scene = load_scene(options.scene);
+    if (!scene) return report(scene.error());
+    const auto spacetime = make_spacetime(scene->spacetime.metric, scene->spacetime.parameters);
+    if (!spacetime) return report(spacetime.error());
+    const auto table = read_rays(options.rays, **spacetime);
+    if (!table) return report(table.error());
+    const auto records = trace_rows(*scene, *table, **spacetime, options);
+    if (!records) return report(records.error());
+    if (const auto left_out = std::count(records->begin(), records->end(), std::nullopt); left_out > 0)
+        fmt::print(
+            stderr,
+            "nullscope: {} of {} rays left empty: --with {} needs a camera outside the horizon, with r up to {:g}\n",
+            left_out, records->size(), options.with, kFarthestCamera);
+    const std::string text = rays_text(*table, *records, options.crossings);
+    if (options.output.empty()) {
+        std::fwrite(text.data(), 1, text.size(), stdout);
+        return std::fflush(stdout) == 0 ? 0 : report(failed("standard output cannot be written"));
+    }
+    if (Status written = write_text_atomically(options.output, text); !written) return report(written.error());
+    return 0;
+}
+
+}  // namespace
+
+Command add_trace(CLI::App& parent) {
+    auto options = std::make_shared<Options>();
+    CLI::App* app = parent.add_subcommand("trace", "Trace a list of rays: CSV in, CSV out (columns: docs/ray-data.md)");
+    app->add_option("scene", options->scene,
+                    "Scene file, or the name of one that ships; its metric and disc count, its camera does not")
+        ->required();
+    app->add_option("--rays", options->rays,
+                    "CSV with the columns r,theta,phi,n_r,n_theta,n_phi[,frame] or q,zeta0,s; optional at_angle; "
+                    "others pass through")
+        ->required();
+    app->add_option("-o,--output", options->output, "File to write (default: standard output)");
+    app->add_option(
+           "--with", options->with,
+           "reference: double precision, every column. core64, core32: the shader's text as C++ in double and float; "
+           "gl: on the GPU. These three leave delay and turn empty, g unless escaped, at beyond half a turn, and "
+           "every crossing but the first")
+        ->check(CLI::IsMember({"reference", "core64", "core32", "gl"}))
+        ->capture_default_str();
+    app->add_option(
+           "--method", options->method,
+           "How --with gl traces: auto (= strip), strip, table[:SIZE[:LOOKUP]], closed-form, integrate[:ORDER[:STEP]]; "
+           "core64 and core32 have the strip, the reference its own")
+        ->capture_default_str();
+    app->add_option("--crossings", options->crossings,
+                    "List this many crossings of the equatorial plane: r_1, phi_1, ...")
+        ->check(CLI::Range(0, 1000))
+        ->capture_default_str();
+    app->add_option("--context", options->context, "OpenGL context of --with gl: auto, egl, osmesa")
+        ->check(CLI::IsMember({"auto", "egl", "osmesa"}))
+        ->capture_default_str();
+    return {app, [options] { return run(*options); }};
+}
+
+}  // namespace nullscope::cli

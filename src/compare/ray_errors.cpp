@@ -87,7 +87,7 @@ float place_error(const RayPixel& tested, const ExactPixel& exact) {
 
 float PixelErrors::worst_px() const {
     if (end == RayEnd::kDiffers) return kInfinite;
-    if (end == RayEnd::kForgiven) return 0;
+    if (end != RayEnd::kSame) return 0;
     return std::max({sky_px, place_px, angle_px, g_px});
 }
 
@@ -105,6 +105,7 @@ PixelErrors pixel_errors(const RayPixel& tested, const ExactPixel& exact) {
         errors.end = RayEnd::kDiffers;
         return errors;
     }
+    errors.end = RayEnd::kSame;
     errors.escaped = exact.here.fate == Fate::kEscaped;
     errors.hit = exact.here.hit != 0;
     if (errors.escaped) sky_errors(tested, exact, errors);
@@ -121,13 +122,15 @@ Spread spread_of(std::vector<float> values) {
     if (values.empty()) return spread;
     for (float& value : values)
         if (std::isnan(value)) value = kInfinite;
-    const auto rank = [&](double fraction) {
+    auto end = values.end();
+    const auto rank = [&](double fraction) {   // fractions in falling order: each search is among the smaller values only
         const auto n = static_cast<std::size_t>(std::ceil(fraction * static_cast<double>(values.size())));
         const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(n, 1) - 1);
-        std::nth_element(values.begin(), nth, values.end());
+        if (nth != end) std::nth_element(values.begin(), nth, end);
+        end = nth;
         return static_cast<double>(*nth);
     };
-    spread.max = rank(1.0);
+    spread.max = *std::max_element(values.begin(), values.end());
     spread.p999 = rank(0.999);
     spread.median = rank(0.5);
     return spread;

@@ -22,7 +22,8 @@ struct ExactPixel {
     Vec3 camera;              // its place, r_s, world axes: a pixel spans pixel_angle times the distance on the disc
 };
 
-enum class RayEnd : unsigned char { kSame, kForgiven, kDiffers };   // kForgiven: within the band around the exact edge
+// kForgiven: differs within the band around the exact edge.
+enum class RayEnd : unsigned char { kNotCompared, kSame, kForgiven, kDiffers };
 
 // Infinite where the tested value is not finite; 0 where there is nothing to compare.
 struct PixelErrors {
@@ -31,10 +32,10 @@ struct PixelErrors {
     float place_px = 0;      // of the first hit, (u, v) on the disc
     float angle_px = 0;      // of the swept angle
     float g_px = 0;          // of log g
-    RayEnd end = RayEnd::kSame;
+    RayEnd end = RayEnd::kNotCompared;
     bool escaped = false, hit = false;   // what there was to compare
 
-    float worst_px() const;   // infinite for kDiffers, 0 for kForgiven
+    float worst_px() const;   // infinite for kDiffers, 0 for kForgiven and kNotCompared
 };
 
 // Same fate and same object?

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <thread>
+#include <utility>
 
 namespace nullscope {
 namespace {
@@ -15,7 +16,7 @@ constexpr double kStep_px = 1e-4;        // of displaced rays: small against any
 constexpr float kJump_px = 1.0f;         // a place on the disc this far off is another image of the disc, beyond a rim
 constexpr int kBearings = 16;            // of displaced rays round a pixel: 0.98 of the band is covered in every direction
 
-void parallel_rows(int first, int end, const std::function<void(int)>& work) {
+void in_parallel(int first, int end, const std::function<void(int)>& work) {
     const int count = std::max(1, std::min(static_cast<int>(std::thread::hardware_concurrency()), end - first));
     std::atomic<int> next{first};
     std::vector<std::thread> threads;
@@ -60,6 +61,30 @@ ExactPixel with_neighbours(const Band& band, int x, int y) {
     return exact;
 }
 
+void set_camera(ExactPixel& exact, const CameraSpec& camera, int x, int y) {
+    exact.pixel_angle = pixel_angle(camera, x + 0.5, y + 0.5);
+    exact.camera = camera_place(camera);
+}
+
+// Right, below, left, above.
+std::array<std::array<double, 2>, 4> displaced(int x, int y) {
+    const double u = x + 0.5, v = y + 0.5;
+    return {{{u + kStep_px, v}, {u, v + kStep_px}, {u - kStep_px, v}, {u, v - kStep_px}}};
+}
+
+// moved: rays at displaced(x, y). Those to the left and above serve where the others end differently.
+ExactPixel with_displaced(const CameraSpec& camera, int x, int y, const RayPixel& here, const RayPixel* moved) {
+    ExactPixel exact;
+    exact.here = here;
+    set_camera(exact, camera, x, y);
+    for (const int i : {2, 3, 0, 1}) {
+        if (!same_end(moved[i], here)) continue;
+        (i % 2 == 0 ? exact.right : exact.down) = moved[i];
+        (i % 2 == 0 ? exact.right_px : exact.down_px) = i < 2 ? kStep_px : -kStep_px;
+    }
+    return exact;
+}
+
 struct Doubt {
     int x, y;
 };
@@ -70,6 +95,7 @@ public:
     Judge(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, RayMeasures& measures)
         : tested_(tested), camera_(camera), trace_(trace), measures_(measures) {}
 
+    // Compares rows first ... end - 1.
     void band(int first, int end) {
         const int above = std::max(0, first - 1), below = std::min(tested_.height, end + 1);
         std::vector<std::array<double, 2>> positions;
@@ -78,10 +104,10 @@ public:
             for (int x = 0; x < tested_.width; ++x) positions.push_back({x + 0.5, y + 0.5});
         const std::vector<RayPixel> pixels = trace_(positions);
         const Band band{pixels.data(), tested_.width, above, below};
-        parallel_rows(first, end, [&](int y) {
+        in_parallel(first, end, [&](int y) {
             for (int x = 0; x < tested_.width; ++x) {
                 ExactPixel exact = with_neighbours(band, x, y);
-                set_camera(exact, x, y);
+                set_camera(exact, camera_, x, y);
                 errors_at(x, y) = pixel_errors(tested_.at(x, y), exact);
             }
         });
@@ -95,32 +121,16 @@ public:
 
 private:
     PixelErrors& errors_at(int x, int y) { return measures_.pixels[static_cast<std::size_t>(y) * tested_.width + x]; }
-    void set_camera(ExactPixel& exact, int x, int y) const {
-        exact.pixel_angle = pixel_angle(camera_, x + 0.5, y + 0.5);
-        exact.camera = camera_place(camera_);
-    }
 
     void refine(const Band& band, const std::vector<Doubt>& doubts) {
         std::vector<std::array<double, 2>> positions;
         for (const Doubt d : doubts)
-            for (const double step : {kStep_px, -kStep_px}) {
-                positions.push_back({d.x + 0.5 + step, d.y + 0.5});
-                positions.push_back({d.x + 0.5, d.y + 0.5 + step});
-            }
+            for (const auto& position : displaced(d.x, d.y)) positions.push_back(position);
         const std::vector<RayPixel> moved = trace_(positions);
         for (std::size_t i = 0; i < doubts.size(); ++i) {
             const Doubt d = doubts[i];
             if (errors_at(d.x, d.y).end == RayEnd::kDiffers) continue;
-            ExactPixel exact;
-            exact.here = band.at(d.x, d.y);
-            set_camera(exact, d.x, d.y);
-            for (const int side : {1, 0})   // the positive side last: it is kept where both are alike
-                for (const int axis : {0, 1}) {
-                    const RayPixel& beside = moved[4 * i + static_cast<std::size_t>(2 * side + axis)];
-                    if (!same_end(beside, exact.here)) continue;
-                    (axis == 0 ? exact.right : exact.down) = beside;
-                    (axis == 0 ? exact.right_px : exact.down_px) = side == 0 ? kStep_px : -kStep_px;
-                }
+            const ExactPixel exact = with_displaced(camera_, d.x, d.y, band.at(d.x, d.y), moved.data() + 4 * i);
             errors_at(d.x, d.y) = pixel_errors(tested_.at(d.x, d.y), exact);
         }
     }
@@ -144,20 +154,18 @@ private:
         const std::vector<RayPixel> around = trace_(positions);
         for (std::size_t i = 0; i < edges.size(); ++i)
             for (int k = 0; k < kBearings; ++k)
-                if (explains(around[i * kBearings + static_cast<std::size_t>(k)], edges[i]))
+                if (explains(around[i * kBearings + static_cast<std::size_t>(k)], band.at(edges[i].x, edges[i].y),
+                             tested_.at(edges[i].x, edges[i].y)))
                     errors_at(edges[i].x, edges[i].y).end = RayEnd::kForgiven;
     }
 
-    bool explains(const RayPixel& beside, Doubt d) const {
-        const RayPixel& tested = tested_.at(d.x, d.y);
+    bool explains(const RayPixel& beside, const RayPixel& here, const RayPixel& tested) const {
         if (!same_end(beside, tested) || !all_finite(tested)) return false;
-        if (beside.hit == 0) return true;
-        ExactPixel exact;
-        exact.here = beside;
-        set_camera(exact, d.x, d.y);
-        // Nothing is known of the motion here: the same image is told from another one by the swept angle alone.
-        constexpr double kSameImage_rad = 0.5;   // images of the disc lie pi apart
-        return std::abs(tested.angle - beside.angle) < kSameImage_rad || pixel_errors(tested, exact).place_px < kJump_px;
+        if (!same_end(here, tested) || tested.hit == 0) return true;
+        // Both met the disc, on different images of it: the ray beside must meet the tested one.
+        constexpr double kCloser = 0.25;   // of the distance between the images
+        const auto distance = [&](const RayPixel& other) { return std::hypot(other.u - tested.u, other.v - tested.v); };
+        return distance(beside) < kCloser * distance(here);
     }
 
     const RayFrame& tested_;
@@ -169,6 +177,7 @@ private:
 void summarise(const RayFrame& tested, RayMeasures& m) {
     m.not_finite = std::count_if(tested.pixels.begin(), tested.pixels.end(), [](const RayPixel& p) { return !all_finite(p); });
     std::vector<float> forward, sky, place, angle, g;
+    for (auto* values : {&forward, &sky, &angle, &g}) values->reserve(m.pixels.size());
     for (const PixelErrors& e : m.pixels) {
         m.fate_errors += e.end == RayEnd::kDiffers;
         m.forgiven += e.end == RayEnd::kForgiven;
@@ -180,11 +189,12 @@ void summarise(const RayFrame& tested, RayMeasures& m) {
         sky.push_back(e.sky_px);
         g.push_back(e.g_px);
     }
-    m.forward_rad = spread_of(std::move(forward));
-    m.sky_px = spread_of(std::move(sky));
-    m.place_px = spread_of(std::move(place));
-    m.angle_px = spread_of(std::move(angle));
-    m.g_px = spread_of(std::move(g));
+    const std::array<std::pair<Spread*, std::vector<float>*>, 5> all = {
+        {{&m.forward_rad, &forward}, {&m.sky_px, &sky}, {&m.place_px, &place}, {&m.angle_px, &angle}, {&m.g_px, &g}}};
+    in_parallel(0, static_cast<int>(all.size()), [&](int i) {
+        const auto& [spread, values] = all[static_cast<std::size_t>(i)];
+        *spread = spread_of(std::move(*values));
+    });
 }
 
 RayMeasures empty_measures(const RayFrame& tested) {
@@ -209,10 +219,18 @@ Vec3 camera_place(const CameraSpec& camera) {
     return camera.r * Vec3{s * std::cos(camera.phi), s * std::sin(camera.phi), std::cos(camera.theta)};
 }
 
-RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace) {
+ExactPixel exact_pixel(const CameraSpec& camera, const ExactTrace& trace, int x, int y) {
+    std::vector<std::array<double, 2>> positions{{x + 0.5, y + 0.5}};
+    for (const auto& position : displaced(x, y)) positions.push_back(position);
+    const std::vector<RayPixel> pixels = trace(positions);
+    return with_displaced(camera, x, y, pixels[0], pixels.data() + 1);
+}
+
+RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, int row_step) {
     RayMeasures measures = empty_measures(tested);
     Judge judge(tested, camera, trace, measures);
-    for (int y = 0; y < tested.height; y += kBandRows) judge.band(y, std::min(y + kBandRows, tested.height));
+    const int rows = row_step == 1 ? kBandRows : 1;
+    for (int y = 0; y < tested.height; y += std::max(rows, row_step)) judge.band(y, std::min(y + rows, tested.height));
     summarise(tested, measures);
     return measures;
 }
@@ -221,7 +239,7 @@ RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact, co
                                Vec3 camera) {
     RayMeasures measures = empty_measures(tested);
     const Band band{exact.pixels.data(), exact.width, 0, exact.height};
-    parallel_rows(0, exact.height, [&](int y) {
+    in_parallel(0, exact.height, [&](int y) {
         for (int x = 0; x < exact.width; ++x) {
             ExactPixel pixel = with_neighbours(band, x, y);
             pixel.pixel_angle = angle_of(x, y);

@@ -80,12 +80,30 @@ void on_key(GLFWwindow* window, int key, int, int action, int) {
     input.tapped[static_cast<std::size_t>(key)] = true;
 }
 
-void on_button(GLFWwindow* window, int button, int action, int) {
+double ratio_of(GLFWwindow* window) {
+    int width = 0, height = 0, pixels = 0;
+    glfwGetWindowSize(window, &width, &height);
+    glfwGetFramebufferSize(window, &pixels, &height);
+    return width > 0 ? static_cast<double>(pixels) / width : 1.0;
+}
+
+void on_button(GLFWwindow* window, int number, int action, int) {
     Input& input = input_of(window);
     input.happened = true;
-    const bool press = action == GLFW_PRESS;
-    if (button == GLFW_MOUSE_BUTTON_LEFT) input.left = press, input.left_pressed = input.left_pressed || press;
-    if (button == GLFW_MOUSE_BUTTON_RIGHT) input.right = press, input.right_pressed = input.right_pressed || press;
+    if (number != GLFW_MOUSE_BUTTON_LEFT && number != GLFW_MOUSE_BUTTON_RIGHT) return;
+    Button& button = number == GLFW_MOUSE_BUTTON_LEFT ? input.left : input.right;
+    button.held = action == GLFW_PRESS;
+    if (button.held) button.pressed = true, button.pressed_x = input.x, button.pressed_y = input.y;
+    else button.released_x = input.x, button.released_y = input.y;
+}
+
+// glfwGetCursorPos tells where the pointer is by now, not where it was when a button went down.
+void on_move(GLFWwindow* window, double x, double y) {
+    Input& input = input_of(window);
+    const double ratio = ratio_of(window);
+    input.x = ratio * x;
+    input.y = ratio * y;
+    input.moved = true;
 }
 
 void on_wheel(GLFWwindow* window, double x, double y) {
@@ -124,10 +142,13 @@ Window::~Window() {
 
 void Window::listen() {
     glfwSetWindowUserPointer(handle_, &input_);
+    double x = 0.0, y = 0.0;
+    glfwGetCursorPos(handle_, &x, &y);
+    on_move(handle_, x, y);
     glfwSetKeyCallback(handle_, on_key);
     glfwSetMouseButtonCallback(handle_, on_button);
     glfwSetScrollCallback(handle_, on_wheel);
-    glfwSetCursorPosCallback(handle_, [](GLFWwindow* w, double, double) { input_of(w).moved = true; });
+    glfwSetCursorPosCallback(handle_, on_move);
     glfwSetCursorEnterCallback(handle_, [](GLFWwindow* w, int) { input_of(w).happened = true; });
     glfwSetWindowFocusCallback(handle_, [](GLFWwindow* w, int) { input_of(w).happened = true; });
     glfwSetCharCallback(handle_, [](GLFWwindow* w, unsigned) { input_of(w).happened = true; });
@@ -139,14 +160,10 @@ void Window::listen() {
 const Input& Window::poll(double wait_s) {
     input_.pressed.clear();
     input_.tapped.reset();
-    input_.left_pressed = input_.right_pressed = input_.happened = input_.moved = false;
+    input_.left.pressed = input_.right.pressed = input_.happened = input_.moved = false;
     input_.wheel = input_.wheel_sideways = 0.0;
     if (wait_s > 0.0) glfwWaitEventsTimeout(wait_s);
     else glfwPollEvents();
-    glfwGetCursorPos(handle_, &input_.x, &input_.y);
-    const double ratio = pixel_ratio();
-    input_.x *= ratio;
-    input_.y *= ratio;
     input_.shift = input_.held[GLFW_KEY_LEFT_SHIFT] || input_.held[GLFW_KEY_RIGHT_SHIFT];
     return input_;
 }
@@ -162,11 +179,7 @@ PixelSize Window::framebuffer() const {
     return size;
 }
 
-double Window::pixel_ratio() const {
-    int width = 0, height = 0;
-    glfwGetWindowSize(handle_, &width, &height);
-    return width > 0 ? static_cast<double>(framebuffer().width) / width : 1.0;
-}
+double Window::pixel_ratio() const { return ratio_of(handle_); }
 
 double Window::content_scale() const {
     float x = 1.0f, y = 1.0f;

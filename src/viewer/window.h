@@ -23,12 +23,18 @@ struct WindowSpec {
     std::string title;
 };
 
+// A mouse button since the last poll, with where it went down and up: the pointer may have moved on since.
+struct Button {
+    bool pressed = false, held = false;
+    double pressed_x = 0.0, pressed_y = 0.0, released_x = 0.0, released_y = 0.0;
+};
+
 // Since the last poll. Keys are GLFW's numbers; positions are framebuffer pixels from the top left.
 struct Input {
     static constexpr int kKeys = 512;
     std::vector<int> pressed;              // keys that went down, in order
     std::bitset<kKeys> held, tapped;       // down now; went down, even if up again
-    bool left_pressed = false, right_pressed = false, left = false, right = false;
+    Button left, right;
     double x = 0.0, y = 0.0;
     double wheel = 0.0, wheel_sideways = 0.0;
     bool shift = false;

@@ -1,0 +1,274 @@
+#include "cli/ray_csv.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/atomic_file.h"
+#include "base/text.h"
+
+namespace nullscope::cli {
+namespace {
+
+enum Column { kR, kTheta, kPhi, kNr, kNtheta, kNphi, kFrame, kQ, kZeta0, kS, kAtAngle, kColumnCount };
+constexpr std::array<std::string_view, kColumnCount> kNames = {"r",     "theta", "phi",   "n_r", "n_theta", "n_phi",
+                                                               "frame", "q",     "zeta0", "s",   "at_angle"};
+constexpr std::string_view kForms = "r,theta,phi,n_r,n_theta,n_phi[,frame] or q,zeta0,s; either with at_angle";
+
+constexpr double kLargestRadius = 1e30;  // r_s; squares of r and 1/r stay within a double
+constexpr double kLeastQ = 1e-30, kLargestQ = 1e30;
+// q^2 may lie this far (relative) below V(zeta0): rounding of a ray that starts at its turning point.
+constexpr double kTurningSlack = 1e-14;
+
+// A file's own words, made safe for a one-line message.
+std::string shown(std::string_view text) {
+    constexpr std::size_t kMost = 40;
+    std::string out(text.substr(0, kMost));
+    std::replace_if(
+        out.begin(), out.end(), [](unsigned char c) { return c < 0x20 || c > 0x7e; }, '?');
+    return "\"" + out + (text.size() > kMost ? "\"..." : "\"");
+}
+
+Error fault(const std::string& file, int line, std::string_view column, std::string_view what,
+            std::string_view allowed) {
+    return bad_input(fmt::format("{}:{}: {}: {}; allowed: {}", file, line, column, what, allowed));
+}
+
+// The fields of a line without their quotes; nothing if a quote is not closed or something follows a closed one.
+std::optional<std::vector<std::string>> fields_of(std::string_view line) {
+    std::vector<std::string> fields;
+    std::size_t at = 0;
+    while (true) {
+        std::string field;
+        const std::size_t first = std::min(line.find_first_not_of(" \t", at), line.size());
+        if (first < line.size() && line[first] == '"') {
+            at = first + 1;
+            while (true) {
+                const std::size_t quote = line.find('"', at);
+                if (quote == std::string_view::npos) return std::nullopt;
+                field += line.substr(at, quote - at);
+                at = quote + 1;
+                if (at >= line.size() || line[at] != '"') break;
+                field += '"';  // "" stands for one
+                ++at;
+            }
+            at = std::min(line.find_first_not_of(" \t", at), line.size());
+            if (at < line.size() && line[at] != ',') return std::nullopt;
+        } else {
+            const std::size_t comma = std::min(line.find(',', at), line.size());
+            field = trim(line.substr(at, comma - at));
+            at = comma;
+        }
+        fields.push_back(std::move(field));
+        if (at == line.size()) return fields;
+        ++at;
+    }
+}
+
+struct Header {
+    int line = 0;
+    std::size_t fields = 0;
+    std::array<std::optional<std::size_t>, kColumnCount> at;  // field number of each known column
+    bool reduced = false;
+};
+
+std::string missing(const Header& header, Column first, Column last) {
+    std::string list;
+    for (std::size_t c = first; c <= static_cast<std::size_t>(last); ++c)
+        if (!header.at[c]) list += (list.empty() ? "" : ", ") + std::string(kNames[c]);
+    return list;
+}
+
+Result<Header> read_header(const std::string& file, int line, std::string_view text) {
+    const auto fields = fields_of(text);
+    if (!fields) return fault(file, line, "header", "a quote is not closed, or something follows it", kForms);
+    Header header;
+    header.line = line;
+    header.fields = fields->size();
+    for (std::size_t i = 0; i < fields->size(); ++i) {
+        const auto known = std::find(kNames.begin(), kNames.end(), (*fields)[i]);
+        if (known == kNames.end()) continue;
+        auto& place = header.at[static_cast<std::size_t>(known - kNames.begin())];
+        if (place) return fault(file, line, *known, "this column is there twice", "once");
+        place = i;
+    }
+    const std::string general = missing(header, kR, kNphi), reduced = missing(header, kQ, kS);
+    if (general.empty() && reduced.empty())
+        return fault(file, line, "header", "columns of both forms of a ray", kForms);
+    if (!general.empty() && !reduced.empty()) {
+        const bool meant_reduced = reduced.size() < std::string("q, zeta0, s").size();
+        return fault(file, line, "header", "missing: " + (meant_reduced ? reduced : general), kForms);
+    }
+    header.reduced = reduced.empty();
+    return header;
+}
+
+// One row's fields, looked up by column and checked; the first fault is kept.
+class RowReader {
+public:
+    RowReader(const std::string& file, int line, const Header& header, const std::vector<std::string>& fields)
+        : file_(file), line_(line), header_(header), fields_(fields) {}
+
+    bool given(Column column) const { return header_.at[column] && !field(column).empty(); }
+    const std::string& field(Column column) const { return fields_[*header_.at[column]]; }
+    // Empty fields are faults like any other.
+    double number(Column column, double low, double high, std::string_view allowed) {
+        const auto value = parse_number(field(column));
+        if (value && *value >= low && *value <= high) return *value;
+        report(column, fmt::format("{} {}", shown(field(column)), value ? "is out of range" : "is not a finite number"),
+               allowed);
+        return low;
+    }
+    void report(Column column, const std::string& what, std::string_view allowed) {
+        if (!error_) error_ = fault(file_, line_, kNames[column], what, allowed);
+    }
+    const std::optional<Error>& error() const { return error_; }
+
+private:
+    const std::string& file_;
+    int line_;
+    const Header& header_;
+    const std::vector<std::string>& fields_;
+    std::optional<Error> error_;
+};
+
+void read_reduced(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
+    ReducedRay ray;
+    ray.q = row.number(kQ, kLeastQ, kLargestQ, "q from 1e-30 to 1e30");
+    ray.zeta0 = row.number(kZeta0, 1 / kLargestRadius, kLargestRadius, "zeta0 from 1e-30 to 1e30");
+    constexpr std::string_view kEitherWay = "1 (towards the hole) or -1 (away)";
+    const double s = row.number(kS, -1, 1, kEitherWay);
+    if (std::fabs(s) != 1.0) row.report(kS, shown(row.field(kS)) + " is no direction", kEitherWay);
+    ray.s = s > 0.0 ? 1 : -1;
+    const double least = spacetime.lapse_squared(ray.zeta0) * ray.zeta0 * ray.zeta0;
+    if (ray.q * ray.q < least * (1 - kTurningSlack))
+        row.report(
+            kQ, fmt::format("{} is too small: no such ray passes through zeta0 = {}", shown(row.field(kQ)), ray.zeta0),
+            fmt::format("q >= {:.17g}", std::sqrt(least)));
+    query.orbit = ray;
+}
+
+void read_general(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
+    query.r = row.number(kR, 1 / kLargestRadius, kLargestRadius, "r from 1e-30 to 1e30");
+    query.theta = row.number(kTheta, 0, M_PI, "theta in [0, pi]");
+    query.phi = row.number(kPhi, -1e6, 1e6, "phi in [-1e6, 1e6] rad");
+    const auto component = [&](Column c) {
+        return row.number(c, -1e300, 1e300, "a component of the look direction, [-1e300, 1e300]");
+    };
+    const Vec3 n{component(kNr), component(kNtheta), component(kNphi)};
+    const double largest = std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)});
+    if (largest > 0.0)
+        query.n = normalized(n / largest);
+    else
+        row.report(kNr, "the look direction is zero", "n_r, n_theta, n_phi not all zero");
+    if (row.given(kFrame)) {
+        const std::string& frame = row.field(kFrame);
+        query.frame = frame == "rain" ? LocalFrame::kRain : LocalFrame::kStatic;
+        if (frame != "rain" && frame != "static")
+            row.report(kFrame, shown(frame) + " is no frame", "static, rain or nothing");
+    }
+    const double horizon = spacetime.horizon_radius().value_or(0.0);
+    if (query.frame == LocalFrame::kStatic && !(query.r > horizon))
+        row.report(kR, fmt::format("{} is not outside the horizon, where the static frame is", shown(row.field(kR))),
+                   fmt::format("r > {}, or frame = rain", horizon));
+}
+
+Result<RayRow> read_row(const std::string& file, int line, std::string_view text, const Header& header,
+                        const Spacetime& spacetime) {
+    const auto fields = fields_of(text);
+    if (!fields)
+        return fault(file, line, "row", "a quote is not closed, or something follows it",
+                     "\"...\" around whole fields");
+    if (fields->size() != header.fields)
+        return fault(file, line, "row", fmt::format("{} fields", fields->size()),
+                     fmt::format("{}, as many as the header of line {} names", header.fields, header.line));
+    RowReader reader(file, line, header, *fields);
+    RayRow row{line, std::string(text), {}};
+    if (header.reduced)
+        read_reduced(reader, spacetime, row.query);
+    else
+        read_general(reader, spacetime, row.query);
+    if (reader.given(kAtAngle))
+        row.query.at_angle = reader.number(kAtAngle, 0, 1e6, "an angle in [0, 1e6] rad, or nothing");
+    if (reader.error()) return *reader.error();
+    return row;
+}
+
+std::string_view fate_name(Fate fate) {
+    constexpr std::array<std::string_view, 5> kFates = {"escaped", "captured", "other_side", "no_sky", "hit:disc"};
+    return kFates[static_cast<std::size_t>(fate)];
+}
+
+void append(std::string& line, double value) {
+    line += ',';
+    if (std::isfinite(value)) fmt::format_to(std::back_inserter(line), "{:.17g}", value);
+}
+
+}  // namespace
+
+Error ray_error(const RayTable& table, const RayRow& row, const std::string& what) {
+    return bad_input(fmt::format("{}:{}: {}", table.file, row.line, what));
+}
+
+Result<RayTable> parse_rays(std::string_view text, const std::string& file, const Spacetime& spacetime) {
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+    RayTable table{file, {}, {}};
+    std::optional<Header> header;
+    for (int line = 1; !text.empty(); ++line) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view content = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (content.ends_with('\r')) content.remove_suffix(1);
+        const std::size_t first = content.find_first_not_of(" \t");
+        if (first == std::string_view::npos || content[first] == '#') continue;
+        if (!header) {
+            const auto read = read_header(file, line, content);
+            if (!read) return read.error();
+            header = *read;
+            table.header = content;
+            continue;
+        }
+        auto row = read_row(file, line, content, *header, spacetime);
+        if (!row) return row.error();
+        table.rows.push_back(std::move(*row));
+    }
+    if (!header) return fault(file, 1, "header", "there is none", kForms);
+    return table;
+}
+
+Result<RayTable> read_rays(const std::string& path, const Spacetime& spacetime) {
+    const auto text = read_text(path, kLargestRayFile);
+    if (!text) return text.error();
+    return parse_rays(*text, path, spacetime);
+}
+
+std::string rays_text(const RayTable& table, const std::vector<std::optional<RayRecord>>& records, int crossings) {
+    std::string text = table.header + ",fate,theta_inf,phi_inf,angle,delay,g,turn,at";
+    for (int k = 1; k <= crossings; ++k) text += fmt::format(",r_{0},phi_{0}", k);
+    text += '\n';
+    const std::size_t columns = 8 + 2 * static_cast<std::size_t>(crossings);
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        text += table.rows[i].text;
+        if (!records[i]) {
+            text += std::string(columns, ',') + '\n';
+            continue;
+        }
+        const RayRecord& ray = *records[i];
+        text += ',';
+        text += fate_name(ray.fate);
+        for (const double value : {ray.theta_inf, ray.phi_inf, ray.angle, ray.delay, ray.g, ray.turn, ray.at})
+            append(text, value);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(crossings); ++k) {
+            const bool there = k < ray.crossings.size();
+            append(text, there ? ray.crossings[k].r : kNotANumber);
+            append(text, there ? ray.crossings[k].phi : kNotANumber);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace nullscope::cli

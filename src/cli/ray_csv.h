@@ -1,0 +1,41 @@
+// Lists of rays as CSV: what `nullscope trace` reads and prints (docs/ray-data.md has every column).
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "scene/ray.h"
+#include "spacetime/spacetime.h"
+
+namespace nullscope::cli {
+
+inline constexpr std::size_t kLargestRayFile = std::size_t{1} << 30;  // bytes
+
+struct RayRow {
+    int line = 0;      // in the file, from 1
+    std::string text;  // as it stands there: the output repeats it
+    RayQuery query;    // look direction normalised
+};
+
+struct RayTable {
+    std::string file;
+    std::string header;
+    std::vector<RayRow> rows;
+};
+
+// One header line names the columns, in any order; others than those known are passed through. Lines that start with #
+// and empty lines are skipped. Fields may stand in double quotes; lines end with LF or CR LF.
+// Errors: one line "FILE:LINE: COLUMN: what is wrong; allowed: ..." for the first fault.
+Result<RayTable> read_rays(const std::string& path, const Spacetime& spacetime);
+Result<RayTable> parse_rays(std::string_view text, const std::string& file, const Spacetime& spacetime);
+
+// "FILE:LINE: what", safe to print.
+Error ray_error(const RayTable& table, const RayRow& row, const std::string& what);
+
+// The rays' own columns, then what was found: fate, ..., r_1, phi_1, ... A row without a record gets empty fields.
+std::string rays_text(const RayTable& table, const std::vector<std::optional<RayRecord>>& records, int crossings);
+
+}  // namespace nullscope::cli

@@ -1,0 +1,202 @@
+#include "cli/shader_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "cli/session.h"
+#include "reference/ray_plane.h"
+#include "render/frame_tables.h"
+
+namespace nullscope::cli {
+namespace {
+
+constexpr std::size_t kBatch = 1024;  // rays traced between two reports of progress; bounds what is held of views
+
+// A ray as the shader core takes it: camera and look direction, rain frame replaced by a moving camera's.
+struct Start {
+    double r, theta, phi;
+    Vec3 n;
+    Vec3 velocity{0, 0, 0};  // of the camera in the static frame
+};
+
+std::optional<Start> start_of(const RayQuery& query, const Spacetime& spacetime) {
+    const double r = query.orbit ? 1.0 / query.orbit->zeta0 : query.r;
+    if (!(r > spacetime.horizon_radius().value_or(0.0)) || r > kFarthestCamera) return std::nullopt;
+    const double zeta = query.orbit ? query.orbit->zeta0 : 1.0 / r, lapse2 = spacetime.lapse_squared(zeta);
+    if (query.orbit) {  // sin(alpha) = sqrt(V)/q; its cosine as a product
+        const double v = zeta * std::sqrt(lapse2), q = std::max(query.orbit->q, v);
+        return Start{r, M_PI / 2, 0.0, {-query.orbit->s * std::sqrt((q - v) / q * ((q + v) / q)), 0.0, v / q}, {}};
+    }
+    Start start{r, query.theta, query.phi, query.n, {}};
+    if (query.frame == LocalFrame::kRain) start.velocity.x = -std::sqrt(std::max(1.0 - lapse2, 0.0));
+    return start;
+}
+
+// The camera at the start that looks along n; roll is free. Unrotated it looks along -e_r, up is -e_theta, right e_phi.
+Scene view_along(Scene scene, const Start& start) {
+    CameraSpec& camera = scene.camera;
+    camera = {};
+    camera.r = start.r;
+    camera.theta = start.theta;
+    camera.phi = start.phi;
+    camera.velocity = start.velocity;
+    camera.yaw = std::atan2(start.n.z, -start.n.x);
+    camera.pitch = std::atan2(-start.n.y, std::hypot(start.n.x, start.n.z));
+    camera.width = camera.height = 1;
+    camera.plane_width = 1e-6;  // a narrow pixel: footprints, which nobody looks at here, stay finite far out
+    return scene;
+}
+
+// A disc from `inner` to 1e30 r_s: from 0, the whole equatorial plane, of which a ray hits its first crossing; from 1e29,
+// none that a ray meets, so that the views of one camera share their effects, hence their tables.
+Scene with_disc_from(Scene scene, double inner) {
+    scene.disc = DiscSpec{};
+    scene.disc->inner = inner;
+    scene.disc->outer = 1e30;
+    return scene;
+}
+constexpr double kPlane = 1e-30, kOutOfReach = 1e29;
+
+// By symmetry a ray is at `angle` where it meets the equator if it starts that far from it along a meridian: southward
+// from the northern side, or northward over the pole. angle in (0, pi].
+Start moved_to_meet_equator(Start start, double angle) {
+    const double across = std::hypot(start.n.y, start.n.z);
+    const bool over_pole = angle > M_PI / 2;
+    start.theta = std::fabs(M_PI / 2 - angle);
+    start.phi = 0.0;
+    start.n = {start.n.x, over_pole ? -across : across, 0.0};
+    return start;
+}
+
+// The azimuth of `direction`, unwrapped: the value next to what the swept angle says (reference/ray_plane.h).
+double unwrapped_azimuth(const Start& start, double angle, double x, double y) {
+    const double expected = reference::RayPlane(start.theta, start.phi, start.n).azimuth(angle);
+    return expected + std::remainder(std::atan2(y, x) - expected, 2 * M_PI);
+}
+
+RayRecord record_of(const Start& start, const RayPixel& pixel) {
+    RayRecord record;
+    record.fate = pixel.fate;
+    record.angle = pixel.angle;
+    if (pixel.fate != Fate::kEscaped) return record;
+    record.sky = pixel.sky;
+    record.g = pixel.g;
+    record.theta_inf = std::atan2(std::hypot(pixel.sky.x, pixel.sky.y), pixel.sky.z);
+    record.phi_inf = unwrapped_azimuth(start, pixel.angle, pixel.sky.x, pixel.sky.y);
+    return record;
+}
+
+// The middle pixel of every view: in C++ or on the GPU.
+class MiddleTracer {
+public:
+    static Result<MiddleTracer> make(const ShaderRun& run) {
+        MiddleTracer tracer;
+        tracer.kind_ = run.tracer;
+        if (run.tracer != ShaderTracer::kGl) return tracer;
+        auto session = open_session(run.context);
+        if (!session) return session.error();
+        tracer.session_ = std::move(*session);
+        tracer.session_->renderer->set_method(run.method);
+        return tracer;
+    }
+    Result<std::vector<RayPixel>> operator()(const std::vector<Scene>& views) {
+        if (kind_ == ShaderTracer::kGl) return session_->renderer->trace_middles(views);
+        std::vector<RayPixel> pixels;
+        for (const Scene& view : views) {
+            if (Status ready = tables_.update(view); !ready) return ready.error();
+            const CoreInput input = tables_.core_input(view);
+            pixels.push_back(kind_ == ShaderTracer::kCore64 ? trace_core64(input, 0, 0) : trace_core32(input, 0, 0));
+        }
+        return pixels;
+    }
+
+private:
+    ShaderTracer kind_ = ShaderTracer::kCore64;
+    std::optional<Session> session_;
+    FrameTables tables_;
+};
+
+struct Job {
+    std::size_t row;
+    Start start;
+    std::optional<double> at_angle;
+    bool asks_place() const { return at_angle && *at_angle > 0.0 && *at_angle <= M_PI; }
+};
+
+// Up to three views a ray: the scene, the first crossing of the equatorial plane, the place at at_angle.
+class Batch {
+public:
+    Batch(const Scene& scene, bool crossings, bool always_disc)
+        : scene_(scene), plane_(with_disc_from(scene, kPlane)), crossings_(crossings) {
+        if (always_disc && !scene.disc) scene_ = with_disc_from(scene, kOutOfReach);
+    }
+
+    std::vector<Scene> views(std::span<const Job> jobs) const {
+        std::vector<Scene> views;
+        for (const Job& job : jobs) {
+            views.push_back(view_along(scene_, job.start));
+            if (crossings_) views.push_back(view_along(plane_, job.start));
+            if (job.asks_place()) views.push_back(view_along(plane_, moved_to_meet_equator(job.start, *job.at_angle)));
+        }
+        return views;
+    }
+
+    // The views' pixels, in their order.
+    void write(std::span<const Job> jobs, const std::vector<RayPixel>& pixels,
+               std::vector<std::optional<RayRecord>>& records) const {
+        auto next = pixels.begin();
+        for (const Job& job : jobs) {
+            RayRecord record = record_of(job.start, *next++);
+            if (crossings_) {
+                const RayPixel& met = *next++;
+                const double r = std::hypot(met.u, met.v);
+                if (met.hit != 0)
+                    record.crossings.push_back({r, unwrapped_azimuth(job.start, met.angle, met.u, met.v)});
+            }
+            if (job.asks_place()) {
+                const RayPixel& met = *next++;
+                if (met.hit != 0) record.at = 1.0 / std::hypot(met.u, met.v);
+            } else if (job.at_angle && *job.at_angle == 0.0) {
+                record.at = 1.0 / job.start.r;
+            }
+            records[job.row] = std::move(record);
+        }
+    }
+
+private:
+    Scene scene_, plane_;
+    bool crossings_;
+};
+
+}  // namespace
+
+Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& scene, const Spacetime& spacetime,
+                                                                const RayTable& table, const ShaderRun& run,
+                                                                const std::function<void(long long)>& done) {
+    auto trace = MiddleTracer::make(run);
+    if (!trace) return trace.error();
+    std::vector<Job> jobs;
+    bool places = false;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        const RayQuery& query = table.rows[row].query;
+        if (const auto start = start_of(query, spacetime)) jobs.push_back({row, *start, query.at_angle});
+        places = places || query.at_angle;
+    }
+    // Rows of one radius share strip and orbit map.
+    std::stable_sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) { return a.start.r < b.start.r; });
+    // The C++ core always compiles the disc in, so it needs an orbit map.
+    const Batch batch(scene, run.crossings, run.crossings || places || run.tracer != ShaderTracer::kGl);
+    std::vector<std::optional<RayRecord>> records(table.rows.size());
+    for (std::span<const Job> rest = jobs; !rest.empty();) {
+        const auto now = rest.first(std::min(kBatch, rest.size()));
+        const auto pixels = (*trace)(batch.views(now));
+        if (!pixels) return pixels.error();
+        batch.write(now, *pixels, records);
+        done(static_cast<long long>(now.size()));
+        rest = rest.subspan(now.size());
+    }
+    return records;
+}
+
+}  // namespace nullscope::cli

@@ -1,0 +1,33 @@
+// Rays through the shader's own text: each is the middle pixel of a small camera that looks along it.
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "cli/ray_csv.h"
+#include "scene/scene.h"
+#include "shaderlib/method.h"
+
+namespace nullscope::cli {
+
+enum class ShaderTracer { kCore64, kCore32, kGl };
+
+struct ShaderRun {
+    ShaderTracer tracer = ShaderTracer::kCore64;
+    Method method;                 // of kGl; the C++ core has the strip only
+    std::string context = "auto";  // of kGl, as in open_session
+    bool crossings = false;        // find the first crossing of the equatorial plane
+};
+
+// In the order of the table's rows; nothing for a ray whose camera cannot stand in a static frame outside the horizon
+// (or lies beyond kFarthestCamera). Of a record these stay empty: delay and turn; g unless escaped; `at` beyond half a
+// turn; all crossings but the first. done(n): n more rows are traced.
+Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& scene, const Spacetime& spacetime,
+                                                                const RayTable& table, const ShaderRun& run,
+                                                                const std::function<void(long long)>& done);
+
+inline constexpr double kFarthestCamera = 1e9;  // r_s, as in scene files: the shader's floats hold 1/r and its square
+
+}  // namespace nullscope::cli

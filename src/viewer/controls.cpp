@@ -1,0 +1,121 @@
+#include "viewer/controls.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "camera/pose.h"
+#include "viewer/fly_camera.h"
+
+namespace nullscope::viewer {
+namespace {
+
+constexpr double kFlight = 0.7;         // 1/s: a second of W leaves exp(-0.7), a half, of the distance to the horizon
+constexpr double kTurn = 0.8;           // rad/s of Q and E
+constexpr double kWheelStep = 0.15;     // of log(r - horizon) a notch
+constexpr double kWheelRate = 12.0;     // 1/s: how fast that is worked off
+constexpr double kWheelRest = 1e-3;     // below this the rest is done at once
+constexpr double kZoomStep = 0.08;      // of log tan(fov/2) a notch
+constexpr double kRollRadius = 12.0;    // px about the picture's middle where the angle of the pointer says nothing
+
+double axis(const Input& input, int plus, int minus) {
+    return (input.down(plus) ? 1.0 : 0.0) - (input.down(minus) ? 1.0 : 0.0);
+}
+
+void store_orientation(const Mat3& world_from_camera, CameraSpec& camera) {
+    FlyCamera flying = fly_camera(camera);
+    flying.world_from_camera = world_from_camera;
+    const CameraSpec before = camera;
+    write_spec(flying, camera);
+    camera.r = before.r, camera.theta = before.theta, camera.phi = before.phi, camera.velocity = before.velocity;
+}
+
+}  // namespace
+
+bool Controls::apply(const Input& input, ViewState& view, double dt_s, bool panel_has_mouse, bool panel_has_keys) {
+    in_motion_ = false;
+    start_drag(input, view.scene.camera, panel_has_mouse);
+    bool changed = drag(input, view.scene.camera);
+    changed = wheel(input, view, dt_s, panel_has_mouse) || changed;
+    if (!panel_has_keys) changed = keys(input, view, dt_s) || changed;
+    return changed;
+}
+
+void Controls::start_drag(const Input& input, const CameraSpec& camera, bool panel_has_mouse) {
+    if (panel_has_mouse || drag_ != Drag::kNone) return;
+    if (input.left.pressed) drag_ = Drag::kLook;
+    else if (input.right.pressed) drag_ = Drag::kRoll;
+    else return;
+    const Button& button = drag_ == Drag::kLook ? input.left : input.right;
+    x_ = button.pressed_x, y_ = button.pressed_y;
+    grabbed_ = pixel_direction(camera, x_, y_);
+    grabbed_from_ = fly_camera(camera).world_from_camera;
+}
+
+// The look follows from where it was grabbed, not from the last frame: a hand that comes back brings the picture back.
+bool Controls::drag(const Input& input, CameraSpec& camera) {
+    if (drag_ == Drag::kNone) return false;
+    const Drag kind = drag_;
+    const Button& button = kind == Drag::kLook ? input.left : input.right;
+    if (!button.held) drag_ = Drag::kNone;
+    const double x = button.held ? input.x : button.released_x, y = button.held ? input.y : button.released_y;
+    if (x == x_ && y == y_) return false;
+    if (kind == Drag::kLook) {
+        store_orientation(dragged(grabbed_from_, grabbed_, pixel_direction(camera, x, y)), camera);
+    } else {
+        const double ax = x_ - 0.5 * camera.width, ay = 0.5 * camera.height - y_;
+        const double bx = x - 0.5 * camera.width, by = 0.5 * camera.height - y;
+        const bool far = std::min(std::hypot(ax, ay), std::hypot(bx, by)) > kRollRadius;
+        const double turned = far ? std::atan2(ax * by - ay * bx, ax * bx + ay * by) : 0.0;
+        store_orientation(rolled(fly_camera(camera).world_from_camera, turned), camera);
+    }
+    x_ = x, y_ = y;
+    return true;
+}
+
+bool Controls::wheel(const Input& input, ViewState& view, double dt_s, bool panel_has_mouse) {
+    bool changed = false;
+    // Some systems turn the wheel sideways while shift is down.
+    const double notches = input.wheel + (input.shift ? input.wheel_sideways : 0.0);
+    if (!panel_has_mouse && notches != 0.0) {
+        CameraSpec& camera = view.scene.camera;
+        if (input.shift) {
+            set_fov(camera, 2.0 * std::atan(std::tan(0.5 * fov_of(camera)) * std::exp(-kZoomStep * notches)));
+            changed = true;
+        } else {
+            approach_ -= kWheelStep * notches;
+        }
+    }
+    if (approach_ == 0.0) return changed;
+    const double part = std::fabs(approach_) < kWheelRest ? approach_ : approach_ * (1.0 - std::exp(-kWheelRate * dt_s));
+    approach_ -= part;
+    in_motion_ = approach_ != 0.0;
+    if (const auto spacetime = spacetime_of(view.scene))
+        view.scene.camera.r = scaled_radius(view.scene.camera.r, part, flight_range(*spacetime));
+    return true;
+}
+
+bool Controls::keys(const Input& input, ViewState& view, double dt_s) {
+    const Vec3 move{axis(input, GLFW_KEY_D, GLFW_KEY_A), axis(input, GLFW_KEY_SPACE, GLFW_KEY_C), axis(input, GLFW_KEY_S, GLFW_KEY_W)};
+    const double roll = axis(input, GLFW_KEY_E, GLFW_KEY_Q);
+    const bool moves = length(move) > 0.0;
+    if (!moves && roll == 0.0) return false;
+    in_motion_ = true;
+    const auto spacetime = spacetime_of(view.scene);
+    if (spacetime == nullptr) return false;
+    CameraSpec& camera = view.scene.camera;
+    if (roll != 0.0) {
+        store_orientation(rolled(fly_camera(camera).world_from_camera, roll * kTurn * dt_s), camera);
+        drag_ = Drag::kNone;   // what was grabbed is not under the pointer any more
+    }
+    if (moves) {
+        FlyCamera flying = fly_camera(camera);
+        fly(flying, kFlight * dt_s * normalized(move), *spacetime);
+        write_spec(flying, camera);
+    }
+    return true;
+}
+
+}  // namespace nullscope::viewer

@@ -1,0 +1,35 @@
+// Hands to camera: drags, wheel and flight keys.
+#pragma once
+#include <optional>
+
+#include "base/vec.h"
+#include "viewer/view_state.h"
+#include "viewer/window.h"
+
+namespace nullscope::viewer {
+
+class Controls {
+public:
+    // Moves view.scene.camera by what the hands did in the last dt_s seconds; true if anything moved. Mouse and keys are
+    // left alone where a panel has them.
+    bool apply(const Input& input, ViewState& view, double dt_s, bool panel_has_mouse, bool panel_has_keys);
+    // A key is held or the wheel's motion has not run out: another frame is due without waiting for events.
+    bool in_motion() const { return in_motion_; }
+    bool dragging() const { return drag_ != Drag::kNone; }
+
+private:
+    enum class Drag { kNone, kLook, kRoll };
+    void start_drag(const Input& input, const CameraSpec& camera, bool panel_has_mouse);
+    bool drag(const Input& input, CameraSpec& camera);
+    bool wheel(const Input& input, ViewState& view, double dt_s, bool panel_has_mouse);
+    bool keys(const Input& input, ViewState& view, double dt_s);
+
+    Drag drag_ = Drag::kNone;
+    double x_ = 0.0, y_ = 0.0;   // the pointer when the picture was last moved
+    Vec3 grabbed_;               // camera axes, in the orientation grabbed_from_
+    Mat3 grabbed_from_;
+    double approach_ = 0.0;      // of log(r - horizon), still to go
+    bool in_motion_ = false;
+};
+
+}  // namespace nullscope::viewer

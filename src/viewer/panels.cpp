@@ -1,0 +1,129 @@
+#include "viewer/panels.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "viewer/sections.h"
+
+namespace nullscope::viewer {
+namespace {
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+constexpr float kPanelWidth = 19.0f;   // of the font's size
+constexpr float kMargin = 0.6f;
+
+constexpr std::pair<const char*, const char*> kKeys[] = {
+    {"Left drag", "look: what is grabbed follows the hand"},
+    {"Right drag, Q E", "roll"},
+    {"Wheel", "distance to the horizon"},
+    {"Shift + wheel", "field of view"},
+    {"W S", "fly ahead, back"},
+    {"A D", "fly left, right"},
+    {"Space C", "fly up, down"},
+    {"R", "the scene's own camera"},
+    {"Tab", "panels on and off"},
+    {"F1", "this list on and off"},
+    {"F12", "save the picture, without panels"},
+    {"Escape", "quit"},
+};
+
+float em() { return ImGui::GetFontSize(); }
+float status_height() { return ImGui::GetFrameHeight() + 0.2f * em(); }
+
+bool section(const char* name, bool open) {
+    return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+}
+
+bool side_panel(ViewState& view, bool escape) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float margin = kMargin * em(), tallest = std::max(screen.y - status_height() - 2.0f * margin, 4.0f * em());
+    const float width = std::min(kPanelWidth * em(), std::max(screen.x - 2.0f * margin, 4.0f * em()));
+    ImGui::SetNextWindowPos({margin, margin});
+    ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, tallest});
+    bool changed = false;
+    const ImGuiWindowFlags flags = (kFixed & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize;
+    if (ImGui::Begin("##side", nullptr, flags)) {
+        const auto any = [&changed](bool one) { changed = changed || one; };
+        any(scene_section(view, escape));
+        // ImGui names widgets by section: several have a "Brightness".
+        const auto part = [&](const char* name, bool open, auto&& body) {
+            if (!section(name, open)) return;
+            ImGui::PushID(name);
+            any(body());
+            ImGui::PopID();
+        };
+        part("Camera", true, [&] { return camera_section(view); });
+        part("Boost", true, [&] { return boost_section(view); });
+        part("Lens", true, [&] { return lens_section(view); });
+        part("Disc", false, [&] { return disc_section(view); });
+        part("Sky", false, [&] { return sky_section(view, escape); });
+        part("Spacetime", false, [&] { return spacetime_section(view, escape); });
+    }
+    ImGui::End();
+    return changed;
+}
+
+void status_line(const FrameFacts& facts) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.0f, screen.y - status_height()});
+    ImGui::SetNextWindowSize({screen.x, status_height()});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kMargin * em(), 0.25f * em()});
+    if (ImGui::Begin("##status", nullptr, kFixed | ImGuiWindowFlags_NoInputs)) {
+        const std::string rate = facts.fps > 0.0 ? fmt::format("{:.0f} fps", facts.fps) : "idle";
+        ImGui::TextUnformatted(fmt::format("{:.1f} ms  {}", facts.picture_ms, rate).c_str());
+        const std::string rest = fmt::format("{} x {}     table {:.0f} ms, rows {:.1f} ms     OpenGL {}     {}", facts.size.width,
+                                             facts.size.height, facts.table_ms, facts.rows_ms, facts.version, facts.renderer);
+        ImGui::SameLine(9.5f * em());
+        ImGui::TextDisabled("%s", rest.c_str());
+        const char* hint = "F1 keys   Tab panels";
+        const float left = screen.x - ImGui::CalcTextSize(hint).x - kMargin * em();
+        if (9.5f * em() + ImGui::CalcTextSize(rest.c_str()).x + em() < left) {
+            ImGui::SameLine(left);
+            ImGui::TextDisabled("%s", hint);
+        }
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(3);
+}
+
+void keys_window() {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x - kMargin * em(), kMargin * em()}, ImGuiCond_Always, {1.0f, 0.0f});
+    if (ImGui::Begin("##keys", nullptr, kFixed | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs)) {
+        for (const auto& [keys, what] : kKeys) {
+            ImGui::TextUnformatted(keys);
+            ImGui::SameLine(8.5f * em());
+            ImGui::TextDisabled("%s", what);
+        }
+    }
+    ImGui::End();
+}
+
+void message_window(const std::string& message) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5f * screen.x, screen.y - status_height() - em()}, ImGuiCond_Always, {0.5f, 1.0f});
+    if (ImGui::Begin("##message", nullptr, kFixed | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs))
+        ImGui::TextUnformatted(message.c_str());
+    ImGui::End();
+}
+
+}  // namespace
+
+bool draw_panels(ViewState& view, const FrameFacts& facts, const std::string& message, bool escape) {
+    bool changed = false;
+    if (view.show_panels) {
+        changed = side_panel(view, escape);
+        status_line(facts);
+    }
+    if (view.show_keys) keys_window();
+    if (!message.empty()) message_window(message);
+    return changed;
+}
+
+}  // namespace nullscope::viewer

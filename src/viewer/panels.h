@@ -1,0 +1,21 @@
+// What lies over the picture: side panel, status line, keys, messages.
+#pragma once
+#include <string>
+
+#include "viewer/view_state.h"
+#include "viewer/window.h"
+
+namespace nullscope::viewer {
+
+struct FrameFacts {
+    double picture_ms = 0.0;     // of the last picture, without panels
+    double fps = 0.0;            // while frames follow each other; 0: drawn on demand
+    double table_ms = 0.0, rows_ms = 0.0;
+    PixelSize size;
+    std::string renderer, version;
+};
+
+// Between ImGui's NewFrame and Render. True when the scene changed. message: shown until it is empty again.
+bool draw_panels(ViewState& view, const FrameFacts& facts, const std::string& message, bool escape);
+
+}  // namespace nullscope::viewer

@@ -1,0 +1,54 @@
+#include "viewer/view_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "spacetime/registry.h"
+#include "viewer/fly_camera.h"
+
+namespace nullscope::viewer {
+
+Status load_into(ViewState& view, const std::string& file_or_name) {
+    auto loaded = load_scene(file_or_name);
+    if (!loaded) {
+        view.error = loaded.error().message;
+        return loaded.error();
+    }
+    view.source = file_or_name;
+    view.loaded = view.scene = std::move(*loaded);
+    if (view.scene.disc) view.hidden_disc = *view.scene.disc;
+    if (const double speed = length(view.scene.camera.velocity); speed > 0.0)
+        view.boost_direction = view.scene.camera.velocity / speed;
+    view.error.clear();
+    return Done{};
+}
+
+void reset_camera(ViewState& view) {
+    const int width = view.scene.camera.width, height = view.scene.camera.height;
+    view.scene.camera = view.loaded.camera;
+    view.scene.camera.width = width;
+    view.scene.camera.height = height;
+    keep_outside_horizon(view.scene);
+}
+
+std::shared_ptr<const Spacetime> spacetime_of(const Scene& scene) {
+    auto made = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+    return made ? *made : nullptr;
+}
+
+void keep_outside_horizon(Scene& scene) {
+    const auto spacetime = spacetime_of(scene);
+    if (spacetime == nullptr) return;
+    const FlightRange range = flight_range(*spacetime);
+    if (!(scene.camera.r > range.horizon)) scene.camera.r = range.nearest;
+}
+
+double fov_of(const CameraSpec& camera) { return 2.0 * std::atan2(0.5 * camera.plane_width, camera.focal_distance); }
+
+void set_fov(CameraSpec& camera, double fov) {
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    camera.plane_width = 2.0 * camera.focal_distance * std::tan(0.5 * std::clamp(fov, 1.0 * kDegree, 170.0 * kDegree));
+}
+
+}  // namespace nullscope::viewer

@@ -1,0 +1,70 @@
+"""Runs the real nullscope and judges how it ends.
+
+Usage of every test here: test_NAME.py PATH-OF-NULLSCOPE [unittest options]
+"""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+BINARY = str(Path(sys.argv.pop(1)).resolve())
+VECTORS = Path(__file__).resolve().parent.parent / "vectors"
+SMALL = "48x27"      # px; large enough for a shadow, quick on a software driver
+LONGEST_S = 300      # a run that takes longer hangs
+
+
+class Ran:
+    """Exit status, standard output and standard error of one run."""
+
+    def __init__(self, done):
+        self.status = done.returncode
+        self.out = done.stdout.decode("utf-8", "replace")
+        self.err = done.stderr.decode("utf-8", "replace")
+
+    def __str__(self):
+        return f"status {self.status}\nstdout: {self.out[:2000]}\nstderr: {self.err[:2000]}"
+
+
+class CliTest(unittest.TestCase):
+    def setUp(self):
+        self._folder = tempfile.TemporaryDirectory(prefix="nullscope-cli-")
+        self.addCleanup(self._folder.cleanup)
+        self.folder = Path(self._folder.name)
+
+    def write(self, name, content):
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return str(path)
+
+    def run_nullscope(self, *arguments, status=0):
+        done = subprocess.run([BINARY, *map(str, arguments)], capture_output=True, timeout=LONGEST_S, cwd=self.folder,
+                              env={**os.environ, "MESA_SHADER_CACHE_DISABLE": "true"})
+        ran = Ran(done)
+        self.assertEqual(ran.status, status, f"nullscope {' '.join(map(str, arguments))}\n{ran}")
+        return ran
+
+    def refused(self, *arguments, status=2, says=()):
+        """One line on standard error with every word of `says`, nothing on standard output, no file more or less."""
+        before = sorted(p.name for p in self.folder.rglob("*"))
+        ran = self.run_nullscope(*arguments, status=status)
+        self.assertEqual(ran.out, "", ran)
+        self.assertTrue(ran.err.startswith("nullscope: ") and ran.err.endswith("\n"), ran)
+        self.assertEqual(ran.err.count("\n"), 1, ran)
+        self.assertFalse([c for c in ran.err[:-1] if ord(c) < 0x20 or c == "\x7f"], ran)
+        for word in says:
+            self.assertIn(word, ran.err)
+        self.assertEqual(sorted(p.name for p in self.folder.rglob("*")), before, "files were left behind or lost")
+        return ran.err
+
+    def contexts(self):
+        """The contexts that work here; at least one."""
+        out = self.run_nullscope("info").out
+        found = [kind for kind in ("egl", "osmesa") if f"{kind}: OpenGL" in out]
+        self.assertTrue(found, out)
+        return found
+
+
+def main():
+    unittest.main()

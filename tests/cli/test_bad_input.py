@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+"""Bad input: one line that says file, line, key and allowed range where they exist, status 2 or 1, and no file left."""
+import os
+import unittest
+
+import support
+
+RAYS = "r,theta,phi,n_r,n_theta,n_phi\n"
+GOOD = "10,1.5,0,-1,0,0.1\n"
+
+
+class Usage(support.CliTest):
+    def test_commands_and_options(self):
+        self.refused(says=["a command is missing", "capture", "--help"])
+        self.refused("captur", says=["captur", "nearest: capture"])
+        self.refused("capture", says=["scene", "capture --help"])
+        self.refused("capture", "flat", "--contxt", "egl", says=["--contxt", "nearest: --context"])
+        self.refused("capture", "flat", "--context", "vulkan", says=["vulkan", "egl", "osmesa"])
+        self.refused("trace", "flat", says=["--rays"])
+        self.refused("trace", "flat", "--rays", "x.csv", "--with", "gpu", says=["gpu", "core64"])
+        self.refused("trace", "flat", "--rays", "x.csv", "--crossings", "-1", says=["--crossings", "0"])
+        self.refused("capture", "a\nb", "c\n\x1b[31md", says=["not expected"])
+        self.refused("bench", says=["frames"])
+        self.refused("plan", "flat", "--xml", says=["--xml"])
+
+    def test_sizes(self):
+        for size in ("0x0", "1x", "x1", "-3x4", "99999999x1", "1.5x2", "axb", "10x10x10", "1e400x1", "nanx1"):
+            self.refused("capture", "flat", f"--size={size}", "-o", "a.png", says=["--size", "1x1", "65536x65536"])
+        self.refused("capture", "flat", "--size", "65536x1", "-o", "a.png", says=["65536x1", "allowed"])
+
+    def test_outputs(self):
+        (self.folder / "folder.png").mkdir()
+        self.write("file", "")
+        small = ("--size", "16x9")
+        self.refused("capture", "flat", *small, "-o", "a.bmp", says=["a.bmp", ".png", ".exr"])
+        self.refused("capture", "flat", *small, "-o", "a.png", "--raydata", says=["--raydata", ".exr"])
+        self.refused("capture", "flat", *small, "-o", "nowhere/a.png", status=1, says=["nowhere/a.png", "No such file"])
+        self.refused("capture", "flat", *small, "-o", "file/a.png", status=1, says=["file/a.png"])
+        self.refused("capture", "flat", *small, "-o", "folder.png", status=1, says=["folder.png", "directory"])
+        self.refused("capture", "flat", *small, "-o", "nowhere/a.exr", status=1, says=["nowhere/a.exr"])
+        rays = self.write("rays.csv", RAYS + GOOD)
+        self.refused("trace", "flat", "--rays", rays, "-o", "nowhere/a.csv", status=1, says=["nowhere/a.csv"])
+        self.refused("trace", "flat", "--rays", rays, "-o", "folder.png", status=1, says=["folder.png", "directory"])
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_folder_without_permission(self):
+        locked = self.folder / "locked"
+        locked.mkdir(mode=0o500)
+        output = ("-o", locked / "a.png")
+        self.refused("capture", "flat", "--size", "16x9", *output, status=1, says=["locked/a.png", "ermission"])
+
+
+class Scenes(support.CliTest):
+    COMMANDS = (("capture", "-o", "a.png"), ("capture", "--dump-shader"), ("plan",), ("trace", "--rays", "none.csv"))
+
+    def everywhere(self, scene, says):
+        for command, *options in self.COMMANDS:
+            self.refused(command, scene, *options, says=says)
+
+    def test_no_such_scene(self):
+        self.everywhere("first-lihgt", ["first-lihgt", "nearest: first-light"])
+        self.everywhere("nowhere/scene.toml", ["nowhere/scene.toml"])
+        self.everywhere(".", ["folder"])
+        self.everywhere("a\x1b[2Jb\nc", ["no such file"])
+
+    def test_broken_files(self):
+        self.everywhere(self.write("broken.toml", "[camera\nr = 3\n"), ["broken.toml:1"])
+        self.everywhere(self.write("binary.toml", bytes(range(256)) * 40), ["binary.toml:1"])
+        self.everywhere(self.write("deep.toml", "a" + ".a" * 5000 + " = 1\n"), ["deep.toml:1", "dots"])
+
+    def test_keys_and_values(self):
+        cases = {
+            "[camera]\n\nfoov = 60\n": [":3:", "camera.foov", "unknown key", "nearest known key: camera.fov"],
+            "[camera]\nr = 0.5\n": [":2:", "camera.r", "0.5", "allowed: r > 1"],
+            "[camera]\nr = 1\n": [":2:", "camera.r", "allowed: r > 1"],
+            "[camera]\nvelocity = [0.0, 0.6, 0.8]\n": [":2:", "camera.velocity", "below 1"],
+            "[camera]\nvelocity = [2.0, 0.0, 0.0]\n": [":2:", "camera.velocity", "below 1"],
+            "[camera]\nfov = 180\n": [":2:", "camera.fov", "(0, 180)"],
+            "[camera]\nsize = [0, 10]\n": [":2:", "camera.size", "16384"],
+            "[camera]\ntheta = nan\n": [":2:", "camera.theta", "[0, 180]"],
+            "[camera]\nr = \"far\"\n": [":2:", "camera.r"],
+            "[spacetime]\nmetric = \"schwarzshild\"\n": [":2:", "spacetime.metric", "schwarzschild"],
+            "[sky]\nkind = \"image\"\nimage = \"none.png\"\n": [":3:", "sky.image", "none.png"],
+            "[disc]\ninner = 5\nouter = 4\n": [":2:", "disc.inner", "inner < outer"],
+        }
+        for text, says in cases.items():
+            self.everywhere(self.write("bad.toml", text), ["bad.toml"] + says)
+
+    def test_images_that_are_none(self):
+        self.write("fake.png", b"this is no image" * 100)
+        self.write("cut.png", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x10")
+        self.write("fake.exr", b"\x76\x2f\x31\x01" + bytes(200))
+        for image in ("fake.png", "cut.png", "fake.exr"):
+            sky = self.write("sky.toml", f'[sky]\nkind = "image"\nimage = "{image}"\n')
+            disc = self.write("disc.toml", f'[disc]\nimage = "{image}"\n')
+            for scene in (sky, disc):
+                for renderer in ("gl", "reference"):
+                    options = ("--size", "16x9", "--renderer", renderer, "-o", "a.png")
+                    self.refused("capture", scene, *options, says=[image])
+            self.refused("plan", disc, says=[image])
+
+
+class Rays(support.CliTest):
+    def bad_rays(self, text, *says, scene="sky-only"):
+        rays = self.write("rays.csv", text)
+        for tracer in ("reference", "core64"):
+            self.refused("trace", scene, "--rays", rays, "--with", tracer, "-o", "out.csv", says=["rays.csv", *says])
+
+    def test_files(self):
+        self.refused("trace", "flat", "--rays", "none.csv", says=["none.csv", "no such file"])
+        self.refused("trace", "flat", "--rays", ".", says=["directory"])
+        self.bad_rays("", ":1: header", "allowed: r,theta,phi")
+        self.bad_rays("# only a comment\n\n", ":1: header")
+        self.bad_rays(bytes(range(256)) * 40, ": header: missing")
+        self.bad_rays(b"\x1b[2J\x07\0" * 5, ": header: missing")
+        self.bad_rays("x" * 1000000, ":1: header: missing")
+
+    def test_headers(self):
+        self.bad_rays("r,theta,phi,n_r,n_phi\n", ":1: header: missing: n_theta;", "or q,zeta0,s")
+        self.bad_rays("# a\n\nq,zeta0\n0.5,0.1\n", ":3: header: missing: s;")
+        self.bad_rays("r,r,theta,phi,n_r,n_theta,n_phi\n", ":1: r:", "twice")
+        self.bad_rays("r,theta,phi,n_r,n_theta,n_phi,q,zeta0,s\n", ":1: header: columns of both forms")
+        self.bad_rays('"r,theta,phi\n', ":1: header: a quote is not closed")
+
+    def test_values(self):
+        cases = {
+            "nan,1.5,0,-1,0,0": ["r: \"nan\" is not a finite number", "allowed: r from"],
+            "inf,1.5,0,-1,0,0": ["r: \"inf\" is not a finite number"],
+            "1e400,1.5,0,-1,0,0": ["r: \"1e400\" is not a finite number"],
+            "-5,1.5,0,-1,0,0": ["r: \"-5\" is out of range"],
+            "0.5,1.5,0,-1,0,0": ["r: \"0.5\" is not outside the horizon", "allowed: r > 1, or frame = rain"],
+            "10,1.5,0,0,0,0": ["n_r: the look direction is zero", "not all zero"],
+            "10,4,0,-1,0,0": ["theta: \"4\" is out of range", "[0, pi]"],
+            "10,1.5,zero,-1,0,0": ["phi: \"zero\" is not a finite number"],
+            "10,1.5,0,-1,0,": ["n_phi: \"\" is not a finite number"],
+            "10,1.5,0,-1,0,0x10": ["n_phi"],
+            "10,1.5,0,-1,0,1 2": ["n_phi: \"1 2\""],
+            "10,1.5,0,-1,0": ["row: 5 fields", "allowed: 6", "line 1"],
+            "10,1.5,0,-1,0,0,0": ["row: 7 fields"],
+            "10;1.5;0;-1;0;0": ["row: 1 fields"],
+            '10,1.5,0,-1,0,"1': ["row: a quote is not closed"],
+            '10,1.5,0,-1,0,"1"2': ["row: a quote is not closed, or something follows it"],
+            "10,1.5,0,-1,0," + "9" * 100000: ["n_phi"],
+            "10,1.5,0,-1,0,\x1b[31m": ["n_phi: \"?[31m\""],
+        }
+        for row, says in cases.items():
+            self.bad_rays(RAYS + GOOD + "# comment\n" + row + "\n", ":4: ", *says)
+
+    def test_other_columns(self):
+        with_frame = RAYS.replace("n_phi", "n_phi,frame,at_angle")
+        self.bad_rays(with_frame + "10,1.5,0,-1,0,0,moving,\n", ":2: frame: \"moving\"", "static, rain")
+        self.bad_rays(with_frame + "10,1.5,0,-1,0,0,,-1\n", ":2: at_angle: \"-1\" is out of range")
+        self.bad_rays(with_frame + "10,1.5,0,-1,0,0,,nan\n", ":2: at_angle: \"nan\"")
+        self.bad_rays("q,zeta0,s\n0,0.1,1\n", ":2: q: \"0\" is out of range")
+        self.bad_rays("q,zeta0,s\n0.5,-1,1\n", ":2: zeta0: \"-1\" is out of range")
+        self.bad_rays("q,zeta0,s\n0.5,0.1,0\n", ":2: s: \"0\" is no direction", "1 (towards the hole) or -1 (away)")
+        self.bad_rays("q,zeta0,s\n0.5,0.1,2\n", ":2: s: \"2\"")
+        self.bad_rays("q,zeta0,s\n0.05,0.1,1\n", ":2: q: \"0.05\" is too small", "q >= 0.09")
+
+
+if __name__ == "__main__":
+    support.main()

@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""Every subcommand answers --help, and good runs give complete, valid files."""
+import json
+import struct
+import zlib
+
+import support
+
+COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "plan", "scenes", "info"]
+
+
+def png_size(data):
+    """Width and height of a PNG whose chunks are whole and whose pixels are all there."""
+    if data[:8] != b"\x89PNG\r\n\x1a\n":
+        raise ValueError("not a PNG")
+    at, pixels, size, ended = 8, b"", None, False
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        if zlib.crc32(kind + body) != struct.unpack(">I", data[at + 8 + length:at + 12 + length])[0]:
+            raise ValueError("damaged chunk")
+        if kind == b"IHDR":
+            size = struct.unpack(">II", body[:8])
+            channels = {2: 3, 6: 4}[body[9]]
+        pixels += body if kind == b"IDAT" else b""
+        ended = kind == b"IEND"
+        at += 12 + length
+    if not ended or len(zlib.decompress(pixels)) != size[1] * (1 + channels * size[0]):
+        raise ValueError("pixels are missing")
+    return size
+
+
+def read_exr(data):
+    """Channels (name -> kind), data window's size and the blocks of pixels of a single-part PIZ EXR."""
+    if data[:4] != b"\x76\x2f\x31\x01":
+        raise ValueError("not an EXR")
+    at, names, size = 8, [], None
+    while data[at] != 0:
+        name_end = data.index(b"\0", at)
+        kind_end = data.index(b"\0", name_end + 1)
+        length = struct.unpack("<i", data[kind_end + 1:kind_end + 5])[0]
+        body = data[kind_end + 5:kind_end + 5 + length]
+        if data[at:name_end] == b"channels":
+            place = 0
+            while body[place] != 0:
+                end = body.index(b"\0", place)
+                names.append((body[place:end].decode(), struct.unpack("<i", body[end + 1:end + 5])[0]))
+                place = end + 17
+        if data[at:name_end] == b"dataWindow":
+            low_x, low_y, high_x, high_y = struct.unpack("<4i", body)
+            size = (high_x - low_x + 1, high_y - low_y + 1)
+        at = kind_end + 5 + length
+    blocks = -(-size[1] // 32)   # PIZ packs 32 rows together; a table of their places goes before them
+    return dict(names), size, data[at + 1 + 8 * blocks:]
+
+
+class Commands(support.CliTest):
+    def test_help(self):
+        for command in [""] + COMMANDS:
+            ran = self.run_nullscope(*command.split(), "--help")
+            self.assertIn("Usage: nullscope", ran.out)
+            self.assertEqual(ran.err, "")
+
+    def test_version(self):
+        self.assertRegex(self.run_nullscope("--version").out, r"^\d+\.\d+")
+
+    def test_scenes_are_listed_and_planned(self):
+        lines = self.run_nullscope("scenes").out.splitlines()
+        self.assertGreaterEqual(len(lines), 3)
+        for line in lines:
+            name, sentence = line.split(None, 1)
+            self.assertTrue(sentence.endswith("."), line)
+            plan = json.loads(self.run_nullscope("plan", name, "--json").out)
+            self.assertEqual(plan["table_bytes"], sum(t["bytes"] for t in plan["tables"]))
+            self.assertGreater(plan["shader"]["bytes"], 1000)
+            self.assertTrue(plan["passes"])
+
+    def test_plan_says_why(self):
+        text = '[camera]\nvelocity = [0.0, 0.0, 0.5]\n[sky]\nkind = "black"\n[disc]\nopacity = 0.5\n'
+        plan = self.write("two.toml", text)
+        found = json.loads(self.run_nullscope("plan", plan, "--json").out)
+        reasons = {e["effect"]: e["reason"] for e in found["effects"]}
+        self.assertEqual(list(reasons), ["lensing", "aberration", "disc", "translucent-disc"])
+        self.assertIn("0.5", reasons["aberration"])
+        self.assertEqual([e["effect"] for e in found["left_out"]], ["sky"])
+        tables = {t["name"] for t in found["tables"]}
+        self.assertLessEqual({"deflection table", "strip", "orbit map", "disc image"}, tables)
+        self.assertNotIn("sky", tables)
+        text = self.run_nullscope("plan", plan).out
+        for word in ("aberration", "camera.velocity = [0, 0, 0.5]", "orbit map", "Left out"):
+            self.assertIn(word, text)
+
+    def test_the_smallest_scene(self):
+        scene = self.write("least.toml", '[spacetime]\nmetric = "schwarzschild"\n')
+        self.run_nullscope("capture", scene, "--size", support.SMALL, "-o", "least.png")
+        self.assertEqual(png_size((self.folder / "least.png").read_bytes()), (48, 27))
+
+    def test_exr_with_ray_data(self):
+        self.run_nullscope("capture", "first-light", "--size", support.SMALL, "--raydata", "-o", "rays.exr")
+        channels, size, pixels = read_exr((self.folder / "rays.exr").read_bytes())
+        wanted = "R G B fate sky.x sky.y sky.z g delay angle order hit u v".split()
+        self.assertEqual(set(channels), set(wanted))
+        self.assertEqual(set(channels.values()), {2}, "32-bit float")
+        self.assertEqual(size, (48, 27))
+        self.assertTrue(pixels)
+
+    def test_reference_picture(self):
+        options = ("--size", "16x9", "--renderer", "reference", "--samples", "1")
+        self.run_nullscope("capture", "first-light", *options, "-o", "r.png")
+        self.assertEqual(png_size((self.folder / "r.png").read_bytes()), (16, 9))
+
+    def test_contexts_give_one_picture(self):
+        kinds = self.contexts()
+        pictures, rays = [], []
+        for kind in kinds:
+            options = ("--size", support.SMALL, "--context", kind)
+            self.run_nullscope("capture", "first-light", *options, "-o", "p.png")
+            self.run_nullscope("capture", "first-light", *options, "--raydata", "-o", "p.exr")
+            pictures.append((self.folder / "p.png").read_bytes())
+            rays.append(read_exr((self.folder / "p.exr").read_bytes())[2])   # the header names the context
+        self.assertTrue(all(p == pictures[0] for p in pictures), f"PNG: {kinds} differ")
+        self.assertTrue(all(r == rays[0] for r in rays), f"EXR: {kinds} differ")
+        if len(kinds) < 2:
+            self.skipTest(f"only {kinds} here")
+
+    def test_an_older_file_is_replaced_whole(self):
+        old = self.write("frame.png", "old")
+        self.run_nullscope("capture", "flat", "--size", "16x9", "-o", old)
+        self.assertEqual(png_size((self.folder / "frame.png").read_bytes()), (16, 9))
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["frame.png"])
+
+
+if __name__ == "__main__":
+    support.main()

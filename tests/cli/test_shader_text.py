@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""The shader of a scene holds nothing of an effect that is off there, for every row of the effects table."""
+import json
+import re
+
+import support
+
+# Identifiers that belong to an effect, as regular expressions of whole words. The declaration of the uniform block is
+# no code: the block has one layout for all scenes.
+WORDS = {
+    "lensing": [r"strip\w*", r"Strip\w*", r"orbit_\w*", r"Orbit\w*", r"Octave", r"octave\w*", r"sweep\w*"],
+    "aberration": [r"aberrat\w*", r"Aberration", r"boost", r"motion", r"stretch"],
+    "disc": [r"disc\w*", r"Disc\w*", r"plane_\w*", r"PlaneMeeting", r"meeting"],
+    "translucent-disc": [r"fade"],
+    "sky": [r"sky_texture", r"celestial\w*", r"samplerCube"],
+}
+SCENES = {
+    "nothing": '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "black"\n',
+    "lensing": '[sky]\nkind = "black"\n',
+    "aberration": '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "black"\n[camera]\nvelocity = [0.1, 0.2, 0.3]\n',
+    "disc": '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "black"\n[disc]\n',
+    "translucent-disc": '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "black"\n[disc]\nopacity = 0.5\n',
+    "sky": '[spacetime]\nmetric = "minkowski"\n',
+    "lensing, disc": '[sky]\nkind = "black"\n[disc]\n',
+    "lensing, sky": '[spacetime]\nmetric = "schwarzschild"\n',
+    "everything": '[camera]\nvelocity = [0.1, 0.2, 0.3]\n[disc]\nedge = 0.2\n',
+}
+
+
+def code_of(shader):
+    """Without comments and without the uniform block's declaration."""
+    shader = re.sub(r"//[^\n]*", "", shader)
+    shader, blocks = re.subn(r"struct FrameData \{.*?\};", "", shader, flags=re.S)
+    assert blocks == 1, "the uniform block is declared otherwise: adapt this test"
+    return shader
+
+
+def words_in(code, effect):
+    return sorted({w for pattern in WORDS[effect] for w in re.findall(rf"\b{pattern}\b", code)})
+
+
+class ShaderText(support.CliTest):
+    def test_nothing_of_an_effect_that_is_off(self):
+        seen_on = set()
+        for name, text in SCENES.items():
+            scene = self.write("scene.toml", text)
+            plan = json.loads(self.run_nullscope("plan", scene, "--json").out)
+            on = {e["effect"] for e in plan["effects"]}
+            off = {e["effect"] for e in plan["left_out"]}
+            self.assertEqual(on | off, set(WORDS), "an effect has no words here: add them")
+            code = code_of(self.run_nullscope("capture", scene, "--dump-shader").out)
+            for effect in sorted(off):
+                self.assertEqual(words_in(code, effect), [], f"{effect} is off in scene '{name}'")
+            for effect in sorted(on):
+                self.assertTrue(words_in(code, effect), f"{effect} is on in scene '{name}', without its words")
+            seen_on |= on
+            self.assertNotRegex(code, r"#\s*if|EFFECT_", f"unresolved branches in scene '{name}'")
+        self.assertEqual(seen_on, set(WORDS))
+
+    def test_the_dump_is_what_plan_measures(self):
+        dump = self.run_nullscope("capture", "first-light", "--dump-shader").out
+        shader = json.loads(self.run_nullscope("plan", "first-light", "--json").out)["shader"]
+        self.assertEqual((len(dump.encode()), dump.count("\n")), (shader["bytes"], shader["lines"]))
+
+
+if __name__ == "__main__":
+    support.main()

@@ -1,0 +1,287 @@
+#!/usr/bin/env python3
+"""nullscope trace: the reference against 50-digit vectors; core64, core32 and gl against the reference."""
+import csv
+import io
+import math
+import os
+import random
+
+import support
+
+Q_CRITICAL = 2 / (3 * math.sqrt(3))
+COLUMNS = ["fate", "theta_inf", "phi_inf", "angle", "delay", "g", "turn", "at"]
+# What is measured is how far the camera ray would have to turn for the answer to be exact (the screen error): an error
+# in the sky of c max(1, d phi / d alpha) rad. A pixel of a 4K picture is 2.7e-4 rad.
+# core64: the strip's and the orbit map's coefficients are floats (6e-8 of an angle of a few rad), their polynomials are
+# good to 2e-8, the arctangent to 1.3e-8. Measured with NULLSCOPE_PRINT_ERRORS=1 over the rays of this file: 3.3e-7; in
+# float and on Mesa's llvmpipe 6.5e-7. The margin is for other drivers.
+SCREEN_RAD = {"core64": 6e-7, "core32": 1e-6, "gl": 1e-6}
+# A ray this close to the critical direction may end on either side: the arctangent's error and rounding.
+FRONTIER_RAD = {"core64": 5e-8, "core32": 3e-7, "gl": 3e-7}
+# Where a ray's plane meets the equator is geometry in floats; near the poles azimuths magnify it.
+AZIMUTH_RAD = 2e-6
+# The reference prints 17 digits and is good to 1e-14 (tests/unit/test_reference_vectors.cpp).
+REFERENCE = 3e-14
+
+
+def number(text):
+    return float(text) if text else math.nan
+
+
+def read_csv(text):
+    return list(csv.DictReader(line for line in io.StringIO(text) if not line.startswith("#")))
+
+
+def write_csv(rows, columns):
+    lines = [",".join(map(str, row)) for row in rows]   # str of a float names that float
+    return "\n".join([",".join(columns)] + lines) + "\n"
+
+
+def sine_of(row):
+    """sin(alpha) of a ray in the reduced form, alpha the angle between look direction and radius."""
+    zeta0 = number(row["zeta0"])
+    return min(1.0, zeta0 * math.sqrt(1 - zeta0) / number(row["q"]))
+
+
+def direction(row):
+    theta, phi = number(row["theta_inf"]), number(row["phi_inf"])
+    return [math.sin(theta) * math.cos(phi), math.sin(theta) * math.sin(phi), math.cos(theta)]
+
+
+def angle_between(a, b):
+    chord = math.dist(a, b)
+    return 2 * math.asin(min(1.0, chord / 2))
+
+
+class TraceTest(support.CliTest):
+    def trace(self, text, *options, scene="sky-only", status=0):
+        ran = self.run_nullscope("trace", scene, "--rays", self.write("rays.csv", text), *options, status=status)
+        return read_csv(ran.out)
+
+    def tracers(self):
+        self.contexts()
+        return list(SCREEN_RAD)
+
+
+class Reference(TraceTest):
+    def test_vectors(self):
+        text = (support.VECTORS / "schwarzschild.csv").read_text().replace(",phi_a,", ",at_angle,")
+        given = read_csv(text)
+        found = self.trace(text)
+        self.assertEqual([r["id"] for r in found], [r["id"] for r in given], "rows keep their order")
+        fates = {"0": "escaped", "1": "captured"}
+        for row, vector in zip(found, given):
+            self.assertEqual(row["fate"], fates.get(vector["status"], "no_sky"), vector["id"])
+            self.assertEqual({k: row[k] for k in vector}, vector, "input columns pass through unchanged")
+            for column, exact in (("angle", "phi"), ("delay", "T"), ("turn", "zeta_turn")):
+                self.assertEqual(row[column] == "", vector[exact] == "", (vector["id"], column))
+                if vector[exact]:
+                    error = abs(number(row[column]) - number(vector[exact]))
+                    self.assertLessEqual(error, REFERENCE * abs(number(vector[exact])), (vector["id"], column))
+            self.assertEqual(row["at"] == "", vector["zeta_a"] == "", vector["id"])
+
+    def test_directions_and_crossings(self):
+        rays = "r,theta,phi,n_r,n_theta,n_phi,note\n" \
+               "10,1.5707963267948966,0.3,1,0,0,outward\n" \
+               "10,1.0471975511965976,0.5,-1,0.2,0,over the south\n" \
+               "10,1.0471975511965976,0.5,-1,0,0.2,with windings\n" \
+               "10,1.0471975511965976,-9,-3,0,-0.6,scaled\n"
+        rows = self.trace(rays, "--crossings", "2")
+        self.assertEqual(list(rows[0])[7:], COLUMNS + ["r_1", "phi_1", "r_2", "phi_2"])
+        self.assertEqual((rows[0]["fate"], rows[0]["delay"], rows[0]["angle"]), ("escaped", "0", "0"))
+        self.assertAlmostEqual(number(rows[0]["theta_inf"]), math.pi / 2, delta=1e-15)
+        self.assertAlmostEqual(number(rows[0]["phi_inf"]), 0.3, delta=1e-15)
+        self.assertAlmostEqual(number(rows[1]["phi_1"]), 0.5, delta=1e-12)
+        for row in rows[2:]:
+            swept = number(row["phi_inf"]) - number(row["phi"]) if row["fate"] == "escaped" else 0
+            self.assertGreaterEqual(swept * (-1 if row["note"] == "scaled" else 1), 0)
+
+    def test_forms_of_files(self):
+        plain = "r,theta,phi,n_r,n_theta,n_phi\n20,1.2,0.1,-1,0.05,0.3\n"
+        expected = self.trace(plain)[0]
+        same = [
+            plain.replace("\n", "\r\n"),
+            "\ufeff# comment\n\n" + plain + "\n\n# end",
+            'r,theta,phi,n_r,n_theta,n_phi\n"20",1.2 , 0.1,"-1",+0.05,3e-1',
+            "n_phi,n_theta,n_r,phi,theta,r\n0.3,0.05,-1,0.1,1.2,20\n",
+            "r,theta,phi,n_r,n_theta,n_phi,frame\n20,1.2,0.1,-1,0.05,0.3,static\n20,1.2,0.1,-1,0.05,0.3,\n",
+            "note,r,theta,phi,n_r,n_theta,n_phi\n\"a, \"\"quoted\"\" note\",20,1.2,0.1,-1,0.05,0.3\n",
+            "note,r,theta,phi,n_r,n_theta,n_phi\n" + "x" * 100000 + ",20,1.2,0.1,-1,0.05,0.3\n",
+        ]
+        for text in same:
+            for row in self.trace(text):
+                self.assertEqual({c: row[c] for c in COLUMNS}, {c: expected[c] for c in COLUMNS}, text[:100])
+        self.assertEqual(self.trace("r,theta,phi,n_r,n_theta,n_phi\n"), [])
+        self.assertGreaterEqual(len(expected["angle"].replace(".", "")), 16)
+
+    def test_file_out(self):
+        rays = "q,zeta0,s\n0.5,0.1,1\n"
+        shown = self.run_nullscope("trace", "sky-only", "--rays", self.write("in.csv", rays)).out
+        ran = self.run_nullscope("trace", "sky-only", "--rays", "in.csv", "-o", "out.csv")
+        self.assertEqual((ran.out, (self.folder / "out.csv").read_text()), ("", shown))
+
+    def test_rain_frame(self):
+        # Looking straight out while falling from rest at infinity: E = 1 + sqrt(r_s/r) at unit frequency in the camera.
+        header = "r,theta,phi,n_r,n_theta,n_phi,frame\n"
+        rows = self.trace(header + "4,1,0,1,0,0,rain\n0.25,1,0,1,0,0,rain\n0.25,1,0,-1,0,0,rain\n")
+        self.assertAlmostEqual(number(rows[0]["g"]), 1 / 1.5, delta=1e-15)
+        self.assertEqual([r["fate"] for r in rows], ["escaped", "escaped", "no_sky"])
+
+
+class ShaderText(TraceTest):
+    def slopes(self, rows):
+        """max(1, |d phi / d alpha|) of rays in the reduced form: differences of the reference, the larger of two sides.
+        alpha is the angle between look direction and radius: d alpha = -tan(alpha) d ln(q)."""
+        by_q, by_alpha = [], []
+        for row in rows:
+            q, zeta0, s = number(row["q"]), number(row["zeta0"]), int(row["s"])
+            sine = sine_of(row)
+            cosine = math.sqrt(1 - sine * sine)
+            for side in (1, -1):
+                if cosine < 1e-3:   # at its turning point: q is no measure of direction
+                    alpha = math.atan2(sine, -s * cosine) + side * 1e-6
+                    by_alpha.append((row["id"], 1e-6, 1 / zeta0, math.pi / 2, 0, math.cos(alpha), 0, math.sin(alpha)))
+                else:
+                    room = min(1.0, abs(q / Q_CRITICAL - 1), cosine * cosine)
+                    step = max(1e-5 * room, 1e-15)
+                    by_q.append((row["id"], step * sine / cosine, q * (1 + side * step), zeta0, s))
+        moved = self.trace(write_csv(by_q, ["id", "step", "q", "zeta0", "s"]))
+        moved += self.trace(write_csv(by_alpha, ["id", "step", "r", "theta", "phi", "n_r", "n_theta", "n_phi"]))
+        here = {row["id"]: row for row in rows}
+        found = dict.fromkeys(here, 1.0)
+        for there in moved:
+            row = here[there["id"]]
+            if there["fate"] == row["fate"]:
+                slope = abs(number(there["angle"]) - number(row["angle"])) / number(there["step"])
+                found[row["id"]] = max(found[row["id"]], slope)
+        return found
+
+    def test_vectors(self):
+        text = (support.VECTORS / "schwarzschild.csv").read_text().replace(",phi_a,", ",at_angle,")
+        reference = self.trace(text)
+        outside = [row for row in reference if number(row["zeta0"]) < 1]
+        slopes = self.slopes(outside)
+        self.assertGreater(len(outside), 100)
+        for tracer in self.tracers():
+            worst, flipped = 0.0, 0
+            for row, exact in zip(self.trace(text, "--with", tracer), reference):
+                name = (tracer, exact["id"], exact["group"])
+                if exact["id"] not in slopes:
+                    self.assertEqual({row[c] for c in COLUMNS}, {""}, "no static camera there")
+                elif row["fate"] != exact["fate"]:
+                    sine = sine_of(exact)
+                    distance = abs(number(exact["delta"])) * sine / math.sqrt(1 - sine * sine)
+                    self.assertLess(distance, FRONTIER_RAD[tracer], name)
+                    flipped += 1
+                else:
+                    error = abs(number(row["angle"]) - number(exact["angle"])) / slopes[exact["id"]]
+                    self.assertLessEqual(error, SCREEN_RAD[tracer], name)
+                    worst = max(worst, error)
+            self.report(f"{tracer}: vectors, {len(slopes)} rays: {worst:.3g} rad, {flipped} on the frontier")
+
+    def report(self, line):
+        if os.environ.get("NULLSCOPE_PRINT_ERRORS"):
+            print(line)
+
+    def random_rays(self, count):
+        """Rays from count/4 radii, in both frames, and the same turned by `step` in their plane."""
+        dice = random.Random(20151127)
+        step = 1e-7
+        rays, turned = [], []
+        for i in range(count):
+            r = r if i % 4 else 1.02 * 10 ** dice.uniform(0, 2.5)
+            theta, phi = math.acos(dice.uniform(-1, 1)), dice.uniform(-7, 7)
+            alpha, turn = math.acos(dice.uniform(-1, 1)), dice.uniform(0, 2 * math.pi)
+            rest = (("static", "rain", "")[i % 3], dice.uniform(0, 3.14), i)
+            for angle, rows in ((alpha, rays), (alpha + step, turned)):
+                across = math.sin(angle)
+                n = (math.cos(angle), across * math.cos(turn), across * math.sin(turn))
+                rows.append((r, theta, phi, *n, *rest))
+        columns = ["r", "theta", "phi", "n_r", "n_theta", "n_phi", "frame", "at_angle", "i"]
+        return write_csv(rays, columns), write_csv(turned, columns), step
+
+    def screen_errors(self, row, exact, slope):
+        """What differs, each as the angle by which the camera ray would have to turn."""
+        yield "angle", abs(number(row["angle"]) - number(exact["angle"])) / slope
+        if exact["fate"] == "escaped":
+            yield "sky", angle_between(direction(row), direction(exact)) / slope
+            azimuth = abs(number(row["phi_inf"]) - number(exact["phi_inf"]))   # a missing winding would be 2 pi
+            yield "azimuth", azimuth * math.sin(number(exact["theta_inf"])) / slope
+            yield "g", abs(number(row["g"]) / number(exact["g"]) - 1)
+        if exact["at"]:
+            yield "at", abs(number(row["at"]) - number(exact["at"])) / slope
+        if exact["r_1"]:
+            yield "crossing", abs(1 / number(row["r_1"]) - 1 / number(exact["r_1"])) / slope
+
+    def test_random_rays(self):
+        text, turned, step = self.random_rays(400)
+        reference = self.trace(text, "--crossings", "1")
+        angles = [(number(a["angle"]), number(b["angle"])) for a, b in zip(reference, self.trace(turned))]
+        slopes = [max(1.0, abs(a - b) / step) for a, b in angles]
+        for tracer in self.tracers():
+            worst = {}
+            for row, exact, slope in zip(self.trace(text, "--crossings", "1", "--with", tracer), reference, slopes):
+                name = (tracer, exact["i"])
+                self.assertEqual((row["i"], row["fate"]), (exact["i"], exact["fate"]), name)
+                for empty in ("delay", "turn"):
+                    self.assertEqual(row[empty], "", name)
+                for both in ("theta_inf", "phi_inf", "at", "r_1", "phi_1"):
+                    self.assertEqual(row[both] == "", exact[both] == "", (name, both))
+                for what, error in self.screen_errors(row, exact, slope):
+                    self.assertLessEqual(error, SCREEN_RAD[tracer], (name, what))
+                    worst[what] = max(worst.get(what, 0.0), error)
+                if exact["phi_1"]:
+                    self.assertAlmostEqual(number(row["phi_1"]), number(exact["phi_1"]), delta=AZIMUTH_RAD, msg=name)
+            self.report(f"{tracer}: random rays: " + ", ".join(f"{k} {v:.3g}" for k, v in worst.items()))
+
+    def test_disc_stops_rays(self):
+        text, _, _ = self.random_rays(200)
+        scene = self.write("disc.toml", "[disc]\ninner = 3\nouter = 12\n")
+        reference = self.trace(text, scene=scene)
+        self.assertGreater(sum(r["fate"] == "hit:disc" for r in reference), 10)
+        self.assertFalse(any(r["theta_inf"] for r in reference if r["fate"] == "hit:disc"))
+        for tracer in self.tracers():
+            for row, exact in zip(self.trace(text, "--with", tracer, scene=scene), reference):
+                self.assertEqual(row["fate"], exact["fate"], (tracer, exact["i"]))
+                if exact["fate"] == "hit:disc":   # where the plane is met is geometry alone
+                    self.assertAlmostEqual(number(row["angle"]), number(exact["angle"]), delta=AZIMUTH_RAD)
+
+    def test_flat_space(self):
+        text, _, _ = self.random_rays(100)
+        reference = self.trace(text, "--crossings", "1", scene="flat")
+        for tracer in self.tracers():
+            for row, exact in zip(self.trace(text, "--crossings", "1", "--with", tracer, scene="flat"), reference):
+                self.assertEqual(row["fate"], "escaped")
+                error = angle_between(direction(row), direction(exact))
+                self.assertLess(error, SCREEN_RAD[tracer], (tracer, exact["i"]))
+                self.assertEqual(row["r_1"] == "", exact["r_1"] == "", (tracer, exact["i"]))
+
+    def test_radial_rays(self):
+        rays = "r,theta,phi,n_r,n_theta,n_phi\n" + "".join(
+            f"{r},{theta},1,{n},0,0\n"
+            for r in (1.1, 10, 1e6) for theta in (0, 1, math.pi / 2, math.pi) for n in (1, -1))
+        for tracer in ["reference"] + self.tracers():
+            for row in self.trace(rays, "--with", tracer):
+                out = row["n_r"] == "1"
+                self.assertEqual(row["fate"], "escaped" if out else "captured", (tracer, row))
+                self.assertLess(number(row["angle"]), 1e-6)
+                if out:
+                    self.assertAlmostEqual(number(row["theta_inf"]), number(row["theta"]), delta=1e-6)
+
+    def test_what_needs_gl_says_so(self):
+        self.write("r.csv", "q,zeta0,s\n1,0.1,1\n")
+        flat = ("trace", "flat", "--rays", "r.csv")
+        self.refused(*flat, "--with", "core64", "--method", "closed-form", says=["closed-form", "gl"])
+        self.refused(*flat, "--with", "gl", "--method", "magic", says=["magic", "closed-form"])
+
+    def test_left_empty(self):
+        self.write("r.csv", "q,zeta0,s,n\n0.5,2,1,a\n0.5,0.1,1,b\n")
+        ran = self.run_nullscope("trace", "sky-only", "--rays", "r.csv", "--with", "core32")
+        rows = read_csv(ran.out)
+        self.assertEqual([(r["fate"], r["n"]) for r in rows], [("", "a"), ("captured", "b")])
+        self.assertEqual(ran.err.count("\n"), 1)
+        self.assertIn("1 of 2 rays left empty", ran.err)
+
+
+if __name__ == "__main__":
+    support.main()

@@ -1,0 +1,85 @@
+// 4K frames over 90 degrees against the reference: every pixel's screen error and fate.
+#include "support/gpu_session.h"
+
+#include <cstring>
+#include <optional>
+#include <vector>
+
+namespace {
+
+using namespace nullscope;
+using namespace nullscope::test;
+
+constexpr double kScreenError_px = 0.05;   // the project's promise at every pixel
+constexpr double kSweptError_px = 0.05;    // the same for the swept angle, which objects are placed by
+constexpr double kFrequency_px = 0.05;     // and for g
+
+Scene frame_4k(double r, double yaw_deg) {
+    Scene scene;
+    scene.sky.kind = SkyKind::kBlack;   // ray data needs no sky
+    scene.camera.width = 3840;
+    scene.camera.height = 2160;
+    scene.camera.plane_width = 2;       // 90 degrees
+    scene.camera.r = r;
+    scene.camera.yaw = yaw_deg * M_PI / 180;
+    return scene;
+}
+
+void check_measures(const std::string& what, const RayMeasures& m) {
+    fmt::print("{}: screen {} px, forward {} rad, swept {} px, g {} px (max / 99.9 % / median); fate errors {}, forgiven {}, "
+               "not finite {}\n",
+               what, spread_text(m.sky_px), spread_text(m.forward_rad), spread_text(m.angle_px), spread_text(m.g_px), m.fate_errors,
+               m.forgiven, m.not_finite);
+    CHECK(m.sky_px.max <= kScreenError_px);
+    CHECK(m.angle_px.max <= kSweptError_px);
+    CHECK(m.g_px.max <= kFrequency_px);
+    CHECK(m.fate_errors == 0);
+    CHECK(m.not_finite == 0);
+}
+
+// Only sky, angle and g can differ in these scenes.
+bool same_bits(const RayFrame& a, const RayFrame& b) {
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const RayPixel &p = a.pixels[i], &q = b.pixels[i];
+        if (!same_end(p, q) || p.order != q.order) return false;
+        const double x[] = {p.sky.x, p.sky.y, p.sky.z, p.g, p.delay, p.angle, p.u, p.v};
+        const double y[] = {q.sky.x, q.sky.y, q.sky.z, q.g, q.delay, q.angle, q.u, q.v};
+        if (std::memcmp(x, y, sizeof(x)) != 0) return false;
+    }
+    return true;
+}
+
+// The first context's frame is measured against the reference. Another's need not be again where it is the same bit by bit.
+void check_camera(double r, double yaw_deg, int row_step) {
+    const Scene scene = frame_4k(r, yaw_deg);
+    const std::string where = fmt::format("r {:<5} yaw {:<4}", r, yaw_deg);
+    CAPTURE(where);
+    std::optional<RayFrame> measured;
+    on_every_context([&](GpuSession& session) {
+        RayFrame frame = gl_ray_data(session, scene);
+        if (measured && same_bits(*measured, frame)) {
+            fmt::print("{} {}: the same bits\n", where, session.context->kind());
+            return;
+        }
+        check_measures(fmt::format("{} {}", where, session.context->kind()), measure_rays(frame, scene.camera, reference_trace(scene), row_step));
+        if (!measured) measured = std::move(frame);
+    });
+}
+
+constexpr int kEveryRow = 1;
+constexpr int kSmoothRowStep = 8;   // views without the shadow's edge or its rings have no place for an error to hide in
+
+TEST_CASE("4K: cameras that look at the hole") {
+    for (const double r : {1.1, 1.5, 2.0, 5.0, 20.0, 1000.0}) check_camera(r, 0, kEveryRow);
+}
+
+TEST_CASE("4K: cameras turned by 60 degrees") {
+    for (const double r : {1.1, 1.5, 2.0, 5.0, 20.0, 1000.0}) check_camera(r, 60, kEveryRow);
+}
+
+TEST_CASE("4K: cameras that look away from the hole") {
+    check_camera(1.1, 180, kEveryRow);   // the edge is ahead
+    for (const double r : {1.5, 2.0, 5.0, 20.0, 1000.0}) check_camera(r, 180, kSmoothRowStep);
+}
+
+}  // namespace

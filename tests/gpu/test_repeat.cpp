@@ -1,0 +1,92 @@
+// The same frame is the same bits: from draw to draw, from renderer to renderer, and between contexts to a rounding.
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "scene/scene_file.h"
+#include "support/gpu_session.h"
+
+namespace {
+
+using namespace nullscope;
+using namespace nullscope::test;
+
+// Between drivers' builds: one rounding of a number of order one.
+constexpr double kFloatRounding = 1.2e-7;
+
+struct Drawn {
+    Image<float> linear;
+    Image<unsigned char> display;
+    RayFrame rays;
+};
+
+Drawn draw(GpuSession& session, const Scene& scene) {
+    RayFrame rays = gl_ray_data(session, scene);
+    return {session.renderer->picture(), session.renderer->picture8(), std::move(rays)};
+}
+
+Scene small(const std::string& name) {
+    auto scene = load_scene(name);
+    REQUIRE(scene);
+    scene->camera.width = 480;
+    scene->camera.height = 270;
+    return *scene;
+}
+
+double largest_difference(const RayFrame& a, const RayFrame& b) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const RayPixel &p = a.pixels[i], &q = b.pixels[i];
+        if (!same_end(p, q)) return INFINITY;
+        const double scale = std::max({1.0, std::abs(p.angle), std::abs(p.g), std::hypot(p.u, p.v)});
+        for (const double d : {length(p.sky - q.sky), p.g - q.g, p.angle - q.angle, p.u - q.u, p.v - q.v, p.delay - q.delay})
+            largest = std::max(largest, std::abs(d) / scale);
+    }
+    return largest;
+}
+
+bool same_bits(const Image<float>& a, const Image<float>& b) {
+    return a.data.size() == b.data.size() && std::memcmp(a.data.data(), b.data.data(), a.data.size() * sizeof(float)) == 0;
+}
+
+const std::string kScenes[] = {"first-light", "sky-only", "flat", "fast-flyby", "translucent-disc"};
+
+TEST_CASE("repeat: drawn twice, and by a second renderer, a frame has the same bits") {
+    on_every_context([](GpuSession& session) {
+        for (const std::string& name : kScenes) {
+            CAPTURE(name);
+            const Scene scene = small(name);
+            session.renderer = std::make_unique<Renderer>();   // what was drawn before may leave a finer sky behind
+            const Drawn first = draw(session, scene), second = draw(session, scene);
+            session.renderer = std::make_unique<Renderer>();
+            const Drawn third = draw(session, scene);
+            for (const Drawn* other : {&second, &third}) {
+                CHECK(same_bits(first.linear, other->linear));
+                CHECK(first.display.data == other->display.data);
+                CHECK(largest_difference(first.rays, other->rays) == 0);
+            }
+        }
+    });
+}
+
+TEST_CASE("repeat: EGL and OSMesa agree to one float rounding") {
+    for (const std::string& name : kScenes) {
+        CAPTURE(name);
+        const Scene scene = small(name);
+        std::optional<Drawn> first;
+        on_every_context([&](GpuSession& session) {
+            Drawn drawn = draw(session, scene);
+            if (!first) {
+                first = std::move(drawn);
+                return;   // measured with the next context
+            }
+            CHECK(largest_difference(first->rays, drawn.rays) <= kFloatRounding);
+            float largest = 0;
+            for (std::size_t i = 0; i < drawn.linear.data.size(); ++i)
+                largest = std::max(largest, std::abs(first->linear.data[i] - drawn.linear.data[i]) / std::max(1.0f, drawn.linear.data[i]));
+            CHECK(largest <= kFloatRounding);
+        });
+    }
+}
+
+}  // namespace

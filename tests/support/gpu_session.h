@@ -1,0 +1,82 @@
+// What tests on a GPU share: a renderer on each kind of context, the reference as exact trace, witnesses of a pixel.
+#pragma once
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "compare/ray_metrics.h"
+#include "compare/report.h"
+#include "context/context.h"
+#include "gl/gl.h"
+#include "reference/reference.h"
+#include "render/renderer.h"
+
+namespace nullscope::test {
+
+struct GpuSession {
+    std::unique_ptr<GlContext> context;
+    std::unique_ptr<Renderer> renderer;   // dies first
+};
+
+inline constexpr const char* kContextKinds[] = {"egl", "osmesa"};
+
+// Nothing where there is no such context; one line says so.
+inline std::optional<GpuSession> open_gpu(const std::string& kind) {
+    auto made = make_headless_context(kind);
+    if (!made) {
+        fmt::print("skipped: {}\n", made.error().message);
+        return {};
+    }
+    GpuSession session;
+    session.context = std::move(*made);
+    gl::load_functions([](const char* name, void* user) { return static_cast<GlContext*>(user)->get_proc_address(name); },
+                       session.context.get());
+    session.renderer = std::make_unique<Renderer>();
+    return session;
+}
+
+// Runs the test on every kind of context that there is, one after the other; fails if there is none.
+inline void on_every_context(const std::function<void(GpuSession&)>& test) {
+    int opened = 0;
+    for (const std::string kind : kContextKinds) {
+        CAPTURE(kind);
+        auto session = open_gpu(kind);
+        if (!session) continue;
+        ++opened;
+        test(*session);
+    }
+    CHECK_MESSAGE(opened > 0, "neither EGL nor OSMesa gives a context");
+}
+
+inline RayFrame gl_ray_data(GpuSession& session, const Scene& scene) {
+    const Status ready = session.renderer->prepare(scene);
+    const std::string reason = ready ? "" : ready.error().message;
+    REQUIRE_MESSAGE(ready, reason);
+    return session.renderer->ray_data();
+}
+
+inline ExactTrace reference_trace(const Scene& scene) {
+    return [scene](const std::vector<std::array<double, 2>>& positions) {
+        auto pixels = reference::trace_pixels(scene, positions);
+        if (!pixels) {
+            std::fprintf(stderr, "reference_trace: %s\n", pixels.error().message.c_str());
+            std::abort();
+        }
+        return std::move(*pixels);
+    };
+}
+
+inline Witnesses witnesses_of(const Scene& scene, const CoreInput& input, const RayFrame& gl, int x, int y) {
+    const double right = x + 0.5 - 0.5 * scene.camera.width, up = 0.5 * scene.camera.height - (y + 0.5);
+    return {reference_trace(scene)({{x + 0.5, y + 0.5}})[0], trace_core64(input, right, up), trace_core32(input, right, up), gl.at(x, y)};
+}
+
+inline std::string spread_text(const Spread& s) { return fmt::format("{:.2e} / {:.2e} / {:.2e}", s.max, s.p999, s.median); }
+
+}  // namespace nullscope::test

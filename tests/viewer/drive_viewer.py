@@ -1,0 +1,312 @@
+#!/usr/bin/env python3
+"""Uses nullscope-viewer as a person would, on a screen of its own, and looks at the pixels.
+
+Usage: drive_viewer.py VIEWER [CASE...]     (VIEWER: the program; CASE: names of test functions without "test_")
+
+Exit status 0: all passed; 1: some failed; 77: Xvfb or xdotool is missing.
+"""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import traceback
+from pathlib import Path
+
+from x_screen import Screen, read_png, wait_until
+
+WIDTH, HEIGHT = 840, 600
+PICTURE = (320, 300, 820, 560)     # of the window: no panel lies here
+SIDE, KEYS, FIELD = (10, 60, 280, 300), (600, 10, 830, 180), (110, 92, 180, 106)
+NOISE = 0.002                      # share of bytes: single pixels on the edge of rounding
+CURSOR = 0.01                       # share of bytes: the pointer itself is a part of the screen
+CHANGED = 0.02
+BESIDE = (420, 40)                 # a place for the pointer outside of all these areas
+SETTLED_S = 0.4                    # without a change: the wheel's motion and the panels have come to rest
+
+
+class Viewer:
+    """A running viewer with its window at the screen's corner."""
+
+    def __init__(self, screen, program, *arguments):
+        self.screen, self.folder = screen, tempfile.mkdtemp(prefix="nullscope-viewer.")
+        self.process = subprocess.Popen([program, *arguments], cwd=self.folder, env={**os.environ, "DISPLAY": screen.display},
+                                        stderr=subprocess.PIPE, text=True)
+        self.window = wait_until("the window", self.find)
+        self.hands("windowfocus", self.window)
+        wait_until("the first picture", lambda: self.picture().mean() > 1)
+        self.settle()
+
+    def find(self):
+        assert self.process.poll() is None, f"the viewer ended early: {self.process.stderr.read()}"
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "nullscope"], capture_output=True, text=True,
+                               env={**os.environ, "DISPLAY": self.screen.display}).stdout.split()
+        return found[0] if found else None
+
+    def hands(self, *words):
+        return self.screen.hands(*words)
+
+    def picture(self, area=PICTURE):
+        return self.screen.picture(*area)
+
+    def settle(self, area=(0, 0, WIDTH, HEIGHT)):
+        """The pixels once they have stayed the same for a while."""
+        state = {"data": None, "since": 0.0}
+
+        def still():
+            data = self.picture(area).data
+            if data != state["data"]:
+                state.update(data=data, since=time.monotonic())
+            return time.monotonic() - state["since"] > SETTLED_S
+        wait_until("the screen comes to rest", still)
+        return self.picture()
+
+    def changes(self, what, before, area=PICTURE):
+        wait_until(what, lambda: self.picture(area).differing(before) > CHANGED)
+
+    def answer(self):
+        """Everything that was sent before has been seen when F1's list is there and gone again."""
+        for _ in range(2):
+            before = self.picture(KEYS)
+            self.hands("key", "F1")
+            self.changes("F1 shows or hides the keys", before, KEYS)
+
+    def kill(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.communicate()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def same(one, other, what, allowed=NOISE):
+    share = one.differing(other)
+    assert share <= allowed, f"{what}: {share:.2%} of the bytes differ"
+
+
+def shift_between(before, after, reach):
+    """(dx, dy) by which the picture's middle moved, in px; coarse pixels, all shifts up to reach."""
+    def distance(dx, dy):
+        total = 0
+        for y in range(reach, before.height - reach, 6):
+            for x in range(reach, before.width - reach, 6):
+                total += abs(before.grey(x, y) - after.grey(x + dx, y + dy))
+        return total
+    steps = range(-reach, reach + 1, 5)
+    return min(((dx, dy) for dx in steps for dy in steps), key=lambda shift: distance(*shift))
+
+
+def test_motion_without_a_drag_changes_nothing(v):
+    before = v.settle()
+    for x, y in [(400, 320), (700, 500), (330, 550), BESIDE]:
+        v.hands("mousemove", x, y)
+    v.answer()
+    same(before, v.picture(), "after motion without a drag")
+
+
+def test_a_drag_moves_what_is_grabbed_with_the_hand(v):
+    v.hands("mousemove", *BESIDE)
+    before = v.settle()
+    v.hands("mousemove", 560, 420, "mousedown", 1, "mousemove", 600, 440)
+    v.changes("a drag turns the camera", before)
+    dragged = v.settle()
+    v.hands("mousemove", 700, 300, "mousemove", 560, 420)
+    v.settle()
+    same(before, v.picture(), "after the hand came back", CURSOR)
+    v.hands("mousemove", 600, 440, "mouseup", 1, "mousemove", *BESIDE)
+    after = v.settle()
+    same(dragged, after, "after the button was let go", CURSOR)
+    dx, dy = shift_between(before, after, 60)
+    assert abs(dx - 40) <= 10 and abs(dy - 20) <= 10, f"the hand went 40 px right and 20 down, the picture {dx} and {dy}"
+    v.hands("mousemove", 640, 500, "mousemove", *BESIDE)
+    v.answer()
+    same(after, v.picture(), "after motion that follows the drag")
+
+
+def test_a_drag_on_a_panel_does_not_turn_the_camera(v):
+    before = v.settle()
+    for step in [["mousemove", 60, 450], ["mousedown", 1], ["mousemove", *BESIDE], ["mouseup", 1]]:
+        v.hands(*step)
+        v.settle()     # Dear ImGui 1.86 sees the pointer where it is during a frame
+    v.answer()
+    same(before, v.picture(), "after a drag that began on the panel")
+
+
+def test_right_drag_rolls(v):
+    before = v.settle()
+    v.hands("mousemove", 700, 300, "mousedown", 3, "mousemove", 700, 420, "mouseup", 3, "mousemove", *BESIDE)
+    v.changes("a right drag rolls the camera", before)
+
+
+def test_keys_and_wheel_move_and_r_comes_back(v):
+    v.hands("mousemove", *BESIDE, "key", "r")
+    home = v.settle()
+    for name, press, release in [("W", ["keydown", "w"], ["keyup", "w"]), ("D", ["keydown", "d"], ["keyup", "d"]),
+                                 ("space", ["keydown", "space"], ["keyup", "space"]), ("E", ["keydown", "e"], ["keyup", "e"]),
+                                 ("wheel", ["click", 4], ["click", 4]),
+                                 ("shift and wheel", ["keydown", "shift", "click", 5], ["click", 5, "keyup", "shift"])]:
+        v.hands(*press)
+        v.changes(f"{name} moves the camera", home)
+        v.hands(*release)
+        v.settle()
+        v.hands("key", "r")
+        same(home, v.settle(), f"R after {name}")
+
+
+def test_typing_a_number_does_not_fly(v):
+    shots = []
+    for text in ["14", "w14"]:     # w is no part of a number, and no flight while a field has the keyboard
+        v.hands("mousemove", *BESIDE, "key", "r")
+        before, field = v.settle(), v.picture(FIELD)
+        v.hands("mousemove", 200, 98, "click", 1)
+        wait_until("a field takes the keyboard", lambda: v.picture(FIELD).data != field.data)
+        for key in ["ctrl+a", *text, "Return"]:     # Dear ImGui 1.86 sees keys that are down during a frame
+            v.hands("key", "--delay", 200, key)
+        v.changes("a radius that is typed in takes effect", before)
+        shots.append(v.settle())
+    same(*shots, "between 14 and w14")
+    v.hands("mousemove", *BESIDE, "key", "r")
+
+
+def test_tab_hides_the_panels(v):
+    before = v.settle()
+    side = v.picture(SIDE)
+    v.hands("key", "Tab")
+    v.changes("Tab hides the panels", side, SIDE)
+    same(before, v.settle(), "the picture beside the panels")
+    hidden = v.picture(SIDE)
+    v.hands("key", "Tab")
+    v.changes("Tab brings the panels back", hidden, SIDE)
+
+
+def test_f12_saves_the_picture_without_panels(v):
+    shown = v.settle()
+    v.hands("key", "F12")
+    path = wait_until("F12 saves a file", lambda: next(Path(v.folder).glob("nullscope-*.png"), None))
+    saved = read_png(path)
+    assert (saved.width, saved.height) == (WIDTH, HEIGHT), f"saved {saved.width}x{saved.height}"
+    same(saved.crop(*PICTURE), shown, "the saved picture beside the panels")
+    v.hands("key", "Tab")
+    v.settle((0, 0, 300, 300))
+    same(saved.crop(*SIDE), v.picture(SIDE), "the saved picture below the panels")
+    v.hands("key", "Tab")
+    path.unlink()
+
+
+def test_at_rest_it_leaves_the_processor_alone(v):
+    v.settle()
+    def spent():
+        fields = Path(f"/proc/{v.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+    before = spent()
+    time.sleep(1.0)
+    used = spent() - before
+    assert used < 0.2, f"{used:.2f} s of processor time in a second of rest"
+
+
+def test_resizing_keeps_the_horizontal_field_of_view(v):
+    v.hands("windowsize", v.window, 600, 500)
+    def saved_size():
+        for old in Path(v.folder).glob("nullscope-*.png"):
+            old.unlink()
+        v.hands("key", "F12")
+        path = wait_until("F12 saves a file", lambda: next(Path(v.folder).glob("nullscope-*.png"), None))
+        picture = read_png(path)
+        return picture if (picture.width, picture.height) == (600, 500) else None
+    small = wait_until("a picture of the new size", saved_size)
+    assert small.mean() > 1, "the picture of the new size is black"
+    v.hands("windowsize", v.window, WIDTH, HEIGHT)
+    v.settle()
+
+
+def test_escape_quits(v):
+    v.hands("key", "Escape")
+    assert v.process.wait(timeout=30) == 0, f"exit status {v.process.returncode}"
+
+
+def run(program, *arguments, **changes):
+    env = {name: value for name, value in {**os.environ, **changes}.items() if value is not None}
+    return subprocess.run([program, *arguments], env=env, capture_output=True, text=True, timeout=60)
+
+
+def test_screenshot(screen, program, folder):
+    for more in [[], ["--hidden"], ["--hidden", "--after-frames", "7"]]:
+        path = folder / "window.png"
+        done = run(program, "sky-only", "--size", "640x360", "--screenshot", path, *more, DISPLAY=screen.display)
+        assert done.returncode == 0, f"{more}: exit status {done.returncode}: {done.stderr}"
+        picture = read_png(path)
+        assert (picture.width, picture.height) == (640, 360) and picture.mean() > 1, f"{more}: not a picture of 640x360"
+        path.unlink()
+
+
+def test_bad_input(screen, program, folder):
+    scene = folder / "bad.toml"
+    scene.write_text("[camera]\nr = -1\n")
+    for arguments in [[scene], ["no-such-scene"], ["--size", "12"], ["--screenshot", "x.jpg"], ["--hidden"], ["--nonsense"]]:
+        done = run(program, *arguments, DISPLAY=screen.display)
+        assert done.returncode == 2, f"{arguments}: exit status {done.returncode}"
+        assert done.stderr.strip(), f"{arguments}: no word on what is wrong"
+    line = run(program, scene, DISPLAY=screen.display).stderr
+    assert line.count("\n") == 1 and "bad.toml:2: camera.r" in line, f"not one line with file, line and key: {line}"
+
+
+def test_no_display(screen, program, folder):
+    for display, words in [(None, "DISPLAY is not set"), (":9999", ":9999")]:
+        done = run(program, DISPLAY=display, WAYLAND_DISPLAY=None)
+        assert done.returncode == 1, f"exit status {done.returncode}"
+        assert "display" in done.stderr and words in done.stderr and "nullscope capture" in done.stderr, done.stderr
+
+
+def test_old_opengl(screen, program, folder):
+    done = run(program, DISPLAY=screen.display, MESA_GL_VERSION_OVERRIDE="2.1")
+    assert done.returncode == 1, f"exit status {done.returncode}"
+    assert "3.3" in done.stderr and "2.1" in done.stderr and "display" not in done.stderr, done.stderr
+
+
+WITH_WINDOW = [test_motion_without_a_drag_changes_nothing, test_a_drag_moves_what_is_grabbed_with_the_hand,
+               test_a_drag_on_a_panel_does_not_turn_the_camera, test_right_drag_rolls, test_keys_and_wheel_move_and_r_comes_back,
+               test_typing_a_number_does_not_fly, test_tab_hides_the_panels, test_at_rest_it_leaves_the_processor_alone,
+               test_f12_saves_the_picture_without_panels, test_resizing_keeps_the_horizontal_field_of_view, test_escape_quits]
+FROM_OUTSIDE = [test_screenshot, test_bad_input, test_no_display, test_old_opengl]
+
+
+def attempt(test, *arguments):
+    start = time.monotonic()
+    try:
+        test(*arguments)
+    except (AssertionError, subprocess.SubprocessError, OSError) as error:
+        print(f"FAILED {test.__name__}: {error}", flush=True)
+        if not isinstance(error, AssertionError):
+            traceback.print_exc()
+        return False
+    print(f"passed {test.__name__} ({time.monotonic() - start:.1f} s)", flush=True)
+    return True
+
+
+def main():
+    missing = [tool for tool in ("Xvfb", "xdotool") if shutil.which(tool) is None]
+    if missing:
+        print(f"skipped: {' and '.join(missing)} not installed")
+        return 77
+    program = str(Path(sys.argv[1]).resolve())
+    chosen = lambda tests: [t for t in tests if len(sys.argv) < 3 or t.__name__.removeprefix("test_") in sys.argv[2:]]
+    os.environ.update(LIBGL_ALWAYS_SOFTWARE="1", MESA_SHADER_CACHE_DISABLE="true")
+    screen, folder, good = Screen(WIDTH + 100, HEIGHT + 100), Path(tempfile.mkdtemp(prefix="nullscope-drive.")), True
+    viewer = None
+    try:
+        if chosen(WITH_WINDOW):
+            viewer = Viewer(screen, program, "first-light", "--size", f"{WIDTH}x{HEIGHT}")
+        for test in chosen(WITH_WINDOW):
+            good = attempt(test, viewer) and good
+        for test in chosen(FROM_OUTSIDE):
+            good = attempt(test, screen, program, folder) and good
+    finally:
+        if viewer is not None:
+            viewer.kill()
+        screen.close()
+        shutil.rmtree(folder, ignore_errors=True)
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
