@@ -7,13 +7,12 @@
 //   w: |.........|....|..|.||:   <- cells crowd towards the critical ray on either side   :||.|..|....|.........|
 //                            theta_c
 //
-// strip_fetch: rays that reach the sky, 512 cells an octave in rows of 1024; texel (c0, c1, r0, r1):
+// strip_fetch: rays that reach the sky, 1024 cells an octave, one octave a row; texel (c0, c1, r0, r1):
 //   cos(phi) = c0 + c1 f, sin(phi)/sin(alpha) = r0 + r1 f, 0 <= f < 1 across the cell. One fetch a ray.
 // ends_fetch: 16 cells an octave, row 0 rays to the sky, row 1 captured ones; phi_end/sin(alpha) as coefficients of 1, f, f^2, f^3.
 //   phi_end: angle swept to the sky or to the horizon. Needed by objects only.
 
-#define STRIP_CELLS_PER_OCTAVE 512
-#define STRIP_WIDTH 1024
+#define STRIP_CELLS_PER_OCTAVE 1024
 #define ENDS_CELLS_PER_OCTAVE 16
 
 struct Octave {

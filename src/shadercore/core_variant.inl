@@ -13,6 +13,7 @@ thread_local Inputs inputs;
 #define frame inputs.frame
 
 vec4 fetch(const TexelView& view, int x, int y) {
+    if (view.data == nullptr) return vec4(0);   // as a texture that is not there reads in GL
     const auto* texel = view.data + 4 * (static_cast<std::size_t>(y) * view.width + x);
     return vec4(texel[0], texel[1], texel[2], texel[3]);
 }
@@ -55,7 +56,6 @@ RayPixel trace_one(const CoreInput& input, double x, double y) {
 }
 
 #undef STRIP_CELLS_PER_OCTAVE
-#undef STRIP_WIDTH
 #undef ENDS_CELLS_PER_OCTAVE
 #undef ORBIT_CELLS_PER_OCTAVE
 #undef ORBIT_ROWS

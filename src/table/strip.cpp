@@ -10,8 +10,7 @@ namespace nullscope {
 namespace {
 
 constexpr int kCoarse = 16;    // ENDS_CELLS_PER_OCTAVE: cubics that follow the fan
-constexpr int kFine = 512;     // STRIP_CELLS_PER_OCTAVE: straight lines that follow the cubics
-constexpr int kWidth = 1024;   // STRIP_WIDTH
+constexpr int kFine = 1024;    // STRIP_CELLS_PER_OCTAVE: straight lines that follow the cubics, one octave a row
 
 using Cubic = std::array<double, 4>;
 double value(const Cubic& c, double f) { return c[0] + f * (c[1] + f * (c[2] + f * c[3])); }
@@ -68,7 +67,7 @@ Strip build_strip(const RayFan& fan) {
     const int sky_cells = octaves(fan, Segment::kSky) * kCoarse, captured_cells = octaves(fan, Segment::kCaptured) * kCoarse;
     constexpr int kPerCoarse = kFine / kCoarse;
     Strip strip;
-    strip.sky = {kWidth, (sky_cells * kPerCoarse + kWidth - 1) / kWidth, {}};
+    strip.sky = {kFine, sky_cells / kCoarse, {}};
     strip.sky.texels.assign(static_cast<std::size_t>(strip.sky.width) * strip.sky.height * 4, 0.0f);
     strip.ends = {std::max(sky_cells, captured_cells), 2, {}};
     strip.ends.texels.assign(static_cast<std::size_t>(strip.ends.width) * 8, 0.0f);

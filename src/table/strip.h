@@ -19,7 +19,7 @@ struct Strip {
     TexelGrid ends;   // phi_end/sin(alpha) of all rays
 };
 
-// Error of cos(phi) and of sin(phi): (1/512)^2/16 of the second derivative by ln w, at most 2e-6, where the sky moves by 1 rad
+// Error of cos(phi) and of sin(phi): (1/1024)^2/16 of the second derivative by ln w, at most 6e-7, where the sky moves by 1 rad
 // per rad; less in pixels towards the critical ray. About 1 core-millisecond.
 Strip build_strip(const RayFan& fan);
 

@@ -20,7 +20,8 @@ namespace {
 constexpr double kTableError = 2e-9;
 // The bound for the default table on two cores; measured 7 ms on a quiet machine, so a busy one passes too.
 constexpr double kBuildMs = 100.0;
-// Lines over 1/512 octave: (1/512)^2/16 of the second derivative by ln w (3 at the most, where the sky's far side is seen).
+// Lines over cells of at most pi/1024 rad, where the sky turns by 1 to 1.5 rad per rad: (pi/1024)^2/16 x 1.5^2 < 1.4e-6 in the
+// last cells before the radial ray, half of it on the mean, and float rounding.
 constexpr double kStripError = 1e-6;
 constexpr double kRoundTrip = 1e-15;   // a few roundings
 
@@ -101,8 +102,8 @@ TEST_CASE("strip: lines reproduce the fan") {
         for (double w = fan.w0() * 0.7; w < fan.w_limit(Segment::kSky); w *= 1.0037) {
             const double u = 1.0 + w / fan.w0();
             const int octave = std::ilogb(u);
-            const double position = (std::ldexp(u, -octave) - 1.0) * 512.0;
-            const float* line = strip.texels.data() + 4 * (static_cast<std::size_t>(octave) * 512 + static_cast<std::size_t>(position));
+            const double position = (std::ldexp(u, -octave) - 1.0) * 1024.0;
+            const float* line = strip.texels.data() + 4 * (static_cast<std::size_t>(octave) * 1024 + static_cast<std::size_t>(position));
             const double f = position - std::floor(position);
             const FanRay ray = fan.ray(Segment::kSky, w);
             worst = std::fmax(worst, std::fabs(line[0] + f * line[1] - std::cos(ray.phi_end)));
