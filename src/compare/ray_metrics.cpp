@@ -11,7 +11,6 @@ namespace nullscope {
 namespace {
 
 constexpr int kBandRows = 64;            // exact rows held at a time
-constexpr float kRefineAbove_px = 0.005f;  // errors above this are measured again with displaced rays
 constexpr double kStep_px = 1e-4;        // of displaced rays: small against any feature, 1e7 roundings of a 4K position
 constexpr float kJump_px = 1.0f;         // a place on the disc this far off is another image of the disc, beyond a rim
 constexpr int kBearings = 16;            // of displaced rays round a pixel: 0.98 of the band is covered in every direction
@@ -92,8 +91,8 @@ struct Doubt {
 // Pixels of one frame against an exact trace.
 class Judge {
 public:
-    Judge(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, RayMeasures& measures)
-        : tested_(tested), camera_(camera), trace_(trace), measures_(measures) {}
+    Judge(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, double refine_above_px, RayMeasures& measures)
+        : tested_(tested), camera_(camera), trace_(trace), refine_above_px_(refine_above_px), measures_(measures) {}
 
     // Compares rows first ... end - 1.
     void band(int first, int end) {
@@ -114,7 +113,7 @@ public:
         std::vector<Doubt> doubts;
         for (int y = first; y < end; ++y)
             for (int x = 0; x < tested_.width; ++x)
-                if (errors_at(x, y).worst_px() > kRefineAbove_px) doubts.push_back({x, y});
+                if (errors_at(x, y).worst_px() > refine_above_px_) doubts.push_back({x, y});
         refine(band, doubts);
         judge_edges(band, doubts);
     }
@@ -171,6 +170,7 @@ private:
     const RayFrame& tested_;
     const CameraSpec& camera_;
     const ExactTrace& trace_;
+    double refine_above_px_;
     RayMeasures& measures_;
 };
 
@@ -226,9 +226,9 @@ ExactPixel exact_pixel(const CameraSpec& camera, const ExactTrace& trace, int x,
     return with_displaced(camera, x, y, pixels[0], pixels.data() + 1);
 }
 
-RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, int row_step) {
+RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, int row_step, double refine_above_px) {
     RayMeasures measures = empty_measures(tested);
-    Judge judge(tested, camera, trace, measures);
+    Judge judge(tested, camera, trace, refine_above_px, measures);
     const int rows = row_step == 1 ? kBandRows : 1;
     for (int y = 0; y < tested.height; y += std::max(rows, row_step)) judge.band(y, std::min(y + rows, tested.height));
     summarise(tested, measures);

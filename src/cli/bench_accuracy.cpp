@@ -1,0 +1,246 @@
+// nullscope bench accuracy: error and cost of every method and table size, in one run, costs drawn in turn.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <thread>
+
+#include "base/atomic_file.h"
+#include "base/progress.h"
+#include "cli/accuracy_plot.h"
+#include "cli/bench.h"
+#include "cli/json.h"
+#include "cli/session.h"
+#include "compare/ray_metrics.h"
+#include "reference/reference.h"
+#include "scene/scene_file.h"
+
+namespace nullscope::cli {
+namespace {
+
+struct Options {
+    std::vector<std::string> scenes = {"sky-only"};
+    std::string context = "auto", json, plot;
+    int frames = 9;
+};
+
+constexpr double k4kWidth = 3840;
+constexpr int kErrorWidth = 384, kErrorHeight = 216;   // a 4K frame of 90 degrees, every tenth pixel each way
+constexpr double kRefineAbove_px = 5e-5;               // of this frame: 0.0005 px of the 4K frame
+constexpr int kTimeWidth = 1280, kTimeHeight = 720;
+
+const std::vector<std::string>& methods() {
+    static const std::vector<std::string> list = {
+        "strip", "table:32:hermite", "table:64:hermite", "table:128:hermite", "table:256:hermite", "table:32:cubic", "table:64:cubic",
+        "table:128:cubic", "table:256:cubic", "table:64:bilinear", "table:128:bilinear", "table:256:bilinear", "table:512:bilinear",
+        "table:1024:bilinear", "table:64:hardware", "table:128:hardware", "table:256:hardware", "table:512:hardware", "table:1024:hardware",
+        "closed-form", "integrate:6:1", "integrate:6:0.6", "integrate:6:0.3", "integrate:4:0.4", "integrate:4:0.2", "integrate:4:0.1",
+        "integrate:4:0.05", "euler:100", "euler:300", "euler:1000", "euler:3000"};
+    return list;
+}
+
+// Far, middle, near, on the photon sphere, inside it, next to the horizon, and fast.
+std::vector<CameraSpec> cameras() {
+    std::vector<CameraSpec> list;
+    const auto add = [&](double r, double yaw, Vec3 velocity) {
+        CameraSpec camera;
+        camera.r = r;
+        camera.theta = 1.2;
+        camera.yaw = yaw;
+        camera.pitch = 0.1;
+        camera.velocity = velocity;
+        camera.plane_width = 2.0;
+        camera.width = kErrorWidth;
+        camera.height = kErrorHeight;
+        list.push_back(camera);
+    };
+    add(1000, 0, {}), add(1000, 2, {});
+    add(20, 0, {}), add(20, M_PI, {});
+    add(3, 0.7, {}), add(1.5, 1.2, {}), add(1.2, 2.4, {}), add(1.01, 2.9, {});
+    add(10, 0.3, {-0.5, 0.0, 0.74}), add(10, 1.0, {0.9, 0.0, 0.3});
+    return list;
+}
+
+struct Row {
+    std::string name;
+    Method method;
+    std::vector<float> screen, forward;   // per pixel of all cameras
+    long long fate_errors = 0;
+    std::size_t bytes = 0;
+    double build_ms = 0;
+    Samples cost;
+    Spread screen_px, forward_rad;
+    bool on_frontier = false;
+};
+
+Status measure_errors(Session& session, const SpacetimeSpec& spacetime, std::vector<Row>& rows) {
+    Progress progress("errors", static_cast<long long>(rows.size() * cameras().size()));
+    for (const CameraSpec& camera : cameras()) {
+        Scene scene;
+        scene.spacetime = spacetime;
+        scene.camera = camera;
+        scene.sky.kind = SkyKind::kBlack;
+        const ExactTrace trace = [&](const std::vector<std::array<double, 2>>& positions) {
+            auto pixels = reference::trace_pixels(scene, positions);
+            return pixels ? std::move(*pixels) : std::vector<RayPixel>(positions.size());
+        };
+        for (Row& row : rows) {
+            session.renderer->set_method(row.method);
+            if (Status ready = session.renderer->prepare(scene); !ready) return ready;
+            const RayMeasures m = measure_rays(session.renderer->ray_data(), camera, trace, 1, kRefineAbove_px);
+            for (const PixelErrors& pixel : m.pixels) {
+                if (!pixel.escaped) continue;
+                row.screen.push_back(pixel.sky_px * static_cast<float>(k4kWidth / kErrorWidth));
+                row.forward.push_back(pixel.forward_rad);
+            }
+            row.fate_errors += m.fate_errors;
+            progress.advance();
+        }
+    }
+    for (Row& row : rows) row.screen_px = spread_of(row.screen), row.forward_rad = spread_of(row.forward);
+    return Done{};
+}
+
+Status measure_costs(Session& session, Scene scene, int frames, std::vector<Row>& rows, Samples& floor) {
+    scene.camera.width = kTimeWidth;
+    scene.camera.height = kTimeHeight;
+    Scene flat = scene;
+    flat.spacetime = {"minkowski", {}};
+    Renderer flat_renderer;
+    if (Status ready = flat_renderer.prepare(flat); !ready) return ready;
+    const gl::Target target = gl::make_target(kTimeWidth, kTimeHeight, gl::Format::kRgba8);
+    const auto draw = [&](Renderer& renderer) { renderer.draw(target.framebuffer.id(), kTimeWidth, kTimeHeight, Output::kDisplay); };
+    draw(flat_renderer);
+    Progress progress("costs", static_cast<long long>(rows.size()) * (frames + 1));
+    for (int frame = -1; frame < frames; ++frame) {   // the first round compiles
+        for (Row& row : rows) {
+            session.renderer->set_method(row.method);
+            if (Status ready = session.renderer->prepare(scene); !ready) return ready;
+            if (frame < 0) {
+                row.build_ms = session.renderer->tables().table_ms() +
+                               (row.method.kind == MethodKind::kTable ? session.renderer->gpu_table_ms() : 0.0) +
+                               (row.method.kind == MethodKind::kStrip ? session.renderer->tables().rows_ms() : 0.0);
+                for (const auto& line : session.renderer->textures())
+                    if (line.name == (row.method.kind == MethodKind::kStrip ? "strip" : "deflection table")) row.bytes = line.bytes;
+                if (row.method.kind == MethodKind::kClosedForm || row.method.kind == MethodKind::kIntegrate) row.build_ms = 0, row.bytes = 0;
+                draw(*session.renderer);
+            } else {
+                time_one(row.cost, [&] { draw(*session.renderer); });
+            }
+            progress.advance();
+        }
+        if (frame >= 0) time_one(floor, [&] { draw(flat_renderer); });
+    }
+    return Done{};
+}
+
+void mark_frontier(std::vector<Row>& rows) {
+    for (Row& row : rows) {
+        row.on_frontier = std::none_of(rows.begin(), rows.end(), [&](const Row& other) {
+            const double c = median(other.cost.core_s), mine = median(row.cost.core_s);
+            return c <= mine && other.screen_px.max <= row.screen_px.max && (c < mine || other.screen_px.max < row.screen_px.max);
+        });
+    }
+}
+
+std::string spread_json(const Spread& s) { return JsonObject().add("max", s.max).add("p999", s.p999).add("median", s.median).text(); }
+
+const char* lookup_name(Lookup lookup) {
+    switch (lookup) {
+        case Lookup::kHardware: return "hardware";
+        case Lookup::kBilinear: return "bilinear";
+        case Lookup::kCubic: return "cubic";
+        case Lookup::kHermite: return "hermite";
+    }
+    return "";
+}
+
+JsonObject json_of(const Row& row, const Session& session, const std::string& metric, double floor_core) {
+    const double core = median(row.cost.core_s);
+    const bool table = row.method.kind == MethodKind::kTable;
+    JsonObject o;
+    o.add("method", row.name).add("size", table ? row.method.size : 0).add("lookup", table ? lookup_name(row.method.lookup) : "");
+    o.add("metric", metric).add("bytes", static_cast<long long>(row.bytes)).add("build_ms", row.build_ms);
+    o.add("core_seconds", core).add("median_ms", median(row.cost.wall_ms)).add("floor_ratio", core / floor_core);
+    o.raw("screen_error_px", spread_json(row.screen_px)).raw("forward_error_rad", spread_json(row.forward_rad));
+    o.add("fate_errors", row.fate_errors).raw("on_frontier", row.on_frontier ? "true" : "false");
+    o.raw("is_default", row.method == Method{} ? "true" : "false");
+    o.add("context", session.context->kind()).add("renderer", session.renderer->info().renderer);
+    o.add("width", kTimeWidth).add("height", kTimeHeight).add("threads", static_cast<int>(std::thread::hardware_concurrency()));
+    return o;
+}
+
+std::string family(const Method& method) {
+    if (method.kind == MethodKind::kIntegrate) return method.order == 1 ? "euler" : "integrate";
+    const std::string name = method_name(method);
+    return name.substr(0, name.find(':'));
+}
+
+void print_table(const std::vector<Row>& rows, double floor_core) {
+    fmt::print("| method | bytes | build ms | core-s | x floor | screen error px: max | 99.9 % | median | forward error rad: max | median | fate errors | |\n"
+               "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    for (const Row& row : rows) {
+        const double core = median(row.cost.core_s);
+        fmt::print("| {} | {} | {:.1f} | {:.4f} | {:.2f} | {:.2g} | {:.2g} | {:.2g} | {:.2g} | {:.2g} | {} | {} |\n", row.name, row.bytes,
+                   row.build_ms, core, core / floor_core, row.screen_px.max, row.screen_px.p999, row.screen_px.median, row.forward_rad.max,
+                   row.forward_rad.median, row.fate_errors, row.method == Method{} ? "default" : row.on_frontier ? "frontier" : "dominated");
+    }
+}
+
+int run(const Options& options) {
+    auto session = open_session(options.context);
+    if (!session) return report(session.error());
+    std::vector<JsonObject> objects;
+    for (const std::string& name : options.scenes) {
+        auto scene = load_scene(name);
+        if (!scene) return report(scene.error());
+        if (!effect_set(required_effects(*scene)).contains(Effect::kLensing))
+            return report(bad_input(fmt::format("scene {}: light runs straight in {}, there is nothing to compare", name, scene->spacetime.metric)));
+        std::vector<Row> rows;
+        for (const std::string& text : methods()) {
+            const auto method = parse_method(text);
+            if (!method) return report(method.error());
+            if (method->kind == MethodKind::kClosedForm && scene->spacetime.metric != "schwarzschild") continue;
+            Row row;
+            row.name = text;
+            row.method = *method;
+            rows.push_back(std::move(row));
+        }
+        Samples floor;
+        if (Status done = measure_errors(*session, scene->spacetime, rows); !done) return report(done.error());
+        if (Status done = measure_costs(*session, *scene, options.frames, rows, floor); !done) return report(done.error());
+        mark_frontier(rows);
+        const double floor_core = median(floor.core_s);
+        print_table(rows, floor_core);
+        std::vector<PlotPoint> points;
+        for (const Row& row : rows) {
+            objects.push_back(json_of(row, *session, scene->spacetime.metric, floor_core));
+            points.push_back({row.name, family(row.method), median(row.cost.core_s), row.screen_px.max, row.on_frontier, row.method == Method{}});
+        }
+        if (options.plot.empty()) continue;
+        const std::string subtitle = fmt::format("{}, {}, {}, {} threads; 10 cameras, every 10th pixel of a 4K frame over 90 degrees; grey: dominated",
+                                                 scene->spacetime.metric, session->context->kind(), session->renderer->info().renderer,
+                                                 std::thread::hardware_concurrency());
+        if (Status written = write_text_atomically(options.plot, accuracy_svg(points, floor_core, subtitle)); !written) return report(written.error());
+    }
+    if (options.json.empty()) return 0;
+    if (Status written = write_text_atomically(options.json, json_list(objects)); !written) return report(written.error());
+    return 0;
+}
+
+}  // namespace
+
+Command add_bench_accuracy(CLI::App& bench) {
+    auto options = std::make_shared<Options>();
+    CLI::App* app = bench.add_subcommand("accuracy", "Error and cost of every way of tracing, as a table, a diagram and JSON; some minutes");
+    app->add_option("scenes", options->scenes, "Scenes whose spacetime and sky are used")->capture_default_str();
+    app->add_option("--context", options->context, "OpenGL context: auto, egl, osmesa")
+        ->check(CLI::IsMember({"auto", "egl", "osmesa"}))->capture_default_str();
+    app->add_option("--frames", options->frames, "Timed frames of each method")->check(CLI::Range(3, 1000))->capture_default_str();
+    app->add_option("--json", options->json, "Write the rows to this file");
+    app->add_option("--plot", options->plot, "Write the work-precision diagram to this SVG file");
+    return {app, [options] { return run(*options); }};
+}
+
+}  // namespace nullscope::cli
