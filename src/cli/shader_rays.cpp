@@ -48,8 +48,8 @@ Scene view_along(Scene scene, const Start& start) {
     return scene;
 }
 
-// A disc from `inner` to 1e30 r_s: from 0, the whole equatorial plane, of which a ray hits its first crossing; from 1e29,
-// none that a ray meets, so that the views of one camera share their effects, hence their tables.
+// A disc from `inner` to 1e30 r_s. From kPlane it is the whole equatorial plane: a ray hits its first crossing. From
+// kOutOfReach no ray meets it: all views of a camera then share their effects, hence their tables.
 Scene with_disc_from(Scene scene, double inner) {
     scene.disc = DiscSpec{};
     scene.disc->inner = inner;
@@ -127,9 +127,9 @@ struct Job {
 // Up to three views a ray: the scene, the first crossing of the equatorial plane, the place at at_angle.
 class Batch {
 public:
-    Batch(const Scene& scene, bool crossings, bool always_disc)
+    Batch(const Scene& scene, bool crossings, bool probes)
         : scene_(scene), plane_(with_disc_from(scene, kPlane)), crossings_(crossings) {
-        if (always_disc && !scene.disc) scene_ = with_disc_from(scene, kOutOfReach);
+        if (probes && !scene.disc) scene_ = with_disc_from(scene, kOutOfReach);
     }
 
     std::vector<Scene> views(std::span<const Job> jobs) const {
@@ -185,8 +185,7 @@ Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& sce
     }
     // Rows of one radius share strip and orbit map.
     std::stable_sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) { return a.start.r < b.start.r; });
-    // The C++ core always compiles the disc in, so it needs an orbit map.
-    const Batch batch(scene, run.crossings, run.crossings || places || run.tracer != ShaderTracer::kGl);
+    const Batch batch(scene, run.crossings, run.crossings || places);
     std::vector<std::optional<RayRecord>> records(table.rows.size());
     for (std::span<const Job> rest = jobs; !rest.empty();) {
         const auto now = rest.first(std::min(kBatch, rest.size()));

@@ -38,24 +38,26 @@ class CliTest(unittest.TestCase):
         path.write_bytes(content if isinstance(content, bytes) else content.encode())
         return str(path)
 
-    def run_nullscope(self, *arguments, status=0):
+    def run_nullscope(self, *arguments, status=0, before=None):
+        """before: called in the new process, to set its limits."""
         done = subprocess.run([BINARY, *map(str, arguments)], capture_output=True, timeout=LONGEST_S, cwd=self.folder,
+                              preexec_fn=before,
                               env={**os.environ, "MESA_SHADER_CACHE_DISABLE": "true"})
         ran = Ran(done)
         self.assertEqual(ran.status, status, f"nullscope {' '.join(map(str, arguments))}\n{ran}")
         return ran
 
-    def refused(self, *arguments, status=2, says=()):
+    def refused(self, *arguments, status=2, says=(), before=None):
         """One line on standard error with every word of `says`, nothing on standard output, no file more or less."""
-        before = sorted(p.name for p in self.folder.rglob("*"))
-        ran = self.run_nullscope(*arguments, status=status)
+        files = sorted(p.name for p in self.folder.rglob("*"))
+        ran = self.run_nullscope(*arguments, status=status, before=before)
         self.assertEqual(ran.out, "", ran)
         self.assertTrue(ran.err.startswith("nullscope: ") and ran.err.endswith("\n"), ran)
         self.assertEqual(ran.err.count("\n"), 1, ran)
         self.assertFalse([c for c in ran.err[:-1] if ord(c) < 0x20 or c == "\x7f"], ran)
         for word in says:
             self.assertIn(word, ran.err)
-        self.assertEqual(sorted(p.name for p in self.folder.rglob("*")), before, "files were left behind or lost")
+        self.assertEqual(sorted(p.name for p in self.folder.rglob("*")), files, "files were left behind or lost")
         return ran.err
 
     def contexts(self):

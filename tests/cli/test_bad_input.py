@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Bad input: one line that says file, line, key and allowed range where they exist, status 2 or 1, and no file left."""
 import os
+import resource
+import signal
 import unittest
 
 import support
@@ -41,6 +43,20 @@ class Usage(support.CliTest):
         rays = self.write("rays.csv", RAYS + GOOD)
         self.refused("trace", "flat", "--rays", rays, "-o", "nowhere/a.csv", status=1, says=["nowhere/a.csv"])
         self.refused("trace", "flat", "--rays", rays, "-o", "folder.png", status=1, says=["folder.png", "directory"])
+
+    def test_no_room_for_the_file(self):
+        def no_room():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))   # bytes: the header of a picture and some rows
+
+        kept = self.write("kept.png", "an older file")
+        rays = self.write("rays.csv", RAYS + GOOD * 100)
+        small = ("--size", "64x36")
+        for output in ("new.png", kept, "new.exr"):
+            options = ("capture", "sky-only", *small, "-o", output)
+            self.refused(*options, status=1, says=["cannot write", str(output)], before=no_room)
+        self.refused("trace", "flat", "--rays", rays, "-o", "new.csv", status=1, says=["new.csv"], before=no_room)
+        self.assertEqual((self.folder / "kept.png").read_text(), "an older file")
 
     @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
     def test_folder_without_permission(self):

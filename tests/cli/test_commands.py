@@ -1,8 +1,12 @@
 #!/usr/bin/env python3
 """Every subcommand answers --help, and good runs give complete, valid files."""
 import json
+import os
+import re
 import struct
+import subprocess
 import zlib
+from pathlib import Path
 
 import support
 
@@ -122,6 +126,18 @@ class Commands(support.CliTest):
         self.assertTrue(all(r == rays[0] for r in rays), f"EXR: {kinds} differ")
         if len(kinds) < 2:
             self.skipTest(f"only {kinds} here")
+
+    def test_examples_of_the_document(self):
+        document = Path(support.__file__).resolve().parents[2] / "docs" / "command-line.md"
+        examples = re.findall(r"```sh\n(.*?)```", document.read_text(), re.S)
+        self.assertGreaterEqual(len(examples), 6)
+        path = {**os.environ, "PATH": str(Path(support.BINARY).parent) + os.pathsep + os.environ["PATH"]}
+        for example in examples:
+            done = subprocess.run(["sh", "-ec", example], cwd=self.folder, env=path, capture_output=True,
+                                  timeout=support.LONGEST_S)
+            self.assertEqual(done.returncode, 0, f"{example}\n{done.stderr.decode()}")
+        json.loads((self.folder / "bench.json").read_text())
+        self.assertEqual(png_size((self.folder / "first-light.png").read_bytes())[0], 1280)
 
     def test_an_older_file_is_replaced_whole(self):
         old = self.write("frame.png", "old")
