@@ -14,6 +14,7 @@
 #include "cli/session.h"
 #include "compare/ray_metrics.h"
 #include "reference/reference.h"
+#include "render/frontier.h"
 #include "scene/scene_file.h"
 
 namespace nullscope::cli {
@@ -21,7 +22,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> scenes = {"sky-only"};
-    std::string context = "auto", json, plot;
+    std::string context = "auto", json, plot, frontier;
     int frames = 9;
 };
 
@@ -192,6 +193,7 @@ int run(const Options& options) {
     auto session = open_session(options.context);
     if (!session) return report(session.error());
     std::vector<JsonObject> objects;
+    std::vector<MeasuredMethod> measured;
     for (const std::string& name : options.scenes) {
         auto scene = load_scene(name);
         if (!scene) return report(scene.error());
@@ -215,6 +217,7 @@ int run(const Options& options) {
         print_table(rows, floor_core);
         std::vector<PlotPoint> points;
         for (const Row& row : rows) {
+            measured.push_back({scene->spacetime.metric, row.method, row.screen_px.max, median(row.cost.core_s) / floor_core});
             objects.push_back(json_of(row, *session, scene->spacetime.metric, floor_core));
             points.push_back({row.name, family(row.method), median(row.cost.core_s), row.screen_px.max, row.on_frontier, row.method == Method{}});
         }
@@ -224,6 +227,8 @@ int run(const Options& options) {
                                                  std::thread::hardware_concurrency());
         if (Status written = write_text_atomically(options.plot, accuracy_svg(points, floor_core, subtitle)); !written) return report(written.error());
     }
+    if (!options.frontier.empty())
+        if (Status written = write_text_atomically(options.frontier, frontier_text(measured)); !written) return report(written.error());
     if (options.json.empty()) return 0;
     if (Status written = write_text_atomically(options.json, json_list(objects)); !written) return report(written.error());
     return 0;
@@ -240,6 +245,7 @@ Command add_bench_accuracy(CLI::App& bench) {
     app->add_option("--frames", options->frames, "Timed frames of each method")->check(CLI::Range(3, 1000))->capture_default_str();
     app->add_option("--json", options->json, "Write the rows to this file");
     app->add_option("--plot", options->plot, "Write the work-precision diagram to this SVG file");
+    app->add_option("--frontier", options->frontier, "Write what --method auto chooses from to this CSV file (ships as assets/frontier.csv)");
     return {app, [options] { return run(*options); }};
 }
 

@@ -14,15 +14,18 @@
 #include "compare/ray_channels.h"
 #include "reference/reference.h"
 #include "render/display.h"
+#include "render/frontier.h"
 #include "scene/scene_file.h"
 
 namespace nullscope::cli {
 namespace {
 
+constexpr double kDefaultMaxError_px = 0.05;   // of the frame that is drawn
+
 struct Options {
     std::string scene, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
     int samples = 3;
-    double time = 0.0;
+    double time = 0.0, max_error = kDefaultMaxError_px;
     bool raydata = false, dump_shader = false;
 };
 
@@ -89,6 +92,17 @@ Status write(const std::string& file_name, const Scene& scene, const Captured& c
     return save_exr(file_name, file);
 }
 
+// auto: the cheapest that was measured to keep --max-error; said on standard error.
+Result<Method> chosen_method(const Options& options, const Scene& scene) {
+    if (options.method != "auto") return parse_method(options.method);
+    const auto measured = load_frontier(assets_directory() / "frontier.csv");
+    if (!measured) return measured.error();
+    const auto choice = choose_method(*measured, scene, options.max_error);
+    if (!choice) return choice.error();
+    if (options.max_error != kDefaultMaxError_px) fmt::print(stderr, "method {}\n", choice->reason);
+    return choice->method;
+}
+
 // "A:B", the half-open range of frame numbers.
 struct Frames { int first = 0, end = 1; };
 Result<Frames> parse_frames(const Options& options) {
@@ -146,6 +160,9 @@ int run(const Options& options) {
         auto opened = open_session(options.context);
         if (!opened) return report(opened.error());
         session = std::move(*opened);
+        const auto method = chosen_method(options, *scene);
+        if (!method) return report(method.error());
+        session->renderer->set_method(*method);
     }
     std::optional<Progress> progress;
     if (frames->end - frames->first > 1) progress.emplace("frames", frames->end - frames->first);
@@ -172,8 +189,10 @@ Command add_capture(CLI::App& parent) {
         ->check(CLI::IsMember({"auto", "egl", "osmesa"}))->capture_default_str();
     app->add_option("--renderer", options->renderer, "gl: the shader; reference: the double-precision tracer, slow")
         ->check(CLI::IsMember({"gl", "reference"}))->capture_default_str();
-    app->add_option("--method", options->method, "How the shader traces: auto, or table (the deflection table's row for the camera's radius)")
-        ->check(CLI::IsMember({"auto", "table"}))->capture_default_str();
+    app->add_option("--method", options->method, "How the shader traces: auto (see --max-error), strip, table[:SIZE[:LOOKUP]], closed-form, "
+                    "integrate[:ORDER[:STEP]], euler:STEPS")->capture_default_str();
+    app->add_option("--max-error", options->max_error, "auto: the cheapest method whose measured error stays under this many pixels")
+        ->check(CLI::Range(1e-12, 1e6))->capture_default_str();
     app->add_option("--time", options->time, "Scene time in r_s/c; scenes without anything that moves look the same at all times")
         ->check(CLI::Range(0.0, 1e9))->capture_default_str();
     app->add_option("--frames", options->frames, "Draw frames A to B-1 of a sequence, A:B; -o then holds %05d");

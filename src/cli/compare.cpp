@@ -21,7 +21,7 @@ struct Options {
     std::string a, b, heat_map, scene;
 };
 
-constexpr double kPictureThreshold = 2.0 / 255;   // two codes of an 8-bit picture: what rounding twice may differ by
+constexpr double kPictureThreshold = 2.0 / 255;  // two codes of an 8-bit picture: what rounding twice may differ by
 constexpr HeatScale kPictureScale{1e-4, 1}, kPixelScale{1e-4, 1};
 
 bool is_exr(const std::string& name) { return name.ends_with(".exr"); }
@@ -39,20 +39,19 @@ Result<std::optional<RayFrame>> load_rays(const std::string& name) {
 
 Status save_heat_map(const Options& options, const Image<float>& values, HeatScale scale) {
     if (options.heat_map.empty()) return Done{};
-    if (!options.heat_map.ends_with(".png"))
-        return bad_input(fmt::format("--heatmap {}: unknown kind of file; allowed: names that end in .png", options.heat_map));
     return save_png(options.heat_map, heat_map(values, scale));
 }
 
 void print_spread(const char* name, const Spread& spread, const char* unit) {
     if (spread.count == 0) return;
-    fmt::print("{:<15} max {:<11.4g} 99.9 % {:<11.4g} median {:<11.4g} {}, {} pixels\n", name, spread.max, spread.p999, spread.median, unit,
-               spread.count);
+    fmt::print("{:<15} max {:<11.4g} 99.9 % {:<11.4g} median {:<11.4g} {}, {} pixels\n", name, spread.max, spread.p999,
+               spread.median, unit, spread.count);
 }
 
 int compare_rays(const Options& options, const RayFrame& a, const RayFrame& b) {
     if (a.width != b.width || a.height != b.height)
-        return report(bad_input(fmt::format("sizes differ: {} is {}x{}, {} is {}x{}", options.a, a.width, a.height, options.b, b.width, b.height)));
+        return report(bad_input(fmt::format("sizes differ: {} is {}x{}, {} is {}x{}", options.a, a.width, a.height,
+                                            options.b, b.width, b.height)));
     std::optional<Scene> scene;
     if (!options.scene.empty()) {
         auto loaded = load_scene(options.scene);
@@ -65,16 +64,20 @@ int compare_rays(const Options& options, const RayFrame& a, const RayFrame& b) {
     const auto angle_of = [&](int x, int y) { return scene ? pixel_angle(scene->camera, x + 0.5, y + 0.5) : estimate; };
     const RayMeasures m = measure_ray_frames(a, b, angle_of, scene ? camera_place(scene->camera) : Vec3{});
     if (!scene)
-        fmt::print("a pixel is taken as {:.4g} rad, the median motion of {}'s sky; --scene SCENE gives the exact angle\n", estimate, options.b);
+        fmt::print(
+            "a pixel is taken as {:.4g} rad, the median motion of {}'s sky; --scene SCENE gives the exact angle\n",
+            estimate, options.b);
     print_spread("forward error", m.forward_rad, "rad");
     print_spread("screen error", m.sky_px, "px");
     print_spread("place on disc", m.place_px, "px");
     print_spread("swept angle", m.angle_px, "px");
     print_spread("g", m.g_px, "px");
-    fmt::print("{:<15} {} of {} pixels (no band: nothing is traced here)\n", "fate differs", m.fate_errors, m.pixels.size());
+    fmt::print("{:<15} {} of {} pixels (no band: nothing is traced here)\n", "fate differs", m.fate_errors,
+               m.pixels.size());
     fmt::print("{:<15} {} pixels of {}\n", "not finite", m.not_finite, options.a);
     Image<float> values(m.width, m.height, 1);
-    std::transform(m.pixels.begin(), m.pixels.end(), values.data.begin(), [](const PixelErrors& e) { return e.worst_px(); });
+    std::transform(m.pixels.begin(), m.pixels.end(), values.data.begin(),
+                   [](const PixelErrors& e) { return e.worst_px(); });
     if (Status saved = save_heat_map(options, values, kPixelScale); !saved) return report(saved.error());
     return 0;
 }
@@ -88,21 +91,28 @@ int compare_pictures(const Options& options) {
     const auto m = measure_images(*a, *b, kPictureThreshold);
     if (!m) return report(bad_input(fmt::format("{}, {}: {}", options.a, options.b, m.error().message)));
     fmt::print("values          {}\n", linear ? "linear light" : "display-encoded, 0 to 1");
-    fmt::print("difference      max {:.4g}  99.9 % {:.4g}  median {:.4g} (largest of a pixel's colours)\n", m->max, m->p999, m->median);
+    fmt::print("difference      max {:.4g}  99.9 % {:.4g}  median {:.4g} (largest of a pixel's colours)\n", m->max,
+               m->p999, m->median);
     fmt::print("mean            {:.4g}\n", m->mean);
     fmt::print("PSNR            {:.2f} dB\n", m->psnr_db);
-    fmt::print("above {:.4f}    {:.4f} % of {} pixels\n", kPictureThreshold, 100 * m->fraction_above, m->difference.data.size());
+    fmt::print("above {:.4f}    {:.4f} % of {} pixels\n", kPictureThreshold, 100 * m->fraction_above,
+               m->difference.data.size());
     if (Status saved = save_heat_map(options, m->difference, kPictureScale); !saved) return report(saved.error());
     return 0;
 }
 
 int run(const Options& options) {
+    if (!options.heat_map.empty() && !options.heat_map.ends_with(".png"))
+        return report(bad_input(
+            fmt::format("--heatmap {}: unknown kind of file; allowed: names that end in .png", options.heat_map)));
     const auto a = load_rays(options.a), b = load_rays(options.b);
     if (!a) return report(a.error());
     if (!b) return report(b.error());
     if (a->has_value() != b->has_value())
-        return report(bad_input(fmt::format("{} has ray data and {} has none (no channel \"fate\"); make it with: nullscope capture SCENE --raydata -o FILE.exr",
-                                            a->has_value() ? options.a : options.b, a->has_value() ? options.b : options.a)));
+        return report(
+            bad_input(fmt::format("{} has ray data and {} has none (no channel \"fate\"); make it with: nullscope "
+                                  "capture SCENE --raydata -o FILE.exr",
+                                  a->has_value() ? options.a : options.b, a->has_value() ? options.b : options.a)));
     return a->has_value() ? compare_rays(options, **a, **b) : compare_pictures(options);
 }
 
@@ -110,11 +120,14 @@ int run(const Options& options) {
 
 Command add_compare(CLI::App& parent) {
     auto options = std::make_shared<Options>();
-    CLI::App* app = parent.add_subcommand("compare", "Differences between two pictures, or between the ray data of two frames (A against the exact B)");
-    app->add_option("a", options->a, "PNG, JPEG, HDR or EXR; or an EXR with ray data (nullscope capture --raydata)")->required();
+    CLI::App* app = parent.add_subcommand(
+        "compare", "Differences between two pictures, or between the ray data of two frames (A against the exact B)");
+    app->add_option("a", options->a, "PNG, JPEG, HDR or EXR; or an EXR with ray data (nullscope capture --raydata)")
+        ->required();
     app->add_option("b", options->b, "The same kind of file: what A should be")->required();
     app->add_option("--heatmap", options->heat_map, "PNG to write: each pixel's difference by colour, with a legend");
-    app->add_option("--scene", options->scene, "Ray data: the scene of both, whose camera says what angle a pixel spans");
+    app->add_option("--scene", options->scene,
+                    "Ray data: the scene of both, whose camera says what angle a pixel spans");
     return {app, [options] { return run(*options); }};
 }
 

@@ -1,0 +1,69 @@
+#include "render/frontier.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/atomic_file.h"
+#include "base/text.h"
+
+namespace nullscope {
+namespace {
+
+// What one pixel of the bench's 4K frame spans in the middle: its errors in px are at least forward errors over this.
+constexpr double kBenchPixel_rad = 2.0 / 3840.0;
+
+// The smallest angle that a pixel of the frame spans: in its corners.
+double smallest_pixel(const CameraSpec& camera) {
+    const double pixel = camera.plane_width / camera.width / camera.focal_distance;
+    const double x = 0.5 * camera.width * pixel, y = 0.5 * camera.height * pixel;
+    return pixel * std::pow(1.0 + x * x + y * y, -0.75);
+}
+
+}  // namespace
+
+Result<std::vector<MeasuredMethod>> load_frontier(const std::filesystem::path& path) {
+    const auto text = read_text(path);
+    if (!text) return text.error();
+    std::vector<MeasuredMethod> methods;
+    int number = 0;
+    for (const std::string& line : split(*text, '\n')) {
+        ++number;
+        if (trim(line).empty() || line[0] == '#' || line.starts_with("metric,")) continue;
+        const auto cells = split(line, ',');
+        const auto error = cells.size() == 4 ? parse_number(cells[2]) : std::nullopt, cost = cells.size() == 4 ? parse_number(cells[3]) : std::nullopt;
+        const auto method = cells.size() == 4 ? parse_method(cells[1]) : Result<Method>(bad_input(""));
+        if (!error || !cost || !method) return bad_input(fmt::format("{}:{}: expected metric,method,error_px,floor_ratio", path.string(), number));
+        methods.push_back({cells[0], *method, *error, *cost});
+    }
+    return methods;
+}
+
+std::string frontier_text(const std::vector<MeasuredMethod>& methods) {
+    std::string out = "# Largest screen error (px of a 4K frame over 90 degrees) and cost (over the same frame in flat space) of each method:\n"
+                      "# made by nullscope bench accuracy --frontier, read by --method auto --max-error.\nmetric,method,error_px,floor_ratio\n";
+    for (const MeasuredMethod& m : methods) out += fmt::format("{},{},{:.4g},{:.4g}\n", m.metric, method_name(m.method), m.error_px, m.floor_ratio);
+    return out;
+}
+
+Result<Choice> choose_method(const std::vector<MeasuredMethod>& methods, const Scene& scene, double max_error_px) {
+    const double scale = kBenchPixel_rad / smallest_pixel(scene.camera);
+    const MeasuredMethod* best = nullptr;
+    double least = INFINITY;
+    int known = 0;
+    for (const MeasuredMethod& m : methods) {
+        if (m.metric != scene.spacetime.metric) continue;
+        ++known;
+        least = std::min(least, m.error_px * scale);
+        if (m.error_px * scale <= max_error_px && (best == nullptr || m.floor_ratio < best->floor_ratio)) best = &m;
+    }
+    if (known == 0)
+        return Choice{Method{}, 0.0, fmt::format("in {} light runs straight or nothing was measured: the default", scene.spacetime.metric)};
+    if (best == nullptr)
+        return bad_input(fmt::format("--max-error {}: no method is that exact in this frame; allowed: {:.2g} px and more", max_error_px, least));
+    return Choice{best->method, best->error_px * scale,
+                  fmt::format("{}: at most {:.2g} px here (asked: {}), the cheapest of {} measured methods, {:.2f} times flat space",
+                              method_name(best->method), best->error_px * scale, max_error_px, known, best->floor_ratio)};
+}
+
+}  // namespace nullscope

@@ -1,0 +1,36 @@
+// What every way of tracing was measured to err and to cost, and the choice by an error that is asked for. Written by
+// `nullscope bench accuracy --frontier FILE`; the file that ships is assets/frontier.csv.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "scene/scene.h"
+#include "shaderlib/method.h"
+
+namespace nullscope {
+
+struct MeasuredMethod {
+    std::string metric;
+    Method method;
+    double error_px;      // largest screen error over the cameras of the bench, px of a 4K frame over 90 degrees
+    double floor_ratio;   // cost of a frame over the same frame in flat space
+};
+
+// Errors: file missing, a line that is not metric,method,error_px,floor_ratio.
+Result<std::vector<MeasuredMethod>> load_frontier(const std::filesystem::path& path);
+std::string frontier_text(const std::vector<MeasuredMethod>& methods);
+
+struct Choice {
+    Method method;
+    double error_px;      // expected at most, px of this camera's frame
+    std::string reason;   // one sentence
+};
+
+// The cheapest method whose error stays under max_error_px in this camera's frame. An error in the look direction's own angle is
+// worth more pixels the smaller the pixels are: the measured error is scaled by the smallest pixel (in the frame's corners).
+// Errors: nothing is that exact; the message names the smallest error there is.
+Result<Choice> choose_method(const std::vector<MeasuredMethod>& methods, const Scene& scene, double max_error_px);
+
+}  // namespace nullscope
