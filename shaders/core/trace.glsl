@@ -5,6 +5,7 @@ struct Trace {
     vec3 n;               // unit look direction in the static frame, world axes
     float doppler;        // frequency in the camera over frequency in the static frame
     float pixel_angle;    // angle that one pixel spans here, rad, in the static frame
+    vec3 crossed;         // n x e
     float s;              // |n x e|
     float c;              // n . e
     bool escapes;
@@ -36,15 +37,14 @@ Trace trace_pixel(vec2 pixel) {
     trace.n = seen.direction;
     trace.doppler = seen.doppler;
     trace.pixel_angle *= seen.doppler;
-    vec3 crossed = cross(trace.n, radial_direction());
-    trace.s = sqrt(dot(crossed, crossed));
+    trace.crossed = cross(trace.n, radial_direction());
     trace.c = dot(trace.n, radial_direction());
 #else
     vec4 cross4 = frame.cross_0 + pixel.x * frame.cross_x + pixel.y * frame.cross_y;
-    vec3 crossed = vec3(cross4.x, cross4.y, cross4.z);
-    trace.s = sqrt(dot(crossed, crossed)) * inverse_length;
+    trace.crossed = vec3(cross4.x, cross4.y, cross4.z) * inverse_length;
     trace.c = ray4.w * inverse_length;
 #endif
+    trace.s = sqrt(dot(trace.crossed, trace.crossed));
 #ifdef EFFECT_LENSING
     StripRay ray = strip_locate(trace.s, trace.c, frame.strip, frame.radial.w);
     Sweep sweep = sweep_to_sky(ray, trace.s, trace.c);

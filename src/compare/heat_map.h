@@ -5,7 +5,7 @@
 namespace nullscope {
 
 struct HeatScale {
-    double low = 1e-4, high = 1;   // 0 < low < high: black at and below low, white above high; not finite: magenta
+    double low = 1e-4, high = 1;  // 0 < low < high: black at and below low, white above high; not finite: magenta
 };
 
 // values: one channel. The result is RGB, at least kHeatMapWidth wide, the legend (decades, their powers of ten) below.

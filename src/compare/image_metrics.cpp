@@ -23,7 +23,7 @@ Result<ImageMeasures> measure_images(const Image<float>& a, const Image<float>& 
         for (std::size_t c = 0; c < 3; ++c) {
             const float va = a.data[i * static_cast<std::size_t>(a.channels) + c];
             const float vb = b.data[i * static_cast<std::size_t>(b.channels) + c];
-            const float d = va == vb ? 0.0f : std::abs(va - vb);   // equal infinities differ by nothing
+            const float d = va == vb ? 0.0f : std::abs(va - vb);  // equal infinities differ by nothing
             const float counted = std::isnan(d) ? std::numeric_limits<float>::infinity() : d;
             largest = std::max(largest, counted);
             sum += counted;

@@ -123,13 +123,14 @@ Spread spread_of(std::vector<float> values) {
     for (float& value : values)
         if (std::isnan(value)) value = kInfinite;
     auto end = values.end();
-    const auto rank = [&](double fraction) {   // fractions in falling order: each search is among the smaller values only
-        const auto n = static_cast<std::size_t>(std::ceil(fraction * static_cast<double>(values.size())));
-        const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(n, 1) - 1);
-        if (nth != end) std::nth_element(values.begin(), nth, end);
-        end = nth;
-        return static_cast<double>(*nth);
-    };
+    const auto rank =
+        [&](double fraction) {  // fractions in falling order: each search is among the smaller values only
+            const auto n = static_cast<std::size_t>(std::ceil(fraction * static_cast<double>(values.size())));
+            const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(n, 1) - 1);
+            if (nth != end) std::nth_element(values.begin(), nth, end);
+            end = nth;
+            return static_cast<double>(*nth);
+        };
     spread.max = *std::max_element(values.begin(), values.end());
     spread.p999 = rank(0.999);
     spread.median = rank(0.5);

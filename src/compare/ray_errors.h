@@ -18,8 +18,8 @@ namespace nullscope {
 struct ExactPixel {
     RayPixel here, right, down;
     double right_px = 0, down_px = 0;
-    double pixel_angle = 0;   // rad that the pixel spans in the camera's frame: the least motion
-    Vec3 camera;              // its place, r_s, world axes: a pixel spans pixel_angle times the distance on the disc
+    double pixel_angle = 0;  // rad that the pixel spans in the camera's frame: the least motion
+    Vec3 camera;             // its place, r_s, world axes: a pixel spans pixel_angle times the distance on the disc
 };
 
 // kForgiven: differs within the band around the exact edge.
@@ -27,15 +27,15 @@ enum class RayEnd : unsigned char { kNotCompared, kSame, kForgiven, kDiffers };
 
 // Infinite where the tested value is not finite; 0 where there is nothing to compare.
 struct PixelErrors {
-    float forward_rad = 0;   // angle between the sky directions
-    float sky_px = 0;        // the same as screen error
-    float place_px = 0;      // of the first hit, (u, v) on the disc
-    float angle_px = 0;      // of the swept angle
-    float g_px = 0;          // of log g
+    float forward_rad = 0;  // angle between the sky directions
+    float sky_px = 0;       // the same as screen error
+    float place_px = 0;     // of the first hit, (u, v) on the disc
+    float angle_px = 0;     // of the swept angle
+    float g_px = 0;         // of log g
     RayEnd end = RayEnd::kNotCompared;
-    bool escaped = false, hit = false;   // what there was to compare
+    bool escaped = false, hit = false;  // what there was to compare
 
-    float worst_px() const;   // infinite for kDiffers, 0 for kForgiven and kNotCompared
+    float worst_px() const;  // infinite for kDiffers, 0 for kForgiven and kNotCompared
 };
 
 // Same fate and same object?

@@ -10,16 +10,18 @@
 namespace nullscope {
 namespace {
 
-constexpr int kBandRows = 64;            // exact rows held at a time
-constexpr double kStep_px = 1e-4;        // of displaced rays: small against any feature, 1e7 roundings of a 4K position
-constexpr float kJump_px = 1.0f;         // a place on the disc this far off is another image of the disc, beyond a rim
-constexpr int kBearings = 16;            // of displaced rays round a pixel: 0.98 of the band is covered in every direction
+constexpr int kBandRows = 64;      // exact rows held at a time
+constexpr double kStep_px = 1e-4;  // of displaced rays: small against any feature, 1e7 roundings of a 4K position
+constexpr float kJump_px = 1.0f;   // a place on the disc this far off is another image of the disc, beyond a rim
+constexpr int kBearings = 16;      // of displaced rays round a pixel: 0.98 of the band is covered in every direction
 
 void in_parallel(int first, int end, const std::function<void(int)>& work) {
     const int count = std::max(1, std::min(static_cast<int>(std::thread::hardware_concurrency()), end - first));
     std::atomic<int> next{first};
     std::vector<std::thread> threads;
-    const auto run = [&] { for (int y; (y = next++) < end;) work(y); };
+    const auto run = [&] {
+        for (int y; (y = next++) < end;) work(y);
+    };
     for (int i = 1; i < count; ++i) threads.emplace_back(run);
     run();
     for (std::thread& thread : threads) thread.join();
@@ -28,7 +30,7 @@ void in_parallel(int first, int end, const std::function<void(int)>& work) {
 // Rows of exact pixels around the ones that are compared.
 struct Band {
     const RayPixel* pixels;
-    int width, first, end;   // rows
+    int width, first, end;  // rows
     const RayPixel& at(int x, int y) const { return pixels[static_cast<std::size_t>(y - first) * width + x]; }
     bool has(int x, int y) const { return x >= 0 && x < width && y >= first && y < end; }
 };
@@ -91,7 +93,8 @@ struct Doubt {
 // Pixels of one frame against an exact trace.
 class Judge {
 public:
-    Judge(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, double refine_above_px, RayMeasures& measures)
+    Judge(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, double refine_above_px,
+          RayMeasures& measures)
         : tested_(tested), camera_(camera), trace_(trace), refine_above_px_(refine_above_px), measures_(measures) {}
 
     // Compares rows first ... end - 1.
@@ -162,7 +165,7 @@ private:
         if (!same_end(beside, tested) || !all_finite(tested)) return false;
         if (!same_end(here, tested) || tested.hit == 0) return true;
         // Both met the disc, on different images of it: the ray beside must meet the tested one.
-        constexpr double kCloser = 0.25;   // of the distance between the images
+        constexpr double kCloser = 0.25;  // of the distance between the images
         const auto distance = [&](const RayPixel& other) { return std::hypot(other.u - tested.u, other.v - tested.v); };
         return distance(beside) < kCloser * distance(here);
     }
@@ -175,7 +178,8 @@ private:
 };
 
 void summarise(const RayFrame& tested, RayMeasures& m) {
-    m.not_finite = std::count_if(tested.pixels.begin(), tested.pixels.end(), [](const RayPixel& p) { return !all_finite(p); });
+    m.not_finite =
+        std::count_if(tested.pixels.begin(), tested.pixels.end(), [](const RayPixel& p) { return !all_finite(p); });
     std::vector<float> forward, sky, place, angle, g;
     for (auto* values : {&forward, &sky, &angle, &g}) values->reserve(m.pixels.size());
     for (const PixelErrors& e : m.pixels) {
@@ -226,7 +230,8 @@ ExactPixel exact_pixel(const CameraSpec& camera, const ExactTrace& trace, int x,
     return with_displaced(camera, x, y, pixels[0], pixels.data() + 1);
 }
 
-RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, int row_step, double refine_above_px) {
+RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, int row_step,
+                         double refine_above_px) {
     RayMeasures measures = empty_measures(tested);
     Judge judge(tested, camera, trace, refine_above_px, measures);
     const int rows = row_step == 1 ? kBandRows : 1;
@@ -235,8 +240,8 @@ RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const
     return measures;
 }
 
-RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact, const std::function<double(int, int)>& angle_of,
-                               Vec3 camera) {
+RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact,
+                               const std::function<double(int, int)>& angle_of, Vec3 camera) {
     RayMeasures measures = empty_measures(tested);
     const Band band{exact.pixels.data(), exact.width, 0, exact.height};
     in_parallel(0, exact.height, [&](int y) {
@@ -264,13 +269,15 @@ std::vector<PixelPlace> worst_pixels(const RayMeasures& measures, std::size_t mo
     std::vector<std::size_t> order(measures.pixels.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const std::size_t count = std::min(most, order.size());
-    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(), [&](std::size_t a, std::size_t b) {
-        const float ea = measures.pixels[a].worst_px(), eb = measures.pixels[b].worst_px();
-        return ea != eb ? ea > eb : a < b;
-    });
+    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+                      [&](std::size_t a, std::size_t b) {
+                          const float ea = measures.pixels[a].worst_px(), eb = measures.pixels[b].worst_px();
+                          return ea != eb ? ea > eb : a < b;
+                      });
     std::vector<PixelPlace> places;
     const auto width = static_cast<std::size_t>(measures.width);
-    for (std::size_t i = 0; i < count; ++i) places.push_back({static_cast<int>(order[i] % width), static_cast<int>(order[i] / width)});
+    for (std::size_t i = 0; i < count; ++i)
+        places.push_back({static_cast<int>(order[i] % width), static_cast<int>(order[i] / width)});
     return places;
 }
 

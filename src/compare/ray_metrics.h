@@ -19,16 +19,16 @@ using ExactTrace = std::function<std::vector<RayPixel>(const std::vector<std::ar
 
 struct RayMeasures {
     int width = 0, height = 0;
-    std::vector<PixelErrors> pixels;   // top row first
+    std::vector<PixelErrors> pixels;  // top row first
     long long fate_errors = 0, forgiven = 0, not_finite = 0;
-    Spread forward_rad, sky_px, place_px, angle_px, g_px;   // over the pixels that have such a value in both frames
+    Spread forward_rad, sky_px, place_px, angle_px, g_px;  // over the pixels that have such a value in both frames
 
     const PixelErrors& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
 };
 
 // Compares every pixel (of every row_step-th row) with the exact trace. The motion per pixel comes from the neighbours, and
-// where that leaves more than refine_above_px, from rays displaced by 1e-4 px. Memory: 28 bytes a pixel and 64 rows of exact pixels; cost: that of the trace and
-// some 0.2 core-microseconds a pixel.
+// where that leaves more than refine_above_px, from rays displaced by 1e-4 px. Memory: 28 bytes a pixel and 64 rows of exact
+// pixels; cost: that of the trace and some 0.2 core-microseconds a pixel.
 RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, int row_step = 1,
                          double refine_above_px = 1e-3);
 
@@ -37,8 +37,8 @@ ExactPixel exact_pixel(const CameraSpec& camera, const ExactTrace& trace, int x,
 
 // Compares two frames of one size when nothing can be traced: motion from the exact frame's neighbours, no pixel forgiven.
 // angle_of: the angle that a pixel spans, rad; camera: place of the camera.
-RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact, const std::function<double(int x, int y)>& angle_of,
-                               Vec3 camera);
+RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact,
+                               const std::function<double(int x, int y)>& angle_of, Vec3 camera);
 
 // rad that pixel (x, y) of a pinhole spans: the square root of its solid angle.
 double pixel_angle(const CameraSpec& camera, double x, double y);
@@ -48,7 +48,9 @@ Vec3 camera_place(const CameraSpec& camera);
 double estimated_pixel_angle(const RayFrame& exact);
 
 // The pixels with the largest worst_px(), worst first.
-struct PixelPlace { int x, y; };
+struct PixelPlace {
+    int x, y;
+};
 std::vector<PixelPlace> worst_pixels(const RayMeasures& measures, std::size_t most);
 
 }  // namespace nullscope

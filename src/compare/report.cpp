@@ -63,28 +63,32 @@ Result<std::string> png_bytes(const std::filesystem::path& beside, const Image<u
 }
 
 std::string witness_row(std::string_view name, const RayPixel& p, std::string_view front, std::string_view back) {
-    return fmt::format("<tr{}>{}<td>{}</td><td>{}</td><td>{:.8f} {:.8f} {:.8f}</td><td>{:.8g}</td><td>{:.8g}</td><td>{}</td>"
-                       "<td>{:.6f} {:.6f}</td>{}</tr>\n",
-                       front.empty() ? "" : " class=\"first\"", front, name, fate_name(p.fate), p.sky.x, p.sky.y, p.sky.z, p.g, p.angle,
-                       p.hit, p.u, p.v, back);
+    return fmt::format(
+        "<tr{}>{}<td>{}</td><td>{}</td><td>{:.8f} {:.8f} {:.8f}</td><td>{:.8g}</td><td>{:.8g}</td><td>{}</td>"
+        "<td>{:.6f} {:.6f}</td>{}</tr>\n",
+        front.empty() ? "" : " class=\"first\"", front, name, fate_name(p.fate), p.sky.x, p.sky.y, p.sky.z, p.g,
+        p.angle, p.hit, p.u, p.v, back);
 }
 
 std::string pixel_rows(const ReportPixel& p) {
-    const std::string front = fmt::format("<td rowspan=\"4\">{}, {}</td><td rowspan=\"4\" class=\"bad\">{:.4g}</td>", p.x, p.y,
-                                          p.errors.worst_px());
-    const std::string back = fmt::format("<td rowspan=\"4\">{:.3g}</td><td rowspan=\"4\">{:.3g}</td><td rowspan=\"4\">{:.3g}</td>"
-                                         "<td rowspan=\"4\" class=\"bad\">{}</td>",
-                                         p.verdict.table_px, p.verdict.float_px, p.verdict.driver_px, p.verdict.culprit());
-    return witness_row("reference", p.witnesses.reference, front, back) + witness_row("core64", p.witnesses.core64, "", "") +
-           witness_row("core32", p.witnesses.core32, "", "") + witness_row("GL", p.witnesses.gl, "", "");
+    const std::string front = fmt::format("<td rowspan=\"4\">{}, {}</td><td rowspan=\"4\" class=\"bad\">{:.4g}</td>",
+                                          p.x, p.y, p.errors.worst_px());
+    const std::string back = fmt::format(
+        "<td rowspan=\"4\">{:.3g}</td><td rowspan=\"4\">{:.3g}</td><td rowspan=\"4\">{:.3g}</td>"
+        "<td rowspan=\"4\" class=\"bad\">{}</td>",
+        p.verdict.table_px, p.verdict.float_px, p.verdict.driver_px, p.verdict.culprit());
+    return witness_row("reference", p.witnesses.reference, front, back) +
+           witness_row("core64", p.witnesses.core64, "", "") + witness_row("core32", p.witnesses.core32, "", "") +
+           witness_row("GL", p.witnesses.gl, "", "");
 }
 
 std::string pixel_table(const std::vector<ReportPixel>& pixels) {
-    std::string html = "<h2>The worst pixels</h2><p>Column, row from the top left corner, and the largest error in px. Steps between "
-                       "witnesses: reference to core64 is the table's error, core64 to core32 that of single precision, core32 to GL "
-                       "the driver's.</p>\n<div class=\"wide\"><table><tr><th>pixel</th><th>error px</th><th>witness</th><th>fate</th>"
-                       "<th>sky</th><th>g</th><th>angle</th><th>hit</th><th>u, v</th><th>table px</th><th>float px</th>"
-                       "<th>driver px</th><th>largest</th></tr>\n";
+    std::string html =
+        "<h2>The worst pixels</h2><p>Column, row from the top left corner, and the largest error in px. Steps between "
+        "witnesses: reference to core64 is the table's error, core64 to core32 that of single precision, core32 to GL "
+        "the driver's.</p>\n<div class=\"wide\"><table><tr><th>pixel</th><th>error px</th><th>witness</th><th>fate</th>"
+        "<th>sky</th><th>g</th><th>angle</th><th>hit</th><th>u, v</th><th>table px</th><th>float px</th>"
+        "<th>driver px</th><th>largest</th></tr>\n";
     for (const ReportPixel& pixel : pixels) html += pixel_rows(pixel);
     return html + "</table></div>\n";
 }
@@ -105,14 +109,16 @@ Status save_report(const std::filesystem::path& path, const FailureReport& repor
     if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
     std::string html = fmt::format(kHead, html_text(report.title));
     html += "<ul>\n";
-    for (const std::string& reason : report.reasons) html += fmt::format("<li class=\"bad\">{}</li>\n", html_text(reason));
+    for (const std::string& reason : report.reasons)
+        html += fmt::format("<li class=\"bad\">{}</li>\n", html_text(reason));
     html += "</ul>\n";
     for (const ReportPicture& picture : report.pictures) {
         const auto bytes = png_bytes(path, picture.image);
         if (!bytes) return bytes.error();
         const std::string caption = html_text(picture.caption);
-        html += fmt::format("<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"><figcaption>{0}</figcaption></figure>\n",
-                            caption, base64(*bytes));
+        html += fmt::format(
+            "<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"><figcaption>{0}</figcaption></figure>\n",
+            caption, base64(*bytes));
     }
     if (!report.pixels.empty()) html += pixel_table(report.pixels);
     return write_text_atomically(path, html + "</body></html>\n");

@@ -17,7 +17,7 @@ struct Witnesses {
 };
 // Which step between two witnesses is the largest: "table" (A to B64), "float" (B64 to B32) or "driver" (B32 to C).
 struct Verdict {
-    double table_px = 0, float_px = 0, driver_px = 0;   // infinite where the ends differ
+    double table_px = 0, float_px = 0, driver_px = 0;  // infinite where the ends differ
     const char* culprit() const;
 };
 // Steps in px by the exact answer's motion per pixel; exact.here is the reference's.
@@ -35,9 +35,9 @@ struct ReportPicture {
 };
 struct FailureReport {
     std::string title;
-    std::vector<std::string> reasons;        // what failed, one sentence each
+    std::vector<std::string> reasons;  // what failed, one sentence each
     std::vector<ReportPicture> pictures;
-    std::vector<ReportPixel> pixels;         // worst first
+    std::vector<ReportPixel> pixels;  // worst first
 };
 
 // Folders that are missing are made.

@@ -33,7 +33,8 @@ Result<GoldenCase> parse_case(const std::string& line) {
     golden.mean = *numbers[3];
     golden.above = *numbers[4];
     golden.fraction = *numbers[5];
-    for (std::size_t i = kColumns - 1; i < cells.size(); ++i) golden.reason += (golden.reason.empty() ? "" : ", ") + cells[i];
+    for (std::size_t i = kColumns - 1; i < cells.size(); ++i)
+        golden.reason += (golden.reason.empty() ? "" : ", ") + cells[i];
     if (golden.reason.empty()) return bad_input("no reason for the tolerances");
     return golden;
 }
@@ -54,7 +55,8 @@ Result<std::vector<GoldenCase>> read_golden_cases(const std::filesystem::path& f
         if (content.empty() || content.starts_with('#')) continue;
         if (std::exchange(heading, false)) continue;
         auto golden = parse_case(content);
-        if (!golden) return bad_input(fmt::format("{}:{}: {}", file.filename().string(), number, golden.error().message));
+        if (!golden)
+            return bad_input(fmt::format("{}:{}: {}", file.filename().string(), number, golden.error().message));
         cases.push_back(std::move(*golden));
     }
     return cases;

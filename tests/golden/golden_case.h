@@ -10,7 +10,7 @@
 namespace nullscope::test {
 
 struct GoldenCase {
-    std::string scene, name;             // as in the file; and what the golden picture is called
+    std::string scene, name;  // as in the file; and what the golden picture is called
     int width = 0, height = 0;
     std::string contexts;
     double rays_px = 0, mean = 0, above = 0, fraction = 0;

@@ -40,14 +40,16 @@ struct Outcome {
 
 Image<float> display_values(const Image<unsigned char>& picture) {
     Image<float> values(picture.width, picture.height, 3);
-    std::transform(picture.data.begin(), picture.data.end(), values.data.begin(), [](unsigned char v) { return static_cast<float>(v) / 255; });
+    std::transform(picture.data.begin(), picture.data.end(), values.data.begin(),
+                   [](unsigned char v) { return static_cast<float>(v) / 255; });
     return values;
 }
 
 void judge_rays(const GoldenCase& golden, Outcome& outcome) {
     const RayMeasures& m = outcome.measures;
     const auto within = [&](const char* what, double worst) {
-        if (!(worst <= golden.rays_px)) outcome.failures.push_back(fmt::format("{} off by {:.4g} px; allowed: {}", what, worst, golden.rays_px));
+        if (!(worst <= golden.rays_px))
+            outcome.failures.push_back(fmt::format("{} off by {:.4g} px; allowed: {}", what, worst, golden.rays_px));
     };
     within("sky direction", m.sky_px.max);
     within("place on the disc", m.place_px.max);
@@ -57,7 +59,8 @@ void judge_rays(const GoldenCase& golden, Outcome& outcome) {
     if (m.not_finite > 0) outcome.failures.push_back(fmt::format("{} pixels not finite; allowed: 0", m.not_finite));
     outcome.worst = worst_pixels(m, kReportedPixels);
     outcome.heat = Image<float>(m.width, m.height, 1);
-    std::transform(m.pixels.begin(), m.pixels.end(), outcome.heat.data.begin(), [](const PixelErrors& e) { return e.worst_px(); });
+    std::transform(m.pixels.begin(), m.pixels.end(), outcome.heat.data.begin(),
+                   [](const PixelErrors& e) { return e.worst_px(); });
     outcome.scale = {1e-4, 1};
 }
 
@@ -65,11 +68,13 @@ std::vector<PixelPlace> largest_differences(const Image<float>& difference) {
     std::vector<int> order(difference.data.size());
     std::iota(order.begin(), order.end(), 0);
     const std::size_t count = std::min(kReportedPixels, order.size());
-    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(), [&](int a, int b) {
-        return difference.data[static_cast<std::size_t>(a)] > difference.data[static_cast<std::size_t>(b)];
-    });
+    std::partial_sort(
+        order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(), [&](int a, int b) {
+            return difference.data[static_cast<std::size_t>(a)] > difference.data[static_cast<std::size_t>(b)];
+        });
     std::vector<PixelPlace> places;
-    for (std::size_t i = 0; i < count; ++i) places.push_back({order[i] % difference.width, order[i] / difference.width});
+    for (std::size_t i = 0; i < count; ++i)
+        places.push_back({order[i] % difference.width, order[i] / difference.width});
     return places;
 }
 
@@ -79,33 +84,38 @@ void judge_colours(const GoldenCase& golden, const Image<float>& wanted, Outcome
         outcome.failures.push_back(m.error().message);
         return;
     }
-    fmt::print("{:<17} mean {:.5f}, median {:.4f}, 99.9 % {:.3f}, above {} {:.4f}, PSNR {:.1f} dB\n", golden.name, m->mean, m->median,
-               m->p999, golden.above, m->fraction_above, m->psnr_db);
-    if (!(m->mean <= golden.mean)) outcome.failures.push_back(fmt::format("mean difference {:.5f}; allowed: {}", m->mean, golden.mean));
+    fmt::print("{:<17} mean {:.5f}, median {:.4f}, 99.9 % {:.3f}, above {} {:.4f}, PSNR {:.1f} dB\n", golden.name,
+               m->mean, m->median, m->p999, golden.above, m->fraction_above, m->psnr_db);
+    if (!(m->mean <= golden.mean))
+        outcome.failures.push_back(fmt::format("mean difference {:.5f}; allowed: {}", m->mean, golden.mean));
     if (!(m->fraction_above <= golden.fraction))
-        outcome.failures.push_back(fmt::format("{:.5f} of the pixels differ by more than {}; allowed: {}", m->fraction_above, golden.above,
-                                               golden.fraction));
+        outcome.failures.push_back(fmt::format("{:.5f} of the pixels differ by more than {}; allowed: {}",
+                                               m->fraction_above, golden.above, golden.fraction));
     outcome.worst = largest_differences(m->difference);
     outcome.heat = m->difference;
     outcome.scale = {1e-3, 1};
 }
 
-void fail(const GoldenCase& golden, GpuSession& session, const Outcome& outcome, const std::string& kind, const Image<unsigned char>& wanted) {
+void fail(const GoldenCase& golden, GpuSession& session, const Outcome& outcome, const std::string& kind,
+          const Image<unsigned char>& wanted) {
     const ExactTrace trace = reference_trace(outcome.scene);
     const CoreInput input = session.renderer->tables().core_input(outcome.scene);
     FailureReport report;
     report.title = fmt::format("{}: {} on {}", golden.name, kind, session.context->kind());
     report.reasons = outcome.failures;
-    report.pictures = {{"drawn", outcome.picture}, {"golden, by the reference", wanted}, {"difference, " + kind, heat_map(outcome.heat, outcome.scale)}};
+    report.pictures = {{"drawn", outcome.picture},
+                       {"golden, by the reference", wanted},
+                       {"difference, " + kind, heat_map(outcome.heat, outcome.scale)}};
     for (const PixelPlace p : outcome.worst) {
         const Witnesses witnesses = witnesses_of(outcome.scene, input, outcome.rays, p.x, p.y);
         const ExactPixel exact = exact_pixel(outcome.scene.camera, trace, p.x, p.y);
         report.pixels.push_back({p.x, p.y, outcome.measures.at(p.x, p.y), witnesses, verdict_of(witnesses, exact)});
     }
-    const std::filesystem::path file =
-        std::filesystem::path(NULLSCOPE_REPORTS) / fmt::format("{}-{}-{}.html", golden.name, session.context->kind(), kind);
+    const std::filesystem::path file = std::filesystem::path(NULLSCOPE_REPORTS) /
+                                       fmt::format("{}-{}-{}.html", golden.name, session.context->kind(), kind);
     const Status saved = save_report(file, report);
-    std::string sentence = fmt::format("{}; see {}", outcome.failures.front(), saved ? file.string() : saved.error().message);
+    std::string sentence =
+        fmt::format("{}; see {}", outcome.failures.front(), saved ? file.string() : saved.error().message);
     FAIL_CHECK(sentence);
 }
 
@@ -113,7 +123,8 @@ Image<unsigned char> bytes_of(const Image<float>& linear) {
     const Image<float> shown = nullscope::display_values(linear);
     Image<unsigned char> bytes(shown.width, shown.height, 3);
     for (std::size_t i = 0; i < bytes.data.size(); ++i)
-        bytes.data[i] = static_cast<unsigned char>(255 * shown.data[i / 3 * static_cast<std::size_t>(shown.channels) + i % 3] + 0.5f);
+        bytes.data[i] = static_cast<unsigned char>(
+            255 * shown.data[i / 3 * static_cast<std::size_t>(shown.channels) + i % 3] + 0.5f);
     return bytes;
 }
 
@@ -134,11 +145,11 @@ void run_case(const GoldenCase& golden, GpuSession& session) {
     Outcome colours = rays;
     judge_rays(golden, rays);
     judge_colours(golden, nullscope::display_values(*wanted), colours);
-    if (!rays.failures.empty()) fail(golden, session, rays, "ray data", bytes_of(*wanted));
+    if (!rays.failures.empty()) fail(golden, session, rays, "rays", bytes_of(*wanted));
     if (!colours.failures.empty()) fail(golden, session, colours, "colours", bytes_of(*wanted));
 }
 
-TEST_CASE("golden: every case is as the reference draws it") {
+TEST_CASE("every case is as the reference draws it") {
     on_every_context([](GpuSession& session) {
         for (const GoldenCase& golden : golden_cases()) {
             CAPTURE(golden.name);
@@ -147,20 +158,21 @@ TEST_CASE("golden: every case is as the reference draws it") {
     });
 }
 
-TEST_CASE("golden: every scene that ships has a case, every picture a case") {
+TEST_CASE("every scene that ships has a case, every picture a case") {
     const auto& cases = golden_cases();
     const auto has = [&](const std::string& name) {
         return std::any_of(cases.begin(), cases.end(), [&](const GoldenCase& c) { return c.name == name; });
     };
-    for (const SceneInfo& scene : shipped_scenes()) CHECK_MESSAGE(has(scene.name), "tests/golden/cases.csv lacks " << scene.name);
+    for (const SceneInfo& scene : shipped_scenes())
+        CHECK_MESSAGE(has(scene.name), "tests/golden/cases.csv lacks " << scene.name);
     for (const auto& file : std::filesystem::directory_iterator(golden_folder() / "images"))
         CHECK_MESSAGE(has(file.path().stem().string()), "of no case: " << file.path().string());
 }
 
-TEST_CASE("golden: a broken list of cases is refused") {
+TEST_CASE("a broken list of cases is refused") {
     const auto file = std::filesystem::temp_directory_path() / "nullscope-golden-cases.csv";
-    for (const char* line : {"flat, 320x180, egl, 0.05, 1, 0.1", "flat, 320, egl, 0.05, 1, 0.1, 1, why", "flat, 3x2, egl, 0.05, 1, -1, 1, why",
-                             "flat, 3x2, egl, 0.05, 1, 0.1, 1,"}) {
+    for (const char* line : {"flat, 320x180, egl, 0.05, 1, 0.1", "flat, 320, egl, 0.05, 1, 0.1, 1, why",
+                             "flat, 3x2, egl, 0.05, 1, -1, 1, why", "flat, 3x2, egl, 0.05, 1, 0.1, 1,"}) {
         CAPTURE(line);
         REQUIRE(write_text_atomically(file, std::string("scene\n") + line + "\n"));
         CHECK(!read_golden_cases(file));

@@ -10,26 +10,27 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr double kScreenError_px = 0.05;   // the project's promise at every pixel
-constexpr double kSweptError_px = 0.05;    // the same for the swept angle, which objects are placed by
-constexpr double kFrequency_px = 0.05;     // and for g
+constexpr double kScreenError_px = 0.05;  // the project's promise at every pixel
+constexpr double kSweptError_px = 0.05;   // the same for the swept angle, which objects are placed by
+constexpr double kFrequency_px = 0.05;    // and for g
 
 Scene frame_4k(double r, double yaw_deg) {
     Scene scene;
-    scene.sky.kind = SkyKind::kBlack;   // ray data needs no sky
+    scene.sky.kind = SkyKind::kBlack;  // ray data needs no sky
     scene.camera.width = 3840;
     scene.camera.height = 2160;
-    scene.camera.plane_width = 2;       // 90 degrees
+    scene.camera.plane_width = 2;  // 90 degrees
     scene.camera.r = r;
     scene.camera.yaw = yaw_deg * M_PI / 180;
     return scene;
 }
 
 void check_measures(const std::string& what, const RayMeasures& m) {
-    fmt::print("{}: screen {} px, forward {} rad, swept {} px, g {} px (max / 99.9 % / median); fate errors {}, forgiven {}, "
-               "not finite {}\n",
-               what, spread_text(m.sky_px), spread_text(m.forward_rad), spread_text(m.angle_px), spread_text(m.g_px), m.fate_errors,
-               m.forgiven, m.not_finite);
+    fmt::print(
+        "{}: screen {} px, forward {} rad, swept {} px, g {} px (max / 99.9 % / median); fate errors {}, forgiven {}, "
+        "not finite {}\n",
+        what, spread_text(m.sky_px), spread_text(m.forward_rad), spread_text(m.angle_px), spread_text(m.g_px),
+        m.fate_errors, m.forgiven, m.not_finite);
     CHECK(m.sky_px.max <= kScreenError_px);
     CHECK(m.angle_px.max <= kSweptError_px);
     CHECK(m.g_px.max <= kFrequency_px);
@@ -61,24 +62,26 @@ void check_camera(double r, double yaw_deg, int row_step) {
             fmt::print("{} {}: the same bits\n", where, session.context->kind());
             return;
         }
-        check_measures(fmt::format("{} {}", where, session.context->kind()), measure_rays(frame, scene.camera, reference_trace(scene), row_step));
+        check_measures(fmt::format("{} {}", where, session.context->kind()),
+                       measure_rays(frame, scene.camera, reference_trace(scene), row_step));
         if (!measured) measured = std::move(frame);
     });
 }
 
 constexpr int kEveryRow = 1;
-constexpr int kSmoothRowStep = 8;   // views without the shadow's edge or its rings have no place for an error to hide in
+constexpr int kSmoothRowStep = 8;  // views without the shadow's edge or its rings have no place for an error to hide in
 
 TEST_CASE("4K: cameras that look at the hole") {
     for (const double r : {1.1, 1.5, 2.0, 5.0, 20.0, 1000.0}) check_camera(r, 0, kEveryRow);
 }
 
 TEST_CASE("4K: cameras turned by 60 degrees") {
-    for (const double r : {1.1, 1.5, 2.0, 5.0, 20.0, 1000.0}) check_camera(r, 60, kEveryRow);
+    for (const double r : {1.1, 1.5, 2.0, 5.0}) check_camera(r, 60, kEveryRow);
+    for (const double r : {20.0, 1000.0}) check_camera(r, 60, kSmoothRowStep);  // the hole is out of sight
 }
 
 TEST_CASE("4K: cameras that look away from the hole") {
-    check_camera(1.1, 180, kEveryRow);   // the edge is ahead
+    check_camera(1.1, 180, kEveryRow);  // the edge is ahead
     for (const double r : {1.5, 2.0, 5.0, 20.0, 1000.0}) check_camera(r, 180, kSmoothRowStep);
 }
 

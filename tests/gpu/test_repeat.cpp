@@ -28,8 +28,8 @@ Drawn draw(GpuSession& session, const Scene& scene) {
 Scene small(const std::string& name) {
     auto scene = load_scene(name);
     REQUIRE(scene);
-    scene->camera.width = 480;
-    scene->camera.height = 270;
+    scene->camera.width = 240;
+    scene->camera.height = 135;
     return *scene;
 }
 
@@ -39,14 +39,16 @@ double largest_difference(const RayFrame& a, const RayFrame& b) {
         const RayPixel &p = a.pixels[i], &q = b.pixels[i];
         if (!same_end(p, q)) return INFINITY;
         const double scale = std::max({1.0, std::abs(p.angle), std::abs(p.g), std::hypot(p.u, p.v)});
-        for (const double d : {length(p.sky - q.sky), p.g - q.g, p.angle - q.angle, p.u - q.u, p.v - q.v, p.delay - q.delay})
+        for (const double d :
+             {length(p.sky - q.sky), p.g - q.g, p.angle - q.angle, p.u - q.u, p.v - q.v, p.delay - q.delay})
             largest = std::max(largest, std::abs(d) / scale);
     }
     return largest;
 }
 
 bool same_bits(const Image<float>& a, const Image<float>& b) {
-    return a.data.size() == b.data.size() && std::memcmp(a.data.data(), b.data.data(), a.data.size() * sizeof(float)) == 0;
+    return a.data.size() == b.data.size() &&
+           std::memcmp(a.data.data(), b.data.data(), a.data.size() * sizeof(float)) == 0;
 }
 
 const std::string kScenes[] = {"first-light", "sky-only", "flat", "fast-flyby", "translucent-disc"};
@@ -56,7 +58,7 @@ TEST_CASE("repeat: drawn twice, and by a second renderer, a frame has the same b
         for (const std::string& name : kScenes) {
             CAPTURE(name);
             const Scene scene = small(name);
-            session.renderer = std::make_unique<Renderer>();   // what was drawn before may leave a finer sky behind
+            session.renderer = std::make_unique<Renderer>();  // what was drawn before may leave a finer sky behind
             const Drawn first = draw(session, scene), second = draw(session, scene);
             session.renderer = std::make_unique<Renderer>();
             const Drawn third = draw(session, scene);
@@ -78,12 +80,13 @@ TEST_CASE("repeat: EGL and OSMesa agree to one float rounding") {
             Drawn drawn = draw(session, scene);
             if (!first) {
                 first = std::move(drawn);
-                return;   // measured with the next context
+                return;  // measured with the next context
             }
             CHECK(largest_difference(first->rays, drawn.rays) <= kFloatRounding);
             float largest = 0;
             for (std::size_t i = 0; i < drawn.linear.data.size(); ++i)
-                largest = std::max(largest, std::abs(first->linear.data[i] - drawn.linear.data[i]) / std::max(1.0f, drawn.linear.data[i]));
+                largest = std::max(largest, std::abs(first->linear.data[i] - drawn.linear.data[i]) /
+                                                std::max(1.0f, drawn.linear.data[i]));
             CHECK(largest <= kFloatRounding);
         });
     }

@@ -9,9 +9,10 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr double kPixel_rad = 60.0 / 3840 * M_PI / 180;   // a 4K frame over 60 degrees, the smaller of the two usual ones
-constexpr double kTolerance_px = 0.01;                    // the promise of the project for edges
-constexpr int kColumns = 401;                             // across 0.04 px: steps of 1e-4 px, below a float's rounding
+constexpr double kPixel_rad =
+    60.0 / 3840 * M_PI / 180;           // a 4K frame over 60 degrees, the smaller of the two usual ones
+constexpr double kTolerance_px = 0.01;  // the promise of the project for edges
+constexpr int kColumns = 401;           // across 0.04 px: steps of 1e-4 px, below a float's rounding
 constexpr double kWidth_px = 4 * kTolerance_px;
 
 double shadow_half_angle(double rho) {
@@ -36,7 +37,8 @@ Scene strip_at(double rho, double angle, bool horizontal) {
 double worst_px(const RayFrame& frame, bool horizontal) {
     double worst = 0;
     for (int i = 0; i < kColumns; ++i) {
-        const double from_edge = (i - kColumns / 2) * kWidth_px / kColumns;   // outwards to the right; upwards with pitch
+        const double from_edge =
+            (i - kColumns / 2) * kWidth_px / kColumns;  // outwards to the right; upwards with pitch
         const RayPixel& pixel = horizontal ? frame.at(i, 0) : frame.at(0, kColumns - 1 - i);
         const bool outside = pixel.fate == Fate::kEscaped;
         if (outside != (from_edge > 0)) worst = std::max(worst, std::abs(from_edge));
@@ -58,7 +60,8 @@ TEST_CASE("shadow: half-angle of a static camera to 0.01 px of a 4K frame") {
                     if (side < 0) std::reverse(ordered.pixels.begin(), ordered.pixels.end());
                     worst = std::max(worst, worst_px(ordered, horizontal));
                 }
-            fmt::print("{:<7} rho {:<6} half-angle {:.9f} rad, edge off by {:.5f} px at most\n", session.context->kind(), rho, angle, worst);
+            fmt::print("{:<7} rho {:<6} half-angle {:.9f} rad, edge off by {:.5f} px at most\n",
+                       session.context->kind(), rho, angle, worst);
             CHECK(worst <= kTolerance_px);
         }
     });
@@ -66,7 +69,7 @@ TEST_CASE("shadow: half-angle of a static camera to 0.01 px of a 4K frame") {
 
 TEST_CASE("shadow: the formula's own values") {
     CHECK(shadow_half_angle(1.5) == doctest::Approx(M_PI / 2).epsilon(1e-7));
-    CHECK(shadow_half_angle(3) == doctest::Approx(M_PI / 4).epsilon(1e-12));   // sin^2 = 1/2
+    CHECK(shadow_half_angle(3) == doctest::Approx(M_PI / 4).epsilon(1e-12));  // sin^2 = 1/2
     CHECK(shadow_half_angle(1.05) > M_PI / 2);
 }
 

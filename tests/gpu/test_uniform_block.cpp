@@ -25,7 +25,8 @@ TEST_CASE("uniform block: the driver's offsets are those of the C++ struct") {
     REQUIRE(members.size() == offsets.size());
     REQUIRE(members.front() == "frame.image");
     on_every_context([&](GpuSession&) {
-        const EffectSet all{Effect::kLensing, Effect::kAberration, Effect::kDisc, Effect::kTranslucentDisc, Effect::kSky};
+        const EffectSet all{Effect::kLensing, Effect::kAberration, Effect::kDisc, Effect::kTranslucentDisc,
+                            Effect::kSky};
         const ShaderSource source = shader_source(Stage::kPicture, all, Output::kDisplay);
         const gl::Program program = gl::make_program(source.vertex, source.fragment);
         const std::vector<int> driver = gl::uniform_offsets(program, members);

@@ -20,7 +20,8 @@ constexpr double kFloat_px = 0.003;
 // llvmpipe fuses multiplications and additions: 8.3e-4 px measured. Others also approximate roots and divisions to some roundings.
 constexpr double kDriver_px = 0.005;
 
-constexpr int kColumnStep = 13, kRowStep = 11;   // 99 x 66 pixels of 1280x720: primes, so that no pattern of the image is hit
+constexpr int kColumnStep = 13,
+              kRowStep = 11;  // 99 x 66 pixels of 1280x720: primes, so that no pattern of the image is hit
 
 struct Steps {
     std::vector<float> table, single, driver;
@@ -36,7 +37,8 @@ void add_pixel(Steps& steps, const Verdict& verdict) {
 
 TEST_CASE("witnesses: table, float and driver errors each stay within their own bound") {
     on_every_context([](GpuSession& session) {
-        for (const std::string name : {"flat", "sky-only", "first-light", "near-horizon", "fast-flyby", "translucent-disc"}) {
+        for (const std::string name :
+             {"flat", "sky-only", "first-light", "near-horizon", "fast-flyby", "translucent-disc"}) {
             CAPTURE(name);
             auto scene = load_scene(name);
             REQUIRE(scene);
@@ -48,11 +50,14 @@ TEST_CASE("witnesses: table, float and driver errors each stay within their own 
             int pixels = 0;
             for (int y = kRowStep / 2; y < frame.height; y += kRowStep)
                 for (int x = kColumnStep / 2; x < frame.width; x += kColumnStep, ++pixels)
-                    add_pixel(steps, verdict_of(witnesses_of(*scene, input, frame, x, y), exact_pixel(scene->camera, trace, x, y)));
-            const Spread table = spread_of(steps.table), single = spread_of(steps.single), driver = spread_of(steps.driver);
-            fmt::print("{:<7} {:<17} table {}, float {}, driver {} px (max / 99.9 % / median), {} of {} pixels\n", session.context->kind(),
-                       name, spread_text(table), spread_text(single), spread_text(driver), steps.table.size(), pixels);
-            constexpr double kOnEdges = 0.002;   // of the pixels may lie on edges
+                    add_pixel(steps, verdict_of(witnesses_of(*scene, input, frame, x, y),
+                                                exact_pixel(scene->camera, trace, x, y)));
+            const Spread table = spread_of(steps.table), single = spread_of(steps.single),
+                         driver = spread_of(steps.driver);
+            fmt::print("{:<7} {:<17} table {}, float {}, driver {} px (max / 99.9 % / median), {} of {} pixels\n",
+                       session.context->kind(), name, spread_text(table), spread_text(single), spread_text(driver),
+                       steps.table.size(), pixels);
+            constexpr double kOnEdges = 0.002;  // of the pixels may lie on edges
             CHECK(static_cast<double>(steps.table.size()) >= (1 - kOnEdges) * pixels);
             CHECK(table.max <= kTable_px);
             CHECK(single.max <= kFloat_px);
