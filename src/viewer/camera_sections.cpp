@@ -14,17 +14,20 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kFarSlider = 1000.0;     // r_s, end of the slider; more can be typed
-constexpr double kFastest = 0.999999;     // of c
-constexpr double kDefaultSpeed = 0.5;     // of a preset where the spacetime suggests none
+constexpr double kFarSlider = 1000.0;  // r_s, end of the slider; more can be typed
+constexpr double kFastest = 0.999999;  // of c
+constexpr double kTurns = 3600.0;      // deg, as far as scene files go
+constexpr double kDefaultSpeed = 0.5;  // of a preset where the spacetime suggests none
 
 double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
 
 // Slides over a number whose own scale is not what is shown.
-bool slide_as(const char* id, double& position, double low, double high, ImGuiSliderFlags flags, const std::string& text) {
+bool slide_as(const char* id, double& position, double low, double high, ImGuiSliderFlags flags,
+              const std::string& text) {
     double edited = position;
-    std::string format = text;   // a format without a conversion is shown as it is
-    if (!ImGui::SliderScalar(id, ImGuiDataType_Double, &edited, &low, &high, format.c_str(), flags | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat))
+    std::string format = text;  // a format without a conversion is shown as it is
+    if (!ImGui::SliderScalar(id, ImGuiDataType_Double, &edited, &low, &high, format.c_str(),
+                             flags | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat))
         return false;
     position = std::clamp(edited, low, high);
     return true;
@@ -32,9 +35,12 @@ bool slide_as(const char* id, double& position, double low, double high, ImGuiSl
 
 bool radius_rows(CameraSpec& camera, const FlightRange& range) {
     bool changed = false;
-    row("Distance", "Distance to the horizon, r - r_horizon (to the centre where there is no horizon), in equal factors. The wheel changes it too.");
+    row("Distance",
+        "Distance to the horizon, r - r_horizon (to the centre where there is no horizon), in equal factors. The wheel "
+        "changes it too.");
     double above = camera.r - range.horizon;
-    if (slide_as("##above", above, range.nearest - range.horizon, kFarSlider, ImGuiSliderFlags_Logarithmic, fmt::format("{:.4g} r_s", above))) {
+    if (slide_as("##above", above, range.nearest - range.horizon, kFarSlider, ImGuiSliderFlags_Logarithmic,
+                 fmt::format("{:.4g} r_s", above))) {
         camera.r = std::max(range.horizon + above, range.nearest);
         changed = true;
     }
@@ -68,17 +74,22 @@ bool preset_buttons(ViewState& view, const Spacetime& spacetime) {
     ImGui::SameLine();
     const bool rests = ImGui::Button("Rest", {width, 0.0f});
     tooltip("At rest in the static frame.");
-    if (falls) preset(view, {-1, 0, 0}, fall);
-    else if (orbits) preset(view, {0, 0, 1}, orbit.value_or(0.0));
-    else if (rests) view.scene.camera.velocity = {};
-    else changed = false;
+    if (falls)
+        preset(view, {-1, 0, 0}, fall);
+    else if (orbits)
+        preset(view, {0, 0, 1}, orbit.value_or(0.0));
+    else if (rests)
+        view.scene.camera.velocity = {};
+    else
+        changed = false;
     return changed;
 }
 
 bool direction_row(ViewState& view) {
     row("Direction", "Of the motion, in the static frame: outward, south, east. Brought to length 1.");
     double parts[3] = {view.boost_direction.x, view.boost_direction.y, view.boost_direction.z};
-    if (!ImGui::DragScalarN("##direction", ImGuiDataType_Double, parts, 3, 0.01f, nullptr, nullptr, "%.2f")) return false;
+    if (!ImGui::DragScalarN("##direction", ImGuiDataType_Double, parts, 3, 0.01f, nullptr, nullptr, "%.2f"))
+        return false;
     const Vec3 wanted{parts[0], parts[1], parts[2]};
     const double size = length(wanted);
     if (!std::isfinite(size) || size < 1e-6) return false;
@@ -94,11 +105,14 @@ bool camera_section(ViewState& view) {
     CameraSpec& camera = view.scene.camera;
     const auto spacetime = spacetime_of(view.scene);
     bool changed = spacetime != nullptr && radius_rows(camera, flight_range(*spacetime));
-    bool turned = drag_degrees("theta", camera.theta, 0.0, 180.0, "Polar angle: 0 above the north pole, 90 in the disc's plane.");
-    turned = drag_degrees("phi", camera.phi, -720.0, 720.0, "Azimuth.") || turned;
-    turned = drag_degrees("Yaw", camera.yaw, -720.0, 720.0, "Turn to the right, away from the centre, which an unturned camera looks at.") || turned;
-    turned = drag_degrees("Pitch", camera.pitch, -720.0, 720.0, "Turn up, after yaw.") || turned;
-    turned = drag_degrees("Roll", camera.roll, -720.0, 720.0, "Turn about the line of sight, after pitch.") || turned;
+    bool turned =
+        drag_degrees("theta", camera.theta, 0.0, 180.0, "Polar angle: 0 above the north pole, 90 in the disc's plane.");
+    turned = drag_degrees("phi", camera.phi, -kTurns, kTurns, "Azimuth.") || turned;
+    turned = drag_degrees("Yaw", camera.yaw, -kTurns, kTurns,
+                          "Turn to the right, away from the centre, which an unturned camera looks at.") ||
+             turned;
+    turned = drag_degrees("Pitch", camera.pitch, -kTurns, kTurns, "Turn up, after yaw.") || turned;
+    turned = drag_degrees("Roll", camera.roll, -kTurns, kTurns, "Turn about the line of sight, after pitch.") || turned;
     if (turned)
         for (double* angle : {&camera.phi, &camera.yaw, &camera.pitch, &camera.roll}) *angle = wrapped(*angle);
     return changed || turned;
@@ -131,12 +145,14 @@ bool lens_section(ViewState& view) {
     CameraSpec& camera = view.scene.camera;
     double fov = fov_of(camera) / kDegree;
     bool changed = false;
-    if (slide("View", fov, 1.0, 170.0, Scale::kLinear, When::kNow, "%.1f\xc2\xb0", "Horizontal field of view. Shift and the wheel change it too.")) {
+    if (slide("View", fov, 1.0, 170.0, Scale::kLinear, When::kNow, "%.1f\xc2\xb0",
+              "Horizontal field of view. Shift and the wheel change it too.")) {
         set_fov(camera, fov * kDegree);
         changed = true;
     }
     return slide("Exposure", camera.exposure_ev, -10.0, 10.0, Scale::kLinear, When::kNow, "%+.2f EV",
-                 "The picture's brightness is multiplied by 2^EV.") || changed;
+                 "The picture's brightness is multiplied by 2^EV.") ||
+           changed;
 }
 
 }  // namespace nullscope::viewer

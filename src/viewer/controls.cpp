@@ -12,13 +12,13 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr double kFlight = 0.7;         // 1/s: a second of W leaves exp(-0.7), a half, of the distance to the horizon
-constexpr double kTurn = 0.8;           // rad/s of Q and E
-constexpr double kWheelStep = 0.15;     // of log(r - horizon) a notch
-constexpr double kWheelRate = 12.0;     // 1/s: how fast that is worked off
-constexpr double kWheelRest = 1e-3;     // below this the rest is done at once
-constexpr double kZoomStep = 0.08;      // of log tan(fov/2) a notch
-constexpr double kRollRadius = 12.0;    // px about the picture's middle where the angle of the pointer says nothing
+constexpr double kFlight = 0.7;       // 1/s: a second of W leaves exp(-0.7), a half, of the distance to the horizon
+constexpr double kTurn = 0.8;         // rad/s of Q and E
+constexpr double kWheelStep = 0.15;   // of log(r - horizon) a notch
+constexpr double kWheelRate = 12.0;   // 1/s: how fast that is worked off
+constexpr double kWheelRest = 1e-3;   // below this the rest is done at once
+constexpr double kZoomStep = 0.08;    // of log tan(fov/2) a notch
+constexpr double kRollRadius = 12.0;  // px about the picture's middle where the angle of the pointer says nothing
 
 double axis(const Input& input, int plus, int minus) {
     return (input.down(plus) ? 1.0 : 0.0) - (input.down(minus) ? 1.0 : 0.0);
@@ -45,9 +45,12 @@ bool Controls::apply(const Input& input, ViewState& view, double dt_s, bool pane
 
 void Controls::start_drag(const Input& input, const CameraSpec& camera, bool panel_has_mouse) {
     if (panel_has_mouse || drag_ != Drag::kNone) return;
-    if (input.left.pressed) drag_ = Drag::kLook;
-    else if (input.right.pressed) drag_ = Drag::kRoll;
-    else return;
+    if (input.left.pressed)
+        drag_ = Drag::kLook;
+    else if (input.right.pressed)
+        drag_ = Drag::kRoll;
+    else
+        return;
     const Button& button = drag_ == Drag::kLook ? input.left : input.right;
     x_ = button.pressed_x, y_ = button.pressed_y;
     grabbed_ = pixel_direction(camera, x_, y_);
@@ -89,7 +92,8 @@ bool Controls::wheel(const Input& input, ViewState& view, double dt_s, bool pane
         }
     }
     if (approach_ == 0.0) return changed;
-    const double part = std::fabs(approach_) < kWheelRest ? approach_ : approach_ * (1.0 - std::exp(-kWheelRate * dt_s));
+    const double part =
+        std::fabs(approach_) < kWheelRest ? approach_ : approach_ * (1.0 - std::exp(-kWheelRate * dt_s));
     approach_ -= part;
     in_motion_ = approach_ != 0.0;
     if (const auto spacetime = spacetime_of(view.scene))
@@ -98,7 +102,8 @@ bool Controls::wheel(const Input& input, ViewState& view, double dt_s, bool pane
 }
 
 bool Controls::keys(const Input& input, ViewState& view, double dt_s) {
-    const Vec3 move{axis(input, GLFW_KEY_D, GLFW_KEY_A), axis(input, GLFW_KEY_SPACE, GLFW_KEY_C), axis(input, GLFW_KEY_S, GLFW_KEY_W)};
+    const Vec3 move{axis(input, GLFW_KEY_D, GLFW_KEY_A), axis(input, GLFW_KEY_SPACE, GLFW_KEY_C),
+                    axis(input, GLFW_KEY_S, GLFW_KEY_W)};
     const double roll = axis(input, GLFW_KEY_E, GLFW_KEY_Q);
     const bool moves = length(move) > 0.0;
     if (!moves && roll == 0.0) return false;
@@ -108,7 +113,7 @@ bool Controls::keys(const Input& input, ViewState& view, double dt_s) {
     CameraSpec& camera = view.scene.camera;
     if (roll != 0.0) {
         store_orientation(rolled(fly_camera(camera).world_from_camera, roll * kTurn * dt_s), camera);
-        drag_ = Drag::kNone;   // what was grabbed is not under the pointer any more
+        drag_ = Drag::kNone;  // what was grabbed is not under the pointer any more
     }
     if (moves) {
         FlyCamera flying = fly_camera(camera);

@@ -10,8 +10,8 @@ namespace nullscope::viewer {
 
 class Controls {
 public:
-    // Moves view.scene.camera by what the hands did in the last dt_s seconds; true if anything moved. Mouse and keys are
-    // left alone where a panel has them.
+    // Moves view.scene.camera by what the hands did in the last dt_s seconds; true if anything moved. Mouse and keys
+    // are left alone where a panel has them.
     bool apply(const Input& input, ViewState& view, double dt_s, bool panel_has_mouse, bool panel_has_keys);
     // A key is held or the wheel's motion has not run out: another frame is due without waiting for events.
     bool in_motion() const { return in_motion_; }
@@ -25,10 +25,10 @@ private:
     bool keys(const Input& input, ViewState& view, double dt_s);
 
     Drag drag_ = Drag::kNone;
-    double x_ = 0.0, y_ = 0.0;   // the pointer when the picture was last moved
-    Vec3 grabbed_;               // camera axes, in the orientation grabbed_from_
+    double x_ = 0.0, y_ = 0.0;  // the pointer when the picture was last moved
+    Vec3 grabbed_;              // camera axes, in the orientation grabbed_from_
     Mat3 grabbed_from_;
-    double approach_ = 0.0;      // of log(r - horizon), still to go
+    double approach_ = 0.0;  // of log(r - horizon), still to go
     bool in_motion_ = false;
 };
 

@@ -8,10 +8,10 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr double kNearest = 5e-4;       // r/horizon - 1: the picture is a small disc of sky, and floats still resolve it
-constexpr double kNearestFlat = 0.01;   // where there is no horizon the centre is a point without a radial direction
-constexpr double kFarthest = 1e4;       // the shadow is a fifth of a pixel at 1280 px and 60 degrees
-constexpr double kLongestStep = 0.01;   // of one Euler step in fly()
+constexpr double kNearest = 5e-4;      // r/horizon - 1: the picture is a small disc of sky, and floats still resolve it
+constexpr double kNearestFlat = 0.01;  // where there is no horizon the centre is a point without a radial direction
+constexpr double kFarthest = 1e4;      // the shadow is a fifth of a pixel at 1280 px and 60 degrees
+constexpr double kLongestStep = 0.01;  // of one Euler step in fly()
 
 // The smallest rotation that takes unit vector a to unit vector b; not for a = -b.
 Mat3 rotation_between(Vec3 a, Vec3 b) {
@@ -57,7 +57,7 @@ void write_spec(const FlyCamera& camera, CameraSpec& spec) {
     const Mat3 static_from_world = transposed(world_from_static(spec.theta, spec.phi));
     spec.velocity = static_from_world * camera.velocity;
     const Mat3 turned = static_from_world * camera.world_from_camera;
-    const Vec3 back = turned.c;   // (cos yaw cos pitch, sin pitch, -sin yaw cos pitch) along (e_r, e_theta, e_phi)
+    const Vec3 back = turned.c;  // (cos yaw cos pitch, sin pitch, -sin yaw cos pitch) along (e_r, e_theta, e_phi)
     spec.yaw = std::atan2(-back.z, back.x);
     spec.pitch = std::atan2(back.y, std::hypot(back.x, back.z));
     spec.roll = 0.0;

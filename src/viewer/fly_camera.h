@@ -36,9 +36,9 @@ FlightRange flight_range(const Spacetime& spacetime);
 // The radius whose distance to the horizon is exp(change) times that of r, within the range.
 double scaled_radius(double r, double change, const FlightRange& range);
 
-// A step along camera axes (right, up, backward), length in units of r - horizon: a radial one scales r - horizon by its
-// exponential, one across keeps the proper ratio of lengths in the static frame. Orientation stays in world axes; the
-// velocity is carried parallel on the sphere, so that its outward part stays outward and nothing jumps at a pole.
+// A step along camera axes (right, up, backward), length in units of r - horizon: a radial one scales r - horizon by
+// its exponential, one across keeps the proper ratio of lengths in the static frame. Orientation stays in world axes;
+// the velocity is carried parallel on the sphere, so that its outward part stays outward and nothing jumps at a pole.
 void fly(FlyCamera& camera, Vec3 step, const Spacetime& spacetime);
 
 // Speeds in the static frame at r: of a fall from rest at infinity, and of the circular orbit if there is one.

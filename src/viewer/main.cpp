@@ -1,6 +1,6 @@
 // nullscope-viewer: curved spacetimes in a window.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -15,7 +15,7 @@ namespace {
 using namespace nullscope;
 using viewer::PixelSize;
 
-constexpr int kLargest = 16384;   // px
+constexpr int kLargest = 16384;  // px
 
 int report(const Error& error) {
     fmt::print(stderr, "nullscope-viewer: {}\n", error.message);
@@ -26,7 +26,9 @@ std::optional<PixelSize> parse_size(const std::string& text) {
     const auto parts = split(text, 'x');
     if (parts.size() != 2) return std::nullopt;
     const auto width = parse_number(parts[0]), height = parse_number(parts[1]);
-    const auto good = [](const std::optional<double>& n) { return n && *n >= 1 && *n <= kLargest && *n == static_cast<int>(*n); };
+    const auto good = [](const std::optional<double>& n) {
+        return n && *n >= 1 && *n <= kLargest && *n == static_cast<int>(*n);
+    };
     if (!good(width) || !good(height)) return std::nullopt;
     return PixelSize{static_cast<int>(*width), static_cast<int>(*height)};
 }
@@ -39,7 +41,8 @@ constexpr const char* kAbout =
     "  nullscope-viewer --screenshot window.png          what the window shows, panels too, then quit\n";
 
 constexpr const char* kHands =
-    "\nIn the window: drag to look, wheel for the distance, W A S D Space C to fly, Q E to roll, R for the scene's own\n"
+    "\nIn the window: drag to look, wheel for the distance, W A S D Space C to fly, Q E to roll, R for the scene's "
+    "own\n"
     "camera, Tab hides the panels, F1 lists all keys, F12 saves the picture, Escape quits.\n"
     "Without a display: nullscope capture SCENE -o FILE.png, or xvfb-run nullscope-viewer ...";
 
@@ -53,16 +56,18 @@ int run(const viewer::ViewerOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    constexpr int kFramesOfScreenshot = 4;   // panels have found their size by then
+    constexpr int kFramesOfScreenshot = 4;  // panels have found their size by then
     CLI::App app{kAbout, "nullscope-viewer"};
     app.footer(kHands);
     app.set_version_flag("--version", NULLSCOPE_VERSION);
     viewer::ViewerOptions options;
     std::string size;
     app.add_option("scene", options.scene, "Scene file, or the name of one that ships")->capture_default_str();
-    app.add_option("--size", size, "Window size in pixels, WIDTHxHEIGHT (default: the scene's, or the screen's if that is smaller)");
+    app.add_option("--size", size,
+                   "Window size in pixels, WIDTHxHEIGHT (default: the scene's, or the screen's if that is smaller)");
     app.add_option("--screenshot", options.screenshot, "Write what the window shows to this .png, then quit");
-    app.add_option("--after-frames", options.after_frames, "Quit, and write the screenshot, after this many frames (default: 4 with --screenshot)")
+    app.add_option("--after-frames", options.after_frames,
+                   "Quit, and write the screenshot, after this many frames (default: 4 with --screenshot)")
         ->check(CLI::Range(1, 1000000));
     app.add_flag("--hidden", options.hidden, "Show no window; goes with --screenshot or --after-frames");
     try {
@@ -73,15 +78,19 @@ int main(int argc, char** argv) {
     if (!size.empty()) {
         options.size = parse_size(size);
         if (!options.size)
-            return report(bad_input(fmt::format("--size {}: not a size; allowed: WIDTHxHEIGHT, whole numbers from 1x1 to {}x{}", size, kLargest, kLargest)));
+            return report(
+                bad_input(fmt::format("--size {}: not a size; allowed: WIDTHxHEIGHT, whole numbers from 1x1 to {}x{}",
+                                      size, kLargest, kLargest)));
     }
     if (!options.screenshot.empty()) {
         if (!options.screenshot.ends_with(".png"))
-            return report(bad_input(fmt::format("--screenshot {}: unknown kind of file; allowed: names that end in .png", options.screenshot)));
+            return report(bad_input(fmt::format(
+                "--screenshot {}: unknown kind of file; allowed: names that end in .png", options.screenshot)));
         if (options.after_frames == 0) options.after_frames = kFramesOfScreenshot;
     }
     if (options.hidden && options.after_frames == 0)
-        return report(bad_input("--hidden alone would run unseen for ever; add --screenshot FILE.png or --after-frames N"));
+        return report(
+            bad_input("--hidden alone would run unseen for ever; add --screenshot FILE.png or --after-frames N"));
     try {
         return run(options);
     } catch (const std::bad_alloc&) {

@@ -11,9 +11,10 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
-constexpr float kPanelWidth = 19.0f;   // of the font's size
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                                    ImGuiWindowFlags_NoNav;
+constexpr float kPanelWidth = 19.0f;  // of the font's size
 constexpr float kMargin = 0.6f;
 
 constexpr std::pair<const char*, const char*> kKeys[] = {
@@ -77,8 +78,9 @@ void status_line(const FrameFacts& facts) {
     if (ImGui::Begin("##status", nullptr, kFixed | ImGuiWindowFlags_NoInputs)) {
         const std::string rate = facts.fps > 0.0 ? fmt::format("{:.0f} fps", facts.fps) : "idle";
         ImGui::TextUnformatted(fmt::format("{:.1f} ms  {}", facts.picture_ms, rate).c_str());
-        const std::string rest = fmt::format("{} x {}     table {:.0f} ms, rows {:.1f} ms     OpenGL {}     {}", facts.size.width,
-                                             facts.size.height, facts.table_ms, facts.rows_ms, facts.version, facts.renderer);
+        const std::string rest =
+            fmt::format("{} x {}     table {:.0f} ms, rows {:.1f} ms     OpenGL {}     {}", facts.size.width,
+                        facts.size.height, facts.table_ms, facts.rows_ms, facts.version, facts.renderer);
         ImGui::SameLine(9.5f * em());
         ImGui::TextDisabled("%s", rest.c_str());
         const char* hint = "F1 keys   Tab panels";
@@ -95,12 +97,16 @@ void status_line(const FrameFacts& facts) {
 void keys_window() {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x - kMargin * em(), kMargin * em()}, ImGuiCond_Always, {1.0f, 0.0f});
+    ImGui::SetNextWindowBgAlpha(0.95f);  // readable over the side panel in a small window
     if (ImGui::Begin("##keys", nullptr, kFixed | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs)) {
         for (const auto& [keys, what] : kKeys) {
             ImGui::TextUnformatted(keys);
             ImGui::SameLine(8.5f * em());
             ImGui::TextDisabled("%s", what);
         }
+        ImGui::Separator();
+        ImGui::TextUnformatted("Sky: 118 216 Hipparcos stars (ESA; XHIP, Anderson and Francis 2012) by way of\n"
+                               "d3-celestial (O. Frohn); Milky Way outlines by J. R. Vieira");
     }
     ImGui::End();
 }

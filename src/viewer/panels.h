@@ -8,8 +8,8 @@
 namespace nullscope::viewer {
 
 struct FrameFacts {
-    double picture_ms = 0.0;     // of the last picture, without panels
-    double fps = 0.0;            // while frames follow each other; 0: drawn on demand
+    double picture_ms = 0.0;  // of the last picture, without panels
+    double fps = 0.0;         // while frames follow each other; 0: drawn on demand
     double table_ms = 0.0, rows_ms = 0.0;
     PixelSize size;
     std::string renderer, version;

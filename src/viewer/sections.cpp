@@ -19,7 +19,8 @@ void parameters_of(const MetricEntry& entry, SpacetimeSpec& spec, bool& changed)
         const std::string name(parameter.name), help(parameter.help);
         const auto set = spec.parameters.find(name);
         double value = set != spec.parameters.end() ? set->second : parameter.fallback;
-        if (slide(name.c_str(), value, parameter.low, parameter.high, Scale::kLinear, When::kOnRelease, "%.4g", help.c_str())) {
+        if (slide(name.c_str(), value, parameter.low, parameter.high, Scale::kLinear, When::kOnRelease, "%.4g",
+                  help.c_str())) {
             spec.parameters[name] = value;
             changed = true;
         }
@@ -36,7 +37,8 @@ bool scene_section(ViewState& view, bool escape) {
     if (!open) tooltip(view.scene.description.c_str());
     if (open) {
         for (const SceneInfo& info : view.shipped)
-            if (choice_item(info.name, info.name == view.source, info.description)) changed = static_cast<bool>(load_into(view, info.name));
+            if (choice_item(info.name, info.name == view.source, info.description))
+                changed = static_cast<bool>(load_into(view, info.name));
         end_choice();
     }
     ImGui::SameLine();
@@ -60,16 +62,20 @@ bool disc_section(ViewState& view) {
         changed = true;
     }
     if (!view.scene.disc) return changed;
-    constexpr double kThinnest = 0.01, kWidest = 1000.0;
+    constexpr double kNarrow = 0.999, kWidest = 1000.0;  // inner over outer at most; r_s
     DiscSpec& disc = *view.scene.disc;
     const auto any = [&changed](bool one) { changed = changed || one; };
-    any(drag_number("Inner", disc.inner, 0.02, kThinnest, disc.outer - kThinnest, "%.2f r_s",
+    any(drag_number("Inner", disc.inner, 0.02, (1.0 - kNarrow) * disc.outer, kNarrow * disc.outer, "%.2f r_s",
                     "Inner radius. 3 r_s is the innermost stable circular orbit of a hole without spin."));
-    any(drag_number("Outer", disc.outer, 0.05, disc.inner + kThinnest, kWidest, "%.2f r_s", "Outer radius."));
-    any(slide("Opacity", disc.opacity, 0.01, 1.0, Scale::kLinear, When::kNow, "%.2f", "Below 1, what lies behind shines through."));
-    any(slide("Edge", disc.edge, 0.0, 0.5, Scale::kLinear, When::kNow, "%.2f", "Width of the fade at both rims, as a part of the disc's width."));
+    any(drag_number("Outer", disc.outer, 0.05, disc.inner / kNarrow, std::max(kWidest, 2.0 * disc.inner), "%.2f r_s",
+                    "Outer radius."));
+    any(slide("Opacity", disc.opacity, 0.01, 1.0, Scale::kLinear, When::kNow, "%.2f",
+              "Below 1, what lies behind shines through."));
+    any(slide("Edge", disc.edge, 0.0, 0.5, Scale::kLinear, When::kNow, "%.2f",
+              "Width of the fade at both rims, as a part of the disc's width."));
     any(drag_degrees("Rotation", disc.rotation, -360.0, 360.0, "Turn of the disc's image about its axis."));
-    any(slide("Brightness", disc.brightness, kLeastBrightness, kMostBrightness, Scale::kLogarithmic, When::kNow, "%.2f", "Factor on the disc's light."));
+    any(slide("Brightness", disc.brightness, kLeastBrightness, kMostBrightness, Scale::kLogarithmic, When::kNow, "%.2f",
+              "Factor on the disc's light."));
     return changed;
 }
 
@@ -94,14 +100,16 @@ bool sky_section(ViewState& view, bool escape) {
     if (sky.kind == SkyKind::kBlack) return changed;
     constexpr double kDegree = 0.017453292519943295;
     double yaw = sky.yaw / kDegree, tilt = sky.tilt / kDegree;
-    if (slide("Brightness", sky.brightness, kLeastBrightness, kMostBrightness, Scale::kLogarithmic, When::kOnRelease, "%.2f",
-              "Factor on the sky's light. The sky is made anew when you let go."))
+    if (slide("Brightness", sky.brightness, kLeastBrightness, kMostBrightness, Scale::kLogarithmic, When::kOnRelease,
+              "%.2f", "Factor on the sky's light. The sky is made anew when you let go."))
         changed = true;
-    if (slide("Yaw", yaw, -180.0, 180.0, Scale::kLinear, When::kOnRelease, "%.1f\xc2\xb0", "Turn of the sky about the polar axis, after tilt.")) {
+    if (slide("Yaw", yaw, -180.0, 180.0, Scale::kLinear, When::kOnRelease, "%.1f\xc2\xb0",
+              "Turn of the sky about the polar axis, after tilt.")) {
         sky.yaw = yaw * kDegree;
         changed = true;
     }
-    if (slide("Tilt", tilt, -180.0, 180.0, Scale::kLinear, When::kOnRelease, "%.1f\xc2\xb0", "Turn of the sky about the world's x axis.")) {
+    if (slide("Tilt", tilt, -180.0, 180.0, Scale::kLinear, When::kOnRelease, "%.1f\xc2\xb0",
+              "Turn of the sky about the world's x axis.")) {
         sky.tilt = tilt * kDegree;
         changed = true;
     }
@@ -115,7 +123,8 @@ bool spacetime_section(ViewState& view, bool escape) {
     row("Metric", entry != nullptr ? std::string(entry->help).c_str() : nullptr);
     if (begin_choice("##metric", spec.metric, escape)) {
         for (const MetricEntry& other : metric_registry()) {
-            if (!choice_item(std::string(other.key), &other == entry, std::string(other.help)) || &other == entry) continue;
+            if (!choice_item(std::string(other.key), &other == entry, std::string(other.help)) || &other == entry)
+                continue;
             spec = {std::string(other.key), {}};
             changed = true;
         }

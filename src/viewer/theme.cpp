@@ -10,10 +10,14 @@ namespace {
 
 // Sans fonts of common distributions; ImGui's own bitmap font where there is none.
 constexpr const char* kFonts[] = {
-    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",       "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
-    "/usr/share/fonts/TTF/DejaVuSans.ttf",                   "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
-    "/usr/share/fonts/google-noto/NotoSans-Regular.ttf",     "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
-    "/System/Library/Fonts/Supplemental/Arial.ttf",          "C:/Windows/Fonts/segoeui.ttf",
+    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+    "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
+    "/usr/share/fonts/TTF/DejaVuSans.ttf",
+    "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
+    "/usr/share/fonts/google-noto/NotoSans-Regular.ttf",
+    "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
+    "/System/Library/Fonts/Supplemental/Arial.ttf",
+    "C:/Windows/Fonts/segoeui.ttf",
 };
 
 void load_font(double pixels) {
@@ -25,14 +29,15 @@ void load_font(double pixels) {
             fonts.AddFontFromFileTTF(file, static_cast<float>(std::round(pixels))) != nullptr)
             return;
     }
-    constexpr float kBitmapFont = 13.0f;   // sharp only in whole multiples
+    constexpr float kBitmapFont = 13.0f;  // sharp only in whole multiples
     ImFontConfig config;
     config.SizePixels = kBitmapFont * std::fmax(1.0f, std::round(static_cast<float>(pixels) / kBitmapFont));
     fonts.AddFontDefault(&config);
 }
 
 void colour(ImGuiStyle& style) {
-    const ImVec4 text{0.90f, 0.91f, 0.93f, 1.00f}, dim{0.58f, 0.61f, 0.66f, 1.00f}, panel{0.045f, 0.050f, 0.065f, 0.82f};
+    const ImVec4 text{0.90f, 0.91f, 0.93f, 1.00f}, dim{0.58f, 0.61f, 0.66f, 1.00f},
+        panel{0.045f, 0.050f, 0.065f, 0.82f};
     const ImVec4 field{0.16f, 0.18f, 0.22f, 0.75f}, over{0.24f, 0.27f, 0.33f, 0.85f}, held{0.31f, 0.34f, 0.41f, 0.95f};
     const ImVec4 accent{0.96f, 0.67f, 0.33f, 1.00f}, faint{1.00f, 1.00f, 1.00f, 0.07f};
     ImGui::StyleColorsDark(&style);
@@ -47,7 +52,7 @@ void colour(ImGuiStyle& style) {
     c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = c[ImGuiCol_HeaderActive] = held;
     c[ImGuiCol_Header] = {0.13f, 0.145f, 0.18f, 0.60f};
     c[ImGuiCol_CheckMark] = accent;
-    c[ImGuiCol_SliderGrab] = {accent.x, accent.y, accent.z, 0.60f};   // the number shows through
+    c[ImGuiCol_SliderGrab] = {accent.x, accent.y, accent.z, 0.60f};  // the number shows through
     c[ImGuiCol_SliderGrabActive] = {accent.x, accent.y, accent.z, 0.85f};
     c[ImGuiCol_TextSelectedBg] = {accent.x, accent.y, accent.z, 0.35f};
     c[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};

@@ -12,11 +12,11 @@
 namespace nullscope::viewer {
 
 struct ViewState {
-    std::string source;              // what load_scene was given
-    Scene loaded;                    // as the file has it
-    Scene scene;                     // as it is now
+    std::string source;  // what load_scene was given
+    Scene loaded;        // as the file has it
+    Scene scene;         // as it is now
     std::vector<SceneInfo> shipped;
-    std::string error;               // of the last change, or nothing
+    std::string error;  // of the last change, or nothing
     bool show_panels = true, show_keys = false;
     Vec3 boost_direction{-1, 0, 0};  // kept while the camera is at rest
     DiscSpec hidden_disc;            // kept while the disc is switched off
@@ -24,7 +24,7 @@ struct ViewState {
 
 // Replaces what is shown; on an error everything stays and view.error says why.
 Status load_into(ViewState& view, const std::string& file_or_name);
-void reset_camera(ViewState& view);    // to the file's, pixels apart
+void reset_camera(ViewState& view);  // to the file's, pixels apart
 
 // The scene's spacetime; nullptr while the metric or its parameters are not valid. Cheap.
 std::shared_ptr<const Spacetime> spacetime_of(const Scene& scene);
@@ -32,7 +32,7 @@ std::shared_ptr<const Spacetime> spacetime_of(const Scene& scene);
 // For cameras that came with another spacetime: at least the flight range's nearest radius.
 void keep_outside_horizon(Scene& scene);
 
-double fov_of(const CameraSpec& camera);              // horizontal, rad
-void set_fov(CameraSpec& camera, double fov);         // clamped to what can be steered: 1 to 170 degrees
+double fov_of(const CameraSpec& camera);       // horizontal, rad
+void set_fov(CameraSpec& camera, double fov);  // clamped to what can be steered: 1 to 170 degrees
 
 }  // namespace nullscope::viewer

@@ -32,7 +32,7 @@ std::string title_of(const Scene& scene) { return scene.name + " - nullscope"; }
 PanelSystem::PanelSystem(Window& window) : window_(window) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;   // leaves no file behind
+    ImGui::GetIO().IniFilename = nullptr;  // leaves no file behind
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
 }
@@ -47,7 +47,7 @@ void PanelSystem::begin_frame() {
     const double scale = window_.content_scale(), ratio = window_.pixel_ratio();
     if (scale != content_scale_ || ratio != pixel_ratio_) {
         content_scale_ = scale, pixel_ratio_ = ratio;
-        ImGui_ImplOpenGL3_DestroyDeviceObjects();   // made again, with the new font, by the next NewFrame
+        ImGui_ImplOpenGL3_DestroyDeviceObjects();  // made again, with the new font, by the next NewFrame
         apply_theme(scale, ratio);
     }
     ImGui_ImplOpenGL3_NewFrame();
@@ -69,6 +69,7 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     viewer->fit_to_window();
     if (Status ready = viewer->renderer_->prepare(viewer->view_.scene); !ready) return ready.error();
     viewer->shown_ = viewer->view_.scene;
+    viewer->shown_loaded_ = viewer->view_.loaded;
     return viewer;
 }
 
@@ -92,7 +93,7 @@ bool Viewer::step() {
         frames_due_ = kSettlingFrames;
     }
     bool changed = fit_to_window();
-    if (size_.width == 0 || size_.height == 0) return false;   // minimised
+    if (size_.width == 0 || size_.height == 0) return false;  // minimised
 
     panel_system_->begin_frame();
     const ImGuiIO& io = ImGui::GetIO();
@@ -106,7 +107,7 @@ bool Viewer::step() {
         prepare();
         frames_due_ = kSettlingFrames;
     }
-    if (input.moved && (panels_had_pointer || io.WantCaptureMouse)) frames_due_ = std::max(frames_due_, 1);
+    if (input.moved && (panels_had_pointer || io.WantCaptureMouse)) frames_due_ = kSettlingFrames;  // tooltips
     if (io.WantTextInput || options_.after_frames > 0) frames_due_ = std::max(frames_due_, 1);
     if (frames_due_ == 0) {
         ImGui::EndFrame();
@@ -118,6 +119,7 @@ bool Viewer::step() {
 }
 
 double Viewer::wait_time() const {
+    if (size_.width == 0 || size_.height == 0) return kIdleWait;
     if (frames_due_ > 0 || controls_.in_motion() || options_.after_frames > 0) return 0.0;
     if (ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().WantTextInput) return kCaretWait;
     return message_.empty() ? kIdleWait : std::clamp(message_until_ - seconds(), 0.01, kIdleWait);
@@ -134,11 +136,16 @@ bool Viewer::handle_keys(const Input& input) {
     bool changed = false;
     if (io.WantCaptureKeyboard) return false;
     for (const int key : input.pressed) {
-        if (key == GLFW_KEY_ESCAPE && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) window_->close();
-        else if (key == GLFW_KEY_TAB) view_.show_panels = !view_.show_panels;
-        else if (key == GLFW_KEY_F1) view_.show_keys = !view_.show_keys;
-        else if (key == GLFW_KEY_F12) save_picture();
-        else if (key == GLFW_KEY_R) reset_camera(view_), changed = true;
+        if (key == GLFW_KEY_ESCAPE && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
+            window_->close();
+        else if (key == GLFW_KEY_TAB)
+            view_.show_panels = !view_.show_panels;
+        else if (key == GLFW_KEY_F1)
+            view_.show_keys = !view_.show_keys;
+        else if (key == GLFW_KEY_F12)
+            save_picture();
+        else if (key == GLFW_KEY_R)
+            reset_camera(view_), changed = true;
     }
     return changed;
 }
@@ -154,9 +161,10 @@ bool Viewer::fit_to_window() {
 }
 
 void Viewer::prepare() {
-    fit_to_window();   // a scene that was just loaded has a size of its own
+    fit_to_window();  // a scene that was just loaded has a size of its own
     if (Status ready = renderer_->prepare(view_.scene); !ready) {
         view_.scene = shown_;
+        view_.loaded = shown_loaded_;
         fit_to_window();
         if (Status again = renderer_->prepare(view_.scene); !again) throw gl::GlError(again.error().message);
         view_.error = ready.error().message;
@@ -165,6 +173,7 @@ void Viewer::prepare() {
     if (view_.scene.name != shown_.name) window_->set_title(title_of(view_.scene));
     view_.error.clear();
     shown_ = view_.scene;
+    shown_loaded_ = view_.loaded;
 }
 
 void Viewer::draw(unsigned framebuffer) {
@@ -176,7 +185,7 @@ void Viewer::present() {
     ImGui::Render();
     const double start = seconds();
     renderer_->draw(0, size_.width, size_.height, Output::kDisplay);
-    gl::finish();   // so that the time is the picture's
+    gl::finish();  // so that the time is the picture's
     picture_ms_ = 1e3 * (seconds() - start);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     window_->swap();
@@ -192,7 +201,7 @@ void Viewer::measure_rate() {
     if (now - rate_shown_at_ < kRateTime && frames_due_ > 0) return;
     rate_shown_at_ = now;
     picture_ms_shown_ = picture_ms_;
-    fps_shown_ = moving_ && frame_s_ > 0.0 ? 1.0 / frame_s_ : 0.0;
+    fps_shown_ = frames_due_ > 0 && moving_ && frame_s_ > 0.0 ? 1.0 / frame_s_ : 0.0;
 }
 
 void Viewer::save_picture() {
@@ -210,7 +219,9 @@ FrameFacts Viewer::facts() const {
     const FrameTables& tables = renderer_->tables();
     const gl::Info& info = renderer_->info();
     const std::string version = info.version.substr(0, info.version.find(' '));
-    return {picture_ms_shown_, fps_shown_, tables.table_ms(), tables.rows_ms(), size_, info.renderer, version};
+    const bool last = frames_due_ <= 1;  // what this frame shows stays
+    return {
+        picture_ms_shown_, last ? 0.0 : fps_shown_, tables.table_ms(), tables.rows_ms(), size_, info.renderer, version};
 }
 
 }  // namespace nullscope::viewer

@@ -14,9 +14,9 @@ namespace nullscope::viewer {
 
 struct ViewerOptions {
     std::string scene = "first-light";
-    std::optional<PixelSize> size;    // the scene's, fitted to the screen
-    std::string screenshot;           // written after after_frames frames, panels included; then the viewer ends
-    int after_frames = 0;             // 0: run until closed
+    std::optional<PixelSize> size;  // the scene's, fitted to the screen
+    std::string screenshot;         // written after after_frames frames, panels included; then the viewer ends
+    int after_frames = 0;           // 0: run until closed
     bool hidden = false;
 };
 
@@ -27,7 +27,7 @@ public:
     ~PanelSystem();
     PanelSystem(const PanelSystem&) = delete;
     PanelSystem& operator=(const PanelSystem&) = delete;
-    void begin_frame();   // follows the window to a screen of another scale
+    void begin_frame();  // follows the window to a screen of another scale
 
 private:
     Window& window_;
@@ -42,12 +42,12 @@ public:
 
 private:
     explicit Viewer(const ViewerOptions& options) : options_(options) {}
-    bool step();                     // one turn of the loop: true if a frame was drawn
-    double wait_time() const;        // for events; 0: do not wait
-    double elapsed();                // since the last step, for motion
+    bool step();               // one turn of the loop: true if a frame was drawn
+    double wait_time() const;  // for events; 0: do not wait
+    double elapsed();          // since the last step, for motion
     bool handle_keys(const Input& input);
-    bool fit_to_window();            // true if the picture's size changed
-    void prepare();                  // shows view_.scene, or what was shown before and why
+    bool fit_to_window();  // true if the picture's size changed
+    void prepare();        // shows view_.scene, or what was shown before and why
     void draw(unsigned framebuffer);
     void present();
     void measure_rate();
@@ -57,9 +57,9 @@ private:
 
     ViewerOptions options_;
     ViewState view_;
-    Scene shown_;                    // the last that could be prepared
+    Scene shown_, shown_loaded_;  // the last that could be prepared, and its file
     Controls controls_;
-    std::unique_ptr<Window> window_;           // the context: outlives what is below
+    std::unique_ptr<Window> window_;  // the context: outlives what is below
     std::unique_ptr<PanelSystem> panel_system_;
     std::unique_ptr<Renderer> renderer_;
     PixelSize size_;

@@ -10,13 +10,13 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr float kNameColumn = 6.2f;   // of the font's size
+constexpr float kNameColumn = 6.2f;  // of the font's size
 
 std::string hidden_id(const char* name) { return std::string("##") + name; }
 
 bool accept(double edited, double low, double high, double& value) {
-    if (!std::isfinite(edited)) return false;   // "nan" can be typed
-    value = std::clamp(edited, low, high);      // and so can numbers beyond the ends
+    if (!std::isfinite(edited)) return false;  // "nan" can be typed
+    value = std::clamp(edited, low, high);     // and so can numbers beyond the ends
     return true;
 }
 
@@ -27,7 +27,9 @@ struct Draft {
 };
 Draft draft;
 
-double draft_or(const std::string& id, double value) { return draft.id == ImGui::GetID(id.c_str()) ? draft.value : value; }
+double draft_or(const std::string& id, double value) {
+    return draft.id == ImGui::GetID(id.c_str()) ? draft.value : value;
+}
 
 // Keeps the draft of the item before while it is active. True, with the last draft, when it was let go.
 bool settled(const std::string& id, double& edited) {
@@ -58,21 +60,25 @@ void tooltip(const char* text) {
     ImGui::EndTooltip();
 }
 
-bool drag_number(const char* name, double& value, double speed, double low, double high, const char* format, const char* help) {
+bool drag_number(const char* name, double& value, double speed, double low, double high, const char* format,
+                 const char* help) {
     row(name, help);
     double edited = value;
-    return ImGui::DragScalar(hidden_id(name).c_str(), ImGuiDataType_Double, &edited, static_cast<float>(speed), &low, &high, format) &&
+    return ImGui::DragScalar(hidden_id(name).c_str(), ImGuiDataType_Double, &edited, static_cast<float>(speed), &low,
+                             &high, format) &&
            accept(edited, low, high, value);
 }
 
 bool drag_degrees(const char* name, double& radians, double low_deg, double high_deg, const char* help) {
-    double degrees = radians / kDegree;
+    constexpr double kShown = 0.005;  // less is shown as 0, not as -0
+    double degrees = std::fabs(radians) < kShown * kDegree ? 0.0 : radians / kDegree;
     if (!drag_number(name, degrees, 0.25, low_deg, high_deg, "%.2f\xc2\xb0", help)) return false;
     radians = degrees * kDegree;
     return true;
 }
 
-bool slide(const char* name, double& value, double low, double high, Scale scale, When when, const char* format, const char* help) {
+bool slide(const char* name, double& value, double low, double high, Scale scale, When when, const char* format,
+           const char* help) {
     row(name, help);
     const std::string id = hidden_id(name);
     double edited = when == When::kOnRelease ? draft_or(id, value) : value;

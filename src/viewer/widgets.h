@@ -6,15 +6,17 @@ namespace nullscope::viewer {
 
 // Starts a row; the control that follows takes its rest. help: shown while the pointer is on the name.
 void row(const char* name, const char* help = nullptr);
-void tooltip(const char* text);   // of the item before, wrapped
+void tooltip(const char* text);  // of the item before, wrapped
 
 // All return true when the value changed, always to a finite one in [low, high]. format: of printf.
-bool drag_number(const char* name, double& value, double speed, double low, double high, const char* format, const char* help);
+bool drag_number(const char* name, double& value, double speed, double low, double high, const char* format,
+                 const char* help);
 bool drag_degrees(const char* name, double& radians, double low_deg, double high_deg, const char* help);
 
 enum class Scale { kLinear, kLogarithmic };
-enum class When { kNow, kOnRelease };   // kOnRelease: for what takes a while to build
-bool slide(const char* name, double& value, double low, double high, Scale scale, When when, const char* format, const char* help);
+enum class When { kNow, kOnRelease };  // kOnRelease: for what takes a while to build
+bool slide(const char* name, double& value, double low, double high, Scale scale, When when, const char* format,
+           const char* help);
 
 // The control of a row that was started: typed in, taken over on Enter or when left.
 bool type_number(const char* id, double& value, double low, double high, const char* format);

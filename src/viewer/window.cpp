@@ -24,8 +24,10 @@ std::string no_display() {
     const char* x11 = std::getenv("DISPLAY");
     const char* wayland = std::getenv("WAYLAND_DISPLAY");
     std::string why = "DISPLAY is not set";
-    if (x11 != nullptr && *x11 != '\0') why = fmt::format("nothing answers at DISPLAY={}", x11);
-    else if (wayland != nullptr && *wayland != '\0') why = last_glfw_error();
+    if (x11 != nullptr && *x11 != '\0')
+        why = fmt::format("nothing answers at DISPLAY={}", x11);
+    else if (wayland != nullptr && *wayland != '\0')
+        why = last_glfw_error();
     return fmt::format("no display could be opened ({}); use `nullscope capture` or xvfb-run", why);
 }
 
@@ -40,7 +42,7 @@ void ask_for_core_context() {
 
 // Called when there is no 3.3 core context: says which OpenGL there is instead.
 std::string no_opengl() {
-    constexpr unsigned kGlRenderer = 0x1F01;   // GL_RENDERER
+    constexpr unsigned kGlRenderer = 0x1F01;  // GL_RENDERER
     const std::string reason = last_glfw_error();
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
@@ -55,8 +57,10 @@ std::string no_opengl() {
                             renderer == nullptr ? "unnamed" : reinterpret_cast<const char*>(renderer));
         glfwDestroyWindow(plain);
     }
-    return fmt::format("OpenGL 3.3 core is needed; {}; update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw "
-                       "with the processor", found);
+    return fmt::format(
+        "OpenGL 3.3 core is needed; {}; update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw "
+        "with the processor",
+        found);
 }
 
 PixelSize fitted(PixelSize size) {
@@ -73,7 +77,7 @@ Input& input_of(GLFWwindow* window) { return *static_cast<Input*>(glfwGetWindowU
 void on_key(GLFWwindow* window, int key, int, int action, int) {
     Input& input = input_of(window);
     input.happened = true;
-    if (key < 0) return;   // a key that GLFW does not know
+    if (key < 0) return;  // a key that GLFW does not know
     input.held[static_cast<std::size_t>(key)] = action != GLFW_RELEASE;
     if (action != GLFW_PRESS) return;
     input.pressed.push_back(key);
@@ -93,8 +97,10 @@ void on_button(GLFWwindow* window, int number, int action, int) {
     if (number != GLFW_MOUSE_BUTTON_LEFT && number != GLFW_MOUSE_BUTTON_RIGHT) return;
     Button& button = number == GLFW_MOUSE_BUTTON_LEFT ? input.left : input.right;
     button.held = action == GLFW_PRESS;
-    if (button.held) button.pressed = true, button.pressed_x = input.x, button.pressed_y = input.y;
-    else button.released_x = input.x, button.released_y = input.y;
+    if (button.held)
+        button.pressed = true, button.pressed_x = input.x, button.pressed_y = input.y;
+    else
+        button.released_x = input.x, button.released_y = input.y;
 }
 
 // glfwGetCursorPos tells where the pointer is by now, not where it was when a button went down.
@@ -119,7 +125,7 @@ double seconds() { return glfwGetTime(); }
 
 Result<std::unique_ptr<Window>> Window::open(const WindowSpec& spec) {
     if (glfwInit() != GLFW_TRUE) return failed(no_display());
-    std::unique_ptr<Window> window(new Window);   // from here on its end is GLFW's
+    std::unique_ptr<Window> window(new Window);  // from here on its end is GLFW's
     const PixelSize size = spec.fit_to_screen ? fitted(spec.size) : spec.size;
     ask_for_core_context();
     glfwWindowHint(GLFW_VISIBLE, spec.hidden ? GLFW_FALSE : GLFW_TRUE);
@@ -162,8 +168,10 @@ const Input& Window::poll(double wait_s) {
     input_.tapped.reset();
     input_.left.pressed = input_.right.pressed = input_.happened = input_.moved = false;
     input_.wheel = input_.wheel_sideways = 0.0;
-    if (wait_s > 0.0) glfwWaitEventsTimeout(wait_s);
-    else glfwPollEvents();
+    if (wait_s > 0.0)
+        glfwWaitEventsTimeout(wait_s);
+    else
+        glfwPollEvents();
     input_.shift = input_.held[GLFW_KEY_LEFT_SHIFT] || input_.held[GLFW_KEY_RIGHT_SHIFT];
     return input_;
 }

@@ -18,7 +18,7 @@ struct PixelSize {
 
 struct WindowSpec {
     PixelSize size{1280, 720};
-    bool fit_to_screen = true;   // smaller where the screen is smaller
+    bool fit_to_screen = true;  // smaller where the screen is smaller
     bool hidden = false;
     std::string title;
 };
@@ -32,13 +32,13 @@ struct Button {
 // Since the last poll. Keys are GLFW's numbers; positions are framebuffer pixels from the top left.
 struct Input {
     static constexpr int kKeys = 512;
-    std::vector<int> pressed;              // keys that went down, in order
-    std::bitset<kKeys> held, tapped;       // down now; went down, even if up again
+    std::vector<int> pressed;         // keys that went down, in order
+    std::bitset<kKeys> held, tapped;  // down now; went down, even if up again
     Button left, right;
     double x = 0.0, y = 0.0;
     double wheel = 0.0, wheel_sideways = 0.0;
     bool shift = false;
-    bool happened = false;                 // anything but mere motion of the pointer
+    bool happened = false;  // anything but mere motion of the pointer
     bool moved = false;
     bool down(int key) const { return held[static_cast<std::size_t>(key)] || tapped[static_cast<std::size_t>(key)]; }
 };
@@ -56,9 +56,9 @@ public:
     void swap();
     bool closing() const;
     void close();
-    PixelSize framebuffer() const;   // 0x0 while minimised
-    double pixel_ratio() const;      // framebuffer pixels a unit of the window's coordinates
-    double content_scale() const;    // how much larger than usual things must be drawn, in framebuffer pixels
+    PixelSize framebuffer() const;  // 0x0 while minimised
+    double pixel_ratio() const;     // framebuffer pixels a unit of the window's coordinates
+    double content_scale() const;   // how much larger than usual things must be drawn, in framebuffer pixels
     void set_title(const std::string& title);
     GLFWwindow* handle() const { return handle_; }
 
@@ -69,6 +69,6 @@ private:
     Input input_;
 };
 
-double seconds();   // of a steady clock
+double seconds();  // of a steady clock
 
 }  // namespace nullscope::viewer

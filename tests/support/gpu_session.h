@@ -21,7 +21,7 @@ namespace nullscope::test {
 
 struct GpuSession {
     std::unique_ptr<GlContext> context;
-    std::unique_ptr<Renderer> renderer;   // dies first
+    std::unique_ptr<Renderer> renderer;  // dies first
 };
 
 inline constexpr const char* kContextKinds[] = {"egl", "osmesa"};
@@ -35,8 +35,9 @@ inline std::optional<GpuSession> open_gpu(const std::string& kind) {
     }
     GpuSession session;
     session.context = std::move(*made);
-    gl::load_functions([](const char* name, void* user) { return static_cast<GlContext*>(user)->get_proc_address(name); },
-                       session.context.get());
+    gl::load_functions(
+        [](const char* name, void* user) { return static_cast<GlContext*>(user)->get_proc_address(name); },
+        session.context.get());
     session.renderer = std::make_unique<Renderer>();
     return session;
 }
@@ -74,9 +75,12 @@ inline ExactTrace reference_trace(const Scene& scene) {
 
 inline Witnesses witnesses_of(const Scene& scene, const CoreInput& input, const RayFrame& gl, int x, int y) {
     const double right = x + 0.5 - 0.5 * scene.camera.width, up = 0.5 * scene.camera.height - (y + 0.5);
-    return {reference_trace(scene)({{x + 0.5, y + 0.5}})[0], trace_core64(input, right, up), trace_core32(input, right, up), gl.at(x, y)};
+    return {reference_trace(scene)({{x + 0.5, y + 0.5}})[0], trace_core64(input, right, up),
+            trace_core32(input, right, up), gl.at(x, y)};
 }
 
-inline std::string spread_text(const Spread& s) { return fmt::format("{:.2e} / {:.2e} / {:.2e}", s.max, s.p999, s.median); }
+inline std::string spread_text(const Spread& s) {
+    return fmt::format("{:.2e} / {:.2e} / {:.2e}", s.max, s.p999, s.median);
+}
 
 }  // namespace nullscope::test

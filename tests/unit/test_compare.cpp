@@ -17,8 +17,8 @@ namespace {
 
 using namespace nullscope;
 
-constexpr double kFloat = 1e-6;      // measures are kept as float
-constexpr double kRounding = 1e-6;   // px; rounding of unit vectors over the smallest motion per pixel used here
+constexpr double kFloat = 1e-6;     // measures are kept as float
+constexpr double kRounding = 1e-6;  // px; rounding of unit vectors over the smallest motion per pixel used here
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
 Vec3 direction(double azimuth, double latitude) {
@@ -67,20 +67,26 @@ TEST_CASE("compare: forward error is the angle, small and straight") {
 TEST_CASE("compare: screen error divides by the motion per pixel, at least what a pixel spans") {
     constexpr double kPixel = 1e-3, kError = 1e-5;
     // No stretch: error over the pixel's angle, also where the sky is squeezed.
-    CHECK(pixel_errors(escaped(direction(kError, 0)), moving(kPixel, kPixel, kPixel)).sky_px == doctest::Approx(0.01).epsilon(kFloat));
-    CHECK(pixel_errors(escaped(direction(kError, 0)), moving(1e-9, 0, kPixel)).sky_px == doctest::Approx(0.01).epsilon(kFloat));
+    CHECK(pixel_errors(escaped(direction(kError, 0)), moving(kPixel, kPixel, kPixel)).sky_px ==
+          doctest::Approx(0.01).epsilon(kFloat));
+    CHECK(pixel_errors(escaped(direction(kError, 0)), moving(1e-9, 0, kPixel)).sky_px ==
+          doctest::Approx(0.01).epsilon(kFloat));
     // Stretched a hundredfold along the error; then across it, which does not excuse it.
-    CHECK(pixel_errors(escaped(direction(kError, 0)), moving(0.1, kPixel, kPixel)).sky_px == doctest::Approx(1e-4).epsilon(1e-4));
-    CHECK(pixel_errors(escaped(direction(0, kError)), moving(0.1, kPixel, kPixel)).sky_px == doctest::Approx(0.01).epsilon(1e-4));
+    CHECK(pixel_errors(escaped(direction(kError, 0)), moving(0.1, kPixel, kPixel)).sky_px ==
+          doctest::Approx(1e-4).epsilon(1e-4));
+    CHECK(pixel_errors(escaped(direction(0, kError)), moving(0.1, kPixel, kPixel)).sky_px ==
+          doctest::Approx(0.01).epsilon(1e-4));
     // Both ways at once: parts add as lengths.
     const float both = pixel_errors(escaped(direction(100 * kError, kError)), moving(0.1, kPixel, kPixel)).sky_px;
     CHECK(both == doctest::Approx(0.01 * std::sqrt(2)).epsilon(1e-3));
     // Motion turned by 45 degrees: x and y pixels move along the same diagonal.
     ExactPixel diagonal = moving(0, 0, kPixel);
     diagonal.right = diagonal.down = escaped(direction(1e-5, 1e-5));
-    const double along = std::sqrt(2) * std::sqrt(2) * 0.1;   // length of the diagonal, two columns of it
-    CHECK(pixel_errors(escaped(direction(kError, kError)), diagonal).sky_px == doctest::Approx(std::sqrt(2) * kError / along).epsilon(1e-3));
-    CHECK(pixel_errors(escaped(direction(kError, -kError)), diagonal).sky_px == doctest::Approx(std::sqrt(2) * kError / kPixel).epsilon(1e-3));
+    const double along = std::sqrt(2) * std::sqrt(2) * 0.1;  // length of the diagonal, two columns of it
+    CHECK(pixel_errors(escaped(direction(kError, kError)), diagonal).sky_px ==
+          doctest::Approx(std::sqrt(2) * kError / along).epsilon(1e-3));
+    CHECK(pixel_errors(escaped(direction(kError, -kError)), diagonal).sky_px ==
+          doctest::Approx(std::sqrt(2) * kError / kPixel).epsilon(1e-3));
 }
 
 TEST_CASE("compare: place on the disc, swept angle and frequency in pixels") {
@@ -89,15 +95,15 @@ TEST_CASE("compare: place on the disc, swept angle and frequency in pixels") {
     exact.here.hit = 1;
     exact.here.u = 6;
     exact.pixel_angle = 1e-3;
-    exact.camera = {6, 0, 8};   // 8 from the hit: a pixel spans 8e-3
+    exact.camera = {6, 0, 8};  // 8 from the hit: a pixel spans 8e-3
     RayPixel tested = exact.here;
     tested.v = 8e-5;
     tested.angle = 1e-5;
     CHECK(pixel_errors(tested, exact).place_px == doctest::Approx(0.01).epsilon(kFloat));
     CHECK(pixel_errors(tested, exact).angle_px == doctest::Approx(0.01).epsilon(kFloat));
     exact.down = exact.here;
-    exact.down.v = 8e-4;        // 0.8 a px
-    exact.down.angle = 1e-4;    // 0.1 a px
+    exact.down.v = 8e-4;      // 0.8 a px
+    exact.down.angle = 1e-4;  // 0.1 a px
     exact.down_px = 1e-3;
     CHECK(pixel_errors(tested, exact).place_px == doctest::Approx(1e-4).epsilon(kFloat));
     CHECK(pixel_errors(tested, exact).angle_px == doctest::Approx(1e-4).epsilon(kFloat));
@@ -113,7 +119,8 @@ TEST_CASE("compare: place on the disc, swept angle and frequency in pixels") {
 
 TEST_CASE("compare: percentiles of known sets, NaN as infinite") {
     std::vector<float> values(1000);
-    for (int i = 0; i < 1000; ++i) values[static_cast<std::size_t>(i)] = static_cast<float>((i * 7919) % 1000 + 1);   // 1 ... 1000 mixed
+    for (int i = 0; i < 1000; ++i)
+        values[static_cast<std::size_t>(i)] = static_cast<float>((i * 7919) % 1000 + 1);  // 1 ... 1000 mixed
     const Spread spread = spread_of(values);
     CHECK(spread.max == 1000);
     CHECK(spread.p999 == 999);
@@ -154,7 +161,7 @@ RayFrame flat_frame(const CameraSpec& camera, const FlatSky& sky) {
 TEST_CASE("compare: a fate is forgiven within the band around the exact edge and not beyond") {
     const CameraSpec camera = small_camera();
     for (const double off : {0.005, 0.0095, 0.011, 0.4}) {
-        const RayFrame tested = flat_frame(camera, {8.5 - off, 1e-3});   // column 8 escapes
+        const RayFrame tested = flat_frame(camera, {8.5 - off, 1e-3});  // column 8 escapes
         const RayMeasures m = measure_rays(tested, camera, FlatSky{8.5 + off, 1e-3});
         CHECK(m.fate_errors == (off < kFateBand_px ? 0 : camera.height));
         CHECK(m.forgiven == (off < kFateBand_px ? camera.height : 0));
@@ -167,7 +174,7 @@ TEST_CASE("compare: a frame's errors land where they were put") {
     const CameraSpec camera = small_camera();
     const FlatSky sky{0, 1e-3};
     RayFrame tested = flat_frame(camera, sky);
-    tested.pixels[5 * 16 + 3].sky = direction((3 + 0.5 + 0.25) * 1e-3, 5.5e-3);   // a quarter of a pixel to the right
+    tested.pixels[5 * 16 + 3].sky = direction((3 + 0.5 + 0.25) * 1e-3, 5.5e-3);  // a quarter of a pixel to the right
     tested.pixels[7].delay = kNotANumber;
     const RayMeasures m = measure_rays(tested, camera, sky);
     CHECK(m.sky_px.max == doctest::Approx(0.25).epsilon(1e-3));
@@ -197,7 +204,7 @@ TEST_CASE("compare: the angle of a pixel is the root of its solid angle") {
     double sum = 0;
     for (int y = 0; y < 40; ++y)
         for (int x = 0; x < 40; ++x) sum += std::pow(pixel_angle(camera, x + 0.5, y + 0.5), 2);
-    CHECK(sum == doctest::Approx(4 * M_PI / 6).epsilon(1e-3));   // a face of the cube
+    CHECK(sum == doctest::Approx(4 * M_PI / 6).epsilon(1e-3));  // a face of the cube
 }
 
 TEST_CASE("compare: pictures") {
@@ -256,7 +263,8 @@ TEST_CASE("compare: the report names the culprit and holds its pictures") {
     CHECK(html->find("first &lt;light&gt;") != std::string::npos);
     CHECK(html->find("data:image/png;base64,iVBORw0KGgo") != std::string::npos);
     CHECK(html->find("core64") != std::string::npos);
-    CHECK(std::distance(std::filesystem::directory_iterator(path.parent_path()), {}) == 1);   // nothing is left beside it
+    CHECK(std::distance(std::filesystem::directory_iterator(path.parent_path()), {}) ==
+          1);  // nothing is left beside it
 }
 
 }  // namespace

@@ -17,11 +17,20 @@ from pathlib import Path
 from x_screen import Screen, read_png, wait_until
 
 WIDTH, HEIGHT = 840, 600
+SCENE = """[camera]
+r = 22.0
+theta = 80.0
+roll = -6.0
+fov = 62.0
+[disc]
+"""
 PICTURE = (320, 300, 820, 560)     # of the window: no panel lies here
-SIDE, KEYS, FIELD = (10, 60, 280, 300), (600, 10, 830, 180), (110, 92, 180, 106)
+SIDE, KEYS, FIELD = (10, 60, 280, 300), (450, 10, 830, 180), (110, 92, 180, 106)
+LETTERS = bytes([230, 232, 237])   # the theme's text
 NOISE = 0.002                      # share of bytes: single pixels on the edge of rounding
 CURSOR = 0.01                       # share of bytes: the pointer itself is a part of the screen
 CHANGED = 0.02
+RELOAD = (240, 26)                 # the button
 BESIDE = (420, 40)                 # a place for the pointer outside of all these areas
 SETTLED_S = 0.4                    # without a change: the wheel's motion and the panels have come to rest
 
@@ -31,17 +40,23 @@ class Viewer:
 
     def __init__(self, screen, program, *arguments):
         self.screen, self.folder = screen, tempfile.mkdtemp(prefix="nullscope-viewer.")
-        self.process = subprocess.Popen([program, *arguments], cwd=self.folder, env={**os.environ, "DISPLAY": screen.display},
+        self.scene = Path(self.folder) / "scene.toml"
+        self.scene.write_text(SCENE)
+        self.env = {**os.environ, "DISPLAY": screen.display}
+        self.process = subprocess.Popen([program, self.scene.name, *arguments], cwd=self.folder, env=self.env,
                                         stderr=subprocess.PIPE, text=True)
+        self.window = None
+
+    def start(self):
         self.window = wait_until("the window", self.find)
         self.hands("windowfocus", self.window)
         wait_until("the first picture", lambda: self.picture().mean() > 1)
-        self.settle()
+        self.still()
 
     def find(self):
         assert self.process.poll() is None, f"the viewer ended early: {self.process.stderr.read()}"
-        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "nullscope"], capture_output=True, text=True,
-                               env={**os.environ, "DISPLAY": self.screen.display}).stdout.split()
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "nullscope"], env=self.env,
+                               capture_output=True, text=True).stdout.split()
         return found[0] if found else None
 
     def hands(self, *words):
@@ -50,27 +65,42 @@ class Viewer:
     def picture(self, area=PICTURE):
         return self.screen.picture(*area)
 
-    def settle(self, area=(0, 0, WIDTH, HEIGHT)):
-        """The pixels once they have stayed the same for a while."""
+    def click(self, x, y):
+        """On a panel; Dear ImGui 1.86 sees the pointer where it is during a frame, not where it was at the click."""
+        for step in [["mousemove", x, y], ["mousedown", 1], ["mouseup", 1], ["mousemove", *BESIDE]]:
+            self.hands(*step)
+            self.still()
+
+    def still(self, area=(0, 0, WIDTH, HEIGHT)):
+        """The picture once the area's pixels have stayed the same for a while."""
         state = {"data": None, "since": 0.0}
 
-        def still():
+        def unchanged():
             data = self.picture(area).data
             if data != state["data"]:
                 state.update(data=data, since=time.monotonic())
             return time.monotonic() - state["since"] > SETTLED_S
-        wait_until("the screen comes to rest", still)
+        wait_until("the screen comes to rest", unchanged)
         return self.picture()
+
+    def settle(self):
+        """The picture once everything that was sent before has been answered, however slow the machine is."""
+        self.answer()
+        return self.still()
 
     def changes(self, what, before, area=PICTURE):
         wait_until(what, lambda: self.picture(area).differing(before) > CHANGED)
 
+    def shows_keys(self):
+        """Whether the list of F1 is there, by the colour of its letters."""
+        data = self.picture(KEYS).data
+        return sum(data[i:i + 3] == LETTERS for i in range(0, len(data), 3)) > 20
+
     def answer(self):
         """Everything that was sent before has been seen when F1's list is there and gone again."""
-        for _ in range(2):
-            before = self.picture(KEYS)
+        for shown in (True, False):
             self.hands("key", "F1")
-            self.changes("F1 shows or hides the keys", before, KEYS)
+            wait_until(f"F1 {'shows' if shown else 'hides'} the keys", lambda: self.shows_keys() == shown)
 
     def kill(self):
         if self.process.poll() is None:
@@ -117,7 +147,7 @@ def test_a_drag_moves_what_is_grabbed_with_the_hand(v):
     after = v.settle()
     same(dragged, after, "after the button was let go", CURSOR)
     dx, dy = shift_between(before, after, 60)
-    assert abs(dx - 40) <= 10 and abs(dy - 20) <= 10, f"the hand went 40 px right and 20 down, the picture {dx} and {dy}"
+    assert abs(dx - 40) <= 10 and abs(dy - 20) <= 10, f"the hand went 40 px right, 20 down, the picture {dx} and {dy}"
     v.hands("mousemove", 640, 500, "mousemove", *BESIDE)
     v.answer()
     same(after, v.picture(), "after motion that follows the drag")
@@ -127,7 +157,7 @@ def test_a_drag_on_a_panel_does_not_turn_the_camera(v):
     before = v.settle()
     for step in [["mousemove", 60, 450], ["mousedown", 1], ["mousemove", *BESIDE], ["mouseup", 1]]:
         v.hands(*step)
-        v.settle()     # Dear ImGui 1.86 sees the pointer where it is during a frame
+        v.still()
     v.answer()
     same(before, v.picture(), "after a drag that began on the panel")
 
@@ -142,13 +172,14 @@ def test_keys_and_wheel_move_and_r_comes_back(v):
     v.hands("mousemove", *BESIDE, "key", "r")
     home = v.settle()
     for name, press, release in [("W", ["keydown", "w"], ["keyup", "w"]), ("D", ["keydown", "d"], ["keyup", "d"]),
-                                 ("space", ["keydown", "space"], ["keyup", "space"]), ("E", ["keydown", "e"], ["keyup", "e"]),
+                                 ("space", ["keydown", "space"], ["keyup", "space"]),
+                                 ("E", ["keydown", "e"], ["keyup", "e"]),
                                  ("wheel", ["click", 4], ["click", 4]),
                                  ("shift and wheel", ["keydown", "shift", "click", 5], ["click", 5, "keyup", "shift"])]:
         v.hands(*press)
         v.changes(f"{name} moves the camera", home)
         v.hands(*release)
-        v.settle()
+        v.settle()     # the wheel's motion runs on for a while
         v.hands("key", "r")
         same(home, v.settle(), f"R after {name}")
 
@@ -166,6 +197,23 @@ def test_typing_a_number_does_not_fly(v):
         shots.append(v.settle())
     same(*shots, "between 14 and w14")
     v.hands("mousemove", *BESIDE, "key", "r")
+
+
+def test_a_broken_scene_is_said_and_survived(v):
+    good = v.scene.read_text()
+    v.hands("mousemove", *BESIDE, "key", "r")
+    before, side = v.settle(), v.picture(SIDE)
+    for text, what in [("[camera]\nr = -1\n", "error"), (good.replace("r = 22.0", "r = 12.0"), "mended")]:
+        v.scene.write_text(text)
+        v.click(*RELOAD)
+        if what == "error":
+            v.changes("the panel shows the error", side, SIDE)
+            same(before, v.settle(), "the picture of a scene that became unreadable")
+        else:
+            v.changes("the mended scene is read", before)
+    v.scene.write_text(good)
+    v.click(*RELOAD)
+    same(before, v.settle(), "after reading the first scene again")
 
 
 def test_tab_hides_the_panels(v):
@@ -187,7 +235,7 @@ def test_f12_saves_the_picture_without_panels(v):
     assert (saved.width, saved.height) == (WIDTH, HEIGHT), f"saved {saved.width}x{saved.height}"
     same(saved.crop(*PICTURE), shown, "the saved picture beside the panels")
     v.hands("key", "Tab")
-    v.settle((0, 0, 300, 300))
+    v.settle()
     same(saved.crop(*SIDE), v.picture(SIDE), "the saved picture below the panels")
     v.hands("key", "Tab")
     path.unlink()
@@ -242,7 +290,7 @@ def test_screenshot(screen, program, folder):
 def test_bad_input(screen, program, folder):
     scene = folder / "bad.toml"
     scene.write_text("[camera]\nr = -1\n")
-    for arguments in [[scene], ["no-such-scene"], ["--size", "12"], ["--screenshot", "x.jpg"], ["--hidden"], ["--nonsense"]]:
+    for arguments in [[scene], ["no-such-scene"], ["--size", "12"], ["--screenshot", "x.jpg"], ["--hidden"], ["--no"]]:
         done = run(program, *arguments, DISPLAY=screen.display)
         assert done.returncode == 2, f"{arguments}: exit status {done.returncode}"
         assert done.stderr.strip(), f"{arguments}: no word on what is wrong"
@@ -264,9 +312,11 @@ def test_old_opengl(screen, program, folder):
 
 
 WITH_WINDOW = [test_motion_without_a_drag_changes_nothing, test_a_drag_moves_what_is_grabbed_with_the_hand,
-               test_a_drag_on_a_panel_does_not_turn_the_camera, test_right_drag_rolls, test_keys_and_wheel_move_and_r_comes_back,
-               test_typing_a_number_does_not_fly, test_tab_hides_the_panels, test_at_rest_it_leaves_the_processor_alone,
-               test_f12_saves_the_picture_without_panels, test_resizing_keeps_the_horizontal_field_of_view, test_escape_quits]
+               test_a_drag_on_a_panel_does_not_turn_the_camera, test_right_drag_rolls,
+               test_keys_and_wheel_move_and_r_comes_back, test_typing_a_number_does_not_fly,
+               test_a_broken_scene_is_said_and_survived, test_tab_hides_the_panels,
+               test_at_rest_it_leaves_the_processor_alone, test_f12_saves_the_picture_without_panels,
+               test_resizing_keeps_the_horizontal_field_of_view, test_escape_quits]
 FROM_OUTSIDE = [test_screenshot, test_bad_input, test_no_display, test_old_opengl]
 
 
@@ -292,16 +342,19 @@ def main():
     chosen = lambda tests: [t for t in tests if len(sys.argv) < 3 or t.__name__.removeprefix("test_") in sys.argv[2:]]
     os.environ.update(LIBGL_ALWAYS_SOFTWARE="1", MESA_SHADER_CACHE_DISABLE="true")
     screen, folder, good = Screen(WIDTH + 100, HEIGHT + 100), Path(tempfile.mkdtemp(prefix="nullscope-drive.")), True
-    viewer = None
+    viewers = []
     try:
         if chosen(WITH_WINDOW):
-            viewer = Viewer(screen, program, "first-light", "--size", f"{WIDTH}x{HEIGHT}")
-        for test in chosen(WITH_WINDOW):
-            good = attempt(test, viewer) and good
+            def test_start():
+                viewers.append(Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}"))
+                viewers[0].start()
+            good = attempt(test_start)
+        for test in chosen(WITH_WINDOW) if good else []:
+            good = attempt(test, viewers[0]) and good
         for test in chosen(FROM_OUTSIDE):
             good = attempt(test, screen, program, folder) and good
     finally:
-        if viewer is not None:
+        for viewer in viewers:
             viewer.kill()
         screen.close()
         shutil.rmtree(folder, ignore_errors=True)

@@ -98,7 +98,8 @@ TEST_CASE("a drag puts what was grabbed under the hand") {
         CameraSpec spec = dice.pose();
         const Mat3 before = fly_camera(spec).world_from_camera;
         const Vec3 grabbed = pixel_direction(spec, dice.uniform(0, spec.width), dice.uniform(0, spec.height));
-        const Vec3 now = pixel_direction(spec, dice.uniform(-200, spec.width + 200), dice.uniform(-200, spec.height + 200));
+        const Vec3 now =
+            pixel_direction(spec, dice.uniform(-200, spec.width + 200), dice.uniform(-200, spec.height + 200));
         const Mat3 after = dragged(before, grabbed, now);
         CHECK(angle_between(after * now, before * grabbed) < 1e-14);
         CHECK(departure_from_rotation(after) < kOrientation);
@@ -126,7 +127,7 @@ TEST_CASE("the distance to the horizon scales and never ends there") {
     CHECK(scaled_radius(3.0, -1000.0, range) == range.nearest);
     CHECK(range.nearest > 1.0);
     CHECK(scaled_radius(3.0, 1000.0, range) == range.farthest);
-    CHECK(scaled_radius(1.00001, -1.0, range) == 1.00001);   // a scene's own camera stays
+    CHECK(scaled_radius(1.00001, -1.0, range) == 1.00001);  // a scene's own camera stays
     CHECK(scaled_radius(1e6, 1.0, range) == 1e6);
     CHECK(scaled_radius(1e6, -1.0, range) < 1e6);
 }
@@ -141,7 +142,7 @@ TEST_CASE("in flat space flight is straight") {
     for (int i = 0; i < 40; ++i) fly(camera, {0, 0, -0.05}, *flat);
     const Vec3 way = camera.r * camera.place - start.r * start.place;
     CHECK(length(way) > 10.0);
-    CHECK(angle_between(way, ahead) < 0.01);   // of one Euler step
+    CHECK(angle_between(way, ahead) < 0.01);  // of one Euler step
     CHECK(difference(camera.world_from_camera, start.world_from_camera) == 0.0);
 }
 
@@ -159,7 +160,7 @@ TEST_CASE("flight stays outside of the horizon and keeps the look in world axes"
     const Vec3 from = side.place;
     fly(side, {1e-4, 0, 0}, *hole);
     CHECK(side.r == doctest::Approx(15.0).epsilon(1e-8));
-    const double proper_scale = (15.0 - 1.0) / std::sqrt(1.0 - 1.0 / 15.0);   // of the radial step: dr / sqrt(A)
+    const double proper_scale = (15.0 - 1.0) / std::sqrt(1.0 - 1.0 / 15.0);  // of the radial step: dr / sqrt(A)
     CHECK(angle_between(from, side.place) * 15.0 == doctest::Approx(1e-4 * proper_scale).epsilon(1e-6));
 }
 
@@ -180,18 +181,19 @@ TEST_CASE("nothing jumps at a pole") {
         check_same_view(fly_camera(spec), before, 0.01);
         CHECK(difference(fly_camera(spec).world_from_camera, before.world_from_camera) < kOrientation);
         CHECK(length(spec.velocity) == doctest::Approx(std::sqrt(0.14)).epsilon(1e-12));
-        CHECK(spec.velocity.x == doctest::Approx(0.1).epsilon(1e-9));   // outward stays outward
+        CHECK(spec.velocity.x == doctest::Approx(0.1).epsilon(1e-9));  // outward stays outward
     }
     CHECK(nearest < 0.002);
-    CHECK(std::fabs(std::remainder(spec.phi - 0.4, 2.0 * kPi)) > 3.0);   // on the other side
+    CHECK(std::fabs(std::remainder(spec.phi - 0.4, 2.0 * kPi)) > 3.0);  // on the other side
 }
 
 TEST_CASE("speeds that a static observer knows") {
     const auto hole = spacetime("schwarzschild");
-    CHECK(free_fall_speed(*hole, 4.0) == doctest::Approx(0.5).epsilon(1e-14));          // sqrt(r_s/r)
-    CHECK(*circular_orbit_speed(*hole, 3.0) == doctest::Approx(0.5).epsilon(1e-14));    // sqrt(M/(r - 2M)): c/2 at the ISCO
+    CHECK(free_fall_speed(*hole, 4.0) == doctest::Approx(0.5).epsilon(1e-14));  // sqrt(r_s/r)
+    CHECK(*circular_orbit_speed(*hole, 3.0) ==
+          doctest::Approx(0.5).epsilon(1e-14));  // sqrt(M/(r - 2M)): c/2 at the ISCO
     CHECK(*circular_orbit_speed(*hole, 6.0) == doctest::Approx(std::sqrt(0.1)).epsilon(1e-14));
-    CHECK_FALSE(circular_orbit_speed(*hole, 1.5).has_value());                          // light's own orbit
+    CHECK_FALSE(circular_orbit_speed(*hole, 1.5).has_value());  // light's own orbit
     CHECK_FALSE(circular_orbit_speed(*hole, 1.2).has_value());
     const auto flat = spacetime("minkowski");
     CHECK(free_fall_speed(*flat, 4.0) == 0.0);

@@ -54,7 +54,7 @@ def read_png(path):
         chunk = raw[at + 8:at + 8 + size]
         if kind == b"IHDR":
             width, height, depth, colour, _, _, interlace = struct.unpack(">IIBBBBB", chunk)
-            assert depth == 8 and colour in (2, 6) and interlace == 0, f"{path}: a kind of PNG that this test cannot read"
+            assert depth == 8 and colour in (2, 6) and interlace == 0, f"{path}: an unexpected kind of PNG"
         elif kind == b"IDAT":
             packed += chunk
         at += 12 + size
@@ -92,7 +92,8 @@ class Screen:
         self.folder = tempfile.mkdtemp(prefix="nullscope-screen.")
         read_end, write_end = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", f"{width}x{height}x24", "-fbdir", self.folder, "-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", f"{width}x{height}x24", "-fbdir", self.folder,
+             "-nolisten", "tcp", "-noreset"],   # a reset, when the last program leaves, turns away the next that comes
             pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write_end)
         with os.fdopen(read_end) as pipe:
