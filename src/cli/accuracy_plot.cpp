@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace nullscope::cli {
 namespace {
@@ -55,7 +56,7 @@ std::string accuracy_svg(const std::vector<PlotPoint>& points, double floor_cost
     std::string out = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
                                   "font-family=\"sans-serif\" fill=\"#18181b\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
                                   kWidth, kHeight);
-    out += text(kLeft, 26, "What accuracy costs in time", "start", 18, "font-weight=\"bold\"") + text(kLeft, 44, subtitle, "start", 11);
+    out += text(kLeft, 26, "What accuracy costs in time", "start", 18, "font-weight=\"bold\"") + text(kLeft, 44, subtitle, "start", 10);
     out += grid(x, y);
     const double floor_x = x.at(floor_cost);
     out += fmt::format("<line x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\" stroke=\"#18181b\" stroke-dasharray=\"4 3\"/>\n", floor_x, y.from, y.to);
@@ -63,13 +64,22 @@ std::string accuracy_svg(const std::vector<PlotPoint>& points, double floor_cost
     out += text(0.5 * (x.from + x.to), kHeight - 14, "core-seconds a frame of 1280x720", "middle", 13);
     out += fmt::format("<text transform=\"translate(22 {:.0f}) rotate(-90)\" text-anchor=\"middle\" font-size=\"13\">largest screen error, px of a 4K frame</text>\n",
                        0.5 * (y.from + y.to));
-    for (const PlotPoint& p : points) {
-        const double px = x.at(p.cost), py = y.at(p.error);
-        const char* colour = p.on_frontier ? colour_of(p.family) : "#a1a1aa";
-        out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\"><title>{}: {:.4f} core-s, {:.2g} px</title></circle>\n", px, py,
-                           p.is_default ? 8 : 4.5, colour, p.label, p.cost, p.error);
-        out += text(px + 9, py + 4, p.label + (p.is_default ? " (default)" : ""), "start", p.is_default ? 12 : 9,
-                    p.is_default ? "font-weight=\"bold\"" : fmt::format("fill=\"{}\"", p.on_frontier ? "#18181b" : "#71717a").c_str());
+    std::vector<std::pair<double, double>> labels;   // a dominated point's label is left out where another is already
+    for (const bool important : {true, false}) {
+        for (const PlotPoint& p : points) {
+            if ((p.on_frontier || p.is_default) != important) continue;
+            const double px = x.at(p.cost), py = y.at(p.error);
+            const char* colour = important ? colour_of(p.family) : "#a1a1aa";
+            out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\"><title>{}: {:.4f} core-s, {:.2g} px</title></circle>\n", px,
+                               py, p.is_default ? 8 : 4.5, colour, p.label, p.cost, p.error);
+            const bool crowded = std::any_of(labels.begin(), labels.end(), [&](const auto& at) {
+                return std::fabs(at.second - py) < 11 && std::fabs(at.first - px) < 110;
+            });
+            if (crowded) continue;
+            labels.emplace_back(px, py);
+            out += text(px + 11, py + 4, p.label + (p.is_default ? " (default)" : ""), "start", p.is_default ? 12 : 10,
+                        p.is_default ? "font-weight=\"bold\"" : "fill=\"#71717a\"");
+        }
     }
     return out + "</svg>\n";
 }

@@ -222,7 +222,7 @@ int run(const Options& options) {
             points.push_back({row.name, family(row.method), median(row.cost.core_s), row.screen_px.max, row.on_frontier, row.method == Method{}});
         }
         if (options.plot.empty()) continue;
-        const std::string subtitle = fmt::format("{}, {}, {}, {} threads; 10 cameras, every 10th pixel of a 4K frame over 90 degrees; grey: dominated",
+        const std::string subtitle = fmt::format("{}, {}, {}, {} threads; 10 cameras, every 10th pixel of a 4K frame; grey: dominated",
                                                  scene->spacetime.metric, session->context->kind(), session->renderer->info().renderer,
                                                  std::thread::hardware_concurrency());
         if (Status written = write_text_atomically(options.plot, accuracy_svg(points, floor_core, subtitle)); !written) return report(written.error());

@@ -1,4 +1,4 @@
-// Errors of one pixel's ray data, in radians and in pixels (docs/architecture.md, "One source of truth"; no GL, no tracer).
+// Errors of one pixel's ray data, in radians and in pixels.
 //
 // Screen error: by how many pixels would the camera ray have to move for the answer to be exact? The exact answer's motion
 // per pixel is a 2x2 matrix J (sky direction or place on the disc, by pixel x and y). The error is split along J's two

@@ -27,7 +27,7 @@ struct RayMeasures {
 };
 
 // Compares every pixel (of every row_step-th row) with the exact trace. The motion per pixel comes from the neighbours, and
-// where that leaves more than refine_above_px, from rays displaced by 1e-4 px. Memory: 28 bytes a pixel and 64 rows of exact
+// where that leaves more than refine_above_px, from rays displaced by 1e-4 px. Memory: 24 bytes a pixel and 64 rows of exact
 // pixels; cost: that of the trace and some 0.2 core-microseconds a pixel.
 RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, int row_step = 1,
                          double refine_above_px = 1e-3);
