@@ -22,6 +22,7 @@ Command add_bench(CLI::App& parent);
 Command add_plan(CLI::App& parent);
 Command add_scenes(CLI::App& parent);
 Command add_info(CLI::App& parent);
+Command add_figure(CLI::App& parent);
 
 // One line on standard error; the exit status that goes with it (1 or 2).
 int report(const Error& error);

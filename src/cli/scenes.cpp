@@ -1,6 +1,8 @@
 // nullscope scenes and nullscope info: what ships, and what works on this machine.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/command.h"
 #include "cli/session.h"
 #include "scene/scene_file.h"

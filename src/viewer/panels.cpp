@@ -32,6 +32,10 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"Escape", "quit"},
 };
 
+constexpr const char* kCredits =
+    "Sky: 118 216 Hipparcos stars (ESA; XHIP, Anderson and Francis 2012) by way of d3-celestial (O. Frohn); "
+    "Milky Way outlines by J. R. Vieira";
+
 float em() { return ImGui::GetFontSize(); }
 float status_height() { return ImGui::GetFrameHeight() + 0.2f * em(); }
 
@@ -105,8 +109,9 @@ void keys_window() {
             ImGui::TextDisabled("%s", what);
         }
         ImGui::Separator();
-        ImGui::TextUnformatted("Sky: 118 216 Hipparcos stars (ESA; XHIP, Anderson and Francis 2012) by way of\n"
-                               "d3-celestial (O. Frohn); Milky Way outlines by J. R. Vieira");
+        ImGui::PushTextWrapPos(24.0f * em());
+        ImGui::TextUnformatted(kCredits);
+        ImGui::PopTextWrapPos();
     }
     ImGui::End();
 }

@@ -1,4 +1,5 @@
 // The same frame is the same bits: from draw to draw, from renderer to renderer, and between contexts to a rounding.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <optional>

@@ -1,4 +1,5 @@
 // Every pixel of many small frames against the reference: objects, fast cameras, and places where formulas degenerate.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>

@@ -1,5 +1,6 @@
 // The shadow's size: a static camera at rho = r / r_s sees the edge at the half-angle a with
 // sin^2 a = (27/4) (rho - 1) / rho^3 (Synge 1966), obtuse inside the photon sphere, rho < 3/2.
+#include <algorithm>
 #include <cmath>
 
 #include "support/gpu_session.h"

@@ -1,4 +1,5 @@
 // The reference's frames: finite everywhere, boosted cameras, disc hits, compositing.
+#include <algorithm>
 #include <cmath>
 
 #include <doctest/doctest.h>

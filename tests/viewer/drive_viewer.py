@@ -25,7 +25,7 @@ fov = 62.0
 [disc]
 """
 PICTURE = (320, 300, 820, 560)     # of the window: no panel lies here
-SIDE, KEYS, FIELD = (10, 60, 280, 300), (450, 10, 830, 180), (110, 92, 180, 106)
+SIDE, KEYS, FIELD = (10, 60, 280, 300), (300, 10, 830, 180), (110, 92, 180, 106)
 LETTERS = bytes([230, 232, 237])   # the theme's text
 NOISE = 0.002                      # share of bytes: single pixels on the edge of rounding
 CURSOR = 0.01                       # share of bytes: the pointer itself is a part of the screen
