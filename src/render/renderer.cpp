@@ -84,7 +84,7 @@ Status Renderer::load_sky(const Scene& scene) {
         return Done{};
     }
     const int size = sky_face_size(scene.camera, info_.max_cube_size);
-    if (sky_spec_ == scene.sky && sky_size_ >= size) return Done{};   // a finer one than needed stays: zooming does not hitch
+    if (sky_spec_ == scene.sky && (sky_size_ == size || (keep_finer_sky_ && sky_size_ > size))) return Done{};
     auto built = build_sky(scene.sky, assets_directory(), size);
     if (!built) return built.error();
     const float* faces[6];

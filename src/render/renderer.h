@@ -28,6 +28,10 @@ public:
     // Errors: an image that cannot be read, a camera where no static frame is, a size the driver cannot draw.
     Status prepare(const Scene& scene);
 
+    // Keeps a sky finer than a frame needs, so that zooming out and in does not hitch; pictures then depend on what was drawn
+    // before. For windows only.
+    void keep_finer_sky() { keep_finer_sky_ = true; }
+
     // How rays are traced from the next prepare() on. Errors (by prepare): a method that the metric does not have.
     void set_method(const Method& method) { method_ = method; }
     const Method& method() const { return method_; }
@@ -80,6 +84,7 @@ private:
     double gpu_table_ms_ = 0.0;
     std::optional<SkySpec> sky_spec_;
     int sky_size_ = 0;
+    bool keep_finer_sky_ = false;
     std::optional<std::string> disc_file_;
     int disc_width_ = 0, disc_height_ = 0;
     double compile_ms_ = 0.0;

@@ -66,6 +66,7 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     viewer->window_ = std::move(*window);
     viewer->panel_system_ = std::make_unique<PanelSystem>(*viewer->window_);
     viewer->renderer_ = std::make_unique<Renderer>();
+    viewer->renderer_->keep_finer_sky();
     viewer->fit_to_window();
     if (Status ready = viewer->renderer_->prepare(viewer->view_.scene); !ready) return ready.error();
     viewer->shown_ = viewer->view_.scene;

@@ -90,4 +90,16 @@ TEST_CASE("repeat: the same bits from draw to draw and renderer to renderer, EGL
     }
 }
 
+TEST_CASE("repeat: a picture does not depend on what was drawn before it") {
+    on_every_context([](GpuSession& session) {
+        const Scene scene = small("sky-only");
+        Scene large = scene;
+        large.camera.width = 1920;
+        large.camera.height = 1080;
+        const Drawn before = draw(session, scene);
+        draw(session, large);   // calls for a finer sky
+        check_same(before, draw(session, scene));
+    });
+}
+
 }  // namespace
