@@ -31,10 +31,11 @@ double draft_or(const std::string& id, double value) {
     return draft.id == ImGui::GetID(id.c_str()) ? draft.value : value;
 }
 
-// Keeps the draft of the item before while it is active. True, with the last draft, when it was let go.
-bool settled(const std::string& id, double& edited) {
+// Keeps the draft of the item before while it is active. True, with the last draft, when it was let go. Which frame tells of
+// an edit, the last active one or the one after it, differs between Dear ImGui's versions.
+bool settled(const std::string& id, bool changed, double& edited) {
     const ImGuiID own = ImGui::GetID(id.c_str());
-    if (ImGui::IsItemActive()) draft = {own, edited};
+    if (changed || ImGui::IsItemActive()) draft = {own, edited};
     if (draft.id != own || ImGui::IsItemActive()) return false;
     edited = draft.value;
     draft = {};
@@ -84,14 +85,14 @@ bool slide(const char* name, double& value, double low, double high, Scale scale
     double edited = when == When::kOnRelease ? draft_or(id, value) : value;
     const ImGuiSliderFlags flags = scale == Scale::kLogarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
     const bool moved = ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &edited, &low, &high, format, flags);
-    const bool take = when == When::kOnRelease ? settled(id, edited) : moved;
+    const bool take = when == When::kOnRelease ? settled(id, moved, edited) : moved;
     return take && accept(edited, low, high, value);
 }
 
 bool type_number(const char* id, double& value, double low, double high, const char* format) {
     double edited = draft_or(id, value);
-    ImGui::InputDouble(id, &edited, 0.0, 0.0, format);
-    return settled(id, edited) && accept(edited, low, high, value);
+    const bool changed = ImGui::InputDouble(id, &edited, 0.0, 0.0, format);
+    return settled(id, changed, edited) && accept(edited, low, high, value);
 }
 
 bool begin_choice(const char* id, const std::string& shown, bool shut) {
