@@ -91,7 +91,7 @@ bool slide(const char* name, double& value, double low, double high, Scale scale
 
 bool type_number(const char* id, double& value, double low, double high, const char* format) {
     double edited = draft_or(id, value);
-    const bool changed = ImGui::InputDouble(id, &edited, 0.0, 0.0, format);
+    const bool changed = ImGui::InputDouble(id, &edited, 0.0, 0.0, format, ImGuiInputTextFlags_CharsScientific);
     return settled(id, changed, edited) && accept(edited, low, high, value);
 }
 
