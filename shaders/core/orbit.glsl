@@ -1,5 +1,5 @@
 // The orbit map: where a ray is after a swept angle, for every ray of this frame's zeta0. Bicubic Hermite patches over
-//   across: octave cells of w as in strip.glsl, 8 an octave (each octave has 9 columns, its own copy of both ends),
+//   across: octave cells of u as in strip.glsl, 8 an octave (each octave has 9 columns, its own copy of both ends),
 //   along:  v = swept angle / phi_end, kOrbitRows cells.
 // Texels: (Z, dZ/dx, dZ/dv, d2Z/dxdv), derivatives per cell. Z = zeta for captured rays, zeta/(1-v) for rays to the sky, so that
 // a distant disc keeps its relative accuracy. Segments below each other: sky first.
@@ -10,11 +10,11 @@
 struct OrbitPoint {
     float zeta;         // r_s / r
     float along;        // d zeta / d phi at fixed look direction
-    float across;       // d zeta / d w at fixed phi
+    float across;       // d zeta / d |delta| at fixed phi
 };
 
-// w: as in StripRay. phi: swept angle < phi_end; phi_end_slope: d phi_end / d w.
-OrbitPoint orbit_point(bool escapes, float u, float u_per_w, float phi, float phi_end, float phi_end_slope) {
+// u, u_slope: as in StripRay. phi: swept angle < phi_end; phi_end_slope: d phi_end / d |delta|.
+OrbitPoint orbit_point(bool escapes, float u, float u_slope, float phi, float phi_end, float phi_end_slope) {
     Octave octave = octave_cell(u, ORBIT_CELLS_PER_OCTAVE);
     int whole = octave.cell / ORBIT_CELLS_PER_OCTAVE;
     int column = octave.cell + whole;
@@ -51,13 +51,13 @@ OrbitPoint orbit_point(bool escapes, float u, float u_per_w, float phi, float ph
     float slope_v = 6.0 * g * (1.0 - g) * (high - low) + (1.0 + g * (3.0 * g - 4.0)) * low_v + g * (3.0 * g - 2.0) * high_v;
     slope_v *= float(ORBIT_ROWS);
     float slope_x = low_x + e1 * (high_x - low_x);   // slopes of slopes left out: for footprints only
-    float slope_w = slope_x * (float(ORBIT_CELLS_PER_OCTAVE) / octave.start) * u_per_w;
+    float slope_delta = slope_x * (float(ORBIT_CELLS_PER_OCTAVE) / octave.start) * u_slope;
 
     float rest = escapes ? 1.0 - v : 1.0;
     OrbitPoint point;
     point.zeta = value * rest;
     float zeta_v = slope_v * rest - (escapes ? value : 0.0);
     point.along = zeta_v / phi_end;
-    point.across = slope_w * rest - zeta_v * v * phi_end_slope / phi_end;
+    point.across = slope_delta * rest - zeta_v * v * phi_end_slope / phi_end;
     return point;
 }

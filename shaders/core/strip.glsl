@@ -1,11 +1,12 @@
 // The strip: the deflection table's row for this frame's zeta0, in cells that halve their width octave by octave towards the
 // critical ray, so that every winding is resolved with the same number of cells.
 //
-//   w = distance in rad from the critical direction;  u = 1 + w/w0;  octave = floor(log2 u), equal cells within an octave:
-//   cell number and place in the cell are the bits of the float u, exact, without a logarithm.
+//   w = 2 tan(delta/2), delta = angle from the critical direction: next to it the angle in rad, and formed without any inverse
+//   trigonometry;  u = 1 + w/w0;  octave = floor(log2 u), equal cells within an octave: cell number and place in the cell are
+//   the bits of the float u, exact, without a logarithm.
 //
 //   w: |.........|....|..|.||:   <- cells crowd towards the critical ray on either side   :||.|..|....|.........|
-//                            theta_c
+//                        critical ray
 //
 // strip_fetch: rays that reach the sky, 1024 cells an octave, one octave a row; texel (c0, c1, r0, r1):
 //   cos(phi) = c0 + c1 f, sin(phi)/sin(alpha) = r0 + r1 f, 0 <= f < 1 across the cell. One fetch a ray.
@@ -49,23 +50,29 @@ Octave octave_cell(float u, int cells_per_octave) {
 float cubic(vec4 c, float f) { return c.x + f * (c.y + f * (c.z + f * c.w)); }
 float cubic_slope(vec4 c, float f) { return c.y + f * (2.0 * c.z + f * (3.0 * c.w)); }
 
+// delta from -pi to pi, positive for rays that reach the sky. sin(delta) is a difference of products of sines and cosines, never
+// of angles.
 struct StripRay {
     bool escapes;     // reaches the sky
-    float theta;      // angle from the strip's axis
-    float w;          // distance from the critical direction, >= 0
-    float u;          // 1 + w/w0
+    float sine;       // sin(delta)
+    float u;          // 1 + |w|/w0
+    float slope;      // d u / d |delta|, 1/rad
 };
 
-// s = |n x e|, c = n.e of the look direction n (any length) and the outward radial e; strip and axis as in FrameData.
-StripRay strip_locate(float s, float c, vec4 strip, float axis) {
+// s = |n x e|, c = n.e of the unit look direction n and the outward radial e; strip as in FrameData.
+StripRay strip_locate(float s, float c, vec4 strip) {
     StripRay ray;
-    ray.theta = arc_tangent2(s, axis * c);
-    float w = (ray.theta - strip.x) * strip.z;
-    ray.escapes = w > 0.0;
-    ray.w = abs(w);
-    ray.u = 1.0 + ray.w * strip.y;
+    ray.sine = strip.y * c - strip.x * s;
+    float cosine = strip.x * c + strip.y * s;
+    ray.escapes = ray.sine > 0.0;
+    float a = abs(ray.sine);
+    float b = 1.0 + abs(cosine);
+    // tan(delta/2) = sin/(1 + cos) = (1 - cos)/sin, whichever does not cancel.
+    float half_tan = cosine > 0.0 ? a / b : b / max(a, 1.0e-18);
+    ray.u = 1.0 + half_tan * (2.0 * strip.z);
+    ray.slope = (1.0 + half_tan * half_tan) * strip.z;
     return ray;
 }
 
-// d s / d w for s = sin(theta).
-float strip_s_slope(float c) { return frame.strip.z * frame.radial.w * c; }
+// d s / d |delta|.
+float strip_s_slope(StripRay ray, float c) { return ray.escapes ? -c : c; }

@@ -14,7 +14,7 @@ struct Trace {
     float stretch_across; // sin(phi) / sin(alpha): and across it
 #ifdef NEEDS_PHI_END
     float phi_end;        // swept to the sky or to the horizon
-    float phi_end_slope;  // d phi_end / d w
+    float phi_end_slope;  // d phi_end / d |delta|, core/strip.glsl
 #ifdef EFFECT_LENSING
     StripRay ray;
 #endif
@@ -46,7 +46,7 @@ Trace trace_pixel(vec2 pixel) {
 #endif
     trace.s = sqrt(dot(trace.crossed, trace.crossed));
 #ifdef EFFECT_LENSING
-    StripRay ray = strip_locate(trace.s, trace.c, frame.strip, frame.radial.w);
+    StripRay ray = strip_locate(trace.s, trace.c, frame.strip);
     Sweep sweep = sweep_to_sky(ray, trace.s, trace.c);
     trace.escapes = ray.escapes;
     trace.sky = (sweep.cos_phi - trace.c * sweep.ratio) * radial_direction() + sweep.ratio * trace.n;
@@ -56,10 +56,10 @@ Trace trace_pixel(vec2 pixel) {
     Octave octave = octave_cell(ray.u, ENDS_CELLS_PER_OCTAVE);
     vec4 end_poly = ends_fetch(octave.cell, ray.escapes ? 0 : 1);
     float end_ratio = cubic(end_poly, octave.place);
-    float end_slope = cubic_slope(end_poly, octave.place) * (float(ENDS_CELLS_PER_OCTAVE) / octave.start * frame.strip.y);
+    float end_slope = cubic_slope(end_poly, octave.place) * (float(ENDS_CELLS_PER_OCTAVE) / octave.start * ray.slope);
     trace.ray = ray;
     trace.phi_end = end_ratio * trace.s;
-    trace.phi_end_slope = end_slope * trace.s + end_ratio * strip_s_slope(trace.c);
+    trace.phi_end_slope = end_slope * trace.s + end_ratio * strip_s_slope(ray, trace.c);
 #endif
 #else
     trace.escapes = true;

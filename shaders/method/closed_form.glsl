@@ -22,7 +22,7 @@ float el1(float one_over_x, float kc) {
 }
 
 Sweep sweep_to_sky(StripRay ray, float s, float c) {
-    float omk2 = one_minus_k2_of(ray, s);
+    float omk2 = one_minus_k2_of(ray, s, c);
     float q = frame.shift.z / max(s, 1.0e-30);
     float q2 = q * q;
     float zeta0 = frame.shift.y;
@@ -56,5 +56,5 @@ Sweep sweep_to_sky(StripRay ray, float s, float c) {
     float f1 = el1(abs(0.5 * (1.0 / t1 - t1)), kc2);
     float twice = 2.0 * el1(1.0e-9, kc2);
     float phi_through = inversesqrt(a) * ((t1 > 1.0 ? twice - f1 : f1) - (t0 > 1.0 ? twice - f0 : f0));
-    return sweep_by_angle(turning ? phi_turning : phi_through, ray.theta, s);
+    return sweep_by_angle(turning ? phi_turning : phi_through, s, c);
 }

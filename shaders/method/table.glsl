@@ -72,7 +72,7 @@ float table_remainder(float x, float y, int sheet) {
 #endif
 
 Sweep sweep_to_sky(StripRay ray, float s, float c) {
-    float omk2 = one_minus_k2_of(ray, s);
+    float omk2 = one_minus_k2_of(ray, s, c);
     float k = frame.orbit.x / max(s, 1.0e-30);
     float phi;
     bool turning = omk2 > 0.0;
@@ -90,5 +90,5 @@ Sweep sweep_to_sky(StripRay ray, float s, float c) {
     float y = table_y_from_angle(turning ? arc_tangent2(s, c) : frame.series.y);
     float rest = table_remainder(clamp(x, 0.0, 1.0), y, turning ? 0 : 1);
     phi = turning ? turning_part + rest : through_part + rest / k;
-    return sweep_by_angle(phi, ray.theta, s);
+    return sweep_by_angle(phi, s, c);
 }

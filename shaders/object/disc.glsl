@@ -40,7 +40,7 @@ DiscCrossing disc_cross(Trace trace, PlaneMeeting meeting, int number, float mar
     crossing.hit = false;
     crossing.phi = meeting.phi + 3.14159265358979323846 * float(number);
 #ifdef EFFECT_LENSING
-    OrbitPoint point = orbit_point(trace.escapes, trace.ray.u, frame.strip.y, crossing.phi, trace.phi_end, trace.phi_end_slope);
+    OrbitPoint point = orbit_point(trace.escapes, trace.ray.u, trace.ray.slope, crossing.phi, trace.phi_end, trace.phi_end_slope);
     float zeta = max(point.zeta, 1.0e-12);
     float r = 1.0 / zeta;
     float r_along = -point.along * r * r;

@@ -8,8 +8,8 @@ struct FrameData {
     vec4 cross_0;      // look direction x radial, the same way: a hole of a few microradians keeps its shape
     vec4 cross_x;
     vec4 cross_y;
-    vec4 radial;       // outward radial unit vector e at the camera; .w = axis: +1 / -1, the strip measures angles from axis*e
-    vec4 strip;        // critical angle theta_c from axis*e (rad), 1/w0, first sign: +1 if angles beyond theta_c escape, 0
+    vec4 radial;       // outward radial unit vector e at the camera; .w = 0
+    vec4 strip;        // cosine and sine of the critical direction's angle from e (a ray nearer to e escapes), 1/w0, 0
     vec4 orbit;        // sin(theta_c) = k sin(alpha), cos(chi0), a0, a1 of the deflection table
     vec4 series;       // a2 of the deflection table, chi0, 0, 0
     vec4 boost;        // direction of motion in world axes, .w = stretch sqrt((1+v)/(1-v))

@@ -89,8 +89,8 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(camera.width, camera.height, pixel, std::exp2(camera.exposure_ev));
     for (const Vec3 v : local) block.put(world * v, v.x);              // v . e_r
     for (const Vec3 v : local) block.put(world * Vec3{0.0, v.z, -v.y}, 0.0);   // v x e_r
-    block.put(world.a, fan != nullptr ? fan->axis() : -1.0);
-    if (fan != nullptr) block.put(fan->critical_angle(), 1.0 / fan->w0(), fan->outside() ? 1.0 : -1.0, 0.0);
+    block.put(world.a, 0);
+    if (fan != nullptr) block.put(fan->critical_cosine(), fan->critical_sine(), 1.0 / fan->w0(), 0.0);
     else block.put(0, 0, 0, 0);
     if (fan != nullptr) {
         const auto& series = fan->table().series();

@@ -13,7 +13,7 @@ constexpr int kCellsPerOctave = 8;  // ORBIT_CELLS_PER_OCTAVE
 constexpr int kRows = 128;          // ORBIT_ROWS
 constexpr double kLargestStep = 0.08;  // rad; local error 1e-12
 
-// zeta(phi) and its derivative by w (the variational equation).
+// zeta(phi) and its derivative by delta (the variational equation).
 struct State {
     double zeta, slope, vary, vary_slope;
 };
@@ -55,13 +55,13 @@ State step(const Spacetime& spacetime, const State& s, double h) {
 using Column = std::array<State, kRows + 1>;
 
 // The orbit of one ray at v = 0 ... 1. Rays near the critical one linger at the photon sphere, where errors grow like exp(phi):
-// so the first half is integrated from the camera and the second half backward from the end, and d(phi_end)/dw is what makes
+// so the first half is integrated from the camera and the second half backward from the end, and d(phi_end)/d(delta) is what makes
 // their derivatives meet in the middle. Amplification of the local error: at most exp(phi_end / 2).
-Column integrate(const RayFan& fan, Segment segment, const FanRay& ray, double& end_per_w) {
+Column integrate(const RayFan& fan, Segment segment, const FanRay& ray, double& end_per_delta) {
     const Spacetime& spacetime = fan.spacetime();
     const bool sky = segment == Segment::kSky;
     const double q = fan.sqrt_v0() / ray.sin_beta;
-    const double beta_per_w = sky ? 1.0 : -1.0;  // beta grows away from the shadow's middle
+    const double beta_per_delta = sky ? 1.0 : -1.0;  // beta grows away from the shadow's middle
     const double cell = ray.phi_end / kRows;
     const int substeps = std::max(1, static_cast<int>(std::ceil(cell / kLargestStep)));
     const auto advance = [&](State s) {
@@ -70,54 +70,54 @@ Column integrate(const RayFan& fan, Segment segment, const FanRay& ray, double& 
     };
     constexpr int kMiddle = kRows / 2;
     Column orbit{};
-    orbit[0] = {fan.zeta0(), q * ray.cos_beta, 0.0, -beta_per_w * q / ray.sin_beta};
+    orbit[0] = {fan.zeta0(), q * ray.cos_beta, 0.0, -beta_per_delta * q / ray.sin_beta};
     for (int i = 1; i <= kMiddle; ++i) orbit[i] = advance(orbit[i - 1]);
 
     // Backward: zeta(phi) = Y(phi_end - phi), Y(0) = end value with V = 0, Y'(0) = q towards the camera.
     const double inward = sky ? 1.0 : -1.0;
-    const double q_per_w = -q * ray.cos_beta / ray.sin_beta * beta_per_w;
-    State y{sky ? 0.0 : 1.0 / *spacetime.horizon_radius(), inward * q, 0.0, inward * q_per_w};
+    const double q_per_delta = -q * ray.cos_beta / ray.sin_beta * beta_per_delta;
+    State y{sky ? 0.0 : 1.0 / *spacetime.horizon_radius(), inward * q, 0.0, inward * q_per_delta};
     Column back{};
     back[kRows] = y;
     for (int i = kRows - 1; i >= kMiddle; --i) back[i] = advance(back[i + 1]);
     const State& f = orbit[kMiddle];
     y = back[kMiddle];
     const double y_curvature = -spacetime.half_v_slope(y.zeta);
-    end_per_w = ((f.vary - y.vary) * y.slope - (f.vary_slope + y.vary_slope) * y_curvature) /
+    end_per_delta = ((f.vary - y.vary) * y.slope - (f.vary_slope + y.vary_slope) * y_curvature) /
                 (y.slope * y.slope + y_curvature * y_curvature);
     for (int i = kMiddle + 1; i <= kRows; ++i) {
         const State& b = back[i];
-        orbit[i] = {b.zeta, -b.slope, b.vary + b.slope * end_per_w,
-                    -(b.vary_slope - spacetime.half_v_slope(b.zeta) * end_per_w)};
+        orbit[i] = {b.zeta, -b.slope, b.vary + b.slope * end_per_delta,
+                    -(b.vary_slope - spacetime.half_v_slope(b.zeta) * end_per_delta)};
     }
     return orbit;
 }
 
-// One column: texels (Z, Z_w, Z_v, Z_wv) at v = 0 ... 1, derivatives by w and by v.
-std::array<std::array<double, 4>, kRows + 1> column(const RayFan& fan, Segment segment, double w) {
+// One column: texels (Z, Z_d, Z_v, Z_dv) at v = 0 ... 1, derivatives by delta and by v.
+std::array<std::array<double, 4>, kRows + 1> column(const RayFan& fan, Segment segment, double delta) {
     const Spacetime& spacetime = fan.spacetime();
-    const FanRay ray = fan.ray(segment, w);
-    double end_per_w = 0.0;
-    const Column orbit = integrate(fan, segment, ray, end_per_w);
+    const FanRay ray = fan.ray(segment, delta);
+    double end_per_delta = 0.0;
+    const Column orbit = integrate(fan, segment, ray, end_per_delta);
     std::array<std::array<double, 4>, kRows + 1> texels{};
     for (int i = 0; i <= kRows; ++i) {
         const double v = static_cast<double>(i) / kRows;
         const State& o = orbit[i];
         const double curvature = -spacetime.half_v_slope(o.zeta);
         double z = o.zeta, z_v = o.slope * ray.phi_end;
-        double z_w = o.vary + o.slope * v * end_per_w;
-        double z_wv = ray.phi_end * (o.vary_slope + curvature * v * end_per_w) + o.slope * end_per_w;
+        double z_d = o.vary + o.slope * v * end_per_delta;
+        double z_dv = ray.phi_end * (o.vary_slope + curvature * v * end_per_delta) + o.slope * end_per_delta;
         if (segment == Segment::kSky) {  // divide by 1 - v; at v = 1 the limits, with zeta'' = 0 there
             if (i < kRows) {
                 const double rest = 1.0 - v;
-                z /= rest, z_w /= rest;
-                z_v = (z_v + z) / rest, z_wv = (z_wv + z_w) / rest;
+                z /= rest, z_d /= rest;
+                z_v = (z_v + z) / rest, z_dv = (z_dv + z_d) / rest;
             } else {
-                z = -z_v, z_w = -z_wv;
-                z_v = 0.0, z_wv = 0.0;
+                z = -z_v, z_d = -z_dv;
+                z_v = 0.0, z_dv = 0.0;
             }
         }
-        texels[i] = {z, z_w, z_v / kRows, z_wv / kRows};
+        texels[i] = {z, z_d, z_v / kRows, z_dv / kRows};
     }
     return texels;
 }
@@ -125,11 +125,8 @@ std::array<std::array<double, 4>, kRows + 1> column(const RayFan& fan, Segment s
 }  // namespace
 
 TexelGrid build_orbit_map(const RayFan& fan) {
-    const auto octaves = [&](Segment segment) {
-        return static_cast<int>(std::floor(std::log2(1.0 + fan.w_limit(segment) / fan.w0()))) + 1;
-    };
     constexpr int kColumns = kCellsPerOctave + 1;
-    const int sky = octaves(Segment::kSky) * kColumns, captured = octaves(Segment::kCaptured) * kColumns;
+    const int sky = fan.octaves(Segment::kSky) * kColumns, captured = fan.octaves(Segment::kCaptured) * kColumns;
     TexelGrid map{std::max(sky, captured), 2 * (kRows + 1), {}};
     map.texels.assign(static_cast<std::size_t>(map.width) * map.height * 4, 0.0f);
     tbb::parallel_for(0, sky + captured, [&](int i) {
@@ -138,17 +135,17 @@ TexelGrid build_orbit_map(const RayFan& fan) {
         const double u_octave = std::exp2(at / kColumns);
         const double u = u_octave * (1.0 + static_cast<double>(at % kColumns) / kCellsPerOctave);
         // The very first column would be the critical ray itself: it stands for 1/64 of the first cell.
-        const double w_node = std::max((u - 1.0) * fan.w0(), fan.w0() / (64.0 * kCellsPerOctave));
-        const double w = fan.mirrored(segment, w_node);
-        const double w_per_cell = (w == w_node ? 1.0 : -1.0) * u_octave * fan.w0() / kCellsPerOctave;
-        const auto texels = column(fan, segment, w);
+        const double node = std::max(fan.delta_at(u), fan.w0() / (64.0 * kCellsPerOctave));
+        const double delta = fan.mirrored(segment, node);
+        const double delta_per_cell = (delta == node ? 1.0 : -1.0) * fan.delta_slope(u) * u_octave / kCellsPerOctave;
+        const auto texels = column(fan, segment, delta);
         for (int row = 0; row <= kRows; ++row) {
             const std::size_t line = row + (segment == Segment::kSky ? 0 : kRows + 1);
             float* out = map.texels.data() + 4 * (line * map.width + at);
             out[0] = static_cast<float>(texels[row][0]);
-            out[1] = static_cast<float>(texels[row][1] * w_per_cell);
+            out[1] = static_cast<float>(texels[row][1] * delta_per_cell);
             out[2] = static_cast<float>(texels[row][2]);
-            out[3] = static_cast<float>(texels[row][3] * w_per_cell);
+            out[3] = static_cast<float>(texels[row][3] * delta_per_cell);
         }
     });
     return map;

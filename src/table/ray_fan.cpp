@@ -19,27 +19,36 @@ RayFan::RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const
     theta_c_ = outside_ ? std::min(chi0_, M_PI / 2) : std::asin(std::min(1.0, sqrt_v0_ / q_crit_));
 }
 
-double RayFan::w_limit(Segment segment) const {
+double RayFan::delta_limit(Segment segment) const {
     return outside_ == (segment == Segment::kSky) ? M_PI - theta_c_ : theta_c_;
 }
 
-double RayFan::mirrored(Segment segment, double w) const {
-    const double limit = w_limit(segment);
-    return w <= limit ? w : std::max(2.0 * limit - w, 1e-3 * w0());
+double RayFan::mirrored(Segment segment, double delta) const {
+    const double limit = delta_limit(segment);
+    return delta <= limit ? delta : std::max(2.0 * limit - delta, 1e-3 * w0());
 }
 
-FanRay RayFan::ray(Segment segment, double w) const {
+double RayFan::delta_slope(double u) const {
+    const double half_w = 0.5 * w0() * (u - 1.0);
+    return w0() / (1.0 + half_w * half_w);
+}
+
+int RayFan::octaves(Segment segment) const {
+    return static_cast<int>(std::floor(std::log2(1.0 + 2.0 * std::tan(0.5 * delta_limit(segment)) / w0()))) + 1;
+}
+
+FanRay RayFan::ray(Segment segment, double delta) const {
     const bool sky = segment == Segment::kSky;
-    // Angle from the strip's axis, then from the inward radial.
-    const double theta = std::clamp(outside_ == sky ? theta_c_ + w : theta_c_ - w, kRadialFloor, M_PI - kRadialFloor);
+    // Angle from the radial direction that the critical angle is measured from, then from the inward radial.
+    const double theta = std::clamp(outside_ == sky ? theta_c_ + delta : theta_c_ - delta, kRadialFloor, M_PI - kRadialFloor);
     FanRay ray{};
     ray.beta = outside_ ? theta : M_PI - theta;
     ray.sin_beta = std::sin(theta);
     ray.cos_beta = outside_ ? std::cos(theta) : -std::cos(theta);
     const double sin_c = std::sin(theta_c_);
     const double k = sin_c / ray.sin_beta;
-    const double signed_w = outside_ == sky ? w : -w;                               // theta - theta_c
-    const double one_minus_k2 = std::sin(signed_w) * std::sin(theta + theta_c_) / (ray.sin_beta * ray.sin_beta);
+    const double signed_delta = outside_ == sky ? delta : -delta;                   // theta - theta_c
+    const double one_minus_k2 = std::sin(signed_delta) * std::sin(theta + theta_c_) / (ray.sin_beta * ray.sin_beta);
     const double alpha = M_PI - ray.beta;
     if (one_minus_k2 > 0.0) {
         ray.phi_end = sky ? table_->turning_to_sky(k, one_minus_k2, alpha) : table_->turning_to_horizon(k, one_minus_k2, ray.beta);

@@ -2,9 +2,10 @@
 //
 // For a static camera at chi0 (spacetime.h) a ray at the angle beta from the INWARD radial has k = q/q_crit = sin(chi0)/sin(beta);
 // it is critical at beta = chi0 (Synge 1966: the shadow's half-angle is chi0), captured below and escapes above.
-// Everything is a function of w, the distance from the critical direction in rad, on either side of it; 1 - k^2 comes from the
+// Everything is a function of delta, the angle from the critical direction, on either side of it; 1 - k^2 comes from the
 // product sin(beta - chi0) sin(beta + chi0), so that rays next to the critical one keep their digits.
 #pragma once
+#include <cmath>
 #include <memory>
 
 #include "spacetime/spacetime.h"
@@ -26,15 +27,21 @@ public:
     RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r);
 
     bool outside() const { return outside_; }               // of the photon sphere
-    double axis() const { return outside_ ? -1.0 : 1.0; }   // strip angles are measured from axis * e_r: the near pole of the cone
-    double critical_angle() const { return theta_c_; }      // from the axis, (0, pi/2]
-    double w0() const { return kResolution * theta_c_; }    // innermost cell scale of the strip
-    double w_limit(Segment segment) const;                  // largest w
-    // w_limit < w < 2 w_limit is the ray beyond the radial one, the mirror image of 2 w_limit - w: what is even in the angle from
-    // the radial direction stays smooth across it.
-    double mirrored(Segment segment, double w) const;
-    // 0 < w <= w_limit; the last 1e-9 rad before a radial ray are taken as 1e-9 (limits are finite ratios).
-    FanRay ray(Segment segment, double w) const;
+    double critical_angle() const { return theta_c_; }      // from the nearer radial direction (inward outside), (0, pi/2]
+    double critical_cosine() const { return outside_ ? -std::cos(theta_c_) : std::cos(theta_c_); }   // from the outward radial
+    double critical_sine() const { return std::sin(theta_c_); }
+    double delta_limit(Segment segment) const;              // largest delta
+    // delta_limit < delta is the ray beyond the radial one, the mirror image of 2 delta_limit - delta: what is even in the angle
+    // from the radial direction stays smooth across it.
+    double mirrored(Segment segment, double delta) const;
+    // 0 < delta <= delta_limit; the last 1e-9 rad before a radial ray are taken as 1e-9 (limits are finite ratios).
+    FanRay ray(Segment segment, double delta) const;
+
+    // The place u >= 1 in the cells of shaders/core/strip.glsl: u = 1 + w/w0, w = 2 tan(delta/2).
+    double w0() const { return kResolution * theta_c_; }    // innermost cell scale, rad
+    double delta_at(double u) const { return 2.0 * std::atan(0.5 * w0() * (u - 1.0)); }
+    double delta_slope(double u) const;                     // d delta / d u
+    int octaves(Segment segment) const;                     // of u, until delta_limit
 
     double zeta0() const { return zeta0_; }
     double chi0() const { return chi0_; }

@@ -15,10 +15,6 @@ constexpr int kFine = 1024;    // STRIP_CELLS_PER_OCTAVE: straight lines that fo
 using Cubic = std::array<double, 4>;
 double value(const Cubic& c, double f) { return c[0] + f * (c[1] + f * (c[2] + f * c[3])); }
 
-int octaves(const RayFan& fan, Segment segment) {
-    return static_cast<int>(std::floor(std::log2(1.0 + fan.w_limit(segment) / fan.w0()))) + 1;
-}
-
 // The cubic through the four Chebyshev nodes of [0, 1], as coefficients of 1, f, f^2, f^3.
 constexpr std::array<double, 4> kNodes = {0.038060233744356625, 0.30865828381745514, 0.6913417161825449, 0.9619397662556434};
 Cubic cubic_through(const std::array<double, 4>& y) {
@@ -45,7 +41,7 @@ Cell coarse_cell(const RayFan& fan, Segment segment, int cell) {
     std::array<double, 4> cos_phi{}, ratio{}, end{};
     for (int i = 0; i < 4; ++i) {
         const double u = u_octave * (1.0 + (cell % kCoarse + kNodes[i]) / kCoarse);
-        const FanRay ray = fan.ray(segment, fan.mirrored(segment, (u - 1.0) * fan.w0()));
+        const FanRay ray = fan.ray(segment, fan.mirrored(segment, fan.delta_at(u)));
         cos_phi[i] = std::cos(ray.phi_end);
         ratio[i] = std::sin(ray.phi_end) / ray.sin_beta;
         end[i] = ray.phi_end / ray.sin_beta;
@@ -64,7 +60,7 @@ std::array<float, 2> line_along(const Cubic& cubic, double a, double b) {
 }  // namespace
 
 Strip build_strip(const RayFan& fan) {
-    const int sky_cells = octaves(fan, Segment::kSky) * kCoarse, captured_cells = octaves(fan, Segment::kCaptured) * kCoarse;
+    const int sky_cells = fan.octaves(Segment::kSky) * kCoarse, captured_cells = fan.octaves(Segment::kCaptured) * kCoarse;
     constexpr int kPerCoarse = kFine / kCoarse;
     Strip strip;
     strip.sky = {kFine, sky_cells / kCoarse, {}};

@@ -88,8 +88,9 @@ TEST_CASE("ray fan: continuous through k = 1 and through the photon sphere") {
     // Outgoing rays from outside pass k = 1 without anything happening: the two sheets must meet.
     for (const double r : {1.6, 2.0, 5.0, 50.0, 1e4}) {
         const RayFan fan(schwarzschild(), table(), r);
-        const double w = M_PI - 2.0 * fan.critical_angle();   // beta = pi - chi0: k = 1 on the way out
-        const double before = fan.ray(Segment::kSky, w * (1 - 1e-13)).phi_end, after = fan.ray(Segment::kSky, w * (1 + 1e-13)).phi_end;
+        const double delta = M_PI - 2.0 * fan.critical_angle();   // beta = pi - chi0: k = 1 on the way out
+        const double before = fan.ray(Segment::kSky, delta * (1 - 1e-13)).phi_end;
+        const double after = fan.ray(Segment::kSky, delta * (1 + 1e-13)).phi_end;
         CHECK(std::fabs(before - after) < 2 * kTableError);
     }
 }
@@ -99,13 +100,13 @@ TEST_CASE("strip: lines reproduce the fan") {
         const RayFan fan(schwarzschild(), table(), r);
         const TexelGrid strip = build_strip(fan).sky;
         double worst = 0.0;
-        for (double w = fan.w0() * 0.7; w < fan.w_limit(Segment::kSky); w *= 1.0037) {
-            const double u = 1.0 + w / fan.w0();
+        for (double delta = fan.w0() * 0.7; delta < fan.delta_limit(Segment::kSky); delta *= 1.0037) {
+            const double u = 1.0 + 2.0 * std::tan(0.5 * delta) / fan.w0();
             const int octave = std::ilogb(u);
             const double position = (std::ldexp(u, -octave) - 1.0) * 1024.0;
             const float* line = strip.texels.data() + 4 * (static_cast<std::size_t>(octave) * 1024 + static_cast<std::size_t>(position));
             const double f = position - std::floor(position);
-            const FanRay ray = fan.ray(Segment::kSky, w);
+            const FanRay ray = fan.ray(Segment::kSky, delta);
             worst = std::fmax(worst, std::fabs(line[0] + f * line[1] - std::cos(ray.phi_end)));
             worst = std::fmax(worst, std::fabs((line[2] + f * line[3]) * ray.sin_beta - std::sin(ray.phi_end)));
         }
