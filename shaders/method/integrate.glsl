@@ -41,8 +41,8 @@ Sweep sweep_to_sky(StripRay ray, float s, float c) {
     float h = 0.0;
     int count = 0;
     do {
-        // A steep ray is at the sky or at the centre before a whole step is over.
-        h = min(STEP_ANGLE * inversesqrt(1.0 + 3.0 * abs(y.x)), 0.5 * (y.x + 0.2 * q) / q + 1.0e-4);
+        // |zeta'| <= q, and = q at zeta = 0: a steep ray is at the sky or at the centre before a whole step is over.
+        h = min(STEP_ANGLE * inversesqrt(1.0 + 3.0 * abs(y.x)), (y.y < 0.0 ? 1.05 * y.x : 1.0) / q);
         before = y;
         y = orbit_step(y, h);
         phi += h;
@@ -59,5 +59,5 @@ Sweep sweep_to_sky(StripRay ray, float s, float c) {
         f = clamp(f - value / min(slope, -1.0e-20), 0.0, 1.0);
     }
 #endif
-    return sweep_by_angle(phi - (1.0 - f) * h, ray.theta, s);
+    return sweep_by_angle(phi - (1.0 - f) * h, s, c);
 }
