@@ -10,11 +10,15 @@
 //
 // strip_fetch: rays that reach the sky, 1024 cells an octave, one octave a row; texel (c0, c1, r0, r1):
 //   cos(phi) = c0 + c1 f, sin(phi)/sin(alpha) = r0 + r1 f, 0 <= f < 1 across the cell. One fetch a ray.
-// ends_fetch: 16 cells an octave, row 0 rays to the sky, row 1 captured ones; phi_end/sin(alpha) as coefficients of 1, f, f^2, f^3.
-//   phi_end: angle swept to the sky or to the horizon. Needed by objects only.
+// ends_fetch: 16 cells an octave, coefficients of 1, f, f^2, f^3. Rows: phi_end/sin(alpha) of rays to the sky, the same of captured
+//   ones (phi_end: angle swept to the sky or to the horizon), cos(phi) and sin(phi)/sin(alpha). Needed by objects and strip:cubic.
 
 #define STRIP_CELLS_PER_OCTAVE 1024
 #define ENDS_CELLS_PER_OCTAVE 16
+#define ENDS_ROW_SKY 0
+#define ENDS_ROW_CAPTURED 1
+#define ENDS_ROW_COS 2
+#define ENDS_ROW_RATIO 3
 
 struct Octave {
     int cell;      // number of the cell
@@ -50,8 +54,7 @@ Octave octave_cell(float u, int cells_per_octave) {
 float cubic(vec4 c, float f) { return c.x + f * (c.y + f * (c.z + f * c.w)); }
 float cubic_slope(vec4 c, float f) { return c.y + f * (2.0 * c.z + f * (3.0 * c.w)); }
 
-// delta from -pi to pi, positive for rays that reach the sky. sin(delta) is a difference of products of sines and cosines, never
-// of angles.
+// delta from -pi to pi, positive for rays that reach the sky.
 struct StripRay {
     bool escapes;     // reaches the sky
     float sine;       // sin(delta)
@@ -59,16 +62,21 @@ struct StripRay {
     float slope;      // d u / d |delta|, 1/rad
 };
 
-// s = |n x e|, c = n.e of the unit look direction n and the outward radial e; strip as in FrameData.
-StripRay strip_locate(float s, float c, vec4 strip) {
+// side, s = |side|, c: as in Trace. tangent: n along the critical direction's tangent; strip as in FrameData.
+// sin(delta) = tangent - cos(critical) (s - side.x), and s - side.x = side.y^2 / (s + side.x): next to the meridian, on which the
+// image's centre lies, no digit is lost however deep the zoom.
+StripRay strip_locate(vec2 side, float s, float c, float tangent, vec4 strip) {
     StripRay ray;
-    ray.sine = strip.y * c - strip.x * s;
+    bool ahead = side.x > 0.0;
+    float factor = ahead ? s + side.x : 1.0;
+    float sine = tangent * factor - strip.x * (ahead ? side.y * side.y : s - side.x);   // sin(delta) times factor
     float cosine = strip.x * c + strip.y * s;
-    ray.escapes = ray.sine > 0.0;
-    float a = abs(ray.sine);
-    float b = 1.0 + abs(cosine);
+    ray.escapes = sine > 0.0;
+    ray.sine = sine / factor;
+    float a = abs(sine);
+    float b = (1.0 + abs(cosine)) * factor;
     // tan(delta/2) = sin/(1 + cos) = (1 - cos)/sin, whichever does not cancel.
-    float half_tan = cosine > 0.0 ? a / b : b / max(a, 1.0e-18);
+    float half_tan = cosine > 0.0 ? a / b : b / max(a, 1.0e-30);
     ray.u = 1.0 + half_tan * (2.0 * strip.z);
     ray.slope = (1.0 + half_tan * half_tan) * strip.z;
     return ray;

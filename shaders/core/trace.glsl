@@ -2,11 +2,10 @@
 // Reads the globals `frame` (FrameData) and strip_fetch / orbit_fetch.
 
 struct Trace {
-    vec3 n;               // unit look direction in the static frame, world axes
     float doppler;        // frequency in the camera over frequency in the static frame
     float pixel_angle;    // angle that one pixel spans here, rad, in the static frame
-    vec3 crossed;         // n x e
-    float s;              // |n x e|
+    vec2 side;            // components of the unit look direction n along frame.meridian and frame.transverse
+    float s;              // |n x e| = |side|
     float c;              // n . e
     bool escapes;
     vec3 sky;             // direction on the celestial sphere, unit to rounding; of use if escapes
@@ -23,38 +22,58 @@ struct Trace {
 
 vec3 radial_direction() { return vec3(frame.radial.x, frame.radial.y, frame.radial.z); }
 
+// Across the radial direction, in world axes.
+vec3 sideways(vec2 side) {
+    return side.x * vec3(frame.meridian.x, frame.meridian.y, frame.meridian.z) +
+           side.y * vec3(frame.transverse.x, frame.transverse.y, frame.transverse.z);
+}
+
+// n x e
+vec3 crossed_direction(Trace trace) { return sideways(vec2(trace.side.y, -trace.side.x)); }
+
+vec3 look_direction(vec2 pixel, float inverse_length) {
+    vec4 ray = (frame.ray_0 + pixel.x * frame.ray_x + pixel.y * frame.ray_y) * inverse_length;
+    return vec3(ray.x, ray.y, ray.z);
+}
+
 // pixel: px from the image centre, x to the right, y up.
 Trace trace_pixel(vec2 pixel) {
     Trace trace;
-    vec4 ray4 = frame.ray_0 + pixel.x * frame.ray_x + pixel.y * frame.ray_y;
-    vec3 long_n = vec3(ray4.x, ray4.y, ray4.z);
-    float inverse_length = inversesqrt(dot(long_n, long_n));
-    trace.n = long_n * inverse_length;
+    float inverse_length = inversesqrt(1.0 + dot(pixel, pixel) * (frame.image.z * frame.image.z));
     trace.doppler = 1.0;
     trace.pixel_angle = frame.image.z * inverse_length * sqrt(inverse_length);
 #ifdef EFFECT_ABERRATION
-    Aberration seen = aberrate(trace.n, vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w);
-    trace.n = seen.direction;
+    Aberration seen = aberrate(look_direction(pixel, inverse_length), vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w);
+    vec3 n = seen.direction;
     trace.doppler = seen.doppler;
     trace.pixel_angle *= seen.doppler;
-    trace.crossed = cross(trace.n, radial_direction());
-    trace.c = dot(trace.n, radial_direction());
-#else
-    vec4 cross4 = frame.cross_0 + pixel.x * frame.cross_x + pixel.y * frame.cross_y;
-    trace.crossed = vec3(cross4.x, cross4.y, cross4.z) * inverse_length;
-    trace.c = ray4.w * inverse_length;
-#endif
-    trace.s = sqrt(dot(trace.crossed, trace.crossed));
+    trace.side = vec2(dot(n, vec3(frame.meridian.x, frame.meridian.y, frame.meridian.z)),
+                      dot(n, vec3(frame.transverse.x, frame.transverse.y, frame.transverse.z)));
+    trace.c = dot(n, radial_direction());
 #ifdef EFFECT_LENSING
-    StripRay ray = strip_locate(trace.s, trace.c, frame.strip);
+    float tangent = frame.strip.y * trace.c - frame.strip.x * trace.side.x;
+#endif
+#else
+    vec4 polar = (frame.polar_0 + pixel.x * frame.polar_x + pixel.y * frame.polar_y) * inverse_length;
+    trace.side = vec2(polar.x, polar.y);
+    trace.c = polar.z;
+#ifdef EFFECT_LENSING
+    float tangent = polar.w;
+#else
+    vec3 n = look_direction(pixel, inverse_length);
+#endif
+#endif
+    trace.s = sqrt(dot(trace.side, trace.side));
+#ifdef EFFECT_LENSING
+    StripRay ray = strip_locate(trace.side, trace.s, trace.c, tangent, frame.strip);
     Sweep sweep = sweep_to_sky(ray, trace.s, trace.c);
     trace.escapes = ray.escapes;
-    trace.sky = (sweep.cos_phi - trace.c * sweep.ratio) * radial_direction() + sweep.ratio * trace.n;
+    trace.sky = sweep.cos_phi * radial_direction() + sideways(sweep.ratio * trace.side);
     trace.stretch_along = sweep.along;
     trace.stretch_across = sweep.ratio;
 #ifdef NEEDS_PHI_END
     Octave octave = octave_cell(ray.u, ENDS_CELLS_PER_OCTAVE);
-    vec4 end_poly = ends_fetch(octave.cell, ray.escapes ? 0 : 1);
+    vec4 end_poly = ends_fetch(octave.cell, ray.escapes ? ENDS_ROW_SKY : ENDS_ROW_CAPTURED);
     float end_ratio = cubic(end_poly, octave.place);
     float end_slope = cubic_slope(end_poly, octave.place) * (float(ENDS_CELLS_PER_OCTAVE) / octave.start * ray.slope);
     trace.ray = ray;
@@ -63,7 +82,7 @@ Trace trace_pixel(vec2 pixel) {
 #endif
 #else
     trace.escapes = true;
-    trace.sky = trace.n;
+    trace.sky = n;
     trace.stretch_along = 1.0;
     trace.stretch_across = 1.0;
 #ifdef NEEDS_PHI_END

@@ -14,7 +14,7 @@ struct DiscCrossing {
 // The first crossing of the plane; crossing k lies k half turns further and on alternating sides.
 PlaneMeeting disc_meeting(Trace trace) {
     vec3 normal = vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z);
-    return plane_meet(trace.crossed, radial_direction(), trace.s, normal, frame.disc_normal.w);
+    return plane_meet(crossed_direction(trace), radial_direction(), trace.s, normal, frame.disc_normal.w);
 }
 
 // Two bounds that cost nothing. |d zeta / d phi| <= q = sqrt(V(zeta0)) / s on every orbit, so zeta grows from zeta0 and falls to
@@ -57,7 +57,7 @@ DiscCrossing disc_cross(Trace trace, PlaneMeeting meeting, int number, float mar
     // d phi_1 = height hN / rho^2, d lambda = height / rho^2 with hN = orbital normal . disc normal, rho^2 = 1 - hN^2.
     vec3 normal = vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z);
     float inverse_s = 1.0 / max(trace.s, 1.0e-6);
-    float orbital = -dot(trace.crossed, normal) * inverse_s;
+    float orbital = -dot(crossed_direction(trace), normal) * inverse_s;
     float turn = frame.disc_normal.w / max((1.0 - orbital) * (1.0 + orbital), 1.0e-6) * inverse_s * trace.pixel_angle;
     float across_r = r_along * orbital * turn;
     float across_t = r * turn;

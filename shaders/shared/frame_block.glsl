@@ -2,13 +2,15 @@
 // a test compares the driver's offsets with offsetof. Everything that would cancel in float is formed in double on the host.
 struct FrameData {
     vec4 image;        // width, height in px, pixel's angle at the image centre (rad), exposure factor
-    vec4 ray_0;        // look direction of pixel (x, y), not normalised: ray_0 + x ray_x + y ray_y, world axes in .xyz;
-    vec4 ray_x;        //   x, y in px from the image centre, y up. In .w the same of its dot product with `radial`
+    vec4 ray_0;        // look direction of pixel (x, y), not normalised: ray_0 + x ray_x + y ray_y, world axes, .w = 0;
+    vec4 ray_x;        //   x, y in px from the image centre, y up
     vec4 ray_y;
-    vec4 cross_0;      // look direction x radial, the same way: a hole of a few microradians keeps its shape
-    vec4 cross_x;
-    vec4 cross_y;
-    vec4 radial;       // outward radial unit vector e at the camera; .w = 0
+    vec4 polar_0;      // the same direction along `meridian`, `transverse`, `radial` and (.w) along the critical direction's
+    vec4 polar_x;      //   tangent in the meridian's plane, towards the sky: each keeps its digits where it is small, at a hole of
+    vec4 polar_y;      //   a few microradians and at a photon ring that fills the screen
+    vec4 radial;       // outward radial unit vector e at the camera, .w = 0; the other two make a right-handed frame with it:
+    vec4 meridian;     //   in the plane of e and the image's centre, .w = 0
+    vec4 transverse;   //   e x meridian, .w = 0
     vec4 strip;        // cosine and sine of the critical direction's angle from e (a ray nearer to e escapes), 1/w0, 0
     vec4 orbit;        // sin(theta_c) = k sin(alpha), cos(chi0), a0, a1 of the deflection table
     vec4 series;       // a2 of the deflection table, chi0, 0, 0

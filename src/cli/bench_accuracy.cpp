@@ -33,7 +33,7 @@ constexpr int kTimeWidth = 1280, kTimeHeight = 720;
 
 const std::vector<std::string>& methods() {
     static const std::vector<std::string> list = {
-        "strip", "table:32:hermite", "table:64:hermite", "table:128:hermite", "table:256:hermite", "table:32:cubic", "table:64:cubic",
+        "strip", "strip:cubic", "table:32:hermite", "table:64:hermite", "table:128:hermite", "table:256:hermite", "table:32:cubic", "table:64:cubic",
         "table:128:cubic", "table:256:cubic", "table:64:bilinear", "table:128:bilinear", "table:256:bilinear", "table:512:bilinear",
         "table:1024:bilinear", "table:64:hardware", "table:128:hardware", "table:256:hardware", "table:512:hardware", "table:1024:hardware",
         "closed-form", "integrate:6:1", "integrate:6:0.6", "integrate:6:0.3", "integrate:6:0.2", "integrate:6:0.15", "integrate:4:0.4", "integrate:4:0.2", "integrate:4:0.1",

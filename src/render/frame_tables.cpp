@@ -87,10 +87,16 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     const Vec3 local[3] = {-axes.c, pixel * axes.a, pixel * axes.b};   // forward, a pixel to the right, a pixel up
     BlockWriter block;
     block.put(camera.width, camera.height, pixel, std::exp2(camera.exposure_ev));
-    for (const Vec3 v : local) block.put(world * v, v.x);              // v . e_r
-    for (const Vec3 v : local) block.put(world * Vec3{0.0, v.z, -v.y}, 0.0);   // v x e_r
-    block.put(world.a, 0);
-    if (fan != nullptr) block.put(fan->critical_cosine(), fan->critical_sine(), 1.0 / fan->w0(), 0.0);
+    for (const Vec3 v : local) block.put(world * v, 0);
+    const double off_axis = std::hypot(local[0].y, local[0].z);
+    const Vec3 meridian = off_axis > 0.0 ? Vec3{0, local[0].y, local[0].z} / off_axis : Vec3{0, 1, 0}, radial{1, 0, 0};
+    const Vec3 transverse = cross(radial, meridian);
+    const double critical_cosine = fan != nullptr ? fan->critical_cosine() : -1.0;
+    const double critical_sine = fan != nullptr ? fan->critical_sine() : 0.0;
+    for (const Vec3 v : local)
+        block.put(dot(v, meridian), dot(v, transverse), v.x, critical_sine * v.x - critical_cosine * dot(v, meridian));
+    for (const Vec3 v : {radial, meridian, transverse}) block.put(world * v, 0);
+    if (fan != nullptr) block.put(critical_cosine, critical_sine, 1.0 / fan->w0(), 0.0);
     else block.put(0, 0, 0, 0);
     if (fan != nullptr) {
         const auto& series = fan->table().series();

@@ -1,4 +1,4 @@
-// The four combinations of effects in one precision (Real) and their dispatch. The disc's code is always compiled.
+// The combinations of effects in one precision (Real) and their dispatch. The disc's code is always compiled.
 namespace lensed {
 #define EFFECT_DISC
 #define EFFECT_LENSING
@@ -8,7 +8,17 @@ namespace lensed_moving {
 #define EFFECT_ABERRATION
 #include "shadercore/core_variant.inl"
 }  // namespace lensed_moving
+#define STRIP_CUBIC
+namespace cubic_moving {
+#include "shadercore/core_variant.inl"
+}  // namespace cubic_moving
+#undef EFFECT_ABERRATION
+namespace cubic {
+#include "shadercore/core_variant.inl"
+}  // namespace cubic
+#undef STRIP_CUBIC
 #undef EFFECT_LENSING
+#define EFFECT_ABERRATION
 namespace flat_moving {
 #include "shadercore/core_variant.inl"
 }  // namespace flat_moving
@@ -19,6 +29,7 @@ namespace flat {
 #undef EFFECT_DISC
 
 RayPixel dispatch(const CoreInput& input, double x, double y) {
+    if (input.lensing && input.cubic) return (input.aberration ? cubic_moving::trace_one : cubic::trace_one)(input, x, y);
     if (input.lensing) return (input.aberration ? lensed_moving::trace_one : lensed::trace_one)(input, x, y);
     return (input.aberration ? flat_moving::trace_one : flat::trace_one)(input, x, y);
 }

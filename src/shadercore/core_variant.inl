@@ -27,7 +27,11 @@ vec4 orbit_fetch(int x, int y) { return fetch(inputs.orbit, x, y); }
 #include "core/orbit.glsl"
 #include "core/plane.glsl"
 #include "core/sweep.glsl"
+#ifdef STRIP_CUBIC
+#include "method/strip_cubic.glsl"
+#else
 #include "method/strip.glsl"
+#endif
 #include "core/trace.glsl"
 #include "object/disc.glsl"
 #include "core/raydata.glsl"
@@ -57,6 +61,10 @@ RayPixel trace_one(const CoreInput& input, double x, double y) {
 
 #undef STRIP_CELLS_PER_OCTAVE
 #undef ENDS_CELLS_PER_OCTAVE
+#undef ENDS_ROW_SKY
+#undef ENDS_ROW_CAPTURED
+#undef ENDS_ROW_COS
+#undef ENDS_ROW_RATIO
 #undef ORBIT_CELLS_PER_OCTAVE
 #undef ORBIT_ROWS
 #undef DISC_MOST_CROSSINGS

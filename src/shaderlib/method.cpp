@@ -58,7 +58,7 @@ Result<Method> parse_integrate(const std::vector<std::string>& parts, const Erro
 
 Result<Method> parse_method(const std::string& text) {
     const Error error = bad_input(fmt::format(
-        "method \"{}\" is not known; allowed: strip, table[:SIZE[:hardware|bilinear|cubic|hermite]] with SIZE 8 to 1024, closed-form, "
+        "method \"{}\" is not known; allowed: strip, strip:cubic, table[:SIZE[:hardware|bilinear|cubic|hermite]] with SIZE 8 to 1024, closed-form, "
         "integrate[:ORDER[:STEP]] with ORDER 1, 4 or 6 and STEP 0.001 to 1 rad, euler:STEPS with STEPS 10 to 5000", text));
     const auto parts = split(text, ':');
     if (parts.empty() || parts.size() > 3) return error;
@@ -71,14 +71,15 @@ Result<Method> parse_method(const std::string& text) {
         method.most_steps = static_cast<int>(*steps);
         return method;
     }
-    if (parts.size() == 1 && text == "strip") return Method{};
+    if (text == "strip") return Method{};
+    if (text == "strip:cubic") return Method{.cubic = true};
     if (parts.size() == 1 && text == "closed-form") return Method{.kind = MethodKind::kClosedForm};
     return error;
 }
 
 std::string method_name(const Method& method) {
     switch (method.kind) {
-        case MethodKind::kStrip: return "strip";
+        case MethodKind::kStrip: return method.cubic ? "strip:cubic" : "strip";
         case MethodKind::kClosedForm: return "closed-form";
         case MethodKind::kTable:
             for (const auto& [lookup, name] : kLookups)

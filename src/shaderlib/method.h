@@ -18,6 +18,7 @@ enum class Lookup { kHardware, kBilinear, kCubic, kHermite };   // of kTable
 
 struct Method {
     MethodKind kind = MethodKind::kStrip;
+    bool cubic = false;                   // kStrip: two cubics instead of two lines
     int size = 128;                       // kTable: cells a side
     Lookup lookup = Lookup::kHermite;     // kTable
     int order = 6;                        // kIntegrate: 1, 4 or 6
@@ -26,7 +27,7 @@ struct Method {
     friend auto operator<=>(const Method&, const Method&) = default;
 };
 
-// "strip", "table", "table:128:cubic", "closed-form", "integrate", "integrate:4:0.1", "euler:300" (300 steps over 5/2 pi rad).
+// "strip", "strip:cubic", "table", "table:128:cubic", "closed-form", "integrate", "integrate:4:0.1", "euler:300" (300 steps over 5/2 pi rad).
 // Errors: the allowed forms and ranges.
 Result<Method> parse_method(const std::string& text);
 std::string method_name(const Method& method);   // parse_method(method_name(m)) == m

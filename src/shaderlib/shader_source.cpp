@@ -70,7 +70,7 @@ std::string resolved(const std::string& text, const std::vector<std::string>& de
 
 std::vector<std::string> method_files(const Method& method, std::string_view metric) {
     switch (method.kind) {
-        case MethodKind::kStrip: return {"method/strip.glsl"};
+        case MethodKind::kStrip: return {method.cubic ? "method/strip_cubic.glsl" : "method/strip.glsl"};
         case MethodKind::kTable: return {"core/table_mapping.glsl", "method/by_angle.glsl", "method/table.glsl"};
         case MethodKind::kClosedForm: return {"method/by_angle.glsl", "method/closed_form.glsl"};
         case MethodKind::kIntegrate:
@@ -125,10 +125,11 @@ std::string declarations(Stage stage, const EffectSet& effects, bool ends, const
                        "layout(std140) uniform FrameBlock { FrameData frame; };\n";
     const bool disc = effects.contains(Effect::kDisc);
     if (effects.contains(Effect::kLensing)) {
-        if (method.kind == MethodKind::kStrip)
+        const bool strip = method.kind == MethodKind::kStrip;
+        if (strip && !method.cubic)
             text += "uniform highp sampler2D strip_texture;\n"
                     "vec4 strip_fetch(int x, int y) { return texelFetch(strip_texture, ivec2(x, y), 0); }\n";
-        if (ends)
+        if (ends || (strip && method.cubic))
             text += "uniform highp sampler2D ends_texture;\n"
                     "vec4 ends_fetch(int x, int y) { return texelFetch(ends_texture, ivec2(x, y), 0); }\n";
         if (method.kind == MethodKind::kTable) text += "uniform highp sampler2D table_texture;\n";

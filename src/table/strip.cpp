@@ -65,15 +65,20 @@ Strip build_strip(const RayFan& fan) {
     Strip strip;
     strip.sky = {kFine, sky_cells / kCoarse, {}};
     strip.sky.texels.assign(static_cast<std::size_t>(strip.sky.width) * strip.sky.height * 4, 0.0f);
-    strip.ends = {std::max(sky_cells, captured_cells), 2, {}};
-    strip.ends.texels.assign(static_cast<std::size_t>(strip.ends.width) * 8, 0.0f);
+    strip.ends = {std::max(sky_cells, captured_cells), 4, {}};
+    strip.ends.texels.assign(static_cast<std::size_t>(strip.ends.width) * 16, 0.0f);
     tbb::parallel_for(0, sky_cells + captured_cells, [&](int i) {
         const bool sky = i < sky_cells;
         const int at = sky ? i : i - sky_cells;
         const Cell cell = coarse_cell(fan, sky ? Segment::kSky : Segment::kCaptured, at);
-        float* end = strip.ends.texels.data() + 4 * (static_cast<std::size_t>(sky ? 0 : strip.ends.width) + at);
-        std::transform(cell.end.begin(), cell.end.end(), end, [](double c) { return static_cast<float>(c); });
+        const auto put = [&](int row, const Cubic& cubic) {   // ENDS_ROW_...
+            float* out = strip.ends.texels.data() + 4 * (static_cast<std::size_t>(row) * strip.ends.width + at);
+            std::transform(cubic.begin(), cubic.end(), out, [](double c) { return static_cast<float>(c); });
+        };
+        put(sky ? 0 : 1, cell.end);
         if (!sky) return;
+        put(2, cell.cos_phi);
+        put(3, cell.ratio);
         float* out = strip.sky.texels.data() + static_cast<std::size_t>(4) * kPerCoarse * at;
         for (int j = 0; j < kPerCoarse; ++j, out += 4) {
             const double a = static_cast<double>(j) / kPerCoarse, b = static_cast<double>(j + 1) / kPerCoarse;

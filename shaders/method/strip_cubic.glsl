@@ -1,0 +1,13 @@
+// Method strip:cubic: the strip's cubics instead of its straight lines. Two fetches; for frames so deep that a line's error shows.
+Sweep sweep_to_sky(StripRay ray, float s, float c) {
+    Octave octave = octave_cell(ray.u, ENDS_CELLS_PER_OCTAVE);
+    vec4 cos_phi = ends_fetch(octave.cell, ENDS_ROW_COS);
+    vec4 ratio = ends_fetch(octave.cell, ENDS_ROW_RATIO);
+    float f_slope = float(ENDS_CELLS_PER_OCTAVE) / octave.start * ray.slope;
+    Sweep sweep;
+    sweep.cos_phi = cubic(cos_phi, octave.place);
+    sweep.ratio = cubic(ratio, octave.place);
+    sweep.along = sweep.cos_phi * (cubic_slope(ratio, octave.place) * f_slope * s - sweep.ratio * c) -
+                  sweep.ratio * s * cubic_slope(cos_phi, octave.place) * f_slope;
+    return sweep;
+}

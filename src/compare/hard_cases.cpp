@@ -1,0 +1,225 @@
+#include "compare/hard_cases.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "compare/ray_metrics.h"
+
+namespace nullscope {
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+
+Scene odd_scene() {   // the middle pixel looks exactly along the axis
+    Scene scene;
+    scene.sky.kind = SkyKind::kBlack;
+    scene.camera.width = 97;
+    scene.camera.height = 55;
+    return scene;
+}
+
+void field_of_view(Scene& s, double rad) { s.camera.plane_width = 2 * std::tan(0.5 * rad); }
+
+void disc(Scene& s, double inner = 3, double outer = 12) {
+    s.disc = DiscSpec{};
+    s.disc->inner = inner;
+    s.disc->outer = outer;
+}
+
+// Half-angle of the shadow for a static camera outside the photon sphere (Synge 1966), r_s = 1.
+double shadow_angle(double r) { return std::asin(std::min(1.0, 1.5 * std::sqrt(3.0) / r * std::sqrt(1 - 1 / r))); }
+
+class List {
+public:
+    void add(std::string name, std::string why, const std::function<void(Scene&)>& set) {
+        Scene scene = odd_scene();
+        scene.name = name;
+        set(scene);
+        cases_.push_back({std::move(name), std::move(why), std::move(scene)});
+    }
+    std::vector<HardCase> take() { return std::move(cases_); }
+
+private:
+    std::vector<HardCase> cases_;
+};
+
+void critical_rays(List& list) {
+    constexpr double r = 20;
+    for (int k = 1; k <= 7; ++k)
+        for (const bool outside : {true, false})
+            list.add(fmt::format("q = q_crit (1 {} 1e-{})", outside ? '-' : '+', k), "the ray winds as often as digits allow",
+                     [&](Scene& s) {
+                         const double delta = std::pow(10.0, -k), angle = shadow_angle(r);
+                         s.camera.r = r;
+                         s.camera.yaw = angle + (outside ? delta : -delta) * std::tan(angle);   // sin(alpha) changes by delta
+                         field_of_view(s, delta * std::tan(angle));
+                     });
+}
+
+void photon_sphere(List& list) {
+    const std::pair<const char*, double> radii[] = {{"exactly", 1.5},
+                                                    {"a float above", std::nextafterf(1.5f, 2.0f)},
+                                                    {"a float below", std::nextafterf(1.5f, 1.0f)},
+                                                    {"a double above", std::nextafter(1.5, 2.0)},
+                                                    {"1e-9 below", 1.5 - 1e-9}};
+    for (const auto& [where, r] : radii)
+        for (const auto& [look, yaw] : {std::pair{"across", 90.0}, {"inwards", 0.0}, {"outwards", 180.0}})
+            list.add(fmt::format("photon sphere {}, {}", where, look), "both sheets of the table meet and chi0 = pi/2",
+                     [&](Scene& s) { s.camera.r = r, s.camera.yaw = yaw * kDegree, field_of_view(s, 100 * kDegree); });
+}
+
+void radii(List& list) {
+    for (int k = 1; k <= 9; ++k)
+        for (const bool outwards : {true, false})
+            list.add(fmt::format("zeta0 = 1 - 1e-{}, {}", k, outwards ? "the cone of sky" : "inwards"),
+                     outwards ? "the whole sky in a cone that closes at the horizon" : "all is shadow but a rim", [&](Scene& s) {
+                         const double gap = std::pow(10.0, -k);
+                         s.camera.r = 1 / (1 - gap);
+                         s.camera.yaw = outwards ? M_PI : 0;
+                         if (outwards) field_of_view(s, std::min(120 * kDegree, 4 * 2.6 * std::sqrt(gap)));
+                     });
+    for (int k = 2; k <= 9; ++k) {
+        list.add(fmt::format("zeta0 = 1e-{}, at the hole", k), "the hole spans nanoradians: rays of interest are nearly radial",
+                 [&](Scene& s) { s.camera.r = std::pow(10.0, k), field_of_view(s, 6 * shadow_angle(s.camera.r)); });
+        list.add(fmt::format("zeta0 = 1e-{}, past it", k), "weak bending must not drown in rounding", [&](Scene& s) {
+            s.camera.r = std::pow(10.0, k), s.camera.yaw = 40 * kDegree;
+        });
+    }
+}
+
+void directions(List& list) {
+    for (const double r : {1.01, 1.5, 3.0, 20.0, 1e4}) {
+        list.add(fmt::format("radial inwards, r = {}", r), "the orbital plane is not defined", [&](Scene& s) {
+            s.camera.r = r, field_of_view(s, 0.2 * kDegree);
+        });
+        list.add(fmt::format("radial outwards, r = {}", r), "the orbital plane is not defined", [&](Scene& s) {
+            s.camera.r = r, s.camera.yaw = M_PI, field_of_view(s, 0.2 * kDegree);
+        });
+    }
+    for (const double r : {1.2, 1.5001, 2.0, 20.0, 1e6})
+        for (const double width : {60.0, 1.0})
+            list.add(fmt::format("turning point in the camera, r = {}, {} degrees", r, width),
+                     "alpha = pi/2: rays that go in and rays that go out meet", [&](Scene& s) {
+                         s.camera.r = r, s.camera.yaw = M_PI / 2, field_of_view(s, width * kDegree);
+                     });
+}
+
+void axis_and_plane(List& list) {
+    for (const auto& [name, theta] : {std::pair{"0", 0.0}, {"pi", M_PI}, {"1e-9", 1e-9}, {"1e-4", 1e-4}})
+        list.add(fmt::format("camera at theta = {}", name), "the polar axis has no azimuth",
+                 [&](Scene& s) { disc(s), s.camera.r = 20, s.camera.theta = theta; });
+    list.add("rays across the polar axis", "azimuth jumps by pi along the ray", [](Scene& s) {
+        s.camera.r = 20, s.camera.theta = 0.6, s.camera.pitch = -0.15, field_of_view(s, 20 * kDegree);
+    });
+    for (const auto& [name, off] : {std::pair{"in the disc's plane", 0.0}, {"1e-6 above the disc's plane", 1e-6}, {"1e-9 above it", 1e-9},
+                                    {"1e-4 below it", -1e-4}}) {
+        list.add(fmt::format("camera {}", name), "the disc is seen edge-on", [&](Scene& s) {
+            disc(s), s.camera.r = 20, s.camera.theta = M_PI / 2 - off;
+        });
+        list.add(fmt::format("camera inside the disc, {}", name), "the disc is around the camera", [&](Scene& s) {
+            disc(s), s.camera.r = 7, s.camera.theta = M_PI / 2 - off;
+        });
+    }
+}
+
+void discs(List& list) {
+    list.add("disc down to the photon sphere", "its inner images pile up at the critical ray",
+             [](Scene& s) { disc(s, 1.5), s.camera.r = 20, s.camera.theta = 1.4, field_of_view(s, 30 * kDegree); });
+    list.add("disc inside the photon sphere", "seen by captured rays alone",
+             [](Scene& s) { disc(s, 1.02, 1.49), s.camera.r = 20, s.camera.theta = 1.3, field_of_view(s, 18 * kDegree); });
+    list.add("disc of a million r_s", "rays meet it almost at infinity",
+             [](Scene& s) { disc(s, 3, 1e6), s.camera.r = 20, s.camera.theta = 1.4; });
+    list.add("translucent disc", "a ray is not over at the first crossing",
+             [](Scene& s) { disc(s), s.disc->opacity = 0.5, s.camera.r = 20, s.camera.theta = 1.4; });
+    // Image n of the disc lies where rays sweep some n half turns: e^pi closer to the critical ray each.
+    for (int order = 1; order <= 6; ++order)
+        list.add(fmt::format("image order {}", order), "each image of the disc is exp(pi) thinner than the one before", [&](Scene& s) {
+            constexpr double r = 20;
+            disc(s);
+            s.camera.r = r, s.camera.theta = 1.2;
+            const double angle = shadow_angle(r), width = 1.5 * angle * std::exp(-M_PI * (order - 1));
+            s.camera.pitch = angle + 0.3 * width;
+            field_of_view(s, 3 * width);
+        });
+}
+
+void motions(List& list) {
+    for (const double speed : {0.9, 0.999999})
+        for (int i = 0; i < 27; ++i) {
+            const Vec3 d{i / 9 - 1.0, i / 3 % 3 - 1.0, i % 3 - 1.0};
+            if (length(d) == 0) continue;
+            list.add(fmt::format("{} c towards ({:.0f}, {:.0f}, {:.0f})", speed, d.x, d.y, d.z),
+                     "aberration squeezes most of the sky into a few pixels", [&](Scene& s) {
+                         s.camera.r = 10, s.camera.velocity = speed * normalized(d), field_of_view(s, 90 * kDegree);
+                     });
+        }
+}
+
+void frames(List& list) {
+    for (const double degrees : {0.01, 0.1, 1.0, 10.0, 120.0, 179.0}) {
+        list.add(fmt::format("{} degrees, at the photon ring", degrees), "the picture's finest detail, at any depth", [&](Scene& s) {
+            s.camera.r = 20, s.camera.pitch = 0.6 * shadow_angle(20), s.camera.yaw = 0.8 * shadow_angle(20);
+            const double off = std::acos(std::cos(s.camera.pitch) * std::cos(s.camera.yaw)), angle = shadow_angle(20);
+            s.camera.pitch *= angle / off, s.camera.yaw *= angle / off;
+            field_of_view(s, degrees * kDegree);
+        });
+        list.add(fmt::format("{} degrees, past the hole", degrees), "a pixel spans less than a float of a direction", [&](Scene& s) {
+            s.camera.r = 20, s.camera.yaw = 0.5, s.camera.pitch = 0.2, field_of_view(s, degrees * kDegree);
+        });
+        list.add(fmt::format("{} degrees, at the disc", degrees), "texture and rims of the disc at any depth", [&](Scene& s) {
+            disc(s), s.camera.r = 20, s.camera.theta = 1.3, s.camera.yaw = 0.3, field_of_view(s, degrees * kDegree);
+        });
+    }
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 129}, {129, 1}, {8192, 2}, {2, 2}})
+        list.add(fmt::format("{} x {}", width, height), "sizes that leave no neighbour, or many", [&](Scene& s) {
+            disc(s), s.camera.r = 20, s.camera.theta = 1.4, s.camera.width = width, s.camera.height = height;
+            if (height > width) s.camera.plane_width /= height;
+        });
+    list.add("turned, pitched and rolled", "all three angles at once", [](Scene& s) {
+        disc(s), s.camera.r = 20, s.camera.theta = 1.2, s.camera.yaw = 0.3, s.camera.pitch = -0.2, s.camera.roll = 2;
+    });
+}
+
+void flat(List& list) {
+    const auto straight = [&](const char* name, const std::function<void(Scene&)>& set) {
+        list.add(fmt::format("flat, {}", name), "the limit that all else must keep", [&](Scene& s) {
+            s.spacetime.metric = "minkowski", set(s);
+        });
+    };
+    straight("sky", [](Scene&) {});
+    straight("disc", [](Scene& s) { disc(s), s.camera.theta = 1.2; });
+    straight("disc, in its plane", [](Scene& s) { disc(s), s.camera.r = 20, s.camera.theta = M_PI / 2; });
+    straight("0.999999 c", [](Scene& s) { s.camera.velocity = {0, 0, 0.999999}; });
+}
+
+std::vector<HardCase> make_cases() {
+    List list;
+    critical_rays(list);
+    photon_sphere(list);
+    radii(list);
+    directions(list);
+    axis_and_plane(list);
+    discs(list);
+    motions(list);
+    frames(list);
+    flat(list);
+    return list.take();
+}
+
+}  // namespace
+
+const std::vector<HardCase>& hard_cases() {
+    static const std::vector<HardCase> cases = make_cases();
+    return cases;
+}
+
+double hard_bound_px(const CameraSpec& camera, bool cubic) {
+    const double smallest = std::min(pixel_angle(camera, 0.5, 0.5), pixel_angle(camera, 0.5 * camera.width, 0.5 * camera.height));
+    return (kRoundings * kFloatBit + (cubic ? kStripCubic : kStripLine)) / smallest;
+}
+
+}  // namespace nullscope
