@@ -1,6 +1,6 @@
 // The disc: a plane through the centre between two radii. Every crossing of the ray with it, in order along the ray.
 
-#define DISC_MOST_CROSSINGS 8   // a float resolves windings down to 1e-7 of the critical angle: phi_end < 8 pi
+#define DISC_MOST_CROSSINGS 12   // tables resolve windings down to 1e-13 of the critical angle: phi_end < 12 pi
 
 struct DiscCrossing {
     bool hit;

@@ -217,9 +217,18 @@ const std::vector<HardCase>& hard_cases() {
     return cases;
 }
 
-double hard_bound_px(const CameraSpec& camera, bool cubic) {
-    const double smallest = std::min(pixel_angle(camera, 0.5, 0.5), pixel_angle(camera, 0.5 * camera.width, 0.5 * camera.height));
-    return (kRoundings * kFloatBit + (cubic ? kStripCubic : kStripLine)) / smallest;
+HardBound hard_bound(const Scene& scene, const RayFrame& exact, bool cubic) {
+    const Vec3 camera = camera_place(scene.camera);
+    double angle = M_PI, nearness = 0;   // nearness: coordinates over distance
+    for (const RayPixel& pixel : exact.pixels) {
+        angle = std::max(angle, pixel.angle);
+        if (pixel.hit == 0) continue;
+        const Vec3 place{pixel.u, pixel.v, 0};
+        nearness = std::max(nearness, length(place) / length(place - camera));
+    }
+    const double pixel = smallest_pixel_angle(scene.camera);
+    const double direction = kRoundings * kFloatBit / pixel, table = (cubic ? kStripCubic : kStripLine) / pixel;
+    return {direction + table, direction * (1 + nearness) + kOrbitMap / pixel, (direction + table) * angle, direction};
 }
 
 }  // namespace nullscope

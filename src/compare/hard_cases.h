@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/ray.h"
 #include "scene/scene.h"
 
 namespace nullscope {
@@ -16,13 +17,20 @@ struct HardCase {
 
 const std::vector<HardCase>& hard_cases();
 
-// What a frame may err by, px: the last bit of its input (a look direction in float, of order 1) times the condition number of the
-// question, 1 / pixel angle (the screen error has divided out how far the answer moves), times a small factor for the roundings
-// between them; and the interpolation error of the method's strip over the same angle.
+// What a frame may err by, px: the last bit of the input (a look direction in float, of order 1) times the condition number of the
+// question, times a small factor for the roundings between them; and the interpolation error of the tables over the same angle.
+// The condition number is 1 / pixel angle, for the screen error has divided out how far the answer moves; a swept angle of many
+// half turns has as much more; and a place on the disc close to the camera is stored with the last bit of its own coordinates.
 inline constexpr double kFloatBit = 5.9604644775390625e-8;   // 2^-24
 inline constexpr double kRoundings = 12;        // of a direction, from its rows to the stored channel
-inline constexpr double kStripLine = 1e-6;      // rad, table/strip.h
+inline constexpr double kStripLine = 1.5e-6;    // rad: table/strip.h for cosine and sine at once
 inline constexpr double kStripCubic = 1e-7;     // rad
-double hard_bound_px(const CameraSpec& camera, bool cubic);
+inline constexpr double kOrbitMap = 4e-6;       // rad: place on a disc over the distance to it
+
+struct HardBound {
+    double sky = 0, place = 0, swept = 0, g = 0;   // px
+};
+// exact: the reference's frame of the same scene.
+HardBound hard_bound(const Scene& scene, const RayFrame& exact, bool cubic);
 
 }  // namespace nullscope

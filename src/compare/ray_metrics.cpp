@@ -211,13 +211,6 @@ RayMeasures empty_measures(const RayFrame& tested) {
 
 }  // namespace
 
-double pixel_angle(const CameraSpec& camera, double x, double y) {
-    const double pixel = camera.plane_width / camera.width / camera.focal_distance;
-    const double u = (x - 0.5 * camera.width) * pixel, v = (y - 0.5 * camera.height) * pixel;
-    const double inverse = 1 / std::sqrt(1 + u * u + v * v);
-    return pixel * inverse * std::sqrt(inverse);
-}
-
 Vec3 camera_place(const CameraSpec& camera) {
     const double s = std::sin(camera.theta);
     return camera.r * Vec3{s * std::cos(camera.phi), s * std::sin(camera.phi), std::cos(camera.theta)};

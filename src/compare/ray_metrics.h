@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/ray_errors.h"
+#include "scene/pixel_angle.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
 
@@ -40,8 +41,6 @@ ExactPixel exact_pixel(const CameraSpec& camera, const ExactTrace& trace, int x,
 RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact,
                                const std::function<double(int x, int y)>& angle_of, Vec3 camera);
 
-// rad that pixel (x, y) of a pinhole spans: the square root of its solid angle.
-double pixel_angle(const CameraSpec& camera, double x, double y);
 Vec3 camera_place(const CameraSpec& camera);
 
 // For cameras that are not known: the median of how far the exact sky moves per pixel.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "camera/pose.h"
+#include "scene/pixel_angle.h"
 #include "table/orbit_map.h"
 
 namespace nullscope {
@@ -51,7 +52,8 @@ Status FrameTables::update(const Scene& scene) {
         return bad_input(fmt::format("camera.r = {} is not outside the horizon; allowed: r > {}", scene.camera.r, horizon));
     const EffectSet wanted = effect_set(required_effects(scene));
     const bool orbits = wanted.contains(Effect::kDisc), had_orbits = effects_.contains(Effect::kDisc);
-    rows_stale = rows_stale || radius_ != scene.camera.r || (orbits && !had_orbits);
+    rows_stale = rows_stale || radius_ != scene.camera.r || (orbits && !had_orbits) ||
+                 (fan_ && fan_->w0() != fan_for(scene).w0());
     effects_ = wanted;
     if (!rows_stale) return Done{};
     radius_ = scene.camera.r;
@@ -61,11 +63,16 @@ Status FrameTables::update(const Scene& scene) {
     ++revision_;
     if (table_ == nullptr) return Done{};
     const auto start = std::chrono::steady_clock::now();
-    fan_.emplace(spacetime_, table_, radius_);
+    fan_ = fan_for(scene);
     strip_ = build_strip(*fan_);
     if (orbits) orbit_map_ = build_orbit_map(*fan_);
     rows_ms_ = milliseconds_since(start);
     return Done{};
+}
+
+RayFan FrameTables::fan_for(const Scene& scene) const {
+    const double speed = length(scene.camera.velocity), squeeze = std::sqrt((1.0 - speed) / (1.0 + speed));
+    return {spacetime_, table_, scene.camera.r, squeeze * smallest_pixel_angle(scene.camera)};
 }
 
 CoreInput FrameTables::core_input(const Scene& scene) const {

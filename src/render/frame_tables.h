@@ -41,6 +41,7 @@ private:
     std::shared_ptr<const DeflectionTable> table_;
     std::optional<RayFan> fan_;
     double radius_ = 0.0;
+    RayFan fan_for(const Scene& scene) const;
     EffectSet effects_;
     Strip strip_;
     TexelGrid orbit_map_;

@@ -23,8 +23,9 @@ struct FanRay {
 
 class RayFan {
 public:
-    // Static camera at radius r (outside the horizon). The table must belong to the spacetime.
-    RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r);
+    // Static camera at radius r (outside the horizon). The table must belong to the spacetime. pixel: angle that the frame's
+    // smallest pixel spans, rad: deep zooms get finer cells next to the critical ray.
+    RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r, double pixel = 1.0);
 
     bool outside() const { return outside_; }               // of the photon sphere
     double critical_angle() const { return theta_c_; }      // from the nearer radial direction (inward outside), (0, pi/2]
@@ -38,7 +39,7 @@ public:
     FanRay ray(Segment segment, double delta) const;
 
     // The place u >= 1 in the cells of shaders/core/strip.glsl: u = 1 + w/w0, w = 2 tan(delta/2).
-    double w0() const { return kResolution * theta_c_; }    // innermost cell scale, rad
+    double w0() const { return w0_; }                       // innermost cell scale, rad
     double delta_at(double u) const { return 2.0 * std::atan(0.5 * w0() * (u - 1.0)); }
     double delta_slope(double u) const;                     // d delta / d u
     int octaves(Segment segment) const;                     // of u, until delta_limit
@@ -50,13 +51,14 @@ public:
     const Spacetime& spacetime() const { return *spacetime_; }
 
     // Distance from the critical direction, relative to its angle, below which windings are no longer told apart: 1e-6 of the
-    // shadow's radius is 0.004 px for a shadow that fills a 4K screen.
-    static constexpr double kResolution = 1e-6;
+    // shadow's radius is 0.004 px for a shadow that fills a 4K screen. Less for pixels of less than 1/kPixelPart of that, in steps
+    // of 16, down to what doubles tell apart.
+    static constexpr double kResolution = 1e-6, kPixelPart = 1.0 / 16, kFinest = 1e-13;
 
 private:
     std::shared_ptr<const Spacetime> spacetime_;
     std::shared_ptr<const DeflectionTable> table_;
-    double zeta0_, chi0_, q_crit_, sqrt_v0_, theta_c_;
+    double zeta0_, chi0_, q_crit_, sqrt_v0_, theta_c_, w0_;
     bool outside_;
 };
 
