@@ -14,7 +14,9 @@ namespace nullscope::proof {
 
 // What float and the tables leave, as an angle at the camera at rest, rad. A camera whose pixel spans pa and to which light comes
 // in with the frequency ratio D (camera over static frame) sees it as angle / (pa min(1, D)) px: the condition number of the
-// pixel. The sizes: twice the largest of 2 million random rays.
+// pixel. Largest of 1.8 million
+// random rays, in double and in float: sky 2.9e-7 and 5.6e-7, swept angle 1.2e-6 and 2.0e-6, place 1.3e-5, log of the frequency
+// 1e-12 and 3.7e-7. Ends may differ within `edge` of an edge: where a place is off, so is the rim.
 struct ErrorAngles {
     double sky, swept, place, frequency, edge;
 };
