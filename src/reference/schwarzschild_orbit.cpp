@@ -173,16 +173,23 @@ private:
     double f1_, f2_, f3_, leg_;
 };
 
+// sinh(asinh(x) / 3). A logarithm turned back into a power would cost ln(x) roundings where x is large: a cube root does not.
+double sinh_third(double x) {
+    if (x < 1) return std::sinh(std::asinh(x) / 3);
+    const double root = std::cbrt(x + std::hypot(x, 1.0));
+    return 0.5 * (root - 1 / root);
+}
+
 // q > q_crit: psi = pi/2 + i eta, sinh(eta) = sqrt(delta2)/q_crit; one real root and the pair re +- i im.
 class Passing : public Orbit {
 public:
     explicit Passing(const SchwarzschildStart& start) : start_(start) {
-        const double half_u = std::asinh(std::sqrt(start.delta2) / kCritical) / 3;
-        const double cosh_u = std::cosh(2 * half_u), sinh_u = std::sinh(2 * half_u);
-        minus_e1_ = (2 * cosh_u - 1) / 3;
-        re_ = (1 + cosh_u) / 3;
+        const double sinh_half = sinh_third(std::sqrt(start.delta2) / kCritical), half2 = square(sinh_half);  // of u/2
+        const double cosh_u = 1 + 2 * half2, sinh_u = 2 * sinh_half * std::sqrt(1 + half2);
+        minus_e1_ = (1 + 4 * half2) / 3;
+        re_ = (2 + 2 * half2) / 3;
         im_ = sinh_u / std::sqrt(3.0);
-        const double rest = kTwoThirds * square(std::sinh(half_u));  // re - 2/3
+        const double rest = kTwoThirds * half2;  // re - 2/3
         camera_ = point(start.zeta0, start.beyond - rest);
         sky_ = point(0, -re_);
         modulus_ = std::hypot(cosh_u, im_);  // |e1 - e2|

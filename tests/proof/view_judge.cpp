@@ -1,0 +1,86 @@
+#include "proof/view_judge.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "shadercore/core_trace.h"
+
+namespace nullscope::proof {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+// A ray that winds further lies within 1e-6 (RayFan::kResolution) of the critical direction, where the orbit map does not tell
+// windings apart: its places on the disc are not promised (tests/hard/found/critical-disc.toml).
+constexpr double kWound = 13;
+constexpr int kBearings = 16;
+constexpr double kRings[] = {0.03, 0.1, 0.3, 1.0};
+
+}  // namespace
+
+const std::vector<Core>& cores() {
+    static const std::vector<Core> list = {
+        {"core64", trace_core64, {5e-7, 2.5e-6, 2e-5, 1e-11, 2e-5}},
+        {"core32", trace_core32, {1e-6, 4e-6, 2e-5, 6e-7, 2e-5}},
+    };
+    return list;
+}
+
+ViewJudge::ViewJudge(FrameTables& tables, const Scene& scene) : scene_(scene) {
+    auto tracer = reference::FrameTracer::make(scene_);
+    const Status ready = tables.update(scene_);
+    REQUIRE(tracer);
+    REQUIRE(ready);
+    tracer_.emplace(std::move(*tracer));
+    input_ = tables.core_input(scene_);
+    lapse_ = std::sqrt(tables.spacetime().lapse_squared(1 / scene_.camera.r));
+}
+
+// Does the exact answer become the tested one within reach? Of two images of the disc, the nearer one counts.
+bool ViewJudge::explained(const RayPixel& tested, const RayPixel& here, PixelPlace pixel, double reach_px) const {
+    const auto off = [&](const RayPixel& other) { return std::hypot(other.u - tested.u, other.v - tested.v); };
+    for (const double ring : kRings)
+        for (int k = 0; k < kBearings; ++k) {
+            const double bearing = 2 * M_PI * k / kBearings, reach = ring * reach_px;
+            const RayPixel beside =
+                tracer_->pixel(pixel.x + 0.5 + reach * std::cos(bearing), pixel.y + 0.5 + reach * std::sin(bearing));
+            if (!same_end(beside, tested)) continue;
+            if (!same_end(here, tested) || off(beside) < 0.25 * off(here)) return true;
+        }
+    return false;
+}
+
+void ViewJudge::judge(const Core& core, PixelPlace pixel, const std::function<void(const Finding&)>& found,
+                      bool promise_all) const {
+    const ExactTrace trace = [this](const std::vector<std::array<double, 2>>& positions) {
+        std::vector<RayPixel> pixels;
+        for (const auto& position : positions) pixels.push_back(tracer_->pixel(position[0], position[1]));
+        return pixels;
+    };
+    const ExactPixel exact = exact_pixel(scene_.camera, trace, pixel.x, pixel.y);
+    const RayPixel tested =
+        core.trace(input_, pixel.x + 0.5 - 0.5 * scene_.camera.width, 0.5 * scene_.camera.height - (pixel.y + 0.5));
+    const auto report = [&](const char* what, double error, double bound) {
+        found({core.name, what, pixel, error == 0 ? 0 : error / bound});
+    };
+    if (!all_finite(tested)) return report("not finite", kInfinite, 1);
+    const double doppler = exact.here.g * lapse_, scale = exact.pixel_angle * std::min(1.0, doppler);
+    const PixelErrors errors = pixel_errors(tested, exact);
+    const bool met_disc = exact.here.hit != 0 || tested.hit != 0;
+    const bool unresolved =
+        !promise_all && met_disc && tracer_->ray(pixel.x + 0.5, pixel.y + 0.5).orbit->angle() > kWound;
+    const double edge_px = core.allowed.edge / scale + kFateBand_px, place_bound = core.allowed.place / scale;
+    const bool differs = errors.end == RayEnd::kDiffers;
+    if (differs || errors.place_px > place_bound) {
+        if (unresolved || explained(tested, exact.here, pixel, edge_px)) return;
+        return report(differs ? "end" : "place", differs ? kInfinite : errors.place_px, place_bound);
+    }
+    report("sky", errors.sky_px, core.allowed.sky / scale);
+    report("swept angle", errors.angle_px, core.allowed.swept / scale);
+    report("place", errors.place_px, place_bound);
+    report("frequency", errors.g_px, core.allowed.frequency / scale);
+}
+
+}  // namespace nullscope::proof
