@@ -49,6 +49,6 @@ for target in "${targets[@]}"; do
     awk -v t="$target" '/^stat::number_of_executed_units/ { n = $2 } / cov: / { c = $4 }
         END { printf "%-8s %12d executions, %d edges covered\n", t, n, c }' "$findings/log"
     find "$findings" -type f ! -name log -printf "$target: broken by %p\n"
-    if [[ $keep == yes ]]; then "$build/bin/fuzz_$target" -set_cover_merge=1 "$corpus" "$grown" >>"$findings/log" 2>&1; fi
+    if [[ $keep == yes ]]; then "$build/bin/fuzz_$target" -set_cover_merge=1 -use_counters=0 "$corpus" "$grown" >>"$findings/log" 2>&1; fi
 done
 [[ $broken -eq 0 ]]
