@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds and runs every test. Arguments go to ctest, for example:
-#   scripts/test.sh -L unit          the tests of one label (unit, contract, layering, gpu, golden, cli, viewer)
+#   scripts/test.sh -L unit          the tests of one label (unit, contract, layering, gpu, golden, cli, fuzz, viewer)
 #   scripts/test.sh -R photon -V     the tests whose name matches, with all their output
 # Tests that measure time hold a ctest lock of their own, so two at once disturb nothing.
 set -euo pipefail

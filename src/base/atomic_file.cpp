@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <csignal>
 #include <fstream>
 #include <system_error>
 
@@ -24,20 +26,39 @@ fs::path temporary_beside(const fs::path& target) {
     return target.parent_path() / name;
 }
 
-// Removes the file on scope exit, also when the writer throws.
+// The names that a signal handler must remove: it may read no string that another thread could be changing. A slot
+// holds a pointer to a TemporaryFile's own name, or null.
+std::array<std::atomic<const char*>, 16> unfinished{};
+
+extern "C" void remove_unfinished(int signal) {
+    for (const auto& name : unfinished)
+        if (const char* path = name.load()) ::unlink(path);
+    ::raise(signal);  // as SA_RESETHAND left it: the process ends by the signal itself once the handler returns
+}
+
+// Removes the file on scope exit, also when the writer throws, and when a signal ends the process.
 class TemporaryFile {
 public:
-    explicit TemporaryFile(fs::path path) : path_(std::move(path)) {}
+    explicit TemporaryFile(fs::path path) : path_(std::move(path)) {
+        for (auto& slot : unfinished) {
+            const char* none = nullptr;
+            if (!slot.compare_exchange_strong(none, path_.c_str())) continue;
+            slot_ = &slot;
+            break;
+        }
+    }
     ~TemporaryFile() {
         std::error_code ignored;
         fs::remove(path_, ignored);
+        if (slot_ != nullptr) *slot_ = nullptr;
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
     const fs::path& path() const { return path_; }
 
 private:
-    fs::path path_;
+    const fs::path path_;
+    std::atomic<const char*>* slot_ = nullptr;  // null if all are taken: then a signal may leave the file
 };
 
 // Renaming over a device or a pipe (/dev/null, /dev/stdout) would destroy it: these are written in place.
@@ -47,6 +68,18 @@ bool is_special(const fs::path& path) {
 }
 
 }  // namespace
+
+void clean_up_on_signals() {
+    static_assert(std::atomic<const char*>::is_always_lock_free, "the handler may not wait");
+    std::signal(SIGXFSZ, SIG_IGN);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction action {};
+        if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
+        action.sa_handler = remove_unfinished;
+        action.sa_flags = static_cast<int>(SA_RESETHAND);
+        ::sigaction(signal, &action, nullptr);
+    }
+}
 
 Status write_atomically(const fs::path& target, const std::function<Status(const fs::path&)>& write) {
     if (!target.has_filename()) return bad_input(fmt::format("cannot write '{}': not a file name", target.string()));

@@ -9,6 +9,12 @@
 
 namespace nullscope {
 
+// For main(): when the process is asked to end (SIGINT, SIGTERM, SIGHUP), the files that write_atomically has not
+// finished are removed first; the process then ends by that signal, as it would have without. A signal that is ignored
+// stays so. A file that grows beyond a limit (SIGXFSZ) becomes an error of writing. SIGKILL leaves the unfinished file,
+// under its temporary name: ".NAME.PROCESS-NUMBER.tmp.EXTENSION".
+void clean_up_on_signals();
+
 // Calls write(temporary path beside target); on success renames it to target, otherwise removes it.
 Status write_atomically(const std::filesystem::path& target,
                         const std::function<Status(const std::filesystem::path&)>& write);

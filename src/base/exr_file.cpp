@@ -3,31 +3,64 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfInputFile.h>
+#include <ImfIO.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
+#include <ImfTileDescription.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <exception>
+#include <stdexcept>
 
 #include "base/atomic_file.h"
+#include "base/exr_check.h"
+#include "base/text.h"
 
 namespace nullscope {
 namespace {
 
 constexpr long long kMaxPixels = 500'000'000;     // as load_image
 constexpr long long kMaxSamples = 2'000'000'000;  // pixels times channels: 8 GB of floats
-constexpr long long kMaxSide = 1 << 20;           // the width alone sets the decoder's line buffers
+constexpr std::size_t kMaxFileBytes = std::size_t{8} << 30;
+constexpr long long kMaxSide = 1 << 16;           // px; also of a tile
+constexpr long long kMostLinesAtOnce = 256;       // DWAB; the other kinds of compression take fewer
+constexpr long long kMaxBlock = 1 << 27;          // samples that the decoder holds at once: 256 lines, or a tile
 
-Error unreadable(const std::filesystem::path& path, const std::string& reason) {
-    return bad_input(fmt::format("cannot read image '{}': {}", path.string(), reason));
+Error unreadable(const std::string& name, const std::string& reason) {
+    return bad_input(without_controls(fmt::format("cannot read image '{}': {}", name, reason)));
 }
 
-// Throws what OpenEXR throws.
-Result<ChannelImage> read_exr(const std::filesystem::path& path, long long max_pixels) {
-    Imf::InputFile file(path.c_str());
-    const Imf::Header& header = file.header();
+// A file in memory, as OpenEXR wants it.
+class MemoryStream final : public Imf::IStream {
+public:
+    MemoryStream(std::string_view bytes, const std::string& name) : IStream(name.c_str()), bytes_(bytes) {}
+    bool read(char* to, int count) override {
+        const auto wanted = static_cast<std::size_t>(count);
+        if (at_ > bytes_.size() || wanted > bytes_.size() - at_) throw std::runtime_error("the file is cut off");
+        std::copy_n(bytes_.data() + at_, wanted, to);
+        at_ += wanted;
+        return at_ < bytes_.size();
+    }
+    uint64_t tellg() override { return at_; }
+    void seekg(uint64_t at) override { at_ = at; }
+
+private:
+    std::string_view bytes_;
+    std::uint64_t at_ = 0;
+};
+
+// Throws what OpenEXR throws. Of a file with several parts, the first.
+Result<ChannelImage> read_exr(std::string_view bytes, const std::string& name, long long max_pixels) {
+    if (const Status checked = check_exr(bytes); !checked) return unreadable(name, checked.error().message);
+    MemoryStream stream(bytes, name);
+    // The headers alone: Imf::InputFile would at once make buffers as large as a header announces.
+    Imf::MultiPartInputFile file(stream);
+    const Imf::Header& header = file.header(0);
     const Imath::Box2i window = header.dataWindow();
     const long long width = static_cast<long long>(window.max.x) - window.min.x + 1;
     const long long height = static_cast<long long>(window.max.y) - window.min.y + 1;
@@ -35,13 +68,21 @@ Result<ChannelImage> read_exr(const std::filesystem::path& path, long long max_p
     for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
         ++channels;
         if (it.channel().xSampling != 1 || it.channel().ySampling != 1)
-            return unreadable(path, fmt::format("channel {} is subsampled", it.name()));
+            return unreadable(name, fmt::format("channel {} is subsampled", it.name()));
     }
     if (width <= 0 || height <= 0 || width > kMaxSide || height > kMaxSide || width * height > max_pixels ||
         channels * width * height > kMaxSamples)
-        return unreadable(path, fmt::format("{} x {} pixels of {} channels, at most {} pixels are allowed", width,
+        return unreadable(name, fmt::format("{} x {} pixels of {} channels, at most {} pixels are allowed", width,
                                             height, channels, max_pixels));
-    if (!file.isComplete()) return unreadable(path, "file is cut off");
+    if (!plausible_size(width * height * channels, bytes.size()))
+        return unreadable(name, fmt::format("{} x {} pixels of {} channels are not in {} bytes", width, height, channels, bytes.size()));
+    const bool tiled = header.hasTileDescription();
+    const long long tile_width = tiled ? header.tileDescription().xSize : 1;
+    const long long tile_height = tiled ? header.tileDescription().ySize : 1;
+    const long long block = tiled ? tile_width * tile_height : kMostLinesAtOnce * width;
+    if (tile_width > kMaxSide || tile_height > kMaxSide || block * channels > kMaxBlock)
+        return unreadable(name, "its blocks of pixels are too large");
+    if (!file.partComplete(0)) return unreadable(name, "file is cut off");
 
     ChannelImage image;
     image.width = static_cast<int>(width);
@@ -56,8 +97,9 @@ Result<ChannelImage> read_exr(const std::filesystem::path& path, long long max_p
     for (auto it = header.begin(); it != header.end(); ++it)
         if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute()))
             image.attributes[it.name()] = text->value();
-    file.setFrameBuffer(buffer);
-    file.readPixels(window.min.y, window.max.y);
+    Imf::InputPart part(file, 0);
+    part.setFrameBuffer(buffer);
+    part.readPixels(window.min.y, window.max.y);
     return image;
 }
 
@@ -84,16 +126,18 @@ std::string encode_exr(const ChannelImage& image) {
 
 }  // namespace
 
-Result<ChannelImage> load_exr_limited(const std::filesystem::path& path, long long max_pixels) {
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) return unreadable(path, "no such file");
-    if (!std::filesystem::is_regular_file(status)) return unreadable(path, "not a regular file");
+Result<ChannelImage> decode_exr(std::string_view bytes, const std::string& name, long long max_pixels) {
     try {
-        return read_exr(path, max_pixels);
+        return read_exr(bytes, name, max_pixels);
     } catch (const std::exception& exception) {
-        return unreadable(path, exception.what());
+        return unreadable(name, exception.what());
     }
+}
+
+Result<ChannelImage> load_exr_limited(const std::filesystem::path& path, long long max_pixels) {
+    const Result<std::string> bytes = read_text(path, kMaxFileBytes);
+    if (!bytes) return bytes.error();
+    return decode_exr(*bytes, path.string(), max_pixels);
 }
 
 Result<ChannelImage> load_exr(const std::filesystem::path& path) { return load_exr_limited(path, kMaxPixels); }

@@ -86,6 +86,8 @@ Result<Image<float>> decode_hdr(std::string_view file, long long max_pixels) {
         return bad_input("HDR size is not '-Y height +X width'");
     if (static_cast<long long>(width) * height > max_pixels)
         return bad_input(fmt::format("{} x {} pixels, at most {} are allowed", width, height, max_pixels));
+    if (!plausible_size(3LL * width * height, file.size()))
+        return bad_input(fmt::format("{} x {} pixels are not in {} bytes", width, height, file.size()));
     Image<float> image(width, height, 3);
     std::vector<Rgbe> row(static_cast<std::size_t>(width));
     for (int y = 0; y < height; ++y) {

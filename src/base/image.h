@@ -21,4 +21,11 @@ struct Image {
     bool empty() const { return data.empty(); }
 };
 
+// Whether a file of that many bytes can hold that many samples (pixels times channels). A short file that announces
+// more would only make a reader allocate: deflate, the densest compression there is, packs 1032 to 1, here 1-bit pixels.
+inline bool plausible_size(long long samples, unsigned long long file_bytes) {
+    constexpr unsigned long long kAlways = 1u << 26, kMostPerByte = 8 * 1032;  // 64 Mi samples: 256 MB of floats
+    return static_cast<unsigned long long>(samples) <= kAlways || static_cast<unsigned long long>(samples) / kMostPerByte <= file_bytes;
+}
+
 }  // namespace nullscope

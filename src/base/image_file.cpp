@@ -14,6 +14,9 @@
 #include "base/atomic_file.h"
 #include "base/exr_file.h"
 #include "base/hdr_file.h"
+#include "base/jpeg_check.h"
+#include "base/png_check.h"
+#include "base/text.h"
 
 namespace nullscope {
 namespace {
@@ -55,35 +58,35 @@ Image<float> linear_image(const T* pixels, int width, int height, int components
     return image;
 }
 
-Error unreadable(const std::filesystem::path& path, std::string_view reason) {
-    return bad_input(fmt::format("cannot read image '{}': {}", path.string(), reason));
+Error unreadable(const std::string& name, std::string_view reason) {
+    return bad_input(without_controls(fmt::format("cannot read image '{}': {}", name, reason)));
 }
 
-Error stb_error(const std::filesystem::path& path) {
+Error stb_error(const std::string& name) {
     const char* reason = stbi_failure_reason();
-    return unreadable(path, reason ? reason : "not an image");
+    return unreadable(name, reason ? reason : "not an image");
 }
 
-Result<Image<float>> decode(const std::filesystem::path& path, const Source& source) {
+Result<Image<float>> decode_by_stb(const std::string& name, const Source& source) {
     int w = 0, h = 0, n = 0;
     if (stbi_is_16_bit_from_memory(source.bytes, source.size)) {
         const StbPixels<stbi_us> pixels(stbi_load_16_from_memory(source.bytes, source.size, &w, &h, &n, 0),
                                         stbi_image_free);
-        if (!pixels) return stb_error(path);
+        if (!pixels) return stb_error(name);
         return linear_image(pixels.get(), w, h, n);
     }
     const StbPixels<stbi_uc> pixels(stbi_load_from_memory(source.bytes, source.size, &w, &h, &n, 0), stbi_image_free);
-    if (!pixels) return stb_error(path);
+    if (!pixels) return stb_error(name);
     return linear_image(pixels.get(), w, h, n);
 }
 
 // R, G, B, or Y for all three; A if present.
-Result<Image<float>> image_from_exr(const std::filesystem::path& path, const ChannelImage& exr) {
+Result<Image<float>> image_from_exr(const std::string& name, const ChannelImage& exr) {
     const bool grey = !exr.channels.count("R") && exr.channels.count("Y");
     std::vector<const float*> planes;
-    for (const char* name : {"R", "G", "B"}) {
-        const auto found = exr.channels.find(grey ? "Y" : name);
-        if (found == exr.channels.end()) return unreadable(path, fmt::format("no channel {}", name));
+    for (const char* colour : {"R", "G", "B"}) {
+        const auto found = exr.channels.find(grey ? "Y" : colour);
+        if (found == exr.channels.end()) return unreadable(name, fmt::format("no channel {}", colour));
         planes.push_back(found->second.data());
     }
     if (const auto alpha = exr.channels.find("A"); alpha != exr.channels.end()) planes.push_back(alpha->second.data());
@@ -96,6 +99,28 @@ Result<Image<float>> image_from_exr(const std::filesystem::path& path, const Cha
 
 }  // namespace
 
+Result<Image<float>> decode_image(std::string_view bytes, const std::string& name, long long max_pixels) {
+    if (is_hdr(bytes)) {
+        Result<Image<float>> image = decode_hdr(bytes, max_pixels);
+        return image ? std::move(image) : unreadable(name, image.error().message);
+    }
+    // stb's other decoders accept nearly anything: only the formats of the contract reach it.
+    if (!bytes.starts_with(kPngMagic) && !bytes.starts_with(kJpegMagic))
+        return unreadable(name, "not a PNG, JPEG, HDR or EXR file");
+    if (bytes.size() > kMaxFileBytes) return unreadable(name, "the file is too large");
+    if (const Status checked = bytes.starts_with(kPngMagic) ? check_png(bytes) : check_jpeg(bytes); !checked)
+        return unreadable(name, checked.error().message);
+    const Source source{reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size())};
+    int width = 0, height = 0, components = 0;
+    if (!stbi_info_from_memory(source.bytes, source.size, &width, &height, &components))
+        return unreadable(name, "its header is damaged, or announces more than the decoder takes");
+    if (width <= 0 || height <= 0 || static_cast<long long>(width) * height > max_pixels)
+        return unreadable(name, fmt::format("{} x {} pixels, at most {} are allowed", width, height, max_pixels));
+    if (!plausible_size(static_cast<long long>(width) * height * components, bytes.size()))
+        return unreadable(name, fmt::format("{} x {} pixels are not in {} bytes", width, height, bytes.size()));
+    return decode_by_stb(name, source);
+}
+
 Result<Image<float>> load_image(const std::filesystem::path& path, long long max_pixels) {
     std::string extension = path.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -103,24 +128,11 @@ Result<Image<float>> load_image(const std::filesystem::path& path, long long max
     if (extension == ".exr") {
         const Result<ChannelImage> exr = load_exr_limited(path, max_pixels);
         if (!exr) return exr.error();
-        return image_from_exr(path, *exr);
+        return image_from_exr(path.string(), *exr);
     }
     const Result<std::string> bytes = read_text(path, kMaxFileBytes);
     if (!bytes) return bytes.error();
-    if (is_hdr(*bytes)) {
-        Result<Image<float>> image = decode_hdr(*bytes, max_pixels);
-        return image ? std::move(image) : unreadable(path, image.error().message);
-    }
-    // stb's other decoders accept nearly anything: only the formats of the contract reach it.
-    if (!bytes->starts_with(kPngMagic) && !bytes->starts_with(kJpegMagic))
-        return unreadable(path, "not a PNG, JPEG, HDR or EXR file");
-    const Source source{reinterpret_cast<const stbi_uc*>(bytes->data()), static_cast<int>(bytes->size())};
-    int width = 0, height = 0, components = 0;
-    if (!stbi_info_from_memory(source.bytes, source.size, &width, &height, &components))
-        return unreadable(path, "its header is damaged, or announces more than the decoder takes");
-    if (width <= 0 || height <= 0 || static_cast<long long>(width) * height > max_pixels)
-        return unreadable(path, fmt::format("{} x {} pixels, at most {} are allowed", width, height, max_pixels));
-    return decode(path, source);
+    return decode_image(*bytes, path.string(), max_pixels);
 }
 
 Status save_png(const std::filesystem::path& path, const Image<unsigned char>& image) {

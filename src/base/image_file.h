@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/image.h"
@@ -16,6 +17,9 @@ namespace nullscope {
 // PNG, JPEG, HDR, EXR (by content for the first three, by extension for EXR). channels: 3, or 4 with an alpha channel.
 // Errors: no such file, not an image, larger than max_pixels (guards memory against hostile headers).
 Result<Image<float>> load_image(const std::filesystem::path& path, long long max_pixels = 500'000'000);
+
+// The same for a PNG, JPEG or HDR file in memory; name: what errors call it.
+Result<Image<float>> decode_image(std::string_view bytes, const std::string& name, long long max_pixels = 500'000'000);
 
 // 3 or 4 channels of 8 bits, already display-encoded.
 Status save_png(const std::filesystem::path& path, const Image<unsigned char>& image);

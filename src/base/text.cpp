@@ -26,7 +26,21 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
+bool is_control(std::string_view text, std::size_t i) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+    return byte(i) < 0x20 || byte(i) == 0x7F || (byte(i) == 0xC2 && i + 1 < text.size() && byte(i + 1) < 0xA0);
+}
+
 }  // namespace
+
+std::string without_controls(std::string text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (!is_control(text, i)) continue;
+        if (static_cast<unsigned char>(text[i]) == 0xC2) text[i + 1] = '?';
+        text[i] = '?';
+    }
+    return text;
+}
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
     std::size_t best_distance = word.size() / 2 + 1;

@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "base/progress.h"
+#include "cli/arguments.h"
 #include "cli/bench.h"
 #include "cli/json.h"
 #include "cli/session.h"

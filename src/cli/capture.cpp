@@ -8,7 +8,7 @@
 #include "base/assets.h"
 #include "base/image_file.h"
 #include "base/progress.h"
-#include "base/text.h"
+#include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/session.h"
 #include "compare/ray_channels.h"
@@ -103,22 +103,12 @@ Result<Method> chosen_method(const Options& options, const Scene& scene) {
     return choice->method;
 }
 
-// "A:B", the half-open range of frame numbers.
-struct Frames { int first = 0, end = 1; };
-Result<Frames> parse_frames(const Options& options) {
-    constexpr double kMost = 1e8;
+Result<Frames> frames_of(const Options& options) {
     if (options.frames.empty()) return Frames{};
-    const auto parts = split(options.frames, ':');
-    const auto whole = [](const std::string& text) {
-        const auto n = parse_number(text);
-        return n && *n >= 0 && *n <= kMost && *n == static_cast<int>(*n) ? static_cast<int>(*n) : -1;
-    };
-    const int first = parts.size() == 2 ? whole(parts[0]) : -1, end = parts.size() == 2 ? whole(parts[1]) : -1;
-    if (first < 0 || end <= first)
-        return bad_input(fmt::format("--frames {}: not a range; allowed: A:B, whole numbers with 0 <= A < B", options.frames));
-    if (options.output.find("%05d") == std::string::npos)
+    const auto frames = parse_frames(options.frames);
+    if (frames && options.output.find("%05d") == std::string::npos)
         return bad_input(fmt::format("-o {}: a sequence needs a place for the frame's number; allowed: names that hold %05d", options.output));
-    return Frames{first, end};
+    return frames;
 }
 
 std::string numbered(std::string name, int frame) {
@@ -153,7 +143,7 @@ int run(const Options& options) {
     }
     const bool exr = options.output.ends_with(".exr");
     if (Status good = check_output(options, exr); !good) return report(good.error());
-    const auto frames = parse_frames(options);
+    const auto frames = frames_of(options);
     if (!frames) return report(frames.error());
     std::optional<Session> session;
     if (options.renderer == "gl") {

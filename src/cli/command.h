@@ -27,10 +27,4 @@ Command add_figure(CLI::App& parent);
 // One line on standard error; the exit status that goes with it (1 or 2).
 int report(const Error& error);
 
-struct Size {
-    int width, height;
-};
-// "1280x720"; each side 1 ... 65536.
-Result<Size> parse_size(const std::string& text);
-
 }  // namespace nullscope::cli

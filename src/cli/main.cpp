@@ -2,43 +2,26 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <system_error>
 #include <vector>
 
+#include "base/atomic_file.h"
 #include "base/text.h"
 #include "cli/command.h"
 
 namespace nullscope::cli {
 
 int report(const Error& error) {
-    fmt::print(stderr, "nullscope: {}\n", error.message);
+    const bool input = error.kind == ErrorKind::kBadInput;  // a driver's log may have lines
+    fmt::print(stderr, "nullscope: {}\n", input ? without_controls(error.message) : error.message);
     return static_cast<int>(error.kind);
 }
 
-Result<Size> parse_size(const std::string& text) {
-    constexpr double kMost = 65536;
-    const auto parts = split(text, 'x');
-    if (parts.size() == 2) {
-        const auto w = parse_number(parts[0]), h = parse_number(parts[1]);
-        const auto good = [](const std::optional<double>& n) {
-            return n && *n >= 1 && *n <= kMost && *n == static_cast<int>(*n);
-        };
-        if (good(w) && good(h)) return Size{static_cast<int>(*w), static_cast<int>(*h)};
-    }
-    return bad_input(
-        fmt::format("--size {}: not a size; allowed: WIDTHxHEIGHT, whole numbers from 1x1 to 65536x65536", text));
-}
-
 namespace {
-
-std::string in_one_line(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-    return text;
-}
 
 std::vector<std::string> subcommands(const CLI::App& app) {
     std::vector<std::string> names;
@@ -62,24 +45,37 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
         name += " " + at->get_name();
     }
     const auto commands = subcommands(*at);
-    std::string message = in_one_line(error.what()), nearest;
+    std::string message = error.what(), nearest;
     const auto unknown = app.remaining(true);
     for (const std::string& word : unknown)
         if (nearest.empty()) nearest = nearest_word(word, word.starts_with("--") ? long_options(*at) : commands);
     if (!commands.empty()) {
         const bool named = !unknown.empty() && !unknown.front().starts_with("-");
         message = fmt::format("{}; allowed: {}",
-                              named ? in_one_line(unknown.front()) + ": no such command" : "a command is missing",
+                              named ? unknown.front() + ": no such command" : "a command is missing",
                               fmt::join(commands, ", "));
     }
     if (!nearest.empty()) message += fmt::format(" (nearest: {})", nearest);
     return fmt::format("{} (see: {} --help)", message, name);
 }
 
+int run_named(const std::vector<Command>& commands) {
+    for (const Command& command : commands)
+        if (command.app->parsed()) return command.run();
+    return 2;
+}
+
+// Called when stdio has said so; what is left in its buffer is lost.
+int report_unwritable_output() {
+    const std::error_code reason(errno, std::generic_category());
+    return report(failed("standard output cannot be written" + (reason ? ": " + reason.message() : "")));
+}
+
 }  // namespace
 }  // namespace nullscope::cli
 
 int main(int argc, char** argv) {
+    nullscope::clean_up_on_signals();
     using namespace nullscope::cli;
     CLI::App app{
         "nullscope: accurate real-time pictures of curved spacetimes, without a window.\n"
@@ -96,12 +92,12 @@ int main(int argc, char** argv) {
         return report(nullscope::bad_input(usage_message(app, e)));
     }
     try {
-        for (const Command& command : commands)
-            if (command.app->parsed()) return command.run();
+        const int status = run_named(commands);
+        if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+        return status != 0 ? status : report_unwritable_output();
     } catch (const std::bad_alloc&) {
         return report(nullscope::failed("out of memory"));
     } catch (const std::exception& e) {
-        return report(nullscope::failed(e.what()));
+        return std::ferror(stdout) != 0 ? report_unwritable_output() : report(nullscope::failed(e.what()));
     }
-    return 2;
 }

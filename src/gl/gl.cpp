@@ -89,6 +89,8 @@ void check(const char* where) {
     const GLenum error = glGetError();
     if (error == GL_NO_ERROR) return;
     if (error == GL_OUT_OF_MEMORY) throw GlError(fmt::format("{}: the GPU is out of memory", where));
+    constexpr GLenum kContextLost = 0x0507;  // OpenGL 4.5, KHR_robustness
+    if (error == kContextLost) throw GlError(fmt::format("{}: the driver was reset and has lost its context; start again", where));
     throw GlError(fmt::format("{}: OpenGL error 0x{:04x}", where, error));
 }
 

@@ -19,11 +19,6 @@ using Checked = std::variant<KeyValue, Fault>;
 
 constexpr std::size_t kLongestQuote = 60;  // bytes
 
-bool is_control(std::string_view text, std::size_t i) {
-    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-    return byte(i) < 0x20 || byte(i) == 0x7F || (byte(i) == 0xC2 && i + 1 < text.size() && byte(i + 1) < 0xA0);
-}
-
 std::string_view type_name(const toml::node& node) {
     switch (node.type()) {
         case toml::node_type::table: return "a table";
@@ -134,15 +129,6 @@ std::string in_quotes(std::string_view text) {
     std::size_t end = kLongestQuote;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
     return fmt::format("\"{}...\"", text.substr(0, end));
-}
-
-std::string without_controls(std::string text) {
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (!is_control(text, i)) continue;
-        if (static_cast<unsigned char>(text[i]) == 0xC2) text[i + 1] = '?';
-        text[i] = '?';
-    }
-    return text;
 }
 
 }  // namespace nullscope

@@ -1,5 +1,4 @@
-// Inside scene only: one value of a scene file against its row of the key table, and a file's words made safe for
-// messages.
+// Inside scene only: one value of a scene file against its row of the key table, and a file's words cut for messages.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -23,8 +22,5 @@ std::variant<KeyValue, Fault> check_value(const SceneKey& key, const toml::node&
 
 // A file's own words in quotes, cut at 60 bytes (at a character's boundary).
 std::string in_quotes(std::string_view text);
-
-// Control characters (C0, DEL, and C1 as UTF-8) become '?': a message is one line and moves no cursor.
-std::string without_controls(std::string text);
 
 }  // namespace nullscope

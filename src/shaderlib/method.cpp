@@ -22,6 +22,8 @@ int most_steps(int order, double step) {
     return order == 1 ? static_cast<int>(std::lround(kEulerSpan / step)) : static_cast<int>(std::ceil(3.0 * kStepsPerSpan / step));
 }
 
+bool euler_steps(double n) { return n >= 10 && n <= 5000 && n == std::floor(n); }
+
 Result<Method> parse_table(const std::vector<std::string>& parts, const Error& error) {
     Method method{.kind = MethodKind::kTable};
     if (parts.size() > 1) {
@@ -66,7 +68,7 @@ Result<Method> parse_method(const std::string& text) {
     if (parts[0] == "integrate") return parse_integrate(parts, error);
     if (parts[0] == "euler" && parts.size() == 2) {
         const auto steps = parse_number(parts[1]);
-        if (!steps || *steps < 10 || *steps > 5000 || *steps != std::floor(*steps)) return error;
+        if (!steps || !euler_steps(*steps)) return error;
         Method method{.kind = MethodKind::kIntegrate, .order = 1, .step = kEulerSpan / *steps};
         method.most_steps = static_cast<int>(*steps);
         return method;
@@ -86,7 +88,8 @@ std::string method_name(const Method& method) {
                 if (lookup == method.lookup) return fmt::format("table:{}:{}", method.size, name);
             break;
         case MethodKind::kIntegrate:
-            if (method.order == 1) return fmt::format("euler:{}", method.most_steps);
+            if (method.order == 1 && method.step == kEulerSpan / method.most_steps && euler_steps(method.most_steps))
+                return fmt::format("euler:{}", method.most_steps);
             return fmt::format("integrate:{}:{}", method.order, method.step);
     }
     return "";

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "base/atomic_file.h"
 #include "base/text.h"
 #include "viewer/viewer.h"
 
@@ -56,6 +57,7 @@ int run(const viewer::ViewerOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    nullscope::clean_up_on_signals();
     constexpr int kFramesOfScreenshot = 4;  // panels have found their size by then
     CLI::App app{kAbout, "nullscope-viewer"};
     app.footer(kHands);

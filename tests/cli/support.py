@@ -38,19 +38,19 @@ class CliTest(unittest.TestCase):
         path.write_bytes(content if isinstance(content, bytes) else content.encode())
         return str(path)
 
-    def run_nullscope(self, *arguments, status=0, before=None):
-        """before: called in the new process, to set its limits."""
+    def run_nullscope(self, *arguments, status=0, before=None, environment=None):
+        """before: called in the new process, to set its limits. environment: variables to add."""
         done = subprocess.run([BINARY, *map(str, arguments)], capture_output=True, timeout=LONGEST_S, cwd=self.folder,
                               preexec_fn=before,
-                              env={**os.environ, "MESA_SHADER_CACHE_DISABLE": "true"})
+                              env={**os.environ, "MESA_SHADER_CACHE_DISABLE": "true", **(environment or {})})
         ran = Ran(done)
         self.assertEqual(ran.status, status, f"nullscope {' '.join(map(str, arguments))}\n{ran}")
         return ran
 
-    def refused(self, *arguments, status=2, says=(), before=None):
+    def refused(self, *arguments, status=2, says=(), before=None, environment=None):
         """One line on standard error with every word of `says`, nothing on standard output, no file more or less."""
         files = sorted(p.name for p in self.folder.rglob("*"))
-        ran = self.run_nullscope(*arguments, status=status, before=before)
+        ran = self.run_nullscope(*arguments, status=status, before=before, environment=environment)
         self.assertEqual(ran.out, "", ran)
         self.assertTrue(ran.err.startswith("nullscope: ") and ran.err.endswith("\n"), ran)
         self.assertEqual(ran.err.count("\n"), 1, ran)

@@ -23,6 +23,12 @@ class Usage(support.CliTest):
         self.refused("trace", "flat", "--rays", "x.csv", "--crossings", "-1", says=["--crossings", "0"])
         self.refused("capture", "a\nb", "c\n\x1b[31md", says=["not expected"])
         self.refused("bench", says=["frames"])
+        escape = "\x1b[2J\n\x7f"    # what a terminal would obey; refused() looks for it in the message
+        small = ("--size", "16x9", "-o", "a.png")
+        self.refused("capture", "flat", f"--size={escape}", says=["--size", "?[2J??"])
+        self.refused("capture", "flat", *small, f"--method={escape}", says=["?[2J??"])
+        self.refused("capture", "flat", *small, f"--frames={escape}", says=["?[2J??"])
+        self.refused("capture", "flat", "-o", escape, says=["?[2J??"])
         self.refused("plan", "flat", "--xml", says=["--xml"])
 
     def test_sizes(self):

@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -80,6 +82,37 @@ TEST_CASE("a failing writer leaves the old file and nothing else") {
     }
     CHECK(*read_text(file) == "old");
     CHECK(folder.files() == 1);
+}
+
+TEST_CASE("a signal that ends the process removes the unfinished file first, and one that is ignored does not end it") {
+    const TemporaryFolder folder("signals");
+    const fs::path target = folder.path / "a.txt";
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        CAPTURE(number);
+        for (const bool ignored : {false, true}) {
+            const pid_t child = ::fork();
+            if (child == 0) {
+                std::signal(number, ignored ? SIG_IGN : SIG_DFL);
+                clean_up_on_signals();
+                const Status done = write_atomically(target, [&](const fs::path& path) -> Status {
+                    std::ofstream(path) << "half" << std::flush;
+                    if (!fs::exists(path)) ::_exit(2);
+                    ::raise(number);
+                    return Done{};
+                });
+                ::_exit(done ? 0 : 1);
+            }
+            int status = 0;
+            REQUIRE(::waitpid(child, &status, 0) == child);
+            if (ignored) {
+                CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));
+                CHECK(fs::remove(target));
+            } else {
+                CHECK((WIFSIGNALED(status) && WTERMSIG(status) == number));
+            }
+            CHECK(folder.files() == 0);
+        }
+    }
 }
 
 TEST_CASE("targets that cannot be written are errors") {

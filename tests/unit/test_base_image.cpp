@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/atomic_file.h"
+#include "base/exr_file.h"
 #include "base/image_file.h"
 #include "base_temporary_folder.h"
 
@@ -289,4 +290,34 @@ TEST_CASE("save_png refuses images that are none") {
     CHECK_FALSE(save_png(folder.path / "a.png", cut));
     CHECK_FALSE(save_png(folder.path / "missing" / "a.png", Image<unsigned char>(4, 4, 3)));
     CHECK(folder.files() == 0);
+}
+
+TEST_CASE("hostile pictures are refused before a decoder allocates for them or reads past its tables") {
+    const fs::path corpus = fs::path(NULLSCOPE_TEST_DATA) / "fuzz" / "corpus";
+    const std::pair<const char*, const char*> cases[] = {
+        {"picture/huge-header.png", "10000 x 10000 pixels are not in 69 bytes"},
+        {"picture/png-chunk-of-2-gigabytes", "a chunk is longer than the file"},
+        {"picture/jpeg-huffman-table-cut-off", "a Huffman table has too many codes"},
+        {"picture/jpeg-scan-without-its-table", "a scan's Huffman table is missing"},
+        {"exr/attribute-of-2-gigabytes", "its header is cut off or damaged"},
+        {"exr/attribute-sizes-at-odds", "its header is cut off or damaged"},
+    };
+    for (const auto& [file, says] : cases) {
+        CAPTURE(file);
+        const auto bytes = read_text(corpus / file);
+        REQUIRE(bytes);
+        const auto picture = decode_image(*bytes, "x");
+        const auto exr = decode_exr(*bytes, "x", 1'000'000'000);
+        const std::string said = std::string(file).starts_with("exr") ? exr.error().message : picture.error().message;
+        CHECK_MESSAGE(said == std::string("cannot read image 'x': ") + says, said);
+    }
+    const auto good = read_text(corpus / "picture" / "progressive-444.jpg");
+    REQUIRE(good);
+    CHECK(decode_image(*good, "x"));
+    std::string scans = good->substr(0, good->size() - 2);  // without its end
+    const std::size_t scan = scans.find("\xff\xda");
+    for (int i = 0; i < 256; ++i) scans += scans.substr(scan, scans.find('\xff', scan + 2) - scan);
+    const auto slow = decode_image(scans + "\xff\xd9", "x");
+    REQUIRE(!slow);
+    CHECK(slow.error().message == "cannot read image 'x': too many scans");
 }

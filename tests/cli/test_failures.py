@@ -1,0 +1,166 @@
+#!/usr/bin/env python3
+"""What happens when something fails that is not the input's fault: no driver, no memory, no room, an end by force."""
+import resource
+import signal
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+import support
+from test_commands import png_size
+
+RAYS = "r,theta,phi,n_r,n_theta,n_phi\n" + "10,1.5,0,-1,0,0.1\n" * 5000
+NO_EGL = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/dev/null"}     # GLVND then knows no driver
+OLD_OPENGL = {"MESA_GL_VERSION_OVERRIDE": "2.1"}             # Mesa then refuses a context of version 3.3
+SANITIZED = b"__asan_init" in Path(support.BINARY).read_bytes()   # reserves terabytes of addresses, so no limit on them
+SMALL = ("--size", "16x9")
+
+
+class Drivers(support.CliTest):
+    def test_no_egl_driver(self):
+        self.refused("capture", "flat", *SMALL, "--context", "egl", "-o", "a.png", status=1, says=["EGL: no device", "apt install"],
+                     environment=NO_EGL)
+        if "osmesa" not in self.contexts():
+            self.skipTest("no OSMesa to fall back to")
+        said = self.run_nullscope("capture", "flat", *SMALL, "-o", "a.png", environment=NO_EGL).out
+        self.assertIn("osmesa", said)
+        self.assertEqual(png_size((self.folder / "a.png").read_bytes()), (16, 9))
+
+    def test_every_context_is_refused(self):
+        for command in (("capture", "flat", *SMALL, "-o", "a.png"), ("bench", "frames", "flat", "--json", "b.json")):
+            self.refused(*command, status=1, says=["no OpenGL 3.3 context", "EGL: no device", "OSMesa: it gives no"],
+                         environment=OLD_OPENGL)
+        for context, says in (("egl", "EGL: no device"), ("osmesa", "OSMesa: it gives no")):
+            self.refused("capture", "flat", *SMALL, "--context", context, "-o", "a.png", status=1, says=[says],
+                         environment=OLD_OPENGL)
+        self.run_nullscope("info", status=1, environment=OLD_OPENGL)
+
+    def test_what_needs_no_driver_goes_on(self):
+        self.run_nullscope("capture", "flat", *SMALL, "--renderer", "reference", "-o", "a.png", environment={**NO_EGL, **OLD_OPENGL})
+        self.run_nullscope("plan", "first-light", environment={**NO_EGL, **OLD_OPENGL})
+
+
+class Memory(support.CliTest):
+    def test_a_frame_beyond_the_driver(self):
+        self.refused("capture", "flat", "--size", "32768x32768", "-o", "a.png", says=["32768x32768", "allowed: 1x1 to"])
+
+    @unittest.skipIf(SANITIZED, "the sanitizer's addresses are beyond any limit")
+    def test_a_frame_beyond_the_memory(self):
+        def little():
+            resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))
+
+        for context in self.contexts():
+            for output in ("a.png", "a.exr"):
+                self.refused("capture", "flat", "--size", "16384x16384", "--context", context, "-o", output, status=1,
+                             says=["out of memory"], before=little)
+        self.refused("capture", "flat", "--size", "65536x65536", "--renderer", "reference", "-o", "a.exr", status=1,
+                     says=["out of memory"], before=little)
+        self.assertEqual(self.run_nullscope("capture", "flat", *SMALL, "-o", "a.png", before=little).err, "")
+
+
+class Room(support.CliTest):
+    """No room for a file: RLIMIT_FSIZE, a full device, a full file system."""
+
+    def test_a_limit_that_would_kill(self):
+        def no_room():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))   # SIGXFSZ at its default: it ends a process
+
+        for output in ("new.png", "new.exr"):
+            self.refused("capture", "sky-only", "--size", "64x36", "-o", output, status=1,
+                         says=[f"cannot write '{output}'", "File too large"], before=no_room)
+
+    def test_a_full_device(self):
+        rays = self.write("rays.csv", RAYS)
+        full = ("No space left on device",)
+        self.refused("trace", "flat", "--rays", rays, "-o", "/dev/full", status=1, says=["/dev/full", *full])
+        with open("/dev/full", "w") as device:
+            for command in (("trace", "flat", "--rays", rays), ("plan", "first-light"), ("plan", "first-light", "--json"), ("scenes",),
+                            ("info",), ("capture", "sky-only", "--dump-shader"), ("compare", self.picture(), self.picture())):
+                done = subprocess.run([support.BINARY, *command], stdout=device, stderr=subprocess.PIPE, cwd=self.folder,
+                                      timeout=support.LONGEST_S)
+                self.assertEqual((done.returncode, done.stderr.decode().count("\n")), (1, 1), (command, done.stderr))
+                self.assertIn(b"standard output cannot be written", done.stderr, command)
+
+    def picture(self):
+        self.run_nullscope("capture", "flat", *SMALL, "-o", "picture.png")
+        return "picture.png"
+
+    def test_a_full_file_system(self):
+        (self.folder / "small").mkdir()
+        rays = self.write("rays.csv", RAYS)
+        script = ('mount -t tmpfs -o size=16k none small || exit 77; "$@" -o small/new.csv; status=$?; '
+                  'ls -A small; exit $status')
+        done = subprocess.run(["unshare", "--mount", "--map-root-user", "sh", "-c", script, "sh", support.BINARY, "trace", "flat",
+                               "--rays", rays], cwd=self.folder, capture_output=True, text=True, timeout=support.LONGEST_S)
+        if done.returncode == 77 or "unshare" in done.stderr:
+            self.skipTest(f"no mount of our own here: {done.stderr.strip()}")
+        self.assertEqual(done.returncode, 1, done)
+        self.assertEqual(done.stderr, "nullscope: cannot write 'small/new.csv': No space left on device\n")
+        self.assertEqual(done.stdout, "", "something was left behind")
+
+
+class Ends(support.CliTest):
+    """Ended from outside: at once, by that signal, and what has a name is whole."""
+    LONG = ("--frames", "0:100000", "-o", "f-%05d.png")
+
+    def started(self, *arguments, until):
+        process = subprocess.Popen([support.BINARY, *map(str, arguments)], cwd=self.folder, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        deadline = time.monotonic() + support.LONGEST_S
+        while not until():
+            self.assertIsNone(process.poll(), "it ended by itself")
+            self.assertLess(time.monotonic(), deadline, "it never came that far")
+            time.sleep(0.005)
+        return process
+
+    def files(self):
+        return sorted(p.name for p in self.folder.iterdir())
+
+    def end(self, process, number):
+        asked = time.monotonic()
+        process.send_signal(number)
+        process.wait(timeout=support.LONGEST_S)
+        self.assertEqual(process.returncode, -number, "a shell would say 128 + the signal's number")
+        self.assertLess(time.monotonic() - asked, 5.0, "it took its time")
+
+    def test_a_sequence_is_interrupted(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            for p in self.folder.iterdir():
+                p.unlink()
+            process = self.started("capture", "flat", "--size", "640x360", *self.LONG, until=lambda: len(self.files()) > 3)
+            self.end(process, number)
+            for name in self.files():
+                self.assertRegex(name, r"^f-\d{5}\.png$")
+                self.assertEqual(png_size((self.folder / name).read_bytes()), (640, 360))
+
+    def test_a_sequence_is_killed(self):
+        process = self.started("capture", "flat", "--size", "640x360", *self.LONG, until=lambda: len(self.files()) > 3)
+        self.end(process, signal.SIGKILL)
+        whole = [name for name in self.files() if not name.startswith(".")]
+        self.assertGreater(len(whole), 2)
+        for name in whole:
+            self.assertEqual(png_size((self.folder / name).read_bytes()), (640, 360))
+
+    def test_long_work_is_interrupted(self):
+        """Tables, the reference tracer, the benches: nothing of theirs is on disk before it is done."""
+        for command in (("capture", "first-light", "--renderer", "reference", "--size", "1920x1080", "-o", "a.png"),
+                        ("bench", "accuracy", "--json", "b.json"),
+                        ("capture", "first-light", "--method", "table:1024", "-o", "c.png")):
+            begun = time.monotonic()
+            process = self.started(*command, until=lambda: time.monotonic() - begun > 0.3)
+            self.end(process, signal.SIGINT)
+            self.assertEqual(self.files(), [])
+
+    def test_an_ignored_signal_stays_ignored(self):
+        """As nohup and a shell's background jobs ask for."""
+        done = subprocess.run(["sh", "-c", 'trap "" INT HUP; "$@" & pid=$!; kill -INT $pid; kill -HUP $pid; wait $pid', "sh", support.BINARY,
+                               "capture", "flat", *SMALL, "-o", "a.png"], cwd=self.folder, capture_output=True)
+        self.assertEqual(done.returncode, 0, done)
+        self.assertEqual(self.files(), ["a.png"])
+
+
+if __name__ == "__main__":
+    support.main()
