@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 
 #include "compare/heat_map.h"
 
@@ -16,6 +17,20 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr double kRest = 0.2;  // s without a change before a frame is measured
+
+// All of a camera that rays depend on.
+auto lens_and_place(const CameraSpec& c) {
+    return std::tie(c.r, c.theta, c.phi, c.yaw, c.pitch, c.roll, c.velocity.x, c.velocity.y, c.velocity.z, c.plane_width,
+                    c.focal_distance, c.width, c.height);
+}
+
+// Colours and brightness apart.
+bool same_rays(const Scene& a, const Scene& b) {
+    if (lens_and_place(a.camera) != lens_and_place(b.camera) || a.spacetime != b.spacetime) return false;
+    if (a.disc.has_value() != b.disc.has_value()) return false;
+    return !a.disc || (a.disc->inner == b.disc->inner && a.disc->outer == b.disc->outer &&
+                       (a.disc->opacity < 1.0) == (b.disc->opacity < 1.0));
+}
 
 ImU32 heat(double value) {
     const auto colour = heat_colour(value, kPixelHeat);
@@ -61,13 +76,16 @@ FrameAccuracy::FrameAccuracy()
           glfwPostEmptyEvent();
       }) {}
 
-void FrameAccuracy::frame_changed() {
+void FrameAccuracy::frame_is(const Scene& scene, const Method& method) {
+    if (same_rays(scene, scene_) && method == method_) return;
+    scene_ = scene;
+    method_ = method;
     watch_.cancel();
     begun_ = false;
     changed_at_ = seconds();
 }
 
-bool FrameAccuracy::update(bool wanted, bool moving, Renderer& renderer, const Scene& scene) {
+bool FrameAccuracy::update(bool wanted, bool moving, Renderer& renderer) {
     wanted_ = wanted;
     if (!wanted && begun_ && watch_.measuring()) {
         watch_.cancel();
@@ -76,7 +94,7 @@ bool FrameAccuracy::update(bool wanted, bool moving, Renderer& renderer, const S
     bool changed = false;
     if (wanted && !begun_ && !moving && seconds() - changed_at_ >= kRest) {
         begun_ = changed = true;
-        const Status started = watch_.start(scene, renderer.ray_data());
+        const Status started = watch_.start(scene_, renderer.ray_data());
         error_ = started ? std::string() : started.error().message;
         if (started) errors_ = watch_.summary();
     }

@@ -23,9 +23,10 @@ class FrameAccuracy {
 public:
     FrameAccuracy();
 
-    void frame_changed();  // stops what is being measured
+    // What is drawn from now on. Stops what is being measured if the rays are other ones.
+    void frame_is(const Scene& scene, const Method& method);
     // Starts, stops and takes over what was found. True if there is something new to draw.
-    bool update(bool wanted, bool moving, Renderer& renderer, const Scene& scene);
+    bool update(bool wanted, bool moving, Renderer& renderer);
     double wait() const;   // s until update() has something to do of its own; infinite: nothing
     void draw_overlay();   // between NewFrame and Render: below the panels
     AccuracyFacts facts() const;
@@ -36,6 +37,8 @@ private:
     std::atomic<bool> news_ = false;
     bool wanted_ = false, begun_ = false;  // begun: this frame is or was measured, or cannot be
     double changed_at_ = 0.0;
+    Scene scene_;
+    Method method_;
     Image<unsigned char> heat_;
     gl::Texture overlay_;
     ErrorWatch watch_;  // last: its threads end before the rest

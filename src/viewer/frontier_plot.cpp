@@ -38,7 +38,7 @@ public:
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float em = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x, height = 10.5f * em;
         small_ = 0.8f * em;
-        double c1 = 10.0, e0 = 1e-3, e1 = 1.0;
+        double c1 = 10.0, e0 = 1e-4, e1 = 1.0;  // at least what can be asked for
         const auto widen = [&](double error) {
             if (std::isfinite(error) && error > 0.0) e0 = std::min(e0, error), e1 = std::max(e1, error);
         };
@@ -50,7 +50,7 @@ public:
         if (plot.asked_px) widen(*plot.asked_px);
         if (plot.true_px) widen(*plot.true_px);
         x_ = {0.0, std::log10(1.3 * c1), at.x + 2.4f * em, at.x + width - 0.3f * em};
-        y_ = {std::floor(std::log10(e0) - 0.3), std::ceil(std::log10(e1)), at.y + height - 2.3f * small_, at.y + 1.4f * small_};
+        y_ = {std::floor(std::log10(e0)), std::ceil(std::log10(e1)), at.y + height - 2.3f * small_, at.y + 1.4f * small_};
         ImGui::InvisibleButton("##plot", {width, height});
         hovered_ = ImGui::IsItemHovered();
     }

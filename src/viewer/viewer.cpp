@@ -104,9 +104,9 @@ bool Viewer::step() {
     bool changed = fit_to_window();
     if (size_.width == 0 || size_.height == 0) return false;  // minimised
 
-    panel_system_->begin_frame();
     const ImGuiIO& io = ImGui::GetIO();
-    const bool panels_had_pointer = io.WantCaptureMouse;
+    const bool panels_had_pointer = io.WantCaptureMouse;  // in the frame before: a tooltip goes when the pointer leaves
+    panel_system_->begin_frame();
     changed = handle_keys(input) || changed;
     const bool escape = std::find(input.pressed.begin(), input.pressed.end(), GLFW_KEY_ESCAPE) != input.pressed.end();
     if (view_.show_errors) accuracy_->draw_overlay();
@@ -119,7 +119,7 @@ bool Viewer::step() {
         frames_due_ = kSettlingFrames;
     }
     const bool watched = view_.show_errors || (view_.show_panels && view_.show_accuracy);
-    if (accuracy_->update(watched, moving_ || changed, *renderer_, view_.scene)) frames_due_ = std::max(frames_due_, kNewsFrames);
+    if (accuracy_->update(watched, moving_ || changed, *renderer_)) frames_due_ = std::max(frames_due_, kNewsFrames);
     if (input.moved && (panels_had_pointer || io.WantCaptureMouse)) frames_due_ = kSettlingFrames;  // tooltips
     if (io.WantTextInput || options_.after_frames > 0) frames_due_ = std::max(frames_due_, 1);
     if (frames_due_ == 0) {
@@ -179,11 +179,12 @@ bool Viewer::fit_to_window() {
 Status Viewer::try_prepare() {
     choice_ = method_choice(measured_, view_.method, view_.scene);
     renderer_->set_method(choice_.method);
-    return renderer_->prepare(view_.scene);
+    Status ready = renderer_->prepare(view_.scene);
+    if (ready) accuracy_->frame_is(view_.scene, choice_.method);
+    return ready;
 }
 
 void Viewer::prepare() {
-    accuracy_->frame_changed();
     fit_to_window();  // a scene that was just loaded has a size of its own
     if (Status ready = try_prepare(); !ready) {
         view_.scene = shown_;
