@@ -327,9 +327,7 @@ def test_the_accuracy_section_chooses_refuses_and_measures(v):
     v.settle()
     v.click(*METHOD)
     v.hands("mousemove", 150, 400)     # the list begins where the method in use is
-    for _ in range(8):
-        v.hands("click", 4)
-        v.still()
+    v.hands("click", "--repeat", 10, "--delay", 200, 4)
     v.click(150, 220)                  # auto
     v.still(timeout_s=MEASURED_S)
     same(before, v.picture(), "the picture of auto")
