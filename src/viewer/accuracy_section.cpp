@@ -27,7 +27,8 @@ bool method_row(ViewState& view, const AccuracyPanel& panel, bool escape) {
         if (measured.metric != view.scene.spacetime.metric) continue;
         const std::string help = fmt::format("At most {:.2g} px in this frame, {:.2f} times flat space.",
                                              error_in_frame(measured, view.scene.camera), measured.floor_ratio);
-        if (!choice_item(method_name(measured.method), !wish.automatic && wish.method == measured.method, help)) continue;
+        if (!choice_item(method_name(measured.method), !wish.automatic && wish.method == measured.method, help))
+            continue;
         wish.automatic = false;
         wish.method = measured.method;
         changed = true;
@@ -42,7 +43,8 @@ bool asked_row(MethodWish& wish) {
     if (!slide_as("##asked", decades, std::log10(kLeastAsked_px), std::log10(kMostAsked_px), 0,
                   fmt::format("{:.2g} px", wish.max_error_px)))
         return false;
-    const auto rounded = parse_number(fmt::format("{:.2g}", std::pow(10.0, decades)));  // what is shown is what is asked
+    const auto rounded =
+        parse_number(fmt::format("{:.2g}", std::pow(10.0, decades)));  // what is shown is what is asked
     if (!rounded || *rounded == wish.max_error_px) return false;
     wish.max_error_px = *rounded;
     return true;
@@ -55,7 +57,8 @@ void refusal(const std::string& text) {
 }
 
 // A row of values that begin at the columns of the table.
-void values(const char* name, const char* help, const std::string& first, const std::string& second = {}, int colour = ImGuiCol_Text) {
+void values(const char* name, const char* help, const std::string& first, const std::string& second = {},
+            int colour = ImGuiCol_Text) {
     text_row(name, help);
     const float left = ImGui::GetCursorPosX(), column = 0.5f * ImGui::GetContentRegionAvail().x;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(colour));
@@ -69,7 +72,8 @@ void values(const char* name, const char* help, const std::string& first, const 
 
 std::string thousands(long long number) {
     std::string text = fmt::format("{}", number);
-    for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(text.begin() + static_cast<std::ptrdiff_t>(at) - 3, ' ');
+    for (std::size_t at = text.size(); at > 3; at -= 3)
+        text.insert(text.begin() + static_cast<std::ptrdiff_t>(at) - 3, ' ');
     return text;
 }
 
@@ -90,14 +94,16 @@ void measured_rows(const AccuracyFacts& facts, bool disc) {
     };
     paragraph(state_of(facts), ImGuiCol_TextDisabled);
     values("Error in px",
-           "Screen error: by how many pixels a camera ray would have to move for its answer, a direction on the sky or a place "
+           "Screen error: by how many pixels a camera ray would have to move for its answer, a direction on the sky or "
+           "a place "
            "on the disc, to be exact.",
            "sky", disc ? "disc" : "", ImGuiCol_TextDisabled);
     errors("max", "Of the pixels measured so far.", &Spread::max);
     errors("99.9 %", "So many of the pixels measured so far are not worse.", &Spread::p999);
     errors("median", "Half of the pixels measured so far are not worse.", &Spread::median);
     values("Fate errors",
-           "Pixels that end elsewhere than the exact ray, further than 0.01 px (0.05 px at the disc's rims) from where the "
+           "Pixels that end elsewhere than the exact ray, further than 0.01 px (0.05 px at the disc's rims) from where "
+           "the "
            "exact ray ends alike.",
            e.measured > 0 ? thousands(e.fate_errors) : "-", "", colour);
     const std::string share = e.complete() ? "all" : fmt::format("{:.0f} %", std::floor(e.percent()));

@@ -14,9 +14,9 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr int kTile = 64;                    // px: some 10 ms of work
-constexpr std::array kCoarse = {16, 8, 4};   // px between the pixels measured first; divide kTile
-constexpr double kNewsEvery = 0.25;          // s
+constexpr int kTile = 64;                   // px: some 10 ms of work
+constexpr std::array kCoarse = {16, 8, 4};  // px between the pixels measured first; divide kTile
+constexpr double kNewsEvery = 0.25;         // s
 constexpr int kMostThreads = 8, kNiceness = 5;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -112,7 +112,8 @@ std::vector<ErrorWatch::Task> ErrorWatch::tasks_of(int width, int height) {
             const double dx = task.rect.left + task.rect.right - width, dy = task.rect.top + task.rect.bottom - height;
             return dx * dx + dy * dy;
         };
-        std::stable_sort(tasks.begin() + first, tasks.end(), [&](const Task& a, const Task& b) { return off(a) < off(b); });
+        std::stable_sort(tasks.begin() + first, tasks.end(),
+                         [&](const Task& a, const Task& b) { return off(a) < off(b); });
     };
     for (const int step : kCoarse) add_level(step, std::max(kTile, kTile * step / 4));
     add_level(0, kTile);

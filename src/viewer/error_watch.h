@@ -21,8 +21,10 @@ namespace nullscope::viewer {
 struct ErrorSummary {
     long long pixels = 0, measured = 0;  // of the frame
     long long fate_errors = 0, forgiven = 0;
-    Spread sky_px, place_px;             // as RayMeasures has them, over the pixels measured by then
-    double percent() const { return pixels > 0 ? 100.0 * static_cast<double>(measured) / static_cast<double>(pixels) : 0.0; }
+    Spread sky_px, place_px;  // as RayMeasures has them, over the pixels measured by then
+    double percent() const {
+        return pixels > 0 ? 100.0 * static_cast<double>(measured) / static_cast<double>(pixels) : 0.0;
+    }
     bool complete() const { return pixels > 0 && measured == pixels; }
 };
 

@@ -20,8 +20,8 @@ constexpr double kRest = 0.2;  // s without a change before a frame is measured
 
 // All of a camera that rays depend on.
 auto lens_and_place(const CameraSpec& c) {
-    return std::tie(c.r, c.theta, c.phi, c.yaw, c.pitch, c.roll, c.velocity.x, c.velocity.y, c.velocity.z, c.plane_width,
-                    c.focal_distance, c.width, c.height);
+    return std::tie(c.r, c.theta, c.phi, c.yaw, c.pitch, c.roll, c.velocity.x, c.velocity.y, c.velocity.z,
+                    c.plane_width, c.focal_distance, c.width, c.height);
 }
 
 // Colours and brightness apart.
@@ -112,7 +112,8 @@ void FrameAccuracy::draw_overlay() {
     if (!begun_ || !error_.empty()) return;
     if (watch_.take_heat(heat_)) overlay_ = gl::make_rgba8_texture(heat_.width, heat_.height, heat_.data.data());
     if (!overlay_) return;
-    const auto texture = (ImTextureID)(static_cast<std::intptr_t>(overlay_.id()));  // NOLINT: pointer or integer by version
+    const auto texture =
+        (ImTextureID)(static_cast<std::intptr_t>(overlay_.id()));  // NOLINT: pointer or integer by version
     ImGui::GetBackgroundDrawList()->AddImage(texture, {0.0f, 0.0f}, ImGui::GetIO().DisplaySize);
 }
 
@@ -123,9 +124,10 @@ void draw_error_legend(const AccuracyFacts& facts, float bottom) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x - margin, bottom - margin}, ImGuiCond_Always, {1.0f, 1.0f});
     ImGui::SetNextWindowBgAlpha(0.92f);
-    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs;
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings |
+                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize |
+                                        ImGuiWindowFlags_NoInputs;
     if (ImGui::Begin("##legend", nullptr, kFlags)) {
         const float width = std::min(17.0f * em, std::max(screen.x - 4.0f * margin, 4.0f * em)), swatch = 0.75f * em;
         ImGui::TextUnformatted("Screen error, px");

@@ -13,9 +13,9 @@ namespace nullscope::viewer {
 
 // What panel and legend show.
 struct AccuracyFacts {
-    ErrorSummary errors;    // of the last frame that was measured
+    ErrorSummary errors;  // of the last frame that was measured
     bool of_this_frame = false, measuring = false;
-    std::string error;      // why nothing can be measured, or nothing
+    std::string error;  // why nothing can be measured, or nothing
 };
 
 // Measures only what is looked at, and only a frame that rests: one read-back a frame then, none in flight.
@@ -27,8 +27,8 @@ public:
     void frame_is(const Scene& scene, const Method& method);
     // Starts, stops and takes over what was found. True if there is something new to draw.
     bool update(bool wanted, bool moving, Renderer& renderer);
-    double wait() const;   // s until update() has something to do of its own; infinite: nothing
-    void draw_overlay();   // between NewFrame and Render: below the panels
+    double wait() const;  // s until update() has something to do of its own; infinite: nothing
+    void draw_overlay();  // between NewFrame and Render: below the panels
     AccuracyFacts facts() const;
 
 private:

@@ -17,7 +17,8 @@ constexpr ImU32 kTruth = IM_COL32(110, 205, 255, 255);
 constexpr ImU32 kDominated = IM_COL32(148, 156, 168, 150), kGrid = IM_COL32(255, 255, 255, 20);
 
 constexpr const char* kHelp =
-    "Every measured way of tracing: its largest screen error on the sky, scaled to this frame, against its cost. Ring: the one "
+    "Every measured way of tracing: its largest screen error on the sky, scaled to this frame, against its cost. Ring: "
+    "the one "
     "that is drawn. Diamond: what this frame truly errs on the sky. Grey: another is at least as exact and as cheap.";
 
 // A logarithmic axis: decades to positions on the screen.
@@ -30,7 +31,9 @@ struct Axis {
     }
 };
 
-std::string power(int decade) { return decade >= 0 && decade <= 2 ? fmt::format("{:g}", std::pow(10.0, decade)) : fmt::format("1e{}", decade); }
+std::string power(int decade) {
+    return decade >= 0 && decade <= 2 ? fmt::format("{:g}", std::pow(10.0, decade)) : fmt::format("1e{}", decade);
+}
 
 class Plot {
 public:
@@ -50,7 +53,8 @@ public:
         if (plot.asked_px) widen(*plot.asked_px);
         if (plot.true_px) widen(*plot.true_px);
         x_ = {0.0, std::log10(1.3 * c1), at.x + 2.4f * em, at.x + width - 0.3f * em};
-        y_ = {std::floor(std::log10(e0)), std::ceil(std::log10(e1)), at.y + height - 2.3f * small_, at.y + 1.4f * small_};
+        y_ = {std::floor(std::log10(e0)), std::ceil(std::log10(e1)), at.y + height - 2.3f * small_,
+              at.y + 1.4f * small_};
         ImGui::InvisibleButton("##plot", {width, height});
         hovered_ = ImGui::IsItemHovered();
     }
@@ -86,8 +90,9 @@ public:
             const ImVec2 at{x_.at(row.floor_ratio), y_.at(error_of(row))};
             const bool dominated = is_dominated(row, plot_.measured);
             draw_.AddCircleFilled(at, dominated ? 0.8f * radius : radius, dominated ? kDominated : kAccent);
-            near(at, fmt::format("{}{}\nat most {:.2g} px in this frame\n{:.2f} times flat space", method_name(row.method),
-                                 dominated ? ", dominated" : ", on the frontier", error_of(row), row.floor_ratio));
+            near(at,
+                 fmt::format("{}{}\nat most {:.2g} px in this frame\n{:.2f} times flat space", method_name(row.method),
+                             dominated ? ", dominated" : ", on the frontier", error_of(row), row.floor_ratio));
         }
         const MeasuredMethod* now = row_of(plot_.measured, plot_.method, plot_.scene.spacetime.metric);
         if (now != nullptr) marks(*now);

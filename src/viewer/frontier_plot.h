@@ -10,10 +10,10 @@ namespace nullscope::viewer {
 
 struct FrontierPlot {
     const std::vector<MeasuredMethod>& measured;
-    const Scene& scene;                    // whose metric's methods are shown, in px of its frame
-    Method method;                         // of the frame
-    std::optional<double> asked_px;        // a line across
-    std::optional<double> true_px;         // what was measured of the frame itself
+    const Scene& scene;              // whose metric's methods are shown, in px of its frame
+    Method method;                   // of the frame
+    std::optional<double> asked_px;  // a line across
+    std::optional<double> true_px;   // what was measured of the frame itself
 };
 
 // Takes its place in the window's column. A point under the pointer says its name and its numbers.

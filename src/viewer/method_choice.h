@@ -18,6 +18,7 @@ struct MethodChoice {
 MethodChoice method_choice(const std::vector<MeasuredMethod>& measured, const MethodWish& wish, const Scene& scene);
 
 // The row of a method in a metric; nullptr if it was not measured.
-const MeasuredMethod* row_of(const std::vector<MeasuredMethod>& measured, const Method& method, const std::string& metric);
+const MeasuredMethod* row_of(const std::vector<MeasuredMethod>& measured, const Method& method,
+                             const std::string& metric);
 
 }  // namespace nullscope::viewer

@@ -132,7 +132,8 @@ void message_window(const std::string& message) {
 
 }  // namespace
 
-bool draw_panels(ViewState& view, const FrameFacts& facts, const AccuracyPanel& accuracy, const std::string& message, bool escape) {
+bool draw_panels(ViewState& view, const FrameFacts& facts, const AccuracyPanel& accuracy, const std::string& message,
+                 bool escape) {
     bool changed = false;
     if (view.show_errors)
         draw_error_legend(accuracy.facts, ImGui::GetIO().DisplaySize.y - (view.show_panels ? status_height() : 0.0f));

@@ -17,6 +17,7 @@ struct FrameFacts {
 };
 
 // Between ImGui's NewFrame and Render. True when the scene changed. message: shown until it is empty again.
-bool draw_panels(ViewState& view, const FrameFacts& facts, const AccuracyPanel& accuracy, const std::string& message, bool escape);
+bool draw_panels(ViewState& view, const FrameFacts& facts, const AccuracyPanel& accuracy, const std::string& message,
+                 bool escape);
 
 }  // namespace nullscope::viewer

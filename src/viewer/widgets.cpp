@@ -111,7 +111,8 @@ bool slide(const char* name, double& value, double low, double high, Scale scale
 
 bool slide_as(const char* id, double& position, double low, double high, int flags, const std::string& text) {
     double edited = position;
-    if (!ImGui::SliderScalar(id, ImGuiDataType_Double, &edited, &low, &high, text.c_str(),  // no conversion: shown as it is
+    if (!ImGui::SliderScalar(id, ImGuiDataType_Double, &edited, &low, &high,
+                             text.c_str(),  // no conversion: shown as it is
                              flags | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat))
         return false;
     position = std::clamp(edited, low, high);

@@ -7,7 +7,7 @@ namespace nullscope::viewer {
 // Starts a row; the control that follows takes its rest. help: shown while the pointer is on the name.
 void row(const char* name, const char* help = nullptr);
 void text_row(const char* name, const char* help = nullptr);  // the same for words alone: less tall
-void tooltip(const char* text);  // of the item before, wrapped
+void tooltip(const char* text);                               // of the item before, wrapped
 
 void paragraph(const std::string& text, int colour);  // broken at spaces alone, not within numbers; colour: an ImGuiCol
 

@@ -76,8 +76,9 @@ void check_all(ErrorWatch& watch, const Scene& scene, const RayFrame& frame) {
         const PixelErrors &a = pixels[i], &b = all.pixels[i];
         differing += a.end != b.end || a.sky_px != b.sky_px || a.place_px != b.place_px || a.angle_px != b.angle_px;
         const auto colour = heat_colour(b.screen_px(), kPixelHeat);
-        other_colour += !std::equal(colour.begin(), colour.end(), heat.data.begin() + static_cast<std::ptrdiff_t>(4 * i)) ||
-                        heat.data[4 * i + 3] != 255;
+        other_colour +=
+            !std::equal(colour.begin(), colour.end(), heat.data.begin() + static_cast<std::ptrdiff_t>(4 * i)) ||
+            heat.data[4 * i + 3] != 255;
     }
     CHECK(differing == 0);
     CHECK(other_colour == 0);
