@@ -20,8 +20,6 @@
 namespace nullscope::cli {
 namespace {
 
-constexpr double kDefaultMaxError_px = 0.05;   // of the frame that is drawn
-
 struct Options {
     std::string scene, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
     int samples = 3;

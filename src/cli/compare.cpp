@@ -22,7 +22,7 @@ struct Options {
 };
 
 constexpr double kPictureThreshold = 2.0 / 255;  // two codes of an 8-bit picture: what rounding twice may differ by
-constexpr HeatScale kPictureScale{1e-4, 1}, kPixelScale{1e-4, 1};
+constexpr HeatScale kPictureScale{1e-4, 1};
 
 bool is_exr(const std::string& name) { return name.ends_with(".exr"); }
 
@@ -78,7 +78,7 @@ int compare_rays(const Options& options, const RayFrame& a, const RayFrame& b) {
     Image<float> values(m.width, m.height, 1);
     std::transform(m.pixels.begin(), m.pixels.end(), values.data.begin(),
                    [](const PixelErrors& e) { return e.worst_px(); });
-    if (Status saved = save_heat_map(options, values, kPixelScale); !saved) return report(saved.error());
+    if (Status saved = save_heat_map(options, values, kPixelHeat); !saved) return report(saved.error());
     return 0;
 }
 

@@ -70,16 +70,17 @@ void draw_legend(Image<unsigned char>& image, int top, HeatScale scale) {
 
 }  // namespace
 
+std::array<unsigned char, 3> heat_colour(double value, HeatScale scale) {
+    if (!std::isfinite(value)) return kNotFinite;
+    return ramp(value > 0 ? std::log(value / scale.low) / std::log(scale.high / scale.low) : 0);
+}
+
 Image<unsigned char> heat_map(const Image<float>& values, HeatScale scale) {
     Image<unsigned char> image(std::max(values.width, kHeatMapWidth), values.height + kLegendHeight, 3);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) put(image, x, y, kGround);
     for (int y = 0; y < values.height; ++y)
-        for (int x = 0; x < values.width; ++x) {
-            const double value = *values.at(x, y);
-            const double t = value > 0 ? std::log(value / scale.low) / std::log(scale.high / scale.low) : 0;
-            put(image, x, y, std::isfinite(value) ? ramp(t) : kNotFinite);
-        }
+        for (int x = 0; x < values.width; ++x) put(image, x, y, heat_colour(*values.at(x, y), scale));
     draw_legend(image, values.height, scale);
     return image;
 }

@@ -91,6 +91,11 @@ float PixelErrors::worst_px() const {
     return std::max({sky_px, place_px, angle_px, g_px});
 }
 
+float PixelErrors::screen_px() const {
+    if (end == RayEnd::kDiffers) return kInfinite;
+    return end == RayEnd::kSame ? std::max(sky_px, place_px) : 0;
+}
+
 bool same_end(const RayPixel& a, const RayPixel& b) { return a.fate == b.fate && a.hit == b.hit; }
 
 bool all_finite(const RayPixel& p) {

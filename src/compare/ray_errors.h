@@ -36,6 +36,8 @@ struct PixelErrors {
     bool escaped = false, hit = false;  // what there was to compare
 
     float worst_px() const;  // infinite for kDiffers, 0 for kForgiven and kNotCompared
+    // Of where the pixel's light comes from, sky or disc: the larger of sky_px and place_px. Infinite and 0 as worst_px.
+    float screen_px() const;
 };
 
 // Same fate and same object?

@@ -27,13 +27,33 @@ void in_parallel(int first, int end, const std::function<void(int)>& work) {
     for (std::thread& thread : threads) thread.join();
 }
 
-// Rows of exact pixels around the ones that are compared.
+// Exact pixels of a rectangle.
 struct Band {
     const RayPixel* pixels;
-    int width, first, end;  // rows
-    const RayPixel& at(int x, int y) const { return pixels[static_cast<std::size_t>(y - first) * width + x]; }
-    bool has(int x, int y) const { return x >= 0 && x < width && y >= first && y < end; }
+    PixelRect rect;
+    const RayPixel& at(int x, int y) const {
+        return pixels[static_cast<std::size_t>(y - rect.top) * (rect.right - rect.left) + (x - rect.left)];
+    }
+    bool has(int x, int y) const { return x >= rect.left && x < rect.right && y >= rect.top && y < rect.bottom; }
 };
+
+// The exact pixels of a rectangle of the frame and of one pixel around it; the corners, which nothing asks for, are left empty.
+std::vector<RayPixel> exact_around(const ExactTrace& trace, const PixelRect& inner, const PixelRect& outer) {
+    std::vector<std::array<double, 2>> positions;
+    std::vector<std::size_t> places;
+    std::size_t place = 0;
+    for (int y = outer.top; y < outer.bottom; ++y)
+        for (int x = outer.left; x < outer.right; ++x, ++place) {
+            if ((x < inner.left || x >= inner.right) && (y < inner.top || y >= inner.bottom)) continue;
+            positions.push_back({x + 0.5, y + 0.5});
+            places.push_back(place);
+        }
+    std::vector<RayPixel> traced = trace(positions);
+    if (traced.size() == place) return traced;
+    std::vector<RayPixel> pixels(place);
+    for (std::size_t i = 0; i < traced.size(); ++i) pixels[places[i]] = traced[i];
+    return pixels;
+}
 
 double motion2(const RayPixel& a, const RayPixel& b) {
     const Vec3 sky = b.sky - a.sky;
@@ -93,36 +113,35 @@ struct Doubt {
 // Pixels of one frame against an exact trace.
 class Judge {
 public:
-    Judge(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, double refine_above_px,
-          RayMeasures& measures)
-        : tested_(tested), camera_(camera), trace_(trace), refine_above_px_(refine_above_px), measures_(measures) {}
+    Judge(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, double refine_above_px)
+        : tested_(tested), camera_(camera), trace_(trace), refine_above_px_(refine_above_px) {}
 
-    // Compares rows first ... end - 1.
-    void band(int first, int end) {
-        const int above = std::max(0, first - 1), below = std::min(tested_.height, end + 1);
-        std::vector<std::array<double, 2>> positions;
-        positions.reserve(static_cast<std::size_t>(below - above) * tested_.width);
-        for (int y = above; y < below; ++y)
-            for (int x = 0; x < tested_.width; ++x) positions.push_back({x + 0.5, y + 0.5});
-        const std::vector<RayPixel> pixels = trace_(positions);
-        const Band band{pixels.data(), tested_.width, above, below};
-        in_parallel(first, end, [&](int y) {
-            for (int x = 0; x < tested_.width; ++x) {
+    // Compares the pixels of a rectangle. rows(first, end, work): calls work(y) for all of them, on threads as it likes.
+    template <class Rows>
+    TileErrors tile(const PixelRect& rect, Rows&& rows) {
+        const auto cells = static_cast<std::size_t>(rect.right - rect.left) * (rect.bottom - rect.top);
+        tile_ = {rect, std::vector<PixelErrors>(cells)};
+        const PixelRect around{std::max(0, rect.left - 1), std::max(0, rect.top - 1), std::min(tested_.width, rect.right + 1),
+                               std::min(tested_.height, rect.bottom + 1)};
+        const std::vector<RayPixel> pixels = exact_around(trace_, rect, around);
+        const Band band{pixels.data(), around};
+        rows(rect.top, rect.bottom, [&](int y) {
+            for (int x = rect.left; x < rect.right; ++x) {
                 ExactPixel exact = with_neighbours(band, x, y);
                 set_camera(exact, camera_, x, y);
                 errors_at(x, y) = pixel_errors(tested_.at(x, y), exact);
             }
         });
         std::vector<Doubt> doubts;
-        for (int y = first; y < end; ++y)
-            for (int x = 0; x < tested_.width; ++x)
+        for (int y = rect.top; y < rect.bottom; ++y)
+            for (int x = rect.left; x < rect.right; ++x)
                 if (errors_at(x, y).worst_px() > refine_above_px_) doubts.push_back({x, y});
-        refine(band, doubts);
-        judge_edges(band, doubts);
+        if (!doubts.empty()) refine(band, doubts), judge_edges(band, doubts);
+        return std::move(tile_);
     }
 
 private:
-    PixelErrors& errors_at(int x, int y) { return measures_.pixels[static_cast<std::size_t>(y) * tested_.width + x]; }
+    PixelErrors& errors_at(int x, int y) { return tile_.at(x, y); }
 
     void refine(const Band& band, const std::vector<Doubt>& doubts) {
         std::vector<std::array<double, 2>> positions;
@@ -174,7 +193,7 @@ private:
     const CameraSpec& camera_;
     const ExactTrace& trace_;
     double refine_above_px_;
-    RayMeasures& measures_;
+    TileErrors tile_;
 };
 
 void summarise(const RayFrame& tested, RayMeasures& m) {
@@ -226,17 +245,27 @@ ExactPixel exact_pixel(const CameraSpec& camera, const ExactTrace& trace, int x,
 RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, int row_step,
                          double refine_above_px) {
     RayMeasures measures = empty_measures(tested);
-    Judge judge(tested, camera, trace, refine_above_px, measures);
+    Judge judge(tested, camera, trace, refine_above_px);
     const int rows = row_step == 1 ? kBandRows : 1;
-    for (int y = 0; y < tested.height; y += std::max(rows, row_step)) judge.band(y, std::min(y + rows, tested.height));
+    for (int y = 0; y < tested.height; y += std::max(rows, row_step)) {
+        const TileErrors band = judge.tile({0, y, tested.width, std::min(y + rows, tested.height)}, in_parallel);
+        std::copy(band.pixels.begin(), band.pixels.end(), measures.pixels.begin() + static_cast<std::ptrdiff_t>(y) * tested.width);
+    }
     summarise(tested, measures);
     return measures;
+}
+
+TileErrors measure_tile(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, const PixelRect& rect,
+                        double refine_above_px) {
+    return Judge(tested, camera, trace, refine_above_px).tile(rect, [](int first, int end, auto&& work) {
+        for (int y = first; y < end; ++y) work(y);
+    });
 }
 
 RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact,
                                const std::function<double(int, int)>& angle_of, Vec3 camera) {
     RayMeasures measures = empty_measures(tested);
-    const Band band{exact.pixels.data(), exact.width, 0, exact.height};
+    const Band band{exact.pixels.data(), {0, 0, exact.width, exact.height}};
     in_parallel(0, exact.height, [&](int y) {
         for (int x = 0; x < exact.width; ++x) {
             ExactPixel pixel = with_neighbours(band, x, y);

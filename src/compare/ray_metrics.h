@@ -15,6 +15,9 @@ namespace nullscope {
 // resolve of a 4K frame's position, with a margin. Rims of objects have a wider band, by their extra interpolation.
 inline constexpr double kFateBand_px = 0.01, kSilhouetteBand_px = 0.05;
 
+// Where neighbours leave more than this, px, rays displaced by 1e-4 px say how the exact answer moves.
+inline constexpr double kDisplaceAbove_px = 1e-3;
+
 // Exact rays at any positions (column, row from the top, centres at +0.5): the reference, or a stand-in of a test.
 using ExactTrace = std::function<std::vector<RayPixel>(const std::vector<std::array<double, 2>>& positions)>;
 
@@ -28,10 +31,23 @@ struct RayMeasures {
 };
 
 // Compares every pixel (of every row_step-th row) with the exact trace. The motion per pixel comes from the neighbours, and
-// where that leaves more than refine_above_px, from rays displaced by 1e-4 px. Memory: 24 bytes a pixel and 64 rows of exact
+// where that leaves more than refine_above_px, from displaced rays. Memory: 24 bytes a pixel and 64 rows of exact
 // pixels; cost: that of the trace and some 0.2 core-microseconds a pixel.
 RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, int row_step = 1,
-                         double refine_above_px = 1e-3);
+                         double refine_above_px = kDisplaceAbove_px);
+
+// The same, number by number, of the pixels of one rectangle of the frame, on the calling thread alone. Costs the rays of the
+// rectangle and of one pixel around it, corners apart: five for a single pixel.
+struct PixelRect {
+    int left, top, right, bottom;  // half-open, inside the frame
+};
+struct TileErrors {
+    PixelRect rect;
+    std::vector<PixelErrors> pixels;  // top row first
+    PixelErrors& at(int x, int y) { return pixels[static_cast<std::size_t>(y - rect.top) * (rect.right - rect.left) + x - rect.left]; }
+};
+TileErrors measure_tile(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, const PixelRect& rect,
+                        double refine_above_px = kDisplaceAbove_px);
 
 // The exact answer at pixel (x, y) and displaced by 1e-4 px.
 ExactPixel exact_pixel(const CameraSpec& camera, const ExactTrace& trace, int x, int y);

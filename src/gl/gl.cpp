@@ -160,6 +160,14 @@ Texture make_picture_texture(int width, int height, int channels, const float* d
     return texture;
 }
 
+Texture make_rgba8_texture(int width, int height, const unsigned char* rgba) {
+    Texture texture(new_texture(GL_TEXTURE_2D));
+    set_sampling(GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+    check("overlay texture");
+    return texture;
+}
+
 Texture make_cube_texture(int size, const float* const faces[6]) {
     Texture texture(new_texture(GL_TEXTURE_CUBE_MAP));
     set_sampling(GL_TEXTURE_CUBE_MAP, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);

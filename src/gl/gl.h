@@ -69,6 +69,8 @@ Texture make_float_texture(int width, int height, const float* rgba);
 Texture make_number_texture(int width, int height, int channels, const float* values, bool linear);
 // A picture with mip levels: RGB(A) float, linear light, stored as RGBA16F; clamped, trilinear.
 Texture make_picture_texture(int width, int height, int channels, const float* data);
+// Colours for the eye: RGBA8 as they are, nearest, one level, top row first.
+Texture make_rgba8_texture(int width, int height, const unsigned char* rgba);
 // Six faces of RGB float, stored as R11F_G11F_B10F; seamless, trilinear.
 Texture make_cube_texture(int size, const float* const faces[6]);
 

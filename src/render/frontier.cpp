@@ -47,24 +47,40 @@ std::string frontier_text(const std::vector<MeasuredMethod>& methods) {
     return out;
 }
 
-Result<Choice> choose_method(const std::vector<MeasuredMethod>& methods, const Scene& scene, double max_error_px) {
-    const double scale = kBenchPixel_rad / smallest_pixel(scene.camera);
+double error_in_frame(const MeasuredMethod& method, const CameraSpec& camera) {
+    return method.error_px * kBenchPixel_rad / smallest_pixel(camera);
+}
+
+bool is_dominated(const MeasuredMethod& method, const std::vector<MeasuredMethod>& methods) {
+    return std::any_of(methods.begin(), methods.end(), [&](const MeasuredMethod& other) {
+        return other.metric == method.metric && other.floor_ratio <= method.floor_ratio && other.error_px <= method.error_px &&
+               (other.floor_ratio < method.floor_ratio || other.error_px < method.error_px);
+    });
+}
+
+const MeasuredMethod* most_exact(const std::vector<MeasuredMethod>& methods, const std::string& metric) {
     const MeasuredMethod* best = nullptr;
-    double least = INFINITY;
+    for (const MeasuredMethod& m : methods)
+        if (m.metric == metric && (best == nullptr || m.error_px < best->error_px)) best = &m;
+    return best;
+}
+
+Result<Choice> choose_method(const std::vector<MeasuredMethod>& methods, const Scene& scene, double max_error_px) {
+    const MeasuredMethod* best = nullptr;
     int known = 0;
     for (const MeasuredMethod& m : methods) {
         if (m.metric != scene.spacetime.metric) continue;
         ++known;
-        least = std::min(least, m.error_px * scale);
-        if (m.error_px * scale <= max_error_px && (best == nullptr || m.floor_ratio < best->floor_ratio)) best = &m;
+        if (error_in_frame(m, scene.camera) <= max_error_px && (best == nullptr || m.floor_ratio < best->floor_ratio)) best = &m;
     }
     if (known == 0)
         return Choice{Method{}, 0.0, fmt::format("in {} light runs straight or nothing was measured: the default", scene.spacetime.metric)};
     if (best == nullptr)
-        return bad_input(fmt::format("--max-error {}: no method is that exact in this frame; allowed: {:.2g} px and more", max_error_px, least));
-    return Choice{best->method, best->error_px * scale,
+        return bad_input(fmt::format("--max-error {}: no method is that exact in this frame; allowed: {:.2g} px and more", max_error_px,
+                                     error_in_frame(*most_exact(methods, scene.spacetime.metric), scene.camera)));
+    return Choice{best->method, error_in_frame(*best, scene.camera),
                   fmt::format("{}: at most {:.2g} px here (asked: {}), the cheapest of {} measured methods, {:.2f} times flat space",
-                              method_name(best->method), best->error_px * scale, max_error_px, known, best->floor_ratio)};
+                              method_name(best->method), error_in_frame(*best, scene.camera), max_error_px, known, best->floor_ratio)};
 }
 
 }  // namespace nullscope

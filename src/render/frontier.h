@@ -22,14 +22,25 @@ struct MeasuredMethod {
 Result<std::vector<MeasuredMethod>> load_frontier(const std::filesystem::path& path);
 std::string frontier_text(const std::vector<MeasuredMethod>& methods);
 
+// The measured error in px of this camera's frame: an error in the look direction's own angle is worth more pixels the smaller
+// the pixels are, so it is scaled by the smallest pixel (in the frame's corners).
+double error_in_frame(const MeasuredMethod& method, const CameraSpec& camera);
+
+// Is another method of the same metric at least as exact and as cheap, and better in one of the two?
+bool is_dominated(const MeasuredMethod& method, const std::vector<MeasuredMethod>& methods);
+
+// Of a metric; nullptr where nothing was measured.
+const MeasuredMethod* most_exact(const std::vector<MeasuredMethod>& methods, const std::string& metric);
+
+inline constexpr double kDefaultMaxError_px = 0.05;  // of the frame that is drawn
+
 struct Choice {
     Method method;
     double error_px;      // expected at most, px of this camera's frame
     std::string reason;   // one sentence
 };
 
-// The cheapest method whose error stays under max_error_px in this camera's frame. An error in the look direction's own angle is
-// worth more pixels the smaller the pixels are: the measured error is scaled by the smallest pixel (in the frame's corners).
+// The cheapest method whose error stays under max_error_px in this camera's frame.
 // Errors: nothing is that exact; the message names the smallest error there is.
 Result<Choice> choose_method(const std::vector<MeasuredMethod>& methods, const Scene& scene, double max_error_px);
 

@@ -21,18 +21,6 @@ constexpr double kDefaultSpeed = 0.5;  // of a preset where the spacetime sugges
 
 double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
 
-// Slides over a number whose own scale is not what is shown.
-bool slide_as(const char* id, double& position, double low, double high, ImGuiSliderFlags flags,
-              const std::string& text) {
-    double edited = position;
-    std::string format = text;  // a format without a conversion is shown as it is
-    if (!ImGui::SliderScalar(id, ImGuiDataType_Double, &edited, &low, &high, format.c_str(),
-                             flags | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat))
-        return false;
-    position = std::clamp(edited, low, high);
-    return true;
-}
-
 bool radius_rows(CameraSpec& camera, const FlightRange& range) {
     bool changed = false;
     row("Distance",

@@ -44,7 +44,8 @@ constexpr const char* kAbout =
 constexpr const char* kHands =
     "\nIn the window: drag to look, wheel for the distance, W A S D Space C to fly, Q E to roll, R for the scene's "
     "own\n"
-    "camera, Tab hides the panels, F1 lists all keys, F12 saves the picture, Escape quits.\n"
+    "camera, H shows the error of every pixel, Tab hides the panels, F1 lists all keys, F12 saves the picture, Escape "
+    "quits.\n"
     "Without a display: nullscope capture SCENE -o FILE.png, or xvfb-run nullscope-viewer ...";
 
 int run(const viewer::ViewerOptions& options) {

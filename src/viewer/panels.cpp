@@ -26,6 +26,7 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"A D", "fly left, right"},
     {"Space C", "fly up, down"},
     {"R", "the scene's own camera"},
+    {"H", "error of every pixel over the picture"},
     {"Tab", "panels on and off"},
     {"F1", "this list on and off"},
     {"F12", "save the picture, without panels"},
@@ -43,7 +44,7 @@ bool section(const char* name, bool open) {
     return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
 }
 
-bool side_panel(ViewState& view, bool escape) {
+bool side_panel(ViewState& view, const AccuracyPanel& accuracy, bool escape) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float margin = kMargin * em(), tallest = std::max(screen.y - status_height() - 2.0f * margin, 4.0f * em());
     const float width = std::min(kPanelWidth * em(), std::max(screen.x - 2.0f * margin, 4.0f * em()));
@@ -67,6 +68,11 @@ bool side_panel(ViewState& view, bool escape) {
         part("Disc", false, [&] { return disc_section(view); });
         part("Sky", false, [&] { return sky_section(view, escape); });
         part("Spacetime", false, [&] { return spacetime_section(view, escape); });
+        view.show_accuracy = false;
+        part("Accuracy", false, [&] {
+            view.show_accuracy = true;
+            return accuracy_section(view, accuracy, escape);
+        });
     }
     ImGui::End();
     return changed;
@@ -126,10 +132,13 @@ void message_window(const std::string& message) {
 
 }  // namespace
 
-bool draw_panels(ViewState& view, const FrameFacts& facts, const std::string& message, bool escape) {
+bool draw_panels(ViewState& view, const FrameFacts& facts, const AccuracyPanel& accuracy, const std::string& message,
+                 bool escape) {
     bool changed = false;
+    if (view.show_errors)
+        draw_error_legend(accuracy.facts, ImGui::GetIO().DisplaySize.y - (view.show_panels ? status_height() : 0.0f));
     if (view.show_panels) {
-        changed = side_panel(view, escape);
+        changed = side_panel(view, accuracy, escape);
         status_line(facts);
     }
     if (view.show_keys) keys_window();

@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "viewer/accuracy_section.h"
 #include "viewer/view_state.h"
 #include "viewer/window.h"
 
@@ -16,6 +17,7 @@ struct FrameFacts {
 };
 
 // Between ImGui's NewFrame and Render. True when the scene changed. message: shown until it is empty again.
-bool draw_panels(ViewState& view, const FrameFacts& facts, const std::string& message, bool escape);
+bool draw_panels(ViewState& view, const FrameFacts& facts, const AccuracyPanel& accuracy, const std::string& message,
+                 bool escape);
 
 }  // namespace nullscope::viewer

@@ -5,11 +5,19 @@
 #include <vector>
 
 #include "base/result.h"
+#include "render/frontier.h"
 #include "scene/scene.h"
 #include "scene/scene_file.h"
 #include "spacetime/spacetime.h"
 
 namespace nullscope::viewer {
+
+// How rays shall be traced.
+struct MethodWish {
+    bool automatic = true;  // the cheapest that keeps max_error_px
+    double max_error_px = kDefaultMaxError_px;
+    Method method;  // unless automatic
+};
 
 struct ViewState {
     std::string source;  // what load_scene was given
@@ -18,6 +26,9 @@ struct ViewState {
     std::vector<SceneInfo> shipped;
     std::string error;  // of the last change, or nothing
     bool show_panels = true, show_keys = false;
+    bool show_accuracy = false;  // the section is open
+    bool show_errors = false;    // over the picture
+    MethodWish method;
     Vec3 boost_direction{-1, 0, 0};  // kept while the camera is at rest
     DiscSpec hidden_disc;            // kept while the disc is switched off
 };

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "base/assets.h"
 #include "base/image_file.h"
 #include "gl/gl.h"
 #include "viewer/screenshot.h"
@@ -18,6 +19,7 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr int kSettlingFrames = 3;       // panels answer an event a frame later, and take another to find their size
+constexpr int kNewsFrames = 2;           // a measured number may make its panel wider a frame later
 constexpr double kIdleWait = 1.0;        // s
 constexpr double kCaretWait = 0.1;       // s, while a text field shows a blinking caret
 constexpr double kFirstStep = 1.0 / 60;  // s of motion that a key's first frame stands for
@@ -67,8 +69,14 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     viewer->panel_system_ = std::make_unique<PanelSystem>(*viewer->window_);
     viewer->renderer_ = std::make_unique<Renderer>();
     viewer->renderer_->keep_finer_sky();
+    viewer->accuracy_ = std::make_unique<FrameAccuracy>();
+    auto measured = load_frontier(assets_directory() / "frontier.csv");
+    if (measured)
+        viewer->measured_ = std::move(*measured);
+    else
+        viewer->not_measured_ = measured.error().message;
     viewer->fit_to_window();
-    if (Status ready = viewer->renderer_->prepare(viewer->view_.scene); !ready) return ready.error();
+    if (Status ready = viewer->try_prepare(); !ready) return ready.error();
     viewer->shown_ = viewer->view_.scene;
     viewer->shown_loaded_ = viewer->view_.loaded;
     return viewer;
@@ -96,18 +104,22 @@ bool Viewer::step() {
     bool changed = fit_to_window();
     if (size_.width == 0 || size_.height == 0) return false;  // minimised
 
-    panel_system_->begin_frame();
     const ImGuiIO& io = ImGui::GetIO();
-    const bool panels_had_pointer = io.WantCaptureMouse;
+    const bool panels_had_pointer = io.WantCaptureMouse;  // in the frame before: a tooltip goes when the pointer leaves
+    panel_system_->begin_frame();
     changed = handle_keys(input) || changed;
     const bool escape = std::find(input.pressed.begin(), input.pressed.end(), GLFW_KEY_ESCAPE) != input.pressed.end();
-    changed = draw_panels(view_, facts(), message_, escape) || changed;
+    if (view_.show_errors) accuracy_->draw_overlay();
+    const AccuracyPanel accuracy{measured_, not_measured_, choice_, accuracy_->facts(), picture_ms_shown_};
+    changed = draw_panels(view_, facts(), accuracy, message_, escape) || changed;
     moving_ = controls_.apply(input, view_, dt, io.WantCaptureMouse, io.WantCaptureKeyboard);
     if (controls_.dragging()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (changed || moving_) {
         prepare();
         frames_due_ = kSettlingFrames;
     }
+    const bool watched = view_.show_errors || (view_.show_panels && view_.show_accuracy);
+    if (accuracy_->update(watched, moving_ || changed, *renderer_)) frames_due_ = std::max(frames_due_, kNewsFrames);
     if (input.moved && (panels_had_pointer || io.WantCaptureMouse)) frames_due_ = kSettlingFrames;  // tooltips
     if (io.WantTextInput || options_.after_frames > 0) frames_due_ = std::max(frames_due_, 1);
     if (frames_due_ == 0) {
@@ -123,7 +135,8 @@ double Viewer::wait_time() const {
     if (size_.width == 0 || size_.height == 0) return kIdleWait;
     if (frames_due_ > 0 || controls_.in_motion() || options_.after_frames > 0) return 0.0;
     if (ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().WantTextInput) return kCaretWait;
-    return message_.empty() ? kIdleWait : std::clamp(message_until_ - seconds(), 0.01, kIdleWait);
+    const double idle = std::min(kIdleWait, accuracy_->wait());
+    return message_.empty() ? idle : std::clamp(message_until_ - seconds(), 0.01, idle);
 }
 
 double Viewer::elapsed() {
@@ -141,6 +154,8 @@ bool Viewer::handle_keys(const Input& input) {
             window_->close();
         else if (key == GLFW_KEY_TAB)
             view_.show_panels = !view_.show_panels;
+        else if (key == GLFW_KEY_H)
+            view_.show_errors = !view_.show_errors;
         else if (key == GLFW_KEY_F1)
             view_.show_keys = !view_.show_keys;
         else if (key == GLFW_KEY_F12)
@@ -161,13 +176,22 @@ bool Viewer::fit_to_window() {
     return changed;
 }
 
+Status Viewer::try_prepare() {
+    choice_ = method_choice(measured_, view_.method, view_.scene);
+    renderer_->set_method(choice_.method);
+    Status ready = renderer_->prepare(view_.scene);
+    if (ready) accuracy_->frame_is(view_.scene, choice_.method);
+    return ready;
+}
+
 void Viewer::prepare() {
     fit_to_window();  // a scene that was just loaded has a size of its own
-    if (Status ready = renderer_->prepare(view_.scene); !ready) {
+    if (Status ready = try_prepare(); !ready) {
         view_.scene = shown_;
         view_.loaded = shown_loaded_;
+        view_.method = shown_method_;
         fit_to_window();
-        if (Status again = renderer_->prepare(view_.scene); !again) throw gl::GlError(again.error().message);
+        if (Status again = try_prepare(); !again) throw gl::GlError(again.error().message);
         view_.error = ready.error().message;
         return;
     }
@@ -175,6 +199,7 @@ void Viewer::prepare() {
     view_.error.clear();
     shown_ = view_.scene;
     shown_loaded_ = view_.loaded;
+    shown_method_ = view_.method;
 }
 
 void Viewer::draw(unsigned framebuffer) {

@@ -6,6 +6,8 @@
 
 #include "render/renderer.h"
 #include "viewer/controls.h"
+#include "viewer/frame_accuracy.h"
+#include "viewer/method_choice.h"
 #include "viewer/panels.h"
 #include "viewer/view_state.h"
 #include "viewer/window.h"
@@ -47,6 +49,7 @@ private:
     double elapsed();          // since the last step, for motion
     bool handle_keys(const Input& input);
     bool fit_to_window();  // true if the picture's size changed
+    Status try_prepare();  // view_.scene with the method it wishes
     void prepare();        // shows view_.scene, or what was shown before and why
     void draw(unsigned framebuffer);
     void present();
@@ -63,6 +66,11 @@ private:
     std::unique_ptr<PanelSystem> panel_system_;
     std::unique_ptr<Renderer> renderer_;
     PixelSize size_;
+    std::vector<MeasuredMethod> measured_;  // the frontier that ships
+    std::string not_measured_;              // why it could not be read, or nothing
+    MethodChoice choice_;                   // of the picture that is shown
+    MethodWish shown_method_;
+    std::unique_ptr<FrameAccuracy> accuracy_;
     std::string message_;
     double message_until_ = 0.0;
     int frames_ = 0, frames_due_ = 3;

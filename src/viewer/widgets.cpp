@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/text.h"
+
 namespace nullscope::viewer {
 namespace {
 
@@ -46,10 +48,14 @@ bool settled(const std::string& id, bool changed, double& edited) {
 
 void row(const char* name, const char* help) {
     ImGui::AlignTextToFramePadding();
+    text_row(name, help);
+    ImGui::SetNextItemWidth(-1.0f);
+}
+
+void text_row(const char* name, const char* help) {
     ImGui::TextUnformatted(name);
     if (help != nullptr) tooltip(help);
     ImGui::SameLine(kNameColumn * ImGui::GetFontSize());
-    ImGui::SetNextItemWidth(-1.0f);
 }
 
 void tooltip(const char* text) {
@@ -59,6 +65,20 @@ void tooltip(const char* text) {
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+}
+
+void paragraph(const std::string& text, int colour) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    std::string line, lines;
+    for (const std::string& word : split(text, ' ')) {
+        const std::string longer = line.empty() ? word : line + " " + word;
+        const bool fits = line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= width;
+        if (!fits) lines += line + "\n";
+        line = fits ? longer : word;
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(colour));
+    ImGui::TextUnformatted((lines + line).c_str());
+    ImGui::PopStyleColor();
 }
 
 bool drag_number(const char* name, double& value, double speed, double low, double high, const char* format,
@@ -87,6 +107,16 @@ bool slide(const char* name, double& value, double low, double high, Scale scale
     const bool moved = ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &edited, &low, &high, format, flags);
     const bool take = when == When::kOnRelease ? settled(id, moved, edited) : moved;
     return take && accept(edited, low, high, value);
+}
+
+bool slide_as(const char* id, double& position, double low, double high, int flags, const std::string& text) {
+    double edited = position;
+    if (!ImGui::SliderScalar(id, ImGuiDataType_Double, &edited, &low, &high,
+                             text.c_str(),  // no conversion: shown as it is
+                             flags | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat))
+        return false;
+    position = std::clamp(edited, low, high);
+    return true;
 }
 
 bool type_number(const char* id, double& value, double low, double high, const char* format) {

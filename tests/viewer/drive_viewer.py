@@ -31,7 +31,15 @@ NOISE = 0.002                      # share of bytes: single pixels on the edge o
 CURSOR = 0.01                       # share of bytes: the pointer itself is a part of the screen
 CHANGED = 0.02
 RELOAD = (240, 26)                 # the button
+LEGEND, BESIDE_LEGEND = (560, 470, 836, 574), (320, 300, 550, 560)   # of the overlay's colours
+HEADERS = [(150, 377), (150, 252), (150, 52)]   # lens, boost, camera; each where it is while those above are open
+ALONE = (150, 202)                 # the section's header while nothing else is open
+METHOD, WORDS = (190, 388), (14, 428, 284, 490)   # the box and what is chosen and why
+LEAST, MOST = (108, 413), (266, 413)              # of the slider for the largest error
+REFUSAL = bytes([255, 133, 115])   # its letters
+WRONG_FATE = bytes([255, 0, 255])
 BESIDE = (420, 40)                 # a place for the pointer outside of all these areas
+MEASURED_S = 120.0                 # for a frame's errors, on a machine that is busy
 SETTLED_S = 0.4                    # without a change: the wheel's motion and the panels have come to rest
 
 
@@ -71,7 +79,7 @@ class Viewer:
             self.hands(*step)
             self.still()
 
-    def still(self, area=(0, 0, WIDTH, HEIGHT)):
+    def still(self, area=(0, 0, WIDTH, HEIGHT), timeout_s=30.0):
         """The picture once the area's pixels have stayed the same for a while."""
         state = {"data": None, "since": 0.0}
 
@@ -80,7 +88,7 @@ class Viewer:
             if data != state["data"]:
                 state.update(data=data, since=time.monotonic())
             return time.monotonic() - state["since"] > SETTLED_S
-        wait_until("the screen comes to rest", unchanged)
+        wait_until("the screen comes to rest", unchanged, timeout_s)
         return self.picture()
 
     def settle(self):
@@ -91,10 +99,24 @@ class Viewer:
     def changes(self, what, before, area=PICTURE):
         wait_until(what, lambda: self.picture(area).differing(before) > CHANGED)
 
+    def count(self, area, colour):
+        data = self.picture(area).data
+        return sum(data[i:i + 3] == colour for i in range(0, len(data), 3))
+
     def shows_keys(self):
         """Whether the list of F1 is there, by the colour of its letters."""
-        data = self.picture(KEYS).data
-        return sum(data[i:i + 3] == LETTERS for i in range(0, len(data), 3)) > 20
+        return self.count(KEYS, LETTERS) > 20
+
+    def spent(self):
+        """Processor time, s."""
+        fields = Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+    def rests(self):
+        before = self.spent()
+        time.sleep(1.0)
+        used = self.spent() - before
+        assert used < 0.2, f"{used:.2f} s of processor time in a second of rest"
 
     def answer(self):
         """Everything that was sent before has been seen when F1's list is there and gone again."""
@@ -243,13 +265,76 @@ def test_f12_saves_the_picture_without_panels(v):
 
 def test_at_rest_it_leaves_the_processor_alone(v):
     v.settle()
-    def spent():
-        fields = Path(f"/proc/{v.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
-        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-    before = spent()
-    time.sleep(1.0)
-    used = spent() - before
-    assert used < 0.2, f"{used:.2f} s of processor time in a second of rest"
+    v.rests()
+
+
+def test_h_lays_the_errors_over_the_picture(v):
+    v.hands("mousemove", *BESIDE, "key", "r")
+    before = v.settle()
+    assert v.count(LEGEND, WRONG_FATE) == 0, "the legend is there before"
+    v.hands("key", "h")
+    v.changes("H lays the errors over the picture", before)
+    wait_until("the legend is there", lambda: v.count(LEGEND, WRONG_FATE) > 40)
+    first = v.picture()
+    v.changes("the colours grow finer", first)
+    measured = v.still(timeout_s=MEASURED_S)
+    v.rests()
+    left = v.picture(BESIDE_LEGEND)
+    stars = sum(min(left.data[i:i + 3]) > 120 for i in range(0, len(left.data), 3))
+    assert stars < 20, f"the picture still shows through: {stars} bright pixels"
+    v.hands("keydown", "e")     # the picture in flight, then the errors of where it came to rest
+    wait_until("in flight the picture is seen", lambda: v.picture().mean() > 1.5 * measured.mean())
+    v.hands("keyup", "e", "key", "r")
+    v.still(timeout_s=MEASURED_S)
+    wait_until("the same errors at the same place", lambda: v.picture().differing(measured) <= NOISE)
+    v.hands("key", "h")
+    same(before, v.settle(), "the picture after the overlay")
+    assert v.count(LEGEND, WRONG_FATE) == 0, "the legend is still there"
+    v.rests()
+
+
+def test_the_accuracy_section_chooses_refuses_and_measures(v):
+    v.hands("mousemove", *BESIDE, "key", "r")
+    before = v.settle()
+    for header in HEADERS:
+        v.click(*header)
+    shut = v.picture(WORDS)
+    v.click(*ALONE)
+    v.changes("the section opens", shut, WORDS)
+    v.still(timeout_s=MEASURED_S)
+    v.rests()
+    same(before, v.picture(), "the picture beside the section")
+    usual = v.picture(WORDS)
+    assert v.count(WORDS, REFUSAL) == 0, "0.05 px is refused"
+    v.click(*LEAST)
+    wait_until("1e-4 px is refused in words", lambda: v.count(WORDS, REFUSAL) > 20)
+    v.click(*MOST)
+    wait_until("10 px is granted", lambda: v.count(WORDS, REFUSAL) == 0)
+    wait_until("the words name what was asked", lambda: v.picture(WORDS).differing(usual) > 0)
+    granted = v.picture(WORDS)
+    v.click(*METHOD)
+    v.hands("mousemove", 150, 410)     # table:64:bilinear, some 0.3 px off in this frame
+    v.still()
+    v.click(150, 410)
+    v.changes("the words name the method chosen by hand", granted, WORDS)
+    v.still(timeout_s=MEASURED_S)
+    v.hands("key", "h")
+    v.still(timeout_s=MEASURED_S)
+    reds = v.picture(BESIDE_LEGEND).data[::3]
+    worse = sum(red > 120 for red in reds) / len(reds)      # yellow to white: above some 0.03 px
+    assert worse > 0.02, f"a coarse table is as exact as the strip: {worse:.1%} of the pixels are above 0.03 px"
+    v.hands("key", "h")
+    v.settle()
+    v.click(*METHOD)
+    v.hands("mousemove", 150, 400)     # the list begins where the method in use is
+    v.hands("click", "--repeat", 10, "--delay", 200, 4)
+    v.click(150, 220)                  # auto
+    v.still(timeout_s=MEASURED_S)
+    same(before, v.picture(), "the picture of auto")
+    v.click(*ALONE)
+    for header in reversed(HEADERS):
+        v.click(*header)
+    same(before, v.settle(), "the picture afterwards")
 
 
 def test_resizing_keeps_the_horizontal_field_of_view(v):
@@ -315,7 +400,8 @@ WITH_WINDOW = [test_motion_without_a_drag_changes_nothing, test_a_drag_moves_wha
                test_a_drag_on_a_panel_does_not_turn_the_camera, test_right_drag_rolls,
                test_keys_and_wheel_move_and_r_comes_back, test_typing_a_number_does_not_fly,
                test_a_broken_scene_is_said_and_survived, test_tab_hides_the_panels,
-               test_at_rest_it_leaves_the_processor_alone, test_f12_saves_the_picture_without_panels,
+               test_at_rest_it_leaves_the_processor_alone, test_h_lays_the_errors_over_the_picture,
+               test_the_accuracy_section_chooses_refuses_and_measures, test_f12_saves_the_picture_without_panels,
                test_resizing_keeps_the_horizontal_field_of_view, test_escape_quits]
 FROM_OUTSIDE = [test_screenshot, test_bad_input, test_no_display, test_old_opengl]
 

@@ -1,0 +1,50 @@
+// The accuracy of the frame on the screen: when it is measured, and the heat map over the picture.
+#pragma once
+#include <atomic>
+#include <optional>
+#include <string>
+
+#include "gl/gl.h"
+#include "render/renderer.h"
+#include "viewer/error_watch.h"
+#include "viewer/window.h"
+
+namespace nullscope::viewer {
+
+// What panel and legend show.
+struct AccuracyFacts {
+    ErrorSummary errors;  // of the last frame that was measured
+    bool of_this_frame = false, measuring = false;
+    std::string error;  // why nothing can be measured, or nothing
+};
+
+// Measures only what is looked at, and only a frame that rests: one read-back a frame then, none in flight.
+class FrameAccuracy {
+public:
+    FrameAccuracy();
+
+    // What is drawn from now on. Stops what is being measured if the rays are other ones.
+    void frame_is(const Scene& scene, const Method& method);
+    // Starts, stops and takes over what was found. True if there is something new to draw.
+    bool update(bool wanted, bool moving, Renderer& renderer);
+    double wait() const;  // s until update() has something to do of its own; infinite: nothing
+    void draw_overlay();  // between NewFrame and Render: below the panels
+    AccuracyFacts facts() const;
+
+private:
+    ErrorSummary errors_;
+    std::string error_;
+    std::atomic<bool> news_ = false;
+    bool wanted_ = false, begun_ = false;  // begun: this frame is or was measured, or cannot be
+    double changed_at_ = 0.0;
+    Scene scene_;
+    Method method_;
+    Image<unsigned char> heat_;
+    gl::Texture overlay_;
+    ErrorWatch watch_;  // last: its threads end before the rest
+};
+
+// Bar, ticks and words of the overlay's colours. bottom: of the place it may take.
+void draw_error_legend(const AccuracyFacts& facts, float bottom);
+
+}  // namespace nullscope::viewer

@@ -1,0 +1,48 @@
+#include "viewer/method_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace nullscope::viewer {
+
+const MeasuredMethod* row_of(const std::vector<MeasuredMethod>& measured, const Method& method,
+                             const std::string& metric) {
+    const auto found = std::find_if(measured.begin(), measured.end(), [&](const MeasuredMethod& row) {
+        return row.metric == metric && row.method == method;
+    });
+    return found == measured.end() ? nullptr : &*found;
+}
+
+MethodChoice method_choice(const std::vector<MeasuredMethod>& measured, const MethodWish& wish, const Scene& scene) {
+    const std::string& metric = scene.spacetime.metric;
+    if (!wish.automatic) {
+        const MeasuredMethod* row = row_of(measured, wish.method, metric);
+        if (row == nullptr)
+            return {wish.method, true, fmt::format("{}: chosen by hand; not measured here", method_name(wish.method))};
+        const double error = error_in_frame(*row, scene.camera);
+        const bool kept = error <= wish.max_error_px;
+        return {wish.method, kept,
+                fmt::format("{}: chosen by hand; at most {:.2g} px on the sky here{}, {:.2f} times flat space",
+                            method_name(wish.method), error,
+                            kept ? "" : fmt::format(", more than {:.2g} px", wish.max_error_px), row->floor_ratio)};
+    }
+    const auto choice = choose_method(measured, scene, wish.max_error_px);
+    if (choice && choice->error_px == 0.0) return {choice->method, true, choice->reason};  // nothing to choose from
+    if (choice) {
+        const MeasuredMethod* row = row_of(measured, choice->method, metric);
+        return {choice->method, true,
+                fmt::format(
+                    "{}, the cheapest that keeps {:.2g} px: at most {:.2g} px on the sky here, {:.2f} times flat space",
+                    method_name(choice->method), wish.max_error_px, choice->error_px, row->floor_ratio)};
+    }
+    const MeasuredMethod* best = most_exact(measured, metric);  // there is one: else the choice is the default
+    return {
+        best->method, false,
+        fmt::format(
+            "No method was measured to keep {:.2g} px in this frame. The smallest error that can be kept is {:.2g} px, "
+            "by {}, which is drawn.",
+            wish.max_error_px, error_in_frame(*best, scene.camera), method_name(best->method))};
+}
+
+}  // namespace nullscope::viewer

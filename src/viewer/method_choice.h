@@ -1,0 +1,24 @@
+// Which method a wish comes to in a scene, in words for the panel.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "render/frontier.h"
+#include "viewer/view_state.h"
+
+namespace nullscope::viewer {
+
+struct MethodChoice {
+    Method method;
+    bool kept = true;  // false: nothing measured is that exact; method is then the most exact there is
+    std::string words;
+};
+
+// measured: of load_frontier; empty where that failed.
+MethodChoice method_choice(const std::vector<MeasuredMethod>& measured, const MethodWish& wish, const Scene& scene);
+
+// The row of a method in a metric; nullptr if it was not measured.
+const MeasuredMethod* row_of(const std::vector<MeasuredMethod>& measured, const Method& method,
+                             const std::string& metric);
+
+}  // namespace nullscope::viewer

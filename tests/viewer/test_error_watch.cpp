@@ -1,0 +1,162 @@
+// The background measurement of a frame's error: the numbers of measure_rays, whole after a cancel and a restart, and no window.
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include <doctest/doctest.h>
+
+#include "compare/heat_map.h"
+#include "reference/reference.h"
+#include "viewer/error_watch.h"
+
+namespace {
+
+using namespace nullscope;
+using namespace nullscope::viewer;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kLongest = std::chrono::seconds(60);  // whatever else the machine does
+
+Scene small_scene(double r, int width, int height) {
+    Scene scene;
+    scene.camera.r = r;
+    scene.camera.width = width;
+    scene.camera.height = height;
+    scene.disc = DiscSpec{};
+    scene.disc->opacity = 0.5;  // sky and disc in one pixel
+    return scene;
+}
+
+// The exact frame with errors put in: directions and places off by up to `off`, some fates wrong.
+RayFrame spoilt_frame(const Scene& scene, double off) {
+    auto frame = reference::trace_frame(scene);
+    REQUIRE(frame);
+    unsigned state = 1;
+    for (RayPixel& pixel : frame->pixels) {
+        state = state * 1664525u + 1013904223u;
+        const double part = off * (state >> 8) / 16777216.0;
+        pixel.sky = pixel.fate == Fate::kEscaped ? normalized(pixel.sky + part * Vec3{0.3, 0.5, -0.8}) : pixel.sky;
+        pixel.u += pixel.hit != 0 ? 10 * part : 0;
+        if (state >> 25 == 0) pixel.fate = pixel.fate == Fate::kEscaped ? Fate::kCaptured : Fate::kEscaped;
+    }
+    return std::move(*frame);
+}
+
+RayMeasures measured_at_once(const Scene& scene, const RayFrame& frame) {
+    return measure_rays(frame, scene.camera, [&](const std::vector<std::array<double, 2>>& positions) {
+        return *reference::trace_pixels(scene, positions);
+    });
+}
+
+void wait_for_all(const ErrorWatch& watch) {
+    const auto end = Clock::now() + kLongest;
+    while (!watch.summary().complete() && Clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    REQUIRE(watch.summary().complete());
+}
+
+bool same(const Spread& a, const Spread& b) {
+    return a.max == b.max && a.p999 == b.p999 && a.median == b.median && a.count == b.count;
+}
+
+void check_all(ErrorWatch& watch, const Scene& scene, const RayFrame& frame) {
+    const RayMeasures all = measured_at_once(scene, frame);
+    const ErrorSummary found = watch.summary();
+    CHECK(found.measured == static_cast<long long>(all.pixels.size()));
+    CHECK(found.fate_errors == all.fate_errors);
+    CHECK(found.forgiven == all.forgiven);
+    CHECK(same(found.sky_px, all.sky_px));
+    CHECK(same(found.place_px, all.place_px));
+    const std::vector<PixelErrors> pixels = watch.pixels();
+    REQUIRE(pixels.size() == all.pixels.size());
+    Image<unsigned char> heat;
+    REQUIRE(watch.take_heat(heat));
+    long long differing = 0, other_colour = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const PixelErrors &a = pixels[i], &b = all.pixels[i];
+        differing += a.end != b.end || a.sky_px != b.sky_px || a.place_px != b.place_px || a.angle_px != b.angle_px;
+        const auto colour = heat_colour(b.screen_px(), kPixelHeat);
+        other_colour +=
+            !std::equal(colour.begin(), colour.end(), heat.data.begin() + static_cast<std::ptrdiff_t>(4 * i)) ||
+            heat.data[4 * i + 3] != 255;
+    }
+    CHECK(differing == 0);
+    CHECK(other_colour == 0);
+    CHECK(!watch.take_heat(heat));  // nothing new since
+}
+
+TEST_CASE("errors: a frame measured tile by tile has the numbers of measure_rays") {
+    std::atomic<int> news = 0;
+    for (const int threads : {1, 3}) {
+        const Scene scene = small_scene(12, 150, 101);  // neither is a multiple of anything
+        const RayFrame frame = spoilt_frame(scene, 1e-3);
+        ErrorWatch watch([&] { ++news; }, threads);
+        CHECK(!watch.measuring());
+        REQUIRE(watch.start(scene, frame));
+        wait_for_all(watch);
+        check_all(watch, scene, frame);
+        CHECK(watch.summary().fate_errors > 50);
+        CHECK(watch.summary().sky_px.max > 0.01);
+        CHECK(!watch.measuring());
+    }
+    CHECK(news >= 2);
+}
+
+TEST_CASE("errors: a frame smaller than the coarse grids is measured as well") {
+    const Scene scene = small_scene(5, 3, 2);
+    const RayFrame frame = spoilt_frame(scene, 1e-3);
+    ErrorWatch watch([] {}, 1);
+    REQUIRE(watch.start(scene, frame));
+    wait_for_all(watch);
+    check_all(watch, scene, frame);
+}
+
+TEST_CASE("errors: a restart forgets the frame before, a cancel stops it") {
+    const Scene before = small_scene(12, 400, 300), after = small_scene(3, 200, 150);
+    const RayFrame spoilt = spoilt_frame(before, 0.5), frame = spoilt_frame(after, 1e-4);
+    ErrorWatch watch([] {}, 2);
+    for (int i = 0; i < 8; ++i) {  // at other moments of the measurement each time
+        REQUIRE(watch.start(before, spoilt));
+        std::this_thread::sleep_for(std::chrono::milliseconds(3 * i));
+        REQUIRE(watch.start(after, frame));
+        CHECK(watch.summary().pixels == 200 * 150);
+    }
+    wait_for_all(watch);
+    check_all(watch, after, frame);
+
+    REQUIRE(watch.start(before, spoilt));
+    watch.cancel();
+    CHECK(!watch.measuring());
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    CHECK(!watch.summary().complete());
+    Image<unsigned char> heat;
+    watch.take_heat(heat);
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    CHECK(!watch.take_heat(heat));  // nothing is measured any more
+}
+
+TEST_CASE("errors: cancel and end do not wait for the frame") {
+    const Scene large = small_scene(12, 2000, 1500);
+    std::atomic<int> news = 0;
+    int at_end = 0;
+    {
+        ErrorWatch watch([&] { ++news; }, 1);
+        for (int i = 0; i < 2; ++i) {
+            REQUIRE(watch.start(large, RayFrame{2000, 1500, std::vector<RayPixel>(2000 * 1500)}));
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            if (i == 0) watch.cancel();
+            CHECK(!watch.summary().complete());
+        }
+        at_end = news;
+    }
+    CHECK(news <= at_end + 1);  // the tile that was being measured; a whole frame has news every quarter of a second
+}
+
+TEST_CASE("errors: what the tracer refuses is said") {
+    Scene scene = small_scene(0.5, 8, 8);
+    ErrorWatch watch([] {}, 1);
+    CHECK(!watch.start(scene, RayFrame{8, 8, std::vector<RayPixel>(64)}));
+    CHECK(!watch.measuring());
+}
+
+}  // namespace
