@@ -12,8 +12,10 @@ struct Inputs {
 thread_local Inputs inputs;
 #define frame inputs.frame
 
+// Nothing where there is no texel: a captured ray fetches from the strip of the sky too, which near the hole has fewer octaves
+// than captured rays take, and does not use what it gets. (In GL such a fetch gives some value; 0 where access is robust.)
 vec4 fetch(const TexelView& view, int x, int y) {
-    if (view.data == nullptr) return vec4(0);   // as a texture that is not there reads in GL
+    if (x < 0 || x >= view.width || y < 0 || y >= view.height) return vec4(0);
     const auto* texel = view.data + 4 * (static_cast<std::size_t>(y) * view.width + x);
     return vec4(texel[0], texel[1], texel[2], texel[3]);
 }
