@@ -16,7 +16,7 @@ cd "$root"
 targets=()
 if [[ $# -eq 0 ]]; then
     targets=(--target unit_tests fuzz_scene fuzz_picture fuzz_exr fuzz_rays fuzz_words)
-    set -- -R '^(unit|fuzz): '
+    set -- -L '^(unit|fuzz)$'
 fi
 cmake --build build/sanitize ${targets[@]+"${targets[@]}"} >&2
 export MESA_SHADER_CACHE_DISABLE=true
