@@ -25,6 +25,7 @@ fov = 62.0
 [disc]
 """
 PICTURE = (320, 300, 820, 560)     # of the window: no panel lies here
+PANEL = (10, 60, 284, 490)
 SIDE, KEYS, FIELD = (10, 60, 280, 300), (300, 10, 830, 180), (110, 92, 180, 106)
 LETTERS = bytes([230, 232, 237])   # the theme's text
 NOISE = 0.002                      # share of bytes: single pixels on the edge of rounding
@@ -79,6 +80,16 @@ class Viewer:
             self.hands(*step)
             self.still()
 
+    def toggle(self, x, y):
+        """A header, open or shut; again when the click went unseen, as it may on a machine that is too busy for
+        stillness to mean that a frame has been drawn since."""
+        before = self.picture(PANEL)
+        for _ in range(3):
+            self.click(x, y)
+            if self.picture(PANEL).differing(before) > CHANGED:
+                return
+        raise AssertionError(f"a click on the header at {x}, {y} changes nothing")
+
     def still(self, area=(0, 0, WIDTH, HEIGHT), timeout_s=30.0):
         """The picture once the area's pixels have stayed the same for a while."""
         state = {"data": None, "since": 0.0}
@@ -113,10 +124,12 @@ class Viewer:
         return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
     def rests(self):
-        before = self.spent()
-        time.sleep(1.0)
-        used = self.spent() - before
-        assert used < 0.2, f"{used:.2f} s of processor time in a second of rest"
+        """What was begun may take its time; then the processor is left alone."""
+        def idle():
+            before = self.spent()
+            time.sleep(1.0)
+            return self.spent() - before < 0.2
+        wait_until("less than 0.2 s of processor time in a second", idle, MEASURED_S)
 
     def answer(self):
         """Everything that was sent before has been seen when F1's list is there and gone again."""
@@ -297,10 +310,8 @@ def test_the_accuracy_section_chooses_refuses_and_measures(v):
     v.hands("mousemove", *BESIDE, "key", "r")
     before = v.settle()
     for header in HEADERS:
-        v.click(*header)
-    shut = v.picture(WORDS)
-    v.click(*ALONE)
-    v.changes("the section opens", shut, WORDS)
+        v.toggle(*header)
+    v.toggle(*ALONE)
     v.still(timeout_s=MEASURED_S)
     v.rests()
     same(before, v.picture(), "the picture beside the section")
@@ -331,9 +342,9 @@ def test_the_accuracy_section_chooses_refuses_and_measures(v):
     v.click(150, 220)                  # auto
     v.still(timeout_s=MEASURED_S)
     same(before, v.picture(), "the picture of auto")
-    v.click(*ALONE)
+    v.toggle(*ALONE)
     for header in reversed(HEADERS):
-        v.click(*header)
+        v.toggle(*header)
     same(before, v.settle(), "the picture afterwards")
 
 
