@@ -21,19 +21,17 @@ bool whole(const RayFrame& frame) {  // every channel finite, every fate one tha
 }
 
 constexpr double kRefineAbove_px = 1e-5;   // below every bound of the list but those of frames of a pixel or two
-constexpr double kCubicBelow = 2e-5;       // rad a pixel: where straight lines would err by 0.05 px
 
 TEST_CASE("hard cases: every one within its bound") {
     on_every_context([](GpuSession& session) {
         for (const HardCase& c : hard_cases()) {
             CAPTURE(c.name);
-            const bool cubic = smallest_pixel_angle(c.scene.camera) < kCubicBelow;
-            session.renderer->set_method(Method{.cubic = cubic});
+            session.renderer->set_method(Method{.cubic = hard_cubic(c.scene)});
             const RayFrame frame = gl_ray_data(session, c.scene);
             CHECK(whole(frame));
             const auto exact = reference::trace_frame(c.scene);
             REQUIRE(exact);
-            const HardBound bound = hard_bound(c.scene, *exact, cubic);
+            const HardBound bound = hard_bound(c.scene, *exact);
             const RayMeasures m = measure_rays(frame, c.scene.camera, reference_trace(c.scene), 1, kRefineAbove_px);
             fmt::print("{:<7} {:<55} sky {:.1e} of {:.1e}, place {:.1e} of {:.1e}, swept {:.1e} of {:.1e}, g {:.1e} of {:.1e} px; fate errors {}, "
                        "forgiven {}\n",
