@@ -195,6 +195,14 @@ void motions(List& list) {
         }
 }
 
+void moving_zooms(List& list) {
+    for (const double degrees : {1.0, 0.1, 0.01})
+        for (const auto& [name, v] : {std::pair{"0.89 c", Vec3{0.5, 0, 0.74}}, {"0.999 c across", Vec3{0, 0, 0.999}}, {"0.999 c inwards", Vec3{-0.999, 0, 0}}})
+            list.add(fmt::format("{} degrees at {}", degrees, name), "aberration forms every direction anew, in float", [&](Scene& s) {
+                s.camera.r = 20, s.camera.yaw = 21 * kDegree, s.camera.pitch = 3 * kDegree, s.camera.velocity = v, field_of_view(s, degrees * kDegree);
+            });
+}
+
 void frames(List& list) {
     for (const double degrees : {0.01, 0.1, 1.0, 10.0, 120.0, 179.0}) {
         list.add(fmt::format("{} degrees, at the photon ring", degrees), "the picture's finest detail, at any depth", [&](Scene& s) {
@@ -243,6 +251,7 @@ std::vector<HardCase> make_cases() {
     axis_and_plane(list);
     discs(list);
     motions(list);
+    moving_zooms(list);
     frames(list);
     flat(list);
     return list.take();
