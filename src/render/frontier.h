@@ -14,17 +14,18 @@ namespace nullscope {
 struct MeasuredMethod {
     std::string metric;
     Method method;
-    double error_px;      // largest screen error, on the sky and on a disc, over the cameras of the bench, px of a 4K frame over 90 degrees
+    double error_px;      // largest screen error on the sky over the cameras of the bench, px of a 4K frame over 90 degrees
     double floor_ratio;   // cost of a frame over the same frame in flat space
+    double disc_error_px = 0.0;  // the same on a disc that covers what a disc can: mostly the orbit map's, whatever the method
 };
 
-// Errors: file missing, a line that is not metric,method,error_px,floor_ratio.
+// Errors: file missing, a line that is not metric,method,error_px,floor_ratio,disc_error_px.
 Result<std::vector<MeasuredMethod>> load_frontier(const std::filesystem::path& path);
 std::string frontier_text(const std::vector<MeasuredMethod>& methods);
 
-// The measured error in px of this camera's frame: an error in the look direction's own angle is worth more pixels the smaller
-// the pixels are, so it is scaled by the smallest pixel (in the frame's corners).
-double error_in_frame(const MeasuredMethod& method, const CameraSpec& camera);
+// The measured error in px of this scene's frame, of the sky or, where there is a disc, the larger of the two: an error in the look
+// direction's own angle is worth more pixels the smaller the pixels are, so it is scaled by the smallest (in the frame's corners).
+double error_in_frame(const MeasuredMethod& method, const Scene& scene);
 
 // Is another method of the same metric at least as exact and as cheap, and better in one of the two?
 bool is_dominated(const MeasuredMethod& method, const std::vector<MeasuredMethod>& methods);

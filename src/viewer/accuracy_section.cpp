@@ -26,7 +26,7 @@ bool method_row(ViewState& view, const AccuracyPanel& panel, bool escape) {
     for (const MeasuredMethod& measured : panel.measured) {
         if (measured.metric != view.scene.spacetime.metric) continue;
         const std::string help = fmt::format("At most {:.2g} px in this frame, {:.2f} times flat space.",
-                                             error_in_frame(measured, view.scene.camera), measured.floor_ratio);
+                                             error_in_frame(measured, view.scene), measured.floor_ratio);
         if (!choice_item(method_name(measured.method), !wish.automatic && wish.method == measured.method, help))
             continue;
         wish.automatic = false;

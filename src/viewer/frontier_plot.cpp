@@ -100,7 +100,7 @@ public:
     }
 
 private:
-    double error_of(const MeasuredMethod& row) const { return error_in_frame(row, plot_.scene.camera); }
+    double error_of(const MeasuredMethod& row) const { return error_in_frame(row, plot_.scene); }
 
     // The method of the frame, and down from it what the frame was measured to err.
     void marks(const MeasuredMethod& row) {

@@ -20,7 +20,7 @@ MethodChoice method_choice(const std::vector<MeasuredMethod>& measured, const Me
         const MeasuredMethod* row = row_of(measured, wish.method, metric);
         if (row == nullptr)
             return {wish.method, true, fmt::format("{}: chosen by hand; not measured here", method_name(wish.method))};
-        const double error = error_in_frame(*row, scene.camera);
+        const double error = error_in_frame(*row, scene);
         const bool kept = error <= wish.max_error_px;
         return {wish.method, kept,
                 fmt::format("{}: chosen by hand; at most {:.2g} px on the sky here{}, {:.2f} times flat space",
@@ -42,7 +42,7 @@ MethodChoice method_choice(const std::vector<MeasuredMethod>& measured, const Me
         fmt::format(
             "No method was measured to keep {:.2g} px in this frame. The smallest error that can be kept is {:.2g} px, "
             "by {}, which is drawn.",
-            wish.max_error_px, error_in_frame(*best, scene.camera), method_name(best->method))};
+            wish.max_error_px, error_in_frame(*best, scene), method_name(best->method))};
 }
 
 }  // namespace nullscope::viewer

@@ -18,7 +18,7 @@ TEST_CASE("method: the wish comes to what capture --method auto would take, refu
     Scene scene;
     scene.camera.width = 3840;
     scene.camera.plane_width = 2e-3;  // a pixel is a thousandth of the bench's: all errors count thousandfold
-    CHECK(error_in_frame(measured[0], scene.camera) == doctest::Approx(10).epsilon(1e-4));
+    CHECK(error_in_frame(measured[0], scene) == doctest::Approx(10).epsilon(1e-4));
     MethodWish wish;
     wish.max_error_px = 20;
     CHECK(method_choice(measured, wish, scene).method == method_of("strip"));
