@@ -71,7 +71,7 @@ Result<Plan> make_plan(const Scene& scene) {
     if (Status made = tables.update(scene); !made) return made.error();
     add_tables(tables, scene, plan.tables);
     if (Status added = add_pictures(tables.effects(), scene, plan.tables); !added) return added.error();
-    const std::string shader = shader_source(Stage::kPicture, tables.effects(), Output::kDisplay).fragment;
+    const std::string shader = shader_source(Stage::kPicture, tables.effects(), Output::kDisplay, {}, scene.spacetime.metric, body_text(scene)).fragment;
     plan.shader_bytes = bytes_of(shader.size());
     plan.shader_lines = std::count(shader.begin(), shader.end(), '\n');
     return plan;
