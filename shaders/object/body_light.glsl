@@ -13,7 +13,7 @@ vec3 BODY_image(vec2 uv, vec2 a, vec2 b) {
 }
 #endif
 #ifdef TEXTURE_FORMULA
-float BODY_formula(vec2 uv, vec3 at) {
+float BODY_blend(vec2 uv, vec3 at) {
     float u = uv.x;
     float v = uv.y;
     float x = at.x;
@@ -72,7 +72,7 @@ vec3 BODY_light(Trace trace, RayPlace place, vec3 at, vec3 normal) {
     float sum = 0.0;
     for (int i = 0; i < 4; ++i) {   // four places of the pixel's box
         vec2 corner = vec2((i & 1) == 0 ? -0.25 : 0.25, i < 2 ? -0.25 : 0.25);
-        sum += BODY_formula(uv + corner.x * a + corner.y * b, at + corner.x * spot.along + corner.y * spot.across);
+        sum += BODY_blend(uv + corner.x * a + corner.y * b, at + corner.x * spot.along + corner.y * spot.across);
     }
     light = mix(second, first, 0.25 * sum);
 #endif

@@ -51,6 +51,12 @@ struct FrameData {
     vec4 ball_colour;
     vec4 ball_second;
 #endif
+#ifdef BLOCK_SURFACE
+    vec4 surface_form;   // bound, stride, step of differences, 0
+    vec4 surface_map;
+    vec4 surface_colour;
+    vec4 surface_second;
+#endif
 #ifdef BLOCK_MARCH
     vec4 march;          // radius about the centre that holds all bodies, shortest stride, 0, 0
 #endif

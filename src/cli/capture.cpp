@@ -67,6 +67,7 @@ Result<Captured> capture_reference(const Scene& scene, const Options& options, b
     if (bodies[0]) pictures.sphere = &*bodies[0];
     if (bodies[1]) pictures.cylinder = &*bodies[1];
     if (bodies[2]) pictures.ball = &*bodies[2];
+    if (bodies[3]) pictures.surface = &*bodies[3];
     const long long pixels = static_cast<long long>(scene.camera.width) * scene.camera.height;
     Captured captured;
     {

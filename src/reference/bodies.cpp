@@ -7,6 +7,8 @@
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include "expr/formula.h"
+
 namespace nullscope::reference {
 namespace {
 
@@ -44,6 +46,15 @@ Bodies::Bodies(const Scene& scene) {
         parts_.push_back({Object::kBall, b.radius, length(b.position) + b.radius,
                           [b](Vec3 x) { return length(x - b.position) - b.radius; }});
     }
+    if (scene.surface) {
+        const auto shape = expr::Formula::parse(scene.surface->shape, {"x", "y", "z"});
+        const double bound = scene.surface->bound;
+        if (shape)
+            parts_.push_back({Object::kSurface, 2 * bound / scene.surface->steps, bound, [f = *shape, bound](Vec3 x) {
+                                  const double place[] = {x.x, x.y, x.z};
+                                  return std::max(f.value(place), length(x) - bound);
+                              }});
+    }
 }
 
 // Equal looks along the path, fine where the body can be met; a change of sign is narrowed down by TOMS 748, a dip between three
@@ -67,9 +78,10 @@ std::optional<double> Bodies::first_angle(const Orbit& orbit, const RayPlane& pl
         if (!(probe > 0) || !std::isfinite(r_probe)) return std::nullopt;
         const double speed = std::hypot((r_probe - r) / probe, r);   // length per angle
         outward = r_probe > r;
-        if (outward && r > part.reach * 1.001) return std::nullopt;
-        const double fine = kPartOfThinnest * part.thinnest, distance = std::max(r - part.reach, 0.0);
-        const double stride = std::max(std::max(fine, 0.5 * distance), part.thinnest >= r ? 0.05 * r : 0.0);
+        const double fine = kPartOfThinnest * part.thinnest;
+        if (outward && r > part.reach + 3 * fine) return std::nullopt;   // a look beyond every dip
+        const double distance = std::max(r - part.reach, 0.0);
+        const double stride = std::max(fine, 0.5 * distance);
         const double turn = std::min({std::min(stride, 0.2 * r) / speed, kLongestTurn, 0.5 * (end - angle)});
         const double next = angle + turn;
         if (!(next > angle) || end - next < 1e-13 * end) return std::nullopt;

@@ -89,9 +89,10 @@ Vec3 texel(const Image<float>& image, double u, double v) {
 }  // namespace
 
 Vec3 body_light(const Scene& scene, const BodyHit& hit, const Image<float>* image) {
-    const bool cylinder = hit.object == Object::kCylinder, ball = hit.object == Object::kBall;
-    const BodyLook& look = cylinder ? scene.cylinder->look : ball ? scene.ball->look : scene.sphere->look;
-    const double size = cylinder ? scene.cylinder->outer : ball ? scene.ball->radius : scene.sphere->radius;
+    const bool cylinder = hit.object == Object::kCylinder, ball = hit.object == Object::kBall,
+               surface = hit.object == Object::kSurface;
+    const BodyLook& look = cylinder ? scene.cylinder->look : ball ? scene.ball->look : surface ? scene.surface->look : scene.sphere->look;
+    const double size = cylinder ? scene.cylinder->outer : ball ? scene.ball->radius : surface ? scene.surface->bound : scene.sphere->radius;
     const Vec3 at = ball ? hit.place - scene.ball->position : hit.place;
     const double c = std::cos(look.rotation), s = std::sin(look.rotation);
     const Vec3 turned{c * at.x + s * at.y, c * at.y - s * at.x, at.z};

@@ -31,9 +31,10 @@ Result<std::vector<RayPixel>> trace_pixels(const Scene& scene, const std::vector
 struct Pictures {
     Pictures(const Image<float>* disc_image = nullptr) : disc(disc_image) {}  // NOLINT: a disc alone is the common case
     const Image<float>* disc;
-    const Image<float>*sphere = nullptr, *cylinder = nullptr, *ball = nullptr;
+    const Image<float>*sphere = nullptr, *cylinder = nullptr, *ball = nullptr, *surface = nullptr;
     const Image<float>* of(Object object) const {
-        return object == Object::kSphere ? sphere : object == Object::kCylinder ? cylinder : object == Object::kBall ? ball : disc;
+        const Image<float>* const of_number[] = {nullptr, disc, sphere, cylinder, ball, surface};
+        return of_number[static_cast<int>(object)];
     }
 };
 

@@ -9,14 +9,14 @@
 namespace nullscope {
 
 const char* body_image_sampler(int body) {
-    constexpr const char* kSamplers[kBodyCount] = {"sphere_texture", "cylinder_texture", "ball_texture"};
+    constexpr const char* kSamplers[kBodyCount] = {"sphere_texture", "cylinder_texture", "ball_texture", "surface_texture"};
     return kSamplers[body];
 }
 
 std::optional<std::filesystem::path> body_image_file(const Scene& scene, int body) {
     const BodyLook* looks[kBodyCount] = {scene.sphere ? &scene.sphere->look : nullptr,
                                          scene.cylinder ? &scene.cylinder->look : nullptr,
-                                         scene.ball ? &scene.ball->look : nullptr};
+                                         scene.ball ? &scene.ball->look : nullptr, scene.surface ? &scene.surface->look : nullptr};
     if (looks[body] == nullptr || looks[body]->texture != TextureKind::kImage) return std::nullopt;
     return looks[body]->image;
 }

@@ -10,7 +10,7 @@
 
 namespace nullscope {
 
-inline constexpr int kBodyCount = 3;               // sphere, cylinder, ball
+inline constexpr int kBodyCount = 4;               // sphere, cylinder, ball, surface
 const char* body_image_sampler(int body);          // its sampler in the shader
 
 class BodyImages {

@@ -57,7 +57,11 @@ void put_march(BlockWriter& block, const Scene& scene) {
         reach = std::max(reach, length(b->position) + b->radius);
         thinnest = std::min(thinnest, b->radius);
     }
-    block.put(1.001 * reach, kStride * thinnest, 0, 0);
+    if (const auto& f = scene.surface) {
+        reach = std::max(reach, f->bound);
+        thinnest = std::min(thinnest, 2 * f->bound / f->steps / kStride);
+    }
+    block.put(1.001 * reach + 4 * kStride * thinnest, kStride * thinnest, 0, 0);
 }
 
 void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spacetime) {
@@ -70,6 +74,10 @@ void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spaceti
     const BallSpec ball = scene.ball.value_or(BallSpec{});
     block.put(ball.position, ball.radius);
     put_look(block, ball.look);
+    const SurfaceSpec surface = scene.surface.value_or(SurfaceSpec{});
+    constexpr double kDifference = 1e-3;   // of the bound: gradients by differences keep half of a float's digits
+    block.put(surface.bound, 2 * surface.bound / surface.steps, kDifference * surface.bound, 0);
+    put_look(block, surface.look);
     put_march(block, scene);
 }
 

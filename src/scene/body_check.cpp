@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "expr/formula.h"
+
 namespace nullscope {
 namespace {
 
@@ -63,6 +65,14 @@ void check_ball(const Scene& scene, Faults& faults) {
         faults.push_back({"ball.radius", "the camera is inside of the ball", "a ball beside the camera"});
 }
 
+void check_surface(const Scene& scene, Faults& faults) {
+    const auto shape = expr::Formula::parse(scene.surface->shape, {"x", "y", "z"});
+    const Vec3 at = camera_at(scene.camera);
+    const double place[] = {at.x, at.y, at.z};
+    if (shape && length(at) <= scene.surface->bound && !(shape->value(place) > 0))
+        faults.push_back({"surface.shape", fmt::format("the camera is inside: f is {} there", shape->value(place)), "f above 0 at the camera"});
+}
+
 }  // namespace
 
 std::vector<BodyFault> check_bodies(const Scene& scene, double horizon, const Given& given) {
@@ -70,6 +80,7 @@ std::vector<BodyFault> check_bodies(const Scene& scene, double horizon, const Gi
     if (scene.sphere) check_look("sphere", scene.sphere->look, given, faults), check_sphere(scene, horizon, faults);
     if (scene.cylinder) check_look("cylinder", scene.cylinder->look, given, faults), check_cylinder(scene, faults);
     if (scene.ball) check_look("ball", scene.ball->look, given, faults), check_ball(scene, faults);
+    if (scene.surface) check_look("surface", scene.surface->look, given, faults), check_surface(scene, faults);
     return faults;
 }
 

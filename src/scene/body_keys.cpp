@@ -11,6 +11,7 @@ constexpr KeyRange kLength{0.0, 1e6, true, false};
 constexpr KeyRange kPlace{-1e6, 1e6, false, false};
 constexpr KeyRange kBrightness{0.0, 1e6, false, false};
 constexpr KeyRange kColour{0.0, 1000.0, false, false};
+constexpr KeyRange kSteps{16.0, 256.0, false, false};
 constexpr KeyRange kCount{1.0, 1000.0, false, false};
 constexpr KeyRange kBand{0.0, 90.0, true, false};
 constexpr KeyRange kFraction{0.0, 1.0, false, false};
@@ -74,6 +75,13 @@ const SceneKey kForms[] = {
      [](Scene& s, const KeyValue& v) { s.ball->position = v.vector; }},
     {"ball", "radius", KeyType::kNumber, "r_s", "2", kLength, "", "Radius; neither the centre nor the camera lies within.",
      [](Scene& s, const KeyValue& v) { s.ball->radius = v.number; }},
+    {"surface", "shape", KeyType::kFormula, "", "(length(x, y) - 6)^2 + z^2 - 2", kNone, "x y z",
+     "f(x, y, z), below 0 inside of the solid; outside of it at the camera.",
+     [](Scene& s, const KeyValue& v) { s.surface->shape = v.text; }},
+    {"surface", "bound", KeyType::kNumber, "r_s", "10", kLength, "", "Radius about the centre beyond which there is nothing of it.",
+     [](Scene& s, const KeyValue& v) { s.surface->bound = v.number; }},
+    {"surface", "steps", KeyType::kWhole, "", "64", kSteps, "", "Strides across the bounding sphere; what is thinner than one may be missed.",
+     [](Scene& s, const KeyValue& v) { s.surface->steps = v.width; }},
 };
 
 template <class Rows>
@@ -90,6 +98,8 @@ void append_body_keys(std::vector<SceneKey>& keys) {
     append(keys, look_keys<&Scene::cylinder>("cylinder"));
     append(keys, look_keys<&Scene::ball>("ball"));
     append(keys, mapping_keys<&Scene::ball>("ball"));
+    append(keys, look_keys<&Scene::surface>("surface"));
+    append(keys, mapping_keys<&Scene::surface>("surface"));
 }
 
 }  // namespace nullscope

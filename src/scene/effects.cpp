@@ -38,7 +38,10 @@ std::vector<std::string_view> EffectSet::keys() const {
     return keys;
 }
 
-bool has_marched(const EffectSet& effects) { return effects.contains(Effect::kCylinder) || effects.contains(Effect::kBall); }
+bool has_marched(const EffectSet& effects) {
+    return effects.contains(Effect::kCylinder) || effects.contains(Effect::kBall) ||
+           effects.contains(Effect::kSurface);
+}
 bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
 bool meets_objects(const EffectSet& effects) { return effects.contains(Effect::kDisc) || has_solids(effects); }
 
@@ -50,10 +53,13 @@ void add_bodies(const Scene& scene, std::vector<EffectReason>& reasons) {
         reasons.push_back({Effect::kCylinder, fmt::format("[cylinder] from {} to {}, |z| up to {}", c->inner, c->outer, c->height)});
     if (const auto& b = scene.ball)
         reasons.push_back({Effect::kBall, fmt::format("[ball] of radius {} at [{}, {}, {}]", b->radius, b->position.x, b->position.y, b->position.z)});
+    if (const auto& f = scene.surface)
+        reasons.push_back({Effect::kSurface, fmt::format("[surface] {} within {}", f->shape, f->bound)});
     std::vector<std::pair<const char*, const BodyLook*>> looks;
     if (scene.sphere) looks.emplace_back("sphere", &scene.sphere->look);
     if (scene.cylinder) looks.emplace_back("cylinder", &scene.cylinder->look);
     if (scene.ball) looks.emplace_back("ball", &scene.ball->look);
+    if (scene.surface) looks.emplace_back("surface", &scene.surface->look);
     const auto add = [&](Effect effect, std::initializer_list<std::pair<TextureKind, const char*>> kinds) {
         for (const auto& [section, look] : looks)
             for (const auto& [kind, word] : kinds)

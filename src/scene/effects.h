@@ -15,9 +15,9 @@
 namespace nullscope {
 
 enum class Effect {
-    kLensing, kAberration, kDisc, kTranslucentDisc, kSphere, kCylinder, kBall, kPattern, kNoise, kFormula, kBodyImage, kSky
+    kLensing, kAberration, kDisc, kTranslucentDisc, kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kSky
 };
-inline constexpr std::size_t kEffectCount = 12;
+inline constexpr std::size_t kEffectCount = 13;
 
 struct EffectRow {
     Effect effect;
@@ -46,6 +46,8 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
      "ray ends, orbit map; strides of four fetches, at most 96"},
     {Effect::kBall, "ball", "EFFECT_BALL", "A solid sphere anywhere ends rays.", "there is a [ball]",
      "ray ends, orbit map; strides of four fetches, at most 96, shared with other bodies"},
+    {Effect::kSurface, "surface", "EFFECT_SURFACE", "A solid given by a formula ends rays.", "there is a [surface]",
+     "ray ends, orbit map; equal strides of four fetches and seven times the formula"},
     {Effect::kPattern, "pattern", "EFFECT_PATTERN", "A body has a checker, a grid of coordinates or stripes.",
      "a body's texture is checker, grid or stripes", "arithmetic where the body is seen"},
     {Effect::kNoise, "noise", "EFFECT_NOISE", "A body has noise on it.", "a body's texture is noise",

@@ -100,6 +100,14 @@ struct BallSpec {                   // a sphere anywhere
     friend bool operator==(const BallSpec&, const BallSpec&) = default;
 };
 
+struct SurfaceSpec {                // the solid f(x, y, z) < 0, as far as `bound` from the centre
+    std::string shape = "(length(x, y) - 6)^2 + z^2 - 2";   // f: docs/expressions.md
+    double bound = 10.0;
+    int steps = 64;                 // strides across the bounding sphere: what is thinner than one may be missed
+    BodyLook look;
+    friend bool operator==(const SurfaceSpec&, const SurfaceSpec&) = default;
+};
+
 struct Scene {
     std::string name, description;
     SpacetimeSpec spacetime;
@@ -109,6 +117,7 @@ struct Scene {
     std::optional<SphereSpec> sphere;
     std::optional<CylinderSpec> cylinder;
     std::optional<BallSpec> ball;
+    std::optional<SurfaceSpec> surface;
 };
 
 }  // namespace nullscope

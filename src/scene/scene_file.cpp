@@ -129,6 +129,7 @@ void SceneReader::read_section(std::string_view section, const toml::table& tabl
     if (section == "sphere") scene_.sphere.emplace();
     if (section == "cylinder") scene_.cylinder.emplace();
     if (section == "ball") scene_.ball.emplace();
+    if (section == "surface") scene_.surface.emplace();
     sections_[std::string(section)] = table.source().begin.line == 0 ? 1 : static_cast<int>(table.source().begin.line);
     if (const auto metric = table.find("metric"); section == "spacetime" && metric != table.end()) {
         read_key(section, metric->first, metric->second);  // first: it decides which other keys there are
@@ -192,6 +193,7 @@ void SceneReader::check_solids() {
     if (scene_.sphere) white_images("sphere", scene_.sphere->look);
     if (scene_.cylinder) white_images("cylinder", scene_.cylinder->look);
     if (scene_.ball) white_images("ball", scene_.ball->look);
+    if (scene_.surface) white_images("surface", scene_.surface->look);
     const auto spacetime = make_spacetime(scene_.spacetime.metric, scene_.spacetime.parameters);
     const double horizon = spacetime ? (*spacetime)->horizon_radius().value_or(0.0) : 0.0;
     const auto is_given = [this](const std::string& name) { return given(name); };

@@ -24,7 +24,8 @@ std::array<std::size_t, kFrameVectors> frame_offsets() {
             offsetof(F, sphere_colour), offsetof(F, sphere_second), offsetof(F, cylinder_form),
             offsetof(F, cylinder_map), offsetof(F, cylinder_colour), offsetof(F, cylinder_second),
             offsetof(F, ball_form), offsetof(F, ball_map), offsetof(F, ball_colour), offsetof(F, ball_second),
-            offsetof(F, march)};
+            offsetof(F, surface_form), offsetof(F, surface_map), offsetof(F, surface_colour),
+            offsetof(F, surface_second), offsetof(F, march)};
 }
 
 }  // namespace nullscope

@@ -6,6 +6,7 @@
 #define BLOCK_SPHERE
 #define BLOCK_CYLINDER
 #define BLOCK_BALL
+#define BLOCK_SURFACE
 #define BLOCK_MARCH
 namespace lensed {
 #define EFFECT_DISC

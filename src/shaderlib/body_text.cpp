@@ -29,7 +29,15 @@ std::vector<Body> bodies_of(const Scene& scene) {
         bodies.push_back({"cylinder", 3, &scene.cylinder->look, "frame.cylinder_form.y", "vec3(0.0)", "cylinder_normal(place.at)", true});
     if (scene.ball)
         bodies.push_back({"ball", 4, &scene.ball->look, "frame.ball_form.w", "frame.ball_form.xyz", "ball_offset(place.at) / frame.ball_form.w"});
+    if (scene.surface)
+        bodies.push_back({"surface", 5, &scene.surface->look, "frame.surface_form.x", "vec3(0.0)", "surface_normal(place.at)"});
     return bodies;
+}
+
+std::string shape_of(const SurfaceSpec& surface) {
+    const auto formula = expr::Formula::parse(surface.shape, {"x", "y", "z"});
+    return "float surface_formula(vec3 at) {\n    float x = at.x;\n    float y = at.y;\n    float z = at.z;\n" +
+           (formula ? formula->glsl("value") : "    float value = 1.0;\n") + "    return value;\n}\n";
 }
 
 std::string replaced(std::string text, std::string_view what, std::string_view with) {
@@ -58,19 +66,22 @@ std::string light_of(const Body& body) {
     return (look.texture == TextureKind::kImage ? fmt::format("uniform sampler2D {}_texture;\n", body.name) : "") + text;
 }
 
-std::string march_of(const std::vector<Body>& bodies) {
-    std::string value, object;
+std::string march_of(const std::vector<Body>& bodies, const Scene& scene) {
+    std::string value, object, room;
     for (const Body& body : bodies) {
         if (!body.marched) continue;
         value += fmt::format("    value = min(value, {}_value(at));\n", body.name);
+        room += fmt::format("    room = min(room, {}_{}(at));\n", body.name, body.number == 5 ? "room" : "value");
         object += fmt::format("    if ({0}_value(at) < value) {{\n        value = {0}_value(at);\n        object = {1};\n    }}\n", body.name, body.number);
     }
     if (value.empty()) return "";
-    return "#define MARCH_MOST_STEPS 96\n"
+    // Strides of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent.
+    const int steps = 96 + (scene.surface ? 2 * scene.surface->steps : 0);
+    const std::string graze = scene.surface ? "1.0e30" : "2.0 * angle * sqrt(place.r_along * place.r_along + place.r * place.r)";
+    return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) +
            "float march_value(vec3 at) {\n    float value = 1.0e30;\n" + value + "    return value;\n}\n"
-           "float march_room(vec3 at) { return march_value(at); }\n"
-           "float march_graze(float angle, RayPlace place) {\n"
-           "    return 2.0 * angle * sqrt(place.r_along * place.r_along + place.r * place.r);\n}\n"
+           "float march_room(vec3 at) {\n    float room = 1.0e30;\n" + room + "    return room;\n}\n"
+           "float march_graze(float angle, RayPlace place) { return " + graze + "; }\n"
            "int march_object(vec3 at) {\n    float value = 1.0e30;\n    int object = 0;\n" + object + "    return object;\n}\n";
 }
 
@@ -92,7 +103,7 @@ std::string hit_of(const std::vector<Body>& bodies) {
 BodyText body_text(const Scene& scene) {
     const std::vector<Body> bodies = bodies_of(scene);
     if (bodies.empty()) return {};
-    BodyText text{march_of(bodies), hit_of(bodies), {}};
+    BodyText text{scene.surface ? shape_of(*scene.surface) : "", march_of(bodies, scene), hit_of(bodies), {}};
     std::string choice;
     for (const Body& body : bodies) {
         text.light += light_of(body);

@@ -9,6 +9,7 @@ namespace nullscope {
 
 // Compared as a whole: two scenes with equal texts and equal effects have one program.
 struct BodyText {
+    std::string shape;   // surface_formula
     std::string march;   // march_value, march_room, march_object, MARCH_MOST_STEPS
     std::string hit;     // solid_hit: the first body on the ray
     std::string light;   // solid_light: and its light

@@ -70,10 +70,11 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
 std::string solid_text(Stage stage, const EffectSet& effects, const BodyText& bodies) {
     if (!has_solids(effects)) return "";
     std::string text(shader_file("object/place.glsl"));
-    if (effects.contains(Effect::kFormula) || effects.contains(Effect::kNoise)) text += shader_file("effect/expression.glsl");
+    if (effects.contains(Effect::kFormula) || effects.contains(Effect::kNoise) || effects.contains(Effect::kSurface)) text += shader_file("effect/expression.glsl");
     if (effects.contains(Effect::kSphere)) text += shader_file("object/sphere.glsl");
     if (effects.contains(Effect::kCylinder)) text += shader_file("object/cylinder.glsl");
     if (effects.contains(Effect::kBall)) text += shader_file("object/ball.glsl");
+    if (effects.contains(Effect::kSurface)) text += bodies.shape + std::string(shader_file("object/surface.glsl"));
     text += bodies.march;
     if (has_marched(effects)) text += shader_file("object/march.glsl");
     text += bodies.hit;

@@ -30,9 +30,10 @@ Scene scene_of(unsigned bits) {
     if (has(4)) scene.sphere.emplace().look.texture = TextureKind::kChecker;
     if (has(5)) scene.cylinder.emplace().look.texture = TextureKind::kNoise;
     if (has(6)) scene.ball.emplace().look.texture = TextureKind::kImage;
+    if (has(7)) scene.surface.emplace();
     return scene;
 }
-constexpr unsigned kEverything = 127;
+constexpr unsigned kEverything = 255;
 
 std::vector<int> driver_offsets(const Scene& scene, const std::vector<std::string>& members) {
     const EffectSet effects = effect_set(required_effects(scene));

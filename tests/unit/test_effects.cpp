@@ -110,7 +110,7 @@ TEST_CASE("bodies and their looks call for exactly their effects: every combinat
         if (kind == TextureKind::kFormula) return Effect::kFormula;
         return kind == TextureKind::kImage ? Effect::kBodyImage : Effect::kPattern;
     };
-    for (unsigned there = 0; there < 8; ++there) {
+    for (unsigned there = 0; there < 16; ++there) {
         for (const TextureKind a : textures) {
             for (const TextureKind b : textures) {
                 Scene scene;
@@ -125,6 +125,8 @@ TEST_CASE("bodies and their looks call for exactly their effects: every combinat
                 look((there & 1u) != 0, Effect::kSphere, a);
                 look((there & 2u) != 0, Effect::kCylinder, b);
                 look((there & 4u) != 0, Effect::kBall, a);
+                look((there & 8u) != 0, Effect::kSurface, b);
+                if ((there & 8u) != 0) scene.surface.emplace().look.texture = b;
                 if ((there & 1u) != 0) scene.sphere.emplace().look.texture = a;
                 if ((there & 2u) != 0) scene.cylinder.emplace().look.texture = b;
                 if ((there & 4u) != 0) scene.ball.emplace().look.texture = a;

@@ -16,7 +16,7 @@ namespace {
 std::vector<Scene> all_scenes() {
     std::vector<Scene> scenes;
     constexpr TextureKind kKinds[] = {TextureKind::kPlain, TextureKind::kChecker, TextureKind::kNoise, TextureKind::kFormula, TextureKind::kImage};
-    for (unsigned bits = 0; bits < 256; ++bits)
+    for (unsigned bits = 0; bits < 512; ++bits)
         for (const TextureKind kind : kKinds) {
             const auto has = [&](unsigned bit) { return (bits >> bit & 1u) != 0; };
             Scene scene;
@@ -28,6 +28,7 @@ std::vector<Scene> all_scenes() {
             if (has(5)) scene.sphere.emplace().look.texture = kind;
             if (has(6)) scene.cylinder.emplace().look.texture = kind;
             if (has(7)) scene.ball.emplace().look.texture = kind;
+            if (has(8)) scene.surface.emplace().look.texture = kind;
             for (BodyLook* look : {scene.sphere ? &scene.sphere->look : nullptr, scene.ball ? &scene.ball->look : nullptr})
                 if (look != nullptr && kind == TextureKind::kFormula) look->formula = "sin(u)";
             scenes.push_back(scene);
@@ -45,9 +46,10 @@ const std::vector<Mark> kMarks = {
     {Effect::kSphere, {"sphere_hit", "sphere_form", "sphere_light", "sphere_colour"}},
     {Effect::kCylinder, {"cylinder_value", "cylinder_form", "cylinder_light", "cylinder_colour"}},
     {Effect::kBall, {"ball_value", "ball_form", "ball_light", "ball_colour"}},
+    {Effect::kSurface, {"surface_formula", "surface_form", "surface_light", "surface_colour"}},
     {Effect::kPattern, {"pattern_checker", "pattern_wave"}},
     {Effect::kNoise, {"grain_noise"}},
-    {Effect::kFormula, {"_formula("}},
+    {Effect::kFormula, {"_blend("}},
     {Effect::kBodyImage, {"_image(", "textureSize"}},
     {Effect::kSky, {"celestial_sphere(", "sky_texture", "vec4 sky;"}},
 };
@@ -76,7 +78,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow& row : kEffectTable) all.insert(row.effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 34);
+    CHECK(members.size() == 38);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {
