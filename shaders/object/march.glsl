@@ -7,7 +7,7 @@
 
 #define MARCH_GOLDEN 0.61803398875
 #define MARCH_SEARCHES 9     // 0.618^9: a stride to 1/76
-#define MARCH_REFINEMENTS 14
+#define MARCH_REFINEMENTS 24
 
 // Swept angle after `length` more along the ray, taken as straight.
 float march_angle(RayPlace place, float length) {
@@ -22,14 +22,15 @@ float march_value_at(Trace trace, RayPlace place, float phi, float blur) {
     return march_value(place.at) + (blur > 0.0 ? 0.5 * blur * place_pixel(trace, place, phi) : 0.0);
 }
 
-// Between `low` (outside) and `high` (inside): regula falsi, the end that stays halved (Illinois).
+// Between `low` (outside) and `high` (inside): regula falsi, the end that stays halved (Illinois); every third step halves the
+// interval, for values with a corner in them.
 float march_refined(Trace trace, vec3 tangent, float blur, float low, float high, float low_value, float high_value) {
     float phi = high;
     int left = MARCH_REFINEMENTS;
     do {
         float width = high - low;
-        float part = low_value / max(low_value - high_value, 1.0e-30);
-        phi = low + width * clamp(part, 0.02, 0.98);
+        float part = left % 3 == 0 ? 0.5 : clamp(low_value / max(low_value - high_value, 1.0e-30), 0.01, 0.99);
+        phi = low + width * part;
         float value = march_value_at(trace, place_of(trace, tangent, phi), phi, blur);
         if (value > 0.0) {
             low = phi;

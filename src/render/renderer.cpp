@@ -264,6 +264,9 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     if (map.width > 0) lines.push_back({"orbit map", map.width, map.height, map.bytes()});
     if (sky_size_ > 0) lines.push_back({"sky", sky_size_, sky_size_, static_cast<std::size_t>(sky_size_) * sky_size_ * 32});  // 6 faces, 4 B, mip levels
     if (disc_width_ > 0) lines.push_back({"disc image", disc_width_, disc_height_, static_cast<std::size_t>(disc_width_) * disc_height_ * 32 / 3});
+    for (int body = 0; body < kBodyCount; ++body)
+        if (const auto& picture = body_images_.pictures()[static_cast<std::size_t>(body)])
+            lines.push_back({body_image_sampler(body), picture->width, picture->height, static_cast<std::size_t>(picture->width) * picture->height * 32 / 3});
     return lines;
 }
 
