@@ -15,3 +15,15 @@ vec3 cylinder_normal(vec3 at) {
     vec3 outward = vec3(at.x / rho, at.y / rho, 0.0);
     return outer_wall > inner_wall ? outward : -outward;
 }
+
+// How far along the ray it is at least: a ray that skims a face comes closer to it only as fast as it is steep, and as light bends.
+float cylinder_room(RayPlace place) {
+    float rho = sqrt(place.at.x * place.at.x + place.at.y * place.at.y);
+    float wall = max(rho - frame.cylinder_form.y, frame.cylinder_form.x - rho);
+    vec3 velocity = place_velocity(place);
+    float steep = abs(velocity.z) / max(sqrt(dot(velocity, velocity)), 1.0e-20) + 0.02;
+#ifdef EFFECT_LENSING
+    steep += 0.75 / place.r;
+#endif
+    return max(wall, (abs(place.at.z) - frame.cylinder_form.z) / min(steep, 1.0));
+}

@@ -1,6 +1,6 @@
 // Solid bodies anywhere: along the ray in strides no longer than the distance to the nearest of them, then between two places
-// on either side of its surface. march_value (written for the scene): below 0 inside of a body; march_room: how far the nearest is
-// at least; march_object: which one.
+// on either side of its surface. march_value (written for the scene): below 0 inside of a body; march_room: how far along
+// the ray the nearest is at least; march_object: which one.
 //
 // A body that the ray only grazes lies between two strides: where three values fall and rise again, the least between them is
 // looked for too.
@@ -62,7 +62,7 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
     int left = MARCH_MOST_STEPS;
     bool going = true;
     do {
-        float room = place.r > 2.0 * reach ? place.r - 1.5 * reach : max(min(0.8 * march_room(place.at), 0.4 * place.r), least);
+        float room = place.r > 2.0 * reach ? place.r - 1.5 * reach : max(min(0.8 * march_room(place), 0.4 * place.r), least);
         float next = min(phi + march_angle(place, room), phi_stop);
         place = place_of(trace, tangent, next);
         float there = march_value_at(trace, place, next, blur);

@@ -18,7 +18,7 @@ namespace {
 // One effect more, and the scene without it.
 struct Added {
     Effect effect;
-    std::function<void(Scene&)> ground;   // what the effect cannot be without
+    std::function<void(Scene&)> ground;  // what the effect cannot be without
     std::function<void(Scene&)> add;
 };
 
@@ -30,12 +30,16 @@ const std::vector<Added>& additions() {
         return [kind](Scene& s) {
             s.sphere->look.texture = kind;
             if (kind == TextureKind::kFormula) s.sphere->look.formula = "0.5 + 0.5 * sin(40 * u) * sin(20 * v)";
-            if (kind == TextureKind::kImage) s.sphere->look.image = assets_directory() / "images" / "accretion-disc.png";
+            if (kind == TextureKind::kImage)
+                s.sphere->look.image = assets_directory() / "images" / "accretion-disc.png";
         };
     };
     static const std::vector<Added> all = {
         {Effect::kLensing, nothing, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }},
-        {Effect::kAberration, nothing, [](Scene& s) { s.camera.velocity = {0.1, 0.2, 0.3}; }},
+        {Effect::kAberration, nothing,
+         [](Scene& s) {
+             s.camera.velocity = {0.1, 0.2, 0.3};
+         }},
         {Effect::kDisc, nothing, [](Scene& s) { s.disc.emplace(); }},
         {Effect::kTranslucentDisc, [](Scene& s) { s.disc.emplace(); }, [](Scene& s) { s.disc->opacity = 0.5; }},
         {Effect::kSphere, nothing, sphere},
@@ -81,19 +85,31 @@ Status bench_effects(const std::string& context, int width, int height, int fram
         added.add(with);
         if (Status ready = without_it->prepare(without); !ready) return ready;
         if (Status ready = with_it->prepare(with); !ready) return ready;
-        const auto draw = [&](Renderer& renderer) { renderer.draw(target.framebuffer.id(), width, height, Output::kDisplay); };
-        for (Renderer* renderer : {&floor, without_it.get(), with_it.get()}) draw(*renderer);   // compiles
+        const auto draw = [&](Renderer& renderer) {
+            renderer.draw(target.framebuffer.id(), width, height, Output::kDisplay);
+        };
+        for (Renderer* renderer : {&floor, without_it.get(), with_it.get()}) draw(*renderer);  // compiles
         Samples of_floor, of_without, of_with;
         for (int i = 0; i < frames; ++i, progress.advance()) {
             time_one(of_floor, [&] { draw(floor); });
             time_one(of_without, [&] { draw(*without_it); });
             time_one(of_with, [&] { draw(*with_it); });
         }
-        const double least = median(of_floor.core_s), before = median(of_without.core_s), after = median(of_with.core_s);
+        const double least = median(of_floor.core_s), before = median(of_without.core_s),
+                     after = median(of_with.core_s);
         const EffectRow& row = effect_row(added.effect);
-        fmt::print("{:<18} {:.4f} core-s, without it {:.4f}: {:+.2f} x the empty scene's {:.4f}\n", row.key, after, before, (after - before) / least, least);
-        rows.push_back(JsonObject().add("effect", row.key).add("renderer", floor.info().renderer).add("width", width).add("height", height));
-        rows.back().add("frames", frames).add("core_seconds", after).add("without_core_seconds", before).add("empty_core_seconds", least);
+        fmt::print("{:<18} {:.4f} core-s, without it {:.4f}: {:+.2f} x the empty scene's {:.4f}\n", row.key, after,
+                   before, (after - before) / least, least);
+        rows.push_back(JsonObject()
+                           .add("effect", row.key)
+                           .add("renderer", floor.info().renderer)
+                           .add("width", width)
+                           .add("height", height));
+        rows.back()
+            .add("frames", frames)
+            .add("core_seconds", after)
+            .add("without_core_seconds", before)
+            .add("empty_core_seconds", least);
         rows.back().add("added_floor_ratio", (after - before) / least);
     }
     if (json.empty()) return Done{};

@@ -41,11 +41,14 @@ double noise(double x, double y, double z) {
     constexpr double kFar = 1e6;  // beyond it the pattern stands still
     const double cx = std::clamp(x, -kFar, kFar), cy = std::clamp(y, -kFar, kFar), cz = std::clamp(z, -kFar, kFar);
     const double fx = std::floor(cx), fy = std::floor(cy), fz = std::floor(cz);
-    const auto ix = static_cast<std::int32_t>(fx), iy = static_cast<std::int32_t>(fy), iz = static_cast<std::int32_t>(fz);
+    const auto ix = static_cast<std::int32_t>(fx), iy = static_cast<std::int32_t>(fy),
+               iz = static_cast<std::int32_t>(fz);
     const auto ease = [](double t) { return t * t * (3 - 2 * t); };
     const double tx = ease(cx - fx), ty = ease(cy - fy), tz = ease(cz - fz);
     const auto mix = [](double a, double b, double t) { return a + (b - a) * t; };
-    const auto row = [&](int j, int k) { return mix(lattice(ix, iy + j, iz + k), lattice(ix + 1, iy + j, iz + k), tx); };
+    const auto row = [&](int j, int k) {
+        return mix(lattice(ix, iy + j, iz + k), lattice(ix + 1, iy + j, iz + k), tx);
+    };
     return mix(mix(row(0, 0), row(1, 0), ty), mix(row(0, 1), row(1, 1), ty), tz);
 }
 
@@ -65,7 +68,8 @@ double Formula::value(std::span<const double> values) const {
             case Op::kPower: {
                 const Node& exponent = nodes_[static_cast<std::size_t>(n.arguments[1])];
                 const bool whole = exponent.op == Op::kNumber && is_whole(exponent.number);
-                at[i] = whole ? whole_power(a, static_cast<int>(b)) : std::exp(std::clamp(b * std::log(std::max(a, kSmallest)), -69.0, 69.0));
+                at[i] = whole ? whole_power(a, static_cast<int>(b))
+                              : std::exp(std::clamp(b * std::log(std::max(a, kSmallest)), -69.0, 69.0));
                 break;
             }
             case Op::kNegate: at[i] = -a; break;

@@ -14,18 +14,48 @@
 
 namespace nullscope::expr {
 
-inline constexpr std::size_t kLongest = 1000;  // bytes of a formula
-inline constexpr std::size_t kMostNodes = 256; // operands and operations
-inline constexpr int kDeepest = 32;            // nesting of brackets, signs and powers
+inline constexpr std::size_t kLongest = 1000;   // bytes of a formula
+inline constexpr std::size_t kMostNodes = 256;  // operands and operations
+inline constexpr int kDeepest = 32;             // nesting of brackets, signs and powers
 inline constexpr double kLargest = 1e30, kSmallest = 1e-30;
-inline constexpr double kLargestAngle = 1e6;   // beyond it sin, cos and tan stand still: no digits are left of the angle
+inline constexpr double kLargestAngle = 1e6;  // beyond it sin, cos and tan stand still: no digits are left of the angle
 // A constant exponent that is computed by products, for bases of either sign; other powers take |base| that is 0 as 1e-30, and
 // negative bases too.
-inline bool is_whole(double exponent) { return exponent >= -16 && exponent <= 16 && exponent == static_cast<int>(exponent); }
+inline bool is_whole(double exponent) {
+    return exponent >= -16 && exponent <= 16 && exponent == static_cast<int>(exponent);
+}
 
 enum class Op {
-    kNumber, kVariable, kAdd, kSubtract, kMultiply, kDivide, kPower, kNegate, kSin, kCos, kTan, kAtan, kAtan2, kSqrt, kAbs, kExp,
-    kLog, kMin, kMax, kClamp, kMix, kStep, kSmoothstep, kFloor, kMod, kLength2, kLength3, kNoise1, kNoise2, kNoise3
+    kNumber,
+    kVariable,
+    kAdd,
+    kSubtract,
+    kMultiply,
+    kDivide,
+    kPower,
+    kNegate,
+    kSin,
+    kCos,
+    kTan,
+    kAtan,
+    kAtan2,
+    kSqrt,
+    kAbs,
+    kExp,
+    kLog,
+    kMin,
+    kMax,
+    kClamp,
+    kMix,
+    kStep,
+    kSmoothstep,
+    kFloor,
+    kMod,
+    kLength2,
+    kLength3,
+    kNoise1,
+    kNoise2,
+    kNoise3
 };
 
 class Formula {
@@ -42,11 +72,11 @@ public:
 
     struct Node {
         Op op = Op::kNumber;
-        std::array<int, 3> arguments{};   // earlier nodes
+        std::array<int, 3> arguments{};  // earlier nodes
         double number = 0;
         std::size_t variable = 0;
     };
-    const std::vector<Node>& nodes() const { return nodes_; }   // the last one is the value
+    const std::vector<Node>& nodes() const { return nodes_; }  // the last one is the value
 
 private:
     std::vector<Node> nodes_;

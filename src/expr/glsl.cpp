@@ -9,7 +9,7 @@ namespace nullscope::expr {
 namespace {
 
 std::string literal(double value) {
-    if (std::abs(value) < 1e-37) return "0.0";   // below what a float holds
+    if (std::abs(value) < 1e-37) return "0.0";  // below what a float holds
     std::string text = fmt::format("{:.9g}", value);
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
     return value < 0 ? "(" + text + ")" : text;
@@ -70,7 +70,8 @@ std::string Formula::glsl(std::string_view result) const {
             value = fmt::format("expression_whole_power({}, {})", name(n.arguments[0]), std::abs(power));
             if (power < 0) value = fmt::format("expression_divide(1.0, {})", value);
         } else {
-            value = fmt::format(fmt::runtime(pattern_of(n.op)), name(n.arguments[0]), name(n.arguments[1]), name(n.arguments[2]));
+            value = fmt::format(fmt::runtime(pattern_of(n.op)), name(n.arguments[0]), name(n.arguments[1]),
+                                name(n.arguments[2]));
         }
         text += fmt::format("    float e{} = {};\n", i, value);
     }

@@ -20,12 +20,14 @@ struct Function {
     Op op;
 };
 constexpr Function kFunctions[] = {
-    {"sin", 1, Op::kSin},     {"cos", 1, Op::kCos},     {"tan", 1, Op::kTan},       {"atan", 1, Op::kAtan},
-    {"atan", 2, Op::kAtan2},  {"sqrt", 1, Op::kSqrt},   {"abs", 1, Op::kAbs},       {"exp", 1, Op::kExp},
-    {"log", 1, Op::kLog},     {"min", 2, Op::kMin},     {"max", 2, Op::kMax},       {"clamp", 3, Op::kClamp},
-    {"mix", 3, Op::kMix},     {"step", 2, Op::kStep},   {"smoothstep", 3, Op::kSmoothstep},
-    {"floor", 1, Op::kFloor}, {"mod", 2, Op::kMod},     {"length", 2, Op::kLength2}, {"length", 3, Op::kLength3},
-    {"noise", 1, Op::kNoise1}, {"noise", 2, Op::kNoise2}, {"noise", 3, Op::kNoise3},
+    {"sin", 1, Op::kSin},        {"cos", 1, Op::kCos},      {"tan", 1, Op::kTan},
+    {"atan", 1, Op::kAtan},      {"atan", 2, Op::kAtan2},   {"sqrt", 1, Op::kSqrt},
+    {"abs", 1, Op::kAbs},        {"exp", 1, Op::kExp},      {"log", 1, Op::kLog},
+    {"min", 2, Op::kMin},        {"max", 2, Op::kMax},      {"clamp", 3, Op::kClamp},
+    {"mix", 3, Op::kMix},        {"step", 2, Op::kStep},    {"smoothstep", 3, Op::kSmoothstep},
+    {"floor", 1, Op::kFloor},    {"mod", 2, Op::kMod},      {"length", 2, Op::kLength2},
+    {"length", 3, Op::kLength3}, {"noise", 1, Op::kNoise1}, {"noise", 2, Op::kNoise2},
+    {"noise", 3, Op::kNoise3},
 };
 
 bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
@@ -78,18 +80,24 @@ private:
     int sum() {
         int left = product();
         while (error_.empty()) {
-            if (take('+')) left = node(Op::kAdd, left, product());
-            else if (take('-')) left = node(Op::kSubtract, left, product());
-            else break;
+            if (take('+'))
+                left = node(Op::kAdd, left, product());
+            else if (take('-'))
+                left = node(Op::kSubtract, left, product());
+            else
+                break;
         }
         return left;
     }
     int product() {
         int left = sign();
         while (error_.empty()) {
-            if (take('*')) left = node(Op::kMultiply, left, sign());
-            else if (take('/')) left = node(Op::kDivide, left, sign());
-            else break;
+            if (take('*'))
+                left = node(Op::kMultiply, left, sign());
+            else if (take('/'))
+                left = node(Op::kDivide, left, sign());
+            else
+                break;
         }
         return left;
     }
@@ -102,7 +110,7 @@ private:
         if (!negative || !error_.empty()) return value;
         Formula::Node& inner = nodes_[static_cast<std::size_t>(value)];
         if (inner.op != Op::kNumber) return node(Op::kNegate, value);
-        inner.number = -inner.number;   // x^-2 has a constant exponent
+        inner.number = -inner.number;  // x^-2 has a constant exponent
         return value;
     }
     int power() {
@@ -145,7 +153,8 @@ private:
         known.emplace_back("pi");
         for (const Function& f : kFunctions) known.emplace_back(f.name);
         const std::string nearest = nearest_word(word, known);
-        return refuse(fmt::format("\"{}\" is not known here{}", word.substr(0, 20), nearest.empty() ? "" : fmt::format(" (nearest: {})", nearest)));
+        return refuse(fmt::format("\"{}\" is not known here{}", word.substr(0, 20),
+                                  nearest.empty() ? "" : fmt::format(" (nearest: {})", nearest)));
     }
     int call(const std::string& word, std::size_t start) {
         if (too_deep()) return 0;
@@ -170,7 +179,8 @@ private:
         std::vector<std::string> names;
         for (const Function& f : kFunctions) names.emplace_back(f.name);
         const std::string nearest = nearest_word(word, names);
-        return refuse(fmt::format("no function \"{}\"{}", word.substr(0, 20), nearest.empty() ? "" : fmt::format(" (nearest: {})", nearest)));
+        return refuse(fmt::format("no function \"{}\"{}", word.substr(0, 20),
+                                  nearest.empty() ? "" : fmt::format(" (nearest: {})", nearest)));
     }
 
     std::string_view text_;
@@ -184,7 +194,8 @@ private:
 }  // namespace
 
 Result<Formula> Formula::parse(std::string_view text, const std::vector<std::string>& variables) {
-    if (text.size() > kLongest) return bad_input(fmt::format("column {}: longer than {} bytes", kLongest + 1, kLongest));
+    if (text.size() > kLongest)
+        return bad_input(fmt::format("column {}: longer than {} bytes", kLongest + 1, kLongest));
     auto nodes = Parser(text, variables).run();
     if (!nodes) return nodes.error();
     Formula formula;

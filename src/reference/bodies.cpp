@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kLongestTurn = 0.12;    // rad between two looks at an orbit
 constexpr double kPartOfThinnest = 0.2;  // of a body's smallest extent between two looks, where it can be met
+constexpr int kCloserLooks = 64;         // between the looks that found a body
 constexpr int kMostLooks = 200'000;
 
 Vec3 place_at(const Orbit& orbit, const RayPlane& plane, double angle) {
@@ -59,13 +60,30 @@ Bodies::Bodies(const Scene& scene) {
 
 // Equal looks along the path, fine where the body can be met; a change of sign is narrowed down by TOMS 748, a dip between three
 // looks by Brent's minimisation.
-std::optional<double> Bodies::first_angle(const Orbit& orbit, const RayPlane& plane, double camera_r, const Part& part) const {
+std::optional<double> Bodies::first_angle(const Orbit& orbit, const RayPlane& plane, double camera_r,
+                                          const Part& part) const {
     if (!can_reach(orbit, camera_r, part.reach * 1.001)) return std::nullopt;
     const auto value = [&](double angle) { return part.value(place_at(orbit, plane, angle)); };
     const auto solved = [&](double outside, double inside) {
         std::uintmax_t steps = 200;
-        const auto root = boost::math::tools::toms748_solve(value, outside, inside, boost::math::tools::eps_tolerance<double>(50), steps);
+        const auto root = boost::math::tools::toms748_solve(value, outside, inside,
+                                                            boost::math::tools::eps_tolerance<double>(50), steps);
         return 0.5 * (root.first + root.second);
+    };
+    // A ray that clips an edge and comes back changes sign three times between two looks: closer looks find the first.
+    const auto first_of = [&](double outside, double inside) {
+        double a = outside, b = outside, b_value = value(outside), a_value = b_value;
+        for (int i = 1; i <= kCloserLooks; ++i) {
+            const double c = i == kCloserLooks ? inside : outside + (inside - outside) * i / kCloserLooks,
+                         c_value = value(c);
+            if (b_value > 0 && c_value > 0 && b_value < a_value && b_value <= c_value) {
+                const auto [dip_angle, dip] = boost::math::tools::brent_find_minima(value, a, c, 40);
+                if (dip <= 0) return solved(a, dip_angle);
+            }
+            if (c_value <= 0) return solved(b, c);
+            a = b, a_value = b_value, b = c, b_value = c_value;
+        }
+        return inside;
     };
     const double end = std::isfinite(orbit.angle()) ? orbit.angle() : std::numeric_limits<double>::infinity();
     double angle = 0, here = value(0), r = camera_r;
@@ -76,10 +94,10 @@ std::optional<double> Bodies::first_angle(const Orbit& orbit, const RayPlane& pl
         const double probe = std::min(1e-6 * (1 + angle), 0.25 * (end - angle));
         const double r_probe = 1 / orbit.zeta_at(angle + probe);
         if (!(probe > 0) || !std::isfinite(r_probe)) return std::nullopt;
-        const double speed = std::hypot((r_probe - r) / probe, r);   // length per angle
+        const double speed = std::hypot((r_probe - r) / probe, r);  // length per angle
         outward = r_probe > r;
         const double fine = kPartOfThinnest * part.thinnest;
-        if (outward && r > part.reach + 3 * fine) return std::nullopt;   // a look beyond every dip
+        if (outward && r > part.reach + 3 * fine) return std::nullopt;  // a look beyond every dip
         const double distance = std::max(r - part.reach, 0.0);
         const double stride = std::max(fine, 0.5 * distance);
         const double turn = std::min({std::min(stride, 0.2 * r) / speed, kLongestTurn, 0.5 * (end - angle)});
@@ -88,10 +106,10 @@ std::optional<double> Bodies::first_angle(const Orbit& orbit, const RayPlane& pl
         r = 1 / orbit.zeta_at(next);
         if (!std::isfinite(r)) return std::nullopt;
         const double there = value(next);
-        if (here > 0 && there <= 0) return solved(angle, next);
+        if (here > 0 && there <= 0) return first_of(before_angle, next);
         if (here < before && here <= there && here > 0) {
             const auto [dip_angle, dip] = boost::math::tools::brent_find_minima(value, before_angle, next, 40);
-            if (dip <= 0) return solved(before_angle, dip_angle);
+            if (dip <= 0) return first_of(before_angle, dip_angle);
         }
         before_angle = angle, before = here;
         angle = next, here = there;

@@ -12,10 +12,10 @@
 namespace nullscope::reference {
 
 struct BodyHit {
-    double angle;     // swept
-    Vec3 place;       // r_s, world axes
+    double angle;  // swept
+    Vec3 place;    // r_s, world axes
     Object object;
-    double cosine;    // between the ray and the surface's normal, in flat coordinates
+    double cosine;  // between the ray and the surface's normal, in flat coordinates
 };
 
 // The bodies as functions of place, below 0 inside: what a ray enters first.
@@ -29,11 +29,12 @@ public:
 private:
     struct Part {
         Object object;
-        double thinnest;   // its smallest extent: no stride may be longer than a part of it
-        double reach;      // radius about the centre that holds it
+        double thinnest;  // its smallest extent: no stride may be longer than a part of it
+        double reach;     // radius about the centre that holds it
         std::function<double(Vec3)> value;
     };
-    std::optional<double> first_angle(const Orbit& orbit, const RayPlane& plane, double camera_r, const Part& part) const;
+    std::optional<double> first_angle(const Orbit& orbit, const RayPlane& plane, double camera_r,
+                                      const Part& part) const;
     std::vector<Part> parts_;
 };
 

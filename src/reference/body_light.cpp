@@ -9,7 +9,7 @@ namespace {
 
 struct Covering {
     double u, v;
-    bool beyond = false;   // outside of the band
+    bool beyond = false;  // outside of the band
 };
 
 // Azimuth from -1/2 to 1/2 turn; polar angle.
@@ -56,11 +56,12 @@ bool odd(double cells) { return std::fmod(std::floor(cells), 2.0) != 0.0; }
 // From 0 (second colour) to 1 (first).
 double mixture(const BodyLook& look, const Covering& at, Vec3 turned, double size) {
     const double p = at.u * look.columns, q = at.v * look.rows;
-    constexpr double kLine = 0.08;   // of a cell: width of a grid's lines
+    constexpr double kLine = 0.08;  // of a cell: width of a grid's lines
     switch (look.texture) {
         case TextureKind::kChecker: return odd(p) == odd(q) ? 1 : 0;
         case TextureKind::kStripes: return odd(q) ? 0 : 1;
-        case TextureKind::kGrid: return std::min(std::abs(p - std::round(p)), std::abs(q - std::round(q))) < 0.5 * kLine ? 1 : 0;
+        case TextureKind::kGrid:
+            return std::min(std::abs(p - std::round(p)), std::abs(q - std::round(q))) < 0.5 * kLine ? 1 : 0;
         case TextureKind::kNoise: {
             double sum = 0, weight = 0.5, grains = look.columns / size;
             for (int octave = 0; octave < 4; ++octave, weight /= 2, grains *= 2)
@@ -72,8 +73,10 @@ double mixture(const BodyLook& look, const Covering& at, Vec3 turned, double siz
 }
 
 Vec3 texel(const Image<float>& image, double u, double v) {
-    const double x = std::clamp(u * image.width - 0.5, 0.0, image.width - 1.0), y = std::clamp(v * image.height - 0.5, 0.0, image.height - 1.0);
-    const int x0 = static_cast<int>(x), y0 = static_cast<int>(y), x1 = std::min(x0 + 1, image.width - 1), y1 = std::min(y0 + 1, image.height - 1);
+    const double x = std::clamp(u * image.width - 0.5, 0.0, image.width - 1.0),
+                 y = std::clamp(v * image.height - 0.5, 0.0, image.height - 1.0);
+    const int x0 = static_cast<int>(x), y0 = static_cast<int>(y), x1 = std::min(x0 + 1, image.width - 1),
+              y1 = std::min(y0 + 1, image.height - 1);
     Vec3 sum{};
     const auto add = [&](int i, int j, double weight) {
         const float* t = image.at(i, j);
@@ -91,12 +94,19 @@ Vec3 texel(const Image<float>& image, double u, double v) {
 Vec3 body_light(const Scene& scene, const BodyHit& hit, const Image<float>* image) {
     const bool cylinder = hit.object == Object::kCylinder, ball = hit.object == Object::kBall,
                surface = hit.object == Object::kSurface;
-    const BodyLook& look = cylinder ? scene.cylinder->look : ball ? scene.ball->look : surface ? scene.surface->look : scene.sphere->look;
-    const double size = cylinder ? scene.cylinder->outer : ball ? scene.ball->radius : surface ? scene.surface->bound : scene.sphere->radius;
+    const BodyLook& look = cylinder  ? scene.cylinder->look
+                           : ball    ? scene.ball->look
+                           : surface ? scene.surface->look
+                                     : scene.sphere->look;
+    const double size = cylinder  ? scene.cylinder->outer
+                        : ball    ? scene.ball->radius
+                        : surface ? scene.surface->bound
+                                  : scene.sphere->radius;
     const Vec3 at = ball ? hit.place - scene.ball->position : hit.place;
     const double c = std::cos(look.rotation), s = std::sin(look.rotation);
     const Vec3 turned{c * at.x + s * at.y, c * at.y - s * at.x, at.z};
-    const Covering place = cylinder ? Covering{0.5 + 0.5 * turned.x / size, 0.5 - 0.5 * turned.y / size} : covering(look, turned);
+    const Covering place =
+        cylinder ? Covering{0.5 + 0.5 * turned.x / size, 0.5 - 0.5 * turned.y / size} : covering(look, turned);
     Vec3 light = look.second_colour;
     if (look.texture == TextureKind::kImage && !place.beyond) {
         const Vec3 t = image ? texel(*image, place.u, place.v) : Vec3{1, 1, 1};

@@ -10,14 +10,14 @@
 
 namespace nullscope {
 
-inline constexpr int kBodyCount = 4;               // sphere, cylinder, ball, surface
-const char* body_image_sampler(int body);          // its sampler in the shader
+inline constexpr int kBodyCount = 4;       // sphere, cylinder, ball, surface
+const char* body_image_sampler(int body);  // its sampler in the shader
 
 class BodyImages {
 public:
     // Errors: an image that cannot be read, or is larger than the driver's textures.
     Status update(const Scene& scene, int largest);
-    void bind(int first_unit) const;               // units first_unit + body
+    void bind(int first_unit) const;  // units first_unit + body
 
     struct Picture {
         std::filesystem::path file;

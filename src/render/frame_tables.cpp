@@ -105,6 +105,10 @@ Status FrameTables::update(const Scene& scene) {
     rows_stale = rows_stale || radius_ != scene.camera.r || (orbits && !had_orbits) ||
                  (fan_ && fan_->w0() != fan_for(scene).w0());
     effects_ = wanted;
+    if (!orbits && had_orbits && !rows_stale) {   // nothing to meet any more: the map goes, the strip stays
+        orbit_map_ = {};
+        ++revision_;
+    }
     if (!rows_stale) return Done{};
     radius_ = scene.camera.r;
     fan_.reset();

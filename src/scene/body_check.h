@@ -14,6 +14,7 @@ struct BodyFault {
 };
 
 // given: whether the file has a key, by its full name. horizon: radius, 0 if there is none.
-std::vector<BodyFault> check_bodies(const Scene& scene, double horizon, const std::function<bool(const std::string&)>& given);
+std::vector<BodyFault> check_bodies(const Scene& scene, double horizon,
+                                    const std::function<bool(const std::string&)>& given);
 
 }  // namespace nullscope

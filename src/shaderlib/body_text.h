@@ -9,10 +9,10 @@ namespace nullscope {
 
 // Compared as a whole: two scenes with equal texts and equal effects have one program.
 struct BodyText {
-    std::string shape;   // surface_formula
-    std::string march;   // march_value, march_room, march_object, MARCH_MOST_STEPS
-    std::string hit;     // solid_hit: the first body on the ray
-    std::string light;   // solid_light: and its light
+    std::string shape;  // surface_formula
+    std::string march;  // march_value, march_room, march_object, MARCH_MOST_STEPS
+    std::string hit;    // solid_hit: the first body on the ray
+    std::string light;  // solid_light: and its light
     friend auto operator<=>(const BodyText&, const BodyText&) = default;
 };
 

@@ -17,10 +17,13 @@ std::string stripped(std::string_view text) {
 }
 
 std::string resolved_branches(const std::string& text, const std::vector<std::string>& defines) {
-    struct Level { bool ours, keep; };
+    struct Level {
+        bool ours, keep;
+    };
     std::vector<Level> levels;
     const auto is_ours = [](const std::string& name) {
-        for (const char* ours : {"EFFECT_", "BLOCK_", "NEEDS_", "DISPLAY_", "TABLE_", "STEP_ORDER_", "TEXTURE_", "MAPPING_"})
+        for (const char* ours :
+             {"EFFECT_", "BLOCK_", "NEEDS_", "DISPLAY_", "TABLE_", "STEP_ORDER_", "TEXTURE_", "MAPPING_"})
             if (name.starts_with(ours)) return true;
         return name == "__cplusplus";
     };

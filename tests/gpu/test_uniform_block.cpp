@@ -37,7 +37,8 @@ constexpr unsigned kEverything = 255;
 
 std::vector<int> driver_offsets(const Scene& scene, const std::vector<std::string>& members) {
     const EffectSet effects = effect_set(required_effects(scene));
-    const ShaderSource source = shader_source(Stage::kPicture, effects, Output::kDisplay, {}, scene.spacetime.metric, body_text(scene));
+    const ShaderSource source =
+        shader_source(Stage::kPicture, effects, Output::kDisplay, {}, scene.spacetime.metric, body_text(scene));
     return gl::uniform_offsets(gl::make_program(source.vertex, source.fragment), members);
 }
 
@@ -58,12 +59,13 @@ TEST_CASE("uniform block: the driver's offsets are those of the C++ struct") {
 TEST_CASE("uniform block: without an effect its members are gone and the others close up, for every combination") {
     const auto members = frame_members();
     on_every_context([&](GpuSession&) {
-        for (unsigned bits = 0; bits <= kEverything; bits += 3) {   // a third of them, every bit in both states
+        for (unsigned bits = 0; bits <= kEverything; bits += 3) {  // a third of them, every bit in both states
             CAPTURE(bits);
             const Scene scene = scene_of(bits);
             std::vector<int> expected(members.size(), -1);
             int next = 0;
-            for (const int member : block_members(effect_set(required_effects(scene)))) expected[static_cast<std::size_t>(member)] = 16 * next++;
+            for (const int member : block_members(effect_set(required_effects(scene))))
+                expected[static_cast<std::size_t>(member)] = 16 * next++;
             CHECK(driver_offsets(scene, members) == expected);
         }
     });

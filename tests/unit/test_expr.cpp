@@ -41,7 +41,7 @@ TEST_CASE("formulas: numbers, precedence, association") {
     CHECK(value("(1 + 2) * 3") == 9);
     CHECK(value("8 - 4 - 2") == 2);
     CHECK(value("16 / 4 / 2") == 2);
-    CHECK(value("2^3^2") == doctest::Approx(512));   // an exponent that is computed goes by logarithms
+    CHECK(value("2^3^2") == doctest::Approx(512));  // an exponent that is computed goes by logarithms
     CHECK(value("-3^2") == -9);
     CHECK(value("(-3)^2") == 9);
     CHECK(value("2^-2") == 0.25);
@@ -89,19 +89,38 @@ TEST_CASE("formulas: what is not understood says where and what is near") {
 TEST_CASE("formulas: limits of length, size and depth, on either side") {
     CHECK(Formula::parse(std::string(expr::kLongest - 1, ' ') + "x", kNames));
     CHECK(fault(std::string(expr::kLongest, ' ') + "x").find("longer than 1000 bytes") != std::string::npos);
-    const int sum = static_cast<int>(expr::kMostNodes) / 2 - 1;   // x+x+...: two nodes a term after the first
+    const int sum = static_cast<int>(expr::kMostNodes) / 2 - 1;  // x+x+...: two nodes a term after the first
     CHECK(Formula::parse("x" + repeated("+x", sum), kNames));
     CHECK(fault("x" + repeated("+x", sum + 1)).find("more than 256 operands") != std::string::npos);
     CHECK(Formula::parse(repeated("-", expr::kDeepest - 1) + "x", kNames));
     CHECK(fault(repeated("-", expr::kDeepest) + "x").find("nested more than 32 deep") != std::string::npos);
-    for (const char* opening : {"(", "-(", "sin(", "2^("}) CHECK(fault(repeated(opening, 200)).find("deep") != std::string::npos);
+    for (const char* opening : {"(", "-(", "sin(", "2^("})
+        CHECK(fault(repeated(opening, 200)).find("deep") != std::string::npos);
     CHECK(fault(repeated("2^", 300) + "2").find("deep") != std::string::npos);
 }
 
 TEST_CASE("formulas: a finite value for every input") {
-    const std::vector<std::string> texts = {"1/x", "x/y", "x^y", "x^-3", "sqrt(x)", "log(x)", "exp(x)", "exp(exp(x))", "tan(x)", "x*x*x*x",
-                                            "mod(x, y)", "length(x, y, z)", "smoothstep(x, x, y)", "noise(x, y, z)", "sin(x)", "atan(0, 0)",
-                                            "mix(x, y, z)", "x^16^2", "floor(x)/floor(y)", "log(x)^log(y)", "clamp(x, y, z)"};
+    const std::vector<std::string> texts = {"1/x",
+                                            "x/y",
+                                            "x^y",
+                                            "x^-3",
+                                            "sqrt(x)",
+                                            "log(x)",
+                                            "exp(x)",
+                                            "exp(exp(x))",
+                                            "tan(x)",
+                                            "x*x*x*x",
+                                            "mod(x, y)",
+                                            "length(x, y, z)",
+                                            "smoothstep(x, x, y)",
+                                            "noise(x, y, z)",
+                                            "sin(x)",
+                                            "atan(0, 0)",
+                                            "mix(x, y, z)",
+                                            "x^16^2",
+                                            "floor(x)/floor(y)",
+                                            "log(x)^log(y)",
+                                            "clamp(x, y, z)"};
     const double odd[] = {0, -0.0, 1, -1, 1e-300, -1e-300, 1e30, -1e30, 0.5, 1e15, -7.25};
     for (const std::string& text : texts)
         for (const double x : odd)
@@ -133,6 +152,6 @@ TEST_CASE("formulas: their GLSL is one statement a node, of known functions only
     CHECK(std::count(text.begin(), text.end(), '\n') == static_cast<int>(formula->nodes().size()) + 1);
     CHECK(text.find("expression_whole_power(") != std::string::npos);
     CHECK(text.find("expression_divide(1.0, expression_whole_power(") != std::string::npos);
-    CHECK(text.find("1e-40") == std::string::npos);   // no float
+    CHECK(text.find("1e-40") == std::string::npos);  // no float
     CHECK(text.find("asin") == std::string::npos);
 }
