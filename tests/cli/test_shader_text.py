@@ -7,7 +7,7 @@ import support
 
 # Identifiers that belong to an effect, as regular expressions of whole words; members of the uniform block too.
 WORDS = {
-    "lensing": [r"strip\w*", r"Strip\w*", r"orbit\w*", r"Orbit\w*", r"Octave", r"octave\w*", r"sweep\w*", r"series"],
+    "lensing": [r"strip\w*", r"Strip\w*", r"orbit", r"orbit_\w*", r"Orbit\w*", r"Octave", r"octave\w*", r"sweep\w*", r"series"],
     "aberration": [r"aberrat\w*", r"Aberration", r"boost", r"motion", r"stretch"],
     "disc": [r"disc\w*", r"Disc\w*", r"plane_\w*", r"PlaneMeeting", r"meeting"],
     "translucent-disc": [r"fade"],
