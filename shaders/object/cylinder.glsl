@@ -16,14 +16,17 @@ vec3 cylinder_normal(vec3 at) {
     return outer_wall > inner_wall ? outward : -outward;
 }
 
-// How far along the ray it is at least: a ray that skims a face comes closer to it only as fast as it is steep, and as light bends.
+// How far along the ray it is at least: a ray that skims a face or the outer wall comes closer to it only as fast as it is steep (the
+// distance from the axis is convex along straight lines), and as light bends.
 float cylinder_room(RayPlace place) {
-    float rho = sqrt(place.at.x * place.at.x + place.at.y * place.at.y);
-    float wall = max(rho - frame.cylinder_form.y, frame.cylinder_form.x - rho);
+    float rho = max(sqrt(place.at.x * place.at.x + place.at.y * place.at.y), 1.0e-20);
     vec3 velocity = place_velocity(place);
-    float steep = abs(velocity.z) / max(sqrt(dot(velocity, velocity)), 1.0e-20) + 0.02;
+    velocity /= max(sqrt(dot(velocity, velocity)), 1.0e-20);
+    float bend = 0.02;
 #ifdef EFFECT_LENSING
-    steep += 0.75 / place.r;
+    bend += 0.75 / place.r;
 #endif
-    return max(wall, (abs(place.at.z) - frame.cylinder_form.z) / min(steep, 1.0));
+    float outward = abs(place.at.x * velocity.x + place.at.y * velocity.y) / rho;
+    float wall = max((rho - frame.cylinder_form.y) / min(outward + bend, 1.0), frame.cylinder_form.x - rho);
+    return max(wall, (abs(place.at.z) - frame.cylinder_form.z) / min(abs(velocity.z) + bend, 1.0));
 }

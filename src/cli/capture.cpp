@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -26,7 +27,7 @@ struct Options {
     int samples = 3;
     double time = 0.0;
     std::optional<double> max_error;
-    bool raydata = false, dump_shader = false;
+    bool raydata = false, dump_shader = false, resume = false;
 };
 
 struct Captured {
@@ -171,6 +172,10 @@ int run(const Options& options) {
     if (frames->end - frames->first > 1) progress.emplace("frames", frames->end - frames->first);
     for (int frame = frames->first; frame < frames->end; ++frame) {
         const std::string file = numbered(options.output, frame);
+        if (options.resume && std::filesystem::exists(file)) {   // a file has its name only when it is whole
+            if (progress) progress->advance();
+            continue;
+        }
         const auto captured = session ? capture_gl(*session, *scene, options, exr) : capture_reference(*scene, options, exr);
         if (!captured) return report(captured.error());
         if (Status written = write(file, *scene, *captured, exr); !written) return report(written.error());
@@ -200,6 +205,7 @@ Command add_capture(CLI::App& parent) {
     app->add_option("--time", options->time, "Scene time in r_s/c; scenes without anything that moves look the same at all times")
         ->check(CLI::Range(0.0, 1e9))->capture_default_str();
     app->add_option("--frames", options->frames, "Draw frames A to B-1 of a sequence, A:B; -o then holds %05d");
+    app->add_flag("--resume", options->resume, "Leave out the frames whose files are there: goes on with a sequence that was stopped");
     app->add_option("--samples", options->samples, "reference: rays per pixel along each side")->check(CLI::Range(1, 16))->capture_default_str();
     app->add_flag("--raydata", options->raydata, "Also write where every pixel's ray went, as channels of the EXR");
     app->add_flag("--dump-shader", options->dump_shader, "Print the fragment shader of this scene and stop");

@@ -86,7 +86,7 @@ std::string march_of(const std::vector<Body>& bodies, const Scene& scene) {
     }
     if (value.empty()) return "";
     // Strides of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent.
-    const int steps = 96 + (scene.surface ? 2 * scene.surface->steps : 0);
+    const int steps = 128 + (scene.surface ? 2 * scene.surface->steps : 0);
     const std::string graze =
         scene.surface ? "1.0e30" : "2.0 * angle * sqrt(place.r_along * place.r_along + place.r * place.r)";
     return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) +

@@ -62,6 +62,7 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
     if (disc) files.emplace_back("object/disc.glsl");
     if (picture && (disc || effects.contains(Effect::kSky) || effects.contains(Effect::kBodyImage))) files.emplace_back("effect/footprint.glsl");
     if (picture && disc) files.emplace_back("object/disc_colour.glsl");
+    if (picture && disc && lensing) files.emplace_back("object/disc_thin.glsl");
     if (picture && effects.contains(Effect::kSky)) files.emplace_back("object/celestial_sphere.glsl");
     return files;
 }

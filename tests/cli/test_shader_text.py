@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 """The shader of a scene holds nothing of an effect that is off there, for every row of the effects table."""
 import json
+import pathlib
 import re
 
 import support
+
+IMAGE = pathlib.Path(__file__).resolve().parents[2] / "assets" / "images" / "accretion-disc.png"
 
 # Identifiers that belong to an effect, as regular expressions of whole words; members of the uniform block too.
 WORDS = {
@@ -37,7 +40,7 @@ SCENES = {
     "pattern": '[sky]\nkind = "black"\n[sphere]\ntexture = "grid"\n',
     "noise": '[sky]\nkind = "black"\n[cylinder]\ntexture = "noise"\n',
     "formula": '[sky]\nkind = "black"\n[ball]\ntexture = "formula"\nformula = "u"\n',
-    "body-image": '[sky]\nkind = "black"\n[sphere]\ntexture = "image"\nimage = "a.png"\n',
+    "body-image": '[sky]\nkind = "black"\n[sphere]\ntexture = "image"\nimage = "IMAGE"\n',
     "everything": '[camera]\nvelocity = [0.1, 0.2, 0.3]\n[disc]\nedge = 0.2\n[sphere]\ntexture = "checker"\n'
                   '[cylinder]\ntexture = "noise"\n[ball]\ntexture = "formula"\nformula = "u"\n',
 }
@@ -50,9 +53,8 @@ def words_in(code, effect):
 class ShaderText(support.CliTest):
     def test_nothing_of_an_effect_that_is_off(self):
         seen_on = set()
-        self.write("a.png", "an image: nobody opens it here")
         for name, text in SCENES.items():
-            scene = self.write("scene.toml", text)
+            scene = self.write("scene.toml", text.replace("IMAGE", str(IMAGE)))
             plan = json.loads(self.run_nullscope("plan", scene, "--json").out)
             on = {e["effect"] for e in plan["effects"]}
             off = {e["effect"] for e in plan["left_out"]}
