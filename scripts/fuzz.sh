@@ -13,7 +13,7 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-targets=(scene picture exr rays words)
+targets=(scene picture exr rays words formula)
 fail() { echo "fuzz: $*" >&2; exit 2; }
 
 keep=no

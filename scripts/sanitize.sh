@@ -15,7 +15,7 @@ cd "$root"
 [[ -e build/sanitize/build.ninja ]] || cmake --preset sanitize >&2
 targets=()
 if [[ $# -eq 0 ]]; then
-    targets=(--target unit_tests fuzz_scene fuzz_picture fuzz_exr fuzz_rays fuzz_words)
+    targets=(--target unit_tests fuzz_scene fuzz_picture fuzz_exr fuzz_rays fuzz_words fuzz_formula)
     set -- -L '^(unit|fuzz)$'
 fi
 cmake --build build/sanitize ${targets[@]+"${targets[@]}"} >&2

@@ -7,7 +7,7 @@ struct PixelData {
     float delay;
     float angle;    // swept from the camera to the end
     float hit;      // number of the first object met, 0 for none
-    vec2 place;     // surface coordinates of it
+    vec3 place;     // of that meeting: x, y, z in r_s
 };
 
 PixelData pixel_data(vec2 pixel) {
@@ -16,20 +16,37 @@ PixelData pixel_data(vec2 pixel) {
     data.fate = trace.escapes ? 0.0 : 1.0;
     data.angle = trace.phi_end;
     data.hit = 0.0;
-    data.place = vec2(0.0, 0.0);
+    data.place = vec3(0.0, 0.0, 0.0);
     data.delay = 0.0;
+#ifdef NEEDS_PLACE
+    vec3 tangent = place_tangent(trace);
+    SolidHit solid = solid_hit(trace, tangent, 0.0);
+    if (solid.object != 0) data.angle = solid.phi;
+#endif
 #ifdef EFFECT_DISC
     PlaneMeeting meeting = disc_meeting(trace);
     for (int k = disc_first(trace, meeting); k < DISC_MOST_CROSSINGS && disc_reachable(trace, meeting, k); ++k) {
         DiscCrossing crossing = disc_cross(trace, meeting, k, 0.0);
+#ifdef NEEDS_PLACE
+        if (crossing.phi > solid.phi) break;
+#endif
         if (crossing.hit && data.hit == 0.0) {
             data.hit = 1.0;
-            data.place = crossing.place;
+            data.place = vec3(crossing.place.x, crossing.place.y, 0.0);
             if (frame.disc_look.x >= 1.0) {   // opaque: the ray ends here
                 data.fate = 4.0;
                 data.angle = crossing.phi;
                 break;
             }
+        }
+    }
+#endif
+#ifdef NEEDS_PLACE
+    if (solid.object != 0 && data.fate != 4.0) {
+        data.fate = 4.0;
+        if (data.hit == 0.0) {
+            data.hit = float(solid.object);
+            data.place = place_of(trace, tangent, solid.phi).at;
         }
     }
 #endif

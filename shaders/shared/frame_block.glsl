@@ -1,5 +1,6 @@
 // What one frame tells every pixel: the only uniform block. vec4 members only, so that std140 and C++ agree without padding;
 // a test compares the driver's offsets with offsetof. Everything that would cancel in float is formed in double on the host.
+// Members of an effect that is off are not in the block; C++ has them all.
 struct FrameData {
     vec4 image;        // width, height in px, pixel's angle at the image centre (rad), exposure factor
     vec4 ray_0;        // look direction of pixel (x, y), not normalised: ray_0 + x ray_x + y ray_y, world axes, .w = 0;
@@ -11,16 +12,53 @@ struct FrameData {
     vec4 radial;       // outward radial unit vector e at the camera, .w = 0; the other two make a right-handed frame with it:
     vec4 meridian;     //   in the plane of e and the image's centre, .w = 0
     vec4 transverse;   //   e x meridian, .w = 0
+    vec4 shift;        // g of a static camera here (camera over infinity), zeta0, sqrt(V(zeta0)) = q sin(alpha), 0
+#ifdef BLOCK_LENSING
     vec4 strip;        // cosine and sine of the critical direction's angle from e (a ray nearer to e escapes), 1/w0, 0
     vec4 orbit;        // sin(theta_c) = k sin(alpha), cos(chi0), a0, a1 of the deflection table
     vec4 series;       // a2 of the deflection table, chi0, 0, 0
+#endif
+#ifdef BLOCK_ABERRATION
     vec4 boost;        // direction of motion in world axes, .w = stretch sqrt((1+v)/(1-v))
-    vec4 shift;        // g of a static camera here (camera over infinity), zeta0, sqrt(V(zeta0)) = q sin(alpha), 0
+#endif
+#ifdef BLOCK_SKY
     vec4 sky;          // texels per radian of the sky's finest level, highest level, brightness, 0
+#endif
+#ifdef BLOCK_DISC
     vec4 disc_normal;  // unit normal of the disc, .w = normal . radial (0 exactly for a camera in the plane)
     vec4 disc_x;       // disc's x axis, .w = inner radius (r_s)
     vec4 disc_y;       // disc's y axis, .w = outer radius (r_s)
     vec4 disc_map;     // cos and sin of the image's rotation, each over 2 outer; texels per r_s; highest level
     vec4 disc_look;    // opacity, rim fade (fraction of the width, 0 = none), brightness, 0
     vec4 critical;     // images of the disc next to the critical direction: C of its rims, log2(e)/a, first angle
+#endif
+    // A body's form, then its look: _map cosine and sine of the rotation, columns, rows; _colour the first colour, limb;
+    // _second the second colour, latitude of the band.
+#ifdef BLOCK_SPHERE
+    vec4 sphere_form;    // radius, 1/radius, sine of the silhouette's angle from the inward radial (below 0: the critical ray), 0
+    vec4 sphere_map;
+    vec4 sphere_colour;
+    vec4 sphere_second;
+#endif
+#ifdef BLOCK_CYLINDER
+    vec4 cylinder_form;  // inner, outer, half thickness, 0
+    vec4 cylinder_map;
+    vec4 cylinder_colour;
+    vec4 cylinder_second;
+#endif
+#ifdef BLOCK_BALL
+    vec4 ball_form;      // middle, radius
+    vec4 ball_map;
+    vec4 ball_colour;
+    vec4 ball_second;
+#endif
+#ifdef BLOCK_SURFACE
+    vec4 surface_form;   // bound, stride, step of differences, 0
+    vec4 surface_map;
+    vec4 surface_colour;
+    vec4 surface_second;
+#endif
+#ifdef BLOCK_MARCH
+    vec4 march;          // radius about the centre that holds all bodies, shortest stride, 0, 0
+#endif
 };

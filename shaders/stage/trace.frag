@@ -5,6 +5,12 @@ void main() {
     Trace trace = trace_pixel(gl_FragCoord.xy - 0.5 * frame.image.xy);
     vec3 light = vec3(0.0);
     float through = 1.0;
+#ifdef NEEDS_PLACE
+    // The first solid body: met once, laid between the disc's crossings before and behind it.
+    vec3 tangent = place_tangent(trace);
+    SolidHit solid = solid_hit(trace, tangent, 1.0);
+    vec4 body = solid.object == 0 ? vec4(0.0) : vec4(solid_light(trace, tangent, solid), 1.0) * solid.covered;
+#endif
 #ifdef EFFECT_DISC
     PlaneMeeting meeting = disc_meeting(trace);
     int k = disc_first(trace, meeting);
@@ -17,6 +23,13 @@ void main() {
         DiscCrossing crossing = disc_cross(trace, meeting, k, 0.5);
 #ifdef EFFECT_LENSING
         if (ring.thin) crossing = disc_thin_crossing(meeting, k);
+#endif
+#ifdef NEEDS_PLACE
+        if (crossing.phi > solid.phi) {
+            light += through * body.rgb;
+            through -= through * body.a;
+            body = vec4(0.0);
+        }
 #endif
         vec4 over = disc_colour(crossing);
 #ifdef EFFECT_LENSING
@@ -33,6 +46,10 @@ void main() {
 #endif
         more = more && through > 0.002 && k < DISC_MOST_CROSSINGS;
     } while (more);
+#endif
+#ifdef NEEDS_PLACE
+    light += through * body.rgb;
+    through -= through * body.a;
 #endif
 #ifdef EFFECT_SKY
     if (trace.escapes && through > 0.002) light += through * celestial_sphere(trace);

@@ -11,6 +11,7 @@
 #include "base/progress.h"
 #include "cli/arguments.h"
 #include "cli/bench.h"
+#include "cli/bench_effects.h"
 #include "cli/json.h"
 #include "cli/session.h"
 #include "scene/scene_file.h"
@@ -22,6 +23,7 @@ struct Options {
     std::vector<std::string> scenes = {"flat", "sky-only", "first-light"};
     std::string size = "1280x720", context = "auto", json;
     int frames = 21, poses = 0;
+    bool effects = false;
 };
 
 // One renderer for the scene and one for its floor, on one context.
@@ -108,9 +110,12 @@ Result<double> pose_ratio(Bench& bench, const Scene& scene, int poses) {
     return dearest / cheapest;
 }
 
+int report_of(const Status& status) { return status ? 0 : report(status.error()); }
+
 int run_frames(const Options& options) {
     const auto size = parse_size(options.size);
     if (!size) return report(size.error());
+    if (options.effects) return report_of(bench_effects(options.context, size->width, size->height, options.frames, options.json));
     auto session = open_session(options.context);
     if (!session) return report(session.error());
     Bench bench{std::move(*session), std::make_unique<Renderer>(), gl::make_target(size->width, size->height, gl::Format::kRgba8)};
@@ -145,6 +150,7 @@ Command add_bench_frames(CLI::App& bench) {
         ->check(CLI::IsMember({"auto", "egl", "osmesa"}))->capture_default_str();
     app->add_option("--frames", options->frames, "Frames of each kind")->check(CLI::Range(9, 10000))->capture_default_str();
     app->add_option("--poses", options->poses, "Also time this many random camera poses of each scene")->check(CLI::Range(0, 10000));
+    app->add_flag("--effects", options->effects, "Instead of scenes: the empty scene, and each effect added to it alone");
     app->add_option("--json", options->json, "Write the rows to this file");
     return {app, [options] { return run_frames(*options); }};
 }

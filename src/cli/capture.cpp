@@ -1,6 +1,7 @@
 // nullscope capture: a picture of a scene in a file.
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -56,11 +57,24 @@ Result<Captured> capture_reference(const Scene& scene, const Options& options, b
         if (!image) return image.error();
         disc = std::move(*image);
     }
+    std::array<std::optional<Image<float>>, kBodyCount> bodies;
+    for (int body = 0; body < kBodyCount; ++body) {
+        const auto file = body_image_file(scene, body);
+        if (!file) continue;
+        auto image = load_image(*file);
+        if (!image) return image.error();
+        bodies[static_cast<std::size_t>(body)] = std::move(*image);
+    }
+    reference::Pictures pictures(disc ? &*disc : nullptr);
+    if (bodies[0]) pictures.sphere = &*bodies[0];
+    if (bodies[1]) pictures.cylinder = &*bodies[1];
+    if (bodies[2]) pictures.ball = &*bodies[2];
+    if (bodies[3]) pictures.surface = &*bodies[3];
     const long long pixels = static_cast<long long>(scene.camera.width) * scene.camera.height;
     Captured captured;
     {
         Progress progress("reference picture", pixels);
-        auto image = reference::render_frame(scene, *sky, disc ? &*disc : nullptr, options.samples,
+        auto image = reference::render_frame(scene, *sky, pictures, options.samples,
                                              [&](long long n) { progress.advance(n); });
         if (!image) return image.error();
         captured.linear = std::move(*image);
@@ -138,7 +152,7 @@ int run(const Options& options) {
     if (!scene) return report(scene.error());
     if (options.dump_shader) {
         const EffectSet effects = effect_set(required_effects(*scene));
-        fmt::print("{}", shader_source(Stage::kPicture, effects, Output::kDisplay).fragment);
+        fmt::print("{}", shader_source(Stage::kPicture, effects, Output::kDisplay, {}, scene->spacetime.metric, body_text(*scene)).fragment);
         return 0;
     }
     const bool exr = options.output.ends_with(".exr");

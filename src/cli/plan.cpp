@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/image_file.h"
 #include "cli/command.h"
 #include "cli/json.h"
 #include "render/renderer.h"
@@ -46,7 +47,12 @@ void add_tables(const FrameTables& tables, const Scene& scene, std::vector<Line>
     lines.push_back({"strip", 1, strip.width, strip.height, bytes_of(strip.bytes()), "GPU", radius});
     if (ends.width > 0)
         lines.push_back({"ray ends", 1, ends.width, ends.height, bytes_of(ends.bytes()), "GPU", radius});
-    if (map.width > 0) lines.push_back({"orbit map", 1, map.width, map.height, bytes_of(map.bytes()), "GPU", "[disc]"});
+    const char* objects[] = {scene.disc ? "[disc]" : "", scene.sphere ? "[sphere]" : "", scene.cylinder ? "[cylinder]" : "",
+                             scene.ball ? "[ball]" : "", scene.surface ? "[surface]" : ""};
+    std::string reason;
+    for (const std::string object : objects)
+        if (!object.empty()) reason += (reason.empty() ? "" : ", ") + object;
+    if (map.width > 0) lines.push_back({"orbit map", 1, map.width, map.height, bytes_of(map.bytes()), "GPU", reason});
 }
 
 // As Renderer::textures() counts them, once made.
@@ -62,6 +68,15 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Li
         const long long w = image->width, h = image->height;
         lines.push_back({"disc image", 1, w, h, w * h * 32 / 3, "GPU", "disc.image"});  // 8 B, mip levels
     }
+    constexpr const char* kBodies[kBodyCount] = {"sphere", "cylinder", "ball", "surface"};
+    for (int body = 0; body < kBodyCount; ++body) {
+        const auto file = body_image_file(scene, body);
+        if (!file) continue;
+        const auto image = load_image(*file);
+        if (!image) return image.error();
+        const long long w = image->width, h = image->height;
+        lines.push_back({fmt::format("{} image", kBodies[body]), 1, w, h, w * h * 32 / 3, "GPU", fmt::format("{}.image", kBodies[body])});
+    }
     return Done{};
 }
 
@@ -71,7 +86,7 @@ Result<Plan> make_plan(const Scene& scene) {
     if (Status made = tables.update(scene); !made) return made.error();
     add_tables(tables, scene, plan.tables);
     if (Status added = add_pictures(tables.effects(), scene, plan.tables); !added) return added.error();
-    const std::string shader = shader_source(Stage::kPicture, tables.effects(), Output::kDisplay).fragment;
+    const std::string shader = shader_source(Stage::kPicture, tables.effects(), Output::kDisplay, {}, scene.spacetime.metric, body_text(scene)).fragment;
     plan.shader_bytes = bytes_of(shader.size());
     plan.shader_lines = std::count(shader.begin(), shader.end(), '\n');
     return plan;
@@ -97,7 +112,7 @@ void print_text(const Plan& plan) {
     const CameraSpec& camera = plan.scene.camera;
     fmt::print("{}\n\nEffects\n", plan.scene.name);
     for (const EffectReason& effect : plan.effects)
-        fmt::print("  {:<18}{}\n", effect_row(effect.effect).key, effect.reason);
+        fmt::print("  {:<18}{}\n  {:<18}costs: {}\n", effect_row(effect.effect).key, effect.reason, "", effect_row(effect.effect).cost);
     if (plan.effects.empty()) fmt::print("  none\n");
     fmt::print("Left out: not compiled, not built, not run\n");
     for (const EffectRow* row : left_out(plan)) fmt::print("  {:<18}needs: {}\n", row->key, row->needs);
@@ -115,7 +130,7 @@ std::string json_of(const Plan& plan) {
     std::vector<JsonObject> effects, off, tables;
     for (const EffectReason& e : plan.effects) {
         const EffectRow& row = effect_row(e.effect);
-        effects.push_back(JsonObject().add("effect", row.key).add("reason", e.reason).add("define", row.define));
+        effects.push_back(JsonObject().add("effect", row.key).add("reason", e.reason).add("define", row.define).add("cost", row.cost));
     }
     for (const EffectRow* row : left_out(plan))
         off.push_back(JsonObject().add("effect", row->key).add("needs", row->needs));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <string_view>
 
 namespace nullscope {
 namespace {
@@ -13,7 +14,7 @@ struct Channel {
     void (*set)(RayPixel&, double);
 };
 
-constexpr std::array<Channel, 11> kChannels = {{
+constexpr std::array<Channel, 12> kChannels = {{
     {"fate", [](const RayPixel& p) { return static_cast<double>(p.fate); }, [](RayPixel& p, double v) { p.fate = static_cast<Fate>(static_cast<int>(v)); }},
     {"sky.x", [](const RayPixel& p) { return p.sky.x; }, [](RayPixel& p, double v) { p.sky.x = v; }},
     {"sky.y", [](const RayPixel& p) { return p.sky.y; }, [](RayPixel& p, double v) { p.sky.y = v; }},
@@ -25,6 +26,7 @@ constexpr std::array<Channel, 11> kChannels = {{
     {"hit", [](const RayPixel& p) { return static_cast<double>(p.hit); }, [](RayPixel& p, double v) { p.hit = static_cast<int>(v); }},
     {"u", [](const RayPixel& p) { return p.u; }, [](RayPixel& p, double v) { p.u = v; }},
     {"v", [](const RayPixel& p) { return p.v; }, [](RayPixel& p, double v) { p.v = v; }},
+    {"w", [](const RayPixel& p) { return p.w; }, [](RayPixel& p, double v) { p.w = v; }},
 }};
 
 }  // namespace
@@ -41,6 +43,7 @@ Result<RayFrame> ray_frame_from(const ChannelImage& image) {
     RayFrame frame{image.width, image.height, std::vector<RayPixel>(static_cast<std::size_t>(image.width) * image.height)};
     for (const Channel& channel : kChannels) {
         const auto found = image.channels.find(channel.name);
+        if (found == image.channels.end() && channel.name == std::string_view("w")) continue;   // older files know discs only
         if (found == image.channels.end()) return bad_input(fmt::format("no ray data: channel \"{}\" is missing", channel.name));
         for (std::size_t i = 0; i < frame.pixels.size(); ++i) channel.set(frame.pixels[i], found->second[i]);
     }

@@ -10,6 +10,9 @@ namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
+// Of an error's length: less out of the plane of the motions is rounding of that plane.
+constexpr double kOffPlane = 1e-9;
+
 struct Plane2 {
     double x = 0, y = 0;
 };
@@ -75,12 +78,29 @@ void sky_errors(const RayPixel& tested, const ExactPixel& exact, PixelErrors& er
                                        : kInfinite;
 }
 
+Vec3 hit_place(const RayPixel& p) { return {p.u, p.v, p.w}; }
+Vec3 unit_or(Vec3 v, Vec3 fallback) {
+    const double size = plain_length(v);
+    return size > 0 ? v / size : fallback;
+}
+
+// In the plane of the two motions, and across it (where nothing moves, one pixel without lensing is the measure).
 float place_error(const RayPixel& tested, const ExactPixel& exact) {
-    const RayPixel& here = exact.here;
-    const auto moved = [&](const RayPixel& beside) { return Plane2{beside.u - here.u, beside.v - here.v}; };
-    const double distance = length(exact.camera - Vec3{here.u, here.v, 0});
-    return in_pixels(moved(tested), per_pixel(moved(exact.right), exact.right_px),
-                     per_pixel(moved(exact.down), exact.down_px), exact.pixel_angle * distance);
+    const Vec3 here = hit_place(exact.here);
+    const auto motion = [&](const RayPixel& beside, double px) {
+        return px == 0 ? Vec3{} : (hit_place(beside) - here) / px;
+    };
+    const Vec3 by_x = motion(exact.right, exact.right_px), by_y = motion(exact.down, exact.down_px);
+    const bool x_longer = plain_length(by_x) >= plain_length(by_y);
+    const Vec3 longer = x_longer ? by_x : by_y, other = x_longer ? by_y : by_x;
+    const Vec3 a = unit_or(longer, {1, 0, 0}), any = std::abs(a.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 b = unit_or(other - dot(other, a) * a, unit_or(any - dot(any, a) * a, {0, 1, 0})), n = cross(a, b);
+    const auto flat = [&](Vec3 v) { return Plane2{dot(v, a), dot(v, b)}; };
+    const Vec3 error = hit_place(tested) - here;
+    const double least = exact.pixel_angle * length(exact.camera - here);
+    const float within = in_pixels(flat(error), flat(by_x), flat(by_y), least);
+    const float off = in_pixels(std::abs(dot(error, n)) < kOffPlane * plain_length(error) ? 0.0 : dot(error, n), 0, 0, least);
+    return std::hypot(within, off);
 }
 
 }  // namespace
@@ -99,7 +119,7 @@ float PixelErrors::screen_px() const {
 bool same_end(const RayPixel& a, const RayPixel& b) { return a.fate == b.fate && a.hit == b.hit; }
 
 bool all_finite(const RayPixel& p) {
-    for (const double value : {p.sky.x, p.sky.y, p.sky.z, p.g, p.delay, p.angle, p.u, p.v})
+    for (const double value : {p.sky.x, p.sky.y, p.sky.z, p.g, p.delay, p.angle, p.u, p.v, p.w})
         if (!std::isfinite(value)) return false;
     return true;
 }

@@ -29,7 +29,7 @@ enum class RayEnd : unsigned char { kNotCompared, kSame, kForgiven, kDiffers };
 struct PixelErrors {
     float forward_rad = 0;  // angle between the sky directions
     float sky_px = 0;       // the same as screen error
-    float place_px = 0;     // of the first hit, (u, v) on the disc
+    float place_px = 0;     // of the first hit
     float angle_px = 0;     // of the swept angle
     float g_px = 0;         // of log g
     RayEnd end = RayEnd::kNotCompared;

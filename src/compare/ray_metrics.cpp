@@ -57,8 +57,8 @@ std::vector<RayPixel> exact_around(const ExactTrace& trace, const PixelRect& inn
 
 double motion2(const RayPixel& a, const RayPixel& b) {
     const Vec3 sky = b.sky - a.sky;
-    const double u = b.u - a.u, v = b.v - a.v, angle = b.angle - a.angle;
-    return dot(sky, sky) + u * u + v * v + angle * angle;
+    const double u = b.u - a.u, v = b.v - a.v, w = b.w - a.w, angle = b.angle - a.angle;
+    return dot(sky, sky) + u * u + v * v + w * w + angle * angle;
 }
 
 // The one of the two neighbours that ends alike and moves less: next to an edge the motion then is not overstated.
@@ -185,7 +185,7 @@ private:
         if (!same_end(here, tested) || tested.hit == 0) return true;
         // Both met the disc, on different images of it: the ray beside must meet the tested one.
         constexpr double kCloser = 0.25;  // of the distance between the images
-        const auto distance = [&](const RayPixel& other) { return std::hypot(other.u - tested.u, other.v - tested.v); };
+        const auto distance = [&](const RayPixel& other) { return std::hypot(other.u - tested.u, other.v - tested.v, other.w - tested.w); };
         return distance(beside) < kCloser * distance(here);
     }
 

@@ -29,6 +29,7 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     FrameTracer tracer;
     tracer.camera_ = scene.camera;
     tracer.disc_ = scene.disc;
+    tracer.bodies_ = std::make_shared<Bodies>(scene);
     const CameraSpec& camera = scene.camera;
     if (camera.width < 1 || camera.height < 1) {
         return bad_input(fmt::format("camera: size {}x{} must be at least 1x1", camera.width, camera.height));
@@ -95,6 +96,11 @@ std::vector<DiscHit> FrameTracer::disc_hits(const CameraRay& ray, int max_hits) 
     return hits;
 }
 
+std::optional<BodyHit> FrameTracer::body_hit(const CameraRay& ray) const {
+    if (bodies_->empty()) return std::nullopt;
+    return bodies_->first_hit(*ray.orbit, ray.plane, camera_.r);
+}
+
 RayPixel FrameTracer::pixel(double x, double y) const {
     const CameraRay traced = ray(x, y);
     RayPixel pixel;
@@ -102,10 +108,19 @@ RayPixel FrameTracer::pixel(double x, double y) const {
     pixel.g = traced.g;
     pixel.angle = finite_or_zero(traced.orbit->angle());
     const std::vector<DiscHit> hits = disc_hits(traced, 1);
-    if (!hits.empty()) {
+    const std::optional<BodyHit> body = body_hit(traced);
+    const bool disc_first = !hits.empty() && !(body && body->angle < hits.front().angle);
+    if (body) {   // solid: it ends the ray, whatever a translucent disc before it
+        pixel.fate = Fate::kHit;
+        pixel.angle = body->angle;
+        pixel.hit = static_cast<int>(body->object);
+        pixel.u = body->place.x, pixel.v = body->place.y, pixel.w = body->place.z;
+    }
+    if (disc_first) {
         pixel.hit = 1;
         pixel.u = hits.front().x;
         pixel.v = hits.front().y;
+        pixel.w = 0;
         if (disc_->opacity == 1) {
             pixel.fate = Fate::kHit;
             pixel.angle = hits.front().angle;

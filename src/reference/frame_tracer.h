@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/result.h"
+#include "reference/bodies.h"
 #include "reference/orbit.h"
 #include "reference/ray_plane.h"
 #include "scene/ray.h"
@@ -35,12 +36,15 @@ public:
     CameraRay ray(double x, double y) const;
     // Where the ray meets the disc, in its order; empty if the scene has none. At most max_hits.
     std::vector<DiscHit> disc_hits(const CameraRay& ray, int max_hits) const;
+    // The first solid body that the ray meets.
+    std::optional<BodyHit> body_hit(const CameraRay& ray) const;
     RayPixel pixel(double x, double y) const;
 
 private:
     FrameTracer() = default;
     CameraSpec camera_;
     std::optional<DiscSpec> disc_;
+    std::shared_ptr<const Bodies> bodies_;
     std::shared_ptr<const OrbitMetric> metric_;
     double lapse_ = 1;
     // Rows: e_0, right, up, backward; components along the static tetrad (t, r, theta, phi). In long double because

@@ -27,9 +27,19 @@ Result<RayFrame> trace_frame(const Scene& scene, const std::function<void(long l
 // The same for a list of pixel positions (column, row from the top; centres at +0.5).
 Result<std::vector<RayPixel>> trace_pixels(const Scene& scene, const std::vector<std::array<double, 2>>& positions);
 
-// Linear RGB (exposure not applied), samples x samples rays a pixel, averaged in linear light. disc_image: 3 or 4
-// channels, alpha not multiplied in; without one the disc is white.
-Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const Image<float>* disc_image, int samples,
+// Images of the scene's objects; without one an object is white. disc: 3 or 4 channels, alpha not multiplied in.
+struct Pictures {
+    Pictures(const Image<float>* disc_image = nullptr) : disc(disc_image) {}  // NOLINT: a disc alone is the common case
+    const Image<float>* disc;
+    const Image<float>*sphere = nullptr, *cylinder = nullptr, *ball = nullptr, *surface = nullptr;
+    const Image<float>* of(Object object) const {
+        const Image<float>* const of_number[] = {nullptr, disc, sphere, cylinder, ball, surface};
+        return of_number[static_cast<int>(object)];
+    }
+};
+
+// Linear RGB (exposure not applied), samples x samples rays a pixel, averaged in linear light.
+Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const Pictures& pictures, int samples,
                                   const std::function<void(long long)>& done = {});
 
 }  // namespace nullscope::reference

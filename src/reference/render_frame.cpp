@@ -56,16 +56,19 @@ Paint disc_paint(const DiscSpec& disc, const Image<float>* image, double x, doub
 // More hits than this add nothing: images beyond it are thinner than e^-200 of the disc.
 constexpr int kMostHits = 64;
 
-Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const SkyCube& sky, const Image<float>* disc_image,
+Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const SkyCube& sky, const Pictures& pictures,
                 double x, double y) {
     const CameraRay ray = tracer.ray(x, y);
     Vec3 colour{0, 0, 0};
     double through = 1;
+    const std::optional<BodyHit> body = tracer.body_hit(ray);
     for (const DiscHit& hit : tracer.disc_hits(ray, kMostHits)) {
-        const Paint paint = disc_paint(*scene.disc, disc_image, hit.x, hit.y);
+        if (body && body->angle < hit.angle) break;
+        const Paint paint = disc_paint(*scene.disc, pictures.disc, hit.x, hit.y);
         colour = colour + through * paint.alpha * paint.colour;
         through *= 1 - paint.alpha;
     }
+    if (body) return colour + through * body_light(scene, *body, pictures.of(body->object));
     if (ray.orbit->fate() == Fate::kEscaped && through > 0) {
         colour = colour + through * sample_sky(sky, ray.plane.direction(ray.orbit->angle()));
     }
@@ -74,10 +77,10 @@ Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const SkyCube& sk
 
 }  // namespace
 
-Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const Image<float>* disc_image, int samples,
+Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const Pictures& pictures, int samples,
                                   const std::function<void(long long)>& done) {
     if (samples < 1) return bad_input(fmt::format("samples = {} must be at least 1", samples));
-    if (disc_image && (disc_image->empty() || disc_image->channels < 3 || disc_image->channels > 4)) {
+    if (pictures.disc && (pictures.disc->empty() || pictures.disc->channels < 3 || pictures.disc->channels > 4)) {
         return bad_input("the disc's image must have 3 or 4 channels");
     }
     auto tracer = FrameTracer::make(scene);
@@ -89,7 +92,7 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
                 Vec3 sum{0, 0, 0};
                 for (int i = 0; i < samples * samples; ++i) {
                     const double dx = (i % samples + 0.5) / samples, dy = (i / samples + 0.5) / samples;
-                    sum = sum + ray_colour(*tracer, scene, sky, disc_image, x + dx, y + dy);
+                    sum = sum + ray_colour(*tracer, scene, sky, pictures, x + dx, y + dy);
                 }
                 sum = sum / (static_cast<double>(samples) * samples);
                 float* pixel = image.at(x, y);

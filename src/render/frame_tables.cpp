@@ -32,6 +32,56 @@ private:
     std::size_t next_ = 0;
 };
 
+void put_look(BlockWriter& block, const BodyLook& look) {
+    block.put(std::cos(look.rotation), std::sin(look.rotation), look.columns, look.rows);
+    block.put(look.brightness * look.colour, look.limb);
+    block.put(look.brightness * look.second_colour, look.band_latitude);
+}
+
+// Sine of the angle from the inward radial under which a camera at zeta0 sees the sphere's edge: sqrt(V(zeta0)/V(1/R)). -1 where
+// only captured rays reach it: a sphere within the photon sphere.
+double silhouette_sine(const Spacetime& spacetime, double zeta0, double zeta) {
+    const auto photon_sphere = spacetime.photon_sphere();
+    if (photon_sphere && zeta >= photon_sphere->zeta) return -1.0;
+    return zeta0 / zeta * std::sqrt(spacetime.lapse_squared(zeta0) / spacetime.lapse_squared(zeta));
+}
+
+// Radius about the centre that holds all bodies found by strides, and the shortest stride: a thirtieth of the thinnest.
+void put_march(BlockWriter& block, const Scene& scene) {
+    constexpr double kStride = 1.0 / 32;
+    double reach = 0.0, thinnest = 1e30;
+    if (const auto& c = scene.cylinder) {
+        reach = std::max(reach, std::hypot(c->outer, c->height));
+        thinnest = std::min({thinnest, 2 * c->height, c->outer - c->inner});
+    }
+    if (const auto& b = scene.ball) {
+        reach = std::max(reach, length(b->position) + b->radius);
+        thinnest = std::min(thinnest, b->radius);
+    }
+    if (const auto& f = scene.surface) {
+        reach = std::max(reach, f->bound);
+        thinnest = std::min(thinnest, 2 * f->bound / f->steps / kStride);
+    }
+    block.put(1.001 * reach + 4 * kStride * thinnest, kStride * thinnest, 0, 0);
+}
+
+void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spacetime) {
+    const SphereSpec sphere = scene.sphere.value_or(SphereSpec{});
+    block.put(sphere.radius, 1.0 / sphere.radius, scene.sphere ? silhouette_sine(spacetime, 1.0 / scene.camera.r, 1.0 / sphere.radius) : 0.0, 0);
+    put_look(block, sphere.look);
+    const CylinderSpec cylinder = scene.cylinder.value_or(CylinderSpec{});
+    block.put(cylinder.inner, cylinder.outer, cylinder.height, 0);
+    put_look(block, cylinder.look);
+    const BallSpec ball = scene.ball.value_or(BallSpec{});
+    block.put(ball.position, ball.radius);
+    put_look(block, ball.look);
+    const SurfaceSpec surface = scene.surface.value_or(SurfaceSpec{});
+    constexpr double kDifference = 1e-3;   // of the bound: gradients by differences keep half of a float's digits
+    block.put(surface.bound, 2 * surface.bound / surface.steps, kDifference * surface.bound, 0);
+    put_look(block, surface.look);
+    put_march(block, scene);
+}
+
 }  // namespace
 
 Status FrameTables::update(const Scene& scene) {
@@ -52,10 +102,14 @@ Status FrameTables::update(const Scene& scene) {
     if (const double horizon = spacetime_->horizon_radius().value_or(0.0); !(scene.camera.r > horizon))
         return bad_input(fmt::format("camera.r = {} is not outside the horizon; allowed: r > {}", scene.camera.r, horizon));
     const EffectSet wanted = effect_set(required_effects(scene));
-    const bool orbits = wanted.contains(Effect::kDisc), had_orbits = effects_.contains(Effect::kDisc);
+    const bool orbits = meets_objects(wanted), had_orbits = meets_objects(effects_);
     rows_stale = rows_stale || radius_ != scene.camera.r || (orbits && !had_orbits) ||
                  (fan_ && fan_->w0() != fan_for(scene).w0());
     effects_ = wanted;
+    if (!orbits && had_orbits && !rows_stale) {   // nothing to meet any more: the map goes, the strip stays
+        orbit_map_ = {};
+        ++revision_;
+    }
     if (!rows_stale) return Done{};
     radius_ = scene.camera.r;
     fan_.reset();
@@ -104,6 +158,8 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     for (const Vec3 v : local)
         block.put(dot(v, meridian), dot(v, transverse), v.x, critical_sine * v.x - critical_cosine * dot(v, meridian));
     for (const Vec3 v : {radial, meridian, transverse}) block.put(world * v, 0);
+    const double zeta0 = 1.0 / camera.r, lapse = std::sqrt(spacetime.lapse_squared(zeta0));
+    block.put(1.0 / lapse, zeta0, zeta0 * lapse, 0);
     if (fan != nullptr) block.put(critical_cosine, critical_sine, 1.0 / fan->w0(), 0.0);
     else block.put(0, 0, 0, 0);
     if (fan != nullptr) {
@@ -117,8 +173,6 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     const double speed = length(camera.velocity);
     if (speed > 0.0) block.put(world * (camera.velocity / speed), std::sqrt((1.0 + speed) / (1.0 - speed)));
     else block.put(1, 0, 0, 1);
-    const double zeta0 = 1.0 / camera.r, lapse = std::sqrt(spacetime.lapse_squared(zeta0));
-    block.put(1.0 / lapse, zeta0, zeta0 * lapse, 0);
     block.put(0.5 * textures.sky_size, std::log2(std::max(textures.sky_size, 1)), 1.0, 0);
     const double height = std::cos(camera.theta);
     constexpr double kInPlane = 1e-12;   // |cos theta| below which a camera stands in the disc's plane (interfaces: rays out)
@@ -132,6 +186,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(disc.opacity, disc.edge, disc.brightness, 0);
     const CriticalImages images = fan != nullptr && scene.disc ? critical_images(*fan, disc.inner, disc.outer) : CriticalImages{};
     block.put(images.inner, images.outer, images.per_angle * M_LOG2E, images.from_angle);
+    put_bodies(block, scene, spacetime);
     return block.numbers();
 }
 

@@ -16,7 +16,7 @@ namespace nullscope {
 namespace {
 
 constexpr unsigned kFrameBinding = 0;
-enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5 };
+enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5, kBodyUnit = 6 };
 
 template <class T>
 Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
@@ -50,6 +50,7 @@ Status Renderer::prepare(const Scene& scene) {
     if (Status status = tables_.update(scene); !status) return status;
     if (Status status = load_sky(scene); !status) return status;
     if (Status status = load_disc(scene); !status) return status;
+    if (Status status = load_bodies(scene); !status) return status;
     if (Status status = load_table(scene); !status) return status;
     scene_ = scene;
     upload_tables();
@@ -72,7 +73,9 @@ void Renderer::upload_tables() {
 void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
     const FrameNumbers numbers = frame_numbers(scene, tables_.spacetime(), tables_.fan(), facts);
     std::array<float, 4 * kFrameVectors> block{};
-    std::transform(numbers.begin(), numbers.end(), block.begin(), [](double n) { return static_cast<float>(n); });
+    std::size_t next = 0;
+    for (const int member : block_members(tables_.effects()))
+        for (std::size_t i = 0; i < 4; ++i) block[next++] = static_cast<float>(numbers[4 * static_cast<std::size_t>(member) + i]);
     gl::upload_uniforms(uniforms_, block.data(), sizeof(block));
 }
 
@@ -116,6 +119,11 @@ Status Renderer::load_disc(const Scene& scene) {
     return Done{};
 }
 
+Status Renderer::load_bodies(const Scene& scene) {
+    body_text_ = body_text(scene);
+    return body_images_.update(scene, info_.max_texture_size);
+}
+
 Status Renderer::load_table(const Scene& scene) {
     const bool lensing = tables_.effects().contains(Effect::kLensing);
     if (lensing && method_.kind == MethodKind::kClosedForm && scene.spacetime.metric != "schwarzschild")
@@ -139,11 +147,11 @@ Status Renderer::load_table(const Scene& scene) {
 }
 
 const gl::Program& Renderer::program(Stage stage, Output output) {
-    const auto key = std::make_tuple(stage, output, tables_.effects(), method_, scene_.spacetime.metric);
+    const auto key = std::make_tuple(stage, output, tables_.effects(), method_, scene_.spacetime.metric, body_text_);
     const auto found = programs_.find(key);
     if (found != programs_.end()) return found->second;
     const auto start = std::chrono::steady_clock::now();
-    const ShaderSource source = shader_source(stage, tables_.effects(), output, method_, scene_.spacetime.metric);
+    const ShaderSource source = shader_source(stage, tables_.effects(), output, method_, scene_.spacetime.metric, body_text_);
     gl::Program made = gl::make_program(source.vertex, source.fragment);
     gl::bind_uniform_block(made, "FrameBlock", kFrameBinding);
     gl::bind_sampler(made, "strip_texture", kStripUnit);
@@ -152,6 +160,7 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     gl::bind_sampler(made, "sky_texture", kSkyUnit);
     gl::bind_sampler(made, "disc_texture", kDiscUnit);
     gl::bind_sampler(made, "table_texture", kTableUnit);
+    for (int i = 0; i < kBodyCount; ++i) gl::bind_sampler(made, body_image_sampler(i), kBodyUnit + i);
     compile_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return programs_.emplace(key, std::move(made)).first->second;
 }
@@ -164,6 +173,7 @@ void Renderer::bind_inputs() {
     gl::bind_texture_cube(kSkyUnit, sky_);
     gl::bind_texture_2d(kDiscUnit, disc_);
     gl::bind_texture_2d(kTableUnit, table_);
+    body_images_.bind(kBodyUnit);
 }
 
 void Renderer::draw(unsigned framebuffer, int width, int height, Output output) {
@@ -208,6 +218,7 @@ Result<std::vector<RayPixel>> Renderer::trace_middles(const std::vector<Scene>& 
         view.camera.width = view.camera.height = 1;
         if (Status status = tables_.update(view); !status) return status.error();
         if (Status status = load_table(view); !status) return status.error();
+        body_text_ = body_text(view);
         upload_tables();
         upload_block(view, {});
         rays.push_back(draw_rays(target).at(0, 0));
@@ -236,7 +247,7 @@ RayFrame Renderer::draw_rays(const gl::Target& target) {
                     pixel.order = static_cast<int>(row[3]);
                 } else {
                     pixel.hit = static_cast<int>(row[0]);
-                    pixel.u = row[1], pixel.v = row[2];
+                    pixel.u = row[1], pixel.v = row[2], pixel.w = row[3];
                 }
             }
         }
@@ -253,6 +264,9 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     if (map.width > 0) lines.push_back({"orbit map", map.width, map.height, map.bytes()});
     if (sky_size_ > 0) lines.push_back({"sky", sky_size_, sky_size_, static_cast<std::size_t>(sky_size_) * sky_size_ * 32});  // 6 faces, 4 B, mip levels
     if (disc_width_ > 0) lines.push_back({"disc image", disc_width_, disc_height_, static_cast<std::size_t>(disc_width_) * disc_height_ * 32 / 3});
+    for (int body = 0; body < kBodyCount; ++body)
+        if (const auto& picture = body_images_.pictures()[static_cast<std::size_t>(body)])
+            lines.push_back({body_image_sampler(body), picture->width, picture->height, static_cast<std::size_t>(picture->width) * picture->height * 32 / 3});
     return lines;
 }
 

@@ -12,6 +12,7 @@
 #include "base/image.h"
 #include "base/result.h"
 #include "gl/gl.h"
+#include "render/body_images.h"
 #include "render/frame_tables.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
@@ -68,17 +69,20 @@ private:
     RayFrame draw_rays(const gl::Target& target);
     Status load_sky(const Scene& scene);
     Status load_disc(const Scene& scene);
+    Status load_bodies(const Scene& scene);
     Status load_table(const Scene& scene);
 
     gl::Info info_;
     gl::VertexArray empty_;
     gl::Buffer uniforms_;
-    std::map<std::tuple<Stage, Output, EffectSet, Method, std::string>, gl::Program> programs_;
+    std::map<std::tuple<Stage, Output, EffectSet, Method, std::string, BodyText>, gl::Program> programs_;
     Method method_;
     FrameTables tables_;
     Scene scene_;
     int rows_revision_ = -1;
     gl::Texture strip_, ends_, orbit_map_, sky_, disc_, table_;
+    BodyText body_text_;
+    BodyImages body_images_;
     std::optional<std::pair<SpacetimeSpec, Method>> table_key_;   // of table_
     std::size_t table_bytes_ = 0;
     double gpu_table_ms_ = 0.0;

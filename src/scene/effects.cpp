@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "spacetime/registry.h"
 
 namespace nullscope {
@@ -36,6 +38,44 @@ std::vector<std::string_view> EffectSet::keys() const {
     return keys;
 }
 
+bool has_marched(const EffectSet& effects) {
+    return effects.contains(Effect::kCylinder) || effects.contains(Effect::kBall) ||
+           effects.contains(Effect::kSurface);
+}
+bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
+bool meets_objects(const EffectSet& effects) { return effects.contains(Effect::kDisc) || has_solids(effects); }
+
+namespace {
+
+void add_bodies(const Scene& scene, std::vector<EffectReason>& reasons) {
+    if (scene.sphere) reasons.push_back({Effect::kSphere, fmt::format("[sphere] of radius {}", scene.sphere->radius)});
+    if (const auto& c = scene.cylinder)
+        reasons.push_back({Effect::kCylinder, fmt::format("[cylinder] from {} to {}, |z| up to {}", c->inner, c->outer, c->height)});
+    if (const auto& b = scene.ball)
+        reasons.push_back({Effect::kBall, fmt::format("[ball] of radius {} at [{}, {}, {}]", b->radius, b->position.x, b->position.y, b->position.z)});
+    if (const auto& f = scene.surface)
+        reasons.push_back({Effect::kSurface, fmt::format("[surface] {} within {}", f->shape, f->bound)});
+    std::vector<std::pair<const char*, const BodyLook*>> looks;
+    if (scene.sphere) looks.emplace_back("sphere", &scene.sphere->look);
+    if (scene.cylinder) looks.emplace_back("cylinder", &scene.cylinder->look);
+    if (scene.ball) looks.emplace_back("ball", &scene.ball->look);
+    if (scene.surface) looks.emplace_back("surface", &scene.surface->look);
+    const auto add = [&](Effect effect, std::initializer_list<std::pair<TextureKind, const char*>> kinds) {
+        for (const auto& [section, look] : looks)
+            for (const auto& [kind, word] : kinds)
+                if (look->texture == kind) {
+                    reasons.push_back({effect, fmt::format("{}.texture = \"{}\"", section, word)});
+                    return;
+                }
+    };
+    add(Effect::kPattern, {{TextureKind::kChecker, "checker"}, {TextureKind::kGrid, "grid"}, {TextureKind::kStripes, "stripes"}});
+    add(Effect::kNoise, {{TextureKind::kNoise, "noise"}});
+    add(Effect::kFormula, {{TextureKind::kFormula, "formula"}});
+    add(Effect::kBodyImage, {{TextureKind::kImage, "image"}});
+}
+
+}  // namespace
+
 std::vector<EffectReason> required_effects(const Scene& scene) {
     std::vector<EffectReason> reasons;
     if (bends_light(scene.spacetime)) {
@@ -53,6 +93,7 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
             reasons.push_back({Effect::kTranslucentDisc, fmt::format("disc.edge = {}", scene.disc->edge)});
         }
     }
+    add_bodies(scene, reasons);
     if (scene.sky.kind != SkyKind::kBlack) {
         const bool stars = scene.sky.kind == SkyKind::kStars;
         reasons.push_back({Effect::kSky, fmt::format("sky.kind = \"{}\"", stars ? "stars" : "image")});

@@ -14,8 +14,10 @@
 
 namespace nullscope {
 
-enum class Effect { kLensing, kAberration, kDisc, kTranslucentDisc, kSky };
-inline constexpr std::size_t kEffectCount = 5;
+enum class Effect {
+    kLensing, kAberration, kDisc, kTranslucentDisc, kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kSky
+};
+inline constexpr std::size_t kEffectCount = 13;
 
 struct EffectRow {
     Effect effect;
@@ -23,18 +25,39 @@ struct EffectRow {
     std::string_view define;  // GLSL preprocessor name
     std::string_view help;    // one sentence
     std::string_view needs;   // what in a scene calls for it
+    std::string_view cost;    // what it adds: tables, textures, work a pixel
 };
 
 // In the order of the enumerators.
 inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
     {Effect::kLensing, "lensing", "EFFECT_LENSING", "Light follows the null geodesics of the metric.",
-     "spacetime.metric is one that bends light"},
+     "spacetime.metric is one that bends light", "deflection table, strip; one fetch and two straight lines a pixel"},
     {Effect::kAberration, "aberration", "EFFECT_ABERRATION",
-     "Directions and frequencies are those of a camera that moves in the static frame.", "camera.velocity is not zero"},
-    {Effect::kDisc, "disc", "EFFECT_DISC", "A flat textured disc lies in the equatorial plane.", "there is a [disc]"},
+     "Directions and frequencies are those of a camera that moves in the static frame.", "camera.velocity is not zero",
+     "one division a pixel"},
+    {Effect::kDisc, "disc", "EFFECT_DISC", "A flat textured disc lies in the equatorial plane.", "there is a [disc]",
+     "ray ends, orbit map, disc image; four fetches a crossing"},
     {Effect::kTranslucentDisc, "translucent-disc", "EFFECT_TRANSLUCENT_DISC",
-     "What lies behind the disc shines through it.", "disc.opacity is below 1 or disc.edge is above 0"},
-    {Effect::kSky, "sky", "EFFECT_SKY", "Escaped rays show the celestial sphere.", "sky.kind is not black"},
+     "What lies behind the disc shines through it.", "disc.opacity is below 1 or disc.edge is above 0",
+     "every crossing is shaded, not the first alone"},
+    {Effect::kSphere, "sphere", "EFFECT_SPHERE", "A solid sphere about the centre ends rays.", "there is a [sphere]",
+     "ray ends, orbit map; some four steps of four fetches where it is seen"},
+    {Effect::kCylinder, "cylinder", "EFFECT_CYLINDER", "A solid disc of finite thickness ends rays.", "there is a [cylinder]",
+     "ray ends, orbit map; strides of four fetches, at most 128"},
+    {Effect::kBall, "ball", "EFFECT_BALL", "A solid sphere anywhere ends rays.", "there is a [ball]",
+     "ray ends, orbit map; strides of four fetches, at most 128, shared with other bodies"},
+    {Effect::kSurface, "surface", "EFFECT_SURFACE", "A solid given by a formula ends rays.", "there is a [surface]",
+     "ray ends, orbit map; equal strides of four fetches and seven times the formula"},
+    {Effect::kPattern, "pattern", "EFFECT_PATTERN", "A body has a checker, a grid of coordinates or stripes.",
+     "a body's texture is checker, grid or stripes", "arithmetic where the body is seen"},
+    {Effect::kNoise, "noise", "EFFECT_NOISE", "A body has noise on it.", "a body's texture is noise",
+     "eight hashes an octave, four octaves, where the body is seen"},
+    {Effect::kFormula, "formula", "EFFECT_FORMULA", "A formula of the scene file is part of the shader.",
+     "a body's texture is a formula", "four times the formula where the body is seen"},
+    {Effect::kBodyImage, "body-image", "EFFECT_BODY_IMAGE", "A body has an image on it.", "a body's texture is an image",
+     "a picture with mip levels; one fetch where the body is seen"},
+    {Effect::kSky, "sky", "EFFECT_SKY", "Escaped rays show the celestial sphere.", "sky.kind is not black",
+     "a cube map; one fetch a pixel"},
 }};
 
 constexpr const EffectRow& effect_row(Effect effect) { return kEffectTable[static_cast<std::size_t>(effect)]; }
@@ -58,6 +81,10 @@ public:
 private:
     std::bitset<kEffectCount> bits_;
 };
+
+bool has_marched(const EffectSet& effects);   // bodies that are found by strides: all but the sphere
+bool has_solids(const EffectSet& effects);    // any solid body
+bool meets_objects(const EffectSet& effects); // anything that needs positions along rays: ray ends, orbit map
 
 struct EffectReason {
     Effect effect;

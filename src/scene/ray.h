@@ -15,6 +15,9 @@ inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN(); 
 
 enum class Fate { kEscaped = 0, kCaptured = 1, kOtherSide = 2, kNoSky = 3, kHit = 4 };
 
+// Numbers of objects in ray data.
+enum class Object { kNone = 0, kDisc = 1, kSphere = 2, kCylinder = 3, kBall = 4, kSurface = 5 };
+
 // A ray traced backward in time from a camera.
 // General form: position (r, theta, phi) and unit look direction n = (n_r, n_theta, n_phi) in the local static frame.
 // Reduced form (orbit set): q = E r_s / L, zeta0 = r_s / r, s = +1 towards the hole, -1 away; the orbital plane is then the
@@ -54,8 +57,8 @@ struct RayPixel {
     double delay = 0;           // r_s/c; 0 unless delay is called for
     double angle = 0;           // swept from the camera to the end (sky, horizon or hit), rad
     int order = 0;              // image order: floor(angle / pi)
-    int hit = 0;                // number of the first object hit (1 = disc), 0 for none, also for a translucent object
-    double u = 0, v = 0;        // surface coordinates of the first hit: disc (x, y) in r_s
+    int hit = 0;                // number of the first object hit (Object), 0 for none, also for a translucent object
+    double u = 0, v = 0, w = 0; // place of the first hit: x, y, z in r_s, world axes; on the disc w = 0
 };
 
 struct RayFrame {

@@ -60,12 +60,64 @@ struct DiscSpec {
     friend bool operator==(const DiscSpec&, const DiscSpec&) = default;
 };
 
+// What a solid body looks like. Procedural kinds give a number from 0 to 1 at every place, which mixes two colours.
+enum class TextureKind { kPlain, kChecker, kGrid, kStripes, kNoise, kFormula, kImage };
+// How the unit square of texture coordinates (u, v), v from the top, covers directions from a body's middle (azimuth grows to
+// the right as seen from outside):
+// kEquirectangular: u azimuth, v polar angle. kBand: u azimuth, v latitude from +band to -band; beyond it the second colour.
+// kCaps: left half the northern, right half the southern hemisphere, azimuthal equidistant, the pole in the middle of each.
+// kCubeFaces: three columns and two rows of faces: +x -x +y above -y +z -z.
+enum class BodyMapping { kEquirectangular, kBand, kCaps, kCubeFaces };
+struct BodyLook {
+    TextureKind texture = TextureKind::kPlain;
+    BodyMapping mapping = BodyMapping::kEquirectangular;   // not of the cylinder: its square covers [-outer, outer]^2, as the disc's
+    std::filesystem::path image;                           // kImage
+    std::string formula;                                   // kFormula: of u, v, x, y, z (docs/expressions.md)
+    Vec3 colour{1.0, 0.72, 0.42}, second_colour{0.12, 0.05, 0.03};   // linear light; kImage is multiplied by colour
+    int columns = 24, rows = 12;                           // of the pattern over u and over v; of noise: grains across the radius
+    double band_latitude = 1.0471975511965976;             // kBand, (0, pi/2]
+    double rotation = 0.0;                                 // of the look about the polar axis
+    double limb = 0.0;                                     // light times 1 - limb (1 - cosine of the angle to the normal), [0, 1]
+    double brightness = 1.0;
+    friend bool operator==(const BodyLook&, const BodyLook&) = default;
+};
+
+// Solid bodies: opaque, a ray ends on the first. Lengths in r_s; (r, theta, phi) are taken as flat spherical coordinates.
+struct SphereSpec {                 // about the centre
+    double radius = 3.0;            // outside the horizon
+    BodyLook look;
+    friend bool operator==(const SphereSpec&, const SphereSpec&) = default;
+};
+struct CylinderSpec {               // about the polar axis: a disc of finite thickness, |z| <= height, inner <= rho <= outer
+    double inner = 3.0, outer = 8.0, height = 0.5;
+    BodyLook look;
+    friend bool operator==(const CylinderSpec&, const CylinderSpec&) = default;
+};
+struct BallSpec {                   // a sphere anywhere
+    Vec3 position{-12.0, 0.0, 0.0};
+    double radius = 2.0;
+    BodyLook look;
+    friend bool operator==(const BallSpec&, const BallSpec&) = default;
+};
+
+struct SurfaceSpec {                // the solid f(x, y, z) < 0, as far as `bound` from the centre
+    std::string shape = "(length(x, y) - 6)^2 + z^2 - 2";   // f: docs/expressions.md
+    double bound = 10.0;
+    int steps = 64;                 // strides across the bounding sphere: what is thinner than one may be missed
+    BodyLook look;
+    friend bool operator==(const SurfaceSpec&, const SurfaceSpec&) = default;
+};
+
 struct Scene {
     std::string name, description;
     SpacetimeSpec spacetime;
     CameraSpec camera;
     SkySpec sky;
     std::optional<DiscSpec> disc;
+    std::optional<SphereSpec> sphere;
+    std::optional<CylinderSpec> cylinder;
+    std::optional<BallSpec> ball;
+    std::optional<SurfaceSpec> surface;
 };
 
 }  // namespace nullscope

@@ -8,6 +8,7 @@
 #include "base/assets.h"
 #include "base/atomic_file.h"
 #include "base/text.h"
+#include "scene/body_check.h"
 #include "scene/scene_value.h"
 #include "spacetime/registry.h"
 
@@ -54,6 +55,7 @@ private:
     void check_camera();
     void check_sky();
     void check_disc();
+    void check_solids();
     bool given(const std::string& name) const { return lines_.count(name) != 0; }
     int line(const std::string& name) const { return given(name) ? lines_.at(name) : 1; }
     void report(int line, std::string_view name, std::string_view what, std::string_view allowed);
@@ -63,6 +65,7 @@ private:
     Scene scene_;
     const MetricEntry* metric_ = find_metric(scene_.spacetime.metric);  // null while the file names none that is known
     std::map<std::string, int> lines_;                                  // of the keys that are there, by full name
+    std::map<std::string, int> sections_;                               // lines where sections begin
     std::map<int, std::string> reports_;                                // what is wrong, by line; the first is returned
 };
 
@@ -76,7 +79,9 @@ void SceneReader::report_unknown(std::string_view section, const toml::key& name
     std::string nearest = nearest_word(name.str(), words);
     if (!nearest.empty()) nearest = prefix + nearest;
     for (const SceneKey& key : scene_keys()) {
-        if (key.key == name.str()) nearest = full_name(key);  // the right word in the wrong place
+        if (key.key != name.str()) continue;
+        nearest = full_name(key);  // the right word in the wrong place
+        break;
     }
     const std::string shown = in_quotes(name.str());
     const std::string what = section == "spacetime" && metric_ != nullptr
@@ -121,6 +126,11 @@ void SceneReader::read_key(std::string_view section, const toml::key& name, cons
 
 void SceneReader::read_section(std::string_view section, const toml::table& table) {
     if (section == "disc") scene_.disc.emplace();
+    if (section == "sphere") scene_.sphere.emplace();
+    if (section == "cylinder") scene_.cylinder.emplace();
+    if (section == "ball") scene_.ball.emplace();
+    if (section == "surface") scene_.surface.emplace();
+    sections_[std::string(section)] = table.source().begin.line == 0 ? 1 : static_cast<int>(table.source().begin.line);
     if (const auto metric = table.find("metric"); section == "spacetime" && metric != table.end()) {
         read_key(section, metric->first, metric->second);  // first: it decides which other keys there are
         metric_ = reports_.empty() ? find_metric(scene_.spacetime.metric) : nullptr;
@@ -176,6 +186,23 @@ void SceneReader::check_disc() {
            fmt::format("inner = {} is not below outer = {}", scene_.disc->inner, scene_.disc->outer), "inner < outer");
 }
 
+void SceneReader::check_solids() {
+    const auto white_images = [this](const char* section, BodyLook& look) {
+        if (look.texture == TextureKind::kImage && !given(fmt::format("{}.colour", section))) look.colour = {1, 1, 1};
+    };
+    if (scene_.sphere) white_images("sphere", scene_.sphere->look);
+    if (scene_.cylinder) white_images("cylinder", scene_.cylinder->look);
+    if (scene_.ball) white_images("ball", scene_.ball->look);
+    if (scene_.surface) white_images("surface", scene_.surface->look);
+    const auto spacetime = make_spacetime(scene_.spacetime.metric, scene_.spacetime.parameters);
+    const double horizon = spacetime ? (*spacetime)->horizon_radius().value_or(0.0) : 0.0;
+    const auto is_given = [this](const std::string& name) { return given(name); };
+    for (const BodyFault& fault : check_bodies(scene_, horizon, is_given)) {
+        const auto section = sections_.find(fault.key.substr(0, fault.key.find('.')));
+        report(given(fault.key) ? line(fault.key) : section->second, fault.key, fault.what, fault.allowed);
+    }
+}
+
 Result<Scene> SceneReader::read(const toml::table& root) {
     const std::vector<std::string> words = words_of("", nullptr);
     for (const auto& [name, node] : root) {
@@ -193,6 +220,7 @@ Result<Scene> SceneReader::read(const toml::table& root) {
         check_camera();
         check_sky();
         check_disc();
+        check_solids();
     }
     if (!reports_.empty()) return bad_input(without_controls(reports_.begin()->second));
     if (scene_.name.empty()) scene_.name = fs::path(label_).stem().string();

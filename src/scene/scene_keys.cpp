@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <vector>
 
 #include "base/text.h"
+#include "scene/body_keys.h"
 #include "spacetime/registry.h"
 
 namespace nullscope {
@@ -124,7 +126,14 @@ std::string list_of(const std::vector<std::string>& words) {
 
 }  // namespace
 
-std::span<const SceneKey> scene_keys() { return kKeys; }
+std::span<const SceneKey> scene_keys() {
+    static const std::vector<SceneKey> keys = [] {
+        std::vector<SceneKey> all(std::begin(kKeys), std::end(kKeys));
+        append_body_keys(all);
+        return all;
+    }();
+    return keys;
+}
 
 std::string full_name(const SceneKey& key) {
     return key.section.empty() ? std::string(key.key) : fmt::format("{}.{}", key.section, key.key);
@@ -137,6 +146,10 @@ std::string allowed_text(const SceneKey& key) {
             return fmt::format("{}{}, {}{}", range.open_low ? '(' : '[', range.low, range.high,
                                range.open_high ? ')' : ']');
         case KeyType::kVelocity: return "three numbers, speed below 1";
+        case KeyType::kPoint:
+        case KeyType::kColour: return fmt::format("three numbers from {} to {}", range.low, range.high);
+        case KeyType::kWhole: return fmt::format("an integer from {} to {}", range.low, range.high);
+        case KeyType::kFormula: return fmt::format("a formula of {}", list_of(split(key.choices, ' ')));
         case KeyType::kSize: return fmt::format("two integers from {} to {}", range.low, range.high);
         case KeyType::kChoice: return list_of(split(key.choices, ' '));
         case KeyType::kText: return fmt::format("one line of at most {} bytes", kLongestText);

@@ -11,8 +11,9 @@
 
 namespace nullscope {
 
-// kVelocity: an array of 3 numbers. kSize: an array of 2 integers. kImage: a file, relative to the scene file.
-enum class KeyType { kNumber, kVelocity, kSize, kChoice, kText, kImage, kMetric };
+// kVelocity, kPoint, kColour: an array of 3 numbers. kSize: an array of 2 integers. kWhole: an integer. kImage: a file, relative
+// to the scene file. kFormula: an expression (docs/expressions.md) of the variables in SceneKey::choices.
+enum class KeyType { kNumber, kVelocity, kPoint, kColour, kSize, kWhole, kChoice, kText, kImage, kMetric, kFormula };
 
 struct KeyRange {
     double low = 0, high = 0;
@@ -26,7 +27,7 @@ struct KeyRange {
 struct KeyValue {
     double number = 0;
     Vec3 vector;
-    int width = 0, height = 0;
+    int width = 0, height = 0;  // kSize; kWhole: width
     int choice = 0;  // index in SceneKey::choices
     std::string text;
     std::filesystem::path path;  // resolved against the scene file's folder
@@ -38,8 +39,8 @@ struct SceneKey {
     KeyType type;
     std::string_view unit;      // of the file: "deg", "r_s", ...; degrees become radians in Scene
     std::string_view fallback;  // default, as it would be written in a file; "" for none
-    KeyRange range;             // kNumber, in the file's unit; kSize: of both numbers
-    std::string_view choices;   // kChoice: words separated by one blank
+    KeyRange range;             // kNumber, in the file's unit; arrays: of every number
+    std::string_view choices;   // kChoice: words separated by one blank; kFormula: variables
     std::string_view help;      // one sentence
     void (*apply)(Scene&, const KeyValue&);
 };

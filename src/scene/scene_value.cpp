@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/text.h"
+#include "expr/formula.h"
 #include "spacetime/registry.h"
 
 namespace nullscope {
@@ -47,7 +48,8 @@ Checked check_number(const SceneKey& key, const toml::node& node) {
     return value;
 }
 
-Checked check_velocity(const toml::node& node) {
+// velocity, place or colour
+Checked check_vector(const SceneKey& key, const toml::node& node) {
     const toml::array* array = node.as_array();
     if (array == nullptr) return Fault{fmt::format("must be three numbers, not {}", type_name(node))};
     if (array->size() != 3) return Fault{fmt::format("must be three numbers, not {}", array->size())};
@@ -56,10 +58,21 @@ Checked check_velocity(const toml::node& node) {
         const std::optional<double> number = finite_number(*array->get(i));
         if (!number) return Fault{fmt::format("component {} is not a finite number", i + 1)};
         v[i] = *number;
+        if (key.type != KeyType::kVelocity && !key.range.contains(v[i])) return Fault{fmt::format("{} is out of range", v[i])};
     }
     KeyValue value;
     value.vector = {v[0], v[1], v[2]};
-    if (!(length(value.vector) <= kFastestCamera)) return Fault{"the speed is not below that of light"};
+    if (key.type == KeyType::kVelocity && !(length(value.vector) <= kFastestCamera))
+        return Fault{"the speed is not below that of light"};
+    return value;
+}
+
+Checked check_whole(const SceneKey& key, const toml::node& node) {
+    if (!node.is_integer()) return Fault{fmt::format("must be an integer, not {}", type_name(node))};
+    const double number = node.value<double>().value_or(-1e300);   // integers above 2^53 have no double: out of range
+    if (!key.range.contains(number)) return Fault{fmt::format("{} is out of range", number)};
+    KeyValue value;
+    value.width = static_cast<int>(number);
     return value;
 }
 
@@ -89,6 +102,8 @@ Checked check_text(const SceneKey& key, const std::string& text, const fs::path&
     if (text != without_controls(text)) return Fault{"control characters are not allowed"};
     if (key.type == KeyType::kText) {
         if (text.size() > kLongestText) return Fault{fmt::format("{} bytes are too long", text.size())};
+    } else if (key.type == KeyType::kFormula) {
+        if (const auto formula = expr::Formula::parse(text, split(key.choices, ' ')); !formula) return Fault{formula.error().message};
     } else if (key.type == KeyType::kImage) {
         value.path = base / fs::path(text);
         std::error_code error;
@@ -115,7 +130,10 @@ Checked check_text(const SceneKey& key, const std::string& text, const fs::path&
 std::variant<KeyValue, Fault> check_value(const SceneKey& key, const toml::node& node, const fs::path& base) {
     switch (key.type) {
         case KeyType::kNumber: return check_number(key, node);
-        case KeyType::kVelocity: return check_velocity(node);
+        case KeyType::kVelocity:
+        case KeyType::kPoint:
+        case KeyType::kColour: return check_vector(key, node);
+        case KeyType::kWhole: return check_whole(key, node);
         case KeyType::kSize: return check_size(key, node);
         default: break;
     }

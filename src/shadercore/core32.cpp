@@ -16,10 +16,17 @@ RayPixel trace_core32(const CoreInput& input, double x, double y) { return dispa
 
 std::array<std::size_t, kFrameVectors> frame_offsets() {
     using F = flat::FrameData;
-    return {offsetof(F, image),   offsetof(F, ray_0),  offsetof(F, ray_x),    offsetof(F, ray_y), offsetof(F, polar_0),
-            offsetof(F, polar_x), offsetof(F, polar_y), offsetof(F, radial), offsetof(F, meridian), offsetof(F, transverse),  offsetof(F, strip), offsetof(F, orbit),  offsetof(F, series), offsetof(F, boost),
-            offsetof(F, shift),   offsetof(F, sky),    offsetof(F, disc_normal), offsetof(F, disc_x), offsetof(F, disc_y),
-            offsetof(F, disc_map), offsetof(F, disc_look), offsetof(F, critical)};
+    return {offsetof(F, image), offsetof(F, ray_0), offsetof(F, ray_x), offsetof(F, ray_y), offsetof(F, polar_0),
+            offsetof(F, polar_x), offsetof(F, polar_y), offsetof(F, radial), offsetof(F, meridian),
+            offsetof(F, transverse), offsetof(F, shift), offsetof(F, strip), offsetof(F, orbit), offsetof(F, series),
+            offsetof(F, boost), offsetof(F, sky), offsetof(F, disc_normal), offsetof(F, disc_x), offsetof(F, disc_y),
+            offsetof(F, disc_map), offsetof(F, disc_look), offsetof(F, critical),
+            offsetof(F, sphere_form), offsetof(F, sphere_map),
+            offsetof(F, sphere_colour), offsetof(F, sphere_second), offsetof(F, cylinder_form),
+            offsetof(F, cylinder_map), offsetof(F, cylinder_colour), offsetof(F, cylinder_second),
+            offsetof(F, ball_form), offsetof(F, ball_map), offsetof(F, ball_colour), offsetof(F, ball_second),
+            offsetof(F, surface_form), offsetof(F, surface_map), offsetof(F, surface_colour),
+            offsetof(F, surface_second), offsetof(F, march)};
 }
 
 }  // namespace nullscope

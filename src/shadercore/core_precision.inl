@@ -1,4 +1,13 @@
 // The combinations of effects in one precision (Real) and their dispatch. The disc's code is always compiled.
+#define BLOCK_LENSING
+#define BLOCK_ABERRATION
+#define BLOCK_SKY
+#define BLOCK_DISC
+#define BLOCK_SPHERE
+#define BLOCK_CYLINDER
+#define BLOCK_BALL
+#define BLOCK_SURFACE
+#define BLOCK_MARCH
 namespace lensed {
 #define EFFECT_DISC
 #define EFFECT_LENSING

@@ -58,6 +58,7 @@ RayPixel trace_one(const CoreInput& input, double x, double y) {
     pixel.hit = static_cast<int>(data.hit);
     pixel.u = data.place.x;
     pixel.v = data.place.y;
+    pixel.w = data.place.z;
     return pixel;
 }
 

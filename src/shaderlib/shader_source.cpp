@@ -8,65 +8,12 @@
 #include <vector>
 
 #include "shaderlib/embedded.h"
+#include "shaderlib/preprocess.h"
 
 namespace nullscope {
 namespace {
 
 constexpr std::string_view kVersion = "#version 330 core\n";
-
-// Drops whole-line comments and blank lines: the driver's text is what is compiled, nothing else.
-std::string stripped(std::string_view text) {
-    std::string out;
-    while (!text.empty()) {
-        const std::size_t end = text.find('\n');
-        const std::string_view line = text.substr(0, end);
-        const std::size_t first = line.find_first_not_of(' ');
-        if (first != std::string_view::npos && line.substr(first, 2) != "//") out.append(line).append("\n");
-        if (end == std::string_view::npos) break;
-        text.remove_prefix(end + 1);
-    }
-    return out;
-}
-
-// Keeps or drops the branches of #ifdef / #ifndef / #else / #endif for the macros that are ours (EFFECT_, NEEDS_, DISPLAY_,
-// __cplusplus), so that nothing of an effect that is off is left in the text.
-std::string resolved(const std::string& text, const std::vector<std::string>& defines) {
-    struct Level { bool ours, keep; };
-    std::vector<Level> levels;
-    const auto is_ours = [](const std::string& name) {
-        return name.starts_with("EFFECT_") || name.starts_with("NEEDS_") || name.starts_with("DISPLAY_") || name.starts_with("TABLE_") ||
-               name.starts_with("STEP_ORDER_") || name == "__cplusplus";
-    };
-    const auto kept = [&] {
-        for (const Level& level : levels)
-            if (level.ours && !level.keep) return false;
-        return true;
-    };
-    std::string out;
-    std::size_t at = 0;
-    while (at < text.size()) {
-        const std::size_t end = text.find('\n', at);
-        const std::string line = text.substr(at, end - at);
-        at = end + 1;
-        const bool ifdef = line.starts_with("#ifdef "), ifndef = line.starts_with("#ifndef ");
-        bool drop = false;
-        if (ifdef || ifndef) {
-            const std::string name = line.substr(ifdef ? 7 : 8);
-            bool defined = false;
-            for (const std::string& d : defines) defined = defined || d == name;
-            levels.push_back({is_ours(name), defined == ifdef});
-            drop = levels.back().ours;
-        } else if (line.starts_with("#else") && !levels.empty()) {
-            levels.back().keep = !levels.back().keep;
-            drop = levels.back().ours;
-        } else if (line.starts_with("#endif") && !levels.empty()) {
-            drop = levels.back().ours;
-            levels.pop_back();
-        }
-        if (!drop && kept()) out += line + "\n";
-    }
-    return out;
-}
 
 std::vector<std::string> method_files(const Method& method, std::string_view metric) {
     switch (method.kind) {
@@ -100,7 +47,7 @@ std::vector<std::string> method_defines(const Method& method) {
 
 std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool ends, const Method& method, std::string_view metric) {
     std::vector<std::string> files = {"core/trig.glsl"};
-    const bool lensing = effects.contains(Effect::kLensing), disc = effects.contains(Effect::kDisc);
+    const bool lensing = effects.contains(Effect::kLensing), disc = effects.contains(Effect::kDisc), solid = has_solids(effects);
     const bool picture = stage == Stage::kPicture;
     if (effects.contains(Effect::kAberration)) files.emplace_back("core/aberration.glsl");
     if (lensing) {
@@ -108,17 +55,57 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
         files.emplace_back("core/sweep.glsl");
         for (std::string& file : method_files(method, metric)) files.push_back(std::move(file));
     }
-    if (lensing && disc) files.emplace_back("core/orbit.glsl");
+    if (lensing && (disc || solid)) files.emplace_back("core/orbit.glsl");
     if (disc) files.emplace_back("core/plane.glsl");
     if (!lensing && !ends) files.erase(files.begin());   // nothing inverse to compute
     files.emplace_back("core/trace.glsl");
     if (disc) files.emplace_back("object/disc.glsl");
-    if (picture && (disc || effects.contains(Effect::kSky))) files.emplace_back("effect/footprint.glsl");
+    if (picture && (disc || effects.contains(Effect::kSky) || effects.contains(Effect::kBodyImage))) files.emplace_back("effect/footprint.glsl");
     if (picture && disc) files.emplace_back("object/disc_colour.glsl");
     if (picture && disc && lensing) files.emplace_back("object/disc_thin.glsl");
     if (picture && effects.contains(Effect::kSky)) files.emplace_back("object/celestial_sphere.glsl");
-    if (!picture) files.emplace_back("core/raydata.glsl");
     return files;
+}
+
+// In the order of the text: bodies, how they are met, what they look like.
+std::string solid_text(Stage stage, const EffectSet& effects, const BodyText& bodies) {
+    if (!has_solids(effects)) return "";
+    std::string text(shader_file("object/place.glsl"));
+    if (effects.contains(Effect::kFormula) || effects.contains(Effect::kNoise) || effects.contains(Effect::kSurface)) text += shader_file("effect/expression.glsl");
+    if (effects.contains(Effect::kSphere)) text += shader_file("object/sphere.glsl");
+    if (effects.contains(Effect::kCylinder)) text += shader_file("object/cylinder.glsl");
+    if (effects.contains(Effect::kBall)) text += shader_file("object/ball.glsl");
+    if (effects.contains(Effect::kSurface)) text += bodies.shape + std::string(shader_file("object/surface.glsl"));
+    text += bodies.march;
+    if (has_marched(effects)) text += shader_file("object/march.glsl");
+    text += bodies.hit;
+    if (stage != Stage::kPicture) return text;
+    text += shader_file("object/solid.glsl");
+    text += shader_file("effect/body_mapping.glsl");
+    if (effects.contains(Effect::kPattern)) text += shader_file("effect/pattern.glsl");
+    if (effects.contains(Effect::kNoise)) text += shader_file("effect/grain.glsl");
+    return text + bodies.light;
+}
+
+std::vector<std::string> defines_of(const EffectSet& effects) {
+    std::vector<std::string> defines;
+    for (const Effect effect : effects.list()) {
+        defines.emplace_back(effect_row(effect).define);
+        defines.push_back("BLOCK_" + defines.back().substr(std::string_view("EFFECT_").size()));
+    }
+    if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE");
+    if (has_marched(effects)) defines.emplace_back("BLOCK_MARCH");
+    return defines;
+}
+
+std::vector<std::string> members_of(const std::string& block) {
+    std::vector<std::string> members;
+    constexpr std::string_view kType = "    vec4 ";
+    for (std::size_t at = block.find(kType); at != std::string::npos; at = block.find(kType, at + 1)) {
+        const std::size_t name = at + kType.size();
+        members.push_back(block.substr(name, block.find(';', name) - name));
+    }
+    return members;
 }
 
 std::string declarations(Stage stage, const EffectSet& effects, bool ends, const Method& method) {
@@ -135,7 +122,7 @@ std::string declarations(Stage stage, const EffectSet& effects, bool ends, const
                     "vec4 ends_fetch(int x, int y) { return texelFetch(ends_texture, ivec2(x, y), 0); }\n";
         if (method.kind == MethodKind::kTable) text += "uniform highp sampler2D table_texture;\n";
         text += method_constants(method);
-        if (disc)
+        if (disc || has_solids(effects))
             text += "uniform highp sampler2D orbit_texture;\n"
                     "vec4 orbit_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(x, y), 0); }\n";
     }
@@ -155,16 +142,25 @@ std::string_view shader_file(std::string_view path) {
     std::abort();
 }
 
-ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method, std::string_view metric) {
+std::vector<int> block_members(const EffectSet& effects) {
+    const std::string block(shader_file("shared/frame_block.glsl"));
+    const std::vector<std::string> all = members_of(block), kept = members_of(resolved_branches(block, defines_of(effects)));
+    std::vector<int> members;
+    for (std::size_t i = 0, next = 0; i < all.size() && next < kept.size(); ++i)
+        if (all[i] == kept[next]) members.push_back(static_cast<int>(i)), ++next;
+    return members;
+}
+
+ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method, std::string_view metric,
+                           const BodyText& bodies) {
     const std::string vertex = std::string(kVersion) + stripped(shader_file("stage/fullscreen.vert"));
     const std::string head = std::string(kVersion) + "precision highp float;\nprecision highp int;\n";
     if (stage == Stage::kBareFetch)
-        return {vertex, head + stripped(std::string(shader_file("shared/frame_block.glsl")) +
+        return {vertex, head + stripped(resolved_branches(std::string(shader_file("shared/frame_block.glsl")) +
                                         "layout(std140) uniform FrameBlock { FrameData frame; };\n" +
-                                        std::string(shader_file("stage/bare_fetch.frag")))};
-    std::vector<std::string> defines;
-    for (const Effect effect : effects.list()) defines.emplace_back(effect_row(effect).define);
-    const bool ends = stage == Stage::kRayData || effects.contains(Effect::kDisc);
+                                        std::string(shader_file("stage/bare_fetch.frag")), {}))};
+    std::vector<std::string> defines = defines_of(effects);
+    const bool ends = stage == Stage::kRayData || effects.contains(Effect::kDisc) || has_solids(effects);
     if (ends) defines.emplace_back("NEEDS_PHI_END");
     const bool display = stage == Stage::kPicture && output == Output::kDisplay;
     if (display) defines.emplace_back("DISPLAY_ENCODE");
@@ -174,9 +170,11 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
 
     std::string body = declarations(stage, effects, ends, method);
     for (const std::string& file : files_of(stage, effects, ends, method, metric)) body += shader_file(file);
+    body += solid_text(stage, effects, bodies);
+    if (stage == Stage::kRayData) body += shader_file("core/raydata.glsl");
     if (display) body += shader_file("effect/display.glsl");
     body += shader_file(stage == Stage::kPicture ? "stage/trace.frag" : "stage/raydata.frag");
-    return {vertex, head + stripped(resolved(body, defines))};
+    return {vertex, head + stripped(resolved_branches(body, defines))};
 }
 
 }  // namespace nullscope

@@ -2,8 +2,10 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/effects.h"
+#include "shaderlib/body_text.h"
 #include "shaderlib/method.h"
 
 namespace nullscope {
@@ -16,9 +18,12 @@ struct ShaderSource {
 };
 
 // method counts only if the effects contain lensing; metric: the registry's key, for methods that need the metric's formula.
-// Stage kRayData leaves out the sky's and the disc's look. Output concerns kPicture only.
+// bodies: body_text of a scene with these effects. Stage kRayData leaves out the looks of sky, disc and bodies. Output concerns kPicture only.
 ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method = {},
-                           std::string_view metric = "schwarzschild");
+                           std::string_view metric = "schwarzschild", const BodyText& bodies = {});
+
+// Which members of FrameData (shaders/shared/frame_block.glsl, numbered as in the file) the block of these effects has, in order.
+std::vector<int> block_members(const EffectSet& effects);
 
 // One embedded file of shaders/ by its path there; aborts if there is none (a broken build).
 std::string_view shader_file(std::string_view path);

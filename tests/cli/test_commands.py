@@ -86,13 +86,24 @@ class Commands(support.CliTest):
         reasons = {e["effect"]: e["reason"] for e in found["effects"]}
         self.assertEqual(list(reasons), ["lensing", "aberration", "disc", "translucent-disc"])
         self.assertIn("0.5", reasons["aberration"])
-        self.assertEqual([e["effect"] for e in found["left_out"]], ["sky"])
+        self.assertEqual([e["effect"] for e in found["left_out"]], ["sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
+                                                                     "body-image", "sky"])
+        self.assertTrue(all(e["cost"] for e in found["effects"]))
         tables = {t["name"] for t in found["tables"]}
         self.assertLessEqual({"deflection table", "strip", "orbit map", "disc image"}, tables)
         self.assertNotIn("sky", tables)
         text = self.run_nullscope("plan", plan).out
         for word in ("aberration", "camera.velocity = [0, 0, 0.5]", "orbit map", "Left out"):
             self.assertIn(word, text)
+
+    def test_bench_adds_every_effect(self):
+        self.run_nullscope("bench", "frames", "--effects", "--size", support.SMALL, "--frames", "9", "--json", "effects.json")
+        rows = json.loads((self.folder / "effects.json").read_text())
+        plan = json.loads(self.run_nullscope("plan", "flat", "--json").out)
+        every = [e["effect"] for e in plan["effects"] + plan["left_out"]]
+        self.assertEqual(sorted(r["effect"] for r in rows), sorted(every))
+        for row in rows:
+            self.assertGreater(row["empty_core_seconds"], 0)
 
     def test_the_smallest_scene(self):
         scene = self.write("least.toml", '[spacetime]\nmetric = "schwarzschild"\n')
@@ -102,7 +113,7 @@ class Commands(support.CliTest):
     def test_exr_with_ray_data(self):
         self.run_nullscope("capture", "first-light", "--size", support.SMALL, "--raydata", "-o", "rays.exr")
         channels, size, pixels = read_exr((self.folder / "rays.exr").read_bytes())
-        wanted = "R G B fate sky.x sky.y sky.z g delay angle order hit u v".split()
+        wanted = "R G B fate sky.x sky.y sky.z g delay angle order hit u v w".split()
         self.assertEqual(set(channels), set(wanted))
         self.assertEqual(set(channels.values()), {2}, "32-bit float")
         self.assertEqual(size, (48, 27))

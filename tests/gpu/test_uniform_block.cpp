@@ -19,20 +19,54 @@ std::vector<std::string> frame_members() {
     return members;
 }
 
+// What a scene has in it, one bit each.
+Scene scene_of(unsigned bits) {
+    const auto has = [&](unsigned bit) { return (bits >> bit & 1u) != 0; };
+    Scene scene;
+    scene.spacetime.metric = has(0) ? "schwarzschild" : "minkowski";
+    if (has(1)) scene.camera.velocity = {0, 0, 0.5};
+    if (has(2)) scene.disc.emplace().opacity = 0.5;
+    scene.sky.kind = has(3) ? SkyKind::kStars : SkyKind::kBlack;
+    if (has(4)) scene.sphere.emplace().look.texture = TextureKind::kChecker;
+    if (has(5)) scene.cylinder.emplace().look.texture = TextureKind::kNoise;
+    if (has(6)) scene.ball.emplace().look.texture = TextureKind::kImage;
+    if (has(7)) scene.surface.emplace();
+    return scene;
+}
+constexpr unsigned kEverything = 255;
+
+std::vector<int> driver_offsets(const Scene& scene, const std::vector<std::string>& members) {
+    const EffectSet effects = effect_set(required_effects(scene));
+    const ShaderSource source =
+        shader_source(Stage::kPicture, effects, Output::kDisplay, {}, scene.spacetime.metric, body_text(scene));
+    return gl::uniform_offsets(gl::make_program(source.vertex, source.fragment), members);
+}
+
 TEST_CASE("uniform block: the driver's offsets are those of the C++ struct") {
     const auto members = frame_members();
     const auto offsets = frame_offsets();
     REQUIRE(members.size() == offsets.size());
     REQUIRE(members.front() == "frame.image");
     on_every_context([&](GpuSession&) {
-        const EffectSet all{Effect::kLensing, Effect::kAberration, Effect::kDisc, Effect::kTranslucentDisc,
-                            Effect::kSky};
-        const ShaderSource source = shader_source(Stage::kPicture, all, Output::kDisplay);
-        const gl::Program program = gl::make_program(source.vertex, source.fragment);
-        const std::vector<int> driver = gl::uniform_offsets(program, members);
+        const std::vector<int> driver = driver_offsets(scene_of(kEverything), members);
         for (std::size_t i = 0; i < members.size(); ++i) {
             CAPTURE(members[i]);
             CHECK(driver[i] == static_cast<int>(offsets[i]));
+        }
+    });
+}
+
+TEST_CASE("uniform block: without an effect its members are gone and the others close up, for every combination") {
+    const auto members = frame_members();
+    on_every_context([&](GpuSession&) {
+        for (unsigned bits = 0; bits <= kEverything; bits += 3) {  // a third of them, every bit in both states
+            CAPTURE(bits);
+            const Scene scene = scene_of(bits);
+            std::vector<int> expected(members.size(), -1);
+            int next = 0;
+            for (const int member : block_members(effect_set(required_effects(scene))))
+                expected[static_cast<std::size_t>(member)] = 16 * next++;
+            CHECK(driver_offsets(scene, members) == expected);
         }
     });
 }

@@ -214,9 +214,10 @@ TEST_CASE("compare: every channel of the ray data holds what its name says, and 
     RayPixel pixel;
     pixel.fate = Fate::kHit;
     pixel.sky = {0.125, 0.25, 0.5};
-    pixel.g = 2, pixel.delay = 3, pixel.angle = 5, pixel.order = 1, pixel.hit = 7, pixel.u = 8, pixel.v = 9;
+    pixel.g = 2, pixel.delay = 3, pixel.angle = 5, pixel.order = 1, pixel.hit = 7, pixel.u = 8, pixel.v = 9, pixel.w = 10;
     const std::map<std::string, float> expected = {{"fate", 4.0f}, {"sky.x", 0.125f}, {"sky.y", 0.25f}, {"sky.z", 0.5f}, {"g", 2.0f}, {"delay", 3.0f},
-                                                   {"angle", 5.0f}, {"order", 1.0f},  {"hit", 7.0f},    {"u", 8.0f},     {"v", 9.0f}};
+                                                   {"angle", 5.0f}, {"order", 1.0f},  {"hit", 7.0f},    {"u", 8.0f},     {"v", 9.0f},
+                                                   {"w", 10.0f}};
     ChannelImage image;
     image.width = image.height = 1;
     add_ray_channels({1, 1, {pixel}}, image);
@@ -230,6 +231,7 @@ TEST_CASE("compare: every channel of the ray data holds what its name says, and 
     REQUIRE(frame);
     const RayPixel& back = frame->pixels.at(0);
     CHECK(back.fate == pixel.fate);
+    CHECK(back.w == pixel.w);
     CHECK(length(back.sky - pixel.sky) == 0);
     CHECK(back.g == 2);
     CHECK(back.delay == 3);

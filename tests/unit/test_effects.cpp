@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <map>
+#include <optional>
 #include <set>
 
 #include "scene/effects.h"
@@ -34,6 +35,7 @@ TEST_CASE("the effect table names every effect once, with define, help and need"
         CHECK(row.define.starts_with("EFFECT_"));
         CHECK(row.help.ends_with("."));
         CHECK_FALSE(row.needs.empty());
+        CHECK_FALSE(row.cost.empty());
     }
 }
 
@@ -94,6 +96,45 @@ TEST_CASE("a scene calls for exactly the effects of what is in it") {
                     for (const EffectReason& reason : reasons) order.push_back(reason.effect);
                     CHECK(order == expected.list());
                 }
+            }
+        }
+    }
+}
+
+TEST_CASE("bodies and their looks call for exactly their effects: every combination") {
+    const std::vector<TextureKind> textures = {TextureKind::kPlain, TextureKind::kChecker, TextureKind::kGrid, TextureKind::kStripes,
+                                               TextureKind::kNoise, TextureKind::kFormula, TextureKind::kImage};
+    const auto look_effect = [](TextureKind kind) -> std::optional<Effect> {
+        if (kind == TextureKind::kPlain) return {};
+        if (kind == TextureKind::kNoise) return Effect::kNoise;
+        if (kind == TextureKind::kFormula) return Effect::kFormula;
+        return kind == TextureKind::kImage ? Effect::kBodyImage : Effect::kPattern;
+    };
+    for (unsigned there = 0; there < 16; ++there) {
+        for (const TextureKind a : textures) {
+            for (const TextureKind b : textures) {
+                Scene scene;
+                scene.sky.kind = SkyKind::kBlack;
+                scene.spacetime.metric = "minkowski";
+                EffectSet expected;
+                const auto look = [&](bool is_there, Effect effect, TextureKind kind) {
+                    if (!is_there) return;
+                    expected.insert(effect);
+                    if (const auto texture = look_effect(kind)) expected.insert(*texture);
+                };
+                look((there & 1u) != 0, Effect::kSphere, a);
+                look((there & 2u) != 0, Effect::kCylinder, b);
+                look((there & 4u) != 0, Effect::kBall, a);
+                look((there & 8u) != 0, Effect::kSurface, b);
+                if ((there & 8u) != 0) scene.surface.emplace().look.texture = b;
+                if ((there & 1u) != 0) scene.sphere.emplace().look.texture = a;
+                if ((there & 2u) != 0) scene.cylinder.emplace().look.texture = b;
+                if ((there & 4u) != 0) scene.ball.emplace().look.texture = a;
+                const std::vector<EffectReason> reasons = required_effects(scene);
+                CHECK(effect_set(reasons) == expected);
+                CHECK(reasons.size() == expected.size());
+                CHECK(has_solids(expected) == (there != 0));
+                CHECK(has_marched(expected) == (there > 1));
             }
         }
     }

@@ -12,41 +12,73 @@ using namespace nullscope;
 
 namespace {
 
-std::vector<EffectSet> all_sets() {
-    std::vector<EffectSet> sets;
-    for (unsigned bits = 0; bits < (1u << kEffectCount); ++bits) {
-        EffectSet set;
-        for (std::size_t i = 0; i < kEffectCount; ++i)
-            if (bits >> i & 1u) set.insert(static_cast<Effect>(i));
-        if (!set.contains(Effect::kTranslucentDisc) || set.contains(Effect::kDisc)) sets.push_back(set);
-    }
-    return sets;
+// Scenes over every combination of what they can contain; the effects follow.
+std::vector<Scene> all_scenes() {
+    std::vector<Scene> scenes;
+    constexpr TextureKind kKinds[] = {TextureKind::kPlain, TextureKind::kChecker, TextureKind::kNoise, TextureKind::kFormula, TextureKind::kImage};
+    for (unsigned bits = 0; bits < 512; ++bits)
+        for (const TextureKind kind : kKinds) {
+            const auto has = [&](unsigned bit) { return (bits >> bit & 1u) != 0; };
+            Scene scene;
+            scene.spacetime.metric = has(0) ? "schwarzschild" : "minkowski";
+            if (has(1)) scene.camera.velocity = {0, 0, 0.5};
+            if (has(2)) scene.disc.emplace();
+            if (has(2) && has(3)) scene.disc->opacity = 0.5;
+            scene.sky.kind = has(4) ? SkyKind::kStars : SkyKind::kBlack;
+            if (has(5)) scene.sphere.emplace().look.texture = kind;
+            if (has(6)) scene.cylinder.emplace().look.texture = kind;
+            if (has(7)) scene.ball.emplace().look.texture = kind;
+            if (has(8)) scene.surface.emplace().look.texture = kind;
+            for (BodyLook* look : {scene.sphere ? &scene.sphere->look : nullptr, scene.ball ? &scene.ball->look : nullptr})
+                if (look != nullptr && kind == TextureKind::kFormula) look->formula = "sin(u)";
+            scenes.push_back(scene);
+        }
+    return scenes;
 }
 
 // Identifiers that belong to one effect.
 struct Mark { Effect effect; std::vector<std::string> words; };
 const std::vector<Mark> kMarks = {
-    {Effect::kLensing, {"strip_locate", "strip_texture", "StripRay", "sweep_to_sky"}},
-    {Effect::kAberration, {"aberrate", "Aberration"}},
-    {Effect::kDisc, {"disc_cross", "disc_texture", "DiscCrossing", "plane_meet"}},
+    {Effect::kLensing, {"strip_locate", "strip_texture", "StripRay", "sweep_to_sky", "vec4 strip;", "vec4 orbit;", "vec4 series;"}},
+    {Effect::kAberration, {"aberrate", "Aberration", "vec4 boost;"}},
+    {Effect::kDisc, {"disc_cross", "disc_texture", "DiscCrossing", "plane_meet", "disc_normal", "disc_map", "disc_look"}},
     {Effect::kTranslucentDisc, {"fade"}},
-    {Effect::kSky, {"celestial_sphere", "sky_texture"}},
+    {Effect::kSphere, {"sphere_hit", "sphere_form", "sphere_light", "sphere_colour"}},
+    {Effect::kCylinder, {"cylinder_value", "cylinder_form", "cylinder_light", "cylinder_colour"}},
+    {Effect::kBall, {"ball_value", "ball_form", "ball_light", "ball_colour"}},
+    {Effect::kSurface, {"surface_formula", "surface_form", "surface_light", "surface_colour"}},
+    {Effect::kPattern, {"pattern_checker", "pattern_wave"}},
+    {Effect::kNoise, {"grain_noise"}},
+    {Effect::kFormula, {"_blend("}},
+    {Effect::kBodyImage, {"_image(", "textureSize"}},
+    {Effect::kSky, {"celestial_sphere(", "sky_texture", "vec4 sky;"}},
 };
 
-// Without the uniform block, which is one for all.
-std::string body(const std::string& source) { return source.substr(source.find("uniform FrameBlock")); }
+std::string picture_of(const Scene& scene) {
+    return shader_source(Stage::kPicture, effect_set(required_effects(scene)), Output::kDisplay, {}, scene.spacetime.metric, body_text(scene)).fragment;
+}
 
 }  // namespace
 
 TEST_CASE("shader source: an effect that is off leaves nothing in the picture's shader, one that is on leaves its marks") {
-    for (const EffectSet& set : all_sets()) {
-        const std::string text = body(shader_source(Stage::kPicture, set, Output::kDisplay).fragment);
+    for (const Scene& scene : all_scenes()) {
+        const EffectSet set = effect_set(required_effects(scene));
+        const std::string text = picture_of(scene);
         for (const Mark& mark : kMarks)
             for (const std::string& word : mark.words)
                 CHECK_MESSAGE((text.find(word) != std::string::npos) == set.contains(mark.effect), word);
-        CHECK(text.find("EFFECT_") == std::string::npos);
-        CHECK(text.find("__cplusplus") == std::string::npos);
+        for (const char* left : {"EFFECT_", "BLOCK", "BODY", "TEXTURE_", "MAPPING_", "__cplusplus", "//"}) CHECK(text.find(left) == std::string::npos);
     }
+}
+
+TEST_CASE("shader source: the block's members are those of the effects that are on") {
+    CHECK(block_members({}).size() == 11);
+    CHECK(block_members({Effect::kSky}).size() == 12);
+    EffectSet all;
+    for (const EffectRow& row : kEffectTable) all.insert(row.effect);
+    const auto members = block_members(all);
+    for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
+    CHECK(members.size() == 39);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {

@@ -1,0 +1,119 @@
+#include "cli/bench_effects.h"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <memory>
+
+#include "base/assets.h"
+#include "base/atomic_file.h"
+#include "base/progress.h"
+#include "cli/bench.h"
+#include "cli/json.h"
+#include "cli/session.h"
+
+namespace nullscope::cli {
+namespace {
+
+// One effect more, and the scene without it.
+struct Added {
+    Effect effect;
+    std::function<void(Scene&)> ground;  // what the effect cannot be without
+    std::function<void(Scene&)> add;
+};
+
+void nothing(Scene&) {}
+
+const std::vector<Added>& additions() {
+    const auto sphere = [](Scene& s) { s.sphere.emplace().radius = 4.0; };
+    const auto texture = [](TextureKind kind) {
+        return [kind](Scene& s) {
+            s.sphere->look.texture = kind;
+            if (kind == TextureKind::kFormula) s.sphere->look.formula = "0.5 + 0.5 * sin(40 * u) * sin(20 * v)";
+            if (kind == TextureKind::kImage)
+                s.sphere->look.image = assets_directory() / "images" / "accretion-disc.png";
+        };
+    };
+    static const std::vector<Added> all = {
+        {Effect::kLensing, nothing, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }},
+        {Effect::kAberration, nothing,
+         [](Scene& s) {
+             s.camera.velocity = {0.1, 0.2, 0.3};
+         }},
+        {Effect::kDisc, nothing, [](Scene& s) { s.disc.emplace(); }},
+        {Effect::kTranslucentDisc, [](Scene& s) { s.disc.emplace(); }, [](Scene& s) { s.disc->opacity = 0.5; }},
+        {Effect::kSphere, nothing, sphere},
+        {Effect::kCylinder, nothing, [](Scene& s) { s.cylinder.emplace(); }},
+        {Effect::kBall, nothing, [](Scene& s) { s.ball.emplace(); }},
+        {Effect::kSurface, nothing, [](Scene& s) { s.surface.emplace(); }},
+        {Effect::kPattern, sphere, texture(TextureKind::kChecker)},
+        {Effect::kNoise, sphere, texture(TextureKind::kNoise)},
+        {Effect::kFormula, sphere, texture(TextureKind::kFormula)},
+        {Effect::kBodyImage, sphere, texture(TextureKind::kImage)},
+        {Effect::kSky, nothing, [](Scene& s) { s.sky.kind = SkyKind::kStars; }},
+    };
+    return all;
+}
+
+// Nothing in it: flat, black, a camera at rest.
+Scene empty_scene(int width, int height) {
+    Scene scene;
+    scene.name = "empty";
+    scene.spacetime.metric = "minkowski";
+    scene.sky.kind = SkyKind::kBlack;
+    scene.camera.r = 20.0;
+    scene.camera.width = width;
+    scene.camera.height = height;
+    return scene;
+}
+
+}  // namespace
+
+Status bench_effects(const std::string& context, int width, int height, int frames, const std::string& json) {
+    auto session = open_session(context);
+    if (!session) return session.error();
+    auto with_it = std::make_unique<Renderer>(), without_it = std::make_unique<Renderer>();
+    const gl::Target target = gl::make_target(width, height, gl::Format::kRgba8);
+    Renderer& floor = *session->renderer;
+    if (Status ready = floor.prepare(empty_scene(width, height)); !ready) return ready;
+    std::vector<JsonObject> rows;
+    Progress progress("effects", static_cast<long long>(additions().size()) * frames);
+    for (const Added& added : additions()) {
+        Scene without = empty_scene(width, height);
+        added.ground(without);
+        Scene with = without;
+        added.add(with);
+        if (Status ready = without_it->prepare(without); !ready) return ready;
+        if (Status ready = with_it->prepare(with); !ready) return ready;
+        const auto draw = [&](Renderer& renderer) {
+            renderer.draw(target.framebuffer.id(), width, height, Output::kDisplay);
+        };
+        for (Renderer* renderer : {&floor, without_it.get(), with_it.get()}) draw(*renderer);  // compiles
+        Samples of_floor, of_without, of_with;
+        for (int i = 0; i < frames; ++i, progress.advance()) {
+            time_one(of_floor, [&] { draw(floor); });
+            time_one(of_without, [&] { draw(*without_it); });
+            time_one(of_with, [&] { draw(*with_it); });
+        }
+        const double least = median(of_floor.core_s), before = median(of_without.core_s),
+                     after = median(of_with.core_s);
+        const EffectRow& row = effect_row(added.effect);
+        fmt::print("{:<18} {:.4f} core-s, without it {:.4f}: {:+.2f} x the empty scene's {:.4f}\n", row.key, after,
+                   before, (after - before) / least, least);
+        rows.push_back(JsonObject()
+                           .add("effect", row.key)
+                           .add("renderer", floor.info().renderer)
+                           .add("width", width)
+                           .add("height", height));
+        rows.back()
+            .add("frames", frames)
+            .add("core_seconds", after)
+            .add("without_core_seconds", before)
+            .add("empty_core_seconds", least);
+        rows.back().add("added_floor_ratio", (after - before) / least);
+    }
+    if (json.empty()) return Done{};
+    return write_text_atomically(json, json_list(rows));
+}
+
+}  // namespace nullscope::cli

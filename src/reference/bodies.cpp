@@ -1,0 +1,138 @@
+#include "reference/bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include "expr/formula.h"
+
+namespace nullscope::reference {
+namespace {
+
+constexpr double kLongestTurn = 0.12;    // rad between two looks at an orbit
+constexpr double kPartOfThinnest = 0.2;  // of a body's smallest extent between two looks, where it can be met
+constexpr int kCloserLooks = 64;         // between the looks that found a body
+constexpr int kMostLooks = 200'000;
+
+Vec3 place_at(const Orbit& orbit, const RayPlane& plane, double angle) {
+    return plane.direction(angle) / orbit.zeta_at(angle);
+}
+
+// Radii at which looking is worth while: from the orbit's own extremes.
+bool can_reach(const Orbit& orbit, double camera_r, double reach) {
+    if (camera_r <= reach || orbit.fate() != Fate::kEscaped) return true;
+    return std::isfinite(orbit.turn()) && orbit.turn() >= 1 / reach;
+}
+
+}  // namespace
+
+Bodies::Bodies(const Scene& scene) {
+    if (scene.sphere) {
+        const double radius = scene.sphere->radius;
+        parts_.push_back({Object::kSphere, radius, radius, [radius](Vec3 x) { return length(x) - radius; }});
+    }
+    if (scene.cylinder) {
+        const CylinderSpec c = *scene.cylinder;
+        const double thinnest = std::min(2 * c.height, c.outer - c.inner);
+        parts_.push_back({Object::kCylinder, thinnest, std::hypot(c.outer, c.height), [c](Vec3 x) {
+                              const double rho = std::hypot(x.x, x.y);
+                              return std::max({rho - c.outer, c.inner - rho, std::abs(x.z) - c.height});
+                          }});
+    }
+    if (scene.ball) {
+        const BallSpec b = *scene.ball;
+        parts_.push_back({Object::kBall, b.radius, length(b.position) + b.radius,
+                          [b](Vec3 x) { return length(x - b.position) - b.radius; }});
+    }
+    if (scene.surface) {
+        const auto shape = expr::Formula::parse(scene.surface->shape, {"x", "y", "z"});
+        const double bound = scene.surface->bound;
+        if (shape)
+            parts_.push_back({Object::kSurface, 2 * bound / scene.surface->steps, bound, [f = *shape, bound](Vec3 x) {
+                                  const double place[] = {x.x, x.y, x.z};
+                                  return std::max(f.value(place), length(x) - bound);
+                              }});
+    }
+}
+
+// Equal looks along the path, fine where the body can be met; a change of sign is narrowed down by TOMS 748, a dip between three
+// looks by Brent's minimisation.
+std::optional<double> Bodies::first_angle(const Orbit& orbit, const RayPlane& plane, double camera_r,
+                                          const Part& part) const {
+    if (!can_reach(orbit, camera_r, part.reach * 1.001)) return std::nullopt;
+    const auto value = [&](double angle) { return part.value(place_at(orbit, plane, angle)); };
+    const auto solved = [&](double outside, double inside) {
+        std::uintmax_t steps = 200;
+        const auto root = boost::math::tools::toms748_solve(value, outside, inside,
+                                                            boost::math::tools::eps_tolerance<double>(50), steps);
+        return 0.5 * (root.first + root.second);
+    };
+    // A ray that clips an edge and comes back changes sign three times between two looks: closer looks find the first.
+    const auto first_of = [&](double outside, double inside) {
+        double a = outside, b = outside, b_value = value(outside), a_value = b_value;
+        for (int i = 1; i <= kCloserLooks; ++i) {
+            const double c = i == kCloserLooks ? inside : outside + (inside - outside) * i / kCloserLooks,
+                         c_value = value(c);
+            if (b_value > 0 && c_value > 0 && b_value < a_value && b_value <= c_value) {
+                const auto [dip_angle, dip] = boost::math::tools::brent_find_minima(value, a, c, 40);
+                if (dip <= 0) return solved(a, dip_angle);
+            }
+            if (c_value <= 0) return solved(b, c);
+            a = b, a_value = b_value, b = c, b_value = c_value;
+        }
+        return inside;
+    };
+    const double end = std::isfinite(orbit.angle()) ? orbit.angle() : std::numeric_limits<double>::infinity();
+    double angle = 0, here = value(0), r = camera_r;
+    double before_angle = 0, before = here;
+    bool outward = false;
+    for (int i = 0; i < kMostLooks; ++i) {
+        // The stride in angle for a wanted stride in length, by the orbit's own change of radius over a tiny angle.
+        const double probe = std::min(1e-6 * (1 + angle), 0.25 * (end - angle));
+        const double r_probe = 1 / orbit.zeta_at(angle + probe);
+        if (!(probe > 0) || !std::isfinite(r_probe)) return std::nullopt;
+        const double speed = std::hypot((r_probe - r) / probe, r);  // length per angle
+        outward = r_probe > r;
+        const double fine = kPartOfThinnest * part.thinnest;
+        if (outward && r > part.reach + 3 * fine) return std::nullopt;  // a look beyond every dip
+        const double distance = std::max(r - part.reach, 0.0);
+        const double stride = std::max(fine, 0.5 * distance);
+        const double turn = std::min({std::min(stride, 0.2 * r) / speed, kLongestTurn, 0.5 * (end - angle)});
+        const double next = angle + turn;
+        if (!(next > angle) || end - next < 1e-13 * end) return std::nullopt;
+        r = 1 / orbit.zeta_at(next);
+        if (!std::isfinite(r)) return std::nullopt;
+        const double there = value(next);
+        if (here > 0 && there <= 0) return first_of(before_angle, next);
+        if (here < before && here <= there && here > 0) {
+            const auto [dip_angle, dip] = boost::math::tools::brent_find_minima(value, before_angle, next, 40);
+            if (dip <= 0) return first_of(before_angle, dip_angle);
+        }
+        before_angle = angle, before = here;
+        angle = next, here = there;
+    }
+    return std::nullopt;
+}
+
+std::optional<BodyHit> Bodies::first_hit(const Orbit& orbit, const RayPlane& plane, double camera_r) const {
+    std::optional<BodyHit> first;
+    for (const Part& part : parts_) {
+        const auto angle = first_angle(orbit, plane, camera_r, part);
+        if (!angle || (first && first->angle <= *angle)) continue;
+        const Vec3 place = place_at(orbit, plane, *angle);
+        const double turn = 1e-6, tiny = 1e-6 * part.thinnest;
+        const Vec3 earlier = *angle > turn ? place_at(orbit, plane, *angle - turn) : place_at(orbit, plane, 0);
+        const Vec3 slope{part.value(place + Vec3{tiny, 0, 0}) - part.value(place - Vec3{tiny, 0, 0}),
+                         part.value(place + Vec3{0, tiny, 0}) - part.value(place - Vec3{0, tiny, 0}),
+                         part.value(place + Vec3{0, 0, tiny}) - part.value(place - Vec3{0, 0, tiny})};
+        const Vec3 back = earlier - place;
+        const double size = length(slope) * length(back);
+        first = BodyHit{*angle, place, part.object, size > 0 ? std::clamp(dot(slope, back) / size, 0.0, 1.0) : 1.0};
+    }
+    return first;
+}
+
+}  // namespace nullscope::reference

@@ -1,0 +1,44 @@
+// Where a ray meets the solid bodies of a scene, in double: by its own means, on the reference's orbits.
+#pragma once
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "base/image.h"
+#include "reference/orbit.h"
+#include "reference/ray_plane.h"
+#include "scene/scene.h"
+
+namespace nullscope::reference {
+
+struct BodyHit {
+    double angle;  // swept
+    Vec3 place;    // r_s, world axes
+    Object object;
+    double cosine;  // between the ray and the surface's normal, in flat coordinates
+};
+
+// The bodies as functions of place, below 0 inside: what a ray enters first.
+class Bodies {
+public:
+    explicit Bodies(const Scene& scene);
+    bool empty() const { return parts_.empty(); }
+    // A few hundred positions along the orbit: some 50 microseconds.
+    std::optional<BodyHit> first_hit(const Orbit& orbit, const RayPlane& plane, double camera_r) const;
+
+private:
+    struct Part {
+        Object object;
+        double thinnest;  // its smallest extent: no stride may be longer than a part of it
+        double reach;     // radius about the centre that holds it
+        std::function<double(Vec3)> value;
+    };
+    std::optional<double> first_angle(const Orbit& orbit, const RayPlane& plane, double camera_r,
+                                      const Part& part) const;
+    std::vector<Part> parts_;
+};
+
+// Linear light of a body's texture at a place. image: of texture kind image.
+Vec3 body_light(const Scene& scene, const BodyHit& hit, const Image<float>* image);
+
+}  // namespace nullscope::reference

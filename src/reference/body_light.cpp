@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <cmath>
+
+#include "expr/formula.h"
+#include "reference/bodies.h"
+
+namespace nullscope::reference {
+namespace {
+
+struct Covering {
+    double u, v;
+    bool beyond = false;  // outside of the band
+};
+
+// Azimuth from -1/2 to 1/2 turn; polar angle.
+double turns(Vec3 d) { return std::atan2(d.y, d.x) / (2 * M_PI); }
+double polar(Vec3 d) { return std::atan2(std::hypot(d.x, d.y), d.z); }
+
+Covering on_caps(Vec3 d) {
+    const bool south = d.z < 0;
+    const double from_pole = (south ? M_PI - polar(d) : polar(d)) / (M_PI / 2), azimuth = std::atan2(d.y, d.x);
+    const double right = from_pole * std::sin(azimuth), down = (south ? -1 : 1) * from_pole * std::cos(azimuth);
+    return {(south ? 0.75 : 0.25) + 0.25 * right, 0.5 + 0.5 * down};
+}
+
+// Faces +x -x +y above -y +z -z, each seen from outside with z up (the polar faces: with +y to the right).
+Covering on_cube(Vec3 d) {
+    const double ax = std::abs(d.x), ay = std::abs(d.y), az = std::abs(d.z);
+    int column = 0, row = 0;
+    double right = 0, down = 0, depth = 1;
+    if (ax >= ay && ax >= az) {
+        column = d.x < 0, depth = ax, right = d.x < 0 ? -d.y : d.y, down = -d.z;
+    } else if (ay >= az) {
+        column = d.y < 0 ? 0 : 2, row = d.y < 0, depth = ay, right = d.y < 0 ? d.x : -d.x, down = -d.z;
+    } else {
+        column = d.z < 0 ? 2 : 1, row = 1, depth = az, right = d.y, down = d.z < 0 ? -d.x : d.x;
+    }
+    return {(column + 0.5 + 0.5 * right / depth) / 3, (row + 0.5 + 0.5 * down / depth) / 2};
+}
+
+Covering covering(const BodyLook& look, Vec3 d) {
+    switch (look.mapping) {
+        case BodyMapping::kEquirectangular: return {0.5 + turns(d), polar(d) / M_PI};
+        case BodyMapping::kBand: {
+            const double v = 0.5 - 0.5 * (M_PI / 2 - polar(d)) / look.band_latitude;
+            return {0.5 + turns(d), v, v < 0 || v > 1};
+        }
+        case BodyMapping::kCaps: return on_caps(d);
+        case BodyMapping::kCubeFaces: break;
+    }
+    return on_cube(d);
+}
+
+bool odd(double cells) { return std::fmod(std::floor(cells), 2.0) != 0.0; }
+
+// From 0 (second colour) to 1 (first).
+double mixture(const BodyLook& look, const Covering& at, Vec3 turned, double size) {
+    const double p = at.u * look.columns, q = at.v * look.rows;
+    constexpr double kLine = 0.08;  // of a cell: width of a grid's lines
+    switch (look.texture) {
+        case TextureKind::kChecker: return odd(p) == odd(q) ? 1 : 0;
+        case TextureKind::kStripes: return odd(q) ? 0 : 1;
+        case TextureKind::kGrid:
+            return std::min(std::abs(p - std::round(p)), std::abs(q - std::round(q))) < 0.5 * kLine ? 1 : 0;
+        case TextureKind::kNoise: {
+            double sum = 0, weight = 0.5, grains = look.columns / size;
+            for (int octave = 0; octave < 4; ++octave, weight /= 2, grains *= 2)
+                sum += weight * expr::noise(grains * turned.x, grains * turned.y, grains * turned.z);
+            return sum / 0.9375;
+        }
+        default: return 1;
+    }
+}
+
+Vec3 texel(const Image<float>& image, double u, double v) {
+    const double x = std::clamp(u * image.width - 0.5, 0.0, image.width - 1.0),
+                 y = std::clamp(v * image.height - 0.5, 0.0, image.height - 1.0);
+    const int x0 = static_cast<int>(x), y0 = static_cast<int>(y), x1 = std::min(x0 + 1, image.width - 1),
+              y1 = std::min(y0 + 1, image.height - 1);
+    Vec3 sum{};
+    const auto add = [&](int i, int j, double weight) {
+        const float* t = image.at(i, j);
+        sum = sum + weight * Vec3{t[0], t[1], t[2]};
+    };
+    add(x0, y0, (1 - (x - x0)) * (1 - (y - y0)));
+    add(x1, y0, (x - x0) * (1 - (y - y0)));
+    add(x0, y1, (1 - (x - x0)) * (y - y0));
+    add(x1, y1, (x - x0) * (y - y0));
+    return sum;
+}
+
+}  // namespace
+
+Vec3 body_light(const Scene& scene, const BodyHit& hit, const Image<float>* image) {
+    const bool cylinder = hit.object == Object::kCylinder, ball = hit.object == Object::kBall,
+               surface = hit.object == Object::kSurface;
+    const BodyLook& look = cylinder  ? scene.cylinder->look
+                           : ball    ? scene.ball->look
+                           : surface ? scene.surface->look
+                                     : scene.sphere->look;
+    const double size = cylinder  ? scene.cylinder->outer
+                        : ball    ? scene.ball->radius
+                        : surface ? scene.surface->bound
+                                  : scene.sphere->radius;
+    const Vec3 at = ball ? hit.place - scene.ball->position : hit.place;
+    const double c = std::cos(look.rotation), s = std::sin(look.rotation);
+    const Vec3 turned{c * at.x + s * at.y, c * at.y - s * at.x, at.z};
+    const Covering place =
+        cylinder ? Covering{0.5 + 0.5 * turned.x / size, 0.5 - 0.5 * turned.y / size} : covering(look, turned);
+    Vec3 light = look.second_colour;
+    if (look.texture == TextureKind::kImage && !place.beyond) {
+        const Vec3 t = image ? texel(*image, place.u, place.v) : Vec3{1, 1, 1};
+        light = {look.colour.x * t.x, look.colour.y * t.y, look.colour.z * t.z};
+    } else if (!place.beyond) {
+        double first = mixture(look, place, turned, size);
+        if (look.texture == TextureKind::kFormula) {
+            const auto formula = expr::Formula::parse(look.formula, {"u", "v", "x", "y", "z"});
+            const double values[] = {place.u, place.v, at.x, at.y, at.z};
+            first = formula ? std::clamp(formula->value(values), 0.0, 1.0) : 0.0;
+        }
+        light = first * look.colour + (1 - first) * look.second_colour;
+    }
+    return look.brightness * (1 - look.limb * (1 - hit.cosine)) * light;
+}
+
+}  // namespace nullscope::reference

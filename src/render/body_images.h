@@ -1,0 +1,36 @@
+// The image textures of solid bodies on the GPU: one for each body that has one, kept until its file changes.
+#pragma once
+#include <array>
+#include <filesystem>
+#include <optional>
+
+#include "base/result.h"
+#include "gl/gl.h"
+#include "scene/scene.h"
+
+namespace nullscope {
+
+inline constexpr int kBodyCount = 4;       // sphere, cylinder, ball, surface
+const char* body_image_sampler(int body);  // its sampler in the shader
+
+class BodyImages {
+public:
+    // Errors: an image that cannot be read, or is larger than the driver's textures.
+    Status update(const Scene& scene, int largest);
+    void bind(int first_unit) const;  // units first_unit + body
+
+    struct Picture {
+        std::filesystem::path file;
+        int width = 0, height = 0;
+        gl::Texture texture;
+    };
+    const std::array<std::optional<Picture>, kBodyCount>& pictures() const { return pictures_; }
+
+private:
+    std::array<std::optional<Picture>, kBodyCount> pictures_;
+};
+
+// The file of a body's image texture, if it has one.
+std::optional<std::filesystem::path> body_image_file(const Scene& scene, int body);
+
+}  // namespace nullscope

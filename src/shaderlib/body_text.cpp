@@ -1,0 +1,139 @@
+#include "shaderlib/body_text.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "expr/formula.h"
+#include "shaderlib/preprocess.h"
+#include "shaderlib/shader_source.h"
+
+namespace nullscope {
+namespace {
+
+struct Body {
+    std::string name;
+    int number;  // Object
+    const BodyLook* look;
+    std::string size;            // GLSL: the length that grains are counted over
+    std::string middle, normal;  // GLSL: at the place `place`
+    bool plane = false;          // covered like the disc
+    bool marched = true;
+};
+
+std::vector<Body> bodies_of(const Scene& scene) {
+    std::vector<Body> bodies;
+    if (scene.sphere)
+        bodies.push_back(
+            {"sphere", 2, &scene.sphere->look, "frame.sphere_form.x", "vec3(0.0)", "place.outward", false, false});
+    if (scene.cylinder)
+        bodies.push_back({"cylinder", 3, &scene.cylinder->look, "frame.cylinder_form.y", "vec3(0.0)",
+                          "cylinder_normal(place.at)", true});
+    if (scene.ball)
+        bodies.push_back({"ball", 4, &scene.ball->look, "frame.ball_form.w", "frame.ball_form.xyz",
+                          "ball_offset(place.at) / frame.ball_form.w"});
+    if (scene.surface)
+        bodies.push_back(
+            {"surface", 5, &scene.surface->look, "frame.surface_form.x", "vec3(0.0)", "surface_normal(place.at)"});
+    return bodies;
+}
+
+std::string shape_of(const SurfaceSpec& surface) {
+    const auto formula = expr::Formula::parse(surface.shape, {"x", "y", "z"});
+    return "float surface_formula(vec3 at) {\n    float x = at.x;\n    float y = at.y;\n    float z = at.z;\n" +
+           (formula ? formula->glsl("value") : "    float value = 1.0;\n") + "    return value;\n}\n";
+}
+
+std::string replaced(std::string text, std::string_view what, std::string_view with) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
+        text.replace(at, what.size(), with);
+    return text;
+}
+
+std::string statements(const BodyLook& look) {
+    const auto formula = expr::Formula::parse(look.formula, {"u", "v", "x", "y", "z"});
+    return formula ? formula->glsl("value") : "    float value = 0.0;\n";
+}
+
+// The template of shaders/object/body_light.glsl for one body.
+std::string light_of(const Body& body) {
+    constexpr const char* kTextures[] = {"TEXTURE_PLAIN", "TEXTURE_CHECKER", "TEXTURE_GRID", "TEXTURE_STRIPES",
+                                         "TEXTURE_NOISE", "TEXTURE_FORMULA", "TEXTURE_IMAGE"};
+    constexpr const char* kMappings[] = {"MAPPING_EQUIRECTANGULAR", "MAPPING_BAND", "MAPPING_CAPS", "MAPPING_CUBE"};
+    const BodyLook& look = *body.look;
+    std::string text = resolved_branches(std::string(shader_file("object/body_light.glsl")),
+                                         {kTextures[static_cast<int>(look.texture)],
+                                          body.plane ? "MAPPING_PLANE" : kMappings[static_cast<int>(look.mapping)]});
+    if (look.texture == TextureKind::kFormula) text = replaced(std::move(text), "BODY_STATEMENTS\n", statements(look));
+    text = replaced(std::move(text), "frame.BODY_size", body.size);
+    text = replaced(std::move(text), "BODY", body.name);
+    return (look.texture == TextureKind::kImage ? fmt::format("uniform sampler2D {}_texture;\n", body.name) : "") +
+           text;
+}
+
+std::string march_of(const std::vector<Body>& bodies, const Scene& scene) {
+    std::string value, object, room;
+    for (const Body& body : bodies) {
+        if (!body.marched) continue;
+        value += fmt::format("    value = min(value, {}_value(at));\n", body.name);
+        room += fmt::format("    room = min(room, {}_{});\n", body.name,
+                            body.name == "ball"      ? "value(place.at)"
+                            : body.name == "surface" ? "room(place.at)"
+                                                     : "room(place)");
+        object += fmt::format(
+            "    if ({0}_value(at) < value) {{\n        value = {0}_value(at);\n        object = {1};\n    }}\n",
+            body.name, body.number);
+    }
+    if (value.empty()) return "";
+    // Strides of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent.
+    const int steps = 128 + (scene.surface ? 2 * scene.surface->steps : 0);
+    const std::string graze =
+        scene.surface ? "1.0e30" : "2.0 * angle * sqrt(place.r_along * place.r_along + place.r * place.r)";
+    return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) +
+           "float march_value(vec3 at) {\n    float value = 1.0e30;\n" + value +
+           "    return value;\n}\n"
+           "float march_room(RayPlace place) {\n    float room = 1.0e30;\n" +
+           room +
+           "    return room;\n}\n"
+           "float march_graze(float angle, RayPlace place) { return " +
+           graze +
+           "; }\n"
+           "int march_object(vec3 at) {\n    float value = 1.0e30;\n    int object = 0;\n" +
+           object + "    return object;\n}\n";
+}
+
+std::string hit_of(const std::vector<Body>& bodies) {
+    const bool sphere = !bodies.front().marched, march = bodies.back().marched;
+    std::string text = "SolidHit solid_hit(Trace trace, vec3 tangent, float blur) {\n";
+    if (sphere && !march) return text + "    return sphere_hit(trace, tangent, blur);\n}\n";
+    if (!sphere) return text + "    return march_hit(trace, tangent, max(trace.phi_end, 1.0e-9), blur);\n}\n";
+    // What lies before the sphere; a body's blurred edge before it hides the sphere's own.
+    return text +
+           "    SolidHit sphere = sphere_hit(trace, tangent, blur);\n"
+           "    bool whole = sphere.covered >= 1.0;\n"
+           "    SolidHit other = march_hit(trace, tangent, max(whole ? sphere.phi : trace.phi_end, 1.0e-9), whole ? "
+           "0.0 : blur);\n"
+           "    if (other.object == 0) return sphere;\n"
+           "    return sphere.object == 0 || other.phi < sphere.phi ? other : sphere;\n}\n";
+}
+
+}  // namespace
+
+BodyText body_text(const Scene& scene) {
+    const std::vector<Body> bodies = bodies_of(scene);
+    if (bodies.empty()) return {};
+    BodyText text{scene.surface ? shape_of(*scene.surface) : "", march_of(bodies, scene), hit_of(bodies), {}};
+    std::string choice;
+    for (const Body& body : bodies) {
+        text.light += light_of(body);
+        choice += fmt::format("    if (hit.object == {}) return {}_light(trace, place, place.at - {}, {});\n",
+                              body.number, body.name, body.middle, body.normal);
+    }
+    text.light +=
+        "vec3 solid_light(Trace trace, vec3 tangent, SolidHit hit) {\n    RayPlace place = place_of(trace, tangent, "
+        "hit.phi);\n" +
+        choice + "    return vec3(0.0);\n}\n";
+    return text;
+}
+
+}  // namespace nullscope

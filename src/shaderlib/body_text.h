@@ -1,0 +1,22 @@
+// The shader's text for the solid bodies of a scene: what depends on more than which effects are on (formulas, kinds of texture).
+#pragma once
+#include <string>
+
+#include "scene/effects.h"
+#include "scene/scene.h"
+
+namespace nullscope {
+
+// Compared as a whole: two scenes with equal texts and equal effects have one program.
+struct BodyText {
+    std::string shape;  // surface_formula
+    std::string march;  // march_value, march_room, march_object, MARCH_MOST_STEPS
+    std::string hit;    // solid_hit: the first body on the ray
+    std::string light;  // solid_light: and its light
+    friend auto operator<=>(const BodyText&, const BodyText&) = default;
+};
+
+// Empty for a scene without bodies. Formulas must be valid (scene files are checked).
+BodyText body_text(const Scene& scene);
+
+}  // namespace nullscope

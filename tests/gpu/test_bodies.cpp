@@ -1,0 +1,203 @@
+// Solid bodies: every pixel of many small frames against the reference; what an effect that is off leaves out on the GPU; formulas.
+#include <cmath>
+#include <functional>
+#include <set>
+#include <vector>
+
+#include "base/assets.h"
+#include "expr/formula.h"
+#include "support/gpu_session.h"
+
+namespace {
+
+using namespace nullscope;
+using namespace nullscope::test;
+
+constexpr double kScreenError_px = 0.05;  // the project's promise
+
+struct Case {
+    const char* name;
+    std::function<void(Scene&)> set;
+};
+
+void flat(Scene& s) { s.spacetime.metric = "minkowski"; }
+void narrow(Scene& s, double fov_rad) { s.camera.plane_width = 2 * std::tan(0.5 * fov_rad); }
+
+const std::vector<Case>& cases() {
+    static const std::vector<Case> all = {
+        {"sphere", [](Scene& s) { s.sphere.emplace(); }},
+        {"sphere, all of it seen", [](Scene& s) { s.sphere.emplace().radius = 1.76031; }},
+        {"sphere within the photon sphere", [](Scene& s) { s.sphere.emplace().radius = 1.2, narrow(s, 0.6); }},
+        {"sphere on the photon sphere", [](Scene& s) { s.sphere.emplace().radius = 1.5, narrow(s, 0.6); }},
+        {"sphere just outside the horizon", [](Scene& s) { s.sphere.emplace().radius = 1.001, narrow(s, 0.6); }},
+        {"sphere below the camera", [](Scene& s) { s.sphere.emplace().radius = 14.99, narrow(s, 2.5); }},
+        {"sphere, camera within the photon sphere",
+         [](Scene& s) { s.sphere.emplace().radius = 1.1, s.camera.r = 1.3, narrow(s, 2.5); }},
+        {"sphere from afar", [](Scene& s) { s.sphere.emplace().radius = 2, s.camera.r = 1e4, narrow(s, 8e-4); }},
+        {"sphere, flat", [](Scene& s) { s.sphere.emplace(), flat(s); }},
+        {"sphere, fast camera",
+         [](Scene& s) {
+             s.sphere.emplace(), s.camera.velocity = {-0.3, 0.2, 0.6};
+         }},
+        {"cylinder", [](Scene& s) { s.cylinder.emplace(); }},
+        {"cylinder from its plane", [](Scene& s) { s.cylinder.emplace(), s.camera.theta = M_PI / 2; }},
+        {"cylinder from the axis", [](Scene& s) { s.cylinder.emplace(), s.camera.theta = 0; }},
+        {"thin cylinder, flat", [](Scene& s) { s.cylinder.emplace().height = 0.05, flat(s); }},
+        {"ball behind",
+         [](Scene& s) {
+             s.ball.emplace().position = {-12, 1, 0.5};
+         }},
+        {"ball before",
+         [](Scene& s) {
+             s.ball.emplace().position = {6, 1, -1};
+         }},
+        {"ball, flat", [](Scene& s) { s.ball.emplace(), flat(s); }},
+        {"small ball behind",
+         [](Scene& s) {
+             s.ball.emplace().position = {-10, 0.3, 0}, s.ball->radius = 0.3;
+         }},
+        {"surface", [](Scene& s) { s.surface.emplace(); }},
+        {"surface of two pieces, flat",
+         [](Scene& s) {
+             s.surface.emplace().shape = "min(length(x, y - 3, z) - 1, max(abs(x), max(abs(y + 3), abs(z))) - 1)",
+             flat(s);
+         }},
+        {"all, with discs between",
+         [](Scene& s) {
+             s.sphere.emplace().radius = 1.4, s.cylinder.emplace().inner = 5, s.cylinder->outer = 6,
+             s.ball.emplace().position = {-9, 3, 2};
+             s.disc.emplace().inner = 2, s.disc->outer = 4.5, s.disc->opacity = 0.5;
+         }},
+    };
+    return all;
+}
+
+TEST_CASE("bodies: hits, places and fates are the reference's at every pixel") {
+    on_every_context([](GpuSession& session) {
+        for (const Case& c : cases()) {
+            const std::string name = c.name;
+            CAPTURE(name);
+            Scene scene;
+            scene.sky.kind = SkyKind::kBlack;
+            scene.camera.width = 161;
+            scene.camera.height = 91;
+            c.set(scene);
+            const RayFrame frame = gl_ray_data(session, scene);
+            const RayMeasures m = measure_rays(frame, scene.camera, reference_trace(scene));
+            fmt::print("{:<7} {:<40} screen {:.1e}, place {:.1e}, swept {:.1e} px; fate errors {}, forgiven {}\n",
+                       session.context->kind(), c.name, m.sky_px.max, m.place_px.max, m.angle_px.max, m.fate_errors,
+                       m.forgiven);
+            CHECK(m.not_finite == 0);
+            CHECK(m.fate_errors == 0);
+            CHECK(m.place_px.count > 0);
+            CHECK(m.sky_px.max <= kScreenError_px);
+            CHECK(m.place_px.max <= kScreenError_px);
+            CHECK(m.angle_px.max <= kScreenError_px);
+        }
+    });
+}
+
+// What is on the GPU for a scene.
+std::set<std::string> textures_of(GpuSession& session, const Scene& scene) {
+    REQUIRE(session.renderer->prepare(scene));
+    std::set<std::string> names;
+    for (const auto& line : session.renderer->textures()) names.insert(line.name);
+    return names;
+}
+
+TEST_CASE("bodies: tables and textures are there for the effects that are on, and go with them") {
+    using Names = std::set<std::string>;
+    on_every_context([](GpuSession& session) {
+        Scene scene;
+        scene.camera.width = scene.camera.height = 16;
+        scene.sky.kind = SkyKind::kBlack;
+        flat(scene);
+        const auto now = [&] { return textures_of(session, scene); };
+        CHECK(now() == Names{});
+        scene.camera.velocity = {0, 0, 0.5};  // aberration has neither
+        CHECK(now() == Names{});
+        scene.sphere.emplace().look.texture = TextureKind::kChecker;  // nor have bodies and patterns in flat space
+        scene.cylinder.emplace().look.texture = TextureKind::kNoise;
+        scene.ball.emplace().look.texture = TextureKind::kFormula;
+        scene.ball->look.formula = "u";
+        scene.surface.emplace();
+        CHECK(now() == Names{});
+        scene.sphere->look.texture = TextureKind::kImage;
+        scene.sphere->look.image = assets_directory() / "images" / "accretion-disc.png";
+        CHECK(now() == Names{"sphere_texture"});
+        scene.sphere.reset(), scene.cylinder.reset(), scene.ball.reset(), scene.surface.reset();
+        CHECK(now() == Names{});
+        scene.disc.emplace();
+        CHECK(now() == Names{"disc image"});
+        scene.disc->opacity = 0.5;
+        CHECK(now() == Names{"disc image"});
+        scene.spacetime.metric = "schwarzschild";
+        CHECK(now() == Names{"disc image", "strip", "ray ends", "orbit map"});
+        scene.disc.reset();
+        scene.sky.kind = SkyKind::kStars;
+        const Names sky_only = now();
+        CHECK(sky_only.count("orbit map") == 0);
+        CHECK(sky_only.count("sky") == 1);
+        scene.sky.kind = SkyKind::kBlack;
+        for (int body = 0; body < 4; ++body) {
+            Scene with = scene;
+            if (body == 0) with.sphere.emplace();
+            if (body == 1) with.cylinder.emplace();
+            if (body == 2) with.ball.emplace();
+            if (body == 3) with.surface.emplace();
+            CHECK(textures_of(session, with).count("orbit map") == 1);
+            CHECK(textures_of(session, scene).count("orbit map") == 0);
+        }
+    });
+}
+
+TEST_CASE("formulas: the driver computes what C++ does") {
+    const std::vector<std::string> texts = {"x + 2 * y - z / 3",
+                                            "sin(7 * x) * cos(y)",
+                                            "x^3 - y^-2",
+                                            "sqrt(x) + log(y)",
+                                            "atan(y, x)",
+                                            "atan(3 * x)",
+                                            "mod(5 * x, 0.7 + y^2)",
+                                            "length(x, y, z)",
+                                            "noise(9 * x, 9 * y, 3)",
+                                            "smoothstep(-0.5, 0.5, x)",
+                                            "step(x, y) + floor(4 * x)",
+                                            "exp(2 * x) * tan(x)",
+                                            "clamp(x, -0.3, 0.4) + mix(x, y, 0.3)",
+                                            "abs(x)^1.7",
+                                            "1 / (x - x)",
+                                            "exp(exp(exp(9)))"};
+    on_every_context([&](GpuSession&) {
+        constexpr int kSide = 32;
+        const gl::VertexArray empty = gl::make_vertex_array();
+        for (const std::string& text : texts) {
+            CAPTURE(text);
+            const auto formula = expr::Formula::parse(text, {"x", "y", "z"});
+            REQUIRE(formula);
+            std::string fragment = "#version 330 core\n" + std::string(shader_file("core/trig.glsl")) +
+                                   std::string(shader_file("effect/expression.glsl")) +
+                                   "out vec4 colour;\nvoid main() {\n    float x = (gl_FragCoord.x - 15.75) / 16.0;\n"
+                                   "    float y = (gl_FragCoord.y - 15.75) / 16.0;\n    float z = 0.25;\n" +
+                                   formula->glsl("value") + "    colour = vec4(value);\n}\n";
+            const gl::Program program =
+                gl::make_program("#version 330 core\n" + std::string(shader_file("stage/fullscreen.vert")), fragment);
+            const gl::Target target = gl::make_target(kSide, kSide, gl::Format::kRgba32F);
+            gl::draw_fullscreen(program, empty, target.framebuffer.id(), kSide, kSide);
+            std::vector<float> pixels(4 * kSide * kSide);
+            gl::read_rgba32f(target, 0, pixels.data());
+            double worst = 0;
+            for (int j = 0; j < kSide; ++j)
+                for (int i = 0; i < kSide; ++i) {
+                    const double values[] = {(i + 0.5 - 15.75) / 16, (j + 0.5 - 15.75) / 16, 0.25},
+                                 exact = formula->value(values);
+                    const double drawn = pixels[4 * static_cast<std::size_t>(j * kSide + i)];
+                    worst = std::max(worst, std::abs(drawn - exact) / std::max(1.0, std::abs(exact)));
+                }
+            fmt::print("{:<40} {:.1e}\n", text, worst);
+            CHECK(worst < 2e-5);  // software drivers' sin, exp and log: some 1e-6 each
+        }
+    });
+}
+
+}  // namespace
