@@ -142,7 +142,7 @@ void read_reduced(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
     const double s = row.number(kS, -1, 1, kEitherWay);
     if (std::fabs(s) != 1.0) row.report(kS, shown(row.field(kS)) + " is no direction", kEitherWay);
     ray.s = s > 0.0 ? 1 : -1;
-    const double least = spacetime.lapse_squared(ray.zeta0) * ray.zeta0 * ray.zeta0;
+    const double least = spacetime.lapse_squared(1.0 / ray.zeta0) * ray.zeta0 * ray.zeta0;
     if (ray.q * ray.q < least * (1 - kTurningSlack))
         row.report(
             kQ, fmt::format("{} is too small: no such ray passes through zeta0 = {}", shown(row.field(kQ)), ray.zeta0),

@@ -23,7 +23,7 @@ struct Start {
 std::optional<Start> start_of(const RayQuery& query, const Spacetime& spacetime) {
     const double r = query.orbit ? 1.0 / query.orbit->zeta0 : query.r;
     if (!(r > spacetime.horizon_radius().value_or(0.0)) || r > kFarthestCamera) return std::nullopt;
-    const double zeta = query.orbit ? query.orbit->zeta0 : 1.0 / r, lapse2 = spacetime.lapse_squared(zeta);
+    const double zeta = query.orbit ? query.orbit->zeta0 : 1.0 / r, lapse2 = spacetime.lapse_squared(1.0 / zeta);
     if (query.orbit) {  // sin(alpha) = sqrt(V)/q; its cosine as a product
         const double v = zeta * std::sqrt(lapse2), q = std::max(query.orbit->q, v);
         return Start{r, M_PI / 2, 0.0, {-query.orbit->s * std::sqrt((q - v) / q * ((q + v) / q)), 0.0, v / q}, {}};

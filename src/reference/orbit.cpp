@@ -3,6 +3,7 @@
 #include <array>
 
 #include "reference/minkowski_orbit.h"
+#include "reference/reissner_nordstrom_orbit.h"
 #include "reference/schwarzschild_orbit.h"
 
 namespace nullscope::reference {
@@ -12,10 +13,11 @@ struct Entry {
     const char* key;
     std::unique_ptr<OrbitMetric> (*make)(const SpacetimeSpec& spec);
 };
-constexpr std::array<Entry, 2> kMetrics{{
-    {"schwarzschild", make_schwarzschild_orbits},
-    {"minkowski", make_minkowski_orbits},
-}};
+constexpr std::array kMetrics{
+    Entry{"schwarzschild", make_schwarzschild_orbits},
+    Entry{"reissner-nordstrom", make_reissner_nordstrom_orbits},
+    Entry{"minkowski", make_minkowski_orbits},
+};
 
 }  // namespace
 

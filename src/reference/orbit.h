@@ -47,7 +47,7 @@ class OrbitMetric {
 public:
     virtual ~OrbitMetric() = default;
     virtual std::optional<double> horizon_radius() const = 0;  // of the outer horizon
-    virtual double lapse(double r) const = 0;                  // sqrt(-g_tt), r outside the horizon
+    virtual double lapse(double r) const = 0;                  // sqrt(-g_tt); not a number where no camera can be at rest
     // Errors: no ray with this q passes through zeta0 (q^2 < V(zeta0) by more than rounding). Infinite q: radial.
     virtual Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay& ray) const = 0;
     virtual std::unique_ptr<Orbit> from_static(const LocalRay& ray) const = 0;  // r outside the horizon

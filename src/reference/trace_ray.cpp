@@ -27,9 +27,8 @@ Result<Traced> trace_reduced(const OrbitMetric& metric, const ReducedRay& ray) {
     if (ray.s != 1 && ray.s != -1) return bad_input(fmt::format("s = {} must be 1 (towards the hole) or -1", ray.s));
     auto orbit = metric.from_reduced(ray);
     if (!orbit) return orbit.error();
-    const double r = 1 / ray.zeta0;
-    const bool has_static = !metric.horizon_radius() || r > *metric.horizon_radius();
-    return Traced{std::move(*orbit), has_static ? 1 / metric.lapse(r) : kNotANumber};
+    const double lapse = metric.lapse(1 / ray.zeta0);
+    return Traced{std::move(*orbit), lapse > 0 ? 1 / lapse : kNotANumber};
 }
 
 // query.n is a unit vector here.

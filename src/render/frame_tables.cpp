@@ -48,8 +48,8 @@ Status FrameTables::update(const Scene& scene) {
         }
         rows_stale = true;
     }
-    if (const double horizon = spacetime_->horizon_radius().value_or(0.0); !(scene.camera.r > horizon))
-        return bad_input(fmt::format("camera.r = {} is not outside the horizon; allowed: r > {}", scene.camera.r, horizon));
+    if (!camera_can_rest(*spacetime_, scene.camera.r))
+        return bad_input(fmt::format("no camera can be at rest at camera.r = {}; allowed: {}", scene.camera.r, allowed_radii(*spacetime_)));
     const EffectSet wanted = effect_set(required_effects(scene));
     const bool orbits = wanted.contains(Effect::kDisc), had_orbits = effects_.contains(Effect::kDisc);
     rows_stale = rows_stale || radius_ != scene.camera.r || (orbits && !had_orbits) ||
@@ -116,7 +116,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     const double speed = length(camera.velocity);
     if (speed > 0.0) block.put(world * (camera.velocity / speed), std::sqrt((1.0 + speed) / (1.0 - speed)));
     else block.put(1, 0, 0, 1);
-    const double zeta0 = 1.0 / camera.r, lapse = std::sqrt(spacetime.lapse_squared(zeta0));
+    const double zeta0 = 1.0 / spacetime.areal_radius(camera.r), lapse = std::sqrt(spacetime.lapse_squared(camera.r));
     block.put(1.0 / lapse, zeta0, zeta0 * lapse, 0);
     block.put(0.5 * textures.sky_size, std::log2(std::max(textures.sky_size, 1)), 1.0, 0);
     const double height = std::cos(camera.theta);

@@ -138,11 +138,11 @@ void SceneReader::check_camera() {
         }
     }
     const auto spacetime = make_spacetime(scene_.spacetime.metric, scene_.spacetime.parameters);
-    const double horizon = spacetime ? (*spacetime)->horizon_radius().value_or(0.0) : 0.0;
-    if (!(scene_.camera.r > horizon)) {
+    if (spacetime && !camera_can_rest(**spacetime, scene_.camera.r)) {
         report(line(given("camera.r") ? "camera.r" : "spacetime.metric"), "camera.r",
-               fmt::format("a static camera cannot be at {}, on or inside the horizon", scene_.camera.r),
-               fmt::format("r > {}", horizon));
+               fmt::format("a static camera cannot be at {}{}", scene_.camera.r,
+                           (*spacetime)->horizon_radius() ? ", on or inside the horizon" : ""),
+               allowed_radii(**spacetime));
     }
 }
 

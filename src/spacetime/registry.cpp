@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "spacetime/minkowski.h"
+#include "spacetime/reissner_nordstrom.h"
 #include "spacetime/schwarzschild.h"
 
 namespace nullscope {
@@ -42,6 +43,10 @@ Error unknown_parameter(const MetricEntry& entry, const std::string& name) {
 std::span<const MetricEntry> metric_registry() {
     static const std::vector<MetricEntry> entries = {
         {"schwarzschild", "A black hole without spin or charge.", {}, make_schwarzschild},
+        {"reissner-nordstrom",
+         "A black hole with electric charge.",
+         {{"charge", 0.5, 0.0, 1.0, "Charge Q/M: 0 is Schwarzschild, 1 the extremal hole."}},
+         make_reissner_nordstrom},
         {"minkowski", "Flat spacetime: light runs straight.", {}, make_minkowski},
     };
     return entries;

@@ -11,11 +11,11 @@ constexpr double kRadialFloor = 1e-9;  // rad; ratios such as phi/sin(beta) have
 }
 
 RayFan::RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r, double pixel)
-    : spacetime_(std::move(spacetime)), table_(std::move(table)), zeta0_(1.0 / r) {
-    chi0_ = spacetime_->chi_from_zeta(zeta0_);
+    : spacetime_(std::move(spacetime)), table_(std::move(table)), zeta0_(1.0 / spacetime_->areal_radius(r)) {
+    chi0_ = spacetime_->chi_from_radius(r);
     q_crit_ = spacetime_->photon_sphere()->q_crit;
-    sqrt_v0_ = zeta0_ * std::sqrt(spacetime_->lapse_squared(zeta0_));
-    outside_ = zeta0_ <= spacetime_->photon_sphere()->zeta;
+    sqrt_v0_ = spacetime_->root_v(r);
+    outside_ = chi0_ <= M_PI / 2;
     theta_c_ = outside_ ? std::min(chi0_, M_PI / 2) : std::asin(std::min(1.0, sqrt_v0_ / q_crit_));
     const double wanted = std::clamp(kPixelPart * pixel / theta_c_, kFinest, kResolution);
     w0_ = kResolution * std::exp2(4.0 * std::floor(0.25 * std::log2(wanted / kResolution))) * theta_c_;

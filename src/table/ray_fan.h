@@ -44,7 +44,7 @@ public:
     double delta_slope(double u) const;                     // d delta / d u
     int octaves(Segment segment) const;                     // of u, until delta_limit
 
-    double zeta0() const { return zeta0_; }
+    double zeta0() const { return zeta0_; }                 // 1/R
     double chi0() const { return chi0_; }
     const DeflectionTable& table() const { return *table_; }
     double sqrt_v0() const { return sqrt_v0_; }              // sqrt(V(zeta0)) = q sin(alpha)

@@ -52,7 +52,7 @@ TEST_CASE("deflection table: swept angle of every escaping vector") {
         const double zeta0 = number(row, "zeta0"), delta = number(row, "delta");   // delta = q/q_crit - 1 to all digits
         if (number(row, "status") != 0 || zeta0 >= 1.0) continue;
         const double k = number(row, "q") / q_crit, one_minus_k2 = -delta * (2.0 + delta);
-        const double chi = spacetime->chi_from_zeta(zeta0);
+        const double chi = spacetime->chi_from_radius(1.0 / zeta0);
         double phi = 0.0;
         if (delta < 0.0) {
             const double sine = std::fmin(1.0, std::sin(chi) / k);

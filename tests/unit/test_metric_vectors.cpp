@@ -1,0 +1,91 @@
+// The reference against 50-digit vectors of other metrics than Schwarzschild: every row, cameras inside the horizon included.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "reference/reference.h"
+#include "vector_file.h"
+
+namespace {
+
+using namespace nullscope;
+
+constexpr double kTolerance = 1e-11;   // times the condition number: what the project promises for its witness
+
+using Trace = std::function<Result<RayRecord>(double q, double zeta0, std::optional<double> at)>;
+using Output = std::function<double(const RayRecord&)>;
+
+// Condition number of an output by one-sided differences of the traced function, as in test_reference_vectors.cpp. room: how far,
+// relatively, the critical ray and the turning point are, where outputs are singular.
+double condition(const Trace& trace, double q, double zeta0, double room, const Output& output, std::optional<double> at) {
+    const auto here = trace(q, zeta0, at);
+    const double y = output(*here), step = std::max(1e-5 * std::min(1.0, room), 1e-15);
+    double sum = 0;
+    for (int input = 0; input < (at ? 3 : 2); ++input) {
+        double worst = 0;
+        for (const double h : {step, -step}) {
+            const auto there = trace(q * (input == 0 ? 1 + h : 1), zeta0 * (input == 1 ? 1 + h : 1),
+                                     at ? std::optional(*at * (input == 2 ? 1 + h : 1)) : at);
+            if (!there || there->fate != here->fate) continue;
+            const double change = std::abs(output(*there) - y) / (step * std::abs(y));
+            if (std::isfinite(change)) worst = std::max(worst, change);
+        }
+        sum += worst;
+    }
+    return std::max(1.0, sum);
+}
+
+TEST_CASE("the reference meets every row of the extremal Reissner-Nordstrom vectors") {
+    double worst = 0;
+    int rows = 0, inside = 0;
+    Scene scene;
+    scene.spacetime = {"reissner-nordstrom", {{"charge", 1.0}}};
+    for (const VectorRow& row : load_vectors(NULLSCOPE_TEST_DATA "/vectors/rn_extremal.csv")) {
+        const double q = number(row, "q"), zeta0 = number(row, "zeta0"), v = zeta0 * (1 - 0.5 * zeta0);
+        const int s = static_cast<int>(number(row, "s")), status = static_cast<int>(number(row, "status"));
+        const Trace trace = [&](double q_, double zeta_, std::optional<double> at) {
+            RayQuery query;
+            query.orbit = ReducedRay{q_, zeta_, s};
+            query.at_angle = at;
+            return reference::trace_ray(scene, query);
+        };
+        CAPTURE(row.at("id"));
+        CAPTURE(row.at("group"));
+        const auto record = trace(q, zeta0, {});
+        REQUIRE(record);
+        CHECK(record->fate == (status == 0 ? Fate::kEscaped : status == 1 ? Fate::kCaptured : Fate::kNoSky));
+        ++rows;
+        inside += zeta0 >= 2;
+        const double room = std::min(std::abs(q / 0.5 - 1), std::abs((q - v) * (q + v) / (q * q)));
+        const auto check = [&](const char* column, const Output& output, std::optional<double> at) {
+            CAPTURE(std::string(column));
+            const double expected = number(row, column), found = output(*trace(q, zeta0, at));
+            CAPTURE(expected);
+            CAPTURE(found);
+            if (std::isnan(expected)) {
+                CHECK(std::isnan(found));
+                return;
+            }
+            const double kappa = condition(trace, q, zeta0, room, output, at);
+            CAPTURE(kappa);
+            const double error = std::abs(found - expected) / (std::abs(expected) * kappa);
+            worst = std::max(worst, error);
+            CHECK(error <= kTolerance);
+        };
+        check("phi", [](const RayRecord& r) { return r.angle; }, {});
+        check("T", [](const RayRecord& r) { return r.delay; }, {});
+        check("zeta_turn", [](const RayRecord& r) { return r.turn; }, {});
+        check("zeta_a", [](const RayRecord& r) { return r.at; }, number(row, "phi_a"));
+        check("zeta_b", [](const RayRecord& r) { return r.at; }, number(row, "phi_b"));
+        if (!std::isnan(number(row, "g_static")))   // g = 1/(1 - zeta0/2): a few roundings, as often as that multiplies them
+            CHECK(std::abs(record->g / number(row, "g_static") - 1) * std::min(1.0, std::abs(1 - 0.5 * zeta0)) < 2e-15);
+    }
+    fmt::print("rn_extremal.csv: {} rows ({} with the camera on or inside the horizon), largest error over condition number {:.2g}\n",
+               rows, inside, worst);
+    CHECK(rows == 126);
+}
+
+}  // namespace
