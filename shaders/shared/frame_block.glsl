@@ -11,11 +11,11 @@ struct FrameData {
     vec4 radial;       // outward radial unit vector e at the camera, .w = 0; the other two make a right-handed frame with it:
     vec4 meridian;     //   in the plane of e and the image's centre, .w = 0
     vec4 transverse;   //   e x meridian, .w = 0
-    vec4 strip;        // cosine and sine of the critical direction's angle from e (a ray nearer to e escapes), 1/w0, 0
+    vec4 strip;        // cosine and sine of the critical direction's angle from e (a ray nearer to e escapes), 1/w0, first row of the inner rays in the strip
     vec4 orbit;        // sin(theta_c) = k sin(alpha), cos(chi0), a0, a1 of the deflection table
     vec4 series;       // a2 of the deflection table, chi0, 0, 0
     vec4 boost;        // direction of motion in world axes, .w = stretch sqrt((1+v)/(1-v))
-    vec4 shift;        // g of a static camera here (camera over infinity), zeta0, sqrt(V(zeta0)) = q sin(alpha), 0
+    vec4 shift;        // g of a static camera here (camera over infinity), zeta0, sqrt(V(zeta0)) = q sin(alpha), fate of rays that do not escape
     vec4 sky;          // texels per radian of the sky's finest level, highest level, brightness, 0
     vec4 disc_normal;  // unit normal of the disc, .w = normal . radial (0 exactly for a camera in the plane)
     vec4 disc_x;       // disc's x axis, .w = inner radius (r_s)

@@ -22,6 +22,9 @@ void main() {
 #ifdef EFFECT_SKY
     if (trace.escapes && through > 0.002) light += through * celestial_sphere(trace);
 #endif
+#ifdef EFFECT_FAR_SKY
+    if (!trace.escapes && through > 0.002) light += through * other_side(trace);
+#endif
 #ifdef DISPLAY_ENCODE
     light = display_encode(light, frame.image.w);
 #endif

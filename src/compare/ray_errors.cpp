@@ -111,7 +111,7 @@ PixelErrors pixel_errors(const RayPixel& tested, const ExactPixel& exact) {
         return errors;
     }
     errors.end = RayEnd::kSame;
-    errors.escaped = exact.here.fate == Fate::kEscaped;
+    errors.escaped = exact.here.fate == Fate::kEscaped || exact.here.fate == Fate::kOtherSide;
     errors.hit = exact.here.hit != 0;
     if (errors.escaped) sky_errors(tested, exact, errors);
     if (errors.hit) errors.place_px = place_error(tested, exact);

@@ -57,6 +57,8 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
             tracer.tetrad_[i][mu] = component * std::sqrt(std::abs(static_cast<long double>(g[mu][mu])));
         }
     }
+    if (scene.disc && (*metric)->by_proper_length())
+        return bad_input(fmt::format("metric \"{}\" has no discs; allowed: a scene without [disc]", scene.spacetime.metric));
     tracer.metric_ = std::move(*metric);
     tracer.lapse_ = tracer.metric_->lapse(camera.r);
     return tracer;
@@ -111,7 +113,7 @@ RayPixel FrameTracer::pixel(double x, double y) const {
             pixel.angle = hits.front().angle;
         }
     }
-    if (pixel.fate == Fate::kEscaped) {
+    if (pixel.fate == Fate::kEscaped || pixel.fate == Fate::kOtherSide) {
         pixel.sky = traced.plane.direction(pixel.angle);
         pixel.delay = finite_or_zero(traced.orbit->delay());
     }

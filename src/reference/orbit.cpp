@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "reference/ellis_orbit.h"
 #include "reference/minkowski_orbit.h"
 #include "reference/reissner_nordstrom_orbit.h"
 #include "reference/schwarzschild_orbit.h"
@@ -16,6 +17,7 @@ struct Entry {
 constexpr std::array kMetrics{
     Entry{"schwarzschild", make_schwarzschild_orbits},
     Entry{"reissner-nordstrom", make_reissner_nordstrom_orbits},
+    Entry{"ellis", make_ellis_orbits},
     Entry{"minkowski", make_minkowski_orbits},
 };
 

@@ -13,11 +13,12 @@
 
 namespace nullscope::reference {
 
-// Swept angles are counted from the camera, in rad, with windings; zeta = r_s / r; q = E r_s / L.
+// Swept angles are counted from the camera, in rad, with windings; zeta = r_s / r; q = E r_s / L. In wormholes lengths are in throat
+// radii and l, the proper distance from the throat, stands wherever zeta is written.
 class Orbit {
 public:
     virtual ~Orbit() = default;
-    Fate fate() const { return fate_; }      // kEscaped, kCaptured or kNoSky
+    Fate fate() const { return fate_; }      // kEscaped, kOtherSide, kCaptured, kHit (a star) or kNoSky
     double angle() const { return angle_; }  // to the sky or the inward crossing of the horizon; NaN: no such end
     double turn() const { return turn_; }    // zeta at the turning point on the traced part; NaN: there is none
     // zeta after a swept angle >= 0; NaN if the ray has ended before or there. A few elliptic functions.
@@ -47,6 +48,7 @@ class OrbitMetric {
 public:
     virtual ~OrbitMetric() = default;
     virtual std::optional<double> horizon_radius() const = 0;  // of the outer horizon
+    virtual bool by_proper_length() const { return false; }  // places are l (wormholes), not zeta
     virtual double lapse(double r) const = 0;                  // sqrt(-g_tt); not a number where no camera can be at rest
     // Errors: no ray with this q passes through zeta0 (q^2 < V(zeta0) by more than rounding). Infinite q: radial.
     virtual Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay& ray) const = 0;

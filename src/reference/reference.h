@@ -28,8 +28,8 @@ Result<RayFrame> trace_frame(const Scene& scene, const std::function<void(long l
 Result<std::vector<RayPixel>> trace_pixels(const Scene& scene, const std::vector<std::array<double, 2>>& positions);
 
 // Linear RGB (exposure not applied), samples x samples rays a pixel, averaged in linear light. disc_image: 3 or 4
-// channels, alpha not multiplied in; without one the disc is white.
+// channels, alpha not multiplied in; without one the disc is white. far_sky: of wormholes; without one it is black.
 Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const Image<float>* disc_image, int samples,
-                                  const std::function<void(long long)>& done = {});
+                                  const std::function<void(long long)>& done = {}, const SkyCube* far_sky = nullptr);
 
 }  // namespace nullscope::reference

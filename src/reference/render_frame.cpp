@@ -56,8 +56,8 @@ Paint disc_paint(const DiscSpec& disc, const Image<float>* image, double x, doub
 // More hits than this add nothing: images beyond it are thinner than e^-200 of the disc.
 constexpr int kMostHits = 64;
 
-Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const SkyCube& sky, const Image<float>* disc_image,
-                double x, double y) {
+Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const SkyCube& sky, const SkyCube* far_sky,
+                const Image<float>* disc_image, double x, double y) {
     const CameraRay ray = tracer.ray(x, y);
     Vec3 colour{0, 0, 0};
     double through = 1;
@@ -69,13 +69,15 @@ Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const SkyCube& sk
     if (ray.orbit->fate() == Fate::kEscaped && through > 0) {
         colour = colour + through * sample_sky(sky, ray.plane.direction(ray.orbit->angle()));
     }
+    if (ray.orbit->fate() == Fate::kOtherSide && far_sky != nullptr)
+        colour = colour + through * sample_sky(*far_sky, ray.plane.direction(ray.orbit->angle()));
     return colour;
 }
 
 }  // namespace
 
 Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const Image<float>* disc_image, int samples,
-                                  const std::function<void(long long)>& done) {
+                                  const std::function<void(long long)>& done, const SkyCube* far_sky) {
     if (samples < 1) return bad_input(fmt::format("samples = {} must be at least 1", samples));
     if (disc_image && (disc_image->empty() || disc_image->channels < 3 || disc_image->channels > 4)) {
         return bad_input("the disc's image must have 3 or 4 channels");
@@ -89,7 +91,7 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
                 Vec3 sum{0, 0, 0};
                 for (int i = 0; i < samples * samples; ++i) {
                     const double dx = (i % samples + 0.5) / samples, dy = (i / samples + 0.5) / samples;
-                    sum = sum + ray_colour(*tracer, scene, sky, disc_image, x + dx, y + dy);
+                    sum = sum + ray_colour(*tracer, scene, sky, far_sky, disc_image, x + dx, y + dy);
                 }
                 sum = sum / (static_cast<double>(samples) * samples);
                 float* pixel = image.at(x, y);

@@ -31,6 +31,15 @@ private:
     std::size_t next_ = 0;
 };
 
+Fate inner_fate(InnerEnd end) {
+    switch (end) {
+        case InnerEnd::kOtherSky: return Fate::kOtherSide;
+        case InnerEnd::kSurface: return Fate::kHit;
+        case InnerEnd::kHorizon: break;
+    }
+    return Fate::kCaptured;
+}
+
 }  // namespace
 
 Status FrameTables::update(const Scene& scene) {
@@ -51,6 +60,8 @@ Status FrameTables::update(const Scene& scene) {
     if (!camera_can_rest(*spacetime_, scene.camera.r))
         return bad_input(fmt::format("no camera can be at rest at camera.r = {}; allowed: {}", scene.camera.r, allowed_radii(*spacetime_)));
     const EffectSet wanted = effect_set(required_effects(scene));
+    if (wanted.contains(Effect::kDisc) && !spacetime_->has_orbit_equation())
+        return bad_input(fmt::format("metric \"{}\" has no discs; allowed: a scene without [disc]", scene.spacetime.metric));
     const bool orbits = wanted.contains(Effect::kDisc), had_orbits = effects_.contains(Effect::kDisc);
     rows_stale = rows_stale || radius_ != scene.camera.r || (orbits && !had_orbits) ||
                  (fan_ && fan_->w0() != fan_for(scene).w0());
@@ -103,7 +114,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     for (const Vec3 v : local)
         block.put(dot(v, meridian), dot(v, transverse), v.x, critical_sine * v.x - critical_cosine * dot(v, meridian));
     for (const Vec3 v : {radial, meridian, transverse}) block.put(world * v, 0);
-    if (fan != nullptr) block.put(critical_cosine, critical_sine, 1.0 / fan->w0(), 0.0);
+    if (fan != nullptr) block.put(critical_cosine, critical_sine, 1.0 / fan->w0(), fan->octaves(Segment::kSky));
     else block.put(0, 0, 0, 0);
     if (fan != nullptr) {
         const auto& series = fan->table().series();
@@ -117,7 +128,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     if (speed > 0.0) block.put(world * (camera.velocity / speed), std::sqrt((1.0 + speed) / (1.0 - speed)));
     else block.put(1, 0, 0, 1);
     const double zeta0 = 1.0 / spacetime.areal_radius(camera.r), lapse = std::sqrt(spacetime.lapse_squared(camera.r));
-    block.put(1.0 / lapse, zeta0, zeta0 * lapse, 0);
+    block.put(1.0 / lapse, zeta0, zeta0 * lapse, static_cast<double>(inner_fate(spacetime.inner_end())));
     block.put(0.5 * textures.sky_size, std::log2(std::max(textures.sky_size, 1)), 1.0, 0);
     const double height = std::cos(camera.theta);
     constexpr double kInPlane = 1e-12;   // |cos theta| below which a camera stands in the disc's plane (interfaces: rays out)

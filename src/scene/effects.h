@@ -14,8 +14,8 @@
 
 namespace nullscope {
 
-enum class Effect { kLensing, kAberration, kDisc, kTranslucentDisc, kSky };
-inline constexpr std::size_t kEffectCount = 5;
+enum class Effect { kLensing, kAberration, kDisc, kTranslucentDisc, kSky, kInner, kFarSky };
+inline constexpr std::size_t kEffectCount = 7;
 
 struct EffectRow {
     Effect effect;
@@ -35,6 +35,10 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
     {Effect::kTranslucentDisc, "translucent-disc", "EFFECT_TRANSLUCENT_DISC",
      "What lies behind the disc shines through it.", "disc.opacity is below 1 or disc.edge is above 0"},
     {Effect::kSky, "sky", "EFFECT_SKY", "Escaped rays show the celestial sphere.", "sky.kind is not black"},
+    {Effect::kInner, "inner", "EFFECT_INNER", "Rays that pass the critical direction inward end somewhere to see.",
+     "spacetime.metric is a wormhole or a star"},
+    {Effect::kFarSky, "far-sky", "EFFECT_FAR_SKY", "Rays through the wormhole show the sky of its other side.",
+     "spacetime.metric is a wormhole and far_sky.kind is not black"},
 }};
 
 constexpr const EffectRow& effect_row(Effect effect) { return kEffectTable[static_cast<std::size_t>(effect)]; }

@@ -147,6 +147,10 @@ void SceneReader::check_camera() {
 }
 
 void SceneReader::check_sky() {
+    const bool far_image = scene_.far_sky.kind == SkyKind::kImage;
+    if (far_image != given("far_sky.image"))
+        report(line(far_image ? "far_sky.kind" : "far_sky.image"), "far_sky.image", far_image ? "missing, but kind is image" : "kind is not image",
+               far_image ? "an image file" : "with kind = \"image\" only");
     const bool image = scene_.sky.kind == SkyKind::kImage;
     const bool caps = scene_.sky.mapping == SkyMapping::kBandAndCaps;
     if (image && !given("sky.image")) {

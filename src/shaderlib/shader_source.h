@@ -20,6 +20,9 @@ struct ShaderSource {
 ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method = {},
                            std::string_view metric = "schwarzschild");
 
+// Is there shaders/FOLDER/METRIC.glsl in this build?
+bool has_shader(std::string_view folder, std::string_view metric);
+
 // One embedded file of shaders/ by its path there; aborts if there is none (a broken build).
 std::string_view shader_file(std::string_view path);
 

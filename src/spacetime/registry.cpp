@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "spacetime/ellis.h"
 #include "spacetime/minkowski.h"
 #include "spacetime/reissner_nordstrom.h"
 #include "spacetime/schwarzschild.h"
@@ -47,6 +48,7 @@ std::span<const MetricEntry> metric_registry() {
          "A black hole with electric charge.",
          {{"charge", 0.5, 0.0, 1.0, "Charge Q/M: 0 is Schwarzschild, 1 the extremal hole."}},
          make_reissner_nordstrom},
+        {"ellis", "A wormhole between two skies, the simplest: no tides, no redshift.", {}, make_ellis},
         {"minkowski", "Flat spacetime: light runs straight.", {}, make_minkowski},
     };
     return entries;

@@ -115,8 +115,9 @@ bool whole(const RayFrame& frame) {  // every channel finite, every fate one tha
     constexpr double kUnit = 1e-5;   // a float normalisation, with room
     for (const RayPixel& p : frame.pixels) {
         if (!all_finite(p)) return false;
-        if (p.fate != Fate::kEscaped && p.fate != Fate::kCaptured && p.fate != Fate::kHit) return false;
-        if (std::abs(length(p.sky) - (p.fate == Fate::kEscaped ? 1.0 : 0.0)) > kUnit) return false;
+        if (p.fate != Fate::kEscaped && p.fate != Fate::kCaptured && p.fate != Fate::kOtherSide && p.fate != Fate::kHit) return false;
+        const bool on_a_sky = p.fate == Fate::kEscaped || p.fate == Fate::kOtherSide;
+        if (std::abs(length(p.sky) - (on_a_sky ? 1.0 : 0.0)) > kUnit) return false;
     }
     return true;
 }

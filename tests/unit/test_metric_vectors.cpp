@@ -88,4 +88,62 @@ TEST_CASE("the reference meets every row of the extremal Reissner-Nordstrom vect
     CHECK(rows == 126);
 }
 
+TEST_CASE("the reference meets every row of the Ellis vectors") {
+    double worst = 0;
+    int rows = 0;
+    Scene scene;
+    scene.spacetime = {"ellis", {}};
+    for (const VectorRow& row : load_vectors(NULLSCOPE_TEST_DATA "/vectors/ellis.csv")) {
+        const double h = number(row, "h"), l0 = number(row, "l0");
+        const int s = static_cast<int>(number(row, "s"));
+        const Trace trace = [&](double q_, double l_, std::optional<double> at) {
+            RayQuery query;
+            query.orbit = ReducedRay{q_, l_, -s};
+            query.at_angle = at;
+            return reference::trace_ray(scene, query);
+        };
+        CAPTURE(row.at("id"));
+        CAPTURE(row.at("group"));
+        const auto record = trace(1 / h, l0, {});
+        REQUIRE(record);
+        CHECK(record->fate == (number(row, "end") > 0 ? Fate::kEscaped : Fate::kOtherSide));
+        ++rows;
+        const double room = std::min(std::abs(h - 1), std::abs(1 - h * h / (l0 * l0 + 1)));
+        const auto check = [&](const char* column, const Output& output, std::optional<double> at) {
+            CAPTURE(std::string(column));
+            const double expected = number(row, column), found = output(*trace(1 / h, l0, at));
+            CAPTURE(expected);
+            CAPTURE(found);
+            if (std::isnan(expected)) {
+                CHECK(std::isnan(found));
+                return;
+            }
+            const double kappa = condition(trace, 1 / h, l0, room, output, at);
+            CAPTURE(kappa);
+            const double error = std::abs(found - expected) / (std::abs(expected) * kappa);
+            worst = std::max(worst, error);
+            CHECK(error <= kTolerance);
+        };
+        check("phi", [](const RayRecord& r) { return r.angle; }, {});
+        check("T", [](const RayRecord& r) { return r.delay; }, {});
+        check("l_turn", [](const RayRecord& r) { return r.turn; }, {});
+        check("l_a", [](const RayRecord& r) { return r.at; }, number(row, "phi_a"));
+    }
+    fmt::print("ellis.csv: {} rows, largest error over condition number {:.2g}\n", rows, worst);
+    CHECK(rows == 135);
+}
+
+TEST_CASE("the reference knows the bending of the Ellis wormhole: alpha = 2 K(1/h^2) - pi") {
+    Scene scene;
+    scene.spacetime = {"ellis", {}};
+    constexpr double kFar = 1e9;   // the camera's own distance takes h/l of the angle
+    for (const auto& [h, alpha] : {std::pair{1.1, 1.5022554199624496}, {2.0, 0.22990805603539885}}) {
+        RayQuery query;
+        query.orbit = ReducedRay{1 / h, kFar, 1};
+        const double found = reference::trace_ray(scene, query)->angle + std::asin(h / kFar) - M_PI;
+        fmt::print("Ellis, h = {}: alpha = {:.16g}, exact {:.16g}\n", h, found, alpha);
+        CHECK(std::abs(found - alpha) < 1e-14);
+    }
+}
+
 }  // namespace

@@ -18,7 +18,10 @@ std::vector<EffectSet> all_sets() {
         EffectSet set;
         for (std::size_t i = 0; i < kEffectCount; ++i)
             if (bits >> i & 1u) set.insert(static_cast<Effect>(i));
-        if (!set.contains(Effect::kTranslucentDisc) || set.contains(Effect::kDisc)) sets.push_back(set);
+        if (set.contains(Effect::kTranslucentDisc) && !set.contains(Effect::kDisc)) continue;
+        if (set.contains(Effect::kInner) && !set.contains(Effect::kLensing)) continue;
+        if (set.contains(Effect::kFarSky) && !set.contains(Effect::kInner)) continue;
+        sets.push_back(set);
     }
     return sets;
 }
@@ -31,6 +34,8 @@ const std::vector<Mark> kMarks = {
     {Effect::kDisc, {"disc_cross", "disc_texture", "DiscCrossing", "plane_meet"}},
     {Effect::kTranslucentDisc, {"fade"}},
     {Effect::kSky, {"celestial_sphere", "sky_texture"}},
+    {Effect::kInner, {"frame.strip.w"}},
+    {Effect::kFarSky, {"other_side", "other_side_texture"}},
 };
 
 // Without the uniform block, which is one for all.
