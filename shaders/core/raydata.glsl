@@ -33,6 +33,15 @@ PixelData pixel_data(vec2 pixel) {
         }
     }
 #endif
+#ifdef EFFECT_STAR
+    if (data.fate == 4.0 && data.hit == 0.0) {
+        vec3 place = normalize(trace.sky);
+        float longitude = arc_tangent2(abs(place.y), place.x);
+        data.hit = 2.0;
+        data.place = vec2(place.y < 0.0 ? -longitude : longitude,
+                          1.57079632679489661923 - arc_tangent2(sqrt(place.x * place.x + place.y * place.y), place.z));
+    }
+#endif
     bool sky = data.fate == 0.0 || data.fate == 2.0;
     data.sky = sky ? normalize(trace.sky) : vec3(0.0, 0.0, 0.0);
     data.g = sky ? frame.shift.x * trace.doppler : 0.0;

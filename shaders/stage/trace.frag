@@ -25,6 +25,9 @@ void main() {
 #ifdef EFFECT_FAR_SKY
     if (!trace.escapes && through > 0.002) light += through * other_side(trace);
 #endif
+#ifdef EFFECT_STAR
+    if (!trace.escapes) light += through * star_surface(trace);
+#endif
 #ifdef DISPLAY_ENCODE
     light = display_encode(light, frame.image.w);
 #endif

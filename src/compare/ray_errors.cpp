@@ -75,7 +75,18 @@ void sky_errors(const RayPixel& tested, const ExactPixel& exact, PixelErrors& er
                                        : kInfinite;
 }
 
+// Of a star: the angle between the places as seen from its centre, against how far they move per pixel.
+float star_error(const RayPixel& tested, const ExactPixel& exact) {
+    const auto place = [](const RayPixel& p) {
+        return Vec3{std::cos(p.v) * std::cos(p.u), std::cos(p.v) * std::sin(p.u), std::sin(p.v)};
+    };
+    const Chart chart(place(exact.here));
+    return in_pixels(chart.place(place(tested)), per_pixel(chart.place(place(exact.right)), exact.right_px),
+                     per_pixel(chart.place(place(exact.down)), exact.down_px), exact.pixel_angle);
+}
+
 float place_error(const RayPixel& tested, const ExactPixel& exact) {
+    if (exact.here.hit == kStarHit) return star_error(tested, exact);
     const RayPixel& here = exact.here;
     const auto moved = [&](const RayPixel& beside) { return Plane2{beside.u - here.u, beside.v - here.v}; };
     const double distance = length(exact.camera - Vec3{here.u, here.v, 0});

@@ -6,6 +6,7 @@
 #include "reference/minkowski_orbit.h"
 #include "reference/reissner_nordstrom_orbit.h"
 #include "reference/schwarzschild_orbit.h"
+#include "reference/star_orbit.h"
 
 namespace nullscope::reference {
 namespace {
@@ -17,6 +18,7 @@ struct Entry {
 constexpr std::array kMetrics{
     Entry{"schwarzschild", make_schwarzschild_orbits},
     Entry{"reissner-nordstrom", make_reissner_nordstrom_orbits},
+    Entry{"neutron-star", make_star_orbits},
     Entry{"ellis", make_ellis_orbits},
     Entry{"minkowski", make_minkowski_orbits},
 };

@@ -21,6 +21,7 @@ public:
     Fate fate() const { return fate_; }      // kEscaped, kOtherSide, kCaptured, kHit (a star) or kNoSky
     double angle() const { return angle_; }  // to the sky or the inward crossing of the horizon; NaN: no such end
     double turn() const { return turn_; }    // zeta at the turning point on the traced part; NaN: there is none
+    double turn_angle() const { return turn_angle_; }  // swept to the turning point on the traced part; NaN: there is none
     // zeta after a swept angle >= 0; NaN if the ray has ended before or there. A few elliptic functions.
     virtual double zeta_at(double angle) const = 0;
     // T = v_cam - v_inf in r_s/c of an escaped ray, NaN for others. Some microseconds.
@@ -31,6 +32,7 @@ protected:
     Fate fate_ = Fate::kNoSky;
     double angle_ = kNotANumber;
     double turn_ = kNotANumber;
+    double turn_angle_ = kNotANumber;
 };
 
 // A look direction in a local frame at radius r: components outward and across, n_r^2 + n_t^2 = 1, n_t >= 0.

@@ -53,6 +53,15 @@ Paint disc_paint(const DiscSpec& disc, const Image<float>* image, double x, doub
     return paint;
 }
 
+// Squares of 15 degrees, the northern half blue, the southern one amber: the look of shaders/object/star.glsl, unfiltered.
+Vec3 star_colour(Vec3 place) {
+    constexpr double kSquare = M_PI / 12;
+    const double longitude = std::atan2(place.y, place.x) + 2 * M_PI, polar = std::atan2(std::hypot(place.x, place.y), place.z);
+    const bool odd = (static_cast<int>(std::floor(longitude / kSquare)) + static_cast<int>(std::floor(polar / kSquare))) % 2 != 0;
+    const Vec3 colour = place.z > 0 ? Vec3{0.20, 0.32, 0.62} : Vec3{0.62, 0.36, 0.16};
+    return (odd ? 0.4 : 1.6) * colour;
+}
+
 // More hits than this add nothing: images beyond it are thinner than e^-200 of the disc.
 constexpr int kMostHits = 64;
 
@@ -69,6 +78,7 @@ Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const SkyCube& sk
     if (ray.orbit->fate() == Fate::kEscaped && through > 0) {
         colour = colour + through * sample_sky(sky, ray.plane.direction(ray.orbit->angle()));
     }
+    if (ray.orbit->fate() == Fate::kHit) colour = colour + through * star_colour(ray.plane.direction(ray.orbit->angle()));
     if (ray.orbit->fate() == Fate::kOtherSide && far_sky != nullptr)
         colour = colour + through * sample_sky(*far_sky, ray.plane.direction(ray.orbit->angle()));
     return colour;

@@ -60,7 +60,7 @@ Status FrameTables::update(const Scene& scene) {
     if (!camera_can_rest(*spacetime_, scene.camera.r))
         return bad_input(fmt::format("no camera can be at rest at camera.r = {}; allowed: {}", scene.camera.r, allowed_radii(*spacetime_)));
     const EffectSet wanted = effect_set(required_effects(scene));
-    if (wanted.contains(Effect::kDisc) && !spacetime_->has_orbit_equation())
+    if (wanted.contains(Effect::kDisc) && !spacetime_->can_have_disc())
         return bad_input(fmt::format("metric \"{}\" has no discs; allowed: a scene without [disc]", scene.spacetime.metric));
     const bool orbits = wanted.contains(Effect::kDisc), had_orbits = effects_.contains(Effect::kDisc);
     rows_stale = rows_stale || radius_ != scene.camera.r || (orbits && !had_orbits) ||

@@ -60,6 +60,8 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
         reasons.push_back({Effect::kFarSky, fmt::format("spacetime.metric = \"{}\", far_sky.kind = \"{}\"",
                                                         scene.spacetime.metric, name_of(scene.far_sky.kind))});
     }
+    if (spacetime && (*spacetime)->inner_end() == InnerEnd::kSurface)
+        reasons.push_back({Effect::kStar, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     return reasons;
 }
 

@@ -14,8 +14,8 @@
 
 namespace nullscope {
 
-enum class Effect { kLensing, kAberration, kDisc, kTranslucentDisc, kSky, kInner, kFarSky };
-inline constexpr std::size_t kEffectCount = 7;
+enum class Effect { kLensing, kAberration, kDisc, kTranslucentDisc, kSky, kInner, kFarSky, kStar };
+inline constexpr std::size_t kEffectCount = 8;
 
 struct EffectRow {
     Effect effect;
@@ -39,6 +39,7 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
      "spacetime.metric is a wormhole or a star"},
     {Effect::kFarSky, "far-sky", "EFFECT_FAR_SKY", "Rays through the wormhole show the sky of its other side.",
      "spacetime.metric is a wormhole and far_sky.kind is not black"},
+    {Effect::kStar, "star", "EFFECT_STAR", "Rays end on the surface of a star.", "spacetime.metric is a star"},
 }};
 
 constexpr const EffectRow& effect_row(Effect effect) { return kEffectTable[static_cast<std::size_t>(effect)]; }

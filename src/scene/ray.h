@@ -48,6 +48,8 @@ struct RayRecord {
     std::vector<Crossing> crossings;    // of the equatorial plane after leaving the camera, before the end (horizon included)
 };
 
+inline constexpr int kDiscHit = 1, kStarHit = 2;   // RayPixel::hit
+
 // One pixel of the ray data of a frame (docs/ray-data.md). Finite always; 0 where a value does not exist.
 struct RayPixel {
     Fate fate = Fate::kNoSky;   // kHit: ended on an opaque object
@@ -56,8 +58,8 @@ struct RayPixel {
     double delay = 0;           // r_s/c; 0 unless delay is called for
     double angle = 0;           // swept from the camera to the end (sky, horizon or hit), rad
     int order = 0;              // image order: floor(angle / pi)
-    int hit = 0;                // number of the first object hit (1 = disc), 0 for none, also for a translucent object
-    double u = 0, v = 0;        // surface coordinates of the first hit: disc (x, y) in r_s
+    int hit = 0;                // number of the first object hit (1 disc, 2 star), 0 for none, also for a translucent object
+    double u = 0, v = 0;        // surface coordinates of the first hit: disc (x, y) in r_s; star: longitude and latitude, rad
 };
 
 struct RayFrame {

@@ -1,6 +1,7 @@
 // The combinations of effects in one precision (Real) and their dispatch. The disc's code is always compiled, and that of rays that
 // pass the critical direction: where they end in a horizon they fetch nothing (core_variant.inl).
 #define EFFECT_INNER
+#define EFFECT_STAR
 namespace lensed {
 #define EFFECT_DISC
 #define EFFECT_LENSING

@@ -118,6 +118,7 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
     if (picture && disc) files.emplace_back("object/disc_colour.glsl");
     if (picture && (sky || far_sky)) files.emplace_back("object/celestial_sphere.glsl");
     if (picture && far_sky) files.emplace_back("object/other_side.glsl");
+    if (picture && effects.contains(Effect::kStar)) files.emplace_back("object/star.glsl");
     if (!picture) files.emplace_back("core/raydata.glsl");
     return files;
 }

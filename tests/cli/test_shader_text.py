@@ -12,7 +12,10 @@ WORDS = {
     "aberration": [r"aberrat\w*", r"Aberration", r"boost", r"motion", r"stretch"],
     "disc": [r"disc\w*", r"Disc\w*", r"plane_\w*", r"PlaneMeeting", r"meeting"],
     "translucent-disc": [r"fade"],
-    "sky": [r"sky_texture", r"celestial\w*", r"samplerCube"],
+    "sky": [r"sky_texture", r"celestial\w*"],
+    "inner": [r"frame\.strip\.w"],
+    "far-sky": [r"other_side\w*"],
+    "star": [r"star_\w*"],
 }
 SCENES = {
     "nothing": '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "black"\n',
@@ -23,6 +26,9 @@ SCENES = {
     "sky": '[spacetime]\nmetric = "minkowski"\n',
     "lensing, disc": '[sky]\nkind = "black"\n[disc]\n',
     "lensing, sky": '[spacetime]\nmetric = "schwarzschild"\n',
+    "inner": '[spacetime]\nmetric = "ellis"\n[sky]\nkind = "black"\n[far_sky]\nkind = "black"\n',
+    "far sky": '[spacetime]\nmetric = "ellis"\n[sky]\nkind = "black"\n',
+    "star": '[spacetime]\nmetric = "neutron-star"\n',
     "everything": '[camera]\nvelocity = [0.1, 0.2, 0.3]\n[disc]\nedge = 0.2\n',
 }
 

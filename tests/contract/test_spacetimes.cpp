@@ -234,7 +234,7 @@ TEST_CASE("chi: V = q_crit^2 sin^2 chi, both ways, to the last digits near infin
         CHECK(zeta_from_chi(*s, 0.0) == 0.0);
         CHECK(chi_from_zeta(*s, (1.0 / sphere->radius)) == doctest::Approx(kPi / 2).epsilon(kRounding));
         CHECK(zeta_from_chi(*s, kPi / 2) == doctest::Approx((1.0 / sphere->radius)).epsilon(kRounding));
-        CHECK(zeta_from_chi(*s, kPi) == doctest::Approx(last).epsilon(kRounding));
+        if (s->horizon_radius()) CHECK(zeta_from_chi(*s, kPi) == doctest::Approx(last).epsilon(kRounding));
         for (double chi = 1e-8; chi < kPi - 1e-7; chi += 1e-3) {
             // d chi/d zeta = 1/(h q_crit): flat rounding of zeta becomes large only where h goes to 0, at the horizon.
             CHECK(std::fabs(chi_from_zeta(*s, zeta_from_chi(*s, chi)) - chi) < kRounding / s->bending_density(chi));

@@ -146,4 +146,25 @@ TEST_CASE("the reference knows the bending of the Ellis wormhole: alpha = 2 K(1/
     }
 }
 
+// From afar the ray that grazes the surface sweeps half of pi + its bending: where that bending reaches pi, at a closest approach of
+// 3.52061796315193 M, the point behind the star comes into view.
+TEST_CASE("a star: all of its surface is seen below 3.52062 M, and not above") {
+    constexpr double kWhole = 0.5 * 3.52061796315193, kFar = 1e9, kGraze = 1e-13;
+    const auto farthest = [&](double radius) {
+        Scene scene;
+        scene.spacetime = {"neutron-star", {{"radius", radius}}};
+        RayQuery query;   // just inside of the grazing ray: q^2 = V(surface)
+        query.orbit = ReducedRay{std::sqrt(1 - 1 / radius) / radius * (1 + kGraze), 1 / kFar, 1};
+        const auto record = reference::trace_ray(scene, query);
+        REQUIRE(record);
+        CHECK(record->fate == Fate::kHit);
+        return record->angle;
+    };
+    fmt::print("star: farthest place seen, rad from the nearest one: {:.12f} at 3.5206 M, {:.12f} at 3.520617963 M, {:.12f} at 3.5207 M\n",
+               farthest(0.5 * 3.5206), farthest(kWhole), farthest(0.5 * 3.5207));
+    CHECK(farthest(0.5 * 3.5206) > M_PI);
+    CHECK(farthest(0.5 * 3.5207) < M_PI);
+    CHECK(std::abs(farthest(kWhole) - M_PI) < 1e-6);   // sqrt(kGraze), and the camera's own b/r
+}
+
 }  // namespace

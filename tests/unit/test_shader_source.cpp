@@ -20,6 +20,7 @@ std::vector<EffectSet> all_sets() {
             if (bits >> i & 1u) set.insert(static_cast<Effect>(i));
         if (set.contains(Effect::kTranslucentDisc) && !set.contains(Effect::kDisc)) continue;
         if (set.contains(Effect::kInner) && !set.contains(Effect::kLensing)) continue;
+        if (set.contains(Effect::kStar) && !set.contains(Effect::kInner)) continue;
         if (set.contains(Effect::kFarSky) && !set.contains(Effect::kInner)) continue;
         sets.push_back(set);
     }
@@ -36,6 +37,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kSky, {"celestial_sphere", "sky_texture"}},
     {Effect::kInner, {"frame.strip.w"}},
     {Effect::kFarSky, {"other_side", "other_side_texture"}},
+    {Effect::kStar, {"star_surface", "star_square"}},
 };
 
 // Without the uniform block, which is one for all.
