@@ -7,6 +7,7 @@
 #include <functional>
 #include <utility>
 
+#include "compare/hard_metrics.h"
 #include "compare/ray_metrics.h"
 
 namespace nullscope {
@@ -207,7 +208,9 @@ std::vector<HardCase> make_cases() {
     motions(list);
     frames(list);
     flat(list);
-    return list.take();
+    std::vector<HardCase> all = list.take();
+    for (HardCase& c : hard_metric_cases()) all.push_back(std::move(c));
+    return all;
 }
 
 }  // namespace

@@ -14,10 +14,12 @@ namespace nullscope {
 class NeutronStar final : public Spacetime {
 public:
     static constexpr double kLeastRadius = 1.125, kLargestRadius = 1000.0;
+    // Nearer than this, of the radius, a horizon of light lies within a few cells of the strip around the transverse direction.
+    static constexpr double kStandoff = 1e-5;
     explicit NeutronStar(double radius) : radius_(radius) {}
     std::string_view name() const override { return "neutron-star"; }
     double lapse_squared(double r) const override { return exterior_.lapse_squared(r); }
-    RadiusRange camera_range() const override { return {radius_, kAnyRadius}; }
+    RadiusRange camera_range() const override { return {radius_ * (1.0 + kStandoff), kAnyRadius}; }
     std::optional<double> horizon_radius() const override { return std::nullopt; }
     std::optional<PhotonSphere> photon_sphere() const override { return exterior_.photon_sphere(); }
     bool bends_light() const override { return true; }
