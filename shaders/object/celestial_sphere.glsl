@@ -15,5 +15,5 @@ float sky_level(Trace trace) {
 }
 
 #ifdef EFFECT_SKY
-vec3 celestial_sphere(Trace trace) { return textureLod(sky_texture, trace.sky, sky_level(trace)).rgb * frame.sky.z; }
+vec3 celestial_sphere(Trace trace, float level) { return textureLod(sky_texture, trace.sky, level).rgb * frame.sky.z; }
 #endif

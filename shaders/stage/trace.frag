@@ -19,11 +19,16 @@ void main() {
         more = through > 0.002 && k < DISC_MOST_CROSSINGS && disc_reachable(trace, meeting, k);
     } while (more);
 #endif
-#ifdef EFFECT_SKY
-    if (trace.escapes && through > 0.002) light += through * celestial_sphere(trace);
-#endif
 #ifdef EFFECT_FAR_SKY
-    if (!trace.escapes && through > 0.002) light += through * other_side(trace);
+    float level = sky_level(trace);
+    if (!trace.escapes) light += through * other_side(trace, level);
+#ifdef EFFECT_SKY
+    if (trace.escapes) light += through * celestial_sphere(trace, level);
+#endif
+#else
+#ifdef EFFECT_SKY
+    if (trace.escapes && through > 0.002) light += through * celestial_sphere(trace, sky_level(trace));
+#endif
 #endif
 #ifdef EFFECT_STAR
     if (!trace.escapes) light += through * star_surface(trace);

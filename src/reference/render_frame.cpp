@@ -53,11 +53,12 @@ Paint disc_paint(const DiscSpec& disc, const Image<float>* image, double x, doub
     return paint;
 }
 
-// Squares of 15 degrees, the northern half blue, the southern one amber: the look of shaders/object/star.glsl, unfiltered.
+// 24 squares around by 12 rings of equal height, the northern half blue, the southern one amber: the look of
+// shaders/object/star.glsl, unfiltered.
 Vec3 star_colour(Vec3 place) {
     constexpr double kSquare = M_PI / 12;
-    const double longitude = std::atan2(place.y, place.x) + 2 * M_PI, polar = std::atan2(std::hypot(place.x, place.y), place.z);
-    const bool odd = (static_cast<int>(std::floor(longitude / kSquare)) + static_cast<int>(std::floor(polar / kSquare))) % 2 != 0;
+    const double longitude = std::atan2(place.y, place.x) + 2 * M_PI;
+    const bool odd = (static_cast<int>(std::floor(longitude / kSquare)) + static_cast<int>(std::floor(6 * (place.z + 2)))) % 2 != 0;
     const Vec3 colour = place.z > 0 ? Vec3{0.20, 0.32, 0.62} : Vec3{0.62, 0.36, 0.16};
     return (odd ? 0.4 : 1.6) * colour;
 }

@@ -29,7 +29,8 @@ public:
             (off > 0.0 ? high : low) = x;
             double next = x - off * rate(x);
             if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-            const bool done = std::fabs(next - x) <= 1e-16 * std::fabs(x);
+            // Newton's step squares what is off: below a hundred millionth one more is the last.
+            const bool done = std::fabs(off) <= 1e-9 * y || std::fabs(next - x) <= 1e-16 * std::fabs(x);
             x = next;
             if (done) break;
         }
@@ -37,7 +38,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kNodes = 513;
+    static constexpr std::size_t kNodes = 2049;
     static constexpr int kMostSteps = 60;   // of halvings, should Newton's steps leave the bracket
     std::array<double, kNodes> at_{};
     double x_end_ = 0.0;
