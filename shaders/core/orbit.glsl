@@ -1,10 +1,10 @@
 // The orbit map: where a ray is after a swept angle, for every ray of this frame's zeta0. Bicubic Hermite patches over
-//   across: octave cells of u as in strip.glsl, 8 an octave (each octave has 9 columns, its own copy of both ends),
+//   across: octave cells of u as in strip.glsl, 12 an octave (each octave has 13 columns, its own copy of both ends),
 //   along:  v = swept angle / phi_end, kOrbitRows cells.
 // Texels: (Z, dZ/dx, dZ/dv, d2Z/dxdv), derivatives per cell. Z = zeta for captured rays, zeta/(1-v) for rays to the sky, so that
 // a distant disc keeps its relative accuracy. Segments below each other: sky first.
 
-#define ORBIT_CELLS_PER_OCTAVE 8
+#define ORBIT_CELLS_PER_OCTAVE 12
 #define ORBIT_ROWS 128
 
 struct OrbitPoint {

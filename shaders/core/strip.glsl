@@ -41,7 +41,7 @@ inline Octave octave_cell(float u, int cells_per_octave) {
     return result;
 }
 #else
-// u >= 1; cells_per_octave a power of two.
+// u >= 1. Exact where cells_per_octave is a power of two; else place is rounded to 1e-6.
 Octave octave_cell(float u, int cells_per_octave) {
     int bits = floatBitsToInt(u);
     float position = float(bits & 0x7FFFFF) * (float(cells_per_octave) * 1.1920928955078125e-7);

@@ -9,14 +9,29 @@ void main() {
     PlaneMeeting meeting = disc_meeting(trace);
     int k = disc_first(trace, meeting);
     bool more = disc_reachable(trace, meeting, k);
+#ifdef EFFECT_LENSING
+    DiscThin ring = disc_thin(trace, meeting, k);
+    more = ring.thin ? ring.more : more;
+#endif
     do {   // tested at the end, see disc_colour
         DiscCrossing crossing = disc_cross(trace, meeting, k, 0.5);
+#ifdef EFFECT_LENSING
+        if (ring.thin) crossing = disc_thin_crossing(meeting, k);
+#endif
         vec4 over = disc_colour(crossing);
+#ifdef EFFECT_LENSING
+        over *= ring.thin ? ring.covered : 1.0;
+#endif
         over = more && crossing.hit ? over * through : vec4(0.0);
         light += over.rgb;
         through -= over.a;
         ++k;
-        more = through > 0.002 && k < DISC_MOST_CROSSINGS && disc_reachable(trace, meeting, k);
+        more = disc_reachable(trace, meeting, k);
+#ifdef EFFECT_LENSING
+        ring = disc_thin(trace, meeting, k);
+        more = ring.thin ? ring.more : more;
+#endif
+        more = more && through > 0.002 && k < DISC_MOST_CROSSINGS;
     } while (more);
 #endif
 #ifdef EFFECT_FAR_SKY

@@ -12,6 +12,8 @@ namespace nullscope::cli {
 
 Command add_bench_frames(CLI::App& bench);
 Command add_bench_accuracy(CLI::App& bench);
+Command add_bench_hard(CLI::App& bench);
+Command add_bench_soak(CLI::App& bench);
 
 inline double process_seconds() {
     timespec t{};

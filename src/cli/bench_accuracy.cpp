@@ -75,13 +75,29 @@ struct Row {
     bool on_frontier = false;
 };
 
+// Each camera sees the whole sky, and then a disc that covers as much of it as a disc can.
+std::vector<Scene> views(const SpacetimeSpec& spacetime) {
+    std::vector<Scene> list;
+    for (const bool disc : {false, true})
+        for (const CameraSpec& camera : cameras()) {
+            Scene scene;
+            scene.spacetime = spacetime;
+            scene.camera = camera;
+            scene.sky.kind = SkyKind::kBlack;
+            if (disc) {
+                scene.disc.emplace();
+                scene.disc->inner = 1.5;
+                scene.disc->outer = std::fmax(30, 3 * camera.r);
+            }
+            list.push_back(std::move(scene));
+        }
+    return list;
+}
+
 Status measure_errors(Session& session, const SpacetimeSpec& spacetime, std::vector<Row>& rows) {
-    Progress progress("errors", static_cast<long long>(rows.size() * cameras().size()));
-    for (const CameraSpec& camera : cameras()) {
-        Scene scene;
-        scene.spacetime = spacetime;
-        scene.camera = camera;
-        scene.sky.kind = SkyKind::kBlack;
+    const std::vector<Scene> scenes = views(spacetime);
+    Progress progress("errors", static_cast<long long>(rows.size() * scenes.size()));
+    for (const Scene& scene : scenes) {
         const ExactTrace trace = [&](const std::vector<std::array<double, 2>>& positions) {
             auto pixels = reference::trace_pixels(scene, positions);
             return pixels ? std::move(*pixels) : std::vector<RayPixel>(positions.size());
@@ -89,11 +105,10 @@ Status measure_errors(Session& session, const SpacetimeSpec& spacetime, std::vec
         for (Row& row : rows) {
             session.renderer->set_method(row.method);
             if (Status ready = session.renderer->prepare(scene); !ready) return ready;
-            const RayMeasures m = measure_rays(session.renderer->ray_data(), camera, trace, 1, kRefineAbove_px);
+            const RayMeasures m = measure_rays(session.renderer->ray_data(), scene.camera, trace, 1, kRefineAbove_px);
             for (const PixelErrors& pixel : m.pixels) {
-                if (!pixel.escaped) continue;
-                row.screen.push_back(pixel.sky_px * static_cast<float>(k4kWidth / kErrorWidth));
-                row.forward.push_back(pixel.forward_rad);
+                if (pixel.escaped) row.forward.push_back(pixel.forward_rad);
+                if (pixel.escaped || pixel.hit) row.screen.push_back(std::fmax(pixel.sky_px, pixel.place_px) * static_cast<float>(k4kWidth / kErrorWidth));
             }
             row.fate_errors += m.fate_errors;
             progress.advance();
@@ -222,7 +237,7 @@ int run(const Options& options) {
             points.push_back({row.name, family(row.method), median(row.cost.core_s), row.screen_px.max, row.on_frontier, row.method == Method{}});
         }
         if (options.plot.empty()) continue;
-        const std::string subtitle = fmt::format("{}, {}, {}, {} threads; 10 cameras, every 10th pixel of a 4K frame; grey: dominated",
+        const std::string subtitle = fmt::format("{}, {}, {}, {} threads; 10 cameras, sky and disc, every 10th pixel of a 4K frame; grey: dominated",
                                                  scene->spacetime.metric, session->context->kind(), session->renderer->info().renderer,
                                                  std::thread::hardware_concurrency());
         if (Status written = write_text_atomically(options.plot, accuracy_svg(points, floor_core, subtitle)); !written) return report(written.error());

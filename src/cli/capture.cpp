@@ -1,6 +1,7 @@
 // nullscope capture: a picture of a scene in a file.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -23,8 +24,9 @@ namespace {
 struct Options {
     std::string scene, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
     int samples = 3;
-    double time = 0.0, max_error = kDefaultMaxError_px;
-    bool raydata = false, dump_shader = false;
+    double time = 0.0;
+    std::optional<double> max_error;
+    bool raydata = false, dump_shader = false, resume = false;
 };
 
 struct Captured {
@@ -101,9 +103,9 @@ Result<Method> chosen_method(const Options& options, const Scene& scene) {
     if (options.method != "auto") return parse_method(options.method);
     const auto measured = load_frontier(assets_directory() / "frontier.csv");
     if (!measured) return measured.error();
-    const auto choice = choose_method(*measured, scene, options.max_error);
+    const auto choice = options.max_error ? choose_method(*measured, scene, *options.max_error) : default_method(*measured, scene);
     if (!choice) return choice.error();
-    if (options.max_error != kDefaultMaxError_px) fmt::print(stderr, "method {}\n", choice->reason);
+    if (options.max_error || choice->error_px > kDefaultMaxError_px) fmt::print(stderr, "method {}\n", choice->reason);
     return choice->method;
 }
 
@@ -162,6 +164,10 @@ int run(const Options& options) {
     if (frames->end - frames->first > 1) progress.emplace("frames", frames->end - frames->first);
     for (int frame = frames->first; frame < frames->end; ++frame) {
         const std::string file = numbered(options.output, frame);
+        if (options.resume && std::filesystem::exists(file)) {   // a file has its name only when it is whole
+            if (progress) progress->advance();
+            continue;
+        }
         const auto captured = session ? capture_gl(*session, *scene, options, exr) : capture_reference(*scene, options, exr);
         if (!captured) return report(captured.error());
         if (Status written = write(file, *scene, *captured, exr); !written) return report(written.error());
@@ -185,11 +191,13 @@ Command add_capture(CLI::App& parent) {
         ->check(CLI::IsMember({"gl", "reference"}))->capture_default_str();
     app->add_option("--method", options->method, "How the shader traces: auto (see --max-error), strip, table[:SIZE[:LOOKUP]], closed-form, "
                     "integrate[:ORDER[:STEP]], euler:STEPS")->capture_default_str();
-    app->add_option("--max-error", options->max_error, "auto: the cheapest method whose measured error stays under this many pixels")
-        ->check(CLI::Range(1e-12, 1e6))->capture_default_str();
+    app->add_option("--max-error", options->max_error, fmt::format("auto: the cheapest method whose measured error stays under this many pixels "
+                    "(default {}, and the most exact method where the pixels are too small to be sure of that)", kDefaultMaxError_px))
+        ->check(CLI::Range(1e-12, 1e6));
     app->add_option("--time", options->time, "Scene time in r_s/c; scenes without anything that moves look the same at all times")
         ->check(CLI::Range(0.0, 1e9))->capture_default_str();
     app->add_option("--frames", options->frames, "Draw frames A to B-1 of a sequence, A:B; -o then holds %05d");
+    app->add_flag("--resume", options->resume, "Leave out the frames whose files are there: goes on with a sequence that was stopped");
     app->add_option("--samples", options->samples, "reference: rays per pixel along each side")->check(CLI::Range(1, 16))->capture_default_str();
     app->add_flag("--raydata", options->raydata, "Also write where every pixel's ray went, as channels of the EXR");
     app->add_flag("--dump-shader", options->dump_shader, "Print the fragment shader of this scene and stop");

@@ -101,11 +101,38 @@ void directions(List& list) {
             s.camera.r = r, s.camera.yaw = M_PI, field_of_view(s, 0.2 * kDegree);
         });
     }
-    for (const double r : {1.2, 1.5001, 2.0, 20.0, 1e6})
+    for (const int even : {0, 1})   // an odd frame has a ray through the very middle, an even one four around it
+        list.add(fmt::format("{}x{} px of 3840 over 1 degree, the shadow's middle", 97 - even, 55 - even),
+                 "exactly radial rays: not one may be lit", [&](Scene& s) {
+                     s.camera.r = 20, s.camera.width -= even, s.camera.height -= even;
+                     s.camera.plane_width = 2 * std::tan(0.5 * kDegree) * s.camera.width / 3840;
+                 });
+    for (const double r : {1.2, 1.5001, 2.0, 20.0, 1e6, 1e9})
         for (const double width : {60.0, 1.0})
             list.add(fmt::format("turning point in the camera, r = {}, {} degrees", r, width),
                      "alpha = pi/2: rays that go in and rays that go out meet", [&](Scene& s) {
                          s.camera.r = r, s.camera.yaw = M_PI / 2, field_of_view(s, width * kDegree);
+                     });
+}
+
+// zeta at which chi (spacetime.h) has this value: zeta^2 (1 - zeta) = 4/27 sin^2 chi, solved by thirds of an angle.
+double zeta_of_chi(double chi) { return (1 + 2 * std::cos((2 * M_PI - 2 * chi) / 3)) / 3; }
+
+void table_edges(List& list) {
+    // The deflection table has 96 cells of chi a sheet (table_mapping.glsl).
+    for (const double cells : {0.5, 1.0, 24.0, 47.5, 47.999, 48.001, 72.5, 95.0, 95.5})
+        list.add(fmt::format("camera on row {} of the table", cells), "interpolation starts, ends or changes its cell", [&](Scene& s) {
+            s.camera.r = 1 / zeta_of_chi(cells * M_PI / 96), s.camera.yaw = 0.7;
+        });
+    // Octave j of the strip starts where w = w0 (2^j - 1), w0 = 1e-6 of the shadow's angle (strip.glsl, ray_fan.h).
+    for (const int octave : {1, 4, 9, 14, 18, 20})
+        for (const int side : {-1, 1})
+            list.add(fmt::format("{} octave {} of the strip", side > 0 ? "outside," : "inside,", octave),
+                     "the middle ray lies on the edge of two cells of different width", [&](Scene& s) {
+                         constexpr double r = 20;
+                         const double angle = shadow_angle(r), w = 1e-6 * angle * (std::exp2(octave) - 1);
+                         s.camera.r = r, s.camera.yaw = angle + side * 2 * std::atan(0.5 * w);
+                         field_of_view(s, std::max(w, 3e-4));
                      });
 }
 
@@ -136,6 +163,15 @@ void discs(List& list) {
              [](Scene& s) { disc(s, 3, 1e6), s.camera.r = 20, s.camera.theta = 1.4; });
     list.add("translucent disc", "a ray is not over at the first crossing",
              [](Scene& s) { disc(s), s.disc->opacity = 0.5, s.camera.r = 20, s.camera.theta = 1.4; });
+    list.add("disc before a camera at 0.86 c", "hits are found after aberration", [](Scene& s) {
+        disc(s), s.camera.r = 12, s.camera.theta = 1.3, s.camera.velocity = {-0.5, 0, 0.7};
+    });
+    list.add("translucent disc from its other pole", "a ray is not over at the first crossing", [](Scene& s) {
+        disc(s), s.disc->opacity = 0.5, s.camera.r = 20, s.camera.theta = M_PI;
+    });
+    list.add("disc, camera at 1e4", "all rays of interest are nearly radial", [](Scene& s) {
+        disc(s), s.camera.r = 1e4, s.camera.theta = 1.2, field_of_view(s, 4e-3);
+    });
     // Image n of the disc lies where rays sweep some n half turns: e^pi closer to the critical ray each.
     for (int order = 1; order <= 6; ++order)
         list.add(fmt::format("image order {}", order), "each image of the disc is exp(pi) thinner than the one before", [&](Scene& s) {
@@ -160,6 +196,14 @@ void motions(List& list) {
         }
 }
 
+void moving_zooms(List& list) {
+    for (const double degrees : {1.0, 0.1, 0.01})
+        for (const auto& [name, v] : {std::pair{"0.89 c", Vec3{0.5, 0, 0.74}}, {"0.999 c across", Vec3{0, 0, 0.999}}, {"0.999 c inwards", Vec3{-0.999, 0, 0}}})
+            list.add(fmt::format("{} degrees at {}", degrees, name), "aberration forms every direction anew, in float", [&](Scene& s) {
+                s.camera.r = 20, s.camera.yaw = 21 * kDegree, s.camera.pitch = 3 * kDegree, s.camera.velocity = v, field_of_view(s, degrees * kDegree);
+            });
+}
+
 void frames(List& list) {
     for (const double degrees : {0.01, 0.1, 1.0, 10.0, 120.0, 179.0}) {
         list.add(fmt::format("{} degrees, at the photon ring", degrees), "the picture's finest detail, at any depth", [&](Scene& s) {
@@ -175,7 +219,7 @@ void frames(List& list) {
             disc(s), s.camera.r = 20, s.camera.theta = 1.3, s.camera.yaw = 0.3, field_of_view(s, degrees * kDegree);
         });
     }
-    for (const auto& [width, height] : {std::pair{1, 1}, {1, 129}, {129, 1}, {8192, 2}, {2, 2}})
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 129}, {129, 1}, {8192, 2}, {2, 8192}, {2, 2}})
         list.add(fmt::format("{} x {}", width, height), "sizes that leave no neighbour, or many", [&](Scene& s) {
             disc(s), s.camera.r = 20, s.camera.theta = 1.4, s.camera.width = width, s.camera.height = height;
             if (height > width) s.camera.plane_width /= height;
@@ -194,6 +238,7 @@ void flat(List& list) {
     straight("sky", [](Scene&) {});
     straight("disc", [](Scene& s) { disc(s), s.camera.theta = 1.2; });
     straight("disc, in its plane", [](Scene& s) { disc(s), s.camera.r = 20, s.camera.theta = M_PI / 2; });
+    straight("0.86 c", [](Scene& s) { s.camera.velocity = {-0.5, 0.1, 0.69}; });
     straight("0.999999 c", [](Scene& s) { s.camera.velocity = {0, 0, 0.999999}; });
 }
 
@@ -203,9 +248,11 @@ std::vector<HardCase> make_cases() {
     photon_sphere(list);
     radii(list);
     directions(list);
+    table_edges(list);
     axis_and_plane(list);
     discs(list);
     motions(list);
+    moving_zooms(list);
     frames(list);
     flat(list);
     std::vector<HardCase> all = list.take();
@@ -220,7 +267,12 @@ const std::vector<HardCase>& hard_cases() {
     return cases;
 }
 
-HardBound hard_bound(const Scene& scene, const RayFrame& exact, bool cubic) {
+bool hard_cubic(const Scene& scene) {
+    constexpr double kCubicBelow = 2e-5;   // rad a pixel
+    return smallest_pixel_angle(scene.camera) < kCubicBelow;
+}
+
+HardBound hard_bound(const Scene& scene, const RayFrame& exact, double bit) {
     const Vec3 camera = camera_place(scene.camera);
     double angle = M_PI, nearness = 0;   // nearness: coordinates over distance
     for (const RayPixel& pixel : exact.pixels) {
@@ -229,9 +281,13 @@ HardBound hard_bound(const Scene& scene, const RayFrame& exact, bool cubic) {
         const Vec3 place{pixel.u, pixel.v, 0};
         nearness = std::max(nearness, length(place) / length(place - camera));
     }
-    const double pixel = smallest_pixel_angle(scene.camera);
-    const double direction = kRoundings * kFloatBit / pixel, table = (cubic ? kStripCubic : kStripLine) / pixel;
-    return {direction + table, direction * (1 + nearness) + kOrbitMap / pixel, (direction + table) * angle, direction};
+    const double pixel = smallest_pixel_angle(scene.camera), direction = kRoundings * bit / pixel;
+    const double texel = bit < kFloatBit ? kTexel / pixel : 0;
+    const double table = (hard_cubic(scene) ? kStripCubic : kStripLine) / pixel + texel;
+    const double speed = length(scene.camera.velocity), gamma2 = 1 / ((1 - speed) * (1 + speed));
+    const double depth = scene.spacetime.metric == "minkowski" ? 1 : std::min(1.0, scene.camera.r - 1);
+    const double inputs = kRoundings * kDoubleBit / pixel * (0.5 / depth + gamma2);
+    return {direction + table, (direction + texel) * (1 + nearness) + kOrbitMap / pixel, (direction + table) * angle, direction + inputs};
 }
 
 }  // namespace nullscope

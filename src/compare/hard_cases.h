@@ -21,16 +21,23 @@ const std::vector<HardCase>& hard_cases();
 // question, times a small factor for the roundings between them; and the interpolation error of the tables over the same angle.
 // The condition number is 1 / pixel angle, for the screen error has divided out how far the answer moves; a swept angle of many
 // half turns has as much more; and a place on the disc close to the camera is stored with the last bit of its own coordinates.
+// A frequency has the condition numbers of the camera's radius, 1 / (2 (r - 1)) near the horizon, and of its speed, gamma^2: both
+// are inputs in double.
 inline constexpr double kFloatBit = 5.9604644775390625e-8;   // 2^-24
 inline constexpr double kRoundings = 12;        // of a direction, from its rows to the stored channel
 inline constexpr double kStripLine = 1.5e-6;    // rad: table/strip.h for cosine and sine at once
 inline constexpr double kStripCubic = 1e-7;     // rad
 inline constexpr double kOrbitMap = 4e-6;       // rad: place on a disc over the distance to it
+inline constexpr double kDoubleBit = 1.1102230246251565e-16;   // 2^-53
+inline constexpr double kTexel = 2 * kFloatBit;                // rad: tables hold floats, whoever reads them in double
+
+// Frames whose pixels are so narrow that the strip's straight lines would err by 0.05 px are drawn with its cubics.
+bool hard_cubic(const Scene& scene);
 
 struct HardBound {
     double sky = 0, place = 0, swept = 0, g = 0;   // px
 };
-// exact: the reference's frame of the same scene.
-HardBound hard_bound(const Scene& scene, const RayFrame& exact, bool cubic);
+// exact: the reference's frame of the same scene. bit: the last one of what traced, kFloatBit or kDoubleBit.
+HardBound hard_bound(const Scene& scene, const RayFrame& exact, double bit = kFloatBit);
 
 }  // namespace nullscope

@@ -8,6 +8,7 @@
 
 #include "camera/pose.h"
 #include "scene/pixel_angle.h"
+#include "table/critical_images.h"
 #include "table/orbit_map.h"
 
 namespace nullscope {
@@ -140,6 +141,8 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(std::cos(disc.rotation) / (2 * disc.outer), std::sin(disc.rotation) / (2 * disc.outer),
               textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1)));
     block.put(disc.opacity, disc.edge, disc.brightness, 0);
+    const CriticalImages images = fan != nullptr && scene.disc ? critical_images(*fan, disc.inner, disc.outer) : CriticalImages{};
+    block.put(images.inner, images.outer, images.per_angle * M_LOG2E, images.from_angle);
     return block.numbers();
 }
 

@@ -3,23 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/atomic_file.h"
 #include "base/text.h"
+#include "scene/pixel_angle.h"
 
 namespace nullscope {
 namespace {
 
 // What one pixel of the bench's 4K frame spans in the middle: its errors in px are at least forward errors over this.
 constexpr double kBenchPixel_rad = 2.0 / 3840.0;
-
-// The smallest angle that a pixel of the frame spans: in its corners.
-double smallest_pixel(const CameraSpec& camera) {
-    const double pixel = camera.plane_width / camera.width / camera.focal_distance;
-    const double x = 0.5 * camera.width * pixel, y = 0.5 * camera.height * pixel;
-    return pixel * std::pow(1.0 + x * x + y * y, -0.75);
-}
 
 }  // namespace
 
@@ -48,7 +41,7 @@ std::string frontier_text(const std::vector<MeasuredMethod>& methods) {
 }
 
 double error_in_frame(const MeasuredMethod& method, const CameraSpec& camera) {
-    return method.error_px * kBenchPixel_rad / smallest_pixel(camera);
+    return method.error_px * kBenchPixel_rad / smallest_pixel_angle(camera);
 }
 
 bool is_dominated(const MeasuredMethod& method, const std::vector<MeasuredMethod>& methods) {
@@ -81,6 +74,14 @@ Result<Choice> choose_method(const std::vector<MeasuredMethod>& methods, const S
     return Choice{best->method, error_in_frame(*best, scene.camera),
                   fmt::format("{}: at most {:.2g} px here (asked: {}), the cheapest of {} measured methods, {:.2f} times flat space",
                               method_name(best->method), error_in_frame(*best, scene.camera), max_error_px, known, best->floor_ratio)};
+}
+
+Choice default_method(const std::vector<MeasuredMethod>& methods, const Scene& scene) {
+    if (auto choice = choose_method(methods, scene, kDefaultMaxError_px)) return *choice;
+    const MeasuredMethod& best = *most_exact(methods, scene.spacetime.metric);
+    const double error = error_in_frame(best, scene.camera);
+    return {best.method, error, fmt::format("{}: the most exact there is, for pixels as small as these; at most {:.2g} px are sure here, not the usual {}",
+                                            method_name(best.method), error, kDefaultMaxError_px)};
 }
 
 }  // namespace nullscope

@@ -14,7 +14,7 @@ namespace nullscope {
 struct MeasuredMethod {
     std::string metric;
     Method method;
-    double error_px;      // largest screen error over the cameras of the bench, px of a 4K frame over 90 degrees
+    double error_px;      // largest screen error, on the sky and on a disc, over the cameras of the bench, px of a 4K frame over 90 degrees
     double floor_ratio;   // cost of a frame over the same frame in flat space
 };
 
@@ -43,5 +43,9 @@ struct Choice {
 // The cheapest method whose error stays under max_error_px in this camera's frame.
 // Errors: nothing is that exact; the message names the smallest error there is.
 Result<Choice> choose_method(const std::vector<MeasuredMethod>& methods, const Scene& scene, double max_error_px);
+
+// What draws a scene for which nothing was asked: by kDefaultMaxError_px, and where the pixels are too small for that to be
+// sure of any method, the most exact one.
+Choice default_method(const std::vector<MeasuredMethod>& methods, const Scene& scene);
 
 }  // namespace nullscope

@@ -116,6 +116,7 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
     const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
     if (picture && (disc || sky || far_sky)) files.emplace_back("effect/footprint.glsl");
     if (picture && disc) files.emplace_back("object/disc_colour.glsl");
+    if (picture && disc && lensing) files.emplace_back("object/disc_thin.glsl");
     if (picture && (sky || far_sky)) files.emplace_back("object/celestial_sphere.glsl");
     if (picture && far_sky) files.emplace_back("object/other_side.glsl");
     if (picture && effects.contains(Effect::kStar)) files.emplace_back("object/star.glsl");

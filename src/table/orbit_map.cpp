@@ -9,7 +9,7 @@
 namespace nullscope {
 namespace {
 
-constexpr int kCellsPerOctave = 8;  // ORBIT_CELLS_PER_OCTAVE
+constexpr int kCellsPerOctave = 12;  // ORBIT_CELLS_PER_OCTAVE
 constexpr int kRows = 128;          // ORBIT_ROWS
 constexpr double kLargestStep = 0.08;  // rad; local error 1e-12
 

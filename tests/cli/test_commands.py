@@ -10,7 +10,7 @@ from pathlib import Path
 
 import support
 
-COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "plan", "scenes", "info"]
+COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench soak", "plan", "scenes", "info"]
 
 
 def png_size(data):
@@ -138,6 +138,21 @@ class Commands(support.CliTest):
             self.assertEqual(done.returncode, 0, f"{example}\n{done.stderr.decode()}")
         json.loads((self.folder / "bench.json").read_text())
         self.assertEqual(png_size((self.folder / "first-light.png").read_bytes())[0], 1280)
+
+    def test_bench_hard_judges_its_rows(self):
+        said = self.run_nullscope("bench", "hard", "--only", "flat, sky", "--json", "hard.json").out
+        self.assertIn("1 of 1 rows within their bounds", said)
+        self.assertTrue(json.loads((self.folder / "hard.json").read_text())[0]["within"])
+        outside = self.write("reference.tsv", "flat, sky\t2e-3\t1e-3\n")
+        said = self.run_nullscope("bench", "hard", "--only", "flat, sky", "--reference", outside, status=1).out
+        self.assertIn("0 of 1 rows within their bounds", said)
+        self.refused("bench", "hard", "--only", "no such case", says=["no such case"])
+        broken = self.write("broken.tsv", "flat, sky\n")
+        self.refused("bench", "hard", "--only", "flat, sky", "--reference", broken, says=["broken.tsv:1"])
+
+    def test_bench_soak_counts(self):
+        self.run_nullscope("bench", "soak", "--frames", "1000", "--size", "16x9", "--json", "soak.json")
+        self.assertEqual(json.loads((self.folder / "soak.json").read_text())[0]["not_finite"], 0)
 
     def test_an_older_file_is_replaced_whole(self):
         old = self.write("frame.png", "old")

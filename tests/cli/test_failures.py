@@ -144,6 +144,20 @@ class Ends(support.CliTest):
         for name in whole:
             self.assertEqual(png_size((self.folder / name).read_bytes()), (640, 360))
 
+    def test_a_killed_sequence_resumes(self):
+        frames = ("--frames", "0:200", "-o", "f-%05d.png")
+        process = self.started("capture", "flat", "--size", "320x180", *frames, until=lambda: len(self.files()) > 3)
+        process.kill()
+        process.wait(timeout=support.LONGEST_S)
+        before = {name: (self.folder / name).stat().st_mtime_ns for name in self.files() if not name.startswith(".")}
+        self.assertTrue(2 < len(before) < 200, before)
+        said = self.run_nullscope("capture", "flat", "--size", "320x180", *frames, "--resume").out
+        self.assertEqual(said.count("\n"), 200 - len(before), said)
+        for number in range(200):
+            file = self.folder / f"f-{number:05d}.png"
+            self.assertEqual(png_size(file.read_bytes()), (320, 180))
+            self.assertEqual(before.get(file.name, file.stat().st_mtime_ns), file.stat().st_mtime_ns, "a whole frame was drawn again")
+
     def test_long_work_is_interrupted(self):
         """Tables, the reference tracer, the benches: nothing of theirs is on disk before it is done."""
         for command in (("capture", "first-light", "--renderer", "reference", "--size", "1920x1080", "-o", "a.png"),

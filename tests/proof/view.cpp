@@ -17,18 +17,26 @@ double rounded(double value, int digits) {
     return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
 }
 
+// All digits, as TOML wants a float: "2.0", where fmt's # gives "2.0" or "2." by its version.
+std::string toml_number(double value) {
+    std::string text = fmt::format("{}", value);
+    if (text.find_first_of(".en") == std::string::npos) text += ".0";
+    return text;
+}
+
 }  // namespace
 
 std::string View::toml(const std::string& comment) const {
     std::string text = comment + "[spacetime]\n" + fmt::format("metric = \"{}\"\n", metric);
-    for (const auto& [name, value] : parameters) text += fmt::format("{} = {:#}\n", name, value);
-    text += fmt::format(
-        "\n[camera]\nr = {:#}\ntheta = {:#}\nphi = {:#}\nyaw = {:#}\npitch = {:#}\nroll = {:#}\nfov = {:#}\n", r, theta,
-        phi, yaw, pitch, roll, fov);
-    text += fmt::format("velocity = [{:#}, {:#}, {:#}]\nsize = [{}, {}]\n", velocity[0], velocity[1], velocity[2],
-                        width, height);
+    for (const auto& [name, value] : parameters) text += fmt::format("{} = {}\n", name, toml_number(value));
+    text += "\n[camera]\n";
+    for (const auto& [name, value] : {std::pair{"r", r}, {"theta", theta}, {"phi", phi}, {"yaw", yaw}, {"pitch", pitch}, {"roll", roll}, {"fov", fov}})
+        text += fmt::format("{} = {}\n", name, toml_number(value));
+    text += fmt::format("velocity = [{}, {}, {}]\nsize = [{}, {}]\n", toml_number(velocity[0]), toml_number(velocity[1]),
+                        toml_number(velocity[2]), width, height);
     text += "\n[sky]\nkind = \"black\"\n";
-    if (has_disc) text += fmt::format("\n[disc]\ninner = {:#}\nouter = {:#}\nopacity = {:#}\n", inner, outer, opacity);
+    if (has_disc)
+        text += fmt::format("\n[disc]\ninner = {}\nouter = {}\nopacity = {}\n", toml_number(inner), toml_number(outer), toml_number(opacity));
     return text;
 }
 

@@ -12,9 +12,6 @@ namespace nullscope::proof {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-// A ray that winds further lies within 1e-6 (RayFan::kResolution) of the critical direction, where the orbit map does not tell
-// windings apart: its places on the disc are not promised (tests/hard/found/critical-disc.toml).
-constexpr double kWound = 13;
 constexpr int kBearings = 16;
 constexpr double kRings[] = {0.03, 0.1, 0.3, 1.0};
 
@@ -52,8 +49,7 @@ bool ViewJudge::explained(const RayPixel& tested, const RayPixel& here, PixelPla
     return false;
 }
 
-void ViewJudge::judge(const Core& core, PixelPlace pixel, const std::function<void(const Finding&)>& found,
-                      bool promise_all) const {
+void ViewJudge::judge(const Core& core, PixelPlace pixel, const std::function<void(const Finding&)>& found) const {
     const ExactTrace trace = [this](const std::vector<std::array<double, 2>>& positions) {
         std::vector<RayPixel> pixels;
         for (const auto& position : positions) pixels.push_back(tracer_->pixel(position[0], position[1]));
@@ -68,13 +64,10 @@ void ViewJudge::judge(const Core& core, PixelPlace pixel, const std::function<vo
     if (!all_finite(tested)) return report("not finite", kInfinite, 1);
     const double doppler = exact.here.g * lapse_, scale = exact.pixel_angle * std::min(1.0, doppler);
     const PixelErrors errors = pixel_errors(tested, exact);
-    const bool met_disc = exact.here.hit != 0 || tested.hit != 0;
-    const bool unresolved =
-        !promise_all && met_disc && tracer_->ray(pixel.x + 0.5, pixel.y + 0.5).orbit->angle() > kWound;
     const double edge_px = core.allowed.edge / scale + kFateBand_px, place_bound = core.allowed.place / scale;
     const bool differs = errors.end == RayEnd::kDiffers;
     if (differs || errors.place_px > place_bound) {
-        if (unresolved || explained(tested, exact.here, pixel, edge_px)) return;
+        if (explained(tested, exact.here, pixel, edge_px)) return;
         return report(differs ? "end" : "place", differs ? kInfinite : errors.place_px, place_bound);
     }
     report("sky", errors.sky_px, core.allowed.sky / scale);

@@ -37,9 +37,8 @@ class ViewJudge {
 public:
     // tables: kept from view to view, because the deflection table of a spacetime takes longer than a view.
     ViewJudge(FrameTables& tables, const Scene& scene);
-    // Calls found(finding) for every error, large or small. promise_all: also what is known not to be resolved.
-    void judge(const Core& core, PixelPlace pixel, const std::function<void(const Finding&)>& found,
-               bool promise_all = false) const;
+    // Calls found(finding) for every error, large or small.
+    void judge(const Core& core, PixelPlace pixel, const std::function<void(const Finding&)>& found) const;
 
 private:
     bool explained(const RayPixel& tested, const RayPixel& here, PixelPlace pixel, double reach_px) const;

@@ -2,11 +2,14 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
+#include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
 
 #include "base/atomic_file.h"
+#include "compare/ray_channels.h"
 #include "compare/heat_map.h"
 #include "compare/image_metrics.h"
 #include "compare/ray_metrics.h"
@@ -205,6 +208,36 @@ TEST_CASE("compare: the angle of a pixel is the root of its solid angle") {
     for (int y = 0; y < 40; ++y)
         for (int x = 0; x < 40; ++x) sum += std::pow(pixel_angle(camera, x + 0.5, y + 0.5), 2);
     CHECK(sum == doctest::Approx(4 * M_PI / 6).epsilon(1e-3));  // a face of the cube
+}
+
+TEST_CASE("compare: every channel of the ray data holds what its name says, and is read back") {
+    RayPixel pixel;
+    pixel.fate = Fate::kHit;
+    pixel.sky = {0.125, 0.25, 0.5};
+    pixel.g = 2, pixel.delay = 3, pixel.angle = 5, pixel.order = 1, pixel.hit = 7, pixel.u = 8, pixel.v = 9;
+    const std::map<std::string, float> expected = {{"fate", 4.0f}, {"sky.x", 0.125f}, {"sky.y", 0.25f}, {"sky.z", 0.5f}, {"g", 2.0f}, {"delay", 3.0f},
+                                                   {"angle", 5.0f}, {"order", 1.0f},  {"hit", 7.0f},    {"u", 8.0f},     {"v", 9.0f}};
+    ChannelImage image;
+    image.width = image.height = 1;
+    add_ray_channels({1, 1, {pixel}}, image);
+    CHECK(image.channels.size() == expected.size());
+    for (const auto& [name, value] : expected) {
+        CAPTURE(name);
+        REQUIRE(image.channels.count(name) == 1);
+        CHECK(image.channels.at(name) == std::vector<float>{value});
+    }
+    const auto frame = ray_frame_from(image);
+    REQUIRE(frame);
+    const RayPixel& back = frame->pixels.at(0);
+    CHECK(back.fate == pixel.fate);
+    CHECK(length(back.sky - pixel.sky) == 0);
+    CHECK(back.g == 2);
+    CHECK(back.delay == 3);
+    CHECK(back.angle == 5);
+    CHECK(back.order == 1);
+    CHECK(back.hit == 7);
+    CHECK(back.u == 8);
+    CHECK(back.v == 9);
 }
 
 TEST_CASE("compare: pictures") {

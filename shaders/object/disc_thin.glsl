@@ -1,0 +1,52 @@
+// Images of the disc of high order: rings about the critical direction, each exp(pi) thinner than the one before, soon thinner
+// than a pixel. Whether the pixel's middle meets one says nothing then; how much of the pixel a ring covers is known, because
+// its rims lie at C exp(-phi_k / a) from the critical direction (table/critical_images.h): a thin ring is a line, not dashes.
+//
+//   signed angle from the critical direction:   ----|==|-----|=======|-------------->  to the sky
+//                                          rings k+1 and k         [----pixel----]
+
+#define DISC_THIN_PX 6.0      // rings whose outer rim is closer to the critical direction: further out one is 3 px wide and more
+#define DISC_THIN_LEAST 0.002 // least covered part of a pixel that is drawn
+
+// Covered part of the pixel if crossing `number` belongs to a thin ring; `thin` false if it does not. `more`: may this ring or a
+// later one cover anything?
+struct DiscThin {
+    bool thin;
+    bool more;
+    float covered;
+};
+
+DiscThin disc_thin(Trace trace, PlaneMeeting meeting, int number) {
+    float phi = meeting.phi + 3.14159265358979323846 * float(number);
+    float shrunk = exp2(-phi * frame.critical.z);
+    float near = frame.critical.x * shrunk;
+    float far = frame.critical.y * shrunk;
+    float offset = (trace.ray.u - 1.0) / frame.strip.z;   // |delta|, the angle from the critical direction
+    offset = trace.escapes ? offset : -offset;
+    float low = offset - 0.5 * trace.pixel_angle;
+    float high = offset + 0.5 * trace.pixel_angle;
+    DiscThin ring;
+    ring.thin = phi > frame.critical.w && far < DISC_THIN_PX * trace.pixel_angle;
+    ring.more = low < far && high > min(near, 0.0) && far - near > DISC_THIN_LEAST * trace.pixel_angle;
+    ring.covered = max(min(high, far) - max(low, near), 0.0) / trace.pixel_angle;
+    return ring;
+}
+
+// What such a ring shows: the disc across half of its width, in the middle.
+DiscCrossing disc_thin_crossing(PlaneMeeting meeting, int number) {
+    float inner = frame.disc_x.w;
+    float outer = frame.disc_y.w;
+    vec3 m = (number & 1) == 0 ? meeting.direction : -meeting.direction;
+    vec3 x_axis = vec3(frame.disc_x.x, frame.disc_x.y, frame.disc_x.z);
+    vec3 y_axis = vec3(frame.disc_y.x, frame.disc_y.y, frame.disc_y.z);
+    vec2 outward = vec2(dot(m, x_axis), dot(m, y_axis));
+    DiscCrossing crossing;
+    crossing.hit = true;
+    crossing.phi = meeting.phi + 3.14159265358979323846 * float(number);
+    crossing.r = 2.0 * inner * outer / (inner + outer);   // rays are spread evenly in zeta, roughly
+    crossing.r = clamp(crossing.r, inner + 0.25 * (outer - inner), outer - 0.25 * (outer - inner));
+    crossing.place = crossing.r * outward;
+    crossing.along = 0.5 * (outer - inner) * outward;
+    crossing.across = vec2(0.0);
+    return crossing;
+}

@@ -1,0 +1,21 @@
+// Where the images of a disc of high order lie, in the limit of many windings: shaders/object/disc_thin.glsl draws them by it.
+//
+// A ray at the angle delta from the critical direction winds until phi = -a ln |delta| + B. So the radius r is met at the swept angle
+// phi by the ray at delta = C(r) exp(-phi / a), C = +-exp((B - T(r)) / a), with T(r) what the ray still sweeps behind r: to the sky
+// outside the photon sphere (C > 0), to the horizon inside it (C < 0). The image of crossing k is the ring between C(inner) and
+// C(outer), times exp(-phi_k / a).
+#pragma once
+#include "table/ray_fan.h"
+
+namespace nullscope {
+
+struct CriticalImages {
+    double inner = 0, outer = 0;   // C of the rims, rad; positive on the sky's side
+    double per_angle = 1;          // 1/a
+    double from_angle = 0;         // swept angle from which the critical ray is past the disc, close to the photon sphere
+};
+
+// Relative error some 1e-6: limits are taken at |delta| = 1e-7 of the critical angle.
+CriticalImages critical_images(const RayFan& fan, double inner, double outer);
+
+}  // namespace nullscope

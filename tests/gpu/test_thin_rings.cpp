@@ -1,0 +1,77 @@
+// Images of the disc of high order, thinner than a pixel: a line as bright as the reference's, not dashes.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "sky/sky.h"
+#include "support/gpu_session.h"
+
+namespace {
+
+using namespace nullscope;
+using namespace nullscope::test;
+
+constexpr int kSamples = 16;          // a side and pixel, of the reference
+constexpr double kTotal = 0.15;       // of the ring's light: one colour stands for its whole width, and the rows of a disc's image differ
+constexpr double kUneven = 0.25;      // of a column's light to its neighbours': what a line has that crosses pixels at an angle
+
+// Light of each column, linear, summed over the rows and colours.
+std::vector<double> columns(const Image<float>& picture) {
+    std::vector<double> light(static_cast<std::size_t>(picture.width), 0.0);
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            for (int c = 0; c < 3; ++c) light[static_cast<std::size_t>(x)] += static_cast<double>(picture.at(x, y)[c]);
+    return light;
+}
+double total(const std::vector<double>& light) {
+    double sum = 0;
+    for (const double l : light) sum += l;
+    return sum;
+}
+// The largest part by which a column differs from the mean of all.
+double uneven(const std::vector<double>& light) {
+    const double mean = total(light) / static_cast<double>(light.size());
+    double most = 0;
+    for (const double l : light) most = std::max(most, std::abs(l / mean - 1));
+    return most;
+}
+
+// At the top of the photon ring; the first ring that winds once more is some 0.9 px wide at scale 1, the next at exp(-pi).
+Scene ring_scene(double scale, double r) {
+    Scene scene;
+    scene.sky.kind = SkyKind::kBlack;
+    scene.disc = DiscSpec{};
+    CameraSpec& camera = scene.camera;
+    camera.r = r, camera.theta = 80 * M_PI / 180;
+    camera.pitch = std::asin(1.5 * std::sqrt(3.0) / r * std::sqrt(1 - 1 / r));
+    camera.width = 60, camera.height = 16;
+    camera.plane_width = scale * camera.width * 5.45e-5 * 22 / r;
+    return scene;
+}
+
+TEST_CASE("thin rings: a line with the reference's light") {
+    const auto disc = load_disc_image(DiscSpec{});
+    REQUIRE(disc);
+    on_every_context([&](GpuSession& session) {
+        for (const double r : {22.0, 8.0})
+            for (const double scale : {0.5, 1.0, 1.5, 0.5 * std::exp(-M_PI), std::exp(-M_PI), 1.5 * std::exp(-M_PI)}) {
+                const Scene scene = ring_scene(scale, r);
+                CAPTURE(scale);
+                CAPTURE(r);
+                REQUIRE(session.renderer->prepare(scene));
+                const std::vector<double> drawn = columns(session.renderer->picture());
+                const auto sky = build_sky(scene.sky, {}, 16);
+                REQUIRE(sky);
+                const auto exact = reference::render_frame(scene, *sky, &*disc, kSamples, {});
+                REQUIRE(exact);
+                const std::vector<double> true_light = columns(*exact);
+                const double ratio = total(drawn) / total(true_light);
+                fmt::print("{:<7} r = {:<2}, scale {:.4f}: light {:.3f} of the reference's, uneven by {:.3f} ({:.3f})\n",
+                           session.context->kind(), r, scale, ratio, uneven(drawn), uneven(true_light));
+                CHECK(std::abs(ratio - 1) <= kTotal);
+                CHECK(uneven(drawn) <= uneven(true_light) + kUneven);
+            }
+    });
+}
+
+}  // namespace
