@@ -38,7 +38,7 @@ struct Charged {
 
 // At the camera. root_p = sqrt(P), delta2 = q^2 - q_crit^2 and beyond = zeta0 - sphere do not follow from q and zeta0 in double.
 struct Start {
-    double q, zeta0;
+    Long q, zeta0;
     int s;   // +1 towards the hole
     Long root_p, delta2, beyond;
 };
@@ -62,7 +62,7 @@ struct TurningLeg {
     // t of the camera: P = t Q(t) with sqrt(P) given keeps the digits that zeta0 - e has lost.
     double camera_t(Long zeta0, Long turn, Long root) const {
         double t = static_cast<double>(std::max(Long(0), sign * (zeta0 - turn)));
-        for (int i = 0; i < 3 && t < 1e-4 * e; ++i) t = static_cast<double>(root * root) / q_of(t);
+        for (int i = 0; i < 40 && t < 0.1 * e; ++i) t = static_cast<double>(root * root / Long(q_of(t)));
         return t;
     }
 };
@@ -91,7 +91,7 @@ struct SkyLeg {
     double q, zeta0, kappa;
     bool used;
     SkyLeg(const Charged& m, const Start& start, Long nearest)
-        : q(start.q), zeta0(start.zeta0), kappa(static_cast<double>(m.kappa)), used(start.s < 0 && start.zeta0 < nearest / 4) {}
+        : q(static_cast<double>(start.q)), zeta0(static_cast<double>(start.zeta0)), kappa(static_cast<double>(m.kappa)), used(start.s < 0 && start.zeta0 < nearest / 4) {}
     double root_p(double z) const { return std::sqrt(q * q - z * z * (1 + z * (kappa * z - 1))); }
     double rate(double z) const { return 1 / root_p(z); }
     double angle() const { return integrate_panels([this](double z) { return rate(z); }, 0, zeta0); }
@@ -131,7 +131,7 @@ public:
         }
     }
     double zeta_at(double angle) const override {
-        if (angle == 0) return start_.zeta0;
+        if (angle == 0) return static_cast<double>(start_.zeta0);
         if (has_ended(angle)) return kNotANumber;
         if (sky_.used) return sky_.zeta(angle_ - angle);
         const auto rate = [this](double w) { return leg_.rate(w); };
@@ -147,7 +147,7 @@ public:
     double delay() const override {
         if (fate_ != Fate::kEscaped) return kNotANumber;
         if (sky_.used) return sky_.delay();
-        const double out = outward_delay(leg_, start_.q, camera_, end_);
+        const double out = outward_delay(leg_, static_cast<double>(start_.q), camera_, end_);
         return start_.s > 0 ? out + 2 * inward_delay() : out;
     }
 
@@ -190,7 +190,7 @@ private:
     }
     // 2 q dzeta / (zeta^2 A sqrt P) from the camera to the turning point; in log(zeta) far from it.
     double inward_delay() const {
-        const double q = start_.q, e = leg_.e, split = 0.5 * e, kappa = static_cast<double>(metric_.kappa);
+        const double q = static_cast<double>(start_.q), e = leg_.e, split = 0.5 * e, kappa = static_cast<double>(metric_.kappa);
         const double ro = static_cast<double>(metric_.outer), ri = static_cast<double>(metric_.inner);
         const auto weight = [=](double z) { return q / (z * z * (1 - ro * z) * (1 - ri * z)); };
         const auto near = [&](double w) { return leg_.rate(w) * weight(leg_.zeta(w)); };
@@ -199,7 +199,7 @@ private:
             const double z = std::exp(y);
             return z * weight(z) / std::sqrt(q * q - z * z * (1 + z * (kappa * z - 1)));
         };
-        return integrate_panels(near, 0, leg_.w_of_t(e - split)) + integrate_panels(far, std::log(start_.zeta0), std::log(split));
+        return integrate_panels(near, 0, leg_.w_of_t(e - split)) + integrate_panels(far, static_cast<double>(std::log(start_.zeta0)), std::log(split));
     }
     Charged metric_;
     Start start_;
@@ -221,7 +221,7 @@ public:
         angle_ = sky_.used ? sky_.angle() : std::abs(integrate_panels([this](double w) { return leg_.rate(w); }, camera_, end_, panel_));
     }
     double zeta_at(double angle) const override {
-        if (angle == 0) return start_.zeta0;
+        if (angle == 0) return static_cast<double>(start_.zeta0);
         if (has_ended(angle)) return kNotANumber;
         if (sky_.used) return sky_.zeta(angle_ - angle);
         const auto rate = [this](double w) { return leg_.rate(w); };
@@ -234,7 +234,7 @@ public:
     }
     double delay() const override {
         if (fate_ != Fate::kEscaped) return kNotANumber;
-        return sky_.used ? sky_.delay() : outward_delay(leg_, start_.q, end_, camera_, panel_);
+        return sky_.used ? sky_.delay() : outward_delay(leg_, static_cast<double>(start_.q), end_, camera_, panel_);
     }
 
 private:
@@ -272,7 +272,7 @@ public:
             if (p < -kTurningSlack * q * q)
                 return bad_input(fmt::format("no ray with q = {:.17g} passes through zeta0 = {:.17g}: q^2 < V(zeta0)", ray.q, ray.zeta0));
         }
-        return orbit({static_cast<double>(q), ray.zeta0, ray.s, std::sqrt(std::max(p, Long(0))), delta2, zeta0 - m_.sphere});
+        return orbit({q, zeta0, ray.s, std::sqrt(std::max(p, Long(0))), delta2, zeta0 - m_.sphere});
     }
     std::unique_ptr<Orbit> from_static(const LocalRay& ray) const override {
         const Long root_v = std::sqrt(m_.lapse2(ray.r)) / ray.r;
@@ -297,7 +297,7 @@ public:
 
 private:
     std::unique_ptr<Orbit> local(Long r, Long q, Long root_p, int s) const {
-        Start start{static_cast<double>(q), static_cast<double>(1 / r), s, root_p, 0, (1 / m_.sphere - r) / (r / m_.sphere)};
+        Start start{q, 1 / r, s, root_p, 0, (1 / m_.sphere - r) / (r / m_.sphere)};
         const Long hill = std::abs(start.beyond) * std::sqrt(std::max(m_.hill(1 / r), Long(0)));
         const bool near = root_p * root_p + hill * hill < m_.q_crit * m_.q_crit / 4;
         start.delta2 = near ? (root_p - hill) * (root_p + hill) : (q - m_.q_crit) * (q + m_.q_crit);
@@ -306,8 +306,8 @@ private:
     std::unique_ptr<Orbit> orbit(Start start) const {
         const bool inside = start.zeta0 * m_.outer >= 1;
         if (!(start.q < kRadialQ))
-            return std::make_unique<Standing>(start.zeta0, start.s < 0 ? Fate::kEscaped : inside ? Fate::kNoSky : Fate::kCaptured, true);
-        if (start.delta2 == 0 && start.root_p == 0) return std::make_unique<Standing>(start.zeta0, Fate::kNoSky, false);
+            return std::make_unique<Standing>(static_cast<double>(start.zeta0), start.s < 0 ? Fate::kEscaped : inside ? Fate::kNoSky : Fate::kCaptured, true);
+        if (start.delta2 == 0 && start.root_p == 0) return std::make_unique<Standing>(static_cast<double>(start.zeta0), Fate::kNoSky, false);
         // The critical ray itself never ends; its neighbour, closer than any double q comes, does.
         if (start.delta2 == 0) start.delta2 = std::pow(Long(std::numeric_limits<double>::epsilon()), 2);
         if (start.delta2 > 0) return std::make_unique<Passing>(m_, start);
