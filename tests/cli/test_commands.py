@@ -86,7 +86,7 @@ class Commands(support.CliTest):
         reasons = {e["effect"]: e["reason"] for e in found["effects"]}
         self.assertEqual(list(reasons), ["lensing", "aberration", "disc", "translucent-disc"])
         self.assertIn("0.5", reasons["aberration"])
-        self.assertEqual([e["effect"] for e in found["left_out"]], ["sky"])
+        self.assertEqual([e["effect"] for e in found["left_out"]], ["sky", "inner", "far-sky", "star"])
         tables = {t["name"] for t in found["tables"]}
         self.assertLessEqual({"deflection table", "strip", "orbit map", "disc image"}, tables)
         self.assertNotIn("sky", tables)
