@@ -1,8 +1,8 @@
 // What is known of a pixel's ray before any colour: written by raydata.frag, compared by the tests, printed by `trace`.
 
 struct PixelData {
-    float fate;     // 0 escaped, 1 captured, 4 hit (scene/ray.h)
-    vec3 sky;       // unit direction on the celestial sphere; zero unless escaped
+    float fate;     // 0 escaped, 1 captured, 2 other side, 4 hit (scene/ray.h)
+    vec3 sky;       // unit direction on the celestial sphere; zero unless the ray ends on a sky; of a star, the place hit
     float g;        // frequency in the camera over frequency at infinity; 0 unless escaped
     float delay;
     float angle;    // swept from the camera to the end
@@ -13,7 +13,7 @@ struct PixelData {
 PixelData pixel_data(vec2 pixel) {
     Trace trace = trace_pixel(pixel);
     PixelData data;
-    data.fate = trace.escapes ? 0.0 : 1.0;
+    data.fate = trace.escapes ? 0.0 : frame.shift.w;
     data.angle = trace.phi_end;
     data.hit = 0.0;
     data.place = vec3(0.0, 0.0, 0.0);
@@ -50,7 +50,16 @@ PixelData pixel_data(vec2 pixel) {
         }
     }
 #endif
-    bool sky = data.fate == 0.0;
+#ifdef EFFECT_STAR
+    if (data.fate == 4.0 && data.hit == 0.0) {
+        vec3 place = normalize(trace.sky);
+        float longitude = arc_tangent2(abs(place.y), place.x);
+        data.hit = 6.0;
+        data.place = vec3(place.y < 0.0 ? -longitude : longitude,
+                          1.57079632679489661923 - arc_tangent2(sqrt(place.x * place.x + place.y * place.y), place.z), 0.0);
+    }
+#endif
+    bool sky = data.fate == 0.0 || data.fate == 2.0;
     data.sky = sky ? normalize(trace.sky) : vec3(0.0, 0.0, 0.0);
     data.g = sky ? frame.shift.x * trace.doppler : 0.0;
     return data;

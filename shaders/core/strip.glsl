@@ -10,6 +10,8 @@
 //
 // strip_fetch: rays that reach the sky, 1024 cells an octave, one octave a row; texel (c0, c1, r0, r1):
 //   cos(phi) = c0 + c1 f, sin(phi)/sin(alpha) = r0 + r1 f, 0 <= f < 1 across the cell. One fetch a ray.
+//   Where rays that pass the critical direction end somewhere to see (EFFECT_INNER: a wormhole's other sky, a star), theirs follow
+//   from row strip.w on.
 // ends_fetch: 16 cells an octave, coefficients of 1, f, f^2, f^3. Rows: phi_end/sin(alpha) of rays to the sky, the same of captured
 //   ones (phi_end: angle swept to the sky or to the horizon), cos(phi) and sin(phi)/sin(alpha). Needed by objects and strip:cubic.
 
@@ -19,6 +21,7 @@
 #define ENDS_ROW_CAPTURED 1
 #define ENDS_ROW_COS 2
 #define ENDS_ROW_RATIO 3
+#define ENDS_ROW_INNER 2   // from ENDS_ROW_COS and _RATIO to the same of rays that pass the critical direction
 
 struct Octave {
     int cell;      // number of the cell

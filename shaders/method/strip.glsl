@@ -1,11 +1,18 @@
 // Method strip: one fetch and two straight lines, no trigonometry (core/strip.glsl).
 Sweep sweep_to_sky(StripRay ray, float s, float c) {
     Octave octave = octave_cell(ray.u, STRIP_CELLS_PER_OCTAVE);
-    vec4 line = strip_fetch(octave.cell & (STRIP_CELLS_PER_OCTAVE - 1), octave.cell / STRIP_CELLS_PER_OCTAVE);
+    int row = octave.cell / STRIP_CELLS_PER_OCTAVE;
+#ifdef EFFECT_INNER
+    row += ray.escapes ? 0 : int(frame.strip.w);
+#endif
+    vec4 line = strip_fetch(octave.cell & (STRIP_CELLS_PER_OCTAVE - 1), row);
     float f_slope = float(STRIP_CELLS_PER_OCTAVE) / octave.start * ray.slope;
     Sweep sweep;
     sweep.cos_phi = line.x + octave.place * line.y;
     sweep.ratio = line.z + octave.place * line.w;
+#ifdef EFFECT_INNER
+    f_slope = ray.escapes ? f_slope : -f_slope;   // delta grows towards the other radial direction there
+#endif
     sweep.along = sweep.cos_phi * (line.w * f_slope * s - sweep.ratio * c) - sweep.ratio * s * line.y * f_slope;
     return sweep;
 }

@@ -1,9 +1,14 @@
 // Method strip:cubic: the strip's cubics instead of its straight lines. Two fetches; for frames so deep that a line's error shows.
 Sweep sweep_to_sky(StripRay ray, float s, float c) {
     Octave octave = octave_cell(ray.u, ENDS_CELLS_PER_OCTAVE);
-    vec4 cos_phi = ends_fetch(octave.cell, ENDS_ROW_COS);
-    vec4 ratio = ends_fetch(octave.cell, ENDS_ROW_RATIO);
+    int row = 0;
     float f_slope = float(ENDS_CELLS_PER_OCTAVE) / octave.start * ray.slope;
+#ifdef EFFECT_INNER
+    row = ray.escapes ? 0 : ENDS_ROW_INNER;
+    f_slope = ray.escapes ? f_slope : -f_slope;   // delta grows towards the other radial direction there
+#endif
+    vec4 cos_phi = ends_fetch(octave.cell, ENDS_ROW_COS + row);
+    vec4 ratio = ends_fetch(octave.cell, ENDS_ROW_RATIO + row);
     Sweep sweep;
     sweep.cos_phi = cubic(cos_phi, octave.place);
     sweep.ratio = cubic(ratio, octave.place);

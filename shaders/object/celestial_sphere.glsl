@@ -4,13 +4,16 @@
 // times d(phi)/d(alpha) along the ray's plane and sin(phi)/sin(alpha) across it; the level lies between the two: three fifths of
 // the longer side at least (a trilinear tap spans two texels, so nothing is left out and points do not flicker), and their
 // geometric mean where they are alike.
-vec3 celestial_sphere(Trace trace) {
+float sky_level(Trace trace) {
     float along = abs(trace.stretch_along);
     float across = abs(trace.stretch_across);
     float wide = max(along, across);
     float side2 = max(0.36 * wide * wide, along * across) * trace.pixel_angle * trace.pixel_angle;
     vec3 size = abs(trace.sky);
     float texels = frame.sky.x / max(max(size.x, size.y), size.z);   // a cube face is denser towards its corners
-    float level = footprint_level(0.5 * log2(side2 * texels * texels), frame.sky.y);
-    return textureLod(sky_texture, trace.sky, level).rgb * frame.sky.z;
+    return footprint_level(0.5 * log2(side2 * texels * texels), frame.sky.y);
 }
+
+#ifdef EFFECT_SKY
+vec3 celestial_sphere(Trace trace, float level) { return textureLod(sky_texture, trace.sky, level).rgb * frame.sky.z; }
+#endif

@@ -51,8 +51,19 @@ void main() {
     light += through * body.rgb;
     through -= through * body.a;
 #endif
+#ifdef EFFECT_FAR_SKY
+    float level = sky_level(trace);
+    if (!trace.escapes) light += through * other_side(trace, level);
 #ifdef EFFECT_SKY
-    if (trace.escapes && through > 0.002) light += through * celestial_sphere(trace);
+    if (trace.escapes) light += through * celestial_sphere(trace, level);
+#endif
+#else
+#ifdef EFFECT_SKY
+    if (trace.escapes && through > 0.002) light += through * celestial_sphere(trace, sky_level(trace));
+#endif
+#endif
+#ifdef EFFECT_STAR
+    if (!trace.escapes) light += through * star_surface(trace);
 #endif
 #ifdef DISPLAY_ENCODE
     light = display_encode(light, frame.image.w);

@@ -34,10 +34,8 @@ Vec3 exact_cross(Vec3 a, Vec3 b) {
 }
 
 Result<Done> check_static_frame(const Spacetime& spacetime, const CameraSpec& camera) {
-    const double horizon = spacetime.horizon_radius().value_or(0.0);
-    if (!(camera.r > horizon)) {
-        return bad_input(fmt::format("no static frame at r = {}; allowed: r > {}", camera.r, horizon));
-    }
+    if (!camera_can_rest(spacetime, camera.r))
+        return bad_input(fmt::format("no static frame at r = {}; allowed: {}", camera.r, allowed_radii(spacetime)));
     if (!(camera.theta >= 0.0 && camera.theta <= std::numbers::pi)) {
         return bad_input(fmt::format("theta = {} rad is out of range; allowed: [0, pi]", camera.theta));
     }

@@ -223,7 +223,7 @@ int run(const Options& options) {
         for (const std::string& text : methods()) {
             const auto method = parse_method(text);
             if (!method) return report(method.error());
-            if (method->kind == MethodKind::kClosedForm && scene->spacetime.metric != "schwarzschild") continue;
+            if (const auto spacetime = make_spacetime(scene->spacetime.metric, scene->spacetime.parameters); !spacetime || !has_method(**spacetime, *method)) continue;
             Row row;
             row.name = text;
             row.method = *method;

@@ -51,6 +51,12 @@ Result<Captured> capture_reference(const Scene& scene, const Options& options, b
     constexpr int kSkyFace = 2048;
     auto sky = build_sky(scene.sky, assets_directory(), kSkyFace);
     if (!sky) return sky.error();
+    std::optional<SkyCube> far_sky;
+    if (effect_set(required_effects(scene)).contains(Effect::kFarSky)) {
+        auto built = build_sky(scene.far_sky, assets_directory(), kSkyFace);
+        if (!built) return built.error();
+        far_sky = std::move(*built);
+    }
     std::optional<Image<float>> disc;
     if (scene.disc) {
         auto image = load_disc_image(*scene.disc);
@@ -75,7 +81,7 @@ Result<Captured> capture_reference(const Scene& scene, const Options& options, b
     {
         Progress progress("reference picture", pixels);
         auto image = reference::render_frame(scene, *sky, pictures, options.samples,
-                                             [&](long long n) { progress.advance(n); });
+                                             [&](long long n) { progress.advance(n); }, far_sky ? &*far_sky : nullptr);
         if (!image) return image.error();
         captured.linear = std::move(*image);
     }

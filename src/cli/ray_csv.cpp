@@ -15,7 +15,7 @@ namespace {
 enum Column { kR, kTheta, kPhi, kNr, kNtheta, kNphi, kFrame, kQ, kZeta0, kS, kAtAngle, kColumnCount };
 constexpr std::array<std::string_view, kColumnCount> kNames = {"r",     "theta", "phi",   "n_r", "n_theta", "n_phi",
                                                                "frame", "q",     "zeta0", "s",   "at_angle"};
-constexpr std::string_view kForms = "r,theta,phi,n_r,n_theta,n_phi[,frame] or q,zeta0,s; either with at_angle";
+constexpr std::string_view kForms = "r,theta,phi,n_r,n_theta,n_phi[,frame] or q,zeta0,s (wormholes: q,l0,s); either with at_angle";
 
 constexpr double kLargestRadius = 1e30;  // r_s; squares of r and 1/r stay within a double
 constexpr double kLeastQ = 1e-30, kLargestQ = 1e30;
@@ -81,14 +81,15 @@ std::string missing(const Header& header, Column first, Column last) {
     return list;
 }
 
-Result<Header> read_header(const std::string& file, int line, std::string_view text) {
+// by_length: wormholes, where l0 is the column's name.
+Result<Header> read_header(const std::string& file, int line, std::string_view text, bool by_length) {
     const auto fields = fields_of(text);
     if (!fields) return fault(file, line, "header", "a quote is not closed, or something follows it", kForms);
     Header header;
     header.line = line;
     header.fields = fields->size();
     for (std::size_t i = 0; i < fields->size(); ++i) {
-        const auto known = std::find(kNames.begin(), kNames.end(), (*fields)[i]);
+        const auto known = std::find(kNames.begin(), kNames.end(), by_length && (*fields)[i] == "l0" ? "zeta0" : (*fields)[i]);
         if (known == kNames.end()) continue;
         auto& place = header.at[static_cast<std::size_t>(known - kNames.begin())];
         if (place) return fault(file, line, *known, "this column is there twice", "once");
@@ -137,12 +138,14 @@ private:
 void read_reduced(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
     ReducedRay ray;
     ray.q = row.number(kQ, kLeastQ, kLargestQ, "q from 1e-30 to 1e30");
-    ray.zeta0 = row.number(kZeta0, 1 / kLargestRadius, kLargestRadius, "zeta0 from 1e-30 to 1e30");
+    const bool by_length = !spacetime.has_orbit_equation();   // wormholes: l0 instead
+    ray.zeta0 = by_length ? row.number(kZeta0, -kLargestRadius, kLargestRadius, "l0 from -1e30 to 1e30")
+                          : row.number(kZeta0, 1 / kLargestRadius, kLargestRadius, "zeta0 from 1e-30 to 1e30");
     constexpr std::string_view kEitherWay = "1 (towards the hole) or -1 (away)";
     const double s = row.number(kS, -1, 1, kEitherWay);
     if (std::fabs(s) != 1.0) row.report(kS, shown(row.field(kS)) + " is no direction", kEitherWay);
     ray.s = s > 0.0 ? 1 : -1;
-    const double least = spacetime.lapse_squared(ray.zeta0) * ray.zeta0 * ray.zeta0;
+    const double least = std::pow(spacetime.root_v(by_length ? ray.zeta0 : 1.0 / ray.zeta0), 2);
     if (ray.q * ray.q < least * (1 - kTurningSlack))
         row.report(
             kQ, fmt::format("{} is too small: no such ray passes through zeta0 = {}", shown(row.field(kQ)), ray.zeta0),
@@ -151,7 +154,8 @@ void read_reduced(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
 }
 
 void read_general(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
-    query.r = row.number(kR, 1 / kLargestRadius, kLargestRadius, "r from 1e-30 to 1e30");
+    query.r = spacetime.has_orbit_equation() ? row.number(kR, 1 / kLargestRadius, kLargestRadius, "r from 1e-30 to 1e30")
+                                             : row.number(kR, -kLargestRadius, kLargestRadius, "r from -1e30 to 1e30");
     query.theta = row.number(kTheta, 0, M_PI, "theta in [0, pi]");
     query.phi = row.number(kPhi, -1e6, 1e6, "phi in [-1e6, 1e6] rad");
     const auto component = [&](Column c) {
@@ -169,10 +173,9 @@ void read_general(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
         if (frame != "rain" && frame != "static")
             row.report(kFrame, shown(frame) + " is no frame", "static, rain or nothing");
     }
-    const double horizon = spacetime.horizon_radius().value_or(0.0);
-    if (query.frame == LocalFrame::kStatic && !(query.r > horizon))
+    if (query.frame == LocalFrame::kStatic && !camera_can_rest(spacetime, query.r))
         row.report(kR, fmt::format("{} is not outside the horizon, where the static frame is", shown(row.field(kR))),
-                   fmt::format("r > {}, or frame = rain", horizon));
+                   fmt::format("{}, or frame = rain", allowed_radii(spacetime)));
 }
 
 Result<RayRow> read_row(const std::string& file, int line, std::string_view text, const Header& header,
@@ -225,7 +228,7 @@ Result<RayTable> parse_rays(std::string_view text, const std::string& file, cons
         const std::size_t first = content.find_first_not_of(" \t");
         if (first == std::string_view::npos || content[first] == '#') continue;
         if (!header) {
-            const auto read = read_header(file, line, content);
+            const auto read = read_header(file, line, content, !spacetime.has_orbit_equation());
             if (!read) return read.error();
             header = *read;
             table.header = content;

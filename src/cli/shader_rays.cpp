@@ -21,12 +21,13 @@ struct Start {
 };
 
 std::optional<Start> start_of(const RayQuery& query, const Spacetime& spacetime) {
-    const double r = query.orbit ? 1.0 / query.orbit->zeta0 : query.r;
-    if (!(r > spacetime.horizon_radius().value_or(0.0)) || r > kFarthestCamera) return std::nullopt;
-    const double zeta = query.orbit ? query.orbit->zeta0 : 1.0 / r, lapse2 = spacetime.lapse_squared(zeta);
+    const bool by_length = !spacetime.has_orbit_equation();   // wormholes: zeta0 holds l0, and s = +1 is towards the throat
+    const double r = query.orbit ? (by_length ? query.orbit->zeta0 : 1.0 / query.orbit->zeta0) : query.r;
+    if (!camera_can_rest(spacetime, r) || std::fabs(r) > kFarthestCamera) return std::nullopt;
+    const double lapse2 = spacetime.lapse_squared(r);
     if (query.orbit) {  // sin(alpha) = sqrt(V)/q; its cosine as a product
-        const double v = zeta * std::sqrt(lapse2), q = std::max(query.orbit->q, v);
-        return Start{r, M_PI / 2, 0.0, {-query.orbit->s * std::sqrt((q - v) / q * ((q + v) / q)), 0.0, v / q}, {}};
+        const double v = spacetime.root_v(r), q = std::max(query.orbit->q, v), inward = by_length && r < 0 ? -query.orbit->s : query.orbit->s;
+        return Start{r, M_PI / 2, 0.0, {-inward * std::sqrt((q - v) / q * ((q + v) / q)), 0.0, v / q}, {}};
     }
     Start start{r, query.theta, query.phi, query.n, {}};
     if (query.frame == LocalFrame::kRain) start.velocity.x = -std::sqrt(std::max(1.0 - lapse2, 0.0));
@@ -79,7 +80,7 @@ RayRecord record_of(const Start& start, const RayPixel& pixel) {
     RayRecord record;
     record.fate = pixel.fate;
     record.angle = pixel.angle;
-    if (pixel.fate != Fate::kEscaped) return record;
+    if (pixel.fate != Fate::kEscaped && pixel.fate != Fate::kOtherSide) return record;
     record.sky = pixel.sky;
     record.g = pixel.g;
     record.theta_inf = std::atan2(std::hypot(pixel.sky.x, pixel.sky.y), pixel.sky.z);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <utility>
 
+#include "compare/hard_metrics.h"
 #include "compare/ray_metrics.h"
 
 namespace nullscope {
@@ -254,7 +255,9 @@ std::vector<HardCase> make_cases() {
     moving_zooms(list);
     frames(list);
     flat(list);
-    return list.take();
+    std::vector<HardCase> all = list.take();
+    for (HardCase& c : hard_metric_cases()) all.push_back(std::move(c));
+    return all;
 }
 
 }  // namespace

@@ -78,6 +78,16 @@ void sky_errors(const RayPixel& tested, const ExactPixel& exact, PixelErrors& er
                                        : kInfinite;
 }
 
+// Of a star: the angle between the places as seen from its centre, against how far they move per pixel.
+float star_error(const RayPixel& tested, const ExactPixel& exact) {
+    const auto place = [](const RayPixel& p) {
+        return Vec3{std::cos(p.v) * std::cos(p.u), std::cos(p.v) * std::sin(p.u), std::sin(p.v)};
+    };
+    const Chart chart(place(exact.here));
+    return in_pixels(chart.place(place(tested)), per_pixel(chart.place(place(exact.right)), exact.right_px),
+                     per_pixel(chart.place(place(exact.down)), exact.down_px), exact.pixel_angle);
+}
+
 Vec3 hit_place(const RayPixel& p) { return {p.u, p.v, p.w}; }
 Vec3 unit_or(Vec3 v, Vec3 fallback) {
     const double size = plain_length(v);
@@ -86,6 +96,7 @@ Vec3 unit_or(Vec3 v, Vec3 fallback) {
 
 // In the plane of the two motions, and across it (where nothing moves, one pixel without lensing is the measure).
 float place_error(const RayPixel& tested, const ExactPixel& exact) {
+    if (exact.here.hit == kStarHit) return star_error(tested, exact);
     const Vec3 here = hit_place(exact.here);
     const auto motion = [&](const RayPixel& beside, double px) {
         return px == 0 ? Vec3{} : (hit_place(beside) - here) / px;
@@ -131,7 +142,7 @@ PixelErrors pixel_errors(const RayPixel& tested, const ExactPixel& exact) {
         return errors;
     }
     errors.end = RayEnd::kSame;
-    errors.escaped = exact.here.fate == Fate::kEscaped;
+    errors.escaped = exact.here.fate == Fate::kEscaped || exact.here.fate == Fate::kOtherSide;
     errors.hit = exact.here.hit != 0;
     if (errors.escaped) sky_errors(tested, exact, errors);
     if (errors.hit) errors.place_px = place_error(tested, exact);

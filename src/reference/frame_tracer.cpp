@@ -58,6 +58,8 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
             tracer.tetrad_[i][mu] = component * std::sqrt(std::abs(static_cast<long double>(g[mu][mu])));
         }
     }
+    if (scene.disc && !(*spacetime)->can_have_disc())
+        return bad_input(fmt::format("metric \"{}\" has no discs; allowed: a scene without [disc]", scene.spacetime.metric));
     tracer.metric_ = std::move(*metric);
     tracer.lapse_ = tracer.metric_->lapse(camera.r);
     return tracer;
@@ -107,6 +109,12 @@ RayPixel FrameTracer::pixel(double x, double y) const {
     pixel.fate = traced.orbit->fate();
     pixel.g = traced.g;
     pixel.angle = finite_or_zero(traced.orbit->angle());
+    if (pixel.fate == Fate::kHit) {   // a star
+        const Vec3 place = traced.plane.direction(pixel.angle);
+        pixel.hit = kStarHit;
+        pixel.u = std::atan2(place.y, place.x);
+        pixel.v = std::atan2(place.z, std::hypot(place.x, place.y));
+    }
     const std::vector<DiscHit> hits = disc_hits(traced, 1);
     const std::optional<BodyHit> body = body_hit(traced);
     const bool disc_first = !hits.empty() && !(body && body->angle < hits.front().angle);
@@ -126,7 +134,7 @@ RayPixel FrameTracer::pixel(double x, double y) const {
             pixel.angle = hits.front().angle;
         }
     }
-    if (pixel.fate == Fate::kEscaped) {
+    if (pixel.fate == Fate::kEscaped || pixel.fate == Fate::kOtherSide) {
         pixel.sky = traced.plane.direction(pixel.angle);
         pixel.delay = finite_or_zero(traced.orbit->delay());
     }

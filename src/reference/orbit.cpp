@@ -2,8 +2,11 @@
 
 #include <array>
 
+#include "reference/ellis_orbit.h"
 #include "reference/minkowski_orbit.h"
+#include "reference/reissner_nordstrom_orbit.h"
 #include "reference/schwarzschild_orbit.h"
+#include "reference/star_orbit.h"
 
 namespace nullscope::reference {
 namespace {
@@ -12,10 +15,13 @@ struct Entry {
     const char* key;
     std::unique_ptr<OrbitMetric> (*make)(const SpacetimeSpec& spec);
 };
-constexpr std::array<Entry, 2> kMetrics{{
-    {"schwarzschild", make_schwarzschild_orbits},
-    {"minkowski", make_minkowski_orbits},
-}};
+constexpr std::array kMetrics{
+    Entry{"schwarzschild", make_schwarzschild_orbits},
+    Entry{"reissner-nordstrom", make_reissner_nordstrom_orbits},
+    Entry{"neutron-star", make_star_orbits},
+    Entry{"ellis", make_ellis_orbits},
+    Entry{"minkowski", make_minkowski_orbits},
+};
 
 }  // namespace
 

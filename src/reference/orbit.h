@@ -13,13 +13,15 @@
 
 namespace nullscope::reference {
 
-// Swept angles are counted from the camera, in rad, with windings; zeta = r_s / r; q = E r_s / L.
+// Swept angles are counted from the camera, in rad, with windings; zeta = r_s / r; q = E r_s / L. In wormholes lengths are in throat
+// radii and l, the proper distance from the throat, stands wherever zeta is written.
 class Orbit {
 public:
     virtual ~Orbit() = default;
-    Fate fate() const { return fate_; }      // kEscaped, kCaptured or kNoSky
+    Fate fate() const { return fate_; }      // kEscaped, kOtherSide, kCaptured, kHit (a star) or kNoSky
     double angle() const { return angle_; }  // to the sky or the inward crossing of the horizon; NaN: no such end
     double turn() const { return turn_; }    // zeta at the turning point on the traced part; NaN: there is none
+    double turn_angle() const { return turn_angle_; }  // swept to the turning point on the traced part; NaN: there is none
     // zeta after a swept angle >= 0; NaN if the ray has ended before or there. A few elliptic functions.
     virtual double zeta_at(double angle) const = 0;
     // T = v_cam - v_inf in r_s/c of an escaped ray, NaN for others. Some microseconds.
@@ -30,6 +32,7 @@ protected:
     Fate fate_ = Fate::kNoSky;
     double angle_ = kNotANumber;
     double turn_ = kNotANumber;
+    double turn_angle_ = kNotANumber;
 };
 
 // A look direction in a local frame at radius r: components outward and across, n_r^2 + n_t^2 = 1, n_t >= 0.
@@ -47,7 +50,8 @@ class OrbitMetric {
 public:
     virtual ~OrbitMetric() = default;
     virtual std::optional<double> horizon_radius() const = 0;  // of the outer horizon
-    virtual double lapse(double r) const = 0;                  // sqrt(-g_tt), r outside the horizon
+    virtual bool by_proper_length() const { return false; }  // places are l (wormholes), not zeta
+    virtual double lapse(double r) const = 0;                  // sqrt(-g_tt); not a number where no camera can be at rest
     // Errors: no ray with this q passes through zeta0 (q^2 < V(zeta0) by more than rounding). Infinite q: radial.
     virtual Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay& ray) const = 0;
     virtual std::unique_ptr<Orbit> from_static(const LocalRay& ray) const = 0;  // r outside the horizon

@@ -38,8 +38,9 @@ struct Pictures {
     }
 };
 
-// Linear RGB (exposure not applied), samples x samples rays a pixel, averaged in linear light.
+// Linear RGB (exposure not applied), samples x samples rays a pixel, averaged in linear light. far_sky: of
+// wormholes; without one it is black.
 Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const Pictures& pictures, int samples,
-                                  const std::function<void(long long)>& done = {});
+                                  const std::function<void(long long)>& done = {}, const SkyCube* far_sky = nullptr);
 
 }  // namespace nullscope::reference

@@ -53,10 +53,20 @@ Paint disc_paint(const DiscSpec& disc, const Image<float>* image, double x, doub
     return paint;
 }
 
+// 24 squares around by 12 rings of equal height, the northern half blue, the southern one amber: the look of
+// shaders/object/star.glsl, unfiltered.
+Vec3 star_colour(Vec3 place) {
+    constexpr double kSquare = M_PI / 12;
+    const double longitude = std::atan2(place.y, place.x) + 2 * M_PI;
+    const bool odd = (static_cast<int>(std::floor(longitude / kSquare)) + static_cast<int>(std::floor(6 * (place.z + 2)))) % 2 != 0;
+    const Vec3 colour = place.z > 0 ? Vec3{0.20, 0.32, 0.62} : Vec3{0.62, 0.36, 0.16};
+    return (odd ? 0.4 : 1.6) * colour;
+}
+
 // More hits than this add nothing: images beyond it are thinner than e^-200 of the disc.
 constexpr int kMostHits = 64;
 
-Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const SkyCube& sky, const Pictures& pictures,
+Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const SkyCube& sky, const SkyCube* far_sky, const Pictures& pictures,
                 double x, double y) {
     const CameraRay ray = tracer.ray(x, y);
     Vec3 colour{0, 0, 0};
@@ -72,13 +82,16 @@ Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const SkyCube& sk
     if (ray.orbit->fate() == Fate::kEscaped && through > 0) {
         colour = colour + through * sample_sky(sky, ray.plane.direction(ray.orbit->angle()));
     }
+    if (ray.orbit->fate() == Fate::kHit) colour = colour + through * star_colour(ray.plane.direction(ray.orbit->angle()));
+    if (ray.orbit->fate() == Fate::kOtherSide && far_sky != nullptr)
+        colour = colour + through * sample_sky(*far_sky, ray.plane.direction(ray.orbit->angle()));
     return colour;
 }
 
 }  // namespace
 
 Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const Pictures& pictures, int samples,
-                                  const std::function<void(long long)>& done) {
+                                  const std::function<void(long long)>& done, const SkyCube* far_sky) {
     if (samples < 1) return bad_input(fmt::format("samples = {} must be at least 1", samples));
     if (pictures.disc && (pictures.disc->empty() || pictures.disc->channels < 3 || pictures.disc->channels > 4)) {
         return bad_input("the disc's image must have 3 or 4 channels");
@@ -92,7 +105,7 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
                 Vec3 sum{0, 0, 0};
                 for (int i = 0; i < samples * samples; ++i) {
                     const double dx = (i % samples + 0.5) / samples, dy = (i / samples + 0.5) / samples;
-                    sum = sum + ray_colour(*tracer, scene, sky, pictures, x + dx, y + dy);
+                    sum = sum + ray_colour(*tracer, scene, sky, far_sky, pictures, x + dx, y + dy);
                 }
                 sum = sum / (static_cast<double>(samples) * samples);
                 float* pixel = image.at(x, y);

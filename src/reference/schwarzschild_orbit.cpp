@@ -69,7 +69,7 @@ public:
         fate_ = Fate::kEscaped;
         if (start.s > 0) {
             turn_ = roots_.e2;
-            leg_ = to_turn(f1_, f2_, f3_);
+            leg_ = turn_angle_ = to_turn(f1_, f2_, f3_);
             angle_ = leg_ + to_turn(roots_.minus_e1, roots_.e2, roots_.e3);
         } else {
             angle_ = from_infinity();
@@ -144,6 +144,7 @@ public:
         } else {
             fate_ = inside ? Fate::kNoSky : Fate::kCaptured;
             turn_ = roots_.e3;
+            turn_angle_ = leg_;
             angle_ = leg_ + from_turn(horizon);
         }
     }

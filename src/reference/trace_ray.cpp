@@ -20,22 +20,24 @@ struct Traced {
 
 Result<Traced> trace_reduced(const OrbitMetric& metric, const ReducedRay& ray) {
     if (!(ray.q > 0)) return bad_input(fmt::format("q = {} must be positive (infinite for a radial ray)", ray.q));
-    if (!(ray.zeta0 >= 1 / kLargestRadius && ray.zeta0 <= 1 / kLeastRadius)) {
+    if (metric.by_proper_length() && !(std::abs(ray.zeta0) <= kLargestRadius))
+        return bad_input(fmt::format("l0 = {} must lie in [{}, {}]", ray.zeta0, -kLargestRadius, kLargestRadius));
+    if (!metric.by_proper_length() && !(ray.zeta0 >= 1 / kLargestRadius && ray.zeta0 <= 1 / kLeastRadius)) {
         return bad_input(
             fmt::format("zeta0 = {} must lie in [{}, {}]", ray.zeta0, 1 / kLargestRadius, 1 / kLeastRadius));
     }
     if (ray.s != 1 && ray.s != -1) return bad_input(fmt::format("s = {} must be 1 (towards the hole) or -1", ray.s));
     auto orbit = metric.from_reduced(ray);
     if (!orbit) return orbit.error();
-    const double r = 1 / ray.zeta0;
-    const bool has_static = !metric.horizon_radius() || r > *metric.horizon_radius();
-    return Traced{std::move(*orbit), has_static ? 1 / metric.lapse(r) : kNotANumber};
+    const double lapse = metric.lapse(metric.by_proper_length() ? ray.zeta0 : 1 / ray.zeta0);
+    return Traced{std::move(*orbit), lapse > 0 ? 1 / lapse : kNotANumber};
 }
 
 // query.n is a unit vector here.
 Result<Traced> trace_local(const OrbitMetric& metric, const RayQuery& query, Vec3 n) {
-    if (!(query.r >= kLeastRadius && query.r <= kLargestRadius)) {
-        return bad_input(fmt::format("r = {} must lie in [{}, {}]", query.r, kLeastRadius, kLargestRadius));
+    const double least = metric.by_proper_length() ? -kLargestRadius : kLeastRadius;
+    if (!(query.r >= least && query.r <= kLargestRadius)) {
+        return bad_input(fmt::format("r = {} must lie in [{}, {}]", query.r, least, kLargestRadius));
     }
     if (!(query.theta >= 0 && query.theta <= M_PI))
         return bad_input(fmt::format("theta = {} must lie in [0, pi]", query.theta));
@@ -62,11 +64,12 @@ Result<Vec3> unit_direction(Vec3 n) {
     return normalized(n / largest);
 }
 
-void list_crossings(const Orbit& orbit, const RayPlane& plane, int count, std::vector<RayRecord::Crossing>& list) {
+void list_crossings(const Orbit& orbit, bool by_proper_length, const RayPlane& plane, int count, std::vector<RayRecord::Crossing>& list) {
     for (int k = 1; k <= count; ++k) {
         const double angle = plane.crossing(k);
         if (!(angle < orbit.angle())) return;
-        list.push_back({1 / orbit.zeta_at(angle), plane.azimuth(angle)});
+        const double place = orbit.zeta_at(angle);
+        list.push_back({by_proper_length ? place : 1 / place, plane.azimuth(angle)});
     }
 }
 
@@ -98,12 +101,12 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
     record.g = traced->g;
     record.delay = orbit.delay();
     if (query.at_angle) record.at = orbit.zeta_at(*query.at_angle);
-    if (record.fate == Fate::kEscaped) {
+    if (record.fate == Fate::kEscaped || record.fate == Fate::kOtherSide) {
         record.sky = plane.direction(record.angle);
         record.theta_inf = std::atan2(std::hypot(record.sky.x, record.sky.y), record.sky.z);
         record.phi_inf = plane.azimuth(record.angle);
     }
-    list_crossings(orbit, plane, crossings, record.crossings);
+    list_crossings(orbit, (*metric)->by_proper_length(), plane, crossings, record.crossings);
     return record;
 }
 

@@ -42,8 +42,8 @@ void put_look(BlockWriter& block, const BodyLook& look) {
 // only captured rays reach it: a sphere within the photon sphere.
 double silhouette_sine(const Spacetime& spacetime, double zeta0, double zeta) {
     const auto photon_sphere = spacetime.photon_sphere();
-    if (photon_sphere && zeta >= photon_sphere->zeta) return -1.0;
-    return zeta0 / zeta * std::sqrt(spacetime.lapse_squared(zeta0) / spacetime.lapse_squared(zeta));
+    if (photon_sphere && zeta * photon_sphere->radius >= 1.0) return -1.0;
+    return zeta0 / zeta * std::sqrt(spacetime.lapse_squared(1.0 / zeta0) / spacetime.lapse_squared(1.0 / zeta));
 }
 
 // Radius about the centre that holds all bodies found by strides, and the shortest stride: a thirtieth of the thinnest.
@@ -82,6 +82,15 @@ void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spaceti
     put_march(block, scene);
 }
 
+Fate inner_fate(InnerEnd end) {
+    switch (end) {
+        case InnerEnd::kOtherSky: return Fate::kOtherSide;
+        case InnerEnd::kSurface: return Fate::kHit;
+        case InnerEnd::kHorizon: break;
+    }
+    return Fate::kCaptured;
+}
+
 }  // namespace
 
 Status FrameTables::update(const Scene& scene) {
@@ -99,9 +108,11 @@ Status FrameTables::update(const Scene& scene) {
         }
         rows_stale = true;
     }
-    if (const double horizon = spacetime_->horizon_radius().value_or(0.0); !(scene.camera.r > horizon))
-        return bad_input(fmt::format("camera.r = {} is not outside the horizon; allowed: r > {}", scene.camera.r, horizon));
+    if (!camera_can_rest(*spacetime_, scene.camera.r))
+        return bad_input(fmt::format("no camera can be at rest at camera.r = {}; allowed: {}", scene.camera.r, allowed_radii(*spacetime_)));
     const EffectSet wanted = effect_set(required_effects(scene));
+    if (meets_objects(wanted) && !spacetime_->can_have_disc())
+        return bad_input(fmt::format("metric \"{}\" has neither discs nor bodies; allowed: a scene without them", scene.spacetime.metric));
     const bool orbits = meets_objects(wanted), had_orbits = meets_objects(effects_);
     rows_stale = rows_stale || radius_ != scene.camera.r || (orbits && !had_orbits) ||
                  (fan_ && fan_->w0() != fan_for(scene).w0());
@@ -158,9 +169,9 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     for (const Vec3 v : local)
         block.put(dot(v, meridian), dot(v, transverse), v.x, critical_sine * v.x - critical_cosine * dot(v, meridian));
     for (const Vec3 v : {radial, meridian, transverse}) block.put(world * v, 0);
-    const double zeta0 = 1.0 / camera.r, lapse = std::sqrt(spacetime.lapse_squared(zeta0));
-    block.put(1.0 / lapse, zeta0, zeta0 * lapse, 0);
-    if (fan != nullptr) block.put(critical_cosine, critical_sine, 1.0 / fan->w0(), 0.0);
+    const double zeta0 = 1.0 / spacetime.areal_radius(camera.r), lapse = std::sqrt(spacetime.lapse_squared(camera.r));
+    block.put(1.0 / lapse, zeta0, zeta0 * lapse, static_cast<double>(inner_fate(spacetime.inner_end())));
+    if (fan != nullptr) block.put(critical_cosine, critical_sine, 1.0 / fan->w0(), fan->octaves(Segment::kSky));
     else block.put(0, 0, 0, 0);
     if (fan != nullptr) {
         const auto& series = fan->table().series();

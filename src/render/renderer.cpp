@@ -16,7 +16,7 @@ namespace nullscope {
 namespace {
 
 constexpr unsigned kFrameBinding = 0;
-enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5, kBodyUnit = 6 };
+enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5, kFarSkyUnit = 6, kBodyUnit = 7 };
 
 template <class T>
 Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
@@ -29,6 +29,24 @@ Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
 }
 
 }  // namespace
+
+bool has_method(const Spacetime& spacetime, const Method& method) {
+    const bool seen = spacetime.inner_end() == InnerEnd::kHorizon;   // others have rays to the inside to follow too
+    switch (method.kind) {
+        case MethodKind::kStrip: return true;
+        case MethodKind::kTable: return seen;
+        case MethodKind::kClosedForm: return has_shader("method/closed_form", spacetime.name());
+        case MethodKind::kIntegrate: return seen && has_shader("spacetime", spacetime.name());
+    }
+    return false;
+}
+
+std::string methods_of(const Spacetime& spacetime) {
+    std::string list = "strip, strip:cubic";
+    for (const auto& [kind, name] : {std::pair{MethodKind::kTable, "table"}, {MethodKind::kIntegrate, "integrate"}, {MethodKind::kClosedForm, "closed-form"}})
+        if (has_method(spacetime, Method{.kind = kind})) list += fmt::format(", {}", name);
+    return list;
+}
 
 int sky_face_size(const CameraSpec& camera, int max_cube_size) {
     const double pixel = camera.plane_width / camera.width / camera.focal_distance;
@@ -49,6 +67,7 @@ Status Renderer::prepare(const Scene& scene) {
                                      scene.camera.height, limit, limit));
     if (Status status = tables_.update(scene); !status) return status;
     if (Status status = load_sky(scene); !status) return status;
+    if (Status status = load_far_sky(scene); !status) return status;
     if (Status status = load_disc(scene); !status) return status;
     if (Status status = load_bodies(scene); !status) return status;
     if (Status status = load_table(scene); !status) return status;
@@ -98,6 +117,25 @@ Status Renderer::load_sky(const Scene& scene) {
     return Done{};
 }
 
+Status Renderer::load_far_sky(const Scene& scene) {
+    if (!tables_.effects().contains(Effect::kFarSky)) {
+        far_sky_ = {};
+        far_sky_spec_.reset();
+        return Done{};
+    }
+    // Of the near sky's size, for both share their level of detail; alone, of its own.
+    if (sky_size_ == 0) sky_size_ = sky_face_size(scene.camera, info_.max_cube_size);
+    if (far_sky_spec_ == scene.far_sky && far_sky_size_ == sky_size_) return Done{};
+    auto built = build_sky(scene.far_sky, assets_directory(), sky_size_);
+    if (!built) return built.error();
+    const float* faces[6];
+    for (std::size_t i = 0; i < 6; ++i) faces[i] = built->faces[i].data.data();
+    far_sky_ = gl::make_cube_texture(sky_size_, faces);
+    far_sky_spec_ = scene.far_sky;
+    far_sky_size_ = sky_size_;
+    return Done{};
+}
+
 Status Renderer::load_disc(const Scene& scene) {
     if (!scene.disc) {
         disc_ = {};
@@ -126,8 +164,9 @@ Status Renderer::load_bodies(const Scene& scene) {
 
 Status Renderer::load_table(const Scene& scene) {
     const bool lensing = tables_.effects().contains(Effect::kLensing);
-    if (lensing && method_.kind == MethodKind::kClosedForm && scene.spacetime.metric != "schwarzschild")
-        return bad_input(fmt::format("method closed-form is not there for metric \"{}\"; allowed: strip, table, integrate", scene.spacetime.metric));
+    if (lensing && !has_method(tables_.spacetime(), method_))
+        return bad_input(fmt::format("method {} is not there for metric \"{}\"; allowed: {}", method_name(method_), scene.spacetime.metric,
+                                     methods_of(tables_.spacetime())));
     if (!lensing || method_.kind != MethodKind::kTable) {
         table_ = {};
         table_key_.reset();
@@ -158,6 +197,7 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     gl::bind_sampler(made, "ends_texture", kEndsUnit);
     gl::bind_sampler(made, "orbit_texture", kOrbitUnit);
     gl::bind_sampler(made, "sky_texture", kSkyUnit);
+    gl::bind_sampler(made, "other_side_texture", kFarSkyUnit);
     gl::bind_sampler(made, "disc_texture", kDiscUnit);
     gl::bind_sampler(made, "table_texture", kTableUnit);
     for (int i = 0; i < kBodyCount; ++i) gl::bind_sampler(made, body_image_sampler(i), kBodyUnit + i);
@@ -171,6 +211,7 @@ void Renderer::bind_inputs() {
     gl::bind_texture_2d(kEndsUnit, ends_);
     gl::bind_texture_2d(kOrbitUnit, orbit_map_);
     gl::bind_texture_cube(kSkyUnit, sky_);
+    gl::bind_texture_cube(kFarSkyUnit, far_sky_);
     gl::bind_texture_2d(kDiscUnit, disc_);
     gl::bind_texture_2d(kTableUnit, table_);
     body_images_.bind(kBodyUnit);

@@ -68,6 +68,7 @@ private:
     void upload_block(const Scene& scene, const TextureFacts& facts);
     RayFrame draw_rays(const gl::Target& target);
     Status load_sky(const Scene& scene);
+    Status load_far_sky(const Scene& scene);
     Status load_disc(const Scene& scene);
     Status load_bodies(const Scene& scene);
     Status load_table(const Scene& scene);
@@ -80,19 +81,24 @@ private:
     FrameTables tables_;
     Scene scene_;
     int rows_revision_ = -1;
-    gl::Texture strip_, ends_, orbit_map_, sky_, disc_, table_;
+    gl::Texture strip_, ends_, orbit_map_, sky_, far_sky_, disc_, table_;
     BodyText body_text_;
     BodyImages body_images_;
     std::optional<std::pair<SpacetimeSpec, Method>> table_key_;   // of table_
     std::size_t table_bytes_ = 0;
     double gpu_table_ms_ = 0.0;
     std::optional<SkySpec> sky_spec_;
-    int sky_size_ = 0;
+    std::optional<SkySpec> far_sky_spec_;
+    int sky_size_ = 0, far_sky_size_ = 0;
     bool keep_finer_sky_ = false;
     std::optional<std::string> disc_file_;
     int disc_width_ = 0, disc_height_ = 0;
     double compile_ms_ = 0.0;
 };
+
+// What a metric can be traced by: some methods need a shader of its own (shaders/method/closed_form, shaders/spacetime).
+bool has_method(const Spacetime& spacetime, const Method& method);
+std::string methods_of(const Spacetime& spacetime);   // "strip, strip:cubic, ..."
 
 // Face size of the sky's cube map that matches a camera's pixels: a power of two, 256 ... 2048 and what the driver allows.
 int sky_face_size(const CameraSpec& camera, int max_cube_size);

@@ -17,10 +17,7 @@ constexpr bool table_is_in_order() {
 }
 static_assert(table_is_in_order(), "row i of kEffectTable describes enumerator i");
 
-bool bends_light(const SpacetimeSpec& spec) {
-    const auto spacetime = make_spacetime(spec.metric, spec.parameters);
-    return spacetime && (*spacetime)->bends_light();
-}
+const char* name_of(SkyKind kind) { return kind == SkyKind::kStars ? "stars" : "image"; }
 
 }  // namespace
 
@@ -78,7 +75,8 @@ void add_bodies(const Scene& scene, std::vector<EffectReason>& reasons) {
 
 std::vector<EffectReason> required_effects(const Scene& scene) {
     std::vector<EffectReason> reasons;
-    if (bends_light(scene.spacetime)) {
+    const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+    if (spacetime && (*spacetime)->bends_light()) {
         reasons.push_back({Effect::kLensing, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     }
     const Vec3 v = scene.camera.velocity;
@@ -95,9 +93,16 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     }
     add_bodies(scene, reasons);
     if (scene.sky.kind != SkyKind::kBlack) {
-        const bool stars = scene.sky.kind == SkyKind::kStars;
-        reasons.push_back({Effect::kSky, fmt::format("sky.kind = \"{}\"", stars ? "stars" : "image")});
+        reasons.push_back({Effect::kSky, fmt::format("sky.kind = \"{}\"", name_of(scene.sky.kind))});
     }
+    if (spacetime && (*spacetime)->bends_light() && (*spacetime)->inner_end() != InnerEnd::kHorizon)
+        reasons.push_back({Effect::kInner, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
+    if (spacetime && (*spacetime)->inner_end() == InnerEnd::kOtherSky && scene.far_sky.kind != SkyKind::kBlack) {
+        reasons.push_back({Effect::kFarSky, fmt::format("spacetime.metric = \"{}\", far_sky.kind = \"{}\"",
+                                                        scene.spacetime.metric, name_of(scene.far_sky.kind))});
+    }
+    if (spacetime && (*spacetime)->inner_end() == InnerEnd::kSurface)
+        reasons.push_back({Effect::kStar, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     return reasons;
 }
 

@@ -15,9 +15,10 @@
 namespace nullscope {
 
 enum class Effect {
-    kLensing, kAberration, kDisc, kTranslucentDisc, kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kSky
+    kLensing, kAberration, kDisc, kTranslucentDisc, kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kSky,
+    kInner, kFarSky, kStar
 };
-inline constexpr std::size_t kEffectCount = 13;
+inline constexpr std::size_t kEffectCount = 16;
 
 struct EffectRow {
     Effect effect;
@@ -58,6 +59,12 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
      "a picture with mip levels; one fetch where the body is seen"},
     {Effect::kSky, "sky", "EFFECT_SKY", "Escaped rays show the celestial sphere.", "sky.kind is not black",
      "a cube map; one fetch a pixel"},
+    {Effect::kInner, "inner", "EFFECT_INNER", "Rays that pass the critical direction inward end somewhere to see.",
+     "spacetime.metric is a wormhole or a star", "more octaves of the strip"},
+    {Effect::kFarSky, "far-sky", "EFFECT_FAR_SKY", "Rays through the wormhole show the sky of its other side.",
+     "spacetime.metric is a wormhole and far_sky.kind is not black", "a cube map; one fetch a pixel"},
+    {Effect::kStar, "star", "EFFECT_STAR", "Rays end on the surface of a star.", "spacetime.metric is a star",
+     "arithmetic where the star is seen"},
 }};
 
 constexpr const EffectRow& effect_row(Effect effect) { return kEffectTable[static_cast<std::size_t>(effect)]; }

@@ -16,12 +16,14 @@ inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN(); 
 enum class Fate { kEscaped = 0, kCaptured = 1, kOtherSide = 2, kNoSky = 3, kHit = 4 };
 
 // Numbers of objects in ray data.
-enum class Object { kNone = 0, kDisc = 1, kSphere = 2, kCylinder = 3, kBall = 4, kSurface = 5 };
+enum class Object { kNone = 0, kDisc = 1, kSphere = 2, kCylinder = 3, kBall = 4, kSurface = 5, kStar = 6 };
 
 // A ray traced backward in time from a camera.
 // General form: position (r, theta, phi) and unit look direction n = (n_r, n_theta, n_phi) in the local static frame.
+// In wormholes r is the proper distance l from the throat in throat radii, negative on the far side.
 // Reduced form (orbit set): q = E r_s / L, zeta0 = r_s / r, s = +1 towards the hole, -1 away; the orbital plane is then the
-// equatorial plane, the camera at phi = 0 and the ray moves towards growing phi.
+// equatorial plane, the camera at phi = 0 and the ray moves towards growing phi. Wormholes: q = throat radius over impact parameter,
+// zeta0 holds l0, s = +1 towards the throat.
 struct ReducedRay {
     double q = 0, zeta0 = 0;
     int s = 1;
@@ -49,6 +51,8 @@ struct RayRecord {
     std::vector<Crossing> crossings;    // of the equatorial plane after leaving the camera, before the end (horizon included)
 };
 
+inline constexpr int kDiscHit = 1, kStarHit = 6;   // RayPixel::hit
+
 // One pixel of the ray data of a frame (docs/ray-data.md). Finite always; 0 where a value does not exist.
 struct RayPixel {
     Fate fate = Fate::kNoSky;   // kHit: ended on an opaque object
@@ -58,7 +62,7 @@ struct RayPixel {
     double angle = 0;           // swept from the camera to the end (sky, horizon or hit), rad
     int order = 0;              // image order: floor(angle / pi)
     int hit = 0;                // number of the first object hit (Object), 0 for none, also for a translucent object
-    double u = 0, v = 0, w = 0; // place of the first hit: x, y, z in r_s, world axes; on the disc w = 0
+    double u = 0, v = 0, w = 0; // place of the first hit: x, y, z in r_s, world axes; on the disc w = 0; star: longitude and latitude, rad
 };
 
 struct RayFrame {

@@ -107,12 +107,20 @@ struct SurfaceSpec {                // the solid f(x, y, z) < 0, as far as `boun
     BodyLook look;
     friend bool operator==(const SurfaceSpec&, const SurfaceSpec&) = default;
 };
+// What is seen through a wormhole: the same stars, turned, unless a scene says otherwise.
+inline SkySpec default_far_sky() {
+    SkySpec sky;
+    sky.yaw = 2.0943951023931953;    // 120 degrees
+    sky.tilt = 1.5707963267948966;   // 90 degrees
+    return sky;
+}
 
 struct Scene {
     std::string name, description;
     SpacetimeSpec spacetime;
     CameraSpec camera;
     SkySpec sky;
+    SkySpec far_sky = default_far_sky();   // of wormholes: at l = -infinity
     std::optional<DiscSpec> disc;
     std::optional<SphereSpec> sphere;
     std::optional<CylinderSpec> cylinder;

@@ -148,15 +148,19 @@ void SceneReader::check_camera() {
         }
     }
     const auto spacetime = make_spacetime(scene_.spacetime.metric, scene_.spacetime.parameters);
-    const double horizon = spacetime ? (*spacetime)->horizon_radius().value_or(0.0) : 0.0;
-    if (!(scene_.camera.r > horizon)) {
+    if (spacetime && !camera_can_rest(**spacetime, scene_.camera.r)) {
         report(line(given("camera.r") ? "camera.r" : "spacetime.metric"), "camera.r",
-               fmt::format("a static camera cannot be at {}, on or inside the horizon", scene_.camera.r),
-               fmt::format("r > {}", horizon));
+               fmt::format("a static camera cannot be at {}{}", scene_.camera.r,
+                           (*spacetime)->horizon_radius() ? ", on or inside the horizon" : ""),
+               allowed_radii(**spacetime));
     }
 }
 
 void SceneReader::check_sky() {
+    const bool far_image = scene_.far_sky.kind == SkyKind::kImage;
+    if (far_image != given("far_sky.image"))
+        report(line(far_image ? "far_sky.kind" : "far_sky.image"), "far_sky.image", far_image ? "missing, but kind is image" : "kind is not image",
+               far_image ? "an image file" : "with kind = \"image\" only");
     const bool image = scene_.sky.kind == SkyKind::kImage;
     const bool caps = scene_.sky.mapping == SkyMapping::kBandAndCaps;
     if (image && !given("sky.image")) {

@@ -16,7 +16,7 @@ constexpr KeyRange kAnyAngle{-3600.0, 3600.0, false, false};  // ten turns: digi
 constexpr KeyRange kLength{0.0, 1e6, true, false};
 constexpr KeyRange kPlane{1e-6, 1e6, false, false};  // so that no ratio of two overflows
 constexpr KeyRange kBrightness{0.0, 1e6, false, false};
-constexpr KeyRange kRadius{0.0, 1e9, true, false};
+constexpr KeyRange kRadius{-1e9, 1e9, false, false};
 constexpr KeyRange kPolarAngle{0.0, 180.0, false, false};
 constexpr KeyRange kFov{0.0, 180.0, true, true};
 constexpr KeyRange kPixels{1.0, 16384.0, false, false};
@@ -36,7 +36,7 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.spacetime.metric = v.text; }},
 
     {"camera", "r", KeyType::kNumber, "r_s", "15", kRadius, "",
-     "Radial coordinate; outside the horizon, since the camera is described in the static frame.",
+     "Radial coordinate; outside the horizon, since the camera is described in the static frame. Of wormholes: l, in throat radii.",
      [](Scene& s, const KeyValue& v) { s.camera.r = v.number; }},
     {"camera", "theta", KeyType::kNumber, "deg", "84.8", kPolarAngle, "",
      "Polar angle: 0 above the north pole, 90 in the disc's plane.",
@@ -97,6 +97,18 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.sky.tilt = v.number; }},
     {"sky", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Factor on the sky's light.",
      [](Scene& s, const KeyValue& v) { s.sky.brightness = v.number; }},
+
+    {"far_sky", "kind", KeyType::kChoice, "", "stars", kNone, "stars image black",
+     "The sky at the other end of a wormhole, l = -infinity: as sky.kind.",
+     [](Scene& s, const KeyValue& v) { s.far_sky.kind = static_cast<SkyKind>(v.choice); }},
+    {"far_sky", "image", KeyType::kImage, "", "", kNone, "", "Its equirectangular image; needs kind = \"image\".",
+     [](Scene& s, const KeyValue& v) { s.far_sky.image = v.path; }},
+    {"far_sky", "yaw", KeyType::kNumber, "deg", "120", kAnyAngle, "", "Turn of it about the polar axis, after tilt.",
+     [](Scene& s, const KeyValue& v) { s.far_sky.yaw = v.number; }},
+    {"far_sky", "tilt", KeyType::kNumber, "deg", "90", kAnyAngle, "", "Turn of it about the world's x axis.",
+     [](Scene& s, const KeyValue& v) { s.far_sky.tilt = v.number; }},
+    {"far_sky", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Factor on its light.",
+     [](Scene& s, const KeyValue& v) { s.far_sky.brightness = v.number; }},
 
     {"disc", "inner", KeyType::kNumber, "r_s", "3", kLength, "", "Inner radius; below outer.",
      [](Scene& s, const KeyValue& v) { s.disc->inner = v.number; }},

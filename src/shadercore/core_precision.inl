@@ -1,4 +1,5 @@
-// The combinations of effects in one precision (Real) and their dispatch. The disc's code is always compiled.
+// The combinations of effects in one precision (Real) and their dispatch. The disc's code is always compiled, and that of rays that
+// pass the critical direction: where they end in a horizon they fetch nothing (core_variant.inl).
 #define BLOCK_LENSING
 #define BLOCK_ABERRATION
 #define BLOCK_SKY
@@ -8,6 +9,8 @@
 #define BLOCK_BALL
 #define BLOCK_SURFACE
 #define BLOCK_MARCH
+#define EFFECT_INNER
+#define EFFECT_STAR
 namespace lensed {
 #define EFFECT_DISC
 #define EFFECT_LENSING

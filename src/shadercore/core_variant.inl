@@ -68,6 +68,7 @@ RayPixel trace_one(const CoreInput& input, double x, double y) {
 #undef ENDS_ROW_CAPTURED
 #undef ENDS_ROW_COS
 #undef ENDS_ROW_RATIO
+#undef ENDS_ROW_INNER
 #undef ORBIT_CELLS_PER_OCTAVE
 #undef ORBIT_ROWS
 #undef DISC_MOST_CROSSINGS

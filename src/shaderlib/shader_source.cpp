@@ -19,7 +19,7 @@ std::vector<std::string> method_files(const Method& method, std::string_view met
     switch (method.kind) {
         case MethodKind::kStrip: return {method.cubic ? "method/strip_cubic.glsl" : "method/strip.glsl"};
         case MethodKind::kTable: return {"core/table_mapping.glsl", "method/by_angle.glsl", "method/table.glsl"};
-        case MethodKind::kClosedForm: return {"method/by_angle.glsl", "method/closed_form.glsl"};
+        case MethodKind::kClosedForm: return {"method/by_angle.glsl", fmt::format("method/closed_form/{}.glsl", metric)};
         case MethodKind::kIntegrate:
             return {"method/by_angle.glsl", fmt::format("spacetime/{}.glsl", metric), "method/integrate.glsl"};
     }
@@ -60,10 +60,13 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
     if (!lensing && !ends) files.erase(files.begin());   // nothing inverse to compute
     files.emplace_back("core/trace.glsl");
     if (disc) files.emplace_back("object/disc.glsl");
-    if (picture && (disc || effects.contains(Effect::kSky) || effects.contains(Effect::kBodyImage))) files.emplace_back("effect/footprint.glsl");
+    const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
+    if (picture && (disc || sky || far_sky || effects.contains(Effect::kBodyImage))) files.emplace_back("effect/footprint.glsl");
     if (picture && disc) files.emplace_back("object/disc_colour.glsl");
     if (picture && disc && lensing) files.emplace_back("object/disc_thin.glsl");
-    if (picture && effects.contains(Effect::kSky)) files.emplace_back("object/celestial_sphere.glsl");
+    if (picture && (sky || far_sky)) files.emplace_back("object/celestial_sphere.glsl");
+    if (picture && far_sky) files.emplace_back("object/other_side.glsl");
+    if (picture && effects.contains(Effect::kStar)) files.emplace_back("object/star.glsl");
     return files;
 }
 
@@ -95,6 +98,7 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
     }
     if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE");
     if (has_marched(effects)) defines.emplace_back("BLOCK_MARCH");
+    if (effects.contains(Effect::kFarSky) && !effects.contains(Effect::kSky)) defines.emplace_back("BLOCK_SKY");
     return defines;
 }
 
@@ -128,12 +132,20 @@ std::string declarations(Stage stage, const EffectSet& effects, bool ends, const
     }
     if (stage == Stage::kPicture) {
         if (effects.contains(Effect::kSky)) text += "uniform samplerCube sky_texture;\n";
+        if (effects.contains(Effect::kFarSky)) text += "uniform samplerCube other_side_texture;\n";
         if (disc) text += "uniform sampler2D disc_texture;\n";
     }
     return text;
 }
 
 }  // namespace
+
+bool has_shader(std::string_view folder, std::string_view metric) {
+    const std::string path = fmt::format("{}/{}.glsl", folder, metric);
+    for (const EmbeddedShader& file : embedded_shaders())
+        if (file.path == path) return true;
+    return false;
+}
 
 std::string_view shader_file(std::string_view path) {
     for (const EmbeddedShader& file : embedded_shaders())

@@ -25,6 +25,9 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
 // Which members of FrameData (shaders/shared/frame_block.glsl, numbered as in the file) the block of these effects has, in order.
 std::vector<int> block_members(const EffectSet& effects);
 
+// Is there shaders/FOLDER/METRIC.glsl in this build?
+bool has_shader(std::string_view folder, std::string_view metric);
+
 // One embedded file of shaders/ by its path there; aborts if there is none (a broken build).
 std::string_view shader_file(std::string_view path);
 

@@ -13,8 +13,8 @@ namespace {
 
 }  // namespace
 
-double Minkowski::chi_from_zeta(double zeta) const { no_chi("chi_from_zeta", zeta); }
-double Minkowski::zeta_from_chi(double chi) const { no_chi("zeta_from_chi", chi); }
+double Minkowski::chi_from_radius(double r) const { no_chi("chi_from_radius", r); }
+double Minkowski::radius_from_chi(double chi) const { no_chi("radius_from_chi", chi); }
 double Minkowski::bending_density(double chi) const { no_chi("bending_density", chi); }
 
 std::unique_ptr<Spacetime> make_minkowski(const std::map<std::string, double>&) {

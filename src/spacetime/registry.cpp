@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "spacetime/ellis.h"
 #include "spacetime/minkowski.h"
+#include "spacetime/neutron_star.h"
+#include "spacetime/reissner_nordstrom.h"
 #include "spacetime/schwarzschild.h"
 
 namespace nullscope {
@@ -42,6 +45,15 @@ Error unknown_parameter(const MetricEntry& entry, const std::string& name) {
 std::span<const MetricEntry> metric_registry() {
     static const std::vector<MetricEntry> entries = {
         {"schwarzschild", "A black hole without spin or charge.", {}, make_schwarzschild},
+        {"reissner-nordstrom",
+         "A black hole with electric charge.",
+         {{"charge", 0.5, 0.0, 1.0, "Charge Q/M: 0 is Schwarzschild, 1 the extremal hole."}},
+         make_reissner_nordstrom},
+        {"neutron-star",
+         "A star without spin or charge, with a patterned surface.",
+         {{"radius", 2.5, NeutronStar::kLeastRadius, NeutronStar::kLargestRadius, "Radius of the surface, r_s; at least 9/8, what pressure can hold up."}},
+         make_neutron_star},
+        {"ellis", "A wormhole between two skies, the simplest: no tides, no redshift.", {}, make_ellis},
         {"minkowski", "Flat spacetime: light runs straight.", {}, make_minkowski},
     };
     return entries;

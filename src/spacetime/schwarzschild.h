@@ -18,15 +18,15 @@ namespace nullscope {
 class Schwarzschild final : public Spacetime {
 public:
     std::string_view name() const override { return "schwarzschild"; }
-    double lapse_squared(double zeta) const override { return 1.0 - zeta; }
-    double half_v_slope(double zeta) const override { return 0.5 * zeta * (2.0 - 3.0 * zeta); }
-    double half_v_curvature(double zeta) const override { return 1.0 - 3.0 * zeta; }
+    double lapse_squared(double r) const override { return 1.0 - 1.0 / r; }
     std::optional<double> horizon_radius() const override { return 1.0; }
     std::optional<PhotonSphere> photon_sphere() const override;
     bool bends_light() const override { return true; }
-    double chi_from_zeta(double zeta) const override;  // zeta in [0, 1]; aborts outside
-    double zeta_from_chi(double chi) const override;
+    double chi_from_radius(double r) const override;  // r >= 1; aborts elsewhere
+    double radius_from_chi(double chi) const override;
     double bending_density(double chi) const override;
+    double half_v_slope(double zeta) const override { return 0.5 * zeta * (2.0 - 3.0 * zeta); }
+    double half_v_curvature(double zeta) const override { return 1.0 - 3.0 * zeta; }
 };
 
 std::unique_ptr<Spacetime> make_schwarzschild(const std::map<std::string, double>& parameters);

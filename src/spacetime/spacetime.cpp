@@ -1,29 +1,37 @@
 #include "spacetime/spacetime.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace nullscope {
 
+double Spacetime::root_v(double r) const { return std::sqrt(lapse_squared(r)) / areal_radius(r); }
+
 Matrix4 Spacetime::metric(double r, double theta) const {
-    const double a = lapse_squared(1.0 / r);
-    const double sine = std::sin(theta);
+    const double across = areal_radius(r), sine = std::sin(theta);
     Matrix4 g{};
-    g[0][0] = -a;
-    g[1][1] = 1.0 / a;
-    g[2][2] = r * r;
-    g[3][3] = r * r * sine * sine;
+    g[0][0] = -lapse_squared(r);
+    g[1][1] = radial_stretch2(r);
+    g[2][2] = across * across;
+    g[3][3] = across * across * sine * sine;
     return g;
 }
 
 Matrix4 Spacetime::inverse_metric(double r, double theta) const {
-    const double a = lapse_squared(1.0 / r);
-    const double sine = std::sin(theta);
-    Matrix4 g{};
-    g[0][0] = -1.0 / a;
-    g[1][1] = a;
-    g[2][2] = 1.0 / (r * r);
-    g[3][3] = 1.0 / (r * r * sine * sine);
+    Matrix4 g = metric(r, theta);
+    for (std::size_t i = 0; i < g.size(); ++i) g[i][i] = 1.0 / g[i][i];
     return g;
+}
+
+bool camera_can_rest(const Spacetime& spacetime, double r) {
+    const RadiusRange range = spacetime.camera_range();
+    return r > range.low && r < range.high;
+}
+
+std::string allowed_radii(const Spacetime& spacetime) {
+    const RadiusRange range = spacetime.camera_range();
+    return range.high < kAnyRadius ? fmt::format("{} < r < {}", range.low, range.high) : fmt::format("r > {}", range.low);
 }
 
 }  // namespace nullscope

@@ -1,20 +1,32 @@
 // Spacetime: what the host needs to know of a static, spherically symmetric metric
-//     ds^2 = -A dt^2 + dr^2/A + r^2 dOmega^2,   zeta = r_s/r,   units r_s = c = 1, signature (-,+,+,+).
+//     ds^2 = -A dt^2 + B dr^2 + R^2 dOmega^2,   units r_s = c = 1 (wormholes: throat radius = c = 1), signature (-,+,+,+).
+// r is the metric's own radial coordinate, regular wherever a camera can be: the areal radius of holes and stars (R = r), the
+// proper distance from the throat of wormholes (r < 0 on the far side). It grows outward, to the sky at r = infinity.
 //
-// Light is governed by V(zeta) = A zeta^2 alone: (dzeta/dphi)^2 = q^2 - V with q = E r_s/L. Where there is a photon sphere,
-// V = q_crit^2 sin^2(chi) defines the angle chi in [0, pi] (0 at infinity, pi/2 on the photon sphere, pi at the horizon) and
-//     dphi = h(chi) dchi / sqrt(k^2 - sin^2 chi),   k = q/q_crit:
+// Light is governed by V = A/R^2 alone. Where V has a greatest value q_crit^2, at the photon sphere, it defines the angle chi,
+//     V = q_crit^2 sin^2(chi):  0 at infinity, pi/2 on the photon sphere, pi where V vanishes again (horizon, other sky),
+//     dphi = h(chi) dchi / sqrt(k^2 - sin^2 chi),   k = q/q_crit,  q = E/L:
 // the metric enters the deflection table only through the smooth function h.
 #pragma once
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace nullscope {
 
 struct PhotonSphere {
-    double zeta;     // r_s / r of the unstable circular light orbit
+    double radius;   // r of the unstable circular light orbit
     double q_crit;   // E r_s / L of the rays that spiral to it
+};
+
+// Where light ends that passes the photon sphere inward.
+enum class InnerEnd { kHorizon, kOtherSky, kSurface };
+
+// Radii at which a camera can be at rest: low < r < high.
+inline constexpr double kAnyRadius = 1e300;
+struct RadiusRange {
+    double low, high;
 };
 
 using Matrix4 = std::array<std::array<double, 4>, 4>;
@@ -23,23 +35,39 @@ class Spacetime {
 public:
     virtual ~Spacetime() = default;
     virtual std::string_view name() const = 0;
-    // A = -g_tt. Any zeta >= 0; negative inside a horizon.
-    virtual double lapse_squared(double zeta) const = 0;
-    // d(A zeta^2)/dzeta / 2: the orbit equation is zeta'' = -half_v_slope(zeta).
-    virtual double half_v_slope(double zeta) const = 0;
-    virtual double half_v_curvature(double zeta) const = 0;   // its derivative
-    // Outer horizon's radius in r_s; nothing if there is none.
+    // A = -g_tt. Any r that the metric has; negative inside a horizon.
+    virtual double lapse_squared(double r) const = 0;
+    virtual double areal_radius(double r) const { return r; }                          // R
+    virtual double radial_stretch2(double r) const { return 1.0 / lapse_squared(r); }  // B = g_rr
+    virtual RadiusRange camera_range() const { return {horizon_radius().value_or(0.0), kAnyRadius}; }
+    // Outer horizon's radius; nothing if there is none.
     virtual std::optional<double> horizon_radius() const = 0;
     virtual std::optional<PhotonSphere> photon_sphere() const = 0;  // nothing: light runs straight (see bends_light)
     virtual bool bends_light() const = 0;
-    // The angle chi of a radius and back; only where there is a photon sphere. Relative error < 1e-15 near zeta = 0.
-    virtual double chi_from_zeta(double zeta) const = 0;
-    virtual double zeta_from_chi(double chi) const = 0;
+    virtual InnerEnd inner_end() const { return InnerEnd::kHorizon; }
+    virtual std::optional<double> surface_radius() const { return std::nullopt; }   // of a star; kSurface
+    // The angle chi of a radius and back; only where there is a photon sphere. Relative error < 1e-15 near infinity.
+    virtual double chi_from_radius(double r) const = 0;
+    virtual double radius_from_chi(double chi) const = 0;
     virtual double bending_density(double chi) const = 0;  // h(chi), chi in [0, pi]
 
+    // The orbit equation zeta'' = -half_v_slope(zeta) of zeta = 1/r, by which objects are found; metrics with R = r only.
+    virtual bool has_orbit_equation() const { return true; }
+    virtual double half_v_slope(double zeta) const = 0;       // d(A zeta^2)/dzeta / 2
+    virtual double half_v_curvature(double zeta) const = 0;   // its derivative
+
+    // Where rays that miss the sky end in a horizon the orbit map of objects can follow them.
+    bool can_have_disc() const { return has_orbit_equation() && inner_end() == InnerEnd::kHorizon; }
+
+    // sqrt(V): q sin(alpha) of every ray through r, alpha its angle from the radial direction for a camera at rest.
+    double root_v(double r) const;
     // Covariant metric g_{mu nu} and its inverse in (t, r, theta, phi).
     Matrix4 metric(double r, double theta) const;
     Matrix4 inverse_metric(double r, double theta) const;
 };
+
+// Can a camera be at rest at r? And where it can, as a message says it: "r > 1".
+bool camera_can_rest(const Spacetime& spacetime, double r);
+std::string allowed_radii(const Spacetime& spacetime);
 
 }  // namespace nullscope

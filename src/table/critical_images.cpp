@@ -13,8 +13,8 @@ constexpr double kNear = 0.3;     // chi from the photon sphere: from here on or
 
 CriticalImages critical_images(const RayFan& fan, double inner, double outer) {
     const Spacetime& spacetime = fan.spacetime();
-    const double zeta_most = 1.0 / spacetime.horizon_radius().value_or(0.5 / spacetime.photon_sphere()->zeta);
-    const auto chi_of = [&](double r) { return spacetime.chi_from_zeta(std::min(1.0 / r, zeta_most)); };
+    const double least = spacetime.horizon_radius().value_or(spacetime.photon_sphere()->radius);   // discs: where there is a horizon
+    const auto chi_of = [&](double r) { return spacetime.chi_from_radius(std::max(r, least)); };
     // Of a ray next to the critical one: what it sweeps between infinity and chi.
     constexpr double d2 = 1e-12;
     const auto from_infinity = [&](double chi) { return fan.table().through_from_infinity(std::sqrt(1.0 + d2), d2, chi); };

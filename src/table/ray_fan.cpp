@@ -11,12 +11,18 @@ constexpr double kRadialFloor = 1e-9;  // rad; ratios such as phi/sin(beta) have
 }
 
 RayFan::RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r, double pixel)
-    : spacetime_(std::move(spacetime)), table_(std::move(table)), zeta0_(1.0 / r) {
-    chi0_ = spacetime_->chi_from_zeta(zeta0_);
+    : spacetime_(std::move(spacetime)), table_(std::move(table)), zeta0_(1.0 / spacetime_->areal_radius(r)) {
+    chi0_ = spacetime_->chi_from_radius(r);
     q_crit_ = spacetime_->photon_sphere()->q_crit;
-    sqrt_v0_ = zeta0_ * std::sqrt(spacetime_->lapse_squared(zeta0_));
-    outside_ = zeta0_ <= spacetime_->photon_sphere()->zeta;
+    sqrt_v0_ = spacetime_->root_v(r);
+    outside_ = chi0_ <= M_PI / 2;
     theta_c_ = outside_ ? std::min(chi0_, M_PI / 2) : std::asin(std::min(1.0, sqrt_v0_ / q_crit_));
+    if (const auto surface = spacetime_->surface_radius()) {
+        chi_end_ = spacetime_->chi_from_radius(*surface);
+        grazes_ = chi_end_ < M_PI / 2;   // the surface hides the photon sphere: V(surface) is what divides
+        if (grazes_)
+            theta_c_ = std::atan2(std::sin(chi0_), std::sqrt(std::sin(chi_end_ - chi0_) * std::sin(chi_end_ + chi0_)));
+    }
     const double wanted = std::clamp(kPixelPart * pixel / theta_c_, kFinest, kResolution);
     w0_ = kResolution * std::exp2(4.0 * std::floor(0.25 * std::log2(wanted / kResolution))) * theta_c_;
 }
@@ -48,11 +54,13 @@ FanRay RayFan::ray(Segment segment, double delta) const {
     ray.sin_beta = std::sin(theta);
     ray.cos_beta = outside_ ? std::cos(theta) : -std::cos(theta);
     const double sin_c = std::sin(theta_c_);
-    const double k = sin_c / ray.sin_beta;
-    const double signed_delta = outside_ == sky ? delta : -delta;                   // theta - theta_c
-    const double one_minus_k2 = std::sin(signed_delta) * std::sin(theta + theta_c_) / (ray.sin_beta * ray.sin_beta);
+    const double k = (grazes_ ? std::sin(chi0_) : sin_c) / ray.sin_beta;
+    const double signed_delta = grazes_ ? theta - chi0_ : outside_ == sky ? delta : -delta;                   // theta - theta_c
+    const double one_minus_k2 = std::sin(signed_delta) * std::sin(theta + (grazes_ ? chi0_ : theta_c_)) / (ray.sin_beta * ray.sin_beta);
     const double alpha = M_PI - ray.beta;
-    if (one_minus_k2 > 0.0) {
+    if (!sky && chi_end_ < M_PI) {
+        ray.phi_end = to_surface(ray, k, one_minus_k2, delta);
+    } else if (one_minus_k2 > 0.0) {
         ray.phi_end = sky ? table_->turning_to_sky(k, one_minus_k2, alpha) : table_->turning_to_horizon(k, one_minus_k2, ray.beta);
     } else {
         const double d2 = std::max(-one_minus_k2, 1e-300);
@@ -60,6 +68,20 @@ FanRay RayFan::ray(Segment segment, double delta) const {
         ray.phi_end = sky ? from_infinity : table_->through_from_infinity(k, d2, M_PI) - from_infinity;
     }
     return ray;
+}
+
+// At the surface sin(beta) = sin(chi_end)/k. Where rays graze it that is sin(beta)/sin(theta_c), and the cosine a product.
+double RayFan::to_surface(const FanRay& ray, double k, double one_minus_k2, double delta) const {
+    if (one_minus_k2 <= 0.0) {
+        const double d2 = std::max(-one_minus_k2, 1e-300);
+        return table_->through_from_infinity(k, d2, chi_end_) - table_->through_from_infinity(k, d2, chi0_);
+    }
+    const double sine = std::sin(chi_end_) / k;
+    if (!grazes_) return table_->turning_to_horizon(k, one_minus_k2, ray.beta) -
+                         table_->turning_to_horizon(k, one_minus_k2, std::atan2(sine, std::sqrt(std::max((1.0 - sine) * (1.0 + sine), 0.0))));
+    const double cosine = std::sqrt(std::sin(delta) * std::sin(theta_c_ + ray.beta)) / std::sin(theta_c_);
+    const double there = M_PI - std::atan2(sine, cosine);
+    return table_->turning_to_sky(k, one_minus_k2, M_PI - ray.beta) - table_->turning_to_sky(k, one_minus_k2, there);
 }
 
 }  // namespace nullscope

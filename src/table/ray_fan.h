@@ -2,6 +2,7 @@
 //
 // For a static camera at chi0 (spacetime.h) a ray at the angle beta from the INWARD radial has k = q/q_crit = sin(chi0)/sin(beta);
 // it is critical at beta = chi0 (Synge 1966: the shadow's half-angle is chi0), captured below and escapes above.
+// A star outside of its photon sphere: critical is the ray that grazes its surface.
 // Everything is a function of delta, the angle from the critical direction, on either side of it; 1 - k^2 comes from the
 // product sin(beta - chi0) sin(beta + chi0), so that rays next to the critical one keep their digits.
 #pragma once
@@ -44,7 +45,7 @@ public:
     double delta_slope(double u) const;                     // d delta / d u
     int octaves(Segment segment) const;                     // of u, until delta_limit
 
-    double zeta0() const { return zeta0_; }
+    double zeta0() const { return zeta0_; }                 // 1/R
     double chi0() const { return chi0_; }
     const DeflectionTable& table() const { return *table_; }
     double sqrt_v0() const { return sqrt_v0_; }              // sqrt(V(zeta0)) = q sin(alpha)
@@ -56,10 +57,13 @@ public:
     static constexpr double kResolution = 1e-6, kPixelPart = 1.0 / 16, kFinest = 1e-13;
 
 private:
+    double to_surface(const FanRay& ray, double k, double one_minus_k2, double delta) const;
     std::shared_ptr<const Spacetime> spacetime_;
     std::shared_ptr<const DeflectionTable> table_;
     double zeta0_, chi0_, q_crit_, sqrt_v0_, theta_c_, w0_;
     bool outside_;
+    double chi_end_ = M_PI;   // where captured rays end: horizon, other sky, or the surface of a star,
+    bool grazes_ = false;     //   which outside the photon sphere has the critical direction to itself
 };
 
 }  // namespace nullscope

@@ -63,10 +63,11 @@ Strip build_strip(const RayFan& fan) {
     const int sky_cells = fan.octaves(Segment::kSky) * kCoarse, captured_cells = fan.octaves(Segment::kCaptured) * kCoarse;
     constexpr int kPerCoarse = kFine / kCoarse;
     Strip strip;
-    strip.sky = {kFine, sky_cells / kCoarse, {}};
+    const bool inner = fan.spacetime().inner_end() != InnerEnd::kHorizon;   // something to see there
+    strip.sky = {kFine, (sky_cells + (inner ? captured_cells : 0)) / kCoarse, {}};
     strip.sky.texels.assign(static_cast<std::size_t>(strip.sky.width) * strip.sky.height * 4, 0.0f);
-    strip.ends = {std::max(sky_cells, captured_cells), 4, {}};
-    strip.ends.texels.assign(static_cast<std::size_t>(strip.ends.width) * 16, 0.0f);
+    strip.ends = {std::max(sky_cells, captured_cells), inner ? 6 : 4, {}};
+    strip.ends.texels.assign(static_cast<std::size_t>(strip.ends.width) * strip.ends.height * 4, 0.0f);
     tbb::parallel_for(0, sky_cells + captured_cells, [&](int i) {
         const bool sky = i < sky_cells;
         const int at = sky ? i : i - sky_cells;
@@ -76,10 +77,10 @@ Strip build_strip(const RayFan& fan) {
             std::transform(cubic.begin(), cubic.end(), out, [](double c) { return static_cast<float>(c); });
         };
         put(sky ? 0 : 1, cell.end);
-        if (!sky) return;
-        put(2, cell.cos_phi);
-        put(3, cell.ratio);
-        float* out = strip.sky.texels.data() + static_cast<std::size_t>(4) * kPerCoarse * at;
+        if (!sky && !inner) return;
+        put(sky ? 2 : 4, cell.cos_phi);
+        put(sky ? 3 : 5, cell.ratio);
+        float* out = strip.sky.texels.data() + static_cast<std::size_t>(4) * kPerCoarse * i;
         for (int j = 0; j < kPerCoarse; ++j, out += 4) {
             const double a = static_cast<double>(j) / kPerCoarse, b = static_cast<double>(j + 1) / kPerCoarse;
             const auto c = line_along(cell.cos_phi, a, b), r = line_along(cell.ratio, a, b);

@@ -15,8 +15,8 @@ struct TexelGrid {
 };
 
 struct Strip {
-    TexelGrid sky;    // cos(phi) and sin(phi)/sin(alpha) of the rays that reach the sky
-    TexelGrid ends;   // phi_end/sin(alpha) of all rays; those of `sky` again, as cubics
+    TexelGrid sky;    // cos(phi) and sin(phi)/sin(alpha) of the rays that reach the sky, then of the others if they end somewhere to see
+    TexelGrid ends;   // phi_end/sin(alpha) of all rays; those of `sky` again, as cubics (rows of core/strip.glsl)
 };
 
 // Error of cos(phi) and of sin(phi): (1/1024)^2/16 of the second derivative by ln w, at most 6e-7, where the sky moves by 1 rad

@@ -31,7 +31,7 @@ void fly_short(FlyCamera& camera, Vec3 step, const Spacetime& spacetime, const F
     const Vec3 along = camera.world_from_camera * step;
     const double outward = dot(along, camera.place);
     const Vec3 across = along - outward * camera.place;
-    const double lapse = std::sqrt(spacetime.lapse_squared(1.0 / camera.r));
+    const double lapse = std::sqrt(spacetime.lapse_squared(camera.r));
     const double angle = length(across) * (camera.r - range.horizon) / (lapse * camera.r);
     if (angle > 0.0) {
         const Vec3 next = normalized(std::cos(angle) * camera.place + std::sin(angle) * normalized(across));
@@ -90,13 +90,13 @@ void fly(FlyCamera& camera, Vec3 step, const Spacetime& spacetime) {
 }
 
 double free_fall_speed(const Spacetime& spacetime, double r) {
-    return std::sqrt(std::max(0.0, 1.0 - spacetime.lapse_squared(1.0 / r)));
+    return std::sqrt(std::max(0.0, 1.0 - spacetime.lapse_squared(r)));
 }
 
 // v^2 = r A'/(2A); with d(A zeta^2)/dzeta / 2 = zeta A + zeta^2 (dA/dzeta)/2 it is 1 - half_v_slope/(zeta A).
 std::optional<double> circular_orbit_speed(const Spacetime& spacetime, double r) {
     const double zeta = 1.0 / r;
-    const double v2 = 1.0 - spacetime.half_v_slope(zeta) / (zeta * spacetime.lapse_squared(zeta));
+    const double v2 = 1.0 - spacetime.half_v_slope(zeta) / (zeta * spacetime.lapse_squared(r));
     if (!(v2 > 0.0 && v2 < 1.0)) return std::nullopt;
     return std::sqrt(v2);
 }

@@ -22,7 +22,10 @@ WORDS = {
     "noise": [r"grain\w*"],
     "formula": [r"\w+_blend"],
     "body-image": [r"\w+_image", r"textureSize", r"(?:sphere|ball|cylinder)_texture"],
-    "sky": [r"sky_texture", r"celestial\w*", r"samplerCube"],
+    "sky": [r"sky_texture", r"celestial\w*"],
+    "inner": [r"frame\.strip\.w"],
+    "far-sky": [r"other_side\w*"],
+    "star": [r"star_\w*"],
 }
 SCENES = {
     "nothing": '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "black"\n',
@@ -43,6 +46,9 @@ SCENES = {
     "body-image": '[sky]\nkind = "black"\n[sphere]\ntexture = "image"\nimage = "IMAGE"\n',
     "everything": '[camera]\nvelocity = [0.1, 0.2, 0.3]\n[disc]\nedge = 0.2\n[sphere]\ntexture = "checker"\n'
                   '[cylinder]\ntexture = "noise"\n[ball]\ntexture = "formula"\nformula = "u"\n',
+    "inner": '[spacetime]\nmetric = "ellis"\n[sky]\nkind = "black"\n[far_sky]\nkind = "black"\n',
+    "far sky": '[spacetime]\nmetric = "ellis"\n[sky]\nkind = "black"\n',
+    "star": '[spacetime]\nmetric = "neutron-star"\n',
 }
 
 

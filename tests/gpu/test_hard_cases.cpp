@@ -15,10 +15,11 @@ bool whole(const RayFrame& frame) {  // every channel finite, every fate one tha
     constexpr double kHalfTurn = 1e-5;   // of a half turn: next to a whole number of them either order will do
     for (const RayPixel& p : frame.pixels) {
         if (!all_finite(p)) return false;
-        if (p.fate != Fate::kEscaped && p.fate != Fate::kCaptured && p.fate != Fate::kHit) return false;
+        if (p.fate != Fate::kEscaped && p.fate != Fate::kCaptured && p.fate != Fate::kOtherSide && p.fate != Fate::kHit) return false;
         const double half_turns = p.angle / M_PI;
         if (p.order != static_cast<int>(half_turns) && std::abs(half_turns - std::round(half_turns)) > kHalfTurn) return false;
-        if (std::abs(length(p.sky) - (p.fate == Fate::kEscaped ? 1.0 : 0.0)) > kUnit) return false;
+        const bool on_a_sky = p.fate == Fate::kEscaped || p.fate == Fate::kOtherSide;
+        if (std::abs(length(p.sky) - (on_a_sky ? 1.0 : 0.0)) > kUnit) return false;
     }
     return true;
 }

@@ -123,7 +123,8 @@ private:
         state_ = {x.x, x.y, x.z, p.x, p.y, p.z, 0};
         sideways_ = sideways;
         start_r_ = r;
-        if (equations_.metric.mass == 0) horizon_ = 0;
+        const Long mass = equations_.metric.mass;
+        horizon_ = mass == 0 ? 0 : (mass + std::sqrt(mass * mass - 4 * equations_.metric.charge2)) / 2;
     }
     Long swept(LongVec where) const {
         const Long angle = std::atan2(dot(where, sideways_), dot(where, radial_));
@@ -219,6 +220,11 @@ LongQuery long_query(const RayQuery& q) {
 
 std::optional<KerrSchildMetric> kerr_schild_metric(const SpacetimeSpec& spec) {
     if (spec.metric == "schwarzschild") return KerrSchildMetric{1, 0};
+    if (spec.metric == "reissner-nordstrom") {
+        const auto charge = spec.parameters.find("charge");
+        const Long q = charge == spec.parameters.end() ? Long(0.5) : Long(charge->second);
+        return KerrSchildMetric{1, q * q / 4};
+    }
     if (spec.metric == "minkowski") return KerrSchildMetric{0, 0};
     return {};
 }

@@ -47,7 +47,7 @@ struct KerrSchildMetric {
 };
 std::optional<KerrSchildMetric> kerr_schild_metric(const SpacetimeSpec& spec);
 
-// r of the horizon is 1 where mass is 1. tolerance: of each step, relative.
+// tolerance: of each step, relative.
 IntegratedRay integrate(const KerrSchildMetric& metric, const LongQuery& query, int crossings, Long tolerance = 1e-18L);
 
 }  // namespace nullscope::proof

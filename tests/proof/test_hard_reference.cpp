@@ -18,6 +18,7 @@
 #include "proof/kerr_schild.h"
 #include "proof/taylor_orbit.h"
 #include "reference/frame_tracer.h"
+#include "spacetime/registry.h"
 
 namespace {
 
@@ -140,8 +141,15 @@ TEST_CASE("hard cases: the reference agrees with the second formulation") {
     std::string lines;
     Judged most;
     int rays = 0;
+    int others = 0;   // stars and wormholes have no such chart, and a charged hole's horizon no Taylor series here: tests/vectors
     for (const HardCase& c : hard_cases()) {
         const CameraSpec& camera = c.scene.camera;
+        const auto spacetime = *make_spacetime(c.scene.spacetime.metric, c.scene.spacetime.parameters);
+        const bool near = c.scene.spacetime.metric != "schwarzschild" && camera.r - spacetime->horizon_radius().value_or(-1e300) < 0.05;
+        if (!kerr_schild_metric(c.scene.spacetime) || near) {
+            ++others;
+            continue;
+        }
         std::set<std::pair<int, int>> pixels;
         for (const int x : {0, camera.width / 2, camera.width - 1})
             for (const int y : {0, camera.height / 2, camera.height - 1}) pixels.insert({x, y});
@@ -158,7 +166,8 @@ TEST_CASE("hard cases: the reference agrees with the second formulation") {
     }
     std::filesystem::create_directories(NULLSCOPE_REPORTS);
     std::ofstream(std::filesystem::path(NULLSCOPE_REPORTS) / "hard-reference.tsv") << lines;
-    fmt::print("{} views, {} rays; largest error over bound {:.2f}\n", hard_cases().size(), rays, most.ratio());
+    fmt::print("{} views, {} rays, {} views of metrics without a second formulation left out; largest error over bound {:.2f}\n",
+               hard_cases().size(), rays, others, most.ratio());
 }
 
 // The check above can fail: a camera turned by a rounding of a float is found.

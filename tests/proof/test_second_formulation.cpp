@@ -191,6 +191,11 @@ TEST_CASE("second formulation: named hard rays") {
 TEST_CASE("second formulation: random rays in every metric") {
     Random random(seed());
     for (const MetricEntry& entry : metric_registry()) {
+        if (!kerr_schild_metric({std::string(entry.key), {}})) {   // stars and wormholes have no such chart: tests/vectors, tests/unit
+            fmt::print("random, {}: not of Kerr-Schild form\n", entry.key);
+            CHECK((*make_spacetime(std::string(entry.key), {}))->inner_end() != InnerEnd::kHorizon);
+            continue;
+        }
         std::vector<Case> cases;
         for (int i = 0; i < 150 * times_longer(); ++i) {
             Case c;
@@ -202,7 +207,7 @@ TEST_CASE("second formulation: random rays in every metric") {
                          sine = std::sqrt(1 - cosine * cosine);
             c.query.frame = random.unit() < 0.25 ? LocalFrame::kRain : LocalFrame::kStatic;
             c.query.r =
-                c.query.frame == LocalFrame::kRain ? random.log_between(0.1, 100) : 1 + random.log_between(1e-3, 1e4);
+                c.query.frame == LocalFrame::kRain ? random.log_between(entry.parameters.empty() ? 0.1 : 1.001, 100) : 1 + random.log_between(1e-3, 1e4);
             c.query.theta = std::acos(random.between(-1, 1));
             c.query.phi = random.between(-M_PI, M_PI);
             c.query.n = {cosine, sine * std::cos(bearing), sine * std::sin(bearing)};

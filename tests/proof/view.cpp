@@ -48,7 +48,7 @@ Scene View::scene() const {
 
 bool View::possible() const {
     const auto parsed = parse_scene(toml(""), "view.toml", {});
-    return parsed && r > (*make_spacetime(metric, parameters))->horizon_radius().value_or(0.0);
+    return parsed && camera_can_rest(**make_spacetime(metric, parameters), r);
 }
 
 View random_view(Random& random) {
@@ -60,7 +60,8 @@ View random_view(Random& random) {
     if (view.metric == entry.key)
         for (const MetricParameter& p : entry.parameters)
             view.parameters[std::string(p.name)] = random.between(p.low, p.high);
-    const double horizon = (*make_spacetime(view.metric, view.parameters))->horizon_radius().value_or(0.0);
+    const auto spacetime = *make_spacetime(view.metric, view.parameters);
+    const double horizon = std::max(spacetime->camera_range().low, 0.0);
     view.r = std::min(horizon + random.log_between(1e-4, 1e9), 1e9);
     const double place = random.unit();
     view.theta = place < 0.05   ? 0
@@ -84,7 +85,7 @@ View random_view(Random& random) {
         const double across = std::sqrt(1 - z * z);
         view.velocity = {speed * z, speed * across * std::cos(turn), speed * across * std::sin(turn)};
     }
-    view.has_disc = random.unit() < 0.5;
+    view.has_disc = random.unit() < 0.5 && spacetime->can_have_disc();
     view.inner = random.log_between(1.01, 100);
     view.outer = view.inner * random.log_between(1.01, 100);
     view.opacity = random.unit() < 0.5 ? 1 : 0.5;

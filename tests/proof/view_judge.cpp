@@ -32,7 +32,7 @@ ViewJudge::ViewJudge(FrameTables& tables, const Scene& scene) : scene_(scene) {
     REQUIRE(ready);
     tracer_.emplace(std::move(*tracer));
     input_ = tables.core_input(scene_);
-    lapse_ = std::sqrt(tables.spacetime().lapse_squared(1 / scene_.camera.r));
+    lapse_ = std::sqrt(tables.spacetime().lapse_squared(scene_.camera.r));
 }
 
 // Does the exact answer become the tested one within reach? Of two images of the disc, the nearer one counts.

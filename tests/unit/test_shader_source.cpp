@@ -52,6 +52,9 @@ const std::vector<Mark> kMarks = {
     {Effect::kFormula, {"_blend("}},
     {Effect::kBodyImage, {"_image(", "textureSize"}},
     {Effect::kSky, {"celestial_sphere(", "sky_texture", "vec4 sky;"}},
+    {Effect::kInner, {"frame.strip.w"}},
+    {Effect::kFarSky, {"other_side", "other_side_texture"}},
+    {Effect::kStar, {"star_surface", "star_square"}},
 };
 
 std::string picture_of(const Scene& scene) {

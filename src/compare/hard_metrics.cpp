@@ -1,0 +1,121 @@
+#include "compare/hard_metrics.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace nullscope {
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+constexpr double kStandoff = 1 + 1e-5;   // least radius of a camera over that of a star (spacetime/neutron_star.h)
+constexpr std::pair<const char*, double> kLooks[] = {{"inwards", 0.0}, {"across", M_PI / 2}, {"outwards", M_PI}};
+
+// A metric, and where rays divide in it, for the directions of cases.
+struct Place {
+    std::string metric, label;
+    std::map<std::string, double> parameters;
+    double photon_r;     // of the photon sphere; wormholes: 0; a star outside of it: its surface
+    double least;        // horizon, or as near as a camera comes to a surface; wormholes: none
+    bool disc;
+};
+
+Scene frame_of(const Place& place, double r, double yaw, double fov) {
+    Scene scene;
+    scene.spacetime = {place.metric, place.parameters};
+    scene.sky.kind = SkyKind::kBlack;
+    scene.far_sky.kind = SkyKind::kBlack;
+    scene.camera.width = 97;
+    scene.camera.height = 55;
+    scene.camera.r = r;
+    scene.camera.yaw = yaw;
+    scene.camera.plane_width = 2 * std::tan(0.5 * fov);
+    return scene;
+}
+
+// Half-angle of what rays from the sky do not reach, from the inward radial direction, seen at r outside: sin^2 = V(r)/V(dividing).
+double dividing_angle(const Place& p, double r) {
+    const auto root_v = [&](double x) {
+        if (p.metric == "ellis") return 1 / std::hypot(x, 1.0);
+        const double charge = p.parameters.contains("charge") ? p.parameters.at("charge") : 0.0;
+        return std::sqrt(1 - 1 / x + 0.25 * charge * charge / (x * x)) / x;
+    };
+    return std::asin(root_v(r) / root_v(p.photon_r));
+}
+
+void add(std::vector<HardCase>& list, const Place& p, const std::string& what, const std::string& why, Scene scene) {
+    scene.name = fmt::format("{}, {}", p.label, what);
+    list.push_back({scene.name, why, scene});
+}
+
+void critical(std::vector<HardCase>& list, const Place& p) {
+    constexpr double r = 20;
+    const double angle = dividing_angle(p, r);
+    for (const int k : {1, 3, 5, 7})
+        for (const int side : {1, -1}) {
+            const double off = std::pow(10.0, -k) * std::tan(angle);
+            add(list, p, fmt::format("1e-{} {} the dividing ray", k, side > 0 ? "outside" : "inside"),
+                "the ray winds as often as digits allow, or grazes", frame_of(p, r, angle + side * off, off));
+        }
+}
+
+void dividing_sphere(std::vector<HardCase>& list, const Place& p) {
+    for (const auto& [where, off] : {std::pair{"on", 0.0}, {"1e-9 above", 1e-9}, {"1e-9 below", -1e-9}, {"1e-3 above", 1e-3}, {"1e-3 below", -1e-3}}) {
+        if (p.photon_r + off <= p.least) continue;
+        for (const auto& [look, yaw] : kLooks)
+            add(list, p, fmt::format("camera {} the {}, {}", where, p.metric == "ellis" ? "throat" : "photon sphere", look),
+                "both kinds of rays meet, and chi0 = pi/2", frame_of(p, p.photon_r + off, yaw, 100 * kDegree));
+    }
+}
+
+void extremes(std::vector<HardCase>& list, const Place& p) {
+    for (const int k : {2, 4, 6})
+        for (const auto& [look, yaw] : kLooks) {
+            if (p.least > 0)
+                add(list, p, fmt::format("1e-{} above the {}, {}", k, p.metric == "neutron-star" ? "surface" : "horizon", look),
+                    "the sky closes to a cone, or the surface fills half of it",
+                    frame_of(p, p.least * (1 + std::pow(10.0, -k)), yaw, 100 * kDegree));
+            else
+                for (const int side : {1, -1})
+                    add(list, p, fmt::format("l = {}1e{}, {}", side > 0 ? "" : "-", k, look), "far on either side",
+                        frame_of(p, side * std::pow(10.0, k), yaw, 60 * kDegree));
+        }
+    add(list, p, "zeta0 = 1e-6, at its edge", "rays of interest are nearly radial", frame_of(p, 1e6, 0, 6 * dividing_angle(p, 1e6)));
+    for (const Vec3 v : {Vec3{-0.9, 0, 0}, {0, 0.3, 0.9}, {0.999, 0, 0}}) {
+        Scene scene = frame_of(p, 6, 0, 90 * kDegree);
+        scene.camera.velocity = v;
+        add(list, p, fmt::format("moving at ({}, {}, {}) c", v.x, v.y, v.z), "aberration on top", scene);
+    }
+    if (!p.disc) return;
+    for (const double inner : {p.photon_r, 1.02 * p.least}) {
+        Scene scene = frame_of(p, 20, 0, 30 * kDegree);
+        scene.camera.theta = 1.4;
+        scene.disc = DiscSpec{};
+        scene.disc->inner = inner, scene.disc->outer = 6;
+        add(list, p, fmt::format("disc from {:.4g}", inner), "its images pile up at the critical ray", scene);
+    }
+}
+
+}  // namespace
+
+std::vector<HardCase> hard_metric_cases() {
+    const double s = std::sqrt(0.75);   // of Q/M = 0.5
+    const std::vector<Place> places = {
+        {"reissner-nordstrom", "charge 0.5", {{"charge", 0.5}}, 0.25 * (3 + std::sqrt(1 + 8 * s * s)), 0.5 * (1 + s), true},
+        {"reissner-nordstrom", "extremal hole", {{"charge", 1.0}}, 1.0, 0.5, true},
+        {"neutron-star", "star of 1.2 r_s", {{"radius", 1.2}}, 1.5, 1.2 * kStandoff, false},
+        {"neutron-star", "star of 2.5 r_s", {{"radius", 2.5}}, 2.5, 2.5 * kStandoff, false},
+        {"ellis", "Ellis throat", {}, 0.0, -1e300, false},
+    };
+    std::vector<HardCase> list;
+    for (const Place& place : places) {
+        critical(list, place);
+        dividing_sphere(list, place);
+        extremes(list, place);
+    }
+    return list;
+}
+
+}  // namespace nullscope

@@ -1,0 +1,170 @@
+// The reference against 50-digit vectors of other metrics than Schwarzschild: every row, cameras inside the horizon included.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "reference/reference.h"
+#include "vector_file.h"
+
+namespace {
+
+using namespace nullscope;
+
+constexpr double kTolerance = 1e-11;   // times the condition number: what the project promises for its witness
+
+using Trace = std::function<Result<RayRecord>(double q, double zeta0, std::optional<double> at)>;
+using Output = std::function<double(const RayRecord&)>;
+
+// Condition number of an output by one-sided differences of the traced function, as in test_reference_vectors.cpp. room: how far,
+// relatively, the critical ray and the turning point are, where outputs are singular.
+double condition(const Trace& trace, double q, double zeta0, double room, const Output& output, std::optional<double> at) {
+    const auto here = trace(q, zeta0, at);
+    const double y = output(*here), step = std::max(1e-5 * std::min(1.0, room), 1e-15);
+    double sum = 0;
+    for (int input = 0; input < (at ? 3 : 2); ++input) {
+        double worst = 0;
+        for (const double h : {step, -step}) {
+            const auto there = trace(q * (input == 0 ? 1 + h : 1), zeta0 * (input == 1 ? 1 + h : 1),
+                                     at ? std::optional(*at * (input == 2 ? 1 + h : 1)) : at);
+            if (!there || there->fate != here->fate) continue;
+            const double change = std::abs(output(*there) - y) / (step * std::abs(y));
+            if (std::isfinite(change)) worst = std::max(worst, change);
+        }
+        sum += worst;
+    }
+    return std::max(1.0, sum);
+}
+
+TEST_CASE("the reference meets every row of the extremal Reissner-Nordstrom vectors") {
+    double worst = 0;
+    int rows = 0, inside = 0;
+    Scene scene;
+    scene.spacetime = {"reissner-nordstrom", {{"charge", 1.0}}};
+    for (const VectorRow& row : load_vectors(NULLSCOPE_TEST_DATA "/vectors/rn_extremal.csv")) {
+        const double q = number(row, "q"), zeta0 = number(row, "zeta0"), v = zeta0 * (1 - 0.5 * zeta0);
+        const int s = static_cast<int>(number(row, "s")), status = static_cast<int>(number(row, "status"));
+        const Trace trace = [&](double q_, double zeta_, std::optional<double> at) {
+            RayQuery query;
+            query.orbit = ReducedRay{q_, zeta_, s};
+            query.at_angle = at;
+            return reference::trace_ray(scene, query);
+        };
+        CAPTURE(row.at("id"));
+        CAPTURE(row.at("group"));
+        const auto record = trace(q, zeta0, {});
+        REQUIRE(record);
+        CHECK(record->fate == (status == 0 ? Fate::kEscaped : status == 1 ? Fate::kCaptured : Fate::kNoSky));
+        ++rows;
+        inside += zeta0 >= 2;
+        const double room = std::min(std::abs(q / 0.5 - 1), std::abs((q - v) * (q + v) / (q * q)));
+        const auto check = [&](const char* column, const Output& output, std::optional<double> at) {
+            CAPTURE(std::string(column));
+            const double expected = number(row, column), found = output(*trace(q, zeta0, at));
+            CAPTURE(expected);
+            CAPTURE(found);
+            if (std::isnan(expected)) {
+                CHECK(std::isnan(found));
+                return;
+            }
+            const double kappa = condition(trace, q, zeta0, room, output, at);
+            CAPTURE(kappa);
+            const double error = std::abs(found - expected) / (std::abs(expected) * kappa);
+            worst = std::max(worst, error);
+            CHECK(error <= kTolerance);
+        };
+        check("phi", [](const RayRecord& r) { return r.angle; }, {});
+        check("T", [](const RayRecord& r) { return r.delay; }, {});
+        check("zeta_turn", [](const RayRecord& r) { return r.turn; }, {});
+        check("zeta_a", [](const RayRecord& r) { return r.at; }, number(row, "phi_a"));
+        check("zeta_b", [](const RayRecord& r) { return r.at; }, number(row, "phi_b"));
+        if (!std::isnan(number(row, "g_static")))   // g = 1/(1 - zeta0/2): a few roundings, as often as that multiplies them
+            CHECK(std::abs(record->g / number(row, "g_static") - 1) * std::min(1.0, std::abs(1 - 0.5 * zeta0)) < 2e-15);
+    }
+    fmt::print("rn_extremal.csv: {} rows ({} with the camera on or inside the horizon), largest error over condition number {:.2g}\n",
+               rows, inside, worst);
+    CHECK(rows == 126);
+}
+
+TEST_CASE("the reference meets every row of the Ellis vectors") {
+    double worst = 0;
+    int rows = 0;
+    Scene scene;
+    scene.spacetime = {"ellis", {}};
+    for (const VectorRow& row : load_vectors(NULLSCOPE_TEST_DATA "/vectors/ellis.csv")) {
+        const double h = number(row, "h"), l0 = number(row, "l0");
+        const int s = static_cast<int>(number(row, "s"));
+        const Trace trace = [&](double q_, double l_, std::optional<double> at) {
+            RayQuery query;
+            query.orbit = ReducedRay{q_, l_, -s};
+            query.at_angle = at;
+            return reference::trace_ray(scene, query);
+        };
+        CAPTURE(row.at("id"));
+        CAPTURE(row.at("group"));
+        const auto record = trace(1 / h, l0, {});
+        REQUIRE(record);
+        CHECK(record->fate == (number(row, "end") > 0 ? Fate::kEscaped : Fate::kOtherSide));
+        ++rows;
+        const double room = std::min(std::abs(h - 1), std::abs(1 - h * h / (l0 * l0 + 1)));
+        const auto check = [&](const char* column, const Output& output, std::optional<double> at) {
+            CAPTURE(std::string(column));
+            const double expected = number(row, column), found = output(*trace(1 / h, l0, at));
+            CAPTURE(expected);
+            CAPTURE(found);
+            if (std::isnan(expected)) {
+                CHECK(std::isnan(found));
+                return;
+            }
+            const double kappa = condition(trace, 1 / h, l0, room, output, at);
+            CAPTURE(kappa);
+            const double error = std::abs(found - expected) / (std::abs(expected) * kappa);
+            worst = std::max(worst, error);
+            CHECK(error <= kTolerance);
+        };
+        check("phi", [](const RayRecord& r) { return r.angle; }, {});
+        check("T", [](const RayRecord& r) { return r.delay; }, {});
+        check("l_turn", [](const RayRecord& r) { return r.turn; }, {});
+        check("l_a", [](const RayRecord& r) { return r.at; }, number(row, "phi_a"));
+    }
+    fmt::print("ellis.csv: {} rows, largest error over condition number {:.2g}\n", rows, worst);
+    CHECK(rows == 135);
+}
+
+TEST_CASE("the reference knows the bending of the Ellis wormhole: alpha = 2 K(1/h^2) - pi") {
+    Scene scene;
+    scene.spacetime = {"ellis", {}};
+    constexpr double kFar = 1e9;   // the camera's own distance takes h/l of the angle
+    for (const auto& [h, alpha] : {std::pair{1.1, 1.5022554199624496}, {2.0, 0.22990805603539885}}) {
+        RayQuery query;
+        query.orbit = ReducedRay{1 / h, kFar, 1};
+        const double found = reference::trace_ray(scene, query)->angle + std::asin(h / kFar) - M_PI;
+        fmt::print("Ellis, h = {}: alpha = {:.16g}, exact {:.16g}\n", h, found, alpha);
+        CHECK(std::abs(found - alpha) < 1e-14);
+    }
+}
+
+// From afar the ray that grazes the surface sweeps half of pi + its bending: where that bending reaches pi, at a closest approach of
+// 3.52061796315193 M, the point behind the star comes into view.
+TEST_CASE("a star: all of its surface is seen below 3.52062 M, and not above") {
+    constexpr double kWhole = 0.5 * 3.52061796315193, kFar = 1e9, kGraze = 1e-15;
+    const auto farthest = [&](double radius) {
+        Scene scene;
+        scene.spacetime = {"neutron-star", {{"radius", radius}}};
+        RayQuery query;   // just inside of the grazing ray: q^2 = V(surface)
+        query.orbit = ReducedRay{std::sqrt(1 - 1 / radius) / radius * (1 + kGraze), 1 / kFar, 1};
+        const auto record = reference::trace_ray(scene, query);
+        REQUIRE(record);
+        CHECK(record->fate == Fate::kHit);
+        return record->angle;
+    };
+    fmt::print("star: farthest place seen, rad from the nearest one: {:.12f} at 3.5206 M, {:.12f} at 3.520617963 M, {:.12f} at 3.5207 M\n",
+               farthest(0.5 * 3.5206), farthest(kWhole), farthest(0.5 * 3.5207));
+    CHECK(farthest(0.5 * 3.5206) > M_PI);
+    CHECK(farthest(0.5 * 3.5207) < M_PI);
+    CHECK(std::abs(farthest(kWhole) - M_PI) < 1e-6);   // sqrt(kGraze), and the camera's own b/r
+}
+
+}  // namespace
