@@ -10,15 +10,15 @@ namespace nullscope {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
-constexpr double kStandoff = 1 + 1e-5;   // least radius of a camera over that of a star (spacetime/neutron_star.h)
+constexpr double kStandoff = 1 + 1e-5;  // least radius of a camera over that of a star (spacetime/neutron_star.h)
 constexpr std::pair<const char*, double> kLooks[] = {{"inwards", 0.0}, {"across", M_PI / 2}, {"outwards", M_PI}};
 
 // A metric, and where rays divide in it, for the directions of cases.
 struct Place {
     std::string metric, label;
     std::map<std::string, double> parameters;
-    double photon_r;     // of the photon sphere; wormholes: 0; a star outside of it: its surface
-    double least;        // horizon, or as near as a camera comes to a surface; wormholes: none
+    double photon_r;  // of the photon sphere; wormholes: 0; a star outside of it: its surface
+    double least;     // horizon, or as near as a camera comes to a surface; wormholes: none
     bool disc;
 };
 
@@ -62,10 +62,15 @@ void critical(std::vector<HardCase>& list, const Place& p) {
 }
 
 void dividing_sphere(std::vector<HardCase>& list, const Place& p) {
-    for (const auto& [where, off] : {std::pair{"on", 0.0}, {"1e-9 above", 1e-9}, {"1e-9 below", -1e-9}, {"1e-3 above", 1e-3}, {"1e-3 below", -1e-3}}) {
+    for (const auto& [where, off] : {std::pair{"on", 0.0},
+                                     {"1e-9 above", 1e-9},
+                                     {"1e-9 below", -1e-9},
+                                     {"1e-3 above", 1e-3},
+                                     {"1e-3 below", -1e-3}}) {
         if (p.photon_r + off <= p.least) continue;
         for (const auto& [look, yaw] : kLooks)
-            add(list, p, fmt::format("camera {} the {}, {}", where, p.metric == "ellis" ? "throat" : "photon sphere", look),
+            add(list, p,
+                fmt::format("camera {} the {}, {}", where, p.metric == "ellis" ? "throat" : "photon sphere", look),
                 "both kinds of rays meet, and chi0 = pi/2", frame_of(p, p.photon_r + off, yaw, 100 * kDegree));
     }
 }
@@ -74,7 +79,8 @@ void extremes(std::vector<HardCase>& list, const Place& p) {
     for (const int k : {2, 4, 6})
         for (const auto& [look, yaw] : kLooks) {
             if (p.least > 0)
-                add(list, p, fmt::format("1e-{} above the {}, {}", k, p.metric == "neutron-star" ? "surface" : "horizon", look),
+                add(list, p,
+                    fmt::format("1e-{} above the {}, {}", k, p.metric == "neutron-star" ? "surface" : "horizon", look),
                     "the sky closes to a cone, or the surface fills half of it",
                     frame_of(p, p.least * (1 + std::pow(10.0, -k)), yaw, 100 * kDegree));
             else
@@ -82,7 +88,8 @@ void extremes(std::vector<HardCase>& list, const Place& p) {
                     add(list, p, fmt::format("l = {}1e{}, {}", side > 0 ? "" : "-", k, look), "far on either side",
                         frame_of(p, side * std::pow(10.0, k), yaw, 60 * kDegree));
         }
-    add(list, p, "zeta0 = 1e-6, at its edge", "rays of interest are nearly radial", frame_of(p, 1e6, 0, 6 * dividing_angle(p, 1e6)));
+    add(list, p, "zeta0 = 1e-6, at its edge", "rays of interest are nearly radial",
+        frame_of(p, 1e6, 0, 6 * dividing_angle(p, 1e6)));
     for (const Vec3 v : {Vec3{-0.9, 0, 0}, {0, 0.3, 0.9}, {0.999, 0, 0}}) {
         Scene scene = frame_of(p, 6, 0, 90 * kDegree);
         scene.camera.velocity = v;
@@ -101,9 +108,14 @@ void extremes(std::vector<HardCase>& list, const Place& p) {
 }  // namespace
 
 std::vector<HardCase> hard_metric_cases() {
-    const double s = std::sqrt(0.75);   // of Q/M = 0.5
+    const double s = std::sqrt(0.75);  // of Q/M = 0.5
     const std::vector<Place> places = {
-        {"reissner-nordstrom", "charge 0.5", {{"charge", 0.5}}, 0.25 * (3 + std::sqrt(1 + 8 * s * s)), 0.5 * (1 + s), true},
+        {"reissner-nordstrom",
+         "charge 0.5",
+         {{"charge", 0.5}},
+         0.25 * (3 + std::sqrt(1 + 8 * s * s)),
+         0.5 * (1 + s),
+         true},
         {"reissner-nordstrom", "extremal hole", {{"charge", 1.0}}, 1.0, 0.5, true},
         {"neutron-star", "star of 1.2 r_s", {{"radius", 1.2}}, 1.5, 1.2 * kStandoff, false},
         {"neutron-star", "star of 2.5 r_s", {{"radius", 2.5}}, 2.5, 2.5 * kStandoff, false},

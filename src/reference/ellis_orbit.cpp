@@ -13,7 +13,7 @@ namespace nullscope::reference {
 namespace {
 
 using Long = long double;
-constexpr double kRadialImpact = 1e-60;   // below it a ray is radial
+constexpr double kRadialImpact = 1e-60;  // below it a ray is radial
 constexpr double kTurningSlack = 16 * std::numeric_limits<double>::epsilon();
 
 // At the camera. turn2 = b^2 - 1 and away2 = R^2 - b^2 >= 0 do not follow from l and b in double. outward: towards growing l.
@@ -27,21 +27,22 @@ struct Start {
 double far_delay(double b, double l) {
     return integrate_panels(
         [b](double x) {
-            const double r2 = 1 + x * x, s = std::sqrt(1 - b * x * b * x / r2);   // R^2 x^2
+            const double r2 = 1 + x * x, s = std::sqrt(1 - b * x * b * x / r2);  // R^2 x^2
             return b * b / (r2 * s * (1 + s));
         },
         0, 1 / l);
 }
 
-class Turning : public Orbit {   // b > 1
+class Turning : public Orbit {  // b > 1
 public:
     explicit Turning(const Start& start) : start_(start), turn_l_(static_cast<double>(std::sqrt(start.turn2))) {
         side_ = start.l < 0 ? -1 : 1;
         m1_ = static_cast<double>(start.turn2 / (Long(start.b) * start.b));
         quarter_ = rf(0, m1_, 1);
         const Long r2 = Long(start.l) * start.l + 1;
-        const double f = static_cast<double>(start.b / std::sqrt(r2)) *
-                         rf(static_cast<double>(start.away2 / r2), static_cast<double>(Long(start.l) * start.l / r2), 1);
+        const double f =
+            static_cast<double>(start.b / std::sqrt(r2)) *
+            rf(static_cast<double>(start.away2 / r2), static_cast<double>(Long(start.l) * start.l / r2), 1);
         inward_ = start.outward != (side_ > 0);
         angle_ = inward_ ? 2 * quarter_ - f : f;
         fate_ = side_ > 0 ? Fate::kEscaped : Fate::kOtherSide;
@@ -62,7 +63,8 @@ public:
         const auto radius = [t](double w) { return std::hypot(t * std::cosh(w), 1.0); };
         double sum = far_delay(b, middle);
         if (middle > l)
-            sum += integrate_panels([&](double w) { return b * b / (radius(w) + t * std::sinh(w)); }, here, std::acosh(std::max(middle / t, 1.0)));
+            sum += integrate_panels([&](double w) { return b * b / (radius(w) + t * std::sinh(w)); }, here,
+                                    std::acosh(std::max(middle / t, 1.0)));
         return inward_ ? sum + 2 * integrate_panels(radius, 0, here) : sum;
     }
 
@@ -72,14 +74,14 @@ private:
     bool inward_ = false;
 };
 
-class Passing : public Orbit {   // b < 1
+class Passing : public Orbit {  // b < 1
 public:
     explicit Passing(const Start& start) : start_(start), m1_(static_cast<double>(-start.turn2)) {
         quarter_ = rf(0, m1_, 1);
         const Long r2 = Long(start.l) * start.l + 1;
         const double f = static_cast<double>(1 / std::sqrt(r2)) * rf(static_cast<double>(Long(start.l) * start.l / r2),
-                                                                    static_cast<double>(start.away2 / r2), 1);
-        const bool leaves = start.outward == (start.l >= 0);   // without passing the throat
+                                                                     static_cast<double>(start.away2 / r2), 1);
+        const bool leaves = start.outward == (start.l >= 0);  // without passing the throat
         angle_ = start.b * (leaves ? f : 2 * quarter_ - f);
         fate_ = start.outward ? Fate::kEscaped : Fate::kOtherSide;
     }
@@ -97,11 +99,13 @@ public:
     // l = c sinh(w), c = sqrt(1 - b^2): (1/s - 1) dl = b^2 dw/(R + c cosh w). Elapsed time minus the way from l to L as |L| grows; for a
     // ray that ends on the side it did not start from, minus L + |l|: the same integral.
     double delay() const override {
-        const double c = std::sqrt(m1_), b = start_.b, along = start_.outward ? start_.l : -start_.l, middle = std::max(along, 2.0);
+        const double c = std::sqrt(m1_), b = start_.b, along = start_.outward ? start_.l : -start_.l,
+                     middle = std::max(along, 2.0);
         double sum = far_delay(b, middle);
         if (middle > along)
-            sum += integrate_panels([=](double w) { return b * b / (std::hypot(c * std::sinh(w), 1.0) + c * std::cosh(w)); },
-                                    std::asinh(along / c), std::asinh(middle / c));
+            sum += integrate_panels(
+                [=](double w) { return b * b / (std::hypot(c * std::sinh(w), 1.0) + c * std::cosh(w)); },
+                std::asinh(along / c), std::asinh(middle / c));
         return sum;
     }
 
@@ -110,7 +114,7 @@ private:
     double m1_, quarter_;
 };
 
-class Straight : public Orbit {   // radial rays, and the circle at the throat
+class Straight : public Orbit {  // radial rays, and the circle at the throat
 public:
     Straight(double l, Fate fate) : l_(l) {
         fate_ = fate;
@@ -140,12 +144,15 @@ public:
         return orbit({ray.r, static_cast<double>(std::sqrt(r2) * n_t), ray.n_r > 0,
                       (std::abs(l) * n_t - std::abs(n_r)) * (std::abs(l) * n_t + std::abs(n_r)), r2 * n_r * n_r});
     }
-    RainOrbit from_rain(const LocalRay& ray) const override { return {from_static(ray), 1.0}; }   // nothing falls here
+    RainOrbit from_rain(const LocalRay& ray) const override { return {from_static(ray), 1.0}; }  // nothing falls here
 
 private:
-    static bool outward(const ReducedRay& ray) { return (ray.s < 0) == (ray.zeta0 >= 0); }   // s = +1: towards the throat
+    static bool outward(const ReducedRay& ray) {
+        return (ray.s < 0) == (ray.zeta0 >= 0);
+    }  // s = +1: towards the throat
     static std::unique_ptr<Orbit> orbit(Start start) {
-        if (start.b < kRadialImpact) return std::make_unique<Straight>(start.l, start.outward ? Fate::kEscaped : Fate::kOtherSide);
+        if (start.b < kRadialImpact)
+            return std::make_unique<Straight>(start.l, start.outward ? Fate::kEscaped : Fate::kOtherSide);
         if (start.turn2 == 0 && start.away2 == 0) return std::make_unique<Straight>(start.l, Fate::kNoSky);
         if (start.turn2 == 0) start.turn2 = -std::pow(Long(std::numeric_limits<double>::epsilon()), 2);
         if (start.turn2 > 0) return std::make_unique<Turning>(start);

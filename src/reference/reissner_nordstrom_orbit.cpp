@@ -11,15 +11,15 @@ namespace nullscope::reference {
 namespace {
 
 using Long = long double;
-constexpr double kRadialQ = 1e60, kLeastQ = 1e-60;   // beyond: radial; below: the regular limit
+constexpr double kRadialQ = 1e60, kLeastQ = 1e-60;  // beyond: radial; below: the regular limit
 constexpr double kTurningSlack = 16 * std::numeric_limits<double>::epsilon();
 
 struct Charged {
-    Long kappa, outer, inner;       // horizons, r
-    Long sphere, stable;            // photon orbits, zeta
+    Long kappa, outer, inner;  // horizons, r
+    Long sphere, stable;       // photon orbits, zeta
     Long q_crit;
     explicit Charged(double charge) {
-        const Long q = charge, s = std::sqrt((1 - q) * (1 + q)), root = std::sqrt(1 + 8 * s * s);   // 9 - 32 kappa
+        const Long q = charge, s = std::sqrt((1 - q) * (1 + q)), root = std::sqrt(1 + 8 * s * s);  // 9 - 32 kappa
         kappa = q * q / 4;
         outer = (1 + s) / 2;
         inner = kappa / outer;
@@ -31,7 +31,7 @@ struct Charged {
     Long v(Long z) const { return z * z * (1 - outer * z) * (1 - inner * z); }
     // q_crit^2 - V = (zeta - sphere)^2 hill(zeta): by division with V'(sphere) = 0.
     Long hill(Long z) const { return (2 - sphere) / 4 + z * ((1 / sphere - Long(0.5)) - kappa * z); }
-    Long v_slope(Long z, Long off_sphere) const {   // off_sphere = sphere - z, given apart
+    Long v_slope(Long z, Long off_sphere) const {  // off_sphere = sphere - z, given apart
         return 2 * z * (off_sphere / sphere) * (1 - z / stable);
     }
 };
@@ -39,7 +39,7 @@ struct Charged {
 // At the camera. root_p = sqrt(P), delta2 = q^2 - q_crit^2 and beyond = zeta0 - sphere do not follow from q and zeta0 in double.
 struct Start {
     Long q, zeta0;
-    int s;   // +1 towards the hole
+    int s;  // +1 towards the hole
     Long root_p, delta2, beyond;
 };
 
@@ -58,7 +58,7 @@ struct TurningLeg {
     double zeta(double w) const { return e + sign * t_of(w); }
     double w_of_t(double t) const { return std::asinh(std::sqrt(t / gamma)); }
     double root_p(double w) const { return std::sqrt(gamma) * std::sinh(w) * std::sqrt(q_of(t_of(w))); }
-    double rate(double w) const { return 2 * std::sqrt(gamma) * std::cosh(w) / std::sqrt(q_of(t_of(w))); }   // dphi/dw
+    double rate(double w) const { return 2 * std::sqrt(gamma) * std::cosh(w) / std::sqrt(q_of(t_of(w))); }  // dphi/dw
     // t of the camera: P = t Q(t) with sqrt(P) given keeps the digits that zeta0 - e has lost.
     double camera_t(Long zeta0, Long turn, Long root) const {
         double t = static_cast<double>(std::max(Long(0), sign * (zeta0 - turn)));
@@ -70,7 +70,8 @@ struct TurningLeg {
 // q > q_crit: zeta = sphere + epsilon sinh(w), P = delta2 + (zeta - sphere)^2 hill(zeta).
 struct PassingLeg {
     double sphere, epsilon, delta2, h0, h1, h2;
-    PassingLeg(const Charged& m, Long delta) : sphere(static_cast<double>(m.sphere)), delta2(static_cast<double>(delta)) {
+    PassingLeg(const Charged& m, Long delta)
+        : sphere(static_cast<double>(m.sphere)), delta2(static_cast<double>(delta)) {
         h0 = static_cast<double>((2 - m.sphere) / 4), h1 = static_cast<double>(1 / m.sphere - Long(0.5));
         h2 = static_cast<double>(-m.kappa);
         epsilon = static_cast<double>(std::sqrt(delta / m.hill(m.sphere)));
@@ -91,12 +92,21 @@ struct SkyLeg {
     double q, zeta0, kappa;
     bool used;
     SkyLeg(const Charged& m, const Start& start, Long nearest)
-        : q(static_cast<double>(start.q)), zeta0(static_cast<double>(start.zeta0)), kappa(static_cast<double>(m.kappa)), used(start.s < 0 && start.zeta0 < nearest / 4) {}
+        : q(static_cast<double>(start.q)),
+          zeta0(static_cast<double>(start.zeta0)),
+          kappa(static_cast<double>(m.kappa)),
+          used(start.s < 0 && start.zeta0 < nearest / 4) {}
     double root_p(double z) const { return std::sqrt(q * q - z * z * (1 + z * (kappa * z - 1))); }
     double rate(double z) const { return 1 / root_p(z); }
-    double angle() const { return integrate_panels([this](double z) { return rate(z); }, 0, zeta0); }
-    double delay() const { return integrate_panels([this](double z) { return rate(z) / (q + root_p(z)); }, 0, zeta0); }
-    double zeta(double rest) const { return invert_panels([this](double z) { return rate(z); }, 0, zeta0, rest); }
+    double angle() const {
+        return integrate_panels([this](double z) { return rate(z); }, 0, zeta0);
+    }
+    double delay() const {
+        return integrate_panels([this](double z) { return rate(z) / (q + root_p(z)); }, 0, zeta0);
+    }
+    double zeta(double rest) const {
+        return invert_panels([this](double z) { return rate(z); }, 0, zeta0, rest);
+    }
 };
 
 // T of an outward leg from the sky: dphi / (q + sqrt P).
@@ -108,18 +118,22 @@ double outward_delay(const Leg& leg, double q, double sky, double camera, double
 // Inside the horizon P has its last root, where rays turn above the inner horizon, next to where a camera may be.
 double panel_of(const Charged& m, const Start& start) { return start.zeta0 * m.outer > 1 ? kPanel / 64 : kPanel; }
 
-class Turning : public Orbit {   // q < q_crit: outside the photon sphere up to e2, or inside it down to e3
+class Turning : public Orbit {  // q < q_crit: outside the photon sphere up to e2, or inside it down to e3
 public:
     Turning(const Charged& m, const Start& start)
-        : metric_(m), start_(start), outside_(start.beyond < 0), turning_(find_turn(m, start, outside_)),
-          leg_(m, turning_.zeta, -turning_.off, outside_ ? -1 : 1), sky_(m, start, outside_ ? turning_.zeta : 0),
+        : metric_(m),
+          start_(start),
+          outside_(start.beyond < 0),
+          turning_(find_turn(m, start, outside_)),
+          leg_(m, turning_.zeta, -turning_.off, outside_ ? -1 : 1),
+          sky_(m, start, outside_ ? turning_.zeta : 0),
           panel_(panel_of(m, start)) {
         camera_ = leg_.w_of_t(leg_.camera_t(start.zeta0, turning_.zeta, start.root_p));
         const Long end_t = outside_ ? turning_.zeta : std::max(Long(0), 1 / m.outer - turning_.zeta);
         end_ = leg_.w_of_t(static_cast<double>(end_t));
         const bool inside_horizon = start.zeta0 * m.outer >= 1;
         const bool meets_turn = outside_ == (start.s > 0);
-        if (!outside_ && inside_horizon && start.s > 0) return;   // falls from the start
+        if (!outside_ && inside_horizon && start.s > 0) return;  // falls from the start
         fate_ = outside_ ? Fate::kEscaped : inside_horizon ? Fate::kNoSky : Fate::kCaptured;
         const auto rate = [this](double w) { return leg_.rate(w); };
         if (meets_turn) {
@@ -153,7 +167,7 @@ public:
 
 private:
     struct Turn {
-        Long zeta, off;   // off = zeta - sphere
+        Long zeta, off;  // off = zeta - sphere
     };
     // d sqrt(hill(sphere -+ d)) = sqrt(-delta2); far below the critical q, zeta sqrt(A) = q instead.
     static Turn find_turn(const Charged& m, const Start& start, bool outside) {
@@ -185,12 +199,13 @@ private:
     // zeta = integral from the sky is e - t with t near e: as the root difference it keeps its digits.
     double near_sky(double w) const {
         const double we = end_, a = std::sinh(we), b = std::sinh(w);
-        const double difference = 2 * std::cosh(0.5 * (we + w)) * std::sinh(0.5 * (we - w));   // a - b
+        const double difference = 2 * std::cosh(0.5 * (we + w)) * std::sinh(0.5 * (we - w));  // a - b
         return leg_.gamma * difference * (a + b);
     }
     // 2 q dzeta / (zeta^2 A sqrt P) from the camera to the turning point; in log(zeta) far from it.
     double inward_delay() const {
-        const double q = static_cast<double>(start_.q), e = leg_.e, split = 0.5 * e, kappa = static_cast<double>(metric_.kappa);
+        const double q = static_cast<double>(start_.q), e = leg_.e, split = 0.5 * e,
+                     kappa = static_cast<double>(metric_.kappa);
         const double ro = static_cast<double>(metric_.outer), ri = static_cast<double>(metric_.inner);
         const auto weight = [=](double z) { return q / (z * z * (1 - ro * z) * (1 - ri * z)); };
         const auto near = [&](double w) { return leg_.rate(w) * weight(leg_.zeta(w)); };
@@ -199,7 +214,8 @@ private:
             const double z = std::exp(y);
             return z * weight(z) / std::sqrt(q * q - z * z * (1 + z * (kappa * z - 1)));
         };
-        return integrate_panels(near, 0, leg_.w_of_t(e - split)) + integrate_panels(far, static_cast<double>(std::log(start_.zeta0)), std::log(split));
+        return integrate_panels(near, 0, leg_.w_of_t(e - split)) +
+               integrate_panels(far, static_cast<double>(std::log(start_.zeta0)), std::log(split));
     }
     Charged metric_;
     Start start_;
@@ -210,15 +226,18 @@ private:
     double panel_, camera_ = 0, end_ = 0, to_turn_ = 0;
 };
 
-class Passing : public Orbit {   // q > q_crit: monotone over the photon sphere
+class Passing : public Orbit {  // q > q_crit: monotone over the photon sphere
 public:
-    Passing(const Charged& m, const Start& start) : start_(start), leg_(m, start.delta2), sky_(m, start, m.sphere), panel_(panel_of(m, start)) {
+    Passing(const Charged& m, const Start& start)
+        : start_(start), leg_(m, start.delta2), sky_(m, start, m.sphere), panel_(panel_of(m, start)) {
         camera_ = leg_.w_of(start.beyond);
         const bool out = start.s < 0, inside_horizon = start.zeta0 * m.outer >= 1;
         if (!out && inside_horizon) return;
         end_ = leg_.w_of(out ? -m.sphere : 1 / m.outer - m.sphere);
         fate_ = out ? Fate::kEscaped : Fate::kCaptured;
-        angle_ = sky_.used ? sky_.angle() : std::abs(integrate_panels([this](double w) { return leg_.rate(w); }, camera_, end_, panel_));
+        angle_ = sky_.used
+                     ? sky_.angle()
+                     : std::abs(integrate_panels([this](double w) { return leg_.rate(w); }, camera_, end_, panel_));
     }
     double zeta_at(double angle) const override {
         if (angle == 0) return static_cast<double>(start_.zeta0);
@@ -244,7 +263,7 @@ private:
     double panel_, camera_ = 0, end_ = 0;
 };
 
-class Standing : public Orbit {   // radial rays, and the circular one
+class Standing : public Orbit {  // radial rays, and the circular one
 public:
     Standing(double zeta0, Fate fate, bool radial) : zeta0_(zeta0), radial_(radial) {
         fate_ = fate;
@@ -270,7 +289,8 @@ public:
             p = (q - zeta0) * (q + zeta0) + zeta0 * zeta0 * (zeta0 - m_.kappa * zeta0 * zeta0);
             delta2 = (q - m_.q_crit) * (q + m_.q_crit);
             if (p < -kTurningSlack * q * q)
-                return bad_input(fmt::format("no ray with q = {:.17g} passes through zeta0 = {:.17g}: q^2 < V(zeta0)", ray.q, ray.zeta0));
+                return bad_input(fmt::format("no ray with q = {:.17g} passes through zeta0 = {:.17g}: q^2 < V(zeta0)",
+                                             ray.q, ray.zeta0));
         }
         return orbit({q, zeta0, ray.s, std::sqrt(std::max(p, Long(0))), delta2, zeta0 - m_.sphere});
     }
@@ -306,8 +326,13 @@ private:
     std::unique_ptr<Orbit> orbit(Start start) const {
         const bool inside = start.zeta0 * m_.outer >= 1;
         if (!(start.q < kRadialQ))
-            return std::make_unique<Standing>(static_cast<double>(start.zeta0), start.s < 0 ? Fate::kEscaped : inside ? Fate::kNoSky : Fate::kCaptured, true);
-        if (start.delta2 == 0 && start.root_p == 0) return std::make_unique<Standing>(static_cast<double>(start.zeta0), Fate::kNoSky, false);
+            return std::make_unique<Standing>(static_cast<double>(start.zeta0),
+                                              start.s < 0 ? Fate::kEscaped
+                                              : inside    ? Fate::kNoSky
+                                                          : Fate::kCaptured,
+                                              true);
+        if (start.delta2 == 0 && start.root_p == 0)
+            return std::make_unique<Standing>(static_cast<double>(start.zeta0), Fate::kNoSky, false);
         // The critical ray itself never ends; its neighbour, closer than any double q comes, does.
         if (start.delta2 == 0) start.delta2 = std::pow(Long(std::numeric_limits<double>::epsilon()), 2);
         if (start.delta2 > 0) return std::make_unique<Passing>(m_, start);

@@ -15,13 +15,14 @@ public:
         fate_ = bare_->fate();
         angle_ = bare_->angle();
         turn_ = bare_->turn();
-        const bool flyby = fate_ == Fate::kEscaped && turn_ >= surface;   // would turn inside
+        const bool flyby = fate_ == Fate::kEscaped && turn_ >= surface;  // would turn inside
         if (fate_ != Fate::kCaptured && !flyby) return;
         fate_ = Fate::kHit;
         if (flyby) turn_ = kNotANumber;
-        if (angle_ == 0) return;   // radial
+        if (angle_ == 0) return;  // radial
         // zeta grows to 1/surface on the way to the turning point of a flyby, and after that of an orbit that rose first.
-        const double turned = bare_->turn_angle(), low = turned == turned && !flyby ? turned : 0, high = flyby ? turned : angle_;
+        const double turned = bare_->turn_angle(), low = turned == turned && !flyby ? turned : 0,
+                     high = flyby ? turned : angle_;
         angle_ = meeting(surface, low, high);
     }
     double zeta_at(double angle) const override {
@@ -33,11 +34,11 @@ private:
     double meeting(double surface, double low, double high) const {
         const auto depth = [&](double angle) {
             const double zeta = bare_->zeta_at(angle);
-            return std::isfinite(zeta) ? zeta - surface : 1.0 - surface;   // at the horizon, where the bare orbit ends
+            return std::isfinite(zeta) ? zeta - surface : 1.0 - surface;  // at the horizon, where the bare orbit ends
         };
         const double at_low = depth(low), at_high = depth(high);
         if (!(at_low < 0)) return low;
-        if (!(at_high > 0)) return high;   // grazes
+        if (!(at_high > 0)) return high;  // grazes
         std::uintmax_t steps = 100;
         const auto found = boost::math::tools::toms748_solve(depth, low, high, at_low, at_high,
                                                              boost::math::tools::eps_tolerance<double>(52), steps);
@@ -57,7 +58,9 @@ public:
         if (!bare) return bare.error();
         return ended(std::move(*bare));
     }
-    std::unique_ptr<Orbit> from_static(const LocalRay& ray) const override { return ended(exterior_->from_static(ray)); }
+    std::unique_ptr<Orbit> from_static(const LocalRay& ray) const override {
+        return ended(exterior_->from_static(ray));
+    }
     RainOrbit from_rain(const LocalRay& ray) const override {
         RainOrbit rain = exterior_->from_rain(ray);
         return {ended(std::move(rain.orbit)), rain.g};

@@ -20,7 +20,8 @@ public:
     double operator()(double y, const F& f, const Rate& rate) const {
         if (!(y > at_.front())) return 0.0;
         if (!(y < at_.back())) return x_end_;
-        const std::size_t i = std::clamp<std::size_t>(std::upper_bound(at_.begin(), at_.end(), y) - at_.begin(), 1, kNodes - 1);
+        const std::size_t i =
+            std::clamp<std::size_t>(std::upper_bound(at_.begin(), at_.end(), y) - at_.begin(), 1, kNodes - 1);
         const double cell = x_end_ / (kNodes - 1);
         double low = cell * static_cast<double>(i - 1), high = cell * static_cast<double>(i);
         double x = low + cell * (y - at_[i - 1]) / (at_[i] - at_[i - 1]);
@@ -39,7 +40,7 @@ public:
 
 private:
     static constexpr std::size_t kNodes = 2049;
-    static constexpr int kMostSteps = 60;   // of halvings, should Newton's steps leave the bracket
+    static constexpr int kMostSteps = 60;  // of halvings, should Newton's steps leave the bracket
     std::array<double, kNodes> at_{};
     double x_end_ = 0.0;
 };

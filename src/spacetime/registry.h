@@ -14,12 +14,12 @@ namespace nullscope {
 
 struct MetricParameter {
     std::string_view name;
-    double fallback, low, high;   // default and allowed range, inclusive
+    double fallback, low, high;  // default and allowed range, inclusive
     std::string_view help;
 };
 struct MetricEntry {
     std::string_view key;
-    std::string_view help;        // one sentence
+    std::string_view help;  // one sentence
     std::vector<MetricParameter> parameters;
     std::unique_ptr<Spacetime> (*make)(const std::map<std::string, double>& parameters);
 };

@@ -8,7 +8,7 @@
 namespace nullscope {
 
 namespace {
-constexpr double kNear = 2.0;   // r_s; 1 - r_o/r loses no digit from there on
+constexpr double kNear = 2.0;  // r_s; 1 - r_o/r loses no digit from there on
 }
 
 ReissnerNordstrom::ReissnerNordstrom(double charge) : kappa_(0.25 * charge * charge) {
@@ -43,12 +43,14 @@ double ReissnerNordstrom::chi_from_radius(double r) const {
         std::fprintf(stderr, "ReissnerNordstrom::chi_from_radius: r = %.17g is not >= %.17g\n", r, outer_);
         std::abort();
     }
-    return chi_of(1.0 / r, r < kNear ? (r - outer_) / r : 1.0 - outer_ / r);   // to the last digit at the horizon, finite at infinity
+    return chi_of(1.0 / r, r < kNear ? (r - outer_) / r
+                                     : 1.0 - outer_ / r);  // to the last digit at the horizon, finite at infinity
 }
 
 double ReissnerNordstrom::zeta_from_chi(double chi) const {
     return zeta_of_(
-        chi, [this](double zeta) { return chi_of(zeta, outside(zeta)); }, [this](double zeta) { return q_crit_ * density_at(zeta); });
+        chi, [this](double zeta) { return chi_of(zeta, outside(zeta)); },
+        [this](double zeta) { return q_crit_ * density_at(zeta); });
 }
 
 double ReissnerNordstrom::radius_from_chi(double chi) const { return 1.0 / zeta_from_chi(chi); }

@@ -20,7 +20,7 @@ namespace nullscope {
 
 class ReissnerNordstrom final : public Spacetime {
 public:
-    explicit ReissnerNordstrom(double charge);   // Q/M, [0, 1]
+    explicit ReissnerNordstrom(double charge);  // Q/M, [0, 1]
     std::string_view name() const override { return "reissner-nordstrom"; }
     double lapse_squared(double r) const override;
     std::optional<double> horizon_radius() const override { return outer_; }
@@ -37,7 +37,7 @@ private:
     double chi_of(double zeta, double outside) const;
     double density_at(double zeta) const;
     double zeta_from_chi(double chi) const;
-    double kappa_, outer_, inner_, sphere_, zeta_c_, q_crit_, gap_;   // gap: r_o - r_u
+    double kappa_, outer_, inner_, sphere_, zeta_c_, q_crit_, gap_;  // gap: r_o - r_u
     InverseMap zeta_of_;
 };
 

@@ -31,7 +31,8 @@ bool camera_can_rest(const Spacetime& spacetime, double r) {
 
 std::string allowed_radii(const Spacetime& spacetime) {
     const RadiusRange range = spacetime.camera_range();
-    return range.high < kAnyRadius ? fmt::format("{} < r < {}", range.low, range.high) : fmt::format("r > {}", range.low);
+    return range.high < kAnyRadius ? fmt::format("{} < r < {}", range.low, range.high)
+                                   : fmt::format("r > {}", range.low);
 }
 
 }  // namespace nullscope

@@ -16,8 +16,8 @@
 namespace nullscope {
 
 struct PhotonSphere {
-    double radius;   // r of the unstable circular light orbit
-    double q_crit;   // E r_s / L of the rays that spiral to it
+    double radius;  // r of the unstable circular light orbit
+    double q_crit;  // E r_s / L of the rays that spiral to it
 };
 
 // Where light ends that passes the photon sphere inward.
@@ -45,7 +45,7 @@ public:
     virtual std::optional<PhotonSphere> photon_sphere() const = 0;  // nothing: light runs straight (see bends_light)
     virtual bool bends_light() const = 0;
     virtual InnerEnd inner_end() const { return InnerEnd::kHorizon; }
-    virtual std::optional<double> surface_radius() const { return std::nullopt; }   // of a star; kSurface
+    virtual std::optional<double> surface_radius() const { return std::nullopt; }  // of a star; kSurface
     // The angle chi of a radius and back; only where there is a photon sphere. Relative error < 1e-15 near infinity.
     virtual double chi_from_radius(double r) const = 0;
     virtual double radius_from_chi(double chi) const = 0;
@@ -53,8 +53,8 @@ public:
 
     // The orbit equation zeta'' = -half_v_slope(zeta) of zeta = 1/r, by which objects are found; metrics with R = r only.
     virtual bool has_orbit_equation() const { return true; }
-    virtual double half_v_slope(double zeta) const = 0;       // d(A zeta^2)/dzeta / 2
-    virtual double half_v_curvature(double zeta) const = 0;   // its derivative
+    virtual double half_v_slope(double zeta) const = 0;      // d(A zeta^2)/dzeta / 2
+    virtual double half_v_curvature(double zeta) const = 0;  // its derivative
 
     // Where rays that miss the sky end in a horizon the orbit map of objects can follow them.
     bool can_have_disc() const { return has_orbit_equation() && inner_end() == InnerEnd::kHorizon; }

@@ -48,7 +48,7 @@ std::vector<Case> cases() {
 std::vector<double> radii(const Spacetime& spacetime) {
     const double innermost = std::max(spacetime.camera_range().low, -2e6);
     std::vector<double> values;
-    if (innermost < 0) values = {-1e6, -30.0, -1.0, -1e-3, 0.0};   // a wormhole's far side and throat
+    if (innermost < 0) values = {-1e6, -30.0, -1.0, -1e-3, 0.0};  // a wormhole's far side and throat
     for (double offset = innermost > 0 ? 1e-6 : 1e-2; offset < 2e6; offset *= 3.0)
         values.push_back(std::max(innermost, 0.0) + offset);
     return values;
@@ -142,7 +142,8 @@ TEST_CASE("metric: signature (-,+,+,+) outside the horizon, and the inverse is t
                 CHECK(g[0][0] == -s->lapse_squared(r));
                 CHECK(g[1][1] == s->radial_stretch2(r));
                 CHECK(g[2][2] == across * across);
-                CHECK(g[3][3] == doctest::Approx(across * across * std::sin(theta) * std::sin(theta)).epsilon(kRounding));
+                CHECK(g[3][3] ==
+                      doctest::Approx(across * across * std::sin(theta) * std::sin(theta)).epsilon(kRounding));
                 CHECK(s->root_v(r) == doctest::Approx(std::sqrt(s->lapse_squared(r)) / across).epsilon(kRounding));
             }
         }
@@ -210,13 +211,14 @@ TEST_CASE("chi: V = q_crit^2 sin^2 chi, both ways, to the last digits near infin
     for (const auto& [label, s] : cases()) {
         CAPTURE(label);
         const std::optional<PhotonSphere> sphere = s->photon_sphere();
-        if (!sphere || !s->has_orbit_equation()) continue;   // wormholes: the test below
+        if (!sphere || !s->has_orbit_equation()) continue;  // wormholes: the test below
         const double last = s->horizon_radius() ? 1.0 / *s->horizon_radius() : (1.0 / sphere->radius);
         std::vector<double> zetas;
         for (double zeta = 1e-300; zeta < 1e-3; zeta *= 1e3) zetas.push_back(zeta);
         for (int i = 1; i < 1000; ++i) zetas.push_back(last * i / 1000.0);
         for (double offset = 1e-15; offset < 1e-2; offset *= 10.0) {
-            zetas.insert(zetas.end(), {(1.0 / sphere->radius) - offset, (1.0 / sphere->radius) + offset, last - offset});
+            zetas.insert(zetas.end(),
+                         {(1.0 / sphere->radius) - offset, (1.0 / sphere->radius) + offset, last - offset});
         }
         std::sort(zetas.begin(), zetas.end());
         double before = 0.0;
@@ -261,8 +263,10 @@ TEST_CASE("chi on both sides of a throat: V = q_crit^2 sin^2 chi, both ways, gro
         CHECK(s->chi_from_radius(0.0) == doctest::Approx(kPi / 2).epsilon(kRounding));
         // h = (q_crit/V) V... : d chi/d l = -V/(q_crit h), by central differences.
         for (double l = -20.0; l <= 20.0; l += 0.37) {
-            const double rate = slope([&](double x) { return s->chi_from_radius(x); }, l), v = std::pow(s->root_v(l), 2);
-            CHECK(std::fabs(s->bending_density(s->chi_from_radius(l)) * rate * q_crit / v + 1.0) < 1e-6 * (1.0 + std::fabs(l)));
+            const double rate = slope([&](double x) { return s->chi_from_radius(x); }, l),
+                         v = std::pow(s->root_v(l), 2);
+            CHECK(std::fabs(s->bending_density(s->chi_from_radius(l)) * rate * q_crit / v + 1.0) <
+                  1e-6 * (1.0 + std::fabs(l)));
         }
     }
 }
@@ -284,7 +288,8 @@ TEST_CASE("weak field: light that passes far away is bent by 2 r_s/b") {
     for (const auto& [label, s] : cases()) {
         CAPTURE(label);
         const std::optional<PhotonSphere> sphere = s->photon_sphere();
-        if (!sphere || s->inner_end() == InnerEnd::kOtherSky) continue;   // no mass at all, or none that falls off as 1/r
+        if (!sphere || s->inner_end() == InnerEnd::kOtherSky)
+            continue;  // no mass at all, or none that falls off as 1/r
         const double bending = swept_angle(*s, kWeakFieldQ / sphere->q_crit) - kPi;
         CHECK(std::fabs(bending / (2.0 * kWeakFieldQ) - 1.0) < kWeakFieldNext * kWeakFieldQ);
     }
@@ -319,7 +324,7 @@ double strong_offset(const Spacetime& s) {
     double sum = 0.0;
     for (int i = -50; i <= 50; ++i) {
         const double t = kTanhSinhStep * i, u = 0.5 * kPi * std::sinh(t);
-        const double rest = 0.5 * kPi / (1.0 + std::exp(2.0 * u));   // pi/2 - chi
+        const double rest = 0.5 * kPi / (1.0 + std::exp(2.0 * u));  // pi/2 - chi
         const double weight = 0.125 * kPi * kPi * std::cosh(t) / std::pow(std::cosh(u), 2);
         sum += weight * (s.bending_density(0.5 * kPi - rest) - abar * std::cos(rest)) / std::sin(rest);
     }
@@ -328,29 +333,32 @@ double strong_offset(const Spacetime& s) {
 
 TEST_CASE("reissner-nordstrom: photon sphere, critical impact parameter and strong deflection of three charges") {
     struct Known {
-        double charge, photon_m, b_crit_m, outer_m, abar, bbar;   // M = 1
+        double charge, photon_m, b_crit_m, outer_m, abar, bbar;  // M = 1
     };
     const double root2 = std::sqrt(2.0);
-    for (const Known& k : {Known{0.5, 2.822875655532295, 4.967914329471482, 1.866025403784439, 1.0329311, -0.39626834},
-                           Known{0.8, 2.48488578017961, 4.545986272128442, 1.6, 0, 0}, Known{1.0, 2, 4, 1, root2, -0.7332029}}) {
+    for (const Known& k :
+         {Known{0.5, 2.822875655532295, 4.967914329471482, 1.866025403784439, 1.0329311, -0.39626834},
+          Known{0.8, 2.48488578017961, 4.545986272128442, 1.6, 0, 0}, Known{1.0, 2, 4, 1, root2, -0.7332029}}) {
         CAPTURE(k.charge);
         const auto s = *make_spacetime("reissner-nordstrom", {{"charge", k.charge}});
-        constexpr double kPrinted = 1e-12;   // the digits of the literature's numbers
+        constexpr double kPrinted = 1e-12;  // the digits of the literature's numbers
         CHECK(std::fabs(2 * s->photon_sphere()->radius - k.photon_m) < kPrinted);
         CHECK(std::fabs(2 / s->photon_sphere()->q_crit - k.b_crit_m) < kPrinted);
         CHECK(std::fabs(2 * *s->horizon_radius() - k.outer_m) < kPrinted);
         // abar = sqrt(2 A_c/(2 A_c - r^2 A'')) (Bozza 2002): with A'' of A = 1 - 2M/r + Q^2/r^2.
-        const double r = k.photon_m, q2 = k.charge * k.charge, a = 1 - 2 / r + q2 / (r * r), a2 = -4 / (r * r * r) + 6 * q2 / (r * r * r * r);
+        const double r = k.photon_m, q2 = k.charge * k.charge, a = 1 - 2 / r + q2 / (r * r),
+                     a2 = -4 / (r * r * r) + 6 * q2 / (r * r * r * r);
         CHECK(std::fabs(s->bending_density(kPi / 2) - std::sqrt(2 / (2 * a - r * r * a2))) < kPrinted);
         const double abar = s->bending_density(kPi / 2), bbar = strong_offset(*s);
         std::printf("charge %g: photon sphere %.15g M, b_crit %.15g M, abar %.13f, bbar %.13f\n", k.charge,
                     2 * s->photon_sphere()->radius, 2 / s->photon_sphere()->q_crit, abar, bbar);
-        if (k.abar != 0) CHECK(std::fabs(abar - k.abar) < 1e-7);   // as printed
+        if (k.abar != 0) CHECK(std::fabs(abar - k.abar) < 1e-7);  // as printed
         if (k.bbar != 0) CHECK(std::fabs(bbar - k.bbar) < 1e-7);
         // The limit itself: what is left at b/b_crit - 1 = 1e-6 is of order 1e-6 ln 1e-6.
         CHECK(std::fabs(swept_angle(*s, 1.0 / (1.0 + 1e-6)) - kPi + abar * std::log(1e-6) - bbar) < 5e-5);
     }
-    for (const auto& s : {*make_spacetime("schwarzschild", {}), *make_spacetime("reissner-nordstrom", {{"charge", 0.0}})}) {
+    for (const auto& s :
+         {*make_spacetime("schwarzschild", {}), *make_spacetime("reissner-nordstrom", {{"charge", 0.0}})}) {
         CHECK(std::fabs(s->bending_density(kPi / 2) - 1.0) < 1e-14);
         CHECK(std::fabs(strong_offset(*s) - (std::log(216 * (7 - 4 * std::sqrt(3.0))) - kPi)) < 1e-12);
     }

@@ -13,14 +13,15 @@ namespace {
 
 using namespace nullscope;
 
-constexpr double kTolerance = 1e-11;   // times the condition number: what the project promises for its witness
+constexpr double kTolerance = 1e-11;  // times the condition number: what the project promises for its witness
 
 using Trace = std::function<Result<RayRecord>(double q, double zeta0, std::optional<double> at)>;
 using Output = std::function<double(const RayRecord&)>;
 
 // Condition number of an output by one-sided differences of the traced function, as in test_reference_vectors.cpp. room: how far,
 // relatively, the critical ray and the turning point are, where outputs are singular.
-double condition(const Trace& trace, double q, double zeta0, double room, const Output& output, std::optional<double> at) {
+double condition(const Trace& trace, double q, double zeta0, double room, const Output& output,
+                 std::optional<double> at) {
     const auto here = trace(q, zeta0, at);
     const double y = output(*here), step = std::max(1e-5 * std::min(1.0, room), 1e-15);
     double sum = 0;
@@ -78,13 +79,18 @@ TEST_CASE("the reference meets every row of the extremal Reissner-Nordstrom vect
         check("phi", [](const RayRecord& r) { return r.angle; }, {});
         check("T", [](const RayRecord& r) { return r.delay; }, {});
         check("zeta_turn", [](const RayRecord& r) { return r.turn; }, {});
-        check("zeta_a", [](const RayRecord& r) { return r.at; }, number(row, "phi_a"));
-        check("zeta_b", [](const RayRecord& r) { return r.at; }, number(row, "phi_b"));
-        if (!std::isnan(number(row, "g_static")))   // g = 1/(1 - zeta0/2): a few roundings, as often as that multiplies them
+        check(
+            "zeta_a", [](const RayRecord& r) { return r.at; }, number(row, "phi_a"));
+        check(
+            "zeta_b", [](const RayRecord& r) { return r.at; }, number(row, "phi_b"));
+        if (!std::isnan(
+                number(row, "g_static")))  // g = 1/(1 - zeta0/2): a few roundings, as often as that multiplies them
             CHECK(std::abs(record->g / number(row, "g_static") - 1) * std::min(1.0, std::abs(1 - 0.5 * zeta0)) < 2e-15);
     }
-    fmt::print("rn_extremal.csv: {} rows ({} with the camera on or inside the horizon), largest error over condition number {:.2g}\n",
-               rows, inside, worst);
+    fmt::print(
+        "rn_extremal.csv: {} rows ({} with the camera on or inside the horizon), largest error over condition number "
+        "{:.2g}\n",
+        rows, inside, worst);
     CHECK(rows == 126);
 }
 
@@ -127,7 +133,8 @@ TEST_CASE("the reference meets every row of the Ellis vectors") {
         check("phi", [](const RayRecord& r) { return r.angle; }, {});
         check("T", [](const RayRecord& r) { return r.delay; }, {});
         check("l_turn", [](const RayRecord& r) { return r.turn; }, {});
-        check("l_a", [](const RayRecord& r) { return r.at; }, number(row, "phi_a"));
+        check(
+            "l_a", [](const RayRecord& r) { return r.at; }, number(row, "phi_a"));
     }
     fmt::print("ellis.csv: {} rows, largest error over condition number {:.2g}\n", rows, worst);
     CHECK(rows == 135);
@@ -136,7 +143,7 @@ TEST_CASE("the reference meets every row of the Ellis vectors") {
 TEST_CASE("the reference knows the bending of the Ellis wormhole: alpha = 2 K(1/h^2) - pi") {
     Scene scene;
     scene.spacetime = {"ellis", {}};
-    constexpr double kFar = 1e9;   // the camera's own distance takes h/l of the angle
+    constexpr double kFar = 1e9;  // the camera's own distance takes h/l of the angle
     for (const auto& [h, alpha] : {std::pair{1.1, 1.5022554199624496}, {2.0, 0.22990805603539885}}) {
         RayQuery query;
         query.orbit = ReducedRay{1 / h, kFar, 1};
@@ -153,18 +160,20 @@ TEST_CASE("a star: all of its surface is seen below 3.52062 M, and not above") {
     const auto farthest = [&](double radius) {
         Scene scene;
         scene.spacetime = {"neutron-star", {{"radius", radius}}};
-        RayQuery query;   // just inside of the grazing ray: q^2 = V(surface)
+        RayQuery query;  // just inside of the grazing ray: q^2 = V(surface)
         query.orbit = ReducedRay{std::sqrt(1 - 1 / radius) / radius * (1 + kGraze), 1 / kFar, 1};
         const auto record = reference::trace_ray(scene, query);
         REQUIRE(record);
         CHECK(record->fate == Fate::kHit);
         return record->angle;
     };
-    fmt::print("star: farthest place seen, rad from the nearest one: {:.12f} at 3.5206 M, {:.12f} at 3.520617963 M, {:.12f} at 3.5207 M\n",
-               farthest(0.5 * 3.5206), farthest(kWhole), farthest(0.5 * 3.5207));
+    fmt::print(
+        "star: farthest place seen, rad from the nearest one: {:.12f} at 3.5206 M, {:.12f} at 3.520617963 M, {:.12f} "
+        "at 3.5207 M\n",
+        farthest(0.5 * 3.5206), farthest(kWhole), farthest(0.5 * 3.5207));
     CHECK(farthest(0.5 * 3.5206) > M_PI);
     CHECK(farthest(0.5 * 3.5207) < M_PI);
-    CHECK(std::abs(farthest(kWhole) - M_PI) < 1e-6);   // sqrt(kGraze), and the camera's own b/r
+    CHECK(std::abs(farthest(kWhole) - M_PI) < 1e-6);  // sqrt(kGraze), and the camera's own b/r
 }
 
 }  // namespace
