@@ -34,6 +34,10 @@ const std::vector<Added>& additions() {
                 s.sphere->look.image = assets_directory() / "images" / "accretion-disc.png";
         };
     };
+    const auto dark_wormhole = [](Scene& s) {
+        s.spacetime.metric = "ellis";
+        s.far_sky.kind = SkyKind::kBlack;
+    };
     static const std::vector<Added> all = {
         {Effect::kLensing, nothing, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }},
         {Effect::kAberration, nothing,
@@ -51,6 +55,9 @@ const std::vector<Added>& additions() {
         {Effect::kFormula, sphere, texture(TextureKind::kFormula)},
         {Effect::kBodyImage, sphere, texture(TextureKind::kImage)},
         {Effect::kSky, nothing, [](Scene& s) { s.sky.kind = SkyKind::kStars; }},
+        {Effect::kInner, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }, dark_wormhole},
+        {Effect::kFarSky, dark_wormhole, [](Scene& s) { s.far_sky.kind = SkyKind::kStars; }},
+        {Effect::kStar, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }, [](Scene& s) { s.spacetime.metric = "neutron-star"; }},
     };
     return all;
 }
