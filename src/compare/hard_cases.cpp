@@ -9,6 +9,7 @@
 
 #include "compare/hard_metrics.h"
 #include "compare/ray_metrics.h"
+#include "spacetime/registry.h"
 
 namespace nullscope {
 namespace {
@@ -272,22 +273,36 @@ bool hard_cubic(const Scene& scene) {
     return smallest_pixel_angle(scene.camera) < kCubicBelow;
 }
 
+// |d ln(lapse) / d ln r|, by a difference over a thousandth of the way to where the lapse ends: 1 / (2 (r - 1)) of Schwarzschild's r.
+double lapse_condition(const Spacetime& spacetime, double r) {
+    const double end = spacetime.horizon_radius().value_or(0.0), step = 1e-3 * std::min(std::fabs(r - end), 1.0);
+    if (!(step > 0)) return 0.0;
+    const double change = spacetime.lapse_squared(r + step) - spacetime.lapse_squared(r - step);
+    return std::fabs(0.25 * r * change / (step * spacetime.lapse_squared(r)));
+}
+
 HardBound hard_bound(const Scene& scene, const RayFrame& exact, double bit) {
     const Vec3 camera = camera_place(scene.camera);
     double angle = M_PI, nearness = 0;   // nearness: coordinates over distance
+    bool star = false;                   // its places are where the swept angle ends
     for (const RayPixel& pixel : exact.pixels) {
         angle = std::max(angle, pixel.angle);
-        if (pixel.hit == 0) continue;
+        star = star || pixel.hit == kStarHit;
+        if (pixel.hit == 0 || pixel.hit == kStarHit) continue;
         const Vec3 place{pixel.u, pixel.v, 0};
         nearness = std::max(nearness, length(place) / length(place - camera));
     }
     const double pixel = smallest_pixel_angle(scene.camera), direction = kRoundings * bit / pixel;
     const double texel = bit < kFloatBit ? kTexel / pixel : 0;
-    const double table = (hard_cubic(scene) ? kStripCubic : kStripLine) / pixel + texel;
+    const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+    const bool inner = spacetime && (*spacetime)->inner_end() != InnerEnd::kHorizon;
+    const double table = (hard_cubic(scene) ? kStripCubic : inner ? kStripLineInner : kStripLine) / pixel + texel;
     const double speed = length(scene.camera.velocity), gamma2 = 1 / ((1 - speed) * (1 + speed));
-    const double depth = scene.spacetime.metric == "minkowski" ? 1 : std::min(1.0, scene.camera.r - 1);
-    const double inputs = kRoundings * kDoubleBit / pixel * (0.5 / depth + gamma2);
-    return {direction + table, (direction + texel) * (1 + nearness) + kOrbitMap / pixel, (direction + table) * angle, direction + inputs};
+    const double radius = spacetime ? std::max(lapse_condition(**spacetime, scene.camera.r), 0.5) : 0.5;
+    const double inputs = kRoundings * kDoubleBit / pixel * (radius + gamma2);
+    const double swept = (direction + table) * angle;
+    const double place = (direction + texel) * (1 + nearness) + kOrbitMap / pixel;
+    return {direction + table, star ? std::max(place, swept) : place, swept, direction + inputs};
 }
 
 }  // namespace nullscope

@@ -21,11 +21,13 @@ const std::vector<HardCase>& hard_cases();
 // question, times a small factor for the roundings between them; and the interpolation error of the tables over the same angle.
 // The condition number is 1 / pixel angle, for the screen error has divided out how far the answer moves; a swept angle of many
 // half turns has as much more; and a place on the disc close to the camera is stored with the last bit of its own coordinates.
-// A frequency has the condition numbers of the camera's radius, 1 / (2 (r - 1)) near the horizon, and of its speed, gamma^2: both
+// A frequency has the condition numbers of the camera's radius, |d ln(lapse)/d ln r|, and of its speed, gamma^2: both
 // are inputs in double.
 inline constexpr double kFloatBit = 5.9604644775390625e-8;   // 2^-24
 inline constexpr double kRoundings = 12;        // of a direction, from its rows to the stored channel
 inline constexpr double kStripLine = 1.5e-6;    // rad: table/strip.h for cosine and sine at once
+inline constexpr double kStripLineInner = 1.8e-6;   // rad: the same where inward rays end in sight (wormhole, star), where the strip
+                                                    // curves more: 1.62e-6 measured at Ellis' throat, in double and float alike
 inline constexpr double kStripCubic = 1e-7;     // rad
 inline constexpr double kOrbitMap = 4e-6;       // rad: place on a disc over the distance to it
 inline constexpr double kDoubleBit = 1.1102230246251565e-16;   // 2^-53
