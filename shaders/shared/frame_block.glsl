@@ -22,4 +22,5 @@ struct FrameData {
     vec4 disc_y;       // disc's y axis, .w = outer radius (r_s)
     vec4 disc_map;     // cos and sin of the image's rotation, each over 2 outer; texels per r_s; highest level
     vec4 disc_look;    // opacity, rim fade (fraction of the width, 0 = none), brightness, 0
+    vec4 disc_heat;    // 1/inner, flow cells per unit of ln r, log2 of the hottest ring's temperature (K) and of its luminance
 };

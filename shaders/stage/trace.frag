@@ -11,7 +11,7 @@ void main() {
     bool more = disc_reachable(trace, meeting, k);
     do {   // tested at the end, see disc_colour
         DiscCrossing crossing = disc_cross(trace, meeting, k, 0.5);
-        vec4 over = disc_colour(crossing);
+        vec4 over = disc_colour(trace, crossing);
         over = more && crossing.hit ? over * through : vec4(0.0);
         light += over.rgb;
         through -= over.a;

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "reference/disc_light.h"
 #include "reference/frame_tracer.h"
 #include "reference/reference.h"
 
@@ -57,12 +59,17 @@ Paint disc_paint(const DiscSpec& disc, const Image<float>* image, double x, doub
 constexpr int kMostHits = 64;
 
 Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const SkyCube& sky, const Image<float>* disc_image,
-                double x, double y) {
+                const DiscLight* heat, double x, double y) {
     const CameraRay ray = tracer.ray(x, y);
     Vec3 colour{0, 0, 0};
     double through = 1;
     for (const DiscHit& hit : tracer.disc_hits(ray, kMostHits)) {
-        const Paint paint = disc_paint(*scene.disc, disc_image, hit.x, hit.y);
+        Paint paint = disc_paint(*scene.disc, disc_image, hit.x, hit.y);
+        if (heat != nullptr) {
+            const double r = std::hypot(hit.x, hit.y);
+            const Vec3 light = heat->colour(r, ray.g * heat->g_infinity({r, ray.l_z, hit.outward, ray.l2}));
+            paint.colour = {paint.colour.x * light.x, paint.colour.y * light.y, paint.colour.z * light.z};
+        }
         colour = colour + through * paint.alpha * paint.colour;
         through *= 1 - paint.alpha;
     }
@@ -82,6 +89,8 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
     }
     auto tracer = FrameTracer::make(scene);
     if (!tracer) return tracer.error();
+    std::optional<DiscLight> heat;
+    if (scene.disc && scene.disc->emission == DiscEmission::kThermal) heat.emplace(tracer->metric(), *scene.disc, scene.light);
     Image<float> image(scene.camera.width, scene.camera.height, 3);
     tbb::parallel_for(tbb::blocked_range<int>(0, image.height), [&](const tbb::blocked_range<int>& rows) {
         for (int y = rows.begin(); y < rows.end(); ++y) {
@@ -89,7 +98,7 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
                 Vec3 sum{0, 0, 0};
                 for (int i = 0; i < samples * samples; ++i) {
                     const double dx = (i % samples + 0.5) / samples, dy = (i / samples + 0.5) / samples;
-                    sum = sum + ray_colour(*tracer, scene, sky, disc_image, x + dx, y + dy);
+                    sum = sum + ray_colour(*tracer, scene, sky, disc_image, heat ? &*heat : nullptr, x + dx, y + dy);
                 }
                 sum = sum / (static_cast<double>(samples) * samples);
                 float* pixel = image.at(x, y);

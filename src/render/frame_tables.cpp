@@ -8,6 +8,7 @@
 
 #include "camera/pose.h"
 #include "scene/pixel_angle.h"
+#include "table/disc_light.h"
 #include "table/orbit_map.h"
 
 namespace nullscope {
@@ -129,6 +130,9 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(std::cos(disc.rotation) / (2 * disc.outer), std::sin(disc.rotation) / (2 * disc.outer),
               textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1)));
     block.put(disc.opacity, disc.edge, disc.brightness, 0);
+    if (disc.emission == DiscEmission::kThermal)
+        block.put(1.0 / disc.inner, kDiscFlowCells / std::log(disc.outer / disc.inner), std::log2(disc.temperature_K), log2_luminance(disc.temperature_K));
+    else block.put(0, 0, 0, 0);
     return block.numbers();
 }
 

@@ -10,13 +10,14 @@
 #include "base/assets.h"
 #include "base/image_file.h"
 #include "sky/sky.h"
+#include "table/disc_light.h"
 #include "table/table_grid.h"
 
 namespace nullscope {
 namespace {
 
 constexpr unsigned kFrameBinding = 0;
-enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5 };
+enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5, kDiscFlowUnit = 6, kBlackBodyUnit = 7 };
 
 template <class T>
 Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
@@ -51,6 +52,7 @@ Status Renderer::prepare(const Scene& scene) {
     if (Status status = load_sky(scene); !status) return status;
     if (Status status = load_disc(scene); !status) return status;
     if (Status status = load_table(scene); !status) return status;
+    load_heat(scene);
     scene_ = scene;
     upload_tables();
     upload_block(scene, {sky_size_, disc_width_});
@@ -96,7 +98,7 @@ Status Renderer::load_sky(const Scene& scene) {
 }
 
 Status Renderer::load_disc(const Scene& scene) {
-    if (!scene.disc) {
+    if (!tables_.effects().contains(Effect::kDiscImage)) {
         disc_ = {};
         disc_file_.reset();
         disc_width_ = disc_height_ = 0;
@@ -114,6 +116,24 @@ Status Renderer::load_disc(const Scene& scene) {
     disc_width_ = image->width;
     disc_height_ = image->height;
     return Done{};
+}
+
+void Renderer::load_heat(const Scene& scene) {
+    if (!tables_.effects().contains(Effect::kThermalDisc)) {
+        disc_flow_ = {};
+        black_body_ = {};
+        flow_key_.reset();
+        return;
+    }
+    const auto key = std::make_tuple(scene.spacetime, scene.disc->inner, scene.disc->outer);
+    if (flow_key_ == key) return;
+    if (!flow_key_) {
+        const TexelGrid row = black_body_row();
+        black_body_ = gl::make_float_texture(row.width, row.height, row.texels.data());
+    }
+    const TexelGrid row = disc_flow_row(tables_.spacetime(), scene.disc->inner, scene.disc->outer);
+    disc_flow_ = gl::make_float_texture(row.width, row.height, row.texels.data());
+    flow_key_ = key;
 }
 
 Status Renderer::load_table(const Scene& scene) {
@@ -152,6 +172,8 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     gl::bind_sampler(made, "sky_texture", kSkyUnit);
     gl::bind_sampler(made, "disc_texture", kDiscUnit);
     gl::bind_sampler(made, "table_texture", kTableUnit);
+    gl::bind_sampler(made, "disc_flow_texture", kDiscFlowUnit);
+    gl::bind_sampler(made, "black_body_texture", kBlackBodyUnit);
     compile_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return programs_.emplace(key, std::move(made)).first->second;
 }
@@ -164,6 +186,8 @@ void Renderer::bind_inputs() {
     gl::bind_texture_cube(kSkyUnit, sky_);
     gl::bind_texture_2d(kDiscUnit, disc_);
     gl::bind_texture_2d(kTableUnit, table_);
+    gl::bind_texture_2d(kDiscFlowUnit, disc_flow_);
+    gl::bind_texture_2d(kBlackBodyUnit, black_body_);
 }
 
 void Renderer::draw(unsigned framebuffer, int width, int height, Output output) {
@@ -253,6 +277,10 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     if (map.width > 0) lines.push_back({"orbit map", map.width, map.height, map.bytes()});
     if (sky_size_ > 0) lines.push_back({"sky", sky_size_, sky_size_, static_cast<std::size_t>(sky_size_) * sky_size_ * 32});  // 6 faces, 4 B, mip levels
     if (disc_width_ > 0) lines.push_back({"disc image", disc_width_, disc_height_, static_cast<std::size_t>(disc_width_) * disc_height_ * 32 / 3});
+    if (flow_key_) {
+        lines.push_back({"disc flow", kDiscFlowCells + 1, 1, static_cast<std::size_t>(kDiscFlowCells + 1) * 16});
+        lines.push_back({"black body", kBlackBodyCells + 1, 1, static_cast<std::size_t>(kBlackBodyCells + 1) * 16});
+    }
     return lines;
 }
 

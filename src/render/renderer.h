@@ -69,6 +69,7 @@ private:
     Status load_sky(const Scene& scene);
     Status load_disc(const Scene& scene);
     Status load_table(const Scene& scene);
+    void load_heat(const Scene& scene);
 
     gl::Info info_;
     gl::VertexArray empty_;
@@ -78,7 +79,7 @@ private:
     FrameTables tables_;
     Scene scene_;
     int rows_revision_ = -1;
-    gl::Texture strip_, ends_, orbit_map_, sky_, disc_, table_;
+    gl::Texture strip_, ends_, orbit_map_, sky_, disc_, table_, disc_flow_, black_body_;
     std::optional<std::pair<SpacetimeSpec, Method>> table_key_;   // of table_
     std::size_t table_bytes_ = 0;
     double gpu_table_ms_ = 0.0;
@@ -86,6 +87,7 @@ private:
     int sky_size_ = 0;
     bool keep_finer_sky_ = false;
     std::optional<std::string> disc_file_;
+    std::optional<std::tuple<SpacetimeSpec, double, double>> flow_key_;   // of disc_flow_: its radii
     int disc_width_ = 0, disc_height_ = 0;
     double compile_ms_ = 0.0;
 };

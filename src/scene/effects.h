@@ -14,8 +14,8 @@
 
 namespace nullscope {
 
-enum class Effect { kLensing, kAberration, kDisc, kTranslucentDisc, kSky };
-inline constexpr std::size_t kEffectCount = 5;
+enum class Effect { kLensing, kAberration, kDisc, kDiscImage, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kSky };
+inline constexpr std::size_t kEffectCount = 9;
 
 struct EffectRow {
     Effect effect;
@@ -31,9 +31,17 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
      "spacetime.metric is one that bends light"},
     {Effect::kAberration, "aberration", "EFFECT_ABERRATION",
      "Directions and frequencies are those of a camera that moves in the static frame.", "camera.velocity is not zero"},
-    {Effect::kDisc, "disc", "EFFECT_DISC", "A flat textured disc lies in the equatorial plane.", "there is a [disc]"},
+    {Effect::kDisc, "disc", "EFFECT_DISC", "A flat disc lies in the equatorial plane.", "there is a [disc]"},
+    {Effect::kDiscImage, "disc-image", "EFFECT_DISC_IMAGE", "The disc carries an image.",
+     "disc.emission is \"image\" or there is a disc.image"},
     {Effect::kTranslucentDisc, "translucent-disc", "EFFECT_TRANSLUCENT_DISC",
      "What lies behind the disc shines through it.", "disc.opacity is below 1 or disc.edge is above 0"},
+    {Effect::kThermalDisc, "thermal-disc", "EFFECT_THERMAL_DISC",
+     "The disc's matter moves on geodesics and glows with the heat that it gains by falling.", "disc.emission is \"thermal\""},
+    {Effect::kShift, "shift", "EFFECT_SHIFT", "Light has the colour that motion and gravity give it.",
+     "something shines by its heat and light.shift is not \"off\""},
+    {Effect::kBeaming, "beaming", "EFFECT_BEAMING", "Light has the brightness that motion and gravity give it.",
+     "something shines by its heat and light.beaming is not \"off\""},
     {Effect::kSky, "sky", "EFFECT_SKY", "Escaped rays show the celestial sphere.", "sky.kind is not black"},
 }};
 

@@ -114,11 +114,18 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
     files.emplace_back("core/trace.glsl");
     if (disc) files.emplace_back("object/disc.glsl");
     if (picture && (disc || effects.contains(Effect::kSky))) files.emplace_back("effect/footprint.glsl");
+    if (picture && effects.contains(Effect::kThermalDisc))
+        for (const char* file : {"object/disc_flow.glsl", "effect/black_body.glsl", "effect/thermal.glsl"}) files.emplace_back(file);
     if (picture && disc) files.emplace_back("object/disc_colour.glsl");
     if (picture && effects.contains(Effect::kSky)) files.emplace_back("object/celestial_sphere.glsl");
     if (!picture) files.emplace_back("core/raydata.glsl");
     return files;
 }
+
+constexpr const char* kThermalDeclarations =
+    "uniform highp sampler2D disc_flow_texture;\nuniform highp sampler2D black_body_texture;\n"
+    "vec4 disc_flow_fetch(int i) { return texelFetch(disc_flow_texture, ivec2(i, 0), 0); }\n"
+    "vec4 black_body_fetch(int i) { return texelFetch(black_body_texture, ivec2(i, 0), 0); }\n";
 
 std::string declarations(Stage stage, const EffectSet& effects, bool ends, const Method& method) {
     std::string text = std::string(shader_file("shared/frame_block.glsl")) +
@@ -140,7 +147,8 @@ std::string declarations(Stage stage, const EffectSet& effects, bool ends, const
     }
     if (stage == Stage::kPicture) {
         if (effects.contains(Effect::kSky)) text += "uniform samplerCube sky_texture;\n";
-        if (disc) text += "uniform sampler2D disc_texture;\n";
+        if (effects.contains(Effect::kDiscImage)) text += "uniform sampler2D disc_texture;\n";
+        if (effects.contains(Effect::kThermalDisc)) text += kThermalDeclarations;
     }
     return text;
 }
