@@ -18,6 +18,7 @@ vec3 black_body(float log2_hue, float log2_glow, float scale) {
     float l0 = black_body_fetch(j).w;
     float l1 = black_body_fetch(j + 1).w;
     vec3 colour = h0.xyz + (hue - float(i)) * (h1.xyz - h0.xyz);
+    colour = mix(vec3(1.0), colour, 1.0 / (1.0 - min(min(colour.x, colour.y), min(colour.z, 0.0))));   // into Rec. 709's gamut
     float luminance = l0 + (glow - float(j)) * (l1 - l0) + max(at - float(BLACK_BODY_CELLS), 0.0) / BLACK_BODY_PER_OCTAVE;
     return at < 0.0 ? vec3(0.0) : colour * exp2(min(luminance - scale, 60.0));
 }

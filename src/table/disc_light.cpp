@@ -107,7 +107,7 @@ TexelGrid black_body_row() {
     TexelGrid row{kBlackBodyCells + 1, 1, {}};
     for (int i = 0; i <= kBlackBodyCells; ++i) {
         const Vec3 xyz = black_body_xyz(std::exp2(kColdest + (kHottest - kColdest) * i / kBlackBodyCells));
-        const Vec3 rgb = into_gamut(rec709_from_xyz(xyz / xyz.y));
+        const Vec3 rgb = rec709_from_xyz(xyz / xyz.y);
         for (const double value : {rgb.x, rgb.y, rgb.z, std::log2(xyz.y)}) row.texels.push_back(static_cast<float>(value));
     }
     return row;

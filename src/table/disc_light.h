@@ -27,8 +27,8 @@ FluxPeak disc_flux_peak(const Spacetime& spacetime);
 inline constexpr int kDiscFlowCells = 1024;
 TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer);
 
-// Cells of equal log2 T from 2^kColdest to 2^kHottest K: (r, g, b of unit luminance inside the gamut of Rec. 709, log2 of the
-// luminance). Linear interpolation leaves 1e-5 of the colour and of the luminance's logarithm; below the range it is dark, above
+// Cells of equal log2 T from 2^kColdest to 2^kHottest K: (r, g, b of Rec. 709 of unit luminance, negative outside of its gamut, log2
+// of the luminance). Linear interpolation leaves 1e-5 of the colour and of the luminance's logarithm; below the range it is dark, above
 // it colour stays and luminance grows as T.
 inline constexpr int kBlackBodyCells = 1024;
 inline constexpr double kColdest = 9.0, kHottest = 19.0;
