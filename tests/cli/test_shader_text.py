@@ -18,6 +18,8 @@ WORDS = {
     "thermal-disc": [r"disc_flow\w*", r"DiscFlow", r"thermal\w*", r"black_body\w*", r"disc_heat", r"zeta_slope"],
     "shift": [r"colour_shift"],
     "beaming": [r"beaming"],
+    "bolometric": [r"all_wavelengths"],
+    "point-stars": [r"image_of_star", r"star_(?:lens|place|peak|make|middle)\w*", r"StarImage", r"point_stars", r"point_spread", r"image_order", r"picture_texture"],
     "sphere": [r"sphere_(?!position)\w*"],
     "cylinder": [r"cylinder\w*"],
     "ball": [r"ball\w*"],
@@ -29,7 +31,7 @@ WORDS = {
     "sky": [r"sky_texture", r"celestial\w*"],
     "inner": [r"frame\.strip\.w"],
     "far-sky": [r"other_side\w*"],
-    "star": [r"star_\w*"],
+    "star": [r"star_(?:surface|square)\w*"],
 }
 SCENES = {
     "nothing": '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "black"\n',
@@ -40,6 +42,8 @@ SCENES = {
     "thermal-disc": '[sky]\nkind = "black"\n[disc]\nemission = "thermal"\n[light]\nshift = "off"\nbeaming = "off"\n',
     "shift": '[sky]\nkind = "black"\n[disc]\nemission = "thermal"\n[light]\nbeaming = "off"\n',
     "beaming": '[sky]\nkind = "black"\n[disc]\nemission = "thermal"\n[light]\nshift = "off"\n',
+    "bolometric": '[sky]\nkind = "black"\n[disc]\nemission = "thermal"\n[light]\nband = "bolometric"\n',
+    "point-stars": '[sky]\nkind = "points"\neven_stars = 10\n[light]\nshift = "off"\n',
     "sky": '[spacetime]\nmetric = "minkowski"\n',
     "lensing, disc": '[sky]\nkind = "black"\n[disc]\n',
     "lensing, sky": '[spacetime]\nmetric = "schwarzschild"\n',
