@@ -15,7 +15,7 @@ WORDS = {
     "disc": [r"disc\w*", r"Disc\w*", r"plane_\w*", r"PlaneMeeting", r"meeting"],
     "disc-image": [r"disc_texture", r"disc_texel", r"disc_filtered"],
     "translucent-disc": [r"fade"],
-    "thermal-disc": [r"disc_flow\w*", r"DiscFlow", r"thermal\w*", r"black_body\w*", r"disc_heat", r"zeta_slope"],
+    "thermal-disc": [r"disc_flow\w*", r"DiscFlow", r"thermal\w*", r"disc_heat", r"zeta_slope"],
     "shift": [r"colour_shift"],
     "beaming": [r"beaming"],
     "bolometric": [r"all_wavelengths"],
