@@ -82,6 +82,11 @@ const std::vector<Added>& additions() {
         {Effect::kInner, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }, dark_wormhole},
         {Effect::kFarSky, dark_wormhole, [](Scene& s) { s.far_sky.kind = SkyKind::kStars; }},
         {Effect::kStar, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }, [](Scene& s) { s.spacetime.metric = "neutron-star"; }},
+        {Effect::kBloom, nothing, [](Scene& s) { s.picture.bloom = 0.1; }},
+        {Effect::kAutoExposure, nothing, [](Scene& s) { s.picture.auto_exposure = true; }},
+        {Effect::kToneFilm, nothing, [](Scene& s) { s.picture.tone = ToneCurve::kFilm; }},
+        {Effect::kToneNeutral, nothing, [](Scene& s) { s.picture.tone = ToneCurve::kNeutral; }},
+        {Effect::kDither, nothing, [](Scene& s) { s.picture.dither = true; }},
     };
     return all;
 }

@@ -94,7 +94,7 @@ Result<Captured> capture_reference(const Scene& scene, const Options& options, b
         if (!rays) return rays.error();
         captured.rays = std::move(*rays);
     }
-    if (!exr) captured.display = display_encoded(captured.linear, scene.camera.exposure_ev);
+    if (!exr) captured.display = display_encoded(captured.linear, scene.camera.exposure_ev, scene.picture);
     captured.made_by = "reference tracer";
     return captured;
 }

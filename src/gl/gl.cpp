@@ -263,15 +263,21 @@ VertexArray make_vertex_array() {
     return VertexArray(id);
 }
 
-void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height) {
+void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, double share) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, width, height);
     glDisable(GL_BLEND);
+    if (share < 1.0) {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+        glBlendColor(0, 0, 0, static_cast<float>(share));
+    }
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_SCISSOR_TEST);
     glUseProgram(program.id());
     glBindVertexArray(empty.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
     check("draw");
 }
 
@@ -303,6 +309,12 @@ void bind_texture_2d(int unit, const Texture& texture) {
 void bind_texture_cube(int unit, const Texture& texture) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
+}
+
+void set_linear(const Texture& texture) {
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    set_sampling(GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
 }
 
 void finish() { glFinish(); }

@@ -99,13 +99,15 @@ void read_rgba32f(const Target& target, int attachment, float* out);     // bott
 
 VertexArray make_vertex_array();
 // Draws one triangle over the viewport of the bound framebuffer. framebuffer 0: the window.
-void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height);
+// share below 1: what is there moves so far towards what is drawn.
+void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, double share = 1.0);
 // Adds points to what is in the framebuffer: colour += colour of the point x alpha that is there; alpha stays. The viewport is
 // `margin` px wider on every side, so that a point whose middle is outside still shows its rim.
 void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width, int height, int margin);
 void set_integer(const Program& program, const char* uniform, int value);
 void bind_texture_2d(int unit, const Texture& texture);
 void bind_texture_cube(int unit, const Texture& texture);
+void set_linear(const Texture& texture);   // of a 2D texture without mip levels: filtered between texels
 void finish();
 
 }  // namespace nullscope::gl

@@ -215,6 +215,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(1.0 / (2.0 * M_PI * kPointSigma_px * kPointSigma_px), 2.0 * kPointSigma_px * kPointSigma_px * M_LN2, 1.0 / kFaintestPoint,
               kPointMargin_px);
     block.put(M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0);
+    block.put(scene.picture.bloom, 0, 0, 0);
     put_bodies(block, scene, spacetime);
     return block.numbers();
 }

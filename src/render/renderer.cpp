@@ -10,7 +10,6 @@
 #include "base/assets.h"
 #include "base/image_file.h"
 #include "sky/sky.h"
-#include "shaderlib/passes.h"
 #include "table/disc_light.h"
 #include "table/star_lens.h"
 #include "table/table_grid.h"
@@ -20,7 +19,10 @@ namespace {
 
 constexpr unsigned kFrameBinding = 0;
 enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5, kFarSkyUnit = 6, kBodyUnit = 7,
-            kDiscFlowUnit = kBodyUnit + kBodyCount, kBlackBodyUnit, kStarLensUnit, kPictureUnit };
+            kDiscFlowUnit = kBodyUnit + kBodyCount, kBlackBodyUnit, kStarLensUnit,
+            kPictureUnit };
+// Passes that work on the picture sample none of the scene's tables: they share their units.
+constexpr int kSourceUnit = kStripUnit, kHaloUnit = kOrbitUnit, kMeterUnit = kSkyUnit;
 
 template <class T>
 Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
@@ -239,6 +241,9 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     gl::bind_sampler(made, "black_body_texture", kBlackBodyUnit);
     gl::bind_sampler(made, "star_lens_texture", kStarLensUnit);
     gl::bind_sampler(made, "picture_texture", kPictureUnit);
+    gl::bind_sampler(made, "source_texture", kSourceUnit);
+    gl::bind_sampler(made, "bloom_texture", kHaloUnit);
+    gl::bind_sampler(made, "meter_texture", kMeterUnit);
     return programs_.emplace(key, std::move(made)).first->second;
 }
 
@@ -259,20 +264,33 @@ void Renderer::bind_inputs() {
 
 void Renderer::draw(unsigned framebuffer, int width, int height, Output output) {
     const std::vector<Pass> list = passes(tables_.effects(), output);
-    const bool keep = keeps_light(list);
+    const bool keep = keeps_light(list), halves = tables_.effects().contains(Effect::kBloom) || tables_.effects().contains(Effect::kAutoExposure);
     if (!keep) linear_ = {};
-    else if (linear_.width != width || linear_.height != height) linear_ = gl::make_target(width, height, gl::Format::kRgba16F);
+    else if (linear_.width != width || linear_.height != height) {
+        linear_ = gl::make_target(width, height, gl::Format::kRgba16F);
+        gl::set_linear(linear_.colours.front());
+    }
+    if (keep && halves) bloom_.resize(width, height);
+    else bloom_.clear();
     bind_inputs();
-    const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
-    for (const Pass& pass : list) {
-        const gl::Program& built = program(pass.stage, pass.output);
-        if (pass.stage == Stage::kStars) {
-            const int images = tables_.effects().contains(Effect::kLensing) ? kStarImages : 1;
-            stars_.draw(built, picture, width, height, images);
-            continue;
-        }
-        if (pass.stage == Stage::kDevelop) gl::bind_texture_2d(kPictureUnit, linear_.colours.front());
-        gl::draw_fullscreen(built, empty_, pass.stage == Stage::kPicture ? picture : framebuffer, width, height);
+    for (const Pass& pass : list) draw_pass(pass, framebuffer, width, height);
+}
+
+void Renderer::draw_pass(const Pass& pass, unsigned framebuffer, int width, int height) {
+    const gl::Program& built = program(pass.stage, pass.output);
+    const unsigned picture = linear_.width > 0 ? linear_.framebuffer.id() : framebuffer;
+    switch (pass.stage) {
+        case Stage::kStars:
+            return stars_.draw(built, picture, width, height, tables_.effects().contains(Effect::kLensing) ? kStarImages : 1);
+        case Stage::kBloomDown: return bloom_.draw_down(built, empty_, linear_.colours.front(), kSourceUnit);
+        case Stage::kBloomUp: return bloom_.draw_up(built, empty_, kSourceUnit, kHaloUnit);
+        case Stage::kMeter: return bloom_.draw_meter(built, empty_, kSourceUnit, adaptation_);
+        case Stage::kDevelop:
+            gl::bind_texture_2d(kPictureUnit, linear_.colours.front());
+            if (tables_.effects().contains(Effect::kBloom)) gl::bind_texture_2d(kHaloUnit, bloom_.halo());
+            if (tables_.effects().contains(Effect::kAutoExposure)) gl::bind_texture_2d(kMeterUnit, bloom_.metered());
+            return gl::draw_fullscreen(built, empty_, framebuffer, width, height);
+        default: return gl::draw_fullscreen(built, empty_, picture, width, height);
     }
 }
 
@@ -368,6 +386,7 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     if (star_lens_) lines.push_back({"star lens", tables_.star_lens().width, 1, tables_.star_lens().bytes()});
     if (stars_.count() > 0) lines.push_back({"stars", stars_.count(), 1, stars_.bytes()});
     if (linear_.width > 0) lines.push_back({"linear picture", linear_.width, linear_.height, static_cast<std::size_t>(linear_.width) * linear_.height * 8});
+    if (bloom_.bytes() > 0) lines.push_back({"bloom", (linear_.width + 1) / 2, (linear_.height + 1) / 2, bloom_.bytes()});
     return lines;
 }
 

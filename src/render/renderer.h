@@ -12,12 +12,13 @@
 #include "base/image.h"
 #include "base/result.h"
 #include "gl/gl.h"
+#include "render/bloom.h"
 #include "render/body_images.h"
 #include "render/frame_tables.h"
 #include "render/star_field.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
-#include "shaderlib/shader_source.h"
+#include "shaderlib/passes.h"
 
 namespace nullscope {
 
@@ -37,6 +38,10 @@ public:
     // How rays are traced from the next prepare() on. Errors (by prepare): a method that the metric does not have.
     void set_method(const Method& method) { method_ = method; }
     const Method& method() const { return method_; }
+
+    // Automatic exposure: how far it moves to what a picture asks for, (0, 1]; 1 (at once) where pictures stand for themselves. In a
+    // window 1 - exp(-dt/tau) a frame.
+    void set_adaptation(double share) { adaptation_ = share; }
 
     // Draws the prepared scene's picture to a framebuffer of this size (0: the window). kLinear: one with float colours and alpha.
     void draw(unsigned framebuffer, int width, int height, Output output);
@@ -63,6 +68,7 @@ public:
 private:
     const gl::Program& program(Stage stage, Output output);
     void bind_inputs();
+    void draw_pass(const Pass& pass, unsigned framebuffer, int width, int height);
     void upload_tables();
     void upload_block(const Scene& scene, const TextureFacts& facts);
     RayFrame draw_rays(const gl::Target& target);
@@ -87,6 +93,8 @@ private:
     std::vector<int> block_members_;   // of the uniform block with these effects
     gl::Texture strip_, ends_, orbit_map_, sky_, far_sky_, disc_, table_, disc_flow_, black_body_, star_lens_;
     StarField stars_;
+    Bloom bloom_;
+    double adaptation_ = 1.0;
     gl::Target linear_;                // what passes of light work on, if there are any
     BodyText body_text_;
     BodyImages body_images_;

@@ -118,6 +118,12 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     }
     if (spacetime && (*spacetime)->inner_end() == InnerEnd::kSurface)
         reasons.push_back({Effect::kStar, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
+    const PictureSpec& picture = scene.picture;
+    if (picture.bloom > 0.0) reasons.push_back({Effect::kBloom, fmt::format("picture.bloom = {}", picture.bloom)});
+    if (picture.auto_exposure) reasons.push_back({Effect::kAutoExposure, "picture.auto_exposure = \"on\""});
+    if (picture.tone == ToneCurve::kFilm) reasons.push_back({Effect::kToneFilm, "picture.tone = \"film\""});
+    if (picture.tone == ToneCurve::kNeutral) reasons.push_back({Effect::kToneNeutral, "picture.tone = \"neutral\""});
+    if (picture.dither) reasons.push_back({Effect::kDither, "picture.dither = \"on\""});
     return reasons;
 }
 

@@ -17,9 +17,9 @@ namespace nullscope {
 enum class Effect {
     kLensing, kAberration, kDisc, kDiscImage, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kBolometric,
     kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kPointStars, kSky,
-    kInner, kFarSky, kStar
+    kInner, kFarSky, kStar, kBloom, kAutoExposure, kToneFilm, kToneNeutral, kDither
 };
-inline constexpr std::size_t kEffectCount = 22;
+inline constexpr std::size_t kEffectCount = 27;
 
 struct EffectRow {
     Effect effect;
@@ -79,6 +79,14 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
      "spacetime.metric is a wormhole and far_sky.kind is not black", "a cube map; one fetch a pixel"},
     {Effect::kStar, "star", "EFFECT_STAR", "Rays end on the surface of a star.", "spacetime.metric is a star",
      "arithmetic where the star is seen"},
+    {Effect::kBloom, "bloom", "EFFECT_BLOOM", "Lens and eye scatter light about its place.", "picture.bloom is above 0",
+     "the picture in linear light, halved again and again and added up"},
+    {Effect::kAutoExposure, "auto-exposure", "EFFECT_AUTO_EXPOSURE", "Exposure follows the picture's mean luminance.",
+     "picture.auto_exposure is \"on\"", "the picture in linear light, halved again and again"},
+    {Effect::kToneFilm, "tone-film", "EFFECT_TONE_FILM", "Bright light is compressed as by film.", "picture.tone is \"film\"", "arithmetic"},
+    {Effect::kToneNeutral, "tone-neutral", "EFFECT_TONE_NEUTRAL", "Bright light is compressed, other colours are kept.",
+     "picture.tone is \"neutral\"", "arithmetic"},
+    {Effect::kDither, "dither", "EFFECT_DITHER", "Noise hides the steps of 8 bits.", "picture.dither is \"on\"", "arithmetic"},
 }};
 
 constexpr const EffectRow& effect_row(Effect effect) { return kEffectTable[static_cast<std::size_t>(effect)]; }

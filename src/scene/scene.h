@@ -131,6 +131,16 @@ struct LightSpec {
     friend bool operator==(const LightSpec&, const LightSpec&) = default;
 };
 
+// What becomes of a picture's light before a display shows it. EXR files hold it as it is.
+enum class ToneCurve { kShoulder, kFilm, kNeutral };   // 1 - exp(-x); a fit of ACES; Khronos' neutral one
+struct PictureSpec {
+    ToneCurve tone = ToneCurve::kShoulder;
+    double bloom = 0.0;            // share of the light that lens and eye scatter, [0, 1)
+    bool auto_exposure = false;    // CameraSpec::exposure_ev then adds to what the picture's mean luminance asks for
+    bool dither = false;           // noise of half a step of 8 bits against bands
+    friend bool operator==(const PictureSpec&, const PictureSpec&) = default;
+};
+
 struct Scene {
     std::string name, description;
     SpacetimeSpec spacetime;
@@ -143,6 +153,7 @@ struct Scene {
     std::optional<BallSpec> ball;
     std::optional<SurfaceSpec> surface;
     LightSpec light;
+    PictureSpec picture;
 };
 
 }  // namespace nullscope
