@@ -205,6 +205,10 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     return programs_.emplace(key, std::move(made)).first->second;
 }
 
+int Renderer::picture_programs() const {
+    return static_cast<int>(std::count_if(programs_.begin(), programs_.end(), [](const auto& entry) { return std::get<Stage>(entry.first) == Stage::kPicture; }));
+}
+
 void Renderer::bind_inputs() {
     gl::bind_uniforms(uniforms_, kFrameBinding);
     gl::bind_texture_2d(kStripUnit, strip_);
@@ -221,6 +225,12 @@ void Renderer::draw(unsigned framebuffer, int width, int height, Output output) 
     const gl::Program& built = program(Stage::kPicture, output);
     bind_inputs();
     gl::draw_fullscreen(built, empty_, framebuffer, width, height);
+}
+
+void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output output, int first, int last) {
+    const gl::Program& built = program(Stage::kPicture, output);
+    bind_inputs();
+    gl::draw_rows(built, empty_, framebuffer, width, height, first, last);
 }
 
 void Renderer::draw_bare_fetch(unsigned framebuffer, int width, int height) {

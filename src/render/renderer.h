@@ -40,6 +40,9 @@ public:
     // Draws the prepared scene's picture to a framebuffer of this size (0: the window).
     void draw(unsigned framebuffer, int width, int height, Output output);
 
+    // The same in pieces, each finished before the next: rows counted from the bottom.
+    void draw_rows(unsigned framebuffer, int width, int height, Output output, int first, int last);
+
     // A yardstick: one cube-map fetch a pixel. Needs a prepared scene with a sky.
     void draw_bare_fetch(unsigned framebuffer, int width, int height);
 
@@ -55,6 +58,7 @@ public:
     const FrameTables& tables() const { return tables_; }
     double gpu_table_ms() const { return gpu_table_ms_; }             // time of the last table of method kTable
     double compile_ms() const { return compile_ms_; }                 // sum over the programs built so far
+    int picture_programs() const;                                     // of pictures, built so far
     std::size_t texture_bytes() const;                                // tables and pictures on the GPU
     const gl::Info& info() const { return info_; }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "spacetime/registry.h"
@@ -104,6 +105,50 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     if (spacetime && (*spacetime)->inner_end() == InnerEnd::kSurface)
         reasons.push_back({Effect::kStar, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     return reasons;
+}
+
+namespace {
+
+void make_plain(Scene& scene, std::initializer_list<TextureKind> kinds) {
+    const auto one = [&kinds](BodyLook& look) {
+        if (std::find(kinds.begin(), kinds.end(), look.texture) != kinds.end()) look.texture = TextureKind::kPlain;
+    };
+    if (scene.sphere) one(scene.sphere->look);
+    if (scene.cylinder) one(scene.cylinder->look);
+    if (scene.ball) one(scene.ball->look);
+    if (scene.surface) one(scene.surface->look);
+}
+
+}  // namespace
+
+std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
+    Scene less = scene;
+    switch (effect) {
+        case Effect::kLensing:
+            // A camera of flat space has a radius of its own, and neither a surface nor another sky.
+            if (const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters))
+                less.camera.r = (*spacetime)->areal_radius(scene.camera.r);
+            less.spacetime = {"minkowski", {}};
+            return less;
+        case Effect::kAberration: less.camera.velocity = {0, 0, 0}; return less;
+        case Effect::kDisc: less.disc.reset(); return less;
+        case Effect::kTranslucentDisc:
+            if (less.disc) less.disc->opacity = 1.0, less.disc->edge = 0.0;
+            return less;
+        case Effect::kSphere: less.sphere.reset(); return less;
+        case Effect::kCylinder: less.cylinder.reset(); return less;
+        case Effect::kBall: less.ball.reset(); return less;
+        case Effect::kSurface: less.surface.reset(); return less;
+        case Effect::kPattern: make_plain(less, {TextureKind::kChecker, TextureKind::kGrid, TextureKind::kStripes}); return less;
+        case Effect::kNoise: make_plain(less, {TextureKind::kNoise}); return less;
+        case Effect::kFormula: make_plain(less, {TextureKind::kFormula}); return less;
+        case Effect::kBodyImage: make_plain(less, {TextureKind::kImage}); return less;
+        case Effect::kSky: less.sky.kind = SkyKind::kBlack; return less;
+        case Effect::kFarSky: less.far_sky.kind = SkyKind::kBlack; return less;
+        case Effect::kInner:
+        case Effect::kStar: break;
+    }
+    return std::nullopt;
 }
 
 EffectSet effect_set(const std::vector<EffectReason>& reasons) {
