@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/image_file.h"
+#include "base/large_image.h"
 #include "cli/command.h"
 #include "cli/json.h"
 #include "render/renderer.h"
@@ -65,16 +65,16 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Li
     if (scene.disc) {
         const auto image = load_disc_image(*scene.disc);
         if (!image) return image.error();
-        const long long w = image->width, h = image->height;
+        const long long w = image->image.width, h = image->image.height;
         lines.push_back({"disc image", 1, w, h, w * h * 32 / 3, "GPU", "disc.image"});  // 8 B, mip levels
     }
     constexpr const char* kBodies[kBodyCount] = {"sphere", "cylinder", "ball", "surface"};
     for (int body = 0; body < kBodyCount; ++body) {
         const auto file = body_image_file(scene, body);
         if (!file) continue;
-        const auto image = load_image(*file);
+        const auto image = load_fitted_image(*file);
         if (!image) return image.error();
-        const long long w = image->width, h = image->height;
+        const long long w = image->image.width, h = image->image.height;
         lines.push_back({fmt::format("{} image", kBodies[body]), 1, w, h, w * h * 32 / 3, "GPU", fmt::format("{}.image", kBodies[body])});
     }
     return Done{};

@@ -6,9 +6,10 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "base/assets.h"
-#include "base/image_file.h"
+#include "base/large_image.h"
 #include "sky/sky.h"
 #include "table/table_grid.h"
 
@@ -54,11 +55,19 @@ int sky_face_size(const CameraSpec& camera, int max_cube_size) {
     return std::min(std::max(256, static_cast<int>(std::bit_ceil(static_cast<unsigned>(wanted)))), max_cube_size);
 }
 
-Result<Image<float>> load_disc_image(const DiscSpec& disc) {
-    return load_image(disc.image.empty() ? assets_directory() / "images" / "accretion-disc.png" : disc.image);
+std::filesystem::path disc_image_file(const DiscSpec& disc) {
+    return disc.image.empty() ? assets_directory() / "images" / "accretion-disc.png" : disc.image;
 }
 
-Renderer::Renderer() : info_(gl::info()), empty_(gl::make_vertex_array()), uniforms_(gl::make_uniform_buffer(sizeof(float) * 4 * kFrameVectors)) {}
+Result<FittedImage> load_disc_image(const DiscSpec& disc, int largest) {
+    return load_fitted_image(disc_image_file(disc), {.max_side = largest});
+}
+
+std::vector<std::string> Renderer::take_notes() { return std::exchange(notes_, {}); }
+
+void Renderer::limit_pictures(int largest) { largest_picture_ = std::min(largest, info_.max_texture_size); }
+
+Renderer::Renderer() : info_(gl::info()), largest_picture_(std::min(info_.max_texture_size, kLargestPicture)), empty_(gl::make_vertex_array()), uniforms_(gl::make_uniform_buffer(sizeof(float) * 4 * kFrameVectors)) {}
 
 Status Renderer::prepare(const Scene& scene) {
     const int limit = std::min(info_.max_texture_size, info_.max_renderbuffer_size);
@@ -109,6 +118,7 @@ Status Renderer::load_sky(const Scene& scene) {
     if (sky_spec_ == scene.sky && (sky_size_ == size || (keep_finer_sky_ && sky_size_ > size))) return Done{};
     auto built = build_sky(scene.sky, assets_directory(), size);
     if (!built) return built.error();
+    for (std::string& note : built->notes) notes_.push_back(std::move(note));
     const float* faces[6];
     for (std::size_t i = 0; i < 6; ++i) faces[i] = built->faces[i].data.data();
     sky_ = gl::make_cube_texture(size, faces);
@@ -128,6 +138,7 @@ Status Renderer::load_far_sky(const Scene& scene) {
     if (far_sky_spec_ == scene.far_sky && far_sky_size_ == sky_size_) return Done{};
     auto built = build_sky(scene.far_sky, assets_directory(), sky_size_);
     if (!built) return built.error();
+    for (std::string& note : built->notes) notes_.push_back(std::move(note));
     const float* faces[6];
     for (std::size_t i = 0; i < 6; ++i) faces[i] = built->faces[i].data.data();
     far_sky_ = gl::make_cube_texture(sky_size_, faces);
@@ -145,21 +156,20 @@ Status Renderer::load_disc(const Scene& scene) {
     }
     const std::string file = scene.disc->image.string();
     if (disc_file_ == file) return Done{};
-    auto image = load_disc_image(*scene.disc);
-    if (!image) return image.error();
-    if (std::max(image->width, image->height) > info_.max_texture_size)
-        return bad_input(fmt::format("disc.image: {}x{} px; this driver's textures end at {} px", image->width, image->height,
-                                     info_.max_texture_size));
-    disc_ = gl::make_picture_texture(image->width, image->height, image->channels, image->data.data());
+    const auto fitted = load_disc_image(*scene.disc, largest_picture_);
+    if (!fitted) return fitted.error();
+    if (fitted->reduced()) notes_.push_back(reduction_words(disc_image_file(*scene.disc), *fitted, textures_end_at(largest_picture_)));
+    const Image<float>& image = fitted->image;
+    disc_ = gl::make_picture_texture(image.width, image.height, image.channels, image.data.data());
     disc_file_ = file;
-    disc_width_ = image->width;
-    disc_height_ = image->height;
+    disc_width_ = image.width;
+    disc_height_ = image.height;
     return Done{};
 }
 
 Status Renderer::load_bodies(const Scene& scene) {
     body_text_ = body_text(scene);
-    return body_images_.update(scene, info_.max_texture_size);
+    return body_images_.update(scene, largest_picture_, notes_);
 }
 
 Status Renderer::load_table(const Scene& scene) {

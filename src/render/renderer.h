@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "base/large_image.h"
 #include "base/result.h"
 #include "gl/gl.h"
 #include "render/body_images.h"
@@ -32,6 +33,13 @@ public:
     // Keeps a sky finer than a frame needs, so that zooming out and in does not hitch; pictures then depend on what was drawn
     // before. For windows only.
     void keep_finer_sky() { keep_finer_sky_ = true; }
+
+    // The longest side of the textures of images from the next prepare() on; larger images are made smaller while they are read.
+    // Without it: the driver's limit, at most kLargestPicture.
+    static constexpr int kLargestPicture = 16384;   // px: 1.1 GB with mip levels for an image twice as wide as high
+    void limit_pictures(int largest);
+    // What was done to images since the last call, a line each, for people.
+    std::vector<std::string> take_notes();
 
     // How rays are traced from the next prepare() on. Errors (by prepare): a method that the metric does not have.
     void set_method(const Method& method) { method_ = method; }
@@ -78,6 +86,8 @@ private:
     Status load_table(const Scene& scene);
 
     gl::Info info_;
+    int largest_picture_;
+    std::vector<std::string> notes_;
     gl::VertexArray empty_;
     gl::Buffer uniforms_;
     std::map<std::tuple<Stage, Output, EffectSet, Method, std::string, BodyText>, gl::Program> programs_;
@@ -108,6 +118,6 @@ std::string methods_of(const Spacetime& spacetime);   // "strip, strip:cubic, ..
 int sky_face_size(const CameraSpec& camera, int max_cube_size);
 
 // The image of the disc: the scene's, or the one that ships.
-Result<Image<float>> load_disc_image(const DiscSpec& disc);
+Result<FittedImage> load_disc_image(const DiscSpec& disc, int largest = Renderer::kLargestPicture);
 
 }  // namespace nullscope

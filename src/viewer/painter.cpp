@@ -175,6 +175,7 @@ void Painter::do_job(Workshop& workshop, PaintJob job) {
         if (renderer.picture_programs() > programs) painting.draw_ms = timed(renderer, target, workshop.pace);   // the first compiled it
         painting.texture = target.colours.front().id();
     }
+    painting.notes = renderer.take_notes();
     painting.programs = renderer.picture_programs();
     painting.compile_ms = renderer.compile_ms();
     painting.table_ms = renderer.tables().table_ms();

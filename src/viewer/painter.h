@@ -43,6 +43,7 @@ struct Painting {
     unsigned texture = 0;  // RGBA8, of the job's size, display-encoded; valid until the next painting but one is asked for
     std::optional<RayFrame> rays;
     double draw_ms = 0.0;  // the picture's, finished
+    std::vector<std::string> notes;   // what was done to images
     int programs = 0;      // compiled for pictures until now
     double compile_ms = 0.0, table_ms = 0.0, rows_ms = 0.0;
 };

@@ -250,6 +250,7 @@ void Viewer::adopt(Painting painting) {
         changed_at_ = seconds();
     }
     picture_ = std::move(painting);
+    if (!picture_.notes.empty()) say(picture_.notes.back());
     choice_ = asked_choice_;
     accuracy_->frame_is(picture_.job.scene, picture_.job.method);
     view_.error.clear();
