@@ -26,7 +26,7 @@ namespace {
 struct Options {
     std::string scene, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
     int samples = 3;
-    double time = 0.0;
+    std::optional<double> time;
     std::optional<double> max_error;
     std::optional<int> largest_texture;
     bool raydata = false, dump_shader = false, resume = false;
@@ -62,7 +62,7 @@ Result<Captured> capture_reference(const Scene& scene, const Options& options, b
         far_sky = std::move(*built);
     }
     std::optional<Image<float>> disc;
-    if (scene.disc) {
+    if (effect_set(required_effects(scene)).contains(Effect::kDiscImage)) {
         auto image = load_disc_image(*scene.disc);
         if (!image) return image.error();
         disc = std::move(image->image);
@@ -142,6 +142,7 @@ std::string numbered(std::string name, int frame) {
 
 Result<Scene> scene_for(const Options& options) {
     auto scene = load_scene(options.scene);
+    if (scene && options.time) scene->time = *options.time;
     if (!scene || options.size.empty()) return scene;
     const auto size = parse_size(options.size);
     if (!size) return size.error();
@@ -212,8 +213,8 @@ Command add_capture(CLI::App& parent) {
     app->add_option("--max-error", options->max_error, fmt::format("auto: the cheapest method whose measured error stays under this many pixels "
                     "(default {}, and the most exact method where the pixels are too small to be sure of that)", kDefaultMaxError_px))
         ->check(CLI::Range(1e-12, 1e6));
-    app->add_option("--time", options->time, "Scene time in r_s/c; scenes without anything that moves look the same at all times")
-        ->check(CLI::Range(0.0, 1e9))->capture_default_str();
+    app->add_option("--time", options->time, "Scene time in r_s/c (default: the scene's); scenes without anything that moves look the same at all times")
+        ->check(CLI::Range(0.0, 1e9));
     app->add_option("--frames", options->frames, "Draw frames A to B-1 of a sequence, A:B; -o then holds %05d");
     app->add_flag("--resume", options->resume, "Leave out the frames whose files are there: goes on with a sequence that was stopped");
     app->add_option("--samples", options->samples, "reference: rays per pixel along each side")->check(CLI::Range(1, 16))->capture_default_str();

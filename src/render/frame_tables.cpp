@@ -9,6 +9,7 @@
 #include "camera/pose.h"
 #include "scene/pixel_angle.h"
 #include "table/critical_images.h"
+#include "table/disc_light.h"
 #include "table/orbit_map.h"
 
 namespace nullscope {
@@ -77,7 +78,7 @@ void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spaceti
     put_look(block, ball.look);
     const SurfaceSpec surface = scene.surface.value_or(SurfaceSpec{});
     constexpr double kDifference = 1e-3;   // of the bound: gradients by differences keep half of a float's digits
-    block.put(surface.bound, 2 * surface.bound / surface.steps, kDifference * surface.bound, 0);
+    block.put(surface.bound, 2 * surface.bound / surface.steps, kDifference * surface.bound, scene.time);
     put_look(block, surface.look);
     put_march(block, scene);
 }
@@ -197,6 +198,10 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(disc.opacity, disc.edge, disc.brightness, 0);
     const CriticalImages images = fan != nullptr && scene.disc ? critical_images(*fan, disc.inner, disc.outer) : CriticalImages{};
     block.put(images.inner, images.outer, images.per_angle * M_LOG2E, images.from_angle);
+    if (disc.emission == DiscEmission::kThermal)
+        block.put(1.0 / disc.inner, kDiscFlowCells / std::log(disc.outer / disc.inner), std::log2(disc.temperature_K),
+                  log2_luminance(disc.temperature_K));
+    else block.put(0, 0, 0, 0);
     put_bodies(block, scene, spacetime);
     return block.numbers();
 }

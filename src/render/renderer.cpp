@@ -11,13 +11,15 @@
 #include "base/assets.h"
 #include "base/large_image.h"
 #include "sky/sky.h"
+#include "table/disc_light.h"
 #include "table/table_grid.h"
 
 namespace nullscope {
 namespace {
 
 constexpr unsigned kFrameBinding = 0;
-enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5, kFarSkyUnit = 6, kBodyUnit = 7 };
+enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5, kFarSkyUnit = 6, kBodyUnit = 7,
+            kDiscFlowUnit = kBodyUnit + kBodyCount, kBlackBodyUnit };
 
 template <class T>
 Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
@@ -80,6 +82,7 @@ Status Renderer::prepare(const Scene& scene) {
     if (Status status = load_disc(scene); !status) return status;
     if (Status status = load_bodies(scene); !status) return status;
     if (Status status = load_table(scene); !status) return status;
+    load_heat(scene);
     scene_ = scene;
     upload_tables();
     upload_block(scene, {sky_size_, disc_width_});
@@ -99,12 +102,26 @@ void Renderer::upload_tables() {
 }
 
 void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
+    if (block_effects_ != tables_.effects()) {
+        block_effects_ = tables_.effects();
+        block_members_ = block_members(*block_effects_);
+    }
     const FrameNumbers numbers = frame_numbers(scene, tables_.spacetime(), tables_.fan(), facts);
     std::array<float, 4 * kFrameVectors> block{};
     std::size_t next = 0;
-    for (const int member : block_members(tables_.effects()))
+    for (const int member : block_members_)
         for (std::size_t i = 0; i < 4; ++i) block[next++] = static_cast<float>(numbers[4 * static_cast<std::size_t>(member) + i]);
     gl::upload_uniforms(uniforms_, block.data(), sizeof(block));
+}
+
+Status Renderer::load_cube(const SkySpec& spec, int size, gl::Texture& texture) {
+    auto built = build_sky(spec, assets_directory(), size);
+    if (!built) return built.error();
+    for (std::string& note : built->notes) notes_.push_back(std::move(note));
+    const float* faces[6];
+    for (std::size_t i = 0; i < 6; ++i) faces[i] = built->faces[i].data.data();
+    texture = gl::make_cube_texture(size, faces);
+    return Done{};
 }
 
 Status Renderer::load_sky(const Scene& scene) {
@@ -116,12 +133,7 @@ Status Renderer::load_sky(const Scene& scene) {
     }
     const int size = sky_face_size(scene.camera, info_.max_cube_size);
     if (sky_spec_ == scene.sky && (sky_size_ == size || (keep_finer_sky_ && sky_size_ > size))) return Done{};
-    auto built = build_sky(scene.sky, assets_directory(), size);
-    if (!built) return built.error();
-    for (std::string& note : built->notes) notes_.push_back(std::move(note));
-    const float* faces[6];
-    for (std::size_t i = 0; i < 6; ++i) faces[i] = built->faces[i].data.data();
-    sky_ = gl::make_cube_texture(size, faces);
+    if (Status loaded = load_cube(scene.sky, size, sky_); !loaded) return loaded;
     sky_spec_ = scene.sky;
     sky_size_ = size;
     return Done{};
@@ -136,19 +148,14 @@ Status Renderer::load_far_sky(const Scene& scene) {
     // Of the near sky's size, for both share their level of detail; alone, of its own.
     if (sky_size_ == 0) sky_size_ = sky_face_size(scene.camera, info_.max_cube_size);
     if (far_sky_spec_ == scene.far_sky && far_sky_size_ == sky_size_) return Done{};
-    auto built = build_sky(scene.far_sky, assets_directory(), sky_size_);
-    if (!built) return built.error();
-    for (std::string& note : built->notes) notes_.push_back(std::move(note));
-    const float* faces[6];
-    for (std::size_t i = 0; i < 6; ++i) faces[i] = built->faces[i].data.data();
-    far_sky_ = gl::make_cube_texture(sky_size_, faces);
+    if (Status loaded = load_cube(scene.far_sky, sky_size_, far_sky_); !loaded) return loaded;
     far_sky_spec_ = scene.far_sky;
     far_sky_size_ = sky_size_;
     return Done{};
 }
 
 Status Renderer::load_disc(const Scene& scene) {
-    if (!scene.disc) {
+    if (!tables_.effects().contains(Effect::kDiscImage)) {
         disc_ = {};
         disc_file_.reset();
         disc_width_ = disc_height_ = 0;
@@ -170,6 +177,24 @@ Status Renderer::load_disc(const Scene& scene) {
 Status Renderer::load_bodies(const Scene& scene) {
     body_text_ = body_text(scene);
     return body_images_.update(scene, largest_picture_, notes_);
+}
+
+void Renderer::load_heat(const Scene& scene) {
+    if (!tables_.effects().contains(Effect::kThermalDisc)) {
+        disc_flow_ = {};
+        black_body_ = {};
+        flow_key_.reset();
+        return;
+    }
+    const auto key = std::make_tuple(scene.spacetime, scene.disc->inner, scene.disc->outer);
+    if (flow_key_ == key) return;
+    if (!flow_key_) {
+        const TexelGrid row = black_body_row();
+        black_body_ = gl::make_float_texture(row.width, row.height, row.texels.data());
+    }
+    const TexelGrid row = disc_flow_row(tables_.spacetime(), scene.disc->inner, scene.disc->outer);
+    disc_flow_ = gl::make_float_texture(row.width, row.height, row.texels.data());
+    flow_key_ = key;
 }
 
 Status Renderer::load_table(const Scene& scene) {
@@ -199,7 +224,6 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     const auto key = std::make_tuple(stage, output, tables_.effects(), method_, scene_.spacetime.metric, body_text_);
     const auto found = programs_.find(key);
     if (found != programs_.end()) return found->second;
-    const auto start = std::chrono::steady_clock::now();
     const ShaderSource source = shader_source(stage, tables_.effects(), output, method_, scene_.spacetime.metric, body_text_);
     gl::Program made = gl::make_program(source.vertex, source.fragment);
     gl::bind_uniform_block(made, "FrameBlock", kFrameBinding);
@@ -211,7 +235,8 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     gl::bind_sampler(made, "disc_texture", kDiscUnit);
     gl::bind_sampler(made, "table_texture", kTableUnit);
     for (int i = 0; i < kBodyCount; ++i) gl::bind_sampler(made, body_image_sampler(i), kBodyUnit + i);
-    compile_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    gl::bind_sampler(made, "disc_flow_texture", kDiscFlowUnit);
+    gl::bind_sampler(made, "black_body_texture", kBlackBodyUnit);
     return programs_.emplace(key, std::move(made)).first->second;
 }
 
@@ -229,6 +254,8 @@ void Renderer::bind_inputs() {
     gl::bind_texture_2d(kDiscUnit, disc_);
     gl::bind_texture_2d(kTableUnit, table_);
     body_images_.bind(kBodyUnit);
+    gl::bind_texture_2d(kDiscFlowUnit, disc_flow_);
+    gl::bind_texture_2d(kBlackBodyUnit, black_body_);
 }
 
 void Renderer::draw(unsigned framebuffer, int width, int height, Output output) {
@@ -323,18 +350,17 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     if (ends.width > 0) lines.push_back({"ray ends", ends.width, ends.height, ends.bytes()});
     if (table_bytes_ > 0) lines.push_back({"deflection table", method_.size + 1, 2 * (method_.size + 1), table_bytes_});
     if (map.width > 0) lines.push_back({"orbit map", map.width, map.height, map.bytes()});
-    if (sky_size_ > 0) lines.push_back({"sky", sky_size_, sky_size_, static_cast<std::size_t>(sky_size_) * sky_size_ * 32});  // 6 faces, 4 B, mip levels
+    if (far_sky_) lines.push_back({"far sky", far_sky_size_, far_sky_size_, static_cast<std::size_t>(far_sky_size_) * far_sky_size_ * 32});
+    if (sky_) lines.push_back({"sky", sky_size_, sky_size_, static_cast<std::size_t>(sky_size_) * sky_size_ * 32});  // 6 faces, 4 B, mip levels
     if (disc_width_ > 0) lines.push_back({"disc image", disc_width_, disc_height_, static_cast<std::size_t>(disc_width_) * disc_height_ * 32 / 3});
     for (int body = 0; body < kBodyCount; ++body)
         if (const auto& picture = body_images_.pictures()[static_cast<std::size_t>(body)])
             lines.push_back({body_image_sampler(body), picture->width, picture->height, static_cast<std::size_t>(picture->width) * picture->height * 32 / 3});
+    if (flow_key_) {
+        lines.push_back({"disc flow", kDiscFlowCells + 1, 1, static_cast<std::size_t>(kDiscFlowCells + 1) * 16});
+        lines.push_back({"black body", kBlackBodyCells + 1, 1, static_cast<std::size_t>(kBlackBodyCells + 1) * 16});
+    }
     return lines;
-}
-
-std::size_t Renderer::texture_bytes() const {
-    std::size_t sum = 0;
-    for (const TextureLine& line : textures()) sum += line.bytes;
-    return sum;
 }
 
 }  // namespace nullscope

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/named_surface.h"
 #include "spacetime/registry.h"
 
 namespace nullscope {
@@ -52,7 +53,7 @@ void add_bodies(const Scene& scene, std::vector<EffectReason>& reasons) {
     if (const auto& b = scene.ball)
         reasons.push_back({Effect::kBall, fmt::format("[ball] of radius {} at [{}, {}, {}]", b->radius, b->position.x, b->position.y, b->position.z)});
     if (const auto& f = scene.surface)
-        reasons.push_back({Effect::kSurface, fmt::format("[surface] {} within {}", f->shape, f->bound)});
+        reasons.push_back({Effect::kSurface, fmt::format("[surface] {} within {}", f->kind == SurfaceKind::kFormula ? f->shape : std::string(kNamedSurfaces[static_cast<std::size_t>(f->kind)].key), f->bound)});
     std::vector<std::pair<const char*, const BodyLook*>> looks;
     if (scene.sphere) looks.emplace_back("sphere", &scene.sphere->look);
     if (scene.cylinder) looks.emplace_back("cylinder", &scene.cylinder->look);
@@ -86,10 +87,22 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     }
     if (scene.disc) {
         reasons.push_back({Effect::kDisc, fmt::format("[disc] from {} to {}", scene.disc->inner, scene.disc->outer)});
+        const bool thermal = scene.disc->emission == DiscEmission::kThermal;
+        if (!scene.disc->image.empty()) {
+            reasons.push_back({Effect::kDiscImage, fmt::format("disc.image = \"{}\"", scene.disc->image.filename().string())});
+        } else if (!thermal) {
+            reasons.push_back({Effect::kDiscImage, "disc.emission = \"image\", the one that ships"});
+        }
         if (scene.disc->opacity < 1.0) {
             reasons.push_back({Effect::kTranslucentDisc, fmt::format("disc.opacity = {}", scene.disc->opacity)});
         } else if (scene.disc->edge > 0.0) {
             reasons.push_back({Effect::kTranslucentDisc, fmt::format("disc.edge = {}", scene.disc->edge)});
+        }
+        if (thermal) {
+            const char* heat = "disc.emission = \"thermal\"";
+            reasons.push_back({Effect::kThermalDisc, heat});
+            if (scene.light.shift) reasons.push_back({Effect::kShift, heat});
+            if (scene.light.beaming) reasons.push_back({Effect::kBeaming, heat});
         }
     }
     add_bodies(scene, reasons);
@@ -135,6 +148,16 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
         case Effect::kTranslucentDisc:
             if (less.disc) less.disc->opacity = 1.0, less.disc->edge = 0.0;
             return less;
+        case Effect::kDiscImage:
+            if (!less.disc || less.disc->emission != DiscEmission::kThermal) break;   // there is no other light
+            less.disc->image.clear();
+            return less;
+        case Effect::kThermalDisc:
+            if (!less.disc || less.disc->image.empty()) break;   // the same
+            less.disc->emission = DiscEmission::kImage;
+            return less;
+        case Effect::kShift: less.light.shift = false; return less;
+        case Effect::kBeaming: less.light.beaming = false; return less;
         case Effect::kSphere: less.sphere.reset(); return less;
         case Effect::kCylinder: less.cylinder.reset(); return less;
         case Effect::kBall: less.ball.reset(); return less;

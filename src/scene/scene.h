@@ -50,6 +50,9 @@ struct SkySpec {
 
 // A flat disc in the equatorial plane theta = pi/2, visible from both sides. The image is mapped affinely: its square
 // [0,1]^2 covers [-outer, outer]^2 in the disc's (x, y), rotated by `rotation`; image row 0 is y = +outer.
+// kImage: the image's light as it is. kThermal: heat by Page and Thorne, on which an image acts as an emissivity.
+enum class DiscEmission { kImage, kThermal };
+
 struct DiscSpec {
     double inner = 3.0, outer = 12.0;   // 0 < inner < outer
     std::filesystem::path image;        // empty: the disc image that ships
@@ -57,6 +60,8 @@ struct DiscSpec {
     double edge = 0.0;                  // fade of opacity at both rims, as a fraction of (outer - inner), [0, 0.5]
     double rotation = 0.0;
     double brightness = 1.0;
+    DiscEmission emission = DiscEmission::kImage;
+    double temperature_K = 8000.0;      // thermal: of the hottest ring, in its own frame
     friend bool operator==(const DiscSpec&, const DiscSpec&) = default;
 };
 
@@ -100,7 +105,11 @@ struct BallSpec {                   // a sphere anywhere
     friend bool operator==(const BallSpec&, const BallSpec&) = default;
 };
 
-struct SurfaceSpec {                // the solid f(x, y, z) < 0, as far as `bound` from the centre
+// kFormula: `shape`; the others are named_surface.h's, `size` long.
+enum class SurfaceKind { kFormula, kTorus, kEllipsoid, kCube, kOctahedron, kHeart, kGyroid, kClebsch };
+struct SurfaceSpec {                // the solid f(x, y, z, t) < 0, as far as `bound` from the centre; t: Scene::time
+    SurfaceKind kind = SurfaceKind::kFormula;
+    double size = 6.0;              // of a named surface
     std::string shape = "(length(x, y) - 6)^2 + z^2 - 2";   // f: docs/expressions.md
     double bound = 10.0;
     int steps = 64;                 // strides across the bounding sphere: what is thinner than one may be missed
@@ -115,6 +124,13 @@ inline SkySpec default_far_sky() {
     return sky;
 }
 
+// What light does on its way, each to be switched off alone, to teach with.
+struct LightSpec {
+    bool shift = true;     // of colour
+    bool beaming = true;   // of brightness
+    friend bool operator==(const LightSpec&, const LightSpec&) = default;
+};
+
 struct Scene {
     std::string name, description;
     SpacetimeSpec spacetime;
@@ -126,6 +142,8 @@ struct Scene {
     std::optional<CylinderSpec> cylinder;
     std::optional<BallSpec> ball;
     std::optional<SurfaceSpec> surface;
+    LightSpec light;
+    double time = 0.0;                     // r_s/c, by the clocks at infinity: what moves is where it is then, its light has no delay
 };
 
 }  // namespace nullscope

@@ -44,7 +44,7 @@ bool effects_section(ViewState& view, const EffectsPanel& panel) {
             ImGui::Unindent(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
         }
         tooltip(fmt::format("{}\nHere because of {}.\nCosts {}.", row.help, reason.reason, row.cost).c_str());
-        right_aligned(!on ? "off" : !drawn.contains(reason.effect) ? "not called for" : alone ? time_of(panel.times, reason.effect) : "the metric's");
+        right_aligned(!on ? "off" : !drawn.contains(reason.effect) ? "not called for" : alone ? time_of(panel.times, reason.effect) : "");
     }
     const std::string picture = panel.times.picture_ms > 0.0 ? fmt::format("{:.1f} ms the whole picture; ", panel.times.picture_ms) : "";
     paragraph(fmt::format("{}beside each effect what the picture takes more than without it. {} {} compiled in {:.0f} ms{}.",

@@ -15,6 +15,7 @@
 
 #include "compare/heat_map.h"
 #include "scene/effects.h"
+#include "scene/named_surface.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -41,7 +42,7 @@ std::vector<double> solids(const Scene& scene) {
 bool same_rays(const Scene& a, const Scene& b) {
     if (lens_and_place(a.camera) != lens_and_place(b.camera) || a.spacetime != b.spacetime) return false;
     if (effect_set(required_effects(a)) != effect_set(required_effects(b)) || solids(a) != solids(b)) return false;
-    if (a.surface && a.surface->shape != b.surface->shape) return false;
+    if (a.surface && (surface_shape(*a.surface) != surface_shape(*b.surface) || a.time != b.time)) return false;
     if (a.disc.has_value() != b.disc.has_value()) return false;
     return !a.disc || (a.disc->inner == b.disc->inner && a.disc->outer == b.disc->outer &&
                        (a.disc->opacity < 1.0) == (b.disc->opacity < 1.0));
