@@ -47,7 +47,7 @@ void add_tables(const FrameTables& tables, const Scene& scene, std::vector<Line>
     const std::string radius = fmt::format("camera.r = {}", scene.camera.r);
     lines.push_back({"strip", 1, strip.width, strip.height, bytes_of(strip.bytes()), "GPU", radius});
     if (ends.width > 0)
-        lines.push_back({"ray ends", 1, ends.width, ends.height, bytes_of(ends.bytes()), "GPU", radius});
+        lines.push_back({"ray ends", 1, ends.width, ends.height, bytes_of(ends.bytes()), meets_objects(tables.effects()) ? "GPU" : "host", radius});
     const char* objects[] = {scene.disc ? "[disc]" : "", scene.sphere ? "[sphere]" : "", scene.cylinder ? "[cylinder]" : "",
                              scene.ball ? "[ball]" : "", scene.surface ? "[surface]" : ""};
     std::string reason;

@@ -90,15 +90,25 @@ Status Renderer::prepare(const Scene& scene) {
 }
 
 void Renderer::upload_tables() {
-    if (rows_revision_ == tables_.revision()) return;
-    rows_revision_ = tables_.revision();
-    strip_ = {};
-    orbit_map_ = {};
-    ends_ = {};
-    const TexelGrid &strip = tables_.strip(), &ends = tables_.ends(), &map = tables_.orbit_map();
-    if (ends.width > 0) ends_ = gl::make_float_texture(ends.width, ends.height, ends.texels.data());
-    if (strip.width > 0) strip_ = gl::make_float_texture(strip.width, strip.height, strip.texels.data());
-    if (map.width > 0) orbit_map_ = gl::make_float_texture(map.width, map.height, map.texels.data());
+    if (rows_revision_ != tables_.revision()) {
+        rows_revision_ = tables_.revision();
+        strip_ = {};
+        orbit_map_ = {};
+        ends_ = {};
+        const TexelGrid &strip = tables_.strip(), &map = tables_.orbit_map();
+        if (strip.width > 0) strip_ = gl::make_float_texture(strip.width, strip.height, strip.texels.data());
+        if (map.width > 0) orbit_map_ = gl::make_float_texture(map.width, map.height, map.texels.data());
+    }
+    // A picture of the sky alone does not look where along the ray it is.
+    if (meets_objects(tables_.effects()) || method_.cubic)
+        upload_ends();
+    else
+        ends_ = {};
+}
+
+void Renderer::upload_ends() {
+    const TexelGrid& ends = tables_.ends();
+    if (!ends_ && ends.width > 0) ends_ = gl::make_float_texture(ends.width, ends.height, ends.texels.data());
 }
 
 void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
@@ -316,6 +326,7 @@ Result<std::vector<RayPixel>> Renderer::trace_middles(const std::vector<Scene>& 
 
 RayFrame Renderer::draw_rays(const gl::Target& target) {
     const int w = target.width, h = target.height;
+    upload_ends();
     const gl::Program& built = program(Stage::kRayData, Output::kLinear);
     bind_inputs();
     gl::draw_fullscreen(built, empty_, target.framebuffer.id(), w, h);
@@ -347,7 +358,7 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     std::vector<TextureLine> lines;
     const TexelGrid &strip = tables_.strip(), &ends = tables_.ends(), &map = tables_.orbit_map();
     if (strip.width > 0) lines.push_back({"strip", strip.width, strip.height, strip.bytes()});
-    if (ends.width > 0) lines.push_back({"ray ends", ends.width, ends.height, ends.bytes()});
+    if (ends_) lines.push_back({"ray ends", ends.width, ends.height, ends.bytes()});
     if (table_bytes_ > 0) lines.push_back({"deflection table", method_.size + 1, 2 * (method_.size + 1), table_bytes_});
     if (map.width > 0) lines.push_back({"orbit map", map.width, map.height, map.bytes()});
     if (far_sky_) lines.push_back({"far sky", far_sky_size_, far_sky_size_, static_cast<std::size_t>(far_sky_size_) * far_sky_size_ * 32});

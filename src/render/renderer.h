@@ -75,6 +75,7 @@ private:
     const gl::Program& program(Stage stage, Output output);
     void bind_inputs();
     void upload_tables();
+    void upload_ends();
     void upload_block(const Scene& scene, const TextureFacts& facts);
     RayFrame draw_rays(const gl::Target& target);
     Status load_cube(const SkySpec& spec, int size, gl::Texture& texture);
