@@ -34,7 +34,9 @@ unsigned number_at(std::string_view bytes, std::size_t at, std::size_t count) {
 long long announced_pixels(std::string_view head) {
     if (head.starts_with(kPngMagic)) {
         constexpr std::size_t kWidth = 16, kEnd = 24;
-        return head.size() < kEnd ? 0 : static_cast<long long>(number_at(head, kWidth, 4)) * number_at(head, kWidth + 4, 4);
+        constexpr unsigned kMost = 0x7fffffff;   // PNG's own limit: the product of two fits
+        if (head.size() < kEnd) return 0;
+        return static_cast<long long>(std::min(number_at(head, kWidth, 4), kMost)) * std::min(number_at(head, kWidth + 4, 4), kMost);
     }
     if (!head.starts_with(kJpegMagic)) return 0;
     for (std::size_t at = 2; at + 9 <= head.size();) {
