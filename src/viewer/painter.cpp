@@ -211,7 +211,8 @@ void Painter::do_measure(Workshop& workshop, const Order& order) {
         other.set_method(Method{});   // what remains may not know the scene's
         if (has_method(workshop.renderer.tables().spacetime(), order.method) && without->spacetime == order.scene.spacetime)
             other.set_method(order.method);
-        if (interrupted() || !other.prepare(*without)) return;
+        if (interrupted()) return;
+        if (!other.prepare(*without)) continue;   // the scene cannot be without it: a thermal disc in flat space
         Pace other_pace;
         timed(other, target, other_pace);   // compiles
         timed(workshop.renderer, target, workshop.pace);

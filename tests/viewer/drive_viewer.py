@@ -6,6 +6,7 @@ Usage: drive_viewer.py VIEWER [CASE...]     (VIEWER: the program; CASE: names of
 Exit status 0: all passed; 1: some failed; 77: Xvfb or xdotool is missing.
 """
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -50,7 +51,15 @@ radius = 3
 texture = "noise"
 """
 RIGHT = (560, 200, 820, 560)       # the ball is there, the tooltip of a row is not
-BALL_ROW = 3                       # after lensing, disc, sphere
+CALLED_FOR = ["lensing", "disc", "disc-image", "sphere", "ball"]   # of SCENE + BODIES, those of the table up to the ball
+
+
+def row_of(effect):
+    """Which row of the panel is an effect's: the table's order, of those that the scene calls for."""
+    table = (Path(__file__).resolve().parents[2] / "src" / "scene" / "effects.h").read_text()
+    return [key for key in re.findall(r'\{Effect::k\w+, "([\w-]+)"', table) if key in CALLED_FOR].index(effect)
+
+
 HITCH_MS = 300
 BESIDE = (420, 40)                 # a place for the pointer outside of all these areas
 MEASURED_S = 120.0                 # for a frame's errors, on a machine that is busy
@@ -460,7 +469,7 @@ def test_an_effect_is_switched_without_a_hitch(screen, program, folder):
     try:
         effects.start()
         for what, compiled in [("the ball goes", 1), ("the ball comes back", 0)]:
-            before, after, seen, turns, programs = effects.switch(BALL_ROW, what)
+            before, after, seen, turns, programs = effects.switch(row_of("ball"), what)
             assert programs == compiled, f"{what}: {programs} programs compiled instead of {compiled}"
             longest = max(turn[1] for turn in turns)
             print(f"    {what}: longest turn of {len(turns)} is {longest:.0f} ms, {programs} compiled, {len(seen)} looks", flush=True)
@@ -477,7 +486,7 @@ def test_without_a_second_context_the_hitch_is_seen(screen, program, folder):
     effects = Effects(screen, program, "--one-context")
     try:
         effects.start()
-        _, _, _, turns, programs = effects.switch(BALL_ROW, "the ball goes")
+        _, _, _, turns, programs = effects.switch(row_of("ball"), "the ball goes")
         longest = max(turn[1] for turn in turns)
         print(f"    in one context: longest turn {longest:.0f} ms", flush=True)
         assert programs == 1 and longest > HITCH_MS, f"{programs} programs; the longest turn took {longest:.0f} ms"
