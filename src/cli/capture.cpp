@@ -19,6 +19,7 @@
 #include "render/display.h"
 #include "render/frontier.h"
 #include "scene/scene_file.h"
+#include "shaderlib/passes.h"
 
 namespace nullscope::cli {
 namespace {
@@ -80,12 +81,14 @@ Result<Captured> capture_reference(const Scene& scene, const Options& options, b
     if (bodies[1]) pictures.cylinder = &*bodies[1];
     if (bodies[2]) pictures.ball = &*bodies[2];
     if (bodies[3]) pictures.surface = &*bodies[3];
+    const auto stars = point_stars(scene.sky, assets_directory());
+    if (!stars) return stars.error();
     const long long pixels = static_cast<long long>(scene.camera.width) * scene.camera.height;
     Captured captured;
     {
         Progress progress("reference picture", pixels);
         auto image = reference::render_frame(scene, *sky, pictures, options.samples,
-                                             [&](long long n) { progress.advance(n); }, far_sky ? &*far_sky : nullptr);
+                                             [&](long long n) { progress.advance(n); }, far_sky ? &*far_sky : nullptr, *stars);
         if (!image) return image.error();
         captured.linear = std::move(*image);
     }
@@ -163,7 +166,8 @@ int run(const Options& options) {
     if (!scene) return report(scene.error());
     if (options.dump_shader) {
         const EffectSet effects = effect_set(required_effects(*scene));
-        fmt::print("{}", shader_source(Stage::kPicture, effects, Output::kDisplay, {}, scene->spacetime.metric, body_text(*scene)).fragment);
+        for (const Pass& pass : passes(effects, Output::kDisplay))
+            fmt::print("{}", pass_text(pass, effects, {}, scene->spacetime.metric, body_text(*scene)));
         return 0;
     }
     const bool exr = options.output.ends_with(".exr");
@@ -221,7 +225,7 @@ Command add_capture(CLI::App& parent) {
     app->add_option("--largest-texture", options->largest_texture, "Most pixels along a side of an image's texture: larger images are made "
                     "smaller while they are read (default: the driver's limit)")->check(CLI::Range(16, 65536));
     app->add_flag("--raydata", options->raydata, "Also write where every pixel's ray went, as channels of the EXR");
-    app->add_flag("--dump-shader", options->dump_shader, "Print the fragment shader of this scene and stop");
+    app->add_flag("--dump-shader", options->dump_shader, "Print the shaders of this scene's passes and stop");
     return {app, [options] { return run(*options); }};
 }
 

@@ -25,6 +25,8 @@ Names textures_for(const EffectSet& effects, const Scene& scene) {
     if (lensing && objects) names.insert({"ray ends", "orbit map"});
     if (effects.contains(Effect::kDiscImage)) names.insert("disc image");
     if (effects.contains(Effect::kThermalDisc)) names.insert({"disc flow", "black body"});
+    if (effects.contains(Effect::kPointStars)) names.insert({"stars", "black body"});
+    if (effects.contains(Effect::kPointStars) && lensing) names.insert("star lens");
     if (effects.contains(Effect::kSky)) names.insert("sky");
     if (effects.contains(Effect::kFarSky)) names.insert("far sky");
     if (effects.contains(Effect::kBodyImage))
@@ -47,7 +49,7 @@ std::string joined(const Names& names) {
 
 // Between them they call for every effect.
 std::vector<Scene> full_scenes() {
-    std::vector<Scene> scenes(3);
+    std::vector<Scene> scenes(4);
     for (Scene& scene : scenes) scene.camera.width = 64, scene.camera.height = 36, scene.camera.r = 20;
     Scene& holes = scenes[0];
     holes.camera.velocity = {0, 0, 0.2};
@@ -63,6 +65,8 @@ std::vector<Scene> full_scenes() {
     surface.texture = TextureKind::kImage, surface.image = assets_directory() / "sky" / "milky-way.png";
     scenes[1].spacetime.metric = "ellis";
     scenes[2].spacetime.metric = "neutron-star";
+    scenes[3].sky.kind = SkyKind::kPoints;
+    scenes[3].light.bolometric = true;
     return scenes;
 }
 
