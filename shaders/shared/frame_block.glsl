@@ -63,7 +63,7 @@ struct FrameData {
     vec4 ball_second;
 #endif
 #ifdef BLOCK_SURFACE
-    vec4 surface_form;   // bound, stride, step of differences, 0
+    vec4 surface_form;   // bound, stride, step of differences, time
     vec4 surface_map;
     vec4 surface_colour;
     vec4 surface_second;

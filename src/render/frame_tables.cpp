@@ -84,7 +84,7 @@ void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spaceti
     put_look(block, ball.look);
     const SurfaceSpec surface = scene.surface.value_or(SurfaceSpec{});
     constexpr double kDifference = 1e-3;   // of the bound: gradients by differences keep half of a float's digits
-    block.put(surface.bound, 2 * surface.bound / surface.steps, kDifference * surface.bound, 0);
+    block.put(surface.bound, 2 * surface.bound / surface.steps, kDifference * surface.bound, scene.time);
     put_look(block, surface.look);
     put_march(block, scene);
 }

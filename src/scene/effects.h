@@ -6,6 +6,7 @@
 #include <bitset>
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -98,6 +99,7 @@ public:
     EffectSet(std::initializer_list<Effect> effects) {
         for (const Effect effect : effects) insert(effect);
     }
+    void erase(Effect effect) { bits_.reset(static_cast<std::size_t>(effect)); }
     void insert(Effect effect) { bits_.set(static_cast<std::size_t>(effect)); }
     bool contains(Effect effect) const { return bits_.test(static_cast<std::size_t>(effect)); }
     bool empty() const { return bits_.none(); }
@@ -124,5 +126,9 @@ struct EffectReason {
 // unknown metric calls for no lensing).
 std::vector<EffectReason> required_effects(const Scene& scene);
 EffectSet effect_set(const std::vector<EffectReason>& reasons);
+
+// The scene as it is without one of its effects, which then calls for all others but those that need this one. nullopt: the effect
+// cannot go alone (kInner and kStar are the metric's, a disc has one light at least).
+std::optional<Scene> without_effect(const Scene& scene, Effect effect);
 
 }  // namespace nullscope

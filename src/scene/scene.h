@@ -108,7 +108,11 @@ struct BallSpec {                   // a sphere anywhere
     friend bool operator==(const BallSpec&, const BallSpec&) = default;
 };
 
-struct SurfaceSpec {                // the solid f(x, y, z) < 0, as far as `bound` from the centre
+// kFormula: `shape`; the others are named_surface.h's, `size` long.
+enum class SurfaceKind { kFormula, kTorus, kEllipsoid, kCube, kOctahedron, kHeart, kGyroid, kClebsch };
+struct SurfaceSpec {                // the solid f(x, y, z, t) < 0, as far as `bound` from the centre; t: Scene::time
+    SurfaceKind kind = SurfaceKind::kFormula;
+    double size = 6.0;              // of a named surface
     std::string shape = "(length(x, y) - 6)^2 + z^2 - 2";   // f: docs/expressions.md
     double bound = 10.0;
     int steps = 64;                 // strides across the bounding sphere: what is thinner than one may be missed
@@ -154,6 +158,7 @@ struct Scene {
     std::optional<SurfaceSpec> surface;
     LightSpec light;
     PictureSpec picture;
+    double time = 0.0;                     // r_s/c, by the clocks at infinity: what moves is where it is then, its light has no delay
 };
 
 }  // namespace nullscope

@@ -25,6 +25,7 @@ constexpr KeyRange kLatitude{0.0, 90.0, true, true};
 constexpr KeyRange kOpacity{0.0, 1.0, true, false};
 constexpr KeyRange kEdge{0.0, 0.5, false, false};
 constexpr KeyRange kTemperature{1e3, 1e9, false, false};
+constexpr KeyRange kTime{-1e9, 1e9, false, false};
 constexpr KeyRange kMagnitude{-5.0, 30.0, false, false};
 constexpr KeyRange kStarCount{0.0, 4000000.0, false, false};
 constexpr KeyRange kBloom{0.0, 1.0, false, true};
@@ -35,6 +36,9 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.name = v.text; }},
     {"", "description", KeyType::kText, "", "", kNone, "", "One sentence that says what is to be seen.",
      [](Scene& s, const KeyValue& v) { s.description = v.text; }},
+
+    {"", "time", KeyType::kNumber, "r_s/c", "0", kTime, "", "Time of the picture, for what moves: t in surface.shape.",
+     [](Scene& s, const KeyValue& v) { s.time = v.number; }},
 
     {"spacetime", "metric", KeyType::kMetric, "", "schwarzschild", kNone, "", "The spacetime.",
      [](Scene& s, const KeyValue& v) { s.spacetime.metric = v.text; }},

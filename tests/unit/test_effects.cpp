@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/effects.h"
+#include "scene/scene_file.h"
 
 using namespace nullscope;
 
@@ -207,4 +208,26 @@ TEST_CASE("an unknown metric calls for no lensing") {
     Scene scene;
     scene.spacetime.metric = "no such metric";
     CHECK_FALSE(effect_set(required_effects(scene)).contains(Effect::kLensing));
+}
+
+TEST_CASE("a scene without one of its effects calls for no more than the others") {
+    std::set<Effect> gone;
+    for (const SceneInfo& info : shipped_scenes()) {
+        const auto scene = load_scene(info.name);
+        REQUIRE(scene);
+        const EffectSet whole = effect_set(required_effects(*scene));
+        for (const Effect effect : whole.list()) {
+            CAPTURE(info.name);
+            CAPTURE(effect_row(effect).key);
+            const auto less = without_effect(*scene, effect);
+            const bool bound = effect == Effect::kInner || effect == Effect::kStar || effect == Effect::kDiscImage || effect == Effect::kThermalDisc;
+            CHECK((less.has_value() || bound));
+            if (!less) continue;
+            const EffectSet left = effect_set(required_effects(*less));
+            CHECK_FALSE(left.contains(effect));
+            for (const Effect other : left.list()) CHECK(whole.contains(other));
+            gone.insert(effect);
+        }
+    }
+    CHECK(gone.size() >= 8);   // the scenes that ship have most of them
 }
