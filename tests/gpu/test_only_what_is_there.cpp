@@ -67,6 +67,8 @@ std::vector<Scene> full_scenes() {
     scenes[2].spacetime.metric = "neutron-star";
     scenes[3].sky.kind = SkyKind::kPoints;
     scenes[3].light.bolometric = true;
+    scenes[1].picture = {ToneCurve::kFilm, 0.1, false, true};
+    scenes[2].picture = {ToneCurve::kNeutral, 0.0, true, false};
     return scenes;
 }
 
