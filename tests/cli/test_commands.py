@@ -10,7 +10,7 @@ from pathlib import Path
 
 import support
 
-COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench soak", "plan", "scenes", "info"]
+COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench soak", "plan", "scenes", "info", "figure"]
 
 
 def png_size(data):
@@ -106,6 +106,13 @@ class Commands(support.CliTest):
         self.assertEqual(sorted(r["effect"] for r in rows), sorted(every))
         for row in rows:
             self.assertGreater(row["empty_core_seconds"], 0)
+
+    def test_figures(self):
+        for name in ("bending", "ray-types", "isoradials"):
+            self.run_nullscope("figure", name, "-o", name + ".svg")
+            text = (self.folder / (name + ".svg")).read_text()
+            self.assertGreater(text.count("<polyline") + text.count("<polygon"), 3)
+            self.assertTrue(text.rstrip().endswith("</svg>"))
 
     def test_the_smallest_scene(self):
         scene = self.write("least.toml", '[spacetime]\nmetric = "schwarzschild"\n')

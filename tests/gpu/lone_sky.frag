@@ -162,11 +162,14 @@ vec3 srgb_encode(vec3 c) {
     vec3 s1 = sqrt(c);
     vec3 s2 = sqrt(s1);
     vec3 s3 = sqrt(s2);
-    return max(0.662002687 * s1 + 0.684122060 * s2 - 0.323583601 * s3 - 0.0225411470 * c, vec3(0.0));
+    vec3 curve = 0.662002687 * s1 + 0.684122060 * s2 - 0.323583601 * s3 - 0.0225411470 * c;
+    return mix(curve, 12.92 * c, lessThan(c, vec3(0.0031308)));
 }
 vec3 display_encode(vec3 linear, float exposure) {
-    vec3 c = linear * exposure;
-    return srgb_encode(clamp(vec3(1.0) - exp(-c), 0.0, 1.0));
+    vec3 c = min(linear * exposure, vec3(1.0e4));
+    c = vec3(1.0) - exp(-c);
+    c = srgb_encode(clamp(c, 0.0, 1.0));
+    return c;
 }
 out vec4 colour;
 void main() {

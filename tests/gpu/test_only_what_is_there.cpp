@@ -70,6 +70,8 @@ std::vector<Scene> full_scenes() {
     scenes[4].sky.kind = SkyKind::kGrid;
     scenes[4].disc.emplace().look.texture = TextureKind::kNoise;
     scenes[4].disc->emission = DiscEmission::kThermal;
+    scenes[1].picture = {ToneCurve::kFilm, 0.1, false, true};
+    scenes[2].picture = {ToneCurve::kNeutral, 0.0, true, false};
     return scenes;
 }
 
