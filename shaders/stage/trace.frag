@@ -62,6 +62,9 @@ void main() {
     if (trace.escapes && through > 0.002) light += through * celestial_sphere(trace, sky_level(trace));
 #endif
 #endif
+#ifdef EFFECT_SKY_PATTERN
+    if (trace.escapes && through > 0.002) light += through * dome_light(trace);
+#endif
 #ifdef EFFECT_STAR
     if (!trace.escapes) {
         light += through * star_surface(trace);

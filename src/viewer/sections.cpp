@@ -94,12 +94,13 @@ bool disc_section(ViewState& view) {
 
 bool sky_section(ViewState& view, bool escape) {
     SkySpec& sky = view.scene.sky;
-    constexpr const char* kNames[] = {"stars", "image", "black", "points"};
+    constexpr const char* kNames[] = {"stars", "image", "black", "points", "plain", "checker", "grid", "stripes", "noise", "formula"};
     bool changed = false;
-    row("Kind", "What is seen at infinity: the stars and Milky Way that ship (as a picture, or the stars as points), the scene's image, or nothing.");
+    row("Kind", "What is seen at infinity: the stars and Milky Way that ship (as a picture, or the stars as points), the scene's image, nothing, or a pattern.");
     if (begin_choice("##sky", kNames[static_cast<int>(sky.kind)], escape)) {
         for (int i = 0; i < static_cast<int>(std::size(kNames)); ++i) {
             const bool missing = i == static_cast<int>(SkyKind::kImage) && view.loaded.sky.image.empty();
+            if (i == static_cast<int>(SkyKind::kFormula) && view.loaded.sky.look.formula.empty()) continue;
             if (missing) {
                 ImGui::TextDisabled("image");
                 tooltip("This scene's file names no image (key image in [sky]).");
