@@ -74,6 +74,14 @@ bool disc_section(ViewState& view) {
                     "Inner radius. 3 r_s is the innermost stable circular orbit of a hole without spin."));
     any(drag_number("Outer", disc.outer, 0.05, disc.inner / kNarrow, std::max(kWidest, 2.0 * disc.inner), "%.2f r_s",
                     "Outer radius."));
+    bool thermal = disc.emission == DiscEmission::kThermal;
+    row("Thermal", "It glows by the heat that matter gains on its way in; an image then gives emissivities.");
+    if (ImGui::Checkbox("##thermal", &thermal)) {
+        disc.emission = thermal ? DiscEmission::kThermal : DiscEmission::kImage;
+        changed = true;
+    }
+    if (thermal)
+        any(slide("Temperature", disc.temperature_K, 2000.0, 50000.0, Scale::kLogarithmic, When::kNow, "%.0f K", "Of the hottest ring, in its own frame."));
     any(slide("Opacity", disc.opacity, 0.01, 1.0, Scale::kLinear, When::kNow, "%.2f",
               "Below 1, what lies behind shines through."));
     any(slide("Edge", disc.edge, 0.0, 0.5, Scale::kLinear, When::kNow, "%.2f",
