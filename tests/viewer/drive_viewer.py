@@ -37,7 +37,7 @@ LEGEND, BESIDE_LEGEND = (560, 470, 836, 574), (320, 300, 550, 560)   # of the ov
 HEADERS = [(150, 377), (150, 252), (150, 52)]   # lens, boost, camera; each where it is while those above are open
 ALONE = (150, 227)                 # the section's header while nothing else is open
 METHOD, WORDS = (190, 413), (14, 453, 284, 515)   # the box and what is chosen and why
-AUTO = (150, 245)                  # the first entry of its list while the list is not scrolled
+AUTO = (150, 26)                   # the first entry of its list while the list is not scrolled
 LEAST, MOST = (108, 438), (266, 438)              # of the slider for the largest error
 WRONG_FATE = bytes([255, 0, 255])
 EFFECTS = (150, 252)               # the section's header while nothing else is open, and its rows
@@ -376,7 +376,7 @@ def test_the_accuracy_section_chooses_refuses_and_measures(v):
     v.hands("key", "h")
     v.settle()
     v.click(*METHOD)
-    v.hands("mousemove", 150, 400)     # the list begins where the method in use is
+    v.hands("mousemove", 150, 300)     # the list begins where the method in use is
     v.hands("click", "--repeat", 10, "--delay", 200, 4)
     v.click(*AUTO)
     v.still(timeout_s=MEASURED_S)
