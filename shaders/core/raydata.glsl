@@ -8,13 +8,21 @@ struct PixelData {
     float angle;    // swept from the camera to the end
     float hit;      // number of the first object met, 0 for none
     vec3 place;     // of that meeting: x, y, z in r_s
+#ifdef EFFECT_SPIN
+    float steps;    // that the tracer took
+#endif
 };
 
 PixelData pixel_data(vec2 pixel) {
     Trace trace = trace_pixel(pixel);
     PixelData data;
     data.fate = trace.escapes ? 0.0 : frame.shift.w;
+#ifdef EFFECT_SPIN
+    data.angle = 0.0;   // of plane orbits only
+    data.steps = float(trace.steps);
+#else
     data.angle = trace.phi_end;
+#endif
     data.hit = 0.0;
     data.place = vec3(0.0, 0.0, 0.0);
     data.delay = 0.0;
@@ -23,6 +31,18 @@ PixelData pixel_data(vec2 pixel) {
     SolidHit solid = solid_hit(trace, tangent, 0.0);
     if (solid.object != 0) data.angle = solid.phi;
 #endif
+#ifdef EFFECT_SPIN
+#ifdef EFFECT_DISC
+    for (int k = 0; k < SPIN_CROSSINGS && data.hit == 0.0; ++k) {
+        DiscCrossing crossing = spin_disc_cross(trace, k, vec4(0.0, 0.0, 0.0, 0.0));
+        if (crossing.hit) {
+            data.hit = 1.0;
+            data.place = vec3(crossing.place.x, crossing.place.y, 0.0);
+            data.fate = frame.disc_look.x >= 1.0 ? 4.0 : data.fate;
+        }
+    }
+#endif
+#else
 #ifdef EFFECT_DISC
     PlaneMeeting meeting = disc_meeting(trace);
     for (int k = disc_first(trace, meeting); k < DISC_MOST_CROSSINGS && disc_reachable(trace, meeting, k); ++k) {
@@ -40,6 +60,7 @@ PixelData pixel_data(vec2 pixel) {
             }
         }
     }
+#endif
 #endif
 #ifdef NEEDS_PLACE
     if (solid.object != 0 && data.fate != 4.0) {

@@ -84,4 +84,12 @@ struct FrameData {
     vec4 dome_colour;
     vec4 dome_second;
 #endif
+#ifdef BLOCK_SPIN
+    // Of a spinning hole (core/spin_trace.glsl): look directions, motion and ray_0, ray_x, ray_y are then along (e_r, e_theta, e_phi) of
+    // the camera at rest here. Forms of the tangent of the ray traced backward, for unit frequency in that camera; n: look direction.
+    vec4 spin_hole;    // a, a^2, radii of the outer and of the inner horizon
+    vec4 spin_rows;    // E = x + y n_phi; L/sin(theta) - a E sin(theta) = z + w n_phi
+    vec4 spin_scale;   // p_theta = x n_theta; L/sin(theta) = y n_phi; d zeta/d tau = -z n_r; 0
+    vec4 spin_place;   // sin(theta), cos(theta) (exactly 0 in the equatorial plane), cos(phi), sin(phi)
+#endif
 };

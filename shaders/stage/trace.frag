@@ -11,6 +11,22 @@ void main() {
     SolidHit solid = solid_hit(trace, tangent, 1.0);
     vec4 body = solid.object == 0 ? vec4(0.0) : vec4(solid_light(trace, tangent, solid), 1.0) * solid.covered;
 #endif
+#ifdef EFFECT_SPIN
+#ifdef EFFECT_DISC
+    DiscFeet feet = spin_feet(trace);
+    int k = 0;
+    bool more = spin_disc_more(trace, k);
+    do {   // tested at the end, see disc_colour
+        DiscCrossing crossing = spin_disc_cross(trace, k, spin_foot_of(feet, k));
+        vec4 over = disc_colour(trace, crossing);
+        over = more && crossing.hit ? over * through : vec4(0.0);
+        light += over.rgb;
+        through -= over.a;
+        ++k;
+        more = more && through > 0.002 && spin_disc_more(trace, k);
+    } while (more);
+#endif
+#else
 #ifdef EFFECT_DISC
     PlaneMeeting meeting = disc_meeting(trace);
     int k = disc_first(trace, meeting);
@@ -46,6 +62,7 @@ void main() {
 #endif
         more = more && through > 0.002 && k < DISC_MOST_CROSSINGS;
     } while (more);
+#endif
 #endif
 #ifdef NEEDS_PLACE
     light += through * body.rgb;

@@ -40,10 +40,6 @@ Result<Done> check_static_frame(const Spacetime& spacetime, const CameraSpec& ca
         return bad_input(fmt::format("theta = {} rad is out of range; allowed: [0, pi]", camera.theta));
     }
     if (std::sin(camera.theta) == 0.0) return bad_input("no coordinate tetrad on the axis; allowed: 0 < theta < pi");
-    if (!(one_minus_square(camera.velocity) > 0.0L)) {
-        return bad_input(
-            fmt::format("speed {} is not below that of light; allowed: |velocity| < 1", length(camera.velocity)));
-    }
     return Done{};
 }
 
@@ -67,16 +63,18 @@ Mat3 static_from_camera(const CameraSpec& camera) {
 
 // A camera axis c becomes e = (w . c, c + w (w . c)/(1 + gamma)) with w = gamma v. Errors of c stay of their own size,
 // those of the boost are multiplied by gamma^2: the boost is computed in long double.
-Result<TetradPair> camera_tetrad_pair(const Spacetime& spacetime, const CameraSpec& camera) {
-    if (Result<Done> ok = check_static_frame(spacetime, camera); !ok) return ok.error();
+Result<TetradPair> camera_rows_pair(const CameraSpec& camera) {
+    if (!(one_minus_square(camera.velocity) > 0.0L)) {
+        return bad_input(
+            fmt::format("speed {} is not below that of light; allowed: |velocity| < 1", length(camera.velocity)));
+    }
     using Long3 = std::array<long double, 3>;
     const Vec3 v = camera.velocity;
     const long double gamma = 1.0L / std::sqrt(one_minus_square(v));
     const Long3 w = {gamma * v.x, gamma * v.y, gamma * v.z};
-    const Matrix4 g = spacetime.metric(camera.r, camera.theta);
     const Mat3 axes = static_from_camera(camera);
 
-    std::array<std::array<long double, 4>, 4> rows{};  // along the static tetrad
+    std::array<std::array<long double, 4>, 4> rows{};
     rows[0] = {gamma, w[0], w[1], w[2]};
     int i = 1;
     for (const Vec3 axis : {axes.a, axes.b, axes.c}) {
@@ -85,10 +83,29 @@ Result<TetradPair> camera_tetrad_pair(const Spacetime& spacetime, const CameraSp
         const long double push = along / (1.0L + gamma);
         rows[i++] = {along, c[0] + push * w[0], c[1] + push * w[1], c[2] + push * w[2]};
     }
-    TetradPair tetrad{};
+    TetradPair pair{};
     for (i = 0; i < 4; ++i) {
         for (int mu = 0; mu < 4; ++mu) {
-            const long double component = rows[i][mu] / std::sqrt(std::fabs(static_cast<long double>(g[mu][mu])));
+            pair.high[i][mu] = static_cast<double>(rows[i][mu]);
+            pair.low[i][mu] = static_cast<double>(rows[i][mu] - pair.high[i][mu]);
+        }
+    }
+    return pair;
+}
+
+Result<TetradPair> camera_tetrad_pair(const Spacetime& spacetime, const CameraSpec& camera) {
+    if (Result<Done> ok = check_static_frame(spacetime, camera); !ok) return ok.error();
+    const Result<TetradPair> rows = camera_rows_pair(camera);
+    if (!rows) return rows;
+    const Matrix4 g = spacetime.metric(camera.r, camera.theta), inverse = spacetime.inverse_metric(camera.r, camera.theta);
+    const long double drag = static_cast<long double>(inverse[0][3]) / inverse[0][0];   // of a camera without angular momentum
+    TetradPair tetrad{};
+    for (int i = 0; i < 4; ++i) {
+        const auto row = [&](int mu) { return static_cast<long double>(rows->high[i][mu]) + rows->low[i][mu]; };
+        for (int mu = 0; mu < 4; ++mu) {
+            const long double size = mu == 0 && drag != 0 ? -1.0L / inverse[0][0] : std::fabs(static_cast<long double>(g[mu][mu]));
+            long double component = row(mu) / std::sqrt(size);
+            if (mu == 3 && drag != 0) component += drag * row(0) * std::sqrt(-static_cast<long double>(inverse[0][0]));
             tetrad.high[i][mu] = static_cast<double>(component);
             tetrad.low[i][mu] = static_cast<double>(component - tetrad.high[i][mu]);
         }

@@ -32,6 +32,8 @@ Mat3 static_from_camera(const CameraSpec& camera);
 struct TetradPair {
     Matrix4 high, low;
 };
+// The same rows along the orthonormal tetrad of the camera at rest there, whatever the metric. Errors: |velocity| >= 1.
+Result<TetradPair> camera_rows_pair(const CameraSpec& camera);
 Result<TetradPair> camera_tetrad_pair(const Spacetime& spacetime, const CameraSpec& camera);
 Result<Matrix4> camera_tetrad(const Spacetime& spacetime, const CameraSpec& camera);
 

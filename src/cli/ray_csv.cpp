@@ -138,6 +138,7 @@ private:
 void read_reduced(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
     ReducedRay ray;
     ray.q = row.number(kQ, kLeastQ, kLargestQ, "q from 1e-30 to 1e30");
+    if (spacetime.spin() != 0.0) row.report(kQ, "a ray about a spinning hole needs more than these", "r, theta, phi, n_r, n_theta, n_phi");
     const bool by_length = !spacetime.has_orbit_equation();   // wormholes: l0 instead
     ray.zeta0 = by_length ? row.number(kZeta0, -kLargestRadius, kLargestRadius, "l0 from -1e30 to 1e30")
                           : row.number(kZeta0, 1 / kLargestRadius, kLargestRadius, "zeta0 from 1e-30 to 1e30");
@@ -173,6 +174,8 @@ void read_general(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
         if (frame != "rain" && frame != "static")
             row.report(kFrame, shown(frame) + " is no frame", "static, rain or nothing");
     }
+    if (query.frame == LocalFrame::kRain && spacetime.spin() != 0.0)
+        row.report(kFrame, "rain: not about a spinning hole", "static or nothing");
     if (query.frame == LocalFrame::kStatic && !camera_can_rest(spacetime, query.r))
         row.report(kR, fmt::format("{} is not outside the horizon, where the static frame is", shown(row.field(kR))),
                    fmt::format("{}, or frame = rain", allowed_radii(spacetime)));

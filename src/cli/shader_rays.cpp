@@ -30,6 +30,7 @@ std::optional<Start> start_of(const RayQuery& query, const Spacetime& spacetime)
         return Start{r, M_PI / 2, 0.0, {-inward * std::sqrt((q - v) / q * ((q + v) / q)), 0.0, v / q}, {}};
     }
     Start start{r, query.theta, query.phi, query.n, {}};
+    if (query.frame == LocalFrame::kRain && spacetime.spin() != 0.0) return std::nullopt;
     if (query.frame == LocalFrame::kRain) start.velocity.x = -std::sqrt(std::max(1.0 - lapse2, 0.0));
     return start;
 }
@@ -186,8 +187,8 @@ Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& sce
     bool places = false;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         const RayQuery& query = table.rows[row].query;
-        if (const auto start = start_of(query, spacetime)) jobs.push_back({row, *start, query.at_angle});
-        places = places || query.at_angle;
+        if (const auto start = start_of(query, spacetime)) jobs.push_back({row, *start, spacetime.spin() == 0.0 ? query.at_angle : std::nullopt});   // angles of plane orbits only
+        places = places || (query.at_angle && spacetime.spin() == 0.0);
     }
     // Rows of one radius share strip and orbit map.
     std::stable_sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) { return a.start.r < b.start.r; });

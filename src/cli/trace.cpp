@@ -36,7 +36,7 @@ void stop_at_disc(const DiscSpec& disc, const RayQuery& query, RayRecord& record
         if (!(r >= disc.inner && r <= disc.outer)) continue;
         record.fate = Fate::kHit;
         record.hit = Object::kDisc;
-        record.angle = plane.crossing(static_cast<int>(k) + 1);
+        if (std::isfinite(record.angle)) record.angle = plane.crossing(static_cast<int>(k) + 1);   // of a ray that stays in a plane
         record.theta_inf = record.phi_inf = record.delay = kNotANumber;
         return;
     }

@@ -29,7 +29,7 @@ DiscLight::DiscLight(const OrbitMetric& metric, const DiscSpec& disc, const Ligh
     if (horizon == 0.0) return;
     // The least energy of all circles: Boost's Brent gives half of the digits, a bisection of its slope the rest.
     const auto slope = [&](double r) { return derivative([&](double at) { return circle(at).energy; }, r); };
-    double low = 1.75 * horizon, high = 100 * horizon;
+    double low = (metric.spin() == 0 ? 1.75 : 1.001) * horizon, high = 100 * horizon;
     const auto energy_or_more = [&](double r) { const double e = circle(r).energy; return std::isfinite(e) ? e : 2.0; };
     isco_ = boost::math::tools::brent_find_minima(energy_or_more, low, high, 26).first;
     low = isco_ * (1 - 1e-3), high = isco_ * (1 + 1e-3);
@@ -59,12 +59,15 @@ double DiscLight::lapse2(double r) const {
 }
 
 DiscLight::Circle DiscLight::circle(double r) const {
-    const double a = lapse2(r), gradient = derivative([&](double at) { return lapse2(at); }, r);
+    const EquatorialMetric g = metric_.equator(r);
+    const double tt = derivative([&](double at) { return metric_.equator(at).g_tt; }, r);
+    const double tp = derivative([&](double at) { return metric_.equator(at).g_tphi; }, r);
+    const double pp = derivative([&](double at) { return metric_.equator(at).g_phiphi; }, r);
     Circle c;
-    c.omega = std::sqrt(std::max(gradient / (2 * r), 0.0));
-    c.u_t = 1 / std::sqrt(a - r * r * c.omega * c.omega);
-    c.energy = a * c.u_t;
-    c.momentum = r * r * c.omega * c.u_t;
+    c.omega = (std::sqrt(std::max(tp * tp - tt * pp, 0.0)) - tp) / pp;
+    c.u_t = 1 / std::sqrt(-g.g_tt - c.omega * (2 * g.g_tphi + g.g_phiphi * c.omega));
+    c.energy = -(g.g_tt + g.g_tphi * c.omega) * c.u_t;
+    c.momentum = (g.g_tphi + g.g_phiphi * c.omega) * c.u_t;
     return c;
 }
 
@@ -87,10 +90,20 @@ double DiscLight::g_infinity(const PhotonAtDisc& photon) const {
         return 1 / (c.u_t * (1 - c.omega * photon.l_z));
     }
     const Circle last = circle(isco_);
+    if (metric_.spin() != 0) return fallen_g(photon, last);
     const double a = lapse2(r);
     const double fall = std::sqrt(std::max(last.energy * last.energy - a * (1 + last.momentum * last.momentum / (r * r)), 0.0));
     const double climb = std::sqrt(std::max(1 - a * photon.l2 / (r * r), 0.0)) * (photon.outward ? 1 : -1);
     return a / (last.energy - a * last.momentum * photon.l_z / (r * r) + climb * fall);
+}
+
+// -1/(p . u) of matter that falls with the last circle's constants: both momenta through the inverse metric.
+double DiscLight::fallen_g(const PhotonAtDisc& photon, const Circle& last) const {
+    const EquatorialMetric g = metric_.equator(photon.r);
+    const double det = g.g_tt * g.g_phiphi - g.g_tphi * g.g_tphi;
+    const double tt = g.g_phiphi / det, tp = -g.g_tphi / det, pp = g.g_tt / det, e = last.energy, l = last.momentum;
+    const double fall = std::sqrt(std::max(-(1 + tt * e * e - 2 * tp * e * l + pp * l * l) / g.g_rr, 0.0));   // -u^r
+    return -1 / (tt * e - tp * (l + e * photon.l_z) + pp * l * photon.l_z - photon.radial * fall);
 }
 
 Vec3 DiscLight::colour(double r, double g) const {

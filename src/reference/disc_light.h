@@ -1,5 +1,5 @@
-// The light of a thermal disc, found another way than the tables do: lapse and its derivatives by r from Richardson's differences,
-// Kepler's law Omega^2 = (A)'/(2r), the flux by adaptive quadrature, the shift from conserved E and L_z alone.
+// The light of a thermal disc, found another way than the tables do: the metric's derivatives by r from Richardson's differences,
+// Kepler's law g_phiphi' Omega^2 + 2 g_tphi' Omega + g_tt' = 0, the flux by adaptive quadrature, the shift from conserved E and L_z alone.
 #pragma once
 #include <vector>
 
@@ -14,7 +14,8 @@ struct PhotonAtDisc {
     double r;         // r_s
     double l_z;       // angular momentum about the polar axis over energy, r_s
     bool outward;     // whether it really moves outward there
-    double l2;        // all of its angular momentum over energy, squared
+    double l2;        // all of its angular momentum over energy, squared; without spin
+    double radial = 0;   // p_r over energy; of a spinning hole
 };
 
 class DiscLight {
@@ -34,6 +35,7 @@ private:
     struct Circle {
         double u_t, omega, energy, momentum;
     };
+    double fallen_g(const PhotonAtDisc& photon, const Circle& last) const;
     double lapse2(double r) const;
     Circle circle(double r) const;
     double heat(double r) const;   // flux over the largest, from a table: 1e-9 of the largest

@@ -10,6 +10,9 @@
 namespace nullscope::reference {
 namespace {
 
+// Of a ray about a spinning hole: each half turn nearer to the critical ray brings one more, down to what a double can tell.
+constexpr int kMostCrossings = 16;
+
 double finite_or_zero(double value) { return std::isfinite(value) ? value : 0.0; }
 
 Status check_disc(const DiscSpec& disc) {
@@ -45,19 +48,14 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     if (!metric) return metric.error();
     auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     if (!spacetime) return spacetime.error();
-    // By spherical symmetry the tetrad's components along the static tetrad do not depend on theta: taken at the
-    // equator, where the coordinates are regular, they hold on the axis too.
-    CameraSpec equatorial = camera;
-    equatorial.theta = M_PI / 2;
-    auto tetrad = camera_tetrad_pair(**spacetime, equatorial);
-    if (!tetrad) return tetrad.error();
-    const Matrix4 g = (*spacetime)->metric(camera.r, equatorial.theta);
-    for (int i = 0; i < 4; ++i) {
-        for (int mu = 0; mu < 4; ++mu) {
-            const long double component = static_cast<long double>(tetrad->high[i][mu]) + tetrad->low[i][mu];
-            tracer.tetrad_[i][mu] = component * std::sqrt(std::abs(static_cast<long double>(g[mu][mu])));
-        }
-    }
+    if (!camera_can_rest(**spacetime, camera.r))
+        return bad_input(fmt::format("no static frame at r = {}; allowed: {}", camera.r, allowed_radii(**spacetime)));
+    auto rows = camera_rows_pair(camera);
+    if (!rows) return rows.error();
+    for (int i = 0; i < 4; ++i)
+        for (int mu = 0; mu < 4; ++mu) tracer.tetrad_[i][mu] = static_cast<long double>(rows->high[i][mu]) + rows->low[i][mu];
+    if (!tracer.bodies_->empty() && (*spacetime)->spin() != 0)
+        return bad_input(fmt::format("metric \"{}\" has no bodies; allowed: a scene without them", scene.spacetime.metric));
     if (scene.disc && !(*spacetime)->can_have_disc())
         return bad_input(fmt::format("metric \"{}\" has no discs; allowed: a scene without [disc]", scene.spacetime.metric));
     tracer.metric_ = std::move(*metric);
@@ -76,6 +74,13 @@ CameraRay FrameTracer::ray(double x, double y) const {
         for (int mu = 0; mu < 4; ++mu) p[mu] -= n[i] * tetrad_[i + 1][mu];
     }
     // The photon is null: its frequency in the static frame, E / sqrt(A), is the length of its spatial part.
+    if (metric_->spin() != 0) {
+        const KerrStart start{camera_.r, camera_.theta, camera_.phi,
+                              {static_cast<double>(-p[1]), static_cast<double>(-p[2]), static_cast<double>(-p[3])}};
+        KerrRay traced = trace_kerr(metric_->spin(), start, disc_ ? kMostCrossings : 0);
+        const double g = 1 / traced.energy, l_z = traced.l_z;
+        return {nullptr, RayPlane(camera_.theta, camera_.phi, start.look), g, l_z, 0, std::move(traced)};
+    }
     const long double across = std::sqrt(p[2] * p[2] + p[3] * p[3]),
                       frequency = std::sqrt(p[1] * p[1] + across * across);
     const LocalRay local{camera_.r, static_cast<double>(-p[1] / frequency), static_cast<double>(across / frequency)};
@@ -84,7 +89,7 @@ CameraRay FrameTracer::ray(double x, double y) const {
     const double scale = camera_.r / (static_cast<double>(frequency) * lapse_);
     const double l_phi = scale * static_cast<double>(p[3]), l = scale * static_cast<double>(across);
     return {metric_->from_static(local), RayPlane(camera_.theta, camera_.phi, direction),
-            1 / (static_cast<double>(frequency) * lapse_), l_phi * std::sin(camera_.theta), l * l};
+            1 / (static_cast<double>(frequency) * lapse_), l_phi * std::sin(camera_.theta), l * l, {}};
 }
 
 std::optional<std::array<double, 2>> FrameTracer::position(Vec3 look) const {
@@ -102,6 +107,12 @@ std::optional<std::array<double, 2>> FrameTracer::position(Vec3 look) const {
 std::vector<DiscHit> FrameTracer::disc_hits(const CameraRay& ray, int max_hits) const {
     std::vector<DiscHit> hits;
     if (!disc_) return hits;
+    if (ray.spun) {
+        for (const KerrRay::Crossing& c : ray.spun->crossings)
+            if (c.r >= disc_->inner && c.r <= disc_->outer && static_cast<int>(hits.size()) < max_hits)
+                hits.push_back({0, c.r * std::cos(c.phi), c.r * std::sin(c.phi), c.radial > 0, c.radial});
+        return hits;
+    }
     for (int k = 1; static_cast<int>(hits.size()) < max_hits; ++k) {
         const double angle = ray.plane.crossing(k);
         if (!(angle < ray.orbit->angle())) break;
@@ -110,7 +121,7 @@ std::vector<DiscHit> FrameTracer::disc_hits(const CameraRay& ray, int max_hits) 
         const double phi = ray.plane.azimuth(angle);
         // Traced inward is really moving outward.
         const double before = ray.orbit->zeta_at(angle * (1 - 1e-6));
-        hits.push_back({angle, r * std::cos(phi), r * std::sin(phi), 1 / r > before});
+        hits.push_back({angle, r * std::cos(phi), r * std::sin(phi), 1 / r > before, kNotANumber});
     }
     return hits;
 }
@@ -123,9 +134,9 @@ std::optional<BodyHit> FrameTracer::body_hit(const CameraRay& ray) const {
 RayPixel FrameTracer::pixel(double x, double y) const {
     const CameraRay traced = ray(x, y);
     RayPixel pixel;
-    pixel.fate = traced.orbit->fate();
+    pixel.fate = traced.fate();
     pixel.g = traced.g;
-    pixel.angle = finite_or_zero(traced.orbit->angle());
+    pixel.angle = traced.spun ? 0.0 : finite_or_zero(traced.orbit->angle());
     if (pixel.fate == Fate::kHit) {   // a star
         const Vec3 place = traced.plane.direction(pixel.angle);
         pixel.hit = kStarHit;
@@ -152,8 +163,8 @@ RayPixel FrameTracer::pixel(double x, double y) const {
         }
     }
     if (pixel.fate == Fate::kEscaped || pixel.fate == Fate::kOtherSide) {
-        pixel.sky = traced.plane.direction(pixel.angle);
-        pixel.delay = finite_or_zero(traced.orbit->delay());
+        pixel.sky = traced.end();
+        pixel.delay = traced.spun ? 0.0 : finite_or_zero(traced.orbit->delay());
     }
     pixel.order = static_cast<int>(std::floor(pixel.angle / M_PI));
     return pixel;

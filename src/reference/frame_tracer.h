@@ -10,6 +10,7 @@
 
 #include "base/result.h"
 #include "reference/bodies.h"
+#include "reference/kerr_ray.h"
 #include "reference/orbit.h"
 #include "reference/ray_plane.h"
 #include "scene/ray.h"
@@ -22,12 +23,16 @@ struct CameraRay {
     RayPlane plane;
     double g;  // camera frequency over frequency at infinity
     double l_z, l2;  // the photon's angular momentum about the polar axis over its energy, r_s; and all of it, squared
+    std::optional<KerrRay> spun;   // about a spinning hole: instead of orbit, plane and l2
+    Fate fate() const { return spun ? spun->fate : orbit->fate(); }
+    Vec3 end() const { return spun ? spun->sky : plane.direction(orbit->angle()); }   // where on the sky, or on what it ends on
 };
 
 // A place where a ray meets the equatorial plane, in world axes: x = r cos(phi), y = r sin(phi), lengths in r_s.
 struct DiscHit {
     double angle, x, y;
     bool outward;  // whether the photon really moves outward there
+    double radial; // p_r of the photon over its energy; of a spinning hole only
 };
 
 class FrameTracer {

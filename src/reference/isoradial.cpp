@@ -10,6 +10,7 @@ namespace nullscope::reference {
 Result<std::vector<std::array<double, 2>>> isoradial(const Scene& scene, double r, int k, int points) {
     const auto tracer = FrameTracer::make(scene);
     if (!tracer) return tracer.error();
+    if (tracer->metric().spin() != 0) return bad_input("no isoradials about a spinning hole; allowed: a metric without spin");
     const CameraSpec& camera = scene.camera;
     std::vector<std::array<double, 2>> curve;
     for (int i = 0; i < points; ++i) {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "reference/ellis_orbit.h"
+#include "reference/kerr_ray.h"
 #include "reference/minkowski_orbit.h"
 #include "reference/reissner_nordstrom_orbit.h"
 #include "reference/schwarzschild_orbit.h"
@@ -20,6 +21,7 @@ constexpr std::array kMetrics{
     Entry{"reissner-nordstrom", make_reissner_nordstrom_orbits},
     Entry{"neutron-star", make_star_orbits},
     Entry{"ellis", make_ellis_orbits},
+    Entry{"kerr", make_kerr_metric},
     Entry{"minkowski", make_minkowski_orbits},
 };
 

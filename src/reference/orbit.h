@@ -46,9 +46,20 @@ struct RainOrbit {
     double g;  // camera frequency over frequency at infinity; NaN where the ray's energy is not positive
 };
 
+// The metric in the equatorial plane: what a disc's matter feels.
+struct EquatorialMetric {
+    double g_tt, g_tphi, g_phiphi, g_rr;
+};
+
 class OrbitMetric {
 public:
     virtual ~OrbitMetric() = default;
+    // a/M of a spinning hole: where it is not 0 there are no plane orbits, and rays are those of kerr_ray.h.
+    virtual double spin() const { return 0; }
+    virtual EquatorialMetric equator(double r) const {
+        const double l = lapse(r);
+        return {-l * l, 0, r * r, 1 / (l * l)};
+    }
     virtual std::optional<double> horizon_radius() const = 0;  // of the outer horizon
     virtual bool by_proper_length() const { return false; }  // places are l (wormholes), not zeta
     virtual double lapse(double r) const = 0;                  // sqrt(-g_tt); not a number where no camera can be at rest

@@ -88,20 +88,20 @@ Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& look
         Paint paint = disc_paint(*scene.disc, looks.pictures.disc, hit.x, hit.y);
         if (looks.heat != nullptr) {
             const double r = std::hypot(hit.x, hit.y);
-            const Vec3 light = looks.heat->colour(r, ray.g * looks.heat->g_infinity({r, ray.l_z, hit.outward, ray.l2}));
+            const Vec3 light = looks.heat->colour(r, ray.g * looks.heat->g_infinity({r, ray.l_z, hit.outward, ray.l2, hit.radial}));
             paint.colour = {paint.colour.x * light.x, paint.colour.y * light.y, paint.colour.z * light.z};
         }
         colour = colour + through * paint.alpha * paint.colour;
         through *= 1 - paint.alpha;
     }
     if (body) return colour + through * body_light(scene, *body, looks.pictures.of(body->object));
-    if (ray.orbit->fate() == Fate::kEscaped && through > 0) {
-        const Vec3 at = ray.plane.direction(ray.orbit->angle());
+    if (ray.fate() == Fate::kEscaped && through > 0) {
+        const Vec3 at = ray.end();
         colour = colour + through * (has_look(scene.sky.kind) ? sky_coat(scene.sky, at) : sample_sky(looks.sky, at));
     }
-    if (ray.orbit->fate() == Fate::kHit) colour = colour + through * star_colour(ray.plane.direction(ray.orbit->angle()));
-    if (ray.orbit->fate() == Fate::kOtherSide && looks.far_sky != nullptr)
-        colour = colour + through * sample_sky(*looks.far_sky, ray.plane.direction(ray.orbit->angle()));
+    if (ray.fate() == Fate::kHit) colour = colour + through * star_colour(ray.end());
+    if (ray.fate() == Fate::kOtherSide && looks.far_sky != nullptr)
+        colour = colour + through * sample_sky(*looks.far_sky, ray.end());
     return colour;
 }
 
@@ -125,6 +125,7 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
     }
     auto tracer = FrameTracer::make(scene);
     if (!tracer) return tracer.error();
+    if (!stars.empty() && tracer->metric().spin() != 0) return bad_input("no point stars about a spinning hole; allowed: sky.kind stars or image");
     std::optional<DiscLight> heat;
     if (scene.disc && scene.disc->emission == DiscEmission::kThermal) heat.emplace(tracer->metric(), *scene.disc, scene.light);
     const Looks looks{sky, far_sky, pictures, heat ? &*heat : nullptr};

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "reference/bodies.h"
+#include "reference/kerr_ray.h"
 #include "reference/orbit.h"
 #include "reference/ray_plane.h"
 #include "reference/reference.h"
@@ -89,6 +90,28 @@ void stop_at_bodies(const Scene& scene, const Orbit& orbit, const RayPlane& plan
         if (plane.crossing(static_cast<int>(k) + 1) > hit->angle) record.crossings.resize(k);
 }
 
+Result<RayRecord> trace_spinning(const OrbitMetric& metric, const RayQuery& query, int crossings) {
+    if (query.orbit) return metric.from_reduced(*query.orbit).error();
+    if (query.frame == LocalFrame::kRain) return bad_input("no frame = rain about a spinning hole; allowed: static");
+    const double horizon = *metric.horizon_radius();
+    if (!(query.r > horizon && query.r <= kLargestRadius))
+        return bad_input(fmt::format("r = {} must lie in ({}, {}], outside the horizon", query.r, horizon, kLargestRadius));
+    if (!(query.theta >= 0 && query.theta <= M_PI && std::isfinite(query.phi)))
+        return bad_input(fmt::format("theta = {} must lie in [0, pi] and phi = {} be finite", query.theta, query.phi));
+    const auto n = unit_direction(query.n);
+    if (!n) return n.error();
+    const KerrRay ray = trace_kerr(metric.spin(), {query.r, query.theta, query.phi, *n}, crossings);
+    RayRecord record;
+    record.fate = ray.fate;
+    record.g = 1 / ray.energy;
+    for (const KerrRay::Crossing& c : ray.crossings) record.crossings.push_back({c.r, c.phi});
+    if (ray.fate != Fate::kEscaped) return record;
+    record.sky = ray.sky;
+    record.theta_inf = std::atan2(std::hypot(ray.sky.x, ray.sky.y), ray.sky.z);
+    record.phi_inf = ray.phi_inf;
+    return record;
+}
+
 }  // namespace
 
 Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int crossings) {
@@ -96,6 +119,10 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
     if (!metric) return metric.error();
     if (query.at_angle && !(*query.at_angle >= 0 && std::isfinite(*query.at_angle))) {
         return bad_input(fmt::format("at_angle = {} must be finite and not negative", *query.at_angle));
+    }
+    if ((*metric)->spin() != 0) {
+        if (!Bodies(scene).empty()) return bad_input("a spinning hole has no bodies; allowed: a scene without them");
+        return trace_spinning(**metric, query, crossings);
     }
     Vec3 n{0, 0, 1};  // of the reduced form: in the equatorial plane towards growing phi
     double theta = M_PI / 2, phi = 0;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "camera/pose.h"
+#include "camera/spin_forms.h"
 #include "light/black_body.h"
 #include "scene/pixel_angle.h"
 #include "sky/point_stars.h"
@@ -20,6 +21,8 @@ namespace {
 
 // Light of a pixel, white is 1, below which a star is left out: half of the first step of 8 bits in sRGB.
 constexpr double kFaintestPoint = 1.0 / 6587.0;
+
+constexpr double kInPlane = 1e-12;   // |cos theta| below which a camera stands in the disc's plane (interfaces: rays out)
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -104,6 +107,16 @@ void put_coats(BlockWriter& block, const Scene& scene) {
     put_look(block, dome);
 }
 
+void put_spin(BlockWriter& block, const CameraSpec& camera, const Spacetime& spacetime) {
+    const SpinForms forms = spin_forms(spacetime, camera.r, camera.theta);
+    const double a = spacetime.spin(), outer = *spacetime.horizon_radius();
+    block.put(a, a * a, outer, a * a / outer);
+    block.put(forms.energy, forms.energy_slope, forms.carter, forms.carter_slope);
+    block.put(forms.p_theta, forms.momentum, forms.zeta_slope, 0);
+    const double height = std::cos(camera.theta);
+    block.put(std::sin(camera.theta), std::fabs(height) < kInPlane ? 0.0 : height, std::cos(camera.phi), std::sin(camera.phi));
+}
+
 Fate inner_fate(InnerEnd end) {
     switch (end) {
         case InnerEnd::kOtherSky: return Fate::kOtherSide;
@@ -135,6 +148,8 @@ Status FrameTables::update(const Scene& scene) {
     const EffectSet wanted = effect_set(required_effects(scene));
     if (meets_objects(wanted) && !spacetime_->can_have_disc())
         return bad_input(fmt::format("metric \"{}\" has neither discs nor bodies; allowed: a scene without them", scene.spacetime.metric));
+    if (wanted.contains(Effect::kSpin) && (has_solids(wanted) || wanted.contains(Effect::kPointStars)))
+        return bad_input(fmt::format("metric \"{}\" has neither bodies nor point stars; allowed: a scene without them, or spin = 0", scene.spacetime.metric));
     const bool orbits = meets_objects(wanted), had_orbits = meets_objects(effects_);
     const bool points = wanted.contains(Effect::kPointStars), had_points = effects_.contains(Effect::kPointStars);
     rows_stale = rows_stale || radius_ != scene.camera.r || (orbits && !had_orbits) || (points && !had_points) ||
@@ -174,6 +189,7 @@ CoreInput FrameTables::core_input(const Scene& scene) const {
     input.ends = strip_.ends.view();
     input.orbit = orbit_map_.view();
     input.lensing = effects_.contains(Effect::kLensing);
+    input.spin = effects_.contains(Effect::kSpin);
     input.aberration = effects_.contains(Effect::kAberration);
     return input;
 }
@@ -186,7 +202,9 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     const Vec3 local[3] = {-axes.c, pixel * axes.a, pixel * axes.b};   // forward, a pixel to the right, a pixel up
     BlockWriter block;
     block.put(camera.width, camera.height, pixel, std::exp2(camera.exposure_ev));
-    for (const Vec3 v : local) block.put(world * v, 0);
+    const bool spins = spacetime.spin() != 0.0;
+    const Mat3 shown = spins ? Mat3{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : world;   // axes of look directions and of motion
+    for (const Vec3 v : local) block.put(shown * v, 0);
     const double off_axis = std::hypot(local[0].y, local[0].z);
     const Vec3 meridian = off_axis > 0.0 ? Vec3{0, local[0].y, local[0].z} / off_axis : Vec3{0, 1, 0}, radial{1, 0, 0};
     const Vec3 transverse = cross(radial, meridian);
@@ -196,7 +214,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
         block.put(dot(v, meridian), dot(v, transverse), v.x, critical_sine * v.x - critical_cosine * dot(v, meridian));
     for (const Vec3 v : {radial, meridian, transverse}) block.put(world * v, 0);
     const double zeta0 = 1.0 / spacetime.areal_radius(camera.r), lapse = std::sqrt(spacetime.lapse_squared(camera.r));
-    block.put(1.0 / lapse, zeta0, zeta0 * lapse, static_cast<double>(inner_fate(spacetime.inner_end())));
+    block.put(spins ? 1.0 : 1.0 / lapse, zeta0, zeta0 * lapse, static_cast<double>(inner_fate(spacetime.inner_end())));
     if (fan != nullptr) block.put(critical_cosine, critical_sine, 1.0 / fan->w0(), fan->octaves(Segment::kSky));
     else block.put(0, 0, 0, 0);
     if (fan != nullptr) {
@@ -208,11 +226,10 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
         block.put(0, 0, 0, 0);
     }
     const double speed = length(camera.velocity);
-    if (speed > 0.0) block.put(world * (camera.velocity / speed), std::sqrt((1.0 + speed) / (1.0 - speed)));
+    if (speed > 0.0) block.put(shown * (camera.velocity / speed), std::sqrt((1.0 + speed) / (1.0 - speed)));
     else block.put(1, 0, 0, 1);
     block.put(0.5 * textures.sky_size, std::log2(std::max(textures.sky_size, 1)), 1.0, 0);
     const double height = std::cos(camera.theta);
-    constexpr double kInPlane = 1e-12;   // |cos theta| below which a camera stands in the disc's plane (interfaces: rays out)
     block.put({0, 0, 1}, std::fabs(height) < kInPlane ? 0.0 : height);
     const DiscSpec disc = scene.disc.value_or(DiscSpec{});
     const double inner = scene.disc ? disc.inner : 1e30, outer = scene.disc ? disc.outer : 0.0;
@@ -233,6 +250,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(scene.picture.bloom, 0, 0, 0);
     put_bodies(block, scene, spacetime);
     put_coats(block, scene);
+    if (spins) put_spin(block, camera, spacetime);
     return block.numbers();
 }
 

@@ -223,6 +223,8 @@ void Renderer::load_black_body() {
 
 Status Renderer::load_table(const Scene& scene) {
     const bool lensing = tables_.effects().contains(Effect::kLensing);
+    if (tables_.effects().contains(Effect::kSpin) && method_ != Method{})
+        return bad_input(fmt::format("method {} is not there for a spinning hole; allowed: auto", method_name(method_)));
     if (lensing && !has_method(tables_.spacetime(), method_))
         return bad_input(fmt::format("method {} is not there for metric \"{}\"; allowed: {}", method_name(method_), scene.spacetime.metric,
                                      methods_of(tables_.spacetime())));
@@ -245,11 +247,11 @@ Status Renderer::load_table(const Scene& scene) {
 }
 
 const gl::Program& Renderer::program(Stage stage, Output output) {
-    const auto key = knows_scene(stage) ? std::make_tuple(stage, output, tables_.effects(), method_, scene_.spacetime.metric, body_text_)
+    const auto key = knows_scene(stage) ? std::make_tuple(stage, output, tables_.effects(), method_, std::string(tables_.spacetime().name()), body_text_)
                                         : std::make_tuple(stage, output, EffectSet{}, Method{}, std::string(), BodyText{});
     const auto found = programs_.find(key);
     if (found != programs_.end()) return found->second;
-    const ShaderSource source = shader_source(stage, tables_.effects(), output, method_, scene_.spacetime.metric, body_text_);
+    const ShaderSource source = shader_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
     gl::Program made = gl::make_program(source.vertex, source.fragment);
     gl::bind_uniform_block(made, "FrameBlock", kFrameBinding);
     for (const auto& [sampler, unit] : kSamplers) gl::bind_sampler(made, sampler, unit);

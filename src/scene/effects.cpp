@@ -84,7 +84,9 @@ void add_bodies(const Scene& scene, std::vector<EffectReason>& reasons) {
 std::vector<EffectReason> required_effects(const Scene& scene) {
     std::vector<EffectReason> reasons;
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
-    if (spacetime && (*spacetime)->bends_light()) {
+    if (spacetime && (*spacetime)->spin() != 0.0) {
+        reasons.push_back({Effect::kSpin, fmt::format("spacetime.spin = {}", 2.0 * (*spacetime)->spin())});
+    } else if (spacetime && (*spacetime)->bends_light()) {
         reasons.push_back({Effect::kLensing, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     }
     const Vec3 v = scene.camera.velocity;
@@ -175,6 +177,7 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
                 less.camera.r = (*spacetime)->areal_radius(scene.camera.r);
             less.spacetime = {"minkowski", {}};
             return less;
+        case Effect::kSpin: less.spacetime.parameters["spin"] = 0.0; return less;
         case Effect::kAberration: less.camera.velocity = {0, 0, 0}; return less;
         case Effect::kDisc: less.disc.reset(); return less;
         case Effect::kTranslucentDisc:

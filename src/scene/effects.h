@@ -16,11 +16,11 @@
 namespace nullscope {
 
 enum class Effect {
-    kLensing, kAberration, kDisc, kDiscImage, kDiscPattern, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kBolometric,
+    kLensing, kSpin, kAberration, kDisc, kDiscImage, kDiscPattern, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kBolometric,
     kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kPointStars, kSky, kSkyPattern,
     kInner, kFarSky, kStar, kBloom, kAutoExposure, kToneFilm, kToneNeutral, kDither
 };
-inline constexpr std::size_t kEffectCount = 29;
+inline constexpr std::size_t kEffectCount = 30;
 
 struct EffectRow {
     Effect effect;
@@ -34,7 +34,9 @@ struct EffectRow {
 // In the order of the enumerators.
 inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
     {Effect::kLensing, "lensing", "EFFECT_LENSING", "Light follows the null geodesics of the metric.",
-     "spacetime.metric is one that bends light", "deflection table, strip; one fetch and two straight lines a pixel"},
+     "spacetime.metric is one that bends light and does not spin", "deflection table, strip; one fetch and two straight lines a pixel"},
+    {Effect::kSpin, "spin", "EFFECT_SPIN", "Light follows the null geodesics of a spinning hole.",
+     "spacetime.metric is kerr and spin is above 0", "some 8 steps of five forces a pixel, at most 64"},
     {Effect::kAberration, "aberration", "EFFECT_ABERRATION",
      "Directions and frequencies are those of a camera that moves in the static frame.", "camera.velocity is not zero",
      "one division a pixel"},

@@ -56,6 +56,7 @@ private:
     void check_sky();
     void check_disc();
     void check_solids();
+    void check_spin();
     bool given(const std::string& name) const { return lines_.count(name) != 0; }
     int line(const std::string& name) const { return given(name) ? lines_.at(name) : 1; }
     void report(int line, std::string_view name, std::string_view what, std::string_view allowed);
@@ -209,6 +210,16 @@ void SceneReader::check_solids() {
     }
 }
 
+// What is not there yet about a hole that spins.
+void SceneReader::check_spin() {
+    const auto spacetime = make_spacetime(scene_.spacetime.metric, scene_.spacetime.parameters);
+    if (!spacetime || (*spacetime)->spin() == 0.0) return;
+    const std::string_view allowed = "a metric without spin, or spin = 0";
+    for (const char* section : {"sphere", "cylinder", "ball", "surface"})
+        if (const auto at = sections_.find(section); at != sections_.end()) report(at->second, section, "not about a spinning hole", allowed);
+    if (scene_.sky.kind == SkyKind::kPoints) report(line("sky.kind"), "sky.kind", "points: not about a spinning hole", "the other kinds, or spin = 0");
+}
+
 Result<Scene> SceneReader::read(const toml::table& root) {
     const std::vector<std::string> words = words_of("", nullptr);
     for (const auto& [name, node] : root) {
@@ -227,6 +238,7 @@ Result<Scene> SceneReader::read(const toml::table& root) {
         check_sky();
         check_disc();
         check_solids();
+        check_spin();
     }
     if (!reports_.empty()) return bad_input(without_controls(reports_.begin()->second));
     if (scene_.name.empty()) scene_.name = fs::path(label_).stem().string();

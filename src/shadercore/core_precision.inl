@@ -14,6 +14,7 @@
 #define BLOCK_MARCH
 #define BLOCK_DISC_PATTERN
 #define BLOCK_SKY_PATTERN
+#define BLOCK_SPIN
 #define EFFECT_INNER
 #define EFFECT_STAR
 namespace lensed {
@@ -43,9 +44,22 @@ namespace flat_moving {
 namespace flat {
 #include "shadercore/core_variant.inl"
 }  // namespace flat
+#undef EFFECT_INNER
+#undef EFFECT_STAR
+#define EFFECT_SPIN
+namespace spinning {
+#include "shadercore/core_variant.inl"
+}  // namespace spinning
+#define EFFECT_ABERRATION
+namespace spinning_moving {
+#include "shadercore/core_variant.inl"
+}  // namespace spinning_moving
+#undef EFFECT_ABERRATION
+#undef EFFECT_SPIN
 #undef EFFECT_DISC
 
 RayPixel dispatch(const CoreInput& input, double x, double y) {
+    if (input.spin) return (input.aberration ? spinning_moving::trace_one : spinning::trace_one)(input, x, y);
     if (input.lensing && input.cubic) return (input.aberration ? cubic_moving::trace_one : cubic::trace_one)(input, x, y);
     if (input.lensing) return (input.aberration ? lensed_moving::trace_one : lensed::trace_one)(input, x, y);
     return (input.aberration ? flat_moving::trace_one : flat::trace_one)(input, x, y);

@@ -25,6 +25,11 @@ vec4 orbit_fetch(int x, int y) { return fetch(inputs.orbit, x, y); }
 
 #include "core/trig.glsl"
 #include "core/aberration.glsl"
+#ifdef EFFECT_SPIN
+#include "core/kerr.glsl"
+#include "core/spin_trace.glsl"
+#include "object/spin_disc.glsl"
+#else
 #include "core/strip.glsl"
 #include "core/orbit.glsl"
 #include "core/plane.glsl"
@@ -36,6 +41,7 @@ vec4 orbit_fetch(int x, int y) { return fetch(inputs.orbit, x, y); }
 #endif
 #include "core/trace.glsl"
 #include "object/disc.glsl"
+#endif
 #include "core/raydata.glsl"
 
 #undef frame
@@ -56,6 +62,9 @@ RayPixel trace_one(const CoreInput& input, double x, double y) {
     pixel.angle = data.angle;
     pixel.order = static_cast<int>(std::floor(pixel.angle / M_PI));
     pixel.hit = static_cast<int>(data.hit);
+#ifdef EFFECT_SPIN
+    pixel.steps = static_cast<int>(data.steps);
+#endif
     pixel.u = data.place.x;
     pixel.v = data.place.y;
     pixel.w = data.place.z;
@@ -72,4 +81,8 @@ RayPixel trace_one(const CoreInput& input, double x, double y) {
 #undef ORBIT_CELLS_PER_OCTAVE
 #undef ORBIT_ROWS
 #undef DISC_MOST_CROSSINGS
+#undef SPIN_STEP
+#undef SPIN_MOST_STEPS
+#undef SPIN_CROSSINGS
+#undef SPIN_FARTHEST
 #undef NEEDS_PHI_END

@@ -48,6 +48,7 @@ std::vector<std::string> method_defines(const Method& method) {
 std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool ends, const Method& method, std::string_view metric) {
     std::vector<std::string> files = {"core/trig.glsl"};
     const bool lensing = effects.contains(Effect::kLensing), disc = effects.contains(Effect::kDisc), solid = has_solids(effects);
+    const bool spin = effects.contains(Effect::kSpin);
     const bool picture = stage == Stage::kPicture;
     if (effects.contains(Effect::kAberration)) files.emplace_back("core/aberration.glsl");
     if (lensing) {
@@ -56,10 +57,11 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
         for (std::string& file : method_files(method, metric)) files.push_back(std::move(file));
     }
     if (lensing && (disc || solid)) files.emplace_back("core/orbit.glsl");
-    if (disc) files.emplace_back("core/plane.glsl");
+    if (disc && !spin) files.emplace_back("core/plane.glsl");
     if (!lensing && !ends && !(picture && effects.contains(Effect::kSkyPattern))) files.erase(files.begin());   // nothing inverse to compute
-    files.emplace_back("core/trace.glsl");
-    if (disc) files.emplace_back("object/disc.glsl");
+    if (spin) files.emplace_back("core/kerr.glsl");
+    files.emplace_back(spin ? "core/spin_trace.glsl" : "core/trace.glsl");
+    if (disc) files.emplace_back(spin ? "object/spin_disc.glsl" : "object/disc.glsl");
     const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
     if (picture && (disc || sky || far_sky || effects.contains(Effect::kBodyImage))) files.emplace_back("effect/footprint.glsl");
     if (picture && effects.contains(Effect::kThermalDisc))

@@ -2,6 +2,7 @@
 //
 // With V = A zeta^2 and w = V'/2 (Spacetime::half_v_slope): u^t = sqrt(zeta/w), Omega^2 = zeta^2 (A - w/zeta), so that
 // E = A u^t and L = r^2 Omega u^t. Stable where E falls inward: d(ln E^2)/dzeta = 2 A'/A - w'/w + 1/zeta < 0.
+// About a spinning hole: in the direction of its spin, by closed forms.
 #pragma once
 #include <optional>
 

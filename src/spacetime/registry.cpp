@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "spacetime/ellis.h"
+#include "spacetime/kerr.h"
 #include "spacetime/minkowski.h"
 #include "spacetime/neutron_star.h"
 #include "spacetime/reissner_nordstrom.h"
@@ -49,6 +50,10 @@ std::span<const MetricEntry> metric_registry() {
          "A black hole with electric charge.",
          {{"charge", 0.5, 0.0, 1.0, "Charge Q/M: 0 is Schwarzschild, 1 the extremal hole."}},
          make_reissner_nordstrom},
+        {"kerr",
+         "A black hole that spins.",
+         {{"spin", 0.9, 0.0, 0.9999, "Spin a/M: 0 is Schwarzschild."}},
+         make_kerr},
         {"neutron-star",
          "A star without spin or charge, with a patterned surface.",
          {{"radius", 2.5, NeutronStar::kLeastRadius, NeutronStar::kLargestRadius,

@@ -44,6 +44,9 @@ public:
     virtual std::optional<double> horizon_radius() const = 0;
     virtual std::optional<PhotonSphere> photon_sphere() const = 0;  // nothing: light runs straight (see bends_light)
     virtual bool bends_light() const = 0;
+    // a, the hole's angular momentum over its mass, r_s: where it is not 0 the metric is symmetric about the axis only, no ray stays in a
+    // plane, and what is said here of V, chi and orbits does not hold (spacetime/kerr.h).
+    virtual double spin() const { return 0.0; }
     virtual InnerEnd inner_end() const { return InnerEnd::kHorizon; }
     virtual std::optional<double> surface_radius() const { return std::nullopt; }  // of a star; kSurface
     // The angle chi of a radius and back; only where there is a photon sphere. Relative error < 1e-15 near infinity.
@@ -58,12 +61,13 @@ public:
 
     // Where rays that miss the sky end in a horizon the orbit map of objects can follow them.
     bool can_have_disc() const { return has_orbit_equation() && inner_end() == InnerEnd::kHorizon; }
+    bool can_have_bodies() const { return can_have_disc() && spin() == 0.0; }
 
     // sqrt(V): q sin(alpha) of every ray through r, alpha its angle from the radial direction for a camera at rest.
     double root_v(double r) const;
     // Covariant metric g_{mu nu} and its inverse in (t, r, theta, phi).
-    Matrix4 metric(double r, double theta) const;
-    Matrix4 inverse_metric(double r, double theta) const;
+    virtual Matrix4 metric(double r, double theta) const;
+    virtual Matrix4 inverse_metric(double r, double theta) const;
 };
 
 // Can a camera be at rest at r? And where it can, as a message says it: "r > 1".

@@ -95,7 +95,7 @@ TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer) 
     for (std::size_t i = 0; i < radii.size(); ++i) {
         const MatterVelocity u = disc_matter(spacetime, radii[i]);
         const double heat = flux[i] > 0.0 ? std::max(0.25 * std::log2(flux[i] / peak), kDark) : kDark;
-        for (const double value : {heat, u.u_t, u.u_phi, u.u_r / spacetime.lapse_squared(radii[i])})
+        for (const double value : {heat, u.u_t, u.u_phi, u.u_r * spacetime.radial_stretch2(radii[i])})
             row.texels.push_back(static_cast<float>(value));
     }
     return row;

@@ -23,7 +23,7 @@ struct FluxPeak {
 FluxPeak disc_flux_peak(const Spacetime& spacetime);
 
 // Cells of equal ln r between inner and outer, a texel at each end of a cell: (log2 of the temperature over the hottest ring's, u^t,
-// u^phi, u^r/A). Linear interpolation then leaves at most 2e-6 of the velocity. Where nothing shines the first is -64.
+// u^phi, g_rr u^r). Linear interpolation then leaves at most 2e-6 of the velocity. Where nothing shines the first is -64.
 inline constexpr int kDiscFlowCells = 1024;
 TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer);
 

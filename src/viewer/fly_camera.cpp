@@ -1,5 +1,7 @@
 #include "viewer/fly_camera.h"
 
+#include "spacetime/circular_orbit.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -95,6 +97,11 @@ double free_fall_speed(const Spacetime& spacetime, double r) {
 
 // v^2 = r A'/(2A); with d(A zeta^2)/dzeta / 2 = zeta A + zeta^2 (dA/dzeta)/2 it is 1 - half_v_slope/(zeta A).
 std::optional<double> circular_orbit_speed(const Spacetime& spacetime, double r) {
+    if (spacetime.spin() != 0.0) {   // in the direction of the spin, as a camera without angular momentum sees it: gamma = lapse u^t
+        const auto orbit = circular_orbit(spacetime, r);
+        if (!orbit) return std::nullopt;
+        return std::sqrt(std::max(0.0, 1.0 - 1.0 / (spacetime.lapse_squared(r) * orbit->u_t * orbit->u_t)));
+    }
     const double zeta = 1.0 / r;
     const double v2 = 1.0 - spacetime.half_v_slope(zeta) / (zeta * spacetime.lapse_squared(r));
     if (!(v2 > 0.0 && v2 < 1.0)) return std::nullopt;

@@ -11,6 +11,7 @@ IMAGE = pathlib.Path(__file__).resolve().parents[2] / "assets" / "images" / "acc
 # Identifiers that belong to an effect, as regular expressions of whole words; members of the uniform block too.
 WORDS = {
     "lensing": [r"strip\w*", r"Strip\w*", r"orbit", r"orbit_\w*", r"Orbit\w*", r"Octave", r"octave\w*", r"sweep\w*", r"series"],
+    "spin": [r"spin\w*", r"Spin\w*", r"SPIN_\w*"],
     "aberration": [r"aberrat\w*", r"Aberration", r"boost", r"motion", r"stretch"],
     "disc": [r"disc\w*", r"Disc\w*", r"plane_\w*", r"PlaneMeeting", r"meeting"],
     "disc-image": [r"disc_texture", r"disc_texel", r"disc_filtered"],
@@ -74,6 +75,10 @@ SCENES = {
     "sky-pattern": '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "plain"\n',
     "sky and disc": '[sky]\nkind = "grid"\n[disc]\ntexture = "noise"\n',
     "sky and far sky": '[spacetime]\nmetric = "ellis"\n[sky]\nkind = "formula"\nformula = "u * x"\n',
+    "spin": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "black"\n',
+    "spin, disc, sky": '[spacetime]\nmetric = "kerr"\n[camera]\nvelocity = [0.1, 0.2, 0.3]\n[disc]\nemission = "thermal"\n',
+    "no spin": '[spacetime]\nmetric = "kerr"\nspin = 0.0\n[disc]\n',
+    "spin, patterns": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "grid"\n[disc]\ntexture = "checker"\n',
     "star": '[spacetime]\nmetric = "neutron-star"\n',
 }
 

@@ -129,15 +129,18 @@ TEST_CASE("metric: signature (-,+,+,+) outside the horizon, and the inverse is t
         for (const double r : radii(*s)) {
             for (const double theta : {0.1, 1.0, kPi / 2, 3.0}) {
                 const Matrix4 g = s->metric(r, theta), inverse = s->inverse_metric(r, theta);
+                // Of a spinning hole only the inverse holds Delta, here g_theta theta / g_rr, which is a difference of terms of size r^2.
+                const double lost = s->spin() != 0.0 ? std::max(1.0, r * r * g[1][1] / g[2][2]) : 1.0;
                 for (int i = 0; i < 4; ++i) {
-                    CHECK((i == 0 ? g[i][i] < 0.0 : g[i][i] > 0.0));
+                    if (s->spin() == 0.0) CHECK((i == 0 ? g[i][i] < 0.0 : g[i][i] > 0.0));   // a spinning hole has an ergosphere
                     for (int j = 0; j < 4; ++j) {
-                        double product = 0.0;
-                        for (int k = 0; k < 4; ++k) product += g[i][k] * inverse[k][j];
-                        CHECK(std::fabs(product - (i == j)) < kRounding);
+                        double product = 0.0, size = 0.0;   // of a spinning hole the terms next to the horizon are large and cancel
+                        for (int k = 0; k < 4; ++k) product += g[i][k] * inverse[k][j], size += std::fabs(g[i][k] * inverse[k][j]);
+                        CHECK(std::fabs(product - (i == j)) < kRounding * std::max(1.0, size) * lost);
                         CHECK(g[i][j] == g[j][i]);
                     }
                 }
+                if (s->spin() != 0.0) continue;   // not diagonal: tests/unit/test_kerr.cpp
                 const double across = s->areal_radius(r);
                 CHECK(g[0][0] == -s->lapse_squared(r));
                 CHECK(g[1][1] == s->radial_stretch2(r));
@@ -176,7 +179,7 @@ TEST_CASE("horizon: A vanishes there and is positive outside") {
 TEST_CASE("half_v_slope and half_v_curvature are the derivatives of V/2") {
     for (const auto& [label, s] : cases()) {
         CAPTURE(label);
-        if (!s->has_orbit_equation()) {
+        if (!s->has_orbit_equation() || s->spin() != 0.0) {
             CHECK(aborts([&spacetime = s] { (void)spacetime->half_v_slope(0.5); }));
             CHECK(aborts([&spacetime = s] { (void)spacetime->half_v_curvature(0.5); }));
             continue;

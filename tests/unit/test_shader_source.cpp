@@ -53,6 +53,7 @@ std::vector<Scene> all_scenes() {
 struct Mark { Effect effect; std::vector<std::string> words; };
 const std::vector<Mark> kMarks = {
     {Effect::kLensing, {"strip_locate", "strip_texture", "StripRay", "sweep_to_sky", "vec4 strip;", "vec4 orbit;", "vec4 series;"}},
+    {Effect::kSpin, {"spin_step", "spin_ray", "SpinState", "vec4 spin_hole;", "vec4 spin_place;"}},
     {Effect::kAberration, {"aberrate", "Aberration", "vec4 boost;"}},
     {Effect::kDisc, {"disc_cross", "DiscCrossing", "plane_meet", "disc_normal", "disc_map", "disc_look"}},
     {Effect::kDiscImage, {"disc_texture", "disc_filtered"}},
@@ -100,6 +101,17 @@ TEST_CASE("shader source: an effect that is off leaves nothing in the picture's 
     }
 }
 
+TEST_CASE("shader source: about a spinning hole nothing of plane orbits, without spin nothing of one that spins") {
+    for (const double spin : {0.0, 0.9}) {
+        Scene scene;
+        scene.spacetime = {"kerr", {{"spin", spin}}};
+        scene.disc.emplace();
+        const std::string text = picture_of(scene);
+        for (const char* word : {"spin_step", "SpinState", "spin_disc_cross", "spin_hole"}) CHECK((text.find(word) != std::string::npos) == (spin > 0));
+        for (const char* word : {"strip_locate", "orbit_point", "plane_meet", "disc_reachable", "vec4 strip;"}) CHECK((text.find(word) != std::string::npos) == (spin == 0));
+    }
+}
+
 TEST_CASE("shader source: the block's members are those of the effects that are on") {
     CHECK(block_members({}).size() == 11);
     CHECK(block_members({Effect::kSky}).size() == 12);
@@ -107,7 +119,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow& row : kEffectTable) all.insert(row.effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 52);
+    CHECK(members.size() == 56);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {

@@ -1,0 +1,165 @@
+// Light about a spinning hole, step by step. Units r_s = 1 (M = 1/2); a: angular momentum over mass; zeta = 1/r.
+//
+// In Mino's time tau (d lambda = Sigma d tau) radius and polar angle part, and with a unit vector n on the sphere instead of polar
+// angle and azimuth every right side is a polynomial: no turning point, no pole, no sign to choose. For the tangent of a ray traced
+// backward, with energy E, L_z = L, Carter's K and Q, J^2 = Q + L^2 (E and L those of the photon, negated):
+//     zeta'' = (a^2 E^2 - J^2) zeta + (3/2) K zeta^2 - 2 a^2 Q zeta^3
+//     n''    = -(J^2 + 2 a^2 E^2 n_z^2) n + a^2 E^2 n_z e_z            (a Neumann oscillator: |n| = 1 stays)
+//     psi'   = a zeta (E - a L zeta) / ((1 - r_+ zeta)(1 - r_- zeta))  (dragging; 0 far away)
+// The azimuth of Boyer and Lindquist is that of n and psi added up. Without spin n turns at the rate J, as on every plane orbit.
+
+#define SPIN_STEP 0.6          // of a step, times the fastest rate at work there: twice the error at 0.7, half at 0.55
+#define SPIN_MOST_STEPS 64
+
+struct SpinRay {
+    float a;
+    float a2e2;       // a^2 E^2
+    float j2;         // J^2; below 0 for rays that stay about the axis
+    float k;          // K >= 0
+    float a2q;        // a^2 Q
+    float energy;     // of the tangent: minus the photon's
+    float momentum;   // L, the same
+    float outer;      // radii of the horizons
+    float inner;
+};
+
+// y = (n, zeta), v = y', f = y'' in Mino's time; drag = psi'.
+struct SpinState {
+    vec4 y;
+    vec4 v;
+    vec4 f;
+    float psi;
+    float drag;
+};
+
+vec4 spin_force(SpinRay ray, vec4 y) {
+    float across = -(ray.j2 + 2.0 * ray.a2e2 * y.z * y.z);
+    return vec4(across * y.x, across * y.y, (across + ray.a2e2) * y.z,
+                y.w * (ray.a2e2 - ray.j2 + y.w * (1.5 * ray.k - 2.0 * ray.a2q * y.w)));
+}
+
+// Delta zeta^2, a product: exact next to the horizon.
+float spin_delta(SpinRay ray, float zeta) { return (1.0 - ray.outer * zeta) * (1.0 - ray.inner * zeta); }
+
+float spin_drag(SpinRay ray, float zeta) {
+    return ray.a * zeta * (ray.energy - ray.a * ray.momentum * zeta) / spin_delta(ray, zeta);
+}
+
+// One step of RKN6(4)6FM (Dormand, El-Mikkawy and Prince 1987): five new forces, the sixth is the next step's first.
+SpinState spin_step(SpinRay ray, SpinState from, float h) {
+    float hh = h * h;
+    vec4 v = h * from.v;
+    vec4 f0 = hh * from.f;
+    vec4 y1 = from.y + 0.1 * v + f0 * (1.0 / 200.0);
+    vec4 f1 = hh * spin_force(ray, y1);
+    vec4 y2 = from.y + 0.3 * v - f0 * (1.0 / 2200.0) + f1 * (1.0 / 22.0);
+    vec4 f2 = hh * spin_force(ray, y2);
+    vec4 y3 = from.y + 0.7 * v + f0 * (637.0 / 6600.0) - f1 * (7.0 / 110.0) + f2 * (7.0 / 33.0);
+    vec4 f3 = hh * spin_force(ray, y3);
+    vec4 y4 = from.y + 0.68 * v + f0 * (225437.0 / 1968750.0) - f1 * (30073.0 / 281250.0) + f2 * (65569.0 / 281250.0) -
+              f3 * (9367.0 / 984375.0);
+    vec4 f4 = hh * spin_force(ray, y4);
+    SpinState to;
+    to.y = from.y + v + f0 * (151.0 / 2142.0) + f1 * (5.0 / 116.0) + f2 * (385.0 / 1368.0) + f3 * (55.0 / 168.0) -
+           f4 * (6250.0 / 28101.0);
+    to.f = spin_force(ray, to.y);
+    to.v = from.v + (f0 * (151.0 / 2142.0) + f1 * (25.0 / 522.0) + f2 * (275.0 / 684.0) + f3 * (275.0 / 252.0) -
+                     f4 * (78125.0 / 112404.0) + (hh / 12.0) * to.f) / h;
+    to.drag = spin_drag(ray, to.y.w);
+    to.psi = from.psi + h * (from.drag * (151.0 / 2142.0) + spin_drag(ray, y1.w) * (25.0 / 522.0) +
+                             spin_drag(ray, y2.w) * (275.0 / 684.0) + spin_drag(ray, y3.w) * (275.0 / 252.0) -
+                             spin_drag(ray, y4.w) * (78125.0 / 112404.0) + to.drag * (1.0 / 12.0));
+    return to;
+}
+
+// SPIN_STEP over the fastest rate: the sphere's, the radius' and how fast Delta changes next to the horizon (more on the way out, where
+// the dragging is of use; on the way in a step must be able to pass the horizon). On its way out a ray ends its last step a little
+// beyond the sky at zeta = 0.
+float spin_stride(SpinRay ray, SpinState at) {
+    float zeta = at.y.w;
+    float slope = at.v.w;
+    float fall = slope * (0.5 - ray.a * ray.a * zeta) / spin_delta(ray, zeta);
+    float rate2 = abs(ray.j2) + ray.a2e2 + 0.125 * ray.energy * ray.energy + 1.5 * ray.k * zeta + (slope < 0.0 ? 3.0 : 1.0) * fall * fall;
+    float h = SPIN_STEP * inversesqrt(rate2);
+    return slope < 0.0 ? min(h, -1.05 * zeta / slope) : h;
+}
+
+// What is left to zeta = 0 after the step that passed it: zeta is nearly a harmonic oscillator there. The time by three terms of its
+// arctangent, one step back by that, and the rest by the second order.
+SpinState spin_to_sky(SpinRay ray, SpinState beyond) {
+    float x = beyond.y.w / min(beyond.v.w, -1.0e-20);
+    float w = (ray.j2 - ray.a2e2) * x * x;
+    SpinState at = spin_step(ray, beyond, -x * (1.0 - w * (1.0 / 3.0 - 0.2 * w)) - 1.0e-20);
+    float rest = -at.y.w / min(at.v.w, -1.0e-20);
+    at.y += rest * (at.v + 0.5 * rest * at.f);
+    at.psi += rest * at.drag;
+    return at;
+}
+
+// Over a step, as a polynomial of the fraction s of it: the quintic with the values, slopes and curvatures of both ends.
+struct SpinArc {
+    vec4 c0;
+    vec4 c1;
+    vec4 c2;
+    vec4 c3;
+    vec4 c4;
+    vec4 c5;
+};
+
+SpinArc spin_arc(SpinState from, SpinState to, float h) {
+    SpinArc arc;
+    arc.c0 = from.y;
+    arc.c1 = h * from.v;
+    arc.c2 = (0.5 * h * h) * from.f;
+    vec4 d = to.y - arc.c0 - arc.c1 - arc.c2;
+    vec4 dv = h * to.v - arc.c1 - 2.0 * arc.c2;
+    vec4 df = (h * h) * to.f - 2.0 * arc.c2;
+    arc.c3 = 10.0 * d - 4.0 * dv + 0.5 * df;
+    arc.c4 = -15.0 * d + 7.0 * dv - df;
+    arc.c5 = 6.0 * d - 3.0 * dv + 0.5 * df;
+    return arc;
+}
+
+vec4 spin_at(SpinArc arc, float s) {
+    return arc.c0 + s * (arc.c1 + s * (arc.c2 + s * (arc.c3 + s * (arc.c4 + s * arc.c5))));
+}
+
+vec4 spin_slope_at(SpinArc arc, float s) {
+    return arc.c1 + s * (2.0 * arc.c2 + s * (3.0 * arc.c3 + s * (4.0 * arc.c4 + s * (5.0 * arc.c5))));
+}
+
+// A meeting of the ray with the equatorial plane.
+struct SpinCrossing {
+    float r;
+    vec2 place;        // x and y, azimuth of Boyer and Lindquist
+    float climb;  // d zeta / d tau there: p_r of the photon is climb / (zeta^2 Delta)
+};
+
+// Newton's step towards n_z = 0.
+float spin_newton(SpinArc arc, float s) {
+    float slope = spin_slope_at(arc, s).z;
+    return clamp(s - spin_at(arc, s).z / (abs(slope) > 1.0e-30 ? slope : 1.0e-30), 0.0, 1.0);
+}
+
+// Within the step between two states, between whose ends n_z changes its sign.
+SpinCrossing spin_crossing(SpinRay ray, SpinState from, SpinState to, float h) {
+    SpinArc arc = spin_arc(from, to, h);
+    float change = from.y.z - to.y.z;
+    float s = clamp(from.y.z / (abs(change) > 1.0e-30 ? change : 1.0e-30), 0.0, 1.0);
+    s = spin_newton(arc, s);
+    s = spin_newton(arc, s);
+    s = spin_newton(arc, s);
+    s = spin_newton(arc, s);
+    vec4 at = spin_at(arc, s);
+    // psi by Lobatto's four points.
+    float psi = from.psi + h * s * ((from.drag + spin_drag(ray, at.w)) / 12.0 +
+                                    (spin_drag(ray, spin_at(arc, 0.27639320225 * s).w) + spin_drag(ray, spin_at(arc, 0.72360679775 * s).w)) * (5.0 / 12.0));
+    float inverse = inversesqrt(max(at.x * at.x + at.y * at.y, 1.0e-30));
+    float c = cos(psi) * inverse;
+    float t = sin(psi) * inverse;
+    SpinCrossing crossing;
+    crossing.r = 1.0 / max(at.w, 1.0e-12);
+    crossing.place = crossing.r * vec2(c * at.x - t * at.y, t * at.x + c * at.y);
+    crossing.climb = spin_slope_at(arc, s).w / h;
+    return crossing;
+}

@@ -1,0 +1,158 @@
+// One pixel's ray about a spinning hole, from the camera to its end (core/kerr.glsl). In place of trace.glsl, where rays stay in planes:
+// the same Trace as far as a sky asks for it. Look directions are along (e_r, e_theta, e_phi) of the camera at rest here, which has no
+// angular momentum. Reads the global `frame` (FrameData).
+
+#define SPIN_CROSSINGS 4   // of the equatorial plane that are kept; a fifth image is e^-4pi of the first
+
+#define SPIN_FARTHEST 1.0e10   // a crossing beyond it lies behind the sky
+
+struct Trace {
+    float doppler;        // frequency in the camera over the photon's energy at infinity: g
+    float pixel_angle;    // angle that one pixel spans here, rad, in the frame of the camera at rest
+    bool escapes;
+    bool lost;            // neither here nor there after SPIN_MOST_STEPS
+    vec3 sky;             // direction on the celestial sphere, world axes, unit to rounding; of use if escapes
+    float stretch_along;  // how fast the sky direction moves: of the footprint's sides the longer ...
+    float stretch_across; // ... and the area over it
+#ifdef NEEDS_FOOTPRINT
+    vec3 sky_right;       // and the same to the right and upward
+    vec3 sky_up;
+#endif
+    int steps;
+    float momentum;       // of the photon over its frequency in the camera's frame of rest
+    float energy;
+#ifdef EFFECT_DISC
+    int crossings;        // how many of these there are
+    SpinCrossing crossing_0;
+    SpinCrossing crossing_1;
+    SpinCrossing crossing_2;
+    SpinCrossing crossing_3;
+#endif
+};
+
+// n: unit look direction along (e_r, e_theta, e_phi). Every constant is a product or a sum that keeps its digits.
+SpinRay spin_ray(vec3 n) {
+    SpinRay ray;
+    ray.a = frame.spin_hole.x;
+    ray.outer = frame.spin_hole.z;
+    ray.inner = frame.spin_hole.w;
+    ray.energy = frame.spin_rows.x + frame.spin_rows.y * n.z;
+    float w = frame.spin_rows.z + frame.spin_rows.w * n.z;        // L/sin - a E sin
+    float p_theta = frame.spin_scale.x * n.y;
+    float across = frame.spin_scale.y * n.z;                      // L/sin
+    ray.momentum = across * frame.spin_place.x;
+    ray.a2e2 = frame.spin_hole.y * ray.energy * ray.energy;
+    ray.k = p_theta * p_theta + w * w;
+    ray.j2 = p_theta * p_theta + across * across - ray.a2e2 * frame.spin_place.y * frame.spin_place.y;
+    // Q = p_theta^2 + cos^2 (L^2/sin^2 - a^2 E^2), not J^2 - L^2.
+    ray.a2q = frame.spin_hole.y * (p_theta * p_theta + frame.spin_place.y * frame.spin_place.y * (across * across - ray.a2e2));
+    return ray;
+}
+
+SpinState spin_start(SpinRay ray, vec3 n) {
+    float sine = frame.spin_place.x;
+    float cosine = frame.spin_place.y;
+    float c = frame.spin_place.z;
+    float s = frame.spin_place.w;
+    float p_theta = frame.spin_scale.x * n.y;
+    float across = frame.spin_scale.y * n.z;
+    SpinState at;
+    at.y = vec4(sine * c, sine * s, cosine, frame.shift.y);
+    at.v = vec4(p_theta * cosine * c - across * s, p_theta * cosine * s + across * c, -p_theta * sine, -frame.spin_scale.z * n.x);
+    at.f = spin_force(ray, at.y);
+    at.psi = 0.0;
+    at.drag = spin_drag(ray, at.y.w);
+    return at;
+}
+
+// pixel: px from the image centre, x to the right, y up.
+Trace trace_pixel(vec2 pixel) {
+    Trace trace;
+    float inverse_length = inversesqrt(1.0 + dot(pixel, pixel) * (frame.image.z * frame.image.z));
+    vec4 look = (frame.ray_0 + pixel.x * frame.ray_x + pixel.y * frame.ray_y) * inverse_length;
+    vec3 n = vec3(look.x, look.y, look.z);
+    trace.pixel_angle = frame.image.z * inverse_length * sqrt(inverse_length);
+    float doppler = 1.0;
+#ifdef EFFECT_ABERRATION
+    Aberration seen = aberrate(n, vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w);
+    n = seen.direction;
+    doppler = seen.doppler;
+    trace.pixel_angle *= seen.doppler;
+#endif
+    SpinRay ray = spin_ray(n);
+    SpinState now = spin_start(ray, n);
+    trace.energy = -ray.energy;
+    trace.momentum = -ray.momentum;
+    trace.doppler = doppler / max(trace.energy, 1.0e-6);
+    float end = 1.0 / ray.outer;
+    int left = SPIN_MOST_STEPS;
+    bool going = true;
+#ifdef EFFECT_DISC
+    trace.crossings = 0;
+    SpinCrossing none;
+    none.r = 0.0;
+    none.place = vec2(0.0, 0.0);
+    none.climb = 0.0;
+    trace.crossing_0 = none;
+    trace.crossing_1 = none;
+    trace.crossing_2 = none;
+    trace.crossing_3 = none;
+    SpinState from = now;
+    SpinState to = now;
+    float taken = 1.0;
+    do {   // from one crossing of the plane to the next; loops are tested at the end, see disc_colour.glsl
+        bool crossed = false;
+        do {
+            SpinState before = now;
+            float h = spin_stride(ray, now);
+            now = spin_step(ray, now, h);
+            --left;
+            // What is used after the loop is kept in a branch: Mesa 22's software driver gives a ray that has left a loop what later rounds
+            // of the others make of variables that no round takes over from the one before.
+            if (before.y.z * now.y.z < 0.0 || (now.y.z == 0.0 && before.y.z != 0.0)) {
+                from = before;
+                to = now;
+                taken = h;
+                crossed = true;
+            }
+            going = now.y.w > 0.0 && now.y.w < end && left > 0;
+        } while (going && !crossed);
+        going = now.y.w > 0.0 && now.y.w < end && left > 0;
+        SpinCrossing crossing = spin_crossing(ray, from, to, taken);
+        if (crossed && crossing.r > ray.outer && crossing.r < SPIN_FARTHEST) {
+            if (trace.crossings == 0) trace.crossing_0 = crossing;
+            if (trace.crossings == 1) trace.crossing_1 = crossing;
+            if (trace.crossings == 2) trace.crossing_2 = crossing;
+            if (trace.crossings == 3) trace.crossing_3 = crossing;
+            ++trace.crossings;
+        }
+    } while (going);
+#else
+    do {
+        now = spin_step(ray, now, spin_stride(ray, now));
+        --left;
+        going = now.y.w > 0.0 && now.y.w < end && left > 0;
+    } while (going);
+#endif
+    trace.steps = SPIN_MOST_STEPS - left;
+    trace.escapes = now.y.w <= 0.0;
+    trace.lost = now.y.w > 0.0 && now.y.w < end;
+    SpinState sky = spin_to_sky(ray, now);
+    float c = cos(sky.psi);
+    float s = sin(sky.psi);
+    trace.sky = trace.escapes ? vec3(c * sky.y.x - s * sky.y.y, s * sky.y.x + c * sky.y.y, sky.y.z) : -n;
+#ifdef NEEDS_FOOTPRINT
+    vec3 right = dFdx(trace.sky);
+    vec3 up = dFdy(trace.sky);
+    trace.sky_right = right;
+    trace.sky_up = up;
+    float longer = max(sqrt(max(dot(right, right), dot(up, up))), 1.0e-20);
+    vec3 area = cross(right, up);
+    trace.stretch_along = longer / trace.pixel_angle;
+    trace.stretch_across = sqrt(dot(area, area)) / (longer * trace.pixel_angle);
+#else
+    trace.stretch_along = 1.0;
+    trace.stretch_across = 1.0;
+#endif
+    return trace;
+}

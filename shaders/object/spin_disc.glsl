@@ -1,0 +1,71 @@
+// The disc about a spinning hole: what of the ray's crossings of the equatorial plane (core/spin_trace.glsl) lies between its radii.
+// In place of disc.glsl and disc_thin.glsl.
+
+struct DiscCrossing {
+    bool hit;
+    float r;          // r_s
+    vec2 place;       // disc (x, y), r_s
+    vec2 along;       // footprint of one pixel on the disc in (x, y), r_s: image of its side to the right
+    vec2 across;      // ... and upward
+    float climb; // d zeta / d tau along the ray
+};
+
+SpinCrossing spin_kept(Trace trace, int k) {
+    SpinCrossing kept = trace.crossing_0;
+    if (k == 1) kept = trace.crossing_1;
+    if (k == 2) kept = trace.crossing_2;
+    if (k == 3) kept = trace.crossing_3;
+    return kept;
+}
+
+bool spin_disc_more(Trace trace, int k) { return k < min(trace.crossings, SPIN_CROSSINGS); }
+
+DiscCrossing spin_disc_cross(Trace trace, int k, vec4 foot) {
+    SpinCrossing kept = spin_kept(trace, k);
+    DiscCrossing crossing;
+    crossing.r = max(kept.r, 1.0e-6);
+    crossing.place = kept.place;
+    crossing.climb = kept.climb;
+    crossing.along = vec2(foot.x, foot.y);
+    crossing.across = vec2(foot.z, foot.w);
+    float inner = frame.disc_x.w;
+    float outer = frame.disc_y.w;
+    float reach = min(0.5 * sqrt(dot(foot, foot)), 0.125 * (outer - inner));
+    crossing.hit = spin_disc_more(trace, k) && crossing.r >= inner - reach && crossing.r <= outer + reach;
+    return crossing;
+}
+
+#ifdef NEEDS_FOOTPRINT
+// How the crossings move from pixel to pixel. Where a neighbour has none of this number: as if the disc were looked at from here, straight.
+struct DiscFeet {
+    vec4 foot_0;
+    vec4 foot_1;
+    vec4 foot_2;
+    vec4 foot_3;
+};
+
+vec4 spin_foot(Trace trace, int k, vec2 place, float r) {
+    vec4 foot = vec4(dFdx(place), dFdy(place));
+    float there = spin_disc_more(trace, k) ? 1.0 : 0.0;
+    float edge = abs(dFdx(there)) + abs(dFdy(there));
+    float side = trace.pixel_angle * (r + 1.0 / frame.shift.y);
+    return edge == 0.0 ? foot : vec4(side, 0.0, 0.0, side);
+}
+
+DiscFeet spin_feet(Trace trace) {
+    DiscFeet feet;
+    feet.foot_0 = spin_foot(trace, 0, trace.crossing_0.place, trace.crossing_0.r);
+    feet.foot_1 = spin_foot(trace, 1, trace.crossing_1.place, trace.crossing_1.r);
+    feet.foot_2 = spin_foot(trace, 2, trace.crossing_2.place, trace.crossing_2.r);
+    feet.foot_3 = spin_foot(trace, 3, trace.crossing_3.place, trace.crossing_3.r);
+    return feet;
+}
+
+vec4 spin_foot_of(DiscFeet feet, int k) {
+    vec4 foot = feet.foot_0;
+    if (k == 1) foot = feet.foot_1;
+    if (k == 2) foot = feet.foot_2;
+    if (k == 3) foot = feet.foot_3;
+    return foot;
+}
+#endif

@@ -1,0 +1,41 @@
+// Light in Kerr by Hamilton's equations in Cartesian Kerr-Schild coordinates, step by step at a tight tolerance: no Mino time, no
+// constant of Carter, no polynomial of 1/r, which is what the shader works with.
+//
+// A ray that is traced backward leaves the hole's past horizon, where the ingoing chart is singular. Its mirror image under
+// (t, phi) -> (-t, -phi) is a photon that falls in: that one is traced, forward, and its azimuths are turned over.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "base/vec.h"
+#include "reference/orbit.h"
+#include "scene/ray.h"
+
+namespace nullscope::reference {
+
+// A photon at the camera, as the camera at rest there (without angular momentum) measures it: where it comes from and how much.
+struct KerrStart {
+    double r, theta, phi;   // Boyer and Lindquist, r_s; outside the horizon
+    Vec3 look;              // towards where the photon comes from, times its frequency: components along e_r, e_theta, e_phi
+};
+
+struct KerrRay {
+    Fate fate = Fate::kNoSky;
+    Vec3 sky{kNotANumber, kNotANumber, kNotANumber};   // unit direction, world axes; escaped rays
+    double phi_inf = kNotANumber;                      // its azimuth, windings kept
+    double energy = 0;                                 // of the photon, at infinity
+    double l_z = 0;                                    // its angular momentum about the axis over its energy, r_s
+    struct Crossing {
+        double r, phi;
+        double radial;   // p_r of the photon over its energy: above 0 it really moves outward
+    };
+    std::vector<Crossing> crossings;   // of the equatorial plane after the camera, before the end
+};
+
+// spin: a/M, [0, 1). Where rays are, within some 1e-12 r_s times what the ray makes of a change at its start. About 0.3 ms.
+KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings);
+
+// What else the tracer asks of the metric; without spin, Schwarzschild's orbits.
+std::unique_ptr<OrbitMetric> make_kerr_metric(const SpacetimeSpec& spec);
+
+}  // namespace nullscope::reference
