@@ -10,6 +10,9 @@
 
 #define SPIN_STEP 0.6          // of a step, times the fastest rate at work there: twice the error at 0.7, half at 0.55
 #define SPIN_MOST_STEPS 64
+// A ray that winds for long is one whose end moves fast with its direction: its errors weigh less, and its steps may grow.
+#define SPIN_GROW_AFTER 20
+#define SPIN_GROWTH 0.03
 
 struct SpinRay {
     float a;
@@ -75,12 +78,12 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
 // SPIN_STEP over the fastest rate: the sphere's, the radius' and how fast Delta changes next to the horizon (more on the way out, where
 // the dragging is of use; on the way in a step must be able to pass the horizon). On its way out a ray ends its last step a little
 // beyond the sky at zeta = 0.
-float spin_stride(SpinRay ray, SpinState at) {
+float spin_stride(SpinRay ray, SpinState at, int left) {
     float zeta = at.y.w;
     float slope = at.v.w;
     float fall = slope * (0.5 - ray.a * ray.a * zeta) / spin_delta(ray, zeta);
     float rate2 = abs(ray.j2) + ray.a2e2 + 0.125 * ray.energy * ray.energy + 1.5 * ray.k * zeta + (slope < 0.0 ? 3.0 : 1.0) * fall * fall;
-    float h = SPIN_STEP * inversesqrt(rate2);
+    float h = SPIN_STEP * (1.0 + SPIN_GROWTH * max(float(SPIN_MOST_STEPS - SPIN_GROW_AFTER - left), 0.0)) * inversesqrt(rate2);
     return slope < 0.0 ? min(h, -1.05 * zeta / slope) : h;
 }
 

@@ -104,7 +104,7 @@ Trace trace_pixel(vec2 pixel) {
         bool crossed = false;
         do {
             SpinState before = now;
-            float h = spin_stride(ray, now);
+            float h = spin_stride(ray, now, left);
             now = spin_step(ray, now, h);
             --left;
             // What is used after the loop is kept in a branch: Mesa 22's software driver gives a ray that has left a loop what later rounds
@@ -129,7 +129,7 @@ Trace trace_pixel(vec2 pixel) {
     } while (going);
 #else
     do {
-        now = spin_step(ray, now, spin_stride(ray, now));
+        now = spin_step(ray, now, spin_stride(ray, now, left));
         --left;
         going = now.y.w > 0.0 && now.y.w < end && left > 0;
     } while (going);

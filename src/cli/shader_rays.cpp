@@ -130,8 +130,8 @@ struct Job {
 // Up to three views a ray: the scene, the first crossing of the equatorial plane, the place at at_angle.
 class Batch {
 public:
-    Batch(const Scene& scene, bool crossings, bool probes)
-        : scene_(scene), plane_(with_disc_from(scene, kPlane)), bare_plane_(plane_), crossings_(crossings) {
+    Batch(const Scene& scene, bool planes, bool crossings, bool probes)
+        : scene_(scene), plane_(with_disc_from(scene, kPlane)), bare_plane_(plane_), planes_(planes), crossings_(crossings) {
         bare_plane_.sphere.reset(), bare_plane_.cylinder.reset(), bare_plane_.ball.reset(), bare_plane_.surface.reset();
         if (scene_.disc && scene_.disc->opacity < 1.0) scene_.disc.reset();   // it ends no ray
         if (probes && !scene_.disc) scene_ = with_disc_from(scene, kOutOfReach);
@@ -153,6 +153,7 @@ public:
         auto next = pixels.begin();
         for (const Job& job : jobs) {
             RayRecord record = record_of(job.start, *next++);
+            if (!planes_) record.angle = kNotANumber;
             if (crossings_) {
                 const RayPixel& met = *next++;
                 const double r = std::hypot(met.u, met.v);
@@ -171,7 +172,7 @@ public:
 
 private:
     Scene scene_, plane_, bare_plane_;   // bare: without bodies, which end the ray but not the question where it is
-    bool crossings_;
+    bool planes_, crossings_;            // planes: rays keep to one, and sweep an angle in it
 };
 
 }  // namespace
@@ -192,7 +193,7 @@ Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& sce
     }
     // Rows of one radius share strip and orbit map.
     std::stable_sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) { return a.start.r < b.start.r; });
-    const Batch batch(scene, run.crossings, run.crossings || places);
+    const Batch batch(scene, spacetime.spin() == 0.0, run.crossings, run.crossings || places);
     std::vector<std::optional<RayRecord>> records(table.rows.size());
     for (std::span<const Job> rest = jobs; !rest.empty();) {
         const auto now = rest.first(std::min(kBatch, rest.size()));

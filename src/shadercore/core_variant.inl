@@ -83,6 +83,8 @@ RayPixel trace_one(const CoreInput& input, double x, double y) {
 #undef DISC_MOST_CROSSINGS
 #undef SPIN_STEP
 #undef SPIN_MOST_STEPS
+#undef SPIN_GROW_AFTER
+#undef SPIN_GROWTH
 #undef SPIN_CROSSINGS
 #undef SPIN_FARTHEST
 #undef NEEDS_PHI_END

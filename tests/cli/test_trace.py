@@ -290,6 +290,25 @@ class ShaderText(TraceTest):
                 if out:
                     self.assertAlmostEqual(number(row["theta_inf"]), number(row["theta"]), delta=1e-6)
 
+    def test_about_a_spinning_hole(self):
+        scene = self.write("kerr.toml", '[spacetime]\nmetric = "kerr"\nspin = 0.9\n')
+        rays = "r,theta,phi,n_r,n_theta,n_phi\n10,1.3,0.2,-0.95,0.2,0.24\n10,1.3,0.2,-0.98,0.1,-0.3\n5,0.4,0.2,-0.9,0.4,0.1\n3,1.57,1,0.2,0.3,-0.7\n5,0,0.2,-0.9,0.4,0.1\n"
+        exact = self.trace(rays, "--crossings", "1", scene=scene)
+        self.assertEqual([r["fate"] for r in exact], ["escaped", "escaped", "captured", "escaped", "captured"])
+        for tracer in self.tracers():
+            for row, right in zip(self.trace(rays, "--with", tracer, "--crossings", "1", scene=scene), exact):
+                self.assertEqual((row["fate"], row["angle"]), (right["fate"], ""), tracer)
+                self.assertEqual(row["r_1"] == "", right["r_1"] == "")
+                if right["r_1"]:
+                    self.assertAlmostEqual(number(row["r_1"]) / number(right["r_1"]), 1, delta=1e-5)
+                    self.assertAlmostEqual(math.remainder(number(row["phi_1"]) - number(right["phi_1"]), 2 * math.pi), 0, delta=1e-5)
+                if right["fate"] == "escaped":
+                    self.assertLess(angle_between(direction(row), direction(right)), 1e-5)   # truncation, six steps of 0.6 rad
+        self.write("rain.csv", "r,theta,phi,n_r,n_theta,n_phi,frame\n5,1,0,-1,0,0,rain\n")
+        self.refused("trace", scene, "--rays", "rain.csv", says=["frame", "spinning"])
+        self.write("q.csv", "q,zeta0,s\n0.5,0.1,1\n")
+        self.refused("trace", scene, "--rays", "q.csv", says=["q", "spinning"])
+
     def test_what_needs_gl_says_so(self):
         self.write("r.csv", "q,zeta0,s\n1,0.1,1\n")
         flat = ("trace", "flat", "--rays", "r.csv")
