@@ -63,7 +63,9 @@ TEST_CASE("uniform block: the driver's offsets are those of the C++ struct") {
         const std::vector<int> driver = driver_offsets(scene, effects, members);
         for (std::size_t i = 0; i < members.size(); ++i) {
             CAPTURE(members[i]);
-            CHECK(driver[i] == static_cast<int>(offsets[i]));
+            // The last of the block, which no shader has together with those of plane orbits: see the next test.
+            if (members[i].starts_with("frame.spin_")) CHECK(i + 4 >= members.size());
+            else CHECK(driver[i] == static_cast<int>(offsets[i]));
         }
     });
 }
@@ -73,7 +75,13 @@ TEST_CASE("uniform block: without an effect its members are gone and the others 
     on_every_context([&](GpuSession&) {
         for (unsigned bits = 0; bits <= kEverything; bits += 5) {  // a fifth of them, every bit in both states
             CAPTURE(bits);
-            const Scene scene = scene_of(bits);
+            Scene scene = scene_of(bits);
+            const bool spins = bits % 7 == 0;   // without what is not there about a spinning hole
+            if (spins) {
+                scene.spacetime.metric = "kerr";
+                scene.sphere.reset(), scene.cylinder.reset(), scene.ball.reset(), scene.surface.reset();
+                if (scene.sky.kind == SkyKind::kPoints) scene.sky.kind = SkyKind::kStars;
+            }
             std::vector<int> expected(members.size(), -1);
             int next = 0;
             const EffectSet effects = effect_set(required_effects(scene));
