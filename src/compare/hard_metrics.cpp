@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "spacetime/registry.h"
+
 namespace nullscope {
 namespace {
 
@@ -39,6 +41,7 @@ Scene frame_of(const Place& place, double r, double yaw, double fov) {
 double dividing_angle(const Place& p, double r) {
     const auto root_v = [&](double x) {
         if (p.metric == "ellis") return 1 / std::hypot(x, 1.0);
+        if (const auto spacetime = make_spacetime(p.metric, p.parameters); p.metric == "dneg-wormhole") return (*spacetime)->root_v(x);
         const double charge = p.parameters.contains("charge") ? p.parameters.at("charge") : 0.0;
         return std::sqrt(1 - 1 / x + 0.25 * charge * charge / (x * x)) / x;
     };
@@ -70,7 +73,7 @@ void dividing_sphere(std::vector<HardCase>& list, const Place& p) {
         if (p.photon_r + off <= p.least) continue;
         for (const auto& [look, yaw] : kLooks)
             add(list, p,
-                fmt::format("camera {} the {}, {}", where, p.metric == "ellis" ? "throat" : "photon sphere", look),
+                fmt::format("camera {} the {}, {}", where, p.least < 0 ? "throat" : "photon sphere", look),
                 "both kinds of rays meet, and chi0 = pi/2", frame_of(p, p.photon_r + off, yaw, 100 * kDegree));
     }
 }
@@ -120,6 +123,8 @@ std::vector<HardCase> hard_metric_cases() {
         {"neutron-star", "star of 1.2 r_s", {{"radius", 1.2}}, 1.5, 1.2 * kStandoff, false},
         {"neutron-star", "star of 2.5 r_s", {{"radius", 2.5}}, 2.5, 2.5 * kStandoff, false},
         {"ellis", "Ellis throat", {}, 0.0, -1e300, false},
+        {"dneg-wormhole", "wormhole of the film", {}, 0.0, -1e300, false},
+        {"dneg-wormhole", "long wormhole", {{"length", 2.0}, {"lensing_width", 0.5}}, 0.0, -1e300, false},
     };
     std::vector<HardCase> list;
     for (const Place& place : places) {

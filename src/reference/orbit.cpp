@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "reference/dneg_orbit.h"
 #include "reference/ellis_orbit.h"
 #include "reference/minkowski_orbit.h"
 #include "reference/reissner_nordstrom_orbit.h"
@@ -20,6 +21,7 @@ constexpr std::array kMetrics{
     Entry{"reissner-nordstrom", make_reissner_nordstrom_orbits},
     Entry{"neutron-star", make_star_orbits},
     Entry{"ellis", make_ellis_orbits},
+    Entry{"dneg-wormhole", make_dneg_orbits},
     Entry{"minkowski", make_minkowski_orbits},
 };
 

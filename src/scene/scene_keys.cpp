@@ -36,7 +36,7 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.spacetime.metric = v.text; }},
 
     {"camera", "r", KeyType::kNumber, "r_s", "15", kRadius, "",
-     "Radial coordinate; outside the horizon, since the camera is described in the static frame. Of wormholes: l, in throat radii.",
+     "Radial coordinate; outside the horizon, since the camera is described in the static frame. Of wormholes: l.",
      [](Scene& s, const KeyValue& v) { s.camera.r = v.number; }},
     {"camera", "theta", KeyType::kNumber, "deg", "84.8", kPolarAngle, "",
      "Polar angle: 0 above the north pole, 90 in the disc's plane.",

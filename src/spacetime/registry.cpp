@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "spacetime/dneg_wormhole.h"
 #include "spacetime/ellis.h"
 #include "spacetime/minkowski.h"
 #include "spacetime/neutron_star.h"
@@ -54,7 +55,17 @@ std::span<const MetricEntry> metric_registry() {
          {{"radius", 2.5, NeutronStar::kLeastRadius, NeutronStar::kLargestRadius,
            "Radius of the surface, r_s; at least 9/8, what pressure can hold up."}},
          make_neutron_star},
-        {"ellis", "A wormhole between two skies, the simplest: no tides, no redshift.", {}, make_ellis},
+        {"ellis",
+         "A wormhole between two skies, the simplest: no tides, no redshift.",
+         {{"throat", 1.0, 0.01, 100.0, "Radius of the throat."}},
+         make_ellis},
+        {"dneg-wormhole",
+         "The wormhole of James, von Tunzelmann, Franklin and Thorne (2015): a tube of any length, lensing as gentle as wanted.",
+         {{"throat", 1.0, 0.01, 100.0, "Radius of the throat."},
+          {"length", 0.01, 0.0, DnegWormhole::kLongest, "Length of the tube, in throat radii."},
+          {"lensing_width", 0.05, DnegWormhole::kNarrowest, DnegWormhole::kWidest,
+           "Width of the region outside the tube that bends light, in throat radii."}},
+         make_dneg_wormhole},
         {"minkowski", "Flat spacetime: light runs straight.", {}, make_minkowski},
     };
     return entries;

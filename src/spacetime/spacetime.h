@@ -1,5 +1,5 @@
 // Spacetime: what the host needs to know of a static, spherically symmetric metric
-//     ds^2 = -A dt^2 + B dr^2 + R^2 dOmega^2,   units r_s = c = 1 (wormholes: throat radius = c = 1), signature (-,+,+,+).
+//     ds^2 = -A dt^2 + B dr^2 + R^2 dOmega^2,   units r_s = c = 1 (wormholes have no r_s: any unit), signature (-,+,+,+).
 // r is the metric's own radial coordinate, regular wherever a camera can be: the areal radius of holes and stars (R = r), the
 // proper distance from the throat of wormholes (r < 0 on the far side). It grows outward, to the sky at r = infinity.
 //
@@ -50,6 +50,11 @@ public:
     virtual double chi_from_radius(double r) const = 0;
     virtual double radius_from_chi(double chi) const = 0;
     virtual double bending_density(double chi) const = 0;  // h(chi), chi in [0, pi]
+    // A wormhole's tube, where R and V are constant: what of its length lies between r and the sky, over R. All of it has chi = pi/2,
+    // and rays with k > 1 sweep this divided by sqrt(k^2 - 1) there. r = -infinity: the whole tube.
+    virtual double tube_beyond(double) const { return 0.0; }
+    // What ray files count lengths in (docs/ray-data.md): the throat's radius of wormholes.
+    virtual double length_unit() const { return 1.0; }
 
     // The orbit equation zeta'' = -half_v_slope(zeta) of zeta = 1/r, by which objects are found; metrics with R = r only.
     virtual bool has_orbit_equation() const { return true; }

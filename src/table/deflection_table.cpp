@@ -81,15 +81,16 @@ DeflectionTable::DeflectionTable(const Spacetime& spacetime, int size) : size_(s
         sheet->size = size;
         sheet->values.assign(static_cast<std::size_t>(size + 1) * (size + 1), 0.0);
     }
-    build_turning(spacetime, false, series_, outer_);
-    build_turning(spacetime, true, series_, inner_);
-    build_through(spacetime, through_);
+    const DensityFit density(spacetime);
+    build_turning(density, false, series_, outer_);
+    build_turning(density, true, series_, inner_);
+    build_through(density, through_);
 }
 
 std::size_t DeflectionTable::bytes() const { return 3 * outer_.values.size() * sizeof(double); }
 
 // R is summed up cell by cell along alpha with a Gauss rule each: every node costs one cell.
-void DeflectionTable::build_turning(const Spacetime& spacetime, bool inner, const Series& series, Sheet& sheet) {
+void DeflectionTable::build_turning(const DensityFit& density, bool inner, const Series& series, Sheet& sheet) {
     tbb::parallel_for(0, size_ + 1, [&](int i) {
         const double m = core64::turning_one_minus_k_from_x(static_cast<double>(i) / size_);
         const double k = 1.0 - m, kp2 = m * (2.0 - m);
@@ -98,7 +99,7 @@ void DeflectionTable::build_turning(const Spacetime& spacetime, bool inner, cons
             const double sin_chi = k * sin_alpha;
             const double c = std::sqrt(kp2 + t * t);
             const double chi = std::atan2(sin_chi, c);
-            const double h = spacetime.bending_density(inner ? kPi - chi : chi);
+            const double h = density(inner ? kPi - chi : chi);
             return (h - sin_chi * (series.a0 + series.a2 * c * c)) / c;
         };
         double sum = 0.0;
@@ -110,7 +111,7 @@ void DeflectionTable::build_turning(const Spacetime& spacetime, bool inner, cons
     });
 }
 
-void DeflectionTable::build_through(const Spacetime& spacetime, Sheet& sheet) {
+void DeflectionTable::build_through(const DensityFit& density, Sheet& sheet) {
     tbb::parallel_for(0, size_ + 1, [&](int i) {
         // R k is stored; at x = 1 (k = infinity) its limit, the integral of h - sin(chi) (a0 + ... + a3 c^3).
         const double x = static_cast<double>(i) / size_;
@@ -119,7 +120,7 @@ void DeflectionTable::build_through(const Spacetime& spacetime, Sheet& sheet) {
         const double k = 1.0 + k1, d2 = k1 * (2.0 + k1);
         const auto integrand = [&](double chi) {
             const double s = std::sin(chi), c = std::cos(chi);
-            const double rest = spacetime.bending_density(chi) -
+            const double rest = density(chi) -
                                 s * (series_.a0 + c * (series_.a1 + c * (series_.a2 + c * series_.a3)));
             return radial ? rest : rest * k / std::sqrt(d2 + c * c);
         };

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "spacetime/spacetime.h"
+#include "table/density_fit.h"
 
 namespace nullscope {
 
@@ -50,8 +51,8 @@ private:
         std::vector<double> values;
         double at(double x, double y) const;   // 6x6-point Lagrange interpolation; x, y in [0, 1]
     };
-    void build_turning(const Spacetime& spacetime, bool inner, const Series& series, Sheet& sheet);
-    void build_through(const Spacetime& spacetime, Sheet& sheet);
+    void build_turning(const DensityFit& density, bool inner, const Series& series, Sheet& sheet);
+    void build_through(const DensityFit& density, Sheet& sheet);
     double turning(const Sheet& sheet, double k, double one_minus_k2, double angle) const;
 
     int size_;

@@ -17,6 +17,8 @@ RayFan::RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const
     sqrt_v0_ = spacetime_->root_v(r);
     outside_ = chi0_ <= M_PI / 2;
     theta_c_ = outside_ ? std::min(chi0_, M_PI / 2) : std::asin(std::min(1.0, sqrt_v0_ / q_crit_));
+    tube_out_ = spacetime_->tube_beyond(r);
+    tube_in_ = spacetime_->tube_beyond(-kAnyRadius) - tube_out_;
     if (const auto surface = spacetime_->surface_radius()) {
         chi_end_ = spacetime_->chi_from_radius(*surface);
         grazes_ = chi_end_ < M_PI / 2;   // the surface hides the photon sphere: V(surface) is what divides
@@ -65,7 +67,8 @@ FanRay RayFan::ray(Segment segment, double delta) const {
     } else {
         const double d2 = std::max(-one_minus_k2, 1e-300);
         const double from_infinity = table_->through_from_infinity(k, d2, chi0_);
-        ray.phi_end = sky ? from_infinity : table_->through_from_infinity(k, d2, M_PI) - from_infinity;
+        ray.phi_end = (sky ? from_infinity : table_->through_from_infinity(k, d2, M_PI) - from_infinity) +
+                      (sky ? tube_out_ : tube_in_) / std::sqrt(d2);
     }
     return ray;
 }

@@ -62,6 +62,7 @@ private:
     std::shared_ptr<const DeflectionTable> table_;
     double zeta0_, chi0_, q_crit_, sqrt_v0_, theta_c_, w0_;
     bool outside_;
+    double tube_out_ = 0, tube_in_ = 0;   // a wormhole's tube on the way to the sky and to the other one, over its radius
     double chi_end_ = M_PI;   // where captured rays end: horizon, other sky, or the surface of a star,
     bool grazes_ = false;     //   which outside the photon sphere has the critical direction to itself
 };

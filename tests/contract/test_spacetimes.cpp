@@ -248,21 +248,26 @@ TEST_CASE("chi on both sides of a throat: V = q_crit^2 sin^2 chi, both ways, gro
     for (const auto& [label, s] : cases()) {
         CAPTURE(label);
         if (s->inner_end() != InnerEnd::kOtherSky) continue;
-        const double q_crit = s->photon_sphere()->q_crit;
+        const double q_crit = s->photon_sphere()->q_crit, mouth = 0.5 * s->tube_beyond(-1e300) / q_crit;
+        CHECK(s->tube_beyond(1e300) == 0.0);
+        CHECK(s->tube_beyond(0.0) * 2 == s->tube_beyond(-1e300));
+        for (double l = -mouth; l < mouth; l += 0.1 * mouth) CHECK(s->chi_from_radius(l) == kPi / 2);
         double before = 0.0;
-        for (double l = 1e9; l > 1e-12; l *= 0.7) {
-            const double chi = s->chi_from_radius(l);
+        // As near to a tube's mouth as l tells the distance from it to some digits.
+        for (double off = 1e9; off > (mouth > 0.0 ? 1e-4 : 1e-12); off *= 0.7) {
+            const double l = mouth + off, chi = s->chi_from_radius(l);
             CHECK((chi > before && chi <= kPi / 2));
             before = chi;
             CHECK(std::fabs(q_crit * std::sin(chi) / s->root_v(l) - 1.0) < kRounding);
             CHECK(std::fabs(s->chi_from_radius(-l) - (kPi - chi)) < kRounding);
-            // d l/d chi = h V^-1/q_crit: flat rounding of chi, and relative rounding of l.
+            // d l/d chi = h V^-1 q_crit: flat rounding of chi, and relative rounding of l.
             const double rate = q_crit * s->bending_density(chi) / std::pow(s->root_v(l), 2);
             CHECK(std::fabs(s->radius_from_chi(chi) - l) < kRounding * (l + chi * rate));
         }
         CHECK(s->chi_from_radius(0.0) == doctest::Approx(kPi / 2).epsilon(kRounding));
         // h = (q_crit/V) V... : d chi/d l = -V/(q_crit h), by central differences.
         for (double l = -20.0; l <= 20.0; l += 0.37) {
+            if (std::fabs(l) <= mouth + 10 * kStep) continue;
             const double rate = slope([&](double x) { return s->chi_from_radius(x); }, l),
                          v = std::pow(s->root_v(l), 2);
             CHECK(std::fabs(s->bending_density(s->chi_from_radius(l)) * rate * q_crit / v + 1.0) <
