@@ -90,12 +90,25 @@ void Renderer::upload_tables() {
 }
 
 void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
+    if (block_effects_ != tables_.effects()) {
+        block_effects_ = tables_.effects();
+        block_members_ = block_members(*block_effects_);
+    }
     const FrameNumbers numbers = frame_numbers(scene, tables_.spacetime(), tables_.fan(), facts);
     std::array<float, 4 * kFrameVectors> block{};
     std::size_t next = 0;
-    for (const int member : block_members(tables_.effects()))
+    for (const int member : block_members_)
         for (std::size_t i = 0; i < 4; ++i) block[next++] = static_cast<float>(numbers[4 * static_cast<std::size_t>(member) + i]);
     gl::upload_uniforms(uniforms_, block.data(), sizeof(block));
+}
+
+Status Renderer::load_cube(const SkySpec& spec, int size, gl::Texture& texture) {
+    auto built = build_sky(spec, assets_directory(), size);
+    if (!built) return built.error();
+    const float* faces[6];
+    for (std::size_t i = 0; i < 6; ++i) faces[i] = built->faces[i].data.data();
+    texture = gl::make_cube_texture(size, faces);
+    return Done{};
 }
 
 Status Renderer::load_sky(const Scene& scene) {
@@ -107,11 +120,7 @@ Status Renderer::load_sky(const Scene& scene) {
     }
     const int size = sky_face_size(scene.camera, info_.max_cube_size);
     if (sky_spec_ == scene.sky && (sky_size_ == size || (keep_finer_sky_ && sky_size_ > size))) return Done{};
-    auto built = build_sky(scene.sky, assets_directory(), size);
-    if (!built) return built.error();
-    const float* faces[6];
-    for (std::size_t i = 0; i < 6; ++i) faces[i] = built->faces[i].data.data();
-    sky_ = gl::make_cube_texture(size, faces);
+    if (Status loaded = load_cube(scene.sky, size, sky_); !loaded) return loaded;
     sky_spec_ = scene.sky;
     sky_size_ = size;
     return Done{};
@@ -126,11 +135,7 @@ Status Renderer::load_far_sky(const Scene& scene) {
     // Of the near sky's size, for both share their level of detail; alone, of its own.
     if (sky_size_ == 0) sky_size_ = sky_face_size(scene.camera, info_.max_cube_size);
     if (far_sky_spec_ == scene.far_sky && far_sky_size_ == sky_size_) return Done{};
-    auto built = build_sky(scene.far_sky, assets_directory(), sky_size_);
-    if (!built) return built.error();
-    const float* faces[6];
-    for (std::size_t i = 0; i < 6; ++i) faces[i] = built->faces[i].data.data();
-    far_sky_ = gl::make_cube_texture(sky_size_, faces);
+    if (Status loaded = load_cube(scene.far_sky, sky_size_, far_sky_); !loaded) return loaded;
     far_sky_spec_ = scene.far_sky;
     far_sky_size_ = sky_size_;
     return Done{};
@@ -189,7 +194,6 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     const auto key = std::make_tuple(stage, output, tables_.effects(), method_, scene_.spacetime.metric, body_text_);
     const auto found = programs_.find(key);
     if (found != programs_.end()) return found->second;
-    const auto start = std::chrono::steady_clock::now();
     const ShaderSource source = shader_source(stage, tables_.effects(), output, method_, scene_.spacetime.metric, body_text_);
     gl::Program made = gl::make_program(source.vertex, source.fragment);
     gl::bind_uniform_block(made, "FrameBlock", kFrameBinding);
@@ -201,7 +205,6 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     gl::bind_sampler(made, "disc_texture", kDiscUnit);
     gl::bind_sampler(made, "table_texture", kTableUnit);
     for (int i = 0; i < kBodyCount; ++i) gl::bind_sampler(made, body_image_sampler(i), kBodyUnit + i);
-    compile_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return programs_.emplace(key, std::move(made)).first->second;
 }
 
@@ -309,12 +312,6 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
         if (const auto& picture = body_images_.pictures()[static_cast<std::size_t>(body)])
             lines.push_back({body_image_sampler(body), picture->width, picture->height, static_cast<std::size_t>(picture->width) * picture->height * 32 / 3});
     return lines;
-}
-
-std::size_t Renderer::texture_bytes() const {
-    std::size_t sum = 0;
-    for (const TextureLine& line : textures()) sum += line.bytes;
-    return sum;
 }
 
 }  // namespace nullscope

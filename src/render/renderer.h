@@ -54,8 +54,6 @@ public:
 
     const FrameTables& tables() const { return tables_; }
     double gpu_table_ms() const { return gpu_table_ms_; }             // time of the last table of method kTable
-    double compile_ms() const { return compile_ms_; }                 // sum over the programs built so far
-    std::size_t texture_bytes() const;                                // tables and pictures on the GPU
     const gl::Info& info() const { return info_; }
 
     struct TextureLine { std::string name; int width, height; std::size_t bytes; };
@@ -67,6 +65,7 @@ private:
     void upload_tables();
     void upload_block(const Scene& scene, const TextureFacts& facts);
     RayFrame draw_rays(const gl::Target& target);
+    static Status load_cube(const SkySpec& spec, int size, gl::Texture& texture);
     Status load_sky(const Scene& scene);
     Status load_far_sky(const Scene& scene);
     Status load_disc(const Scene& scene);
@@ -81,6 +80,8 @@ private:
     FrameTables tables_;
     Scene scene_;
     int rows_revision_ = -1;
+    std::optional<EffectSet> block_effects_;
+    std::vector<int> block_members_;   // of the uniform block with these effects
     gl::Texture strip_, ends_, orbit_map_, sky_, far_sky_, disc_, table_;
     BodyText body_text_;
     BodyImages body_images_;
@@ -93,7 +94,6 @@ private:
     bool keep_finer_sky_ = false;
     std::optional<std::string> disc_file_;
     int disc_width_ = 0, disc_height_ = 0;
-    double compile_ms_ = 0.0;
 };
 
 // What a metric can be traced by: some methods need a shader of its own (shaders/method/closed_form, shaders/spacetime).

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "reference/reference.h"
+#include "vector_condition.h"
 #include "vector_file.h"
 
 namespace {
@@ -15,28 +15,25 @@ using namespace nullscope;
 
 constexpr double kTolerance = 1e-11;  // times the condition number: what the project promises for its witness
 
-using Trace = std::function<Result<RayRecord>(double q, double zeta0, std::optional<double> at)>;
-using Output = std::function<double(const RayRecord&)>;
+using Trace = VectorTrace;
+using Output = VectorOutput;
 
-// Condition number of an output by one-sided differences of the traced function, as in test_reference_vectors.cpp. room: how far,
-// relatively, the critical ray and the turning point are, where outputs are singular.
-double condition(const Trace& trace, double q, double zeta0, double room, const Output& output,
-                 std::optional<double> at) {
-    const auto here = trace(q, zeta0, at);
-    const double y = output(*here), step = std::max(1e-5 * std::min(1.0, room), 1e-15);
-    double sum = 0;
-    for (int input = 0; input < (at ? 3 : 2); ++input) {
-        double worst = 0;
-        for (const double h : {step, -step}) {
-            const auto there = trace(q * (input == 0 ? 1 + h : 1), zeta0 * (input == 1 ? 1 + h : 1),
-                                     at ? std::optional(*at * (input == 2 ? 1 + h : 1)) : at);
-            if (!there || there->fate != here->fate) continue;
-            const double change = std::abs(output(*there) - y) / (step * std::abs(y));
-            if (std::isfinite(change)) worst = std::max(worst, change);
-        }
-        sum += worst;
+// A column of a row against what is traced from (q, zeta0); worst keeps the largest error over the condition number.
+void check_column(const VectorRow& row, const Trace& trace, double q, double zeta0, double room, const char* column,
+                  const Output& output, std::optional<double> at, double& worst) {
+    CAPTURE(std::string(column));
+    const double expected = number(row, column), found = output(*trace(q, zeta0, at));
+    CAPTURE(expected);
+    CAPTURE(found);
+    if (std::isnan(expected)) {
+        CHECK(std::isnan(found));
+        return;
     }
-    return std::max(1.0, sum);
+    const double kappa = condition_number(trace, q, zeta0, room, output, at);
+    CAPTURE(kappa);
+    const double error = std::abs(found - expected) / (std::abs(expected) * kappa);
+    worst = std::max(worst, error);
+    CHECK(error <= kTolerance);
 }
 
 TEST_CASE("the reference meets every row of the extremal Reissner-Nordstrom vectors") {
@@ -62,19 +59,7 @@ TEST_CASE("the reference meets every row of the extremal Reissner-Nordstrom vect
         inside += zeta0 >= 2;
         const double room = std::min(std::abs(q / 0.5 - 1), std::abs((q - v) * (q + v) / (q * q)));
         const auto check = [&](const char* column, const Output& output, std::optional<double> at) {
-            CAPTURE(std::string(column));
-            const double expected = number(row, column), found = output(*trace(q, zeta0, at));
-            CAPTURE(expected);
-            CAPTURE(found);
-            if (std::isnan(expected)) {
-                CHECK(std::isnan(found));
-                return;
-            }
-            const double kappa = condition(trace, q, zeta0, room, output, at);
-            CAPTURE(kappa);
-            const double error = std::abs(found - expected) / (std::abs(expected) * kappa);
-            worst = std::max(worst, error);
-            CHECK(error <= kTolerance);
+            check_column(row, trace, q, zeta0, room, column, output, at, worst);
         };
         check("phi", [](const RayRecord& r) { return r.angle; }, {});
         check("T", [](const RayRecord& r) { return r.delay; }, {});
@@ -116,19 +101,7 @@ TEST_CASE("the reference meets every row of the Ellis vectors") {
         ++rows;
         const double room = std::min(std::abs(h - 1), std::abs(1 - h * h / (l0 * l0 + 1)));
         const auto check = [&](const char* column, const Output& output, std::optional<double> at) {
-            CAPTURE(std::string(column));
-            const double expected = number(row, column), found = output(*trace(1 / h, l0, at));
-            CAPTURE(expected);
-            CAPTURE(found);
-            if (std::isnan(expected)) {
-                CHECK(std::isnan(found));
-                return;
-            }
-            const double kappa = condition(trace, 1 / h, l0, room, output, at);
-            CAPTURE(kappa);
-            const double error = std::abs(found - expected) / (std::abs(expected) * kappa);
-            worst = std::max(worst, error);
-            CHECK(error <= kTolerance);
+            check_column(row, trace, 1 / h, l0, room, column, output, at, worst);
         };
         check("phi", [](const RayRecord& r) { return r.angle; }, {});
         check("T", [](const RayRecord& r) { return r.delay; }, {});
