@@ -5,6 +5,9 @@ Sweep sweep_to_sky(StripRay ray, float s, float c) {
 #ifdef EFFECT_INNER
     row += ray.escapes ? 0 : int(frame.strip.w);
 #endif
+#ifdef EFFECT_BOUNCE
+    row += ray.by_centre ? int(frame.series.z - frame.strip.w) : 0;
+#endif
     vec4 line = strip_fetch(octave.cell & (STRIP_CELLS_PER_OCTAVE - 1), row);
     float f_slope = float(STRIP_CELLS_PER_OCTAVE) / octave.start * ray.slope;
     Sweep sweep;

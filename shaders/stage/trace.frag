@@ -59,7 +59,11 @@ void main() {
 #endif
 #else
 #ifdef EFFECT_SKY
+#ifdef EFFECT_BOUNCE
+    if (through > 0.002) light += through * celestial_sphere(trace, sky_level(trace));
+#else
     if (trace.escapes && through > 0.002) light += through * celestial_sphere(trace, sky_level(trace));
+#endif
 #endif
 #endif
 #ifdef EFFECT_STAR

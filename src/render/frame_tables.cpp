@@ -86,6 +86,7 @@ Fate inner_fate(InnerEnd end) {
     switch (end) {
         case InnerEnd::kOtherSky: return Fate::kOtherSide;
         case InnerEnd::kSurface: return Fate::kHit;
+        case InnerEnd::kSameSky: return Fate::kEscaped;
         case InnerEnd::kHorizon: break;
     }
     return Fate::kCaptured;
@@ -127,7 +128,7 @@ Status FrameTables::update(const Scene& scene) {
     strip_ = {};
     orbit_map_ = {};
     ++revision_;
-    if (table_ == nullptr) return Done{};
+    if (!spacetime_->bends_light()) return Done{};
     const auto start = std::chrono::steady_clock::now();
     fan_ = fan_for(scene);
     strip_ = build_strip(*fan_);
@@ -174,9 +175,11 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     if (fan != nullptr) block.put(critical_cosine, critical_sine, 1.0 / fan->w0(), fan->octaves(Segment::kSky));
     else block.put(0, 0, 0, 0);
     if (fan != nullptr) {
-        const auto& series = fan->table().series();
+        const auto series = fan->has_table() ? fan->table().series() : DeflectionTable::Series{};
+        const int captured = fan->octaves(Segment::kSky) + fan->octaves(Segment::kCaptured);
+        const bool back = spacetime.inner_end() == InnerEnd::kSameSky;
         block.put(std::sin(fan->critical_angle()), std::cos(fan->chi0()), series.a0, series.a1);
-        block.put(series.a2, fan->chi0(), 0, 0);
+        block.put(series.a2, fan->chi0(), back ? captured : 0, back ? std::tan(0.25 * fan->critical_angle()) : 0);
     } else {
         block.put(0, 0, 0, 0);
         block.put(0, 0, 0, 0);

@@ -10,6 +10,7 @@
 #define BLOCK_SURFACE
 #define BLOCK_MARCH
 #define EFFECT_INNER
+#define EFFECT_BOUNCE
 #define EFFECT_STAR
 namespace lensed {
 #define EFFECT_DISC

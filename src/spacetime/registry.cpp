@@ -6,6 +6,7 @@
 #include "spacetime/dneg_wormhole.h"
 #include "spacetime/ellis.h"
 #include "spacetime/minkowski.h"
+#include "spacetime/naked_charge.h"
 #include "spacetime/neutron_star.h"
 #include "spacetime/reissner_nordstrom.h"
 #include "spacetime/schwarzschild.h"
@@ -47,8 +48,8 @@ std::span<const MetricEntry> metric_registry() {
     static const std::vector<MetricEntry> entries = {
         {"schwarzschild", "A black hole without spin or charge.", {}, make_schwarzschild},
         {"reissner-nordstrom",
-         "A black hole with electric charge.",
-         {{"charge", 0.5, 0.0, 1.0, "Charge Q/M: 0 is Schwarzschild, 1 the extremal hole."}},
+         "A black hole with electric charge, or the naked charge that is left above Q/M = 1.",
+         {{"charge", 0.5, 0.0, NakedCharge::kMost, "Charge Q/M: 0 is Schwarzschild, 1 the extremal hole; above there is no horizon, and above 1.06066 no photon sphere."}},
          make_reissner_nordstrom},
         {"neutron-star",
          "A star without spin or charge, with a patterned surface.",

@@ -21,7 +21,15 @@ struct PhotonSphere {
 };
 
 // Where light ends that passes the photon sphere inward.
-enum class InnerEnd { kHorizon, kOtherSky, kSurface };
+// kSameSky: it does not end there, but turns and comes back to the sky (Wall).
+enum class InnerEnd { kHorizon, kOtherSky, kSurface, kSameSky };
+
+// V where it grows without bound inward and every ray turns (metrics with R = r, V a quartic): about zeta_d, where rays divide, V = v +
+// x (c[0] + x (c[1] + x (c[2] + x c[3]))), x = zeta - zeta_d. c[0] = 0: a photon sphere, the only one that cameras stand outside of.
+struct Wall {
+    double zeta, v;
+    std::array<double, 4> c;
+};
 
 // Radii at which a camera can be at rest: low < r < high.
 inline constexpr double kAnyRadius = 1e300;
@@ -42,7 +50,8 @@ public:
     virtual RadiusRange camera_range() const { return {horizon_radius().value_or(0.0), kAnyRadius}; }
     // Outer horizon's radius; nothing if there is none.
     virtual std::optional<double> horizon_radius() const = 0;
-    virtual std::optional<PhotonSphere> photon_sphere() const = 0;  // nothing: light runs straight (see bends_light)
+    virtual std::optional<PhotonSphere> photon_sphere() const = 0;  // the one that defines chi; nothing: light runs straight, or wall()
+    virtual std::optional<Wall> wall() const { return std::nullopt; }
     virtual bool bends_light() const = 0;
     virtual InnerEnd inner_end() const { return InnerEnd::kHorizon; }
     virtual std::optional<double> surface_radius() const { return std::nullopt; }  // of a star; kSurface

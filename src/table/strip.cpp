@@ -36,12 +36,14 @@ struct Cell {
     Cubic cos_phi, ratio, end;
 };
 
-Cell coarse_cell(const RayFan& fan, Segment segment, int cell) {
+// by_centre: of captured rays by their angle from the inward radial, instead of that from the critical direction.
+Cell coarse_cell(const RayFan& fan, Segment segment, bool by_centre, int cell) {
     const double u_octave = std::exp2(cell / kCoarse);
     std::array<double, 4> cos_phi{}, ratio{}, end{};
     for (int i = 0; i < 4; ++i) {
         const double u = u_octave * (1.0 + (cell % kCoarse + kNodes[i]) / kCoarse);
-        const FanRay ray = fan.ray(segment, fan.mirrored(segment, fan.delta_at(u)));
+        const double delta = by_centre ? std::max(fan.critical_angle() - fan.delta_at(u), 0.0) : fan.mirrored(segment, fan.delta_at(u));
+        const FanRay ray = fan.ray(segment, delta);
         cos_phi[i] = std::cos(ray.phi_end);
         ratio[i] = std::sin(ray.phi_end) / ray.sin_beta;
         end[i] = ray.phi_end / ray.sin_beta;
@@ -64,22 +66,23 @@ Strip build_strip(const RayFan& fan) {
     constexpr int kPerCoarse = kFine / kCoarse;
     Strip strip;
     const bool inner = fan.spacetime().inner_end() != InnerEnd::kHorizon;   // something to see there
-    strip.sky = {kFine, (sky_cells + (inner ? captured_cells : 0)) / kCoarse, {}};
+    const bool back = fan.spacetime().inner_end() == InnerEnd::kSameSky;
+    strip.sky = {kFine, (sky_cells + (inner ? captured_cells : 0) + (back ? captured_cells : 0)) / kCoarse, {}};
     strip.sky.texels.assign(static_cast<std::size_t>(strip.sky.width) * strip.sky.height * 4, 0.0f);
-    strip.ends = {std::max(sky_cells, captured_cells), inner ? 6 : 4, {}};
+    strip.ends = {std::max(sky_cells, captured_cells), back ? 9 : inner ? 6 : 4, {}};
     strip.ends.texels.assign(static_cast<std::size_t>(strip.ends.width) * strip.ends.height * 4, 0.0f);
-    tbb::parallel_for(0, sky_cells + captured_cells, [&](int i) {
-        const bool sky = i < sky_cells;
-        const int at = sky ? i : i - sky_cells;
-        const Cell cell = coarse_cell(fan, sky ? Segment::kSky : Segment::kCaptured, at);
+    tbb::parallel_for(0, sky_cells + captured_cells * (back ? 2 : 1), [&](int i) {
+        const bool sky = i < sky_cells, centre = i >= sky_cells + captured_cells;
+        const int at = sky ? i : centre ? i - sky_cells - captured_cells : i - sky_cells;
+        const Cell cell = coarse_cell(fan, sky ? Segment::kSky : Segment::kCaptured, centre, at);
         const auto put = [&](int row, const Cubic& cubic) {   // ENDS_ROW_...
             float* out = strip.ends.texels.data() + 4 * (static_cast<std::size_t>(row) * strip.ends.width + at);
             std::transform(cubic.begin(), cubic.end(), out, [](double c) { return static_cast<float>(c); });
         };
-        put(sky ? 0 : 1, cell.end);
+        put(sky ? 0 : centre ? 6 : 1, cell.end);
         if (!sky && !inner) return;
-        put(sky ? 2 : 4, cell.cos_phi);
-        put(sky ? 3 : 5, cell.ratio);
+        put(sky ? 2 : centre ? 7 : 4, cell.cos_phi);
+        put(sky ? 3 : centre ? 8 : 5, cell.ratio);
         float* out = strip.sky.texels.data() + static_cast<std::size_t>(4) * kPerCoarse * i;
         for (int j = 0; j < kPerCoarse; ++j, out += 4) {
             const double a = static_cast<double>(j) / kPerCoarse, b = static_cast<double>(j + 1) / kPerCoarse;

@@ -25,6 +25,7 @@ WORDS = {
     "sky": [r"sky_texture", r"celestial\w*"],
     "inner": [r"frame\.strip\.w"],
     "far-sky": [r"other_side\w*"],
+    "bounce": [r"by_centre"],
     "star": [r"star_\w*"],
 }
 SCENES = {
@@ -48,6 +49,7 @@ SCENES = {
                   '[cylinder]\ntexture = "noise"\n[ball]\ntexture = "formula"\nformula = "u"\n',
     "inner": '[spacetime]\nmetric = "ellis"\n[sky]\nkind = "black"\n[far_sky]\nkind = "black"\n',
     "far sky": '[spacetime]\nmetric = "ellis"\n[sky]\nkind = "black"\n',
+    "bounce": '[spacetime]\nmetric = "reissner-nordstrom"\ncharge = 1.2\n[sky]\nkind = "black"\n',
     "star": '[spacetime]\nmetric = "neutron-star"\n',
 }
 

@@ -134,18 +134,7 @@ TEST_CASE("the reference meets every row of the vectors of James, von Tunzelmann
         CHECK(record->fate == (number(row, "end") > 0 ? Fate::kEscaped : Fate::kOtherSide));
         ++rows;
         const auto check = [&](const char* column, const Output& output) {
-            CAPTURE(std::string(column));
-            const double expected = number(row, column), found = output(*record);
-            CAPTURE(expected);
-            CAPTURE(found);
-            if (std::isnan(expected)) {
-                CHECK(std::isnan(found));
-                return;
-            }
-            const double kappa = condition(trace, 1 / h, l0, std::abs(h - 1), output, {});
-            const double error = std::abs(found - expected) / (std::abs(expected) * kappa);
-            worst = std::max(worst, error);
-            CHECK(error <= kTolerance);
+            check_column(row, trace, 1 / h, l0, std::abs(h - 1), column, output, {}, worst);
         };
         check("phi", [](const RayRecord& r) { return r.angle; });
         check("T", [](const RayRecord& r) { return r.delay; });

@@ -67,7 +67,7 @@ const Broken kBroken[] = {
     {"[camera]\nr = -3", 2, "camera.r", "allowed: r > 1"},
     {"[camera]\nr = -2e9", 2, "camera.r", "-2000000000 is out of range; allowed: [-1000000000, 1000000000]"},
     {"[spacetime]\nmetric = \"minkowski\"\n[camera]\nr = -3", 4, "camera.r", "a static camera cannot be at -3; allowed: r > 0"},
-    {"[spacetime]\nmetric = \"reissner-nordstrom\"\ncharge = -0.1", 3, "spacetime.charge", "allowed: [0, 1]"},
+    {"[spacetime]\nmetric = \"reissner-nordstrom\"\ncharge = -0.1", 3, "spacetime.charge", "allowed: [0, 3]"},
     {"[far_sky]\nkind = \"image\"", 2, "far_sky.image", "missing, but kind is image"},
     {"[camera]\nr = nan", 2, "camera.r", "must be finite"},
     {"[camera]\nr = -inf", 2, "camera.r", "must be finite"},

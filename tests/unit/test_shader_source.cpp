@@ -53,6 +53,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kBodyImage, {"_image(", "textureSize"}},
     {Effect::kSky, {"celestial_sphere(", "sky_texture", "vec4 sky;"}},
     {Effect::kInner, {"frame.strip.w"}},
+    {Effect::kBounce, {"by_centre"}},
     {Effect::kFarSky, {"other_side", "other_side_texture"}},
     {Effect::kStar, {"star_surface", "star_square"}},
 };
