@@ -9,6 +9,9 @@ struct DiscCrossing {
     float phi;        // swept angle
     vec2 along;       // footprint of one pixel on the disc in (x, y), r_s: image of its side along the ray's plane
     vec2 across;      // ... and of the side across it
+#ifdef EFFECT_THERMAL_DISC
+    float zeta_slope; // d zeta / d phi along the ray
+#endif
 };
 
 // The first crossing of the plane; crossing k lies k half turns further and on alternating sides.
@@ -45,6 +48,9 @@ DiscCrossing disc_cross(Trace trace, PlaneMeeting meeting, int number, float mar
     float r = 1.0 / zeta;
     float r_along = -point.along * r * r;
     float r_across = -point.across * r * r;
+#ifdef EFFECT_THERMAL_DISC
+    crossing.zeta_slope = point.along;
+#endif
 #else
     float zeta0 = frame.shift.y;
     float sin_rest = sin(max(trace.phi_end - crossing.phi, 0.0));
@@ -52,6 +58,9 @@ DiscCrossing disc_cross(Trace trace, PlaneMeeting meeting, int number, float mar
     float r = 1.0 / zeta;
     float r_along = r * cos(trace.phi_end - crossing.phi) / max(sin_rest, 1.0e-6);
     float r_across = -r * r * zeta0 * sin(crossing.phi) / max(trace.s * trace.s, 1.0e-12);
+#ifdef EFFECT_THERMAL_DISC
+    crossing.zeta_slope = -r_along * zeta * zeta;
+#endif
 #endif
     // Moving the pixel by d(chi) about the radial axis: the crossing moves along the ray and round the disc by
     // d phi_1 = height hN / rho^2, d lambda = height / rho^2 with hN = orbital normal . disc normal, rho^2 = 1 - hN^2.

@@ -1,15 +1,16 @@
 // The disc's look: its image, filtered by the footprint, and how much of the pixel it covers.
 
+#ifdef EFFECT_DISC_IMAGE
 vec4 disc_texel(vec2 place, float level) {
     vec2 turned = vec2(frame.disc_map.x * place.x + frame.disc_map.y * place.y,
                        frame.disc_map.x * place.y - frame.disc_map.y * place.x);
     return textureLod(disc_texture, vec2(0.5 + turned.x, 0.5 - turned.y), level);
 }
+#endif
 
-// Premultiplied colour and coverage.
-vec4 disc_colour(DiscCrossing crossing) {
-    vec2 a = crossing.along;
-    vec2 b = crossing.across;
+#ifdef EFFECT_DISC_IMAGE
+// The image, filtered by the footprint's sides a and b.
+vec4 disc_filtered(vec2 middle, vec2 a, vec2 b) {
     float texels = frame.disc_map.z;
     float aa = dot(a, a);
     float bb = dot(b, b);
@@ -21,14 +22,26 @@ vec4 disc_colour(DiscCrossing crossing) {
     float side2 = two ? max(0.25 * longer2, area) : longer2;
     float level = footprint_level(0.5 * log2(max(side2, 1.0e-12)), frame.disc_map.w);
     vec2 step = two ? 0.5 * wide : vec2(0.0);
-    vec2 place = crossing.place - 0.5 * step;
+    vec2 place = middle - 0.5 * step;
     vec4 texel = vec4(0.0);
     int left = two ? 2 : 1;
     do {   // tested at the end: software rasterisers run a loop's body once more than a test at its head lets through
         texel += disc_texel(place, level);
         place += step;
     } while (--left > 0);
-    texel *= two ? 0.5 : 1.0;
+    return texel * (two ? 0.5 : 1.0);
+}
+#endif
+
+// Premultiplied colour and coverage.
+vec4 disc_colour(Trace trace, DiscCrossing crossing) {
+    vec2 a = crossing.along;
+    vec2 b = crossing.across;
+#ifdef EFFECT_DISC_IMAGE
+    vec4 texel = disc_filtered(crossing.place, a, b);
+#else
+    vec4 texel = vec4(1.0);
+#endif
     float inner = frame.disc_x.w;
     float outer = frame.disc_y.w;
     vec2 outward = crossing.place / crossing.r;
@@ -41,5 +54,9 @@ vec4 disc_colour(DiscCrossing crossing) {
     float t = clamp(depth / max(fade, 1.0e-6), 0.0, 1.0);
     alpha *= frame.disc_look.x * (fade > 0.0 ? t * t * (3.0 - 2.0 * t) : 1.0);
 #endif
-    return vec4(texel.rgb * frame.disc_look.z, 1.0) * alpha;
+    vec3 light = texel.rgb * frame.disc_look.z;
+#ifdef EFFECT_THERMAL_DISC
+    light *= thermal_light(disc_flow(trace, crossing));
+#endif
+    return vec4(light, 1.0) * alpha;
 }

@@ -32,6 +32,9 @@ struct FrameData {
     vec4 disc_look;    // opacity, rim fade (fraction of the width, 0 = none), brightness, 0
     vec4 critical;     // images of the disc next to the critical direction: C of its rims, log2(e)/a, first angle
 #endif
+#ifdef BLOCK_THERMAL_DISC
+    vec4 disc_heat;    // 1/inner, flow cells per unit of ln r, log2 of the hottest ring's temperature (K) and of its luminance
+#endif
     // A body's form, then its look: _map cosine and sine of the rotation, columns, rows; _colour the first colour, limb;
     // _second the second colour, latitude of the band.
 #ifdef BLOCK_SPHERE

@@ -31,7 +31,7 @@ void main() {
             body = vec4(0.0);
         }
 #endif
-        vec4 over = disc_colour(crossing);
+        vec4 over = disc_colour(trace, crossing);
 #ifdef EFFECT_LENSING
         over *= ring.thin ? ring.covered : 1.0;
 #endif

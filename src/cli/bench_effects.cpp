@@ -38,6 +38,18 @@ const std::vector<Added>& additions() {
         s.spacetime.metric = "ellis";
         s.far_sky.kind = SkyKind::kBlack;
     };
+    const auto glowing = [](bool shift, bool beaming) {
+        return [=](Scene& s) {
+            s.spacetime.metric = "schwarzschild";
+            s.disc.emplace().emission = DiscEmission::kThermal;
+            s.light = {shift, beaming};
+        };
+    };
+    const auto image_of_ours = [](Scene& s) { s.disc->image = assets_directory() / "images" / "accretion-disc.png"; };
+    const auto bare_disc = [](Scene& s) {
+        s.spacetime.metric = "schwarzschild";
+        s.disc.emplace();
+    };
     static const std::vector<Added> all = {
         {Effect::kLensing, nothing, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }},
         {Effect::kAberration, nothing,
@@ -46,6 +58,10 @@ const std::vector<Added>& additions() {
          }},
         {Effect::kDisc, nothing, [](Scene& s) { s.disc.emplace(); }},
         {Effect::kTranslucentDisc, [](Scene& s) { s.disc.emplace(); }, [](Scene& s) { s.disc->opacity = 0.5; }},
+        {Effect::kDiscImage, glowing(false, false), image_of_ours},
+        {Effect::kThermalDisc, bare_disc, glowing(false, false)},
+        {Effect::kShift, glowing(false, false), glowing(true, false)},
+        {Effect::kBeaming, glowing(false, false), glowing(false, true)},
         {Effect::kSphere, nothing, sphere},
         {Effect::kCylinder, nothing, [](Scene& s) { s.cylinder.emplace(); }},
         {Effect::kBall, nothing, [](Scene& s) { s.ball.emplace(); }},

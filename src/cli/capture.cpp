@@ -58,7 +58,7 @@ Result<Captured> capture_reference(const Scene& scene, const Options& options, b
         far_sky = std::move(*built);
     }
     std::optional<Image<float>> disc;
-    if (scene.disc) {
+    if (effect_set(required_effects(scene)).contains(Effect::kDiscImage)) {
         auto image = load_disc_image(*scene.disc);
         if (!image) return image.error();
         disc = std::move(*image);

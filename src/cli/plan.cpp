@@ -9,6 +9,7 @@
 #include "cli/json.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
+#include "table/disc_light.h"
 
 namespace nullscope::cli {
 namespace {
@@ -62,7 +63,11 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Li
         lines.push_back({"sky", 6, size, size, 32 * size * size, "GPU",
                          "camera.fov and camera.size: a texel a pixel"});  // 4 B, mip levels
     }
-    if (scene.disc) {
+    if (effects.contains(Effect::kThermalDisc)) {
+        lines.push_back({"disc flow", 1, kDiscFlowCells + 1, 1, 16 * (kDiscFlowCells + 1), "GPU", "disc.emission"});
+        lines.push_back({"black body", 1, kBlackBodyCells + 1, 1, 16 * (kBlackBodyCells + 1), "GPU", "disc.emission"});
+    }
+    if (effects.contains(Effect::kDiscImage)) {
         const auto image = load_disc_image(*scene.disc);
         if (!image) return image.error();
         const long long w = image->width, h = image->height;

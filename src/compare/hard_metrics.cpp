@@ -83,7 +83,7 @@ void extremes(std::vector<HardCase>& list, const Place& p) {
         for (const auto& [look, yaw] : kLooks) {
             if (p.least > 0)
                 add(list, p,
-                    fmt::format("1e-{} above the {}, {}", k, p.metric == "neutron-star" ? "surface" : "horizon", look),
+                    fmt::format("1e-{} above the {}, {}", k, p.metric == "neutron-star" ? "surface" : p.parameters.contains("charge") && p.parameters.at("charge") > 1 ? "innermost camera" : "horizon", look),
                     "the sky closes to a cone, or the surface fills half of it",
                     frame_of(p, p.least * (1 + std::pow(10.0, -k)), yaw, 100 * kDegree));
             else
@@ -120,6 +120,9 @@ std::vector<HardCase> hard_metric_cases() {
          0.5 * (1 + s),
          true},
         {"reissner-nordstrom", "extremal hole", {{"charge", 1.0}}, 1.0, 0.5, true},
+        {"reissner-nordstrom", "charge just naked", {{"charge", 1.001}}, 0.25 * (3 + std::sqrt(1 - 8 * 0.002001)), 0.25 * (3 + std::sqrt(1 - 8 * 0.002001)), false},
+        {"reissner-nordstrom", "charge where photon spheres merge", {{"charge", std::sqrt(1.125)}}, 0.75, 0.75 * (1 + 1e-12), false},
+        {"reissner-nordstrom", "naked charge of 1.2", {{"charge", 1.2}}, 0.96, 0.1, false},
         {"neutron-star", "star of 1.2 r_s", {{"radius", 1.2}}, 1.5, 1.2 * kStandoff, false},
         {"neutron-star", "star of 2.5 r_s", {{"radius", 2.5}}, 2.5, 2.5 * kStandoff, false},
         {"ellis", "Ellis throat", {}, 0.0, -1e300, false},

@@ -1,5 +1,6 @@
 #include "reference/frame_tracer.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -80,8 +81,11 @@ CameraRay FrameTracer::ray(double x, double y) const {
                       frequency = std::sqrt(p[1] * p[1] + across * across);
     const LocalRay local{camera_.r, static_cast<double>(-p[1] / frequency), static_cast<double>(across / frequency)};
     const Vec3 direction{local.n_r, static_cast<double>(-p[2] / frequency), static_cast<double>(-p[3] / frequency)};
+    // The photon moves along p: L_phi = r p^phi in the static tetrad, L_z = L_phi sin(theta), all over E = frequency lapse.
+    const double scale = camera_.r / (static_cast<double>(frequency) * lapse_);
+    const double l_phi = scale * static_cast<double>(p[3]), l = scale * static_cast<double>(across);
     return {metric_->from_static(local), RayPlane(camera_.theta, camera_.phi, direction),
-            1 / (static_cast<double>(frequency) * lapse_)};
+            1 / (static_cast<double>(frequency) * lapse_), l_phi * std::sin(camera_.theta), l * l};
 }
 
 std::vector<DiscHit> FrameTracer::disc_hits(const CameraRay& ray, int max_hits) const {
@@ -93,7 +97,9 @@ std::vector<DiscHit> FrameTracer::disc_hits(const CameraRay& ray, int max_hits) 
         const double r = 1 / ray.orbit->zeta_at(angle);
         if (!(r >= disc_->inner && r <= disc_->outer)) continue;
         const double phi = ray.plane.azimuth(angle);
-        hits.push_back({angle, r * std::cos(phi), r * std::sin(phi)});
+        // Traced inward is really moving outward.
+        const double before = ray.orbit->zeta_at(angle * (1 - 1e-6));
+        hits.push_back({angle, r * std::cos(phi), r * std::sin(phi), 1 / r > before});
     }
     return hits;
 }
@@ -138,7 +144,7 @@ RayPixel FrameTracer::pixel(double x, double y) const {
         pixel.sky = traced.plane.direction(pixel.angle);
         pixel.delay = finite_or_zero(traced.orbit->delay());
     }
-    pixel.order = static_cast<int>(std::floor(pixel.angle / M_PI));
+    pixel.order = static_cast<int>(std::min(std::floor(pixel.angle / M_PI), 1e9));  // in a wormhole's tube rays wind without end
     return pixel;
 }
 

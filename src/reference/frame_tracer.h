@@ -21,11 +21,13 @@ struct CameraRay {
     std::unique_ptr<Orbit> orbit;
     RayPlane plane;
     double g;  // camera frequency over frequency at infinity
+    double l_z, l2;  // the photon's angular momentum about the polar axis over its energy, r_s; and all of it, squared
 };
 
 // A place where a ray meets the equatorial plane, in world axes: x = r cos(phi), y = r sin(phi), lengths in r_s.
 struct DiscHit {
     double angle, x, y;
+    bool outward;  // whether the photon really moves outward there
 };
 
 class FrameTracer {
@@ -39,6 +41,7 @@ public:
     // The first solid body that the ray meets.
     std::optional<BodyHit> body_hit(const CameraRay& ray) const;
     RayPixel pixel(double x, double y) const;
+    const OrbitMetric& metric() const { return *metric_; }
 
 private:
     FrameTracer() = default;

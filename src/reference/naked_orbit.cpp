@@ -99,13 +99,17 @@ private:
     double inward_delay() const {
         const auto weight = [this](Long z) { return static_cast<double>(start_.q / (z * z * (1 - z + m_.kappa * z * z))); };
         const auto near = [&](double w) { return rate(w) * weight(zeta(w)); };
+        // A has its zeros close to the path where the charge is nearly 1, or e large: panels as long as they are far.
+        const std::complex<Long> zero(1 / (2 * m_.kappa), std::sqrt(std::max(4 * m_.kappa - 1, Long(0))) / (2 * m_.kappa));
+        const std::complex<Long> there = std::asinh((std::sqrt(e_ - zero) - sigma_) / Long(mu_));
+        const double panel = std::clamp(std::abs(static_cast<double>(there.imag())), kPanel / 1024, kPanel);
         const Long split = std::min(e_, m_.sphere) / 2;
-        if (start_.zeta0 >= split) return integrate_panels(near, zero_, camera_);
+        if (start_.zeta0 >= split) return integrate_panels(near, zero_, camera_, panel);
         const auto far = [&](double y) {
             const double z = std::exp(y);
             return z * weight(z) * sky_rate(z);
         };
-        return integrate_panels(near, zero_, w_of(std::sqrt(e_ - split))) +
+        return integrate_panels(near, zero_, w_of(std::sqrt(e_ - split)), panel) +
                integrate_panels(far, static_cast<double>(std::log(start_.zeta0)), static_cast<double>(std::log(split)));
     }
     // P as seen from the turning point, and from the photon sphere next to it.

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "reference/disc_light.h"
 #include "reference/frame_tracer.h"
 #include "reference/reference.h"
 
@@ -66,25 +68,37 @@ Vec3 star_colour(Vec3 place) {
 // More hits than this add nothing: images beyond it are thinner than e^-200 of the disc.
 constexpr int kMostHits = 64;
 
-Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const SkyCube& sky, const SkyCube* far_sky, const Pictures& pictures,
-                double x, double y) {
+// What there is to see. far_sky, heat: where the scene has one.
+struct Looks {
+    const SkyCube& sky;
+    const SkyCube* far_sky;
+    const Pictures& pictures;
+    const DiscLight* heat;
+};
+
+Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& looks, double x, double y) {
     const CameraRay ray = tracer.ray(x, y);
     Vec3 colour{0, 0, 0};
     double through = 1;
     const std::optional<BodyHit> body = tracer.body_hit(ray);
     for (const DiscHit& hit : tracer.disc_hits(ray, kMostHits)) {
         if (body && body->angle < hit.angle) break;
-        const Paint paint = disc_paint(*scene.disc, pictures.disc, hit.x, hit.y);
+        Paint paint = disc_paint(*scene.disc, looks.pictures.disc, hit.x, hit.y);
+        if (looks.heat != nullptr) {
+            const double r = std::hypot(hit.x, hit.y);
+            const Vec3 light = looks.heat->colour(r, ray.g * looks.heat->g_infinity({r, ray.l_z, hit.outward, ray.l2}));
+            paint.colour = {paint.colour.x * light.x, paint.colour.y * light.y, paint.colour.z * light.z};
+        }
         colour = colour + through * paint.alpha * paint.colour;
         through *= 1 - paint.alpha;
     }
-    if (body) return colour + through * body_light(scene, *body, pictures.of(body->object));
+    if (body) return colour + through * body_light(scene, *body, looks.pictures.of(body->object));
     if (ray.orbit->fate() == Fate::kEscaped && through > 0) {
-        colour = colour + through * sample_sky(sky, ray.plane.direction(ray.orbit->angle()));
+        colour = colour + through * sample_sky(looks.sky, ray.plane.direction(ray.orbit->angle()));
     }
     if (ray.orbit->fate() == Fate::kHit) colour = colour + through * star_colour(ray.plane.direction(ray.orbit->angle()));
-    if (ray.orbit->fate() == Fate::kOtherSide && far_sky != nullptr)
-        colour = colour + through * sample_sky(*far_sky, ray.plane.direction(ray.orbit->angle()));
+    if (ray.orbit->fate() == Fate::kOtherSide && looks.far_sky != nullptr)
+        colour = colour + through * sample_sky(*looks.far_sky, ray.plane.direction(ray.orbit->angle()));
     return colour;
 }
 
@@ -98,6 +112,9 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
     }
     auto tracer = FrameTracer::make(scene);
     if (!tracer) return tracer.error();
+    std::optional<DiscLight> heat;
+    if (scene.disc && scene.disc->emission == DiscEmission::kThermal) heat.emplace(tracer->metric(), *scene.disc, scene.light);
+    const Looks looks{sky, far_sky, pictures, heat ? &*heat : nullptr};
     Image<float> image(scene.camera.width, scene.camera.height, 3);
     tbb::parallel_for(tbb::blocked_range<int>(0, image.height), [&](const tbb::blocked_range<int>& rows) {
         for (int y = rows.begin(); y < rows.end(); ++y) {
@@ -105,7 +122,7 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
                 Vec3 sum{0, 0, 0};
                 for (int i = 0; i < samples * samples; ++i) {
                     const double dx = (i % samples + 0.5) / samples, dy = (i / samples + 0.5) / samples;
-                    sum = sum + ray_colour(*tracer, scene, sky, far_sky, pictures, x + dx, y + dy);
+                    sum = sum + ray_colour(*tracer, scene, looks, x + dx, y + dy);
                 }
                 sum = sum / (static_cast<double>(samples) * samples);
                 float* pixel = image.at(x, y);

@@ -9,6 +9,7 @@
 #include "camera/pose.h"
 #include "scene/pixel_angle.h"
 #include "table/critical_images.h"
+#include "table/disc_light.h"
 #include "table/orbit_map.h"
 
 namespace nullscope {
@@ -200,6 +201,10 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(disc.opacity, disc.edge, disc.brightness, 0);
     const CriticalImages images = fan != nullptr && scene.disc ? critical_images(*fan, disc.inner, disc.outer) : CriticalImages{};
     block.put(images.inner, images.outer, images.per_angle * M_LOG2E, images.from_angle);
+    if (disc.emission == DiscEmission::kThermal)
+        block.put(1.0 / disc.inner, kDiscFlowCells / std::log(disc.outer / disc.inner), std::log2(disc.temperature_K),
+                  log2_luminance(disc.temperature_K));
+    else block.put(0, 0, 0, 0);
     put_bodies(block, scene, spacetime);
     return block.numbers();
 }

@@ -10,13 +10,15 @@
 #include "base/assets.h"
 #include "base/image_file.h"
 #include "sky/sky.h"
+#include "table/disc_light.h"
 #include "table/table_grid.h"
 
 namespace nullscope {
 namespace {
 
 constexpr unsigned kFrameBinding = 0;
-enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5, kFarSkyUnit = 6, kBodyUnit = 7 };
+enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5, kFarSkyUnit = 6, kBodyUnit = 7,
+            kDiscFlowUnit = kBodyUnit + kBodyCount, kBlackBodyUnit };
 
 template <class T>
 Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
@@ -71,6 +73,7 @@ Status Renderer::prepare(const Scene& scene) {
     if (Status status = load_disc(scene); !status) return status;
     if (Status status = load_bodies(scene); !status) return status;
     if (Status status = load_table(scene); !status) return status;
+    load_heat(scene);
     scene_ = scene;
     upload_tables();
     upload_block(scene, {sky_size_, disc_width_});
@@ -142,7 +145,7 @@ Status Renderer::load_far_sky(const Scene& scene) {
 }
 
 Status Renderer::load_disc(const Scene& scene) {
-    if (!scene.disc) {
+    if (!tables_.effects().contains(Effect::kDiscImage)) {
         disc_ = {};
         disc_file_.reset();
         disc_width_ = disc_height_ = 0;
@@ -165,6 +168,24 @@ Status Renderer::load_disc(const Scene& scene) {
 Status Renderer::load_bodies(const Scene& scene) {
     body_text_ = body_text(scene);
     return body_images_.update(scene, info_.max_texture_size);
+}
+
+void Renderer::load_heat(const Scene& scene) {
+    if (!tables_.effects().contains(Effect::kThermalDisc)) {
+        disc_flow_ = {};
+        black_body_ = {};
+        flow_key_.reset();
+        return;
+    }
+    const auto key = std::make_tuple(scene.spacetime, scene.disc->inner, scene.disc->outer);
+    if (flow_key_ == key) return;
+    if (!flow_key_) {
+        const TexelGrid row = black_body_row();
+        black_body_ = gl::make_float_texture(row.width, row.height, row.texels.data());
+    }
+    const TexelGrid row = disc_flow_row(tables_.spacetime(), scene.disc->inner, scene.disc->outer);
+    disc_flow_ = gl::make_float_texture(row.width, row.height, row.texels.data());
+    flow_key_ = key;
 }
 
 Status Renderer::load_table(const Scene& scene) {
@@ -205,6 +226,8 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     gl::bind_sampler(made, "disc_texture", kDiscUnit);
     gl::bind_sampler(made, "table_texture", kTableUnit);
     for (int i = 0; i < kBodyCount; ++i) gl::bind_sampler(made, body_image_sampler(i), kBodyUnit + i);
+    gl::bind_sampler(made, "disc_flow_texture", kDiscFlowUnit);
+    gl::bind_sampler(made, "black_body_texture", kBlackBodyUnit);
     return programs_.emplace(key, std::move(made)).first->second;
 }
 
@@ -218,6 +241,8 @@ void Renderer::bind_inputs() {
     gl::bind_texture_2d(kDiscUnit, disc_);
     gl::bind_texture_2d(kTableUnit, table_);
     body_images_.bind(kBodyUnit);
+    gl::bind_texture_2d(kDiscFlowUnit, disc_flow_);
+    gl::bind_texture_2d(kBlackBodyUnit, black_body_);
 }
 
 void Renderer::draw(unsigned framebuffer, int width, int height, Output output) {
@@ -311,6 +336,10 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     for (int body = 0; body < kBodyCount; ++body)
         if (const auto& picture = body_images_.pictures()[static_cast<std::size_t>(body)])
             lines.push_back({body_image_sampler(body), picture->width, picture->height, static_cast<std::size_t>(picture->width) * picture->height * 32 / 3});
+    if (flow_key_) {
+        lines.push_back({"disc flow", kDiscFlowCells + 1, 1, static_cast<std::size_t>(kDiscFlowCells + 1) * 16});
+        lines.push_back({"black body", kBlackBodyCells + 1, 1, static_cast<std::size_t>(kBlackBodyCells + 1) * 16});
+    }
     return lines;
 }
 

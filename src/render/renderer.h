@@ -71,6 +71,7 @@ private:
     Status load_disc(const Scene& scene);
     Status load_bodies(const Scene& scene);
     Status load_table(const Scene& scene);
+    void load_heat(const Scene& scene);
 
     gl::Info info_;
     gl::VertexArray empty_;
@@ -82,7 +83,7 @@ private:
     int rows_revision_ = -1;
     std::optional<EffectSet> block_effects_;
     std::vector<int> block_members_;   // of the uniform block with these effects
-    gl::Texture strip_, ends_, orbit_map_, sky_, far_sky_, disc_, table_;
+    gl::Texture strip_, ends_, orbit_map_, sky_, far_sky_, disc_, table_, disc_flow_, black_body_;
     BodyText body_text_;
     BodyImages body_images_;
     std::optional<std::pair<SpacetimeSpec, Method>> table_key_;   // of table_
@@ -93,6 +94,7 @@ private:
     int sky_size_ = 0, far_sky_size_ = 0;
     bool keep_finer_sky_ = false;
     std::optional<std::string> disc_file_;
+    std::optional<std::tuple<SpacetimeSpec, double, double>> flow_key_;   // of disc_flow_: its radii
     int disc_width_ = 0, disc_height_ = 0;
 };
 

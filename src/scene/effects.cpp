@@ -85,10 +85,22 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     }
     if (scene.disc) {
         reasons.push_back({Effect::kDisc, fmt::format("[disc] from {} to {}", scene.disc->inner, scene.disc->outer)});
+        const bool thermal = scene.disc->emission == DiscEmission::kThermal;
+        if (!scene.disc->image.empty()) {
+            reasons.push_back({Effect::kDiscImage, fmt::format("disc.image = \"{}\"", scene.disc->image.filename().string())});
+        } else if (!thermal) {
+            reasons.push_back({Effect::kDiscImage, "disc.emission = \"image\", the one that ships"});
+        }
         if (scene.disc->opacity < 1.0) {
             reasons.push_back({Effect::kTranslucentDisc, fmt::format("disc.opacity = {}", scene.disc->opacity)});
         } else if (scene.disc->edge > 0.0) {
             reasons.push_back({Effect::kTranslucentDisc, fmt::format("disc.edge = {}", scene.disc->edge)});
+        }
+        if (thermal) {
+            const char* heat = "disc.emission = \"thermal\"";
+            reasons.push_back({Effect::kThermalDisc, heat});
+            if (scene.light.shift) reasons.push_back({Effect::kShift, heat});
+            if (scene.light.beaming) reasons.push_back({Effect::kBeaming, heat});
         }
     }
     add_bodies(scene, reasons);

@@ -15,10 +15,10 @@
 namespace nullscope {
 
 enum class Effect {
-    kLensing, kAberration, kDisc, kTranslucentDisc, kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kSky,
+    kLensing, kAberration, kDisc, kDiscImage, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kSky,
     kInner, kBounce, kFarSky, kStar
 };
-inline constexpr std::size_t kEffectCount = 17;
+inline constexpr std::size_t kEffectCount = 21;
 
 struct EffectRow {
     Effect effect;
@@ -36,11 +36,20 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
     {Effect::kAberration, "aberration", "EFFECT_ABERRATION",
      "Directions and frequencies are those of a camera that moves in the static frame.", "camera.velocity is not zero",
      "one division a pixel"},
-    {Effect::kDisc, "disc", "EFFECT_DISC", "A flat textured disc lies in the equatorial plane.", "there is a [disc]",
-     "ray ends, orbit map, disc image; four fetches a crossing"},
+    {Effect::kDisc, "disc", "EFFECT_DISC", "A flat disc lies in the equatorial plane.", "there is a [disc]",
+     "ray ends, orbit map; four fetches a crossing"},
+    {Effect::kDiscImage, "disc-image", "EFFECT_DISC_IMAGE", "The disc carries an image.",
+     "disc.emission is \"image\" or there is a disc.image", "a picture with mip levels; one or two fetches a crossing"},
     {Effect::kTranslucentDisc, "translucent-disc", "EFFECT_TRANSLUCENT_DISC",
      "What lies behind the disc shines through it.", "disc.opacity is below 1 or disc.edge is above 0",
      "every crossing is shaded, not the first alone"},
+    {Effect::kThermalDisc, "thermal-disc", "EFFECT_THERMAL_DISC",
+     "The disc's matter moves on geodesics and glows with the heat that it gains by falling.", "disc.emission is \"thermal\"",
+     "disc flow, black body; six fetches a crossing"},
+    {Effect::kShift, "shift", "EFFECT_SHIFT", "Light has the colour that motion and gravity give it.",
+     "something shines by its heat and light.shift is not \"off\"", "one logarithm a crossing"},
+    {Effect::kBeaming, "beaming", "EFFECT_BEAMING", "Light has the brightness that motion and gravity give it.",
+     "something shines by its heat and light.beaming is not \"off\"", "one logarithm a crossing"},
     {Effect::kSphere, "sphere", "EFFECT_SPHERE", "A solid sphere about the centre ends rays.", "there is a [sphere]",
      "ray ends, orbit map; some four steps of four fetches where it is seen"},
     {Effect::kCylinder, "cylinder", "EFFECT_CYLINDER", "A solid disc of finite thickness ends rays.", "there is a [cylinder]",

@@ -50,6 +50,9 @@ struct SkySpec {
 
 // A flat disc in the equatorial plane theta = pi/2, visible from both sides. The image is mapped affinely: its square
 // [0,1]^2 covers [-outer, outer]^2 in the disc's (x, y), rotated by `rotation`; image row 0 is y = +outer.
+// kImage: the image's light as it is. kThermal: heat by Page and Thorne, on which an image acts as an emissivity.
+enum class DiscEmission { kImage, kThermal };
+
 struct DiscSpec {
     double inner = 3.0, outer = 12.0;   // 0 < inner < outer
     std::filesystem::path image;        // empty: the disc image that ships
@@ -57,6 +60,8 @@ struct DiscSpec {
     double edge = 0.0;                  // fade of opacity at both rims, as a fraction of (outer - inner), [0, 0.5]
     double rotation = 0.0;
     double brightness = 1.0;
+    DiscEmission emission = DiscEmission::kImage;
+    double temperature_K = 8000.0;      // thermal: of the hottest ring, in its own frame
     friend bool operator==(const DiscSpec&, const DiscSpec&) = default;
 };
 
@@ -115,6 +120,13 @@ inline SkySpec default_far_sky() {
     return sky;
 }
 
+// What light does on its way, each to be switched off alone, to teach with.
+struct LightSpec {
+    bool shift = true;     // of colour
+    bool beaming = true;   // of brightness
+    friend bool operator==(const LightSpec&, const LightSpec&) = default;
+};
+
 struct Scene {
     std::string name, description;
     SpacetimeSpec spacetime;
@@ -126,6 +138,7 @@ struct Scene {
     std::optional<CylinderSpec> cylinder;
     std::optional<BallSpec> ball;
     std::optional<SurfaceSpec> surface;
+    LightSpec light;
 };
 
 }  // namespace nullscope

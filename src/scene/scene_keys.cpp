@@ -24,6 +24,7 @@ constexpr KeyRange kExposure{-30.0, 30.0, false, false};
 constexpr KeyRange kLatitude{0.0, 90.0, true, true};
 constexpr KeyRange kOpacity{0.0, 1.0, true, false};
 constexpr KeyRange kEdge{0.0, 0.5, false, false};
+constexpr KeyRange kTemperature{1e3, 1e9, false, false};
 constexpr KeyRange kNone{};
 
 constexpr SceneKey kKeys[] = {
@@ -117,6 +118,12 @@ constexpr SceneKey kKeys[] = {
     {"disc", "image", KeyType::kImage, "", "", kNone, "",
      "Image whose square covers the disc's square; the disc image that ships where it is missing.",
      [](Scene& s, const KeyValue& v) { s.disc->image = v.path; }},
+    {"disc", "emission", KeyType::kChoice, "", "image", kNone, "image thermal",
+     "Whence its light: the image, as it is, or the heat that matter gains on its way in (an image then gives emissivities).",
+     [](Scene& s, const KeyValue& v) { s.disc->emission = static_cast<DiscEmission>(v.choice); }},
+    {"disc", "temperature", KeyType::kNumber, "K", "8000", kTemperature, "",
+     "Of the hottest ring of a thermal disc, in its own frame; brightness 1 is that ring's.",
+     [](Scene& s, const KeyValue& v) { s.disc->temperature_K = v.number; }},
     {"disc", "opacity", KeyType::kNumber, "", "1", kOpacity, "", "Below 1, what lies behind the disc shines through.",
      [](Scene& s, const KeyValue& v) { s.disc->opacity = v.number; }},
     {"disc", "edge", KeyType::kNumber, "", "0", kEdge, "",
@@ -126,6 +133,12 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.disc->rotation = v.number; }},
     {"disc", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Factor on the disc's light.",
      [](Scene& s, const KeyValue& v) { s.disc->brightness = v.number; }},
+
+    {"light", "shift", KeyType::kChoice, "", "on", kNone, "on off",
+     "Whether motion and gravity change the colour of what shines by its heat.",
+     [](Scene& s, const KeyValue& v) { s.light.shift = v.choice == 0; }},
+    {"light", "beaming", KeyType::kChoice, "", "on", kNone, "on off", "Whether they change its brightness.",
+     [](Scene& s, const KeyValue& v) { s.light.beaming = v.choice == 0; }},
 };
 
 std::string list_of(const std::vector<std::string>& words) {

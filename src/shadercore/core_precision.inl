@@ -4,6 +4,7 @@
 #define BLOCK_ABERRATION
 #define BLOCK_SKY
 #define BLOCK_DISC
+#define BLOCK_THERMAL_DISC
 #define BLOCK_SPHERE
 #define BLOCK_CYLINDER
 #define BLOCK_BALL

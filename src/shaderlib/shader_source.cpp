@@ -62,6 +62,8 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
     if (disc) files.emplace_back("object/disc.glsl");
     const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
     if (picture && (disc || sky || far_sky || effects.contains(Effect::kBodyImage))) files.emplace_back("effect/footprint.glsl");
+    if (picture && effects.contains(Effect::kThermalDisc))
+        for (const char* file : {"object/disc_flow.glsl", "effect/black_body.glsl", "effect/thermal.glsl"}) files.emplace_back(file);
     if (picture && disc) files.emplace_back("object/disc_colour.glsl");
     if (picture && disc && lensing) files.emplace_back("object/disc_thin.glsl");
     if (picture && (sky || far_sky)) files.emplace_back("object/celestial_sphere.glsl");
@@ -112,6 +114,11 @@ std::vector<std::string> members_of(const std::string& block) {
     return members;
 }
 
+constexpr const char* kThermalDeclarations =
+    "uniform highp sampler2D disc_flow_texture;\nuniform highp sampler2D black_body_texture;\n"
+    "vec4 disc_flow_fetch(int i) { return texelFetch(disc_flow_texture, ivec2(i, 0), 0); }\n"
+    "vec4 black_body_fetch(int i) { return texelFetch(black_body_texture, ivec2(i, 0), 0); }\n";
+
 std::string declarations(Stage stage, const EffectSet& effects, bool ends, const Method& method) {
     std::string text = std::string(shader_file("shared/frame_block.glsl")) +
                        "layout(std140) uniform FrameBlock { FrameData frame; };\n";
@@ -133,7 +140,8 @@ std::string declarations(Stage stage, const EffectSet& effects, bool ends, const
     if (stage == Stage::kPicture) {
         if (effects.contains(Effect::kSky)) text += "uniform samplerCube sky_texture;\n";
         if (effects.contains(Effect::kFarSky)) text += "uniform samplerCube other_side_texture;\n";
-        if (disc) text += "uniform sampler2D disc_texture;\n";
+        if (effects.contains(Effect::kDiscImage)) text += "uniform sampler2D disc_texture;\n";
+        if (effects.contains(Effect::kThermalDisc)) text += kThermalDeclarations;
     }
     return text;
 }

@@ -7,6 +7,7 @@
 namespace nullscope {
 
 namespace {
+constexpr double kMostInTube = 1e6;    // rad; more windings than a float tells apart
 constexpr double kRadialFloor = 1e-9;  // rad; ratios such as phi/sin(beta) have reached their limit to 1e-17 there
 }
 
@@ -55,6 +56,16 @@ double RayFan::mirrored(Segment segment, double delta) const {
     return delta <= limit ? delta : std::max(2.0 * limit - delta, 1e-3 * w0());
 }
 
+FanRay RayFan::tube_ray(Segment segment, double delta) const {
+    const bool sky = segment == Segment::kSky;
+    const double theta = std::clamp(outside_ == sky ? theta_c_ + delta : theta_c_ - delta, kRadialFloor, M_PI - kRadialFloor);
+    FanRay ray{};
+    ray.sin_beta = std::sin(theta);
+    const double d2 = (outside_ == sky ? -1.0 : 1.0) * std::sin(delta) * std::sin(theta + theta_c_) / (ray.sin_beta * ray.sin_beta);
+    if (d2 > 0.0) ray.in_tube = std::min((sky ? tube_out_ : tube_in_) / std::sqrt(d2), kMostInTube);
+    return ray;
+}
+
 double RayFan::delta_slope(double u) const {
     const double half_w = 0.5 * w0() * (u - 1.0);
     return w0() / (1.0 + half_w * half_w);
@@ -92,7 +103,7 @@ FanRay RayFan::ray(Segment segment, double delta) const {
         const double d2 = std::max(-one_minus_k2, 1e-300);
         const double from_infinity = table_->through_from_infinity(k, d2, chi0_);
         ray.phi_end = (sky ? from_infinity : table_->through_from_infinity(k, d2, M_PI) - from_infinity) +
-                      (sky ? tube_out_ : tube_in_) / std::sqrt(d2);
+                      (ray.in_tube = std::min((sky ? tube_out_ : tube_in_) / std::sqrt(d2), kMostInTube));
     }
     return ray;
 }

@@ -23,6 +23,7 @@ struct FanRay {
     double beta;          // angle from the inward radial, (0, pi)
     double sin_beta, cos_beta;
     double phi_end;       // swept until infinity or until the horizon
+    double in_tube;       // what of it is swept in a wormhole's tube
 };
 
 class RayFan {
@@ -41,6 +42,9 @@ public:
     double mirrored(Segment segment, double delta) const;
     // 0 < delta <= delta_limit; the last 1e-9 rad before a radial ray are taken as 1e-9 (limits are finite ratios).
     FanRay ray(Segment segment, double delta) const;
+    // Its sin_beta and in_tube alone, at the price of three sines; only of use where there is a tube.
+    FanRay tube_ray(Segment segment, double delta) const;
+    bool has_tube() const { return tube_out_ + tube_in_ > 0.0; }
 
     // The place u >= 1 in the cells of shaders/core/strip.glsl: u = 1 + w/w0, w = 2 tan(delta/2).
     double w0() const { return w0_; }                       // innermost cell scale, rad

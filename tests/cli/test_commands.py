@@ -84,10 +84,11 @@ class Commands(support.CliTest):
         plan = self.write("two.toml", text)
         found = json.loads(self.run_nullscope("plan", plan, "--json").out)
         reasons = {e["effect"]: e["reason"] for e in found["effects"]}
-        self.assertEqual(list(reasons), ["lensing", "aberration", "disc", "translucent-disc"])
+        self.assertEqual(list(reasons), ["lensing", "aberration", "disc", "disc-image", "translucent-disc"])
         self.assertIn("0.5", reasons["aberration"])
-        self.assertEqual([e["effect"] for e in found["left_out"]], ["sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
-                                                                     "body-image", "sky", "inner", "far-sky", "star"])
+        self.assertEqual([e["effect"] for e in found["left_out"]],
+                         ["thermal-disc", "shift", "beaming", "sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
+                          "body-image", "sky", "inner", "far-sky", "star"])
         self.assertTrue(all(e["cost"] for e in found["effects"]))
         tables = {t["name"] for t in found["tables"]}
         self.assertLessEqual({"deflection table", "strip", "orbit map", "disc image"}, tables)

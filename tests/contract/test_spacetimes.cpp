@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kRounding = 2e-15;   // a few units in the last place of a product of a few factors
-constexpr double kDifference = 1e-9;  // central differences with step 1e-6: step^2 and 2^-53 / step
+constexpr double kDifference = 1e-9;  // central differences with step 1e-6: step^2 and 2^-53 / step, of values about 1
 constexpr double kStep = 1e-6;
 constexpr double kWeakFieldQ = 1e-4;    // r_s / impact parameter
 constexpr double kWeakFieldNext = 2.0;  // bending = 2 q (1 + c q + ...), |c| <= 15 pi / 32 = 1.47 for charge 0 ... 1
@@ -41,6 +41,9 @@ std::vector<Case> cases() {
             }
         }
     }
+    const double divide = std::sqrt(1.125);  // above it V has no maximum
+    for (const double charge : {1.0, std::nextafter(1.0, 2.0), 1.03, std::nextafter(divide, 1.0), std::nextafter(divide, 2.0), 1.2})
+        all.push_back({"reissner-nordstrom charge = " + std::to_string(charge), *make_spacetime("reissner-nordstrom", {{"charge", charge}})});
     return all;
 }
 
@@ -184,8 +187,9 @@ TEST_CASE("half_v_slope and half_v_curvature are the derivatives of V/2") {
         for (double zeta = 0.01; zeta < 3.0; zeta += 0.01) {
             const double first = slope([&](double z) { return 0.5 * potential(*s, z); }, zeta);
             const double second = slope([&](double z) { return s->half_v_slope(z); }, zeta);
-            CHECK(std::fabs(s->half_v_slope(zeta) - first) < kDifference * (1.0 + zeta * zeta));
-            CHECK(std::fabs(s->half_v_curvature(zeta) - second) < kDifference * (1.0 + zeta * zeta));
+            const double size = 1.0 + zeta * zeta + std::fabs(potential(*s, zeta));  // V of a large charge grows as zeta^4
+            CHECK(std::fabs(s->half_v_slope(zeta) - first) < kDifference * size);
+            CHECK(std::fabs(s->half_v_curvature(zeta) - second) < kDifference * size);
         }
         CHECK(s->half_v_slope(0.0) == 0.0);
         CHECK(s->half_v_slope(1e-300) == doctest::Approx(1e-300).epsilon(kRounding));
@@ -367,6 +371,30 @@ TEST_CASE("reissner-nordstrom: photon sphere, critical impact parameter and stro
         CHECK(std::fabs(s->bending_density(kPi / 2) - 1.0) < 1e-14);
         CHECK(std::fabs(strong_offset(*s) - (std::log(216 * (7 - 4 * std::sqrt(3.0))) - kPi)) < 1e-12);
     }
+}
+
+TEST_CASE("wall: V about what divides is its polynomial, grows inward without bound, and has no slope there if there is a photon sphere") {
+    int walls = 0;
+    for (const auto& [label, s] : cases()) {
+        CAPTURE(label);
+        const auto wall = s->wall();
+        CHECK(wall.has_value() == (s->inner_end() == InnerEnd::kSameSky));
+        if (!wall) continue;
+        ++walls;
+        for (double zeta = 1e-3; zeta < 1e3; zeta *= 1.1) {
+            const double x = zeta - wall->zeta, v = wall->v + x * (wall->c[0] + x * (wall->c[1] + x * (wall->c[2] + x * wall->c[3])));
+            CHECK(std::fabs(v - potential(*s, zeta)) < 4 * kRounding * (wall->v + std::pow(x, 2) + std::pow(std::fabs(x), 4)));
+        }
+        CHECK(wall->c[3] > 0.0);
+        const bool photons = s->camera_range().low > 0.0;
+        CHECK((wall->c[0] == 0.0) == photons);
+        if (photons) CHECK(std::fabs(s->half_v_slope(wall->zeta)) < kRounding);
+        if (!photons) CHECK(wall->c[0] > 0.0);
+        if (!photons) CHECK(std::fabs(wall->c[1]) < 1.0);
+        CHECK_FALSE(s->horizon_radius());
+        CHECK_FALSE(s->can_have_disc());
+    }
+    CHECK(walls == 6);  // charge 3 from the registry's range, and five of the list
 }
 
 TEST_CASE("where there is no photon sphere, asking for chi is a broken invariant") {

@@ -26,6 +26,10 @@ Scene scene_of(unsigned bits) {
     scene.spacetime.metric = has(0) ? "schwarzschild" : "minkowski";
     if (has(1)) scene.camera.velocity = {0, 0, 0.5};
     if (has(2)) scene.disc.emplace().opacity = 0.5;
+    if (has(2) && has(0)) {   // not in flat space: both kinds of disc
+        scene.disc->emission = DiscEmission::kThermal;
+        scene.disc->image = "emissivity.png";
+    }
     scene.sky.kind = has(3) ? SkyKind::kStars : SkyKind::kBlack;
     if (has(4)) scene.sphere.emplace().look.texture = TextureKind::kChecker;
     if (has(5)) scene.cylinder.emplace().look.texture = TextureKind::kNoise;

@@ -16,7 +16,7 @@ namespace {
 std::vector<Scene> all_scenes() {
     std::vector<Scene> scenes;
     constexpr TextureKind kKinds[] = {TextureKind::kPlain, TextureKind::kChecker, TextureKind::kNoise, TextureKind::kFormula, TextureKind::kImage};
-    for (unsigned bits = 0; bits < 512; ++bits)
+    for (unsigned bits = 0; bits < 1024; ++bits)
         for (const TextureKind kind : kKinds) {
             const auto has = [&](unsigned bit) { return (bits >> bit & 1u) != 0; };
             Scene scene;
@@ -24,6 +24,11 @@ std::vector<Scene> all_scenes() {
             if (has(1)) scene.camera.velocity = {0, 0, 0.5};
             if (has(2)) scene.disc.emplace();
             if (has(2) && has(3)) scene.disc->opacity = 0.5;
+            if (has(2) && has(9)) {
+                scene.disc->emission = DiscEmission::kThermal;
+                scene.light.shift = !has(5);   // any bits: switches off in some scenes
+                scene.light.beaming = !has(6);
+            }
             scene.sky.kind = has(4) ? SkyKind::kStars : SkyKind::kBlack;
             if (has(5)) scene.sphere.emplace().look.texture = kind;
             if (has(6)) scene.cylinder.emplace().look.texture = kind;
@@ -41,8 +46,12 @@ struct Mark { Effect effect; std::vector<std::string> words; };
 const std::vector<Mark> kMarks = {
     {Effect::kLensing, {"strip_locate", "strip_texture", "StripRay", "sweep_to_sky", "vec4 strip;", "vec4 orbit;", "vec4 series;"}},
     {Effect::kAberration, {"aberrate", "Aberration", "vec4 boost;"}},
-    {Effect::kDisc, {"disc_cross", "disc_texture", "DiscCrossing", "plane_meet", "disc_normal", "disc_map", "disc_look"}},
+    {Effect::kDisc, {"disc_cross", "DiscCrossing", "plane_meet", "disc_normal", "disc_map", "disc_look"}},
+    {Effect::kDiscImage, {"disc_texture", "disc_filtered"}},
     {Effect::kTranslucentDisc, {"fade"}},
+    {Effect::kThermalDisc, {"thermal_light", "disc_flow_texture", "black_body_texture", "DiscFlow", "vec4 disc_heat;", "zeta_slope"}},
+    {Effect::kShift, {"colour_shift"}},
+    {Effect::kBeaming, {"beaming"}},
     {Effect::kSphere, {"sphere_hit", "sphere_form", "sphere_light", "sphere_colour"}},
     {Effect::kCylinder, {"cylinder_value", "cylinder_form", "cylinder_light", "cylinder_colour"}},
     {Effect::kBall, {"ball_value", "ball_form", "ball_light", "ball_colour"}},
@@ -82,7 +91,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow& row : kEffectTable) all.insert(row.effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 39);
+    CHECK(members.size() == 40);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {

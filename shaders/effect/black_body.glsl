@@ -1,0 +1,24 @@
+// Light of a black body by the logarithm of its temperature: black_body_texture holds (colour of unit luminance, log2 of the
+// luminance) at equal steps of log2 T.
+
+#define PLANCK_CELLS 1024
+#define PLANCK_COLDEST 9.0
+#define PLANCK_PER_OCTAVE 102.4
+
+// log2_hue: of the temperature (K) that gives the colour; log2_glow: of the one that gives the brightness, in which `scale` (log2)
+// is taken off.
+vec3 black_body(float log2_hue, float log2_glow, float scale) {
+    float hue = clamp((log2_hue - PLANCK_COLDEST) * PLANCK_PER_OCTAVE, 0.0, float(PLANCK_CELLS) - 0.001);
+    float at = (log2_glow - PLANCK_COLDEST) * PLANCK_PER_OCTAVE;
+    float glow = clamp(at, 0.0, float(PLANCK_CELLS) - 0.001);
+    int i = int(hue);
+    int j = int(glow);
+    vec4 h0 = black_body_fetch(i);
+    vec4 h1 = black_body_fetch(i + 1);
+    float l0 = black_body_fetch(j).w;
+    float l1 = black_body_fetch(j + 1).w;
+    vec3 colour = h0.xyz + (hue - float(i)) * (h1.xyz - h0.xyz);
+    colour = mix(vec3(1.0), colour, 1.0 / (1.0 - min(min(colour.x, colour.y), min(colour.z, 0.0))));   // into Rec. 709's gamut
+    float luminance = l0 + (glow - float(j)) * (l1 - l0) + max(at - float(PLANCK_CELLS), 0.0) / PLANCK_PER_OCTAVE;
+    return at < 0.0 ? vec3(0.0) : colour * exp2(min(luminance - scale, 60.0));
+}

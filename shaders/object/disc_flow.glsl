@@ -1,0 +1,26 @@
+// How the disc's matter moves and how hot it is: disc_flow_texture, cells of equal ln r.
+
+#define DISC_FLOW_CELLS 1024
+
+struct DiscFlow {
+    float heat;   // log2 of the temperature over the hottest ring's
+    float g;      // frequency in the camera over frequency in the matter
+};
+
+// Frequency of a photon in the matter, over its energy at infinity: u^t - (L_z/E) u^phi - (k_r/E) u^r. The photon's real motion is
+// that of the traced ray backward: L_z/E = (n x e) . normal / sqrt(V(zeta0)), k_r/E = (s / sqrt(V)) (d zeta / d phi) / A.
+DiscFlow disc_flow(Trace trace, DiscCrossing crossing) {
+    float x = clamp(log(crossing.r * frame.disc_heat.x) * frame.disc_heat.y, 0.0, float(DISC_FLOW_CELLS) - 0.001);
+    int i = int(x);
+    vec4 low = disc_flow_fetch(i);
+    vec4 high = disc_flow_fetch(i + 1);
+    vec4 flow = low + (x - float(i)) * (high - low);
+    vec3 normal = vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z);
+    float inverse_v = 1.0 / frame.shift.z;
+    float momentum = dot(crossed_direction(trace), normal) * inverse_v;
+    float radial = trace.s * inverse_v * crossing.zeta_slope;
+    DiscFlow result;
+    result.heat = flow.x;
+    result.g = frame.shift.x * trace.doppler / max(flow.y - momentum * flow.z - radial * flow.w, 1.0e-6);
+    return result;
+}

@@ -1,0 +1,48 @@
+#include "light/black_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "light/cie_1931.h"
+
+namespace nullscope {
+namespace {
+
+// CODATA 2018, exact by definition of the units.
+constexpr double kPlanck_Js = 6.62607015e-34, kLight_m_s = 299792458.0, kBoltzmann_J_K = 1.380649e-23;
+
+// Spectral radiance of a black body, W sr^-1 m^-2 per metre of wavelength.
+double spectral_radiance(double wavelength_m, double temperature_K) {
+    const double hc = kPlanck_Js * kLight_m_s;
+    const double x = hc / (wavelength_m * kBoltzmann_J_K * temperature_K);
+    return 2.0 * hc * kLight_m_s / std::pow(wavelength_m, 5) / std::expm1(x);
+}
+
+}  // namespace
+
+Vec3 black_body_xyz(double temperature_K) {
+    Vec3 sum{0, 0, 0};
+    double wavelength_nm = kCieFirst_nm;
+    for (const ColourMatch& match : kCie1931) {
+        const double radiance = spectral_radiance(1e-9 * wavelength_nm, temperature_K);
+        sum = sum + radiance * Vec3{match.x, match.y, match.z};
+        wavelength_nm += kCieStep_nm;
+    }
+    return 1e-9 * kCieStep_nm * sum;
+}
+
+Vec3 rec709_from_xyz(Vec3 c) {
+    return {3.2409699419 * c.x - 1.5373831776 * c.y - 0.4986107603 * c.z,
+            -0.9692436363 * c.x + 1.8759675015 * c.y + 0.0415550574 * c.z,
+            0.0556300797 * c.x - 0.2039769589 * c.y + 1.0569715142 * c.z};
+}
+
+Vec3 into_gamut(Vec3 c) {
+    const double least = std::min({c.x, c.y, c.z});
+    if (least >= 0.0) return c;
+    const double y = 0.2126390059 * c.x + 0.7151686788 * c.y + 0.0721923154 * c.z;   // > 0 for light
+    const double keep = y / (y - least);
+    return {y + keep * (c.x - y), y + keep * (c.y - y), y + keep * (c.z - y)};
+}
+
+}  // namespace nullscope

@@ -1,0 +1,105 @@
+#include "reference/disc_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/tools/minima.hpp>
+#include <tbb/parallel_for.h>
+
+#include "light/black_body.h"
+
+namespace nullscope::reference {
+namespace {
+
+template <class Function>
+double derivative(Function f, double r) {   // eighth order: some 1e-12 relative
+    constexpr double h = 0.01;
+    const auto d = [&](int n) { return f(r * (1 + n * h)) - f(r * (1 - n * h)); };
+    return (d(1) * 4.0 / 5 - d(2) / 5 + d(3) * 4.0 / 105 - d(4) / 280) / (h * r);
+}
+
+}  // namespace
+
+DiscLight::DiscLight(const OrbitMetric& metric, const DiscSpec& disc, const LightSpec& light)
+    : metric_(metric), disc_(disc), light_(light) {
+    luminance_ = black_body_xyz(disc.temperature_K).y;
+    const double horizon = metric.horizon_radius().value_or(0.0);
+    if (horizon == 0.0) return;
+    // The least energy of all circles: Boost's Brent gives half of the digits, a bisection of its slope the rest.
+    const auto slope = [&](double r) { return derivative([&](double at) { return circle(at).energy; }, r); };
+    double low = 1.75 * horizon, high = 100 * horizon;
+    const auto energy_or_more = [&](double r) { const double e = circle(r).energy; return std::isfinite(e) ? e : 2.0; };
+    isco_ = boost::math::tools::brent_find_minima(energy_or_more, low, high, 26).first;
+    low = isco_ * (1 - 1e-3), high = isco_ * (1 + 1e-3);
+    for (int i = 0; i < 45; ++i) (slope(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
+    isco_ = 0.5 * (low + high);
+    hottest_ = boost::math::tools::brent_find_minima([&](double r) { return -flux(r); }, isco_, 5 * isco_, 30).first;
+    const double peak = flux(hottest_);
+    if (!(disc.outer > isco_)) return;
+    constexpr int kSteps = 4000;
+    step_ = std::log(disc.outer / isco_) / kSteps;
+    heat_.resize(kSteps + 1);
+    tbb::parallel_for(0, kSteps + 1, [&](int i) { heat_[static_cast<std::size_t>(i)] = flux(isco_ * std::exp(step_ * i)) / peak; });
+}
+
+double DiscLight::heat(double r) const {
+    if (heat_.empty() || !(r > isco_)) return 0.0;
+    const double x = std::log(r / isco_) / step_;
+    const int last = static_cast<int>(heat_.size()) - 1, i = std::clamp(static_cast<int>(x) - 1, 0, last - 3);
+    const double f = x - i, *h = heat_.data() + i;   // cubic through four
+    return std::max(-h[0] * (f - 1) * (f - 2) * (f - 3) / 6 + h[1] * f * (f - 2) * (f - 3) / 2 - h[2] * f * (f - 1) * (f - 3) / 2 +
+                    h[3] * f * (f - 1) * (f - 2) / 6, 0.0);
+}
+
+double DiscLight::lapse2(double r) const {
+    const double lapse = metric_.lapse(r);
+    return lapse * lapse;
+}
+
+DiscLight::Circle DiscLight::circle(double r) const {
+    const double a = lapse2(r), gradient = derivative([&](double at) { return lapse2(at); }, r);
+    Circle c;
+    c.omega = std::sqrt(std::max(gradient / (2 * r), 0.0));
+    c.u_t = 1 / std::sqrt(a - r * r * c.omega * c.omega);
+    c.energy = a * c.u_t;
+    c.momentum = r * r * c.omega * c.u_t;
+    return c;
+}
+
+double DiscLight::flux(double r) const {
+    if (!(r > isco_) || isco_ == 0.0) return 0.0;
+    const auto gained = [&](double at) {
+        const Circle c = circle(at);
+        return (c.energy - c.omega * c.momentum) * derivative([&](double x) { return circle(x).momentum; }, at);
+    };
+    const double sum = boost::math::quadrature::gauss_kronrod<double, 31>::integrate(gained, isco_, r, 4, 1e-9);
+    const Circle c = circle(r);
+    const double gain = c.energy - c.omega * c.momentum;
+    return -derivative([&](double at) { return circle(at).omega; }, r) * sum / (4 * M_PI * r * gain * gain);
+}
+
+double DiscLight::g_infinity(const PhotonAtDisc& photon) const {
+    const double r = photon.r;
+    if (r >= isco_) {
+        const Circle c = circle(r);
+        return 1 / (c.u_t * (1 - c.omega * photon.l_z));
+    }
+    const Circle last = circle(isco_);
+    const double a = lapse2(r);
+    const double fall = std::sqrt(std::max(last.energy * last.energy - a * (1 + last.momentum * last.momentum / (r * r)), 0.0));
+    const double climb = std::sqrt(std::max(1 - a * photon.l2 / (r * r), 0.0)) * (photon.outward ? 1 : -1);
+    return a / (last.energy - a * last.momentum * photon.l_z / (r * r) + climb * fall);
+}
+
+Vec3 DiscLight::colour(double r, double g) const {
+    const double share = heat(r);
+    if (!(share > 0)) return {0, 0, 0};
+    const double temperature = disc_.temperature_K * std::pow(share, 0.25);
+    const Vec3 hue = black_body_xyz(light_.shift ? g * temperature : temperature);
+    const double glow = black_body_xyz(light_.beaming ? g * temperature : temperature).y;
+    if (!(hue.y > 0)) return {0, 0, 0};
+    return glow / luminance_ * into_gamut(rec709_from_xyz(hue / hue.y));
+}
+
+}  // namespace nullscope::reference

@@ -1,0 +1,49 @@
+// The light of a thermal disc, found another way than the tables do: lapse and its derivatives by r from Richardson's differences,
+// Kepler's law Omega^2 = (A)'/(2r), the flux by adaptive quadrature, the shift from conserved E and L_z alone.
+#pragma once
+#include <vector>
+
+#include "base/vec.h"
+#include "reference/orbit.h"
+#include "scene/scene.h"
+
+namespace nullscope::reference {
+
+// What a photon brings to a ring: per unit of its energy at infinity.
+struct PhotonAtDisc {
+    double r;         // r_s
+    double l_z;       // angular momentum about the polar axis over energy, r_s
+    bool outward;     // whether it really moves outward there
+    double l2;        // all of its angular momentum over energy, squared
+};
+
+class DiscLight {
+public:
+    // metric: outlives this. Some milliseconds.
+    DiscLight(const OrbitMetric& metric, const DiscSpec& disc, const LightSpec& light);
+    // Frequency at infinity over frequency in the matter.
+    double g_infinity(const PhotonAtDisc& photon) const;
+    // Flux per unit of accretion rate, 1/r_s^2; a tenth of a millisecond.
+    double flux(double r) const;
+    double innermost() const { return isco_; }   // stable circular orbit, r_s
+    double hottest() const { return hottest_; }  // radius of the largest flux, r_s
+    // Linear Rec. 709 of unit emissivity, over the luminance of the hottest ring in its own frame. g: camera over matter.
+    Vec3 colour(double r, double g) const;
+
+private:
+    struct Circle {
+        double u_t, omega, energy, momentum;
+    };
+    double lapse2(double r) const;
+    Circle circle(double r) const;
+    double heat(double r) const;   // flux over the largest, from a table: 1e-9 of the largest
+
+    const OrbitMetric& metric_;
+    DiscSpec disc_;
+    LightSpec light_;
+    double isco_ = 0, hottest_ = 0, luminance_ = 1;
+    std::vector<double> heat_;   // flux over the largest, at equal steps of ln(r/isco)
+    double step_ = 1;
+};
+
+}  // namespace nullscope::reference

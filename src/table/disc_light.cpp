@@ -1,0 +1,116 @@
+#include "table/disc_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "light/black_body.h"
+#include "spacetime/circular_orbit.h"
+
+namespace nullscope {
+namespace {
+
+constexpr double kDark = -64.0;   // log2: nothing of it is left in a float picture
+
+// E and L of circular orbits have dE = Omega dL; with x = ln r both derivatives are taken of L alone.
+struct Ring {
+    double r, omega, gain;   // E - Omega L
+    double momentum;
+};
+
+Ring ring_at(const Spacetime& spacetime, double r) {
+    const CircularOrbit orbit = circular_orbit(spacetime, r).value_or(CircularOrbit{1, 0, 1, 0});
+    return {r, orbit.omega, orbit.energy - orbit.omega * orbit.momentum, orbit.momentum};
+}
+
+// Derivative by r of a smooth function of ln r: six points, error h^6.
+template <class Function>
+double slope(Function f, double r) {
+    constexpr double h = 4e-3;
+    const auto at = [&](int n) { return f(r * std::exp(n * h)); };
+    return (45.0 * (at(1) - at(-1)) - 9.0 * (at(2) - at(-2)) + (at(3) - at(-3))) / (60.0 * h * r);
+}
+
+// Of (E - Omega L) L' dr between two radii: eight points of Gauss.
+double gained_between(const Spacetime& spacetime, double a, double b) {
+    static constexpr double kX[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+    static constexpr double kW[4] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
+    double sum = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        const double x = i < 4 ? -kX[i] : kX[i - 4], r = 0.5 * (a + b) + 0.5 * (b - a) * x;
+        const double momentum_slope = slope([&](double at) { return ring_at(spacetime, at).momentum; }, r);
+        sum += kW[i % 4] * ring_at(spacetime, r).gain * momentum_slope;
+    }
+    return 0.5 * (b - a) * sum;
+}
+
+}  // namespace
+
+std::vector<double> disc_flux(const Spacetime& spacetime, const std::vector<double>& radii) {
+    std::vector<double> flux(radii.size(), 0.0);
+    const auto isco = innermost_stable_orbit(spacetime);
+    if (!isco) return flux;
+    std::vector<std::size_t> order(radii.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return radii[a] < radii[b]; });
+    double from = *isco, gained = 0.0;
+    for (const std::size_t i : order) {
+        const double r = radii[i];
+        if (r <= *isco) continue;
+        while (from < r) {   // pieces of at most a tenth of r
+            const double to = std::min(r, 1.1 * from);
+            gained += gained_between(spacetime, from, to);
+            from = to;
+        }
+        const Ring ring = ring_at(spacetime, r);
+        const double omega_slope = slope([&](double at) { return ring_at(spacetime, at).omega; }, r);
+        flux[i] = std::max(-omega_slope * gained / (4.0 * M_PI * r * ring.gain * ring.gain), 0.0);
+    }
+    return flux;
+}
+
+FluxPeak disc_flux_peak(const Spacetime& spacetime) {
+    const auto isco = innermost_stable_orbit(spacetime);
+    if (!isco) return {1.0, 0.0};
+    double low = *isco, high = 4.0 * *isco;   // one maximum between them
+    constexpr double kGolden = 0.6180339887498949;
+    while (high - low > 1e-8 * high) {
+        const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
+        const std::vector<double> flux = disc_flux(spacetime, {a, b});
+        if (flux[0] < flux[1]) low = a;
+        else high = b;
+    }
+    const double r = 0.5 * (low + high);
+    return {r, disc_flux(spacetime, {r}).front()};
+}
+
+TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer) {
+    const double horizon = spacetime.horizon_radius().value_or(0.0);
+    const double from = std::max(inner, (1.0 + 1e-6) * horizon);
+    std::vector<double> radii;
+    for (int i = 0; i <= kDiscFlowCells; ++i) radii.push_back(std::max(inner * std::pow(outer / inner, double(i) / kDiscFlowCells), from));
+    const std::vector<double> flux = disc_flux(spacetime, radii);
+    const double peak = disc_flux_peak(spacetime).flux;
+    TexelGrid row{kDiscFlowCells + 1, 1, {}};
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+        const MatterVelocity u = disc_matter(spacetime, radii[i]);
+        const double heat = flux[i] > 0.0 ? std::max(0.25 * std::log2(flux[i] / peak), kDark) : kDark;
+        for (const double value : {heat, u.u_t, u.u_phi, u.u_r / spacetime.lapse_squared(radii[i])})
+            row.texels.push_back(static_cast<float>(value));
+    }
+    return row;
+}
+
+double log2_luminance(double temperature_K) { return std::log2(black_body_xyz(temperature_K).y); }
+
+TexelGrid black_body_row() {
+    TexelGrid row{kBlackBodyCells + 1, 1, {}};
+    for (int i = 0; i <= kBlackBodyCells; ++i) {
+        const Vec3 xyz = black_body_xyz(std::exp2(kColdest + (kHottest - kColdest) * i / kBlackBodyCells));
+        const Vec3 rgb = rec709_from_xyz(xyz / xyz.y);
+        for (const double value : {rgb.x, rgb.y, rgb.z, std::log2(xyz.y)}) row.texels.push_back(static_cast<float>(value));
+    }
+    return row;
+}
+
+}  // namespace nullscope
