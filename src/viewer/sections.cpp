@@ -19,7 +19,8 @@ void parameters_of(const MetricEntry& entry, SpacetimeSpec& spec, bool& changed)
         const std::string name(parameter.name), help(parameter.help);
         const auto set = spec.parameters.find(name);
         double value = set != spec.parameters.end() ? set->second : parameter.fallback;
-        if (slide(name.c_str(), value, parameter.low, parameter.high, Scale::kLinear, When::kOnRelease, "%.4g",
+        if (slide(name.c_str(), value, parameter.low, parameter.high,
+                  parameter.low > 0.0 && parameter.high > 100.0 * parameter.low ? Scale::kLogarithmic : Scale::kLinear, When::kNow, "%.4g",
                   help.c_str())) {
             spec.parameters[name] = value;
             changed = true;
