@@ -138,7 +138,7 @@ private:
 void read_reduced(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
     ReducedRay ray;
     ray.q = row.number(kQ, kLeastQ, kLargestQ, "q from 1e-30 to 1e30");
-    const bool by_length = !spacetime.has_orbit_equation();   // wormholes: l0 instead
+    const bool by_length = spacetime.by_proper_length();   // wormholes: l0 instead
     ray.zeta0 = by_length ? row.number(kZeta0, -kLargestRadius, kLargestRadius, "l0 from -1e30 to 1e30")
                           : row.number(kZeta0, 1 / kLargestRadius, kLargestRadius, "zeta0 from 1e-30 to 1e30");
     constexpr std::string_view kEitherWay = "1 (towards the hole) or -1 (away)";
@@ -156,7 +156,7 @@ void read_reduced(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
 }
 
 void read_general(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
-    query.r = spacetime.has_orbit_equation() ? row.number(kR, 1 / kLargestRadius, kLargestRadius, "r from 1e-30 to 1e30")
+    query.r = !spacetime.by_proper_length() ? row.number(kR, 1 / kLargestRadius, kLargestRadius, "r from 1e-30 to 1e30")
                                              : row.number(kR, -kLargestRadius, kLargestRadius, "r from -1e30 to 1e30");
     query.r *= spacetime.length_unit();
     query.theta = row.number(kTheta, 0, M_PI, "theta in [0, pi]");
@@ -231,7 +231,7 @@ Result<RayTable> parse_rays(std::string_view text, const std::string& file, cons
         const std::size_t first = content.find_first_not_of(" \t");
         if (first == std::string_view::npos || content[first] == '#') continue;
         if (!header) {
-            const auto read = read_header(file, line, content, !spacetime.has_orbit_equation());
+            const auto read = read_header(file, line, content, spacetime.by_proper_length());
             if (!read) return read.error();
             header = *read;
             table.header = content;

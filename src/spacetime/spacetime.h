@@ -70,6 +70,8 @@ public:
     virtual double half_v_slope(double zeta) const = 0;      // d(A zeta^2)/dzeta / 2
     virtual double half_v_curvature(double zeta) const = 0;  // its derivative
 
+    // Wormholes: r is the proper distance from the throat, and ray files have l0 where others have zeta0.
+    bool by_proper_length() const { return inner_end() == InnerEnd::kOtherSky; }
     // Where rays that miss the sky end in a horizon the orbit map of objects can follow them.
     bool can_have_disc() const { return has_orbit_equation() && inner_end() == InnerEnd::kHorizon; }
 
