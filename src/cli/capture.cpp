@@ -23,7 +23,7 @@ namespace nullscope::cli {
 namespace {
 
 struct Options {
-    std::string scene, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
+    std::string scene, beside, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
     int samples = 3;
     double time = 0.0;
     std::optional<double> max_error;
@@ -146,6 +146,26 @@ Result<Scene> scene_for(const Options& options) {
     return scene;
 }
 
+// Half of the picture's width each: one camera at the same coordinates in two spacetimes.
+Scene half_of(Scene scene, const Scene& other) {
+    const CameraSpec camera = scene.camera;
+    scene = other;
+    scene.camera = camera;
+    scene.camera.width = std::max(camera.width / 2, 1);
+    scene.camera.plane_width = camera.plane_width * scene.camera.width / camera.width;
+    return scene;
+}
+
+template <class T>
+Image<T> side_by_side(const Image<T>& left, const Image<T>& right) {
+    Image<T> both(left.width + right.width, left.height, left.channels);
+    for (int y = 0; y < left.height; ++y) {
+        std::copy_n(left.at(0, y), left.width * left.channels, both.at(0, y));
+        std::copy_n(right.at(0, y), right.width * right.channels, both.at(left.width, y));
+    }
+    return both;
+}
+
 Status check_output(const Options& options, bool exr) {
     if (!exr && !options.output.ends_with(".png"))
         return bad_input(fmt::format("-o {}: unknown kind of file; allowed: names that end in .png or .exr", options.output));
@@ -160,6 +180,13 @@ int run(const Options& options) {
         const EffectSet effects = effect_set(required_effects(*scene));
         fmt::print("{}", shader_source(Stage::kPicture, effects, Output::kDisplay, {}, scene->spacetime.metric, body_text(*scene)).fragment);
         return 0;
+    }
+    std::optional<Scene> beside;
+    if (!options.beside.empty()) {
+        auto loaded = load_scene(options.beside);
+        if (!loaded) return report(loaded.error());
+        if (options.raydata) return report(bad_input("--raydata is of one scene; leave out --beside"));
+        beside = std::move(*loaded);
     }
     const bool exr = options.output.ends_with(".exr");
     if (Status good = check_output(options, exr); !good) return report(good.error());
@@ -182,8 +209,17 @@ int run(const Options& options) {
             if (progress) progress->advance();
             continue;
         }
-        const auto captured = session ? capture_gl(*session, *scene, options, exr) : capture_reference(*scene, options, exr);
+        const auto capture = [&](const Scene& drawn) {
+            return session ? capture_gl(*session, drawn, options, exr) : capture_reference(drawn, options, exr);
+        };
+        auto captured = capture(beside ? half_of(*scene, *scene) : *scene);
         if (!captured) return report(captured.error());
+        if (beside) {
+            const auto right = capture(half_of(*scene, *beside));
+            if (!right) return report(right.error());
+            if (exr) captured->linear = side_by_side(captured->linear, right->linear);
+            else captured->display = side_by_side(captured->display, right->display);
+        }
         if (Status written = write(file, *scene, *captured, exr); !written) return report(written.error());
         if (progress) progress->advance();
         fmt::print("{}: {}x{}, {}\n", file, scene->camera.width, scene->camera.height, captured->made_by);
@@ -199,6 +235,7 @@ Command add_capture(CLI::App& parent) {
     app->add_option("scene", options->scene, "Scene file, or the name of one that ships (see: nullscope scenes)")->required();
     app->add_option("-o,--output", options->output, "File to write, .png or .exr")->capture_default_str();
     app->add_option("--size", options->size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
+    app->add_option("--beside", options->beside, "Split screen: the right half shows this scene, seen by the camera of the first; each half is centred");
     app->add_option("--context", options->context, "OpenGL context: auto, egl, osmesa")
         ->check(CLI::IsMember({"auto", "egl", "osmesa"}))->capture_default_str();
     app->add_option("--renderer", options->renderer, "gl: the shader; reference: the double-precision tracer, slow")

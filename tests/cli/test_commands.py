@@ -151,6 +151,17 @@ class Commands(support.CliTest):
         json.loads((self.folder / "bench.json").read_text())
         self.assertEqual(png_size((self.folder / "first-light.png").read_bytes())[0], 1280)
 
+    def test_two_spacetimes_beside_each_other(self):
+        pictures = {}
+        for name, other in (("same", "flat"), ("again", "flat"), ("other", "wormhole")):
+            self.run_nullscope("capture", "flat", "--beside", other, "--size", "64x32", "-o", f"{name}.png")
+            pictures[name] = (self.folder / f"{name}.png").read_bytes()
+            self.assertEqual(png_size(pictures[name]), (64, 32))
+        self.assertEqual(pictures["same"], pictures["again"])
+        self.assertNotEqual(pictures["same"], pictures["other"])
+        self.refused("capture", "flat", "--beside", "no such scene", says=["no such scene"])
+        self.refused("capture", "flat", "--beside", "flat", "--raydata", "-o", "a.exr", says=["--beside"])
+
     def test_bench_hard_judges_its_rows(self):
         said = self.run_nullscope("bench", "hard", "--only", "flat, sky", "--json", "hard.json").out
         self.assertIn("1 of 1 rows within their bounds", said)
