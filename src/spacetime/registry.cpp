@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "spacetime/dneg_wormhole.h"
 #include "spacetime/ellis.h"
+#include "spacetime/janis_newman_winicour.h"
 #include "spacetime/minkowski.h"
 #include "spacetime/naked_charge.h"
 #include "spacetime/neutron_star.h"
@@ -67,6 +68,10 @@ std::span<const MetricEntry> metric_registry() {
           {"lensing_width", 0.05, DnegWormhole::kNarrowest, DnegWormhole::kWidest,
            "Width of the region outside the tube that bends light, in throat radii."}},
          make_dneg_wormhole},
+        {"janis-newman-winicour",
+         "A mass with a scalar field: a photon sphere about a singular surface.",
+         {{"gamma", 0.8, JanisNewmanWinicour::kLeast, 1.0, "Mass over what it is with its field: 1 is Schwarzschild."}},
+         make_janis_newman_winicour},
         {"minkowski", "Flat spacetime: light runs straight.", {}, make_minkowski},
     };
     return entries;

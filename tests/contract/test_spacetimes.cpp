@@ -373,6 +373,27 @@ TEST_CASE("reissner-nordstrom: photon sphere, critical impact parameter and stro
     }
 }
 
+TEST_CASE("janis-newman-winicour: gamma = 1 is Schwarzschild; the photon sphere of others") {
+    const auto flat_field = *make_spacetime("janis-newman-winicour", {{"gamma", 1.0}}), hole = *make_spacetime("schwarzschild", {});
+    for (const double r : radii(*hole)) {
+        const double above = 1.0 - 1.0 / r;  // Schwarzschild forms it so: a rounding, over this
+        CHECK(std::fabs(flat_field->lapse_squared(r) / hole->lapse_squared(r) - 1.0) < kRounding / above);
+        CHECK(std::fabs(flat_field->chi_from_radius(r) - hole->chi_from_radius(r)) < kRounding / std::sqrt(above));
+    }
+    for (double chi = 0.01; chi < kPi; chi += 0.01) CHECK(std::fabs(flat_field->bending_density(chi) - hole->bending_density(chi)) < 4 * kRounding + kRounding / (kPi - chi));
+    for (const double gamma : {0.7, 0.75, 0.9}) {
+        const auto s = *make_spacetime("janis-newman-winicour", {{"gamma", gamma}});
+        CHECK(s->photon_sphere()->radius == doctest::Approx((1.0 + 2.0 * gamma) / (2.0 * gamma)).epsilon(kRounding));
+        // dphi = dr/(R^2 sqrt(q^2 - V)): d chi/dr = -1/(q_crit R^2 h), by central differences.
+        for (double r = 1.1 * *s->horizon_radius(); r < 20.0; r *= 1.05) {
+            const double rate = slope([&](double x) { return s->chi_from_radius(x); }, r);
+            const double expected = -1.0 / (s->photon_sphere()->q_crit * std::pow(s->areal_radius(r), 2) * s->bending_density(s->chi_from_radius(r)));
+            CHECK(std::fabs(rate / expected - 1.0) < 1e-7);
+            CHECK(std::fabs(s->radius_from_chi(s->chi_from_radius(r)) / r - 1.0) < 1e-12);
+        }
+    }
+}
+
 TEST_CASE("wall: V about what divides is its polynomial, grows inward without bound, and has no slope there if there is a photon sphere") {
     int walls = 0;
     for (const auto& [label, s] : cases()) {
