@@ -15,10 +15,18 @@ vec3 black_body(float log2_hue, float log2_glow, float scale) {
     int j = int(glow);
     vec4 h0 = black_body_fetch(i);
     vec4 h1 = black_body_fetch(i + 1);
-    float l0 = black_body_fetch(j).w;
-    float l1 = black_body_fetch(j + 1).w;
     vec3 colour = h0.xyz + (hue - float(i)) * (h1.xyz - h0.xyz);
     colour = mix(vec3(1.0), colour, 1.0 / (1.0 - min(min(colour.x, colour.y), min(colour.z, 0.0))));   // into Rec. 709's gamut
+#ifdef EFFECT_BOLOMETRIC
+    float all_wavelengths = 4.0 * log2_glow;
+    float luminance = all_wavelengths;
+#else
+    float l0 = black_body_fetch(j).w;
+    float l1 = black_body_fetch(j + 1).w;
     float luminance = l0 + (glow - float(j)) * (l1 - l0) + max(at - float(PLANCK_CELLS), 0.0) / PLANCK_PER_OCTAVE;
-    return at < 0.0 ? vec3(0.0) : colour * exp2(min(luminance - scale, 60.0));
+#endif
+#ifndef EFFECT_BOLOMETRIC
+    if (at < 0.0) return vec3(0.0);
+#endif
+    return colour * exp2(min(luminance - scale, 60.0));
 }

@@ -35,6 +35,10 @@ struct FrameData {
 #ifdef BLOCK_THERMAL_DISC
     vec4 disc_heat;    // 1/inner, flow cells per unit of ln r, log2 of the hottest ring's temperature (K) and of its luminance
 #endif
+#ifdef BLOCK_POINT_STARS
+    vec4 point_stars;  // peak of the point spread (1/px^2); for a star's reach: 2 sigma^2 ln 2 (px^2), 1/faintest light; margin (px)
+    vec4 point_spread; // log2(e)/(2 sigma^2) (1/px^2), 0, 0, 0
+#endif
     // A body's form, then its look: _map cosine and sine of the rotation, columns, rows; _colour the first colour, limb;
     // _second the second colour, latitude of the band.
 #ifdef BLOCK_SPHERE

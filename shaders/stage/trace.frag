@@ -67,10 +67,17 @@ void main() {
 #endif
 #endif
 #ifdef EFFECT_STAR
-    if (!trace.escapes) light += through * star_surface(trace);
+    if (!trace.escapes) {
+        light += through * star_surface(trace);
+        through = 0.0;
+    }
 #endif
 #ifdef DISPLAY_ENCODE
     light = display_encode(light, frame.image.w);
 #endif
+#ifdef EFFECT_POINT_STARS
+    colour = vec4(light, through);   // what of a point behind shines through
+#else
     colour = vec4(light, 1.0);
+#endif
 }

@@ -62,6 +62,7 @@ const std::vector<Added>& additions() {
         {Effect::kThermalDisc, bare_disc, glowing(false, false)},
         {Effect::kShift, glowing(false, false), glowing(true, false)},
         {Effect::kBeaming, glowing(false, false), glowing(false, true)},
+        {Effect::kBolometric, glowing(true, true), [](Scene& s) { s.light.bolometric = true; }},
         {Effect::kSphere, nothing, sphere},
         {Effect::kCylinder, nothing, [](Scene& s) { s.cylinder.emplace(); }},
         {Effect::kBall, nothing, [](Scene& s) { s.ball.emplace(); }},
@@ -70,6 +71,13 @@ const std::vector<Added>& additions() {
         {Effect::kNoise, sphere, texture(TextureKind::kNoise)},
         {Effect::kFormula, sphere, texture(TextureKind::kFormula)},
         {Effect::kBodyImage, sphere, texture(TextureKind::kImage)},
+        {Effect::kPointStars, nothing,
+         [](Scene& s) {
+             s.sky.kind = SkyKind::kPoints;
+             s.sky.even_stars = 100000;
+             s.sky.faintest = 6.0;
+             s.light = {false, false};
+         }},
         {Effect::kSky, nothing, [](Scene& s) { s.sky.kind = SkyKind::kStars; }},
         {Effect::kInner, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }, dark_wormhole},
         {Effect::kBounce, [](Scene& s) { s.spacetime.metric = "schwarzschild"; },

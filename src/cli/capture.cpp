@@ -18,6 +18,7 @@
 #include "render/display.h"
 #include "render/frontier.h"
 #include "scene/scene_file.h"
+#include "shaderlib/passes.h"
 
 namespace nullscope::cli {
 namespace {
@@ -76,12 +77,14 @@ Result<Captured> capture_reference(const Scene& scene, const Options& options, b
     if (bodies[1]) pictures.cylinder = &*bodies[1];
     if (bodies[2]) pictures.ball = &*bodies[2];
     if (bodies[3]) pictures.surface = &*bodies[3];
+    const auto stars = point_stars(scene.sky, assets_directory());
+    if (!stars) return stars.error();
     const long long pixels = static_cast<long long>(scene.camera.width) * scene.camera.height;
     Captured captured;
     {
         Progress progress("reference picture", pixels);
         auto image = reference::render_frame(scene, *sky, pictures, options.samples,
-                                             [&](long long n) { progress.advance(n); }, far_sky ? &*far_sky : nullptr);
+                                             [&](long long n) { progress.advance(n); }, far_sky ? &*far_sky : nullptr, *stars);
         if (!image) return image.error();
         captured.linear = std::move(*image);
     }
@@ -178,7 +181,8 @@ int run(const Options& options) {
     if (!scene) return report(scene.error());
     if (options.dump_shader) {
         const EffectSet effects = effect_set(required_effects(*scene));
-        fmt::print("{}", shader_source(Stage::kPicture, effects, Output::kDisplay, {}, scene->spacetime.metric, body_text(*scene)).fragment);
+        for (const Pass& pass : passes(effects, Output::kDisplay))
+            fmt::print("{}", pass_text(pass, effects, {}, scene->spacetime.metric, body_text(*scene)));
         return 0;
     }
     std::optional<Scene> beside;
@@ -251,7 +255,7 @@ Command add_capture(CLI::App& parent) {
     app->add_flag("--resume", options->resume, "Leave out the frames whose files are there: goes on with a sequence that was stopped");
     app->add_option("--samples", options->samples, "reference: rays per pixel along each side")->check(CLI::Range(1, 16))->capture_default_str();
     app->add_flag("--raydata", options->raydata, "Also write where every pixel's ray went, as channels of the EXR");
-    app->add_flag("--dump-shader", options->dump_shader, "Print the fragment shader of this scene and stop");
+    app->add_flag("--dump-shader", options->dump_shader, "Print the shaders of this scene's passes and stop");
     return {app, [options] { return run(*options); }};
 }
 

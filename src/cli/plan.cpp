@@ -6,9 +6,12 @@
 
 #include "base/image_file.h"
 #include "cli/command.h"
+#include "base/assets.h"
 #include "cli/json.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
+#include "shaderlib/passes.h"
+#include "sky/point_stars.h"
 #include "table/disc_light.h"
 
 namespace nullscope::cli {
@@ -53,6 +56,8 @@ void add_tables(const FrameTables& tables, const Scene& scene, std::vector<Line>
     std::string reason;
     for (const std::string object : objects)
         if (!object.empty()) reason += (reason.empty() ? "" : ", ") + object;
+    const TexelGrid& lens = tables.star_lens();
+    if (lens.width > 0) lines.push_back({"star lens", 1, lens.width, lens.height, bytes_of(lens.bytes()), "GPU", radius});
     if (map.width > 0) lines.push_back({"orbit map", 1, map.width, map.height, bytes_of(map.bytes()), "GPU", reason});
 }
 
@@ -65,7 +70,16 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Li
     }
     if (effects.contains(Effect::kThermalDisc)) {
         lines.push_back({"disc flow", 1, kDiscFlowCells + 1, 1, 16 * (kDiscFlowCells + 1), "GPU", "disc.emission"});
-        lines.push_back({"black body", 1, kBlackBodyCells + 1, 1, 16 * (kBlackBodyCells + 1), "GPU", "disc.emission"});
+    }
+    if (effects.contains(Effect::kThermalDisc) || effects.contains(Effect::kPointStars))
+        lines.push_back({"black body", 1, kBlackBodyCells + 1, 1, 16 * (kBlackBodyCells + 1), "GPU", "disc.emission, sky.kind"});
+    if (effects.contains(Effect::kPointStars)) {
+        const auto stars = point_stars(scene.sky, assets_directory());
+        if (!stars) return stars.error();
+        const long long count = static_cast<long long>(stars->size());
+        lines.push_back({"stars", 1, count, 1, 20 * count, "GPU", "sky.kind, sky.faintest"});
+        const long long w = scene.camera.width, h = scene.camera.height;
+        lines.push_back({"linear picture", 1, w, h, 8 * w * h, "GPU", "camera.size"});
     }
     if (effects.contains(Effect::kDiscImage)) {
         const auto image = load_disc_image(*scene.disc);
@@ -91,7 +105,9 @@ Result<Plan> make_plan(const Scene& scene) {
     if (Status made = tables.update(scene); !made) return made.error();
     add_tables(tables, scene, plan.tables);
     if (Status added = add_pictures(tables.effects(), scene, plan.tables); !added) return added.error();
-    const std::string shader = shader_source(Stage::kPicture, tables.effects(), Output::kDisplay, {}, scene.spacetime.metric, body_text(scene)).fragment;
+    std::string shader;
+    for (const Pass& pass : passes(tables.effects(), Output::kDisplay))
+        shader += pass_text(pass, tables.effects(), {}, scene.spacetime.metric, body_text(scene));
     plan.shader_bytes = bytes_of(shader.size());
     plan.shader_lines = std::count(shader.begin(), shader.end(), '\n');
     return plan;
@@ -110,9 +126,6 @@ std::string size_text(long long bytes) {
                            : fmt::format("{:.1f} MiB", static_cast<double>(bytes) / 1048576.0);
 }
 
-constexpr std::string_view kPassText =
-    "one triangle over the picture: every pixel traces its ray and shades what it meets";
-
 void print_text(const Plan& plan) {
     const CameraSpec& camera = plan.scene.camera;
     fmt::print("{}\n\nEffects\n", plan.scene.name);
@@ -126,8 +139,10 @@ void print_text(const Plan& plan) {
         fmt::print("  {:<18}{:>1} x {:>5} x {:<5} {:>10}  {:<4}  {}\n", t.name, t.layers, t.width, t.height,
                    size_text(t.bytes), t.place, t.reason);
     if (plan.tables.empty()) fmt::print("  none\n");
-    fmt::print("Passes\n  {:<18}{} x {} px; {}\n", "picture", camera.width, camera.height, kPassText);
-    fmt::print("Fragment shader\n  {} bytes, {} lines (nullscope capture SCENE --dump-shader prints it)\n",
+    fmt::print("Passes\n");
+    for (const Pass& pass : passes(effect_set(plan.effects), Output::kDisplay))
+        fmt::print("  {:<18}{} x {} px; {}\n", pass.name, camera.width, camera.height, pass.what);
+    fmt::print("Shaders\n  {} bytes, {} lines (nullscope capture SCENE --dump-shader prints it)\n",
                plan.shader_bytes, plan.shader_lines);
 }
 
@@ -151,16 +166,18 @@ std::string json_of(const Plan& plan) {
                              .add("reason", t.reason));
         total += t.bytes;
     }
-    const auto pass = JsonObject()
-                          .add("name", "picture")
-                          .add("width", plan.scene.camera.width)
-                          .add("height", plan.scene.camera.height)
-                          .add("what", kPassText);
+    std::vector<JsonObject> drawn;
+    for (const Pass& pass : passes(effect_set(plan.effects), Output::kDisplay))
+        drawn.push_back(JsonObject()
+                            .add("name", pass.name)
+                            .add("width", plan.scene.camera.width)
+                            .add("height", plan.scene.camera.height)
+                            .add("what", pass.what));
     const auto shader = JsonObject().add("bytes", plan.shader_bytes).add("lines", plan.shader_lines);
     JsonObject all;
     all.add("scene", plan.scene.name).add("metric", plan.scene.spacetime.metric);
     all.raw("effects", json_array(effects)).raw("left_out", json_array(off)).raw("tables", json_array(tables));
-    all.add("table_bytes", total).raw("passes", json_array({pass})).raw("shader", shader.text());
+    all.add("table_bytes", total).raw("passes", json_array(drawn)).raw("shader", shader.text());
     return all.text() + "\n";
 }
 

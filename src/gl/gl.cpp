@@ -124,10 +124,7 @@ void bind_uniform_block(const Program& program, const char* block, unsigned bind
     if (index != GL_INVALID_INDEX) glUniformBlockBinding(program.id(), index, binding);
 }
 
-void bind_sampler(const Program& program, const char* sampler, int unit) {
-    glUseProgram(program.id());
-    glUniform1i(glGetUniformLocation(program.id(), sampler), unit);
-}
+void bind_sampler(const Program& program, const char* sampler, int unit) { set_integer(program, sampler, unit); }
 
 std::vector<int> uniform_offsets(const Program& program, const std::vector<std::string>& members) {
     std::vector<const char*> names;
@@ -195,6 +192,27 @@ void upload_uniforms(const Buffer& buffer, const void* data, std::size_t bytes) 
 
 void bind_uniforms(const Buffer& buffer, unsigned binding) { glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer.id()); }
 
+VertexList make_vertex_list(const std::vector<float>& values, const std::vector<int>& sizes) {
+    GLuint id = 0;
+    glGenBuffers(1, &id);
+    VertexList list{Buffer(id), make_vertex_array(), 0};
+    glBindVertexArray(list.layout.id());
+    glBindBuffer(GL_ARRAY_BUFFER, id);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data(), GL_STATIC_DRAW);
+    int floats = 0;
+    for (const int size : sizes) floats += size;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        glEnableVertexAttribArray(static_cast<GLuint>(i));
+        glVertexAttribPointer(static_cast<GLuint>(i), sizes[i], GL_FLOAT, GL_FALSE, floats * static_cast<GLsizei>(sizeof(float)),
+                              reinterpret_cast<const void*>(at));   // NOLINT: OpenGL's offset
+        at += static_cast<std::size_t>(sizes[i]) * sizeof(float);
+    }
+    list.count = static_cast<int>(values.size()) / floats;
+    check("vertices");
+    return list;
+}
+
 Target make_target(int width, int height, Format format, int count) {
     Target target{width, height, {}, {}};
     GLuint id = 0;
@@ -207,6 +225,8 @@ Target make_target(int width, int height, Format format, int count) {
         set_sampling(GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST);
         if (format == Format::kRgba8)
             glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        else if (format == Format::kRgba16F)
+            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, width, height, 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
         else
             glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
         const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
@@ -253,6 +273,26 @@ void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned 
     glBindVertexArray(empty.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     check("draw");
+}
+
+void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width, int height, int margin) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(-margin, -margin, width + 2 * margin, height + 2 * margin);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
+    glUseProgram(program.id());
+    glBindVertexArray(vertices.layout.id());
+    glDrawArrays(GL_POINTS, 0, count);
+    glDisable(GL_BLEND);
+    check("draw points");
+}
+
+void set_integer(const Program& program, const char* uniform, int value) {
+    glUseProgram(program.id());
+    glUniform1i(glGetUniformLocation(program.id(), uniform), value);
 }
 
 void bind_texture_2d(int unit, const Texture& texture) {

@@ -78,7 +78,15 @@ Buffer make_uniform_buffer(std::size_t bytes);
 void upload_uniforms(const Buffer& buffer, const void* data, std::size_t bytes);
 void bind_uniforms(const Buffer& buffer, unsigned binding);
 
-enum class Format { kRgba8, kRgba32F };
+// Vertices of float attributes, given once: attribute i has sizes[i] floats, in the order of the data.
+struct VertexList {
+    Buffer data;
+    VertexArray layout;
+    int count = 0;
+};
+VertexList make_vertex_list(const std::vector<float>& values, const std::vector<int>& sizes);
+
+enum class Format { kRgba8, kRgba16F, kRgba32F };
 // A framebuffer with `count` colour textures of one format.
 struct Target {
     int width = 0, height = 0;
@@ -92,6 +100,10 @@ void read_rgba32f(const Target& target, int attachment, float* out);     // bott
 VertexArray make_vertex_array();
 // Draws one triangle over the viewport of the bound framebuffer. framebuffer 0: the window.
 void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height);
+// Adds points to what is in the framebuffer: colour += colour of the point x alpha that is there; alpha stays. The viewport is
+// `margin` px wider on every side, so that a point whose middle is outside still shows its rim.
+void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width, int height, int margin);
+void set_integer(const Program& program, const char* uniform, int value);
 void bind_texture_2d(int unit, const Texture& texture);
 void bind_texture_cube(int unit, const Texture& texture);
 void finish();

@@ -45,4 +45,8 @@ Vec3 into_gamut(Vec3 c) {
     return {y + keep * (c.x - y), y + keep * (c.y - y), y + keep * (c.z - y)};
 }
 
+double log2_brightness(double temperature_K, bool bolometric) {
+    return bolometric ? 4.0 * std::log2(temperature_K) : std::log2(black_body_xyz(temperature_K).y);
+}
+
 }  // namespace nullscope

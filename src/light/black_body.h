@@ -19,4 +19,7 @@ Vec3 rec709_from_xyz(Vec3 xyz);
 // The nearest colour of the same luminance inside the gamut, on the line to white: for rec709 with negative components.
 Vec3 into_gamut(Vec3 rec709);
 
+// log2 of how bright a black body is: its luminance Y, or if bolometric the power at all wavelengths over 1 K's, T^4.
+double log2_brightness(double temperature_K, bool bolometric);
+
 }  // namespace nullscope

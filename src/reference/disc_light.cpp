@@ -23,7 +23,7 @@ double derivative(Function f, double r) {   // eighth order: some 1e-12 relative
 
 DiscLight::DiscLight(const OrbitMetric& metric, const DiscSpec& disc, const LightSpec& light)
     : metric_(metric), disc_(disc), light_(light) {
-    luminance_ = black_body_xyz(disc.temperature_K).y;
+    luminance_ = light.bolometric ? std::pow(disc.temperature_K, 4) : black_body_xyz(disc.temperature_K).y;
     const double horizon = metric.horizon_radius().value_or(0.0);
     if (horizon == 0.0) return;
     // The least energy of all circles: Boost's Brent gives half of the digits, a bisection of its slope the rest.
@@ -97,7 +97,8 @@ Vec3 DiscLight::colour(double r, double g) const {
     if (!(share > 0)) return {0, 0, 0};
     const double temperature = disc_.temperature_K * std::pow(share, 0.25);
     const Vec3 hue = black_body_xyz(light_.shift ? g * temperature : temperature);
-    const double glow = black_body_xyz(light_.beaming ? g * temperature : temperature).y;
+    const double glowing = light_.beaming ? g * temperature : temperature;
+    const double glow = light_.bolometric ? std::pow(glowing, 4) : black_body_xyz(glowing).y;
     if (!(hue.y > 0)) return {0, 0, 0};
     return glow / luminance_ * into_gamut(rec709_from_xyz(hue / hue.y));
 }

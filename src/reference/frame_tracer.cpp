@@ -88,6 +88,18 @@ CameraRay FrameTracer::ray(double x, double y) const {
             1 / (static_cast<double>(frequency) * lapse_), l_phi * std::sin(camera_.theta), l * l};
 }
 
+std::optional<std::array<double, 2>> FrameTracer::position(Vec3 look) const {
+    // The photon p = (1, -look) in the static tetrad is omega (e_0 - n^i e_i): n_i = (p . e_i) / (p . e_0), as e_0 . e_0 = -1.
+    const auto product = [&](int i) {
+        return -tetrad_[i][0] - look.x * tetrad_[i][1] - look.y * tetrad_[i][2] - look.z * tetrad_[i][3];
+    };
+    const long double ahead = -product(3) / product(0);   // the third axis points backward
+    if (!(ahead > 0)) return std::nullopt;
+    const long double pixel = camera_.plane_width / camera_.width / camera_.focal_distance;
+    const long double x = product(1) / product(0) / (ahead * pixel), y = product(2) / product(0) / (ahead * pixel);
+    return std::array{0.5 * camera_.width + static_cast<double>(x), 0.5 * camera_.height - static_cast<double>(y)};
+}
+
 std::vector<DiscHit> FrameTracer::disc_hits(const CameraRay& ray, int max_hits) const {
     std::vector<DiscHit> hits;
     if (!disc_) return hits;

@@ -36,6 +36,8 @@ public:
     static Result<FrameTracer> make(const Scene& scene);
     // Pixel position: column, row from the top, centres at +0.5. About a microsecond.
     CameraRay ray(double x, double y) const;
+    // The pixel position of a unit look direction (r, theta, phi) of the static frame; nothing for one behind the camera.
+    std::optional<std::array<double, 2>> position(Vec3 look) const;
     // Where the ray meets the disc, in its order; empty if the scene has none. At most max_hits.
     std::vector<DiscHit> disc_hits(const CameraRay& ray, int max_hits) const;
     // The first solid body that the ray meets.

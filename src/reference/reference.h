@@ -11,6 +11,7 @@
 #include "base/result.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
+#include "sky/point_stars.h"
 #include "sky/sky.h"
 
 namespace nullscope::reference {
@@ -38,9 +39,11 @@ struct Pictures {
     }
 };
 
+// stars: of kind kPoints, sky/point_stars.h.
 // Linear RGB (exposure not applied), samples x samples rays a pixel, averaged in linear light. far_sky: of
 // wormholes; without one it is black.
 Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const Pictures& pictures, int samples,
-                                  const std::function<void(long long)>& done = {}, const SkyCube* far_sky = nullptr);
+                                  const std::function<void(long long)>& done = {}, const SkyCube* far_sky = nullptr,
+                                  const std::vector<PointStar>& stars = {});
 
 }  // namespace nullscope::reference

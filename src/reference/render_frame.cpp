@@ -8,6 +8,7 @@
 
 #include "reference/disc_light.h"
 #include "reference/frame_tracer.h"
+#include "reference/star_images.h"
 #include "reference/reference.h"
 
 namespace nullscope::reference {
@@ -102,10 +103,20 @@ Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& look
     return colour;
 }
 
+// What of a point behind shines through.
+double transmission(const FrameTracer& tracer, const Scene& scene, const Looks& looks, double x, double y) {
+    const CameraRay ray = tracer.ray(x, y);
+    if (tracer.body_hit(ray)) return 0;
+    double through = 1;
+    for (const DiscHit& hit : tracer.disc_hits(ray, kMostHits)) through *= 1 - disc_paint(*scene.disc, looks.pictures.disc, hit.x, hit.y).alpha;
+    return through;
+}
+
 }  // namespace
 
 Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const Pictures& pictures, int samples,
-                                  const std::function<void(long long)>& done, const SkyCube* far_sky) {
+                                  const std::function<void(long long)>& done, const SkyCube* far_sky,
+                                  const std::vector<PointStar>& stars) {
     if (samples < 1) return bad_input(fmt::format("samples = {} must be at least 1", samples));
     if (pictures.disc && (pictures.disc->empty() || pictures.disc->channels < 3 || pictures.disc->channels > 4)) {
         return bad_input("the disc's image must have 3 or 4 channels");
@@ -133,6 +144,8 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
             if (done) done(image.width);
         }
     });
+    if (!stars.empty())
+        add_point_stars(*tracer, scene, stars, [&](double x, double y) { return transmission(*tracer, scene, looks, x, y); }, image);
     return image;
 }
 

@@ -7,13 +7,19 @@
 #include <cmath>
 
 #include "camera/pose.h"
+#include "light/black_body.h"
 #include "scene/pixel_angle.h"
+#include "sky/point_stars.h"
 #include "table/critical_images.h"
 #include "table/disc_light.h"
 #include "table/orbit_map.h"
+#include "table/star_lens.h"
 
 namespace nullscope {
 namespace {
+
+// Light of a pixel, white is 1, below which a star is left out: half of the first step of 8 bits in sRGB.
+constexpr double kFaintestPoint = 1.0 / 6587.0;
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -116,11 +122,13 @@ Status FrameTables::update(const Scene& scene) {
     if (meets_objects(wanted) && !spacetime_->can_have_disc())
         return bad_input(fmt::format("metric \"{}\" has neither discs nor bodies; allowed: a scene without them", scene.spacetime.metric));
     const bool orbits = meets_objects(wanted), had_orbits = meets_objects(effects_);
-    rows_stale = rows_stale || radius_ != scene.camera.r || (orbits && !had_orbits) ||
+    const bool points = wanted.contains(Effect::kPointStars), had_points = effects_.contains(Effect::kPointStars);
+    rows_stale = rows_stale || radius_ != scene.camera.r || (orbits && !had_orbits) || (points && !had_points) ||
                  (fan_ && fan_->w0() != fan_for(scene).w0());
     effects_ = wanted;
-    if (!orbits && had_orbits && !rows_stale) {   // nothing to meet any more: the map goes, the strip stays
-        orbit_map_ = {};
+    if (((!orbits && had_orbits) || (!points && had_points)) && !rows_stale) {   // what nothing calls for any more goes, the strip stays
+        if (!orbits) orbit_map_ = {};
+        if (!points) star_lens_ = {};
         ++revision_;
     }
     if (!rows_stale) return Done{};
@@ -128,12 +136,14 @@ Status FrameTables::update(const Scene& scene) {
     fan_.reset();
     strip_ = {};
     orbit_map_ = {};
+    star_lens_ = {};
     ++revision_;
     if (!spacetime_->bends_light()) return Done{};
     const auto start = std::chrono::steady_clock::now();
     fan_ = fan_for(scene);
     strip_ = build_strip(*fan_);
     if (orbits) orbit_map_ = build_orbit_map(*fan_);
+    if (points) star_lens_ = star_lens_row(*fan_);
     rows_ms_ = milliseconds_since(start);
     return Done{};
 }
@@ -203,8 +213,11 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(images.inner, images.outer, images.per_angle * M_LOG2E, images.from_angle);
     if (disc.emission == DiscEmission::kThermal)
         block.put(1.0 / disc.inner, kDiscFlowCells / std::log(disc.outer / disc.inner), std::log2(disc.temperature_K),
-                  log2_luminance(disc.temperature_K));
+                  log2_brightness(disc.temperature_K, scene.light.bolometric));
     else block.put(0, 0, 0, 0);
+    block.put(1.0 / (2.0 * M_PI * kPointSigma_px * kPointSigma_px), 2.0 * kPointSigma_px * kPointSigma_px * M_LN2, 1.0 / kFaintestPoint,
+              kPointMargin_px);
+    block.put(M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0);
     put_bodies(block, scene, spacetime);
     return block.numbers();
 }

@@ -28,6 +28,7 @@ public:
     const TexelGrid& strip() const { return strip_.sky; }
     const TexelGrid& ends() const { return strip_.ends; }
     const TexelGrid& orbit_map() const { return orbit_map_; }
+    const TexelGrid& star_lens() const { return star_lens_; }      // empty without point stars
     int revision() const { return revision_; }                      // grows whenever strip or orbit map change
     double table_ms() const { return table_ms_; }                   // time of the last deflection table
     double rows_ms() const { return rows_ms_; }                     // time of the last strip and orbit map
@@ -44,7 +45,7 @@ private:
     RayFan fan_for(const Scene& scene) const;
     EffectSet effects_;
     Strip strip_;
-    TexelGrid orbit_map_;
+    TexelGrid orbit_map_, star_lens_;
     int revision_ = 0;
     double table_ms_ = 0.0, rows_ms_ = 0.0;
 };

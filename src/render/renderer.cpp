@@ -10,7 +10,9 @@
 #include "base/assets.h"
 #include "base/image_file.h"
 #include "sky/sky.h"
+#include "shaderlib/passes.h"
 #include "table/disc_light.h"
+#include "table/star_lens.h"
 #include "table/table_grid.h"
 
 namespace nullscope {
@@ -18,7 +20,7 @@ namespace {
 
 constexpr unsigned kFrameBinding = 0;
 enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5, kFarSkyUnit = 6, kBodyUnit = 7,
-            kDiscFlowUnit = kBodyUnit + kBodyCount, kBlackBodyUnit };
+            kDiscFlowUnit = kBodyUnit + kBodyCount, kBlackBodyUnit, kStarLensUnit, kPictureUnit };
 
 template <class T>
 Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
@@ -74,6 +76,8 @@ Status Renderer::prepare(const Scene& scene) {
     if (Status status = load_bodies(scene); !status) return status;
     if (Status status = load_table(scene); !status) return status;
     load_heat(scene);
+    load_black_body();
+    if (Status status = stars_.update(scene, tables_.effects().contains(Effect::kPointStars)); !status) return status;
     scene_ = scene;
     upload_tables();
     upload_block(scene, {sky_size_, disc_width_});
@@ -86,9 +90,11 @@ void Renderer::upload_tables() {
     strip_ = {};
     orbit_map_ = {};
     ends_ = {};
-    const TexelGrid &strip = tables_.strip(), &ends = tables_.ends(), &map = tables_.orbit_map();
+    star_lens_ = {};
+    const TexelGrid &strip = tables_.strip(), &ends = tables_.ends(), &map = tables_.orbit_map(), &lens = tables_.star_lens();
     if (ends.width > 0) ends_ = gl::make_float_texture(ends.width, ends.height, ends.texels.data());
     if (strip.width > 0) strip_ = gl::make_float_texture(strip.width, strip.height, strip.texels.data());
+    if (lens.width > 0) star_lens_ = gl::make_float_texture(lens.width, lens.height, lens.texels.data());
     if (map.width > 0) orbit_map_ = gl::make_float_texture(map.width, map.height, map.texels.data());
 }
 
@@ -173,19 +179,22 @@ Status Renderer::load_bodies(const Scene& scene) {
 void Renderer::load_heat(const Scene& scene) {
     if (!tables_.effects().contains(Effect::kThermalDisc)) {
         disc_flow_ = {};
-        black_body_ = {};
         flow_key_.reset();
         return;
     }
     const auto key = std::make_tuple(scene.spacetime, scene.disc->inner, scene.disc->outer);
     if (flow_key_ == key) return;
-    if (!flow_key_) {
-        const TexelGrid row = black_body_row();
-        black_body_ = gl::make_float_texture(row.width, row.height, row.texels.data());
-    }
     const TexelGrid row = disc_flow_row(tables_.spacetime(), scene.disc->inner, scene.disc->outer);
     disc_flow_ = gl::make_float_texture(row.width, row.height, row.texels.data());
     flow_key_ = key;
+}
+
+void Renderer::load_black_body() {
+    const bool wanted = tables_.effects().contains(Effect::kThermalDisc) || tables_.effects().contains(Effect::kPointStars);
+    if (!wanted) black_body_ = {};
+    if (!wanted || black_body_) return;
+    const TexelGrid row = black_body_row();
+    black_body_ = gl::make_float_texture(row.width, row.height, row.texels.data());
 }
 
 Status Renderer::load_table(const Scene& scene) {
@@ -228,6 +237,8 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     for (int i = 0; i < kBodyCount; ++i) gl::bind_sampler(made, body_image_sampler(i), kBodyUnit + i);
     gl::bind_sampler(made, "disc_flow_texture", kDiscFlowUnit);
     gl::bind_sampler(made, "black_body_texture", kBlackBodyUnit);
+    gl::bind_sampler(made, "star_lens_texture", kStarLensUnit);
+    gl::bind_sampler(made, "picture_texture", kPictureUnit);
     return programs_.emplace(key, std::move(made)).first->second;
 }
 
@@ -243,12 +254,26 @@ void Renderer::bind_inputs() {
     body_images_.bind(kBodyUnit);
     gl::bind_texture_2d(kDiscFlowUnit, disc_flow_);
     gl::bind_texture_2d(kBlackBodyUnit, black_body_);
+    gl::bind_texture_2d(kStarLensUnit, star_lens_);
 }
 
 void Renderer::draw(unsigned framebuffer, int width, int height, Output output) {
-    const gl::Program& built = program(Stage::kPicture, output);
+    const std::vector<Pass> list = passes(tables_.effects(), output);
+    const bool keep = keeps_light(list);
+    if (!keep) linear_ = {};
+    else if (linear_.width != width || linear_.height != height) linear_ = gl::make_target(width, height, gl::Format::kRgba16F);
     bind_inputs();
-    gl::draw_fullscreen(built, empty_, framebuffer, width, height);
+    const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
+    for (const Pass& pass : list) {
+        const gl::Program& built = program(pass.stage, pass.output);
+        if (pass.stage == Stage::kStars) {
+            const int images = tables_.effects().contains(Effect::kLensing) ? kStarImages : 1;
+            stars_.draw(built, picture, width, height, images);
+            continue;
+        }
+        if (pass.stage == Stage::kDevelop) gl::bind_texture_2d(kPictureUnit, linear_.colours.front());
+        gl::draw_fullscreen(built, empty_, pass.stage == Stage::kPicture ? picture : framebuffer, width, height);
+    }
 }
 
 void Renderer::draw_bare_fetch(unsigned framebuffer, int width, int height) {
@@ -338,8 +363,11 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
             lines.push_back({body_image_sampler(body), picture->width, picture->height, static_cast<std::size_t>(picture->width) * picture->height * 32 / 3});
     if (flow_key_) {
         lines.push_back({"disc flow", kDiscFlowCells + 1, 1, static_cast<std::size_t>(kDiscFlowCells + 1) * 16});
-        lines.push_back({"black body", kBlackBodyCells + 1, 1, static_cast<std::size_t>(kBlackBodyCells + 1) * 16});
     }
+    if (black_body_) lines.push_back({"black body", kBlackBodyCells + 1, 1, static_cast<std::size_t>(kBlackBodyCells + 1) * 16});
+    if (star_lens_) lines.push_back({"star lens", tables_.star_lens().width, 1, tables_.star_lens().bytes()});
+    if (stars_.count() > 0) lines.push_back({"stars", stars_.count(), 1, stars_.bytes()});
+    if (linear_.width > 0) lines.push_back({"linear picture", linear_.width, linear_.height, static_cast<std::size_t>(linear_.width) * linear_.height * 8});
     return lines;
 }
 

@@ -14,6 +14,7 @@
 #include "gl/gl.h"
 #include "render/body_images.h"
 #include "render/frame_tables.h"
+#include "render/star_field.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
 #include "shaderlib/shader_source.h"
@@ -37,7 +38,7 @@ public:
     void set_method(const Method& method) { method_ = method; }
     const Method& method() const { return method_; }
 
-    // Draws the prepared scene's picture to a framebuffer of this size (0: the window).
+    // Draws the prepared scene's picture to a framebuffer of this size (0: the window). kLinear: one with float colours and alpha.
     void draw(unsigned framebuffer, int width, int height, Output output);
 
     // A yardstick: one cube-map fetch a pixel. Needs a prepared scene with a sky.
@@ -72,6 +73,7 @@ private:
     Status load_bodies(const Scene& scene);
     Status load_table(const Scene& scene);
     void load_heat(const Scene& scene);
+    void load_black_body();
 
     gl::Info info_;
     gl::VertexArray empty_;
@@ -83,7 +85,9 @@ private:
     int rows_revision_ = -1;
     std::optional<EffectSet> block_effects_;
     std::vector<int> block_members_;   // of the uniform block with these effects
-    gl::Texture strip_, ends_, orbit_map_, sky_, far_sky_, disc_, table_, disc_flow_, black_body_;
+    gl::Texture strip_, ends_, orbit_map_, sky_, far_sky_, disc_, table_, disc_flow_, black_body_, star_lens_;
+    StarField stars_;
+    gl::Target linear_;                // what passes of light work on, if there are any
     BodyText body_text_;
     BodyImages body_images_;
     std::optional<std::pair<SpacetimeSpec, Method>> table_key_;   // of table_

@@ -17,7 +17,7 @@ constexpr bool table_is_in_order() {
 }
 static_assert(table_is_in_order(), "row i of kEffectTable describes enumerator i");
 
-const char* name_of(SkyKind kind) { return kind == SkyKind::kStars ? "stars" : "image"; }
+const char* name_of(SkyKind kind) { return kind == SkyKind::kStars ? "stars" : kind == SkyKind::kPoints ? "points" : "image"; }
 
 }  // namespace
 
@@ -96,15 +96,18 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
         } else if (scene.disc->edge > 0.0) {
             reasons.push_back({Effect::kTranslucentDisc, fmt::format("disc.edge = {}", scene.disc->edge)});
         }
-        if (thermal) {
-            const char* heat = "disc.emission = \"thermal\"";
-            reasons.push_back({Effect::kThermalDisc, heat});
-            if (scene.light.shift) reasons.push_back({Effect::kShift, heat});
-            if (scene.light.beaming) reasons.push_back({Effect::kBeaming, heat});
-        }
+        if (thermal) reasons.push_back({Effect::kThermalDisc, "disc.emission = \"thermal\""});
+    }
+    const bool points = scene.sky.kind == SkyKind::kPoints;
+    if (points || (scene.disc && scene.disc->emission == DiscEmission::kThermal)) {
+        const char* heat = points ? "sky.kind = \"points\"" : "disc.emission = \"thermal\"";
+        if (scene.light.shift) reasons.push_back({Effect::kShift, heat});
+        if (scene.light.beaming) reasons.push_back({Effect::kBeaming, heat});
+        if (scene.light.bolometric) reasons.push_back({Effect::kBolometric, "light.band = \"bolometric\""});
     }
     add_bodies(scene, reasons);
-    if (scene.sky.kind != SkyKind::kBlack) {
+    if (points) reasons.push_back({Effect::kPointStars, "sky.kind = \"points\""});
+    if (scene.sky.kind != SkyKind::kBlack && scene.sky.even_stars == 0) {
         reasons.push_back({Effect::kSky, fmt::format("sky.kind = \"{}\"", name_of(scene.sky.kind))});
     }
     if (spacetime && (*spacetime)->bends_light() && (*spacetime)->inner_end() != InnerEnd::kHorizon)

@@ -15,10 +15,11 @@
 namespace nullscope {
 
 enum class Effect {
-    kLensing, kAberration, kDisc, kDiscImage, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kSky,
+    kLensing, kAberration, kDisc, kDiscImage, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kBolometric,
+    kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kPointStars, kSky,
     kInner, kBounce, kFarSky, kStar
 };
-inline constexpr std::size_t kEffectCount = 21;
+inline constexpr std::size_t kEffectCount = 23;
 
 struct EffectRow {
     Effect effect;
@@ -47,9 +48,11 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
      "The disc's matter moves on geodesics and glows with the heat that it gains by falling.", "disc.emission is \"thermal\"",
      "disc flow, black body; six fetches a crossing"},
     {Effect::kShift, "shift", "EFFECT_SHIFT", "Light has the colour that motion and gravity give it.",
-     "something shines by its heat and light.shift is not \"off\"", "one logarithm a crossing"},
+     "something shines by its heat and light.shift is not \"off\"", "one logarithm a crossing or star"},
     {Effect::kBeaming, "beaming", "EFFECT_BEAMING", "Light has the brightness that motion and gravity give it.",
-     "something shines by its heat and light.beaming is not \"off\"", "one logarithm a crossing"},
+     "something shines by its heat and light.beaming is not \"off\"", "one logarithm a crossing or star"},
+    {Effect::kBolometric, "bolometric", "EFFECT_BOLOMETRIC", "Brightness is power at all wavelengths.",
+     "something shines by its heat and light.band is \"bolometric\"", "nothing"},
     {Effect::kSphere, "sphere", "EFFECT_SPHERE", "A solid sphere about the centre ends rays.", "there is a [sphere]",
      "ray ends, orbit map; some four steps of four fetches where it is seen"},
     {Effect::kCylinder, "cylinder", "EFFECT_CYLINDER", "A solid disc of finite thickness ends rays.", "there is a [cylinder]",
@@ -66,7 +69,9 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
      "a body's texture is a formula", "four times the formula where the body is seen"},
     {Effect::kBodyImage, "body-image", "EFFECT_BODY_IMAGE", "A body has an image on it.", "a body's texture is an image",
      "a picture with mip levels; one fetch where the body is seen"},
-    {Effect::kSky, "sky", "EFFECT_SKY", "Escaped rays show the celestial sphere.", "sky.kind is not black",
+    {Effect::kPointStars, "point-stars", "EFFECT_POINT_STARS", "Stars are points, each with all its images.",
+     "sky.kind is \"points\"", "a pass of its own: a vertex a star and image; star lens, black body"},
+    {Effect::kSky, "sky", "EFFECT_SKY", "Escaped rays show the celestial sphere.", "sky.kind is not black, and there are no sky.even_stars",
      "a cube map; one fetch a pixel"},
     {Effect::kInner, "inner", "EFFECT_INNER", "Rays that pass the critical direction inward end somewhere to see.",
      "spacetime.metric is a wormhole, a star or a charge without horizon", "more octaves of the strip"},

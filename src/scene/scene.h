@@ -30,7 +30,8 @@ struct CameraSpec {
     double exposure_ev = 0.0;        // display brightness is multiplied by 2^exposure_ev
 };
 
-enum class SkyKind { kStars, kImage, kBlack };
+// kStars: the catalogue drawn into a picture of the sky. kPoints: its stars as points, over the Milky Way.
+enum class SkyKind { kStars, kImage, kBlack, kPoints };
 enum class SkyMapping { kEquirectangular, kBandAndCaps };
 
 // The celestial sphere at infinity.
@@ -45,6 +46,8 @@ struct SkySpec {
     double band_latitude = 0.7853981633974483;            // kBandAndCaps only, (0, pi/2)
     double yaw = 0.0, tilt = 0.0;                         // world_from_sky = R_z(yaw) R_x(tilt)
     double brightness = 1.0;
+    double faintest = 20.0;                               // kPoints only: magnitude V of the faintest stars
+    int even_stars = 0;                                   // kPoints only; above 0: so many equal stars, evenly spread, and no catalogue
     friend bool operator==(const SkySpec&, const SkySpec&) = default;
 };
 
@@ -124,6 +127,7 @@ inline SkySpec default_far_sky() {
 struct LightSpec {
     bool shift = true;     // of colour
     bool beaming = true;   // of brightness
+    bool bolometric = false;   // brightness is power at all wavelengths, as T^4, not luminance
     friend bool operator==(const LightSpec&, const LightSpec&) = default;
 };
 

@@ -161,6 +161,8 @@ void SceneReader::check_sky() {
     if (far_image != given("far_sky.image"))
         report(line(far_image ? "far_sky.kind" : "far_sky.image"), "far_sky.image", far_image ? "missing, but kind is image" : "kind is not image",
                far_image ? "an image file" : "with kind = \"image\" only");
+    for (const char* key : {"sky.faintest", "sky.even_stars"})
+        if (scene_.sky.kind != SkyKind::kPoints && given(key)) report(line(key), key, "kind is not points", "with kind = \"points\" only");
     const bool image = scene_.sky.kind == SkyKind::kImage;
     const bool caps = scene_.sky.mapping == SkyMapping::kBandAndCaps;
     if (image && !given("sky.image")) {

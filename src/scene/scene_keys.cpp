@@ -25,6 +25,8 @@ constexpr KeyRange kLatitude{0.0, 90.0, true, true};
 constexpr KeyRange kOpacity{0.0, 1.0, true, false};
 constexpr KeyRange kEdge{0.0, 0.5, false, false};
 constexpr KeyRange kTemperature{1e3, 1e9, false, false};
+constexpr KeyRange kMagnitude{-5.0, 30.0, false, false};
+constexpr KeyRange kStarCount{0.0, 4000000.0, false, false};
 constexpr KeyRange kNone{};
 
 constexpr SceneKey kKeys[] = {
@@ -74,8 +76,8 @@ constexpr SceneKey kKeys[] = {
      "The displayed brightness is multiplied by 2^exposure.",
      [](Scene& s, const KeyValue& v) { s.camera.exposure_ev = v.number; }},
 
-    {"sky", "kind", KeyType::kChoice, "", "stars", kNone, "stars image black",
-     "The celestial sphere: the star catalogue and Milky Way that ship, an image, or nothing.",
+    {"sky", "kind", KeyType::kChoice, "", "stars", kNone, "stars image black points",
+     "The celestial sphere: the star catalogue and Milky Way that ship as a picture, an image, nothing, or the stars as points.",
      [](Scene& s, const KeyValue& v) { s.sky.kind = static_cast<SkyKind>(v.choice); }},
     {"sky", "mapping", KeyType::kChoice, "", "equirectangular", kNone, "equirectangular band-and-caps",
      "How images cover the sphere: one for all of it, or a band about the equator and a cap on each pole.",
@@ -98,6 +100,12 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.sky.tilt = v.number; }},
     {"sky", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Factor on the sky's light.",
      [](Scene& s, const KeyValue& v) { s.sky.brightness = v.number; }},
+    {"sky", "faintest", KeyType::kNumber, "mag", "20", kMagnitude, "",
+     "Of kind = \"points\": stars fainter than this are left out; of even_stars, the magnitude of each.",
+     [](Scene& s, const KeyValue& v) { s.sky.faintest = v.number; }},
+    {"sky", "even_stars", KeyType::kWhole, "", "0", kStarCount, "",
+     "Of kind = \"points\", above 0: so many equal stars of 5 772 K, evenly spread, and no catalogue.",
+     [](Scene& s, const KeyValue& v) { s.sky.even_stars = v.width; }},
 
     {"far_sky", "kind", KeyType::kChoice, "", "stars", kNone, "stars image black",
      "The sky at the other end of a wormhole, l = -infinity: as sky.kind.",
@@ -139,6 +147,9 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.light.shift = v.choice == 0; }},
     {"light", "beaming", KeyType::kChoice, "", "on", kNone, "on off", "Whether they change its brightness.",
      [](Scene& s, const KeyValue& v) { s.light.beaming = v.choice == 0; }},
+    {"light", "band", KeyType::kChoice, "", "visual", kNone, "visual bolometric",
+     "What counts as brightness of what shines by its heat: what the eye sees, or power at all wavelengths.",
+     [](Scene& s, const KeyValue& v) { s.light.bolometric = v.choice == 1; }},
 };
 
 std::string list_of(const std::vector<std::string>& words) {

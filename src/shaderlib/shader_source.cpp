@@ -114,14 +114,16 @@ std::vector<std::string> members_of(const std::string& block) {
     return members;
 }
 
-constexpr const char* kThermalDeclarations =
-    "uniform highp sampler2D disc_flow_texture;\nuniform highp sampler2D black_body_texture;\n"
-    "vec4 disc_flow_fetch(int i) { return texelFetch(disc_flow_texture, ivec2(i, 0), 0); }\n"
+constexpr const char* kBlockDeclaration = "layout(std140) uniform FrameBlock { FrameData frame; };\n";
+constexpr const char* kDiscFlowDeclarations =
+    "uniform highp sampler2D disc_flow_texture;\n"
+    "vec4 disc_flow_fetch(int i) { return texelFetch(disc_flow_texture, ivec2(i, 0), 0); }\n";
+constexpr const char* kBlackBodyDeclarations =
+    "uniform highp sampler2D black_body_texture;\n"
     "vec4 black_body_fetch(int i) { return texelFetch(black_body_texture, ivec2(i, 0), 0); }\n";
 
 std::string declarations(Stage stage, const EffectSet& effects, bool ends, const Method& method) {
-    std::string text = std::string(shader_file("shared/frame_block.glsl")) +
-                       "layout(std140) uniform FrameBlock { FrameData frame; };\n";
+    std::string text = std::string(shader_file("shared/frame_block.glsl")) + kBlockDeclaration;
     const bool disc = effects.contains(Effect::kDisc);
     if (effects.contains(Effect::kLensing)) {
         const bool strip = method.kind == MethodKind::kStrip;
@@ -141,9 +143,25 @@ std::string declarations(Stage stage, const EffectSet& effects, bool ends, const
         if (effects.contains(Effect::kSky)) text += "uniform samplerCube sky_texture;\n";
         if (effects.contains(Effect::kFarSky)) text += "uniform samplerCube other_side_texture;\n";
         if (effects.contains(Effect::kDiscImage)) text += "uniform sampler2D disc_texture;\n";
-        if (effects.contains(Effect::kThermalDisc)) text += kThermalDeclarations;
+        if (effects.contains(Effect::kThermalDisc)) text += std::string(kDiscFlowDeclarations) + kBlackBodyDeclarations;
     }
     return text;
+}
+
+const std::string kHead = std::string(kVersion) + "precision highp float;\nprecision highp int;\n";
+
+// Of a program whose picture calls for nothing of the scene but the uniform block.
+std::string with_block(const std::string& body, const std::vector<std::string>& defines) {
+    return kHead + stripped(resolved_branches(std::string(shader_file("shared/frame_block.glsl")) + kBlockDeclaration + body, defines));
+}
+
+ShaderSource star_source(const EffectSet& effects) {
+    const std::vector<std::string> defines = defines_of(effects);
+    std::string body = std::string(kBlackBodyDeclarations) + "uniform int image_order;\n";
+    if (effects.contains(Effect::kLensing)) body += "uniform highp sampler2D star_lens_texture;\n";
+    if (effects.contains(Effect::kAberration)) body += shader_file("core/aberration.glsl");
+    for (const char* file : {"effect/black_body.glsl", "object/star_image.glsl", "stage/star.vert"}) body += shader_file(file);
+    return {with_block(body, defines), with_block(std::string(shader_file("stage/star.frag")), defines)};
 }
 
 }  // namespace
@@ -174,11 +192,11 @@ std::vector<int> block_members(const EffectSet& effects) {
 ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method, std::string_view metric,
                            const BodyText& bodies) {
     const std::string vertex = std::string(kVersion) + stripped(shader_file("stage/fullscreen.vert"));
-    const std::string head = std::string(kVersion) + "precision highp float;\nprecision highp int;\n";
-    if (stage == Stage::kBareFetch)
-        return {vertex, head + stripped(resolved_branches(std::string(shader_file("shared/frame_block.glsl")) +
-                                        "layout(std140) uniform FrameBlock { FrameData frame; };\n" +
-                                        std::string(shader_file("stage/bare_fetch.frag")), {}))};
+    if (stage == Stage::kBareFetch) return {vertex, with_block(std::string(shader_file("stage/bare_fetch.frag")), {})};
+    if (stage == Stage::kStars) return star_source(effects);
+    if (stage == Stage::kDevelop)
+        return {vertex, with_block("uniform highp sampler2D picture_texture;\n" + std::string(shader_file("effect/display.glsl")) +
+                                       std::string(shader_file("stage/develop.frag")), defines_of(effects))};
     std::vector<std::string> defines = defines_of(effects);
     const bool ends = stage == Stage::kRayData || effects.contains(Effect::kDisc) || has_solids(effects);
     if (ends) defines.emplace_back("NEEDS_PHI_END");
@@ -194,7 +212,7 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
     if (stage == Stage::kRayData) body += shader_file("core/raydata.glsl");
     if (display) body += shader_file("effect/display.glsl");
     body += shader_file(stage == Stage::kPicture ? "stage/trace.frag" : "stage/raydata.frag");
-    return {vertex, head + stripped(resolved_branches(body, defines))};
+    return {vertex, kHead + stripped(resolved_branches(body, defines))};
 }
 
 }  // namespace nullscope

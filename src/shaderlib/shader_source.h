@@ -10,7 +10,9 @@
 
 namespace nullscope {
 
-enum class Stage { kPicture, kRayData, kBareFetch };   // kBareFetch: one cube-map fetch a pixel, a yardstick of cost
+// kStars: points added to the picture. kDevelop: a picture in linear light to the display. kBareFetch: one cube-map fetch a pixel,
+// a yardstick of cost.
+enum class Stage { kPicture, kStars, kDevelop, kRayData, kBareFetch };
 enum class Output { kLinear, kDisplay };   // kDisplay: exposure and sRGB encoding in the shader (8-bit targets)
 
 struct ShaderSource {

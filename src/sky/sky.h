@@ -22,6 +22,9 @@ struct SkyCube {
 // Errors: image missing, not an image, asset missing.
 Result<SkyCube> build_sky(const SkySpec& spec, const std::filesystem::path& assets, int face_size);
 
+// world_from_sky = R_z(yaw) R_x(tilt).
+Mat3 sky_rotation(const SkySpec& spec);
+
 // Bilinear within a face at the finest level. direction: any length > 0.
 Vec3 sample_sky(const SkyCube& sky, Vec3 direction);
 

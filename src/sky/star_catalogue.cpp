@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "base/atomic_file.h"
+#include "light/black_body.h"
 
 namespace nullscope {
 namespace {
@@ -21,7 +22,6 @@ constexpr std::size_t kMaxBytes = 64u << 20;  // a hostile file's limit: 8 milli
 
 constexpr double kAverageColour = 0.65;             // the Sun's, for stars without a measured B-V
 constexpr double kBluest = -0.4, kReddest = 2.0;    // range in which Ballesteros' formula is meant
-constexpr double kSecondRadiation = 1.438776877e7;  // h c / k in nm K
 
 std::uint64_t little_endian(std::string_view bytes) {
     std::uint64_t value = 0;
@@ -38,19 +38,6 @@ Star decode(std::uint64_t record) {
     return {{std::cos(dec) * std::cos(ra), std::cos(dec) * std::sin(ra), std::sin(dec)},
             field(43, 11) * 0.01 - 2.0,
             static_cast<unsigned>(record >> 54)};
-}
-
-// A Gaussian of different widths below and above its peak; nm.
-double lobe(double wavelength, double peak, double below, double above) {
-    const double t = (wavelength - peak) / (wavelength < peak ? below : above);
-    return std::exp(-0.5 * t * t);
-}
-
-Vec3 matching_functions(double nm) {
-    return {
-        1.056 * lobe(nm, 599.8, 37.9, 31.0) + 0.362 * lobe(nm, 442.0, 16.0, 26.7) - 0.065 * lobe(nm, 501.1, 20.4, 26.2),
-        0.821 * lobe(nm, 568.8, 46.9, 40.5) + 0.286 * lobe(nm, 530.9, 16.3, 31.1),
-        1.217 * lobe(nm, 437.0, 11.8, 36.0) + 0.681 * lobe(nm, 459.0, 26.0, 13.8)};
 }
 
 }  // namespace
@@ -73,17 +60,14 @@ Result<std::vector<Star>> load_stars(const std::filesystem::path& file) {
 
 double b_minus_v(int code) { return code == kColourCodes - 1 ? kAverageColour : 0.01 * code - 0.5; }
 
-Vec3 star_colour(double colour_index) {
+double star_temperature(double colour_index) {
     const double bv = std::clamp(colour_index, kBluest, kReddest);
-    const double kelvin = 4600.0 * (1.0 / (0.92 * bv + 1.7) + 1.0 / (0.92 * bv + 0.62));
-    Vec3 xyz{};
-    for (double nm = 380.0; nm <= 780.0; nm += 5.0)
-        xyz = xyz + matching_functions(nm) / (std::pow(nm, 5.0) * std::expm1(kSecondRadiation / (nm * kelvin)));
-    xyz = xyz / xyz.y;
-    const Vec3 rgb{std::max(3.2404542 * xyz.x - 1.5371385 * xyz.y - 0.4985314 * xyz.z, 0.0),
-                   std::max(-0.9692660 * xyz.x + 1.8760108 * xyz.y + 0.0415560 * xyz.z, 0.0),
-                   std::max(0.0556434 * xyz.x - 0.2040259 * xyz.y + 1.0572252 * xyz.z, 0.0)};
-    return rgb / (0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z);
+    return 4600.0 * (1.0 / (0.92 * bv + 1.7) + 1.0 / (0.92 * bv + 0.62));
+}
+
+Vec3 star_colour(double colour_index) {
+    const Vec3 xyz = black_body_xyz(star_temperature(colour_index));
+    return into_gamut(rec709_from_xyz(xyz / xyz.y));
 }
 
 }  // namespace nullscope

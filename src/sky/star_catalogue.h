@@ -22,9 +22,10 @@ Result<std::vector<Star>> load_stars(const std::filesystem::path& file);
 // B-V of a code: 0 ... kColourCodes - 1; the Sun's for a star without a measured one.
 double b_minus_v(int code);
 
-// Linear Rec. 709 colour of a star of that B-V, luminance 1. Temperature by Ballesteros (2012), EPL 97, 34008, within
-// its range of B-V; Planck's law; CIE 1931 matching functions by Wyman, Sloan, Shirley (2013), JCGT 2(2), 1.
-// Cost: about 10 us.
+// K of a star of that B-V: Ballesteros (2012), EPL 97, 34008, within its range of B-V.
+double star_temperature(double colour_index);
+
+// Linear Rec. 709 colour of a star of that B-V, luminance 1: a black body of star_temperature.
 Vec3 star_colour(double colour_index);
 
 }  // namespace nullscope

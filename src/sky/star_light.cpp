@@ -101,9 +101,7 @@ double halo_reach(double flux, double scale) {
 
 // The profiles are normalised by their sums over texels, so that the flux is exact wherever the star lies.
 Light make_light(const Star& star, Vec3 colour, Vec3 direction, double brightness, int size) {
-    const double reference = core_sigma(kReferenceFace);
-    const double flux = brightness * kPeakOfMagnitude5 * 2.0 * kPi * reference * reference *
-                        std::pow(10.0, -0.4 * (star.magnitude - 5.0));
+    const double flux = brightness * star_flux(star.magnitude);
     Light light{direction, {}, {}, core_sigma(size), kCoreReach * core_sigma(size), 0.0};
     double fraction = kHaloFraction * std::clamp((kHaloNone - star.magnitude) / (kHaloNone - kHaloFull), 0.0, 1.0);
     const double scale = kHaloSigmas * light.sigma;
@@ -136,6 +134,11 @@ void draw(Image<float>& image, int face, const Splat& splat, const Light& light,
 }  // namespace
 
 double core_sigma(int face_size) { return kTexelsPerSigma * 2.0 / std::min(face_size, kReferenceFace); }
+
+double star_flux(double magnitude) {
+    const double reference = core_sigma(kReferenceFace);
+    return kPeakOfMagnitude5 * 2.0 * kPi * reference * reference * std::pow(10.0, -0.4 * (magnitude - 5.0));
+}
 
 void add_stars(SkyCube& sky, const std::vector<Star>& stars, const Mat3& world_from_sky, double brightness) {
     const std::vector<Vec3> colours = colour_table();

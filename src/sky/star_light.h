@@ -21,6 +21,9 @@ constexpr int kReferenceFace = 2048;
 // does not depend on the size of the face.
 double core_sigma(int face_size);
 
+// Flux of a star of that magnitude V: radiance times solid angle, sr.
+double star_flux(double magnitude);
+
 // Adds the stars' radiance, each turned by world_from_sky and multiplied by brightness. The sum over texels, each with
 // its solid angle, is a star's flux exactly. Parallel; the result does not depend on the number of threads. Cost:
 // about 0.25 s for the whole catalogue at face size 2048 on two cores.

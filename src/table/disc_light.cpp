@@ -101,8 +101,6 @@ TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer) 
     return row;
 }
 
-double log2_luminance(double temperature_K) { return std::log2(black_body_xyz(temperature_K).y); }
-
 TexelGrid black_body_row() {
     TexelGrid row{kBlackBodyCells + 1, 1, {}};
     for (int i = 0; i <= kBlackBodyCells; ++i) {

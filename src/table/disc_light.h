@@ -34,7 +34,4 @@ inline constexpr int kBlackBodyCells = 1024;
 inline constexpr double kColdest = 9.0, kHottest = 19.0;
 TexelGrid black_body_row();
 
-// log2 of the luminance of a black body, in the table's unit.
-double log2_luminance(double temperature_K);
-
 }  // namespace nullscope

@@ -82,11 +82,11 @@ bool disc_section(ViewState& view) {
 
 bool sky_section(ViewState& view, bool escape) {
     SkySpec& sky = view.scene.sky;
-    constexpr const char* kNames[] = {"stars", "image", "black"};
+    constexpr const char* kNames[] = {"stars", "image", "black", "points"};
     bool changed = false;
-    row("Kind", "What is seen at infinity: the stars and Milky Way that ship, the scene's image, or nothing.");
+    row("Kind", "What is seen at infinity: the stars and Milky Way that ship (as a picture, or the stars as points), the scene's image, or nothing.");
     if (begin_choice("##sky", kNames[static_cast<int>(sky.kind)], escape)) {
-        for (int i = 0; i < 3; ++i) {
+        for (int i = 0; i < static_cast<int>(std::size(kNames)); ++i) {
             const bool missing = i == static_cast<int>(SkyKind::kImage) && view.loaded.sky.image.empty();
             if (missing) {
                 ImGui::TextDisabled("image");

@@ -87,8 +87,8 @@ class Commands(support.CliTest):
         self.assertEqual(list(reasons), ["lensing", "aberration", "disc", "disc-image", "translucent-disc"])
         self.assertIn("0.5", reasons["aberration"])
         self.assertEqual([e["effect"] for e in found["left_out"]],
-                         ["thermal-disc", "shift", "beaming", "sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
-                          "body-image", "sky", "inner", "far-sky", "star"])
+                         ["thermal-disc", "shift", "beaming", "bolometric", "sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
+                          "body-image", "point-stars", "sky", "inner", "far-sky", "star"])
         self.assertTrue(all(e["cost"] for e in found["effects"]))
         tables = {t["name"] for t in found["tables"]}
         self.assertLessEqual({"deflection table", "strip", "orbit map", "disc image"}, tables)

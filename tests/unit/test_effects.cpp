@@ -71,7 +71,7 @@ TEST_CASE("an effect set is its content: subsets as map keys") {
 TEST_CASE("a scene calls for exactly the effects of what is in it") {
     const std::vector<std::string> metrics = {"schwarzschild", "minkowski"};
     const std::vector<Vec3> velocities = {{0, 0, 0}, {0.5, 0, 0}, {0, -1e-300, 0}, {0, 0, 0.999999}};
-    const std::vector<SkyKind> skies = {SkyKind::kStars, SkyKind::kImage, SkyKind::kBlack};
+    const std::vector<SkyKind> skies = {SkyKind::kStars, SkyKind::kImage, SkyKind::kBlack, SkyKind::kPoints};
     std::vector<std::optional<DiscSpec>> discs(8);
     discs[1] = DiscSpec{};
     discs[2] = DiscSpec{};
@@ -97,6 +97,7 @@ TEST_CASE("a scene calls for exactly the effects of what is in it") {
                     scene.disc = discs[disc];
                     scene.light.shift = disc != 6;
                     scene.light.beaming = disc != 7;
+                    scene.light.bolometric = disc == 3;
                     EffectSet expected;
                     if (metric != "minkowski") expected.insert(Effect::kLensing);
                     if (length(velocity) > 0.0) expected.insert(Effect::kAberration);
@@ -104,8 +105,11 @@ TEST_CASE("a scene calls for exactly the effects of what is in it") {
                     if (disc >= 1 && disc <= 5) expected.insert(Effect::kDiscImage);
                     if (disc >= 2 && disc != 5) expected.insert(Effect::kTranslucentDisc);
                     if (disc >= 5) expected.insert(Effect::kThermalDisc);
-                    if (disc == 5 || disc == 7) expected.insert(Effect::kShift);
-                    if (disc == 5 || disc == 6) expected.insert(Effect::kBeaming);
+                    const bool points = sky == SkyKind::kPoints, glows = points || disc >= 5;
+                    if (glows && disc != 6) expected.insert(Effect::kShift);
+                    if (glows && disc != 7) expected.insert(Effect::kBeaming);
+                    if (glows && disc == 3) expected.insert(Effect::kBolometric);
+                    if (points) expected.insert(Effect::kPointStars);
                     if (sky != SkyKind::kBlack) expected.insert(Effect::kSky);
 
                     const std::vector<EffectReason> reasons = required_effects(scene);

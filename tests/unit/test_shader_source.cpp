@@ -28,8 +28,10 @@ std::vector<Scene> all_scenes() {
                 scene.disc->emission = DiscEmission::kThermal;
                 scene.light.shift = !has(5);   // any bits: switches off in some scenes
                 scene.light.beaming = !has(6);
+                scene.light.bolometric = has(7);
             }
             scene.sky.kind = has(4) ? SkyKind::kStars : SkyKind::kBlack;
+            if (has(2) && has(9) && has(8)) scene.sky.kind = SkyKind::kPoints;
             if (has(5)) scene.sphere.emplace().look.texture = kind;
             if (has(6)) scene.cylinder.emplace().look.texture = kind;
             if (has(7)) scene.ball.emplace().look.texture = kind;
@@ -52,6 +54,8 @@ const std::vector<Mark> kMarks = {
     {Effect::kThermalDisc, {"thermal_light", "disc_flow_texture", "black_body_texture", "DiscFlow", "vec4 disc_heat;", "zeta_slope"}},
     {Effect::kShift, {"colour_shift"}},
     {Effect::kBeaming, {"beaming"}},
+    {Effect::kBolometric, {"all_wavelengths"}},
+    {Effect::kPointStars, {"vec4 point_stars;", "vec4 point_spread;"}},
     {Effect::kSphere, {"sphere_hit", "sphere_form", "sphere_light", "sphere_colour"}},
     {Effect::kCylinder, {"cylinder_value", "cylinder_form", "cylinder_light", "cylinder_colour"}},
     {Effect::kBall, {"ball_value", "ball_form", "ball_light", "ball_colour"}},
@@ -91,7 +95,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow& row : kEffectTable) all.insert(row.effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 40);
+    CHECK(members.size() == 42);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {

@@ -1,0 +1,9 @@
+// A star's light in one pixel: the display's point spread, a Gaussian.
+flat in vec3 star_peak;
+flat in vec2 star_middle;
+out vec4 colour;
+
+void main() {
+    vec2 off = gl_FragCoord.xy - star_middle;
+    colour = vec4(star_peak * exp2(-dot(off, off) * frame.point_spread.x), 1.0);
+}

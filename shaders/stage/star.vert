@@ -1,0 +1,40 @@
+// One image of one star: where in the picture it is, and the light that its pixels share.
+layout(location = 0) in vec3 star_place;   // world axes, unit
+layout(location = 1) in vec2 star_make;    // log2 of flux over a black body's brightness at its temperature; log2 of that, K
+flat out vec3 star_peak;
+flat out vec2 star_middle;                 // px
+
+void main() {
+    StarImage image = image_of_star(star_place);
+    vec3 d = image.direction;
+    float g = frame.shift.x;
+    float squeeze = 1.0;
+#ifdef EFFECT_ABERRATION
+    Aberration seen = aberrate(d, vec3(frame.boost.x, frame.boost.y, frame.boost.z), 1.0 / frame.boost.w);   // back to the camera
+    d = seen.direction;
+    squeeze = seen.doppler;
+    g /= seen.doppler;
+#endif
+    float hue = star_make.y;
+    float glow = star_make.y;
+#ifdef EFFECT_SHIFT
+    float colour_shift = log2(g);
+    hue += colour_shift;
+#endif
+#ifdef EFFECT_BEAMING
+    float beaming = log2(g);
+    glow += beaming;
+#endif
+    vec3 light = black_body(hue, glow, -star_make.x);
+    float ahead = dot(d, frame.ray_0.xyz);
+    vec2 pixel = vec2(dot(d, frame.ray_x.xyz), dot(d, frame.ray_y.xyz)) / (max(ahead, 1.0e-6) * frame.image.z * frame.image.z);
+    // A pixel spans image.z^2 cos^3 of solid angle; the spread squeezed by aberration.
+    float pixels = frame.image.z * frame.image.z * ahead * ahead * ahead;
+    star_peak = light * (image.spread * squeeze * squeeze / max(pixels, 1.0e-30) * frame.point_stars.x);
+    star_middle = pixel + 0.5 * frame.image.xy;
+    float bright = max(max(star_peak.r, star_peak.g), star_peak.b) * frame.image.w;
+    float reach2 = log2(bright * frame.point_stars.z) * frame.point_stars.y;
+    bool seen_here = ahead > 0.0 && reach2 > 0.0;
+    gl_PointSize = 2.0 * ceil(sqrt(max(reach2, 0.0))) + 1.0;
+    gl_Position = seen_here ? vec4(pixel / (0.5 * frame.image.xy + frame.point_stars.w), 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+}

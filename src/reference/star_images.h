@@ -1,0 +1,49 @@
+// All images of a point star in a frame, found another way than the renderer does: the angle of each ray by bracketing the
+// reference's own orbits, its light by the Jacobian of the frame's ray map, differenced numerically.
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "base/image.h"
+#include "base/vec.h"
+#include "reference/frame_tracer.h"
+#include "sky/point_stars.h"
+
+namespace nullscope::reference {
+
+struct StarImage {
+    double x, y;          // px: column, row from the top
+    int order;            // 0: the direct one
+    double solid_angle;   // of sky that a pixel's area at (x, y) covers, sr/px^2
+    double g;             // frequency in the camera over frequency at infinity
+    double alpha;         // angle from the outward radial in the static frame, rad
+};
+
+class StarImages {
+public:
+    // Images 0 ... orders - 1. Some milliseconds. tracer: outlives this.
+    StarImages(const FrameTracer& tracer, const Scene& scene, int orders);
+    // Those in the frame or at most margin px beside it, by order; some 30 microseconds a star.
+    std::vector<StarImage> of(Vec3 direction, double margin_px) const;
+
+private:
+    struct Sample {
+        double alpha, swept;
+    };
+    double swept(double alpha) const;   // NaN for rays that do not reach the sky
+
+    const FrameTracer& tracer_;
+    CameraSpec camera_;
+    int orders_;
+    std::vector<Sample> samples_;       // swept grows
+};
+
+// Linear Rec. 709 times sr: what an image adds to the picture, before its point spread.
+Vec3 star_light(const PointStar& star, double g, const LightSpec& light);
+
+// Adds the stars, spread as sky/point_stars.h says, to a picture in linear light. transmission: what of a point behind the pixel
+// position (column, row) shines through.
+void add_point_stars(const FrameTracer& tracer, const Scene& scene, const std::vector<PointStar>& stars,
+                     const std::function<double(double x, double y)>& transmission, Image<float>& picture);
+
+}  // namespace nullscope::reference

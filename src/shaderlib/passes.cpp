@@ -1,0 +1,23 @@
+#include "shaderlib/passes.h"
+
+namespace nullscope {
+
+std::vector<Pass> passes(const EffectSet& effects, Output output) {
+    const bool stars = effects.contains(Effect::kPointStars);
+    const bool develop = output == Output::kDisplay && stars;
+    std::vector<Pass> list;
+    list.push_back({Stage::kPicture, develop ? Output::kLinear : output, "picture",
+                    "one triangle over the picture: every pixel traces its ray and shades what it meets"});
+    if (stars) list.push_back({Stage::kStars, Output::kLinear, "stars", "a point for every image of every star, added to it"});
+    if (develop) list.push_back({Stage::kDevelop, output, "develop", "from linear light to the display"});
+    return list;
+}
+
+bool keeps_light(const std::vector<Pass>& passes) { return passes.back().stage == Stage::kDevelop; }
+
+std::string pass_text(const Pass& pass, const EffectSet& effects, const Method& method, std::string_view metric, const BodyText& bodies) {
+    const ShaderSource source = shader_source(pass.stage, effects, pass.output, method, metric, bodies);
+    return pass.stage == Stage::kStars ? source.vertex + source.fragment : source.fragment;
+}
+
+}  // namespace nullscope

@@ -1,0 +1,27 @@
+// The stars of a sky as points: render and reference draw the same list, each with its own images.
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "base/result.h"
+#include "base/vec.h"
+#include "scene/scene.h"
+
+namespace nullscope {
+
+struct PointStar {
+    Vec3 direction;          // world axes, unit
+    double flux;             // luminance times solid angle, in the unit of SkyCube's radiance times sr; SkySpec::brightness included
+    double temperature_K;    // of the black body of its colour
+};
+
+// How a point is drawn: the display's point spread, a Gaussian of this width sampled in the middles of pixels (their sum is 1 within
+// 2e-4 wherever it lies); and how far outside of the picture a star's middle may be.
+inline constexpr double kPointSigma_px = 0.7;
+inline constexpr int kPointMargin_px = 16;
+
+// Of kind kPoints: the catalogue down to SkySpec::faintest, brightest first; or even_stars on a spiral of Fibonacci, each of
+// magnitude `faintest`. Others: none. Errors: the catalogue is missing or damaged. 20 ms for the catalogue.
+Result<std::vector<PointStar>> point_stars(const SkySpec& spec, const std::filesystem::path& assets);
+
+}  // namespace nullscope
