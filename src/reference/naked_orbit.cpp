@@ -99,17 +99,26 @@ private:
     double inward_delay() const {
         const auto weight = [this](Long z) { return static_cast<double>(start_.q / (z * z * (1 - z + m_.kappa * z * z))); };
         const auto near = [&](double w) { return rate(w) * weight(zeta(w)); };
-        // A has its zeros close to the path where the charge is nearly 1, or e large: panels as long as they are far.
+        // A has its zeros close to the path where the charge is nearly 1, or e large: panels that grow with the distance from there.
         const std::complex<Long> zero(1 / (2 * m_.kappa), std::sqrt(std::max(4 * m_.kappa - 1, Long(0))) / (2 * m_.kappa));
         const std::complex<Long> there = std::asinh((std::sqrt(e_ - zero) - sigma_) / Long(mu_));
-        const double panel = std::clamp(std::abs(static_cast<double>(there.imag())), kPanel / 1024, kPanel);
+        const double middle = static_cast<double>(there.real()), finest = std::max(std::abs(static_cast<double>(there.imag())), 1e-12);
+        const auto crowded = [&](double from, double to) {
+            double sum = 0;
+            for (double at = from; at < to;) {
+                const double next = std::min({to, at + kPanel, at < middle ? std::max(at + finest, at + 0.5 * (middle - at)) : at + std::max(finest, at - middle)});
+                sum += PanelGauss::integrate(near, at, next);
+                at = next;
+            }
+            return sum;
+        };
         const Long split = std::min(e_, m_.sphere) / 2;
-        if (start_.zeta0 >= split) return integrate_panels(near, zero_, camera_, panel);
+        if (start_.zeta0 >= split) return crowded(zero_, camera_);
         const auto far = [&](double y) {
             const double z = std::exp(y);
             return z * weight(z) * sky_rate(z);
         };
-        return integrate_panels(near, zero_, w_of(std::sqrt(e_ - split)), panel) +
+        return crowded(zero_, w_of(std::sqrt(e_ - split))) +
                integrate_panels(far, static_cast<double>(std::log(start_.zeta0)), static_cast<double>(std::log(split)));
     }
     // P as seen from the turning point, and from the photon sphere next to it.
