@@ -18,7 +18,7 @@ namespace nullscope {
 
 class JanisNewmanWinicour final : public Spacetime {
 public:
-    static constexpr double kLeast = 0.7;  // of g: towards 1/2 the photon sphere meets the singular surface, and h ends as a high power
+    static constexpr double kLeast = 0.6;  // of g: at 1/2 the photon sphere meets the singular surface
     explicit JanisNewmanWinicour(double g);
     std::string_view name() const override { return "janis-newman-winicour"; }
     double lapse_squared(double r) const override;
@@ -37,7 +37,7 @@ public:
 private:
     double rest(double r) const;
     double sine(double x, double y) const;
-    double cosine_over_gap(double x) const;  // cos(chi)/(1 - x/x_c), also where both vanish
+    double cosine_over_gap(double x, double y) const;  // cos(chi)/(1 - x/x_c), also where both vanish
     double chi_of(double x, double y) const;
     double density_at(double tau) const;     // x = 1 - exp(-tau)
     double tau_from_chi(double chi) const;

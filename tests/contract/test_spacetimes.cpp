@@ -381,7 +381,7 @@ TEST_CASE("janis-newman-winicour: gamma = 1 is Schwarzschild; the photon sphere 
         CHECK(std::fabs(flat_field->chi_from_radius(r) - hole->chi_from_radius(r)) < kRounding / std::sqrt(above));
     }
     for (double chi = 0.01; chi < kPi; chi += 0.01) CHECK(std::fabs(flat_field->bending_density(chi) - hole->bending_density(chi)) < 4 * kRounding + kRounding / (kPi - chi));
-    for (const double gamma : {0.7, 0.75, 0.9}) {
+    for (const double gamma : {0.6, 0.75, 0.9}) {
         const auto s = *make_spacetime("janis-newman-winicour", {{"gamma", gamma}});
         CHECK(s->photon_sphere()->radius == doctest::Approx((1.0 + 2.0 * gamma) / (2.0 * gamma)).epsilon(kRounding));
         // dphi = dr/(R^2 sqrt(q^2 - V)): d chi/dr = -1/(q_crit R^2 h), by central differences.
