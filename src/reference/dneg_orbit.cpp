@@ -25,17 +25,18 @@ struct Throat {
     }
     Long x_of(Long l) const { return std::max(std::abs(l) - half, Long(0)) / unit; }
     // f(x + t) - f(x) = integral of atan, x >= 0, t >= 0; the terms in front of t cancel at most to a third.
-    static Long growth(Long x, Long t) {
+    template <class Number>
+    static Number growth(Number x, Number t) {
         if (t == 0) return 0;
-        if (x == 0 && t < Long(0.1)) {
-            Long sum = 0, power = t * t;
+        if (x == 0 && t < Number(0.1)) {
+            Number sum = 0, power = t * t;
             for (int n = 0; n < 14; ++n, power *= -t * t) sum += power / ((2 * n + 1) * (2 * n + 2));
             return sum;
         }
-        const Long end = x + t, one = 1 + x * x;
-        const Long relative = t / one * (x + end);
+        const Number end = x + t, one = 1 + x * x;
+        const Number relative = t / one * (x + end);
         return t * std::atan(end) + x * std::atan(t / (1 + x * end)) -
-               (relative < 1e-3L ? Long(0.5) * std::log1p(relative) : Long(0.5) * std::log(1 + relative));
+               (relative < Number(1e-3) ? Number(0.5) * std::log1p(relative) : Number(0.5) * std::log(1 + relative));
     }
     // t with f(x + t) - f(x) = more >= 0: f is convex, so Newton's steps come down from the right.
     static Long step_for(Long x, Long more) {
@@ -87,7 +88,7 @@ struct Side {
         double radius, root, dl;  // R, sqrt(R^2 - b^2), dl/dw over that root: regular where it vanishes
     };
     At at(double w) const {
-        const double off = offset(w), grown = static_cast<double>(Throat::growth(turns ? turn : 0, off));
+        const double off = offset(w), grown = Throat::growth(turns ? turn : 0.0, off);  // in double: a few roundings, a quarter of the time
         const double radius = base + mass * grown;
         const double root = std::sqrt(base2 + mass * grown * (radius + base));
         if (!turns) return {radius, root, unit * turn * std::cosh(w) / root};
@@ -130,7 +131,7 @@ struct Side {
 class Swept : public Orbit {
 public:
     Swept(const Throat& m, const Start& start) : m_(m), start_(start), side_(m, start) {
-        const Long x = m.x_of(start.l), grown = Throat::growth(0, x);
+        const Long x = m.x_of(start.l), grown = Throat::growth<Long>(0, x);
         on_ = start.l < 0 ? -1 : 1;
         in_tube_ = std::abs(start.l) <= m.half;
         if (side_.turns) {
@@ -218,14 +219,14 @@ public:
     Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay& ray) const override {
         const bool outward = (ray.s < 0) == (ray.zeta0 >= 0);  // s = +1: towards the throat
         if (std::isinf(ray.q)) return orbit({ray.zeta0, 0, outward, -1, 1});
-        const Long b = 1 / Long(ray.q), more = m_.mass * Throat::growth(0, m_.x_of(ray.zeta0));
+        const Long b = 1 / Long(ray.q), more = m_.mass * Throat::growth<Long>(0, m_.x_of(ray.zeta0));
         const Long turn2 = (b - m_.rho) * (b + m_.rho), away2 = more * (more + 2 * m_.rho) - turn2;
         if (away2 < -kTurningSlack * b * b)
             return bad_input(fmt::format("no ray with q = {:.17g} passes through l0 = {:.17g}", ray.q, ray.zeta0));
         return orbit({ray.zeta0, b, outward, turn2, std::max(away2, Long(0))});
     }
     std::unique_ptr<Orbit> from_static(const LocalRay& ray) const override {
-        const Long more = m_.mass * Throat::growth(0, m_.x_of(ray.r)), radius = m_.rho + more;
+        const Long more = m_.mass * Throat::growth<Long>(0, m_.x_of(ray.r)), radius = m_.rho + more;
         const Long across = std::sqrt(more * (more + 2 * m_.rho)), along = radius * std::abs(Long(ray.n_r));
         return orbit({ray.r, radius * ray.n_t, ray.n_r > 0, (across - along) * (across + along), along * along});
     }

@@ -14,13 +14,32 @@ namespace {
 using Long = long double;
 constexpr double kRadialQ = 1e30, kLeastQ = 1e-60;
 constexpr double kTurningSlack = 16 * std::numeric_limits<double>::epsilon();
-constexpr Long kTolerance = 1e-13L;  // of the rule's own estimate, the 10-point rule's error: the 21-point rule has a rounding
-constexpr unsigned kDeepest = 30;
+// Of the first estimate of the whole, as the 10-point rule's error in a panel; the 21-point rule, which is taken, has a rounding.
+constexpr Long kTolerance = 1e-13L;
+constexpr int kDeepest = 40;
 
+struct Panel {
+    Long value, error;
+};
+template <class F>
+Panel panel(const F& f, Long low, Long high) {
+    const Long middle = (low + high) / 2, half = (high - low) / 2;
+    Long error = 0;
+    const Long value = boost::math::quadrature::gauss_kronrod<Long, 21>::integrate([&](Long t) { return f(middle + half * t); }, Long(-1), Long(1), 0, Long(0), &error);
+    return {half * value, half * error};
+}
+// Boost's own halving asks each half for half the error, below the last digit where an end is singular.
+template <class F>
+Long halved(const F& f, Long low, Long high, const Panel& whole, Long tolerance, int depth) {
+    if (!(whole.error > tolerance) || depth == kDeepest) return whole.value;
+    const Long middle = (low + high) / 2;
+    return halved(f, low, middle, panel(f, low, middle), tolerance, depth + 1) + halved(f, middle, high, panel(f, middle, high), tolerance, depth + 1);
+}
 template <class F>
 Long integral(const F& f, Long low, Long high) {
     if (!(high > low)) return 0;
-    return boost::math::quadrature::gauss_kronrod<Long, 21>::integrate(f, low, high, kDeepest, kTolerance);
+    const Panel whole = panel(f, low, high);
+    return halved(f, low, high, whole, kTolerance * std::abs(whole.value), 0);
 }
 
 struct Mass {

@@ -34,6 +34,7 @@ public:
     double chi_from_radius(double l) const override;
     double radius_from_chi(double chi) const override;  // in the tube, chi = pi/2: its mouth at l = a
     double bending_density(double chi) const override;
+    bool logarithm_at_sky() const override { return true; }
     double tube_beyond(double l) const override;
     double length_unit() const override { return throat_; }
     bool has_orbit_equation() const override { return false; }

@@ -59,6 +59,8 @@ public:
     virtual double chi_from_radius(double r) const = 0;
     virtual double radius_from_chi(double chi) const = 0;
     virtual double bending_density(double chi) const = 0;  // h(chi), chi in [0, pi]
+    // h holds chi ln(chi) at its ends (R = l + ln l far out): the table's nodes crowd there.
+    virtual bool logarithm_at_sky() const { return false; }
     // A wormhole's tube, where R and V are constant: what of its length lies between r and the sky, over R. All of it has chi = pi/2,
     // and rays with k > 1 sweep this divided by sqrt(k^2 - 1) there. r = -infinity: the whole tube.
     virtual double tube_beyond(double) const { return 0.0; }

@@ -75,10 +75,14 @@ std::array<double, 4> through_integrals(double d2, double c) {
 }  // namespace
 
 DeflectionTable::DeflectionTable(const Spacetime& spacetime, int size) : size_(size) {
+    const bool graded = spacetime.logarithm_at_sky();
+    if (graded) size_ = size *= 2;
     const auto a = series_about_photon_sphere(spacetime);
     series_ = {a[0], a[1], a[2], a[3]};
     for (Sheet* sheet : {&outer_, &inner_, &through_}) {
         sheet->size = size;
+        sheet->graded_x = graded && sheet != &through_;
+        sheet->graded_y = graded;
         sheet->values.assign(static_cast<std::size_t>(size + 1) * (size + 1), 0.0);
     }
     const DensityFit density(spacetime);
@@ -92,7 +96,7 @@ std::size_t DeflectionTable::bytes() const { return 3 * outer_.values.size() * s
 // R is summed up cell by cell along alpha with a Gauss rule each: every node costs one cell.
 void DeflectionTable::build_turning(const DensityFit& density, bool inner, const Series& series, Sheet& sheet) {
     tbb::parallel_for(0, size_ + 1, [&](int i) {
-        const double m = core64::turning_one_minus_k_from_x(static_cast<double>(i) / size_);
+        const double m = core64::turning_one_minus_k_from_x(sheet.node_x(i));
         const double k = 1.0 - m, kp2 = m * (2.0 - m);
         const auto integrand = [&](double alpha) {
             const double sin_alpha = std::sin(alpha), t = k * std::cos(alpha);
@@ -105,7 +109,7 @@ void DeflectionTable::build_turning(const DensityFit& density, bool inner, const
         double sum = 0.0;
         double* row = sheet.values.data() + static_cast<std::size_t>(i) * (size_ + 1);
         for (int j = 1; j <= size_; ++j) {
-            sum += gauss(kPi * (j - 1) / size_, kPi * j / size_, integrand);
+            sum += gauss(kPi * sheet.node_y(j - 1), kPi * sheet.node_y(j), integrand);
             row[j] = sum;
         }
     });
@@ -127,13 +131,41 @@ void DeflectionTable::build_through(const DensityFit& density, Sheet& sheet) {
         double sum = 0.0;
         double* row = sheet.values.data() + static_cast<std::size_t>(i) * (size_ + 1);
         for (int j = 1; j <= size_; ++j) {
-            sum += gauss(kPi * (j - 1) / size_, kPi * j / size_, integrand);
+            sum += gauss(kPi * sheet.node_y(j - 1), kPi * sheet.node_y(j), integrand);
             row[j] = sum;
         }
     });
 }
 
+double DeflectionTable::Sheet::node_x(int i) const {
+    const double s = static_cast<double>(i) / size;
+    return graded_x ? s * s * s : s;
+}
+
+// v^3 (10 - 15 v + 6 v^2): 10 v^3 at both ends, 15/8 as wide in the middle.
+double DeflectionTable::Sheet::node_y(int j) const {
+    const double v = static_cast<double>(j) / size;
+    return graded_y ? v * v * v * (10.0 - v * (15.0 - 6.0 * v)) : v;
+}
+
+namespace {
+double place_of_graded_y(double y) {
+    const bool upper = y > 0.5;
+    const double target = upper ? 1.0 - y : y;
+    double v = std::min(std::cbrt(0.1 * target) * (1.0 + 0.25 * std::cbrt(target)), 0.5);
+    for (int i = 0; i < 8 && v > 0.0; ++i) {
+        const double off = v * v * v * (10.0 - v * (15.0 - 6.0 * v)) - target, slope = 30.0 * v * v * (1.0 - v) * (1.0 - v);
+        const double step = off / slope;
+        v -= step;
+        if (std::fabs(step) <= 1e-9 * v) break;
+    }
+    return upper ? 1.0 - v : v;
+}
+}  // namespace
+
 double DeflectionTable::Sheet::at(double x, double y) const {
+    if (graded_x) x = std::cbrt(std::max(x, 0.0));
+    if (graded_y) y = place_of_graded_y(std::clamp(y, 0.0, 1.0));
     constexpr int points = 6;
     const auto weights = [this](double position, int& first) {
         const double p = std::clamp(position, 0.0, 1.0) * size;
