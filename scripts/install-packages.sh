@@ -5,7 +5,8 @@
 set -euo pipefail
 
 build=(g++ cmake ninja-build pkg-config python3 python3-glad libglfw3-dev libglm-dev libimgui-dev libstb-dev libegl-dev
-       libgl-dev libtomlplusplus-dev libcli11-dev libfmt-dev libtbb-dev libboost-dev libopenexr-dev doctest-dev)
+       libgl-dev libtomlplusplus-dev libcli11-dev libfmt-dev libtbb-dev libboost-dev libopenexr-dev
+       libpng-dev libjpeg-dev doctest-dev)
 run=(libegl1 libgl1 libgl1-mesa-dri fonts-dejavu-core)
 test=(xvfb xauth xdotool)
 # Used where they exist: a faster second build; a second way to render without a window system (it left Mesa in 25.1).

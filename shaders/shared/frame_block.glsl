@@ -39,6 +39,9 @@ struct FrameData {
     vec4 point_stars;  // peak of the point spread (1/px^2); for a star's reach: 2 sigma^2 ln 2 (px^2), 1/faintest light; margin (px)
     vec4 point_spread; // log2(e)/(2 sigma^2) (1/px^2), 0, 0, 0
 #endif
+#ifdef BLOCK_BLOOM
+    vec4 bloom;        // share of the light that is scattered, 0, 0, 0
+#endif
     // A body's form, then its look: _map cosine and sine of the rotation, columns, rows; _colour the first colour, limb;
     // _second the second colour, latitude of the band.
 #ifdef BLOCK_SPHERE
@@ -60,7 +63,7 @@ struct FrameData {
     vec4 ball_second;
 #endif
 #ifdef BLOCK_SURFACE
-    vec4 surface_form;   // bound, stride, step of differences, 0
+    vec4 surface_form;   // bound, stride, step of differences, time
     vec4 surface_map;
     vec4 surface_colour;
     vec4 surface_second;

@@ -86,6 +86,11 @@ const std::vector<Added>& additions() {
          }},
         {Effect::kFarSky, dark_wormhole, [](Scene& s) { s.far_sky.kind = SkyKind::kStars; }},
         {Effect::kStar, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }, [](Scene& s) { s.spacetime.metric = "neutron-star"; }},
+        {Effect::kBloom, nothing, [](Scene& s) { s.picture.bloom = 0.1; }},
+        {Effect::kAutoExposure, nothing, [](Scene& s) { s.picture.auto_exposure = true; }},
+        {Effect::kToneFilm, nothing, [](Scene& s) { s.picture.tone = ToneCurve::kFilm; }},
+        {Effect::kToneNeutral, nothing, [](Scene& s) { s.picture.tone = ToneCurve::kNeutral; }},
+        {Effect::kDither, nothing, [](Scene& s) { s.picture.dither = true; }},
     };
     return all;
 }

@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/assets.h"
 #include "base/image_file.h"
+#include "base/large_image.h"
 #include "base/progress.h"
 #include "cli/arguments.h"
 #include "cli/command.h"
@@ -26,8 +27,9 @@ namespace {
 struct Options {
     std::string scene, beside, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
     int samples = 3;
-    double time = 0.0;
+    std::optional<double> time;
     std::optional<double> max_error;
+    std::optional<int> largest_texture;
     bool raydata = false, dump_shader = false, resume = false;
 };
 
@@ -39,7 +41,9 @@ struct Captured {
 };
 
 Result<Captured> capture_gl(Session& session, const Scene& scene, const Options& options, bool exr) {
+    if (options.largest_texture) session.renderer->limit_pictures(*options.largest_texture);
     if (Status ready = session.renderer->prepare(scene); !ready) return ready.error();
+    for (const std::string& note : session.renderer->take_notes()) fmt::print(stderr, "{}\n", note);
     Captured captured;
     if (exr) captured.linear = session.renderer->picture();
     else captured.display = session.renderer->picture8();
@@ -62,15 +66,15 @@ Result<Captured> capture_reference(const Scene& scene, const Options& options, b
     if (effect_set(required_effects(scene)).contains(Effect::kDiscImage)) {
         auto image = load_disc_image(*scene.disc);
         if (!image) return image.error();
-        disc = std::move(*image);
+        disc = std::move(image->image);
     }
     std::array<std::optional<Image<float>>, kBodyCount> bodies;
     for (int body = 0; body < kBodyCount; ++body) {
         const auto file = body_image_file(scene, body);
         if (!file) continue;
-        auto image = load_image(*file);
+        auto image = load_fitted_image(*file);
         if (!image) return image.error();
-        bodies[static_cast<std::size_t>(body)] = std::move(*image);
+        bodies[static_cast<std::size_t>(body)] = std::move(image->image);
     }
     reference::Pictures pictures(disc ? &*disc : nullptr);
     if (bodies[0]) pictures.sphere = &*bodies[0];
@@ -94,7 +98,7 @@ Result<Captured> capture_reference(const Scene& scene, const Options& options, b
         if (!rays) return rays.error();
         captured.rays = std::move(*rays);
     }
-    if (!exr) captured.display = display_encoded(captured.linear, scene.camera.exposure_ev);
+    if (!exr) captured.display = display_encoded(captured.linear, scene.camera.exposure_ev, scene.picture);
     captured.made_by = "reference tracer";
     return captured;
 }
@@ -141,6 +145,7 @@ std::string numbered(std::string name, int frame) {
 
 Result<Scene> scene_for(const Options& options) {
     auto scene = load_scene(options.scene);
+    if (scene && options.time) scene->time = *options.time;
     if (!scene || options.size.empty()) return scene;
     const auto size = parse_size(options.size);
     if (!size) return size.error();
@@ -249,11 +254,13 @@ Command add_capture(CLI::App& parent) {
     app->add_option("--max-error", options->max_error, fmt::format("auto: the cheapest method whose measured error stays under this many pixels "
                     "(default {}, and the most exact method where the pixels are too small to be sure of that)", kDefaultMaxError_px))
         ->check(CLI::Range(1e-12, 1e6));
-    app->add_option("--time", options->time, "Scene time in r_s/c; scenes without anything that moves look the same at all times")
-        ->check(CLI::Range(0.0, 1e9))->capture_default_str();
+    app->add_option("--time", options->time, "Scene time in r_s/c (default: the scene's); scenes without anything that moves look the same at all times")
+        ->check(CLI::Range(0.0, 1e9));
     app->add_option("--frames", options->frames, "Draw frames A to B-1 of a sequence, A:B; -o then holds %05d");
     app->add_flag("--resume", options->resume, "Leave out the frames whose files are there: goes on with a sequence that was stopped");
     app->add_option("--samples", options->samples, "reference: rays per pixel along each side")->check(CLI::Range(1, 16))->capture_default_str();
+    app->add_option("--largest-texture", options->largest_texture, "Most pixels along a side of an image's texture: larger images are made "
+                    "smaller while they are read (default: the driver's limit)")->check(CLI::Range(16, 65536));
     app->add_flag("--raydata", options->raydata, "Also write where every pixel's ray went, as channels of the EXR");
     app->add_flag("--dump-shader", options->dump_shader, "Print the shaders of this scene's passes and stop");
     return {app, [options] { return run(*options); }};

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/image_file.h"
+#include "base/large_image.h"
 #include "cli/command.h"
 #include "base/assets.h"
 #include "cli/json.h"
@@ -50,7 +50,7 @@ void add_tables(const FrameTables& tables, const Scene& scene, std::vector<Line>
     const std::string radius = fmt::format("camera.r = {}", scene.camera.r);
     lines.push_back({"strip", 1, strip.width, strip.height, bytes_of(strip.bytes()), "GPU", radius});
     if (ends.width > 0)
-        lines.push_back({"ray ends", 1, ends.width, ends.height, bytes_of(ends.bytes()), "GPU", radius});
+        lines.push_back({"ray ends", 1, ends.width, ends.height, bytes_of(ends.bytes()), meets_objects(tables.effects()) ? "GPU" : "host", radius});
     const char* objects[] = {scene.disc ? "[disc]" : "", scene.sphere ? "[sphere]" : "", scene.cylinder ? "[cylinder]" : "",
                              scene.ball ? "[ball]" : "", scene.surface ? "[surface]" : ""};
     std::string reason;
@@ -84,16 +84,16 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Li
     if (effects.contains(Effect::kDiscImage)) {
         const auto image = load_disc_image(*scene.disc);
         if (!image) return image.error();
-        const long long w = image->width, h = image->height;
+        const long long w = image->image.width, h = image->image.height;
         lines.push_back({"disc image", 1, w, h, w * h * 32 / 3, "GPU", "disc.image"});  // 8 B, mip levels
     }
     constexpr const char* kBodies[kBodyCount] = {"sphere", "cylinder", "ball", "surface"};
     for (int body = 0; body < kBodyCount; ++body) {
         const auto file = body_image_file(scene, body);
         if (!file) continue;
-        const auto image = load_image(*file);
+        const auto image = load_fitted_image(*file);
         if (!image) return image.error();
-        const long long w = image->width, h = image->height;
+        const long long w = image->image.width, h = image->image.height;
         lines.push_back({fmt::format("{} image", kBodies[body]), 1, w, h, w * h * 32 / 3, "GPU", fmt::format("{}.image", kBodies[body])});
     }
     return Done{};

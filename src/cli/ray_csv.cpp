@@ -202,9 +202,10 @@ Result<RayRow> read_row(const std::string& file, int line, std::string_view text
     return row;
 }
 
-std::string_view fate_name(Fate fate) {
-    constexpr std::array<std::string_view, 5> kFates = {"escaped", "captured", "other_side", "no_sky", "hit:disc"};
-    return kFates[static_cast<std::size_t>(fate)];
+std::string_view fate_name(const RayRecord& record) {
+    constexpr std::array<std::string_view, 4> kFates = {"escaped", "captured", "other_side", "no_sky"};
+    constexpr std::array<std::string_view, 7> kHits = {"no_sky", "hit:disc", "hit:sphere", "hit:cylinder", "hit:ball", "hit:surface", "hit:star"};
+    return record.fate == Fate::kHit ? kHits[static_cast<std::size_t>(record.hit)] : kFates[static_cast<std::size_t>(record.fate)];
 }
 
 void append(std::string& line, double value) {
@@ -265,7 +266,7 @@ std::string rays_text(const RayTable& table, const std::vector<std::optional<Ray
         }
         const RayRecord& ray = *records[i];
         text += ',';
-        text += fate_name(ray.fate);
+        text += fate_name(ray);
         for (const double value : {ray.theta_inf, ray.phi_inf, ray.angle, ray.delay / length_unit, ray.g,
                                    ray.turn / length_unit, ray.at / length_unit})
             append(text, value);

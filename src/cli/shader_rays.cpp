@@ -79,6 +79,7 @@ double unwrapped_azimuth(const Start& start, double angle, double x, double y) {
 RayRecord record_of(const Start& start, const RayPixel& pixel) {
     RayRecord record;
     record.fate = pixel.fate;
+    if (pixel.fate == Fate::kHit) record.hit = static_cast<Object>(pixel.hit);
     record.angle = pixel.angle;
     if (pixel.fate != Fate::kEscaped && pixel.fate != Fate::kOtherSide) return record;
     record.sky = pixel.sky;
@@ -129,8 +130,10 @@ struct Job {
 class Batch {
 public:
     Batch(const Scene& scene, bool crossings, bool probes)
-        : scene_(scene), plane_(with_disc_from(scene, kPlane)), crossings_(crossings) {
-        if (probes && !scene.disc) scene_ = with_disc_from(scene, kOutOfReach);
+        : scene_(scene), plane_(with_disc_from(scene, kPlane)), bare_plane_(plane_), crossings_(crossings) {
+        bare_plane_.sphere.reset(), bare_plane_.cylinder.reset(), bare_plane_.ball.reset(), bare_plane_.surface.reset();
+        if (scene_.disc && scene_.disc->opacity < 1.0) scene_.disc.reset();   // it ends no ray
+        if (probes && !scene_.disc) scene_ = with_disc_from(scene, kOutOfReach);
     }
 
     std::vector<Scene> views(std::span<const Job> jobs) const {
@@ -138,7 +141,7 @@ public:
         for (const Job& job : jobs) {
             views.push_back(view_along(scene_, job.start));
             if (crossings_) views.push_back(view_along(plane_, job.start));
-            if (job.asks_place()) views.push_back(view_along(plane_, moved_to_meet_equator(job.start, *job.at_angle)));
+            if (job.asks_place()) views.push_back(view_along(bare_plane_, moved_to_meet_equator(job.start, *job.at_angle)));
         }
         return views;
     }
@@ -152,12 +155,12 @@ public:
             if (crossings_) {
                 const RayPixel& met = *next++;
                 const double r = std::hypot(met.u, met.v);
-                if (met.hit != 0)
+                if (met.hit == kDiscHit)
                     record.crossings.push_back({r, unwrapped_azimuth(job.start, met.angle, met.u, met.v)});
             }
             if (job.asks_place()) {
                 const RayPixel& met = *next++;
-                if (met.hit != 0) record.at = 1.0 / std::hypot(met.u, met.v);
+                if (met.hit == kDiscHit) record.at = 1.0 / std::hypot(met.u, met.v);
             } else if (job.at_angle && *job.at_angle == 0.0) {
                 record.at = 1.0 / job.start.r;
             }
@@ -166,7 +169,7 @@ public:
     }
 
 private:
-    Scene scene_, plane_;
+    Scene scene_, plane_, bare_plane_;   // bare: without bodies, which end the ray but not the question where it is
     bool crossings_;
 };
 
@@ -175,6 +178,8 @@ private:
 Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& scene, const Spacetime& spacetime,
                                                                 const RayTable& table, const ShaderRun& run,
                                                                 const std::function<void(long long)>& done) {
+    if (run.tracer != ShaderTracer::kGl && has_solids(effect_set(required_effects(scene))))
+        return bad_input("--with core64 and core32 know no solid bodies; allowed: reference or gl, or a scene without bodies");
     auto trace = MiddleTracer::make(run);
     if (!trace) return trace.error();
     std::vector<Job> jobs;

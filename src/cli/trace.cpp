@@ -35,6 +35,7 @@ void stop_at_disc(const DiscSpec& disc, const RayQuery& query, RayRecord& record
         const double r = record.crossings[k].r;
         if (!(r >= disc.inner && r <= disc.outer)) continue;
         record.fate = Fate::kHit;
+        record.hit = Object::kDisc;
         record.angle = plane.crossing(static_cast<int>(k) + 1);
         record.theta_inf = record.phi_inf = record.delay = kNotANumber;
         return;

@@ -73,6 +73,10 @@ void load_functions(void (*(*get_proc_address)(const char*, void*))(), void* use
     if (version < GLAD_MAKE_VERSION(3, 3))
         throw GlError(fmt::format("OpenGL 3.3 is needed; this driver has {}.{} ({})", GLAD_VERSION_MAJOR(version),
                                   GLAD_VERSION_MINOR(version), text_of(GL_RENDERER)));
+    prepare_context();
+}
+
+void prepare_context() {
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     glDisable(GL_DITHER);
 }
@@ -263,16 +267,36 @@ VertexArray make_vertex_array() {
     return VertexArray(id);
 }
 
-void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height) {
+void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, double share) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, width, height);
     glDisable(GL_BLEND);
+    if (share < 1.0) {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+        glBlendColor(0, 0, 0, static_cast<float>(share));
+    }
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_SCISSOR_TEST);
     glUseProgram(program.id());
     glBindVertexArray(empty.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
     check("draw");
+}
+
+void draw_rows(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int first, int last) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, width, height);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, first, width, last - first);
+    glUseProgram(program.id());
+    glBindVertexArray(empty.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_SCISSOR_TEST);
+    check("draw rows");
 }
 
 void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width, int height, int margin) {
@@ -303,6 +327,27 @@ void bind_texture_2d(int unit, const Texture& texture) {
 void bind_texture_cube(int unit, const Texture& texture) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
+}
+
+void set_linear(const Texture& texture) {
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    set_sampling(GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
+}
+
+void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_width, int to_height) {
+    GLuint id = 0;
+    glGenFramebuffers(1, &id);   // framebuffers are no shared objects, and attaching anew shows what another context drew
+    const Framebuffer source(id);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, id);
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glDisable(GL_SCISSOR_TEST);
+    const bool same = width == to_width && height == to_height;
+    glBlitFramebuffer(0, 0, width, height, 0, 0, to_width, to_height, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, to_width, to_height);
+    check("blit");
 }
 
 void finish() { glFinish(); }

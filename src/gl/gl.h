@@ -16,6 +16,9 @@ struct GlError : std::runtime_error {
 // Loads the functions of the current context. throws GlError if it is older than 3.3.
 void load_functions(void (*(*get_proc_address)(const char*, void*))(), void* user);
 
+// The state that every context of ours begins with; load_functions does it for the one that is current.
+void prepare_context();
+
 struct Info {
     std::string version, renderer, vendor, glsl;
     int max_texture_size = 0, max_cube_size = 0, max_renderbuffer_size = 0;
@@ -99,13 +102,19 @@ void read_rgba32f(const Target& target, int attachment, float* out);     // bott
 
 VertexArray make_vertex_array();
 // Draws one triangle over the viewport of the bound framebuffer. framebuffer 0: the window.
-void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height);
+// share below 1: what is there moves so far towards what is drawn.
+void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, double share = 1.0);
+// Of it the rows from first (counted from the bottom) up to but not including last.
+void draw_rows(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int first, int last);
 // Adds points to what is in the framebuffer: colour += colour of the point x alpha that is there; alpha stays. The viewport is
 // `margin` px wider on every side, so that a point whose middle is outside still shows its rim.
 void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width, int height, int margin);
 void set_integer(const Program& program, const char* uniform, int value);
 void bind_texture_2d(int unit, const Texture& texture);
 void bind_texture_cube(int unit, const Texture& texture);
+void set_linear(const Texture& texture);   // of a 2D texture without mip levels: filtered between texels
+// Copies a colour texture over a framebuffer of another size or the same (0: the window). The texture may be another context's.
+void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_width, int to_height);
 void finish();
 
 }  // namespace nullscope::gl

@@ -8,6 +8,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include "expr/formula.h"
+#include "scene/named_surface.h"
 
 namespace nullscope::reference {
 namespace {
@@ -48,11 +49,11 @@ Bodies::Bodies(const Scene& scene) {
                           [b](Vec3 x) { return length(x - b.position) - b.radius; }});
     }
     if (scene.surface) {
-        const auto shape = expr::Formula::parse(scene.surface->shape, {"x", "y", "z"});
+        const auto shape = expr::Formula::parse(surface_shape(*scene.surface), {"x", "y", "z", "t"});
         const double bound = scene.surface->bound;
         if (shape)
-            parts_.push_back({Object::kSurface, 2 * bound / scene.surface->steps, bound, [f = *shape, bound](Vec3 x) {
-                                  const double place[] = {x.x, x.y, x.z};
+            parts_.push_back({Object::kSurface, 2 * bound / scene.surface->steps, bound, [f = *shape, bound, time = scene.time](Vec3 x) {
+                                  const double place[] = {x.x, x.y, x.z, time};
                                   return std::max(f.value(place), length(x) - bound);
                               }});
     }

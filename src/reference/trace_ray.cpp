@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/bodies.h"
 #include "reference/orbit.h"
 #include "reference/ray_plane.h"
 #include "reference/reference.h"
@@ -73,6 +74,21 @@ void list_crossings(const Orbit& orbit, bool by_proper_length, const RayPlane& p
     }
 }
 
+// Ends the ray on the first solid body; what was along it before stays.
+void stop_at_bodies(const Scene& scene, const Orbit& orbit, const RayPlane& plane, double r, RayRecord& record) {
+    const Bodies bodies(scene);
+    if (bodies.empty()) return;
+    const auto hit = bodies.first_hit(orbit, plane, r);
+    if (!hit) return;
+    record.fate = Fate::kHit;
+    record.hit = hit->object;
+    record.angle = hit->angle;
+    record.theta_inf = record.phi_inf = record.delay = kNotANumber;
+    record.sky = {kNotANumber, kNotANumber, kNotANumber};
+    for (std::size_t k = 0; k < record.crossings.size(); ++k)
+        if (plane.crossing(static_cast<int>(k) + 1) > hit->angle) record.crossings.resize(k);
+}
+
 }  // namespace
 
 Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int crossings) {
@@ -106,7 +122,9 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
         record.theta_inf = std::atan2(std::hypot(record.sky.x, record.sky.y), record.sky.z);
         record.phi_inf = plane.azimuth(record.angle);
     }
+    if (record.fate == Fate::kHit) record.hit = Object::kStar;
     list_crossings(orbit, (*metric)->by_proper_length(), plane, crossings, record.crossings);
+    if (!(*metric)->by_proper_length()) stop_at_bodies(scene, orbit, plane, query.orbit ? 1 / query.orbit->zeta0 : query.r, record);
     return record;
 }
 

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "base/image_file.h"
+#include "base/large_image.h"
 
 namespace nullscope {
 
@@ -22,20 +20,21 @@ std::optional<std::filesystem::path> body_image_file(const Scene& scene, int bod
     return looks[body]->image;
 }
 
-Status BodyImages::update(const Scene& scene, int largest) {
+std::string textures_end_at(int largest) { return fmt::format("textures end at {} px here", largest); }
+
+Status BodyImages::update(const Scene& scene, int largest, std::vector<std::string>& notes) {
     for (int body = 0; body < kBodyCount; ++body) {
         std::optional<Picture>& picture = pictures_[static_cast<std::size_t>(body)];
         const auto file = body_image_file(scene, body);
         if (file && picture && picture->file == *file) continue;
         picture.reset();
         if (!file) continue;
-        const auto image = load_image(*file);
-        if (!image) return image.error();
-        if (std::max(image->width, image->height) > largest)
-            return bad_input(fmt::format("{}: {}x{} px; this driver's textures end at {} px", file->string(),
-                                         image->width, image->height, largest));
-        picture = Picture{*file, image->width, image->height,
-                          gl::make_picture_texture(image->width, image->height, image->channels, image->data.data())};
+        const auto fitted = load_fitted_image(*file, {.max_side = largest});
+        if (!fitted) return fitted.error();
+        if (fitted->reduced()) notes.push_back(reduction_words(*file, *fitted, textures_end_at(largest)));
+        const Image<float>& image = fitted->image;
+        picture = Picture{*file, image.width, image.height,
+                          gl::make_picture_texture(image.width, image.height, image.channels, image.data.data())};
     }
     return Done{};
 }

@@ -3,6 +3,8 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "gl/gl.h"
@@ -15,8 +17,9 @@ const char* body_image_sampler(int body);  // its sampler in the shader
 
 class BodyImages {
 public:
-    // Errors: an image that cannot be read, or is larger than the driver's textures.
-    Status update(const Scene& scene, int largest);
+    // largest: px along a side, beyond which images are read smaller; notes: a line is added for each that was. Errors: an image
+    // that cannot be read.
+    Status update(const Scene& scene, int largest, std::vector<std::string>& notes);
     void bind(int first_unit) const;  // units first_unit + body
 
     struct Picture {
@@ -29,6 +32,9 @@ public:
 private:
     std::array<std::optional<Picture>, kBodyCount> pictures_;
 };
+
+// Why an image was made smaller.
+std::string textures_end_at(int largest);
 
 // The file of a body's image texture, if it has one.
 std::optional<std::filesystem::path> body_image_file(const Scene& scene, int body);

@@ -84,7 +84,7 @@ void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spaceti
     put_look(block, ball.look);
     const SurfaceSpec surface = scene.surface.value_or(SurfaceSpec{});
     constexpr double kDifference = 1e-3;   // of the bound: gradients by differences keep half of a float's digits
-    block.put(surface.bound, 2 * surface.bound / surface.steps, kDifference * surface.bound, 0);
+    block.put(surface.bound, 2 * surface.bound / surface.steps, kDifference * surface.bound, scene.time);
     put_look(block, surface.look);
     put_march(block, scene);
 }
@@ -218,6 +218,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(1.0 / (2.0 * M_PI * kPointSigma_px * kPointSigma_px), 2.0 * kPointSigma_px * kPointSigma_px * M_LN2, 1.0 / kFaintestPoint,
               kPointMargin_px);
     block.put(M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0);
+    block.put(scene.picture.bloom, 0, 0, 0);
     put_bodies(block, scene, spacetime);
     return block.numbers();
 }

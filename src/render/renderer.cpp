@@ -6,9 +6,10 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "base/assets.h"
-#include "base/image_file.h"
+#include "base/large_image.h"
 #include "sky/sky.h"
 #include "shaderlib/passes.h"
 #include "table/disc_light.h"
@@ -20,7 +21,10 @@ namespace {
 
 constexpr unsigned kFrameBinding = 0;
 enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5, kFarSkyUnit = 6, kBodyUnit = 7,
-            kDiscFlowUnit = kBodyUnit + kBodyCount, kBlackBodyUnit, kStarLensUnit, kPictureUnit };
+            kDiscFlowUnit = kBodyUnit + kBodyCount, kBlackBodyUnit, kStarLensUnit,
+            kPictureUnit };
+// Passes that work on the picture sample none of the scene's tables: they share their units.
+constexpr int kSourceUnit = kStripUnit, kHaloUnit = kOrbitUnit, kMeterUnit = kSkyUnit;
 
 template <class T>
 Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
@@ -58,11 +62,19 @@ int sky_face_size(const CameraSpec& camera, int max_cube_size) {
     return std::min(std::max(256, static_cast<int>(std::bit_ceil(static_cast<unsigned>(wanted)))), max_cube_size);
 }
 
-Result<Image<float>> load_disc_image(const DiscSpec& disc) {
-    return load_image(disc.image.empty() ? assets_directory() / "images" / "accretion-disc.png" : disc.image);
+std::filesystem::path disc_image_file(const DiscSpec& disc) {
+    return disc.image.empty() ? assets_directory() / "images" / "accretion-disc.png" : disc.image;
 }
 
-Renderer::Renderer() : info_(gl::info()), empty_(gl::make_vertex_array()), uniforms_(gl::make_uniform_buffer(sizeof(float) * 4 * kFrameVectors)) {}
+Result<FittedImage> load_disc_image(const DiscSpec& disc, int largest) {
+    return load_fitted_image(disc_image_file(disc), {.max_side = largest});
+}
+
+std::vector<std::string> Renderer::take_notes() { return std::exchange(notes_, {}); }
+
+void Renderer::limit_pictures(int largest) { largest_picture_ = std::min(largest, info_.max_texture_size); }
+
+Renderer::Renderer() : info_(gl::info()), largest_picture_(std::min(info_.max_texture_size, kLargestPicture)), empty_(gl::make_vertex_array()), uniforms_(gl::make_uniform_buffer(sizeof(float) * 4 * kFrameVectors)) {}
 
 Status Renderer::prepare(const Scene& scene) {
     const int limit = std::min(info_.max_texture_size, info_.max_renderbuffer_size);
@@ -85,17 +97,27 @@ Status Renderer::prepare(const Scene& scene) {
 }
 
 void Renderer::upload_tables() {
-    if (rows_revision_ == tables_.revision()) return;
-    rows_revision_ = tables_.revision();
-    strip_ = {};
-    orbit_map_ = {};
-    ends_ = {};
-    star_lens_ = {};
-    const TexelGrid &strip = tables_.strip(), &ends = tables_.ends(), &map = tables_.orbit_map(), &lens = tables_.star_lens();
-    if (ends.width > 0) ends_ = gl::make_float_texture(ends.width, ends.height, ends.texels.data());
-    if (strip.width > 0) strip_ = gl::make_float_texture(strip.width, strip.height, strip.texels.data());
-    if (lens.width > 0) star_lens_ = gl::make_float_texture(lens.width, lens.height, lens.texels.data());
-    if (map.width > 0) orbit_map_ = gl::make_float_texture(map.width, map.height, map.texels.data());
+    if (rows_revision_ != tables_.revision()) {
+        rows_revision_ = tables_.revision();
+        strip_ = {};
+        orbit_map_ = {};
+        ends_ = {};
+        star_lens_ = {};
+        const TexelGrid &strip = tables_.strip(), &map = tables_.orbit_map(), &lens = tables_.star_lens();
+        if (lens.width > 0) star_lens_ = gl::make_float_texture(lens.width, lens.height, lens.texels.data());
+        if (strip.width > 0) strip_ = gl::make_float_texture(strip.width, strip.height, strip.texels.data());
+        if (map.width > 0) orbit_map_ = gl::make_float_texture(map.width, map.height, map.texels.data());
+    }
+    // A picture of the sky alone does not look where along the ray it is.
+    if (meets_objects(tables_.effects()) || method_.cubic)
+        upload_ends();
+    else
+        ends_ = {};
+}
+
+void Renderer::upload_ends() {
+    const TexelGrid& ends = tables_.ends();
+    if (!ends_ && ends.width > 0) ends_ = gl::make_float_texture(ends.width, ends.height, ends.texels.data());
 }
 
 void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
@@ -114,6 +136,7 @@ void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
 Status Renderer::load_cube(const SkySpec& spec, int size, gl::Texture& texture) {
     auto built = build_sky(spec, assets_directory(), size);
     if (!built) return built.error();
+    for (std::string& note : built->notes) notes_.push_back(std::move(note));
     const float* faces[6];
     for (std::size_t i = 0; i < 6; ++i) faces[i] = built->faces[i].data.data();
     texture = gl::make_cube_texture(size, faces);
@@ -159,21 +182,20 @@ Status Renderer::load_disc(const Scene& scene) {
     }
     const std::string file = scene.disc->image.string();
     if (disc_file_ == file) return Done{};
-    auto image = load_disc_image(*scene.disc);
-    if (!image) return image.error();
-    if (std::max(image->width, image->height) > info_.max_texture_size)
-        return bad_input(fmt::format("disc.image: {}x{} px; this driver's textures end at {} px", image->width, image->height,
-                                     info_.max_texture_size));
-    disc_ = gl::make_picture_texture(image->width, image->height, image->channels, image->data.data());
+    const auto fitted = load_disc_image(*scene.disc, largest_picture_);
+    if (!fitted) return fitted.error();
+    if (fitted->reduced()) notes_.push_back(reduction_words(disc_image_file(*scene.disc), *fitted, textures_end_at(largest_picture_)));
+    const Image<float>& image = fitted->image;
+    disc_ = gl::make_picture_texture(image.width, image.height, image.channels, image.data.data());
     disc_file_ = file;
-    disc_width_ = image->width;
-    disc_height_ = image->height;
+    disc_width_ = image.width;
+    disc_height_ = image.height;
     return Done{};
 }
 
 Status Renderer::load_bodies(const Scene& scene) {
     body_text_ = body_text(scene);
-    return body_images_.update(scene, info_.max_texture_size);
+    return body_images_.update(scene, largest_picture_, notes_);
 }
 
 void Renderer::load_heat(const Scene& scene) {
@@ -239,7 +261,14 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     gl::bind_sampler(made, "black_body_texture", kBlackBodyUnit);
     gl::bind_sampler(made, "star_lens_texture", kStarLensUnit);
     gl::bind_sampler(made, "picture_texture", kPictureUnit);
+    gl::bind_sampler(made, "source_texture", kSourceUnit);
+    gl::bind_sampler(made, "bloom_texture", kHaloUnit);
+    gl::bind_sampler(made, "meter_texture", kMeterUnit);
     return programs_.emplace(key, std::move(made)).first->second;
+}
+
+int Renderer::picture_programs() const {
+    return static_cast<int>(std::count_if(programs_.begin(), programs_.end(), [](const auto& entry) { return std::get<Stage>(entry.first) == Stage::kPicture; }));
 }
 
 void Renderer::bind_inputs() {
@@ -257,22 +286,45 @@ void Renderer::bind_inputs() {
     gl::bind_texture_2d(kStarLensUnit, star_lens_);
 }
 
-void Renderer::draw(unsigned framebuffer, int width, int height, Output output) {
+void Renderer::draw(unsigned framebuffer, int width, int height, Output output) { draw_rows(framebuffer, width, height, output, 0, height); }
+
+// The passes that follow the picture's need all of it: they run with its last rows.
+void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output output, int first, int last) {
     const std::vector<Pass> list = passes(tables_.effects(), output);
-    const bool keep = keeps_light(list);
+    const bool keep = keeps_light(list), halves = tables_.effects().contains(Effect::kBloom) || tables_.effects().contains(Effect::kAutoExposure);
     if (!keep) linear_ = {};
-    else if (linear_.width != width || linear_.height != height) linear_ = gl::make_target(width, height, gl::Format::kRgba16F);
+    else if (linear_.width != width || linear_.height != height) {
+        linear_ = gl::make_target(width, height, gl::Format::kRgba16F);
+        gl::set_linear(linear_.colours.front());
+    }
+    if (keep && halves) bloom_.resize(width, height);
+    else bloom_.clear();
     bind_inputs();
-    const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
     for (const Pass& pass : list) {
-        const gl::Program& built = program(pass.stage, pass.output);
-        if (pass.stage == Stage::kStars) {
-            const int images = tables_.effects().contains(Effect::kLensing) ? kStarImages : 1;
-            stars_.draw(built, picture, width, height, images);
-            continue;
+        if (pass.stage == Stage::kPicture && last - first < height) {
+            const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
+            gl::draw_rows(program(pass.stage, pass.output), empty_, picture, width, height, first, last);
+        } else if (last == height) {
+            draw_pass(pass, framebuffer, width, height);
         }
-        if (pass.stage == Stage::kDevelop) gl::bind_texture_2d(kPictureUnit, linear_.colours.front());
-        gl::draw_fullscreen(built, empty_, pass.stage == Stage::kPicture ? picture : framebuffer, width, height);
+    }
+}
+
+void Renderer::draw_pass(const Pass& pass, unsigned framebuffer, int width, int height) {
+    const gl::Program& built = program(pass.stage, pass.output);
+    const unsigned picture = linear_.width > 0 ? linear_.framebuffer.id() : framebuffer;
+    switch (pass.stage) {
+        case Stage::kStars:
+            return stars_.draw(built, picture, width, height, tables_.effects().contains(Effect::kLensing) ? kStarImages : 1);
+        case Stage::kBloomDown: return bloom_.draw_down(built, empty_, linear_.colours.front(), kSourceUnit);
+        case Stage::kBloomUp: return bloom_.draw_up(built, empty_, kSourceUnit, kHaloUnit);
+        case Stage::kMeter: return bloom_.draw_meter(built, empty_, kSourceUnit, adaptation_);
+        case Stage::kDevelop:
+            gl::bind_texture_2d(kPictureUnit, linear_.colours.front());
+            if (tables_.effects().contains(Effect::kBloom)) gl::bind_texture_2d(kHaloUnit, bloom_.halo());
+            if (tables_.effects().contains(Effect::kAutoExposure)) gl::bind_texture_2d(kMeterUnit, bloom_.metered());
+            return gl::draw_fullscreen(built, empty_, framebuffer, width, height);
+        default: return gl::draw_fullscreen(built, empty_, picture, width, height);
     }
 }
 
@@ -322,6 +374,7 @@ Result<std::vector<RayPixel>> Renderer::trace_middles(const std::vector<Scene>& 
 
 RayFrame Renderer::draw_rays(const gl::Target& target) {
     const int w = target.width, h = target.height;
+    upload_ends();
     const gl::Program& built = program(Stage::kRayData, Output::kLinear);
     bind_inputs();
     gl::draw_fullscreen(built, empty_, target.framebuffer.id(), w, h);
@@ -353,10 +406,11 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     std::vector<TextureLine> lines;
     const TexelGrid &strip = tables_.strip(), &ends = tables_.ends(), &map = tables_.orbit_map();
     if (strip.width > 0) lines.push_back({"strip", strip.width, strip.height, strip.bytes()});
-    if (ends.width > 0) lines.push_back({"ray ends", ends.width, ends.height, ends.bytes()});
+    if (ends_) lines.push_back({"ray ends", ends.width, ends.height, ends.bytes()});
     if (table_bytes_ > 0) lines.push_back({"deflection table", method_.size + 1, 2 * (method_.size + 1), table_bytes_});
     if (map.width > 0) lines.push_back({"orbit map", map.width, map.height, map.bytes()});
-    if (sky_size_ > 0) lines.push_back({"sky", sky_size_, sky_size_, static_cast<std::size_t>(sky_size_) * sky_size_ * 32});  // 6 faces, 4 B, mip levels
+    if (far_sky_) lines.push_back({"far sky", far_sky_size_, far_sky_size_, static_cast<std::size_t>(far_sky_size_) * far_sky_size_ * 32});
+    if (sky_) lines.push_back({"sky", sky_size_, sky_size_, static_cast<std::size_t>(sky_size_) * sky_size_ * 32});  // 6 faces, 4 B, mip levels
     if (disc_width_ > 0) lines.push_back({"disc image", disc_width_, disc_height_, static_cast<std::size_t>(disc_width_) * disc_height_ * 32 / 3});
     for (int body = 0; body < kBodyCount; ++body)
         if (const auto& picture = body_images_.pictures()[static_cast<std::size_t>(body)])
@@ -368,6 +422,7 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     if (star_lens_) lines.push_back({"star lens", tables_.star_lens().width, 1, tables_.star_lens().bytes()});
     if (stars_.count() > 0) lines.push_back({"stars", stars_.count(), 1, stars_.bytes()});
     if (linear_.width > 0) lines.push_back({"linear picture", linear_.width, linear_.height, static_cast<std::size_t>(linear_.width) * linear_.height * 8});
+    if (bloom_.bytes() > 0) lines.push_back({"bloom", (linear_.width + 1) / 2, (linear_.height + 1) / 2, bloom_.bytes()});
     return lines;
 }
 

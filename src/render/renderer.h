@@ -10,14 +10,16 @@
 #include <vector>
 
 #include "base/image.h"
+#include "base/large_image.h"
 #include "base/result.h"
 #include "gl/gl.h"
+#include "render/bloom.h"
 #include "render/body_images.h"
 #include "render/frame_tables.h"
 #include "render/star_field.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
-#include "shaderlib/shader_source.h"
+#include "shaderlib/passes.h"
 
 namespace nullscope {
 
@@ -34,12 +36,26 @@ public:
     // before. For windows only.
     void keep_finer_sky() { keep_finer_sky_ = true; }
 
+    // The longest side of the textures of images from the next prepare() on; larger images are made smaller while they are read.
+    // Without it: the driver's limit, at most kLargestPicture.
+    static constexpr int kLargestPicture = 16384;   // px: 1.1 GB with mip levels for an image twice as wide as high
+    void limit_pictures(int largest);
+    // What was done to images since the last call, a line each, for people.
+    std::vector<std::string> take_notes();
+
     // How rays are traced from the next prepare() on. Errors (by prepare): a method that the metric does not have.
     void set_method(const Method& method) { method_ = method; }
     const Method& method() const { return method_; }
 
+    // Automatic exposure: how far it moves to what a picture asks for, (0, 1]; 1 (at once) where pictures stand for themselves. In a
+    // window 1 - exp(-dt/tau) a frame.
+    void set_adaptation(double share) { adaptation_ = share; }
+
     // Draws the prepared scene's picture to a framebuffer of this size (0: the window). kLinear: one with float colours and alpha.
     void draw(unsigned framebuffer, int width, int height, Output output);
+
+    // The same in pieces, each finished before the next: rows counted from the bottom.
+    void draw_rows(unsigned framebuffer, int width, int height, Output output, int first, int last);
 
     // A yardstick: one cube-map fetch a pixel. Needs a prepared scene with a sky.
     void draw_bare_fetch(unsigned framebuffer, int width, int height);
@@ -55,6 +71,7 @@ public:
 
     const FrameTables& tables() const { return tables_; }
     double gpu_table_ms() const { return gpu_table_ms_; }             // time of the last table of method kTable
+    int picture_programs() const;                                     // of pictures, built so far
     const gl::Info& info() const { return info_; }
 
     struct TextureLine { std::string name; int width, height; std::size_t bytes; };
@@ -63,10 +80,12 @@ public:
 private:
     const gl::Program& program(Stage stage, Output output);
     void bind_inputs();
+    void draw_pass(const Pass& pass, unsigned framebuffer, int width, int height);
     void upload_tables();
+    void upload_ends();
     void upload_block(const Scene& scene, const TextureFacts& facts);
     RayFrame draw_rays(const gl::Target& target);
-    static Status load_cube(const SkySpec& spec, int size, gl::Texture& texture);
+    Status load_cube(const SkySpec& spec, int size, gl::Texture& texture);
     Status load_sky(const Scene& scene);
     Status load_far_sky(const Scene& scene);
     Status load_disc(const Scene& scene);
@@ -76,6 +95,8 @@ private:
     void load_black_body();
 
     gl::Info info_;
+    int largest_picture_;
+    std::vector<std::string> notes_;
     gl::VertexArray empty_;
     gl::Buffer uniforms_;
     std::map<std::tuple<Stage, Output, EffectSet, Method, std::string, BodyText>, gl::Program> programs_;
@@ -87,6 +108,8 @@ private:
     std::vector<int> block_members_;   // of the uniform block with these effects
     gl::Texture strip_, ends_, orbit_map_, sky_, far_sky_, disc_, table_, disc_flow_, black_body_, star_lens_;
     StarField stars_;
+    Bloom bloom_;
+    double adaptation_ = 1.0;
     gl::Target linear_;                // what passes of light work on, if there are any
     BodyText body_text_;
     BodyImages body_images_;
@@ -110,6 +133,6 @@ std::string methods_of(const Spacetime& spacetime);   // "strip, strip:cubic, ..
 int sky_face_size(const CameraSpec& camera, int max_cube_size);
 
 // The image of the disc: the scene's, or the one that ships.
-Result<Image<float>> load_disc_image(const DiscSpec& disc);
+Result<FittedImage> load_disc_image(const DiscSpec& disc, int largest = Renderer::kLargestPicture);
 
 }  // namespace nullscope

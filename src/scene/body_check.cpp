@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "expr/formula.h"
+#include "scene/named_surface.h"
 
 namespace nullscope {
 namespace {
@@ -74,12 +75,15 @@ void check_ball(const Scene& scene, Faults& faults) {
         faults.push_back({"ball.radius", "the camera is inside of the ball", "a ball beside the camera"});
 }
 
-void check_surface(const Scene& scene, Faults& faults) {
-    const auto shape = expr::Formula::parse(scene.surface->shape, {"x", "y", "z"});
+void check_surface(const Scene& scene, const Given& given, Faults& faults) {
+    const bool named = scene.surface->kind != SurfaceKind::kFormula;
+    check_partner("surface.shape", !named, false, "kind = \"formula\"", given, faults);
+    check_partner("surface.size", named, false, "a kind that has a name", given, faults);
+    const auto shape = expr::Formula::parse(surface_shape(*scene.surface), {"x", "y", "z", "t"});
     const Vec3 at = camera_at(scene.camera);
-    const double place[] = {at.x, at.y, at.z};
+    const double place[] = {at.x, at.y, at.z, scene.time};
     if (shape && length(at) <= scene.surface->bound && !(shape->value(place) > 0))
-        faults.push_back({"surface.shape", fmt::format("the camera is inside: f is {} there", shape->value(place)),
+        faults.push_back({named ? "surface.size" : "surface.shape", fmt::format("the camera is inside: f is {} there", shape->value(place)),
                           "f above 0 at the camera"});
 }
 
@@ -90,7 +94,7 @@ std::vector<BodyFault> check_bodies(const Scene& scene, double horizon, const Gi
     if (scene.sphere) check_look("sphere", scene.sphere->look, given, faults), check_sphere(scene, horizon, faults);
     if (scene.cylinder) check_look("cylinder", scene.cylinder->look, given, faults), check_cylinder(scene, faults);
     if (scene.ball) check_look("ball", scene.ball->look, given, faults), check_ball(scene, faults);
-    if (scene.surface) check_look("surface", scene.surface->look, given, faults), check_surface(scene, faults);
+    if (scene.surface) check_look("surface", scene.surface->look, given, faults), check_surface(scene, given, faults);
     return faults;
 }
 

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
+#include "scene/named_surface.h"
 #include "spacetime/registry.h"
 
 namespace nullscope {
@@ -51,7 +53,7 @@ void add_bodies(const Scene& scene, std::vector<EffectReason>& reasons) {
     if (const auto& b = scene.ball)
         reasons.push_back({Effect::kBall, fmt::format("[ball] of radius {} at [{}, {}, {}]", b->radius, b->position.x, b->position.y, b->position.z)});
     if (const auto& f = scene.surface)
-        reasons.push_back({Effect::kSurface, fmt::format("[surface] {} within {}", f->shape, f->bound)});
+        reasons.push_back({Effect::kSurface, fmt::format("[surface] {} within {}", f->kind == SurfaceKind::kFormula ? f->shape : std::string(kNamedSurfaces[static_cast<std::size_t>(f->kind)].key), f->bound)});
     std::vector<std::pair<const char*, const BodyLook*>> looks;
     if (scene.sphere) looks.emplace_back("sphere", &scene.sphere->look);
     if (scene.cylinder) looks.emplace_back("cylinder", &scene.cylinder->look);
@@ -120,7 +122,74 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     }
     if (spacetime && (*spacetime)->inner_end() == InnerEnd::kSurface)
         reasons.push_back({Effect::kStar, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
+    const PictureSpec& picture = scene.picture;
+    if (picture.bloom > 0.0) reasons.push_back({Effect::kBloom, fmt::format("picture.bloom = {}", picture.bloom)});
+    if (picture.auto_exposure) reasons.push_back({Effect::kAutoExposure, "picture.auto_exposure = \"on\""});
+    if (picture.tone == ToneCurve::kFilm) reasons.push_back({Effect::kToneFilm, "picture.tone = \"film\""});
+    if (picture.tone == ToneCurve::kNeutral) reasons.push_back({Effect::kToneNeutral, "picture.tone = \"neutral\""});
+    if (picture.dither) reasons.push_back({Effect::kDither, "picture.dither = \"on\""});
     return reasons;
+}
+
+namespace {
+
+void make_plain(Scene& scene, std::initializer_list<TextureKind> kinds) {
+    const auto one = [&kinds](BodyLook& look) {
+        if (std::find(kinds.begin(), kinds.end(), look.texture) != kinds.end()) look.texture = TextureKind::kPlain;
+    };
+    if (scene.sphere) one(scene.sphere->look);
+    if (scene.cylinder) one(scene.cylinder->look);
+    if (scene.ball) one(scene.ball->look);
+    if (scene.surface) one(scene.surface->look);
+}
+
+}  // namespace
+
+std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
+    Scene less = scene;
+    switch (effect) {
+        case Effect::kLensing:
+            // A camera of flat space has a radius of its own, and neither a surface nor another sky.
+            if (const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters))
+                less.camera.r = (*spacetime)->areal_radius(scene.camera.r);
+            less.spacetime = {"minkowski", {}};
+            return less;
+        case Effect::kAberration: less.camera.velocity = {0, 0, 0}; return less;
+        case Effect::kDisc: less.disc.reset(); return less;
+        case Effect::kTranslucentDisc:
+            if (less.disc) less.disc->opacity = 1.0, less.disc->edge = 0.0;
+            return less;
+        case Effect::kDiscImage:
+            if (!less.disc || less.disc->emission != DiscEmission::kThermal) break;   // there is no other light
+            less.disc->image.clear();
+            return less;
+        case Effect::kThermalDisc:
+            if (!less.disc || less.disc->image.empty()) break;   // the same
+            less.disc->emission = DiscEmission::kImage;
+            return less;
+        case Effect::kShift: less.light.shift = false; return less;
+        case Effect::kBeaming: less.light.beaming = false; return less;
+        case Effect::kBolometric: less.light.bolometric = false; return less;
+        case Effect::kPointStars: less.sky.kind = scene.sky.even_stars == 0 ? SkyKind::kStars : SkyKind::kBlack; return less;
+        case Effect::kSphere: less.sphere.reset(); return less;
+        case Effect::kCylinder: less.cylinder.reset(); return less;
+        case Effect::kBall: less.ball.reset(); return less;
+        case Effect::kSurface: less.surface.reset(); return less;
+        case Effect::kPattern: make_plain(less, {TextureKind::kChecker, TextureKind::kGrid, TextureKind::kStripes}); return less;
+        case Effect::kNoise: make_plain(less, {TextureKind::kNoise}); return less;
+        case Effect::kFormula: make_plain(less, {TextureKind::kFormula}); return less;
+        case Effect::kBodyImage: make_plain(less, {TextureKind::kImage}); return less;
+        case Effect::kSky: less.sky.kind = SkyKind::kBlack; return less;
+        case Effect::kFarSky: less.far_sky.kind = SkyKind::kBlack; return less;
+        case Effect::kBloom: less.picture.bloom = 0.0; return less;
+        case Effect::kAutoExposure: less.picture.auto_exposure = false; return less;
+        case Effect::kToneFilm:
+        case Effect::kToneNeutral: less.picture.tone = ToneCurve::kShoulder; return less;
+        case Effect::kDither: less.picture.dither = false; return less;
+        case Effect::kInner:
+        case Effect::kStar: break;
+    }
+    return std::nullopt;
 }
 
 EffectSet effect_set(const std::vector<EffectReason>& reasons) {

@@ -6,6 +6,7 @@
 #include <bitset>
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,9 +18,9 @@ namespace nullscope {
 enum class Effect {
     kLensing, kAberration, kDisc, kDiscImage, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kBolometric,
     kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kPointStars, kSky,
-    kInner, kBounce, kFarSky, kStar
+    kInner, kBounce, kFarSky, kStar, kBloom, kAutoExposure, kToneFilm, kToneNeutral, kDither
 };
-inline constexpr std::size_t kEffectCount = 23;
+inline constexpr std::size_t kEffectCount = 28;
 
 struct EffectRow {
     Effect effect;
@@ -81,6 +82,14 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
      "spacetime.metric is a wormhole and far_sky.kind is not black", "a cube map; one fetch a pixel"},
     {Effect::kStar, "star", "EFFECT_STAR", "Rays end on the surface of a star.", "spacetime.metric is a star",
      "arithmetic where the star is seen"},
+    {Effect::kBloom, "bloom", "EFFECT_BLOOM", "Lens and eye scatter light about its place.", "picture.bloom is above 0",
+     "the picture in linear light, halved again and again and added up"},
+    {Effect::kAutoExposure, "auto-exposure", "EFFECT_AUTO_EXPOSURE", "Exposure follows the picture's mean luminance.",
+     "picture.auto_exposure is \"on\"", "the picture in linear light, halved again and again"},
+    {Effect::kToneFilm, "tone-film", "EFFECT_TONE_FILM", "Bright light is compressed as by film.", "picture.tone is \"film\"", "arithmetic"},
+    {Effect::kToneNeutral, "tone-neutral", "EFFECT_TONE_NEUTRAL", "Bright light is compressed, other colours are kept.",
+     "picture.tone is \"neutral\"", "arithmetic"},
+    {Effect::kDither, "dither", "EFFECT_DITHER", "Noise hides the steps of 8 bits.", "picture.dither is \"on\"", "arithmetic"},
 }};
 
 constexpr const EffectRow& effect_row(Effect effect) { return kEffectTable[static_cast<std::size_t>(effect)]; }
@@ -92,6 +101,7 @@ public:
     EffectSet(std::initializer_list<Effect> effects) {
         for (const Effect effect : effects) insert(effect);
     }
+    void erase(Effect effect) { bits_.reset(static_cast<std::size_t>(effect)); }
     void insert(Effect effect) { bits_.set(static_cast<std::size_t>(effect)); }
     bool contains(Effect effect) const { return bits_.test(static_cast<std::size_t>(effect)); }
     bool empty() const { return bits_.none(); }
@@ -118,5 +128,9 @@ struct EffectReason {
 // unknown metric calls for no lensing).
 std::vector<EffectReason> required_effects(const Scene& scene);
 EffectSet effect_set(const std::vector<EffectReason>& reasons);
+
+// The scene as it is without one of its effects, which then calls for all others but those that need this one. nullopt: the effect
+// cannot go alone (kInner and kStar are the metric's, a disc has one light at least).
+std::optional<Scene> without_effect(const Scene& scene, Effect effect);
 
 }  // namespace nullscope

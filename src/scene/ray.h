@@ -47,6 +47,7 @@ struct RayRecord {
     double g = kNotANumber;       // camera frequency over frequency at infinity
     double turn = kNotANumber;    // zeta at the turning point on the traced part; empty if none
     double at = kNotANumber;      // zeta at at_angle; empty if the ray has ended before
+    Object hit = Object::kNone;   // what the ray ended on: fate kHit
     struct Crossing { double r, phi; };
     std::vector<Crossing> crossings;    // of the equatorial plane after leaving the camera, before the end (horizon included)
 };

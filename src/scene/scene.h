@@ -108,7 +108,11 @@ struct BallSpec {                   // a sphere anywhere
     friend bool operator==(const BallSpec&, const BallSpec&) = default;
 };
 
-struct SurfaceSpec {                // the solid f(x, y, z) < 0, as far as `bound` from the centre
+// kFormula: `shape`; the others are named_surface.h's, `size` long.
+enum class SurfaceKind { kFormula, kTorus, kEllipsoid, kCube, kOctahedron, kHeart, kGyroid, kClebsch };
+struct SurfaceSpec {                // the solid f(x, y, z, t) < 0, as far as `bound` from the centre; t: Scene::time
+    SurfaceKind kind = SurfaceKind::kFormula;
+    double size = 6.0;              // of a named surface
     std::string shape = "(length(x, y) - 6)^2 + z^2 - 2";   // f: docs/expressions.md
     double bound = 10.0;
     int steps = 64;                 // strides across the bounding sphere: what is thinner than one may be missed
@@ -131,6 +135,16 @@ struct LightSpec {
     friend bool operator==(const LightSpec&, const LightSpec&) = default;
 };
 
+// What becomes of a picture's light before a display shows it. EXR files hold it as it is.
+enum class ToneCurve { kShoulder, kFilm, kNeutral };   // 1 - exp(-x); a fit of ACES; Khronos' neutral one
+struct PictureSpec {
+    ToneCurve tone = ToneCurve::kShoulder;
+    double bloom = 0.0;            // share of the light that lens and eye scatter, [0, 1)
+    bool auto_exposure = false;    // CameraSpec::exposure_ev then adds to what the picture's mean luminance asks for
+    bool dither = false;           // noise of half a step of 8 bits against bands
+    friend bool operator==(const PictureSpec&, const PictureSpec&) = default;
+};
+
 struct Scene {
     std::string name, description;
     SpacetimeSpec spacetime;
@@ -143,6 +157,8 @@ struct Scene {
     std::optional<BallSpec> ball;
     std::optional<SurfaceSpec> surface;
     LightSpec light;
+    PictureSpec picture;
+    double time = 0.0;                     // r_s/c, by the clocks at infinity: what moves is where it is then, its light has no delay
 };
 
 }  // namespace nullscope

@@ -25,8 +25,10 @@ constexpr KeyRange kLatitude{0.0, 90.0, true, true};
 constexpr KeyRange kOpacity{0.0, 1.0, true, false};
 constexpr KeyRange kEdge{0.0, 0.5, false, false};
 constexpr KeyRange kTemperature{1e3, 1e9, false, false};
+constexpr KeyRange kTime{-1e9, 1e9, false, false};
 constexpr KeyRange kMagnitude{-5.0, 30.0, false, false};
 constexpr KeyRange kStarCount{0.0, 4000000.0, false, false};
+constexpr KeyRange kBloom{0.0, 1.0, false, true};
 constexpr KeyRange kNone{};
 
 constexpr SceneKey kKeys[] = {
@@ -34,6 +36,9 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.name = v.text; }},
     {"", "description", KeyType::kText, "", "", kNone, "", "One sentence that says what is to be seen.",
      [](Scene& s, const KeyValue& v) { s.description = v.text; }},
+
+    {"", "time", KeyType::kNumber, "r_s/c", "0", kTime, "", "Time of the picture, for what moves: t in surface.shape.",
+     [](Scene& s, const KeyValue& v) { s.time = v.number; }},
 
     {"spacetime", "metric", KeyType::kMetric, "", "schwarzschild", kNone, "", "The spacetime.",
      [](Scene& s, const KeyValue& v) { s.spacetime.metric = v.text; }},
@@ -150,6 +155,17 @@ constexpr SceneKey kKeys[] = {
     {"light", "band", KeyType::kChoice, "", "visual", kNone, "visual bolometric",
      "What counts as brightness of what shines by its heat: what the eye sees, or power at all wavelengths.",
      [](Scene& s, const KeyValue& v) { s.light.bolometric = v.choice == 1; }},
+
+    {"picture", "tone", KeyType::kChoice, "", "shoulder", kNone, "shoulder film neutral",
+     "How bright light is compressed: 1 - exp(-x), a fit of the film curve of ACES, or Khronos' neutral curve.",
+     [](Scene& s, const KeyValue& v) { s.picture.tone = static_cast<ToneCurve>(v.choice); }},
+    {"picture", "bloom", KeyType::kNumber, "", "0", kBloom, "", "Share of the light that lens and eye scatter about its place.",
+     [](Scene& s, const KeyValue& v) { s.picture.bloom = v.number; }},
+    {"picture", "auto_exposure", KeyType::kChoice, "", "off", kNone, "off on",
+     "Whether exposure follows the picture's mean luminance; camera.exposure then adds to it.",
+     [](Scene& s, const KeyValue& v) { s.picture.auto_exposure = v.choice == 1; }},
+    {"picture", "dither", KeyType::kChoice, "", "off", kNone, "off on", "Noise of half a step of 8 bits, so that dark gradients show no bands.",
+     [](Scene& s, const KeyValue& v) { s.picture.dither = v.choice == 1; }},
 };
 
 std::string list_of(const std::vector<std::string>& words) {

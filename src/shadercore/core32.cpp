@@ -20,7 +20,7 @@ std::array<std::size_t, kFrameVectors> frame_offsets() {
             offsetof(F, polar_x), offsetof(F, polar_y), offsetof(F, radial), offsetof(F, meridian),
             offsetof(F, transverse), offsetof(F, shift), offsetof(F, strip), offsetof(F, orbit), offsetof(F, series),
             offsetof(F, boost), offsetof(F, sky), offsetof(F, disc_normal), offsetof(F, disc_x), offsetof(F, disc_y),
-            offsetof(F, disc_map), offsetof(F, disc_look), offsetof(F, critical), offsetof(F, disc_heat), offsetof(F, point_stars), offsetof(F, point_spread),
+            offsetof(F, disc_map), offsetof(F, disc_look), offsetof(F, critical), offsetof(F, disc_heat), offsetof(F, point_stars), offsetof(F, point_spread), offsetof(F, bloom),
             offsetof(F, sphere_form), offsetof(F, sphere_map),
             offsetof(F, sphere_colour), offsetof(F, sphere_second), offsetof(F, cylinder_form),
             offsetof(F, cylinder_map), offsetof(F, cylinder_colour), offsetof(F, cylinder_second),

@@ -6,6 +6,7 @@
 #define BLOCK_DISC
 #define BLOCK_THERMAL_DISC
 #define BLOCK_POINT_STARS
+#define BLOCK_BLOOM
 #define BLOCK_SPHERE
 #define BLOCK_CYLINDER
 #define BLOCK_BALL

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "expr/formula.h"
+#include "scene/named_surface.h"
 #include "shaderlib/preprocess.h"
 #include "shaderlib/shader_source.h"
 
@@ -39,8 +41,11 @@ std::vector<Body> bodies_of(const Scene& scene) {
 }
 
 std::string shape_of(const SurfaceSpec& surface) {
-    const auto formula = expr::Formula::parse(surface.shape, {"x", "y", "z"});
-    return "float surface_formula(vec3 at) {\n    float x = at.x;\n    float y = at.y;\n    float z = at.z;\n" +
+    const auto formula = expr::Formula::parse(surface_shape(surface), {"x", "y", "z", "t"});
+    constexpr std::size_t kTime = 3;
+    // The scene's time at every place; where light is delayed, the time at which the light that is seen left `at` belongs here.
+    const std::string time = formula && formula->uses(kTime) ? "    float t = frame.surface_form.w;\n" : "";
+    return "float surface_formula(vec3 at) {\n    float x = at.x;\n    float y = at.y;\n    float z = at.z;\n" + time +
            (formula ? formula->glsl("value") : "    float value = 1.0;\n") + "    return value;\n}\n";
 }
 
@@ -85,11 +90,14 @@ std::string march_of(const std::vector<Body>& bodies, const Scene& scene) {
             body.name, body.number);
     }
     if (value.empty()) return "";
+    const bool ball_alone = bodies.back().name == "ball" && std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return b.marched; }) == 1;
+    const std::string stop = "float march_stop(Trace trace, vec3 tangent, float phi) { return " +
+                             std::string(ball_alone ? "ball_beside(trace, tangent) ? 1.0e-9 : " : "") + "max(phi, 1.0e-9); }\n";
     // Strides of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent.
     const int steps = 128 + (scene.surface ? 2 * scene.surface->steps : 0);
     const std::string graze =
         scene.surface ? "1.0e30" : "2.0 * angle * sqrt(place.r_along * place.r_along + place.r * place.r)";
-    return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) +
+    return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) + stop +
            "float march_value(vec3 at) {\n    float value = 1.0e30;\n" + value +
            "    return value;\n}\n"
            "float march_room(RayPlace place) {\n    float room = 1.0e30;\n" +
@@ -106,12 +114,12 @@ std::string hit_of(const std::vector<Body>& bodies) {
     const bool sphere = !bodies.front().marched, march = bodies.back().marched;
     std::string text = "SolidHit solid_hit(Trace trace, vec3 tangent, float blur) {\n";
     if (sphere && !march) return text + "    return sphere_hit(trace, tangent, blur);\n}\n";
-    if (!sphere) return text + "    return march_hit(trace, tangent, max(trace.phi_end, 1.0e-9), blur);\n}\n";
+    if (!sphere) return text + "    return march_hit(trace, tangent, march_stop(trace, tangent, trace.phi_end), blur);\n}\n";
     // What lies before the sphere; a body's blurred edge before it hides the sphere's own.
     return text +
            "    SolidHit sphere = sphere_hit(trace, tangent, blur);\n"
            "    bool whole = sphere.covered >= 1.0;\n"
-           "    SolidHit other = march_hit(trace, tangent, max(whole ? sphere.phi : trace.phi_end, 1.0e-9), whole ? "
+           "    SolidHit other = march_hit(trace, tangent, march_stop(trace, tangent, whole ? sphere.phi : trace.phi_end), whole ? "
            "0.0 : blur);\n"
            "    if (other.object == 0) return sphere;\n"
            "    return sphere.object == 0 || other.phi < sphere.phi ? other : sphere;\n}\n";

@@ -4,11 +4,15 @@ namespace nullscope {
 
 std::vector<Pass> passes(const EffectSet& effects, Output output) {
     const bool stars = effects.contains(Effect::kPointStars);
-    const bool develop = output == Output::kDisplay && stars;
+    const bool bloom = effects.contains(Effect::kBloom), meter = effects.contains(Effect::kAutoExposure);
+    const bool develop = output == Output::kDisplay && (stars || bloom || meter);
     std::vector<Pass> list;
     list.push_back({Stage::kPicture, develop ? Output::kLinear : output, "picture",
                     "one triangle over the picture: every pixel traces its ray and shades what it meets"});
     if (stars) list.push_back({Stage::kStars, Output::kLinear, "stars", "a point for every image of every star, added to it"});
+    if (develop && (bloom || meter)) list.push_back({Stage::kBloomDown, output, "bloom down", "halves of the picture, until 8 px are left"});
+    if (develop && bloom) list.push_back({Stage::kBloomUp, output, "bloom up", "from the coarsest half to the finest, added up"});
+    if (develop && meter) list.push_back({Stage::kMeter, output, "meter", "mean luminance of the coarsest half"});
     if (develop) list.push_back({Stage::kDevelop, output, "develop", "from linear light to the display"});
     return list;
 }

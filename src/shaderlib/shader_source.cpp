@@ -164,6 +164,17 @@ ShaderSource star_source(const EffectSet& effects) {
     return {with_block(body, defines), with_block(std::string(shader_file("stage/star.frag")), defines)};
 }
 
+constexpr const char* kBloomDeclaration = "uniform highp sampler2D bloom_texture;\n";
+
+std::string develop_source(const EffectSet& effects) {
+    std::string body = "uniform highp sampler2D picture_texture;\n";
+    if (effects.contains(Effect::kBloom)) body += kBloomDeclaration;
+    if (effects.contains(Effect::kAutoExposure)) body += fmt::format("uniform highp sampler2D meter_texture;\n#define METER_KEY {}\n", kMeterKey);
+    body += shader_file("effect/display.glsl");
+    body += shader_file("stage/develop.frag");
+    return with_block(body, defines_of(effects));
+}
+
 }  // namespace
 
 bool has_shader(std::string_view folder, std::string_view metric) {
@@ -194,9 +205,11 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
     const std::string vertex = std::string(kVersion) + stripped(shader_file("stage/fullscreen.vert"));
     if (stage == Stage::kBareFetch) return {vertex, with_block(std::string(shader_file("stage/bare_fetch.frag")), {})};
     if (stage == Stage::kStars) return star_source(effects);
-    if (stage == Stage::kDevelop)
-        return {vertex, with_block("uniform highp sampler2D picture_texture;\n" + std::string(shader_file("effect/display.glsl")) +
-                                       std::string(shader_file("stage/develop.frag")), defines_of(effects))};
+    if (stage == Stage::kDevelop) return {vertex, develop_source(effects)};
+    const std::string source = "uniform highp sampler2D source_texture;\n";
+    if (stage == Stage::kBloomDown) return {vertex, kHead + stripped(source + std::string(shader_file("stage/bloom_down.frag")))};
+    if (stage == Stage::kBloomUp) return {vertex, kHead + stripped(source + kBloomDeclaration + std::string(shader_file("stage/bloom_up.frag")))};
+    if (stage == Stage::kMeter) return {vertex, kHead + stripped(source + std::string(shader_file("stage/meter.frag")))};
     std::vector<std::string> defines = defines_of(effects);
     const bool ends = stage == Stage::kRayData || effects.contains(Effect::kDisc) || has_solids(effects);
     if (ends) defines.emplace_back("NEEDS_PHI_END");

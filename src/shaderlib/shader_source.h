@@ -10,10 +10,14 @@
 
 namespace nullscope {
 
-// kStars: points added to the picture. kDevelop: a picture in linear light to the display. kBareFetch: one cube-map fetch a pixel,
+// kStars: points added to the picture. kBloomDown, kBloomUp, kMeter: of the picture in
+// linear light. kDevelop: from it to the display. kBareFetch: one cube-map fetch a pixel,
 // a yardstick of cost.
-enum class Stage { kPicture, kStars, kDevelop, kRayData, kBareFetch };
+enum class Stage { kPicture, kStars, kBloomDown, kBloomUp, kMeter, kDevelop, kRayData, kBareFetch };
 enum class Output { kLinear, kDisplay };   // kDisplay: exposure and sRGB encoding in the shader (8-bit targets)
+
+// What automatic exposure makes of the picture's mean luminance.
+inline constexpr double kMeterKey = 0.12;
 
 struct ShaderSource {
     std::string vertex, fragment;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/image_file.h"
+#include "base/large_image.h"
 
 namespace nullscope {
 namespace {
@@ -80,8 +80,20 @@ int samples_per_texel(double pixels_per_radian, int face_size) {
     return std::max(1, static_cast<int>(std::ceil(pixels_per_radian * 2.0 / face_size / kPixelsPerSample)));
 }
 
+// Images are read no larger than this: 4 columns a texel along the faces' equator, where 3.14 lie in the middle of a face and one at
+// its edge is 2 times as fine; never less than 8192, so that only the largest are touched.
+Result<Image<float>> load_for(SkyCube& sky, const std::filesystem::path& path) {
+    constexpr int kLeastSide = 8192, kColumnsPerTexel = 4;
+    const int side = std::max(kLeastSide, kColumnsPerTexel * sky.size);
+    auto fitted = load_fitted_image(path, {.max_side = side});
+    if (!fitted) return fitted.error();
+    if (fitted->reduced())
+        sky.notes.push_back(reduction_words(path, *fitted, fmt::format("the sky's faces are of {} px", sky.size)));
+    return std::move(fitted->image);
+}
+
 Status draw_equirectangular(SkyCube& sky, const SkySpec& spec, const Mat3& world_from_sky) {
-    const Result<Image<float>> image = load_image(spec.image);
+    const Result<Image<float>> image = load_for(sky, spec.image);
     if (!image) return image.error();
     const double density = std::max(image->width / (2.0 * kPi), image->height / kPi);
     fill(sky, world_from_sky, samples_per_texel(density, sky.size), spec.brightness, [&](Vec3 d) {
@@ -106,11 +118,11 @@ Status draw_band_and_caps(SkyCube& sky, const SkySpec& spec, const Mat3& world_f
     const double limit = spec.band_latitude;
     if (!(limit > 0.0 && limit < 0.5 * kPi))
         return bad_input(fmt::format("sky: band latitude {} is outside (0, pi/2)", limit));
-    const Result<Image<float>> band = load_image(spec.image);
+    const Result<Image<float>> band = load_for(sky, spec.image);
     if (!band) return band.error();
-    const Result<Image<float>> north = load_image(spec.north_cap);
+    const Result<Image<float>> north = load_for(sky, spec.north_cap);
     if (!north) return north.error();
-    const Result<Image<float>> south = load_image(spec.south_cap);
+    const Result<Image<float>> south = load_for(sky, spec.south_cap);
     if (!south) return south.error();
     const double cap_angle = 0.5 * kPi - limit;
     const auto cap_density = [&](const Image<float>& cap) { return 0.5 * std::min(cap.width, cap.height) / cap_angle; };

@@ -3,6 +3,8 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "base/image.h"
 #include "base/result.h"
@@ -16,6 +18,7 @@ namespace nullscope {
 struct SkyCube {
     int size = 0;
     std::array<Image<float>, 6> faces;
+    std::vector<std::string> notes;   // what was done to images that are finer than the faces can show, a line each
 };
 
 // face_size: power of two, 16 ... 8192. Parallel; about 0.5 s for 2048 on two cores. Deterministic.

@@ -10,8 +10,12 @@
 #include <cstdint>
 #include <limits>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "compare/heat_map.h"
+#include "scene/effects.h"
+#include "scene/named_surface.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -24,9 +28,21 @@ auto lens_and_place(const CameraSpec& c) {
                     c.plane_width, c.focal_distance, c.width, c.height);
 }
 
+// The numbers of the solid bodies' forms.
+std::vector<double> solids(const Scene& scene) {
+    std::vector<double> numbers;
+    if (const auto& s = scene.sphere) numbers.push_back(s->radius);
+    if (const auto& c = scene.cylinder) numbers.insert(numbers.end(), {c->inner, c->outer, c->height});
+    if (const auto& b = scene.ball) numbers.insert(numbers.end(), {b->position.x, b->position.y, b->position.z, b->radius});
+    if (const auto& f = scene.surface) numbers.insert(numbers.end(), {f->bound, static_cast<double>(f->steps)});
+    return numbers;
+}
+
 // Colours and brightness apart.
 bool same_rays(const Scene& a, const Scene& b) {
     if (lens_and_place(a.camera) != lens_and_place(b.camera) || a.spacetime != b.spacetime) return false;
+    if (effect_set(required_effects(a)) != effect_set(required_effects(b)) || solids(a) != solids(b)) return false;
+    if (a.surface && (surface_shape(*a.surface) != surface_shape(*b.surface) || a.time != b.time)) return false;
     if (a.disc.has_value() != b.disc.has_value()) return false;
     return !a.disc || (a.disc->inner == b.disc->inner && a.disc->outer == b.disc->outer &&
                        (a.disc->opacity < 1.0) == (b.disc->opacity < 1.0));
@@ -81,30 +97,33 @@ void FrameAccuracy::frame_is(const Scene& scene, const Method& method) {
     scene_ = scene;
     method_ = method;
     watch_.cancel();
-    begun_ = false;
+    begun_ = asks_ = false;
     changed_at_ = seconds();
 }
 
-bool FrameAccuracy::update(bool wanted, bool moving, Renderer& renderer) {
+bool FrameAccuracy::update(bool wanted, bool moving) {
     wanted_ = wanted;
     if (!wanted && begun_ && watch_.measuring()) {
         watch_.cancel();
         begun_ = false;
     }
-    bool changed = false;
-    if (wanted && !begun_ && !moving && seconds() - changed_at_ >= kRest) {
-        begun_ = changed = true;
-        const Status started = watch_.start(scene_, renderer.ray_data());
-        error_ = started ? std::string() : started.error().message;
-        if (started) errors_ = watch_.summary();
-    }
-    if (!news_.exchange(false) || !begun_) return changed;
+    asks_ = wanted && !begun_ && !moving && seconds() - changed_at_ >= kRest;
+    if (!news_.exchange(false) || !begun_) return false;
     errors_ = watch_.summary();
     return wanted;
 }
 
+void FrameAccuracy::take_rays(const Scene& scene, RayFrame rays) {
+    if (!asks_ || !same_rays(scene, scene_)) return;
+    asks_ = false;
+    begun_ = true;
+    const Status started = watch_.start(scene_, std::move(rays));
+    error_ = started ? std::string() : started.error().message;
+    if (started) errors_ = watch_.summary();
+}
+
 double FrameAccuracy::wait() const {
-    if (!wanted_ || begun_) return std::numeric_limits<double>::infinity();
+    if (!wanted_ || begun_ || asks_) return std::numeric_limits<double>::infinity();
     return std::max(changed_at_ + kRest - seconds(), 0.001);
 }
 

@@ -26,7 +26,9 @@ public:
     // What is drawn from now on. Stops what is being measured if the rays are other ones.
     void frame_is(const Scene& scene, const Method& method);
     // Starts, stops and takes over what was found. True if there is something new to draw.
-    bool update(bool wanted, bool moving, Renderer& renderer);
+    bool update(bool wanted, bool moving);
+    bool asks_for_rays() const { return asks_; }            // of the frame that rests; until they come
+    void take_rays(const Scene& scene, RayFrame rays);      // nothing if the frame is another by now
     double wait() const;  // s until update() has something to do of its own; infinite: nothing
     void draw_overlay();  // between NewFrame and Render: below the panels
     AccuracyFacts facts() const;
@@ -35,7 +37,7 @@ private:
     ErrorSummary errors_;
     std::string error_;
     std::atomic<bool> news_ = false;
-    bool wanted_ = false, begun_ = false;  // begun: this frame is or was measured, or cannot be
+    bool wanted_ = false, asks_ = false, begun_ = false;  // begun: this frame is or was measured, or cannot be
     double changed_at_ = 0.0;
     Scene scene_;
     Method method_;

@@ -73,6 +73,8 @@ int main(int argc, char** argv) {
                    "Quit, and write the screenshot, after this many frames (default: 4 with --screenshot)")
         ->check(CLI::Range(1, 1000000));
     app.add_flag("--hidden", options.hidden, "Show no window; goes with --screenshot or --after-frames");
+    app.add_flag("--one-context", options.one_context, "Draw pictures where the panels are drawn, not in the background");
+    app.add_option("--turns", options.turns, "Write a line a turn of the loop to this file: when (s), how long (ms), programs, 1 while at work");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

@@ -44,7 +44,7 @@ bool section(const char* name, bool open) {
     return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
 }
 
-bool side_panel(ViewState& view, const AccuracyPanel& accuracy, bool escape) {
+bool side_panel(ViewState& view, const AccuracyPanel& accuracy, const EffectsPanel& effects, bool escape) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float margin = kMargin * em(), tallest = std::max(screen.y - status_height() - 2.0f * margin, 4.0f * em());
     const float width = std::min(kPanelWidth * em(), std::max(screen.x - 2.0f * margin, 4.0f * em()));
@@ -73,6 +73,11 @@ bool side_panel(ViewState& view, const AccuracyPanel& accuracy, bool escape) {
             view.show_accuracy = true;
             return accuracy_section(view, accuracy, escape);
         });
+        view.show_effects = false;
+        part("Effects", false, [&] {
+            view.show_effects = true;
+            return effects_section(view, effects);
+        });
     }
     ImGui::End();
     return changed;
@@ -86,7 +91,7 @@ void status_line(const FrameFacts& facts) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kMargin * em(), 0.25f * em()});
     if (ImGui::Begin("##status", nullptr, kFixed | ImGuiWindowFlags_NoInputs)) {
-        const std::string rate = facts.fps > 0.0 ? fmt::format("{:.0f} fps", facts.fps) : "idle";
+        const std::string rate = facts.fps > 0.0 ? fmt::format("{:.0f} fps", facts.fps) : facts.busy ? "at work" : "idle";
         ImGui::TextUnformatted(fmt::format("{:.1f} ms  {}", facts.picture_ms, rate).c_str());
         const std::string rest =
             fmt::format("{} x {}     table {:.0f} ms, rows {:.1f} ms     OpenGL {}     {}", facts.size.width,
@@ -132,13 +137,13 @@ void message_window(const std::string& message) {
 
 }  // namespace
 
-bool draw_panels(ViewState& view, const FrameFacts& facts, const AccuracyPanel& accuracy, const std::string& message,
-                 bool escape) {
+bool draw_panels(ViewState& view, const FrameFacts& facts, const AccuracyPanel& accuracy, const EffectsPanel& effects,
+                 const std::string& message, bool escape) {
     bool changed = false;
     if (view.show_errors)
         draw_error_legend(accuracy.facts, ImGui::GetIO().DisplaySize.y - (view.show_panels ? status_height() : 0.0f));
     if (view.show_panels) {
-        changed = side_panel(view, accuracy, escape);
+        changed = side_panel(view, accuracy, effects, escape);
         status_line(facts);
     }
     if (view.show_keys) keys_window();

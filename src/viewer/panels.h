@@ -3,6 +3,7 @@
 #include <string>
 
 #include "viewer/accuracy_section.h"
+#include "viewer/effects_section.h"
 #include "viewer/view_state.h"
 #include "viewer/window.h"
 
@@ -14,10 +15,11 @@ struct FrameFacts {
     double table_ms = 0.0, rows_ms = 0.0;
     PixelSize size;
     std::string renderer, version;
+    bool busy = false;  // a picture is on its way
 };
 
 // Between ImGui's NewFrame and Render. True when the scene changed. message: shown until it is empty again.
-bool draw_panels(ViewState& view, const FrameFacts& facts, const AccuracyPanel& accuracy, const std::string& message,
-                 bool escape);
+bool draw_panels(ViewState& view, const FrameFacts& facts, const AccuracyPanel& accuracy, const EffectsPanel& effects,
+                 const std::string& message, bool escape);
 
 }  // namespace nullscope::viewer

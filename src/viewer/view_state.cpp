@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "spacetime/registry.h"
 #include "viewer/fly_camera.h"
@@ -20,9 +21,19 @@ Status load_into(ViewState& view, const std::string& file_or_name) {
     if (view.scene.disc) view.hidden_disc = *view.scene.disc;
     if (const double speed = length(view.scene.camera.velocity); speed > 0.0)
         view.boost_direction = view.scene.camera.velocity / speed;
+    view.off = {};
     view.error.clear();
     return Done{};
 }
+
+Scene drawn_scene(const ViewState& view) {
+    Scene scene = view.scene;
+    for (const Effect effect : view.off.list())
+        if (auto less = without_effect(scene, effect)) scene = std::move(*less);
+    return scene;
+}
+
+EffectSet effects_of(const Scene& scene) { return effect_set(required_effects(scene)); }
 
 void reset_camera(ViewState& view) {
     const int width = view.scene.camera.width, height = view.scene.camera.height;

@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "render/frontier.h"
+#include "scene/effects.h"
 #include "scene/scene.h"
 #include "scene/scene_file.h"
 #include "spacetime/spacetime.h"
@@ -26,15 +27,20 @@ struct ViewState {
     std::vector<SceneInfo> shipped;
     std::string error;  // of the last change, or nothing
     bool show_panels = true, show_keys = false;
-    bool show_accuracy = false;  // the section is open
+    bool show_accuracy = false, show_effects = false;  // the section is open
     bool show_errors = false;    // over the picture
     MethodWish method;
+    EffectSet off;                   // of the scene's effects, switched off by hand
     Vec3 boost_direction{-1, 0, 0};  // kept while the camera is at rest
     DiscSpec hidden_disc;            // kept while the disc is switched off
 };
 
 // Replaces what is shown; on an error everything stays and view.error says why.
 Status load_into(ViewState& view, const std::string& file_or_name);
+// What is drawn: the scene without what is switched off.
+Scene drawn_scene(const ViewState& view);
+EffectSet effects_of(const Scene& scene);
+
 void reset_camera(ViewState& view);  // to the file's, pixels apart
 
 // The scene's spacetime; nullptr while the metric or its parameters are not valid. Cheap.

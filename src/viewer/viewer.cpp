@@ -8,6 +8,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "base/assets.h"
 #include "base/image_file.h"
@@ -22,9 +24,12 @@ constexpr int kSettlingFrames = 3;       // panels answer an event a frame later
 constexpr int kNewsFrames = 2;           // a measured number may make its panel wider a frame later
 constexpr double kIdleWait = 1.0;        // s
 constexpr double kCaretWait = 0.1;       // s, while a text field shows a blinking caret
+constexpr double kBusyWait = 0.03;        // s, while a picture is awaited and another is due
 constexpr double kFirstStep = 1.0 / 60;  // s of motion that a key's first frame stands for
 constexpr double kLongestStep = 0.1;     // s: a hitch is no leap
 constexpr double kMessageTime = 6.0;     // s
+constexpr double kPatience = 0.12;       // s that a turn waits for its picture before it shows the last one again
+constexpr double kRestBeforeTimes = 0.5; // s without a change before effects are measured
 constexpr double kRateTime = 0.25;       // s between changes of the numbers in the status line
 
 std::string title_of(const Scene& scene) { return scene.name + " - nullscope"; }
@@ -67,26 +72,45 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     if (!window) return window.error();
     viewer->window_ = std::move(*window);
     viewer->panel_system_ = std::make_unique<PanelSystem>(*viewer->window_);
-    viewer->renderer_ = std::make_unique<Renderer>();
-    viewer->renderer_->keep_finer_sky();
+    viewer->info_ = gl::info();
+    viewer->painter_ = std::make_unique<Painter>(*viewer->window_, !options.one_context, [] { glfwPostEmptyEvent(); });
     viewer->accuracy_ = std::make_unique<FrameAccuracy>();
     auto measured = load_frontier(assets_directory() / "frontier.csv");
     if (measured)
         viewer->measured_ = std::move(*measured);
     else
         viewer->not_measured_ = measured.error().message;
-    viewer->fit_to_window();
-    if (Status ready = viewer->try_prepare(); !ready) return ready.error();
-    viewer->shown_ = viewer->view_.scene;
-    viewer->shown_loaded_ = viewer->view_.loaded;
+    if (Status started = viewer->start(); !started) return started.error();
     return viewer;
+}
+
+Viewer::~Viewer() {
+    if (turns_ != nullptr) std::fclose(turns_);
+}
+
+// The first picture, without which there is nothing to keep on the screen.
+Status Viewer::start() {
+    if (!options_.turns.empty() && (turns_ = std::fopen(options_.turns.c_str(), "w")) == nullptr)
+        return failed(fmt::format("{}: cannot be written", options_.turns));
+    fit_to_window();
+    shown_ = view_.scene;
+    shown_loaded_ = view_.loaded;
+    ask();
+    painter_->wait(std::numeric_limits<double>::infinity());
+    auto painting = painter_->take();
+    if (!painting->ready) return painting->ready.error();
+    adopt(std::move(*painting));
+    return Done{};
 }
 
 Status Viewer::run() {
     while (!window_->closing()) {
         if (!step() || options_.after_frames == 0 || ++frames_ < options_.after_frames) continue;
         if (options_.screenshot.empty()) break;
-        return save_png(options_.screenshot, drawn_apart(size_, [this](unsigned framebuffer) { draw(framebuffer); }));
+        return save_png(options_.screenshot, drawn_apart(size_, [this](unsigned framebuffer) {
+                            draw(framebuffer);
+                            ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+                        }));
     }
     return Done{};
 }
@@ -95,6 +119,7 @@ bool Viewer::step() {
     const double wait = wait_time();
     waited_ = wait > 0.0;
     const Input& input = window_->poll(wait);
+    const double begun = seconds();
     const double dt = elapsed();
     if (input.happened) frames_due_ = kSettlingFrames;
     if (!message_.empty() && seconds() > message_until_) {
@@ -111,15 +136,21 @@ bool Viewer::step() {
     const bool escape = std::find(input.pressed.begin(), input.pressed.end(), GLFW_KEY_ESCAPE) != input.pressed.end();
     if (view_.show_errors) accuracy_->draw_overlay();
     const AccuracyPanel accuracy{measured_, not_measured_, choice_, accuracy_->facts(), picture_ms_shown_};
-    changed = draw_panels(view_, facts(), accuracy, message_, escape) || changed;
+    const EffectsPanel effects{effect_times_, picture_.job.scene, painter_->in_background(), picture_.programs, picture_.compile_ms};
+    changed = draw_panels(view_, facts(), accuracy, effects, message_, escape) || changed;
     moving_ = controls_.apply(input, view_, dt, io.WantCaptureMouse, io.WantCaptureKeyboard);
     if (controls_.dragging()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (changed || moving_) {
-        prepare();
+        fit_to_window();  // a scene that was just loaded has a size of its own
+        picture_due_ = true;
         frames_due_ = kSettlingFrames;
     }
     const bool watched = view_.show_errors || (view_.show_panels && view_.show_accuracy);
-    if (accuracy_->update(watched, moving_ || changed, *renderer_)) frames_due_ = std::max(frames_due_, kNewsFrames);
+    if (accuracy_->update(watched, moving_ || changed || picture_due_)) frames_due_ = std::max(frames_due_, kNewsFrames);
+    measure_effects(!moving_ && !changed);
+    const bool patient = options_.after_frames > 0;   // every frame of a screenshot's run is of the scene as it is
+    ask();
+    if (take(patient ? std::numeric_limits<double>::infinity() : kPatience)) frames_due_ = std::max(frames_due_, kNewsFrames);
     if (input.moved && (panels_had_pointer || io.WantCaptureMouse)) frames_due_ = kSettlingFrames;  // tooltips
     if (io.WantTextInput || options_.after_frames > 0) frames_due_ = std::max(frames_due_, 1);
     if (frames_due_ == 0) {
@@ -128,14 +159,23 @@ bool Viewer::step() {
     }
     --frames_due_;
     present();
+    log_turn(begun);
     return true;
+}
+
+void Viewer::log_turn(double begun) {
+    if (turns_ == nullptr) return;
+    fmt::print(turns_, "{:.4f} {:.1f} {} {}\n", begun, 1e3 * (seconds() - begun), picture_.programs, painter_->busy() ? 1 : 0);
+    std::fflush(turns_);
 }
 
 double Viewer::wait_time() const {
     if (size_.width == 0 || size_.height == 0) return kIdleWait;
     if (frames_due_ > 0 || controls_.in_motion() || options_.after_frames > 0) return 0.0;
     if (ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().WantTextInput) return kCaretWait;
-    const double idle = std::min(kIdleWait, accuracy_->wait());
+    if (painter_->busy() && picture_due_) return kBusyWait;
+    double idle = std::min(kIdleWait, accuracy_->wait());
+    if (view_.show_effects && !times_asked_) idle = std::min(idle, std::max(changed_at_ + kRestBeforeTimes - seconds(), 0.01));
     return message_.empty() ? idle : std::clamp(message_until_ - seconds(), 0.01, idle);
 }
 
@@ -176,44 +216,85 @@ bool Viewer::fit_to_window() {
     return changed;
 }
 
-Status Viewer::try_prepare() {
-    choice_ = method_choice(measured_, view_.method, view_.scene);
-    renderer_->set_method(choice_.method);
-    Status ready = renderer_->prepare(view_.scene);
-    if (ready) accuracy_->frame_is(view_.scene, choice_.method);
-    return ready;
+void Viewer::ask() {
+    if (painter_->busy()) return;
+    if (picture_due_) {
+        picture_due_ = false;
+        asked_ = view_;
+        const Scene scene = drawn_scene(view_);
+        asked_choice_ = method_choice(measured_, view_.method, scene);
+        painter_->ask({scene, asked_choice_.method});
+    } else if (accuracy_->asks_for_rays()) {
+        painter_->ask({picture_.job.scene, picture_.job.method, true});
+    }
 }
 
-void Viewer::prepare() {
-    fit_to_window();  // a scene that was just loaded has a size of its own
-    if (Status ready = try_prepare(); !ready) {
-        view_.scene = shown_;
-        view_.loaded = shown_loaded_;
-        view_.method = shown_method_;
-        fit_to_window();
-        if (Status again = try_prepare(); !again) throw gl::GlError(again.error().message);
-        view_.error = ready.error().message;
-        return;
+bool Viewer::take(double patience_s) {
+    if (!painter_->busy() || !painter_->wait(patience_s)) return false;
+    auto painting = painter_->take();
+    if (painting->rays)
+        accuracy_->take_rays(painting->job.scene, std::move(*painting->rays));
+    else if (painting->ready)
+        adopt(std::move(*painting));
+    else
+        refuse(*painting);
+    return true;
+}
+
+void Viewer::adopt(Painting painting) {
+    if (asked_.scene.name != shown_.name) window_->set_title(title_of(asked_.scene));
+    if (painting.job.method != picture_.job.method || effects_of(painting.job.scene) != effects_of(picture_.job.scene) ||
+        painting.job.scene.camera.width != picture_.job.scene.camera.width) {
+        effect_times_ = {};
+        times_asked_ = false;
+        changed_at_ = seconds();
     }
-    if (view_.scene.name != shown_.name) window_->set_title(title_of(view_.scene));
+    picture_ = std::move(painting);
+    if (!picture_.notes.empty()) say(picture_.notes.back());
+    choice_ = asked_choice_;
+    accuracy_->frame_is(picture_.job.scene, picture_.job.method);
     view_.error.clear();
-    shown_ = view_.scene;
-    shown_loaded_ = view_.loaded;
-    shown_method_ = view_.method;
+    shown_ = asked_.scene;
+    shown_loaded_ = asked_.loaded;
+    shown_method_ = asked_.method;
+    shown_off_ = asked_.off;
+}
+
+// What was shown is shown on, unless the hands have gone on meanwhile.
+void Viewer::refuse(const Painting& painting) {
+    if (painting.job.rays || picture_due_) return;
+    const CameraSpec camera = view_.scene.camera;
+    view_.scene = shown_;
+    view_.scene.camera.width = camera.width, view_.scene.camera.height = camera.height;
+    view_.loaded = shown_loaded_;
+    view_.method = shown_method_;
+    view_.off = shown_off_;
+    view_.error = painting.ready.error().message;
+    frames_due_ = kSettlingFrames;
+}
+
+// Once for every set of effects, when the picture rests and somebody looks.
+void Viewer::measure_effects(bool still) {
+    if (auto times = painter_->take_times()) {
+        effect_times_ = std::move(*times);
+        frames_due_ = std::max(frames_due_, kNewsFrames);
+    }
+    const bool wanted = view_.show_panels && view_.show_effects;
+    if (!wanted || times_asked_ || !still || picture_due_ || painter_->busy() || seconds() - changed_at_ < kRestBeforeTimes) return;
+    times_asked_ = true;
+    painter_->measure(picture_.job.scene, picture_.job.method);
 }
 
 void Viewer::draw(unsigned framebuffer) {
-    renderer_->draw(framebuffer, size_.width, size_.height, Output::kDisplay);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    const CameraSpec& camera = picture_.job.scene.camera;
+    gl::blit(picture_.texture, camera.width, camera.height, framebuffer, size_.width, size_.height);
 }
 
 void Viewer::present() {
     ImGui::Render();
-    const double start = seconds();
-    renderer_->draw(0, size_.width, size_.height, Output::kDisplay);
-    gl::finish();  // so that the time is the picture's
-    picture_ms_ = 1e3 * (seconds() - start);
+    draw(0);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    gl::finish();  // the picture's texture may be drawn to again
     window_->swap();
     measure_rate();
 }
@@ -226,13 +307,13 @@ void Viewer::measure_rate() {
     frame_s_ = waited_ ? 0.0 : frame_s_ > 0.0 ? kMemory * frame_s_ + (1.0 - kMemory) * frame : frame;
     if (now - rate_shown_at_ < kRateTime && frames_due_ > 0) return;
     rate_shown_at_ = now;
-    picture_ms_shown_ = picture_ms_;
+    picture_ms_shown_ = picture_.draw_ms;
     fps_shown_ = frames_due_ > 0 && moving_ && frame_s_ > 0.0 ? 1.0 / frame_s_ : 0.0;
 }
 
 void Viewer::save_picture() {
     const auto path = fresh_screenshot_path();
-    const Status saved = save_png(path, renderer_->picture8());
+    const Status saved = save_png(path, drawn_apart(size_, [this](unsigned framebuffer) { draw(framebuffer); }));
     say(saved ? fmt::format("Saved {}", path.string()) : saved.error().message);
 }
 
@@ -242,12 +323,9 @@ void Viewer::say(const std::string& message) {
 }
 
 FrameFacts Viewer::facts() const {
-    const FrameTables& tables = renderer_->tables();
-    const gl::Info& info = renderer_->info();
-    const std::string version = info.version.substr(0, info.version.find(' '));
+    const std::string version = info_.version.substr(0, info_.version.find(' '));
     const bool last = frames_due_ <= 1;  // what this frame shows stays
-    return {
-        picture_ms_shown_, last ? 0.0 : fps_shown_, tables.table_ms(), tables.rows_ms(), size_, info.renderer, version};
+    return {picture_ms_shown_, last ? 0.0 : fps_shown_, picture_.table_ms, picture_.rows_ms, size_, info_.renderer, version, painter_->busy()};
 }
 
 }  // namespace nullscope::viewer

@@ -176,6 +176,20 @@ const Input& Window::poll(double wait_s) {
     return input_;
 }
 
+std::unique_ptr<SharedContext> Window::share() {
+    ask_for_core_context();
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    GLFWwindow* hidden = glfwCreateWindow(1, 1, "", nullptr, handle_);
+    return hidden == nullptr ? nullptr : std::make_unique<SharedContext>(hidden);
+}
+
+SharedContext::~SharedContext() { glfwDestroyWindow(handle_); }
+void SharedContext::make_current() {
+    glfwMakeContextCurrent(handle_);
+    gl::prepare_context();
+}
+void SharedContext::leave() { glfwMakeContextCurrent(nullptr); }
+
 void Window::swap() { glfwSwapBuffers(handle_); }
 bool Window::closing() const { return glfwWindowShouldClose(handle_) != 0; }
 void Window::close() { glfwSetWindowShouldClose(handle_, GLFW_TRUE); }

@@ -43,6 +43,20 @@ struct Input {
     bool down(int key) const { return held[static_cast<std::size_t>(key)] || tapped[static_cast<std::size_t>(key)]; }
 };
 
+// A context without a window that shares textures with the window's; made and destroyed by the main thread, current in one other.
+class SharedContext {
+public:
+    explicit SharedContext(GLFWwindow* handle) : handle_(handle) {}
+    ~SharedContext();
+    SharedContext(const SharedContext&) = delete;
+    SharedContext& operator=(const SharedContext&) = delete;
+    void make_current();
+    void leave();
+
+private:
+    GLFWwindow* handle_;
+};
+
 class Window {
 public:
     // Errors say what is missing and what to do: no display, no OpenGL 3.3.
@@ -60,6 +74,7 @@ public:
     double pixel_ratio() const;     // framebuffer pixels a unit of the window's coordinates
     double content_scale() const;   // how much larger than usual things must be drawn, in framebuffer pixels
     void set_title(const std::string& title);
+    std::unique_ptr<SharedContext> share();  // nullptr where the driver has no second context
     GLFWwindow* handle() const { return handle_; }
 
 private:

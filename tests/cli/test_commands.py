@@ -88,7 +88,8 @@ class Commands(support.CliTest):
         self.assertIn("0.5", reasons["aberration"])
         self.assertEqual([e["effect"] for e in found["left_out"]],
                          ["thermal-disc", "shift", "beaming", "bolometric", "sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
-                          "body-image", "point-stars", "sky", "inner", "far-sky", "star"])
+                          "body-image", "point-stars", "sky", "inner", "far-sky", "star",
+                          "bloom", "auto-exposure", "tone-film", "tone-neutral", "dither"])
         self.assertTrue(all(e["cost"] for e in found["effects"]))
         tables = {t["name"] for t in found["tables"]}
         self.assertLessEqual({"deflection table", "strip", "orbit map", "disc image"}, tables)
@@ -176,6 +177,27 @@ class Commands(support.CliTest):
     def test_bench_soak_counts(self):
         self.run_nullscope("bench", "soak", "--frames", "1000", "--size", "16x9", "--json", "soak.json")
         self.assertEqual(json.loads((self.folder / "soak.json").read_text())[0]["not_finite"], 0)
+
+    def test_a_large_image_is_made_smaller_while_it_is_read(self):
+        width, height = 9000, 4500     # 121 MB of bytes, 486 MB of floats: never held
+        row = b"\x01" + bytes(v for x in range(width) for v in (1 if x == 0 else 0, 0, 0))   # left differences: all alike
+        packer = zlib.compressobj(1)
+        pixels = b"".join(packer.compress(row) for _ in range(height)) + packer.flush()
+        chunk = lambda kind, body: struct.pack(">I4s", len(body), kind) + body + struct.pack(">I", zlib.crc32(kind + body))
+        head = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+        self.write("large.png", b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", pixels) + chunk(b"IEND", b""))
+        scene = self.write("large.toml", '[sky]\nkind = "black"\n[sphere]\ntexture = "image"\nimage = "large.png"\n')
+        peaks = []
+        for most in ["64", "1024"]:
+            done = subprocess.Popen([support.BINARY, "capture", scene, "--size", "48x27", "--largest-texture", most, "-o", "x.png"],
+                                    cwd=self.folder, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
+            said = done.stderr.read()
+            _, status, used = os.wait4(done.pid, 0)
+            done.returncode = os.waitstatus_to_exitcode(status)
+            self.assertEqual(done.returncode, 0, said)
+            self.assertIn(f"9000x4500 px, read as {most}x{int(most) // 2} px: textures end at {most} px here", said)
+            peaks.append(used.ru_maxrss / 1024)
+        self.assertLess(peaks[1], 350, f"peaks of {peaks} MB: the whole image would be 600 MB more")
 
     def test_an_older_file_is_replaced_whole(self):
         old = self.write("frame.png", "old")

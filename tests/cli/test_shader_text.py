@@ -19,7 +19,7 @@ WORDS = {
     "shift": [r"colour_shift"],
     "beaming": [r"beaming"],
     "bolometric": [r"all_wavelengths"],
-    "point-stars": [r"image_of_star", r"star_(?:lens|place|peak|make|middle)\w*", r"StarImage", r"point_stars", r"point_spread", r"image_order", r"picture_texture"],
+    "point-stars": [r"image_of_star", r"star_(?:lens|place|peak|make|middle)\w*", r"StarImage", r"point_stars", r"point_spread", r"image_order"],
     "sphere": [r"sphere_(?!position)\w*"],
     "cylinder": [r"cylinder\w*"],
     "ball": [r"ball\w*"],
@@ -27,11 +27,16 @@ WORDS = {
     "pattern": [r"pattern\w*"],
     "noise": [r"grain\w*"],
     "formula": [r"\w+_blend"],
-    "body-image": [r"\w+_image", r"textureSize", r"(?:sphere|ball|cylinder)_texture"],
+    "body-image": [r"\w+_image", r"(?:sphere|ball|cylinder)_texture"],
     "sky": [r"sky_texture", r"celestial\w*"],
     "inner": [r"frame\.strip\.w"],
     "far-sky": [r"other_side\w*"],
     "bounce": [r"by_centre"],
+    "bloom": [r"bloom"],
+    "auto-exposure": [r"meter_texture", r"metered", r"METER_KEY"],
+    "tone-film": [r"tone_film"],
+    "tone-neutral": [r"tone_neutral"],
+    "dither": [r"dither_noise"],
     "star": [r"star_(?:surface|square)\w*"],
 }
 SCENES = {
@@ -61,6 +66,10 @@ SCENES = {
     "inner": '[spacetime]\nmetric = "ellis"\n[sky]\nkind = "black"\n[far_sky]\nkind = "black"\n',
     "far sky": '[spacetime]\nmetric = "ellis"\n[sky]\nkind = "black"\n',
     "bounce": '[spacetime]\nmetric = "reissner-nordstrom"\ncharge = 1.2\n[sky]\nkind = "black"\n',
+    "bloom": '[picture]\nbloom = 0.1\n',
+    "auto-exposure": '[picture]\nauto_exposure = "on"\ntone = "film"\n',
+    "tone-film": '[spacetime]\nmetric = "minkowski"\n[picture]\ntone = "film"\n',
+    "tone-neutral": '[spacetime]\nmetric = "minkowski"\n[picture]\ntone = "neutral"\ndither = "on"\n',
     "star": '[spacetime]\nmetric = "neutron-star"\n',
 }
 

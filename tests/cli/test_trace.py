@@ -246,6 +246,28 @@ class ShaderText(TraceTest):
                 if exact["fate"] == "hit:disc":   # where the plane is met is geometry alone
                     self.assertAlmostEqual(number(row["angle"]), number(exact["angle"]), delta=AZIMUTH_RAD)
 
+    def test_bodies_stop_rays(self):
+        dice, rays = random.Random(5), []
+        for i in range(400):     # from outside of all bodies, towards them
+            alpha, turn = dice.uniform(0, 0.5), dice.uniform(0, 2 * math.pi)
+            n = (-math.cos(alpha), math.sin(alpha) * math.cos(turn), math.sin(alpha) * math.sin(turn))
+            rays.append((40, math.acos(dice.uniform(-1, 1)), dice.uniform(-7, 7), *n, i))
+        text = write_csv(rays, ["r", "theta", "phi", "n_r", "n_theta", "n_phi", "i"])
+        scene = self.write("bodies.toml", "[disc]\ninner = 14\nouter = 15\n[sphere]\nradius = 1.7\n[cylinder]\ninner = 4\nouter = 7\nheight = 0.3\n"
+                           "[ball]\nposition = [0, 8, 4]\nradius = 3\n[surface]\nkind = \"torus\"\nsize = 11\nbound = 15\n[camera]\nr = 1000\n")
+        reference = self.trace(text, "--crossings", "1", scene=scene)
+        fates = {r["fate"] for r in reference}
+        for body in ("sphere", "cylinder", "ball", "surface"):
+            self.assertIn(f"hit:{body}", fates)
+        self.assertFalse(any(r["theta_inf"] for r in reference if r["fate"].startswith("hit:")))
+        for row, exact in zip(self.trace(text, "--crossings", "1", "--with", "gl", scene=scene), reference):
+            self.assertEqual(row["fate"], exact["fate"], exact["i"])
+            self.assertEqual(row["r_1"] == "", exact["r_1"] == "", exact["i"])
+            if exact["fate"].startswith("hit:"):
+                self.assertAlmostEqual(number(row["angle"]), number(exact["angle"]), delta=1e-3, msg=exact["i"])
+        self.write("r.csv", text)
+        self.refused("trace", scene, "--rays", "r.csv", "--with", "core64", says=["core64", "bodies", "gl"])
+
     def test_flat_space(self):
         text, _, _ = self.random_rays(100)
         reference = self.trace(text, "--crossings", "1", scene="flat")

@@ -62,7 +62,7 @@ TEST_CASE("thin rings: a line with the reference's light") {
                 const std::vector<double> drawn = columns(session.renderer->picture());
                 const auto sky = build_sky(scene.sky, {}, 16);
                 REQUIRE(sky);
-                const auto exact = reference::render_frame(scene, *sky, &*disc, kSamples, {});
+                const auto exact = reference::render_frame(scene, *sky, &disc->image, kSamples, {});
                 REQUIRE(exact);
                 const std::vector<double> true_light = columns(*exact);
                 const double ratio = total(drawn) / total(true_light);

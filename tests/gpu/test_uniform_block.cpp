@@ -31,6 +31,7 @@ Scene scene_of(unsigned bits) {
         scene.disc->image = "emissivity.png";
     }
     scene.sky.kind = !has(3) ? SkyKind::kBlack : has(0) ? SkyKind::kPoints : SkyKind::kStars;
+    scene.picture.bloom = has(7) ? 0.1 : 0.0;
     if (has(4)) scene.sphere.emplace().look.texture = TextureKind::kChecker;
     if (has(5)) scene.cylinder.emplace().look.texture = TextureKind::kNoise;
     if (has(6)) scene.ball.emplace().look.texture = TextureKind::kImage;

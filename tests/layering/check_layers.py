@@ -12,6 +12,8 @@ from pathlib import Path
 # A package of others may be included by these modules (or single files) of src/ and nowhere else.
 PACKAGES = [
     ("stb", re.compile(r"^stb/?\w*(/.*)?\.h$|^stb_\w+\.h$"), {"base"}),
+    ("libpng", re.compile(r"^png\w*\.h$"), {"base"}),
+    ("libjpeg", re.compile(r"^j(peg|pegl|error|config|morecfg)\w*\.h$"), {"base"}),
     ("OpenEXR", re.compile(r"^(OpenEXR|Imath)/|^(Imf|Iex|IlmThread|Imath|half)\w*\.h$"), {"base"}),
     ("Dear ImGui", re.compile(r"^(imgui/)?(backends/)?imgui\w*\.h$"), {"viewer"}),
     ("GLFW", re.compile(r"^GLFW/"), {"viewer", "context/glfw.cpp"}),

@@ -2,13 +2,13 @@
 // here.
 #include <doctest/doctest.h>
 
-#include <bit>
 #include <map>
 #include <optional>
 #include <set>
 #include <vector>
 
 #include "scene/effects.h"
+#include "scene/scene_file.h"
 
 using namespace nullscope;
 
@@ -24,10 +24,16 @@ EffectSet subset(unsigned bits) {
 
 // Subsets of at most three effects, and all but at most three.
 std::vector<unsigned> subsets() {
-    std::vector<unsigned> found;
-    for (unsigned bits = 0; bits < 1u << kEffectCount; ++bits)
-        if (const int count = std::popcount(bits); count <= 3 || count + 3 >= static_cast<int>(kEffectCount)) found.push_back(bits);
-    return found;
+    constexpr unsigned kAll = (1u << kEffectCount) - 1;
+    std::set<unsigned> found;
+    for (std::size_t i = 0; i <= kEffectCount; ++i)
+        for (std::size_t j = 0; j <= kEffectCount; ++j)
+            for (std::size_t k = 0; k <= kEffectCount; ++k) {
+                const unsigned bits = (1u << i | 1u << j | 1u << k) & kAll;   // kEffectCount: none
+                found.insert(bits);
+                found.insert(kAll & ~bits);
+            }
+    return {found.begin(), found.end()};
 }
 
 }  // namespace
@@ -163,6 +169,26 @@ TEST_CASE("bodies and their looks call for exactly their effects: every combinat
     }
 }
 
+TEST_CASE("what is done to a picture calls for exactly its effects: every combination") {
+    for (unsigned bits = 0; bits < 32; ++bits) {
+        Scene scene;
+        scene.spacetime.metric = "minkowski";
+        scene.sky.kind = SkyKind::kBlack;
+        EffectSet expected;
+        const auto has = [&](unsigned bit, Effect effect) {
+            if ((bits >> bit & 1u) != 0) expected.insert(effect);
+            return (bits >> bit & 1u) != 0;
+        };
+        scene.picture.bloom = has(0, Effect::kBloom) ? 0.01 : 0.0;
+        scene.picture.auto_exposure = has(1, Effect::kAutoExposure);
+        scene.picture.dither = has(2, Effect::kDither);
+        if ((bits >> 3 & 3u) == 3) continue;   // one curve
+        if (has(3, Effect::kToneFilm)) scene.picture.tone = ToneCurve::kFilm;
+        if (has(4, Effect::kToneNeutral)) scene.picture.tone = ToneCurve::kNeutral;
+        CHECK(effect_set(required_effects(scene)) == expected);
+    }
+}
+
 TEST_CASE("the reason quotes the scene") {
     Scene scene;
     scene.camera.velocity = {0, 0, 0.5};
@@ -182,4 +208,26 @@ TEST_CASE("an unknown metric calls for no lensing") {
     Scene scene;
     scene.spacetime.metric = "no such metric";
     CHECK_FALSE(effect_set(required_effects(scene)).contains(Effect::kLensing));
+}
+
+TEST_CASE("a scene without one of its effects calls for no more than the others") {
+    std::set<Effect> gone;
+    for (const SceneInfo& info : shipped_scenes()) {
+        const auto scene = load_scene(info.name);
+        REQUIRE(scene);
+        const EffectSet whole = effect_set(required_effects(*scene));
+        for (const Effect effect : whole.list()) {
+            CAPTURE(info.name);
+            CAPTURE(effect_row(effect).key);
+            const auto less = without_effect(*scene, effect);
+            const bool bound = effect == Effect::kInner || effect == Effect::kStar || effect == Effect::kDiscImage || effect == Effect::kThermalDisc;
+            CHECK((less.has_value() || bound));
+            if (!less) continue;
+            const EffectSet left = effect_set(required_effects(*less));
+            CHECK_FALSE(left.contains(effect));
+            for (const Effect other : left.list()) CHECK(whole.contains(other));
+            gone.insert(effect);
+        }
+    }
+    CHECK(gone.size() >= 8);   // the scenes that ship have most of them
 }

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "expr/formula.h"
+#include "scene/named_surface.h"
 
 using namespace nullscope;
 using expr::Formula;
@@ -154,4 +155,29 @@ TEST_CASE("formulas: their GLSL is one statement a node, of known functions only
     CHECK(text.find("expression_divide(1.0, expression_whole_power(") != std::string::npos);
     CHECK(text.find("1e-40") == std::string::npos);  // no float
     CHECK(text.find("asin") == std::string::npos);
+}
+
+TEST_CASE("every named surface is a formula that can be read, at any size, and solid somewhere") {
+    for (std::size_t i = 0; i < kNamedSurfaces.size(); ++i) {
+        const NamedSurface& named = kNamedSurfaces[i];
+        CAPTURE(std::string(named.key));
+        CHECK(static_cast<std::size_t>(named.kind) == i);
+        for (const double size : {1e-3, 6.0, 1234.5678901234567}) {
+            SurfaceSpec surface;
+            surface.kind = named.kind;
+            surface.size = size;
+            const auto shape = expr::Formula::parse(surface_shape(surface), {"x", "y", "z", "t"});
+            REQUIRE_MESSAGE(static_cast<bool>(shape), surface_shape(surface));
+            if (named.kind == SurfaceKind::kFormula) continue;
+            int inside = 0, outside = 0;
+            for (int x = -20; x <= 20; ++x)
+                for (int y = -20; y <= 20; ++y)
+                    for (int z = -20; z <= 20; ++z) {
+                        const double place[] = {0.07 * size * x, 0.07 * size * y, 0.07 * size * z, 0};
+                        (shape->value(place) < 0 ? inside : outside)++;
+                    }
+            CHECK(inside > 200);
+            CHECK(outside > 200);
+        }
+    }
 }

@@ -31,6 +31,9 @@ std::vector<Scene> all_scenes() {
                 scene.light.bolometric = has(7);
             }
             scene.sky.kind = has(4) ? SkyKind::kStars : SkyKind::kBlack;
+            if (has(3) && has(6)) scene.picture.tone = has(1) ? ToneCurve::kFilm : ToneCurve::kNeutral;
+            scene.picture.dither = has(9) && !has(2);
+            scene.picture.bloom = has(8) && has(0) ? 0.1 : 0.0;
             if (has(2) && has(9) && has(8)) scene.sky.kind = SkyKind::kPoints;
             if (has(5)) scene.sphere.emplace().look.texture = kind;
             if (has(6)) scene.cylinder.emplace().look.texture = kind;
@@ -68,6 +71,11 @@ const std::vector<Mark> kMarks = {
     {Effect::kInner, {"frame.strip.w"}},
     {Effect::kBounce, {"by_centre"}},
     {Effect::kFarSky, {"other_side", "other_side_texture"}},
+    {Effect::kBloom, {"vec4 bloom;"}},
+    {Effect::kAutoExposure, {}},   // not in the picture's shader: see tests/cli/test_shader_text.py
+    {Effect::kToneFilm, {"tone_film"}},
+    {Effect::kToneNeutral, {"tone_neutral"}},
+    {Effect::kDither, {"dither_noise"}},
     {Effect::kStar, {"star_surface", "star_square"}},
 };
 
@@ -95,7 +103,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow& row : kEffectTable) all.insert(row.effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 42);
+    CHECK(members.size() == 43);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {

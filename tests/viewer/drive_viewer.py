@@ -6,6 +6,7 @@ Usage: drive_viewer.py VIEWER [CASE...]     (VIEWER: the program; CASE: names of
 Exit status 0: all passed; 1: some failed; 77: Xvfb or xdotool is missing.
 """
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -39,6 +40,27 @@ METHOD, WORDS = (190, 388), (14, 428, 284, 490)   # the box and what is chosen a
 AUTO = (150, 220)                  # the first entry of its list while the list is not scrolled
 LEAST, MOST = (108, 413), (266, 413)              # of the slider for the largest error
 WRONG_FATE = bytes([255, 0, 255])
+EFFECTS = (150, 227)               # the section's header while nothing else is open, and its rows
+EFFECT_ROW = lambda row: (30, 252 + 25 * row)
+BODIES = """[sphere]
+radius = 1.8
+texture = "checker"
+[ball]
+position = [6, 6, -3]
+radius = 3
+texture = "noise"
+"""
+RIGHT = (560, 200, 820, 560)       # the ball is there, the tooltip of a row is not
+CALLED_FOR = ["lensing", "disc", "disc-image", "sphere", "ball"]   # of SCENE + BODIES, those of the table up to the ball
+
+
+def row_of(effect):
+    """Which row of the panel is an effect's: the table's order, of those that the scene calls for."""
+    table = (Path(__file__).resolve().parents[2] / "src" / "scene" / "effects.h").read_text()
+    return [key for key in re.findall(r'\{Effect::k\w+, "([\w-]+)"', table) if key in CALLED_FOR].index(effect)
+
+
+HITCH_MS = 300
 BESIDE = (420, 40)                 # a place for the pointer outside of all these areas
 MEASURED_S = 120.0                 # for a frame's errors, on a machine that is busy
 SETTLED_S = 0.4                    # without a change: the wheel's motion and the panels have come to rest
@@ -47,10 +69,10 @@ SETTLED_S = 0.4                    # without a change: the wheel's motion and th
 class Viewer:
     """A running viewer with its window at the screen's corner."""
 
-    def __init__(self, screen, program, *arguments):
+    def __init__(self, screen, program, *arguments, scene=SCENE):
         self.screen, self.folder = screen, tempfile.mkdtemp(prefix="nullscope-viewer.")
         self.scene = Path(self.folder) / "scene.toml"
-        self.scene.write_text(SCENE)
+        self.scene.write_text(scene)
         self.env = {**os.environ, "DISPLAY": screen.display}
         self.process = subprocess.Popen([program, self.scene.name, *arguments], cwd=self.folder, env=self.env,
                                         stderr=subprocess.PIPE, text=True)
@@ -400,6 +422,78 @@ def test_screenshot(screen, program, folder):
         path.unlink()
 
 
+def turns_of(path, first=0):
+    """What --turns wrote from line `first` on: (when s, how long ms, programs, whether at work)."""
+    lines = path.read_text().splitlines()[first:]
+    return [(float(a), float(b), int(c), int(d)) for a, b, c, d in (line.split() for line in lines)]
+
+
+class Effects:
+    """A viewer whose effects panel is open, with what it writes of its turns."""
+
+    def __init__(self, screen, program, *arguments):
+        self.viewer = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--turns", "turns.txt", *arguments,
+                             scene=SCENE + BODIES)
+        self.log = Path(self.viewer.folder) / "turns.txt"
+
+    def start(self):
+        self.viewer.start()
+        for header in HEADERS:
+            self.viewer.toggle(*header)
+        self.viewer.toggle(*EFFECTS)
+
+    def switch(self, row, what):
+        """The turns while it works, and every picture seen on the way."""
+        v, first, seen = self.viewer, len(turns_of(self.log)), []
+        before = v.picture(RIGHT)
+        programs = turns_of(self.log)[-1][2]
+        v.hands("mousemove", *EFFECT_ROW(row))
+        v.still()
+        v.hands("mousedown", 1)
+        v.still()
+        v.hands("mouseup", 1)
+        end = time.monotonic() + MEASURED_S
+        while not seen or seen[-1].differing(before) <= CHANGED:
+            assert time.monotonic() < end, f"waited in vain: {what}"
+            seen.append(v.picture(RIGHT))
+            time.sleep(0.05)
+        v.hands("mousemove", *BESIDE)
+        v.still()
+        after = v.picture(RIGHT)
+        turns = turns_of(self.log, first)
+        return before, after, seen, turns, turns[-1][2] - programs
+
+
+def test_an_effect_is_switched_without_a_hitch(screen, program, folder):
+    effects = Effects(screen, program)
+    try:
+        effects.start()
+        for what, compiled in [("the ball goes", 1), ("the ball comes back", 0)]:
+            before, after, seen, turns, programs = effects.switch(row_of("ball"), what)
+            assert programs == compiled, f"{what}: {programs} programs compiled instead of {compiled}"
+            longest = max(turn[1] for turn in turns)
+            print(f"    {what}: longest turn of {len(turns)} is {longest:.0f} ms, {programs} compiled, {len(seen)} looks", flush=True)
+            assert longest < HITCH_MS, f"{what}: a turn took {longest:.0f} ms"
+            for picture in seen:     # the last picture until the next is whole
+                kept = min(picture.differing(before), picture.differing(after))
+                assert kept <= CURSOR, f"{what}: neither the picture before nor the one after: {kept:.1%} differ from both"
+    finally:
+        effects.viewer.kill()
+
+
+def test_without_a_second_context_the_hitch_is_seen(screen, program, folder):
+    """That the test before can fail: the same in one context."""
+    effects = Effects(screen, program, "--one-context")
+    try:
+        effects.start()
+        _, _, _, turns, programs = effects.switch(row_of("ball"), "the ball goes")
+        longest = max(turn[1] for turn in turns)
+        print(f"    in one context: longest turn {longest:.0f} ms", flush=True)
+        assert programs == 1 and longest > HITCH_MS, f"{programs} programs; the longest turn took {longest:.0f} ms"
+    finally:
+        effects.viewer.kill()
+
+
 def test_bad_input(screen, program, folder):
     scene = folder / "bad.toml"
     scene.write_text("[camera]\nr = -1\n")
@@ -431,7 +525,7 @@ WITH_WINDOW = [test_motion_without_a_drag_changes_nothing, test_a_drag_moves_wha
                test_at_rest_it_leaves_the_processor_alone, test_h_lays_the_errors_over_the_picture,
                test_the_accuracy_section_chooses_refuses_and_measures, test_f12_saves_the_picture_without_panels,
                test_resizing_keeps_the_horizontal_field_of_view, test_escape_quits]
-FROM_OUTSIDE = [test_screenshot, test_bad_input, test_no_display, test_old_opengl]
+FROM_OUTSIDE = [test_an_effect_is_switched_without_a_hitch, test_without_a_second_context_the_hitch_is_seen, test_screenshot, test_bad_input, test_no_display, test_old_opengl]
 
 
 def attempt(test, *arguments):

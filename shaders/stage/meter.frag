@@ -1,0 +1,10 @@
+// The picture's mean luminance, from its coarsest level.
+out vec4 colour;
+
+void main() {
+    ivec2 size = textureSize(source_texture, 0);
+    float sum = 0.0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) sum += dot(texelFetch(source_texture, ivec2(x, y), 0).rgb, vec3(0.2126, 0.7152, 0.0722));
+    colour = vec4(vec3(sum / float(size.x * size.y)), 1.0);
+}

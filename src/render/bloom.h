@@ -1,0 +1,32 @@
+// What a picture's light does in lens and eye: a pyramid of halves, down and up again (shaders/stage/bloom_*.frag), and from its last
+// level the mean luminance, which adapts in time.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "gl/gl.h"
+
+namespace nullscope {
+
+class Bloom {
+public:
+    // Levels of half the size each until both sides are at most 8 px. Memory: two thirds of the picture's.
+    void resize(int width, int height);
+    void clear() { *this = {}; }
+    std::size_t bytes() const;
+
+    // All of them draw with `source_texture` at unit source_unit, `bloom_texture` at bloom_unit.
+    void draw_down(const gl::Program& down, const gl::VertexArray& empty, const gl::Texture& picture, int source_unit);
+    void draw_up(const gl::Program& up, const gl::VertexArray& empty, int source_unit, int bloom_unit);   // after draw_down
+    // share: how far the metered luminance moves to the picture's, 1 at first and where nothing adapts.
+    void draw_meter(const gl::Program& meter, const gl::VertexArray& empty, int source_unit, double share);   // after draw_down
+    const gl::Texture& halo() const { return up_.front().colours.front(); }
+    const gl::Texture& metered() const { return meter_->colours.front(); }
+
+private:
+    int width_ = 0, height_ = 0;
+    std::vector<gl::Target> down_, up_;   // up_[i] has the size of down_[i]
+    std::optional<gl::Target> meter_;
+};
+
+}  // namespace nullscope

@@ -1,0 +1,28 @@
+#include "scene/named_surface.h"
+
+#include <fmt/format.h>
+
+#include "expr/formula.h"
+
+namespace nullscope {
+
+std::string surface_shape(const SurfaceSpec& surface) {
+    const NamedSurface& named = kNamedSurfaces[static_cast<std::size_t>(surface.kind)];
+    if (named.kind == SurfaceKind::kFormula) return surface.shape;
+    std::string text;
+    for (const char c : named.formula) {
+        if (c >= 'X' && c <= 'Z')
+            text += fmt::format("({} / {:.17g})", static_cast<char>(c - 'X' + 'x'), surface.size);
+        else
+            text += c;
+    }
+    return text;
+}
+
+bool moves(const SurfaceSpec& surface) {
+    constexpr std::size_t kTime = 3;
+    const auto shape = expr::Formula::parse(surface_shape(surface), {"x", "y", "z", "t"});
+    return shape && shape->uses(kTime);
+}
+
+}  // namespace nullscope
