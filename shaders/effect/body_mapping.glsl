@@ -44,6 +44,30 @@ vec2 mapping_cube(vec3 d) {
     return uv;
 }
 
+// The sky, seen from inside: columns grow to the left of azimuth, as an equirectangular image's.
+vec2 mapping_inside(vec3 d) {
+    return vec2(0.5 - mapping_azimuth(d), arc_tangent2(sqrt(d.x * d.x + d.y * d.y), d.z) * 0.31830988618379067154);
+}
+
+// How it changes, exactly; d: unit to rounding. Round a pole the azimuth has no bound: POLE_LEAST keeps it finite.
+#define POLE_LEAST 1.0e-12
+vec2 mapping_inside_step(vec3 d, vec3 side) {
+    float rho2 = max(d.x * d.x + d.y * d.y, POLE_LEAST);
+    float outward = (d.x * side.x + d.y * side.y) * inversesqrt(rho2);
+    return vec2((d.y * side.x - d.x * side.y) / rho2 * 0.15915494309189533577,
+                (d.z * outward - side.z * sqrt(rho2)) * 0.31830988618379067154);
+}
+
+// A disc: azimuth, and radius from rim to rim.
+vec2 mapping_polar(vec3 d, float inner, float outer) {
+    return vec2(0.5 + mapping_azimuth(d), (sqrt(d.x * d.x + d.y * d.y) - inner) / (outer - inner));
+}
+
+vec2 mapping_polar_step(vec3 d, vec3 side, float width) {
+    float rho2 = max(d.x * d.x + d.y * d.y, POLE_LEAST);
+    return vec2((d.x * side.y - d.y * side.x) / rho2 * 0.15915494309189533577, (d.x * side.x + d.y * side.y) * inversesqrt(rho2) / width);
+}
+
 // Difference of two texture coordinates of neighbouring places: across a seam it counts as small.
 vec2 mapping_step(vec2 to, vec2 from) {
     vec2 step = to - from;

@@ -1,4 +1,4 @@
-// The disc's look: its image, filtered by the footprint, and how much of the pixel it covers.
+// The disc's look: its image or texture, filtered by the footprint, and how much of the pixel it covers.
 
 #ifdef EFFECT_DISC_IMAGE
 vec4 disc_texel(vec2 place, float level) {
@@ -33,6 +33,10 @@ vec4 disc_filtered(vec2 middle, vec2 a, vec2 b) {
 }
 #endif
 
+#ifdef EFFECT_DISC_PATTERN
+vec3 disc_coat_paint(vec3 at, vec3 along, vec3 across);   // object/paint.glsl
+#endif
+
 // Premultiplied colour and coverage.
 vec4 disc_colour(Trace trace, DiscCrossing crossing) {
     vec2 a = crossing.along;
@@ -41,6 +45,9 @@ vec4 disc_colour(Trace trace, DiscCrossing crossing) {
     vec4 texel = disc_filtered(crossing.place, a, b);
 #else
     vec4 texel = vec4(1.0);
+#endif
+#ifdef EFFECT_DISC_PATTERN
+    texel = vec4(disc_coat_paint(vec3(crossing.place, 0.0), vec3(a, 0.0), vec3(b, 0.0)), 1.0);
 #endif
     float inner = frame.disc_x.w;
     float outer = frame.disc_y.w;

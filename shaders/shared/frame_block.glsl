@@ -71,4 +71,17 @@ struct FrameData {
 #ifdef BLOCK_MARCH
     vec4 march;          // radius about the centre that holds all bodies, shortest stride, 0, 0
 #endif
+#ifdef BLOCK_DISC_PATTERN
+    vec4 disc_coat_map;     // as a body's: rotation, columns, rows; colours
+    vec4 disc_coat_colour;
+    vec4 disc_coat_second;
+#endif
+#ifdef BLOCK_SKY_PATTERN
+    vec4 dome_x;            // axes of the sky in world axes, .w = 0
+    vec4 dome_y;
+    vec4 dome_z;
+    vec4 dome_map;          // as a body's, not turned
+    vec4 dome_colour;
+    vec4 dome_second;
+#endif
 };

@@ -66,6 +66,13 @@ void main() {
 #endif
 #endif
 #endif
+#ifdef EFFECT_SKY_PATTERN
+#ifdef EFFECT_BOUNCE
+    if (through > 0.002) light += through * dome_light(trace);
+#else
+    if (trace.escapes && through > 0.002) light += through * dome_light(trace);
+#endif
+#endif
 #ifdef EFFECT_STAR
     if (!trace.escapes) {
         light += through * star_surface(trace);

@@ -59,6 +59,7 @@ const std::vector<Added>& additions() {
         {Effect::kDisc, nothing, [](Scene& s) { s.disc.emplace(); }},
         {Effect::kTranslucentDisc, [](Scene& s) { s.disc.emplace(); }, [](Scene& s) { s.disc->opacity = 0.5; }},
         {Effect::kDiscImage, glowing(false, false), image_of_ours},
+        {Effect::kDiscPattern, glowing(false, false), [](Scene& s) { s.disc->look.texture = TextureKind::kPlain; }},
         {Effect::kThermalDisc, bare_disc, glowing(false, false)},
         {Effect::kShift, glowing(false, false), glowing(true, false)},
         {Effect::kBeaming, glowing(false, false), glowing(false, true)},
@@ -79,6 +80,7 @@ const std::vector<Added>& additions() {
              s.light = {false, false};
          }},
         {Effect::kSky, nothing, [](Scene& s) { s.sky.kind = SkyKind::kStars; }},
+        {Effect::kSkyPattern, nothing, [](Scene& s) { s.sky.kind = SkyKind::kPlain; }},
         {Effect::kInner, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }, dark_wormhole},
         {Effect::kBounce, [](Scene& s) { s.spacetime.metric = "schwarzschild"; },
          [](Scene& s) {

@@ -1,4 +1,4 @@
-// nullscope figure: the slides' figures, drawn from the reference tracer as SVG.
+// nullscope figure: the slides' figures and Luminet's isoradials, drawn from the reference tracer as SVG.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,7 +7,9 @@
 
 #include "base/atomic_file.h"
 #include "cli/command.h"
+#include "cli/isoradials.h"
 #include "reference/reference.h"
+#include "scene/scene_file.h"
 
 namespace nullscope::cli {
 namespace {
@@ -101,13 +103,21 @@ std::string ray_types() {
     return document(4, 2, panels);
 }
 
+Result<std::string> isoradials(const std::string& name) {
+    const auto scene = load_scene(name);
+    if (!scene) return scene.error();
+    return isoradials_svg(*scene);
+}
+
 struct Options {
-    std::string name, output;
+    std::string name, output, scene = "luminet";
 };
 
 int run(const Options& options) {
     const std::string file = options.output.empty() ? options.name + ".svg" : options.output;
-    if (Status written = write_text_atomically(file, options.name == "bending" ? bending() : ray_types()); !written) return report(written.error());
+    Result<std::string> svg = options.name == "bending" ? bending() : options.name == "ray-types" ? ray_types() : isoradials(options.scene);
+    if (!svg) return report(svg.error());
+    if (Status written = write_text_atomically(file, *svg); !written) return report(written.error());
     fmt::print("{}\n", file);
     return 0;
 }
@@ -116,8 +126,9 @@ int run(const Options& options) {
 
 Command add_figure(CLI::App& parent) {
     auto options = std::make_shared<Options>();
-    CLI::App* app = parent.add_subcommand("figure", "Draw light rays around a Schwarzschild hole as SVG: bending near the critical ray, types of rays");
-    app->add_option("name", options->name, "bending or ray-types")->required()->check(CLI::IsMember({"bending", "ray-types"}));
+    CLI::App* app = parent.add_subcommand("figure", "Draw as SVG: light rays near the critical one, the types of rays, isoradials (images of rings of the disc)");
+    app->add_option("name", options->name, "bending, ray-types or isoradials")->required()->check(CLI::IsMember({"bending", "ray-types", "isoradials"}));
+    app->add_option("--scene", options->scene, "isoradials: scene whose camera looks")->capture_default_str();
     app->add_option("-o,--output", options->output, "File to write (default NAME.svg)");
     return {app, [options] { return run(*options); }};
 }

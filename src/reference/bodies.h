@@ -41,4 +41,11 @@ private:
 // Linear light of a body's texture at a place. image: of texture kind image.
 Vec3 body_light(const Scene& scene, const BodyHit& hit, const Image<float>* image);
 
+// The same of what is no body, and the look's brightness is not in it. u, v: texture coordinates; at: the place, turned: with the
+// texture; size: the length that grains are counted over.
+Vec3 look_light(const BodyLook& look, double u, double v, Vec3 at, Vec3 turned, double size);
+// Of a painted disc at (x, y), without brightness; of a painted sky in a direction.
+Vec3 disc_coat(const DiscSpec& disc, double x, double y);
+Vec3 sky_coat(const SkySpec& sky, Vec3 direction);
+
 }  // namespace nullscope::reference

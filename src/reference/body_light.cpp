@@ -91,6 +91,31 @@ Vec3 texel(const Image<float>& image, double u, double v) {
 
 }  // namespace
 
+Vec3 look_light(const BodyLook& look, double u, double v, Vec3 at, Vec3 turned, double size) {
+    double first = mixture(look, {u, v}, turned, size);
+    if (look.texture == TextureKind::kFormula) {
+        const auto formula = expr::Formula::parse(look.formula, {"u", "v", "x", "y", "z"});
+        const double values[] = {u, v, at.x, at.y, at.z};
+        first = formula ? std::clamp(formula->value(values), 0.0, 1.0) : 0.0;
+    }
+    return first * look.colour + (1 - first) * look.second_colour;
+}
+
+Vec3 disc_coat(const DiscSpec& disc, double x, double y) {
+    const double r = std::hypot(x, y), azimuth = std::remainder(std::atan2(y, x) - disc.rotation, 2 * M_PI);
+    return look_light(disc.look, 0.5 + azimuth / (2 * M_PI), (r - disc.inner) / (disc.outer - disc.inner), {x, y, 0},
+                      {r * std::cos(azimuth), r * std::sin(azimuth), 0}, disc.outer);
+}
+
+// Turned back by yaw about z, then by tilt about x.
+Vec3 sky_coat(const SkySpec& sky, Vec3 d) {
+    const double across = std::hypot(d.x, d.y), azimuth = std::atan2(d.y, d.x) - sky.yaw;
+    const double x = across * std::cos(azimuth), y = across * std::sin(azimuth), height = std::hypot(y, d.z);
+    const double slope = std::atan2(d.z, y) - sky.tilt;
+    const Vec3 at{x, height * std::cos(slope), height * std::sin(slope)};
+    return sky.brightness * look_light(sky_look(sky), 0.5 - turns(at), polar(at) / M_PI, at, at, 1);
+}
+
 Vec3 body_light(const Scene& scene, const BodyHit& hit, const Image<float>* image) {
     const bool cylinder = hit.object == Object::kCylinder, ball = hit.object == Object::kBall,
                surface = hit.object == Object::kSurface;
@@ -112,13 +137,7 @@ Vec3 body_light(const Scene& scene, const BodyHit& hit, const Image<float>* imag
         const Vec3 t = image ? texel(*image, place.u, place.v) : Vec3{1, 1, 1};
         light = {look.colour.x * t.x, look.colour.y * t.y, look.colour.z * t.z};
     } else if (!place.beyond) {
-        double first = mixture(look, place, turned, size);
-        if (look.texture == TextureKind::kFormula) {
-            const auto formula = expr::Formula::parse(look.formula, {"u", "v", "x", "y", "z"});
-            const double values[] = {place.u, place.v, at.x, at.y, at.z};
-            first = formula ? std::clamp(formula->value(values), 0.0, 1.0) : 0.0;
-        }
-        light = first * look.colour + (1 - first) * look.second_colour;
+        light = look_light(look, place.u, place.v, at, turned, size);
     }
     return look.brightness * (1 - look.limb * (1 - hit.cosine)) * light;
 }

@@ -49,7 +49,8 @@ double smoothstep(double edge, double x) {
 Paint disc_paint(const DiscSpec& disc, const Image<float>* image, double x, double y) {
     const double c = std::cos(disc.rotation), s = std::sin(disc.rotation);
     const double u = (c * x + s * y) / disc.outer, v = (c * y - s * x) / disc.outer;
-    Paint paint = image ? sample_image(*image, 0.5 * (1 + u), 0.5 * (1 - v)) : Paint{{1, 1, 1}, 1};
+    const bool painted = disc.look.texture != TextureKind::kImage;
+    Paint paint = painted ? Paint{disc_coat(disc, x, y), 1} : image ? sample_image(*image, 0.5 * (1 + u), 0.5 * (1 - v)) : Paint{{1, 1, 1}, 1};
     const double r = std::hypot(x, y), distance = std::min(r - disc.inner, disc.outer - r) / (disc.outer - disc.inner);
     paint.colour = disc.brightness * paint.colour;
     paint.alpha *= disc.opacity * (disc.edge > 0 ? smoothstep(disc.edge, distance) : 1.0);
@@ -95,7 +96,8 @@ Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& look
     }
     if (body) return colour + through * body_light(scene, *body, looks.pictures.of(body->object));
     if (ray.orbit->fate() == Fate::kEscaped && through > 0) {
-        colour = colour + through * sample_sky(looks.sky, ray.plane.direction(ray.orbit->angle()));
+        const Vec3 at = ray.plane.direction(ray.orbit->angle());
+        colour = colour + through * (has_look(scene.sky.kind) ? sky_coat(scene.sky, at) : sample_sky(looks.sky, at));
     }
     if (ray.orbit->fate() == Fate::kHit) colour = colour + through * star_colour(ray.plane.direction(ray.orbit->angle()));
     if (ray.orbit->fate() == Fate::kOtherSide && looks.far_sky != nullptr)

@@ -89,6 +89,21 @@ void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spaceti
     put_march(block, scene);
 }
 
+// What the disc and the sky are painted with. A disc's brightness is disc_look's.
+void put_coats(BlockWriter& block, const Scene& scene) {
+    const DiscSpec disc = scene.disc.value_or(DiscSpec{});
+    BodyLook coat = disc.look;
+    coat.rotation = disc.rotation;
+    put_look(block, coat);
+    const double cy = std::cos(scene.sky.yaw), sy = std::sin(scene.sky.yaw), ct = std::cos(scene.sky.tilt), st = std::sin(scene.sky.tilt);
+    block.put({cy, sy, 0}, 0);   // columns of R_z(yaw) R_x(tilt)
+    block.put({-sy * ct, cy * ct, st}, 0);
+    block.put({sy * st, -cy * st, ct}, 0);
+    BodyLook dome = scene.sky.look;
+    dome.brightness = scene.sky.brightness;
+    put_look(block, dome);
+}
+
 Fate inner_fate(InnerEnd end) {
     switch (end) {
         case InnerEnd::kOtherSky: return Fate::kOtherSide;
@@ -220,6 +235,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0);
     block.put(scene.picture.bloom, 0, 0, 0);
     put_bodies(block, scene, spacetime);
+    put_coats(block, scene);
     return block.numbers();
 }
 

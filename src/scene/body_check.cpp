@@ -25,22 +25,41 @@ void check_partner(const std::string& key, bool wanted, bool needed, const std::
     if (!wanted && given(key)) faults.push_back({key, "has no meaning here", fmt::format("with {} only", partner)});
 }
 
-void check_look(const std::string& section, const BodyLook& look, const Given& given, Faults& faults) {
+// word: the key that chooses the texture.
+void check_pattern(const std::string& section, const std::string& word, const BodyLook& look, const Given& given, Faults& faults) {
     const auto of = [&](const char* key) { return fmt::format("{}.{}", section, key); };
     const TextureKind kind = look.texture;
     const bool plain = kind == TextureKind::kPlain, image = kind == TextureKind::kImage,
                formula = kind == TextureKind::kFormula;
-    check_partner(of("image"), image, true, "texture = \"image\"", given, faults);
-    check_partner(of("formula"), formula, true, "texture = \"formula\"", given, faults);
+    check_partner(of("formula"), formula, true, word + " = \"formula\"", given, faults);
     const bool counted = !plain && !image && !formula;
     check_partner(of("columns"), counted && kind != TextureKind::kStripes, false,
-                  "texture = \"checker\", \"grid\" or \"noise\"", given, faults);
+                  word + " = \"checker\", \"grid\" or \"noise\"", given, faults);
     check_partner(of("rows"), counted && kind != TextureKind::kNoise, false,
-                  "texture = \"checker\", \"grid\" or \"stripes\"", given, faults);
-    check_partner(of("band_latitude"), look.mapping == BodyMapping::kBand, false, "mapping = \"band\"", given, faults);
+                  word + " = \"checker\", \"grid\" or \"stripes\"", given, faults);
     if (kind == TextureKind::kChecker && look.columns % 2 != 0 && section != "cylinder")
-        faults.push_back({of("columns"), fmt::format("{} cells do not close round the body", look.columns),
+        faults.push_back({of("columns"), fmt::format("{} cells do not close round about", look.columns),
                           "an even number for a checker"});
+}
+
+void check_look(const std::string& section, const BodyLook& look, const Given& given, Faults& faults) {
+    check_partner(section + ".image", look.texture == TextureKind::kImage, true, "texture = \"image\"", given, faults);
+    check_pattern(section, "texture", look, given, faults);
+    check_partner(section + ".band_latitude", look.mapping == BodyMapping::kBand, false, "mapping = \"band\"", given, faults);
+}
+
+void check_disc_look(const BodyLook& look, const Given& given, Faults& faults) {
+    const bool image = look.texture == TextureKind::kImage;
+    check_partner("disc.image", image, false, "texture = \"image\"", given, faults);
+    check_pattern("disc", "texture", look, given, faults);
+    check_partner("disc.colour", !image, false, "a texture that is no image", given, faults);
+    check_partner("disc.second_colour", !image && look.texture != TextureKind::kPlain, false, "a texture of two colours", given, faults);
+}
+
+void check_sky_look(const SkySpec& sky, const Given& given, Faults& faults) {
+    check_pattern("sky", "kind", sky_look(sky), given, faults);
+    check_partner("sky.colour", has_look(sky.kind), false, "kind = \"plain\" or a pattern", given, faults);
+    check_partner("sky.second_colour", has_look(sky.kind) && sky.kind != SkyKind::kPlain, false, "a kind of two colours", given, faults);
 }
 
 void check_sphere(const Scene& scene, double horizon, Faults& faults) {
@@ -91,6 +110,8 @@ void check_surface(const Scene& scene, const Given& given, Faults& faults) {
 
 std::vector<BodyFault> check_bodies(const Scene& scene, double horizon, const Given& given) {
     Faults faults;
+    check_sky_look(scene.sky, given, faults);
+    if (scene.disc) check_disc_look(scene.disc->look, given, faults);
     if (scene.sphere) check_look("sphere", scene.sphere->look, given, faults), check_sphere(scene, horizon, faults);
     if (scene.cylinder) check_look("cylinder", scene.cylinder->look, given, faults), check_cylinder(scene, faults);
     if (scene.ball) check_look("ball", scene.ball->look, given, faults), check_ball(scene, faults);

@@ -63,6 +63,36 @@ std::array<SceneKey, 2> mapping_keys(std::string_view section) {
     }};
 }
 
+template <auto Part>
+BodyLook& look_of(Scene& scene) {
+    if constexpr (requires { (scene.*Part).look; }) return (scene.*Part).look;
+    else return (scene.*Part)->look;
+}
+
+// Of what is not solid and may have a texture, with its two colours.
+template <auto Part>
+std::array<SceneKey, 5> coat_keys(std::string_view section, std::string_view first, std::string_view second) {
+    return {{
+        {section, "formula", KeyType::kFormula, "", "", kNone, "u v x y z", "How much of the first colour, from 0 to 1; needs \"formula\".",
+         [](Scene& s, const KeyValue& v) { look_of<Part>(s).formula = v.text; }},
+        {section, "colour", KeyType::kColour, "", first, kColour, "", "First colour of a texture that is no image, linear red, green and blue.",
+         [](Scene& s, const KeyValue& v) { look_of<Part>(s).colour = v.vector; }},
+        {section, "second_colour", KeyType::kColour, "", second, kColour, "",
+         "Second colour: of the other cells, of the ground between lines, of where the formula is 0.",
+         [](Scene& s, const KeyValue& v) { look_of<Part>(s).second_colour = v.vector; }},
+        {section, "columns", KeyType::kWhole, "", "24", kCount, "", "Cells of the pattern round about; of noise, grains over the radius.",
+         [](Scene& s, const KeyValue& v) { look_of<Part>(s).columns = v.width; }},
+        {section, "rows", KeyType::kWhole, "", "12", kCount, "", "Cells of the pattern from top to bottom, or rim to rim; stripes are rows.",
+         [](Scene& s, const KeyValue& v) { look_of<Part>(s).rows = v.width; }},
+    }};
+}
+
+const SceneKey kDiscTexture[] = {
+    {"disc", "texture", KeyType::kChoice, "", "image", kNone, "plain checker grid stripes noise formula image",
+     "What covers it: an image, one colour, or a pattern of two colours in azimuth and radius.",
+     [](Scene& s, const KeyValue& v) { s.disc->look.texture = static_cast<TextureKind>(v.choice); }},
+};
+
 const SceneKey kForms[] = {
     {"sphere", "radius", KeyType::kNumber, "r_s", "3", kLength, "", "Radius, outside the horizon; below camera.r.",
      [](Scene& s, const KeyValue& v) { s.sphere->radius = v.number; }},
@@ -102,6 +132,9 @@ void append(std::vector<SceneKey>& keys, const Rows& rows) {
 }  // namespace
 
 void append_body_keys(std::vector<SceneKey>& keys) {
+    append(keys, coat_keys<&Scene::sky>("sky", "[0.5, 0.75, 1]", "[0.01, 0.015, 0.03]"));
+    append(keys, kDiscTexture);
+    append(keys, coat_keys<&Scene::disc>("disc", "[1, 0.72, 0.42]", "[0.12, 0.05, 0.03]"));
     append(keys, kForms);
     append(keys, look_keys<&Scene::sphere>("sphere"));
     append(keys, mapping_keys<&Scene::sphere>("sphere"));

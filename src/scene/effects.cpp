@@ -19,7 +19,10 @@ constexpr bool table_is_in_order() {
 }
 static_assert(table_is_in_order(), "row i of kEffectTable describes enumerator i");
 
-const char* name_of(SkyKind kind) { return kind == SkyKind::kStars ? "stars" : kind == SkyKind::kPoints ? "points" : "image"; }
+const char* name_of(SkyKind kind) {
+    constexpr const char* kNames[] = {"stars", "image", "black", "points", "plain", "checker", "grid", "stripes", "noise", "formula"};
+    return kNames[static_cast<int>(kind)];
+}
 
 }  // namespace
 
@@ -55,15 +58,18 @@ void add_bodies(const Scene& scene, std::vector<EffectReason>& reasons) {
     if (const auto& f = scene.surface)
         reasons.push_back({Effect::kSurface, fmt::format("[surface] {} within {}", f->kind == SurfaceKind::kFormula ? f->shape : std::string(kNamedSurfaces[static_cast<std::size_t>(f->kind)].key), f->bound)});
     std::vector<std::pair<const char*, const BodyLook*>> looks;
-    if (scene.sphere) looks.emplace_back("sphere", &scene.sphere->look);
-    if (scene.cylinder) looks.emplace_back("cylinder", &scene.cylinder->look);
-    if (scene.ball) looks.emplace_back("ball", &scene.ball->look);
-    if (scene.surface) looks.emplace_back("surface", &scene.surface->look);
+    const BodyLook disc = scene.disc ? scene.disc->look : BodyLook{}, sky = sky_look(scene.sky);
+    if (scene.disc && disc.texture != TextureKind::kImage) looks.emplace_back("disc.texture", &disc);
+    if (scene.sphere) looks.emplace_back("sphere.texture", &scene.sphere->look);
+    if (scene.cylinder) looks.emplace_back("cylinder.texture", &scene.cylinder->look);
+    if (scene.ball) looks.emplace_back("ball.texture", &scene.ball->look);
+    if (scene.surface) looks.emplace_back("surface.texture", &scene.surface->look);
+    if (has_look(scene.sky.kind)) looks.emplace_back("sky.kind", &sky);
     const auto add = [&](Effect effect, std::initializer_list<std::pair<TextureKind, const char*>> kinds) {
-        for (const auto& [section, look] : looks)
+        for (const auto& [key, look] : looks)
             for (const auto& [kind, word] : kinds)
                 if (look->texture == kind) {
-                    reasons.push_back({effect, fmt::format("{}.texture = \"{}\"", section, word)});
+                    reasons.push_back({effect, fmt::format("{} = \"{}\"", key, word)});
                     return;
                 }
     };
@@ -88,7 +94,10 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     if (scene.disc) {
         reasons.push_back({Effect::kDisc, fmt::format("[disc] from {} to {}", scene.disc->inner, scene.disc->outer)});
         const bool thermal = scene.disc->emission == DiscEmission::kThermal;
-        if (!scene.disc->image.empty()) {
+        if (scene.disc->look.texture != TextureKind::kImage) {
+            constexpr const char* kNames[] = {"plain", "checker", "grid", "stripes", "noise", "formula"};
+            reasons.push_back({Effect::kDiscPattern, fmt::format("disc.texture = \"{}\"", kNames[static_cast<int>(scene.disc->look.texture)])});
+        } else if (!scene.disc->image.empty()) {
             reasons.push_back({Effect::kDiscImage, fmt::format("disc.image = \"{}\"", scene.disc->image.filename().string())});
         } else if (!thermal) {
             reasons.push_back({Effect::kDiscImage, "disc.emission = \"image\", the one that ships"});
@@ -109,7 +118,9 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     }
     add_bodies(scene, reasons);
     if (points) reasons.push_back({Effect::kPointStars, "sky.kind = \"points\""});
-    if (scene.sky.kind != SkyKind::kBlack && scene.sky.even_stars == 0) {
+    if (has_look(scene.sky.kind)) {
+        reasons.push_back({Effect::kSkyPattern, fmt::format("sky.kind = \"{}\"", name_of(scene.sky.kind))});
+    } else if (scene.sky.kind != SkyKind::kBlack && scene.sky.even_stars == 0) {
         reasons.push_back({Effect::kSky, fmt::format("sky.kind = \"{}\"", name_of(scene.sky.kind))});
     }
     if (spacetime && (*spacetime)->bends_light() && (*spacetime)->inner_end() != InnerEnd::kHorizon)
@@ -137,6 +148,11 @@ void make_plain(Scene& scene, std::initializer_list<TextureKind> kinds) {
     const auto one = [&kinds](BodyLook& look) {
         if (std::find(kinds.begin(), kinds.end(), look.texture) != kinds.end()) look.texture = TextureKind::kPlain;
     };
+    if (scene.disc) one(scene.disc->look);
+    if (BodyLook sky = sky_look(scene.sky); has_look(scene.sky.kind)) {
+        one(sky);
+        if (sky.texture == TextureKind::kPlain) scene.sky.kind = SkyKind::kPlain;
+    }
     if (scene.sphere) one(scene.sphere->look);
     if (scene.cylinder) one(scene.cylinder->look);
     if (scene.ball) one(scene.ball->look);
@@ -163,8 +179,13 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
             if (!less.disc || less.disc->emission != DiscEmission::kThermal) break;   // there is no other light
             less.disc->image.clear();
             return less;
+        case Effect::kDiscPattern:
+            if (!less.disc || less.disc->emission != DiscEmission::kThermal) break;   // the same
+            less.disc->look.texture = TextureKind::kImage;
+            less.disc->image.clear();
+            return less;
         case Effect::kThermalDisc:
-            if (!less.disc || less.disc->image.empty()) break;   // the same
+            if (!less.disc || (less.disc->image.empty() && less.disc->look.texture == TextureKind::kImage)) break;   // the same
             less.disc->emission = DiscEmission::kImage;
             return less;
         case Effect::kShift: less.light.shift = false; return less;
@@ -178,8 +199,13 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
         case Effect::kPattern: make_plain(less, {TextureKind::kChecker, TextureKind::kGrid, TextureKind::kStripes}); return less;
         case Effect::kNoise: make_plain(less, {TextureKind::kNoise}); return less;
         case Effect::kFormula: make_plain(less, {TextureKind::kFormula}); return less;
-        case Effect::kBodyImage: make_plain(less, {TextureKind::kImage}); return less;
-        case Effect::kSky: less.sky.kind = SkyKind::kBlack; return less;
+        case Effect::kBodyImage:
+            for (BodyLook* look : {less.sphere ? &less.sphere->look : nullptr, less.cylinder ? &less.cylinder->look : nullptr,
+                                   less.ball ? &less.ball->look : nullptr, less.surface ? &less.surface->look : nullptr})
+                if (look != nullptr && look->texture == TextureKind::kImage) look->texture = TextureKind::kPlain;
+            return less;
+        case Effect::kSky:
+        case Effect::kSkyPattern: less.sky.kind = SkyKind::kBlack; return less;
         case Effect::kFarSky: less.far_sky.kind = SkyKind::kBlack; return less;
         case Effect::kBloom: less.picture.bloom = 0.0; return less;
         case Effect::kAutoExposure: less.picture.auto_exposure = false; return less;

@@ -16,11 +16,11 @@
 namespace nullscope {
 
 enum class Effect {
-    kLensing, kAberration, kDisc, kDiscImage, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kBolometric,
-    kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kPointStars, kSky,
+    kLensing, kAberration, kDisc, kDiscImage, kDiscPattern, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kBolometric,
+    kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kPointStars, kSky, kSkyPattern,
     kInner, kBounce, kFarSky, kStar, kBloom, kAutoExposure, kToneFilm, kToneNeutral, kDither
 };
-inline constexpr std::size_t kEffectCount = 28;
+inline constexpr std::size_t kEffectCount = 30;
 
 struct EffectRow {
     Effect effect;
@@ -41,7 +41,9 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
     {Effect::kDisc, "disc", "EFFECT_DISC", "A flat disc lies in the equatorial plane.", "there is a [disc]",
      "ray ends, orbit map; four fetches a crossing"},
     {Effect::kDiscImage, "disc-image", "EFFECT_DISC_IMAGE", "The disc carries an image.",
-     "disc.emission is \"image\" or there is a disc.image", "a picture with mip levels; one or two fetches a crossing"},
+     "disc.texture is \"image\", and disc.emission too or there is a disc.image", "a picture with mip levels; one or two fetches a crossing"},
+    {Effect::kDiscPattern, "disc-pattern", "EFFECT_DISC_PATTERN", "The disc is covered by a colour, a pattern or a formula.",
+     "disc.texture is not \"image\"", "arithmetic a crossing"},
     {Effect::kTranslucentDisc, "translucent-disc", "EFFECT_TRANSLUCENT_DISC",
      "What lies behind the disc shines through it.", "disc.opacity is below 1 or disc.edge is above 0",
      "every crossing is shaded, not the first alone"},
@@ -62,18 +64,20 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
      "ray ends, orbit map; strides of four fetches, at most 128, shared with other bodies"},
     {Effect::kSurface, "surface", "EFFECT_SURFACE", "A solid given by a formula ends rays.", "there is a [surface]",
      "ray ends, orbit map; equal strides of four fetches and seven times the formula"},
-    {Effect::kPattern, "pattern", "EFFECT_PATTERN", "A body has a checker, a grid of coordinates or stripes.",
-     "a body's texture is checker, grid or stripes", "arithmetic where the body is seen"},
-    {Effect::kNoise, "noise", "EFFECT_NOISE", "A body has noise on it.", "a body's texture is noise",
-     "eight hashes an octave, four octaves, where the body is seen"},
+    {Effect::kPattern, "pattern", "EFFECT_PATTERN", "A body, the disc or the sky has a checker, a grid of coordinates or stripes.",
+     "a texture or sky.kind is checker, grid or stripes", "arithmetic where it is seen"},
+    {Effect::kNoise, "noise", "EFFECT_NOISE", "A body, the disc or the sky has noise on it.", "a texture or sky.kind is noise",
+     "eight hashes an octave, four octaves, where it is seen"},
     {Effect::kFormula, "formula", "EFFECT_FORMULA", "A formula of the scene file is part of the shader.",
-     "a body's texture is a formula", "four times the formula where the body is seen"},
+     "a texture or sky.kind is a formula", "four times the formula where it is seen"},
     {Effect::kBodyImage, "body-image", "EFFECT_BODY_IMAGE", "A body has an image on it.", "a body's texture is an image",
      "a picture with mip levels; one fetch where the body is seen"},
     {Effect::kPointStars, "point-stars", "EFFECT_POINT_STARS", "Stars are points, each with all its images.",
      "sky.kind is \"points\"", "a pass of its own: a vertex a star and image; star lens, black body"},
-    {Effect::kSky, "sky", "EFFECT_SKY", "Escaped rays show the celestial sphere.", "sky.kind is not black, and there are no sky.even_stars",
+    {Effect::kSky, "sky", "EFFECT_SKY", "Escaped rays show the celestial sphere.", "sky.kind is stars, image or points, and there are no sky.even_stars",
      "a cube map; one fetch a pixel"},
+    {Effect::kSkyPattern, "sky-pattern", "EFFECT_SKY_PATTERN", "Escaped rays show a colour, a pattern or a formula.",
+     "sky.kind is plain, checker, grid, stripes, noise or formula", "arithmetic a pixel"},
     {Effect::kInner, "inner", "EFFECT_INNER", "Rays that pass the critical direction inward end somewhere to see.",
      "spacetime.metric is a wormhole, a star or a charge without horizon", "more octaves of the strip"},
     {Effect::kBounce, "bounce", "EFFECT_BOUNCE", "Rays that pass the critical direction inward turn and come back to the same sky.",

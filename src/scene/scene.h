@@ -9,6 +9,9 @@
 
 namespace nullscope {
 
+// For the comparisons of specs below: every digit.
+inline bool operator==(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
 struct SpacetimeSpec {
     std::string metric = "schwarzschild";       // a key of the registry in spacetime/registry.h
     std::map<std::string, double> parameters;   // by name, checked against the registry's ranges
@@ -30,8 +33,32 @@ struct CameraSpec {
     double exposure_ev = 0.0;        // display brightness is multiplied by 2^exposure_ev
 };
 
-// kStars: the catalogue drawn into a picture of the sky. kPoints: its stars as points, over the Milky Way.
-enum class SkyKind { kStars, kImage, kBlack, kPoints };
+// What a solid body, a disc or a sky looks like. Procedural kinds give a number from 0 to 1 at every place, which mixes two colours.
+enum class TextureKind { kPlain, kChecker, kGrid, kStripes, kNoise, kFormula, kImage };
+// How the unit square of texture coordinates (u, v), v from the top, covers directions from a body's middle (azimuth grows to
+// the right as seen from outside):
+// kEquirectangular: u azimuth, v polar angle. kBand: u azimuth, v latitude from +band to -band; beyond it the second colour.
+// kCaps: left half the northern, right half the southern hemisphere, azimuthal equidistant, the pole in the middle of each.
+// kCubeFaces: three columns and two rows of faces: +x -x +y above -y +z -z.
+enum class BodyMapping { kEquirectangular, kBand, kCaps, kCubeFaces };
+struct BodyLook {
+    TextureKind texture = TextureKind::kPlain;
+    BodyMapping mapping = BodyMapping::kEquirectangular;   // not of the cylinder: its square covers [-outer, outer]^2, as the disc's
+    std::filesystem::path image{};                         // kImage
+    std::string formula{};                                 // kFormula: of u, v, x, y, z (docs/expressions.md)
+    Vec3 colour{1.0, 0.72, 0.42}, second_colour{0.12, 0.05, 0.03};   // linear light; kImage is multiplied by colour
+    int columns = 24, rows = 12;                           // of the pattern over u and over v; of noise: grains across the radius
+    double band_latitude = 1.0471975511965976;             // kBand, (0, pi/2]
+    double rotation = 0.0;                                 // of the look about the polar axis
+    double limb = 0.0;                                     // light times 1 - limb (1 - cosine of the angle to the normal), [0, 1]
+    double brightness = 1.0;
+    friend bool operator==(const BodyLook&, const BodyLook&) = default;
+};
+
+// kStars: the catalogue drawn into a picture of the sky. kPoints: its stars as points, over the Milky Way. From kPlain on: SkySpec::look,
+// of the TextureKind of the same name.
+enum class SkyKind { kStars, kImage, kBlack, kPoints, kPlain, kChecker, kGrid, kStripes, kNoise, kFormula };
+inline bool has_look(SkyKind kind) { return kind >= SkyKind::kPlain; }
 enum class SkyMapping { kEquirectangular, kBandAndCaps };
 
 // The celestial sphere at infinity.
@@ -48,12 +75,22 @@ struct SkySpec {
     double brightness = 1.0;
     double faintest = 20.0;                               // kPoints only: magnitude V of the faintest stars
     int even_stars = 0;                                   // kPoints only; above 0: so many equal stars, evenly spread, and no catalogue
+    // has_look(kind) only; colours, formula, columns and rows of it alone. u = 1/2 - azimuth/turn and v = polar angle/half turn of the
+    // sky's own axes, as the columns and rows of an equirectangular image; x, y, z: the unit vector there.
+    BodyLook look{.colour = {0.5, 0.75, 1.0}, .second_colour = {0.01, 0.015, 0.03}};
     friend bool operator==(const SkySpec&, const SkySpec&) = default;
 };
 
+// The look of a sky that has one: its texture is the kind's.
+inline BodyLook sky_look(const SkySpec& sky) {
+    BodyLook look = sky.look;
+    look.texture = has_look(sky.kind) ? static_cast<TextureKind>(static_cast<int>(sky.kind) - static_cast<int>(SkyKind::kPlain)) : TextureKind::kPlain;
+    return look;
+}
+
 // A flat disc in the equatorial plane theta = pi/2, visible from both sides. The image is mapped affinely: its square
 // [0,1]^2 covers [-outer, outer]^2 in the disc's (x, y), rotated by `rotation`; image row 0 is y = +outer.
-// kImage: the image's light as it is. kThermal: heat by Page and Thorne, on which an image acts as an emissivity.
+// kImage: the light of image or texture as it is. kThermal: heat by Page and Thorne, on which these act as an emissivity.
 enum class DiscEmission { kImage, kThermal };
 
 struct DiscSpec {
@@ -65,29 +102,10 @@ struct DiscSpec {
     double brightness = 1.0;
     DiscEmission emission = DiscEmission::kImage;
     double temperature_K = 8000.0;      // thermal: of the hottest ring, in its own frame
+    // Colours, formula, columns and rows of it alone, and none of these with texture kImage, which is `image`. u = 1/2 + azimuth/turn,
+    // v = (r - inner)/(outer - inner); x, y: the place, z = 0.
+    BodyLook look{.texture = TextureKind::kImage};
     friend bool operator==(const DiscSpec&, const DiscSpec&) = default;
-};
-
-// What a solid body looks like. Procedural kinds give a number from 0 to 1 at every place, which mixes two colours.
-enum class TextureKind { kPlain, kChecker, kGrid, kStripes, kNoise, kFormula, kImage };
-// How the unit square of texture coordinates (u, v), v from the top, covers directions from a body's middle (azimuth grows to
-// the right as seen from outside):
-// kEquirectangular: u azimuth, v polar angle. kBand: u azimuth, v latitude from +band to -band; beyond it the second colour.
-// kCaps: left half the northern, right half the southern hemisphere, azimuthal equidistant, the pole in the middle of each.
-// kCubeFaces: three columns and two rows of faces: +x -x +y above -y +z -z.
-enum class BodyMapping { kEquirectangular, kBand, kCaps, kCubeFaces };
-struct BodyLook {
-    TextureKind texture = TextureKind::kPlain;
-    BodyMapping mapping = BodyMapping::kEquirectangular;   // not of the cylinder: its square covers [-outer, outer]^2, as the disc's
-    std::filesystem::path image;                           // kImage
-    std::string formula;                                   // kFormula: of u, v, x, y, z (docs/expressions.md)
-    Vec3 colour{1.0, 0.72, 0.42}, second_colour{0.12, 0.05, 0.03};   // linear light; kImage is multiplied by colour
-    int columns = 24, rows = 12;                           // of the pattern over u and over v; of noise: grains across the radius
-    double band_latitude = 1.0471975511965976;             // kBand, (0, pi/2]
-    double rotation = 0.0;                                 // of the look about the polar axis
-    double limb = 0.0;                                     // light times 1 - limb (1 - cosine of the angle to the normal), [0, 1]
-    double brightness = 1.0;
-    friend bool operator==(const BodyLook&, const BodyLook&) = default;
 };
 
 // Solid bodies: opaque, a ray ends on the first. Lengths in r_s; (r, theta, phi) are taken as flat spherical coordinates.

@@ -26,7 +26,9 @@ std::array<std::size_t, kFrameVectors> frame_offsets() {
             offsetof(F, cylinder_map), offsetof(F, cylinder_colour), offsetof(F, cylinder_second),
             offsetof(F, ball_form), offsetof(F, ball_map), offsetof(F, ball_colour), offsetof(F, ball_second),
             offsetof(F, surface_form), offsetof(F, surface_map), offsetof(F, surface_colour),
-            offsetof(F, surface_second), offsetof(F, march)};
+            offsetof(F, surface_second), offsetof(F, march), offsetof(F, disc_coat_map), offsetof(F, disc_coat_colour),
+            offsetof(F, disc_coat_second), offsetof(F, dome_x), offsetof(F, dome_y), offsetof(F, dome_z),
+            offsetof(F, dome_map), offsetof(F, dome_colour), offsetof(F, dome_second)};
 }
 
 }  // namespace nullscope

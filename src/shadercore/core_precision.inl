@@ -12,6 +12,8 @@
 #define BLOCK_BALL
 #define BLOCK_SURFACE
 #define BLOCK_MARCH
+#define BLOCK_DISC_PATTERN
+#define BLOCK_SKY_PATTERN
 #define EFFECT_INNER
 #define EFFECT_BOUNCE
 #define EFFECT_STAR

@@ -19,7 +19,7 @@ struct Body {
     const BodyLook* look;
     std::string size;            // GLSL: the length that grains are counted over
     std::string middle, normal;  // GLSL: at the place `place`
-    bool plane = false;          // covered like the disc
+    const char* mapping = nullptr;   // instead of the look's
     bool marched = true;
 };
 
@@ -27,10 +27,10 @@ std::vector<Body> bodies_of(const Scene& scene) {
     std::vector<Body> bodies;
     if (scene.sphere)
         bodies.push_back(
-            {"sphere", 2, &scene.sphere->look, "frame.sphere_form.x", "vec3(0.0)", "place.outward", false, false});
+            {"sphere", 2, &scene.sphere->look, "frame.sphere_form.x", "vec3(0.0)", "place.outward", nullptr, false});
     if (scene.cylinder)
         bodies.push_back({"cylinder", 3, &scene.cylinder->look, "frame.cylinder_form.y", "vec3(0.0)",
-                          "cylinder_normal(place.at)", true});
+                          "cylinder_normal(place.at)", "MAPPING_PLANE"});
     if (scene.ball)
         bodies.push_back({"ball", 4, &scene.ball->look, "frame.ball_form.w", "frame.ball_form.xyz",
                           "ball_offset(place.at) / frame.ball_form.w"});
@@ -60,20 +60,31 @@ std::string statements(const BodyLook& look) {
     return formula ? formula->glsl("value") : "    float value = 0.0;\n";
 }
 
-// The template of shaders/object/body_light.glsl for one body.
-std::string light_of(const Body& body) {
+// The template of shaders/object/paint.glsl for what is covered, and of body_light.glsl for bodies.
+std::string light_of(const Body& body, bool solid) {
     constexpr const char* kTextures[] = {"TEXTURE_PLAIN", "TEXTURE_CHECKER", "TEXTURE_GRID", "TEXTURE_STRIPES",
                                          "TEXTURE_NOISE", "TEXTURE_FORMULA", "TEXTURE_IMAGE"};
     constexpr const char* kMappings[] = {"MAPPING_EQUIRECTANGULAR", "MAPPING_BAND", "MAPPING_CAPS", "MAPPING_CUBE"};
     const BodyLook& look = *body.look;
-    std::string text = resolved_branches(std::string(shader_file("object/body_light.glsl")),
-                                         {kTextures[static_cast<int>(look.texture)],
-                                          body.plane ? "MAPPING_PLANE" : kMappings[static_cast<int>(look.mapping)]});
+    std::vector<std::string> defines = {kTextures[static_cast<int>(look.texture)],
+                                        body.mapping != nullptr ? body.mapping : kMappings[static_cast<int>(look.mapping)]};
+    if (solid) defines.emplace_back("MAPPING_OUTSIDE");
+    std::string text = resolved_branches(std::string(shader_file("object/paint.glsl")), defines);
+    if (solid) text += shader_file("object/body_light.glsl");
     if (look.texture == TextureKind::kFormula) text = replaced(std::move(text), "BODY_STATEMENTS\n", statements(look));
     text = replaced(std::move(text), "frame.BODY_size", body.size);
     text = replaced(std::move(text), "BODY", body.name);
     return (look.texture == TextureKind::kImage ? fmt::format("uniform sampler2D {}_texture;\n", body.name) : "") +
            text;
+}
+
+std::string coats_of(const Scene& scene) {
+    std::string text;
+    if (scene.disc && scene.disc->look.texture != TextureKind::kImage)
+        text += light_of({"disc_coat", 0, &scene.disc->look, "frame.disc_y.w", "", "", "MAPPING_POLAR"}, false);
+    const BodyLook sky = sky_look(scene.sky);
+    if (has_look(scene.sky.kind)) text += light_of({"dome", 0, &sky, "1.0", "", "", "MAPPING_INSIDE"}, false);
+    return text;
 }
 
 std::string march_of(const std::vector<Body>& bodies, const Scene& scene) {
@@ -129,11 +140,15 @@ std::string hit_of(const std::vector<Body>& bodies) {
 
 BodyText body_text(const Scene& scene) {
     const std::vector<Body> bodies = bodies_of(scene);
-    if (bodies.empty()) return {};
-    BodyText text{scene.surface ? shape_of(*scene.surface) : "", march_of(bodies, scene), hit_of(bodies), {}};
+    BodyText text;
+    text.coats = coats_of(scene);
+    if (bodies.empty()) return text;
+    if (scene.surface) text.shape = shape_of(*scene.surface);
+    text.march = march_of(bodies, scene);
+    text.hit = hit_of(bodies);
     std::string choice;
     for (const Body& body : bodies) {
-        text.light += light_of(body);
+        text.light += light_of(body, true);
         choice += fmt::format("    if (hit.object == {}) return {}_light(trace, place, place.at - {}, {});\n",
                               body.number, body.name, body.middle, body.normal);
     }

@@ -1,4 +1,4 @@
-// The shader's text for the solid bodies of a scene: what depends on more than which effects are on (formulas, kinds of texture).
+// The shader's text for the solid bodies of a scene, its disc and sky: what depends on more than which effects are on (formulas, kinds of texture).
 #pragma once
 #include <string>
 
@@ -13,10 +13,11 @@ struct BodyText {
     std::string march;  // march_value, march_room, march_object, MARCH_MOST_STEPS
     std::string hit;    // solid_hit: the first body on the ray
     std::string light;  // solid_light: and its light
+    std::string coats;  // disc_coat_paint, dome_paint: what a disc and a sky without images are painted with
     friend auto operator<=>(const BodyText&, const BodyText&) = default;
 };
 
-// Empty for a scene without bodies. Formulas must be valid (scene files are checked).
+// Empty for a scene without bodies whose disc and sky are not painted. Formulas must be valid (scene files are checked).
 BodyText body_text(const Scene& scene);
 
 }  // namespace nullscope

@@ -57,7 +57,7 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
     }
     if (lensing && (disc || solid)) files.emplace_back("core/orbit.glsl");
     if (disc) files.emplace_back("core/plane.glsl");
-    if (!lensing && !ends) files.erase(files.begin());   // nothing inverse to compute
+    if (!lensing && !ends && !(picture && effects.contains(Effect::kSkyPattern))) files.erase(files.begin());   // nothing inverse to compute
     files.emplace_back("core/trace.glsl");
     if (disc) files.emplace_back("object/disc.glsl");
     const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
@@ -72,11 +72,27 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
     return files;
 }
 
+bool has_coats(const EffectSet& effects) { return effects.contains(Effect::kDiscPattern) || effects.contains(Effect::kSkyPattern); }
+
+// What formulas and looks are made of, and what the disc and the sky are painted with.
+std::string look_text(Stage stage, const EffectSet& effects, const BodyText& bodies) {
+    const bool solid = has_solids(effects), picture = stage == Stage::kPicture;
+    std::string text;
+    if (!solid && !(picture && has_coats(effects))) return text;
+    if (effects.contains(Effect::kFormula) || effects.contains(Effect::kNoise) || effects.contains(Effect::kSurface)) text += shader_file("effect/expression.glsl");
+    if (!picture) return text;
+    text += shader_file("effect/body_mapping.glsl");
+    if (effects.contains(Effect::kPattern)) text += shader_file("effect/pattern.glsl");
+    if (effects.contains(Effect::kNoise)) text += shader_file("effect/grain.glsl");
+    text += bodies.coats;
+    if (effects.contains(Effect::kSkyPattern)) text += shader_file("object/dome.glsl");
+    return text;
+}
+
 // In the order of the text: bodies, how they are met, what they look like.
 std::string solid_text(Stage stage, const EffectSet& effects, const BodyText& bodies) {
     if (!has_solids(effects)) return "";
     std::string text(shader_file("object/place.glsl"));
-    if (effects.contains(Effect::kFormula) || effects.contains(Effect::kNoise) || effects.contains(Effect::kSurface)) text += shader_file("effect/expression.glsl");
     if (effects.contains(Effect::kSphere)) text += shader_file("object/sphere.glsl");
     if (effects.contains(Effect::kCylinder)) text += shader_file("object/cylinder.glsl");
     if (effects.contains(Effect::kBall)) text += shader_file("object/ball.glsl");
@@ -86,9 +102,6 @@ std::string solid_text(Stage stage, const EffectSet& effects, const BodyText& bo
     text += bodies.hit;
     if (stage != Stage::kPicture) return text;
     text += shader_file("object/solid.glsl");
-    text += shader_file("effect/body_mapping.glsl");
-    if (effects.contains(Effect::kPattern)) text += shader_file("effect/pattern.glsl");
-    if (effects.contains(Effect::kNoise)) text += shader_file("effect/grain.glsl");
     return text + bodies.light;
 }
 
@@ -221,6 +234,7 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
 
     std::string body = declarations(stage, effects, ends, method);
     for (const std::string& file : files_of(stage, effects, ends, method, metric)) body += shader_file(file);
+    body += look_text(stage, effects, bodies);
     body += solid_text(stage, effects, bodies);
     if (stage == Stage::kRayData) body += shader_file("core/raydata.glsl");
     if (display) body += shader_file("effect/display.glsl");

@@ -67,6 +67,7 @@ bool side_panel(ViewState& view, const AccuracyPanel& accuracy, const EffectsPan
         part("Lens", true, [&] { return lens_section(view); });
         part("Disc", false, [&] { return disc_section(view); });
         part("Sky", false, [&] { return sky_section(view, escape); });
+        part("Light", false, [&] { return light_section(view, escape); });
         part("Spacetime", false, [&] { return spacetime_section(view, escape); });
         view.show_accuracy = false;
         part("Accuracy", false, [&] {

@@ -75,6 +75,14 @@ bool disc_section(ViewState& view) {
                     "Inner radius. 3 r_s is the innermost stable circular orbit of a hole without spin."));
     any(drag_number("Outer", disc.outer, 0.05, disc.inner / kNarrow, std::max(kWidest, 2.0 * disc.inner), "%.2f r_s",
                     "Outer radius."));
+    bool thermal = disc.emission == DiscEmission::kThermal;
+    row("Thermal", "It glows by the heat that matter gains on its way in; an image then gives emissivities.");
+    if (ImGui::Checkbox("##thermal", &thermal)) {
+        disc.emission = thermal ? DiscEmission::kThermal : DiscEmission::kImage;
+        changed = true;
+    }
+    if (thermal)
+        any(slide("Temperature", disc.temperature_K, 2000.0, 50000.0, Scale::kLogarithmic, When::kNow, "%.0f K", "Of the hottest ring, in its own frame."));
     any(slide("Opacity", disc.opacity, 0.01, 1.0, Scale::kLinear, When::kNow, "%.2f",
               "Below 1, what lies behind shines through."));
     any(slide("Edge", disc.edge, 0.0, 0.5, Scale::kLinear, When::kNow, "%.2f",
@@ -87,12 +95,13 @@ bool disc_section(ViewState& view) {
 
 bool sky_section(ViewState& view, bool escape) {
     SkySpec& sky = view.scene.sky;
-    constexpr const char* kNames[] = {"stars", "image", "black", "points"};
+    constexpr const char* kNames[] = {"stars", "image", "black", "points", "plain", "checker", "grid", "stripes", "noise", "formula"};
     bool changed = false;
-    row("Kind", "What is seen at infinity: the stars and Milky Way that ship (as a picture, or the stars as points), the scene's image, or nothing.");
+    row("Kind", "What is seen at infinity: the stars and Milky Way that ship (as a picture, or the stars as points), the scene's image, nothing, or a pattern.");
     if (begin_choice("##sky", kNames[static_cast<int>(sky.kind)], escape)) {
         for (int i = 0; i < static_cast<int>(std::size(kNames)); ++i) {
             const bool missing = i == static_cast<int>(SkyKind::kImage) && view.loaded.sky.image.empty();
+            if (i == static_cast<int>(SkyKind::kFormula) && view.loaded.sky.look.formula.empty()) continue;
             if (missing) {
                 ImGui::TextDisabled("image");
                 tooltip("This scene's file names no image (key image in [sky]).");

@@ -11,6 +11,7 @@ bool boost_section(ViewState& view);
 bool lens_section(ViewState& view);
 bool disc_section(ViewState& view);
 bool sky_section(ViewState& view, bool escape);
+bool light_section(ViewState& view, bool escape);
 bool spacetime_section(ViewState& view, bool escape);
 
 }  // namespace nullscope::viewer

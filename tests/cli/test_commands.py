@@ -10,7 +10,7 @@ from pathlib import Path
 
 import support
 
-COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench soak", "plan", "scenes", "info"]
+COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench soak", "plan", "scenes", "info", "figure"]
 
 
 def png_size(data):
@@ -87,8 +87,8 @@ class Commands(support.CliTest):
         self.assertEqual(list(reasons), ["lensing", "aberration", "disc", "disc-image", "translucent-disc"])
         self.assertIn("0.5", reasons["aberration"])
         self.assertEqual([e["effect"] for e in found["left_out"]],
-                         ["thermal-disc", "shift", "beaming", "bolometric", "sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
-                          "body-image", "point-stars", "sky", "inner", "far-sky", "star",
+                         ["disc-pattern", "thermal-disc", "shift", "beaming", "bolometric", "sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
+                          "body-image", "point-stars", "sky", "sky-pattern", "inner", "far-sky", "star",
                           "bloom", "auto-exposure", "tone-film", "tone-neutral", "dither"])
         self.assertTrue(all(e["cost"] for e in found["effects"]))
         tables = {t["name"] for t in found["tables"]}
@@ -106,6 +106,13 @@ class Commands(support.CliTest):
         self.assertEqual(sorted(r["effect"] for r in rows), sorted(every))
         for row in rows:
             self.assertGreater(row["empty_core_seconds"], 0)
+
+    def test_figures(self):
+        for name in ("bending", "ray-types", "isoradials"):
+            self.run_nullscope("figure", name, "-o", name + ".svg")
+            text = (self.folder / (name + ".svg")).read_text()
+            self.assertGreater(text.count("<polyline") + text.count("<polygon"), 3)
+            self.assertTrue(text.rstrip().endswith("</svg>"))
 
     def test_the_smallest_scene(self):
         scene = self.write("least.toml", '[spacetime]\nmetric = "schwarzschild"\n')

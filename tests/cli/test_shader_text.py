@@ -14,6 +14,7 @@ WORDS = {
     "aberration": [r"aberrat\w*", r"Aberration", r"boost", r"motion", r"stretch"],
     "disc": [r"disc\w*", r"Disc\w*", r"plane_\w*", r"PlaneMeeting", r"meeting"],
     "disc-image": [r"disc_texture", r"disc_texel", r"disc_filtered"],
+    "disc-pattern": [r"disc_coat\w*"],
     "translucent-disc": [r"fade"],
     "thermal-disc": [r"disc_flow\w*", r"DiscFlow", r"thermal\w*", r"disc_heat", r"zeta_slope"],
     "shift": [r"colour_shift"],
@@ -29,6 +30,7 @@ WORDS = {
     "formula": [r"\w+_blend"],
     "body-image": [r"\w+_image", r"(?:sphere|ball|cylinder)_texture"],
     "sky": [r"sky_texture", r"celestial\w*"],
+    "sky-pattern": [r"dome\w*"],
     "inner": [r"frame\.strip\.w"],
     "far-sky": [r"other_side\w*"],
     "bounce": [r"by_centre"],
@@ -70,6 +72,10 @@ SCENES = {
     "auto-exposure": '[picture]\nauto_exposure = "on"\ntone = "film"\n',
     "tone-film": '[spacetime]\nmetric = "minkowski"\n[picture]\ntone = "film"\n',
     "tone-neutral": '[spacetime]\nmetric = "minkowski"\n[picture]\ntone = "neutral"\ndither = "on"\n',
+    "disc-pattern": '[sky]\nkind = "black"\n[disc]\ntexture = "plain"\n',
+    "sky-pattern": '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "plain"\n',
+    "sky and disc": '[sky]\nkind = "grid"\n[disc]\ntexture = "noise"\n',
+    "sky and far sky": '[spacetime]\nmetric = "ellis"\n[sky]\nkind = "formula"\nformula = "u * x"\n',
     "star": '[spacetime]\nmetric = "neutron-star"\n',
 }
 

@@ -1,9 +1,13 @@
 // The disc's motion and heat, by the tables' way and by the reference's, against closed forms and published figures.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "reference/disc_light.h"
+#include "reference/frame_tracer.h"
+#include "reference/isoradial.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
 #include "table/disc_light.h"
@@ -68,6 +72,34 @@ TEST_CASE_FIXTURE(Fixture, "disc light: the fall inside the last stable orbit jo
             CHECK(light.g_infinity({r, l, outward, l * l}) == doctest::Approx(1 / frequency).epsilon(1e-9));
         }
     }
+}
+
+TEST_CASE("disc light: 1 + z on the ring of 6 M seen from 60 degrees at infinity is 0.8166661528 to 2.0117609719") {
+    // The camera's distance stands for infinity: its inverse is what the extremes may be off.
+    constexpr double kFar = 1e9, kTolerance = 1e-8;
+    Scene scene;
+    scene.camera.r = kFar;
+    scene.camera.theta = M_PI / 3;
+    scene.camera.focal_distance = 1;
+    scene.camera.plane_width = 40 / kFar;
+    scene.disc.emplace().inner = 2.9;
+    const auto tracer = reference::FrameTracer::make(scene);
+    REQUIRE(tracer);
+    const reference::DiscLight light(tracer->metric(), *scene.disc, scene.light);
+    const auto curve = reference::isoradial(scene, 3.0, 1, 7200);
+    REQUIRE(curve);
+    REQUIRE(curve->size() == 7200);
+    double least = 1e9, most = 0;
+    for (const auto& [x, y] : *curve) {
+        const auto ray = tracer->ray(x, y);
+        const double z = 1 / light.g_infinity({3.0, ray.l_z, true, ray.l2});
+        least = std::min(least, z);
+        most = std::max(most, z);
+    }
+    constexpr double kBetween = 4e-7;   // extremes between two of the 7200 points: (pi/7200)^2 of the curvature
+    CHECK(std::fabs(least - 0.8166661528) <= kBetween + kTolerance);
+    CHECK(std::fabs(most - 2.0117609719) <= kBetween + kTolerance);
+    fmt::print("1 + z on the ring of 6 M from 60 degrees: {:.10f} to {:.10f}\n", least, most);
 }
 
 }  // namespace

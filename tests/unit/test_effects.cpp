@@ -169,6 +169,49 @@ TEST_CASE("bodies and their looks call for exactly their effects: every combinat
     }
 }
 
+TEST_CASE("textures of disc and sky call for exactly their effects: every combination") {
+    const std::vector<TextureKind> textures = {TextureKind::kPlain, TextureKind::kChecker, TextureKind::kGrid, TextureKind::kStripes,
+                                               TextureKind::kNoise, TextureKind::kFormula, TextureKind::kImage};
+    const std::vector<SkyKind> skies = {SkyKind::kBlack, SkyKind::kPlain, SkyKind::kChecker, SkyKind::kGrid,
+                                        SkyKind::kStripes, SkyKind::kNoise, SkyKind::kFormula};
+    for (const TextureKind texture : textures) {
+        for (const SkyKind sky : skies) {
+            for (const bool thermal : {false, true}) {
+                Scene scene;
+                scene.spacetime.metric = "minkowski";
+                scene.light = {false, false, false};
+                scene.sky.kind = sky;
+                scene.disc.emplace().look.texture = texture;
+                if (thermal) scene.disc->emission = DiscEmission::kThermal;
+                EffectSet expected = {Effect::kDisc};
+                if (thermal) expected.insert(Effect::kThermalDisc);
+                if (texture != TextureKind::kImage) expected.insert(Effect::kDiscPattern);
+                if (texture == TextureKind::kImage && !thermal) expected.insert(Effect::kDiscImage);
+                if (sky != SkyKind::kBlack) expected.insert(Effect::kSkyPattern);
+                for (const SkyKind kind : {SkyKind::kChecker, SkyKind::kGrid, SkyKind::kStripes})
+                    if (sky == kind) expected.insert(Effect::kPattern);
+                for (const TextureKind kind : {TextureKind::kChecker, TextureKind::kGrid, TextureKind::kStripes})
+                    if (texture == kind) expected.insert(Effect::kPattern);
+                if (sky == SkyKind::kNoise || texture == TextureKind::kNoise) expected.insert(Effect::kNoise);
+                if (sky == SkyKind::kFormula || texture == TextureKind::kFormula) expected.insert(Effect::kFormula);
+                const std::vector<EffectReason> reasons = required_effects(scene);
+                CHECK(effect_set(reasons) == expected);
+                CHECK(reasons.size() == expected.size());
+                std::vector<Effect> order;
+                for (const EffectReason& reason : reasons) order.push_back(reason.effect);
+                CHECK(order == expected.list());
+                for (const Effect effect : expected.list()) {
+                    const auto less = without_effect(scene, effect);
+                    if (!less) continue;
+                    const EffectSet left = effect_set(required_effects(*less));
+                    CHECK_FALSE(left.contains(effect));
+                    for (const Effect other : left.list()) CHECK(expected.contains(other));
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("what is done to a picture calls for exactly its effects: every combination") {
     for (unsigned bits = 0; bits < 32; ++bits) {
         Scene scene;
@@ -220,7 +263,7 @@ TEST_CASE("a scene without one of its effects calls for no more than the others"
             CAPTURE(info.name);
             CAPTURE(effect_row(effect).key);
             const auto less = without_effect(*scene, effect);
-            const bool bound = effect == Effect::kInner || effect == Effect::kBounce || effect == Effect::kStar || effect == Effect::kDiscImage || effect == Effect::kThermalDisc;
+            const bool bound = effect == Effect::kInner || effect == Effect::kBounce || effect == Effect::kStar || effect == Effect::kDiscImage || effect == Effect::kDiscPattern || effect == Effect::kThermalDisc;
             CHECK((less.has_value() || bound));
             if (!less) continue;
             const EffectSet left = effect_set(required_effects(*less));

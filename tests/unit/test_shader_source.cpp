@@ -35,6 +35,9 @@ std::vector<Scene> all_scenes() {
             scene.picture.dither = has(9) && !has(2);
             scene.picture.bloom = has(8) && has(0) ? 0.1 : 0.0;
             if (has(2) && has(9) && has(8)) scene.sky.kind = SkyKind::kPoints;
+            if (has(1) && has(3) && has(7)) scene.sky.kind = static_cast<SkyKind>(static_cast<int>(SkyKind::kPlain) + static_cast<int>(bits % 6));
+            if (has(2) && has(1) && has(6)) scene.disc->look.texture = kind, scene.disc->look.formula = "v";
+            scene.sky.look.formula = "u";
             if (has(5)) scene.sphere.emplace().look.texture = kind;
             if (has(6)) scene.cylinder.emplace().look.texture = kind;
             if (has(7)) scene.ball.emplace().look.texture = kind;
@@ -53,6 +56,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kAberration, {"aberrate", "Aberration", "vec4 boost;"}},
     {Effect::kDisc, {"disc_cross", "DiscCrossing", "plane_meet", "disc_normal", "disc_map", "disc_look"}},
     {Effect::kDiscImage, {"disc_texture", "disc_filtered"}},
+    {Effect::kDiscPattern, {"disc_coat_paint", "vec4 disc_coat_map;"}},
     {Effect::kTranslucentDisc, {"fade"}},
     {Effect::kThermalDisc, {"thermal_light", "disc_flow_texture", "black_body_texture", "DiscFlow", "vec4 disc_heat;", "zeta_slope"}},
     {Effect::kShift, {"colour_shift"}},
@@ -68,6 +72,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kFormula, {"_blend("}},
     {Effect::kBodyImage, {"_image(", "textureSize"}},
     {Effect::kSky, {"celestial_sphere(", "sky_texture", "vec4 sky;"}},
+    {Effect::kSkyPattern, {"dome_light", "dome_paint", "vec4 dome_x;"}},
     {Effect::kInner, {"frame.strip.w"}},
     {Effect::kBounce, {"by_centre"}},
     {Effect::kFarSky, {"other_side", "other_side_texture"}},
@@ -103,7 +108,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow& row : kEffectTable) all.insert(row.effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 43);
+    CHECK(members.size() == 52);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {

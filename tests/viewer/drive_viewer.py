@@ -26,7 +26,7 @@ fov = 62.0
 [disc]
 """
 PICTURE = (320, 300, 820, 560)     # of the window: no panel lies here
-PANEL = (10, 60, 284, 490)
+PANEL = (10, 60, 284, 515)
 SIDE, KEYS, FIELD = (10, 60, 280, 300), (300, 10, 830, 180), (110, 92, 180, 106)
 LETTERS = bytes([230, 232, 237])   # the theme's text
 NOISE = 0.002                      # share of bytes: single pixels on the edge of rounding
@@ -35,13 +35,13 @@ CHANGED = 0.02
 RELOAD = (240, 26)                 # the button
 LEGEND, BESIDE_LEGEND = (560, 470, 836, 574), (320, 300, 550, 560)   # of the overlay's colours
 HEADERS = [(150, 377), (150, 252), (150, 52)]   # lens, boost, camera; each where it is while those above are open
-ALONE = (150, 202)                 # the section's header while nothing else is open
-METHOD, WORDS = (190, 388), (14, 428, 284, 490)   # the box and what is chosen and why
-AUTO = (150, 220)                  # the first entry of its list while the list is not scrolled
-LEAST, MOST = (108, 413), (266, 413)              # of the slider for the largest error
+ALONE = (150, 227)                 # the section's header while nothing else is open
+METHOD, WORDS = (190, 413), (14, 453, 284, 515)   # the box and what is chosen and why
+AUTO = (150, 26)                   # the first entry of its list while the list is not scrolled
+LEAST, MOST = (108, 438), (266, 438)              # of the slider for the largest error
 WRONG_FATE = bytes([255, 0, 255])
-EFFECTS = (150, 227)               # the section's header while nothing else is open, and its rows
-EFFECT_ROW = lambda row: (30, 252 + 25 * row)
+EFFECTS = (150, 252)               # the section's header while nothing else is open, and its rows
+EFFECT_ROW = lambda row: (30, 277 + 25 * row)
 BODIES = """[sphere]
 radius = 1.8
 texture = "checker"
@@ -61,6 +61,9 @@ def row_of(effect):
 
 
 HITCH_MS = 300
+# A turn is long also when other programs hold the cores: at a load of 8 on two cores the longest was 212, 292 and 602 ms in three tries.
+# Such a wait comes in one try and not in the next; waiting for the compiler comes in each, as the test in one context shows.
+HITCH_TRIES = 3
 BESIDE = (420, 40)                 # a place for the pointer outside of all these areas
 MEASURED_S = 120.0                 # for a frame's errors, on a machine that is busy
 SETTLED_S = 0.4                    # without a change: the wheel's motion and the panels have come to rest
@@ -376,7 +379,7 @@ def test_the_accuracy_section_chooses_refuses_and_measures(v):
     v.hands("key", "h")
     v.settle()
     v.click(*METHOD)
-    v.hands("mousemove", 150, 400)     # the list begins where the method in use is
+    v.hands("mousemove", 150, 300)     # the list begins where the method in use is
     v.hands("click", "--repeat", 10, "--delay", 200, 4)
     v.click(*AUTO)
     v.still(timeout_s=MEASURED_S)
@@ -464,34 +467,44 @@ class Effects:
         return before, after, seen, turns, turns[-1][2] - programs
 
 
-def test_an_effect_is_switched_without_a_hitch(screen, program, folder):
-    effects = Effects(screen, program)
+def switches(screen, program):
+    """The longest turn, ms, while the ball goes and comes back, in a viewer of its own; the pictures seen are judged."""
+    effects, longest = Effects(screen, program), 0
     try:
         effects.start()
         for what, compiled in [("the ball goes", 1), ("the ball comes back", 0)]:
             before, after, seen, turns, programs = effects.switch(row_of("ball"), what)
             assert programs == compiled, f"{what}: {programs} programs compiled instead of {compiled}"
-            longest = max(turn[1] for turn in turns)
-            print(f"    {what}: longest turn of {len(turns)} is {longest:.0f} ms, {programs} compiled, {len(seen)} looks", flush=True)
-            assert longest < HITCH_MS, f"{what}: a turn took {longest:.0f} ms"
+            slowest = max(turn[1] for turn in turns)
+            print(f"    {what}: longest turn of {len(turns)} is {slowest:.0f} ms, {programs} compiled, {len(seen)} looks", flush=True)
             for picture in seen:     # the last picture until the next is whole
                 kept = min(picture.differing(before), picture.differing(after))
                 assert kept <= CURSOR, f"{what}: neither the picture before nor the one after: {kept:.1%} differ from both"
+            longest = max(longest, slowest)
     finally:
         effects.viewer.kill()
+    return longest
+
+
+def test_an_effect_is_switched_without_a_hitch(screen, program, folder):
+    tries = []
+    while len(tries) < HITCH_TRIES and (not tries or tries[-1] >= HITCH_MS):
+        tries.append(switches(screen, program))
+    assert min(tries) < HITCH_MS, f"the longest turns of {len(tries)} tries took {', '.join(f'{t:.0f}' for t in tries)} ms"
 
 
 def test_without_a_second_context_the_hitch_is_seen(screen, program, folder):
-    """That the test before can fail: the same in one context."""
-    effects = Effects(screen, program, "--one-context")
-    try:
-        effects.start()
-        _, _, _, turns, programs = effects.switch(row_of("ball"), "the ball goes")
-        longest = max(turn[1] for turn in turns)
-        print(f"    in one context: longest turn {longest:.0f} ms", flush=True)
-        assert programs == 1 and longest > HITCH_MS, f"{programs} programs; the longest turn took {longest:.0f} ms"
-    finally:
-        effects.viewer.kill()
+    """That the test before can fail, in each of its tries: the same in one context."""
+    for _ in range(HITCH_TRIES):
+        effects = Effects(screen, program, "--one-context")
+        try:
+            effects.start()
+            _, _, _, turns, programs = effects.switch(row_of("ball"), "the ball goes")
+            longest = max(turn[1] for turn in turns)
+            print(f"    in one context: longest turn {longest:.0f} ms", flush=True)
+            assert programs == 1 and longest > HITCH_MS, f"{programs} programs; the longest turn took {longest:.0f} ms"
+        finally:
+            effects.viewer.kill()
 
 
 def test_bad_input(screen, program, folder):
