@@ -78,8 +78,12 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Li
         if (!stars) return stars.error();
         const long long count = static_cast<long long>(stars->size());
         lines.push_back({"stars", 1, count, 1, 20 * count, "GPU", "sky.kind, sky.faintest"});
+    }
+    if (keeps_light(passes(effects, Output::kDisplay))) {
         const long long w = scene.camera.width, h = scene.camera.height;
-        lines.push_back({"linear picture", 1, w, h, 8 * w * h, "GPU", "camera.size"});
+        lines.push_back({"linear picture", 1, w, h, 8 * w * h, "GPU", "camera.size"});   // 8 B
+        if (effects.contains(Effect::kBloom) || effects.contains(Effect::kAutoExposure))   // halves of halves, down and up
+            lines.push_back({"bloom", 2, (w + 1) / 2, (h + 1) / 2, 16 * w * h / 3, "GPU", "picture.bloom, picture.auto_exposure"});
     }
     if (effects.contains(Effect::kDiscImage)) {
         const auto image = load_disc_image(*scene.disc);

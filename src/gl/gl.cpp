@@ -267,48 +267,47 @@ VertexArray make_vertex_array() {
     return VertexArray(id);
 }
 
-void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, double share) {
+namespace {
+
+// What every draw begins with: neither blending nor depth nor scissors.
+void begin_draw(const Program& program, const VertexArray& vertices, unsigned framebuffer, int x, int y, int width, int height) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, width, height);
+    glViewport(x, y, width, height);
     glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glUseProgram(program.id());
+    glBindVertexArray(vertices.id());
+}
+
+}  // namespace
+
+void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, double share) {
+    begin_draw(program, empty, framebuffer, 0, 0, width, height);
     if (share < 1.0) {
         glEnable(GL_BLEND);
         glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
         glBlendColor(0, 0, 0, static_cast<float>(share));
     }
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_SCISSOR_TEST);
-    glUseProgram(program.id());
-    glBindVertexArray(empty.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_BLEND);
     check("draw");
 }
 
 void draw_rows(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int first, int last) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, width, height);
-    glDisable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);
+    begin_draw(program, empty, framebuffer, 0, 0, width, height);
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, first, width, last - first);
-    glUseProgram(program.id());
-    glBindVertexArray(empty.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_SCISSOR_TEST);
     check("draw rows");
 }
 
 void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width, int height, int margin) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(-margin, -margin, width + 2 * margin, height + 2 * margin);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_SCISSOR_TEST);
+    begin_draw(program, vertices.layout, framebuffer, -margin, -margin, width + 2 * margin, height + 2 * margin);
     glEnable(GL_PROGRAM_POINT_SIZE);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
-    glUseProgram(program.id());
-    glBindVertexArray(vertices.layout.id());
     glDrawArrays(GL_POINTS, 0, count);
     glDisable(GL_BLEND);
     check("draw points");

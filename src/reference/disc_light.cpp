@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "light/black_body.h"
+#include "reference/seen_light.h"
 
 namespace nullscope::reference {
 namespace {
@@ -23,7 +24,7 @@ double derivative(Function f, double r) {   // eighth order: some 1e-12 relative
 
 DiscLight::DiscLight(const OrbitMetric& metric, const DiscSpec& disc, const LightSpec& light)
     : metric_(metric), disc_(disc), light_(light) {
-    luminance_ = light.bolometric ? std::pow(disc.temperature_K, 4) : black_body_xyz(disc.temperature_K).y;
+    luminance_ = std::exp2(log2_brightness(disc.temperature_K, light.bolometric));
     const double horizon = metric.horizon_radius().value_or(0.0);
     if (horizon == 0.0) return;
     // The least energy of all circles: Boost's Brent gives half of the digits, a bisection of its slope the rest.
@@ -96,11 +97,7 @@ Vec3 DiscLight::colour(double r, double g) const {
     const double share = heat(r);
     if (!(share > 0)) return {0, 0, 0};
     const double temperature = disc_.temperature_K * std::pow(share, 0.25);
-    const Vec3 hue = black_body_xyz(light_.shift ? g * temperature : temperature);
-    const double glowing = light_.beaming ? g * temperature : temperature;
-    const double glow = light_.bolometric ? std::pow(glowing, 4) : black_body_xyz(glowing).y;
-    if (!(hue.y > 0)) return {0, 0, 0};
-    return glow / luminance_ * into_gamut(rec709_from_xyz(hue / hue.y));
+    return seen_black_body(temperature, g, light_) / luminance_;
 }
 
 }  // namespace nullscope::reference

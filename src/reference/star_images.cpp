@@ -8,6 +8,7 @@
 
 #include "camera/pose.h"
 #include "light/black_body.h"
+#include "reference/seen_light.h"
 
 namespace nullscope::reference {
 namespace {
@@ -73,11 +74,7 @@ std::vector<StarImage> StarImages::of(Vec3 direction, double margin_px) const {
 }
 
 Vec3 star_light(const PointStar& star, double g, const LightSpec& light) {
-    const Vec3 hue = black_body_xyz(star.temperature_K * (light.shift ? g : 1.0));
-    const double glow = std::exp2(log2_brightness(star.temperature_K * (light.beaming ? g : 1.0), light.bolometric) -
-                                  log2_brightness(star.temperature_K, light.bolometric));
-    if (!(hue.y > 0)) return {0, 0, 0};
-    return star.flux * glow * into_gamut(rec709_from_xyz(hue / hue.y));
+    return star.flux * std::exp2(-log2_brightness(star.temperature_K, light.bolometric)) * seen_black_body(star.temperature_K, g, light);
 }
 
 void add_point_stars(const FrameTracer& tracer, const Scene& scene, const std::vector<PointStar>& stars,

@@ -21,10 +21,20 @@ namespace {
 
 constexpr unsigned kFrameBinding = 0;
 enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5, kFarSkyUnit = 6, kBodyUnit = 7,
-            kDiscFlowUnit = kBodyUnit + kBodyCount, kBlackBodyUnit, kStarLensUnit,
-            kPictureUnit };
+            kDiscFlowUnit = kBodyUnit + kBodyCount, kBlackBodyUnit, kStarLensUnit, kPictureUnit };
 // Passes that work on the picture sample none of the scene's tables: they share their units.
 constexpr int kSourceUnit = kStripUnit, kHaloUnit = kOrbitUnit, kMeterUnit = kSkyUnit;
+
+constexpr std::pair<const char*, int> kSamplers[] = {
+    {"strip_texture", kStripUnit}, {"ends_texture", kEndsUnit}, {"orbit_texture", kOrbitUnit}, {"sky_texture", kSkyUnit},
+    {"other_side_texture", kFarSkyUnit}, {"disc_texture", kDiscUnit}, {"table_texture", kTableUnit},
+    {"disc_flow_texture", kDiscFlowUnit}, {"black_body_texture", kBlackBodyUnit}, {"star_lens_texture", kStarLensUnit},
+    {"picture_texture", kPictureUnit}, {"source_texture", kSourceUnit}, {"bloom_texture", kHaloUnit}, {"meter_texture", kMeterUnit}};
+
+// Nothing of a grid that is empty.
+gl::Texture texture_of(const TexelGrid& grid) {
+    return grid.width > 0 ? gl::make_float_texture(grid.width, grid.height, grid.texels.data()) : gl::Texture();
+}
 
 template <class T>
 Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
@@ -99,14 +109,10 @@ Status Renderer::prepare(const Scene& scene) {
 void Renderer::upload_tables() {
     if (rows_revision_ != tables_.revision()) {
         rows_revision_ = tables_.revision();
-        strip_ = {};
-        orbit_map_ = {};
         ends_ = {};
-        star_lens_ = {};
-        const TexelGrid &strip = tables_.strip(), &map = tables_.orbit_map(), &lens = tables_.star_lens();
-        if (lens.width > 0) star_lens_ = gl::make_float_texture(lens.width, lens.height, lens.texels.data());
-        if (strip.width > 0) strip_ = gl::make_float_texture(strip.width, strip.height, strip.texels.data());
-        if (map.width > 0) orbit_map_ = gl::make_float_texture(map.width, map.height, map.texels.data());
+        strip_ = texture_of(tables_.strip());
+        orbit_map_ = texture_of(tables_.orbit_map());
+        star_lens_ = texture_of(tables_.star_lens());
     }
     // A picture of the sky alone does not look where along the ray it is.
     if (meets_objects(tables_.effects()) || method_.cubic)
@@ -116,8 +122,7 @@ void Renderer::upload_tables() {
 }
 
 void Renderer::upload_ends() {
-    const TexelGrid& ends = tables_.ends();
-    if (!ends_ && ends.width > 0) ends_ = gl::make_float_texture(ends.width, ends.height, ends.texels.data());
+    if (!ends_) ends_ = texture_of(tables_.ends());
 }
 
 void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
@@ -206,17 +211,14 @@ void Renderer::load_heat(const Scene& scene) {
     }
     const auto key = std::make_tuple(scene.spacetime, scene.disc->inner, scene.disc->outer);
     if (flow_key_ == key) return;
-    const TexelGrid row = disc_flow_row(tables_.spacetime(), scene.disc->inner, scene.disc->outer);
-    disc_flow_ = gl::make_float_texture(row.width, row.height, row.texels.data());
+    disc_flow_ = texture_of(disc_flow_row(tables_.spacetime(), scene.disc->inner, scene.disc->outer));
     flow_key_ = key;
 }
 
 void Renderer::load_black_body() {
     const bool wanted = tables_.effects().contains(Effect::kThermalDisc) || tables_.effects().contains(Effect::kPointStars);
     if (!wanted) black_body_ = {};
-    if (!wanted || black_body_) return;
-    const TexelGrid row = black_body_row();
-    black_body_ = gl::make_float_texture(row.width, row.height, row.texels.data());
+    else if (!black_body_) black_body_ = texture_of(black_body_row());
 }
 
 Status Renderer::load_table(const Scene& scene) {
@@ -243,27 +245,15 @@ Status Renderer::load_table(const Scene& scene) {
 }
 
 const gl::Program& Renderer::program(Stage stage, Output output) {
-    const auto key = std::make_tuple(stage, output, tables_.effects(), method_, scene_.spacetime.metric, body_text_);
+    const auto key = knows_scene(stage) ? std::make_tuple(stage, output, tables_.effects(), method_, scene_.spacetime.metric, body_text_)
+                                        : std::make_tuple(stage, output, EffectSet{}, Method{}, std::string(), BodyText{});
     const auto found = programs_.find(key);
     if (found != programs_.end()) return found->second;
     const ShaderSource source = shader_source(stage, tables_.effects(), output, method_, scene_.spacetime.metric, body_text_);
     gl::Program made = gl::make_program(source.vertex, source.fragment);
     gl::bind_uniform_block(made, "FrameBlock", kFrameBinding);
-    gl::bind_sampler(made, "strip_texture", kStripUnit);
-    gl::bind_sampler(made, "ends_texture", kEndsUnit);
-    gl::bind_sampler(made, "orbit_texture", kOrbitUnit);
-    gl::bind_sampler(made, "sky_texture", kSkyUnit);
-    gl::bind_sampler(made, "other_side_texture", kFarSkyUnit);
-    gl::bind_sampler(made, "disc_texture", kDiscUnit);
-    gl::bind_sampler(made, "table_texture", kTableUnit);
+    for (const auto& [sampler, unit] : kSamplers) gl::bind_sampler(made, sampler, unit);
     for (int i = 0; i < kBodyCount; ++i) gl::bind_sampler(made, body_image_sampler(i), kBodyUnit + i);
-    gl::bind_sampler(made, "disc_flow_texture", kDiscFlowUnit);
-    gl::bind_sampler(made, "black_body_texture", kBlackBodyUnit);
-    gl::bind_sampler(made, "star_lens_texture", kStarLensUnit);
-    gl::bind_sampler(made, "picture_texture", kPictureUnit);
-    gl::bind_sampler(made, "source_texture", kSourceUnit);
-    gl::bind_sampler(made, "bloom_texture", kHaloUnit);
-    gl::bind_sampler(made, "meter_texture", kMeterUnit);
     return programs_.emplace(key, std::move(made)).first->second;
 }
 
@@ -415,9 +405,7 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     for (int body = 0; body < kBodyCount; ++body)
         if (const auto& picture = body_images_.pictures()[static_cast<std::size_t>(body)])
             lines.push_back({body_image_sampler(body), picture->width, picture->height, static_cast<std::size_t>(picture->width) * picture->height * 32 / 3});
-    if (flow_key_) {
-        lines.push_back({"disc flow", kDiscFlowCells + 1, 1, static_cast<std::size_t>(kDiscFlowCells + 1) * 16});
-    }
+    if (flow_key_) lines.push_back({"disc flow", kDiscFlowCells + 1, 1, static_cast<std::size_t>(kDiscFlowCells + 1) * 16});
     if (black_body_) lines.push_back({"black body", kBlackBodyCells + 1, 1, static_cast<std::size_t>(kBlackBodyCells + 1) * 16});
     if (star_lens_) lines.push_back({"star lens", tables_.star_lens().width, 1, tables_.star_lens().bytes()});
     if (stars_.count() > 0) lines.push_back({"stars", stars_.count(), 1, stars_.bytes()});

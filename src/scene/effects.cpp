@@ -144,19 +144,26 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
 
 namespace {
 
-void make_plain(Scene& scene, std::initializer_list<TextureKind> kinds) {
-    const auto one = [&kinds](BodyLook& look) {
-        if (std::find(kinds.begin(), kinds.end(), look.texture) != kinds.end()) look.texture = TextureKind::kPlain;
-    };
-    if (scene.disc) one(scene.disc->look);
+using Kinds = std::initializer_list<TextureKind>;
+
+void make_plain(BodyLook& look, Kinds kinds) {
+    if (std::find(kinds.begin(), kinds.end(), look.texture) != kinds.end()) look.texture = TextureKind::kPlain;
+}
+
+void make_bodies_plain(Scene& scene, Kinds kinds) {
+    if (scene.sphere) make_plain(scene.sphere->look, kinds);
+    if (scene.cylinder) make_plain(scene.cylinder->look, kinds);
+    if (scene.ball) make_plain(scene.ball->look, kinds);
+    if (scene.surface) make_plain(scene.surface->look, kinds);
+}
+
+void make_all_plain(Scene& scene, Kinds kinds) {
+    make_bodies_plain(scene, kinds);
+    if (scene.disc) make_plain(scene.disc->look, kinds);
     if (BodyLook sky = sky_look(scene.sky); has_look(scene.sky.kind)) {
-        one(sky);
+        make_plain(sky, kinds);
         if (sky.texture == TextureKind::kPlain) scene.sky.kind = SkyKind::kPlain;
     }
-    if (scene.sphere) one(scene.sphere->look);
-    if (scene.cylinder) one(scene.cylinder->look);
-    if (scene.ball) one(scene.ball->look);
-    if (scene.surface) one(scene.surface->look);
 }
 
 }  // namespace
@@ -196,14 +203,10 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
         case Effect::kCylinder: less.cylinder.reset(); return less;
         case Effect::kBall: less.ball.reset(); return less;
         case Effect::kSurface: less.surface.reset(); return less;
-        case Effect::kPattern: make_plain(less, {TextureKind::kChecker, TextureKind::kGrid, TextureKind::kStripes}); return less;
-        case Effect::kNoise: make_plain(less, {TextureKind::kNoise}); return less;
-        case Effect::kFormula: make_plain(less, {TextureKind::kFormula}); return less;
-        case Effect::kBodyImage:
-            for (BodyLook* look : {less.sphere ? &less.sphere->look : nullptr, less.cylinder ? &less.cylinder->look : nullptr,
-                                   less.ball ? &less.ball->look : nullptr, less.surface ? &less.surface->look : nullptr})
-                if (look != nullptr && look->texture == TextureKind::kImage) look->texture = TextureKind::kPlain;
-            return less;
+        case Effect::kPattern: make_all_plain(less, {TextureKind::kChecker, TextureKind::kGrid, TextureKind::kStripes}); return less;
+        case Effect::kNoise: make_all_plain(less, {TextureKind::kNoise}); return less;
+        case Effect::kFormula: make_all_plain(less, {TextureKind::kFormula}); return less;
+        case Effect::kBodyImage: make_bodies_plain(less, {TextureKind::kImage}); return less;
         case Effect::kSky:
         case Effect::kSkyPattern: less.sky.kind = SkyKind::kBlack; return less;
         case Effect::kFarSky: less.far_sky.kind = SkyKind::kBlack; return less;

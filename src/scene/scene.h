@@ -9,9 +9,6 @@
 
 namespace nullscope {
 
-// For the comparisons of specs below: every digit.
-inline bool operator==(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
 struct SpacetimeSpec {
     std::string metric = "schwarzschild";       // a key of the registry in spacetime/registry.h
     std::map<std::string, double> parameters;   // by name, checked against the registry's ranges

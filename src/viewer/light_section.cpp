@@ -1,18 +1,14 @@
 // What light does on its way and before the display shows it: switches to teach with, and the picture's development.
 #include <imgui.h>
 
-#include <iterator>
+#include <cstddef>
+#include <string>
 
 #include "viewer/sections.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
 namespace {
-
-bool tick(const char* label, bool& value, const char* help) {
-    row(label, help);
-    return ImGui::Checkbox((std::string("##") + label).c_str(), &value);
-}
 
 template <std::size_t Count>
 bool choose(const char* label, const char* const (&names)[Count], int& chosen, const char* help, bool escape) {

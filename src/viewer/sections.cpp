@@ -61,8 +61,7 @@ bool scene_section(ViewState& view, bool escape) {
 bool disc_section(ViewState& view) {
     bool on = view.scene.disc.has_value();
     bool changed = false;
-    row("Shown");
-    if (ImGui::Checkbox("##disc", &on)) {
+    if (tick("Shown", on)) {
         if (view.scene.disc) view.hidden_disc = *view.scene.disc;
         view.scene.disc = on ? std::optional<DiscSpec>(view.hidden_disc) : std::nullopt;
         changed = true;
@@ -76,8 +75,7 @@ bool disc_section(ViewState& view) {
     any(drag_number("Outer", disc.outer, 0.05, disc.inner / kNarrow, std::max(kWidest, 2.0 * disc.inner), "%.2f r_s",
                     "Outer radius."));
     bool thermal = disc.emission == DiscEmission::kThermal;
-    row("Thermal", "It glows by the heat that matter gains on its way in; an image then gives emissivities.");
-    if (ImGui::Checkbox("##thermal", &thermal)) {
+    if (tick("Thermal", thermal, "It glows by the heat that matter gains on its way in; an image then gives emissivities.")) {
         disc.emission = thermal ? DiscEmission::kThermal : DiscEmission::kImage;
         changed = true;
     }

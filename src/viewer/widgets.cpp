@@ -125,6 +125,11 @@ bool type_number(const char* id, double& value, double low, double high, const c
     return settled(id, changed, edited) && accept(edited, low, high, value);
 }
 
+bool tick(const char* name, bool& value, const char* help) {
+    row(name, help);
+    return ImGui::Checkbox((std::string("##") + name).c_str(), &value);
+}
+
 bool begin_choice(const char* id, const std::string& shown, bool shut) {
     if (!ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge)) return false;
     if (shut) ImGui::CloseCurrentPopup();
