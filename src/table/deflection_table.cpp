@@ -18,13 +18,21 @@ constexpr std::array<double, 6> kGaussNode = {0.1252334085114689, 0.367831498998
 constexpr std::array<double, 6> kGaussWeight = {0.2491470458134028, 0.2334925365383548, 0.2031674267230659,
                                                 0.1600783285433462, 0.1069393259953184, 0.0471753363865118};
 
-template <class F>
-double gauss(double low, double high, F&& f) {
+// 6-point rule, for cells half as wide.
+constexpr std::array<double, 3> kShortNode = {0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
+constexpr std::array<double, 3> kShortWeight = {0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
+
+template <std::size_t n, class F>
+double gauss_rule(const std::array<double, n>& node, const std::array<double, n>& weight, double low, double high, F&& f) {
     const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
     double sum = 0.0;
-    for (std::size_t i = 0; i < kGaussNode.size(); ++i)
-        sum += kGaussWeight[i] * (f(middle - half * kGaussNode[i]) + f(middle + half * kGaussNode[i]));
+    for (std::size_t i = 0; i < n; ++i) sum += weight[i] * (f(middle - half * node[i]) + f(middle + half * node[i]));
     return half * sum;
+}
+
+template <class F>
+double gauss(double low, double high, F&& f) {
+    return gauss_rule(kGaussNode, kGaussWeight, low, high, f);
 }
 
 // asinh(a/d) - asinh(b/d) for a > 0, a >= b, given d^2 >= 0: no overflow, no cancellation.
@@ -72,6 +80,24 @@ std::array<double, 4> through_integrals(double d2, double c) {
     return {j0, j1, j2, j3};
 }
 
+// h(pi - chi) = h(chi), as wormholes have it: one sheet of turning rays serves both sides.
+bool same_on_both_sides(const Spacetime& spacetime) {
+    constexpr int kSamples = 32;
+    constexpr double kSame = 1e-14;   // a few roundings of pi - chi
+    for (int i = 1; i < kSamples; ++i) {
+        const double chi = 0.5 * kPi * i / kSamples, h = spacetime.bending_density(chi);
+        if (!(std::fabs(spacetime.bending_density(kPi - chi) - h) <= kSame * h)) return false;
+    }
+    return true;
+}
+
+// Over a sheet's cell; the cells of a graded one are half as wide.
+template <class Sheet, class F>
+double cell_integral(const Sheet& sheet, int j, F&& f) {
+    const double low = kPi * sheet.node_y(j - 1), high = kPi * sheet.node_y(j);
+    return sheet.graded_y ? gauss_rule(kShortNode, kShortWeight, low, high, f) : gauss(low, high, f);
+}
+
 }  // namespace
 
 DeflectionTable::DeflectionTable(const Spacetime& spacetime, int size) : size_(size) {
@@ -87,7 +113,8 @@ DeflectionTable::DeflectionTable(const Spacetime& spacetime, int size) : size_(s
     }
     const DensityFit density(spacetime);
     build_turning(density, false, series_, outer_);
-    build_turning(density, true, series_, inner_);
+    if (same_on_both_sides(spacetime)) inner_.values = outer_.values;
+    else build_turning(density, true, series_, inner_);
     build_through(density, through_);
 }
 
@@ -109,7 +136,7 @@ void DeflectionTable::build_turning(const DensityFit& density, bool inner, const
         double sum = 0.0;
         double* row = sheet.values.data() + static_cast<std::size_t>(i) * (size_ + 1);
         for (int j = 1; j <= size_; ++j) {
-            sum += gauss(kPi * sheet.node_y(j - 1), kPi * sheet.node_y(j), integrand);
+            sum += cell_integral(sheet, j, integrand);
             row[j] = sum;
         }
     });
@@ -131,7 +158,7 @@ void DeflectionTable::build_through(const DensityFit& density, Sheet& sheet) {
         double sum = 0.0;
         double* row = sheet.values.data() + static_cast<std::size_t>(i) * (size_ + 1);
         for (int j = 1; j <= size_; ++j) {
-            sum += gauss(kPi * sheet.node_y(j - 1), kPi * sheet.node_y(j), integrand);
+            sum += cell_integral(sheet, j, integrand);
             row[j] = sum;
         }
     });
