@@ -16,13 +16,13 @@ struct FrameData {
 #ifdef BLOCK_LENSING
     vec4 strip;        // cosine and sine of the critical direction's angle from e (a ray nearer to e escapes), 1/w0, first row of the inner rays in the strip
     vec4 orbit;        // sin(theta_c) = k sin(alpha), cos(chi0), a0, a1 of the deflection table
-    vec4 series;       // a2 of the deflection table, chi0, 0, 0
+    vec4 series;       // a2 of the deflection table, chi0; rays that come back: their first row by the centre, tan(theta_c/4)
 #endif
 #ifdef BLOCK_ABERRATION
     vec4 boost;        // direction of motion in world axes, .w = stretch sqrt((1+v)/(1-v))
 #endif
 #ifdef BLOCK_SKY
-    vec4 sky;          // texels per radian of the sky's finest level, highest level, brightness, 0
+    vec4 sky;          // texels per radian of the sky's finest level, highest level, brightness; two skies: half of what a face is of its layer
 #endif
 #ifdef BLOCK_DISC
     vec4 disc_normal;  // unit normal of the disc, .w = normal . radial (0 exactly for a camera in the plane)
