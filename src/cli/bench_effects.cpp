@@ -82,6 +82,7 @@ const std::vector<Added>& additions() {
         {Effect::kSky, nothing, [](Scene& s) { s.sky.kind = SkyKind::kStars; }},
         {Effect::kSkyPattern, nothing, [](Scene& s) { s.sky.kind = SkyKind::kPlain; }},
         {Effect::kInner, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }, dark_wormhole},
+        {Effect::kSpin, nothing, [](Scene& s) { s.spacetime.metric = "kerr"; }},
         {Effect::kBounce, [](Scene& s) { s.spacetime.metric = "schwarzschild"; },
          [](Scene& s) {
              s.spacetime = {"reissner-nordstrom", {{"charge", 1.2}}};
