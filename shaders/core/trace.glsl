@@ -43,10 +43,11 @@ Trace trace_pixel(vec2 pixel) {
     trace.doppler = 1.0;
     trace.pixel_angle = frame.image.z * inverse_length * sqrt(inverse_length);
 #ifdef EFFECT_ABERRATION
-    Aberration seen = aberrate(look_direction(pixel, inverse_length), vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w);
+    Aberration seen = aberrate(look_direction(pixel, inverse_length), vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w,
+                               frame.boost_colour.x);
     vec3 n = seen.direction;
     trace.doppler = seen.doppler;
-    trace.pixel_angle *= seen.doppler;
+    trace.pixel_angle *= seen.squeeze;
     trace.side = vec2(dot(n, vec3(frame.meridian.x, frame.meridian.y, frame.meridian.z)),
                       dot(n, vec3(frame.transverse.x, frame.transverse.y, frame.transverse.z)));
     trace.c = dot(n, radial_direction());

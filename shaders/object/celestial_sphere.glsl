@@ -14,6 +14,23 @@ float sky_level(Trace trace) {
     return footprint_level(0.5 * log2(side2 * texels * texels), frame.sky.y);
 }
 
+#ifdef EFFECT_SKY_SHIFT
+// The sky's light as g changes it: that of a black body of its temperature. Without motion it is the same all over the sky.
+vec3 sky_shift(Trace trace) {
+#ifdef EFFECT_ABERRATION
+    return frame.sky_light.xyz * seen_black_body(frame.sky_light.w, frame.shift.x * trace.doppler, frame.sky.w);
+#else
+    return frame.sky_light.xyz;
+#endif
+}
+#endif
+
 #ifdef EFFECT_SKY
-vec3 celestial_sphere(Trace trace, float level) { return textureLod(sky_texture, trace.sky, level).rgb * frame.sky.z; }
+vec3 celestial_sphere(Trace trace, float level) {
+    vec3 light = textureLod(sky_texture, trace.sky, level).rgb * frame.sky.z;
+#ifdef EFFECT_SKY_SHIFT
+    light *= sky_shift(trace);
+#endif
+    return light;
+}
 #endif

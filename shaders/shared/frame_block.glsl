@@ -12,17 +12,21 @@ struct FrameData {
     vec4 radial;       // outward radial unit vector e at the camera, .w = 0; the other two make a right-handed frame with it:
     vec4 meridian;     //   in the plane of e and the image's centre, .w = 0
     vec4 transverse;   //   e x meridian, .w = 0
-    vec4 shift;        // g of a static camera here (camera over infinity), zeta0, sqrt(V(zeta0)) = q sin(alpha), fate of rays that do not escape
+    vec4 shift;        // g of a static camera here (camera over infinity; 1 if gravity shall not shift), zeta0, sqrt(V(zeta0)) = q sin(alpha), fate of rays that do not escape
 #ifdef BLOCK_LENSING
     vec4 strip;        // cosine and sine of the critical direction's angle from e (a ray nearer to e escapes), 1/w0, first row of the inner rays in the strip
     vec4 orbit;        // sin(theta_c) = k sin(alpha), cos(chi0), a0, a1 of the deflection table
     vec4 series;       // a2 of the deflection table, chi0, 0, 0
 #endif
 #ifdef BLOCK_ABERRATION
-    vec4 boost;        // direction of motion in world axes, .w = stretch sqrt((1+v)/(1-v))
+    vec4 boost;        // direction of motion in world axes, .w = stretch sqrt((1+v)/(1-v)) of directions, 1 without aberration
+    vec4 boost_colour; // the stretch of frequencies, 1 without Doppler shift, 0, 0, 0
 #endif
 #ifdef BLOCK_SKY
-    vec4 sky;          // texels per radian of the sky's finest level, highest level, brightness, 0
+    vec4 sky;          // texels per radian of the sky's finest level, highest level, brightness, log2 of the brightness of its temperature
+#endif
+#ifdef BLOCK_SKY_SHIFT
+    vec4 sky_light;    // factor on the sky's light; for a moving camera on that and a black body's, .w = log2 of the sky's temperature (K)
 #endif
 #ifdef BLOCK_DISC
     vec4 disc_normal;  // unit normal of the disc, .w = normal . radial (0 exactly for a camera in the plane)

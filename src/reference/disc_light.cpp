@@ -20,11 +20,22 @@ double derivative(Function f, double r) {   // eighth order: some 1e-12 relative
     return (d(1) * 4.0 / 5 - d(2) / 5 + d(3) * 4.0 / 105 - d(4) / 280) / (h * r);
 }
 
+// sigma T^4 = flux Mdot c^2 / r_s^2. Of a hole of one solar mass: Eddington's luminosity, and r_s by the Sun's 2953.25 m.
+double accretion_temperature_K(const AccretionSpec& accretion, double flux) {
+    constexpr double kEddington_W = 1.25707e31, kSun_m = 2953.250077, kStefan_W_m2_K4 = 5.670374419e-8, kEfficiency = 0.1;
+    const double heat_W = accretion.rate_eddington * accretion.mass_suns * kEddington_W / kEfficiency, r_s = accretion.mass_suns * kSun_m;
+    return std::sqrt(std::sqrt(flux * heat_W / r_s / r_s / kStefan_W_m2_K4));
+}
+
 }  // namespace
 
 DiscLight::DiscLight(const OrbitMetric& metric, const DiscSpec& disc, const LightSpec& light)
     : metric_(metric), disc_(disc), light_(light) {
-    luminance_ = std::exp2(log2_brightness(disc.temperature_K, light.bolometric));
+    const auto hottest_is = [&](double temperature_K) {
+        disc_.temperature_K = temperature_K;
+        luminance_ = std::exp2(log2_brightness(temperature_K, light.bolometric));
+    };
+    hottest_is(disc.temperature_K);
     const double horizon = metric.horizon_radius().value_or(0.0);
     if (horizon == 0.0) return;
     // The least energy of all circles: Boost's Brent gives half of the digits, a bisection of its slope the rest.
@@ -37,6 +48,7 @@ DiscLight::DiscLight(const OrbitMetric& metric, const DiscSpec& disc, const Ligh
     isco_ = 0.5 * (low + high);
     hottest_ = boost::math::tools::brent_find_minima([&](double r) { return -flux(r); }, isco_, 5 * isco_, 30).first;
     const double peak = flux(hottest_);
+    if (disc.accretion) hottest_is(accretion_temperature_K(*disc.accretion, peak));
     if (!(disc.outer > isco_)) return;
     constexpr int kSteps = 4000;
     step_ = std::log(disc.outer / isco_) / kSteps;
@@ -91,6 +103,11 @@ double DiscLight::g_infinity(const PhotonAtDisc& photon) const {
     const double fall = std::sqrt(std::max(last.energy * last.energy - a * (1 + last.momentum * last.momentum / (r * r)), 0.0));
     const double climb = std::sqrt(std::max(1 - a * photon.l2 / (r * r), 0.0)) * (photon.outward ? 1 : -1);
     return a / (last.energy - a * last.momentum * photon.l_z / (r * r) + climb * fall);
+}
+
+Shift DiscLight::shift(const PhotonAtDisc& photon) const {
+    const double rest = metric_.lapse(photon.r);   // of matter at rest there
+    return {rest, g_infinity(photon) / rest};
 }
 
 Vec3 DiscLight::colour(double r, double g) const {

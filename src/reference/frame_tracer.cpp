@@ -28,6 +28,7 @@ Status check_disc(const DiscSpec& disc) {
 Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     FrameTracer tracer;
     tracer.camera_ = scene.camera;
+    tracer.light_ = scene.light;
     tracer.disc_ = scene.disc;
     tracer.bodies_ = std::make_shared<Bodies>(scene);
     const CameraSpec& camera = scene.camera;
@@ -49,14 +50,23 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     // equator, where the coordinates are regular, they hold on the axis too.
     CameraSpec equatorial = camera;
     equatorial.theta = M_PI / 2;
-    auto tetrad = camera_tetrad_pair(**spacetime, equatorial);
-    if (!tetrad) return tetrad.error();
     const Matrix4 g = (*spacetime)->metric(camera.r, equatorial.theta);
-    for (int i = 0; i < 4; ++i) {
-        for (int mu = 0; mu < 4; ++mu) {
-            const long double component = static_cast<long double>(tetrad->high[i][mu]) + tetrad->low[i][mu];
-            tracer.tetrad_[i][mu] = component * std::sqrt(std::abs(static_cast<long double>(g[mu][mu])));
+    const auto fill_tetrad = [&]() -> Status {
+        auto tetrad = camera_tetrad_pair(**spacetime, equatorial);
+        if (!tetrad) return tetrad.error();
+        for (int i = 0; i < 4; ++i) {
+            for (int mu = 0; mu < 4; ++mu) {
+                const long double component = static_cast<long double>(tetrad->high[i][mu]) + tetrad->low[i][mu];
+                tracer.tetrad_[i][mu] = component * std::sqrt(std::abs(static_cast<long double>(g[mu][mu])));
+            }
         }
+        return Done{};
+    };
+    if (Status filled = fill_tetrad(); !filled) return filled.error();
+    tracer.velocity_ = tracer.tetrad_[0];
+    if (!scene.light.aberration) {
+        equatorial.velocity = {0, 0, 0};
+        if (Status filled = fill_tetrad(); !filled) return filled.error();
     }
     if (scene.disc && !(*spacetime)->can_have_disc())
         return bad_input(fmt::format("metric \"{}\" has no discs; allowed: a scene without [disc]", scene.spacetime.metric));
@@ -82,9 +92,13 @@ CameraRay FrameTracer::ray(double x, double y) const {
     const Vec3 direction{local.n_r, static_cast<double>(-p[2] / frequency), static_cast<double>(-p[3] / frequency)};
     // The photon moves along p: L_phi = r p^phi in the static tetrad, L_z = L_phi sin(theta), all over E = frequency lapse.
     const double scale = camera_.r / (static_cast<double>(frequency) * lapse_);
+    // The camera's frequency over the static frame's is 1/frequency; without aberration that of the camera's true motion for this ray.
+    const auto& u = velocity_;
+    const long double doppler = light_.aberration ? 1 / frequency : (u[0] * frequency - u[1] * p[1] - u[2] * p[2] - u[3] * p[3]) / frequency;
+    const Shift shift{1 / lapse_, static_cast<double>(doppler)};
     const double l_phi = scale * static_cast<double>(p[3]), l = scale * static_cast<double>(across);
     return {metric_->from_static(local), RayPlane(camera_.theta, camera_.phi, direction),
-            1 / (static_cast<double>(frequency) * lapse_), l_phi * std::sin(camera_.theta), l * l};
+            shift, shift.seen(light_), l_phi * std::sin(camera_.theta), l * l};
 }
 
 std::optional<std::array<double, 2>> FrameTracer::position(Vec3 look) const {

@@ -12,6 +12,7 @@
 #include "reference/bodies.h"
 #include "reference/orbit.h"
 #include "reference/ray_plane.h"
+#include "reference/seen_light.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
 
@@ -20,7 +21,8 @@ namespace nullscope::reference {
 struct CameraRay {
     std::unique_ptr<Orbit> orbit;
     RayPlane plane;
-    double g;  // camera frequency over frequency at infinity
+    Shift shift;  // camera frequency over frequency at infinity
+    double g;     // the same, as far as the switches of the scene's light let it
     double l_z, l2;  // the photon's angular momentum about the polar axis over its energy, r_s; and all of it, squared
 };
 
@@ -48,13 +50,16 @@ public:
 private:
     FrameTracer() = default;
     CameraSpec camera_;
+    LightSpec light_;
     std::optional<DiscSpec> disc_;
     std::shared_ptr<const Bodies> bodies_;
     std::shared_ptr<const OrbitMetric> metric_;
     double lapse_ = 1;
     // Rows: e_0, right, up, backward; components along the static tetrad (t, r, theta, phi). In long double because
     // ahead of a camera with gamma = 700 the sum e_0 - n^i e_i leaves 1/gamma^2 of its terms.
+    // Without aberration that of a camera at rest.
     std::array<std::array<long double, 4>, 4> tetrad_{};
+    std::array<long double, 4> velocity_{};   // the camera's e_0, moving
 };
 
 }  // namespace nullscope::reference

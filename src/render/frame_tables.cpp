@@ -104,6 +104,20 @@ void put_coats(BlockWriter& block, const Scene& scene) {
     put_look(block, dome);
 }
 
+// Factor on the light of a sky of this temperature, where g is the same over all of it; for a moving camera one over the colour that
+// it has without any shift, of luminance 1.
+Vec3 sky_light(const LightSpec& light, double temperature_K, double g, bool moves) {
+    const auto colour = [](double hue_K) {
+        const Vec3 xyz = black_body_xyz(hue_K);
+        return into_gamut(rec709_from_xyz(xyz / xyz.y));
+    };
+    const Vec3 own = colour(temperature_K), seen = moves ? Vec3{1, 1, 1} : colour(light.shift ? g * temperature_K : temperature_K);
+    const double glow_K = light.beaming && !moves ? g * temperature_K : temperature_K;
+    const double brighter = std::exp2(log2_brightness(glow_K, light.bolometric) - log2_brightness(temperature_K, light.bolometric));
+    const auto factor = [&](double a, double b) { return b > 0.0 ? brighter * a / b : 0.0; };
+    return {factor(seen.x, own.x), factor(seen.y, own.y), factor(seen.z, own.z)};
+}
+
 Fate inner_fate(InnerEnd end) {
     switch (end) {
         case InnerEnd::kOtherSky: return Fate::kOtherSide;
@@ -163,7 +177,7 @@ Status FrameTables::update(const Scene& scene) {
 }
 
 RayFan FrameTables::fan_for(const Scene& scene) const {
-    const double speed = length(scene.camera.velocity), squeeze = std::sqrt((1.0 - speed) / (1.0 + speed));
+    const double speed = scene.light.aberration ? length(scene.camera.velocity) : 0.0, squeeze = std::sqrt((1.0 - speed) / (1.0 + speed));
     return {spacetime_, table_, scene.camera.r, squeeze * smallest_pixel_angle(scene.camera)};
 }
 
@@ -196,7 +210,8 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
         block.put(dot(v, meridian), dot(v, transverse), v.x, critical_sine * v.x - critical_cosine * dot(v, meridian));
     for (const Vec3 v : {radial, meridian, transverse}) block.put(world * v, 0);
     const double zeta0 = 1.0 / spacetime.areal_radius(camera.r), lapse = std::sqrt(spacetime.lapse_squared(camera.r));
-    block.put(1.0 / lapse, zeta0, zeta0 * lapse, static_cast<double>(inner_fate(spacetime.inner_end())));
+    const double g_gravity = scene.light.gravity ? 1.0 / lapse : 1.0;
+    block.put(g_gravity, zeta0, zeta0 * lapse, static_cast<double>(inner_fate(spacetime.inner_end())));
     if (fan != nullptr) block.put(critical_cosine, critical_sine, 1.0 / fan->w0(), fan->octaves(Segment::kSky));
     else block.put(0, 0, 0, 0);
     if (fan != nullptr) {
@@ -207,10 +222,13 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
         block.put(0, 0, 0, 0);
         block.put(0, 0, 0, 0);
     }
-    const double speed = length(camera.velocity);
-    if (speed > 0.0) block.put(world * (camera.velocity / speed), std::sqrt((1.0 + speed) / (1.0 - speed)));
-    else block.put(1, 0, 0, 1);
-    block.put(0.5 * textures.sky_size, std::log2(std::max(textures.sky_size, 1)), 1.0, 0);
+    const double speed = length(camera.velocity), stretch = std::sqrt((1.0 + speed) / (1.0 - speed));
+    block.put(speed > 0.0 ? world * (camera.velocity / speed) : Vec3{1, 0, 0}, scene.light.aberration ? stretch : 1.0);
+    block.put(scene.light.doppler ? stretch : 1.0, 0, 0, 0);
+    const auto sky_K = scene.sky.temperature_K;
+    block.put(0.5 * textures.sky_size, std::log2(std::max(textures.sky_size, 1)), 1.0, sky_K ? log2_brightness(*sky_K, scene.light.bolometric) : 0.0);
+    if (sky_K) block.put(sky_light(scene.light, *sky_K, g_gravity, motion_is_seen(scene)), std::log2(*sky_K));
+    else block.put(1, 1, 1, 0);
     const double height = std::cos(camera.theta);
     constexpr double kInPlane = 1e-12;   // |cos theta| below which a camera stands in the disc's plane (interfaces: rays out)
     block.put({0, 0, 1}, std::fabs(height) < kInPlane ? 0.0 : height);

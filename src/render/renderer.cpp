@@ -101,8 +101,9 @@ Status Renderer::prepare(const Scene& scene) {
     load_black_body();
     if (Status status = stars_.update(scene, tables_.effects().contains(Effect::kPointStars)); !status) return status;
     scene_ = scene;
+    if (scene_.disc && hottest_.by) scene_.disc->temperature_K = hottest_.temperature_K;
     upload_tables();
-    upload_block(scene, {sky_size_, disc_width_});
+    upload_block(scene_, {sky_size_, disc_width_});
     return Done{};
 }
 
@@ -207,16 +208,22 @@ void Renderer::load_heat(const Scene& scene) {
     if (!tables_.effects().contains(Effect::kThermalDisc)) {
         disc_flow_ = {};
         flow_key_.reset();
+        hottest_ = {};
         return;
     }
-    const auto key = std::make_tuple(scene.spacetime, scene.disc->inner, scene.disc->outer);
+    const auto& accretion = scene.disc->accretion;
+    if (!accretion) hottest_ = {};
+    else if (!(hottest_.by == accretion && hottest_.about == scene.spacetime))
+        hottest_ = {accretion, scene.spacetime,
+                    disc_temperature_K(disc_flux_peak(tables_.spacetime()).flux, accretion->mass_suns, accretion->rate_eddington)};
+    const auto key = std::make_tuple(scene.spacetime, scene.disc->inner, scene.disc->outer, scene.light.doppler, scene.light.gravity);
     if (flow_key_ == key) return;
-    disc_flow_ = texture_of(disc_flow_row(tables_.spacetime(), scene.disc->inner, scene.disc->outer));
+    disc_flow_ = texture_of(disc_flow_row(tables_.spacetime(), scene.disc->inner, scene.disc->outer, {scene.light.doppler, scene.light.gravity}));
     flow_key_ = key;
 }
 
 void Renderer::load_black_body() {
-    const bool wanted = tables_.effects().contains(Effect::kThermalDisc) || tables_.effects().contains(Effect::kPointStars);
+    const bool wanted = shades_heat(tables_.effects()) || tables_.effects().contains(Effect::kPointStars);
     if (!wanted) black_body_ = {};
     else if (!black_body_) black_body_ = texture_of(black_body_row());
 }

@@ -45,6 +45,9 @@ bool has_marched(const EffectSet& effects) {
            effects.contains(Effect::kSurface);
 }
 bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
+bool shades_heat(const EffectSet& effects) {
+    return effects.contains(Effect::kThermalDisc) || (effects.contains(Effect::kSkyShift) && effects.contains(Effect::kAberration));
+}
 bool meets_objects(const EffectSet& effects) { return effects.contains(Effect::kDisc) || has_solids(effects); }
 
 namespace {
@@ -81,6 +84,10 @@ void add_bodies(const Scene& scene, std::vector<EffectReason>& reasons) {
 
 }  // namespace
 
+bool motion_is_seen(const Scene& scene) {
+    return !(scene.camera.velocity == Vec3{0, 0, 0}) && (scene.light.aberration || scene.light.doppler);
+}
+
 std::vector<EffectReason> required_effects(const Scene& scene) {
     std::vector<EffectReason> reasons;
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
@@ -88,12 +95,15 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
         reasons.push_back({Effect::kLensing, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     }
     const Vec3 v = scene.camera.velocity;
-    if (v.x != 0.0 || v.y != 0.0 || v.z != 0.0) {
-        reasons.push_back({Effect::kAberration, fmt::format("camera.velocity = [{}, {}, {}]", v.x, v.y, v.z)});
+    const LightSpec& light = scene.light;
+    const bool moves = motion_is_seen(scene);
+    if (moves) {
+        const char* part = !light.aberration ? ", light.aberration = \"off\": frequencies alone" : !light.doppler ? ", light.doppler = \"off\": directions alone" : "";
+        reasons.push_back({Effect::kAberration, fmt::format("camera.velocity = [{}, {}, {}]{}", v.x, v.y, v.z, part)});
     }
+    const bool thermal = scene.disc && scene.disc->emission == DiscEmission::kThermal;
     if (scene.disc) {
         reasons.push_back({Effect::kDisc, fmt::format("[disc] from {} to {}", scene.disc->inner, scene.disc->outer)});
-        const bool thermal = scene.disc->emission == DiscEmission::kThermal;
         if (scene.disc->look.texture != TextureKind::kImage) {
             constexpr const char* kNames[] = {"plain", "checker", "grid", "stripes", "noise", "formula"};
             reasons.push_back({Effect::kDiscPattern, fmt::format("disc.texture = \"{}\"", kNames[static_cast<int>(scene.disc->look.texture)])});
@@ -110,18 +120,23 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
         if (thermal) reasons.push_back({Effect::kThermalDisc, "disc.emission = \"thermal\""});
     }
     const bool points = scene.sky.kind == SkyKind::kPoints;
-    if (points || (scene.disc && scene.disc->emission == DiscEmission::kThermal)) {
-        const char* heat = points ? "sky.kind = \"points\"" : "disc.emission = \"thermal\"";
-        if (scene.light.shift) reasons.push_back({Effect::kShift, heat});
-        if (scene.light.beaming) reasons.push_back({Effect::kBeaming, heat});
-        if (scene.light.bolometric) reasons.push_back({Effect::kBolometric, "light.band = \"bolometric\""});
+    const bool sky_light = !has_look(scene.sky.kind) && scene.sky.kind != SkyKind::kBlack && scene.sky.even_stars == 0;
+    const bool other_g = (moves && light.doppler) || (light.gravity && spacetime && (*spacetime)->lapse_squared(scene.camera.r) != 1.0);
+    const bool sky_shift = sky_light && scene.sky.temperature_K && other_g && (light.shift || light.beaming);
+    if (points || thermal || sky_shift) {
+        const char* heat = points ? "sky.kind = \"points\"" : thermal ? "disc.emission = \"thermal\"" : "sky.temperature";
+        const bool g = light.doppler || light.gravity;
+        if (g && light.shift) reasons.push_back({Effect::kShift, heat});
+        if (g && light.beaming) reasons.push_back({Effect::kBeaming, heat});
+        if (light.bolometric) reasons.push_back({Effect::kBolometric, "light.band = \"bolometric\""});
     }
     add_bodies(scene, reasons);
     if (points) reasons.push_back({Effect::kPointStars, "sky.kind = \"points\""});
     if (has_look(scene.sky.kind)) {
         reasons.push_back({Effect::kSkyPattern, fmt::format("sky.kind = \"{}\"", name_of(scene.sky.kind))});
-    } else if (scene.sky.kind != SkyKind::kBlack && scene.sky.even_stars == 0) {
+    } else if (sky_light) {
         reasons.push_back({Effect::kSky, fmt::format("sky.kind = \"{}\"", name_of(scene.sky.kind))});
+        if (sky_shift) reasons.push_back({Effect::kSkyShift, fmt::format("sky.temperature = {}, {}", *scene.sky.temperature_K, moves && light.doppler ? "camera.velocity" : fmt::format("camera.r = {}", scene.camera.r))});
     }
     if (spacetime && (*spacetime)->bends_light() && (*spacetime)->inner_end() != InnerEnd::kHorizon)
         reasons.push_back({Effect::kInner, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
@@ -205,6 +220,7 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
         case Effect::kNoise: make_all_plain(less, {TextureKind::kNoise}); return less;
         case Effect::kFormula: make_all_plain(less, {TextureKind::kFormula}); return less;
         case Effect::kBodyImage: make_bodies_plain(less, {TextureKind::kImage}); return less;
+        case Effect::kSkyShift: less.sky.temperature_K.reset(); return less;
         case Effect::kSky:
         case Effect::kSkyPattern: less.sky.kind = SkyKind::kBlack; return less;
         case Effect::kFarSky: less.far_sky.kind = SkyKind::kBlack; return less;

@@ -70,6 +70,7 @@ struct SkySpec {
     double band_latitude = 0.7853981633974483;            // kBandAndCaps only, (0, pi/2)
     double yaw = 0.0, tilt = 0.0;                         // world_from_sky = R_z(yaw) R_x(tilt)
     double brightness = 1.0;
+    std::optional<double> temperature_K;                  // of the black body for which its light is taken where g changes it; else g does not
     double faintest = 20.0;                               // kPoints only: magnitude V of the faintest stars
     int even_stars = 0;                                   // kPoints only; above 0: so many equal stars, evenly spread, and no catalogue
     // has_look(kind) only; colours, formula, columns and rows of it alone. u = 1/2 - azimuth/turn and v = polar angle/half turn of the
@@ -90,6 +91,12 @@ inline BodyLook sky_look(const SkySpec& sky) {
 // kImage: the light of image or texture as it is. kThermal: heat by Page and Thorne, on which these act as an emissivity.
 enum class DiscEmission { kImage, kThermal };
 
+// What heats a thermal disc. Rates in L_Eddington/(0.1 c^2), L_Eddington = 4 pi G M m_p c/sigma_T.
+struct AccretionSpec {
+    double mass_suns = 1e8, rate_eddington = 0.1;
+    friend bool operator==(const AccretionSpec&, const AccretionSpec&) = default;
+};
+
 struct DiscSpec {
     double inner = 3.0, outer = 12.0;   // 0 < inner < outer
     std::filesystem::path image;        // empty: the disc image that ships
@@ -98,7 +105,8 @@ struct DiscSpec {
     double rotation = 0.0;
     double brightness = 1.0;
     DiscEmission emission = DiscEmission::kImage;
-    double temperature_K = 8000.0;      // thermal: of the hottest ring, in its own frame
+    double temperature_K = 8000.0;      // thermal: of the hottest ring, in its own frame; without `accretion`
+    std::optional<AccretionSpec> accretion;   // thermal: gives the temperature
     // Colours, formula, columns and rows of it alone, and none of these with texture kImage, which is `image`. u = 1/2 + azimuth/turn,
     // v = (r - inner)/(outer - inner); x, y: the place, z = 0.
     BodyLook look{.texture = TextureKind::kImage};
@@ -147,6 +155,10 @@ struct LightSpec {
     bool shift = true;     // of colour
     bool beaming = true;   // of brightness
     bool bolometric = false;   // brightness is power at all wavelengths, as T^4, not luminance
+    // The two parts of g, as static observers at the matter and at the camera split it (docs/light.md); and directions.
+    bool doppler = true;       // motion of matter and camera changes frequencies
+    bool gravity = true;       // so does the way out of gravity
+    bool aberration = true;    // a moving camera sees other directions
     friend bool operator==(const LightSpec&, const LightSpec&) = default;
 };
 

@@ -163,6 +163,8 @@ void SceneReader::check_sky() {
                far_image ? "an image file" : "with kind = \"image\" only");
     for (const char* key : {"sky.faintest", "sky.even_stars"})
         if (scene_.sky.kind != SkyKind::kPoints && given(key)) report(line(key), key, "kind is not points", "with kind = \"points\" only");
+    if (given("sky.temperature") && (has_look(scene_.sky.kind) || scene_.sky.kind == SkyKind::kBlack))
+        report(line("sky.temperature"), "sky.temperature", "kind is neither stars, image nor points", "with those kinds only");
     const bool image = scene_.sky.kind == SkyKind::kImage;
     const bool caps = scene_.sky.mapping == SkyMapping::kBandAndCaps;
     if (image && !given("sky.image")) {
@@ -186,6 +188,12 @@ void SceneReader::check_sky() {
 }
 
 void SceneReader::check_disc() {
+    for (const auto& [key, other] : {std::pair{"disc.mass", "disc.accretion_rate"}, {"disc.accretion_rate", "disc.mass"}}) {
+        if (!given(key)) continue;
+        if (!given(other)) report(line(key), other, fmt::format("missing, but there is a {}", key), "both or none");
+        if (scene_.disc->emission != DiscEmission::kThermal) report(line(key), key, "emission is not thermal", "with emission = \"thermal\" only");
+        if (given("disc.temperature")) report(line("disc.temperature"), "disc.temperature", fmt::format("{} gives the temperature", key), "one of both");
+    }
     if (!scene_.disc || scene_.disc->inner < scene_.disc->outer) return;
     const bool inner = given("disc.inner");
     report(line(inner ? "disc.inner" : "disc.outer"), inner ? "disc.inner" : "disc.outer",

@@ -25,11 +25,18 @@ constexpr KeyRange kLatitude{0.0, 90.0, true, true};
 constexpr KeyRange kOpacity{0.0, 1.0, true, false};
 constexpr KeyRange kEdge{0.0, 0.5, false, false};
 constexpr KeyRange kTemperature{1e3, 1e9, false, false};
+constexpr KeyRange kMass{1e-6, 1e12, false, false};
+constexpr KeyRange kRate{1e-9, 1e6, false, false};
 constexpr KeyRange kTime{-1e9, 1e9, false, false};
 constexpr KeyRange kMagnitude{-5.0, 30.0, false, false};
 constexpr KeyRange kStarCount{0.0, 4000000.0, false, false};
 constexpr KeyRange kBloom{0.0, 1.0, false, true};
 constexpr KeyRange kNone{};
+
+AccretionSpec& accretion_of(Scene& scene) {
+    if (!scene.disc->accretion) scene.disc->accretion.emplace();
+    return *scene.disc->accretion;
+}
 
 constexpr SceneKey kKeys[] = {
     {"", "name", KeyType::kText, "", "", kNone, "", "Title; the file's stem where it is missing.",
@@ -105,6 +112,9 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.sky.tilt = v.number; }},
     {"sky", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Factor on the sky's light.",
      [](Scene& s, const KeyValue& v) { s.sky.brightness = v.number; }},
+    {"sky", "temperature", KeyType::kNumber, "K", "", kTemperature, "",
+     "Of the black body for which the light of kind \"stars\", \"image\" and the Milky Way is taken where g changes it; without it g does not.",
+     [](Scene& s, const KeyValue& v) { s.sky.temperature_K = v.number; }},
     {"sky", "faintest", KeyType::kNumber, "mag", "20", kMagnitude, "",
      "Of kind = \"points\": stars fainter than this are left out; of even_stars, the magnitude of each.",
      [](Scene& s, const KeyValue& v) { s.sky.faintest = v.number; }},
@@ -137,6 +147,12 @@ constexpr SceneKey kKeys[] = {
     {"disc", "temperature", KeyType::kNumber, "K", "8000", kTemperature, "",
      "Of the hottest ring of a thermal disc, in its own frame; brightness 1 is that ring's.",
      [](Scene& s, const KeyValue& v) { s.disc->temperature_K = v.number; }},
+    {"disc", "mass", KeyType::kNumber, "M_sun", "", kMass, "",
+     "Mass of the hole. With accretion_rate it gives the temperature of a thermal disc, by Stefan and Boltzmann's law.",
+     [](Scene& s, const KeyValue& v) { accretion_of(s).mass_suns = v.number; }},
+    {"disc", "accretion_rate", KeyType::kNumber, "L_Edd/0.1 c^2", "", kRate, "",
+     "What falls in, over the rate that shines with Eddington's luminosity at an efficiency of 0.1 (2.2e-8 M_sun a year for each M_sun); needs mass.",
+     [](Scene& s, const KeyValue& v) { accretion_of(s).rate_eddington = v.number; }},
     {"disc", "opacity", KeyType::kNumber, "", "1", kOpacity, "", "Below 1, what lies behind the disc shines through.",
      [](Scene& s, const KeyValue& v) { s.disc->opacity = v.number; }},
     {"disc", "edge", KeyType::kNumber, "", "0", kEdge, "",
@@ -152,6 +168,14 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.light.shift = v.choice == 0; }},
     {"light", "beaming", KeyType::kChoice, "", "on", kNone, "on off", "Whether they change its brightness.",
      [](Scene& s, const KeyValue& v) { s.light.beaming = v.choice == 0; }},
+    {"light", "doppler", KeyType::kChoice, "", "on", kNone, "on off",
+     "Whether motion of matter and camera changes frequencies: that part of g.",
+     [](Scene& s, const KeyValue& v) { s.light.doppler = v.choice == 0; }},
+    {"light", "gravity", KeyType::kChoice, "", "on", kNone, "on off", "Whether the way out of gravity changes them: the other part of g.",
+     [](Scene& s, const KeyValue& v) { s.light.gravity = v.choice == 0; }},
+    {"light", "aberration", KeyType::kChoice, "", "on", kNone, "on off",
+     "Whether a moving camera sees directions other than one at rest in its place.",
+     [](Scene& s, const KeyValue& v) { s.light.aberration = v.choice == 0; }},
     {"light", "band", KeyType::kChoice, "", "visual", kNone, "visual bolometric",
      "What counts as brightness of what shines by its heat: what the eye sees, or power at all wavelengths.",
      [](Scene& s, const KeyValue& v) { s.light.bolometric = v.choice == 1; }},

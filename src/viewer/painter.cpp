@@ -163,6 +163,7 @@ void Painter::work(const std::stop_token& stop) {
 void Painter::do_job(Workshop& workshop, PaintJob job) {
     Renderer& renderer = workshop.renderer;
     renderer.set_method(job.method);
+    renderer.set_adaptation(job.adaptation);
     Painting painting;
     painting.ready = renderer.prepare(job.scene);
     if (painting.ready && job.rays) {
