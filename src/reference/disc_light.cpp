@@ -107,7 +107,9 @@ double DiscLight::g_infinity(const PhotonAtDisc& photon) const {
 
 Shift DiscLight::shift(const PhotonAtDisc& photon) const {
     const double rest = metric_.lapse(photon.r);   // of matter at rest there
-    return {rest, g_infinity(photon) / rest};
+    if (light_.lensing) return {rest, g_infinity(photon) / rest};
+    // A straight ray that comes by a direction of sine L/r is what a geodesic of L/lapse is to matter at rest there.
+    return {rest, g_infinity({photon.r, photon.l_z / rest, photon.outward, photon.l2 / (rest * rest)}) / rest};
 }
 
 Vec3 DiscLight::colour(double r, double g) const {

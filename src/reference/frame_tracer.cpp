@@ -70,8 +70,12 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     }
     if (scene.disc && !(*spacetime)->can_have_disc())
         return bad_input(fmt::format("metric \"{}\" has no discs; allowed: a scene without [disc]", scene.spacetime.metric));
-    tracer.metric_ = std::move(*metric);
-    tracer.lapse_ = tracer.metric_->lapse(camera.r);
+    tracer.matter_ = tracer.metric_ = std::move(*metric);
+    tracer.lapse_ = tracer.matter_->lapse(camera.r);
+    if (!scene.light.lensing) {
+        tracer.metric_ = std::move(*make_orbit_metric({"minkowski", {}}));
+        tracer.camera_.r = (*spacetime)->areal_radius(camera.r);
+    }
     return tracer;
 }
 
@@ -91,7 +95,7 @@ CameraRay FrameTracer::ray(double x, double y) const {
     const LocalRay local{camera_.r, static_cast<double>(-p[1] / frequency), static_cast<double>(across / frequency)};
     const Vec3 direction{local.n_r, static_cast<double>(-p[2] / frequency), static_cast<double>(-p[3] / frequency)};
     // The photon moves along p: L_phi = r p^phi in the static tetrad, L_z = L_phi sin(theta), all over E = frequency lapse.
-    const double scale = camera_.r / (static_cast<double>(frequency) * lapse_);
+    const double scale = camera_.r / (static_cast<double>(frequency) * (light_.lensing ? lapse_ : 1));
     // The camera's frequency over the static frame's is 1/frequency; without aberration that of the camera's true motion for this ray.
     const auto& u = velocity_;
     const long double doppler = light_.aberration ? 1 / frequency : (u[0] * frequency - u[1] * p[1] - u[2] * p[2] - u[3] * p[3]) / frequency;

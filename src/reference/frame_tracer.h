@@ -45,7 +45,8 @@ public:
     // The first solid body that the ray meets.
     std::optional<BodyHit> body_hit(const CameraRay& ray) const;
     RayPixel pixel(double x, double y) const;
-    const OrbitMetric& metric() const { return *metric_; }
+    const OrbitMetric& metric() const { return *metric_; }   // of the rays
+    const OrbitMetric& matter() const { return *matter_; }   // of what they meet: another where light goes straight
 
 private:
     FrameTracer() = default;
@@ -53,7 +54,7 @@ private:
     LightSpec light_;
     std::optional<DiscSpec> disc_;
     std::shared_ptr<const Bodies> bodies_;
-    std::shared_ptr<const OrbitMetric> metric_;
+    std::shared_ptr<const OrbitMetric> metric_, matter_;
     double lapse_ = 1;
     // Rows: e_0, right, up, backward; components along the static tetrad (t, r, theta, phi). In long double because
     // ahead of a camera with gamma = 700 the sum e_0 - n^i e_i leaves 1/gamma^2 of its terms.

@@ -135,7 +135,7 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
     auto tracer = FrameTracer::make(scene);
     if (!tracer) return tracer.error();
     std::optional<DiscLight> heat;
-    if (scene.disc && scene.disc->emission == DiscEmission::kThermal) heat.emplace(tracer->metric(), *scene.disc, scene.light);
+    if (scene.disc && scene.disc->emission == DiscEmission::kThermal) heat.emplace(tracer->matter(), *scene.disc, scene.light);
     const Looks looks{sky, far_sky, pictures, heat ? &*heat : nullptr};
     Image<float> image(scene.camera.width, scene.camera.height, 3);
     tbb::parallel_for(tbb::blocked_range<int>(0, image.height), [&](const tbb::blocked_range<int>& rows) {

@@ -131,11 +131,13 @@ Fate inner_fate(InnerEnd end) {
 
 Status FrameTables::update(const Scene& scene) {
     bool rows_stale = false;
-    if (spacetime_ == nullptr || !(spec_ == scene.spacetime)) {
+    if (spacetime_ == nullptr || !(spec_ == scene.spacetime) || lensing_ != scene.light.lensing) {
         auto made = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
         if (!made) return made.error();
-        spacetime_ = *made;
+        matter_ = *made;
+        spacetime_ = scene.light.lensing ? matter_ : *make_spacetime("minkowski", {});
         spec_ = scene.spacetime;
+        lensing_ = scene.light.lensing;
         table_.reset();
         if (spacetime_->photon_sphere()) {
             const auto start = std::chrono::steady_clock::now();
@@ -144,10 +146,10 @@ Status FrameTables::update(const Scene& scene) {
         }
         rows_stale = true;
     }
-    if (!camera_can_rest(*spacetime_, scene.camera.r))
-        return bad_input(fmt::format("no camera can be at rest at camera.r = {}; allowed: {}", scene.camera.r, allowed_radii(*spacetime_)));
+    if (!camera_can_rest(*matter_, scene.camera.r))
+        return bad_input(fmt::format("no camera can be at rest at camera.r = {}; allowed: {}", scene.camera.r, allowed_radii(*matter_)));
     const EffectSet wanted = effect_set(required_effects(scene));
-    if (meets_objects(wanted) && !spacetime_->can_have_disc())
+    if (meets_objects(wanted) && !matter_->can_have_disc())
         return bad_input(fmt::format("metric \"{}\" has neither discs nor bodies; allowed: a scene without them", scene.spacetime.metric));
     const bool orbits = meets_objects(wanted), had_orbits = meets_objects(effects_);
     const bool points = wanted.contains(Effect::kPointStars), had_points = effects_.contains(Effect::kPointStars);
@@ -183,7 +185,7 @@ RayFan FrameTables::fan_for(const Scene& scene) const {
 
 CoreInput FrameTables::core_input(const Scene& scene) const {
     CoreInput input;
-    input.frame = frame_numbers(scene, *spacetime_, fan(), {});
+    input.frame = frame_numbers(scene, *spacetime_, fan(), {}, &*matter_);
     input.strip = strip_.sky.view();
     input.ends = strip_.ends.view();
     input.orbit = orbit_map_.view();
@@ -192,7 +194,9 @@ CoreInput FrameTables::core_input(const Scene& scene) const {
     return input;
 }
 
-FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures) {
+FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures,
+                           const Spacetime* other_matter) {
+    const Spacetime& matter = other_matter != nullptr ? *other_matter : spacetime;
     const CameraSpec& camera = scene.camera;
     const Mat3 world = world_from_static(camera.theta, camera.phi);
     const Mat3 axes = static_from_camera(camera);
@@ -209,8 +213,8 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     for (const Vec3 v : local)
         block.put(dot(v, meridian), dot(v, transverse), v.x, critical_sine * v.x - critical_cosine * dot(v, meridian));
     for (const Vec3 v : {radial, meridian, transverse}) block.put(world * v, 0);
-    const double zeta0 = 1.0 / spacetime.areal_radius(camera.r), lapse = std::sqrt(spacetime.lapse_squared(camera.r));
-    const double g_gravity = scene.light.gravity ? 1.0 / lapse : 1.0;
+    const double zeta0 = 1.0 / matter.areal_radius(camera.r), lapse = std::sqrt(spacetime.lapse_squared(camera.r));
+    const double g_gravity = scene.light.gravity ? 1.0 / std::sqrt(matter.lapse_squared(camera.r)) : 1.0;
     block.put(g_gravity, zeta0, zeta0 * lapse, static_cast<double>(inner_fate(spacetime.inner_end())));
     if (fan != nullptr) block.put(critical_cosine, critical_sine, 1.0 / fan->w0(), fan->octaves(Segment::kSky));
     else block.put(0, 0, 0, 0);

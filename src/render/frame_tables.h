@@ -22,7 +22,8 @@ public:
     Status update(const Scene& scene);
 
     const EffectSet& effects() const { return effects_; }
-    const Spacetime& spacetime() const { return *spacetime_; }
+    const Spacetime& spacetime() const { return *spacetime_; }      // of the rays
+    const Spacetime& matter() const { return *matter_; }            // of what they meet: another where light goes straight
     const DeflectionTable* table() const { return table_.get(); }   // nullptr in flat space
     const RayFan* fan() const { return fan_ ? &*fan_ : nullptr; }
     const TexelGrid& strip() const { return strip_.sky; }
@@ -37,8 +38,9 @@ public:
     CoreInput core_input(const Scene& scene) const;
 
 private:
-    SpacetimeSpec spec_;
-    std::shared_ptr<const Spacetime> spacetime_;
+    SpacetimeSpec spec_;   // of matter_
+    bool lensing_ = true;
+    std::shared_ptr<const Spacetime> spacetime_, matter_;
     std::shared_ptr<const DeflectionTable> table_;
     std::optional<RayFan> fan_;
     double radius_ = 0.0;
@@ -55,7 +57,9 @@ struct TextureFacts {
     int sky_size = 0, disc_width = 0;
 };
 
-// The uniform block of shaders/shared/frame_block.glsl for this scene, in double.
-FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures);
+// The uniform block of shaders/shared/frame_block.glsl for this scene, in double. spacetime: the rays'. matter: what shifts light, if
+// it is another.
+FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures,
+                           const Spacetime* matter = nullptr);
 
 }  // namespace nullscope

@@ -131,7 +131,7 @@ void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
         block_effects_ = tables_.effects();
         block_members_ = block_members(*block_effects_);
     }
-    const FrameNumbers numbers = frame_numbers(scene, tables_.spacetime(), tables_.fan(), facts);
+    const FrameNumbers numbers = frame_numbers(scene, tables_.spacetime(), tables_.fan(), facts, &tables_.matter());
     std::array<float, 4 * kFrameVectors> block{};
     std::size_t next = 0;
     for (const int member : block_members_)
@@ -215,10 +215,10 @@ void Renderer::load_heat(const Scene& scene) {
     if (!accretion) hottest_ = {};
     else if (!(hottest_.by == accretion && hottest_.about == scene.spacetime))
         hottest_ = {accretion, scene.spacetime,
-                    disc_temperature_K(disc_flux_peak(tables_.spacetime()).flux, accretion->mass_suns, accretion->rate_eddington)};
-    const auto key = std::make_tuple(scene.spacetime, scene.disc->inner, scene.disc->outer, scene.light.doppler, scene.light.gravity);
+                    disc_temperature_K(disc_flux_peak(tables_.matter()).flux, accretion->mass_suns, accretion->rate_eddington)};
+    const auto key = std::make_tuple(scene.spacetime, scene.disc->inner, scene.disc->outer, scene.light.doppler, scene.light.gravity, scene.light.lensing);
     if (flow_key_ == key) return;
-    disc_flow_ = texture_of(disc_flow_row(tables_.spacetime(), scene.disc->inner, scene.disc->outer, {scene.light.doppler, scene.light.gravity}));
+    disc_flow_ = texture_of(disc_flow_row(tables_.matter(), scene.disc->inner, scene.disc->outer, {scene.light.doppler, scene.light.gravity, !scene.light.lensing}));
     flow_key_ = key;
 }
 

@@ -121,7 +121,7 @@ private:
     int sky_size_ = 0, far_sky_size_ = 0;
     bool keep_finer_sky_ = false;
     std::optional<std::string> disc_file_;
-    std::optional<std::tuple<SpacetimeSpec, double, double, bool, bool>> flow_key_;   // of disc_flow_: its radii, parts of g
+    std::optional<std::tuple<SpacetimeSpec, double, double, bool, bool, bool>> flow_key_;   // of disc_flow_: its radii, parts of g
     struct Hottest {   // ring of the disc, where accretion heats it
         std::optional<AccretionSpec> by;
         SpacetimeSpec about;

@@ -91,7 +91,8 @@ bool motion_is_seen(const Scene& scene) {
 std::vector<EffectReason> required_effects(const Scene& scene) {
     std::vector<EffectReason> reasons;
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
-    if (spacetime && (*spacetime)->bends_light()) {
+    const bool lensing = spacetime && (*spacetime)->bends_light() && scene.light.lensing;
+    if (lensing) {
         reasons.push_back({Effect::kLensing, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     }
     const Vec3 v = scene.camera.velocity;
@@ -138,13 +139,13 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
         reasons.push_back({Effect::kSky, fmt::format("sky.kind = \"{}\"", name_of(scene.sky.kind))});
         if (sky_shift) reasons.push_back({Effect::kSkyShift, fmt::format("sky.temperature = {}, {}", *scene.sky.temperature_K, moves && light.doppler ? "camera.velocity" : fmt::format("camera.r = {}", scene.camera.r))});
     }
-    if (spacetime && (*spacetime)->bends_light() && (*spacetime)->inner_end() != InnerEnd::kHorizon)
+    if (lensing && (*spacetime)->inner_end() != InnerEnd::kHorizon)
         reasons.push_back({Effect::kInner, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
-    if (spacetime && (*spacetime)->inner_end() == InnerEnd::kOtherSky && scene.far_sky.kind != SkyKind::kBlack) {
+    if (lensing && (*spacetime)->inner_end() == InnerEnd::kOtherSky && scene.far_sky.kind != SkyKind::kBlack) {
         reasons.push_back({Effect::kFarSky, fmt::format("spacetime.metric = \"{}\", far_sky.kind = \"{}\"",
                                                         scene.spacetime.metric, name_of(scene.far_sky.kind))});
     }
-    if (spacetime && (*spacetime)->inner_end() == InnerEnd::kSurface)
+    if (lensing && (*spacetime)->inner_end() == InnerEnd::kSurface)
         reasons.push_back({Effect::kStar, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     const PictureSpec& picture = scene.picture;
     if (picture.bloom > 0.0) reasons.push_back({Effect::kBloom, fmt::format("picture.bloom = {}", picture.bloom)});
@@ -184,12 +185,7 @@ void make_all_plain(Scene& scene, Kinds kinds) {
 std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
     Scene less = scene;
     switch (effect) {
-        case Effect::kLensing:
-            // A camera of flat space has a radius of its own, and neither a surface nor another sky.
-            if (const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters))
-                less.camera.r = (*spacetime)->areal_radius(scene.camera.r);
-            less.spacetime = {"minkowski", {}};
-            return less;
+        case Effect::kLensing: less.light.lensing = false; return less;
         case Effect::kAberration: less.camera.velocity = {0, 0, 0}; return less;
         case Effect::kDisc: less.disc.reset(); return less;
         case Effect::kTranslucentDisc:

@@ -34,7 +34,7 @@ struct EffectRow {
 // In the order of the enumerators.
 inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
     {Effect::kLensing, "lensing", "EFFECT_LENSING", "Light follows the null geodesics of the metric.",
-     "spacetime.metric is one that bends light", "deflection table, strip; one fetch and two straight lines a pixel"},
+     "spacetime.metric is one that bends light, and light.lensing is not \"off\"", "deflection table, strip; one fetch and two straight lines a pixel"},
     {Effect::kAberration, "aberration", "EFFECT_ABERRATION",
      "Directions and frequencies are those of a camera that moves in the static frame.",
      "camera.velocity is not zero, and light.aberration or light.doppler is not \"off\"",

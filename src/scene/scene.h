@@ -159,6 +159,7 @@ struct LightSpec {
     bool doppler = true;       // motion of matter and camera changes frequencies
     bool gravity = true;       // so does the way out of gravity
     bool aberration = true;    // a moving camera sees other directions
+    bool lensing = true;       // light follows the metric's geodesics; else straight lines in flat space, all else as it is
     friend bool operator==(const LightSpec&, const LightSpec&) = default;
 };
 

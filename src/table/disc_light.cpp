@@ -104,7 +104,7 @@ TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, 
         const double a = spacetime.lapse_squared(radii[i]), lapse = std::sqrt(a), scale = parts.gravity ? 1.0 : lapse;
         const MatterVelocity u = parts.doppler ? disc_matter(spacetime, radii[i]) : MatterVelocity{1.0 / lapse, 0.0, 0.0};
         const double heat = flux[i] > 0.0 ? std::max(0.25 * std::log2(flux[i] / peak), kDark) : kDark;
-        for (const double value : {heat, scale * u.u_t, scale * u.u_phi, scale * u.u_r / a})
+        for (const double value : {heat, scale * u.u_t, scale * u.u_phi / (parts.straight ? lapse : 1.0), scale * u.u_r / a})
             row.texels.push_back(static_cast<float>(value));
     }
     return row;

@@ -28,10 +28,11 @@ double disc_temperature_K(double flux, double mass_suns, double rate_eddington);
 // Cells of equal ln r between inner and outer, a texel at each end of a cell: (log2 of the temperature over the hottest ring's, u^t,
 // u^phi, u^r/A). Linear interpolation then leaves at most 2e-6 of the velocity. Where nothing shines the first is -64.
 // parts: of g = g_gravity g_doppler, which observers at rest at the matter and at the camera split (docs/light.md). Without Doppler the
-// matter is as at rest, (1/sqrt(A), 0, 0); without gravity all three are times sqrt(A), the camera's own part being the frame's.
+// matter is as at rest, (1/sqrt(A), 0, 0); without gravity all three are times sqrt(A), the camera's own part being the frame's. straight: of rays of flat space,
+// whose momentum L at r is that of a direction L/r in the frame of matter at rest: u^phi over sqrt(A).
 inline constexpr int kDiscFlowCells = 1024;
 struct ShiftParts {
-    bool doppler = true, gravity = true;
+    bool doppler = true, gravity = true, straight = false;
 };
 TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts = {});
 

@@ -28,6 +28,7 @@ bool light_section(ViewState& view, bool escape) {
     PictureSpec& picture = view.scene.picture;
     bool changed = false;
     const auto any = [&changed](bool one) { changed = changed || one; };
+    any(tick("Lensing", light.lensing, "Light follows the geodesics of the metric; else it goes straight, and all else stays."));
     any(tick("Shift", light.shift, "Motion and gravity change the colour of what shines by its heat: a thermal disc, point stars."));
     any(tick("Beaming", light.beaming, "They change its brightness."));
     any(tick("Doppler", light.doppler, "Motion of matter and camera changes frequencies: one part of g."));

@@ -11,7 +11,7 @@ IMAGE = pathlib.Path(__file__).resolve().parents[2] / "assets" / "images" / "acc
 # Identifiers that belong to an effect, as regular expressions of whole words; members of the uniform block too.
 WORDS = {
     "lensing": [r"strip\w*", r"Strip\w*", r"orbit", r"orbit_\w*", r"Orbit\w*", r"Octave", r"octave\w*", r"sweep\w*", r"series"],
-    "aberration": [r"aberrat\w*", r"Aberration", r"boost", r"motion", r"stretch"],
+    "aberration": [r"aberrat\w*", r"Aberration", r"boost\w*", r"motion", r"stretch"],
     "disc": [r"disc\w*", r"Disc\w*", r"plane_\w*", r"PlaneMeeting", r"meeting"],
     "disc-image": [r"disc_texture", r"disc_texel", r"disc_filtered"],
     "disc-pattern": [r"disc_coat\w*"],
@@ -30,6 +30,7 @@ WORDS = {
     "formula": [r"\w+_blend"],
     "body-image": [r"\w+_image", r"(?:sphere|ball|cylinder)_texture"],
     "sky": [r"sky_texture", r"celestial\w*"],
+    "sky-shift": [r"sky_(?:shift|light)"],
     "sky-pattern": [r"dome\w*"],
     "inner": [r"frame\.strip\.w"],
     "far-sky": [r"other_side\w*"],
@@ -52,6 +53,7 @@ SCENES = {
     "bolometric": '[sky]\nkind = "black"\n[disc]\nemission = "thermal"\n[light]\nband = "bolometric"\n',
     "point-stars": '[sky]\nkind = "points"\neven_stars = 10\n[light]\nshift = "off"\n',
     "sky": '[spacetime]\nmetric = "minkowski"\n',
+    "sky-shift": '[camera]\nvelocity = [0.1, 0.2, 0.3]\n[sky]\ntemperature = 5000\n',
     "lensing, disc": '[sky]\nkind = "black"\n[disc]\n',
     "lensing, sky": '[spacetime]\nmetric = "schwarzschild"\n',
     "sphere": '[sky]\nkind = "black"\n[sphere]\n',

@@ -37,20 +37,22 @@ TEST_CASE("disc: g as the GPU draws it is the reference's, whole and with a part
         double worst = 0;
         int pixels = 0;
         struct Switches {
-            bool doppler, gravity, aberration;
+            bool doppler, gravity, aberration, lensing = true;
         };
         constexpr Switches kAll{true, true, true};
         std::vector<std::pair<double, Switches>> cases;
         for (const double theta : {5.0, 60.0, 80.0, 120.0}) cases.emplace_back(theta, kAll);
-        for (const Switches part : {Switches{false, true, true}, {true, false, true}, {true, true, false}, {true, false, false}}) cases.emplace_back(60.0, part);
+        for (const Switches part : {Switches{false, true, true}, {true, false, true}, {true, true, false}, {true, false, false}, {true, true, true, false}, {true, false, false, false}}) cases.emplace_back(60.0, part);
         for (const auto& [theta, part] : cases)
             for (const Vec3 velocity : {Vec3{0, 0, 0}, Vec3{0.2, 0.3, -0.1}}) {
                 Scene scene = bolometric_scene(40, theta);
                 scene.camera.velocity = velocity;
                 scene.light.doppler = part.doppler, scene.light.gravity = part.gravity, scene.light.aberration = part.aberration;
+                scene.light.lensing = part.lensing;
                 CAPTURE(part.doppler);
                 CAPTURE(part.gravity);
                 CAPTURE(part.aberration);
+                CAPTURE(part.lensing);
                 REQUIRE(session.renderer->prepare(scene));
                 const Image<float> picture = session.renderer->picture();
                 Scene unbeamed = scene;
@@ -59,7 +61,7 @@ TEST_CASE("disc: g as the GPU draws it is the reference's, whole and with a part
                 const Image<float> own = session.renderer->picture();
                 const auto tracer = reference::FrameTracer::make(scene);
                 REQUIRE(tracer);
-                const reference::DiscLight light(tracer->metric(), *scene.disc, scene.light);
+                const reference::DiscLight light(tracer->matter(), *scene.disc, scene.light);
                 std::mt19937 random(3);
                 for (int i = 0; i < 1500; ++i) {
                     const int x = static_cast<int>(random() % 640), y = static_cast<int>(random() % 360);

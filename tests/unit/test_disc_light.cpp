@@ -82,6 +82,13 @@ TEST_CASE_FIXTURE(Fixture, "disc light: gravity's part of g is that of matter at
     CHECK(inverse({true, false}) == doctest::Approx(1 / shift.doppler).epsilon(1e-6));
     CHECK(inverse({false, true}) == doctest::Approx(1 / shift.gravity).epsilon(1e-6));
     CHECK(inverse({false, false}) == doctest::Approx(1.0).epsilon(1e-6));
+    // A straight ray of L_z = 0.8 r_s E across the orbit's plane: Doppler's factor of special relativity for the sine L/r.
+    LightSpec straight;
+    straight.lensing = false;
+    const reference::Shift seen = reference::DiscLight(*metric, disc, straight).shift({r, l, true, l * l});
+    const double v = std::sqrt(0.5 / (r - 1));
+    CHECK(seen.doppler == doctest::Approx(std::sqrt(1 - v * v) / (1 - v * l / r)).epsilon(1e-9));
+    CHECK(inverse({true, true, true}) == doctest::Approx(1 / seen.seen(straight)).epsilon(1e-6));
 }
 
 // Frank, King and Raine, Accretion Power in Astrophysics (2002), eq. 5.43: sigma T*^4 = 3 G M Mdot/(8 pi R^3), T* = 1.3e7 K for
