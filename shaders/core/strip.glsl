@@ -11,7 +11,8 @@
 // strip_fetch: rays that reach the sky, 1024 cells an octave, one octave a row; texel (c0, c1, r0, r1):
 //   cos(phi) = c0 + c1 f, sin(phi)/sin(alpha) = r0 + r1 f, 0 <= f < 1 across the cell. One fetch a ray.
 //   Where rays that pass the critical direction end somewhere to see (EFFECT_INNER: a wormhole's other sky, a star), theirs follow
-//   from row strip.w on.
+//   from row strip.w on. Where those come back to the same sky (EFFECT_BOUNCE) they are singular at the centre too: rays nearer to it
+//   than to the critical direction follow from row series.z on, with w = 2 tan(beta/2), beta the angle from the centre.
 // ends_fetch: 16 cells an octave, coefficients of 1, f, f^2, f^3. Rows: phi_end/sin(alpha) of rays to the sky, the same of captured
 //   ones (phi_end: angle swept to the sky or to the horizon), cos(phi) and sin(phi)/sin(alpha). Needed by objects and strip:cubic.
 
@@ -21,6 +22,7 @@
 #define ENDS_ROW_CAPTURED 1
 #define ENDS_ROW_COS 2
 #define ENDS_ROW_RATIO 3
+#define ENDS_ROW_CENTRE 6   // of rays by their angle from the centre: phi_end/sin(alpha), cos(phi), sin(phi)/sin(alpha)
 #define ENDS_ROW_INNER 2   // from ENDS_ROW_COS and _RATIO to the same of rays that pass the critical direction
 
 struct Octave {
@@ -63,12 +65,16 @@ struct StripRay {
     float sine;       // sin(delta)
     float u;          // 1 + |w|/w0
     float slope;      // d u / d |delta|, 1/rad
+#ifdef EFFECT_BOUNCE
+    bool by_centre;   // u counts from the centre
+#endif
 };
 
 // side, s = |side|, c: as in Trace. tangent: n along the critical direction's tangent; strip as in FrameData.
 // sin(delta) = tangent - cos(critical) (s - side.x), and s - side.x = side.y^2 / (s + side.x): next to the meridian, on which the
 // image's centre lies, no digit is lost however deep the zoom.
-StripRay strip_locate(vec2 side, float s, float c, float tangent, vec4 strip) {
+// centre: tan(beta/2) below which u counts from the centre; used with EFFECT_BOUNCE alone.
+StripRay strip_locate(vec2 side, float s, float c, float tangent, vec4 strip, float centre) {
     StripRay ray;
     bool ahead = side.x > 0.0;
     float factor = ahead ? s + side.x : 1.0;
@@ -79,9 +85,21 @@ StripRay strip_locate(vec2 side, float s, float c, float tangent, vec4 strip) {
     float a = abs(sine);
     float b = (1.0 + abs(cosine)) * factor;
     // tan(delta/2) = sin/(1 + cos) = (1 - cos)/sin, whichever does not cancel.
-    float half_tan = cosine > 0.0 ? a / b : b / max(a, 1.0e-30);
+    float over = cosine > 0.0 ? a : b;
+    float under = cosine > 0.0 ? b : max(a, 1.0e-30);
+#ifdef EFFECT_BOUNCE
+    // c < 0 there: tan(beta/2) = s/(1 - c); centre is tan(theta_c/4), where both are alike.
+    float from_c = 1.0 + abs(c);
+    ray.by_centre = !ray.escapes && s < centre * from_c;
+    over = ray.by_centre ? s : over;
+    under = ray.by_centre ? from_c : under;
+#endif
+    float half_tan = over / under;
     ray.u = 1.0 + half_tan * (2.0 * strip.z);
     ray.slope = (1.0 + half_tan * half_tan) * strip.z;
+#ifdef EFFECT_BOUNCE
+    ray.slope = ray.by_centre ? -ray.slope : ray.slope;
+#endif
     return ray;
 }
 

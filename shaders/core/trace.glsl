@@ -66,7 +66,7 @@ Trace trace_pixel(vec2 pixel) {
 #endif
     trace.s = sqrt(dot(trace.side, trace.side));
 #ifdef EFFECT_LENSING
-    StripRay ray = strip_locate(trace.side, trace.s, trace.c, tangent, frame.strip);
+    StripRay ray = strip_locate(trace.side, trace.s, trace.c, tangent, frame.strip, frame.series.w);
     Sweep sweep = sweep_to_sky(ray, trace.s, trace.c);
     trace.escapes = ray.escapes;
     trace.sky = sweep.cos_phi * radial_direction() + sideways(sweep.ratio * trace.side);
@@ -74,7 +74,11 @@ Trace trace_pixel(vec2 pixel) {
     trace.stretch_across = sweep.ratio;
 #ifdef NEEDS_PHI_END
     Octave octave = octave_cell(ray.u, ENDS_CELLS_PER_OCTAVE);
-    vec4 end_poly = ends_fetch(octave.cell, ray.escapes ? ENDS_ROW_SKY : ENDS_ROW_CAPTURED);
+    int end_row = ray.escapes ? ENDS_ROW_SKY : ENDS_ROW_CAPTURED;
+#ifdef EFFECT_BOUNCE
+    end_row = ray.by_centre ? ENDS_ROW_CENTRE : end_row;
+#endif
+    vec4 end_poly = ends_fetch(octave.cell, end_row);
     float end_ratio = cubic(end_poly, octave.place);
     float end_slope = cubic_slope(end_poly, octave.place) * (float(ENDS_CELLS_PER_OCTAVE) / octave.start * ray.slope);
     trace.ray = ray;

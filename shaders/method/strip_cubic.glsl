@@ -5,6 +5,9 @@ Sweep sweep_to_sky(StripRay ray, float s, float c) {
     float f_slope = float(ENDS_CELLS_PER_OCTAVE) / octave.start * ray.slope;
 #ifdef EFFECT_INNER
     row = ray.escapes ? 0 : ENDS_ROW_INNER;
+#ifdef EFFECT_BOUNCE
+    row = ray.by_centre ? ENDS_ROW_CENTRE + 1 - ENDS_ROW_COS : row;
+#endif
     f_slope = ray.escapes ? f_slope : -f_slope;   // delta grows towards the other radial direction there
 #endif
     vec4 cos_phi = ends_fetch(octave.cell, ENDS_ROW_COS + row);

@@ -18,7 +18,7 @@ float sky_level(Trace trace) {
 // The sky's light as g changes it: that of a black body of its temperature. Without motion it is the same all over the sky.
 vec3 sky_shift(Trace trace) {
 #ifdef EFFECT_ABERRATION
-    return frame.sky_light.xyz * seen_black_body(frame.sky_light.w, frame.shift.x * trace.doppler, frame.sky.w);
+    return frame.sky_light.xyz * seen_black_body(frame.sky_light.w, frame.shift.x * trace.doppler, frame.boost_colour.y);
 #else
     return frame.sky_light.xyz;
 #endif
@@ -26,6 +26,26 @@ vec3 sky_shift(Trace trace) {
 #endif
 
 #ifdef EFFECT_SKY
+#ifdef EFFECT_FAR_SKY
+// The skies of both ends of a wormhole as layers of one texture: every ray fetches once, whichever sky it ends on. (Software drivers run
+// both sides of a branch: two cube maps would be two fetches a pixel.) Faces as OpenGL's cube maps have them, with a border of the
+// faces beside them, src/sky/sky.h.
+vec3 celestial_sphere(Trace trace, float level) {
+    vec3 d = trace.sky;
+    vec3 size = abs(d);
+    bool on_x = size.x >= max(size.y, size.z), on_y = !on_x && size.y >= size.z;
+    float major = on_x ? d.x : on_y ? d.y : d.z;
+    float facing = major < 0.0 ? -1.0 : 1.0;
+    vec2 place = on_x ? vec2(-facing * d.z, -d.y) : on_y ? vec2(d.x, facing * d.z) : vec2(facing * d.x, -d.y);
+    float layer = (on_x ? 0.0 : on_y ? 2.0 : 4.0) + (0.5 - 0.5 * facing);
+    float other_side = trace.escapes ? 0.0 : 6.0;
+    vec3 light = textureLod(sky_texture, vec3(place * (frame.sky.w / abs(major)) + 0.5, layer + other_side), level).rgb * frame.sky.z;
+#ifdef EFFECT_SKY_SHIFT
+    light *= trace.escapes ? sky_shift(trace) : vec3(1.0);
+#endif
+    return light;
+}
+#else
 vec3 celestial_sphere(Trace trace, float level) {
     vec3 light = textureLod(sky_texture, trace.sky, level).rgb * frame.sky.z;
 #ifdef EFFECT_SKY_SHIFT
@@ -33,4 +53,5 @@ vec3 celestial_sphere(Trace trace, float level) {
 #endif
     return light;
 }
+#endif
 #endif

@@ -16,14 +16,14 @@ struct FrameData {
 #ifdef BLOCK_LENSING
     vec4 strip;        // cosine and sine of the critical direction's angle from e (a ray nearer to e escapes), 1/w0, first row of the inner rays in the strip
     vec4 orbit;        // sin(theta_c) = k sin(alpha), cos(chi0), a0, a1 of the deflection table
-    vec4 series;       // a2 of the deflection table, chi0, 0, 0
+    vec4 series;       // a2 of the deflection table, chi0; rays that come back: their first row by the centre, tan(theta_c/4)
 #endif
 #ifdef BLOCK_ABERRATION
     vec4 boost;        // direction of motion in world axes, .w = stretch sqrt((1+v)/(1-v)) of directions, 1 without aberration
-    vec4 boost_colour; // the stretch of frequencies, 1 without Doppler shift, 0, 0, 0
+    vec4 boost_colour; // the stretch of frequencies, 1 without Doppler shift; log2 of the brightness of the sky's temperature, 0, 0
 #endif
 #ifdef BLOCK_SKY
-    vec4 sky;          // texels per radian of the sky's finest level, highest level, brightness, log2 of the brightness of its temperature
+    vec4 sky;          // texels per radian of the sky's finest level, highest level, brightness; two skies: half of what a face is of its layer
 #endif
 #ifdef BLOCK_SKY_SHIFT
     vec4 sky_light;    // factor on the sky's light; for a moving camera on that and a black body's, .w = log2 of the sky's temperature (K)

@@ -51,19 +51,23 @@ void main() {
     light += through * body.rgb;
     through -= through * body.a;
 #endif
-#ifdef EFFECT_FAR_SKY
-    float level = sky_level(trace);
-    if (!trace.escapes) light += through * other_side(trace, level);
 #ifdef EFFECT_SKY
-    if (trace.escapes) light += through * celestial_sphere(trace, level);
+#ifdef NEEDS_SKY_OF_EVERY_RAY
+    if (through > 0.002) light += through * celestial_sphere(trace, sky_level(trace));
+#else
+    if (trace.escapes && through > 0.002) light += through * celestial_sphere(trace, sky_level(trace));
 #endif
 #else
-#ifdef EFFECT_SKY
-    if (trace.escapes && through > 0.002) light += through * celestial_sphere(trace, sky_level(trace));
+#ifdef EFFECT_FAR_SKY
+    if (!trace.escapes) light += through * other_side(trace, sky_level(trace));
 #endif
 #endif
 #ifdef EFFECT_SKY_PATTERN
+#ifdef EFFECT_BOUNCE
+    if (through > 0.002) light += through * dome_light(trace);
+#else
     if (trace.escapes && through > 0.002) light += through * dome_light(trace);
+#endif
 #endif
 #ifdef EFFECT_STAR
     if (!trace.escapes) {

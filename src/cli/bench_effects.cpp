@@ -88,6 +88,10 @@ const std::vector<Added>& additions() {
          [](Scene& s) { s.sky.temperature_K = 6000.0; }},
         {Effect::kSkyPattern, nothing, [](Scene& s) { s.sky.kind = SkyKind::kPlain; }},
         {Effect::kInner, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }, dark_wormhole},
+        {Effect::kBounce, [](Scene& s) { s.spacetime.metric = "schwarzschild"; },
+         [](Scene& s) {
+             s.spacetime = {"reissner-nordstrom", {{"charge", 1.2}}};
+         }},
         {Effect::kFarSky, dark_wormhole, [](Scene& s) { s.far_sky.kind = SkyKind::kStars; }},
         {Effect::kStar, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }, [](Scene& s) { s.spacetime.metric = "neutron-star"; }},
         {Effect::kBloom, nothing, [](Scene& s) { s.picture.bloom = 0.1; }},

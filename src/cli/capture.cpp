@@ -19,13 +19,14 @@
 #include "render/display.h"
 #include "render/frontier.h"
 #include "scene/scene_file.h"
+#include "scene/split.h"
 #include "shaderlib/passes.h"
 
 namespace nullscope::cli {
 namespace {
 
 struct Options {
-    std::string scene, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
+    std::string scene, beside, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
     int samples = 3;
     std::optional<double> time;
     std::optional<double> max_error;
@@ -154,6 +155,16 @@ Result<Scene> scene_for(const Options& options) {
     return scene;
 }
 
+// Nothing where the picture is one scene's.
+Result<std::optional<Halves>> split_of(const Options& options, const Scene& scene) {
+    if (options.beside.empty() && !scene.beside) return std::optional<Halves>();
+    if (options.raydata) return bad_input("--raydata is of one spacetime; leave out --beside, or [beside] of the scene");
+    if (options.beside.empty()) return halves(scene);
+    auto other = load_scene(options.beside);
+    if (!other) return other.error();
+    return std::optional(halves(scene, *other));
+}
+
 Status check_output(const Options& options, bool exr) {
     if (!exr && !options.output.ends_with(".png"))
         return bad_input(fmt::format("-o {}: unknown kind of file; allowed: names that end in .png or .exr", options.output));
@@ -170,6 +181,8 @@ int run(const Options& options) {
             fmt::print("{}", pass_text(pass, effects, {}, scene->spacetime.metric, body_text(*scene)));
         return 0;
     }
+    const auto split = split_of(options, *scene);
+    if (!split) return report(split.error());
     const bool exr = options.output.ends_with(".exr");
     if (Status good = check_output(options, exr); !good) return report(good.error());
     const auto frames = frames_of(options);
@@ -191,8 +204,17 @@ int run(const Options& options) {
             if (progress) progress->advance();
             continue;
         }
-        const auto captured = session ? capture_gl(*session, *scene, options, exr) : capture_reference(*scene, options, exr);
+        const auto capture = [&](const Scene& drawn) {
+            return session ? capture_gl(*session, drawn, options, exr) : capture_reference(drawn, options, exr);
+        };
+        auto captured = capture(*split ? (*split)->left : *scene);
         if (!captured) return report(captured.error());
+        if (*split) {
+            const auto right = capture((*split)->right);
+            if (!right) return report(right.error());
+            if (exr) captured->linear = side_by_side(captured->linear, right->linear);
+            else captured->display = side_by_side(captured->display, right->display);
+        }
         if (Status written = write(file, *scene, *captured, exr); !written) return report(written.error());
         if (progress) progress->advance();
         fmt::print("{}: {}x{}, {}\n", file, scene->camera.width, scene->camera.height, captured->made_by);
@@ -208,6 +230,7 @@ Command add_capture(CLI::App& parent) {
     app->add_option("scene", options->scene, "Scene file, or the name of one that ships (see: nullscope scenes)")->required();
     app->add_option("-o,--output", options->output, "File to write, .png or .exr")->capture_default_str();
     app->add_option("--size", options->size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
+    app->add_option("--beside", options->beside, "Split screen: the right half shows this scene, seen by the camera of the first; each half is centred");
     app->add_option("--context", options->context, "OpenGL context: auto, egl, osmesa")
         ->check(CLI::IsMember({"auto", "egl", "osmesa"}))->capture_default_str();
     app->add_option("--renderer", options->renderer, "gl: the shader; reference: the double-precision tracer, slow")

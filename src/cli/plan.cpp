@@ -45,10 +45,10 @@ long long bytes_of(std::size_t bytes) { return static_cast<long long>(bytes); }
 
 void add_tables(const FrameTables& tables, const Scene& scene, std::vector<Line>& lines) {
     const DeflectionTable* table = tables.table();
-    if (table == nullptr) return;
+    if (tables.fan() == nullptr) return;
     const std::string metric = fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric);
     const TexelGrid &strip = tables.strip(), &ends = tables.ends(), &map = tables.orbit_map();
-    lines.push_back(
+    if (table != nullptr) lines.push_back(
         {"deflection table", 3, table->size() + 1, table->size() + 1, bytes_of(table->bytes()), "host", metric});
     const std::string radius = fmt::format("camera.r = {}", scene.camera.r);
     lines.push_back({"strip", 1, strip.width, strip.height, bytes_of(strip.bytes()), "GPU", radius});

@@ -138,24 +138,27 @@ private:
 void read_reduced(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
     ReducedRay ray;
     ray.q = row.number(kQ, kLeastQ, kLargestQ, "q from 1e-30 to 1e30");
-    const bool by_length = !spacetime.has_orbit_equation();   // wormholes: l0 instead
+    const bool by_length = spacetime.by_proper_length();   // wormholes: l0 instead
     ray.zeta0 = by_length ? row.number(kZeta0, -kLargestRadius, kLargestRadius, "l0 from -1e30 to 1e30")
                           : row.number(kZeta0, 1 / kLargestRadius, kLargestRadius, "zeta0 from 1e-30 to 1e30");
     constexpr std::string_view kEitherWay = "1 (towards the hole) or -1 (away)";
     const double s = row.number(kS, -1, 1, kEitherWay);
     if (std::fabs(s) != 1.0) row.report(kS, shown(row.field(kS)) + " is no direction", kEitherWay);
     ray.s = s > 0.0 ? 1 : -1;
+    const double given_q = ray.q;
+    if (by_length) ray.zeta0 *= spacetime.length_unit(), ray.q /= spacetime.length_unit();
     const double least = std::pow(spacetime.root_v(by_length ? ray.zeta0 : 1.0 / ray.zeta0), 2);
     if (ray.q * ray.q < least * (1 - kTurningSlack))
         row.report(
             kQ, fmt::format("{} is too small: no such ray passes through zeta0 = {}", shown(row.field(kQ)), ray.zeta0),
-            fmt::format("q >= {:.17g}", std::sqrt(least)));
+            fmt::format("q >= {:.17g}", std::sqrt(least) * (given_q / ray.q)));
     query.orbit = ray;
 }
 
 void read_general(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
-    query.r = spacetime.has_orbit_equation() ? row.number(kR, 1 / kLargestRadius, kLargestRadius, "r from 1e-30 to 1e30")
+    query.r = !spacetime.by_proper_length() ? row.number(kR, 1 / kLargestRadius, kLargestRadius, "r from 1e-30 to 1e30")
                                              : row.number(kR, -kLargestRadius, kLargestRadius, "r from -1e30 to 1e30");
+    query.r *= spacetime.length_unit();
     query.theta = row.number(kTheta, 0, M_PI, "theta in [0, pi]");
     query.phi = row.number(kPhi, -1e6, 1e6, "phi in [-1e6, 1e6] rad");
     const auto component = [&](Column c) {
@@ -229,7 +232,7 @@ Result<RayTable> parse_rays(std::string_view text, const std::string& file, cons
         const std::size_t first = content.find_first_not_of(" \t");
         if (first == std::string_view::npos || content[first] == '#') continue;
         if (!header) {
-            const auto read = read_header(file, line, content, !spacetime.has_orbit_equation());
+            const auto read = read_header(file, line, content, spacetime.by_proper_length());
             if (!read) return read.error();
             header = *read;
             table.header = content;
@@ -249,7 +252,8 @@ Result<RayTable> read_rays(const std::string& path, const Spacetime& spacetime) 
     return parse_rays(*text, path, spacetime);
 }
 
-std::string rays_text(const RayTable& table, const std::vector<std::optional<RayRecord>>& records, int crossings) {
+std::string rays_text(const RayTable& table, const std::vector<std::optional<RayRecord>>& records, int crossings,
+                      double length_unit) {
     std::string text = table.header + ",fate,theta_inf,phi_inf,angle,delay,g,turn,at";
     for (int k = 1; k <= crossings; ++k) text += fmt::format(",r_{0},phi_{0}", k);
     text += '\n';
@@ -263,11 +267,12 @@ std::string rays_text(const RayTable& table, const std::vector<std::optional<Ray
         const RayRecord& ray = *records[i];
         text += ',';
         text += fate_name(ray);
-        for (const double value : {ray.theta_inf, ray.phi_inf, ray.angle, ray.delay, ray.g, ray.turn, ray.at})
+        for (const double value : {ray.theta_inf, ray.phi_inf, ray.angle, ray.delay / length_unit, ray.g,
+                                   ray.turn / length_unit, ray.at / length_unit})
             append(text, value);
         for (std::size_t k = 0; k < static_cast<std::size_t>(crossings); ++k) {
             const bool there = k < ray.crossings.size();
-            append(text, there ? ray.crossings[k].r : kNotANumber);
+            append(text, there ? ray.crossings[k].r / length_unit : kNotANumber);
             append(text, there ? ray.crossings[k].phi : kNotANumber);
         }
         text += '\n';

@@ -36,6 +36,8 @@ Result<RayTable> parse_rays(std::string_view text, const std::string& file, cons
 Error ray_error(const RayTable& table, const RayRow& row, const std::string& what);
 
 // The rays' own columns, then what was found: fate, ..., r_1, phi_1, ... A row without a record gets empty fields.
-std::string rays_text(const RayTable& table, const std::vector<std::optional<RayRecord>>& records, int crossings);
+// Lengths are divided by length_unit (Spacetime::length_unit), by which reading has multiplied them.
+std::string rays_text(const RayTable& table, const std::vector<std::optional<RayRecord>>& records, int crossings,
+                      double length_unit = 1.0);
 
 }  // namespace nullscope::cli

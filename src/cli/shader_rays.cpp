@@ -21,7 +21,7 @@ struct Start {
 };
 
 std::optional<Start> start_of(const RayQuery& query, const Spacetime& spacetime) {
-    const bool by_length = !spacetime.has_orbit_equation();   // wormholes: zeta0 holds l0, and s = +1 is towards the throat
+    const bool by_length = spacetime.by_proper_length();   // wormholes: zeta0 holds l0, and s = +1 is towards the throat
     const double r = query.orbit ? (by_length ? query.orbit->zeta0 : 1.0 / query.orbit->zeta0) : query.r;
     if (!camera_can_rest(spacetime, r) || std::fabs(r) > kFarthestCamera) return std::nullopt;
     const double lapse2 = spacetime.lapse_squared(r);

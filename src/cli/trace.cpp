@@ -91,7 +91,7 @@ int run(const Options& options) {
             stderr,
             "nullscope: {} of {} rays left empty: --with {} needs a camera outside the horizon, with r up to {:g}\n",
             left_out, records->size(), options.with, kFarthestCamera);
-    const std::string text = rays_text(*table, *records, options.crossings);
+    const std::string text = rays_text(*table, *records, options.crossings, (*spacetime)->length_unit());
     if (options.output.empty()) {
         std::fwrite(text.data(), 1, text.size(), stdout);
         return 0;

@@ -6,11 +6,16 @@
 #include <string>
 #include <utility>
 
+#include "spacetime/registry.h"
+
 namespace nullscope {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
 constexpr double kStandoff = 1 + 1e-5;  // least radius of a camera over that of a star (spacetime/neutron_star.h)
+// In a tube the ray along the rim winds without end, and next to merging photon spheres 1e3 rad, all of that within 1e-9 rad of the
+// rim: no pixel's middle on it, for a screen error is a difference of rays 1e-6 rad apart (docs/hard-cases.md).
+constexpr double kAside = 2e-3;
 constexpr std::pair<const char*, double> kLooks[] = {{"inwards", 0.0}, {"across", M_PI / 2}, {"outwards", M_PI}};
 
 // A metric, and where rays divide in it, for the directions of cases.
@@ -20,6 +25,7 @@ struct Place {
     double photon_r;  // of the photon sphere; wormholes: 0; a star outside of it: its surface
     double least;     // horizon, or as near as a camera comes to a surface; wormholes: none
     bool disc;
+    double aside = 0;  // rad, of looks across
 };
 
 Scene frame_of(const Place& place, double r, double yaw, double fov) {
@@ -39,6 +45,7 @@ Scene frame_of(const Place& place, double r, double yaw, double fov) {
 double dividing_angle(const Place& p, double r) {
     const auto root_v = [&](double x) {
         if (p.metric == "ellis") return 1 / std::hypot(x, 1.0);
+        if (const auto spacetime = make_spacetime(p.metric, p.parameters); p.metric == "dneg-wormhole") return (*spacetime)->root_v(x);
         const double charge = p.parameters.contains("charge") ? p.parameters.at("charge") : 0.0;
         return std::sqrt(1 - 1 / x + 0.25 * charge * charge / (x * x)) / x;
     };
@@ -70,8 +77,8 @@ void dividing_sphere(std::vector<HardCase>& list, const Place& p) {
         if (p.photon_r + off <= p.least) continue;
         for (const auto& [look, yaw] : kLooks)
             add(list, p,
-                fmt::format("camera {} the {}, {}", where, p.metric == "ellis" ? "throat" : "photon sphere", look),
-                "both kinds of rays meet, and chi0 = pi/2", frame_of(p, p.photon_r + off, yaw, 100 * kDegree));
+                fmt::format("camera {} the {}, {}", where, p.least < 0 ? "throat" : "photon sphere", look),
+                "both kinds of rays meet, and chi0 = pi/2", frame_of(p, p.photon_r + off, yaw + p.aside, 100 * kDegree));
     }
 }
 
@@ -80,9 +87,9 @@ void extremes(std::vector<HardCase>& list, const Place& p) {
         for (const auto& [look, yaw] : kLooks) {
             if (p.least > 0)
                 add(list, p,
-                    fmt::format("1e-{} above the {}, {}", k, p.metric == "neutron-star" ? "surface" : "horizon", look),
+                    fmt::format("1e-{} above the {}, {}", k, p.metric == "neutron-star" ? "surface" : p.parameters.contains("charge") && p.parameters.at("charge") > 1 ? "innermost camera" : "horizon", look),
                     "the sky closes to a cone, or the surface fills half of it",
-                    frame_of(p, p.least * (1 + std::pow(10.0, -k)), yaw, 100 * kDegree));
+                    frame_of(p, p.least * (1 + std::pow(10.0, -k)), yaw + p.aside, 100 * kDegree));
             else
                 for (const int side : {1, -1})
                     add(list, p, fmt::format("l = {}1e{}, {}", side > 0 ? "" : "-", k, look), "far on either side",
@@ -117,9 +124,14 @@ std::vector<HardCase> hard_metric_cases() {
          0.5 * (1 + s),
          true},
         {"reissner-nordstrom", "extremal hole", {{"charge", 1.0}}, 1.0, 0.5, true},
+        {"reissner-nordstrom", "charge just naked", {{"charge", 1.001}}, 0.25 * (3 + std::sqrt(1 - 8 * 0.002001)), 0.25 * (3 + std::sqrt(1 - 8 * 0.002001)), false},
+        {"reissner-nordstrom", "charge where photon spheres merge", {{"charge", std::sqrt(1.125)}}, 0.75, 0.75 * (1 + 1e-7), false, kAside},
+        {"reissner-nordstrom", "naked charge of 1.2", {{"charge", 1.2}}, 0.96, 0.1, false},
         {"neutron-star", "star of 1.2 r_s", {{"radius", 1.2}}, 1.5, 1.2 * kStandoff, false},
         {"neutron-star", "star of 2.5 r_s", {{"radius", 2.5}}, 2.5, 2.5 * kStandoff, false},
         {"ellis", "Ellis throat", {}, 0.0, -1e300, false},
+        {"dneg-wormhole", "wormhole of the film", {}, 0.0, -1e300, false, kAside},
+        {"dneg-wormhole", "long wormhole", {{"length", 2.0}, {"lensing_width", 0.5}}, 0.0, -1e300, false, kAside},
     };
     std::vector<HardCase> list;
     for (const Place& place : places) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "reference/elliptic.h"
 #include "reference/smooth_leg.h"
@@ -127,22 +128,41 @@ private:
     double l_;
 };
 
+// The same orbit with another unit of length.
+class Scaled : public Orbit {
+public:
+    Scaled(std::unique_ptr<Orbit> unit, double length) : unit_(std::move(unit)), length_(length) {
+        fate_ = unit_->fate();
+        angle_ = unit_->angle();
+        turn_ = length * unit_->turn();
+        turn_angle_ = unit_->turn_angle();
+    }
+    double zeta_at(double angle) const override { return length_ * unit_->zeta_at(angle); }
+    double delay() const override { return length_ * unit_->delay(); }
+
+private:
+    std::unique_ptr<Orbit> unit_;
+    double length_;
+};
+
 class Ellis : public OrbitMetric {
 public:
+    explicit Ellis(double throat) : throat_(throat) {}
     std::optional<double> horizon_radius() const override { return {}; }
     bool by_proper_length() const override { return true; }
     double lapse(double) const override { return 1; }
     Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay& ray) const override {
-        if (std::isinf(ray.q)) return std::unique_ptr<Orbit>(orbit({ray.zeta0, 0, outward(ray), -1, 1}));
-        const Long b = 1 / Long(ray.q), l = ray.zeta0, away2 = (l * l + (1 - b) * (1 + b));
+        const double l0 = ray.zeta0 / throat_;
+        if (std::isinf(ray.q)) return scaled({l0, 0, outward(ray), -1, 1});
+        const Long b = 1 / (Long(ray.q) * throat_), l = Long(ray.zeta0) / throat_, away2 = (l * l + (1 - b) * (1 + b));
         if (away2 < -kTurningSlack * b * b)
             return bad_input(fmt::format("no ray with q = {:.17g} passes through l0 = {:.17g}", ray.q, ray.zeta0));
-        return orbit({ray.zeta0, static_cast<double>(b), outward(ray), (b - 1) * (b + 1), std::max(away2, Long(0))});
+        return scaled({l0, static_cast<double>(b), outward(ray), (b - 1) * (b + 1), std::max(away2, Long(0))});
     }
     std::unique_ptr<Orbit> from_static(const LocalRay& ray) const override {
-        const Long l = ray.r, n_r = ray.n_r, n_t = ray.n_t, r2 = l * l + 1;
-        return orbit({ray.r, static_cast<double>(std::sqrt(r2) * n_t), ray.n_r > 0,
-                      (std::abs(l) * n_t - std::abs(n_r)) * (std::abs(l) * n_t + std::abs(n_r)), r2 * n_r * n_r});
+        const Long l = Long(ray.r) / throat_, n_r = ray.n_r, n_t = ray.n_t, r2 = l * l + 1;
+        return scaled({static_cast<double>(l), static_cast<double>(std::sqrt(r2) * n_t), ray.n_r > 0,
+                       (std::abs(l) * n_t - std::abs(n_r)) * (std::abs(l) * n_t + std::abs(n_r)), r2 * n_r * n_r});
     }
     RainOrbit from_rain(const LocalRay& ray) const override { return {from_static(ray), 1.0}; }  // nothing falls here
 
@@ -150,6 +170,9 @@ private:
     static bool outward(const ReducedRay& ray) {
         return (ray.s < 0) == (ray.zeta0 >= 0);
     }  // s = +1: towards the throat
+    std::unique_ptr<Orbit> scaled(const Start& start) const {
+        return throat_ == 1.0 ? orbit(start) : std::make_unique<Scaled>(orbit(start), throat_);
+    }
     static std::unique_ptr<Orbit> orbit(Start start) {
         if (start.b < kRadialImpact)
             return std::make_unique<Straight>(start.l, start.outward ? Fate::kEscaped : Fate::kOtherSide);
@@ -158,10 +181,14 @@ private:
         if (start.turn2 > 0) return std::make_unique<Turning>(start);
         return std::make_unique<Passing>(start);
     }
+    double throat_;
 };
 
 }  // namespace
 
-std::unique_ptr<OrbitMetric> make_ellis_orbits(const SpacetimeSpec&) { return std::make_unique<Ellis>(); }
+std::unique_ptr<OrbitMetric> make_ellis_orbits(const SpacetimeSpec& spec) {
+    const auto throat = spec.parameters.find("throat");
+    return std::make_unique<Ellis>(throat == spec.parameters.end() ? 1.0 : throat->second);
+}
 
 }  // namespace nullscope::reference

@@ -1,5 +1,6 @@
 #include "reference/frame_tracer.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -138,8 +139,10 @@ std::optional<BodyHit> FrameTracer::body_hit(const CameraRay& ray) const {
     return bodies_->first_hit(*ray.orbit, ray.plane, camera_.r);
 }
 
-RayPixel FrameTracer::pixel(double x, double y) const {
-    const CameraRay traced = ray(x, y);
+RayPixel FrameTracer::pixel(double x, double y) const { return pixel_of(ray(x, y), true); }
+RayPixel FrameTracer::pixel_without_delay(double x, double y) const { return pixel_of(ray(x, y), false); }
+
+RayPixel FrameTracer::pixel_of(const CameraRay& traced, bool with_delay) const {
     RayPixel pixel;
     pixel.fate = traced.orbit->fate();
     pixel.g = traced.g;
@@ -171,9 +174,9 @@ RayPixel FrameTracer::pixel(double x, double y) const {
     }
     if (pixel.fate == Fate::kEscaped || pixel.fate == Fate::kOtherSide) {
         pixel.sky = traced.plane.direction(pixel.angle);
-        pixel.delay = finite_or_zero(traced.orbit->delay());
+        if (with_delay) pixel.delay = finite_or_zero(traced.orbit->delay());
     }
-    pixel.order = static_cast<int>(std::floor(pixel.angle / M_PI));
+    pixel.order = static_cast<int>(std::min(std::floor(pixel.angle / M_PI), 1e9));  // in a wormhole's tube rays wind without end
     return pixel;
 }
 

@@ -45,10 +45,12 @@ public:
     // The first solid body that the ray meets.
     std::optional<BodyHit> body_hit(const CameraRay& ray) const;
     RayPixel pixel(double x, double y) const;
+    RayPixel pixel_without_delay(double x, double y) const;  // the delay may cost several times the rest
     const OrbitMetric& metric() const { return *metric_; }   // of the rays
     const OrbitMetric& matter() const { return *matter_; }   // of what they meet: another where light goes straight
 
 private:
+    RayPixel pixel_of(const CameraRay& traced, bool with_delay) const;
     FrameTracer() = default;
     CameraSpec camera_;
     LightSpec light_;

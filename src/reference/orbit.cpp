@@ -2,7 +2,9 @@
 
 #include <array>
 
+#include "reference/dneg_orbit.h"
 #include "reference/ellis_orbit.h"
+#include "reference/janis_newman_winicour_orbit.h"
 #include "reference/minkowski_orbit.h"
 #include "reference/reissner_nordstrom_orbit.h"
 #include "reference/schwarzschild_orbit.h"
@@ -20,6 +22,8 @@ constexpr std::array kMetrics{
     Entry{"reissner-nordstrom", make_reissner_nordstrom_orbits},
     Entry{"neutron-star", make_star_orbits},
     Entry{"ellis", make_ellis_orbits},
+    Entry{"dneg-wormhole", make_dneg_orbits},
+    Entry{"janis-newman-winicour", make_janis_newman_winicour_orbits},
     Entry{"minkowski", make_minkowski_orbits},
 };
 

@@ -13,8 +13,8 @@
 
 namespace nullscope::reference {
 
-// Swept angles are counted from the camera, in rad, with windings; zeta = r_s / r; q = E r_s / L. In wormholes lengths are in throat
-// radii and l, the proper distance from the throat, stands wherever zeta is written.
+// Swept angles are counted from the camera, in rad, with windings; zeta = r_s / r; q = E r_s / L. In wormholes q is 1 over the
+// impact parameter and l, the proper distance from the throat, stands wherever zeta is written.
 class Orbit {
 public:
     virtual ~Orbit() = default;

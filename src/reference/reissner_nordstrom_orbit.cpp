@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/naked_orbit.h"
 #include "reference/smooth_leg.h"
 
 namespace nullscope::reference {
@@ -344,8 +345,10 @@ private:
 }  // namespace
 
 std::unique_ptr<OrbitMetric> make_reissner_nordstrom_orbits(const SpacetimeSpec& spec) {
-    const auto charge = spec.parameters.find("charge");
-    return std::make_unique<ReissnerNordstrom>(charge == spec.parameters.end() ? 0.5 : charge->second);
+    const auto given = spec.parameters.find("charge");
+    const double charge = given == spec.parameters.end() ? 0.5 : given->second;
+    if (charge > 1.0) return make_naked_orbits(charge);
+    return std::make_unique<ReissnerNordstrom>(charge);
 }
 
 }  // namespace nullscope::reference

@@ -10,6 +10,7 @@
 #include "light/black_body.h"
 #include "scene/pixel_angle.h"
 #include "sky/point_stars.h"
+#include "sky/sky.h"
 #include "table/critical_images.h"
 #include "table/disc_light.h"
 #include "table/orbit_map.h"
@@ -122,6 +123,7 @@ Fate inner_fate(InnerEnd end) {
     switch (end) {
         case InnerEnd::kOtherSky: return Fate::kOtherSide;
         case InnerEnd::kSurface: return Fate::kHit;
+        case InnerEnd::kSameSky: return Fate::kEscaped;
         case InnerEnd::kHorizon: break;
     }
     return Fate::kCaptured;
@@ -168,7 +170,7 @@ Status FrameTables::update(const Scene& scene) {
     orbit_map_ = {};
     star_lens_ = {};
     ++revision_;
-    if (table_ == nullptr) return Done{};
+    if (!spacetime_->bends_light()) return Done{};
     const auto start = std::chrono::steady_clock::now();
     fan_ = fan_for(scene);
     strip_ = build_strip(*fan_);
@@ -219,18 +221,22 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     if (fan != nullptr) block.put(critical_cosine, critical_sine, 1.0 / fan->w0(), fan->octaves(Segment::kSky));
     else block.put(0, 0, 0, 0);
     if (fan != nullptr) {
-        const auto& series = fan->table().series();
+        const auto series = fan->has_table() ? fan->table().series() : DeflectionTable::Series{};
+        const int captured = fan->octaves(Segment::kSky) + fan->octaves(Segment::kCaptured);
+        const bool back = spacetime.inner_end() == InnerEnd::kSameSky;
         block.put(std::sin(fan->critical_angle()), std::cos(fan->chi0()), series.a0, series.a1);
-        block.put(series.a2, fan->chi0(), 0, 0);
+        block.put(series.a2, fan->chi0(), back ? captured : 0, back ? std::tan(0.25 * fan->critical_angle()) : 0);
     } else {
         block.put(0, 0, 0, 0);
         block.put(0, 0, 0, 0);
     }
+    const auto sky_K = scene.sky.temperature_K;
     const double speed = length(camera.velocity), stretch = std::sqrt((1.0 + speed) / (1.0 - speed));
     block.put(speed > 0.0 ? world * (camera.velocity / speed) : Vec3{1, 0, 0}, scene.light.aberration ? stretch : 1.0);
-    block.put(scene.light.doppler ? stretch : 1.0, 0, 0, 0);
-    const auto sky_K = scene.sky.temperature_K;
-    block.put(0.5 * textures.sky_size, std::log2(std::max(textures.sky_size, 1)), 1.0, sky_K ? log2_brightness(*sky_K, scene.light.bolometric) : 0.0);
+    block.put(scene.light.doppler ? stretch : 1.0, sky_K ? log2_brightness(*sky_K, scene.light.bolometric) : 0.0, 0, 0);
+    const int sky_size = std::max(textures.sky_size, 1);
+    if (textures.two_skies) block.put(0.5 * sky_size, bordered_levels(sky_size) - 1, 1.0, 0.5 * sky_size / bordered_size(sky_size));
+    else block.put(0.5 * textures.sky_size, std::log2(sky_size), 1.0, 0);
     if (sky_K) block.put(sky_light(scene.light, *sky_K, g_gravity, motion_is_seen(scene)), std::log2(*sky_K));
     else block.put(1, 1, 1, 0);
     const double height = std::cos(camera.theta);

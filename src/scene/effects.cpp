@@ -141,6 +141,8 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     }
     if (lensing && (*spacetime)->inner_end() != InnerEnd::kHorizon)
         reasons.push_back({Effect::kInner, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
+    if (lensing && (*spacetime)->inner_end() == InnerEnd::kSameSky)
+        reasons.push_back({Effect::kBounce, fmt::format("spacetime.metric = \"{}\" without horizon", scene.spacetime.metric)});
     if (lensing && (*spacetime)->inner_end() == InnerEnd::kOtherSky && scene.far_sky.kind != SkyKind::kBlack) {
         reasons.push_back({Effect::kFarSky, fmt::format("spacetime.metric = \"{}\", far_sky.kind = \"{}\"",
                                                         scene.spacetime.metric, name_of(scene.far_sky.kind))});
@@ -226,6 +228,7 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
         case Effect::kToneNeutral: less.picture.tone = ToneCurve::kShoulder; return less;
         case Effect::kDither: less.picture.dither = false; return less;
         case Effect::kInner:
+        case Effect::kBounce:
         case Effect::kStar: break;
     }
     return std::nullopt;

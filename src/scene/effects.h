@@ -18,9 +18,9 @@ namespace nullscope {
 enum class Effect {
     kLensing, kAberration, kDisc, kDiscImage, kDiscPattern, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kBolometric,
     kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kPointStars, kSky, kSkyShift, kSkyPattern,
-    kInner, kFarSky, kStar, kBloom, kAutoExposure, kToneFilm, kToneNeutral, kDither
+    kInner, kBounce, kFarSky, kStar, kBloom, kAutoExposure, kToneFilm, kToneNeutral, kDither
 };
-inline constexpr std::size_t kEffectCount = 30;
+inline constexpr std::size_t kEffectCount = 31;
 
 struct EffectRow {
     Effect effect;
@@ -82,7 +82,9 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
     {Effect::kSkyPattern, "sky-pattern", "EFFECT_SKY_PATTERN", "Escaped rays show a colour, a pattern or a formula.",
      "sky.kind is plain, checker, grid, stripes, noise or formula", "arithmetic a pixel"},
     {Effect::kInner, "inner", "EFFECT_INNER", "Rays that pass the critical direction inward end somewhere to see.",
-     "spacetime.metric is a wormhole or a star", "more octaves of the strip"},
+     "spacetime.metric is a wormhole, a star or a charge without horizon", "more octaves of the strip"},
+    {Effect::kBounce, "bounce", "EFFECT_BOUNCE", "Rays that pass the critical direction inward turn and come back to the same sky.",
+     "spacetime.metric is a charge without horizon", "more octaves of the strip, about the centre"},
     {Effect::kFarSky, "far-sky", "EFFECT_FAR_SKY", "Rays through the wormhole show the sky of its other side.",
      "spacetime.metric is a wormhole and far_sky.kind is not black", "a cube map; one fetch a pixel"},
     {Effect::kStar, "star", "EFFECT_STAR", "Rays end on the surface of a star.", "spacetime.metric is a star",

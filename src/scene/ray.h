@@ -20,10 +20,10 @@ enum class Object { kNone = 0, kDisc = 1, kSphere = 2, kCylinder = 3, kBall = 4,
 
 // A ray traced backward in time from a camera.
 // General form: position (r, theta, phi) and unit look direction n = (n_r, n_theta, n_phi) in the local static frame.
-// In wormholes r is the proper distance l from the throat in throat radii, negative on the far side.
+// In wormholes r is the proper distance l from the throat, negative on the far side.
 // Reduced form (orbit set): q = E r_s / L, zeta0 = r_s / r, s = +1 towards the hole, -1 away; the orbital plane is then the
-// equatorial plane, the camera at phi = 0 and the ray moves towards growing phi. Wormholes: q = throat radius over impact parameter,
-// zeta0 holds l0, s = +1 towards the throat.
+// equatorial plane, the camera at phi = 0 and the ray moves towards growing phi. Wormholes: q = 1 over impact parameter, zeta0
+// holds l0, s = +1 towards the throat.
 struct ReducedRay {
     double q = 0, zeta0 = 0;
     int s = 1;

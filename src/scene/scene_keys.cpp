@@ -50,8 +50,11 @@ constexpr SceneKey kKeys[] = {
     {"spacetime", "metric", KeyType::kMetric, "", "schwarzschild", kNone, "", "The spacetime.",
      [](Scene& s, const KeyValue& v) { s.spacetime.metric = v.text; }},
 
+    {"beside", "metric", KeyType::kMetric, "", "schwarzschild", kNone, "", "The spacetime of the picture's right half.",
+     [](Scene& s, const KeyValue& v) { s.beside->metric = v.text; }},
+
     {"camera", "r", KeyType::kNumber, "r_s", "15", kRadius, "",
-     "Radial coordinate; outside the horizon, since the camera is described in the static frame. Of wormholes: l, in throat radii.",
+     "Radial coordinate; outside the horizon, since the camera is described in the static frame. Of wormholes: l.",
      [](Scene& s, const KeyValue& v) { s.camera.r = v.number; }},
     {"camera", "theta", KeyType::kNumber, "deg", "84.8", kPolarAngle, "",
      "Polar angle: 0 above the north pole, 90 in the disc's plane.",

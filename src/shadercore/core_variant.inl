@@ -69,6 +69,7 @@ RayPixel trace_one(const CoreInput& input, double x, double y) {
 #undef ENDS_ROW_COS
 #undef ENDS_ROW_RATIO
 #undef ENDS_ROW_INNER
+#undef ENDS_ROW_CENTRE
 #undef ORBIT_CELLS_PER_OCTAVE
 #undef ORBIT_ROWS
 #undef DISC_MOST_CROSSINGS

@@ -14,12 +14,14 @@ namespace {
 
 }  // namespace
 
-double Ellis::areal_radius(double l) const { return std::hypot(l, 1.0); }
-double Ellis::chi_from_radius(double l) const { return std::atan2(1.0, l); }
-double Ellis::radius_from_chi(double chi) const { return std::cos(chi) / std::sin(chi); }
+double Ellis::areal_radius(double l) const { return std::hypot(l, throat_); }
+double Ellis::chi_from_radius(double l) const { return std::atan2(throat_, l); }
+double Ellis::radius_from_chi(double chi) const { return throat_ * std::cos(chi) / std::sin(chi); }
 double Ellis::half_v_slope(double) const { no_zeta(); }
 double Ellis::half_v_curvature(double) const { no_zeta(); }
 
-std::unique_ptr<Spacetime> make_ellis(const std::map<std::string, double>&) { return std::make_unique<Ellis>(); }
+std::unique_ptr<Spacetime> make_ellis(const std::map<std::string, double>& parameters) {
+    return std::make_unique<Ellis>(parameters.at("throat"));
+}
 
 }  // namespace nullscope

@@ -1,7 +1,7 @@
-// Ellis wormhole: ds^2 = -dt^2 + dl^2 + (l^2 + 1) dOmega^2 in throat radii, l from -infinity to infinity (Ellis 1973).
+// Ellis wormhole: ds^2 = -dt^2 + dl^2 + (l^2 + a^2) dOmega^2 with throat radius a, l from -infinity to infinity (Ellis 1973).
 //
-// V = 1/(l^2 + 1) = sin^2(chi) with l = cot(chi): q_crit = 1 at the throat, chi = pi is the other sky. Then
-//     dphi = dl/((l^2 + 1) sqrt(q^2 - V)) = dchi / sqrt(k^2 - sin^2 chi):   h = 1.
+// V = 1/(l^2 + a^2) = sin^2(chi)/a^2 with l = a cot(chi): q_crit = 1/a at the throat, chi = pi is the other sky. Then
+//     dphi = dl/((l^2 + a^2) sqrt(q^2 - V)) = dchi / sqrt(k^2 - sin^2 chi):   h = 1.
 #pragma once
 #include <map>
 #include <memory>
@@ -13,13 +13,14 @@ namespace nullscope {
 
 class Ellis final : public Spacetime {
 public:
+    explicit Ellis(double throat) : throat_(throat) {}
     std::string_view name() const override { return "ellis"; }
     double lapse_squared(double) const override { return 1.0; }
     double areal_radius(double l) const override;
     double radial_stretch2(double) const override { return 1.0; }
     RadiusRange camera_range() const override { return {-kAnyRadius, kAnyRadius}; }
     std::optional<double> horizon_radius() const override { return std::nullopt; }
-    std::optional<PhotonSphere> photon_sphere() const override { return PhotonSphere{0.0, 1.0}; }
+    std::optional<PhotonSphere> photon_sphere() const override { return PhotonSphere{0.0, 1.0 / throat_}; }
     bool bends_light() const override { return true; }
     InnerEnd inner_end() const override { return InnerEnd::kOtherSky; }
     double chi_from_radius(double l) const override;
@@ -28,6 +29,10 @@ public:
     bool has_orbit_equation() const override { return false; }
     double half_v_slope(double) const override;
     double half_v_curvature(double) const override;
+    double length_unit() const override { return throat_; }
+
+private:
+    double throat_;
 };
 
 std::unique_ptr<Spacetime> make_ellis(const std::map<std::string, double>& parameters);

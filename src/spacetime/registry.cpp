@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "spacetime/dneg_wormhole.h"
 #include "spacetime/ellis.h"
+#include "spacetime/janis_newman_winicour.h"
 #include "spacetime/minkowski.h"
+#include "spacetime/naked_charge.h"
 #include "spacetime/neutron_star.h"
 #include "spacetime/reissner_nordstrom.h"
 #include "spacetime/schwarzschild.h"
@@ -46,15 +49,29 @@ std::span<const MetricEntry> metric_registry() {
     static const std::vector<MetricEntry> entries = {
         {"schwarzschild", "A black hole without spin or charge.", {}, make_schwarzschild},
         {"reissner-nordstrom",
-         "A black hole with electric charge.",
-         {{"charge", 0.5, 0.0, 1.0, "Charge Q/M: 0 is Schwarzschild, 1 the extremal hole."}},
+         "A black hole with electric charge, or the naked charge that is left above Q/M = 1.",
+         {{"charge", 0.5, 0.0, NakedCharge::kMost, "Charge Q/M: 0 is Schwarzschild, 1 the extremal hole; above there is no horizon, and above 1.06066 no photon sphere."}},
          make_reissner_nordstrom},
         {"neutron-star",
          "A star without spin or charge, with a patterned surface.",
          {{"radius", 2.5, NeutronStar::kLeastRadius, NeutronStar::kLargestRadius,
            "Radius of the surface, r_s; at least 9/8, what pressure can hold up."}},
          make_neutron_star},
-        {"ellis", "A wormhole between two skies, the simplest: no tides, no redshift.", {}, make_ellis},
+        {"ellis",
+         "A wormhole between two skies, the simplest: no tides, no redshift.",
+         {{"throat", 1.0, 0.01, 100.0, "Radius of the throat."}},
+         make_ellis},
+        {"dneg-wormhole",
+         "The wormhole of James, von Tunzelmann, Franklin and Thorne (2015): a tube of any length, lensing as gentle as wanted.",
+         {{"throat", 1.0, 0.01, 100.0, "Radius of the throat."},
+          {"length", 0.01, 0.0, DnegWormhole::kLongest, "Length of the tube, in throat radii."},
+          {"lensing_width", 0.05, DnegWormhole::kNarrowest, DnegWormhole::kWidest,
+           "Width of the region outside the tube that bends light, in throat radii."}},
+         make_dneg_wormhole},
+        {"janis-newman-winicour",
+         "A mass with a scalar field: a photon sphere about a singular surface.",
+         {{"gamma", 0.8, JanisNewmanWinicour::kLeast, 1.0, "Mass over what it is with its field: 1 is Schwarzschild."}},
+         make_janis_newman_winicour},
         {"minkowski", "Flat spacetime: light runs straight.", {}, make_minkowski},
     };
     return entries;

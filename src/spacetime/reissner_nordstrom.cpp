@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "spacetime/naked_charge.h"
+
 namespace nullscope {
 
 namespace {
@@ -62,7 +64,9 @@ double ReissnerNordstrom::lapse_squared(double r) const {
 }
 
 std::unique_ptr<Spacetime> make_reissner_nordstrom(const std::map<std::string, double>& parameters) {
-    return std::make_unique<ReissnerNordstrom>(parameters.at("charge"));
+    const double charge = parameters.at("charge");
+    if (charge > 1.0) return std::make_unique<NakedCharge>(charge);
+    return std::make_unique<ReissnerNordstrom>(charge);
 }
 
 }  // namespace nullscope

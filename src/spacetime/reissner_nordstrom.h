@@ -1,4 +1,5 @@
-// Reissner-Nordstrom: A = 1 - zeta + kappa zeta^2, kappa = (Q/2M)^2: a hole of charge Q, 0 <= Q/M <= 1.
+// Reissner-Nordstrom: A = 1 - zeta + kappa zeta^2, kappa = (Q/2M)^2: a hole of charge Q, 0 <= Q/M <= 1;
+// above 1 there is none (naked_charge.h).
 //
 // With s = sqrt(1 - (Q/M)^2) and D = sqrt(1 + 8 s^2), everything is a product:
 //     horizons     r = (1 +- s)/2:         A = (1 - r_o zeta)(1 - r_i zeta)

@@ -1,5 +1,5 @@
 // Spacetime: what the host needs to know of a static, spherically symmetric metric
-//     ds^2 = -A dt^2 + B dr^2 + R^2 dOmega^2,   units r_s = c = 1 (wormholes: throat radius = c = 1), signature (-,+,+,+).
+//     ds^2 = -A dt^2 + B dr^2 + R^2 dOmega^2,   units r_s = c = 1 (wormholes have no r_s: any unit), signature (-,+,+,+).
 // r is the metric's own radial coordinate, regular wherever a camera can be: the areal radius of holes and stars (R = r), the
 // proper distance from the throat of wormholes (r < 0 on the far side). It grows outward, to the sky at r = infinity.
 //
@@ -21,7 +21,15 @@ struct PhotonSphere {
 };
 
 // Where light ends that passes the photon sphere inward.
-enum class InnerEnd { kHorizon, kOtherSky, kSurface };
+// kSameSky: it does not end there, but turns and comes back to the sky (Wall).
+enum class InnerEnd { kHorizon, kOtherSky, kSurface, kSameSky };
+
+// V where it grows without bound inward and every ray turns (metrics with R = r, V a quartic): about zeta_d, where rays divide, V = v +
+// x (c[0] + x (c[1] + x (c[2] + x c[3]))), x = zeta - zeta_d. c[0] = 0: a photon sphere, the only one that cameras stand outside of.
+struct Wall {
+    double zeta, v;
+    std::array<double, 4> c;
+};
 
 // Radii at which a camera can be at rest: low < r < high.
 inline constexpr double kAnyRadius = 1e300;
@@ -42,7 +50,8 @@ public:
     virtual RadiusRange camera_range() const { return {horizon_radius().value_or(0.0), kAnyRadius}; }
     // Outer horizon's radius; nothing if there is none.
     virtual std::optional<double> horizon_radius() const = 0;
-    virtual std::optional<PhotonSphere> photon_sphere() const = 0;  // nothing: light runs straight (see bends_light)
+    virtual std::optional<PhotonSphere> photon_sphere() const = 0;  // the one that defines chi; nothing: light runs straight, or wall()
+    virtual std::optional<Wall> wall() const { return std::nullopt; }
     virtual bool bends_light() const = 0;
     virtual InnerEnd inner_end() const { return InnerEnd::kHorizon; }
     virtual std::optional<double> surface_radius() const { return std::nullopt; }  // of a star; kSurface
@@ -50,12 +59,21 @@ public:
     virtual double chi_from_radius(double r) const = 0;
     virtual double radius_from_chi(double chi) const = 0;
     virtual double bending_density(double chi) const = 0;  // h(chi), chi in [0, pi]
+    // h holds chi ln(chi) at its ends (R = l + ln l far out): the table's nodes crowd there.
+    virtual bool logarithm_at_sky() const { return false; }
+    // A wormhole's tube, where R and V are constant: what of its length lies between r and the sky, over R. All of it has chi = pi/2,
+    // and rays with k > 1 sweep this divided by sqrt(k^2 - 1) there. r = -infinity: the whole tube.
+    virtual double tube_beyond(double) const { return 0.0; }
+    // What ray files count lengths in (docs/ray-data.md): the throat's radius of wormholes.
+    virtual double length_unit() const { return 1.0; }
 
     // The orbit equation zeta'' = -half_v_slope(zeta) of zeta = 1/r, by which objects are found; metrics with R = r only.
     virtual bool has_orbit_equation() const { return true; }
     virtual double half_v_slope(double zeta) const = 0;      // d(A zeta^2)/dzeta / 2
     virtual double half_v_curvature(double zeta) const = 0;  // its derivative
 
+    // Wormholes: r is the proper distance from the throat, and ray files have l0 where others have zeta0.
+    bool by_proper_length() const { return inner_end() == InnerEnd::kOtherSky; }
     // Where rays that miss the sky end in a horizon the orbit map of objects can follow them.
     bool can_have_disc() const { return has_orbit_equation() && inner_end() == InnerEnd::kHorizon; }
 

@@ -18,13 +18,21 @@ constexpr std::array<double, 6> kGaussNode = {0.1252334085114689, 0.367831498998
 constexpr std::array<double, 6> kGaussWeight = {0.2491470458134028, 0.2334925365383548, 0.2031674267230659,
                                                 0.1600783285433462, 0.1069393259953184, 0.0471753363865118};
 
-template <class F>
-double gauss(double low, double high, F&& f) {
+// 6-point rule, for cells half as wide.
+constexpr std::array<double, 3> kShortNode = {0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
+constexpr std::array<double, 3> kShortWeight = {0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
+
+template <std::size_t n, class F>
+double gauss_rule(const std::array<double, n>& node, const std::array<double, n>& weight, double low, double high, F&& f) {
     const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
     double sum = 0.0;
-    for (std::size_t i = 0; i < kGaussNode.size(); ++i)
-        sum += kGaussWeight[i] * (f(middle - half * kGaussNode[i]) + f(middle + half * kGaussNode[i]));
+    for (std::size_t i = 0; i < n; ++i) sum += weight[i] * (f(middle - half * node[i]) + f(middle + half * node[i]));
     return half * sum;
+}
+
+template <class F>
+double gauss(double low, double high, F&& f) {
+    return gauss_rule(kGaussNode, kGaussWeight, low, high, f);
 }
 
 // asinh(a/d) - asinh(b/d) for a > 0, a >= b, given d^2 >= 0: no overflow, no cancellation.
@@ -72,45 +80,69 @@ std::array<double, 4> through_integrals(double d2, double c) {
     return {j0, j1, j2, j3};
 }
 
+// h(pi - chi) = h(chi), as wormholes have it: one sheet of turning rays serves both sides.
+bool same_on_both_sides(const Spacetime& spacetime) {
+    constexpr int kSamples = 32;
+    constexpr double kSame = 1e-14;   // a few roundings of pi - chi
+    for (int i = 1; i < kSamples; ++i) {
+        const double chi = 0.5 * kPi * i / kSamples, h = spacetime.bending_density(chi);
+        if (!(std::fabs(spacetime.bending_density(kPi - chi) - h) <= kSame * h)) return false;
+    }
+    return true;
+}
+
+// Over a sheet's cell; the cells of a graded one are half as wide.
+template <class Sheet, class F>
+double cell_integral(const Sheet& sheet, int j, F&& f) {
+    const double low = kPi * sheet.node_y(j - 1), high = kPi * sheet.node_y(j);
+    return sheet.graded_y ? gauss_rule(kShortNode, kShortWeight, low, high, f) : gauss(low, high, f);
+}
+
 }  // namespace
 
 DeflectionTable::DeflectionTable(const Spacetime& spacetime, int size) : size_(size) {
+    const bool graded = spacetime.logarithm_at_sky();
+    if (graded) size_ = size *= 2;
     const auto a = series_about_photon_sphere(spacetime);
     series_ = {a[0], a[1], a[2], a[3]};
     for (Sheet* sheet : {&outer_, &inner_, &through_}) {
         sheet->size = size;
+        sheet->graded_x = graded && sheet != &through_;
+        sheet->graded_y = graded;
         sheet->values.assign(static_cast<std::size_t>(size + 1) * (size + 1), 0.0);
     }
-    build_turning(spacetime, false, series_, outer_);
-    build_turning(spacetime, true, series_, inner_);
-    build_through(spacetime, through_);
+    const DensityFit density(spacetime);
+    build_turning(density, false, series_, outer_);
+    if (same_on_both_sides(spacetime)) inner_.values = outer_.values;
+    else build_turning(density, true, series_, inner_);
+    build_through(density, through_);
 }
 
 std::size_t DeflectionTable::bytes() const { return 3 * outer_.values.size() * sizeof(double); }
 
 // R is summed up cell by cell along alpha with a Gauss rule each: every node costs one cell.
-void DeflectionTable::build_turning(const Spacetime& spacetime, bool inner, const Series& series, Sheet& sheet) {
+void DeflectionTable::build_turning(const DensityFit& density, bool inner, const Series& series, Sheet& sheet) {
     tbb::parallel_for(0, size_ + 1, [&](int i) {
-        const double m = core64::turning_one_minus_k_from_x(static_cast<double>(i) / size_);
+        const double m = core64::turning_one_minus_k_from_x(sheet.node_x(i));
         const double k = 1.0 - m, kp2 = m * (2.0 - m);
         const auto integrand = [&](double alpha) {
             const double sin_alpha = std::sin(alpha), t = k * std::cos(alpha);
             const double sin_chi = k * sin_alpha;
             const double c = std::sqrt(kp2 + t * t);
             const double chi = std::atan2(sin_chi, c);
-            const double h = spacetime.bending_density(inner ? kPi - chi : chi);
+            const double h = density(inner ? kPi - chi : chi);
             return (h - sin_chi * (series.a0 + series.a2 * c * c)) / c;
         };
         double sum = 0.0;
         double* row = sheet.values.data() + static_cast<std::size_t>(i) * (size_ + 1);
         for (int j = 1; j <= size_; ++j) {
-            sum += gauss(kPi * (j - 1) / size_, kPi * j / size_, integrand);
+            sum += cell_integral(sheet, j, integrand);
             row[j] = sum;
         }
     });
 }
 
-void DeflectionTable::build_through(const Spacetime& spacetime, Sheet& sheet) {
+void DeflectionTable::build_through(const DensityFit& density, Sheet& sheet) {
     tbb::parallel_for(0, size_ + 1, [&](int i) {
         // R k is stored; at x = 1 (k = infinity) its limit, the integral of h - sin(chi) (a0 + ... + a3 c^3).
         const double x = static_cast<double>(i) / size_;
@@ -119,20 +151,48 @@ void DeflectionTable::build_through(const Spacetime& spacetime, Sheet& sheet) {
         const double k = 1.0 + k1, d2 = k1 * (2.0 + k1);
         const auto integrand = [&](double chi) {
             const double s = std::sin(chi), c = std::cos(chi);
-            const double rest = spacetime.bending_density(chi) -
+            const double rest = density(chi) -
                                 s * (series_.a0 + c * (series_.a1 + c * (series_.a2 + c * series_.a3)));
             return radial ? rest : rest * k / std::sqrt(d2 + c * c);
         };
         double sum = 0.0;
         double* row = sheet.values.data() + static_cast<std::size_t>(i) * (size_ + 1);
         for (int j = 1; j <= size_; ++j) {
-            sum += gauss(kPi * (j - 1) / size_, kPi * j / size_, integrand);
+            sum += cell_integral(sheet, j, integrand);
             row[j] = sum;
         }
     });
 }
 
+double DeflectionTable::Sheet::node_x(int i) const {
+    const double s = static_cast<double>(i) / size;
+    return graded_x ? s * s * s : s;
+}
+
+// v^3 (10 - 15 v + 6 v^2): 10 v^3 at both ends, 15/8 as wide in the middle.
+double DeflectionTable::Sheet::node_y(int j) const {
+    const double v = static_cast<double>(j) / size;
+    return graded_y ? v * v * v * (10.0 - v * (15.0 - 6.0 * v)) : v;
+}
+
+namespace {
+double place_of_graded_y(double y) {
+    const bool upper = y > 0.5;
+    const double target = upper ? 1.0 - y : y;
+    double v = std::min(std::cbrt(0.1 * target) * (1.0 + 0.25 * std::cbrt(target)), 0.5);
+    for (int i = 0; i < 8 && v > 0.0; ++i) {
+        const double off = v * v * v * (10.0 - v * (15.0 - 6.0 * v)) - target, slope = 30.0 * v * v * (1.0 - v) * (1.0 - v);
+        const double step = off / slope;
+        v -= step;
+        if (std::fabs(step) <= 1e-9 * v) break;
+    }
+    return upper ? 1.0 - v : v;
+}
+}  // namespace
+
 double DeflectionTable::Sheet::at(double x, double y) const {
+    if (graded_x) x = std::cbrt(std::max(x, 0.0));
+    if (graded_y) y = place_of_graded_y(std::clamp(y, 0.0, 1.0));
     constexpr int points = 6;
     const auto weights = [this](double position, int& first) {
         const double p = std::clamp(position, 0.0, 1.0) * size;

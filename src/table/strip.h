@@ -15,7 +15,8 @@ struct TexelGrid {
 };
 
 struct Strip {
-    TexelGrid sky;    // cos(phi) and sin(phi)/sin(alpha) of the rays that reach the sky, then of the others if they end somewhere to see
+    TexelGrid sky;    // cos(phi) and sin(phi)/sin(alpha) of the rays that reach the sky, then of the others if they end somewhere to see, then
+                      // of those again by their angle from the centre if they come back (shaders/core/strip.glsl)
     TexelGrid ends;   // phi_end/sin(alpha) of all rays; those of `sky` again, as cubics (rows of core/strip.glsl)
 };
 

@@ -23,6 +23,17 @@ double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::
 
 bool radius_rows(CameraSpec& camera, const FlightRange& range) {
     bool changed = false;
+    if (range.throat > 0.0) {  // wormholes: through the throat, in equal steps of asinh(l/throat)
+        row("Distance", "Proper distance l from the throat: 0 in it, negative on the far side. The wheel changes it too.");
+        double place = std::asinh(camera.r / range.throat);
+        const double end = std::asinh(kFarSlider);
+        if (slide_as("##above", place, -end, end, 0, fmt::format("l = {:.4g}", camera.r))) {
+            camera.r = range.throat * std::sinh(place);
+            changed = true;
+        }
+        row("l", "The same, to be typed.");
+        return type_number("##r", camera.r, -1e9, 1e9, "%.6f") || changed;
+    }
     row("Distance",
         "Distance to the horizon, r - r_horizon (to the centre where there is no horizon), in equal factors. The wheel "
         "changes it too.");

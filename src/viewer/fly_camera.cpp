@@ -32,7 +32,7 @@ void fly_short(FlyCamera& camera, Vec3 step, const Spacetime& spacetime, const F
     const double outward = dot(along, camera.place);
     const Vec3 across = along - outward * camera.place;
     const double lapse = std::sqrt(spacetime.lapse_squared(camera.r));
-    const double angle = length(across) * (camera.r - range.horizon) / (lapse * camera.r);
+    const double angle = length(across) * range.unit(camera.r) / (lapse * spacetime.areal_radius(camera.r));
     if (angle > 0.0) {
         const Vec3 next = normalized(std::cos(angle) * camera.place + std::sin(angle) * normalized(across));
         camera.velocity = rotation_between(camera.place, next) * camera.velocity;
@@ -75,11 +75,18 @@ Mat3 rolled(const Mat3& world_from_camera, double angle) {
 }
 
 FlightRange flight_range(const Spacetime& spacetime) {
-    const double horizon = spacetime.horizon_radius().value_or(0.0);
-    return {horizon, horizon > 0.0 ? horizon * (1.0 + kNearest) : kNearestFlat, kFarthest};
+    const double low = spacetime.camera_range().low;
+    if (low < 0.0) {
+        const double throat = spacetime.areal_radius(0.0);
+        return {0.0, -kFarthest * throat, kFarthest * throat, throat};
+    }
+    return {low, low > 0.0 ? low * (1.0 + kNearest) : kNearestFlat, kFarthest};
 }
 
+double FlightRange::unit(double r) const { return throat > 0.0 ? std::hypot(r, throat) : r - horizon; }
+
 double scaled_radius(double r, double change, const FlightRange& range) {
+    if (range.throat > 0.0) return kept_in_range(range.throat * std::sinh(std::asinh(r / range.throat) + change), r, range);
     return kept_in_range(range.horizon + (r - range.horizon) * std::exp(change), r, range);
 }
 
@@ -95,6 +102,7 @@ double free_fall_speed(const Spacetime& spacetime, double r) {
 
 // v^2 = r A'/(2A); with d(A zeta^2)/dzeta / 2 = zeta A + zeta^2 (dA/dzeta)/2 it is 1 - half_v_slope/(zeta A).
 std::optional<double> circular_orbit_speed(const Spacetime& spacetime, double r) {
+    if (!spacetime.has_orbit_equation()) return std::nullopt;  // wormholes: nothing is drawn to them
     const double zeta = 1.0 / r;
     const double v2 = 1.0 - spacetime.half_v_slope(zeta) / (zeta * spacetime.lapse_squared(r));
     if (!(v2 > 0.0 && v2 < 1.0)) return std::nullopt;

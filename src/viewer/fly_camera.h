@@ -27,16 +27,19 @@ Mat3 dragged(const Mat3& world_from_camera, Vec3 grabbed, Vec3 now);
 // Turned about the line of sight: the camera's top goes to its right.
 Mat3 rolled(const Mat3& world_from_camera, double angle);
 
-// Radii between which one flies. A camera outside of them (from a scene file) may stay there, or come back.
+// Radii between which one flies, from the metric's own range of cameras. One outside of them (from a scene file) may stay there, or
+// come back. throat: of a wormhole, through which one flies to negative radii; 0 elsewhere.
 struct FlightRange {
-    double horizon, nearest, farthest;  // horizon: 0 where there is none
+    double horizon, nearest, farthest;  // horizon: the metric's least radius, or 0
+    double throat = 0.0;
+    double unit(double r) const;        // of flight at r: r - horizon, in a wormhole sqrt(r^2 + throat^2)
 };
 FlightRange flight_range(const Spacetime& spacetime);
 
-// The radius whose distance to the horizon is exp(change) times that of r, within the range.
+// The radius whose distance to the horizon is exp(change) times that of r, within the range; in a wormhole asinh(r/throat) grows by change.
 double scaled_radius(double r, double change, const FlightRange& range);
 
-// A step along camera axes (right, up, backward), length in units of r - horizon: a radial one scales r - horizon by
+// A step along camera axes (right, up, backward), length in units of FlightRange::unit: a radial one scales r - horizon by
 // its exponential, one across keeps the proper ratio of lengths in the static frame. Orientation stays in world axes;
 // the velocity is carried parallel on the sphere, so that its outward part stays outward and nothing jumps at a pole.
 void fly(FlyCamera& camera, Vec3 step, const Spacetime& spacetime);

@@ -57,7 +57,7 @@ void keep_outside_horizon(Scene& scene) {
     const auto spacetime = spacetime_of(scene);
     if (spacetime == nullptr) return;
     const FlightRange range = flight_range(*spacetime);
-    if (!(scene.camera.r > range.horizon)) scene.camera.r = range.nearest;
+    if (!camera_can_rest(*spacetime, scene.camera.r)) scene.camera.r = range.throat > 0.0 ? range.throat : range.nearest;
 }
 
 double fov_of(const CameraSpec& camera) { return 2.0 * std::atan2(0.5 * camera.plane_width, camera.focal_distance); }

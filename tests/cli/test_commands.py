@@ -10,7 +10,7 @@ from pathlib import Path
 
 import support
 
-COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench soak", "plan", "scenes", "info", "figure"]
+COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench metrics", "bench soak", "plan", "scenes", "info", "figure"]
 
 
 def png_size(data):
@@ -101,7 +101,7 @@ class Commands(support.CliTest):
         self.assertIn("0.5", reasons["aberration"])
         self.assertEqual([e["effect"] for e in found["left_out"]],
                          ["disc-pattern", "thermal-disc", "shift", "beaming", "bolometric", "sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
-                          "body-image", "point-stars", "sky", "sky-shift", "sky-pattern", "inner", "far-sky", "star",
+                          "body-image", "point-stars", "sky", "sky-shift", "sky-pattern", "inner", "bounce", "far-sky", "star",
                           "bloom", "auto-exposure", "tone-film", "tone-neutral", "dither"])
         self.assertTrue(all(e["cost"] for e in found["effects"]))
         tables = {t["name"] for t in found["tables"]}
@@ -171,6 +171,38 @@ class Commands(support.CliTest):
             self.assertEqual(done.returncode, 0, f"{example}\n{done.stderr.decode()}")
         json.loads((self.folder / "bench.json").read_text())
         self.assertEqual(png_size((self.folder / "first-light.png").read_bytes())[0], 1280)
+
+    def test_two_spacetimes_beside_each_other(self):
+        pictures = {}
+        for name, other in (("same", "flat"), ("again", "flat"), ("other", "wormhole")):
+            self.run_nullscope("capture", "flat", "--beside", other, "--size", "64x32", "-o", f"{name}.png")
+            pictures[name] = (self.folder / f"{name}.png").read_bytes()
+            self.assertEqual(png_size(pictures[name]), (64, 32))
+        self.assertEqual(pictures["same"], pictures["again"])
+        self.assertNotEqual(pictures["same"], pictures["other"])
+        self.refused("capture", "flat", "--beside", "no such scene", says=["no such scene"])
+        self.refused("capture", "flat", "--beside", "flat", "--raydata", "-o", "a.exr", says=["--beside"])
+
+    def test_a_scene_asks_for_a_split_screen(self):
+        text = '[camera]\nr = 8\n[beside]\nmetric = "{}"\n'
+        pictures = []
+        for metric in ("schwarzschild", "ellis"):
+            scene = self.write("split.toml", text.format(metric))
+            self.run_nullscope("capture", scene, "--size", "65x32", "-o", "split.png")
+            pictures.append((self.folder / "split.png").read_bytes())
+            self.assertEqual(png_size(pictures[-1]), (65, 32))
+        self.assertNotEqual(*pictures)
+        self.refused("capture", scene, "--raydata", "-o", "a.exr", says=["[beside]"])
+        for line, says in (("charge = -1", ["beside.charge", "[0, 3]"]), ("throat = 1", ["no parameter", "charge"]),
+                           ("radius = 2", ["reissner-nordstrom"])):
+            broken = self.write("broken.toml", text.format("reissner-nordstrom") + line + "\n")
+            self.refused("capture", broken, says=["broken.toml:5", *says])
+
+    def test_bench_metrics_has_every_spacetime(self):
+        self.run_nullscope("bench", "metrics", "flat", "--size", support.SMALL, "--frames", "9", "--json", "metrics.json")
+        rows = json.loads((self.folder / "metrics.json").read_text())
+        self.assertIn("dneg-wormhole", [row["spacetime"] for row in rows])
+        self.assertTrue(all(row["ratio"] > 0 for row in rows))
 
     def test_bench_hard_judges_its_rows(self):
         said = self.run_nullscope("bench", "hard", "--only", "flat, sky", "--json", "hard.json").out

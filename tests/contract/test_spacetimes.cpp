@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kRounding = 2e-15;   // a few units in the last place of a product of a few factors
-constexpr double kDifference = 1e-9;  // central differences with step 1e-6: step^2 and 2^-53 / step
+constexpr double kDifference = 1e-9;  // central differences with step 1e-6: step^2 and 2^-53 / step, of values about 1
 constexpr double kStep = 1e-6;
 constexpr double kWeakFieldQ = 1e-4;    // r_s / impact parameter
 constexpr double kWeakFieldNext = 2.0;  // bending = 2 q (1 + c q + ...), |c| <= 15 pi / 32 = 1.47 for charge 0 ... 1
@@ -41,6 +41,9 @@ std::vector<Case> cases() {
             }
         }
     }
+    const double divide = std::sqrt(1.125);  // above it V has no maximum
+    for (const double charge : {1.0, std::nextafter(1.0, 2.0), 1.03, std::nextafter(divide, 1.0), std::nextafter(divide, 2.0), 1.2})
+        all.push_back({"reissner-nordstrom charge = " + std::to_string(charge), *make_spacetime("reissner-nordstrom", {{"charge", charge}})});
     return all;
 }
 
@@ -184,8 +187,9 @@ TEST_CASE("half_v_slope and half_v_curvature are the derivatives of V/2") {
         for (double zeta = 0.01; zeta < 3.0; zeta += 0.01) {
             const double first = slope([&](double z) { return 0.5 * potential(*s, z); }, zeta);
             const double second = slope([&](double z) { return s->half_v_slope(z); }, zeta);
-            CHECK(std::fabs(s->half_v_slope(zeta) - first) < kDifference * (1.0 + zeta * zeta));
-            CHECK(std::fabs(s->half_v_curvature(zeta) - second) < kDifference * (1.0 + zeta * zeta));
+            const double size = 1.0 + zeta * zeta + std::fabs(potential(*s, zeta));  // V of a large charge grows as zeta^4
+            CHECK(std::fabs(s->half_v_slope(zeta) - first) < kDifference * size);
+            CHECK(std::fabs(s->half_v_curvature(zeta) - second) < kDifference * size);
         }
         CHECK(s->half_v_slope(0.0) == 0.0);
         CHECK(s->half_v_slope(1e-300) == doctest::Approx(1e-300).epsilon(kRounding));
@@ -248,21 +252,26 @@ TEST_CASE("chi on both sides of a throat: V = q_crit^2 sin^2 chi, both ways, gro
     for (const auto& [label, s] : cases()) {
         CAPTURE(label);
         if (s->inner_end() != InnerEnd::kOtherSky) continue;
-        const double q_crit = s->photon_sphere()->q_crit;
+        const double q_crit = s->photon_sphere()->q_crit, mouth = 0.5 * s->tube_beyond(-1e300) / q_crit;
+        CHECK(s->tube_beyond(1e300) == 0.0);
+        CHECK(s->tube_beyond(0.0) * 2 == s->tube_beyond(-1e300));
+        for (double l = -mouth; l < mouth; l += 0.1 * mouth) CHECK(s->chi_from_radius(l) == kPi / 2);
         double before = 0.0;
-        for (double l = 1e9; l > 1e-12; l *= 0.7) {
-            const double chi = s->chi_from_radius(l);
+        // As near to a tube's mouth as l tells the distance from it to some digits.
+        for (double off = 1e9; off > (mouth > 0.0 ? 1e-4 : 1e-12); off *= 0.7) {
+            const double l = mouth + off, chi = s->chi_from_radius(l);
             CHECK((chi > before && chi <= kPi / 2));
             before = chi;
             CHECK(std::fabs(q_crit * std::sin(chi) / s->root_v(l) - 1.0) < kRounding);
             CHECK(std::fabs(s->chi_from_radius(-l) - (kPi - chi)) < kRounding);
-            // d l/d chi = h V^-1/q_crit: flat rounding of chi, and relative rounding of l.
+            // d l/d chi = h V^-1 q_crit: flat rounding of chi, and relative rounding of l.
             const double rate = q_crit * s->bending_density(chi) / std::pow(s->root_v(l), 2);
             CHECK(std::fabs(s->radius_from_chi(chi) - l) < kRounding * (l + chi * rate));
         }
         CHECK(s->chi_from_radius(0.0) == doctest::Approx(kPi / 2).epsilon(kRounding));
         // h = (q_crit/V) V... : d chi/d l = -V/(q_crit h), by central differences.
         for (double l = -20.0; l <= 20.0; l += 0.37) {
+            if (std::fabs(l) <= mouth + 10 * kStep) continue;
             const double rate = slope([&](double x) { return s->chi_from_radius(x); }, l),
                          v = std::pow(s->root_v(l), 2);
             CHECK(std::fabs(s->bending_density(s->chi_from_radius(l)) * rate * q_crit / v + 1.0) <
@@ -362,6 +371,51 @@ TEST_CASE("reissner-nordstrom: photon sphere, critical impact parameter and stro
         CHECK(std::fabs(s->bending_density(kPi / 2) - 1.0) < 1e-14);
         CHECK(std::fabs(strong_offset(*s) - (std::log(216 * (7 - 4 * std::sqrt(3.0))) - kPi)) < 1e-12);
     }
+}
+
+TEST_CASE("janis-newman-winicour: gamma = 1 is Schwarzschild; the photon sphere of others") {
+    const auto flat_field = *make_spacetime("janis-newman-winicour", {{"gamma", 1.0}}), hole = *make_spacetime("schwarzschild", {});
+    for (const double r : radii(*hole)) {
+        const double above = 1.0 - 1.0 / r;  // Schwarzschild forms it so: a rounding, over this
+        CHECK(std::fabs(flat_field->lapse_squared(r) / hole->lapse_squared(r) - 1.0) < kRounding / above);
+        CHECK(std::fabs(flat_field->chi_from_radius(r) - hole->chi_from_radius(r)) < kRounding / std::sqrt(above));
+    }
+    for (double chi = 0.01; chi < kPi; chi += 0.01) CHECK(std::fabs(flat_field->bending_density(chi) - hole->bending_density(chi)) < 4 * kRounding + kRounding / (kPi - chi));
+    for (const double gamma : {0.6, 0.75, 0.9}) {
+        const auto s = *make_spacetime("janis-newman-winicour", {{"gamma", gamma}});
+        CHECK(s->photon_sphere()->radius == doctest::Approx((1.0 + 2.0 * gamma) / (2.0 * gamma)).epsilon(kRounding));
+        // dphi = dr/(R^2 sqrt(q^2 - V)): d chi/dr = -1/(q_crit R^2 h), by central differences.
+        for (double r = 1.1 * *s->horizon_radius(); r < 20.0; r *= 1.05) {
+            const double rate = slope([&](double x) { return s->chi_from_radius(x); }, r);
+            const double expected = -1.0 / (s->photon_sphere()->q_crit * std::pow(s->areal_radius(r), 2) * s->bending_density(s->chi_from_radius(r)));
+            CHECK(std::fabs(rate / expected - 1.0) < 1e-7);
+            CHECK(std::fabs(s->radius_from_chi(s->chi_from_radius(r)) / r - 1.0) < 1e-12);
+        }
+    }
+}
+
+TEST_CASE("wall: V about what divides is its polynomial, grows inward without bound, and has no slope there if there is a photon sphere") {
+    int walls = 0;
+    for (const auto& [label, s] : cases()) {
+        CAPTURE(label);
+        const auto wall = s->wall();
+        CHECK(wall.has_value() == (s->inner_end() == InnerEnd::kSameSky));
+        if (!wall) continue;
+        ++walls;
+        for (double zeta = 1e-3; zeta < 1e3; zeta *= 1.1) {
+            const double x = zeta - wall->zeta, v = wall->v + x * (wall->c[0] + x * (wall->c[1] + x * (wall->c[2] + x * wall->c[3])));
+            CHECK(std::fabs(v - potential(*s, zeta)) < 4 * kRounding * (wall->v + std::pow(x, 2) + std::pow(std::fabs(x), 4)));
+        }
+        CHECK(wall->c[3] > 0.0);
+        const bool photons = s->camera_range().low > 0.0;
+        CHECK((wall->c[0] == 0.0) == photons);
+        if (photons) CHECK(std::fabs(s->half_v_slope(wall->zeta)) < kRounding);
+        if (!photons) CHECK(wall->c[0] > 0.0);
+        if (!photons) CHECK(std::fabs(wall->c[1]) < 1.0);
+        CHECK_FALSE(s->horizon_radius());
+        CHECK_FALSE(s->can_have_disc());
+    }
+    CHECK(walls == 6);  // charge 3 from the registry's range, and five of the list
 }
 
 TEST_CASE("where there is no photon sphere, asking for chi is a broken invariant") {

@@ -1,6 +1,9 @@
 // The list of hard cases on every context, each within its bound.
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
+#include <utility>
 
 #include "compare/hard_cases.h"
 #include "support/gpu_session.h"
@@ -12,12 +15,13 @@ using namespace nullscope::test;
 
 bool whole(const RayFrame& frame) {  // every channel finite, every fate one that there is, directions of length 1
     constexpr double kUnit = 1e-5;   // a float normalisation, with room
-    constexpr double kHalfTurn = 1e-5;   // of a half turn: next to a whole number of them either order will do
+    constexpr double kHalfTurn = 1e-5;   // of a half turn: next to a whole number of them either order will do;
+    constexpr double kFloat = 2e-7;      // and so it will where a float no longer tells half turns apart, in a wormhole's long tube
     for (const RayPixel& p : frame.pixels) {
         if (!all_finite(p)) return false;
         if (p.fate != Fate::kEscaped && p.fate != Fate::kCaptured && p.fate != Fate::kOtherSide && p.fate != Fate::kHit) return false;
         const double half_turns = p.angle / M_PI;
-        if (p.order != static_cast<int>(half_turns) && std::abs(half_turns - std::round(half_turns)) > kHalfTurn) return false;
+        if (p.order != static_cast<int>(half_turns) && std::abs(half_turns - std::round(half_turns)) > kHalfTurn + kFloat * half_turns) return false;
         const bool on_a_sky = p.fate == Fate::kEscaped || p.fate == Fate::kOtherSide;
         if (std::abs(length(p.sky) - (on_a_sky ? 1.0 : 0.0)) > kUnit) return false;
     }
@@ -26,6 +30,38 @@ bool whole(const RayFrame& frame) {  // every channel finite, every fate one tha
 
 constexpr double kRefineAbove_px = 1e-5;   // below every bound of the list but those of frames of a pixel or two
 
+// The reference's frame of a case; one of many integrals a ray is kept for the next context.
+const RayFrame* exact_frame(const HardCase& c) {
+    static std::map<std::string, RayFrame> kept;
+    static RayFrame last;
+    if (const auto found = kept.find(c.name); found != kept.end()) return &found->second;
+    auto traced = reference::trace_frame(c.scene);
+    REQUIRE(traced);
+    RayFrame& place = c.scene.spacetime.metric == "dneg-wormhole" ? kept[c.name] : last;
+    return &(place = std::move(*traced));
+}
+
+// Pixels' middles from the frame, others traced.
+ExactTrace traced_once(const Scene& scene, const RayFrame& frame) {
+    return [&frame, others = reference_trace(scene)](const std::vector<std::array<double, 2>>& positions) {
+        std::vector<RayPixel> pixels(positions.size());
+        std::vector<std::array<double, 2>> rest;
+        std::vector<std::size_t> places;
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            const double x = positions[i][0] - 0.5, y = positions[i][1] - 0.5;
+            if (x == std::floor(x) && y == std::floor(y) && x >= 0 && y >= 0 && x < frame.width && y < frame.height) {
+                pixels[i] = frame.at(static_cast<int>(x), static_cast<int>(y));
+            } else {
+                rest.push_back(positions[i]), places.push_back(i);
+            }
+        }
+        if (rest.empty()) return pixels;
+        const std::vector<RayPixel> traced = others(rest);
+        for (std::size_t i = 0; i < rest.size(); ++i) pixels[places[i]] = traced[i];
+        return pixels;
+    };
+}
+
 TEST_CASE("hard cases: every one within its bound") {
     on_every_context([](GpuSession& session) {
         for (const HardCase& c : hard_cases()) {
@@ -33,10 +69,9 @@ TEST_CASE("hard cases: every one within its bound") {
             session.renderer->set_method(Method{.cubic = hard_cubic(c.scene)});
             const RayFrame frame = gl_ray_data(session, c.scene);
             CHECK(whole(frame));
-            const auto exact = reference::trace_frame(c.scene);
-            REQUIRE(exact);
+            const RayFrame* exact = exact_frame(c);
             const HardBound bound = hard_bound(c.scene, *exact);
-            const RayMeasures m = measure_rays(frame, c.scene.camera, reference_trace(c.scene), 1, kRefineAbove_px);
+            const RayMeasures m = measure_rays(frame, c.scene.camera, traced_once(c.scene, *exact), 1, kRefineAbove_px);
             fmt::print("{:<7} {:<55} sky {:.1e} of {:.1e}, place {:.1e} of {:.1e}, swept {:.1e} of {:.1e}, g {:.1e} of {:.1e} px; fate errors {}, "
                        "forgiven {}\n",
                        session.context->kind(), c.name, m.sky_px.max, bound.sky, m.place_px.max, bound.place, m.angle_px.max, bound.swept,

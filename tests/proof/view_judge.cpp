@@ -42,20 +42,26 @@ bool ViewJudge::explained(const RayPixel& tested, const RayPixel& here, PixelPla
         for (int k = 0; k < kBearings; ++k) {
             const double bearing = 2 * M_PI * k / kBearings, reach = ring * reach_px;
             const RayPixel beside =
-                tracer_->pixel(pixel.x + 0.5 + reach * std::cos(bearing), pixel.y + 0.5 + reach * std::sin(bearing));
+                tracer_->pixel_without_delay(pixel.x + 0.5 + reach * std::cos(bearing), pixel.y + 0.5 + reach * std::sin(bearing));
             if (!same_end(beside, tested)) continue;
             if (!same_end(here, tested) || off(beside) < 0.25 * off(here)) return true;
         }
     return false;
 }
 
-void ViewJudge::judge(const Core& core, PixelPlace pixel, const std::function<void(const Finding&)>& found) const {
+// Of the last pixel asked for: every core is judged by the same rays.
+const ExactPixel& ViewJudge::exact_at(PixelPlace pixel) const {
+    if (last_ && last_->first.x == pixel.x && last_->first.y == pixel.y) return last_->second;
     const ExactTrace trace = [this](const std::vector<std::array<double, 2>>& positions) {
         std::vector<RayPixel> pixels;
-        for (const auto& position : positions) pixels.push_back(tracer_->pixel(position[0], position[1]));
+        for (const auto& position : positions) pixels.push_back(tracer_->pixel_without_delay(position[0], position[1]));
         return pixels;
     };
-    const ExactPixel exact = exact_pixel(scene_.camera, trace, pixel.x, pixel.y);
+    return last_.emplace(pixel, exact_pixel(scene_.camera, trace, pixel.x, pixel.y)).second;
+}
+
+void ViewJudge::judge(const Core& core, PixelPlace pixel, const std::function<void(const Finding&)>& found) const {
+    const ExactPixel& exact = exact_at(pixel);
     const RayPixel tested =
         core.trace(input_, pixel.x + 0.5 - 0.5 * scene_.camera.width, 0.5 * scene_.camera.height - (pixel.y + 0.5));
     const auto report = [&](const char* what, double error, double bound) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compare/ray_metrics.h"
@@ -41,11 +42,13 @@ public:
     void judge(const Core& core, PixelPlace pixel, const std::function<void(const Finding&)>& found) const;
 
 private:
+    const ExactPixel& exact_at(PixelPlace pixel) const;
     bool explained(const RayPixel& tested, const RayPixel& here, PixelPlace pixel, double reach_px) const;
     Scene scene_;
     std::optional<reference::FrameTracer> tracer_;
     CoreInput input_;
     double lapse_ = 1;
+    mutable std::optional<std::pair<PixelPlace, ExactPixel>> last_;
 };
 
 }  // namespace nullscope::proof

@@ -263,7 +263,7 @@ TEST_CASE("a scene without one of its effects calls for no more than the others"
             CAPTURE(info.name);
             CAPTURE(effect_row(effect).key);
             const auto less = without_effect(*scene, effect);
-            const bool bound = effect == Effect::kInner || effect == Effect::kStar || effect == Effect::kDiscImage || effect == Effect::kDiscPattern || effect == Effect::kThermalDisc;
+            const bool bound = effect == Effect::kInner || effect == Effect::kBounce || effect == Effect::kStar || effect == Effect::kDiscImage || effect == Effect::kDiscPattern || effect == Effect::kThermalDisc;
             CHECK((less.has_value() || bound));
             if (!less) continue;
             const EffectSet left = effect_set(required_effects(*less));

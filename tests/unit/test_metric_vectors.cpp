@@ -113,6 +113,95 @@ TEST_CASE("the reference meets every row of the Ellis vectors") {
     CHECK(rows == 135);
 }
 
+TEST_CASE("the reference meets every row of the vectors of charges without horizon") {
+    double worst = 0;
+    int rows = 0;
+    for (const VectorRow& row : load_vectors(NULLSCOPE_TEST_DATA "/vectors/rn_naked.csv")) {
+        Scene scene;
+        scene.spacetime = {"reissner-nordstrom", {{"charge", number(row, "charge")}}};
+        const double q = number(row, "q"), zeta0 = number(row, "zeta0"), charge = number(row, "charge");
+        const int s = static_cast<int>(number(row, "s"));
+        const Trace trace = [&](double q_, double zeta_, std::optional<double> at) {
+            RayQuery query;
+            query.orbit = ReducedRay{q_, zeta_, s};
+            query.at_angle = at;
+            return reference::trace_ray(scene, query);
+        };
+        CAPTURE(charge);
+        CAPTURE(q);
+        const auto record = trace(q, zeta0, {});
+        REQUIRE(record);
+        CHECK(record->fate == Fate::kEscaped);
+        ++rows;
+        const auto check = [&](const char* column, const Output& output) {
+            check_column(row, trace, q, zeta0, 1e-2, column, output, {}, worst);
+        };
+        check("phi", [](const RayRecord& r) { return r.angle; });
+        check("T", [](const RayRecord& r) { return r.delay; });
+        check("zeta_turn", [](const RayRecord& r) { return r.turn; });
+        // The place at a swept angle, by its own definition: what a camera there still has to sweep.
+        for (const double part : {0.1, 0.4, 0.6, 0.9, 0.999}) {
+            const double at = part * record->angle, zeta = trace(q, zeta0, at)->at;
+            RayQuery query;
+            int toward = 0;
+            for (const int way : {1, -1}) {  // in front of the turn or behind it: the one that sweeps the rest
+                query.orbit = ReducedRay{q, zeta, way};
+                const auto rest = reference::trace_ray(scene, query);
+                if (rest && std::abs(rest->angle / ((1 - part) * record->angle) - 1) < 1e-9) toward = way;
+            }
+            CAPTURE(part);
+            CHECK(toward != 0);
+        }
+    }
+    fmt::print("rn_naked.csv: {} rows, largest error over condition number {:.2g}\n", rows, worst);
+    CHECK(rows > 50);
+}
+
+// q = 1/h and the impact parameter h itself differ by a rounding: their rows differ by that times the condition number.
+TEST_CASE("the reference meets every row of the vectors of James, von Tunzelmann, Franklin and Thorne's wormhole") {
+    double worst = 0;
+    int rows = 0;
+    for (const VectorRow& row : load_vectors(NULLSCOPE_TEST_DATA "/vectors/dneg.csv")) {
+        Scene scene;
+        scene.spacetime = {"dneg-wormhole", {{"length", number(row, "length")}, {"lensing_width", number(row, "width")}}};
+        const double h = number(row, "h"), l0 = number(row, "l0");
+        const int s = static_cast<int>(number(row, "s"));
+        const Trace trace = [&](double q_, double l_, std::optional<double> at) {
+            RayQuery query;
+            query.orbit = ReducedRay{q_, l_, -s};
+            query.at_angle = at;
+            return reference::trace_ray(scene, query);
+        };
+        CAPTURE(row.at("id"));
+        const auto record = trace(1 / h, l0, {});
+        REQUIRE(record);
+        CHECK(record->fate == (number(row, "end") > 0 ? Fate::kEscaped : Fate::kOtherSide));
+        ++rows;
+        const auto check = [&](const char* column, const Output& output) {
+            check_column(row, trace, 1 / h, l0, std::abs(h - 1), column, output, {}, worst);
+        };
+        check("phi", [](const RayRecord& r) { return r.angle; });
+        check("T", [](const RayRecord& r) { return r.delay; });
+        check("l_turn", [](const RayRecord& r) { return r.turn; });
+        // The place at a swept angle, by its own definition: what a camera there still has to sweep.
+        for (const double part : {0.1, 0.5, 0.9, 0.999}) {
+            const double at = part * record->angle, l = trace(1 / h, l0, at)->at;
+            CAPTURE(part);
+            CAPTURE(l);
+            const double forward = std::isfinite(record->turn) ? (l < 0 ? -1 : 1) * (at < record->angle / 2 ? 0 : 1) : s;
+            if (forward == 0) continue;  // before or after the turn: not told by l alone
+            RayQuery query;
+            query.orbit = ReducedRay{1 / h, l, static_cast<int>(l >= 0 ? -forward : forward)};
+            const auto rest = reference::trace_ray(scene, query);
+            REQUIRE(rest);
+            const double bound = 1e-10 + 1e-13 * record->angle / std::abs(h - 1);
+            CHECK(std::abs(rest->angle / ((1 - part) * record->angle) - 1) < bound);
+        }
+    }
+    fmt::print("dneg.csv: {} rows, largest error over condition number {:.2g}\n", rows, worst);
+    CHECK(rows == 71);
+}
+
 TEST_CASE("the reference knows the bending of the Ellis wormhole: alpha = 2 K(1/h^2) - pi") {
     Scene scene;
     scene.spacetime = {"ellis", {}};

@@ -132,6 +132,29 @@ TEST_CASE("the distance to the horizon scales and never ends there") {
     CHECK(scaled_radius(1e6, -1.0, range) < 1e6);
 }
 
+TEST_CASE("flight through a wormhole: the same pace all the way, through l = 0 to the far side and back") {
+    for (const char* metric : {"ellis", "dneg-wormhole"}) {
+        const auto hole = spacetime(metric);
+        const FlightRange range = flight_range(*hole);
+        CHECK(range.nearest == -range.farthest);
+        FlyCamera camera = fly_camera(CameraSpec{});
+        camera.r = 3.0;
+        double before = camera.r;
+        for (int i = 0; i < 400; ++i) {  // ahead is inward
+            fly(camera, {0, 0, -0.01}, *hole);
+            CHECK(camera.r < before);
+            CHECK(before - camera.r == doctest::Approx(0.01 * std::hypot(camera.r, 1.0)).epsilon(0.02));
+            before = camera.r;
+        }
+        CHECK(camera.r < -3.0);
+        CHECK(scaled_radius(0.0, 1.0, range) == doctest::Approx(std::sinh(1.0)).epsilon(1e-14));
+        CHECK(scaled_radius(-2.0, 1000.0, range) == range.farthest);
+        CHECK_FALSE(circular_orbit_speed(*hole, 0.0));
+    }
+    const FlightRange star = flight_range(*spacetime("neutron-star"));
+    CHECK(camera_can_rest(*spacetime("neutron-star"), star.nearest));
+}
+
 TEST_CASE("in flat space flight is straight") {
     const auto flat = spacetime("minkowski");
     CameraSpec spec;

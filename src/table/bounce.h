@@ -1,0 +1,23 @@
+// Swept angles where V grows without bound inward (spacetime.h: Wall): every ray turns and comes back, and there is no deflection table.
+//
+// dphi = dx / sqrt(P), P = d - x (c1 + x (c2 + x (c3 + x c4))), x = zeta - zeta_d, d = q^2 - V(zeta_d). With the turning point e, the
+// least root above the camera, P = (e - x) Q(x), Q a cubic by division whose constant is d/e; x = e - s^2 leaves dphi = 2 ds/sqrt(Q),
+// taken by Gauss panels that are halved until halving changes nothing: they crowd about the photon sphere by themselves.
+#pragma once
+#include "spacetime/spacetime.h"
+
+namespace nullscope {
+
+class Bounce {
+public:
+    Bounce(const Wall& wall, double zeta0) : wall_(wall), zeta0_(zeta0) {}
+    // Angle from the camera to the sky of the ray with d as above (without cancellation) and q cos(beta), positive inward.
+    // Error 1e-11. Some hundred to a thousand square roots.
+    double to_sky(double d, double inward) const;
+
+private:
+    Wall wall_;
+    double zeta0_;
+};
+
+}  // namespace nullscope
