@@ -45,12 +45,17 @@ void put_look(BlockWriter& block, const BodyLook& look) {
     block.put(look.brightness * look.second_colour, look.band_latitude);
 }
 
-// Sine of the angle from the inward radial under which a camera at zeta0 sees the sphere's edge: sqrt(V(zeta0)/V(1/R)). -1 where
-// only captured rays reach it: a sphere within the photon sphere.
-double silhouette_sine(const Spacetime& spacetime, double zeta0, double zeta) {
+struct Silhouette {
+    double sine, cosine;
+};
+// Of the angle from the outward radial under which a sphere's edge is seen. Sine -1 where only captured rays reach it: a sphere within
+// the photon sphere.
+Silhouette silhouette(const Spacetime& spacetime, const RayFan* fan, double camera_r, double radius) {
     const auto photon_sphere = spacetime.photon_sphere();
-    if (photon_sphere && zeta * photon_sphere->radius >= 1.0) return -1.0;
-    return zeta0 / zeta * std::sqrt(spacetime.lapse_squared(1.0 / zeta0) / spacetime.lapse_squared(1.0 / zeta));
+    if (photon_sphere && radius <= photon_sphere->radius) return {-1.0, 0.0};
+    if (fan == nullptr) return {radius / camera_r, -std::sqrt((camera_r - radius) * (camera_r + radius)) / camera_r};
+    const double t = fan->half_tangent_inward(std::sqrt(spacetime.lapse_squared(radius)) / radius), by = 1.0 / (1.0 / t + t);
+    return {2.0 * by, (1.0 / t - t) * by};
 }
 
 // Radius about the centre that holds all bodies found by strides, and the shortest stride: a thirtieth of the thinnest.
@@ -72,9 +77,10 @@ void put_march(BlockWriter& block, const Scene& scene) {
     block.put(1.001 * reach + 4 * kStride * thinnest, kStride * thinnest, 0, 0);
 }
 
-void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spacetime) {
+void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spacetime, const RayFan* fan) {
     const SphereSpec sphere = scene.sphere.value_or(SphereSpec{});
-    block.put(sphere.radius, 1.0 / sphere.radius, scene.sphere ? silhouette_sine(spacetime, 1.0 / scene.camera.r, 1.0 / sphere.radius) : 0.0, 0);
+    const Silhouette edge = scene.sphere ? silhouette(spacetime, fan, scene.camera.r, sphere.radius) : Silhouette{};
+    block.put(sphere.radius, 1.0 / sphere.radius, edge.sine, edge.cosine);
     put_look(block, sphere.look);
     const CylinderSpec cylinder = scene.cylinder.value_or(CylinderSpec{});
     block.put(cylinder.inner, cylinder.outer, cylinder.height, 0);
@@ -131,15 +137,15 @@ Status FrameTables::update(const Scene& scene) {
         }
         rows_stale = true;
     }
-    if (!camera_can_rest(*spacetime_, scene.camera.r))
-        return bad_input(fmt::format("no camera can be at rest at camera.r = {}; allowed: {}", scene.camera.r, allowed_radii(*spacetime_)));
+    const auto observer = observer_of(*spacetime_, scene.camera);
+    if (!observer) return observer.error();
     const EffectSet wanted = effect_set(required_effects(scene));
     if (meets_objects(wanted) && !spacetime_->can_have_disc())
         return bad_input(fmt::format("metric \"{}\" has neither discs nor bodies; allowed: a scene without them", scene.spacetime.metric));
     const bool orbits = meets_objects(wanted), had_orbits = meets_objects(effects_);
     const bool points = wanted.contains(Effect::kPointStars), had_points = effects_.contains(Effect::kPointStars);
-    rows_stale = rows_stale || radius_ != scene.camera.r || (orbits && !had_orbits) || (points && !had_points) ||
-                 (fan_ && fan_->w0() != fan_for(scene).w0());
+    rows_stale = rows_stale || radius_ != scene.camera.r || !(frame_ == observer->frame) || (orbits && !had_orbits) || (points && !had_points) ||
+                 (fan_ && fan_->w0() != fan_for(scene, *observer).w0());
     effects_ = wanted;
     if (((!orbits && had_orbits) || (!points && had_points)) && !rows_stale) {   // what nothing calls for any more goes, the strip stays
         if (!orbits) orbit_map_ = {};
@@ -148,6 +154,7 @@ Status FrameTables::update(const Scene& scene) {
     }
     if (!rows_stale) return Done{};
     radius_ = scene.camera.r;
+    frame_ = observer->frame;
     fan_.reset();
     strip_ = {};
     orbit_map_ = {};
@@ -155,7 +162,7 @@ Status FrameTables::update(const Scene& scene) {
     ++revision_;
     if (!spacetime_->bends_light()) return Done{};
     const auto start = std::chrono::steady_clock::now();
-    fan_ = fan_for(scene);
+    fan_ = fan_for(scene, *observer);
     strip_ = build_strip(*fan_);
     if (orbits) orbit_map_ = build_orbit_map(*fan_);
     if (points) star_lens_ = star_lens_row(*fan_);
@@ -163,9 +170,9 @@ Status FrameTables::update(const Scene& scene) {
     return Done{};
 }
 
-RayFan FrameTables::fan_for(const Scene& scene) const {
-    const double speed = length(scene.camera.velocity), squeeze = std::sqrt((1.0 - speed) / (1.0 + speed));
-    return {spacetime_, table_, scene.camera.r, squeeze * smallest_pixel_angle(scene.camera)};
+RayFan FrameTables::fan_for(const Scene& scene, const Observer& observer) const {
+    const double speed = length(observer.velocity), squeeze = std::sqrt((1.0 - speed) / (1.0 + speed));
+    return {spacetime_, table_, scene.camera.r, observer.frame, squeeze * smallest_pixel_angle(scene.camera)};
 }
 
 CoreInput FrameTables::core_input(const Scene& scene) const {
@@ -182,7 +189,8 @@ CoreInput FrameTables::core_input(const Scene& scene) const {
 FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures) {
     const CameraSpec& camera = scene.camera;
     const Mat3 world = world_from_static(camera.theta, camera.phi);
-    const Mat3 axes = static_from_camera(camera);
+    const Observer observer = *observer_of(spacetime, camera);
+    const Mat3 axes = observer.turn * static_from_camera(camera);
     const double pixel = camera.plane_width / camera.width / camera.focal_distance;
     const Vec3 local[3] = {-axes.c, pixel * axes.a, pixel * axes.b};   // forward, a pixel to the right, a pixel up
     BlockWriter block;
@@ -196,8 +204,9 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     for (const Vec3 v : local)
         block.put(dot(v, meridian), dot(v, transverse), v.x, critical_sine * v.x - critical_cosine * dot(v, meridian));
     for (const Vec3 v : {radial, meridian, transverse}) block.put(world * v, 0);
-    const double zeta0 = 1.0 / spacetime.areal_radius(camera.r), lapse = std::sqrt(spacetime.lapse_squared(camera.r));
-    block.put(1.0 / lapse, zeta0, zeta0 * lapse, static_cast<double>(inner_fate(spacetime.inner_end())));
+    const auto horizon = spacetime.horizon_radius();
+    const Fate lost = horizon && camera.r <= *horizon ? Fate::kNoSky : inner_fate(spacetime.inner_end());
+    block.put(observer.frame.energy(), 1.0 / spacetime.areal_radius(camera.r), observer.frame.infall(), static_cast<double>(lost));
     if (fan != nullptr) block.put(critical_cosine, critical_sine, 1.0 / fan->w0(), fan->octaves(Segment::kSky));
     else block.put(0, 0, 0, 0);
     if (fan != nullptr) {
@@ -210,8 +219,8 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
         block.put(0, 0, 0, 0);
         block.put(0, 0, 0, 0);
     }
-    const double speed = length(camera.velocity);
-    if (speed > 0.0) block.put(world * (camera.velocity / speed), std::sqrt((1.0 + speed) / (1.0 - speed)));
+    const double speed = length(observer.velocity);
+    if (speed > 0.0) block.put(world * (observer.velocity / speed), std::sqrt((1.0 + speed) / (1.0 - speed)));
     else block.put(1, 0, 0, 1);
     block.put(0.5 * textures.sky_size, std::log2(std::max(textures.sky_size, 1)), 1.0, 0);
     const double height = std::cos(camera.theta);
@@ -234,7 +243,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
               kPointMargin_px);
     block.put(M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0);
     block.put(scene.picture.bloom, 0, 0, 0);
-    put_bodies(block, scene, spacetime);
+    put_bodies(block, scene, spacetime, fan);
     put_coats(block, scene);
     return block.numbers();
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "scene/named_surface.h"
+#include "scene/observer.h"
 #include "spacetime/registry.h"
 
 namespace nullscope {
@@ -87,9 +88,10 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     if (spacetime && (*spacetime)->bends_light()) {
         reasons.push_back({Effect::kLensing, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     }
-    const Vec3 v = scene.camera.velocity;
-    if (v.x != 0.0 || v.y != 0.0 || v.z != 0.0) {
-        reasons.push_back({Effect::kAberration, fmt::format("camera.velocity = [{}, {}, {}]", v.x, v.y, v.z)});
+    if (const auto observer = spacetime ? observer_of(**spacetime, scene.camera) : spacetime.error(); observer && !(observer->velocity == Vec3{})) {
+        const Vec3 v = scene.camera.velocity;
+        reasons.push_back({Effect::kAberration, v == Vec3{} ? fmt::format("camera.observer = \"{}\"", observer_name(scene.camera.observer))
+                                                            : fmt::format("camera.velocity = [{}, {}, {}]", v.x, v.y, v.z)});
     }
     if (scene.disc) {
         reasons.push_back({Effect::kDisc, fmt::format("[disc] from {} to {}", scene.disc->inner, scene.disc->outer)});
@@ -177,7 +179,10 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
                 less.camera.r = (*spacetime)->areal_radius(scene.camera.r);
             less.spacetime = {"minkowski", {}};
             return less;
-        case Effect::kAberration: less.camera.velocity = {0, 0, 0}; return less;
+        case Effect::kAberration:
+            less.camera.velocity = {0, 0, 0};
+            if (less.camera.observer == ObserverKind::kOrbit || less.spacetime.metric == "minkowski") less.camera.observer = ObserverKind::kStatic;
+            return less;
         case Effect::kDisc: less.disc.reset(); return less;
         case Effect::kTranslucentDisc:
             if (less.disc) less.disc->opacity = 1.0, less.disc->edge = 0.0;

@@ -36,7 +36,7 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
     {Effect::kLensing, "lensing", "EFFECT_LENSING", "Light follows the null geodesics of the metric.",
      "spacetime.metric is one that bends light", "deflection table, strip; one fetch and two straight lines a pixel"},
     {Effect::kAberration, "aberration", "EFFECT_ABERRATION",
-     "Directions and frequencies are those of a camera that moves in the static frame.", "camera.velocity is not zero",
+     "Directions and frequencies are those of a camera that moves in its observer's frame.", "camera.velocity is not zero, or camera.observer is \"orbit\"",
      "one division a pixel"},
     {Effect::kDisc, "disc", "EFFECT_DISC", "A flat disc lies in the equatorial plane.", "there is a [disc]",
      "ray ends, orbit map; four fetches a crossing"},

@@ -18,12 +18,17 @@ struct SpacetimeSpec {
 // A pinhole camera. The unrotated camera looks at the centre (forward = -e_r), up = -e_theta (towards the north pole),
 // right = forward x up = e_phi... see camera/pose.h. yaw turns to the right, then pitch turns up, then roll turns the picture's
 // top to the right.
+enum class ObserverKind { kStatic, kRain, kFall, kThrow, kOrbit };   // scene/observer.h
+
 struct CameraSpec {
     double r = 15.0;                 // > 0, outside the horizon for a static camera
     double theta = 1.48;             // polar angle, [0, pi]
     double phi = 0.0;                // azimuth
     double yaw = 0.0, pitch = 0.0, roll = 0.0;
-    Vec3 velocity{0, 0, 0};          // of the camera in the static frame, components along (e_r, e_theta, e_phi), |v| < 1
+    ObserverKind observer = ObserverKind::kStatic;
+    double fall_from = 1e6;          // kFall: radius of rest, r_s
+    double energy = 1.0;             // kThrow: per rest mass, > 0
+    Vec3 velocity{0, 0, 0};          // of the camera in the observer's frame, components along (e_r, e_theta, e_phi), |v| < 1
     double plane_width = 1.1547005383792517;  // width of the projection plane ...
     double focal_distance = 1.0;     // ... and its distance: fov = 2 atan(plane_width / 2 focal_distance), 60 degrees
     int width = 1280, height = 720;  // pixels, square

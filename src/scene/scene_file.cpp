@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/text.h"
 #include "scene/body_check.h"
+#include "scene/observer.h"
 #include "scene/scene_value.h"
 #include "spacetime/registry.h"
 
@@ -147,12 +148,20 @@ void SceneReader::check_camera() {
                    "either fov, or plane_width and focal_distance");
         }
     }
+    constexpr std::pair<const char*, ObserverKind> kOfOne[] = {{"camera.fall_from", ObserverKind::kFall}, {"camera.energy", ObserverKind::kThrow}};
+    for (const auto& [key, observer] : kOfOne)
+        if (given(key) && scene_.camera.observer != observer)
+            report(line(key), key, "camera.observer is another", fmt::format("with observer = \"{}\" only", observer == ObserverKind::kFall ? "fall" : "throw"));
     const auto spacetime = make_spacetime(scene_.spacetime.metric, scene_.spacetime.parameters);
-    if (spacetime && !camera_can_rest(**spacetime, scene_.camera.r)) {
+    if (!spacetime) return;
+    if (scene_.camera.observer == ObserverKind::kStatic && !camera_can_rest(**spacetime, scene_.camera.r)) {
         report(line(given("camera.r") ? "camera.r" : "spacetime.metric"), "camera.r",
                fmt::format("a static camera cannot be at {}{}", scene_.camera.r,
                            (*spacetime)->horizon_radius() ? ", on or inside the horizon" : ""),
                allowed_radii(**spacetime));
+    } else if (const auto observer = observer_of(**spacetime, scene_.camera); !observer) {
+        const int at = std::max(line("camera.r"), line("camera.observer"));
+        reports_.emplace(at, fmt::format("{}:{}: camera.observer: {}", label_, at, observer.error().message));
     }
 }
 

@@ -29,6 +29,7 @@ constexpr KeyRange kTime{-1e9, 1e9, false, false};
 constexpr KeyRange kMagnitude{-5.0, 30.0, false, false};
 constexpr KeyRange kStarCount{0.0, 4000000.0, false, false};
 constexpr KeyRange kBloom{0.0, 1.0, false, true};
+constexpr KeyRange kEnergy{0.0, 1e6, true, false};
 constexpr KeyRange kNone{};
 
 constexpr SceneKey kKeys[] = {
@@ -44,7 +45,7 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.spacetime.metric = v.text; }},
 
     {"camera", "r", KeyType::kNumber, "r_s", "15", kRadius, "",
-     "Radial coordinate; outside the horizon, since the camera is described in the static frame. Of wormholes: l.",
+     "Radial coordinate; outside the horizon where the observer rests or orbits. Of wormholes: l.",
      [](Scene& s, const KeyValue& v) { s.camera.r = v.number; }},
     {"camera", "theta", KeyType::kNumber, "deg", "84.8", kPolarAngle, "",
      "Polar angle: 0 above the north pole, 90 in the disc's plane.",
@@ -59,8 +60,17 @@ constexpr SceneKey kKeys[] = {
     {"camera", "roll", KeyType::kNumber, "deg", "0", kAnyAngle, "",
      "Turn about the line of sight that takes the camera's top to its right, after pitch.",
      [](Scene& s, const KeyValue& v) { s.camera.roll = v.number; }},
+    {"camera", "observer", KeyType::kChoice, "", "static", kNone, "static rain fall throw orbit",
+     "Who holds the camera: at rest; fallen from rest at infinity, or at fall_from; thrown in with energy; on a circular orbit.",
+     [](Scene& s, const KeyValue& v) { s.camera.observer = static_cast<ObserverKind>(v.choice); }},
+    {"camera", "fall_from", KeyType::kNumber, "r_s", "1e+06", kRadius, "",
+     "Radius where the fall began; needs observer = \"fall\".",
+     [](Scene& s, const KeyValue& v) { s.camera.fall_from = v.number; }},
+    {"camera", "energy", KeyType::kNumber, "", "1", kEnergy, "",
+     "Energy per rest mass, 1 for a fall from rest at infinity; needs observer = \"throw\".",
+     [](Scene& s, const KeyValue& v) { s.camera.energy = v.number; }},
     {"camera", "velocity", KeyType::kVelocity, "c", "[0, 0, 0]", kNone, "",
-     "Velocity in the static frame along (e_r, e_theta, e_phi): outward, southward, towards growing phi.",
+     "Velocity in the observer's frame along (e_r, e_theta, e_phi): outward, southward, towards growing phi.",
      [](Scene& s, const KeyValue& v) { s.camera.velocity = v.vector; }},
     {"camera", "fov", KeyType::kNumber, "deg", "60", kFov, "",
      "Horizontal field of view; instead of plane_width and focal_distance.",
