@@ -221,6 +221,7 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
         case Effect::kToneNeutral: less.picture.tone = ToneCurve::kShoulder; return less;
         case Effect::kDither: less.picture.dither = false; return less;
         case Effect::kInner:
+        case Effect::kBounce:
         case Effect::kStar: break;
     }
     return std::nullopt;

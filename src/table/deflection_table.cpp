@@ -58,6 +58,24 @@ std::array<double, 4> through_integrals(double d2, double c) {
     return {j0, j1, j2, j3};
 }
 
+// h(pi - chi) = h(chi), as wormholes have it: one sheet of turning rays serves both sides.
+bool same_on_both_sides(const Spacetime& spacetime) {
+    constexpr int kSamples = 32;
+    constexpr double kSame = 1e-14;   // a few roundings of pi - chi
+    for (int i = 1; i < kSamples; ++i) {
+        const double chi = 0.5 * kPi * i / kSamples, h = spacetime.bending_density(chi);
+        if (!(std::fabs(spacetime.bending_density(kPi - chi) - h) <= kSame * h)) return false;
+    }
+    return true;
+}
+
+// Over a sheet's cell; the cells of a graded one are half as wide.
+template <class Sheet, class F>
+double cell_integral(const Sheet& sheet, int j, F&& f) {
+    const double low = kPi * sheet.node_y(j - 1), high = kPi * sheet.node_y(j);
+    return sheet.graded_y ? gauss_rule(kShortNode, kShortWeight, low, high, f) : gauss(low, high, f);
+}
+
 }  // namespace
 
 DeflectionTable::DeflectionTable(const Spacetime& spacetime, int size) : size_(size) {
@@ -73,7 +91,8 @@ DeflectionTable::DeflectionTable(const Spacetime& spacetime, int size) : size_(s
     }
     const DensityFit density(spacetime);
     build_turning(density, false, series_, outer_);
-    build_turning(density, true, series_, inner_);
+    if (same_on_both_sides(spacetime)) inner_.values = outer_.values;
+    else build_turning(density, true, series_, inner_);
     build_through(density, through_);
 }
 
@@ -95,7 +114,7 @@ void DeflectionTable::build_turning(const DensityFit& density, bool inner, const
         double sum = 0.0;
         double* row = sheet.values.data() + static_cast<std::size_t>(i) * (size_ + 1);
         for (int j = 1; j <= size_; ++j) {
-            sum += gauss(kPi * sheet.node_y(j - 1), kPi * sheet.node_y(j), integrand);
+            sum += cell_integral(sheet, j, integrand);
             row[j] = sum;
         }
     });
@@ -117,7 +136,7 @@ void DeflectionTable::build_through(const DensityFit& density, Sheet& sheet) {
         double sum = 0.0;
         double* row = sheet.values.data() + static_cast<std::size_t>(i) * (size_ + 1);
         for (int j = 1; j <= size_; ++j) {
-            sum += gauss(kPi * sheet.node_y(j - 1), kPi * sheet.node_y(j), integrand);
+            sum += cell_integral(sheet, j, integrand);
             row[j] = sum;
         }
     });

@@ -88,7 +88,7 @@ class Commands(support.CliTest):
         self.assertIn("0.5", reasons["aberration"])
         self.assertEqual([e["effect"] for e in found["left_out"]],
                          ["disc-pattern", "thermal-disc", "shift", "beaming", "bolometric", "sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
-                          "body-image", "point-stars", "sky", "sky-pattern", "inner", "far-sky", "star",
+                          "body-image", "point-stars", "sky", "sky-pattern", "inner", "bounce", "far-sky", "star",
                           "bloom", "auto-exposure", "tone-film", "tone-neutral", "dither"])
         self.assertTrue(all(e["cost"] for e in found["effects"]))
         tables = {t["name"] for t in found["tables"]}

@@ -49,7 +49,7 @@ std::string joined(const Names& names) {
 
 // Between them they call for every effect.
 std::vector<Scene> full_scenes() {
-    std::vector<Scene> scenes(5);
+    std::vector<Scene> scenes(6);
     for (Scene& scene : scenes) scene.camera.width = 64, scene.camera.height = 36, scene.camera.r = 20;
     Scene& holes = scenes[0];
     holes.camera.velocity = {0, 0, 0.2};
@@ -70,6 +70,7 @@ std::vector<Scene> full_scenes() {
     scenes[4].sky.kind = SkyKind::kGrid;
     scenes[4].disc.emplace().look.texture = TextureKind::kNoise;
     scenes[4].disc->emission = DiscEmission::kThermal;
+    scenes[5].spacetime = {"reissner-nordstrom", {{"charge", 1.2}}};
     scenes[1].picture = {ToneCurve::kFilm, 0.1, false, true};
     scenes[2].picture = {ToneCurve::kNeutral, 0.0, true, false};
     return scenes;
