@@ -57,7 +57,9 @@ RayFan::Divider RayFan::divider(double q, double c, double v_over_q2) const {
 
 double RayFan::one_minus_k2(const Divider& d, double t, double t_minus) const {
     const double o = frame_.outward, i = frame_.inward, across = 2.0 * d.reach * t;
-    return t_minus * (-2.0 * d.reach * d.c - i * t_minus) * ((across + o + i * t * t) / square(across));
+    // o/t_d - i t, which vanishes for the ray of the same q that is traced outward; next to the dividing ray without a difference.
+    const double other = std::fabs(t_minus) < 0.5 * d.t ? -2.0 * d.reach * d.c - i * t_minus : o / d.t - i * t;
+    return t_minus * other * ((across + o + i * t * t) / square(across));
 }
 
 // V(zeta0) - V(zeta_d) by the wall's own polynomial: c^2 as a product.
@@ -87,8 +89,9 @@ struct RayFan::Place {
 };
 
 RayFan::Place RayFan::place_at(Segment segment, double delta) const {
-    const double by = from_inward_ == (segment == Segment::kSky) ? delta : -delta;
+    double by = from_inward_ == (segment == Segment::kSky) ? delta : -delta;
     const double theta = std::clamp(theta_c_ + by, kRadialFloor, M_PI - kRadialFloor);
+    if (theta != theta_c_ + by) by = theta - theta_c_;
     const double half = 0.5 * theta, half_c = 0.5 * theta_c_;
     if (!from_inward_) return {theta, std::tan(half), std::sin(0.5 * by) / (std::cos(half) * std::cos(half_c))};
     return {theta, 1.0 / std::tan(half), -std::sin(0.5 * by) / (std::sin(half) * std::sin(half_c))};
