@@ -137,6 +137,17 @@ Result<Matrix4> camera_tetrad(const Spacetime& spacetime, const CameraSpec& came
     return pair->high;
 }
 
+// Forward fixes yaw and pitch. Roll is what is left of the turn after both, not an angle of its own: where forward is
+// along a pole of yaw, an arbitrary yaw is undone by it.
+void set_axes(CameraSpec& camera, const Mat3& axes) {
+    const Vec3 back = axes.c;  // (cos yaw cos pitch, sin pitch, -sin yaw cos pitch) along (e_r, e_theta, e_phi)
+    camera.yaw = std::atan2(-back.z, back.x);
+    camera.pitch = std::atan2(back.y, std::hypot(back.x, back.z));
+    camera.roll = 0.0;
+    const Mat3 left = transposed(static_from_camera(camera)) * axes;
+    camera.roll = std::atan2(left.b.x - left.a.y, left.a.x + left.b.y);
+}
+
 Vec3 pixel_direction(const CameraSpec& camera, double x, double y) {
     const double pixel = camera.plane_width / camera.width / camera.focal_distance;  // square pixels
     return {(x - 0.5 * camera.width) * pixel, (0.5 * camera.height - y) * pixel, -1.0};

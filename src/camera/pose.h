@@ -18,6 +18,8 @@ Mat3 world_from_static(double theta, double phi);
 // the axes as they then are: yaw takes forward towards right, pitch takes forward towards up, roll takes up towards
 // right.
 Mat3 static_from_camera(const CameraSpec& camera);
+// Its inverse: yaw, pitch and roll that give these axes.
+void set_axes(CameraSpec& camera, const Mat3& axes);
 
 // The camera's tetrad as vectors of (t, r, theta, phi): rows e_0 (4-velocity), e_1 right, e_2 up, e_3 backward. The
 // boost is the pure one from the static frame (no rotation). Orthonormality g(e_i, e_j) = eta_ij: a double holds a

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/vec.h"
 
@@ -165,6 +166,23 @@ struct PictureSpec {
     friend bool operator==(const PictureSpec&, const PictureSpec&) = default;
 };
 
+// Where the camera goes from frame to frame. kFall: let go at frame 0, in equal steps of its own time; axes are gyroscopes, or turned to
+// look at the centre. kKeys: smooth through keys.
+enum class PathKind { kFall, kKeys };
+enum class PathLook { kGyroscope, kCentre };
+struct PathKey {
+    double frame = 0.0;
+    CameraSpec camera;
+};
+struct PathSpec {
+    PathKind kind = PathKind::kFall;
+    PathLook look = PathLook::kGyroscope;
+    int frames = 240;
+    double rate = 24.0;            // frames a second of film
+    double duration = 0.0;         // kFall: proper time from the first frame to the last, r_s/c; 0: to the end of the worldline
+    std::vector<PathKey> keys;     // kKeys: two or more, frames growing
+};
+
 struct Scene {
     std::string name, description;
     SpacetimeSpec spacetime;
@@ -178,6 +196,7 @@ struct Scene {
     std::optional<SurfaceSpec> surface;
     LightSpec light;
     PictureSpec picture;
+    std::optional<PathSpec> path;
     double time = 0.0;                     // r_s/c, by the clocks at infinity: what moves is where it is then, its light has no delay
 };
 

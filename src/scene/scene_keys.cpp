@@ -30,6 +30,9 @@ constexpr KeyRange kMagnitude{-5.0, 30.0, false, false};
 constexpr KeyRange kStarCount{0.0, 4000000.0, false, false};
 constexpr KeyRange kBloom{0.0, 1.0, false, true};
 constexpr KeyRange kEnergy{0.0, 1e6, true, false};
+constexpr KeyRange kFrames{2.0, 1000000.0, false, false};
+constexpr KeyRange kRate{0.1, 1000.0, false, false};
+constexpr KeyRange kDuration{0.0, 1e7, false, false};
 constexpr KeyRange kNone{};
 
 constexpr SceneKey kKeys[] = {
@@ -90,6 +93,20 @@ constexpr SceneKey kKeys[] = {
     {"camera", "exposure", KeyType::kNumber, "EV", "0", kExposure, "",
      "The displayed brightness is multiplied by 2^exposure.",
      [](Scene& s, const KeyValue& v) { s.camera.exposure_ev = v.number; }},
+
+    {"path", "kind", KeyType::kChoice, "", "fall", kNone, "fall keys",
+     "How the camera moves from frame to frame: let go at frame 0, a geodesic; or smoothly through [[path.key]].",
+     [](Scene& s, const KeyValue& v) { s.path->kind = static_cast<PathKind>(v.choice); }},
+    {"path", "look", KeyType::kChoice, "", "gyroscope", kNone, "gyroscope centre",
+     "Of kind = \"fall\": the camera's axes are carried along parallel, or it keeps looking as it did against the centre.",
+     [](Scene& s, const KeyValue& v) { s.path->look = static_cast<PathLook>(v.choice); }},
+    {"path", "frames", KeyType::kWhole, "", "240", kFrames, "", "Number of frames.",
+     [](Scene& s, const KeyValue& v) { s.path->frames = static_cast<int>(v.number); }},
+    {"path", "rate", KeyType::kNumber, "1/s", "24", kRate, "", "Frames per second of a film.",
+     [](Scene& s, const KeyValue& v) { s.path->rate = v.number; }},
+    {"path", "duration", KeyType::kNumber, "r_s/c", "0", kDuration, "",
+     "Of kind = \"fall\": proper time from the first frame to the last; 0: to the worldline's end.",
+     [](Scene& s, const KeyValue& v) { s.path->duration = v.number; }},
 
     {"sky", "kind", KeyType::kChoice, "", "stars", kNone, "stars image black points plain checker grid stripes noise formula",
      "The celestial sphere: the stars and Milky Way that ship as a picture, an image, nothing, the stars as points; or one colour or a pattern of two.",
