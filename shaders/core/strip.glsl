@@ -85,15 +85,20 @@ StripRay strip_locate(vec2 side, float s, float c, float tangent, vec4 strip, fl
     float a = abs(sine);
     float b = (1.0 + abs(cosine)) * factor;
     // tan(delta/2) = sin/(1 + cos) = (1 - cos)/sin, whichever does not cancel.
-    float half_tan = cosine > 0.0 ? a / b : b / max(a, 1.0e-30);
+    float over = cosine > 0.0 ? a : b;
+    float under = cosine > 0.0 ? b : max(a, 1.0e-30);
+#ifdef EFFECT_BOUNCE
+    // c < 0 there: tan(beta/2) = s/(1 - c); centre is tan(theta_c/4), where both are alike.
+    float from_c = 1.0 + abs(c);
+    ray.by_centre = !ray.escapes && s < centre * from_c;
+    over = ray.by_centre ? s : over;
+    under = ray.by_centre ? from_c : under;
+#endif
+    float half_tan = over / under;
     ray.u = 1.0 + half_tan * (2.0 * strip.z);
     ray.slope = (1.0 + half_tan * half_tan) * strip.z;
 #ifdef EFFECT_BOUNCE
-    // c < 0 there: tan(beta/2) = s/(1 - c); series.w is tan(theta_c/4), where both are alike.
-    float centre_tan = s / (1.0 + abs(c));
-    ray.by_centre = !ray.escapes && centre_tan < centre;
-    ray.u = ray.by_centre ? 1.0 + centre_tan * (2.0 * strip.z) : ray.u;
-    ray.slope = ray.by_centre ? -(1.0 + centre_tan * centre_tan) * strip.z : ray.slope;
+    ray.slope = ray.by_centre ? -ray.slope : ray.slope;
 #endif
     return ray;
 }

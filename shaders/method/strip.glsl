@@ -3,10 +3,11 @@ Sweep sweep_to_sky(StripRay ray, float s, float c) {
     Octave octave = octave_cell(ray.u, STRIP_CELLS_PER_OCTAVE);
     int row = octave.cell / STRIP_CELLS_PER_OCTAVE;
 #ifdef EFFECT_INNER
-    row += ray.escapes ? 0 : int(frame.strip.w);
-#endif
+    float first_row = frame.strip.w;
 #ifdef EFFECT_BOUNCE
-    row += ray.by_centre ? int(frame.series.z - frame.strip.w) : 0;
+    first_row = ray.by_centre ? frame.series.z : first_row;
+#endif
+    row += ray.escapes ? 0 : int(first_row);
 #endif
     vec4 line = strip_fetch(octave.cell & (STRIP_CELLS_PER_OCTAVE - 1), row);
     float f_slope = float(STRIP_CELLS_PER_OCTAVE) / octave.start * ray.slope;

@@ -15,5 +15,22 @@ float sky_level(Trace trace) {
 }
 
 #ifdef EFFECT_SKY
+#ifdef EFFECT_FAR_SKY
+// The skies of both ends of a wormhole as layers of one texture: every ray fetches once, whichever sky it ends on. (Software drivers run
+// both sides of a branch: two cube maps would be two fetches a pixel.) Faces as OpenGL's cube maps have them, with a border of the
+// faces beside them, src/sky/sky.h.
+vec3 celestial_sphere(Trace trace, float level) {
+    vec3 d = trace.sky;
+    vec3 size = abs(d);
+    bool on_x = size.x >= max(size.y, size.z), on_y = !on_x && size.y >= size.z;
+    float major = on_x ? d.x : on_y ? d.y : d.z;
+    float facing = major < 0.0 ? -1.0 : 1.0;
+    vec2 place = on_x ? vec2(-facing * d.z, -d.y) : on_y ? vec2(d.x, facing * d.z) : vec2(facing * d.x, -d.y);
+    float layer = (on_x ? 0.0 : on_y ? 2.0 : 4.0) + (0.5 - 0.5 * facing);
+    float other_side = trace.escapes ? 0.0 : 6.0;
+    return textureLod(sky_texture, vec3(place * (frame.sky.w / abs(major)) + 0.5, layer + other_side), level).rgb * frame.sky.z;
+}
+#else
 vec3 celestial_sphere(Trace trace, float level) { return textureLod(sky_texture, trace.sky, level).rgb * frame.sky.z; }
+#endif
 #endif

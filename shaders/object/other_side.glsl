@@ -1,2 +1,2 @@
-// The sky at the other end of a wormhole, a cube map of the size of the celestial sphere's.
+// The sky at the other end of a wormhole where the near one is dark or painted (both: object/celestial_sphere.glsl).
 vec3 other_side(Trace trace, float level) { return textureLod(other_side_texture, trace.sky, level).rgb; }

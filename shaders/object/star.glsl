@@ -1,20 +1,25 @@
 // A star's surface: cells of equal area, 24 in longitude by 12 rings of equal height, filtered by the footprint. Two colours, so that
 // the images of both poles tell themselves apart.
 
-// 1 and -1 by turns from one whole number to the next; averaged over width.
-float star_square(float place, float width) {
+// 1 and -1 by turns from one whole number to the next; averaged over a width, given as 1/width.
+float star_square(float place, float per_width) {
     float from_edge = abs(fract(0.5 * place + 0.25) - 0.5) - 0.25;
-    return clamp(4.0 * from_edge / max(width, 1.0e-6), -1.0, 1.0) * clamp(2.0 / max(width, 1.0e-6), 0.0, 1.0);
+    return clamp(4.0 * from_edge * per_width, -1.0, 1.0) * clamp(2.0 * per_width, 0.0, 1.0);
 }
 
 vec3 star_surface(Trace trace) {
     vec3 place = trace.sky;   // unit to rounding
     float width = max(abs(trace.stretch_along), abs(trace.stretch_across)) * trace.pixel_angle;
-    float around = arc_tangent2(abs(place.y), place.x);   // mirrored: the squares are even in it, but for their colour
+    // sin(12 longitude), the twelfth power of a complex number, stands for the longitude's squares: it is 0 where they change.
     float inverse_axis = inversesqrt(max(place.x * place.x + place.y * place.y, 1.0e-6));
-    float square = star_square(around * 3.81971863420548805845, width * 3.81971863420548805845 * inverse_axis) *
-                   star_square(6.0 * place.z, 6.0 * width);
-    square = place.y < 0.0 ? -square : square;
+    float x = place.x * inverse_axis, y = place.y * inverse_axis;
+    float x2 = x * x - y * y, y2 = 2.0 * x * y;
+    float x3 = x2 * x - y2 * y, y3 = x2 * y + y2 * x;
+    float x6 = x3 * x3 - y3 * y3, y6 = 2.0 * x3 * y3;
+    float per_width = 1.0 / max(6.0 * width, 1.0e-6);
+    float per_column = 1.0 / max(width * 3.81971863420548805845 * inverse_axis, 1.0e-6);
+    float square = clamp((-4.0 / 3.14159265358979323846) * x6 * y6 * per_column, -1.0, 1.0) * clamp(2.0 * per_column, 0.0, 1.0) *
+                   star_square(6.0 * place.z, per_width);
     vec3 colour = place.z > 0.0 ? vec3(0.20, 0.32, 0.62) : vec3(0.62, 0.36, 0.16);
     return colour + (0.6 * square) * colour;
 }

@@ -22,7 +22,7 @@ struct FrameData {
     vec4 boost;        // direction of motion in world axes, .w = stretch sqrt((1+v)/(1-v))
 #endif
 #ifdef BLOCK_SKY
-    vec4 sky;          // texels per radian of the sky's finest level, highest level, brightness, 0
+    vec4 sky;          // texels per radian of the sky's finest level, highest level, brightness; two skies: half of what a face is of its layer
 #endif
 #ifdef BLOCK_DISC
     vec4 disc_normal;  // unit normal of the disc, .w = normal . radial (0 exactly for a camera in the plane)

@@ -51,19 +51,15 @@ void main() {
     light += through * body.rgb;
     through -= through * body.a;
 #endif
-#ifdef EFFECT_FAR_SKY
-    float level = sky_level(trace);
-    if (!trace.escapes) light += through * other_side(trace, level);
 #ifdef EFFECT_SKY
-    if (trace.escapes) light += through * celestial_sphere(trace, level);
-#endif
-#else
-#ifdef EFFECT_SKY
-#ifdef EFFECT_BOUNCE
+#ifdef NEEDS_SKY_OF_EVERY_RAY
     if (through > 0.002) light += through * celestial_sphere(trace, sky_level(trace));
 #else
     if (trace.escapes && through > 0.002) light += through * celestial_sphere(trace, sky_level(trace));
 #endif
+#else
+#ifdef EFFECT_FAR_SKY
+    if (!trace.escapes) light += through * other_side(trace, sky_level(trace));
 #endif
 #endif
 #ifdef EFFECT_SKY_PATTERN

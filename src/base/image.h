@@ -1,5 +1,6 @@
 // Image<T>: rows from the top, channels interleaved.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -26,6 +27,17 @@ struct Image {
 inline bool plausible_size(long long samples, unsigned long long file_bytes) {
     constexpr unsigned long long kAlways = 1u << 26, kMostPerByte = 8 * 1032;  // 64 Mi samples: 256 MB of floats
     return static_cast<unsigned long long>(samples) <= kAlways || static_cast<unsigned long long>(samples) / kMostPerByte <= file_bytes;
+}
+
+// Of one height and kind.
+template <class T>
+Image<T> side_by_side(const Image<T>& left, const Image<T>& right) {
+    Image<T> both(left.width + right.width, left.height, left.channels);
+    for (int y = 0; y < left.height; ++y) {
+        std::copy_n(left.at(0, y), left.width * left.channels, both.at(0, y));
+        std::copy_n(right.at(0, y), right.width * right.channels, both.at(left.width, y));
+    }
+    return both;
 }
 
 }  // namespace nullscope

@@ -54,12 +54,12 @@ Result<JsonObject> measure(Bench& bench, const Scene& scene, int frames) {
     gl::finish();
     const double first_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - first).count();
     bench.floor->draw(to, w, h, Output::kDisplay);
-    renderer.draw_bare_fetch(to, w, h);
+    bench.floor->draw_bare_fetch(to, w, h);   // whose sky is a cube map, a wormhole's or not
     Progress progress("bench " + scene.name, frames);
     for (int i = 0; i < frames; ++i) {
         time_one(picture, [&] { renderer.draw(to, w, h, Output::kDisplay); });
         time_one(floor, [&] { bench.floor->draw(to, w, h, Output::kDisplay); });
-        time_one(fetch, [&] { renderer.draw_bare_fetch(to, w, h); });
+        time_one(fetch, [&] { bench.floor->draw_bare_fetch(to, w, h); });
         progress.advance();
     }
     const auto [low, high] = std::minmax_element(picture.wall_ms.begin(), picture.wall_ms.end());

@@ -21,6 +21,7 @@
 #include "render/display.h"
 #include "render/frontier.h"
 #include "scene/scene_file.h"
+#include "scene/split.h"
 #include "shaderlib/passes.h"
 
 namespace nullscope::cli {
@@ -162,24 +163,14 @@ Result<Scene> scene_for(const Options& options) {
     return scene;
 }
 
-// Half of the picture's width each: one camera at the same coordinates in two spacetimes.
-Scene half_of(Scene scene, const Scene& other) {
-    const CameraSpec camera = scene.camera;
-    scene = other;
-    scene.camera = camera;
-    scene.camera.width = std::max(camera.width / 2, 1);
-    scene.camera.plane_width = camera.plane_width * scene.camera.width / camera.width;
-    return scene;
-}
-
-template <class T>
-Image<T> side_by_side(const Image<T>& left, const Image<T>& right) {
-    Image<T> both(left.width + right.width, left.height, left.channels);
-    for (int y = 0; y < left.height; ++y) {
-        std::copy_n(left.at(0, y), left.width * left.channels, both.at(0, y));
-        std::copy_n(right.at(0, y), right.width * right.channels, both.at(left.width, y));
-    }
-    return both;
+// Nothing where the picture is one scene's.
+Result<std::optional<Halves>> split_of(const Options& options, const Scene& scene) {
+    if (options.beside.empty() && !scene.beside) return std::optional<Halves>();
+    if (options.raydata) return bad_input("--raydata is of one spacetime; leave out --beside, or [beside] of the scene");
+    if (options.beside.empty()) return halves(scene);
+    auto other = load_scene(options.beside);
+    if (!other) return other.error();
+    return std::optional(halves(scene, *other));
 }
 
 Status check_output(const Options& options, bool exr) {
@@ -204,13 +195,7 @@ int run(const Options& options) {
             fmt::print("{}", pass_text(pass, effects, {}, scene->spacetime.metric, body_text(*scene)));
         return 0;
     }
-    std::optional<Scene> beside;
-    if (!options.beside.empty()) {
-        auto loaded = load_scene(options.beside);
-        if (!loaded) return report(loaded.error());
-        if (options.raydata) return report(bad_input("--raydata is of one scene; leave out --beside"));
-        beside = std::move(*loaded);
-    }
+    if (const auto split = split_of(options, *scene); !split) return report(split.error());
     const bool exr = options.output.ends_with(".exr");
     if (Status good = check_output(options, exr); !good) return report(good.error());
     const auto frames = frames_of(options, path ? &*path : nullptr);
@@ -246,10 +231,12 @@ int run(const Options& options) {
         const auto capture = [&](const Scene& drawn) {
             return session ? capture_gl(*session, drawn, options, exr) : capture_reference(drawn, options, exr);
         };
-        auto captured = capture(beside ? half_of(now, now) : now);
+        const auto split = split_of(options, now);
+        if (!split) return report(split.error());
+        auto captured = capture(*split ? (*split)->left : now);
         if (!captured) return report(captured.error());
-        if (beside) {
-            const auto right = capture(half_of(now, *beside));
+        if (*split) {
+            const auto right = capture((*split)->right);
             if (!right) return report(right.error());
             if (exr) captured->linear = side_by_side(captured->linear, right->linear);
             else captured->display = side_by_side(captured->display, right->display);

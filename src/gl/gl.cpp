@@ -181,6 +181,18 @@ Texture make_cube_texture(int size, const float* const faces[6]) {
     return texture;
 }
 
+Texture make_layers_texture(int size, int levels, const std::vector<const float*>& layers) {
+    Texture texture(new_texture(GL_TEXTURE_2D_ARRAY));
+    set_sampling(GL_TEXTURE_2D_ARRAY, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, levels - 1);
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R11F_G11F_B10F, size, size, static_cast<GLsizei>(layers.size()), 0, GL_RGB, GL_FLOAT, nullptr);
+    for (std::size_t i = 0; i < layers.size(); ++i)
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(i), size, size, 1, GL_RGB, GL_FLOAT, layers[i]);
+    glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
+    check("texture of two skies");
+    return texture;
+}
+
 Buffer make_uniform_buffer(std::size_t bytes) {
     GLuint id = 0;
     glGenBuffers(1, &id);
@@ -328,13 +340,18 @@ void bind_texture_cube(int unit, const Texture& texture) {
     glBindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
 }
 
+void bind_texture_layers(int unit, const Texture& texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, texture.id());
+}
+
 void set_linear(const Texture& texture) {
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, texture.id());
     set_sampling(GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
 }
 
-void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_width, int to_height) {
+void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_width, int to_height, int to_x) {
     GLuint id = 0;
     glGenFramebuffers(1, &id);   // framebuffers are no shared objects, and attaching anew shows what another context drew
     const Framebuffer source(id);
@@ -343,7 +360,7 @@ void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     glDisable(GL_SCISSOR_TEST);
     const bool same = width == to_width && height == to_height;
-    glBlitFramebuffer(0, 0, width, height, 0, 0, to_width, to_height, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
+    glBlitFramebuffer(0, 0, width, height, to_x, 0, to_x + to_width, to_height, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, to_width, to_height);
     check("blit");

@@ -77,6 +77,9 @@ Texture make_rgba8_texture(int width, int height, const unsigned char* rgba);
 // Six faces of RGB float, stored as R11F_G11F_B10F; seamless, trilinear.
 Texture make_cube_texture(int size, const float* const faces[6]);
 
+// Layers of RGB float, stored and filtered as a cube map's faces, with so many mip levels.
+Texture make_layers_texture(int size, int levels, const std::vector<const float*>& layers);
+
 Buffer make_uniform_buffer(std::size_t bytes);
 void upload_uniforms(const Buffer& buffer, const void* data, std::size_t bytes);
 void bind_uniforms(const Buffer& buffer, unsigned binding);
@@ -112,9 +115,11 @@ void draw_points(const Program& program, const VertexList& vertices, int count, 
 void set_integer(const Program& program, const char* uniform, int value);
 void bind_texture_2d(int unit, const Texture& texture);
 void bind_texture_cube(int unit, const Texture& texture);
+void bind_texture_layers(int unit, const Texture& texture);
 void set_linear(const Texture& texture);   // of a 2D texture without mip levels: filtered between texels
-// Copies a colour texture over a framebuffer of another size or the same (0: the window). The texture may be another context's.
-void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_width, int to_height);
+// Copies a colour texture over a framebuffer of another size or the same (0: the window), or from column to_x on into it. The texture
+// may be another context's.
+void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_width, int to_height, int to_x = 0);
 void finish();
 
 }  // namespace nullscope::gl

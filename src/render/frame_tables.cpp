@@ -10,6 +10,7 @@
 #include "light/black_body.h"
 #include "scene/pixel_angle.h"
 #include "sky/point_stars.h"
+#include "sky/sky.h"
 #include "table/critical_images.h"
 #include "table/disc_light.h"
 #include "table/orbit_map.h"
@@ -222,7 +223,9 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     const double speed = length(observer.velocity);
     if (speed > 0.0) block.put(world * (observer.velocity / speed), std::sqrt((1.0 + speed) / (1.0 - speed)));
     else block.put(1, 0, 0, 1);
-    block.put(0.5 * textures.sky_size, std::log2(std::max(textures.sky_size, 1)), 1.0, 0);
+    const int sky_size = std::max(textures.sky_size, 1);
+    if (textures.two_skies) block.put(0.5 * sky_size, bordered_levels(sky_size) - 1, 1.0, 0.5 * sky_size / bordered_size(sky_size));
+    else block.put(0.5 * textures.sky_size, std::log2(sky_size), 1.0, 0);
     const double height = std::cos(camera.theta);
     constexpr double kInPlane = 1e-12;   // |cos theta| below which a camera stands in the disc's plane (interfaces: rays out)
     block.put({0, 0, 1}, std::fabs(height) < kInPlane ? 0.0 : height);

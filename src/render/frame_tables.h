@@ -55,6 +55,7 @@ private:
 // What textures tell the uniform block.
 struct TextureFacts {
     int sky_size = 0, disc_width = 0;
+    bool two_skies = false;   // in one texture, with borders
 };
 
 // The uniform block of shaders/shared/frame_block.glsl for this scene, in double. The scene's observer must exist.

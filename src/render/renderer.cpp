@@ -95,8 +95,7 @@ Status Renderer::prepare(const Scene& scene) {
     if (const auto* fan = tables_.fan(); fan != nullptr && fan->frame().infall() > 0.0 && method_.kind != MethodKind::kStrip)
         return bad_input(fmt::format("camera.observer = \"{}\" with another method than the strip; allowed: --method strip or auto, or a static observer",
                                      observer_name(scene.camera.observer)));
-    if (Status status = load_sky(scene); !status) return status;
-    if (Status status = load_far_sky(scene); !status) return status;
+    if (Status status = load_skies(scene); !status) return status;
     if (Status status = load_disc(scene); !status) return status;
     if (Status status = load_bodies(scene); !status) return status;
     if (Status status = load_table(scene); !status) return status;
@@ -105,7 +104,7 @@ Status Renderer::prepare(const Scene& scene) {
     if (Status status = stars_.update(scene, tables_.effects().contains(Effect::kPointStars)); !status) return status;
     scene_ = scene;
     upload_tables();
-    upload_block(scene, {sky_size_, disc_width_});
+    upload_block(scene, {sky_size_, disc_width_, static_cast<bool>(skies_)});
     return Done{};
 }
 
@@ -141,43 +140,38 @@ void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
     gl::upload_uniforms(uniforms_, block.data(), sizeof(block));
 }
 
-Status Renderer::load_cube(const SkySpec& spec, int size, gl::Texture& texture) {
+Result<SkyCube> Renderer::built_sky(const SkySpec& spec, int size) {
     auto built = build_sky(spec, assets_directory(), size);
-    if (!built) return built.error();
-    for (std::string& note : built->notes) notes_.push_back(std::move(note));
-    const float* faces[6];
-    for (std::size_t i = 0; i < 6; ++i) faces[i] = built->faces[i].data.data();
-    texture = gl::make_cube_texture(size, faces);
-    return Done{};
+    if (built)
+        for (std::string& note : built->notes) notes_.push_back(std::move(note));
+    return built;
 }
 
-Status Renderer::load_sky(const Scene& scene) {
-    if (!tables_.effects().contains(Effect::kSky)) {
-        sky_ = {};
-        sky_spec_.reset();
-        sky_size_ = 0;
-        return Done{};
+// One sky is a cube map; two are layers of one texture, so that a pixel fetches once (shaders/object/celestial_sphere.glsl).
+Status Renderer::load_skies(const Scene& scene) {
+    const EffectSet& effects = tables_.effects();
+    const auto near = effects.contains(Effect::kSky) ? std::optional(scene.sky) : std::nullopt;
+    const auto far = effects.contains(Effect::kFarSky) ? std::optional(scene.far_sky) : std::nullopt;
+    const int wanted = near || far ? sky_face_size(scene.camera, info_.max_cube_size) : 0;
+    const int size = keep_finer_sky_ && wanted > 0 ? std::max(wanted, sky_size_) : wanted;
+    if (sky_spec_ == near && far_sky_spec_ == far && sky_size_ == size) return Done{};
+    for (gl::Texture* texture : {&sky_, &far_sky_, &skies_}) *texture = {};
+    sky_spec_.reset(), far_sky_spec_.reset();
+    sky_size_ = 0;
+    std::vector<SkyCube> built;
+    for (const auto& spec : {near, far}) {
+        if (!spec) continue;
+        auto sky = built_sky(*spec, size);
+        if (!sky) return sky.error();
+        built.push_back(near && far ? with_borders(*sky) : std::move(*sky));
     }
-    const int size = sky_face_size(scene.camera, info_.max_cube_size);
-    if (sky_spec_ == scene.sky && (sky_size_ == size || (keep_finer_sky_ && sky_size_ > size))) return Done{};
-    if (Status loaded = load_cube(scene.sky, size, sky_); !loaded) return loaded;
-    sky_spec_ = scene.sky;
+    std::vector<const float*> faces;
+    for (const SkyCube& sky : built)
+        for (const Image<float>& face : sky.faces) faces.push_back(face.data.data());
+    if (near && far) skies_ = gl::make_layers_texture(bordered_size(size), bordered_levels(size), faces);
+    else if (near || far) (near ? sky_ : far_sky_) = gl::make_cube_texture(size, faces.data());
+    sky_spec_ = near, far_sky_spec_ = far;
     sky_size_ = size;
-    return Done{};
-}
-
-Status Renderer::load_far_sky(const Scene& scene) {
-    if (!tables_.effects().contains(Effect::kFarSky)) {
-        far_sky_ = {};
-        far_sky_spec_.reset();
-        return Done{};
-    }
-    // Of the near sky's size, for both share their level of detail; alone, of its own.
-    if (sky_size_ == 0) sky_size_ = sky_face_size(scene.camera, info_.max_cube_size);
-    if (far_sky_spec_ == scene.far_sky && far_sky_size_ == sky_size_) return Done{};
-    if (Status loaded = load_cube(scene.far_sky, sky_size_, far_sky_); !loaded) return loaded;
-    far_sky_spec_ = scene.far_sky;
-    far_sky_size_ = sky_size_;
     return Done{};
 }
 
@@ -270,6 +264,7 @@ void Renderer::bind_inputs() {
     gl::bind_texture_2d(kEndsUnit, ends_);
     gl::bind_texture_2d(kOrbitUnit, orbit_map_);
     gl::bind_texture_cube(kSkyUnit, sky_);
+    gl::bind_texture_layers(kSkyUnit, skies_);
     gl::bind_texture_cube(kFarSkyUnit, far_sky_);
     gl::bind_texture_2d(kDiscUnit, disc_);
     gl::bind_texture_2d(kTableUnit, table_);
@@ -402,8 +397,10 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     if (ends_) lines.push_back({"ray ends", ends.width, ends.height, ends.bytes()});
     if (table_bytes_ > 0) lines.push_back({"deflection table", method_.size + 1, 2 * (method_.size + 1), table_bytes_});
     if (map.width > 0) lines.push_back({"orbit map", map.width, map.height, map.bytes()});
-    if (far_sky_) lines.push_back({"far sky", far_sky_size_, far_sky_size_, static_cast<std::size_t>(far_sky_size_) * far_sky_size_ * 32});
-    if (sky_) lines.push_back({"sky", sky_size_, sky_size_, static_cast<std::size_t>(sky_size_) * sky_size_ * 32});  // 6 faces, 4 B, mip levels
+    const int face = skies_ ? bordered_size(sky_size_) : sky_size_;
+    const std::size_t sky_bytes = static_cast<std::size_t>(face) * static_cast<std::size_t>(face) * 32;   // 6 faces, 4 B, mip levels
+    if (far_sky_spec_) lines.push_back({"far sky", face, face, sky_bytes});
+    if (sky_spec_) lines.push_back({"sky", face, face, sky_bytes});
     if (disc_width_ > 0) lines.push_back({"disc image", disc_width_, disc_height_, static_cast<std::size_t>(disc_width_) * disc_height_ * 32 / 3});
     for (int body = 0; body < kBodyCount; ++body)
         if (const auto& picture = body_images_.pictures()[static_cast<std::size_t>(body)])

@@ -20,6 +20,7 @@
 #include "scene/ray.h"
 #include "scene/scene.h"
 #include "shaderlib/passes.h"
+#include "sky/sky.h"
 
 namespace nullscope {
 
@@ -85,9 +86,8 @@ private:
     void upload_ends();
     void upload_block(const Scene& scene, const TextureFacts& facts);
     RayFrame draw_rays(const gl::Target& target);
-    Status load_cube(const SkySpec& spec, int size, gl::Texture& texture);
-    Status load_sky(const Scene& scene);
-    Status load_far_sky(const Scene& scene);
+    Result<SkyCube> built_sky(const SkySpec& spec, int size);
+    Status load_skies(const Scene& scene);
     Status load_disc(const Scene& scene);
     Status load_bodies(const Scene& scene);
     Status load_table(const Scene& scene);
@@ -106,7 +106,7 @@ private:
     int rows_revision_ = -1;
     std::optional<EffectSet> block_effects_;
     std::vector<int> block_members_;   // of the uniform block with these effects
-    gl::Texture strip_, ends_, orbit_map_, sky_, far_sky_, disc_, table_, disc_flow_, black_body_, star_lens_;
+    gl::Texture strip_, ends_, orbit_map_, sky_, far_sky_, skies_, disc_, table_, disc_flow_, black_body_, star_lens_;
     StarField stars_;
     Bloom bloom_;
     double adaptation_ = 1.0;
@@ -116,9 +116,8 @@ private:
     std::optional<std::pair<SpacetimeSpec, Method>> table_key_;   // of table_
     std::size_t table_bytes_ = 0;
     double gpu_table_ms_ = 0.0;
-    std::optional<SkySpec> sky_spec_;
-    std::optional<SkySpec> far_sky_spec_;
-    int sky_size_ = 0, far_sky_size_ = 0;
+    std::optional<SkySpec> sky_spec_, far_sky_spec_;   // that are loaded
+    int sky_size_ = 0;                 // of a face
     bool keep_finer_sky_ = false;
     std::optional<std::string> disc_file_;
     std::optional<std::tuple<SpacetimeSpec, double, double>> flow_key_;   // of disc_flow_: its radii

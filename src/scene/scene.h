@@ -186,6 +186,7 @@ struct PathSpec {
 struct Scene {
     std::string name, description;
     SpacetimeSpec spacetime;
+    std::optional<SpacetimeSpec> beside;   // split screen (scene/split.h): the right half shows the same in this spacetime
     CameraSpec camera;
     SkySpec sky;
     SkySpec far_sky = default_far_sky();   // of wormholes: at l = -infinity

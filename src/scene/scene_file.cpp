@@ -30,14 +30,14 @@ std::string listed(const std::vector<std::string>& words) {
     return list;
 }
 
-// What may stand in a section; at the top level also the sections.
+// What may stand in a section; at the top level also the sections. metric: of a section that names one.
 std::vector<std::string> words_of(std::string_view section, const MetricEntry* metric) {
     std::vector<std::string> words;
     for (const SceneKey& key : scene_keys()) {
         const std::string_view word = key.section == section ? key.key : section.empty() ? key.section : "";
         if (!word.empty() && std::find(words.begin(), words.end(), word) == words.end()) words.emplace_back(word);
     }
-    if (section == "spacetime" && metric != nullptr) {
+    if (metric != nullptr) {
         for (const MetricParameter& parameter : metric->parameters) words.emplace_back(parameter.name);
     }
     return words;
@@ -51,11 +51,12 @@ public:
 private:
     void read_section(std::string_view section, const toml::table& table);
     void read_key(std::string_view section, const toml::key& name, const toml::node& node);
-    bool read_parameter(const toml::key& name, const toml::node& node);
+    bool read_parameter(std::string_view section, const toml::key& name, const toml::node& node);
     void report_unknown(std::string_view section, const toml::key& name);
     void check_camera(int key_line = 0);   // key_line: of [[path.key]], 0 for [camera]
     void check_path();
     void read_path_keys(const toml::node& node);
+    void check_place(std::string_view section, const SpacetimeSpec& spec, int key_line);
     void check_sky();
     void check_disc();
     void check_solids();
@@ -66,7 +67,14 @@ private:
     std::string label_;
     fs::path base_;
     Scene scene_;
-    const MetricEntry* metric_ = find_metric(scene_.spacetime.metric);  // null while the file names none that is known
+    // The sections that name a metric, and which: null while the file names none that is known.
+    std::map<std::string, const MetricEntry*, std::less<>> metrics_ = {{"spacetime", find_metric(SpacetimeSpec{}.metric)},
+                                                                       {"beside", find_metric(SpacetimeSpec{}.metric)}};
+    const MetricEntry* metric_of(std::string_view section) const {
+        const auto found = metrics_.find(section);
+        return found != metrics_.end() ? found->second : nullptr;
+    }
+    SpacetimeSpec& spec_of(std::string_view section) { return section == "beside" ? *scene_.beside : scene_.spacetime; }
     std::map<std::string, int> lines_;                                  // of the keys that are there, by full name
     std::map<std::string, int> sections_;                               // lines where sections begin
     std::map<int, std::string> reports_;                                // what is wrong, by line; the first is returned
@@ -77,7 +85,8 @@ void SceneReader::report(int line, std::string_view name, std::string_view what,
 }
 
 void SceneReader::report_unknown(std::string_view section, const toml::key& name) {
-    const std::vector<std::string> words = words_of(section, metric_);
+    const MetricEntry* metric = metric_of(section);
+    const std::vector<std::string> words = words_of(section, metric);
     const std::string prefix = section.empty() ? "" : fmt::format("{}.", section);
     std::string nearest = nearest_word(name.str(), words);
     if (!nearest.empty()) nearest = prefix + nearest;
@@ -87,25 +96,26 @@ void SceneReader::report_unknown(std::string_view section, const toml::key& name
         break;
     }
     const std::string shown = in_quotes(name.str());
-    const std::string what = section == "spacetime" && metric_ != nullptr
-                                 ? fmt::format("no parameter of metric \"{}\"", metric_->key)
+    const std::string what = metric != nullptr
+                                 ? fmt::format("no parameter of metric \"{}\"", metric->key)
                                  : std::string("unknown key");
     report(line_of(name), prefix + shown.substr(1, shown.size() - 2), what,
            listed(words) + (nearest.empty() ? "" : fmt::format(" (nearest known key: {})", nearest)));
 }
 
 // False if the metric has no such parameter.
-bool SceneReader::read_parameter(const toml::key& name, const toml::node& node) {
-    if (metric_ == nullptr) return true;  // the unknown metric is what will be reported
-    for (const MetricParameter& parameter : metric_->parameters) {
+bool SceneReader::read_parameter(std::string_view section, const toml::key& name, const toml::node& node) {
+    const MetricEntry* metric = metric_of(section);
+    if (metric == nullptr) return true;  // the unknown metric is what will be reported
+    for (const MetricParameter& parameter : metric->parameters) {
         if (parameter.name != name.str()) continue;
         const KeyRange range{parameter.low, parameter.high};
-        const SceneKey key{"spacetime", parameter.name, KeyType::kNumber, "", "", range, "", "", nullptr};
+        const SceneKey key{section, parameter.name, KeyType::kNumber, "", "", range, "", "", nullptr};
         const auto checked = check_value(key, node, base_);
         if (const Fault* fault = std::get_if<Fault>(&checked)) {
             report(line_of(name), full_name(key), fault->what, allowed_text(key));
         } else {
-            scene_.spacetime.parameters[std::string(parameter.name)] = std::get<KeyValue>(checked).number;
+            spec_of(section).parameters[std::string(parameter.name)] = std::get<KeyValue>(checked).number;
         }
         return true;
     }
@@ -124,10 +134,11 @@ void SceneReader::read_key(std::string_view section, const toml::key& name, cons
         }
         return;
     }
-    if (section != "spacetime" || !read_parameter(name, node)) report_unknown(section, name);
+    if (!metrics_.contains(section) || !read_parameter(section, name, node)) report_unknown(section, name);
 }
 
 void SceneReader::read_section(std::string_view section, const toml::table& table) {
+    if (section == "beside") scene_.beside.emplace();
     if (section == "disc") scene_.disc.emplace();
     if (section == "sphere") scene_.sphere.emplace();
     if (section == "cylinder") scene_.cylinder.emplace();
@@ -135,13 +146,14 @@ void SceneReader::read_section(std::string_view section, const toml::table& tabl
     if (section == "surface") scene_.surface.emplace();
     if (section == "path") scene_.path.emplace();
     sections_[std::string(section)] = table.source().begin.line == 0 ? 1 : static_cast<int>(table.source().begin.line);
-    if (const auto metric = table.find("metric"); section == "spacetime" && metric != table.end()) {
+    const auto of_metric = metrics_.find(section);
+    if (const auto metric = table.find("metric"); of_metric != metrics_.end() && metric != table.end()) {
         read_key(section, metric->first, metric->second);  // first: it decides which other keys there are
-        metric_ = reports_.empty() ? find_metric(scene_.spacetime.metric) : nullptr;
+        of_metric->second = reports_.empty() ? find_metric(spec_of(section).metric) : nullptr;
     }
     for (const auto& [name, node] : table) {
         if (section == "path" && name.str() == "key") continue;   // read_path_keys
-        if (section != "spacetime" || name.str() != "metric") read_key(section, name, node);
+        if (of_metric == metrics_.end() || name.str() != "metric") read_key(section, name, node);
     }
 }
 
@@ -156,10 +168,15 @@ void SceneReader::check_camera(int key_line) {
     for (const auto& [key, observer] : kOfOne)
         if (given(key) && scene_.camera.observer != observer)
             report(line(key), key, "camera.observer is another", fmt::format("with observer = \"{}\" only", observer == ObserverKind::kFall ? "fall" : "throw"));
-    const auto spacetime = make_spacetime(scene_.spacetime.metric, scene_.spacetime.parameters);
+    check_place("spacetime", scene_.spacetime, key_line);
+    if (scene_.beside) check_place("beside", *scene_.beside, key_line);
+}
+
+void SceneReader::check_place(std::string_view section, const SpacetimeSpec& spec, int key_line) {
+    const auto spacetime = make_spacetime(spec.metric, spec.parameters);
     if (!spacetime) return;
     if (scene_.camera.observer == ObserverKind::kStatic && !camera_can_rest(**spacetime, scene_.camera.r)) {
-        report(key_line > 0 ? key_line : line(given("camera.r") ? "camera.r" : "spacetime.metric"), "camera.r",
+        report(key_line > 0 ? key_line : line(given("camera.r") ? std::string("camera.r") : std::string(section) + ".metric"), "camera.r",
                fmt::format("a static camera cannot be at {}{}", scene_.camera.r,
                            (*spacetime)->horizon_radius() ? ", on or inside the horizon" : ""),
                allowed_radii(**spacetime));

@@ -47,6 +47,9 @@ constexpr SceneKey kKeys[] = {
     {"spacetime", "metric", KeyType::kMetric, "", "schwarzschild", kNone, "", "The spacetime.",
      [](Scene& s, const KeyValue& v) { s.spacetime.metric = v.text; }},
 
+    {"beside", "metric", KeyType::kMetric, "", "schwarzschild", kNone, "", "The spacetime of the picture's right half.",
+     [](Scene& s, const KeyValue& v) { s.beside->metric = v.text; }},
+
     {"camera", "r", KeyType::kNumber, "r_s", "15", kRadius, "",
      "Radial coordinate; outside the horizon where the observer rests or orbits. Of wormholes: l.",
      [](Scene& s, const KeyValue& v) { s.camera.r = v.number; }},

@@ -67,7 +67,7 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
     if (picture && disc) files.emplace_back("object/disc_colour.glsl");
     if (picture && disc && lensing) files.emplace_back("object/disc_thin.glsl");
     if (picture && (sky || far_sky)) files.emplace_back("object/celestial_sphere.glsl");
-    if (picture && far_sky) files.emplace_back("object/other_side.glsl");
+    if (picture && far_sky && !sky) files.emplace_back("object/other_side.glsl");
     if (picture && effects.contains(Effect::kStar)) files.emplace_back("object/star.glsl");
     return files;
 }
@@ -113,7 +113,9 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
     }
     if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE");
     if (has_marched(effects)) defines.emplace_back("BLOCK_MARCH");
-    if (effects.contains(Effect::kFarSky) && !effects.contains(Effect::kSky)) defines.emplace_back("BLOCK_SKY");
+    const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
+    if (far_sky && !sky) defines.emplace_back("BLOCK_SKY");
+    if (sky && (far_sky || effects.contains(Effect::kBounce))) defines.emplace_back("NEEDS_SKY_OF_EVERY_RAY");
     return defines;
 }
 
@@ -153,8 +155,9 @@ std::string declarations(Stage stage, const EffectSet& effects, bool ends, const
                     "vec4 orbit_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(x, y), 0); }\n";
     }
     if (stage == Stage::kPicture) {
-        if (effects.contains(Effect::kSky)) text += "uniform samplerCube sky_texture;\n";
-        if (effects.contains(Effect::kFarSky)) text += "uniform samplerCube other_side_texture;\n";
+        const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
+        if (sky) text += far_sky ? "uniform highp sampler2DArray sky_texture;\n" : "uniform samplerCube sky_texture;\n";
+        else if (far_sky) text += "uniform samplerCube other_side_texture;\n";
         if (effects.contains(Effect::kDiscImage)) text += "uniform sampler2D disc_texture;\n";
         if (effects.contains(Effect::kThermalDisc)) text += std::string(kDiscFlowDeclarations) + kBlackBodyDeclarations;
     }

@@ -2,6 +2,7 @@
 // from an image. render uploads it, the reference samples it: content is shared, geodesics are not.
 #pragma once
 #include <array>
+#include <bit>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -24,6 +25,14 @@ struct SkyCube {
 // face_size: power of two, 16 ... 8192. Parallel; about 0.5 s for 2048 on two cores. Deterministic.
 // Errors: image missing, not an image, asset missing.
 Result<SkyCube> build_sky(const SkySpec& spec, const std::filesystem::path& assets, int face_size);
+
+// The same faces with what lies beside them on every side, for textures that are no cube maps (shaders/object/celestial_sphere.glsl).
+// Of kBorderOf texels of a face one on each side is border: half a texel of the level of 16 texels, the coarsest that is filtered
+// without a seam. sky.size: at least kBorderOf.
+inline constexpr int kBorderOf = 32;
+inline int bordered_size(int face_size) { return face_size + 2 * (face_size / kBorderOf); }
+inline int bordered_levels(int face_size) { return std::bit_width(static_cast<unsigned>(face_size / kBorderOf)) + 1; }
+SkyCube with_borders(const SkyCube& sky);
 
 // world_from_sky = R_z(yaw) R_x(tilt).
 Mat3 sky_rotation(const SkySpec& spec);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "scene/split.h"
+
 namespace nullscope::viewer {
 namespace {
 
@@ -47,6 +49,9 @@ double median(std::vector<double> values) {
 
 struct Painter::Workshop {
     Renderer renderer;
+    std::unique_ptr<Renderer> right;   // of a split screen
+    std::array<gl::Target, 2> halves;
+    std::array<Pace, 2> half_paces;
     std::unique_ptr<Renderer> other;   // without an effect, while measuring
     std::array<gl::Target, 2> targets;
     Pace pace;           // of scenes with these effects
@@ -55,6 +60,27 @@ struct Painter::Workshop {
     std::size_t next = 0;
 
     Workshop() { renderer.keep_finer_sky(); }
+    // The right half's spacetime may not have the left one's method.
+    Status prepare_right(const Scene& scene, const Method& method) {
+        if (right == nullptr) right = std::make_unique<Renderer>(), right->keep_finer_sky();
+        const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+        right->set_method(spacetime && has_method(**spacetime, method) ? method : Method{});
+        return right->prepare(scene);
+    }
+    double timed_halves(const Halves& split, const gl::Target& target) {
+        double ms = 0.0;
+        int x = 0;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const CameraSpec& camera = (i == 0 ? split.left : split.right).camera;
+            if (halves[i].width != camera.width || halves[i].height != camera.height)
+                halves[i] = gl::make_target(camera.width, camera.height, gl::Format::kRgba8);
+            ms += timed(i == 0 ? renderer : *right, halves[i], half_paces[i]);
+            gl::blit(halves[i].colours.front().id(), camera.width, camera.height, target.framebuffer.id(), camera.width, camera.height, x);
+            x += camera.width;
+        }
+        gl::finish();
+        return ms;
+    }
     const gl::Target& target(int width, int height) {
         gl::Target& chosen = targets[next];
         next = 1 - next;
@@ -164,7 +190,10 @@ void Painter::do_job(Workshop& workshop, PaintJob job) {
     Renderer& renderer = workshop.renderer;
     renderer.set_method(job.method);
     Painting painting;
-    painting.ready = renderer.prepare(job.scene);
+    const auto split = job.rays ? std::nullopt : halves(job.scene);
+    painting.ready = renderer.prepare(split ? split->left : job.scene);
+    if (painting.ready && split) painting.ready = workshop.prepare_right(split->right, job.method);
+    if (!split) workshop.right.reset();
     if (painting.ready && job.rays) {
         painting.rays = renderer.ray_data();
     } else if (painting.ready) {
@@ -172,9 +201,10 @@ void Painter::do_job(Workshop& workshop, PaintJob job) {
         const int programs = renderer.picture_programs();
         if (effect_set(required_effects(job.scene)) != workshop.effects) workshop.pace = {};
         workshop.effects = effect_set(required_effects(job.scene));
-        painting.draw_ms = timed(renderer, target, workshop.pace);
+        const auto drawn = [&] { return split ? workshop.timed_halves(*split, target) : timed(renderer, target, workshop.pace); };
+        painting.draw_ms = drawn();
         if (renderer.picture_programs() > programs) {   // drivers compile until the first picture is there
-            const double first_ms = std::exchange(painting.draw_ms, timed(renderer, target, workshop.pace));
+            const double first_ms = std::exchange(painting.draw_ms, drawn());
             workshop.compile_ms += std::max(first_ms - painting.draw_ms, 0.0);
         }
         painting.texture = target.colours.front().id();

@@ -129,12 +129,12 @@ bool sky_section(ViewState& view, bool escape) {
     return changed;
 }
 
-bool spacetime_section(ViewState& view, bool escape) {
-    SpacetimeSpec& spec = view.scene.spacetime;
+namespace {
+bool spacetime_rows(SpacetimeSpec& spec, const char* label, const char* id, bool escape) {
     bool changed = false;
     const MetricEntry* entry = find_metric(spec.metric);
-    row("Metric", entry != nullptr ? std::string(entry->help).c_str() : nullptr);
-    if (begin_choice("##metric", spec.metric, escape)) {
+    row(label, entry != nullptr ? std::string(entry->help).c_str() : nullptr);
+    if (begin_choice(id, spec.metric, escape)) {
         for (const MetricEntry& other : metric_registry()) {
             if (!choice_item(std::string(other.key), &other == entry, std::string(other.help)) || &other == entry)
                 continue;
@@ -144,7 +144,25 @@ bool spacetime_section(ViewState& view, bool escape) {
         end_choice();
     }
     if (entry != nullptr && !changed) parameters_of(*entry, spec, changed);
-    if (changed) keep_outside_horizon(view.scene);
+    return changed;
+}
+}  // namespace
+
+bool spacetime_section(ViewState& view, bool escape) {
+    Scene& scene = view.scene;
+    bool changed = spacetime_rows(scene.spacetime, "Metric", "##metric", escape);
+    bool split = scene.beside.has_value();
+    if (tick("Split screen", split, "The right half of the picture shows the same in another spacetime.")) {
+        if (split) scene.beside = SpacetimeSpec{"minkowski", {}};
+        else scene.beside.reset();
+        changed = true;
+    }
+    if (scene.beside) {
+        ImGui::PushID("beside");   // its parameters may have the same names
+        changed = spacetime_rows(*scene.beside, "Beside it", "##beside", escape) || changed;
+        ImGui::PopID();
+    }
+    if (changed) keep_outside_horizon(scene);
     return changed;
 }
 

@@ -134,7 +134,7 @@ bool Viewer::step() {
     panel_system_->begin_frame();
     changed = handle_keys(input) || changed;
     const bool escape = std::find(input.pressed.begin(), input.pressed.end(), GLFW_KEY_ESCAPE) != input.pressed.end();
-    if (view_.show_errors) accuracy_->draw_overlay();
+    if (view_.show_errors && !picture_.job.scene.beside) accuracy_->draw_overlay();
     const AccuracyPanel accuracy{measured_, not_measured_, choice_, accuracy_->facts(), picture_ms_shown_};
     const EffectsPanel effects{effect_times_, picture_.job.scene, painter_->in_background(), picture_.programs, picture_.compile_ms};
     changed = draw_panels(view_, facts(), accuracy, effects, message_, escape) || changed;
@@ -145,7 +145,8 @@ bool Viewer::step() {
         picture_due_ = true;
         frames_due_ = kSettlingFrames;
     }
-    const bool watched = view_.show_errors || (view_.show_panels && view_.show_accuracy);
+    const bool whole = !picture_.job.scene.beside;   // errors are a single spacetime's
+    const bool watched = whole && (view_.show_errors || (view_.show_panels && view_.show_accuracy));
     if (accuracy_->update(watched, moving_ || changed || picture_due_)) frames_due_ = std::max(frames_due_, kNewsFrames);
     measure_effects(!moving_ && !changed);
     const bool patient = options_.after_frames > 0;   // every frame of a screenshot's run is of the scene as it is

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import support
 
-COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench soak", "plan", "scenes", "info", "figure"]
+COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench metrics", "bench soak", "plan", "scenes", "info", "figure"]
 
 
 def png_size(data):
@@ -169,6 +169,27 @@ class Commands(support.CliTest):
         self.assertNotEqual(pictures["same"], pictures["other"])
         self.refused("capture", "flat", "--beside", "no such scene", says=["no such scene"])
         self.refused("capture", "flat", "--beside", "flat", "--raydata", "-o", "a.exr", says=["--beside"])
+
+    def test_a_scene_asks_for_a_split_screen(self):
+        text = '[camera]\nr = 8\n[beside]\nmetric = "{}"\n'
+        pictures = []
+        for metric in ("schwarzschild", "ellis"):
+            scene = self.write("split.toml", text.format(metric))
+            self.run_nullscope("capture", scene, "--size", "65x32", "-o", "split.png")
+            pictures.append((self.folder / "split.png").read_bytes())
+            self.assertEqual(png_size(pictures[-1]), (65, 32))
+        self.assertNotEqual(*pictures)
+        self.refused("capture", scene, "--raydata", "-o", "a.exr", says=["[beside]"])
+        for line, says in (("charge = -1", ["beside.charge", "[0, 3]"]), ("throat = 1", ["no parameter", "charge"]),
+                           ("radius = 2", ["reissner-nordstrom"])):
+            broken = self.write("broken.toml", text.format("reissner-nordstrom") + line + "\n")
+            self.refused("capture", broken, says=["broken.toml:5", *says])
+
+    def test_bench_metrics_has_every_spacetime(self):
+        self.run_nullscope("bench", "metrics", "flat", "--size", support.SMALL, "--frames", "9", "--json", "metrics.json")
+        rows = json.loads((self.folder / "metrics.json").read_text())
+        self.assertIn("dneg-wormhole", [row["spacetime"] for row in rows])
+        self.assertTrue(all(row["ratio"] > 0 for row in rows))
 
     def test_bench_hard_judges_its_rows(self):
         said = self.run_nullscope("bench", "hard", "--only", "flat, sky", "--json", "hard.json").out

@@ -37,10 +37,32 @@ def write_csv(rows, columns):
     return "\n".join([",".join(columns)] + lines) + "\n"
 
 
-def sine_of(row):
-    """sin(alpha) of a ray in the reduced form, alpha the angle between look direction and radius."""
-    zeta0 = number(row["zeta0"])
-    return min(1.0, zeta0 * math.sqrt(1 - zeta0) / number(row["q"]))
+class Vectors:
+    """A file of vectors as the shader's witnesses are given it: what its scene is, and sqrt(V) at the camera."""
+
+    def __init__(self, file, scene, q_critical, root_v, place="zeta0"):
+        self.file, self.scene, self.q_critical, self.root_v, self.place = file, scene, q_critical, root_v, place
+
+    def text(self):
+        text = (support.VECTORS / self.file).read_text().replace(",phi_a,", ",at_angle,")
+        if self.place == "zeta0":
+            return text
+        rows = [(r["id"], r["group"], 1 / number(r["h"]), r["l0"], -int(r["s"])) for r in read_csv(text)]   # s: towards the throat
+        return write_csv(rows, ["id", "group", "q", self.place, "s"])
+
+    def sine(self, row):
+        return min(1.0, self.root_v(number(row[self.place])) / number(row["q"]))
+
+    def has_static_camera(self, row):
+        return self.place == "l0" or self.root_v(number(row["zeta0"])) > 0
+
+    def radius(self, row):
+        return number(row["l0"]) if self.place == "l0" else 1 / number(row["zeta0"])
+
+
+HOLE = Vectors("schwarzschild.csv", None, Q_CRITICAL, lambda zeta: zeta * math.sqrt(max(1 - zeta, 0.0)))
+EXTREMAL = Vectors("rn_extremal.csv", '[spacetime]\nmetric = "reissner-nordstrom"\ncharge = 1\n', 0.5, lambda zeta: zeta * max(1 - 0.5 * zeta, 0.0))
+THROAT = Vectors("ellis.csv", '[spacetime]\nmetric = "ellis"\n', 1.0, lambda l: 1 / math.hypot(l, 1), "l0")
 
 
 def direction(row):
@@ -129,24 +151,24 @@ class Reference(TraceTest):
 
 
 class ShaderText(TraceTest):
-    def slopes(self, rows):
+    def slopes(self, rows, vectors, scene):
         """max(1, |d phi / d alpha|) of rays in the reduced form: differences of the reference, the larger of two sides.
         alpha is the angle between look direction and radius: d alpha = -tan(alpha) d ln(q)."""
         by_q, by_alpha = [], []
         for row in rows:
-            q, zeta0, s = number(row["q"]), number(row["zeta0"]), int(row["s"])
-            sine = sine_of(row)
+            q, s = number(row["q"]), int(row["s"])
+            sine = vectors.sine(row)
             cosine = math.sqrt(1 - sine * sine)
             for side in (1, -1):
                 if cosine < 1e-3:   # at its turning point: q is no measure of direction
                     alpha = math.atan2(sine, -s * cosine) + side * 1e-6
-                    by_alpha.append((row["id"], 1e-6, 1 / zeta0, math.pi / 2, 0, math.cos(alpha), 0, math.sin(alpha)))
+                    by_alpha.append((row["id"], 1e-6, vectors.radius(row), math.pi / 2, 0, math.cos(alpha), 0, math.sin(alpha)))
                 else:
-                    room = min(1.0, abs(q / Q_CRITICAL - 1), cosine * cosine)
+                    room = min(1.0, abs(q / vectors.q_critical - 1), cosine * cosine)
                     step = max(1e-5 * room, 1e-15)
-                    by_q.append((row["id"], step * sine / cosine, q * (1 + side * step), zeta0, s))
-        moved = self.trace(write_csv(by_q, ["id", "step", "q", "zeta0", "s"]))
-        moved += self.trace(write_csv(by_alpha, ["id", "step", "r", "theta", "phi", "n_r", "n_theta", "n_phi"]))
+                    by_q.append((row["id"], step * sine / cosine, q * (1 + side * step), row[vectors.place], s))
+        moved = self.trace(write_csv(by_q, ["id", "step", "q", vectors.place, "s"]), scene=scene)
+        moved += self.trace(write_csv(by_alpha, ["id", "step", "r", "theta", "phi", "n_r", "n_theta", "n_phi"]), scene=scene)
         here = {row["id"]: row for row in rows}
         found = dict.fromkeys(here, 1.0)
         for there in moved:
@@ -156,28 +178,38 @@ class ShaderText(TraceTest):
                 found[row["id"]] = max(found[row["id"]], slope)
         return found
 
-    def test_vectors(self):
-        text = (support.VECTORS / "schwarzschild.csv").read_text().replace(",phi_a,", ",at_angle,")
-        reference = self.trace(text)
-        outside = [row for row in reference if number(row["zeta0"]) < 1]
-        slopes = self.slopes(outside)
+    def judge_vectors(self, vectors):
+        scene = self.write("vectors.toml", vectors.scene) if vectors.scene else "sky-only"
+        text = vectors.text()
+        reference = self.trace(text, scene=scene)
+        outside = [row for row in reference if vectors.has_static_camera(row)]
+        slopes = self.slopes(outside, vectors, scene)
         self.assertGreater(len(outside), 100)
         for tracer in self.tracers():
             worst, flipped = 0.0, 0
-            for row, exact in zip(self.trace(text, "--with", tracer), reference):
-                name = (tracer, exact["id"], exact["group"])
+            for row, exact in zip(self.trace(text, "--with", tracer, scene=scene), reference):
+                name = (vectors.file, tracer, exact["id"], exact["group"])
                 if exact["id"] not in slopes:
                     self.assertEqual({row[c] for c in COLUMNS}, {""}, "no static camera there")
                 elif row["fate"] != exact["fate"]:
-                    sine = sine_of(exact)
-                    distance = abs(number(exact["delta"])) * sine / math.sqrt(1 - sine * sine)
+                    sine = vectors.sine(exact)
+                    distance = abs(number(exact["q"]) / vectors.q_critical - 1) * sine / max(math.sqrt(1 - sine * sine), 1e-300)
                     self.assertLess(distance, FRONTIER_RAD[tracer], name)
                     flipped += 1
                 else:
                     error = abs(number(row["angle"]) - number(exact["angle"])) / slopes[exact["id"]]
                     self.assertLessEqual(error, SCREEN_RAD[tracer], name)
                     worst = max(worst, error)
-            self.report(f"{tracer}: vectors, {len(slopes)} rays: {worst:.3g} rad, {flipped} on the frontier")
+            self.report(f"{vectors.file}, {tracer}: {len(slopes)} rays: {worst:.3g} rad, {flipped} on the frontier")
+
+    def test_vectors(self):
+        self.judge_vectors(HOLE)
+
+    def test_vectors_of_the_extremal_hole(self):
+        self.judge_vectors(EXTREMAL)
+
+    def test_vectors_of_the_ellis_wormhole(self):
+        self.judge_vectors(THROAT)
 
     def report(self, line):
         if os.environ.get("NULLSCOPE_PRINT_ERRORS"):

@@ -10,6 +10,7 @@
 #include "compare/image_metrics.h"
 #include "golden/golden_case.h"
 #include "scene/scene_file.h"
+#include "scene/split.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -137,15 +138,22 @@ void run_case(const GoldenCase& golden, GpuSession& session) {
     const auto wanted = load_image(file);
     REQUIRE_MESSAGE(static_cast<bool>(wanted), "no golden picture: scripts/update-goldens.sh makes " << file.string());
     session.renderer = std::make_unique<Renderer>();
-    Outcome rays;
-    rays.scene = *scene;
-    rays.rays = gl_ray_data(session, *scene);
-    rays.picture = session.renderer->picture8();
-    rays.measures = measure_rays(rays.rays, scene->camera, reference_trace(*scene));
-    Outcome colours = rays;
-    judge_rays(golden, rays);
+    const auto split = halves(*scene);
+    Outcome colours;
+    for (const Scene& part : split ? std::vector<Scene>{split->left, split->right} : std::vector<Scene>{*scene}) {
+        Outcome rays;
+        rays.scene = part;
+        rays.rays = gl_ray_data(session, part);
+        rays.picture = session.renderer->picture8();
+        rays.measures = measure_rays(rays.rays, part.camera, reference_trace(part));
+        const Image<unsigned char> before = std::move(colours.picture);
+        colours = rays;
+        if (before.width > 0) colours.picture = side_by_side(before, rays.picture);
+        judge_rays(golden, rays);
+        if (!rays.failures.empty()) fail(golden, session, rays, "rays", bytes_of(*wanted));
+    }
     judge_colours(golden, nullscope::display_values(*wanted), colours);
-    if (!rays.failures.empty()) fail(golden, session, rays, "rays", bytes_of(*wanted));
+    if (split) colours.worst.clear();   // places in no single spacetime's picture
     if (!colours.failures.empty()) fail(golden, session, colours, "colours", bytes_of(*wanted));
 }
 

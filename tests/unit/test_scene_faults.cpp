@@ -60,6 +60,13 @@ const Broken kBroken[] = {
     {"[spacetime]\nmetric = \"minkowski\"\ncharge = 0.5", 3, "spacetime.charge", "parameter of metric \"minkowski\""},
     {"[spacetime]\ncharge = 0.5\nmetric = \"kerrr\"", 3, "spacetime.metric", "unknown word \"kerrr\""},
     {"[spacetime]\nmetrik = \"minkowski\"", 2, "spacetime.metrik", "nearest known key: spacetime.metric"},
+    {"[spacetime]\nmetric = \"ellis\"\nthroat = 0", 3, "spacetime.throat", "allowed: [0.01, 100]"},
+    {"[spacetime]\nmetric = \"neutron-star\"\nradius = 0.9", 3, "spacetime.radius", "allowed: [1.125, 1000]"},
+    {"[beside]\nmetric = \"kerrr\"", 2, "beside.metric", "unknown word \"kerrr\""},
+    {"[beside]\nmetric = \"ellis\"\nthroat = 0", 3, "beside.throat", "allowed: [0.01, 100]"},
+    {"[beside]\nmetric = \"ellis\"\ncharge = 1", 3, "beside.charge", "no parameter of metric \"ellis\""},
+    {"[beside]\nmetric = \"neutron-star\"\nradius = 20", 2, "camera.r", "a static camera cannot be at 15"},
+    {"[beside]\ncharge = 1", 2, "beside.charge", "no parameter of metric \"schwarzschild\""},
     // Camera
     {"[camera]\nr = 1.0", 2, "camera.r", "on or inside the horizon; allowed: r > 1"},
     {"[camera]\nr = 0.3", 2, "camera.r", "allowed: r > 1"},

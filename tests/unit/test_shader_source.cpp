@@ -75,7 +75,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kSkyPattern, {"dome_light", "dome_paint", "vec4 dome_x;"}},
     {Effect::kInner, {"frame.strip.w"}},
     {Effect::kBounce, {"by_centre"}},
-    {Effect::kFarSky, {"other_side", "other_side_texture"}},
+    {Effect::kFarSky, {"other_side"}},
     {Effect::kBloom, {"vec4 bloom;"}},
     {Effect::kAutoExposure, {}},   // not in the picture's shader: see tests/cli/test_shader_text.py
     {Effect::kToneFilm, {"tone_film"}},

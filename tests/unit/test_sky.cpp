@@ -120,6 +120,35 @@ TEST_CASE("cube_direction and cube_position agree with OpenGL 3.3 table 3.19") {
             }
 }
 
+TEST_CASE("with_borders: a face goes on into its neighbours, and its own texels stay") {
+    constexpr int kFace = 64, kBorder = kFace / kBorderOf;
+    SkyCube sky;
+    sky.size = kFace;
+    for (int face = 0; face < 6; ++face) {
+        Image<float>& image = sky.faces[static_cast<std::size_t>(face)] = Image<float>(kFace, kFace, 3);
+        for (int y = 0; y < kFace; ++y)
+            for (int x = 0; x < kFace; ++x) {
+                const Vec3 c = colour_of(cube_direction(face, (x + 0.5) / kFace, (y + 0.5) / kFace));
+                const float values[3] = {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
+                std::copy_n(values, 3, image.at(x, y));
+            }
+    }
+    const SkyCube wide = with_borders(sky);
+    REQUIRE(wide.size == kFace + 2 * kBorder);
+    CHECK((wide.size >> (bordered_levels(kFace) - 1)) == 17);   // 16 texels of the face and half a texel on each side
+    constexpr double kTexel = 2.0 / kFace;   // a colour changes by at most 0.4 a radian; next to an edge samples are clamped
+    for (int face = 0; face < 6; ++face)
+        for (int y = 0; y < wide.size; ++y)
+            for (int x = 0; x < wide.size; ++x) {
+                const int u = x - kBorder, v = y - kBorder;
+                const float* c = wide.faces[static_cast<std::size_t>(face)].at(x, y);
+                if (u >= 0 && u < kFace && v >= 0 && v < kFace)
+                    CHECK(std::equal(c, c + 3, sky.faces[static_cast<std::size_t>(face)].at(u, v)));
+                else
+                    CHECK(length(Vec3{c[0], c[1], c[2]} - colour_of(cube_direction(face, (u + 0.5) / kFace, (v + 0.5) / kFace))) < kTexel);
+            }
+}
+
 TEST_CASE("sample_sky: texel centres exactly, bilinear between, clamped at the edge of a face") {
     SkyCube sky = black(16);
     for (int x = 0; x < 16; ++x)
