@@ -104,7 +104,7 @@ constexpr SceneKey kKeys[] = {
      "Of kind = \"fall\": the camera's axes are carried along parallel, or it keeps looking as it did against the centre.",
      [](Scene& s, const KeyValue& v) { s.path->look = static_cast<PathLook>(v.choice); }},
     {"path", "frames", KeyType::kWhole, "", "240", kFrames, "", "Number of frames.",
-     [](Scene& s, const KeyValue& v) { s.path->frames = static_cast<int>(v.number); }},
+     [](Scene& s, const KeyValue& v) { s.path->frames = v.width; }},
     {"path", "rate", KeyType::kNumber, "1/s", "24", kRate, "", "Frames per second of a film.",
      [](Scene& s, const KeyValue& v) { s.path->rate = v.number; }},
     {"path", "duration", KeyType::kNumber, "r_s/c", "0", kDuration, "",
