@@ -2,8 +2,8 @@
 // Reads the globals `frame` (FrameData) and strip_fetch / orbit_fetch.
 
 struct Trace {
-    float doppler;        // frequency in the camera over frequency in the static frame
-    float pixel_angle;    // angle that one pixel spans here, rad, in the static frame
+    float doppler;        // frequency in the camera over frequency in the radial frame
+    float pixel_angle;    // angle that one pixel spans here, rad, in the radial frame
     vec2 side;            // components of the unit look direction n along frame.meridian and frame.transverse
     float s;              // |n x e| = |side|
     float c;              // n . e
@@ -27,6 +27,15 @@ vec3 sideways(vec2 side) {
     return side.x * vec3(frame.meridian.x, frame.meridian.y, frame.meridian.z) +
            side.y * vec3(frame.transverse.x, frame.transverse.y, frame.transverse.z);
 }
+
+// Frequency at infinity over frequency in the radial frame, in the direction with cosine c from e.
+float energy_at(float c) { return frame.shift.x + frame.shift.z * c; }
+
+// g of a ray with Doppler factor and cosine: the camera's frequency over that at infinity.
+float g_at(float doppler, float c) { return frame.radial.w * doppler / energy_at(c); }
+
+// q sin(alpha), alpha the ray's angle from e; at rest it is sqrt(V(zeta0)) for all rays.
+float q_sine(float c) { return frame.shift.y * energy_at(c); }
 
 // n x e
 vec3 crossed_direction(Trace trace) { return sideways(vec2(trace.side.y, -trace.side.x)); }

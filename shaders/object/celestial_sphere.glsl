@@ -18,7 +18,7 @@ float sky_level(Trace trace) {
 // The sky's light as g changes it: that of a black body of its temperature. Without motion it is the same all over the sky.
 vec3 sky_shift(Trace trace) {
 #ifdef EFFECT_ABERRATION
-    return frame.sky_light.xyz * seen_black_body(frame.sky_light.w, frame.shift.x * trace.doppler, frame.boost_colour.y);
+    return frame.sky_light.xyz * seen_black_body(frame.sky_light.w, g_at(trace.doppler, trace.c), frame.boost_colour.y);
 #else
     return frame.sky_light.xyz;
 #endif

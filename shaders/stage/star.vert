@@ -7,7 +7,7 @@ flat out vec2 star_middle;                 // px
 void main() {
     StarImage image = image_of_star(star_place);
     vec3 d = image.direction;
-    float g = frame.shift.x;
+    float g = frame.radial.w / (frame.shift.x + frame.shift.z * dot(d, frame.radial.xyz));
     float squeeze = 1.0;
 #ifdef EFFECT_ABERRATION
     vec3 motion = vec3(frame.boost.x, frame.boost.y, frame.boost.z);

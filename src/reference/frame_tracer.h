@@ -1,8 +1,8 @@
 // The rays of a camera: from a pixel position to an orbit, a plane and a frequency ratio, for ray data and rendering.
 //
 // The direction is carried through the tetrad as a photon momentum, p = e_0 - n^i e_i for the photon that arrives from
-// n with unit frequency; E = -p_t and the static frame's components follow from the metric. On purpose not the product
-// form of camera/pose.h.
+// n with unit frequency; its components along the local frame follow from the metric: the static frame of a static camera, the rain
+// frame of any other. On purpose not the product form of camera/pose.h.
 #pragma once
 #include <array>
 #include <memory>
@@ -34,11 +34,13 @@ struct DiscHit {
 
 class FrameTracer {
 public:
-    // Errors: unknown metric, no static frame at the camera, a camera or disc out of range.
+    // Errors: unknown metric, no such observer at the camera, a camera or disc out of range.
     static Result<FrameTracer> make(const Scene& scene);
     // Pixel position: column, row from the top, centres at +0.5. About a microsecond.
     CameraRay ray(double x, double y) const;
-    // The pixel position of a unit look direction (r, theta, phi) of the static frame; nothing for one behind the camera.
+    // The orbit of a unit look direction (r, theta, phi) of the local frame.
+    std::unique_ptr<Orbit> orbit_of(Vec3 look) const;
+    // Its pixel position; nothing for one behind the camera.
     std::optional<std::array<double, 2>> position(Vec3 look) const;
     // Where the ray meets the disc, in its order; empty if the scene has none. At most max_hits.
     std::vector<DiscHit> disc_hits(const CameraRay& ray, int max_hits) const;
@@ -58,7 +60,8 @@ private:
     std::shared_ptr<const Bodies> bodies_;
     std::shared_ptr<const OrbitMetric> metric_, matter_;
     double lapse_ = 1;
-    // Rows: e_0, right, up, backward; components along the static tetrad (t, r, theta, phi). In long double because
+    bool from_rain_ = false;   // the local frame is the rain frame
+    // Rows: e_0, right, up, backward; components along the local tetrad (t, r, theta, phi). In long double because
     // ahead of a camera with gamma = 700 the sum e_0 - n^i e_i leaves 1/gamma^2 of its terms.
     // Without aberration that of a camera at rest.
     std::array<std::array<long double, 4>, 4> tetrad_{};

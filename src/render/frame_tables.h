@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "scene/effects.h"
+#include "scene/observer.h"
 #include "scene/scene.h"
 #include "shadercore/core_trace.h"
 #include "spacetime/registry.h"
@@ -18,7 +19,7 @@ namespace nullscope {
 // Keeps what can be kept from frame to frame.
 class FrameTables {
 public:
-    // Errors: unknown metric, static camera at or below the horizon.
+    // Errors: unknown metric, no such observer at camera.r.
     Status update(const Scene& scene);
 
     const EffectSet& effects() const { return effects_; }
@@ -44,7 +45,8 @@ private:
     std::shared_ptr<const DeflectionTable> table_;
     std::optional<RayFan> fan_;
     double radius_ = 0.0;
-    RayFan fan_for(const Scene& scene) const;
+    RadialFrame frame_;
+    RayFan fan_for(const Scene& scene, const Observer& observer) const;
     EffectSet effects_;
     Strip strip_;
     TexelGrid orbit_map_, star_lens_;
@@ -59,7 +61,7 @@ struct TextureFacts {
 };
 
 // The uniform block of shaders/shared/frame_block.glsl for this scene, in double. spacetime: the rays'. matter: what shifts light, if
-// it is another.
+// it is another. The scene's observer must exist.
 FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures,
                            const Spacetime* matter = nullptr);
 

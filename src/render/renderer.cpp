@@ -92,6 +92,9 @@ Status Renderer::prepare(const Scene& scene) {
         return bad_input(fmt::format("size {}x{} is beyond what this driver can draw; allowed: 1x1 to {}x{}", scene.camera.width,
                                      scene.camera.height, limit, limit));
     if (Status status = tables_.update(scene); !status) return status;
+    if (const auto* fan = tables_.fan(); fan != nullptr && fan->frame().infall() > 0.0 && method_.kind != MethodKind::kStrip)
+        return bad_input(fmt::format("camera.observer = \"{}\" with another method than the strip; allowed: --method strip or auto, or a static observer",
+                                     observer_name(scene.camera.observer)));
     if (Status status = load_skies(scene); !status) return status;
     if (Status status = load_disc(scene); !status) return status;
     if (Status status = load_bodies(scene); !status) return status;

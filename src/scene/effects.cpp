@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "scene/named_surface.h"
+#include "scene/observer.h"
 #include "spacetime/registry.h"
 
 namespace nullscope {
@@ -85,7 +86,12 @@ void add_bodies(const Scene& scene, std::vector<EffectReason>& reasons) {
 }  // namespace
 
 bool motion_is_seen(const Scene& scene) {
-    return !(scene.camera.velocity == Vec3{0, 0, 0}) && (scene.light.aberration || scene.light.doppler);
+    if (!scene.light.aberration && !scene.light.doppler) return false;
+    const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+    const auto observer = spacetime ? observer_of(**spacetime, scene.camera) : spacetime.error();
+    // What falls sees the sky's light shifted differently all over the sky, as what is boosted does.
+    const bool shifted = falls(scene.camera) && scene.sky.temperature_K && (scene.light.shift || scene.light.beaming);
+    return observer && (!(observer->velocity == Vec3{}) || shifted);
 }
 
 std::vector<EffectReason> required_effects(const Scene& scene) {
@@ -95,12 +101,14 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     if (lensing) {
         reasons.push_back({Effect::kLensing, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     }
-    const Vec3 v = scene.camera.velocity;
     const LightSpec& light = scene.light;
     const bool moves = motion_is_seen(scene);
     if (moves) {
+        const Vec3 v = scene.camera.velocity;
         const char* part = !light.aberration ? ", light.aberration = \"off\": frequencies alone" : !light.doppler ? ", light.doppler = \"off\": directions alone" : "";
-        reasons.push_back({Effect::kAberration, fmt::format("camera.velocity = [{}, {}, {}]{}", v.x, v.y, v.z, part)});
+        const std::string what = scene.camera.observer != ObserverKind::kStatic && v == Vec3{} ? fmt::format("camera.observer = \"{}\"", observer_name(scene.camera.observer))
+                                             : fmt::format("camera.velocity = [{}, {}, {}]", v.x, v.y, v.z);
+        reasons.push_back({Effect::kAberration, what + part});
     }
     const bool thermal = scene.disc && scene.disc->emission == DiscEmission::kThermal;
     if (scene.disc) {
@@ -187,8 +195,14 @@ void make_all_plain(Scene& scene, Kinds kinds) {
 std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
     Scene less = scene;
     switch (effect) {
-        case Effect::kLensing: less.light.lensing = false; return less;
-        case Effect::kAberration: less.camera.velocity = {0, 0, 0}; return less;
+        case Effect::kLensing:
+            if (falls(scene.camera)) return std::nullopt;   // straight light is that of an observer at rest
+            less.light.lensing = false;
+            return less;
+        case Effect::kAberration:
+            less.camera.velocity = {0, 0, 0};
+            if (less.camera.observer == ObserverKind::kOrbit || less.spacetime.metric == "minkowski") less.camera.observer = ObserverKind::kStatic;
+            return less;
         case Effect::kDisc: less.disc.reset(); return less;
         case Effect::kTranslucentDisc:
             if (less.disc) less.disc->opacity = 1.0, less.disc->edge = 0.0;

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/vec.h"
 
@@ -18,12 +19,17 @@ struct SpacetimeSpec {
 // A pinhole camera. The unrotated camera looks at the centre (forward = -e_r), up = -e_theta (towards the north pole),
 // right = forward x up = e_phi... see camera/pose.h. yaw turns to the right, then pitch turns up, then roll turns the picture's
 // top to the right.
+enum class ObserverKind { kStatic, kRain, kFall, kThrow, kOrbit };   // scene/observer.h
+
 struct CameraSpec {
     double r = 15.0;                 // > 0, outside the horizon for a static camera
     double theta = 1.48;             // polar angle, [0, pi]
     double phi = 0.0;                // azimuth
     double yaw = 0.0, pitch = 0.0, roll = 0.0;
-    Vec3 velocity{0, 0, 0};          // of the camera in the static frame, components along (e_r, e_theta, e_phi), |v| < 1
+    ObserverKind observer = ObserverKind::kStatic;
+    double fall_from = 1e6;          // kFall: radius of rest, r_s
+    double energy = 1.0;             // kThrow: per rest mass, > 0
+    Vec3 velocity{0, 0, 0};          // of the camera in the observer's frame, components along (e_r, e_theta, e_phi), |v| < 1
     double plane_width = 1.1547005383792517;  // width of the projection plane ...
     double focal_distance = 1.0;     // ... and its distance: fov = 2 atan(plane_width / 2 focal_distance), 60 degrees
     int width = 1280, height = 720;  // pixels, square
@@ -173,6 +179,23 @@ struct PictureSpec {
     friend bool operator==(const PictureSpec&, const PictureSpec&) = default;
 };
 
+// Where the camera goes from frame to frame. kFall: let go at frame 0, in equal steps of its own time; axes are gyroscopes, or turned to
+// look at the centre. kKeys: smooth through keys.
+enum class PathKind { kFall, kKeys };
+enum class PathLook { kGyroscope, kCentre };
+struct PathKey {
+    double frame = 0.0;
+    CameraSpec camera;
+};
+struct PathSpec {
+    PathKind kind = PathKind::kFall;
+    PathLook look = PathLook::kGyroscope;
+    int frames = 240;
+    double rate = 24.0;            // frames a second of film
+    double duration = 0.0;         // kFall: proper time from the first frame to the last, r_s/c; 0: to the end of the worldline
+    std::vector<PathKey> keys;     // kKeys: two or more, frames growing
+};
+
 struct Scene {
     std::string name, description;
     SpacetimeSpec spacetime;
@@ -187,6 +210,7 @@ struct Scene {
     std::optional<SurfaceSpec> surface;
     LightSpec light;
     PictureSpec picture;
+    std::optional<PathSpec> path;
     double time = 0.0;                     // r_s/c, by the clocks at infinity: what moves is where it is then, its light has no delay
 };
 

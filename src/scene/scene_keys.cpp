@@ -31,6 +31,10 @@ constexpr KeyRange kTime{-1e9, 1e9, false, false};
 constexpr KeyRange kMagnitude{-5.0, 30.0, false, false};
 constexpr KeyRange kStarCount{0.0, 4000000.0, false, false};
 constexpr KeyRange kBloom{0.0, 1.0, false, true};
+constexpr KeyRange kEnergy{0.0, 1e6, true, false};
+constexpr KeyRange kFrames{2.0, 1000000.0, false, false};
+constexpr KeyRange kRate{0.1, 1000.0, false, false};
+constexpr KeyRange kDuration{0.0, 1e7, false, false};
 constexpr KeyRange kNone{};
 
 AccretionSpec& accretion_of(Scene& scene) {
@@ -54,7 +58,7 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.beside->metric = v.text; }},
 
     {"camera", "r", KeyType::kNumber, "r_s", "15", kRadius, "",
-     "Radial coordinate; outside the horizon, since the camera is described in the static frame. Of wormholes: l.",
+     "Radial coordinate; outside the horizon where the observer rests or orbits. Of wormholes: l.",
      [](Scene& s, const KeyValue& v) { s.camera.r = v.number; }},
     {"camera", "theta", KeyType::kNumber, "deg", "84.8", kPolarAngle, "",
      "Polar angle: 0 above the north pole, 90 in the disc's plane.",
@@ -69,8 +73,17 @@ constexpr SceneKey kKeys[] = {
     {"camera", "roll", KeyType::kNumber, "deg", "0", kAnyAngle, "",
      "Turn about the line of sight that takes the camera's top to its right, after pitch.",
      [](Scene& s, const KeyValue& v) { s.camera.roll = v.number; }},
+    {"camera", "observer", KeyType::kChoice, "", "static", kNone, "static rain fall throw orbit",
+     "Who holds the camera: at rest; fallen from rest at infinity, or at fall_from; thrown in with energy; on a circular orbit.",
+     [](Scene& s, const KeyValue& v) { s.camera.observer = static_cast<ObserverKind>(v.choice); }},
+    {"camera", "fall_from", KeyType::kNumber, "r_s", "1e+06", kRadius, "",
+     "Radius where the fall began; needs observer = \"fall\".",
+     [](Scene& s, const KeyValue& v) { s.camera.fall_from = v.number; }},
+    {"camera", "energy", KeyType::kNumber, "", "1", kEnergy, "",
+     "Energy per rest mass, 1 for a fall from rest at infinity; needs observer = \"throw\".",
+     [](Scene& s, const KeyValue& v) { s.camera.energy = v.number; }},
     {"camera", "velocity", KeyType::kVelocity, "c", "[0, 0, 0]", kNone, "",
-     "Velocity in the static frame along (e_r, e_theta, e_phi): outward, southward, towards growing phi.",
+     "Velocity in the observer's frame along (e_r, e_theta, e_phi): outward, southward, towards growing phi.",
      [](Scene& s, const KeyValue& v) { s.camera.velocity = v.vector; }},
     {"camera", "fov", KeyType::kNumber, "deg", "60", kFov, "",
      "Horizontal field of view; instead of plane_width and focal_distance.",
@@ -90,6 +103,20 @@ constexpr SceneKey kKeys[] = {
     {"camera", "exposure", KeyType::kNumber, "EV", "0", kExposure, "",
      "The displayed brightness is multiplied by 2^exposure.",
      [](Scene& s, const KeyValue& v) { s.camera.exposure_ev = v.number; }},
+
+    {"path", "kind", KeyType::kChoice, "", "fall", kNone, "fall keys",
+     "How the camera moves from frame to frame: let go at frame 0, a geodesic; or smoothly through [[path.key]].",
+     [](Scene& s, const KeyValue& v) { s.path->kind = static_cast<PathKind>(v.choice); }},
+    {"path", "look", KeyType::kChoice, "", "gyroscope", kNone, "gyroscope centre",
+     "Of kind = \"fall\": the camera's axes are carried along parallel, or it keeps looking as it did against the centre.",
+     [](Scene& s, const KeyValue& v) { s.path->look = static_cast<PathLook>(v.choice); }},
+    {"path", "frames", KeyType::kWhole, "", "240", kFrames, "", "Number of frames.",
+     [](Scene& s, const KeyValue& v) { s.path->frames = v.width; }},
+    {"path", "rate", KeyType::kNumber, "1/s", "24", kRate, "", "Frames per second of a film.",
+     [](Scene& s, const KeyValue& v) { s.path->rate = v.number; }},
+    {"path", "duration", KeyType::kNumber, "r_s/c", "0", kDuration, "",
+     "Of kind = \"fall\": proper time from the first frame to the last; 0: to the worldline's end.",
+     [](Scene& s, const KeyValue& v) { s.path->duration = v.number; }},
 
     {"sky", "kind", KeyType::kChoice, "", "stars", kNone, "stars image black points plain checker grid stripes noise formula",
      "The celestial sphere: the stars and Milky Way that ship as a picture, an image, nothing, the stars as points; or one colour or a pattern of two.",
