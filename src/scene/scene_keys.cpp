@@ -33,7 +33,7 @@ constexpr KeyRange kStarCount{0.0, 4000000.0, false, false};
 constexpr KeyRange kBloom{0.0, 1.0, false, true};
 constexpr KeyRange kEnergy{0.0, 1e6, true, false};
 constexpr KeyRange kFrames{2.0, 1000000.0, false, false};
-constexpr KeyRange kRate{0.1, 1000.0, false, false};
+constexpr KeyRange kFilmRate{0.1, 1000.0, false, false};
 constexpr KeyRange kDuration{0.0, 1e7, false, false};
 constexpr KeyRange kNone{};
 
@@ -112,7 +112,7 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.path->look = static_cast<PathLook>(v.choice); }},
     {"path", "frames", KeyType::kWhole, "", "240", kFrames, "", "Number of frames.",
      [](Scene& s, const KeyValue& v) { s.path->frames = v.width; }},
-    {"path", "rate", KeyType::kNumber, "1/s", "24", kRate, "", "Frames per second of a film.",
+    {"path", "rate", KeyType::kNumber, "1/s", "24", kFilmRate, "", "Frames per second of a film.",
      [](Scene& s, const KeyValue& v) { s.path->rate = v.number; }},
     {"path", "duration", KeyType::kNumber, "r_s/c", "0", kDuration, "",
      "Of kind = \"fall\": proper time from the first frame to the last; 0: to the worldline's end.",
