@@ -196,8 +196,8 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
     Scene less = scene;
     switch (effect) {
         case Effect::kLensing:
-            if (falls(scene.camera)) return std::nullopt;   // straight light is that of an observer at rest
-            less.light.lensing = false;
+            less.light.lensing = falls(scene.camera);   // straight light is that of an observer at rest: what falls is put into flat space
+            if (less.light.lensing) less.spacetime = {"minkowski", {}};
             return less;
         case Effect::kAberration:
             less.camera.velocity = {0, 0, 0};
