@@ -3,11 +3,13 @@
 
 struct Aberration {
     vec3 direction;   // unit look direction as the static observer sees it
+    float squeeze;    // angles in the static frame over angles in the camera's
     float doppler;    // frequency in the camera over frequency in the static frame
 };
 
-// n: unit look direction in the camera's rest frame (world axes); motion: unit; stretch >= 1.
-Aberration aberrate(vec3 n, vec3 motion, float stretch) {
+// n: unit look direction in the camera's rest frame (world axes); motion: unit. stretch >= 1: of directions, colour: of frequencies.
+// They are the same, but where one of both is left out: 1.
+Aberration aberrate(vec3 n, vec3 motion, float stretch, float colour) {
     vec3 minus = n - motion;
     vec3 plus = n + motion;
     float one_minus_c = 0.5 * dot(minus, minus);
@@ -16,7 +18,8 @@ Aberration aberrate(vec3 n, vec3 motion, float stretch) {
     float squeezed = stretch * stretch * one_minus_c;
     float scale = 1.0 / (one_plus_c + squeezed);
     Aberration result;
-    result.doppler = 2.0 * stretch * scale;
-    result.direction = ((one_plus_c - squeezed) * scale) * motion + result.doppler * across;
+    result.squeeze = 2.0 * stretch * scale;
+    result.doppler = (colour * one_plus_c + squeezed / colour) * scale;
+    result.direction = ((one_plus_c - squeezed) * scale) * motion + result.squeeze * across;
     return result;
 }

@@ -82,6 +82,6 @@ PixelData pixel_data(vec2 pixel) {
 #endif
     bool sky = data.fate == 0.0 || data.fate == 2.0;
     data.sky = sky ? normalize(trace.sky) : vec3(0.0, 0.0, 0.0);
-    data.g = sky ? frame.shift.x * trace.doppler : 0.0;
+    data.g = sky ? g_of(trace) : 0.0;
     return data;
 }

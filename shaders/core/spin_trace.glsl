@@ -65,6 +65,9 @@ SpinState spin_start(SpinRay ray, vec3 n) {
     return at;
 }
 
+// g: the camera's frequency over that at infinity.
+float g_of(Trace trace) { return trace.doppler; }
+
 // pixel: px from the image centre, x to the right, y up.
 Trace trace_pixel(vec2 pixel) {
     Trace trace;
@@ -74,10 +77,10 @@ Trace trace_pixel(vec2 pixel) {
     trace.pixel_angle = frame.image.z * inverse_length * sqrt(inverse_length);
     float doppler = 1.0;
 #ifdef EFFECT_ABERRATION
-    Aberration seen = aberrate(n, vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w);
+    Aberration seen = aberrate(n, vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w, frame.boost_colour.x);
     n = seen.direction;
     doppler = seen.doppler;
-    trace.pixel_angle *= seen.doppler;
+    trace.pixel_angle *= seen.squeeze;
 #endif
     SpinRay ray = spin_ray(n);
     SpinState now = spin_start(ray, n);

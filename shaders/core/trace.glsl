@@ -2,8 +2,8 @@
 // Reads the globals `frame` (FrameData) and strip_fetch / orbit_fetch.
 
 struct Trace {
-    float doppler;        // frequency in the camera over frequency in the static frame
-    float pixel_angle;    // angle that one pixel spans here, rad, in the static frame
+    float doppler;        // frequency in the camera over frequency in the radial frame
+    float pixel_angle;    // angle that one pixel spans here, rad, in the radial frame
     vec2 side;            // components of the unit look direction n along frame.meridian and frame.transverse
     float s;              // |n x e| = |side|
     float c;              // n . e
@@ -28,6 +28,15 @@ vec3 sideways(vec2 side) {
            side.y * vec3(frame.transverse.x, frame.transverse.y, frame.transverse.z);
 }
 
+// Frequency at infinity over frequency in the radial frame, in the direction with cosine c from e.
+float energy_at(float c) { return frame.shift.x + frame.shift.z * c; }
+
+// g: the camera's frequency over that at infinity.
+float g_of(Trace trace) { return frame.radial.w * trace.doppler / energy_at(trace.c); }
+
+// q sin(alpha), alpha the ray's angle from e; at rest it is sqrt(V(zeta0)) for all rays.
+float q_sine(float c) { return frame.shift.y * energy_at(c); }
+
 // n x e
 vec3 crossed_direction(Trace trace) { return sideways(vec2(trace.side.y, -trace.side.x)); }
 
@@ -43,10 +52,11 @@ Trace trace_pixel(vec2 pixel) {
     trace.doppler = 1.0;
     trace.pixel_angle = frame.image.z * inverse_length * sqrt(inverse_length);
 #ifdef EFFECT_ABERRATION
-    Aberration seen = aberrate(look_direction(pixel, inverse_length), vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w);
+    Aberration seen = aberrate(look_direction(pixel, inverse_length), vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w,
+                               frame.boost_colour.x);
     vec3 n = seen.direction;
     trace.doppler = seen.doppler;
-    trace.pixel_angle *= seen.doppler;
+    trace.pixel_angle *= seen.squeeze;
     trace.side = vec2(dot(n, vec3(frame.meridian.x, frame.meridian.y, frame.meridian.z)),
                       dot(n, vec3(frame.transverse.x, frame.transverse.y, frame.transverse.z)));
     trace.c = dot(n, radial_direction());

@@ -30,3 +30,19 @@ vec3 black_body(float log2_hue, float log2_glow, float scale) {
 #endif
     return colour * exp2(min(luminance - scale, 60.0));
 }
+
+// A black body of temperature T seen with its frequencies times g is one of gT (light/black_body.h). Without EFFECT_SHIFT the colour
+// stays as it left, without EFFECT_BEAMING the brightness does.
+vec3 seen_black_body(float log2_temperature, float g, float scale) {
+    float hue = log2_temperature;
+    float glow = log2_temperature;
+#ifdef EFFECT_SHIFT
+    float colour_shift = log2(g);
+    hue += colour_shift;
+#endif
+#ifdef EFFECT_BEAMING
+    float beaming = log2(g);
+    glow += beaming;
+#endif
+    return black_body(hue, glow, scale);
+}

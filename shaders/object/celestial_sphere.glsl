@@ -14,6 +14,17 @@ float sky_level(Trace trace) {
     return footprint_level(0.5 * log2(side2 * texels * texels), frame.sky.y);
 }
 
+#ifdef EFFECT_SKY_SHIFT
+// The sky's light as g changes it: that of a black body of its temperature. Without motion it is the same all over the sky.
+vec3 sky_shift(Trace trace) {
+#ifdef EFFECT_ABERRATION
+    return frame.sky_light.xyz * seen_black_body(frame.sky_light.w, g_of(trace), frame.boost_colour.y);
+#else
+    return frame.sky_light.xyz;
+#endif
+}
+#endif
+
 #ifdef EFFECT_SKY
 #ifdef EFFECT_FAR_SKY
 // The skies of both ends of a wormhole as layers of one texture: every ray fetches once, whichever sky it ends on. (Software drivers run
@@ -28,9 +39,19 @@ vec3 celestial_sphere(Trace trace, float level) {
     vec2 place = on_x ? vec2(-facing * d.z, -d.y) : on_y ? vec2(d.x, facing * d.z) : vec2(facing * d.x, -d.y);
     float layer = (on_x ? 0.0 : on_y ? 2.0 : 4.0) + (0.5 - 0.5 * facing);
     float other_side = trace.escapes ? 0.0 : 6.0;
-    return textureLod(sky_texture, vec3(place * (frame.sky.w / abs(major)) + 0.5, layer + other_side), level).rgb * frame.sky.z;
+    vec3 light = textureLod(sky_texture, vec3(place * (frame.sky.w / abs(major)) + 0.5, layer + other_side), level).rgb * frame.sky.z;
+#ifdef EFFECT_SKY_SHIFT
+    light *= trace.escapes ? sky_shift(trace) : vec3(1.0);
+#endif
+    return light;
 }
 #else
-vec3 celestial_sphere(Trace trace, float level) { return textureLod(sky_texture, trace.sky, level).rgb * frame.sky.z; }
+vec3 celestial_sphere(Trace trace, float level) {
+    vec3 light = textureLod(sky_texture, trace.sky, level).rgb * frame.sky.z;
+#ifdef EFFECT_SKY_SHIFT
+    light *= sky_shift(trace);
+#endif
+    return light;
+}
 #endif
 #endif

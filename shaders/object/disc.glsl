@@ -20,20 +20,20 @@ PlaneMeeting disc_meeting(Trace trace) {
     return plane_meet(crossed_direction(trace), radial_direction(), trace.s, normal, frame.disc_normal.w);
 }
 
-// Two bounds that cost nothing. |d zeta / d phi| <= q = sqrt(V(zeta0)) / s on every orbit, so zeta grows from zeta0 and falls to
-// 0 at the sky no faster than q phi. DISC_WIDENED leaves room for the rims' covered fractions (see margin).
+// Two bounds that cost nothing. |d zeta / d phi| <= q outside the horizon, so zeta grows from zeta0 and falls to
+// 0 at the sky no faster than q phi. (Inside, zeta0 alone is above that of any disc; q < 0 there is light that never met one.) DISC_WIDENED leaves room for the rims' covered fractions (see margin).
 #define DISC_WIDENED 1.15
 
 // Does the ray still reach crossing `number` (counted from 0), and, on its way out, may any later one be within the disc?
 bool disc_reachable(Trace trace, PlaneMeeting meeting, int number) {
     float rest = trace.phi_end - (meeting.phi + 3.14159265358979323846 * float(number));
     float slowest = trace.escapes ? trace.s / (DISC_WIDENED * frame.disc_y.w) : 0.0;
-    return rest * frame.shift.z > slowest && rest > 0.0;
+    return rest * q_sine(trace.c) > slowest && rest > 0.0;
 }
 
 // The first crossing that may be close enough to the centre, coming from the camera: number 0 or 1.
 int disc_first(Trace trace, PlaneMeeting meeting) {
-    float zeta_most = frame.shift.y * trace.s + frame.shift.z * meeting.phi;   // times s
+    float zeta_most = frame.shift.y * trace.s + q_sine(trace.c) * meeting.phi;   // times s
     return zeta_most * DISC_WIDENED * frame.disc_y.w >= trace.s ? 0 : 1;
 }
 

@@ -8,7 +8,7 @@ struct DiscFlow {
 };
 
 // Frequency of a photon in the matter, over its energy at infinity: u^t - (L_z/E) u^phi - (k_r/E) u^r. The photon's real motion is
-// that of the traced ray backward: L_z/E = (n x e) . normal / sqrt(V(zeta0)), k_r/E = (s / sqrt(V)) (d zeta / d phi) / A. About a
+// that of the traced ray backward: L_z/E = (n x e) . normal / (q s), k_r/E = (1/q) (d zeta / d phi) / A. About a
 // spinning hole k_r/E = (d zeta / d tau) g_rr / E (core/kerr.glsl). The row's last number holds the metric's part of it.
 DiscFlow disc_flow(Trace trace, DiscCrossing crossing) {
     float x = clamp(log(crossing.r * frame.disc_heat.x) * frame.disc_heat.y, 0.0, float(DISC_FLOW_CELLS) - 0.001);
@@ -22,12 +22,12 @@ DiscFlow disc_flow(Trace trace, DiscCrossing crossing) {
     float radial = crossing.climb * inverse_energy;
 #else
     vec3 normal = vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z);
-    float inverse_v = 1.0 / frame.shift.z;
+    float inverse_v = 1.0 / q_sine(trace.c);
     float momentum = dot(crossed_direction(trace), normal) * inverse_v;
     float radial = trace.s * inverse_v * crossing.zeta_slope;
 #endif
     DiscFlow result;
     result.heat = flow.x;
-    result.g = frame.shift.x * trace.doppler / max(flow.y - momentum * flow.z - radial * flow.w, 1.0e-6);
+    result.g = g_of(trace) / max(flow.y - momentum * flow.z - radial * flow.w, 1.0e-6);
     return result;
 }

@@ -1,7 +1,7 @@
 // A sphere about the centre: the first swept angle with zeta = 1/R.
 //
 // Seen from outside, zeta grows from zeta0 until the ray turns or ends. Which rays reach the sphere is a question of their
-// direction alone: the critical sine frame.sphere_form.z = sqrt(V(zeta0)/V(1/R)) is formed in double. Below the photon sphere's
+// direction alone: sine and cosine of the silhouette's, frame.sphere_form.zw, are formed in double. Below the photon sphere's
 // zeta the orbit is concave (zeta'' = -V'/2 < 0), so Newton's steps from the camera never overshoot; beyond it a bracket holds them.
 
 #define SPHERE_MOST_STEPS 16
@@ -9,14 +9,11 @@
 // Half a pixel's share of rays on either side of the silhouette: 0 ... 1. blur: pixels, 0 for a sharp edge.
 float sphere_cover(Trace trace, float blur) {
     float sine = frame.sphere_form.z;
-    bool inward = trace.c < 0.0;
     if (sine < 0.0) {   // the silhouette is the critical ray itself
         return trace.escapes ? 0.0 : 1.0;
     }
     if (!trace.escapes) return 1.0;
-    if (!inward) return 0.0;
-    // s against the critical sine: their difference is an angle over the cosine.
-    float inside = (sine - trace.s) / (max(-trace.c, 1.0e-4) * trace.pixel_angle);
+    float inside = (trace.s * frame.sphere_form.w - trace.c * sine) / trace.pixel_angle;   // sine of the angle beyond the silhouette's
     return blur > 0.0 ? clamp(0.5 + inside / blur, 0.0, 1.0) : (inside > 0.0 ? 1.0 : 0.0);
 }
 

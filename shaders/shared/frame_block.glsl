@@ -9,20 +9,24 @@ struct FrameData {
     vec4 polar_0;      // the same direction along `meridian`, `transverse`, `radial` and (.w) along the critical direction's
     vec4 polar_x;      //   tangent in the meridian's plane, towards the sky: each keeps its digits where it is small, at a hole of
     vec4 polar_y;      //   a few microradians and at a photon ring that fills the screen
-    vec4 radial;       // outward radial unit vector e at the camera, .w = 0; the other two make a right-handed frame with it:
+    vec4 radial;       // outward radial unit vector e at the camera, .w = factor on g by what light.* switches off, else 1; the other two make a right-handed frame with it:
     vec4 meridian;     //   in the plane of e and the image's centre, .w = 0
     vec4 transverse;   //   e x meridian, .w = 0
-    vec4 shift;        // g of a static camera here (camera over infinity), zeta0, sqrt(V(zeta0)) = q sin(alpha), fate of rays that do not escape
+    vec4 shift;        // energy and (.z) infall of the radial frame (spacetime/radial_frame.h), .y zeta0, .w fate of rays that do not escape
 #ifdef BLOCK_LENSING
     vec4 strip;        // cosine and sine of the critical direction's angle from e (a ray nearer to e escapes), 1/w0, first row of the inner rays in the strip
     vec4 orbit;        // sin(theta_c) = k sin(alpha), cos(chi0), a0, a1 of the deflection table
     vec4 series;       // a2 of the deflection table, chi0; rays that come back: their first row by the centre, tan(theta_c/4)
 #endif
 #ifdef BLOCK_ABERRATION
-    vec4 boost;        // direction of motion in world axes, .w = stretch sqrt((1+v)/(1-v))
+    vec4 boost;        // direction of motion in world axes, .w = stretch sqrt((1+v)/(1-v)) of directions, 1 without aberration
+    vec4 boost_colour; // the stretch of frequencies, 1 without Doppler shift; log2 of the brightness of the sky's temperature, 0, 0
 #endif
 #ifdef BLOCK_SKY
     vec4 sky;          // texels per radian of the sky's finest level, highest level, brightness; two skies: half of what a face is of its layer
+#endif
+#ifdef BLOCK_SKY_SHIFT
+    vec4 sky_light;    // factor on the sky's light; for a moving camera on that and a black body's, .w = log2 of the sky's temperature (K)
 #endif
 #ifdef BLOCK_DISC
     vec4 disc_normal;  // unit normal of the disc, .w = normal . radial (0 exactly for a camera in the plane)
@@ -45,7 +49,7 @@ struct FrameData {
     // A body's form, then its look: _map cosine and sine of the rotation, columns, rows; _colour the first colour, limb;
     // _second the second colour, latitude of the band.
 #ifdef BLOCK_SPHERE
-    vec4 sphere_form;    // radius, 1/radius, sine of the silhouette's angle from the inward radial (below 0: the critical ray), 0
+    vec4 sphere_form;    // radius, 1/radius, sine and cosine of the silhouette's angle from the outward radial (sine below 0: the critical ray)
     vec4 sphere_map;
     vec4 sphere_colour;
     vec4 sphere_second;

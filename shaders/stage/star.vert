@@ -7,25 +7,16 @@ flat out vec2 star_middle;                 // px
 void main() {
     StarImage image = image_of_star(star_place);
     vec3 d = image.direction;
-    float g = frame.shift.x;
+    float g = frame.radial.w / (frame.shift.x + frame.shift.z * dot(d, frame.radial.xyz));
     float squeeze = 1.0;
 #ifdef EFFECT_ABERRATION
-    Aberration seen = aberrate(d, vec3(frame.boost.x, frame.boost.y, frame.boost.z), 1.0 / frame.boost.w);   // back to the camera
+    vec3 motion = vec3(frame.boost.x, frame.boost.y, frame.boost.z);
+    g *= aberrate(d, motion, 1.0, frame.boost_colour.x).doppler;
+    Aberration seen = aberrate(d, motion, 1.0 / frame.boost.w, 1.0);   // back to the camera
     d = seen.direction;
-    squeeze = seen.doppler;
-    g /= seen.doppler;
+    squeeze = seen.squeeze;
 #endif
-    float hue = star_make.y;
-    float glow = star_make.y;
-#ifdef EFFECT_SHIFT
-    float colour_shift = log2(g);
-    hue += colour_shift;
-#endif
-#ifdef EFFECT_BEAMING
-    float beaming = log2(g);
-    glow += beaming;
-#endif
-    vec3 light = black_body(hue, glow, -star_make.x);
+    vec3 light = seen_black_body(star_make.y, g, -star_make.x);
     float ahead = dot(d, frame.ray_0.xyz);
     vec2 pixel = vec2(dot(d, frame.ray_x.xyz), dot(d, frame.ray_y.xyz)) / (max(ahead, 1.0e-6) * frame.image.z * frame.image.z);
     // A pixel spans image.z^2 cos^3 of solid angle; the spread squeezed by aberration.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/observer.h"
+
 namespace nullscope {
 namespace {
 
@@ -33,13 +35,43 @@ Vec3 exact_cross(Vec3 a, Vec3 b) {
             difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
-Result<Done> check_static_frame(const Spacetime& spacetime, const CameraSpec& camera) {
-    if (!camera_can_rest(spacetime, camera.r))
-        return bad_input(fmt::format("no static frame at r = {}; allowed: {}", camera.r, allowed_radii(spacetime)));
-    if (!(camera.theta >= 0.0 && camera.theta <= std::numbers::pi)) {
-        return bad_input(fmt::format("theta = {} rad is out of range; allowed: [0, pi]", camera.theta));
+// The camera's axes along the radial frame that it is boosted from. A camera axis c becomes e = (w . c, c + w (w . c)/(1 + gamma)) with w = gamma v. Errors of c stay of their own size,
+// those of the boost are multiplied by gamma^2: the boost is computed in long double.
+using LongRows = std::array<std::array<long double, 4>, 4>;
+LongRows rows_along_frame(const Mat3& axes, Vec3 v) {
+    using Long3 = std::array<long double, 3>;
+    const long double gamma = 1.0L / std::sqrt(one_minus_square(v));
+    const Long3 w = {gamma * v.x, gamma * v.y, gamma * v.z};
+    LongRows rows{};
+    rows[0] = {gamma, w[0], w[1], w[2]};
+    int i = 1;
+    for (const Vec3 axis : {axes.a, axes.b, axes.c}) {
+        const Long3 c = {axis.x, axis.y, axis.z};
+        const long double along = w[0] * c[0] + w[1] * c[1] + w[2] * c[2];
+        const long double push = along / (1.0L + gamma);
+        rows[i++] = {along, c[0] + push * w[0], c[1] + push * w[1], c[2] + push * w[2]};
     }
+    return rows;
+}
+
+TetradPair as_pair(const LongRows& rows) {
+    TetradPair tetrad{};
+    for (int i = 0; i < 4; ++i) {
+        for (int mu = 0; mu < 4; ++mu) {
+            tetrad.high[i][mu] = static_cast<double>(rows[i][mu]);
+            tetrad.low[i][mu] = static_cast<double>(rows[i][mu] - tetrad.high[i][mu]);
+        }
+    }
+    return tetrad;
+}
+
+Result<Done> check_place(const CameraSpec& camera) {
+    if (!(camera.theta >= 0.0 && camera.theta <= std::numbers::pi))
+        return bad_input(fmt::format("theta = {} rad is out of range; allowed: [0, pi]", camera.theta));
     if (std::sin(camera.theta) == 0.0) return bad_input("no coordinate tetrad on the axis; allowed: 0 < theta < pi");
+    if (!(one_minus_square(camera.velocity) > 0.0L))
+        return bad_input(
+            fmt::format("speed {} is not below that of light; allowed: |velocity| < 1", length(camera.velocity)));
     return Done{};
 }
 
@@ -61,62 +93,71 @@ Mat3 static_from_camera(const CameraSpec& camera) {
     return unrotated * yaw * pitch * roll;
 }
 
-// A camera axis c becomes e = (w . c, c + w (w . c)/(1 + gamma)) with w = gamma v. Errors of c stay of their own size,
-// those of the boost are multiplied by gamma^2: the boost is computed in long double.
 Result<TetradPair> camera_rows_pair(const CameraSpec& camera) {
-    if (!(one_minus_square(camera.velocity) > 0.0L)) {
+    if (!(one_minus_square(camera.velocity) > 0.0L))
         return bad_input(
             fmt::format("speed {} is not below that of light; allowed: |velocity| < 1", length(camera.velocity)));
-    }
-    using Long3 = std::array<long double, 3>;
-    const Vec3 v = camera.velocity;
-    const long double gamma = 1.0L / std::sqrt(one_minus_square(v));
-    const Long3 w = {gamma * v.x, gamma * v.y, gamma * v.z};
-    const Mat3 axes = static_from_camera(camera);
-
-    std::array<std::array<long double, 4>, 4> rows{};
-    rows[0] = {gamma, w[0], w[1], w[2]};
-    int i = 1;
-    for (const Vec3 axis : {axes.a, axes.b, axes.c}) {
-        const Long3 c = {axis.x, axis.y, axis.z};
-        const long double along = w[0] * c[0] + w[1] * c[1] + w[2] * c[2];
-        const long double push = along / (1.0L + gamma);
-        rows[i++] = {along, c[0] + push * w[0], c[1] + push * w[1], c[2] + push * w[2]};
-    }
-    TetradPair pair{};
-    for (i = 0; i < 4; ++i) {
-        for (int mu = 0; mu < 4; ++mu) {
-            pair.high[i][mu] = static_cast<double>(rows[i][mu]);
-            pair.low[i][mu] = static_cast<double>(rows[i][mu] - pair.high[i][mu]);
-        }
-    }
-    return pair;
+    return as_pair(rows_along_frame(static_from_camera(camera), camera.velocity));
 }
 
 Result<TetradPair> camera_tetrad_pair(const Spacetime& spacetime, const CameraSpec& camera) {
-    if (Result<Done> ok = check_static_frame(spacetime, camera); !ok) return ok.error();
-    const Result<TetradPair> rows = camera_rows_pair(camera);
-    if (!rows) return rows;
+    if (!camera_can_rest(spacetime, camera.r))
+        return bad_input(fmt::format("no static frame at r = {}; allowed: {}", camera.r, allowed_radii(spacetime)));
+    if (Result<Done> ok = check_place(camera); !ok) return ok.error();
     const Matrix4 g = spacetime.metric(camera.r, camera.theta), inverse = spacetime.inverse_metric(camera.r, camera.theta);
     const long double drag = static_cast<long double>(inverse[0][3]) / inverse[0][0];   // of a camera without angular momentum
-    TetradPair tetrad{};
-    for (int i = 0; i < 4; ++i) {
-        const auto row = [&](int mu) { return static_cast<long double>(rows->high[i][mu]) + rows->low[i][mu]; };
-        for (int mu = 0; mu < 4; ++mu) {
-            const long double size = mu == 0 && drag != 0 ? -1.0L / inverse[0][0] : std::fabs(static_cast<long double>(g[mu][mu]));
-            long double component = row(mu) / std::sqrt(size);
-            if (mu == 3 && drag != 0) component += drag * row(0) * std::sqrt(-static_cast<long double>(inverse[0][0]));
-            tetrad.high[i][mu] = static_cast<double>(component);
-            tetrad.low[i][mu] = static_cast<double>(component - tetrad.high[i][mu]);
-        }
+    LongRows rows = rows_along_frame(static_from_camera(camera), camera.velocity);
+    for (auto& row : rows) {
+        const long double t = row[0];
+        for (int mu = 0; mu < 4; ++mu)
+            row[mu] /= std::sqrt(mu == 0 && drag != 0 ? -1.0L / inverse[0][0] : std::fabs(static_cast<long double>(g[mu][mu])));
+        if (drag != 0) row[3] += drag * t * std::sqrt(-static_cast<long double>(inverse[0][0]));
     }
-    return tetrad;
+    return as_pair(rows);
+}
+
+Matrix4 ingoing_metric(const Spacetime& spacetime, double r, double theta) {
+    const double across = spacetime.areal_radius(r), sine = std::sin(theta);
+    Matrix4 g{};
+    g[0][0] = -spacetime.lapse_squared(r);
+    g[0][1] = g[1][0] = 1.0;
+    g[2][2] = across * across;
+    g[3][3] = across * across * sine * sine;
+    return g;
+}
+
+Result<TetradPair> ingoing_tetrad_pair(const Spacetime& spacetime, const CameraSpec& camera) {
+    if (Result<Done> ok = check_place(camera); !ok) return ok.error();
+    const auto observer = observer_of(spacetime, camera);
+    if (!observer) return observer.error();
+    const long double o = observer->frame.outward, i = static_cast<long double>(spacetime.lapse_squared(camera.r)) / o;
+    const long double across = spacetime.areal_radius(camera.r), sine = std::sin(camera.theta);
+    LongRows rows = rows_along_frame(observer->turn * static_from_camera(camera), observer->velocity);
+    for (auto& [t, r, theta, phi] : rows) {
+        const long double v = (t + r) / o;
+        r = 0.5L * (o * (r - t) + i * (r + t));   // -w t + eps r
+        t = v;
+        theta /= across;
+        phi /= across * sine;
+    }
+    return as_pair(rows);
 }
 
 Result<Matrix4> camera_tetrad(const Spacetime& spacetime, const CameraSpec& camera) {
     const Result<TetradPair> pair = camera_tetrad_pair(spacetime, camera);
     if (!pair) return pair.error();
     return pair->high;
+}
+
+// Forward fixes yaw and pitch. Roll is what is left of the turn after both, not an angle of its own: where forward is
+// along a pole of yaw, an arbitrary yaw is undone by it.
+void set_axes(CameraSpec& camera, const Mat3& axes) {
+    const Vec3 back = axes.c;  // (cos yaw cos pitch, sin pitch, -sin yaw cos pitch) along (e_r, e_theta, e_phi)
+    camera.yaw = std::atan2(-back.z, back.x);
+    camera.pitch = std::atan2(back.y, std::hypot(back.x, back.z));
+    camera.roll = 0.0;
+    const Mat3 left = transposed(static_from_camera(camera)) * axes;
+    camera.roll = std::atan2(left.b.x - left.a.y, left.a.x + left.b.y);
 }
 
 Vec3 pixel_direction(const CameraSpec& camera, double x, double y) {

@@ -80,6 +80,12 @@ const std::vector<Added>& additions() {
              s.light = {false, false};
          }},
         {Effect::kSky, nothing, [](Scene& s) { s.sky.kind = SkyKind::kStars; }},
+        {Effect::kSkyShift,
+         [](Scene& s) {
+             s.sky.kind = SkyKind::kStars;
+             s.camera.velocity = {0.1, 0.2, 0.3};
+         },
+         [](Scene& s) { s.sky.temperature_K = 6000.0; }},
         {Effect::kSkyPattern, nothing, [](Scene& s) { s.sky.kind = SkyKind::kPlain; }},
         {Effect::kInner, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }, dark_wormhole},
         {Effect::kSpin, nothing, [](Scene& s) { s.spacetime.metric = "kerr"; }},
@@ -110,15 +116,55 @@ Scene empty_scene(int width, int height) {
     return scene;
 }
 
-}  // namespace
+// Renderers of the empty scene (the session's), of a scene, and of the scene without an effect, on one context.
+struct Bench {
+    Session session;
+    std::unique_ptr<Renderer> with, without;
+    gl::Target target;
+};
 
-Status bench_effects(const std::string& context, int width, int height, int frames, const std::string& json) {
+Result<Bench> open_bench(const std::string& context, int width, int height) {
     auto session = open_session(context);
     if (!session) return session.error();
-    auto with_it = std::make_unique<Renderer>(), without_it = std::make_unique<Renderer>();
-    const gl::Target target = gl::make_target(width, height, gl::Format::kRgba8);
-    Renderer& floor = *session->renderer;
-    if (Status ready = floor.prepare(empty_scene(width, height)); !ready) return ready;
+    if (Status ready = session->renderer->prepare(empty_scene(width, height)); !ready) return ready.error();
+    return Bench{std::move(*session), std::make_unique<Renderer>(), std::make_unique<Renderer>(), gl::make_target(width, height, gl::Format::kRgba8)};
+}
+
+// Of what is prepared, in turn (A B C A B C ...).
+EffectCost cost_of(Bench& bench, Effect effect, int frames, Progress& progress) {
+    const auto draw = [&](Renderer& renderer) { renderer.draw(bench.target.framebuffer.id(), bench.target.width, bench.target.height, Output::kDisplay); };
+    Renderer* const renderers[] = {bench.session.renderer.get(), bench.without.get(), bench.with.get()};
+    for (Renderer* renderer : renderers) draw(*renderer);   // compiles
+    Samples samples[3];
+    for (int i = 0; i < frames; ++i, progress.advance())
+        for (int k = 0; k < 3; ++k) time_one(samples[k], [&] { draw(*renderers[k]); });
+    return {effect, median(samples[2].core_s), median(samples[1].core_s), median(samples[0].core_s)};
+}
+
+}  // namespace
+
+Result<std::vector<EffectCost>> effect_costs(const Scene& scene, const std::string& context, int frames) {
+    auto bench = open_bench(context, scene.camera.width, scene.camera.height);
+    if (!bench) return bench.error();
+    if (Status ready = bench->with->prepare(scene); !ready) return ready.error();
+    const std::vector<Effect> effects = effect_set(required_effects(scene)).list();
+    Progress progress("effects", static_cast<long long>(effects.size()) * frames);
+    std::vector<EffectCost> costs;
+    for (const Effect effect : effects) {
+        const auto without = without_effect(scene, effect);
+        if (!without || !bench->without->prepare(*without)) {   // it cannot go alone
+            progress.advance(frames);
+            continue;
+        }
+        costs.push_back(cost_of(*bench, effect, frames, progress));
+    }
+    return costs;
+}
+
+Status bench_effects(const std::string& context, int width, int height, int frames, const std::string& json) {
+    auto opened = open_bench(context, width, height);
+    if (!opened) return opened.error();
+    Bench& bench = *opened;
     std::vector<JsonObject> rows;
     Progress progress("effects", static_cast<long long>(additions().size()) * frames);
     for (const Added& added : additions()) {
@@ -126,34 +172,23 @@ Status bench_effects(const std::string& context, int width, int height, int fram
         added.ground(without);
         Scene with = without;
         added.add(with);
-        if (Status ready = without_it->prepare(without); !ready) return ready;
-        if (Status ready = with_it->prepare(with); !ready) return ready;
-        const auto draw = [&](Renderer& renderer) {
-            renderer.draw(target.framebuffer.id(), width, height, Output::kDisplay);
-        };
-        for (Renderer* renderer : {&floor, without_it.get(), with_it.get()}) draw(*renderer);  // compiles
-        Samples of_floor, of_without, of_with;
-        for (int i = 0; i < frames; ++i, progress.advance()) {
-            time_one(of_floor, [&] { draw(floor); });
-            time_one(of_without, [&] { draw(*without_it); });
-            time_one(of_with, [&] { draw(*with_it); });
-        }
-        const double least = median(of_floor.core_s), before = median(of_without.core_s),
-                     after = median(of_with.core_s);
+        if (Status ready = bench.without->prepare(without); !ready) return ready;
+        if (Status ready = bench.with->prepare(with); !ready) return ready;
+        const EffectCost cost = cost_of(bench, added.effect, frames, progress);
         const EffectRow& row = effect_row(added.effect);
-        fmt::print("{:<18} {:.4f} core-s, without it {:.4f}: {:+.2f} x the empty scene's {:.4f}\n", row.key, after,
-                   before, (after - before) / least, least);
+        fmt::print("{:<18} {:.4f} core-s, without it {:.4f}: {:+.2f} x the empty scene's {:.4f}\n", row.key, cost.with_s,
+                   cost.without_s, cost.over_floor(), cost.floor_s);
         rows.push_back(JsonObject()
                            .add("effect", row.key)
-                           .add("renderer", floor.info().renderer)
+                           .add("renderer", bench.session.renderer->info().renderer)
                            .add("width", width)
                            .add("height", height));
         rows.back()
             .add("frames", frames)
-            .add("core_seconds", after)
-            .add("without_core_seconds", before)
-            .add("empty_core_seconds", least);
-        rows.back().add("added_floor_ratio", (after - before) / least);
+            .add("core_seconds", cost.with_s)
+            .add("without_core_seconds", cost.without_s)
+            .add("empty_core_seconds", cost.floor_s);
+        rows.back().add("added_floor_ratio", cost.over_floor());
     }
     if (json.empty()) return Done{};
     return write_text_atomically(json, json_list(rows));

@@ -12,7 +12,9 @@
 #include "base/large_image.h"
 #include "base/progress.h"
 #include "cli/arguments.h"
+#include "camera/path.h"
 #include "cli/command.h"
+#include "cli/film.h"
 #include "cli/session.h"
 #include "compare/ray_channels.h"
 #include "reference/reference.h"
@@ -131,10 +133,16 @@ Result<Method> chosen_method(const Options& options, const Scene& scene) {
     return choice->method;
 }
 
-Result<Frames> frames_of(const Options& options) {
-    if (options.frames.empty()) return Frames{};
+bool is_film(const Options& options) { return options.output.ends_with(".mp4"); }
+
+Result<Frames> frames_of(const Options& options, const CameraPath* path) {
+    if (is_film(options) && path == nullptr) return bad_input("a film needs a scene with a [path]; allowed: -o names that end in .png or .exr");
+    if (is_film(options) && !have_ffmpeg()) return failed("ffmpeg is not installed, it makes the film; without it: -o NAME%05d.png and --frames");
+    if (options.frames.empty()) return is_film(options) ? Frames{0, path->frames()} : Frames{};
     const auto frames = parse_frames(options.frames);
-    if (frames && options.output.find("%05d") == std::string::npos)
+    if (frames && path != nullptr && frames->end > path->frames())
+        return bad_input(fmt::format("--frames {}: the path has {} frames; allowed: 0:{}", options.frames, path->frames(), path->frames()));
+    if (frames && !is_film(options) && options.output.find("%05d") == std::string::npos)
         return bad_input(fmt::format("-o {}: a sequence needs a place for the frame's number; allowed: names that hold %05d", options.output));
     return frames;
 }
@@ -166,8 +174,8 @@ Result<std::optional<Halves>> split_of(const Options& options, const Scene& scen
 }
 
 Status check_output(const Options& options, bool exr) {
-    if (!exr && !options.output.ends_with(".png"))
-        return bad_input(fmt::format("-o {}: unknown kind of file; allowed: names that end in .png or .exr", options.output));
+    if (!exr && !is_film(options) && !options.output.ends_with(".png"))
+        return bad_input(fmt::format("-o {}: unknown kind of file; allowed: names that end in .png, .exr or .mp4", options.output));
     if (options.raydata && !exr) return bad_input("--raydata goes into an .exr; give -o FILE.exr");
     return Done{};
 }
@@ -175,17 +183,22 @@ Status check_output(const Options& options, bool exr) {
 int run(const Options& options) {
     const auto scene = scene_for(options);
     if (!scene) return report(scene.error());
+    std::optional<CameraPath> path;
+    if (scene->path) {
+        auto made = CameraPath::make(*scene);
+        if (!made) return report(made.error());
+        path = std::move(*made);
+    }
     if (options.dump_shader) {
         const EffectSet effects = effect_set(required_effects(*scene));
         for (const Pass& pass : passes(effects, Output::kDisplay))
             fmt::print("{}", pass_text(pass, effects, {}, scene->spacetime.metric, body_text(*scene)));
         return 0;
     }
-    const auto split = split_of(options, *scene);
-    if (!split) return report(split.error());
+    if (const auto split = split_of(options, *scene); !split) return report(split.error());
     const bool exr = options.output.ends_with(".exr");
     if (Status good = check_output(options, exr); !good) return report(good.error());
-    const auto frames = frames_of(options);
+    const auto frames = frames_of(options, path ? &*path : nullptr);
     if (!frames) return report(frames.error());
     std::optional<Session> session;
     if (options.renderer == "gl") {
@@ -196,18 +209,31 @@ int run(const Options& options) {
         if (!method) return report(method.error());
         session->renderer->set_method(*method);
     }
+    // A film's pictures wait in a folder beside it: a run that was stopped goes on from them.
+    const std::string folder = options.output + ".frames";
+    if (is_film(options)) {
+        std::error_code error;
+        if (std::filesystem::create_directories(folder, error); error) return report(failed(fmt::format("{}: {}", folder, error.message())));
+    }
     std::optional<Progress> progress;
     if (frames->end - frames->first > 1) progress.emplace("frames", frames->end - frames->first);
     for (int frame = frames->first; frame < frames->end; ++frame) {
-        const std::string file = numbered(options.output, frame);
-        if (options.resume && std::filesystem::exists(file)) {   // a file has its name only when it is whole
+        const std::string file = numbered(is_film(options) ? folder + "/%05d.png" : options.output, frame);
+        if ((options.resume || is_film(options)) && std::filesystem::exists(file)) {   // a file has its name only when it is whole
             if (progress) progress->advance();
             continue;
+        }
+        Scene now = *scene;
+        if (path) {
+            now.camera = path->at(frame);
+            now.camera.width = scene->camera.width, now.camera.height = scene->camera.height;
         }
         const auto capture = [&](const Scene& drawn) {
             return session ? capture_gl(*session, drawn, options, exr) : capture_reference(drawn, options, exr);
         };
-        auto captured = capture(*split ? (*split)->left : *scene);
+        const auto split = split_of(options, now);
+        if (!split) return report(split.error());
+        auto captured = capture(*split ? (*split)->left : now);
         if (!captured) return report(captured.error());
         if (*split) {
             const auto right = capture((*split)->right);
@@ -217,8 +243,14 @@ int run(const Options& options) {
         }
         if (Status written = write(file, *scene, *captured, exr); !written) return report(written.error());
         if (progress) progress->advance();
-        fmt::print("{}: {}x{}, {}\n", file, scene->camera.width, scene->camera.height, captured->made_by);
+        if (!is_film(options)) fmt::print("{}: {}x{}, {}\n", file, scene->camera.width, scene->camera.height, captured->made_by);
     }
+    if (!is_film(options)) return 0;
+    progress.reset();
+    if (Status made = encode_film(folder, frames->first, scene->path->rate, options.output); !made) return report(made.error());
+    std::error_code error;
+    std::filesystem::remove_all(folder, error);
+    fmt::print("{}: {}x{}, {} frames at {} a second\n", options.output, scene->camera.width, scene->camera.height, frames->end - frames->first, scene->path->rate);
     return 0;
 }
 
@@ -228,7 +260,7 @@ Command add_capture(CLI::App& parent) {
     auto options = std::make_shared<Options>();
     CLI::App* app = parent.add_subcommand("capture", "Draw a scene to a PNG (display-ready) or an EXR (linear light, optional ray data)");
     app->add_option("scene", options->scene, "Scene file, or the name of one that ships (see: nullscope scenes)")->required();
-    app->add_option("-o,--output", options->output, "File to write, .png or .exr")->capture_default_str();
+    app->add_option("-o,--output", options->output, "File to write, .png or .exr; of a scene with a [path] also .mp4, by ffmpeg where that is installed (goes on with what a stopped run has drawn)")->capture_default_str();
     app->add_option("--size", options->size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
     app->add_option("--beside", options->beside, "Split screen: the right half shows this scene, seen by the camera of the first; each half is centred");
     app->add_option("--context", options->context, "OpenGL context: auto, egl, osmesa")
@@ -242,7 +274,7 @@ Command add_capture(CLI::App& parent) {
         ->check(CLI::Range(1e-12, 1e6));
     app->add_option("--time", options->time, "Scene time in r_s/c (default: the scene's); scenes without anything that moves look the same at all times")
         ->check(CLI::Range(0.0, 1e9));
-    app->add_option("--frames", options->frames, "Draw frames A to B-1 of a sequence, A:B; -o then holds %05d");
+    app->add_option("--frames", options->frames, "Draw frames A to B-1 of the scene's [path], A:B; -o then holds %05d, or ends in .mp4");
     app->add_flag("--resume", options->resume, "Leave out the frames whose files are there: goes on with a sequence that was stopped");
     app->add_option("--samples", options->samples, "reference: rays per pixel along each side")->check(CLI::Range(1, 16))->capture_default_str();
     app->add_option("--largest-texture", options->largest_texture, "Most pixels along a side of an image's texture: larger images are made "

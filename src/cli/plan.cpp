@@ -1,10 +1,11 @@
-// nullscope plan: the chain from a scene to its picture, with what in the scene calls for each link. Needs no OpenGL.
+// nullscope plan: the chain from a scene to its picture, with what in the scene calls for each link. Needs no OpenGL but to measure.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
 #include "base/large_image.h"
+#include "cli/bench_effects.h"
 #include "cli/command.h"
 #include "base/assets.h"
 #include "cli/json.h"
@@ -21,7 +22,8 @@ constexpr int kMostCubeFace = 16384;  // px; what drivers allow is said by `null
 
 struct Options {
     std::string scene;
-    bool json = false;
+    bool json = false, measure = false;
+    int frames = 9;
 };
 
 // A table or texture: layers of width x height.
@@ -36,6 +38,7 @@ struct Plan {
     std::vector<EffectReason> effects;
     std::vector<Line> tables;
     long long shader_bytes = 0, shader_lines = 0;
+    std::vector<EffectCost> costs;   // where they were measured
 };
 
 long long bytes_of(std::size_t bytes) { return static_cast<long long>(bytes); }
@@ -71,8 +74,8 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Li
     if (effects.contains(Effect::kThermalDisc)) {
         lines.push_back({"disc flow", 1, kDiscFlowCells + 1, 1, 16 * (kDiscFlowCells + 1), "GPU", "disc.emission"});
     }
-    if (effects.contains(Effect::kThermalDisc) || effects.contains(Effect::kPointStars))
-        lines.push_back({"black body", 1, kBlackBodyCells + 1, 1, 16 * (kBlackBodyCells + 1), "GPU", "disc.emission, sky.kind"});
+    if (shades_heat(effects) || effects.contains(Effect::kPointStars))
+        lines.push_back({"black body", 1, kBlackBodyCells + 1, 1, 16 * (kBlackBodyCells + 1), "GPU", "disc.emission, sky.kind, sky.temperature"});
     if (effects.contains(Effect::kPointStars)) {
         const auto stars = point_stars(scene.sky, assets_directory());
         if (!stars) return stars.error();
@@ -104,7 +107,7 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Li
 }
 
 Result<Plan> make_plan(const Scene& scene) {
-    Plan plan{scene, required_effects(scene), {}, 0, 0};
+    Plan plan{scene, required_effects(scene), {}, 0, 0, {}};
     FrameTables tables;
     if (Status made = tables.update(scene); !made) return made.error();
     add_tables(tables, scene, plan.tables);
@@ -125,6 +128,12 @@ std::vector<const EffectRow*> left_out(const Plan& plan) {
     return rows;
 }
 
+const EffectCost* cost_of(const Plan& plan, Effect effect) {
+    for (const EffectCost& cost : plan.costs)
+        if (cost.effect == effect) return &cost;
+    return nullptr;
+}
+
 std::string size_text(long long bytes) {
     return bytes < 1 << 20 ? fmt::format("{:.1f} KiB", static_cast<double>(bytes) / 1024.0)
                            : fmt::format("{:.1f} MiB", static_cast<double>(bytes) / 1048576.0);
@@ -133,8 +142,14 @@ std::string size_text(long long bytes) {
 void print_text(const Plan& plan) {
     const CameraSpec& camera = plan.scene.camera;
     fmt::print("{}\n\nEffects\n", plan.scene.name);
-    for (const EffectReason& effect : plan.effects)
+    for (const EffectReason& effect : plan.effects) {
         fmt::print("  {:<18}{}\n  {:<18}costs: {}\n", effect_row(effect.effect).key, effect.reason, "", effect_row(effect.effect).cost);
+        if (const EffectCost* cost = cost_of(plan, effect.effect))
+            fmt::print("  {:<18}measured: {:+.4f} of {:.4f} core-s ({:+.0f} %), {:+.2f} x the empty scene's {:.4f}\n", "", cost->with_s - cost->without_s,
+                       cost->with_s, 100.0 * (cost->with_s - cost->without_s) / cost->with_s, cost->over_floor(), cost->floor_s);
+        else if (!plan.costs.empty())
+            fmt::print("  {:<18}measured: not, it cannot go alone\n", "");
+    }
     if (plan.effects.empty()) fmt::print("  none\n");
     fmt::print("Left out: not compiled, not built, not run\n");
     for (const EffectRow* row : left_out(plan)) fmt::print("  {:<18}needs: {}\n", row->key, row->needs);
@@ -155,6 +170,8 @@ std::string json_of(const Plan& plan) {
     for (const EffectReason& e : plan.effects) {
         const EffectRow& row = effect_row(e.effect);
         effects.push_back(JsonObject().add("effect", row.key).add("reason", e.reason).add("define", row.define).add("cost", row.cost));
+        if (const EffectCost* cost = cost_of(plan, e.effect))
+            effects.back().add("core_seconds", cost->with_s).add("without_core_seconds", cost->without_s).add("empty_core_seconds", cost->floor_s);
     }
     for (const EffectRow* row : left_out(plan))
         off.push_back(JsonObject().add("effect", row->key).add("needs", row->needs));
@@ -188,8 +205,13 @@ std::string json_of(const Plan& plan) {
 int run(const Options& options) {
     const auto scene = load_scene(options.scene);
     if (!scene) return report(scene.error());
-    const auto plan = make_plan(*scene);
+    auto plan = make_plan(*scene);
     if (!plan) return report(plan.error());
+    if (options.measure) {
+        auto costs = effect_costs(*scene, "auto", options.frames);
+        if (!costs) return report(costs.error());
+        plan->costs = std::move(*costs);
+    }
     if (options.json)
         fmt::print("{}", json_of(*plan));
     else
@@ -206,6 +228,8 @@ Command add_plan(CLI::App& parent) {
     app->add_option("scene", options->scene, "Scene file, or the name of one that ships (see: nullscope scenes)")
         ->required();
     app->add_flag("--json", options->json, "Print one JSON object");
+    app->add_flag("--measure", options->measure, "Draw the scene with and without each effect, and say what it takes");
+    app->add_option("--frames", options->frames, "Frames of each kind")->check(CLI::Range(3, 1000))->capture_default_str()->needs("--measure");
     return {app, [options] { return run(*options); }};
 }
 

@@ -7,32 +7,47 @@
 #include "cli/session.h"
 #include "reference/ray_plane.h"
 #include "render/frame_tables.h"
+#include "scene/observer.h"
 
 namespace nullscope::cli {
 namespace {
 
 constexpr std::size_t kBatch = 1024;  // rays traced between two reports of progress; bounds what is held of views
 
-// A ray as the shader core takes it: camera and look direction, rain frame replaced by a moving camera's.
+// A ray as the shader core takes it: an observer and a look direction.
 struct Start {
     double r, theta, phi;
     Vec3 n;
-    Vec3 velocity{0, 0, 0};  // of the camera in the static frame
+    ObserverKind observer = ObserverKind::kStatic;
 };
+
+// The direction in the rain frame of the ray with this q that is traced outward: t = tan(alpha/2) = outward/(R (q + sqrt(q^2 - V)))
+// (table/ray_fan.h).
+Vec3 rain_direction(const Spacetime& spacetime, double r, double q) {
+    const double lapse2 = spacetime.lapse_squared(r), areal = spacetime.areal_radius(r);
+    const double o = falling_frame(lapse2, 1.0).outward, sum = q + std::sqrt(std::max(q * q - lapse2 / (areal * areal), 0.0));
+    const double t = o / (areal * sum), by = 1.0 / (1.0 / t + t);
+    return {(1.0 / t - t) * by, 0.0, 2.0 * by};
+}
 
 std::optional<Start> start_of(const RayQuery& query, const Spacetime& spacetime) {
     const bool by_length = spacetime.by_proper_length();   // wormholes: zeta0 holds l0, and s = +1 is towards the throat
     const double r = query.orbit ? (by_length ? query.orbit->zeta0 : 1.0 / query.orbit->zeta0) : query.r;
-    if (!camera_can_rest(spacetime, r) || std::fabs(r) > kFarthestCamera) return std::nullopt;
-    const double lapse2 = spacetime.lapse_squared(r);
+    if (std::fabs(r) > kFarthestCamera) return std::nullopt;
+    const bool rests = camera_can_rest(spacetime, r), falls = query.orbit ? !rests : query.frame == LocalFrame::kRain;
+    const ObserverKind observer = falls ? ObserverKind::kRain : ObserverKind::kStatic;
+    CameraSpec there;
+    there.r = r, there.observer = observer;
+    if (!observer_of(spacetime, there)) return std::nullopt;
+    if (query.orbit && falls) {
+        if (query.orbit->s > 0) return std::nullopt;   // no look direction of anybody inside: it would have come from the hole
+        return Start{r, M_PI / 2, 0.0, rain_direction(spacetime, r, query.orbit->q), observer};
+    }
     if (query.orbit) {  // sin(alpha) = sqrt(V)/q; its cosine as a product
         const double v = spacetime.root_v(r), q = std::max(query.orbit->q, v), inward = by_length && r < 0 ? -query.orbit->s : query.orbit->s;
-        return Start{r, M_PI / 2, 0.0, {-inward * std::sqrt((q - v) / q * ((q + v) / q)), 0.0, v / q}, {}};
+        return Start{r, M_PI / 2, 0.0, {-inward * std::sqrt((q - v) / q * ((q + v) / q)), 0.0, v / q}};
     }
-    Start start{r, query.theta, query.phi, query.n, {}};
-    if (query.frame == LocalFrame::kRain && spacetime.spin() != 0.0) return std::nullopt;
-    if (query.frame == LocalFrame::kRain) start.velocity.x = -std::sqrt(std::max(1.0 - lapse2, 0.0));
-    return start;
+    return Start{r, query.theta, query.phi, query.n, observer};
 }
 
 // The camera at the start that looks along n; roll is free. Unrotated it looks along -e_r, up is -e_theta, right e_phi.
@@ -42,7 +57,7 @@ Scene view_along(Scene scene, const Start& start) {
     camera.r = start.r;
     camera.theta = start.theta;
     camera.phi = start.phi;
-    camera.velocity = start.velocity;
+    camera.observer = start.observer;
     camera.yaw = std::atan2(start.n.z, -start.n.x);
     camera.pitch = std::atan2(-start.n.y, std::hypot(start.n.x, start.n.z));
     camera.width = camera.height = 1;

@@ -20,11 +20,22 @@ double derivative(Function f, double r) {   // eighth order: some 1e-12 relative
     return (d(1) * 4.0 / 5 - d(2) / 5 + d(3) * 4.0 / 105 - d(4) / 280) / (h * r);
 }
 
+// sigma T^4 = flux Mdot c^2 / r_s^2. Of a hole of one solar mass: Eddington's luminosity, and r_s by the Sun's 2953.25 m.
+double accretion_temperature_K(const AccretionSpec& accretion, double flux) {
+    constexpr double kEddington_W = 1.25707e31, kSun_m = 2953.250077, kStefan_W_m2_K4 = 5.670374419e-8, kEfficiency = 0.1;
+    const double heat_W = accretion.rate_eddington * accretion.mass_suns * kEddington_W / kEfficiency, r_s = accretion.mass_suns * kSun_m;
+    return std::sqrt(std::sqrt(flux * heat_W / r_s / r_s / kStefan_W_m2_K4));
+}
+
 }  // namespace
 
 DiscLight::DiscLight(const OrbitMetric& metric, const DiscSpec& disc, const LightSpec& light)
     : metric_(metric), disc_(disc), light_(light) {
-    luminance_ = std::exp2(log2_brightness(disc.temperature_K, light.bolometric));
+    const auto hottest_is = [&](double temperature_K) {
+        disc_.temperature_K = temperature_K;
+        luminance_ = std::exp2(log2_brightness(temperature_K, light.bolometric));
+    };
+    hottest_is(disc.temperature_K);
     const double horizon = metric.horizon_radius().value_or(0.0);
     if (horizon == 0.0) return;
     // The least energy of all circles: Boost's Brent gives half of the digits, a bisection of its slope the rest.
@@ -37,6 +48,7 @@ DiscLight::DiscLight(const OrbitMetric& metric, const DiscSpec& disc, const Ligh
     isco_ = 0.5 * (low + high);
     hottest_ = boost::math::tools::brent_find_minima([&](double r) { return -flux(r); }, isco_, 5 * isco_, 30).first;
     const double peak = flux(hottest_);
+    if (disc.accretion) hottest_is(accretion_temperature_K(*disc.accretion, peak));
     if (!(disc.outer > isco_)) return;
     constexpr int kSteps = 4000;
     step_ = std::log(disc.outer / isco_) / kSteps;
@@ -104,6 +116,14 @@ double DiscLight::fallen_g(const PhotonAtDisc& photon, const Circle& last) const
     const double tt = g.g_phiphi / det, tp = -g.g_tphi / det, pp = g.g_tt / det, e = last.energy, l = last.momentum;
     const double fall = std::sqrt(std::max(-(1 + tt * e * e - 2 * tp * e * l + pp * l * l) / g.g_rr, 0.0));   // -u^r
     return -1 / (tt * e - tp * (l + e * photon.l_z) + pp * l * photon.l_z - photon.radial * fall);
+}
+
+Shift DiscLight::shift(const PhotonAtDisc& photon) const {
+    if (metric_.spin() != 0) return {1, g_infinity(photon)};   // nobody is at rest there
+    const double rest = metric_.lapse(photon.r);   // of matter at rest there
+    if (light_.lensing) return {rest, g_infinity(photon) / rest};
+    // A straight ray that comes by a direction of sine L/r is what a geodesic of L/lapse is to matter at rest there.
+    return {rest, g_infinity({photon.r, photon.l_z / rest, photon.outward, photon.l2 / (rest * rest)}) / rest};
 }
 
 Vec3 DiscLight::colour(double r, double g) const {

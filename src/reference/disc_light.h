@@ -5,6 +5,7 @@
 
 #include "base/vec.h"
 #include "reference/orbit.h"
+#include "reference/seen_light.h"
 #include "scene/scene.h"
 
 namespace nullscope::reference {
@@ -22,10 +23,12 @@ class DiscLight {
 public:
     // metric: outlives this. Some milliseconds.
     DiscLight(const OrbitMetric& metric, const DiscSpec& disc, const LightSpec& light);
-    // Frequency at infinity over frequency in the matter.
+    // Frequency at infinity over frequency in the matter, and its parts.
     double g_infinity(const PhotonAtDisc& photon) const;
+    Shift shift(const PhotonAtDisc& photon) const;
     // Flux per unit of accretion rate, 1/r_s^2; a tenth of a millisecond.
     double flux(double r) const;
+    double hottest_K() const { return disc_.temperature_K; }
     double innermost() const { return isco_; }   // stable circular orbit, r_s
     double hottest() const { return hottest_; }  // radius of the largest flux, r_s
     // Linear Rec. 709 of unit emissivity, over the luminance of the hottest ring in its own frame. g: camera over matter.

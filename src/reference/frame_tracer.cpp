@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "camera/pose.h"
+#include "scene/observer.h"
 #include "spacetime/registry.h"
 
 namespace nullscope::reference {
@@ -32,6 +33,7 @@ Status check_disc(const DiscSpec& disc) {
 Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     FrameTracer tracer;
     tracer.camera_ = scene.camera;
+    tracer.light_ = scene.light;
     tracer.disc_ = scene.disc;
     tracer.bodies_ = std::make_shared<Bodies>(scene);
     const CameraSpec& camera = scene.camera;
@@ -49,18 +51,57 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     if (!metric) return metric.error();
     auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     if (!spacetime) return spacetime.error();
-    if (!camera_can_rest(**spacetime, camera.r))
-        return bad_input(fmt::format("no static frame at r = {}; allowed: {}", camera.r, allowed_radii(**spacetime)));
-    auto rows = camera_rows_pair(camera);
-    if (!rows) return rows.error();
-    for (int i = 0; i < 4; ++i)
-        for (int mu = 0; mu < 4; ++mu) tracer.tetrad_[i][mu] = static_cast<long double>(rows->high[i][mu]) + rows->low[i][mu];
+    // By spherical symmetry the tetrad's components along the local frame do not depend on theta: taken at the
+    // equator, where the coordinates are regular, they hold on the axis too.
+    CameraSpec equatorial = camera;
+    equatorial.theta = M_PI / 2;
     if (!tracer.bodies_->empty() && (*spacetime)->spin() != 0)
         return bad_input(fmt::format("metric \"{}\" has no bodies; allowed: a scene without them", scene.spacetime.metric));
+    if (const auto observer = observer_of(**spacetime, camera); !observer) return observer.error();
+    if (Status parts = check_light_parts(**spacetime, scene); !parts) return parts.error();
+    const double lapse2 = (*spacetime)->lapse_squared(camera.r);
+    const Matrix4 g = (*spacetime)->metric(camera.r, equatorial.theta);
+    tracer.from_rain_ = falls(camera) && lapse2 <= 1;
+    // Along the rain frame e_0 = (1/(1+w), -w), e_1 = (1/(1+w), 1) of (v, r), or the static one (1/s, 0), (1/s, s), s = sqrt(A): with the
+    // metric -A dv^2 + 2 dv dr the components of (p^v, p^r) are these.
+    const long double w = std::sqrt(static_cast<long double>(std::fmax(1 - lapse2, 0))), s = std::sqrt(static_cast<long double>(std::fmax(lapse2, 0)));
+    const auto fill_tetrad = [&](const CameraSpec& of) -> Status {
+        if ((*spacetime)->spin() != 0) {
+            auto rows = camera_rows_pair(of);
+            if (!rows) return rows.error();
+            for (int i = 0; i < 4; ++i)
+                for (int mu = 0; mu < 4; ++mu) tracer.tetrad_[i][mu] = static_cast<long double>(rows->high[i][mu]) + rows->low[i][mu];
+            return Done{};
+        }
+        const bool rests = of.observer == ObserverKind::kStatic;
+        auto tetrad = rests ? camera_tetrad_pair(**spacetime, of) : ingoing_tetrad_pair(**spacetime, of);
+        if (!tetrad) return tetrad.error();
+        for (int i = 0; i < 4; ++i) {
+            std::array<long double, 4> row{};
+            for (int mu = 0; mu < 4; ++mu) row[mu] = static_cast<long double>(tetrad->high[i][mu]) + tetrad->low[i][mu];
+            auto& along = tracer.tetrad_[i];
+            for (int mu = 0; mu < 4; ++mu) along[mu] = row[mu] * std::sqrt(std::abs(static_cast<long double>(g[mu][mu])));
+            if (rests) continue;
+            if (tracer.from_rain_) along[0] = row[0] - row[1] / (1 + w), along[1] = w * row[0] + row[1] / (1 + w);
+            else along[0] = s * row[0] - row[1] / s, along[1] = row[1] / s;
+        }
+        return Done{};
+    };
+    if (Status filled = fill_tetrad(equatorial); !filled) return filled.error();
+    tracer.velocity_ = tracer.tetrad_[0];
+    if (!scene.light.aberration) {
+        equatorial.velocity = {0, 0, 0};
+        equatorial.observer = ObserverKind::kStatic;
+        if (Status filled = fill_tetrad(equatorial); !filled) return filled.error();
+    }
     if (scene.disc && !(*spacetime)->can_have_disc())
         return bad_input(fmt::format("metric \"{}\" has no discs; allowed: a scene without [disc]", scene.spacetime.metric));
-    tracer.metric_ = std::move(*metric);
-    tracer.lapse_ = tracer.metric_->lapse(camera.r);
+    tracer.matter_ = tracer.metric_ = std::move(*metric);
+    tracer.lapse_ = tracer.matter_->lapse(camera.r);
+    if (!scene.light.lensing) {
+        tracer.metric_ = std::move(*make_orbit_metric({"minkowski", {}}));
+        tracer.camera_.r = (*spacetime)->areal_radius(camera.r);
+    }
     return tracer;
 }
 
@@ -74,27 +115,39 @@ CameraRay FrameTracer::ray(double x, double y) const {
     for (int i = 0; i < 3; ++i) {
         for (int mu = 0; mu < 4; ++mu) p[mu] -= n[i] * tetrad_[i + 1][mu];
     }
-    // The photon is null: its frequency in the static frame, E / sqrt(A), is the length of its spatial part.
     if (metric_->spin() != 0) {
         const KerrStart start{camera_.r, camera_.theta, camera_.phi,
                               {static_cast<double>(-p[1]), static_cast<double>(-p[2]), static_cast<double>(-p[3])}};
         KerrRay traced = trace_kerr(metric_->spin(), start, disc_ ? kMostCrossings : 0);
         const double g = 1 / traced.energy, l_z = traced.l_z;
-        return {nullptr, RayPlane(camera_.theta, camera_.phi, start.look), g, l_z, 0, std::move(traced)};
+        return {nullptr, RayPlane(camera_.theta, camera_.phi, start.look), Shift{1, g}, g, l_z, 0, std::move(traced)};
     }
+    // The photon is null: its frequency in the local frame is the length of its spatial part.
     const long double across = std::sqrt(p[2] * p[2] + p[3] * p[3]),
                       frequency = std::sqrt(p[1] * p[1] + across * across);
     const LocalRay local{camera_.r, static_cast<double>(-p[1] / frequency), static_cast<double>(across / frequency)};
     const Vec3 direction{local.n_r, static_cast<double>(-p[2] / frequency), static_cast<double>(-p[3] / frequency)};
-    // The photon moves along p: L_phi = r p^phi in the static tetrad, L_z = L_phi sin(theta), all over E = frequency lapse.
-    const double scale = camera_.r / (static_cast<double>(frequency) * lapse_);
+    RainOrbit start = from_rain_ ? metric_->from_rain(local) : RainOrbit{metric_->from_static(local), 1 / (light_.lensing ? lapse_ : 1)};
+    // The photon moves along p: L_phi = r p^phi in the local tetrad, L_z = L_phi sin(theta), all over E = frequency / start.g.
+    const double scale = camera_.r * start.g / static_cast<double>(frequency);
+    // The camera's frequency over the local frame's is 1/frequency; without aberration that of the camera's true motion for this ray.
+    const auto& u = velocity_;
+    const long double doppler = light_.aberration ? 1 / frequency : (u[0] * frequency - u[1] * p[1] - u[2] * p[2] - u[3] * p[3]) / frequency;
+    // Where nobody is at rest there are no two parts: all of g counts as motion's.
+    const double rest = lapse_ > 0 ? lapse_ : 1;
+    const Shift shift = from_rain_ ? Shift{1 / rest, static_cast<double>(doppler) * start.g * rest} : Shift{1 / lapse_, static_cast<double>(doppler)};
     const double l_phi = scale * static_cast<double>(p[3]), l = scale * static_cast<double>(across);
-    return {metric_->from_static(local), RayPlane(camera_.theta, camera_.phi, direction),
-            1 / (static_cast<double>(frequency) * lapse_), l_phi * std::sin(camera_.theta), l * l, {}};
+    return {std::move(start.orbit), RayPlane(camera_.theta, camera_.phi, direction),
+            shift, shift.seen(light_), l_phi * std::sin(camera_.theta), l * l, {}};
+}
+
+std::unique_ptr<Orbit> FrameTracer::orbit_of(Vec3 look) const {
+    const LocalRay local{camera_.r, look.x, std::hypot(look.y, look.z)};
+    return from_rain_ ? metric_->from_rain(local).orbit : metric_->from_static(local);
 }
 
 std::optional<std::array<double, 2>> FrameTracer::position(Vec3 look) const {
-    // The photon p = (1, -look) in the static tetrad is omega (e_0 - n^i e_i): n_i = (p . e_i) / (p . e_0), as e_0 . e_0 = -1.
+    // The photon p = (1, -look) in the local tetrad is omega (e_0 - n^i e_i): n_i = (p . e_i) / (p . e_0), as e_0 . e_0 = -1.
     const auto product = [&](int i) {
         return -tetrad_[i][0] - look.x * tetrad_[i][1] - look.y * tetrad_[i][2] - look.z * tetrad_[i][3];
     };

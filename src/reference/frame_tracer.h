@@ -1,8 +1,8 @@
 // The rays of a camera: from a pixel position to an orbit, a plane and a frequency ratio, for ray data and rendering.
 //
 // The direction is carried through the tetrad as a photon momentum, p = e_0 - n^i e_i for the photon that arrives from
-// n with unit frequency; E = -p_t and the static frame's components follow from the metric. On purpose not the product
-// form of camera/pose.h.
+// n with unit frequency; its components along the local frame follow from the metric: the static frame of a static camera, the rain
+// frame of any other. On purpose not the product form of camera/pose.h.
 #pragma once
 #include <array>
 #include <memory>
@@ -13,6 +13,7 @@
 #include "reference/kerr_ray.h"
 #include "reference/orbit.h"
 #include "reference/ray_plane.h"
+#include "reference/seen_light.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
 
@@ -21,7 +22,8 @@ namespace nullscope::reference {
 struct CameraRay {
     std::unique_ptr<Orbit> orbit;
     RayPlane plane;
-    double g;  // camera frequency over frequency at infinity
+    Shift shift;  // camera frequency over frequency at infinity
+    double g;     // the same, as far as the switches of the scene's light let it
     double l_z, l2;  // the photon's angular momentum about the polar axis over its energy, r_s; and all of it, squared
     std::optional<KerrRay> spun;   // about a spinning hole: instead of orbit, plane and l2
     Fate fate() const { return spun ? spun->fate : orbit->fate(); }
@@ -37,11 +39,13 @@ struct DiscHit {
 
 class FrameTracer {
 public:
-    // Errors: unknown metric, no static frame at the camera, a camera or disc out of range.
+    // Errors: unknown metric, no such observer at the camera, a camera or disc out of range.
     static Result<FrameTracer> make(const Scene& scene);
     // Pixel position: column, row from the top, centres at +0.5. About a microsecond.
     CameraRay ray(double x, double y) const;
-    // The pixel position of a unit look direction (r, theta, phi) of the static frame; nothing for one behind the camera.
+    // The orbit of a unit look direction (r, theta, phi) of the local frame.
+    std::unique_ptr<Orbit> orbit_of(Vec3 look) const;
+    // Its pixel position; nothing for one behind the camera.
     std::optional<std::array<double, 2>> position(Vec3 look) const;
     // Where the ray meets the disc, in its order; empty if the scene has none. At most max_hits.
     std::vector<DiscHit> disc_hits(const CameraRay& ray, int max_hits) const;
@@ -49,19 +53,24 @@ public:
     std::optional<BodyHit> body_hit(const CameraRay& ray) const;
     RayPixel pixel(double x, double y) const;
     RayPixel pixel_without_delay(double x, double y) const;  // the delay may cost several times the rest
-    const OrbitMetric& metric() const { return *metric_; }
+    const OrbitMetric& metric() const { return *metric_; }   // of the rays
+    const OrbitMetric& matter() const { return *matter_; }   // of what they meet: another where light goes straight
 
 private:
     RayPixel pixel_of(const CameraRay& traced, bool with_delay) const;
     FrameTracer() = default;
     CameraSpec camera_;
+    LightSpec light_;
     std::optional<DiscSpec> disc_;
     std::shared_ptr<const Bodies> bodies_;
-    std::shared_ptr<const OrbitMetric> metric_;
+    std::shared_ptr<const OrbitMetric> metric_, matter_;
     double lapse_ = 1;
-    // Rows: e_0, right, up, backward; components along the static tetrad (t, r, theta, phi). In long double because
+    bool from_rain_ = false;   // the local frame is the rain frame
+    // Rows: e_0, right, up, backward; components along the local tetrad (t, r, theta, phi). In long double because
     // ahead of a camera with gamma = 700 the sum e_0 - n^i e_i leaves 1/gamma^2 of its terms.
+    // Without aberration that of a camera at rest.
     std::array<std::array<long double, 4>, 4> tetrad_{};
+    std::array<long double, 4> velocity_{};   // the camera's e_0, moving
 };
 
 }  // namespace nullscope::reference

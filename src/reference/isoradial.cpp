@@ -20,7 +20,7 @@ Result<std::vector<std::array<double, 2>>> isoradial(const Scene& scene, double 
         };
         // 1/r of the crossing less that of the ring; a ray that ends before it is too far in, or has reached the sky.
         const auto outside = [&](double beta) {
-            const auto orbit = tracer->metric().from_static({camera.r, -std::cos(beta), std::sin(beta)});
+            const auto orbit = tracer->orbit_of(look(beta));
             const double angle = RayPlane(camera.theta, camera.phi, look(beta)).crossing(k);
             if (!(angle < orbit->angle())) return orbit->fate() == Fate::kEscaped ? 1 / r : -1e3;
             return 1 / r - orbit->zeta_at(angle);

@@ -8,6 +8,7 @@
 
 #include "reference/disc_light.h"
 #include "reference/frame_tracer.h"
+#include "reference/seen_light.h"
 #include "reference/star_images.h"
 #include "reference/reference.h"
 
@@ -78,6 +79,14 @@ struct Looks {
     const DiscLight* heat;
 };
 
+// Light of the sky, each primary changed as a black body of the sky's temperature has it changed by g.
+Vec3 shifted(Vec3 light, const Scene& scene, double g) {
+    if (!scene.sky.temperature_K || g == 1) return light;
+    const Vec3 own = seen_black_body(*scene.sky.temperature_K, 1, scene.light), seen = seen_black_body(*scene.sky.temperature_K, g, scene.light);
+    const auto changed = [](double a, double by, double of) { return of > 0 ? a * by / of : 0.0; };
+    return {changed(light.x, seen.x, own.x), changed(light.y, seen.y, own.y), changed(light.z, seen.z, own.z)};
+}
+
 Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& looks, double x, double y) {
     const CameraRay ray = tracer.ray(x, y);
     Vec3 colour{0, 0, 0};
@@ -88,7 +97,7 @@ Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& look
         Paint paint = disc_paint(*scene.disc, looks.pictures.disc, hit.x, hit.y);
         if (looks.heat != nullptr) {
             const double r = std::hypot(hit.x, hit.y);
-            const Vec3 light = looks.heat->colour(r, ray.g * looks.heat->g_infinity({r, ray.l_z, hit.outward, ray.l2, hit.radial}));
+            const Vec3 light = looks.heat->colour(r, ray.g * looks.heat->shift({r, ray.l_z, hit.outward, ray.l2, hit.radial}).seen(scene.light));
             paint.colour = {paint.colour.x * light.x, paint.colour.y * light.y, paint.colour.z * light.z};
         }
         colour = colour + through * paint.alpha * paint.colour;
@@ -97,7 +106,7 @@ Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& look
     if (body) return colour + through * body_light(scene, *body, looks.pictures.of(body->object));
     if (ray.fate() == Fate::kEscaped && through > 0) {
         const Vec3 at = ray.end();
-        colour = colour + through * (has_look(scene.sky.kind) ? sky_coat(scene.sky, at) : sample_sky(looks.sky, at));
+        colour = colour + through * (has_look(scene.sky.kind) ? sky_coat(scene.sky, at) : shifted(sample_sky(looks.sky, at), scene, ray.g));
     }
     if (ray.fate() == Fate::kHit) colour = colour + through * star_colour(ray.end());
     if (ray.fate() == Fate::kOtherSide && looks.far_sky != nullptr)
@@ -127,7 +136,7 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
     if (!tracer) return tracer.error();
     if (!stars.empty() && tracer->metric().spin() != 0) return bad_input("no point stars about a spinning hole; allowed: sky.kind stars or image");
     std::optional<DiscLight> heat;
-    if (scene.disc && scene.disc->emission == DiscEmission::kThermal) heat.emplace(tracer->metric(), *scene.disc, scene.light);
+    if (scene.disc && scene.disc->emission == DiscEmission::kThermal) heat.emplace(tracer->matter(), *scene.disc, scene.light);
     const Looks looks{sky, far_sky, pictures, heat ? &*heat : nullptr};
     Image<float> image(scene.camera.width, scene.camera.height, 3);
     tbb::parallel_for(tbb::blocked_range<int>(0, image.height), [&](const tbb::blocked_range<int>& rows) {

@@ -5,6 +5,13 @@
 
 namespace nullscope::reference {
 
+// The frequency ratio g in its two parts, as observers at rest at the source and at the camera split it: gravity, the ratio between
+// these two; doppler, what the motion of both adds.
+struct Shift {
+    double gravity = 1, doppler = 1;
+    double seen(const LightSpec& light) const { return (light.gravity ? gravity : 1) * (light.doppler ? doppler : 1); }
+};
+
 // Linear Rec. 709 of a black body of temperature_K whose frequencies arrive multiplied by g, as far as the switches of `light` let them;
 // its brightness in the unit of log2_brightness (light/black_body.h). Black where it is too cold to be seen. About 2 us.
 Vec3 seen_black_body(double temperature_K, double g, const LightSpec& light);

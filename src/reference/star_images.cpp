@@ -20,7 +20,7 @@ constexpr int kSamples = 400;
 }  // namespace
 
 double StarImages::swept(double alpha) const {
-    const auto orbit = tracer_.metric().from_static({camera_.r, std::cos(alpha), std::sin(alpha)});
+    const auto orbit = tracer_.orbit_of({std::cos(alpha), std::sin(alpha), 0});
     return orbit->fate() == Fate::kEscaped ? orbit->angle() : std::nan("");
 }
 

@@ -49,12 +49,17 @@ void put_look(BlockWriter& block, const BodyLook& look) {
     block.put(look.brightness * look.second_colour, look.band_latitude);
 }
 
-// Sine of the angle from the inward radial under which a camera at zeta0 sees the sphere's edge: sqrt(V(zeta0)/V(1/R)). -1 where
-// only captured rays reach it: a sphere within the photon sphere.
-double silhouette_sine(const Spacetime& spacetime, double zeta0, double zeta) {
+struct Silhouette {
+    double sine, cosine;
+};
+// Of the angle from the outward radial under which a sphere's edge is seen. Sine -1 where only captured rays reach it: a sphere within
+// the photon sphere.
+Silhouette silhouette(const Spacetime& spacetime, const RayFan* fan, double camera_r, double radius) {
     const auto photon_sphere = spacetime.photon_sphere();
-    if (photon_sphere && zeta * photon_sphere->radius >= 1.0) return -1.0;
-    return zeta0 / zeta * std::sqrt(spacetime.lapse_squared(1.0 / zeta0) / spacetime.lapse_squared(1.0 / zeta));
+    if (photon_sphere && radius <= photon_sphere->radius) return {-1.0, 0.0};
+    if (fan == nullptr) return {radius / camera_r, -std::sqrt((camera_r - radius) * (camera_r + radius)) / camera_r};
+    const double t = fan->half_tangent_inward(std::sqrt(spacetime.lapse_squared(radius)) / radius), by = 1.0 / (1.0 / t + t);
+    return {2.0 * by, (1.0 / t - t) * by};
 }
 
 // Radius about the centre that holds all bodies found by strides, and the shortest stride: a thirtieth of the thinnest.
@@ -76,9 +81,10 @@ void put_march(BlockWriter& block, const Scene& scene) {
     block.put(1.001 * reach + 4 * kStride * thinnest, kStride * thinnest, 0, 0);
 }
 
-void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spacetime) {
+void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spacetime, const RayFan* fan) {
     const SphereSpec sphere = scene.sphere.value_or(SphereSpec{});
-    block.put(sphere.radius, 1.0 / sphere.radius, scene.sphere ? silhouette_sine(spacetime, 1.0 / scene.camera.r, 1.0 / sphere.radius) : 0.0, 0);
+    const Silhouette edge = scene.sphere ? silhouette(spacetime, fan, scene.camera.r, sphere.radius) : Silhouette{};
+    block.put(sphere.radius, 1.0 / sphere.radius, edge.sine, edge.cosine);
     put_look(block, sphere.look);
     const CylinderSpec cylinder = scene.cylinder.value_or(CylinderSpec{});
     block.put(cylinder.inner, cylinder.outer, cylinder.height, 0);
@@ -118,6 +124,20 @@ void put_spin(BlockWriter& block, const CameraSpec& camera, const Spacetime& spa
     block.put(std::sin(camera.theta), std::fabs(height) < kInPlane ? 0.0 : height, std::cos(camera.phi), std::sin(camera.phi));
 }
 
+// Factor on the light of a sky of this temperature, where g is the same over all of it; for a moving camera one over the colour that
+// it has without any shift, of luminance 1.
+Vec3 sky_light(const LightSpec& light, double temperature_K, double g, bool moves) {
+    const auto colour = [](double hue_K) {
+        const Vec3 xyz = black_body_xyz(hue_K);
+        return into_gamut(rec709_from_xyz(xyz / xyz.y));
+    };
+    const Vec3 own = colour(temperature_K), seen = moves ? Vec3{1, 1, 1} : colour(light.shift ? g * temperature_K : temperature_K);
+    const double glow_K = light.beaming && !moves ? g * temperature_K : temperature_K;
+    const double brighter = std::exp2(log2_brightness(glow_K, light.bolometric) - log2_brightness(temperature_K, light.bolometric));
+    const auto factor = [&](double a, double b) { return b > 0.0 ? brighter * a / b : 0.0; };
+    return {factor(seen.x, own.x), factor(seen.y, own.y), factor(seen.z, own.z)};
+}
+
 Fate inner_fate(InnerEnd end) {
     switch (end) {
         case InnerEnd::kOtherSky: return Fate::kOtherSide;
@@ -132,11 +152,13 @@ Fate inner_fate(InnerEnd end) {
 
 Status FrameTables::update(const Scene& scene) {
     bool rows_stale = false;
-    if (spacetime_ == nullptr || !(spec_ == scene.spacetime)) {
+    if (spacetime_ == nullptr || !(spec_ == scene.spacetime) || lensing_ != scene.light.lensing) {
         auto made = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
         if (!made) return made.error();
-        spacetime_ = *made;
+        matter_ = *made;
+        spacetime_ = scene.light.lensing ? matter_ : *make_spacetime("minkowski", {});
         spec_ = scene.spacetime;
+        lensing_ = scene.light.lensing;
         table_.reset();
         if (spacetime_->photon_sphere()) {
             const auto start = std::chrono::steady_clock::now();
@@ -145,17 +167,18 @@ Status FrameTables::update(const Scene& scene) {
         }
         rows_stale = true;
     }
-    if (!camera_can_rest(*spacetime_, scene.camera.r))
-        return bad_input(fmt::format("no camera can be at rest at camera.r = {}; allowed: {}", scene.camera.r, allowed_radii(*spacetime_)));
+    const auto observer = observer_of(*matter_, scene.camera);
+    if (!observer) return observer.error();
+    if (Status parts = check_light_parts(*matter_, scene); !parts) return parts.error();
     const EffectSet wanted = effect_set(required_effects(scene));
-    if (meets_objects(wanted) && !spacetime_->can_have_disc())
+    if (meets_objects(wanted) && !matter_->can_have_disc())
         return bad_input(fmt::format("metric \"{}\" has neither discs nor bodies; allowed: a scene without them", scene.spacetime.metric));
     if (wanted.contains(Effect::kSpin) && (has_solids(wanted) || wanted.contains(Effect::kPointStars)))
         return bad_input(fmt::format("metric \"{}\" has neither bodies nor point stars; allowed: a scene without them, or spin = 0", scene.spacetime.metric));
     const bool orbits = meets_objects(wanted), had_orbits = meets_objects(effects_);
     const bool points = wanted.contains(Effect::kPointStars), had_points = effects_.contains(Effect::kPointStars);
-    rows_stale = rows_stale || radius_ != scene.camera.r || (orbits && !had_orbits) || (points && !had_points) ||
-                 (fan_ && fan_->w0() != fan_for(scene).w0());
+    rows_stale = rows_stale || radius_ != scene.camera.r || !(frame_ == observer->frame) || (orbits && !had_orbits) || (points && !had_points) ||
+                 (fan_ && fan_->w0() != fan_for(scene, *observer).w0());
     effects_ = wanted;
     if (((!orbits && had_orbits) || (!points && had_points)) && !rows_stale) {   // what nothing calls for any more goes, the strip stays
         if (!orbits) orbit_map_ = {};
@@ -164,6 +187,7 @@ Status FrameTables::update(const Scene& scene) {
     }
     if (!rows_stale) return Done{};
     radius_ = scene.camera.r;
+    frame_ = observer->frame;
     fan_.reset();
     strip_ = {};
     orbit_map_ = {};
@@ -171,7 +195,7 @@ Status FrameTables::update(const Scene& scene) {
     ++revision_;
     if (!effects_.contains(Effect::kLensing)) return Done{};
     const auto start = std::chrono::steady_clock::now();
-    fan_ = fan_for(scene);
+    fan_ = fan_for(scene, *observer);
     strip_ = build_strip(*fan_);
     if (orbits) orbit_map_ = build_orbit_map(*fan_);
     if (points) star_lens_ = star_lens_row(*fan_);
@@ -179,14 +203,14 @@ Status FrameTables::update(const Scene& scene) {
     return Done{};
 }
 
-RayFan FrameTables::fan_for(const Scene& scene) const {
-    const double speed = length(scene.camera.velocity), squeeze = std::sqrt((1.0 - speed) / (1.0 + speed));
-    return {spacetime_, table_, scene.camera.r, squeeze * smallest_pixel_angle(scene.camera)};
+RayFan FrameTables::fan_for(const Scene& scene, const Observer& observer) const {
+    const double speed = scene.light.aberration ? length(observer.velocity) : 0.0, squeeze = std::sqrt((1.0 - speed) / (1.0 + speed));
+    return {spacetime_, table_, scene.camera.r, observer.frame, squeeze * smallest_pixel_angle(scene.camera)};
 }
 
 CoreInput FrameTables::core_input(const Scene& scene) const {
     CoreInput input;
-    input.frame = frame_numbers(scene, *spacetime_, fan(), {});
+    input.frame = frame_numbers(scene, *spacetime_, fan(), {}, &*matter_);
     input.strip = strip_.sky.view();
     input.ends = strip_.ends.view();
     input.orbit = orbit_map_.view();
@@ -196,10 +220,18 @@ CoreInput FrameTables::core_input(const Scene& scene) const {
     return input;
 }
 
-FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures) {
+FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures,
+                           const Spacetime* other_matter) {
+    const Spacetime& matter = other_matter != nullptr ? *other_matter : spacetime;
     const CameraSpec& camera = scene.camera;
     const Mat3 world = world_from_static(camera.theta, camera.phi);
-    const Mat3 axes = static_from_camera(camera);
+    const Observer observer = *observer_of(matter, camera);
+    // Where light goes straight its frame is at rest and A = 1. What g then lacks, or has too much without gravity's part, is a factor.
+    const bool straight = &matter != &spacetime;
+    const RadialFrame frame = straight || spacetime.spin() != 0.0 ? RadialFrame{} : observer.frame;
+    const double g_gravity = scene.light.gravity ? 1.0 / observer.frame.energy() : 1.0;   // switched off with observers at rest only
+    const double g_factor = straight || !scene.light.gravity ? g_gravity * frame.energy() : 1.0;
+    const Mat3 axes = observer.turn * static_from_camera(camera);
     const double pixel = camera.plane_width / camera.width / camera.focal_distance;
     const Vec3 local[3] = {-axes.c, pixel * axes.a, pixel * axes.b};   // forward, a pixel to the right, a pixel up
     BlockWriter block;
@@ -214,9 +246,10 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     const double critical_sine = fan != nullptr ? fan->critical_sine() : 0.0;
     for (const Vec3 v : local)
         block.put(dot(v, meridian), dot(v, transverse), v.x, critical_sine * v.x - critical_cosine * dot(v, meridian));
-    for (const Vec3 v : {radial, meridian, transverse}) block.put(world * v, 0);
-    const double zeta0 = 1.0 / spacetime.areal_radius(camera.r), lapse = std::sqrt(spacetime.lapse_squared(camera.r));
-    block.put(spins ? 1.0 : 1.0 / lapse, zeta0, zeta0 * lapse, static_cast<double>(inner_fate(spacetime.inner_end())));
+    for (const Vec3 v : {radial, meridian, transverse}) block.put(world * v, v == radial ? g_factor : 0.0);
+    const auto horizon = spacetime.horizon_radius();
+    const Fate lost = horizon && camera.r <= *horizon ? Fate::kNoSky : inner_fate(spacetime.inner_end());
+    block.put(frame.energy(), 1.0 / matter.areal_radius(camera.r), frame.infall(), static_cast<double>(lost));
     if (fan != nullptr) block.put(critical_cosine, critical_sine, 1.0 / fan->w0(), fan->octaves(Segment::kSky));
     else block.put(0, 0, 0, 0);
     if (fan != nullptr) {
@@ -229,12 +262,15 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
         block.put(0, 0, 0, 0);
         block.put(0, 0, 0, 0);
     }
-    const double speed = length(camera.velocity);
-    if (speed > 0.0) block.put(shown * (camera.velocity / speed), std::sqrt((1.0 + speed) / (1.0 - speed)));
-    else block.put(1, 0, 0, 1);
+    const auto sky_K = scene.sky.temperature_K;
+    const double speed = length(observer.velocity), stretch = std::sqrt((1.0 + speed) / (1.0 - speed));
+    block.put(speed > 0.0 ? shown * (observer.velocity / speed) : Vec3{1, 0, 0}, scene.light.aberration ? stretch : 1.0);
+    block.put(scene.light.doppler ? stretch : 1.0, sky_K ? log2_brightness(*sky_K, scene.light.bolometric) : 0.0, 0, 0);
     const int sky_size = std::max(textures.sky_size, 1);
     if (textures.two_skies) block.put(0.5 * sky_size, bordered_levels(sky_size) - 1, 1.0, 0.5 * sky_size / bordered_size(sky_size));
     else block.put(0.5 * textures.sky_size, std::log2(sky_size), 1.0, 0);
+    if (sky_K) block.put(sky_light(scene.light, *sky_K, g_gravity, motion_is_seen(scene)), std::log2(*sky_K));
+    else block.put(1, 1, 1, 0);
     const double height = std::cos(camera.theta);
     block.put({0, 0, 1}, std::fabs(height) < kInPlane ? 0.0 : height);
     const DiscSpec disc = scene.disc.value_or(DiscSpec{});
@@ -254,7 +290,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
               kPointMargin_px);
     block.put(M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0);
     block.put(scene.picture.bloom, 0, 0, 0);
-    put_bodies(block, scene, spacetime);
+    put_bodies(block, scene, spacetime, fan);
     put_coats(block, scene);
     if (spins) put_spin(block, camera, spacetime);
     return block.numbers();

@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "scene/effects.h"
+#include "scene/observer.h"
 #include "scene/scene.h"
 #include "shadercore/core_trace.h"
 #include "spacetime/registry.h"
@@ -18,11 +19,12 @@ namespace nullscope {
 // Keeps what can be kept from frame to frame.
 class FrameTables {
 public:
-    // Errors: unknown metric, static camera at or below the horizon.
+    // Errors: unknown metric, no such observer at camera.r.
     Status update(const Scene& scene);
 
     const EffectSet& effects() const { return effects_; }
-    const Spacetime& spacetime() const { return *spacetime_; }
+    const Spacetime& spacetime() const { return *spacetime_; }      // of the rays
+    const Spacetime& matter() const { return *matter_; }            // of what they meet: another where light goes straight
     const DeflectionTable* table() const { return table_.get(); }   // nullptr in flat space
     const RayFan* fan() const { return fan_ ? &*fan_ : nullptr; }
     const TexelGrid& strip() const { return strip_.sky; }
@@ -37,12 +39,14 @@ public:
     CoreInput core_input(const Scene& scene) const;
 
 private:
-    SpacetimeSpec spec_;
-    std::shared_ptr<const Spacetime> spacetime_;
+    SpacetimeSpec spec_;   // of matter_
+    bool lensing_ = true;
+    std::shared_ptr<const Spacetime> spacetime_, matter_;
     std::shared_ptr<const DeflectionTable> table_;
     std::optional<RayFan> fan_;
     double radius_ = 0.0;
-    RayFan fan_for(const Scene& scene) const;
+    RadialFrame frame_;
+    RayFan fan_for(const Scene& scene, const Observer& observer) const;
     EffectSet effects_;
     Strip strip_;
     TexelGrid orbit_map_, star_lens_;
@@ -56,7 +60,9 @@ struct TextureFacts {
     bool two_skies = false;   // in one texture, with borders
 };
 
-// The uniform block of shaders/shared/frame_block.glsl for this scene, in double.
-FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures);
+// The uniform block of shaders/shared/frame_block.glsl for this scene, in double. spacetime: the rays'. matter: what shifts light, if
+// it is another. The scene's observer must exist.
+FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures,
+                           const Spacetime* matter = nullptr);
 
 }  // namespace nullscope

@@ -92,6 +92,9 @@ Status Renderer::prepare(const Scene& scene) {
         return bad_input(fmt::format("size {}x{} is beyond what this driver can draw; allowed: 1x1 to {}x{}", scene.camera.width,
                                      scene.camera.height, limit, limit));
     if (Status status = tables_.update(scene); !status) return status;
+    if (const auto* fan = tables_.fan(); fan != nullptr && fan->frame().infall() > 0.0 && method_.kind != MethodKind::kStrip)
+        return bad_input(fmt::format("camera.observer = \"{}\" with another method than the strip; allowed: --method strip or auto, or a static observer",
+                                     observer_name(scene.camera.observer)));
     if (Status status = load_skies(scene); !status) return status;
     if (Status status = load_disc(scene); !status) return status;
     if (Status status = load_bodies(scene); !status) return status;
@@ -100,8 +103,9 @@ Status Renderer::prepare(const Scene& scene) {
     load_black_body();
     if (Status status = stars_.update(scene, tables_.effects().contains(Effect::kPointStars)); !status) return status;
     scene_ = scene;
+    if (scene_.disc && hottest_.by) scene_.disc->temperature_K = hottest_.temperature_K;
     upload_tables();
-    upload_block(scene, {sky_size_, disc_width_, static_cast<bool>(skies_)});
+    upload_block(scene_, {sky_size_, disc_width_, static_cast<bool>(skies_)});
     return Done{};
 }
 
@@ -129,7 +133,7 @@ void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
         block_effects_ = tables_.effects();
         block_members_ = block_members(*block_effects_);
     }
-    const FrameNumbers numbers = frame_numbers(scene, tables_.spacetime(), tables_.fan(), facts);
+    const FrameNumbers numbers = frame_numbers(scene, tables_.spacetime(), tables_.fan(), facts, &tables_.matter());
     std::array<float, 4 * kFrameVectors> block{};
     std::size_t next = 0;
     for (const int member : block_members_)
@@ -201,16 +205,22 @@ void Renderer::load_heat(const Scene& scene) {
     if (!tables_.effects().contains(Effect::kThermalDisc)) {
         disc_flow_ = {};
         flow_key_.reset();
+        hottest_ = {};
         return;
     }
-    const auto key = std::make_tuple(scene.spacetime, scene.disc->inner, scene.disc->outer);
+    const auto& accretion = scene.disc->accretion;
+    if (!accretion) hottest_ = {};
+    else if (!(hottest_.by == accretion && hottest_.about == scene.spacetime))
+        hottest_ = {accretion, scene.spacetime,
+                    disc_temperature_K(disc_flux_peak(tables_.matter()).flux, accretion->mass_suns, accretion->rate_eddington)};
+    const auto key = std::make_tuple(scene.spacetime, scene.disc->inner, scene.disc->outer, scene.light.doppler, scene.light.gravity, scene.light.lensing);
     if (flow_key_ == key) return;
-    disc_flow_ = texture_of(disc_flow_row(tables_.spacetime(), scene.disc->inner, scene.disc->outer));
+    disc_flow_ = texture_of(disc_flow_row(tables_.matter(), scene.disc->inner, scene.disc->outer, {scene.light.doppler, scene.light.gravity, !scene.light.lensing}));
     flow_key_ = key;
 }
 
 void Renderer::load_black_body() {
-    const bool wanted = tables_.effects().contains(Effect::kThermalDisc) || tables_.effects().contains(Effect::kPointStars);
+    const bool wanted = shades_heat(tables_.effects()) || tables_.effects().contains(Effect::kPointStars);
     if (!wanted) black_body_ = {};
     else if (!black_body_) black_body_ = texture_of(black_body_row());
 }

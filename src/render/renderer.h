@@ -120,7 +120,12 @@ private:
     int sky_size_ = 0;                 // of a face
     bool keep_finer_sky_ = false;
     std::optional<std::string> disc_file_;
-    std::optional<std::tuple<SpacetimeSpec, double, double>> flow_key_;   // of disc_flow_: its radii
+    std::optional<std::tuple<SpacetimeSpec, double, double, bool, bool, bool>> flow_key_;   // of disc_flow_: its radii, parts of g
+    struct Hottest {   // ring of the disc, where accretion heats it
+        std::optional<AccretionSpec> by;
+        SpacetimeSpec about;
+        double temperature_K = 0.0;
+    } hottest_;
     int disc_width_ = 0, disc_height_ = 0;
 };
 

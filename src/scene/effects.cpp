@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "scene/named_surface.h"
+#include "scene/observer.h"
 #include "spacetime/registry.h"
 
 namespace nullscope {
@@ -45,6 +46,9 @@ bool has_marched(const EffectSet& effects) {
            effects.contains(Effect::kSurface);
 }
 bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
+bool shades_heat(const EffectSet& effects) {
+    return effects.contains(Effect::kThermalDisc) || (effects.contains(Effect::kSkyShift) && effects.contains(Effect::kAberration));
+}
 bool meets_objects(const EffectSet& effects) { return effects.contains(Effect::kDisc) || has_solids(effects); }
 
 namespace {
@@ -81,21 +85,36 @@ void add_bodies(const Scene& scene, std::vector<EffectReason>& reasons) {
 
 }  // namespace
 
+bool motion_is_seen(const Scene& scene) {
+    if (!scene.light.aberration && !scene.light.doppler) return false;
+    const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+    const auto observer = spacetime ? observer_of(**spacetime, scene.camera) : spacetime.error();
+    // What falls, or is about a spinning hole, sees the sky's light shifted differently all over the sky, as what is boosted does.
+    const bool shifted = (falls(scene.camera) || (spacetime && (*spacetime)->spin() != 0.0)) && scene.sky.temperature_K && (scene.light.shift || scene.light.beaming);
+    return observer && (!(observer->velocity == Vec3{}) || shifted);
+}
+
 std::vector<EffectReason> required_effects(const Scene& scene) {
     std::vector<EffectReason> reasons;
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
-    if (spacetime && (*spacetime)->spin() != 0.0) {
+    const bool spins = spacetime && (*spacetime)->spin() != 0.0, lensing = spacetime && !spins && (*spacetime)->bends_light() && scene.light.lensing;
+    if (spins) {
         reasons.push_back({Effect::kSpin, fmt::format("spacetime.spin = {}", 2.0 * (*spacetime)->spin())});
-    } else if (spacetime && (*spacetime)->bends_light()) {
+    } else if (lensing) {
         reasons.push_back({Effect::kLensing, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     }
-    const Vec3 v = scene.camera.velocity;
-    if (v.x != 0.0 || v.y != 0.0 || v.z != 0.0) {
-        reasons.push_back({Effect::kAberration, fmt::format("camera.velocity = [{}, {}, {}]", v.x, v.y, v.z)});
+    const LightSpec& light = scene.light;
+    const bool moves = motion_is_seen(scene);
+    if (moves) {
+        const Vec3 v = scene.camera.velocity;
+        const char* part = !light.aberration ? ", light.aberration = \"off\": frequencies alone" : !light.doppler ? ", light.doppler = \"off\": directions alone" : "";
+        const std::string what = scene.camera.observer != ObserverKind::kStatic && v == Vec3{} ? fmt::format("camera.observer = \"{}\"", observer_name(scene.camera.observer))
+                                             : fmt::format("camera.velocity = [{}, {}, {}]", v.x, v.y, v.z);
+        reasons.push_back({Effect::kAberration, what + part});
     }
+    const bool thermal = scene.disc && scene.disc->emission == DiscEmission::kThermal;
     if (scene.disc) {
         reasons.push_back({Effect::kDisc, fmt::format("[disc] from {} to {}", scene.disc->inner, scene.disc->outer)});
-        const bool thermal = scene.disc->emission == DiscEmission::kThermal;
         if (scene.disc->look.texture != TextureKind::kImage) {
             constexpr const char* kNames[] = {"plain", "checker", "grid", "stripes", "noise", "formula"};
             reasons.push_back({Effect::kDiscPattern, fmt::format("disc.texture = \"{}\"", kNames[static_cast<int>(scene.disc->look.texture)])});
@@ -112,28 +131,33 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
         if (thermal) reasons.push_back({Effect::kThermalDisc, "disc.emission = \"thermal\""});
     }
     const bool points = scene.sky.kind == SkyKind::kPoints;
-    if (points || (scene.disc && scene.disc->emission == DiscEmission::kThermal)) {
-        const char* heat = points ? "sky.kind = \"points\"" : "disc.emission = \"thermal\"";
-        if (scene.light.shift) reasons.push_back({Effect::kShift, heat});
-        if (scene.light.beaming) reasons.push_back({Effect::kBeaming, heat});
-        if (scene.light.bolometric) reasons.push_back({Effect::kBolometric, "light.band = \"bolometric\""});
+    const bool sky_light = !has_look(scene.sky.kind) && scene.sky.kind != SkyKind::kBlack && scene.sky.even_stars == 0;
+    const bool other_g = (moves && light.doppler) || (light.gravity && spacetime && (*spacetime)->lapse_squared(scene.camera.r) != 1.0);
+    const bool sky_shift = sky_light && scene.sky.temperature_K && other_g && (light.shift || light.beaming);
+    if (points || thermal || sky_shift) {
+        const char* heat = points ? "sky.kind = \"points\"" : thermal ? "disc.emission = \"thermal\"" : "sky.temperature";
+        const bool g = light.doppler || light.gravity;
+        if (g && light.shift) reasons.push_back({Effect::kShift, heat});
+        if (g && light.beaming) reasons.push_back({Effect::kBeaming, heat});
+        if (light.bolometric) reasons.push_back({Effect::kBolometric, "light.band = \"bolometric\""});
     }
     add_bodies(scene, reasons);
     if (points) reasons.push_back({Effect::kPointStars, "sky.kind = \"points\""});
     if (has_look(scene.sky.kind)) {
         reasons.push_back({Effect::kSkyPattern, fmt::format("sky.kind = \"{}\"", name_of(scene.sky.kind))});
-    } else if (scene.sky.kind != SkyKind::kBlack && scene.sky.even_stars == 0) {
+    } else if (sky_light) {
         reasons.push_back({Effect::kSky, fmt::format("sky.kind = \"{}\"", name_of(scene.sky.kind))});
+        if (sky_shift) reasons.push_back({Effect::kSkyShift, fmt::format("sky.temperature = {}, {}", *scene.sky.temperature_K, moves && light.doppler ? "camera.velocity" : fmt::format("camera.r = {}", scene.camera.r))});
     }
-    if (spacetime && (*spacetime)->bends_light() && (*spacetime)->inner_end() != InnerEnd::kHorizon)
+    if (lensing && (*spacetime)->inner_end() != InnerEnd::kHorizon)
         reasons.push_back({Effect::kInner, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
-    if (spacetime && (*spacetime)->inner_end() == InnerEnd::kSameSky)
+    if (lensing && (*spacetime)->inner_end() == InnerEnd::kSameSky)
         reasons.push_back({Effect::kBounce, fmt::format("spacetime.metric = \"{}\" without horizon", scene.spacetime.metric)});
-    if (spacetime && (*spacetime)->inner_end() == InnerEnd::kOtherSky && scene.far_sky.kind != SkyKind::kBlack) {
+    if (lensing && (*spacetime)->inner_end() == InnerEnd::kOtherSky && scene.far_sky.kind != SkyKind::kBlack) {
         reasons.push_back({Effect::kFarSky, fmt::format("spacetime.metric = \"{}\", far_sky.kind = \"{}\"",
                                                         scene.spacetime.metric, name_of(scene.far_sky.kind))});
     }
-    if (spacetime && (*spacetime)->inner_end() == InnerEnd::kSurface)
+    if (lensing && (*spacetime)->inner_end() == InnerEnd::kSurface)
         reasons.push_back({Effect::kStar, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     const PictureSpec& picture = scene.picture;
     if (picture.bloom > 0.0) reasons.push_back({Effect::kBloom, fmt::format("picture.bloom = {}", picture.bloom)});
@@ -174,13 +198,14 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
     Scene less = scene;
     switch (effect) {
         case Effect::kLensing:
-            // A camera of flat space has a radius of its own, and neither a surface nor another sky.
-            if (const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters))
-                less.camera.r = (*spacetime)->areal_radius(scene.camera.r);
-            less.spacetime = {"minkowski", {}};
+            less.light.lensing = falls(scene.camera);   // straight light is that of an observer at rest: what falls is put into flat space
+            if (less.light.lensing) less.spacetime = {"minkowski", {}};
+            return less;
+        case Effect::kAberration:
+            less.camera.velocity = {0, 0, 0};
+            if (less.camera.observer == ObserverKind::kOrbit || less.spacetime.metric == "minkowski") less.camera.observer = ObserverKind::kStatic;
             return less;
         case Effect::kSpin: less.spacetime.parameters["spin"] = 0.0; return less;
-        case Effect::kAberration: less.camera.velocity = {0, 0, 0}; return less;
         case Effect::kDisc: less.disc.reset(); return less;
         case Effect::kTranslucentDisc:
             if (less.disc) less.disc->opacity = 1.0, less.disc->edge = 0.0;
@@ -210,6 +235,7 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
         case Effect::kNoise: make_all_plain(less, {TextureKind::kNoise}); return less;
         case Effect::kFormula: make_all_plain(less, {TextureKind::kFormula}); return less;
         case Effect::kBodyImage: make_bodies_plain(less, {TextureKind::kImage}); return less;
+        case Effect::kSkyShift: less.sky.temperature_K.reset(); return less;
         case Effect::kSky:
         case Effect::kSkyPattern: less.sky.kind = SkyKind::kBlack; return less;
         case Effect::kFarSky: less.far_sky.kind = SkyKind::kBlack; return less;

@@ -17,10 +17,10 @@ namespace nullscope {
 
 enum class Effect {
     kLensing, kSpin, kAberration, kDisc, kDiscImage, kDiscPattern, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kBolometric,
-    kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kPointStars, kSky, kSkyPattern,
+    kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kPointStars, kSky, kSkyShift, kSkyPattern,
     kInner, kBounce, kFarSky, kStar, kBloom, kAutoExposure, kToneFilm, kToneNeutral, kDither
 };
-inline constexpr std::size_t kEffectCount = 31;
+inline constexpr std::size_t kEffectCount = 32;
 
 struct EffectRow {
     Effect effect;
@@ -34,11 +34,12 @@ struct EffectRow {
 // In the order of the enumerators.
 inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
     {Effect::kLensing, "lensing", "EFFECT_LENSING", "Light follows the null geodesics of the metric.",
-     "spacetime.metric is one that bends light and does not spin", "deflection table, strip; one fetch and two straight lines a pixel"},
+     "spacetime.metric is one that bends light and does not spin, and light.lensing is not \"off\"", "deflection table, strip; one fetch and two straight lines a pixel"},
     {Effect::kSpin, "spin", "EFFECT_SPIN", "Light follows the null geodesics of a spinning hole.",
      "spacetime.metric is kerr and spin is above 0", "some 8 steps of five forces a pixel, at most 64"},
     {Effect::kAberration, "aberration", "EFFECT_ABERRATION",
-     "Directions and frequencies are those of a camera that moves in the static frame.", "camera.velocity is not zero",
+     "Directions and frequencies are those of a camera that moves in its observer's frame.",
+     "camera.velocity is not zero, or camera.observer is \"orbit\", and light.aberration or light.doppler is not \"off\"",
      "one division a pixel"},
     {Effect::kDisc, "disc", "EFFECT_DISC", "A flat disc lies in the equatorial plane.", "there is a [disc]",
      "ray ends, orbit map; four fetches a crossing"},
@@ -53,9 +54,9 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
      "The disc's matter moves on geodesics and glows with the heat that it gains by falling.", "disc.emission is \"thermal\"",
      "disc flow, black body; six fetches a crossing"},
     {Effect::kShift, "shift", "EFFECT_SHIFT", "Light has the colour that motion and gravity give it.",
-     "something shines by its heat and light.shift is not \"off\"", "one logarithm a crossing or star"},
+     "something shines by its heat, light.shift is not \"off\", nor are both light.doppler and light.gravity", "one logarithm a crossing or star"},
     {Effect::kBeaming, "beaming", "EFFECT_BEAMING", "Light has the brightness that motion and gravity give it.",
-     "something shines by its heat and light.beaming is not \"off\"", "one logarithm a crossing or star"},
+     "something shines by its heat, light.beaming is not \"off\", nor are both light.doppler and light.gravity", "one logarithm a crossing or star"},
     {Effect::kBolometric, "bolometric", "EFFECT_BOLOMETRIC", "Brightness is power at all wavelengths.",
      "something shines by its heat and light.band is \"bolometric\"", "nothing"},
     {Effect::kSphere, "sphere", "EFFECT_SPHERE", "A solid sphere about the centre ends rays.", "there is a [sphere]",
@@ -78,6 +79,8 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
      "sky.kind is \"points\"", "a pass of its own: a vertex a star and image; star lens, black body"},
     {Effect::kSky, "sky", "EFFECT_SKY", "Escaped rays show the celestial sphere.", "sky.kind is stars, image or points, and there are no sky.even_stars",
      "a cube map; one fetch a pixel"},
+    {Effect::kSkyShift, "sky-shift", "EFFECT_SKY_SHIFT", "The light of the sky's picture has the colour and brightness that g gives it.",
+     "there is a sky.temperature, and the camera moves or is not far away", "a factor; black body and one logarithm a pixel where the camera moves"},
     {Effect::kSkyPattern, "sky-pattern", "EFFECT_SKY_PATTERN", "Escaped rays show a colour, a pattern or a formula.",
      "sky.kind is plain, checker, grid, stripes, noise or formula", "arithmetic a pixel"},
     {Effect::kInner, "inner", "EFFECT_INNER", "Rays that pass the critical direction inward end somewhere to see.",
@@ -123,12 +126,16 @@ private:
 
 bool has_marched(const EffectSet& effects);   // bodies that are found by strides: all but the sphere
 bool has_solids(const EffectSet& effects);    // any solid body
+bool shades_heat(const EffectSet& effects);   // black bodies in the picture's shader: the table of their light
 bool meets_objects(const EffectSet& effects); // anything that needs positions along rays: ray ends, orbit map
 
 struct EffectReason {
     Effect effect;
     std::string reason;  // what in this scene calls for it, with the value: "camera.velocity = [0, 0, 0.5]"
 };
+
+// Whether the camera's velocity changes anything.
+bool motion_is_seen(const Scene& scene);
 
 // Pure: no file is opened. In the order of the enumerators, each effect at most once. The scene must be valid (an
 // unknown metric calls for no lensing).

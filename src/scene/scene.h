@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/vec.h"
 
@@ -18,12 +19,17 @@ struct SpacetimeSpec {
 // A pinhole camera. The unrotated camera looks at the centre (forward = -e_r), up = -e_theta (towards the north pole),
 // right = forward x up = e_phi... see camera/pose.h. yaw turns to the right, then pitch turns up, then roll turns the picture's
 // top to the right.
+enum class ObserverKind { kStatic, kRain, kFall, kThrow, kOrbit };   // scene/observer.h
+
 struct CameraSpec {
     double r = 15.0;                 // > 0, outside the horizon for a static camera
     double theta = 1.48;             // polar angle, [0, pi]
     double phi = 0.0;                // azimuth
     double yaw = 0.0, pitch = 0.0, roll = 0.0;
-    Vec3 velocity{0, 0, 0};          // of the camera in the static frame, components along (e_r, e_theta, e_phi), |v| < 1
+    ObserverKind observer = ObserverKind::kStatic;
+    double fall_from = 1e6;          // kFall: radius of rest, r_s
+    double energy = 1.0;             // kThrow: per rest mass, > 0
+    Vec3 velocity{0, 0, 0};          // of the camera in the observer's frame, components along (e_r, e_theta, e_phi), |v| < 1
     double plane_width = 1.1547005383792517;  // width of the projection plane ...
     double focal_distance = 1.0;     // ... and its distance: fov = 2 atan(plane_width / 2 focal_distance), 60 degrees
     int width = 1280, height = 720;  // pixels, square
@@ -70,6 +76,7 @@ struct SkySpec {
     double band_latitude = 0.7853981633974483;            // kBandAndCaps only, (0, pi/2)
     double yaw = 0.0, tilt = 0.0;                         // world_from_sky = R_z(yaw) R_x(tilt)
     double brightness = 1.0;
+    std::optional<double> temperature_K;                  // of the black body for which its light is taken where g changes it; else g does not
     double faintest = 20.0;                               // kPoints only: magnitude V of the faintest stars
     int even_stars = 0;                                   // kPoints only; above 0: so many equal stars, evenly spread, and no catalogue
     // has_look(kind) only; colours, formula, columns and rows of it alone. u = 1/2 - azimuth/turn and v = polar angle/half turn of the
@@ -90,6 +97,12 @@ inline BodyLook sky_look(const SkySpec& sky) {
 // kImage: the light of image or texture as it is. kThermal: heat by Page and Thorne, on which these act as an emissivity.
 enum class DiscEmission { kImage, kThermal };
 
+// What heats a thermal disc. Rates in L_Eddington/(0.1 c^2), L_Eddington = 4 pi G M m_p c/sigma_T.
+struct AccretionSpec {
+    double mass_suns = 1e8, rate_eddington = 0.1;
+    friend bool operator==(const AccretionSpec&, const AccretionSpec&) = default;
+};
+
 struct DiscSpec {
     double inner = 3.0, outer = 12.0;   // 0 < inner < outer
     std::filesystem::path image;        // empty: the disc image that ships
@@ -98,7 +111,8 @@ struct DiscSpec {
     double rotation = 0.0;
     double brightness = 1.0;
     DiscEmission emission = DiscEmission::kImage;
-    double temperature_K = 8000.0;      // thermal: of the hottest ring, in its own frame
+    double temperature_K = 8000.0;      // thermal: of the hottest ring, in its own frame; without `accretion`
+    std::optional<AccretionSpec> accretion;   // thermal: gives the temperature
     // Colours, formula, columns and rows of it alone, and none of these with texture kImage, which is `image`. u = 1/2 + azimuth/turn,
     // v = (r - inner)/(outer - inner); x, y: the place, z = 0.
     BodyLook look{.texture = TextureKind::kImage};
@@ -147,6 +161,11 @@ struct LightSpec {
     bool shift = true;     // of colour
     bool beaming = true;   // of brightness
     bool bolometric = false;   // brightness is power at all wavelengths, as T^4, not luminance
+    // The two parts of g, as static observers at the matter and at the camera split it (docs/light.md); and directions.
+    bool doppler = true;       // motion of matter and camera changes frequencies
+    bool gravity = true;       // so does the way out of gravity
+    bool aberration = true;    // a moving camera sees other directions
+    bool lensing = true;       // light follows the metric's geodesics; else straight lines in flat space, all else as it is
     friend bool operator==(const LightSpec&, const LightSpec&) = default;
 };
 
@@ -158,6 +177,23 @@ struct PictureSpec {
     bool auto_exposure = false;    // CameraSpec::exposure_ev then adds to what the picture's mean luminance asks for
     bool dither = false;           // noise of half a step of 8 bits against bands
     friend bool operator==(const PictureSpec&, const PictureSpec&) = default;
+};
+
+// Where the camera goes from frame to frame. kFall: let go at frame 0, in equal steps of its own time; axes are gyroscopes, or turned to
+// look at the centre. kKeys: smooth through keys.
+enum class PathKind { kFall, kKeys };
+enum class PathLook { kGyroscope, kCentre };
+struct PathKey {
+    double frame = 0.0;
+    CameraSpec camera;
+};
+struct PathSpec {
+    PathKind kind = PathKind::kFall;
+    PathLook look = PathLook::kGyroscope;
+    int frames = 240;
+    double rate = 24.0;            // frames a second of film
+    double duration = 0.0;         // kFall: proper time from the first frame to the last, r_s/c; 0: to the end of the worldline
+    std::vector<PathKey> keys;     // kKeys: two or more, frames growing
 };
 
 struct Scene {
@@ -174,6 +210,7 @@ struct Scene {
     std::optional<SurfaceSpec> surface;
     LightSpec light;
     PictureSpec picture;
+    std::optional<PathSpec> path;
     double time = 0.0;                     // r_s/c, by the clocks at infinity: what moves is where it is then, its light has no delay
 };
 

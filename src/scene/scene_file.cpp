@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/text.h"
 #include "scene/body_check.h"
+#include "scene/observer.h"
 #include "scene/scene_value.h"
 #include "spacetime/registry.h"
 
@@ -52,8 +53,10 @@ private:
     void read_key(std::string_view section, const toml::key& name, const toml::node& node);
     bool read_parameter(std::string_view section, const toml::key& name, const toml::node& node);
     void report_unknown(std::string_view section, const toml::key& name);
-    void check_camera();
-    void check_place(std::string_view section, const SpacetimeSpec& spec);
+    void check_camera(int key_line = 0);   // key_line: of [[path.key]], 0 for [camera]
+    void check_path();
+    void read_path_keys(const toml::node& node);
+    void check_place(std::string_view section, const SpacetimeSpec& spec, int key_line);
     void check_sky();
     void check_disc();
     void check_solids();
@@ -142,6 +145,7 @@ void SceneReader::read_section(std::string_view section, const toml::table& tabl
     if (section == "cylinder") scene_.cylinder.emplace();
     if (section == "ball") scene_.ball.emplace();
     if (section == "surface") scene_.surface.emplace();
+    if (section == "path") scene_.path.emplace();
     sections_[std::string(section)] = table.source().begin.line == 0 ? 1 : static_cast<int>(table.source().begin.line);
     const auto of_metric = metrics_.find(section);
     if (const auto metric = table.find("metric"); of_metric != metrics_.end() && metric != table.end()) {
@@ -149,29 +153,91 @@ void SceneReader::read_section(std::string_view section, const toml::table& tabl
         of_metric->second = reports_.empty() ? find_metric(spec_of(section).metric) : nullptr;
     }
     for (const auto& [name, node] : table) {
+        if (section == "path" && name.str() == "key") continue;   // read_path_keys
         if (of_metric == metrics_.end() || name.str() != "metric") read_key(section, name, node);
     }
 }
 
-void SceneReader::check_camera() {
+void SceneReader::check_camera(int key_line) {
     for (const char* other : {"camera.plane_width", "camera.focal_distance"}) {
         if (given("camera.fov") && given(other)) {
             report(std::max(line("camera.fov"), line(other)), "camera.fov", fmt::format("says the same as {}", other),
                    "either fov, or plane_width and focal_distance");
         }
     }
-    check_place("spacetime", scene_.spacetime);
-    if (scene_.beside) check_place("beside", *scene_.beside);
+    constexpr std::pair<const char*, ObserverKind> kOfOne[] = {{"camera.fall_from", ObserverKind::kFall}, {"camera.energy", ObserverKind::kThrow}};
+    for (const auto& [key, observer] : kOfOne)
+        if (given(key) && scene_.camera.observer != observer)
+            report(line(key), key, "camera.observer is another", fmt::format("with observer = \"{}\" only", observer == ObserverKind::kFall ? "fall" : "throw"));
+    check_place("spacetime", scene_.spacetime, key_line);
+    const auto world = make_spacetime(scene_.spacetime.metric, scene_.spacetime.parameters);
+    if (const Status parts = world ? check_light_parts(**world, scene_) : Done{}; !parts) {
+        const int at = key_line > 0 ? key_line : line("camera.observer");
+        reports_.emplace(at, fmt::format("{}:{}: {}", label_, at, parts.error().message));
+    }
+    if (scene_.beside) check_place("beside", *scene_.beside, key_line);
 }
 
-void SceneReader::check_place(std::string_view section, const SpacetimeSpec& spec) {
+void SceneReader::check_place(std::string_view section, const SpacetimeSpec& spec, int key_line) {
     const auto spacetime = make_spacetime(spec.metric, spec.parameters);
-    if (spacetime && !camera_can_rest(**spacetime, scene_.camera.r)) {
-        report(line(given("camera.r") ? std::string("camera.r") : std::string(section) + ".metric"), "camera.r",
+    if (!spacetime) return;
+    if (scene_.camera.observer == ObserverKind::kStatic && !camera_can_rest(**spacetime, scene_.camera.r)) {
+        report(key_line > 0 ? key_line : line(given("camera.r") ? std::string("camera.r") : std::string(section) + ".metric"), "camera.r",
                fmt::format("a static camera cannot be at {}{}", scene_.camera.r,
                            (*spacetime)->horizon_radius() ? ", on or inside the horizon" : ""),
                allowed_radii(**spacetime));
+    } else if (const auto observer = observer_of(**spacetime, scene_.camera); !observer) {
+        const int at = key_line > 0 ? key_line : std::max(line("camera.r"), line("camera.observer"));
+        reports_.emplace(at, fmt::format("{}:{}: camera.observer: {}", label_, at, observer.error().message));
     }
+}
+
+// [[path.key]]: the camera's own keys, and the frame where they hold. What a key leaves out is as in the one before it, and as in [camera]
+// in the first.
+void SceneReader::read_path_keys(const toml::node& node) {
+    constexpr std::size_t kMostKeys = 10000;
+    const toml::array* list = node.as_array();
+    const int at = static_cast<int>(node.source().begin.line);
+    if (list == nullptr || !list->is_array_of_tables() || list->size() > kMostKeys) {
+        report(at, "path.key", "must be a list of sections", "[[path.key]], 10000 at most");
+        return;
+    }
+    const CameraSpec camera = scene_.camera;
+    const auto lines = lines_;
+    for (const toml::node& entry : *list) {
+        const toml::table& table = *entry.as_table();
+        PathKey key{scene_.path->keys.empty() ? 0.0 : scene_.path->keys.back().frame + 1.0, {}};
+        for (const auto& [name, value] : table) {
+            if (name.str() != "frame") {
+                read_key("camera", name, value);
+                continue;
+            }
+            const auto frame = value.value<double>();
+            if (!frame || !(*frame >= 0.0 && *frame <= 1e6)) report(line_of(name), "path.key.frame", "must be a number", "[0, 1000000]");
+            else key.frame = *frame;
+        }
+        key.camera = scene_.camera;
+        const int here = static_cast<int>(entry.source().begin.line);
+        if (!scene_.path->keys.empty() && !(key.frame > scene_.path->keys.back().frame))
+            report(here, "path.key.frame", fmt::format("{} is not after the key before", key.frame), "frames that grow");
+        scene_.path->keys.push_back(key);
+        if (reports_.empty()) check_camera(here);
+    }
+    scene_.camera = camera;
+    lines_ = lines;
+}
+
+void SceneReader::check_path() {
+    if (!scene_.path) return;
+    const bool keys = scene_.path->kind == PathKind::kKeys;
+    if (keys ? scene_.path->keys.size() < 2 : !scene_.path->keys.empty())
+        report(sections_["path"], "path.key", keys ? "fewer than two keys, but kind is keys" : "keys, but kind is not keys",
+               keys ? "two [[path.key]] or more" : "with kind = \"keys\" only");
+    for (const char* key : {"path.duration", "path.look"})
+        if (keys && given(key)) report(line(key), key, "kind is not fall", "with kind = \"fall\" only");
+    for (const PathKey& key : scene_.path->keys)
+        if (key.camera.observer != scene_.path->keys.front().camera.observer || key.camera.width != scene_.camera.width || key.camera.height != scene_.camera.height)
+            report(sections_["path"], "path.key", "observer and size change on the way", "one observer and one size for all keys");
 }
 
 void SceneReader::check_sky() {
@@ -181,6 +247,8 @@ void SceneReader::check_sky() {
                far_image ? "an image file" : "with kind = \"image\" only");
     for (const char* key : {"sky.faintest", "sky.even_stars"})
         if (scene_.sky.kind != SkyKind::kPoints && given(key)) report(line(key), key, "kind is not points", "with kind = \"points\" only");
+    if (given("sky.temperature") && (has_look(scene_.sky.kind) || scene_.sky.kind == SkyKind::kBlack))
+        report(line("sky.temperature"), "sky.temperature", "kind is neither stars, image nor points", "with those kinds only");
     const bool image = scene_.sky.kind == SkyKind::kImage;
     const bool caps = scene_.sky.mapping == SkyMapping::kBandAndCaps;
     if (image && !given("sky.image")) {
@@ -204,6 +272,12 @@ void SceneReader::check_sky() {
 }
 
 void SceneReader::check_disc() {
+    for (const auto& [key, other] : {std::pair{"disc.mass", "disc.accretion_rate"}, {"disc.accretion_rate", "disc.mass"}}) {
+        if (!given(key)) continue;
+        if (!given(other)) report(line(key), other, fmt::format("missing, but there is a {}", key), "both or none");
+        if (scene_.disc->emission != DiscEmission::kThermal) report(line(key), key, "emission is not thermal", "with emission = \"thermal\" only");
+        if (given("disc.temperature")) report(line("disc.temperature"), "disc.temperature", fmt::format("{} gives the temperature", key), "one of both");
+    }
     if (!scene_.disc || scene_.disc->inner < scene_.disc->outer) return;
     const bool inner = given("disc.inner");
     report(line(inner ? "disc.inner" : "disc.outer"), inner ? "disc.inner" : "disc.outer",
@@ -252,6 +326,8 @@ Result<Scene> SceneReader::read(const toml::table& root) {
     }
     if (reports_.empty()) {  // what follows compares values with each other
         check_camera();
+        if (const toml::node* keys = root.at_path("path.key").node(); keys != nullptr && scene_.path) read_path_keys(*keys);
+        check_path();
         check_sky();
         check_disc();
         check_solids();

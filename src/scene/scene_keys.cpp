@@ -25,11 +25,22 @@ constexpr KeyRange kLatitude{0.0, 90.0, true, true};
 constexpr KeyRange kOpacity{0.0, 1.0, true, false};
 constexpr KeyRange kEdge{0.0, 0.5, false, false};
 constexpr KeyRange kTemperature{1e3, 1e9, false, false};
+constexpr KeyRange kMass{1e-6, 1e12, false, false};
+constexpr KeyRange kRate{1e-9, 1e6, false, false};
 constexpr KeyRange kTime{-1e9, 1e9, false, false};
 constexpr KeyRange kMagnitude{-5.0, 30.0, false, false};
 constexpr KeyRange kStarCount{0.0, 4000000.0, false, false};
 constexpr KeyRange kBloom{0.0, 1.0, false, true};
+constexpr KeyRange kEnergy{0.0, 1e6, true, false};
+constexpr KeyRange kFrames{2.0, 1000000.0, false, false};
+constexpr KeyRange kFilmRate{0.1, 1000.0, false, false};
+constexpr KeyRange kDuration{0.0, 1e7, false, false};
 constexpr KeyRange kNone{};
+
+AccretionSpec& accretion_of(Scene& scene) {
+    if (!scene.disc->accretion) scene.disc->accretion.emplace();
+    return *scene.disc->accretion;
+}
 
 constexpr SceneKey kKeys[] = {
     {"", "name", KeyType::kText, "", "", kNone, "", "Title; the file's stem where it is missing.",
@@ -47,7 +58,7 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.beside->metric = v.text; }},
 
     {"camera", "r", KeyType::kNumber, "r_s", "15", kRadius, "",
-     "Radial coordinate; outside the horizon, since the camera is described in the static frame. Of wormholes: l.",
+     "Radial coordinate; outside the horizon where the observer rests or orbits. Of wormholes: l.",
      [](Scene& s, const KeyValue& v) { s.camera.r = v.number; }},
     {"camera", "theta", KeyType::kNumber, "deg", "84.8", kPolarAngle, "",
      "Polar angle: 0 above the north pole, 90 in the disc's plane.",
@@ -62,8 +73,17 @@ constexpr SceneKey kKeys[] = {
     {"camera", "roll", KeyType::kNumber, "deg", "0", kAnyAngle, "",
      "Turn about the line of sight that takes the camera's top to its right, after pitch.",
      [](Scene& s, const KeyValue& v) { s.camera.roll = v.number; }},
+    {"camera", "observer", KeyType::kChoice, "", "static", kNone, "static rain fall throw orbit",
+     "Who holds the camera: at rest; fallen from rest at infinity, or at fall_from; thrown in with energy; on a circular orbit.",
+     [](Scene& s, const KeyValue& v) { s.camera.observer = static_cast<ObserverKind>(v.choice); }},
+    {"camera", "fall_from", KeyType::kNumber, "r_s", "1e+06", kRadius, "",
+     "Radius where the fall began; needs observer = \"fall\".",
+     [](Scene& s, const KeyValue& v) { s.camera.fall_from = v.number; }},
+    {"camera", "energy", KeyType::kNumber, "", "1", kEnergy, "",
+     "Energy per rest mass, 1 for a fall from rest at infinity; needs observer = \"throw\".",
+     [](Scene& s, const KeyValue& v) { s.camera.energy = v.number; }},
     {"camera", "velocity", KeyType::kVelocity, "c", "[0, 0, 0]", kNone, "",
-     "Velocity in the static frame along (e_r, e_theta, e_phi): outward, southward, towards growing phi.",
+     "Velocity in the observer's frame along (e_r, e_theta, e_phi): outward, southward, towards growing phi.",
      [](Scene& s, const KeyValue& v) { s.camera.velocity = v.vector; }},
     {"camera", "fov", KeyType::kNumber, "deg", "60", kFov, "",
      "Horizontal field of view; instead of plane_width and focal_distance.",
@@ -83,6 +103,20 @@ constexpr SceneKey kKeys[] = {
     {"camera", "exposure", KeyType::kNumber, "EV", "0", kExposure, "",
      "The displayed brightness is multiplied by 2^exposure.",
      [](Scene& s, const KeyValue& v) { s.camera.exposure_ev = v.number; }},
+
+    {"path", "kind", KeyType::kChoice, "", "fall", kNone, "fall keys",
+     "How the camera moves from frame to frame: let go at frame 0, a geodesic; or smoothly through [[path.key]].",
+     [](Scene& s, const KeyValue& v) { s.path->kind = static_cast<PathKind>(v.choice); }},
+    {"path", "look", KeyType::kChoice, "", "gyroscope", kNone, "gyroscope centre",
+     "Of kind = \"fall\": the camera's axes are carried along parallel, or it keeps looking as it did against the centre.",
+     [](Scene& s, const KeyValue& v) { s.path->look = static_cast<PathLook>(v.choice); }},
+    {"path", "frames", KeyType::kWhole, "", "240", kFrames, "", "Number of frames.",
+     [](Scene& s, const KeyValue& v) { s.path->frames = v.width; }},
+    {"path", "rate", KeyType::kNumber, "1/s", "24", kFilmRate, "", "Frames per second of a film.",
+     [](Scene& s, const KeyValue& v) { s.path->rate = v.number; }},
+    {"path", "duration", KeyType::kNumber, "r_s/c", "0", kDuration, "",
+     "Of kind = \"fall\": proper time from the first frame to the last; 0: to the worldline's end.",
+     [](Scene& s, const KeyValue& v) { s.path->duration = v.number; }},
 
     {"sky", "kind", KeyType::kChoice, "", "stars", kNone, "stars image black points plain checker grid stripes noise formula",
      "The celestial sphere: the stars and Milky Way that ship as a picture, an image, nothing, the stars as points; or one colour or a pattern of two.",
@@ -108,6 +142,9 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.sky.tilt = v.number; }},
     {"sky", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Factor on the sky's light.",
      [](Scene& s, const KeyValue& v) { s.sky.brightness = v.number; }},
+    {"sky", "temperature", KeyType::kNumber, "K", "", kTemperature, "",
+     "Of the black body for which the light of kind \"stars\", \"image\" and the Milky Way is taken where g changes it; without it g does not.",
+     [](Scene& s, const KeyValue& v) { s.sky.temperature_K = v.number; }},
     {"sky", "faintest", KeyType::kNumber, "mag", "20", kMagnitude, "",
      "Of kind = \"points\": stars fainter than this are left out; of even_stars, the magnitude of each.",
      [](Scene& s, const KeyValue& v) { s.sky.faintest = v.number; }},
@@ -140,6 +177,12 @@ constexpr SceneKey kKeys[] = {
     {"disc", "temperature", KeyType::kNumber, "K", "8000", kTemperature, "",
      "Of the hottest ring of a thermal disc, in its own frame; brightness 1 is that ring's.",
      [](Scene& s, const KeyValue& v) { s.disc->temperature_K = v.number; }},
+    {"disc", "mass", KeyType::kNumber, "M_sun", "", kMass, "",
+     "Mass of the hole. With accretion_rate it gives the temperature of a thermal disc, by Stefan and Boltzmann's law.",
+     [](Scene& s, const KeyValue& v) { accretion_of(s).mass_suns = v.number; }},
+    {"disc", "accretion_rate", KeyType::kNumber, "L_Edd/0.1 c^2", "", kRate, "",
+     "What falls in, over the rate that shines with Eddington's luminosity at an efficiency of 0.1 (2.2e-8 M_sun a year for each M_sun); needs mass.",
+     [](Scene& s, const KeyValue& v) { accretion_of(s).rate_eddington = v.number; }},
     {"disc", "opacity", KeyType::kNumber, "", "1", kOpacity, "", "Below 1, what lies behind the disc shines through.",
      [](Scene& s, const KeyValue& v) { s.disc->opacity = v.number; }},
     {"disc", "edge", KeyType::kNumber, "", "0", kEdge, "",
@@ -155,6 +198,17 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.light.shift = v.choice == 0; }},
     {"light", "beaming", KeyType::kChoice, "", "on", kNone, "on off", "Whether they change its brightness.",
      [](Scene& s, const KeyValue& v) { s.light.beaming = v.choice == 0; }},
+    {"light", "doppler", KeyType::kChoice, "", "on", kNone, "on off",
+     "Whether motion of matter and camera changes frequencies: that part of g.",
+     [](Scene& s, const KeyValue& v) { s.light.doppler = v.choice == 0; }},
+    {"light", "gravity", KeyType::kChoice, "", "on", kNone, "on off", "Whether the way out of gravity changes them: the other part of g.",
+     [](Scene& s, const KeyValue& v) { s.light.gravity = v.choice == 0; }},
+    {"light", "aberration", KeyType::kChoice, "", "on", kNone, "on off",
+     "Whether a moving camera sees directions other than one at rest in its place.",
+     [](Scene& s, const KeyValue& v) { s.light.aberration = v.choice == 0; }},
+    {"light", "lensing", KeyType::kChoice, "", "on", kNone, "on off",
+     "Whether light follows the geodesics of the metric; else straight lines, and all else is as it is.",
+     [](Scene& s, const KeyValue& v) { s.light.lensing = v.choice == 0; }},
     {"light", "band", KeyType::kChoice, "", "visual", kNone, "visual bolometric",
      "What counts as brightness of what shines by its heat: what the eye sees, or power at all wavelengths.",
      [](Scene& s, const KeyValue& v) { s.light.bolometric = v.choice == 1; }},

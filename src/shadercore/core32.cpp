@@ -19,7 +19,7 @@ std::array<std::size_t, kFrameVectors> frame_offsets() {
     return {offsetof(F, image), offsetof(F, ray_0), offsetof(F, ray_x), offsetof(F, ray_y), offsetof(F, polar_0),
             offsetof(F, polar_x), offsetof(F, polar_y), offsetof(F, radial), offsetof(F, meridian),
             offsetof(F, transverse), offsetof(F, shift), offsetof(F, strip), offsetof(F, orbit), offsetof(F, series),
-            offsetof(F, boost), offsetof(F, sky), offsetof(F, disc_normal), offsetof(F, disc_x), offsetof(F, disc_y),
+            offsetof(F, boost), offsetof(F, boost_colour), offsetof(F, sky), offsetof(F, sky_light), offsetof(F, disc_normal), offsetof(F, disc_x), offsetof(F, disc_y),
             offsetof(F, disc_map), offsetof(F, disc_look), offsetof(F, critical), offsetof(F, disc_heat), offsetof(F, point_stars), offsetof(F, point_spread), offsetof(F, bloom),
             offsetof(F, sphere_form), offsetof(F, sphere_map),
             offsetof(F, sphere_colour), offsetof(F, sphere_second), offsetof(F, cylinder_form),

@@ -3,6 +3,7 @@
 #define BLOCK_LENSING
 #define BLOCK_ABERRATION
 #define BLOCK_SKY
+#define BLOCK_SKY_SHIFT
 #define BLOCK_DISC
 #define BLOCK_THERMAL_DISC
 #define BLOCK_POINT_STARS

@@ -64,8 +64,9 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
     if (disc) files.emplace_back(spin ? "object/spin_disc.glsl" : "object/disc.glsl");
     const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
     if (picture && (disc || sky || far_sky || effects.contains(Effect::kBodyImage))) files.emplace_back("effect/footprint.glsl");
+    if (picture && shades_heat(effects)) files.emplace_back("effect/black_body.glsl");
     if (picture && effects.contains(Effect::kThermalDisc))
-        for (const char* file : {"object/disc_flow.glsl", "effect/black_body.glsl", "effect/thermal.glsl"}) files.emplace_back(file);
+        for (const char* file : {"object/disc_flow.glsl", "effect/thermal.glsl"}) files.emplace_back(file);
     if (picture && disc) files.emplace_back("object/disc_colour.glsl");
     if (picture && disc && lensing) files.emplace_back("object/disc_thin.glsl");
     if (picture && (sky || far_sky)) files.emplace_back("object/celestial_sphere.glsl");
@@ -161,7 +162,8 @@ std::string declarations(Stage stage, const EffectSet& effects, bool ends, const
         if (sky) text += far_sky ? "uniform highp sampler2DArray sky_texture;\n" : "uniform samplerCube sky_texture;\n";
         else if (far_sky) text += "uniform samplerCube other_side_texture;\n";
         if (effects.contains(Effect::kDiscImage)) text += "uniform sampler2D disc_texture;\n";
-        if (effects.contains(Effect::kThermalDisc)) text += std::string(kDiscFlowDeclarations) + kBlackBodyDeclarations;
+        if (effects.contains(Effect::kThermalDisc)) text += kDiscFlowDeclarations;
+        if (shades_heat(effects)) text += kBlackBodyDeclarations;
     }
     return text;
 }

@@ -21,6 +21,8 @@ ReissnerNordstrom::ReissnerNordstrom(double charge) : kappa_(0.25 * charge * cha
     zeta_c_ = 1.0 / sphere_;
     q_crit_ = 0.5 * zeta_c_ * std::sqrt(2.0 - zeta_c_);
     gap_ = 0.5 * s * (1.0 + 4.0 * s / (1.0 + d));
+    const double middle = sphere_ - 0.5, low = 0.25 * (2.0 - zeta_c_);
+    innermost_ = 2.0 * kappa_ / (middle + std::sqrt(middle * middle + 4.0 * kappa_ * low));
     zeta_of_ = InverseMap([this](double zeta) { return chi_of(zeta, outside(zeta)); }, 1.0 / outer_);
 }
 

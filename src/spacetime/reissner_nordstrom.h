@@ -24,6 +24,7 @@ public:
     explicit ReissnerNordstrom(double charge);  // Q/M, [0, 1]
     std::string_view name() const override { return "reissner-nordstrom"; }
     double lapse_squared(double r) const override;
+    RadiusRange falling_range() const override { return {innermost_, kAnyRadius}; }
     std::optional<double> horizon_radius() const override { return outer_; }
     std::optional<PhotonSphere> photon_sphere() const override { return PhotonSphere{sphere_, q_crit_}; }
     bool bends_light() const override { return true; }
@@ -39,6 +40,7 @@ private:
     double density_at(double zeta) const;
     double zeta_from_chi(double chi) const;
     double kappa_, outer_, inner_, sphere_, zeta_c_, q_crit_, gap_;  // gap: r_o - r_u
+    double innermost_;  // within the inner horizon, where V = q_crit^2 once more (g = 0): below it no ray to the sky is critical
     InverseMap zeta_of_;
 };
 

@@ -24,7 +24,7 @@ double Schwarzschild::chi_from_radius(double r) const {
         std::fprintf(stderr, "Schwarzschild::chi_from_radius: r = %.17g is not >= 1\n", r);
         std::abort();
     }
-    const double sine = zeta * std::sqrt(1.0 - zeta);
+    const double sine = zeta * std::sqrt(lapse_squared(r));
     const double cosine = (kPhotonSphereZeta - zeta) * std::sqrt(zeta + 1.0 / 3.0);
     return std::atan2(sine, cosine);  // both times q_crit
 }

@@ -48,6 +48,8 @@ public:
     virtual double areal_radius(double r) const { return r; }                          // R
     virtual double radial_stretch2(double r) const { return 1.0 / lapse_squared(r); }  // B = g_rr
     virtual RadiusRange camera_range() const { return {horizon_radius().value_or(0.0), kAnyRadius}; }
+    // Where a camera can be at all, falling if it cannot rest.
+    virtual RadiusRange falling_range() const { return camera_range(); }
     // Outer horizon's radius; nothing if there is none.
     virtual std::optional<double> horizon_radius() const = 0;
     virtual std::optional<PhotonSphere> photon_sphere() const = 0;  // the one that defines chi; nothing: light runs straight, or wall()
@@ -90,6 +92,8 @@ public:
 
 // Can a camera be at rest at r? And where it can, as a message says it: "r > 1".
 bool camera_can_rest(const Spacetime& spacetime, double r);
+bool camera_can_be(const Spacetime& spacetime, double r);   // at rest or falling
 std::string allowed_radii(const Spacetime& spacetime);
+std::string allowed_falling_radii(const Spacetime& spacetime);
 
 }  // namespace nullscope

@@ -31,8 +31,9 @@ CriticalImages critical_images(const RayFan& fan, double inner, double outer) {
     };
     images.inner = place(inner);
     images.outer = place(outer);
-    const double past = fan.outside() ? std::min(chi_of(inner), M_PI / 2 - kNear) : std::max(chi_of(outer), M_PI / 2 + kNear);
-    if (fan.outside() ? fan.chi0() < past : fan.chi0() > past) images.from_angle = std::fabs(from_infinity(past) - from_infinity(fan.chi0()));
+    const double past = fan.beyond() ? std::min(chi_of(inner), M_PI / 2 - kNear) : std::max(chi_of(outer), M_PI / 2 + kNear);
+    if (fan.beyond() ? fan.chi0() < past : fan.chi0() > past)
+        images.from_angle = std::fabs(from_infinity(past) - from_infinity(fan.chi0())) + fan.swept_inside(spacetime.photon_sphere()->q_crit);
     return images;
 }
 

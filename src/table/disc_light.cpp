@@ -84,7 +84,15 @@ FluxPeak disc_flux_peak(const Spacetime& spacetime) {
     return {r, disc_flux(spacetime, {r}).front()};
 }
 
-TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer) {
+double disc_temperature_K(double flux, double mass_suns, double rate_eddington) {
+    constexpr double kSun_m3_s2 = 1.32712440018e20, kLight_m_s = 299792458.0;             // GM
+    constexpr double kProton_kg = 1.67262192369e-27, kThomson_m2 = 6.6524587321e-29, kStefan = 5.670374419e-8;   // CODATA 2018
+    const double gm = mass_suns * kSun_m3_s2, radius_m = 2.0 * gm / (kLight_m_s * kLight_m_s);
+    const double power_W = 10.0 * rate_eddington * 4.0 * M_PI * gm * kProton_kg * kLight_m_s / kThomson_m2;   // of the mass that falls in
+    return std::pow(flux * power_W / (radius_m * radius_m * kStefan), 0.25);
+}
+
+TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts) {
     const double horizon = spacetime.horizon_radius().value_or(0.0);
     const double from = std::max(inner, (1.0 + 1e-6) * horizon);
     std::vector<double> radii;
@@ -93,9 +101,10 @@ TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer) 
     const double peak = disc_flux_peak(spacetime).flux;
     TexelGrid row{kDiscFlowCells + 1, 1, {}};
     for (std::size_t i = 0; i < radii.size(); ++i) {
-        const MatterVelocity u = disc_matter(spacetime, radii[i]);
+        const double a = spacetime.lapse_squared(radii[i]), lapse = std::sqrt(a), scale = parts.gravity ? 1.0 : lapse;
+        const MatterVelocity u = parts.doppler ? disc_matter(spacetime, radii[i]) : MatterVelocity{1.0 / lapse, 0.0, 0.0};
         const double heat = flux[i] > 0.0 ? std::max(0.25 * std::log2(flux[i] / peak), kDark) : kDark;
-        for (const double value : {heat, u.u_t, u.u_phi, u.u_r * spacetime.radial_stretch2(radii[i])})
+        for (const double value : {heat, scale * u.u_t, scale * u.u_phi / (parts.straight ? lapse : 1.0), scale * u.u_r * spacetime.radial_stretch2(radii[i])})
             row.texels.push_back(static_cast<float>(value));
     }
     return row;

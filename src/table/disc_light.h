@@ -22,10 +22,19 @@ struct FluxPeak {
 // Where the flux is largest, r to 1e-8 of itself. Errors: none; flux 0 in flat space.
 FluxPeak disc_flux_peak(const Spacetime& spacetime);
 
+// Temperature (K) of a face that radiates this flux about a hole that takes in `rate_eddington` times L_Eddington/(0.1 c^2).
+double disc_temperature_K(double flux, double mass_suns, double rate_eddington);
+
 // Cells of equal ln r between inner and outer, a texel at each end of a cell: (log2 of the temperature over the hottest ring's, u^t,
 // u^phi, g_rr u^r). Linear interpolation then leaves at most 2e-6 of the velocity. Where nothing shines the first is -64.
+// parts: of g = g_gravity g_doppler, which observers at rest at the matter and at the camera split (docs/light.md). Without Doppler the
+// matter is as at rest, (1/sqrt(A), 0, 0); without gravity all three are times sqrt(A), the camera's own part being the frame's. straight: of rays of flat space,
+// whose momentum L at r is that of a direction L/r in the frame of matter at rest: u^phi over sqrt(A).
 inline constexpr int kDiscFlowCells = 1024;
-TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer);
+struct ShiftParts {
+    bool doppler = true, gravity = true, straight = false;
+};
+TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts = {});
 
 // Cells of equal log2 T from 2^kColdest to 2^kHottest K: (r, g, b of Rec. 709 of unit luminance, negative outside of its gamut, log2
 // of the luminance). Linear interpolation leaves 1e-5 of the colour and of the luminance's logarithm; below the range it is dark, above

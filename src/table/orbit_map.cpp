@@ -60,22 +60,24 @@ using Column = std::array<State, kRows + 1>;
 Column integrate(const RayFan& fan, Segment segment, const FanRay& ray, double& end_per_delta) {
     const Spacetime& spacetime = fan.spacetime();
     const bool sky = segment == Segment::kSky;
-    const double q = fan.sqrt_v0() / ray.sin_beta;
+    const double q = ray.q;
     const double beta_per_delta = sky ? 1.0 : -1.0;  // beta grows away from the shadow's middle
     const double cell = ray.phi_end / kRows;
-    const int substeps = std::max(1, static_cast<int>(std::ceil(cell / kLargestStep)));
     const auto advance = [&](State s) {
+        // Deep inside the horizon orbits bend faster.
+        const double pace = std::sqrt(std::max(1.0, 0.5 * std::fabs(spacetime.half_v_curvature(s.zeta))));
+        const int substeps = std::max(1, static_cast<int>(std::ceil(pace * cell / kLargestStep)));
         for (int j = 0; j < substeps; ++j) s = step(spacetime, s, cell / substeps);
         return s;
     };
     constexpr int kMiddle = kRows / 2;
     Column orbit{};
-    orbit[0] = {fan.zeta0(), q * ray.cos_beta, 0.0, -beta_per_delta * q / ray.sin_beta};
+    orbit[0] = {fan.zeta0(), ray.slope, 0.0, -beta_per_delta * q / ray.sin_beta};
     for (int i = 1; i <= kMiddle; ++i) orbit[i] = advance(orbit[i - 1]);
 
     // Backward: zeta(phi) = Y(phi_end - phi), Y(0) = end value with V = 0, Y'(0) = q towards the camera.
     const double inward = sky ? 1.0 : -1.0;
-    const double q_per_delta = -q * ray.cos_beta / ray.sin_beta * beta_per_delta;
+    const double q_per_delta = -ray.slope / ray.sin_beta * beta_per_delta;
     State y{sky ? 0.0 : 1.0 / *spacetime.horizon_radius(), inward * q, 0.0, inward * q_per_delta};
     Column back{};
     back[kRows] = y;

@@ -4,51 +4,78 @@
 #include <cmath>
 #include <utility>
 
+#include "table/gauss.h"
+
 namespace nullscope {
 
 namespace {
 constexpr double kMostInTube = 1e6;    // rad; more windings than a float tells apart
 constexpr double kRadialFloor = 1e-9;  // rad; ratios such as phi/sin(beta) have reached their limit to 1e-17 there
-}
+constexpr double kNoAngle = 1e-300;    // stands for the dividing ray itself
 
-RayFan::RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r, double pixel)
-    : spacetime_(std::move(spacetime)), table_(std::move(table)), zeta0_(1.0 / spacetime_->areal_radius(r)) {
-    sqrt_v0_ = spacetime_->root_v(r);
+double square(double x) { return x * x; }
+}  // namespace
+
+RayFan::RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r, RadialFrame frame,
+               double pixel)
+    : spacetime_(std::move(spacetime)), table_(std::move(table)), frame_(frame), radius_(spacetime_->areal_radius(r)), zeta0_(1.0 / radius_) {
+    const double lapse2 = spacetime_->lapse_squared(r), v0 = lapse2 * square(zeta0_);
+    const auto horizon = spacetime_->horizon_radius();
+    inside_ = horizon && r <= *horizon;
+    lapse_ = inside_ ? 0.0 : std::sqrt(lapse2);
     if (const auto wall = spacetime_->wall()) {
-        start_at_wall(*wall);
+        divide_at_wall(*wall);
     } else {
-        chi0_ = spacetime_->chi_from_radius(r);
+        chi0_ = inside_ ? M_PI : spacetime_->chi_from_radius(r);
         q_crit_ = spacetime_->photon_sphere()->q_crit;
-        outside_ = chi0_ <= M_PI / 2;
-        theta_c_ = outside_ ? std::min(chi0_, M_PI / 2) : std::asin(std::min(1.0, sqrt_v0_ / q_crit_));
+        const double v_over_q2 = v0 / square(q_crit_);
+        photon_ = divides_ = divider(q_crit_, inside_ ? -std::sqrt(std::max(1.0 - v_over_q2, 0.0)) : std::cos(chi0_), v_over_q2);
     }
     tube_out_ = spacetime_->tube_beyond(r);
     tube_in_ = spacetime_->tube_beyond(-kAnyRadius) - tube_out_;
     if (const auto surface = spacetime_->surface_radius()) {
         chi_end_ = spacetime_->chi_from_radius(*surface);
         grazes_ = chi_end_ < M_PI / 2;   // the surface hides the photon sphere: V(surface) is what divides
+        const double sine = std::sin(chi_end_);
         if (grazes_)
-            theta_c_ = std::atan2(std::sin(chi0_), std::sqrt(std::sin(chi_end_ - chi0_) * std::sin(chi_end_ + chi0_)));
+            divides_ = divider(q_crit_ * sine, std::sqrt(std::sin(chi_end_ - chi0_) * std::sin(chi_end_ + chi0_)) / sine,
+                               v0 / square(q_crit_ * sine));
     }
+    c_ = divides_.c;
+    from_inward_ = !(divides_.t < 1.0);
+    theta_c_ = 2.0 * std::atan(from_inward_ ? 1.0 / divides_.t : divides_.t);
     const double scale = theta_c_ > 0.0 ? theta_c_ : 1.0;
     const double wanted = std::clamp(kPixelPart * pixel / scale, kFinest, kResolution);
     w0_ = kResolution * std::exp2(4.0 * std::floor(0.25 * std::log2(wanted / kResolution))) * scale;
 }
 
-// V(zeta0) - V(zeta_d) by the wall's own polynomial: sin^2(theta_c) = V(zeta0)/V(zeta_d), cosine as a product.
-void RayFan::start_at_wall(const Wall& wall) {
+// 1 - c from 1 - c^2 where it is small.
+RayFan::Divider RayFan::divider(double q, double c, double v_over_q2) const {
+    const double reach = q * radius_, one_minus_c = c > 0.0 ? v_over_q2 / (1.0 + c) : 1.0 - c;
+    return {reach, c, frame_.outward / (reach * one_minus_c)};
+}
+
+double RayFan::one_minus_k2(const Divider& d, double t, double t_minus) const {
+    const double o = frame_.outward, i = frame_.inward, across = 2.0 * d.reach * t;
+    // o/t_d - i t, which vanishes for the ray of the same q that is traced outward; next to the dividing ray without a difference.
+    const double other = std::fabs(t_minus) < 0.5 * d.t ? -2.0 * d.reach * d.c - i * t_minus : o / d.t - i * t;
+    return t_minus * other * ((across + o + i * t * t) / square(across));
+}
+
+// V(zeta0) - V(zeta_d) by the wall's own polynomial: c^2 as a product.
+void RayFan::divide_at_wall(const Wall& wall) {
     const double x = zeta0_ - wall.zeta;
     bounce_.emplace(wall, zeta0_);
     wall_v_ = wall.v;
     over_wall_ = x * (wall.c[0] + x * (wall.c[1] + x * (wall.c[2] + x * wall.c[3])));
     q_crit_ = std::sqrt(wall.v);
-    outside_ = true;
-    theta_c_ = x < 0.0 ? std::atan2(sqrt_v0_, std::sqrt(std::max(-over_wall_, 0.0))) : 0.0;
-    chi0_ = theta_c_;
+    if (x < 0.0) divides_ = divider(q_crit_, std::sqrt(std::max(-over_wall_, 0.0) / wall.v), square(lapse_ * zeta0_) / wall.v);
+    else divides_ = {q_crit_ * radius_, 0.0, INFINITY};
+    chi0_ = 2.0 * std::atan(1.0 / divides_.t);
 }
 
 double RayFan::delta_limit(Segment segment) const {
-    return outside_ == (segment == Segment::kSky) ? M_PI - theta_c_ : theta_c_;
+    return from_inward_ == (segment == Segment::kSky) ? M_PI - theta_c_ : theta_c_;
 }
 
 double RayFan::mirrored(Segment segment, double delta) const {
@@ -56,13 +83,26 @@ double RayFan::mirrored(Segment segment, double delta) const {
     return delta <= limit ? delta : std::max(2.0 * limit - delta, 1e-3 * w0());
 }
 
+// theta, the angle from the radial direction that the critical angle is measured from, and what follows from it.
+struct RayFan::Place {
+    double theta, t, t_minus;
+};
+
+RayFan::Place RayFan::place_at(Segment segment, double delta) const {
+    double by = from_inward_ == (segment == Segment::kSky) ? delta : -delta;
+    const double theta = std::clamp(theta_c_ + by, kRadialFloor, M_PI - kRadialFloor);
+    if (theta != theta_c_ + by) by = theta - theta_c_;
+    const double half = 0.5 * theta, half_c = 0.5 * theta_c_;
+    if (!from_inward_) return {theta, std::tan(half), std::sin(0.5 * by) / (std::cos(half) * std::cos(half_c))};
+    return {theta, 1.0 / std::tan(half), -std::sin(0.5 * by) / (std::sin(half) * std::sin(half_c))};
+}
+
 FanRay RayFan::tube_ray(Segment segment, double delta) const {
-    const bool sky = segment == Segment::kSky;
-    const double theta = std::clamp(outside_ == sky ? theta_c_ + delta : theta_c_ - delta, kRadialFloor, M_PI - kRadialFloor);
+    const Place place = place_at(segment, delta);
     FanRay ray{};
-    ray.sin_beta = std::sin(theta);
-    const double d2 = (outside_ == sky ? -1.0 : 1.0) * std::sin(delta) * std::sin(theta + theta_c_) / (ray.sin_beta * ray.sin_beta);
-    if (d2 > 0.0) ray.in_tube = std::min((sky ? tube_out_ : tube_in_) / std::sqrt(d2), kMostInTube);
+    ray.sin_beta = std::sin(place.theta);
+    const double d2 = -one_minus_k2(divides_, place.t, place.t_minus);
+    if (d2 > 0.0) ray.in_tube = std::min((segment == Segment::kSky ? tube_out_ : tube_in_) / std::sqrt(d2), kMostInTube);
     return ray;
 }
 
@@ -77,30 +117,35 @@ int RayFan::octaves(Segment segment) const {
 
 FanRay RayFan::ray(Segment segment, double delta) const {
     const bool sky = segment == Segment::kSky;
-    // Angle from the radial direction that the critical angle is measured from, then from the inward radial.
-    const double theta = std::clamp(outside_ == sky ? theta_c_ + delta : theta_c_ - delta, kRadialFloor, M_PI - kRadialFloor);
+    const auto [theta, t, t_minus] = place_at(segment, delta);
+    const double o = frame_.outward, i = frame_.inward, across = 2.0 * radius_ * t;
     FanRay ray{};
-    ray.beta = outside_ ? theta : M_PI - theta;
+    ray.beta = from_inward_ ? theta : M_PI - theta;
     ray.sin_beta = std::sin(theta);
-    ray.cos_beta = outside_ ? std::cos(theta) : -std::cos(theta);
-    const double sin_c = std::sin(theta_c_);
-    const double k = (grazes_ ? std::sin(chi0_) : sin_c) / ray.sin_beta;
-    const double signed_delta = grazes_ ? theta - chi0_ : outside_ == sky ? delta : -delta;                   // theta - theta_c
-    const double one_minus_k2 = std::sin(signed_delta) * std::sin(theta + (grazes_ ? chi0_ : theta_c_)) / (ray.sin_beta * ray.sin_beta);
+    ray.q = (o + i * t * t) / across;
+    ray.slope = -(o - i * t * t) / across;
+    const double one_minus_kd2 = one_minus_k2(divides_, t, t_minus);
     if (bounce_) {
-        const double q = sqrt_v0_ / ray.sin_beta;
-        // q^2 - V(zeta_d): a product next to the critical direction; q^2 cos^2 + V(zeta0) - V(zeta_d) where there is none.
-        const double d = theta_c_ > 0.0 ? -wall_v_ * one_minus_k2 : q * ray.cos_beta * q * ray.cos_beta + over_wall_;
-        ray.phi_end = bounce_->to_sky(d == 0.0 ? 1e-300 : d, q * ray.cos_beta);
+        // q^2 - V(zeta_d): a product next to the critical direction; slope^2 + V(zeta0) - V(zeta_d) where there is none.
+        const double d = theta_c_ > 0.0 ? -wall_v_ * one_minus_kd2 : square(ray.slope) + over_wall_;
+        ray.phi_end = bounce_->to_sky(d == 0.0 ? kNoAngle : d, ray.slope);
         return ray;
     }
-    const double alpha = M_PI - ray.beta;
+    const double k = ray.q / q_crit_, omk2 = grazes_ ? one_minus_k2(photon_, t, t - photon_.t) : one_minus_kd2;
+    const double d2 = std::max(-omk2, kNoAngle);
+    if (inside_) {
+        ray.phi_end = swept_inside(std::fabs(ray.q));
+        if (sky) ray.phi_end += table_->through_from_infinity(k, d2, M_PI);
+        else if (k > 0.0 && omk2 > 0.0 && ray.slope < 0.0) ray.phi_end += table_->turning_to_horizon(k, omk2, M_PI);   // out, and back
+        return ray;
+    }
+    // The angle that a camera at rest here sees: from the outward and from the inward radial.
+    const double alpha = 2.0 * std::atan(lapse_ * t / o), beta = 2.0 * std::atan(o / (lapse_ * t));
     if (!sky && chi_end_ < M_PI) {
-        ray.phi_end = to_surface(ray, k, one_minus_k2, delta);
-    } else if (one_minus_k2 > 0.0) {
-        ray.phi_end = sky ? table_->turning_to_sky(k, one_minus_k2, alpha) : table_->turning_to_horizon(k, one_minus_k2, ray.beta);
+        ray.phi_end = to_surface(k, omk2, one_minus_kd2, alpha, beta);
+    } else if (omk2 > 0.0) {
+        ray.phi_end = sky ? table_->turning_to_sky(k, omk2, alpha) : table_->turning_to_horizon(k, omk2, beta);
     } else {
-        const double d2 = std::max(-one_minus_k2, 1e-300);
         const double from_infinity = table_->through_from_infinity(k, d2, chi0_);
         ray.phi_end = (sky ? from_infinity : table_->through_from_infinity(k, d2, M_PI) - from_infinity) +
                       (ray.in_tube = std::min((sky ? tube_out_ : tube_in_) / std::sqrt(d2), kMostInTube));
@@ -108,18 +153,43 @@ FanRay RayFan::ray(Segment segment, double delta) const {
     return ray;
 }
 
-// At the surface sin(beta) = sin(chi_end)/k. Where rays graze it that is sin(beta)/sin(theta_c), and the cosine a product.
-double RayFan::to_surface(const FanRay& ray, double k, double one_minus_k2, double delta) const {
+// At the surface sin(beta) = sin(chi_end)/k. Where rays graze it that is 1/k_d, and the cosine a product.
+double RayFan::to_surface(double k, double one_minus_k2, double one_minus_kd2, double alpha, double beta) const {
     if (one_minus_k2 <= 0.0) {
-        const double d2 = std::max(-one_minus_k2, 1e-300);
+        const double d2 = std::max(-one_minus_k2, kNoAngle);
         return table_->through_from_infinity(k, d2, chi_end_) - table_->through_from_infinity(k, d2, chi0_);
     }
     const double sine = std::sin(chi_end_) / k;
-    if (!grazes_) return table_->turning_to_horizon(k, one_minus_k2, ray.beta) -
+    if (!grazes_) return table_->turning_to_horizon(k, one_minus_k2, beta) -
                          table_->turning_to_horizon(k, one_minus_k2, std::atan2(sine, std::sqrt(std::max((1.0 - sine) * (1.0 + sine), 0.0))));
-    const double cosine = std::sqrt(std::sin(delta) * std::sin(theta_c_ + ray.beta)) / std::sin(theta_c_);
-    const double there = M_PI - std::atan2(sine, cosine);
-    return table_->turning_to_sky(k, one_minus_k2, M_PI - ray.beta) - table_->turning_to_sky(k, one_minus_k2, there);
+    const double there = M_PI - std::atan2(1.0, std::sqrt(std::max(-one_minus_kd2, 0.0)));
+    return table_->turning_to_sky(k, one_minus_k2, alpha) - table_->turning_to_sky(k, one_minus_k2, there);
+}
+
+double RayFan::half_tangent_inward(double q) const {
+    const double reach = q * radius_;
+    return (reach + std::sqrt(std::max((reach - lapse_) * (reach + lapse_), 0.0))) / frame_.inward;
+}
+
+// dphi = dzeta / sqrt(q^2 - V) = 2 x dx / sqrt(q^2 - V), zeta = zeta_h + x^2 in the outer half and zeta0 - x^2 in the inner one: regular
+// where q -> 0 at the horizon, and within an inner horizon where the ray turns at the camera; but bent where x is near the root at that
+// end. Panels that double from there on: within 1e-12 (tests/unit/test_ray_fan.cpp).
+double RayFan::swept_inside(double q) const {
+    if (!inside_) return 0.0;
+    const double zeta_h = 1.0 / *spacetime_->horizon_radius(), half = 0.5 * std::max(zeta0_ - zeta_h, 0.0);
+    const auto root = [&](double zeta) {
+        return std::sqrt(std::max(q * q - spacetime_->lapse_squared(1.0 / zeta) * zeta * zeta, kNoAngle));
+    };
+    double sum = 0.0;
+    for (const double side : {1.0, -1.0}) {
+        const double from = side > 0.0 ? zeta_h : zeta0_, end = std::sqrt(half);
+        double low = 0.0;
+        for (double high = std::clamp(0.125 * root(from), 1e-6, 0.125); low < end; high *= 2.0) {
+            sum += gauss(low, std::min(high, end), [&](double x) { return 2.0 * x / root(from + side * x * x); });
+            low = high;
+        }
+    }
+    return sum;
 }
 
 }  // namespace nullscope

@@ -1,16 +1,20 @@
-// The fan of all light rays through one camera radius, ordered by the angle from the radial direction.
+// The fan of all light rays through one camera radius, ordered by the angle alpha from the outward radial in a radial frame
+// (spacetime/radial_frame.h): that of a camera at rest, or of one that falls, on the horizon and inside as well.
 //
-// For a static camera at chi0 (spacetime.h) a ray at the angle beta from the INWARD radial has k = q/q_crit = sin(chi0)/sin(beta);
-// it is critical at beta = chi0 (Synge 1966: the shadow's half-angle is chi0), captured below and escapes above.
-// A star outside of its photon sphere: critical is the ray that grazes its surface. Where there is a wall the captured rays turn and come
-// back to the sky; a camera further in than what divides has no critical direction, and delta is the angle from the centre's.
-// Everything is a function of delta, the angle from the critical direction, on either side of it; 1 - k^2 comes from the
-// product sin(beta - chi0) sin(beta + chi0), so that rays next to the critical one keep their digits.
+// With t = tan(alpha/2), o = outward, i = inward, R the areal radius and q_d the q of the ray that divides those that come from the sky
+// from the others (q_crit; a star outside of its photon sphere: the ray that grazes its surface; a wall: the one that winds about it)
+//     q = (o + i t^2)/(2 R t),   d zeta/d phi at the camera = -(o - i t^2)/(2 R t),
+//     t_d = o/(q_d R (1 - c)),   c^2 = 1 - V(zeta0)/q_d^2,  c > 0 further out than where the dividing ray winds,
+//     1 - (q/q_d)^2 = (t - t_d) (-2 q_d R c - i (t - t_d)) (2 q_d R t + o + i t^2)/(2 q_d R t)^2,
+// a product: rays next to the dividing one keep their digits, on the photon sphere and on the horizon too. For a camera at rest
+// t_d = cot(chi0/2) (Synge 1966: the shadow's half-angle is chi0).
+// A camera further in than what divides, where there is a wall, has no dividing direction: delta is the angle from the centre's.
 #pragma once
 #include <cmath>
 #include <memory>
 #include <optional>
 
+#include "spacetime/radial_frame.h"
 #include "spacetime/spacetime.h"
 #include "table/bounce.h"
 #include "table/deflection_table.h"
@@ -20,21 +24,24 @@ namespace nullscope {
 enum class Segment { kSky = 0, kCaptured = 1 };
 
 struct FanRay {
-    double beta;          // angle from the inward radial, (0, pi)
-    double sin_beta, cos_beta;
+    double beta;          // angle from the inward radial, pi - alpha, (0, pi)
+    double sin_beta;
+    double q;             // below 0: light from no sky that ever was (inside the horizon)
+    double slope;         // d zeta / d phi at the camera
     double phi_end;       // swept until infinity or until the horizon
     double in_tube;       // what of it is swept in a wormhole's tube
 };
 
 class RayFan {
 public:
-    // Static camera at radius r (outside the horizon). The table must belong to the spacetime; nullptr where there is a wall. pixel: angle that the frame's
-    // smallest pixel spans, rad: deep zooms get finer cells next to the critical ray.
-    RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r, double pixel = 1.0);
+    // frame: of a camera at radius r. The table must belong to the spacetime; nullptr where there is a wall. pixel: angle that the
+    // frame's smallest pixel spans, rad: deep zooms get finer cells next to the critical ray.
+    RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r, RadialFrame frame,
+           double pixel = 1.0);
 
-    bool outside() const { return outside_; }               // of the photon sphere
-    double critical_angle() const { return theta_c_; }      // from the nearer radial direction (inward outside), (0, pi/2]
-    double critical_cosine() const { return outside_ ? -std::cos(theta_c_) : std::cos(theta_c_); }   // from the outward radial
+    bool beyond() const { return c_ > 0.0; }                // of where the dividing ray winds: outside the photon sphere
+    double critical_angle() const { return theta_c_; }      // from the nearer radial direction, (0, pi/2]
+    double critical_cosine() const { return from_inward_ ? -std::cos(theta_c_) : std::cos(theta_c_); }   // from the outward radial
     double critical_sine() const { return std::sin(theta_c_); }
     double delta_limit(Segment segment) const;              // largest delta
     // delta_limit < delta is the ray beyond the radial one, the mirror image of 2 delta_limit - delta: what is even in the angle
@@ -53,10 +60,15 @@ public:
     int octaves(Segment segment) const;                     // of u, until delta_limit
 
     double zeta0() const { return zeta0_; }                 // 1/R
-    double chi0() const { return chi0_; }
+    double chi0() const { return chi0_; }                    // pi inside the horizon
+    const RadialFrame& frame() const { return frame_; }
+    // Tangent of half the angle from the outward radial of the inward ray with this q, the last of larger q on that side: where a
+    // sphere's edge is seen. Only outside the horizon and of rays that pass here.
+    double half_tangent_inward(double q) const;
+    // Swept on a ray of this q > 0 between the horizon and the camera; 0 outside the horizon.
+    double swept_inside(double q) const;
     const DeflectionTable& table() const { return *table_; }   // where there is one
     bool has_table() const { return table_ != nullptr; }
-    double sqrt_v0() const { return sqrt_v0_; }              // sqrt(V(zeta0)) = q sin(alpha)
     const Spacetime& spacetime() const { return *spacetime_; }
 
     // Distance from the critical direction, relative to its angle, below which windings are no longer told apart: 1e-6 of the
@@ -65,17 +77,28 @@ public:
     static constexpr double kResolution = 1e-6, kPixelPart = 1.0 / 16, kFinest = 1e-13;
 
 private:
-    void start_at_wall(const Wall& wall);
-    double to_surface(const FanRay& ray, double k, double one_minus_k2, double delta) const;
+    struct Divider {
+        double reach, c, t;   // q_d R, c and t_d of above
+    };
+    Divider divider(double q, double c, double v_over_q2) const;
+    double one_minus_k2(const Divider& divider, double t, double t_minus) const;
+    struct Place;
+    Place place_at(Segment segment, double delta) const;
+    void divide_at_wall(const Wall& wall);
+    double to_surface(double k, double one_minus_k2, double one_minus_kd2, double alpha, double beta) const;
     std::shared_ptr<const Spacetime> spacetime_;
     std::shared_ptr<const DeflectionTable> table_;
-    double zeta0_, chi0_, q_crit_, sqrt_v0_, theta_c_, w0_;
-    bool outside_;
+    RadialFrame frame_;
+    double radius_, zeta0_, chi0_ = 0, q_crit_, theta_c_, c_, w0_;
+    double lapse_ = 0;                    // sqrt(A); 0 inside the horizon
+    bool inside_ = false, from_inward_;   // of the horizon; whether the inward radial is the nearer one
+    Divider divides_;                     // sky from the rest
     std::optional<Bounce> bounce_;        // where there is a wall
     double wall_v_ = 0, over_wall_ = 0;   // its V, and V(zeta0) minus that
     double tube_out_ = 0, tube_in_ = 0;   // a wormhole's tube on the way to the sky and to the other one, over its radius
     double chi_end_ = M_PI;   // where captured rays end: horizon, other sky, or the surface of a star,
-    bool grazes_ = false;     //   which outside the photon sphere has the critical direction to itself
+    bool grazes_ = false;     //   which outside the photon sphere has the critical direction to itself:
+    Divider photon_;          //   then of the photon sphere
 };
 
 }  // namespace nullscope

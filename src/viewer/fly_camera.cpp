@@ -50,21 +50,13 @@ FlyCamera fly_camera(const CameraSpec& spec) {
     return {spec.r, world.a, world * static_from_camera(spec), world * spec.velocity};
 }
 
-// Forward fixes yaw and pitch. Roll is what is left of the turn after both, not an angle of its own: where forward is
-// along a pole of yaw, an arbitrary yaw is undone by it.
 void write_spec(const FlyCamera& camera, CameraSpec& spec) {
     spec.r = camera.r;
     spec.theta = std::atan2(std::hypot(camera.place.x, camera.place.y), camera.place.z);
     spec.phi = std::atan2(camera.place.y, camera.place.x);
     const Mat3 static_from_world = transposed(world_from_static(spec.theta, spec.phi));
     spec.velocity = static_from_world * camera.velocity;
-    const Mat3 turned = static_from_world * camera.world_from_camera;
-    const Vec3 back = turned.c;  // (cos yaw cos pitch, sin pitch, -sin yaw cos pitch) along (e_r, e_theta, e_phi)
-    spec.yaw = std::atan2(-back.z, back.x);
-    spec.pitch = std::atan2(back.y, std::hypot(back.x, back.z));
-    spec.roll = 0.0;
-    const Mat3 left = transposed(static_from_camera(spec)) * turned;
-    spec.roll = std::atan2(left.b.x - left.a.y, left.a.x + left.b.y);
+    set_axes(spec, static_from_world * camera.world_from_camera);
 }
 
 Mat3 dragged(const Mat3& world_from_camera, Vec3 grabbed, Vec3 now) {

@@ -42,6 +42,7 @@ std::vector<double> solids(const Scene& scene) {
 bool same_rays(const Scene& a, const Scene& b) {
     if (lens_and_place(a.camera) != lens_and_place(b.camera) || a.spacetime != b.spacetime) return false;
     if (effect_set(required_effects(a)) != effect_set(required_effects(b)) || solids(a) != solids(b)) return false;
+    if (a.light.aberration != b.light.aberration || a.light.doppler != b.light.doppler || a.light.gravity != b.light.gravity) return false;
     if (a.surface && (surface_shape(*a.surface) != surface_shape(*b.surface) || a.time != b.time)) return false;
     if (a.disc.has_value() != b.disc.has_value()) return false;
     return !a.disc || (a.disc->inner == b.disc->inner && a.disc->outer == b.disc->outer &&

@@ -189,6 +189,7 @@ void Painter::work(const std::stop_token& stop) {
 void Painter::do_job(Workshop& workshop, PaintJob job) {
     Renderer& renderer = workshop.renderer;
     renderer.set_method(job.method);
+    renderer.set_adaptation(job.adaptation);
     Painting painting;
     const auto split = job.rays ? std::nullopt : halves(job.scene);
     painting.ready = renderer.prepare(split ? split->left : job.scene);

@@ -24,6 +24,7 @@ struct PaintJob {
     Scene scene;
     Method method;
     bool rays = false;  // ray data instead of a picture
+    double adaptation = 1.0;   // Renderer::set_adaptation
 };
 
 // What effects cost in the frame on the screen: the picture's time, less that of the scene without the effect.

@@ -27,6 +27,7 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"Space C", "fly up, down"},
     {"R", "the scene's own camera"},
     {"H", "error of every pixel over the picture"},
+    {"P", "the ray of the pixel under the cursor"},
     {"Tab", "panels on and off"},
     {"F1", "this list on and off"},
     {"F12", "save the picture, without panels"},

@@ -79,7 +79,10 @@ bool disc_section(ViewState& view) {
         disc.emission = thermal ? DiscEmission::kThermal : DiscEmission::kImage;
         changed = true;
     }
-    if (thermal)
+    if (thermal && disc.accretion) {
+        any(slide("Mass", disc.accretion->mass_suns, 1.0, 1e10, Scale::kLogarithmic, When::kNow, "%.3g suns", "Of the hole: with what falls in it gives the temperature."));
+        any(slide("Accretion", disc.accretion->rate_eddington, 1e-6, 100.0, Scale::kLogarithmic, When::kNow, "%.3g", "Rate over Eddington's at an efficiency of 0.1."));
+    } else if (thermal)
         any(slide("Temperature", disc.temperature_K, 2000.0, 50000.0, Scale::kLogarithmic, When::kNow, "%.0f K", "Of the hottest ring, in its own frame."));
     any(slide("Opacity", disc.opacity, 0.01, 1.0, Scale::kLinear, When::kNow, "%.2f",
               "Below 1, what lies behind shines through."));

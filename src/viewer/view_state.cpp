@@ -28,6 +28,11 @@ Status load_into(ViewState& view, const std::string& file_or_name) {
 
 Scene drawn_scene(const ViewState& view) {
     Scene scene = view.scene;
+    if (view.show_grid) {   // every 15 degrees; on the disc's radius 12 lines
+        scene.sky.kind = SkyKind::kGrid;
+        scene.sky.look = SkySpec{}.look;
+        if (scene.disc) scene.disc->look = BodyLook{.texture = TextureKind::kGrid};
+    }
     for (const Effect effect : view.off.list())
         if (auto less = without_effect(scene, effect)) scene = std::move(*less);
     return scene;

@@ -29,6 +29,8 @@ struct ViewState {
     bool show_panels = true, show_keys = false;
     bool show_accuracy = false, show_effects = false;  // the section is open
     bool show_errors = false;    // over the picture
+    bool show_grid = false;      // of coordinates, on sky and disc
+    bool show_probe = false;     // the ray of the pixel under the cursor
     MethodWish method;
     EffectSet off;                   // of the scene's effects, switched off by hand
     Vec3 boost_direction{-1, 0, 0};  // kept while the camera is at rest

@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -30,6 +31,8 @@ constexpr double kLongestStep = 0.1;     // s: a hitch is no leap
 constexpr double kMessageTime = 6.0;     // s
 constexpr double kPatience = 0.12;       // s that a turn waits for its picture before it shows the last one again
 constexpr double kRestBeforeTimes = 0.5; // s without a change before effects are measured
+constexpr double kAdaptation = 0.4;      // s in which exposure goes all but 1/e of its way
+constexpr double kAdapted = 2.5;         // s after the last change until it is there
 constexpr double kRateTime = 0.25;       // s between changes of the numbers in the status line
 
 std::string title_of(const Scene& scene) { return scene.name + " - nullscope"; }
@@ -137,13 +140,18 @@ bool Viewer::step() {
     if (view_.show_errors && !picture_.job.scene.beside) accuracy_->draw_overlay();
     const AccuracyPanel accuracy{measured_, not_measured_, choice_, accuracy_->facts(), picture_ms_shown_};
     const EffectsPanel effects{effect_times_, picture_.job.scene, painter_->in_background(), picture_.programs, picture_.compile_ms};
+    if (view_.show_probe) probe_.draw(ImGui::GetIO().DisplaySize.y - (view_.show_panels ? 2.0f * ImGui::GetFontSize() : 0.0f));
     changed = draw_panels(view_, facts(), accuracy, effects, message_, escape) || changed;
     moving_ = controls_.apply(input, view_, dt, io.WantCaptureMouse, io.WantCaptureKeyboard);
     if (controls_.dragging()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (input.moved || input.happened || changed || moving_) probe(input);
     if (changed || moving_) {
+        adapting_until_ = seconds() + kAdapted;
         fit_to_window();  // a scene that was just loaded has a size of its own
         picture_due_ = true;
         frames_due_ = kSettlingFrames;
+    } else if (seconds() < adapting_until_ && drawn_scene(view_).picture.auto_exposure && options_.after_frames == 0) {
+        picture_due_ = true;
     }
     const bool whole = !picture_.job.scene.beside;   // errors are a single spacetime's
     const bool watched = whole && (view_.show_errors || (view_.show_panels && view_.show_accuracy));
@@ -164,6 +172,21 @@ bool Viewer::step() {
     return true;
 }
 
+// Under the panels' pointer it stays what it was.
+void Viewer::probe(const Input& input) {
+    if (!view_.show_probe) return probe_.forget();
+    if (ImGui::GetIO().WantCaptureMouse) return;
+    probe_.look(picture_.job.scene, input.x, input.y);
+    frames_due_ = kSettlingFrames;
+}
+
+// Screenshots' runs do not depend on time.
+double Viewer::adaptation(const Scene& scene) {
+    const double now = seconds(), since = std::min(now - adapted_at_, kLongestStep);
+    adapted_at_ = now;
+    return options_.after_frames > 0 || !scene.picture.auto_exposure ? 1.0 : 1.0 - std::exp(-since / kAdaptation);
+}
+
 void Viewer::log_turn(double begun) {
     if (turns_ == nullptr) return;
     fmt::print(turns_, "{:.4f} {:.1f} {} {}\n", begun, 1e3 * (seconds() - begun), picture_.programs, painter_->busy() ? 1 : 0);
@@ -175,6 +198,7 @@ double Viewer::wait_time() const {
     if (frames_due_ > 0 || controls_.in_motion() || options_.after_frames > 0) return 0.0;
     if (ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().WantTextInput) return kCaretWait;
     if (painter_->busy() && picture_due_) return kBusyWait;
+    if (seconds() < adapting_until_ && picture_.job.scene.picture.auto_exposure) return kBusyWait;
     double idle = std::min(kIdleWait, accuracy_->wait());
     if (view_.show_effects && !times_asked_) idle = std::min(idle, std::max(changed_at_ + kRestBeforeTimes - seconds(), 0.01));
     return message_.empty() ? idle : std::clamp(message_until_ - seconds(), 0.01, idle);
@@ -197,6 +221,8 @@ bool Viewer::handle_keys(const Input& input) {
             view_.show_panels = !view_.show_panels;
         else if (key == GLFW_KEY_H)
             view_.show_errors = !view_.show_errors;
+        else if (key == GLFW_KEY_P)
+            view_.show_probe = !view_.show_probe;
         else if (key == GLFW_KEY_F1)
             view_.show_keys = !view_.show_keys;
         else if (key == GLFW_KEY_F12)
@@ -224,7 +250,7 @@ void Viewer::ask() {
         asked_ = view_;
         const Scene scene = drawn_scene(view_);
         asked_choice_ = method_choice(measured_, view_.method, scene);
-        painter_->ask({scene, asked_choice_.method});
+        painter_->ask({scene, asked_choice_.method, false, adaptation(scene)});
     } else if (accuracy_->asks_for_rays()) {
         painter_->ask({picture_.job.scene, picture_.job.method, true});
     }

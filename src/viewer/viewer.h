@@ -11,6 +11,7 @@
 #include "viewer/method_choice.h"
 #include "viewer/painter.h"
 #include "viewer/panels.h"
+#include "viewer/probe.h"
 #include "viewer/view_state.h"
 #include "viewer/window.h"
 
@@ -60,6 +61,8 @@ private:
     void adopt(Painting painting);
     void refuse(const Painting& painting);
     void measure_effects(bool still);
+    void probe(const Input& input);
+    double adaptation(const Scene& scene);   // what share of its way exposure goes in the next picture
     void log_turn(double since);
     void draw(unsigned framebuffer);
     void present();
@@ -90,6 +93,8 @@ private:
     MethodWish shown_method_;
     EffectSet shown_off_;
     std::unique_ptr<FrameAccuracy> accuracy_;
+    Probe probe_;
+    double adapted_at_ = 0.0, adapting_until_ = 0.0;   // s: automatic exposure follows like an eye
     std::string message_;
     double message_until_ = 0.0;
     int frames_ = 0, frames_due_ = 3;

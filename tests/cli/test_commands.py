@@ -79,6 +79,19 @@ class Commands(support.CliTest):
             self.assertGreater(plan["shader"]["bytes"], 1000)
             self.assertTrue(plan["passes"])
 
+    def test_plan_measures_what_each_effect_takes(self):
+        scene = self.write("seen.toml", '[camera]\nsize = [320, 180]\n[spacetime]\nmetric = "ellis"\n[picture]\nbloom = 0.1\n')
+        effects = json.loads(self.run_nullscope("plan", scene, "--measure", "--frames", "3", "--json").out)["effects"]
+        measured = {e["effect"] for e in effects if "core_seconds" in e}
+        self.assertEqual({e["effect"] for e in effects} - measured, {"inner"})   # it cannot go alone
+        for effect in (e for e in effects if e["effect"] in measured):
+            self.assertGreater(effect["core_seconds"], 0)
+            self.assertGreater(effect["without_core_seconds"], 0)
+        text = self.run_nullscope("plan", scene, "--measure", "--frames", "3").out
+        self.assertEqual(text.count("measured: not, it cannot go alone"), 1)
+        self.assertEqual(text.count(" core-s ("), len(measured))
+        self.assertNotIn("core_seconds", self.run_nullscope("plan", scene, "--json").out)
+
     def test_plan_says_why(self):
         text = '[camera]\nvelocity = [0.0, 0.0, 0.5]\n[sky]\nkind = "black"\n[disc]\nopacity = 0.5\n'
         plan = self.write("two.toml", text)
@@ -88,7 +101,7 @@ class Commands(support.CliTest):
         self.assertIn("0.5", reasons["aberration"])
         self.assertEqual([e["effect"] for e in found["left_out"]],
                          ["spin", "disc-pattern", "thermal-disc", "shift", "beaming", "bolometric", "sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
-                          "body-image", "point-stars", "sky", "sky-pattern", "inner", "bounce", "far-sky", "star",
+                          "body-image", "point-stars", "sky", "sky-shift", "sky-pattern", "inner", "bounce", "far-sky", "star",
                           "bloom", "auto-exposure", "tone-film", "tone-neutral", "dither"])
         self.assertTrue(all(e["cost"] for e in found["effects"]))
         tables = {t["name"] for t in found["tables"]}

@@ -157,7 +157,10 @@ float sky_level(Trace trace) {
     float texels = frame.sky.x / max(max(size.x, size.y), size.z);
     return footprint_level(0.5 * log2(side2 * texels * texels), frame.sky.y);
 }
-vec3 celestial_sphere(Trace trace, float level) { return textureLod(sky_texture, trace.sky, level).rgb * frame.sky.z; }
+vec3 celestial_sphere(Trace trace, float level) {
+    vec3 light = textureLod(sky_texture, trace.sky, level).rgb * frame.sky.z;
+    return light;
+}
 vec3 srgb_encode(vec3 c) {
     vec3 s1 = sqrt(c);
     vec3 s2 = sqrt(s1);

@@ -6,6 +6,7 @@
 
 #include "reference/disc_light.h"
 #include "reference/frame_tracer.h"
+#include "reference/seen_light.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -30,15 +31,28 @@ Scene bolometric_scene(double r, double theta_deg) {
     return scene;
 }
 
-TEST_CASE("disc: g as the GPU draws it is the reference's") {
+TEST_CASE("disc: g as the GPU draws it is the reference's, whole and with a part of it or aberration left out") {
     constexpr double kTolerance = 1e-5;   // what the project promises
     on_every_context([&](GpuSession& session) {
         double worst = 0;
         int pixels = 0;
-        for (const double theta : {5.0, 60.0, 80.0, 120.0})
+        struct Switches {
+            bool doppler, gravity, aberration, lensing = true;
+        };
+        constexpr Switches kAll{true, true, true};
+        std::vector<std::pair<double, Switches>> cases;
+        for (const double theta : {5.0, 60.0, 80.0, 120.0}) cases.emplace_back(theta, kAll);
+        for (const Switches part : {Switches{false, true, true}, {true, false, true}, {true, true, false}, {true, false, false}, {true, true, true, false}, {true, false, false, false}}) cases.emplace_back(60.0, part);
+        for (const auto& [theta, part] : cases)
             for (const Vec3 velocity : {Vec3{0, 0, 0}, Vec3{0.2, 0.3, -0.1}}) {
                 Scene scene = bolometric_scene(40, theta);
                 scene.camera.velocity = velocity;
+                scene.light.doppler = part.doppler, scene.light.gravity = part.gravity, scene.light.aberration = part.aberration;
+                scene.light.lensing = part.lensing;
+                CAPTURE(part.doppler);
+                CAPTURE(part.gravity);
+                CAPTURE(part.aberration);
+                CAPTURE(part.lensing);
                 REQUIRE(session.renderer->prepare(scene));
                 const Image<float> picture = session.renderer->picture();
                 Scene unbeamed = scene;
@@ -47,7 +61,7 @@ TEST_CASE("disc: g as the GPU draws it is the reference's") {
                 const Image<float> own = session.renderer->picture();
                 const auto tracer = reference::FrameTracer::make(scene);
                 REQUIRE(tracer);
-                const reference::DiscLight light(tracer->metric(), *scene.disc, scene.light);
+                const reference::DiscLight light(tracer->matter(), *scene.disc, scene.light);
                 std::mt19937 random(3);
                 for (int i = 0; i < 1500; ++i) {
                     const int x = static_cast<int>(random() % 640), y = static_cast<int>(random() % 360);
@@ -62,7 +76,7 @@ TEST_CASE("disc: g as the GPU draws it is the reference's") {
                         whole = whole && !beside.empty() && std::abs(beside[0].angle - hits[0].angle) < 0.3;
                     }
                     if (!whole) continue;
-                    const double expected = ray.g * light.g_infinity({r, ray.l_z, hits[0].outward, ray.l2});
+                    const double expected = ray.g * light.shift({r, ray.l_z, hits[0].outward, ray.l2}).seen(scene.light);
                     const auto brightness = [&](const Image<float>& image) {
                         const float* p = image.at(x, y);
                         return 0.2126390059 * p[0] + 0.7151686788 * p[1] + 0.0721923154 * p[2];
@@ -79,6 +93,56 @@ TEST_CASE("disc: g as the GPU draws it is the reference's") {
             }
         fmt::print("g of the disc in {} pixels: within {:.2g} of the reference's\n", pixels, worst);
         CHECK(pixels > 500);
+    });
+}
+
+// The picture with a temperature of the sky over the one without it, against what the reference makes of the same g.
+TEST_CASE("sky: its light changes as a black body's by g, the same all over it or by direction, whole and in part") {
+    constexpr double kTolerance = 1e-3;   // the table of black bodies 2e-5, half floats of the sky's texture not at all: both have them
+    on_every_context([&](GpuSession& session) {
+        double worst = 0;
+        int pixels = 0;
+        for (int variant = 0; variant < 8; ++variant) {
+            Scene scene;
+            scene.camera.r = 3.0;
+            scene.camera.width = 160;
+            scene.camera.height = 90;
+            if (variant >= 1) scene.camera.velocity = {0.1, -0.2, 0.4};
+            scene.light.shift = variant != 2, scene.light.beaming = variant != 3;
+            scene.light.doppler = variant != 4, scene.light.gravity = variant != 5, scene.light.aberration = variant != 6;
+            scene.light.bolometric = variant == 7;
+            REQUIRE(session.renderer->prepare(scene));
+            const Image<float> plain = session.renderer->picture();
+            scene.sky.temperature_K = 5000.0;
+            REQUIRE(session.renderer->prepare(scene));
+            CHECK(session.renderer->tables().effects().contains(Effect::kSkyShift));
+            const Image<float> shifted = session.renderer->picture();
+            const auto tracer = reference::FrameTracer::make(scene);
+            REQUIRE(tracer);
+            const Vec3 own = reference::seen_black_body(5000.0, 1.0, scene.light);
+            for (int y = 0; y < 90; y += 2)
+                for (int x = 0; x < 160; x += 2) {
+                    const reference::CameraRay ray = tracer->ray(x + 0.5, y + 0.5);
+                    if (ray.orbit->fate() != Fate::kEscaped || plain.at(x, y)[1] < 1e-4) continue;
+                    const Vec3 seen = reference::seen_black_body(5000.0, ray.g, scene.light);
+                    const double expected[] = {seen.x / own.x, seen.y / own.y, seen.z / own.z};
+                    CAPTURE(variant);
+                    CAPTURE(x);
+                    CAPTURE(y);
+                    for (int c = 0; c < 3; ++c) {
+                        const double error = std::abs(shifted.at(x, y)[c] / plain.at(x, y)[c] / expected[c] - 1);
+                        CHECK(error <= kTolerance);
+                        worst = std::max(worst, error);
+                    }
+                    ++pixels;
+                }
+        }
+        fmt::print("light of the sky in {} pixels: within {:.2g} of the reference's\n", pixels, worst);
+        CHECK(pixels > 1000);
+        Scene far;   // nothing to shift: nothing called for
+        far.spacetime.metric = "minkowski";
+        far.sky.temperature_K = 5000.0;
+        CHECK_FALSE(effect_set(required_effects(far)).contains(Effect::kSkyShift));
     });
 }
 

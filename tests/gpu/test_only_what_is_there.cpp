@@ -24,7 +24,8 @@ Names textures_for(const EffectSet& effects, const Scene& scene) {
     if (lensing) names.insert("strip");
     if (lensing && objects) names.insert({"ray ends", "orbit map"});
     if (effects.contains(Effect::kDiscImage)) names.insert("disc image");
-    if (effects.contains(Effect::kThermalDisc)) names.insert({"disc flow", "black body"});
+    if (effects.contains(Effect::kThermalDisc)) names.insert("disc flow");
+    if (shades_heat(effects)) names.insert("black body");
     if (effects.contains(Effect::kPointStars)) names.insert({"stars", "black body"});
     if (effects.contains(Effect::kPointStars) && lensing) names.insert("star lens");
     if (effects.contains(Effect::kSky)) names.insert("sky");
@@ -53,6 +54,7 @@ std::vector<Scene> full_scenes() {
     for (Scene& scene : scenes) scene.camera.width = 64, scene.camera.height = 36, scene.camera.r = 20;
     Scene& holes = scenes[0];
     holes.camera.velocity = {0, 0, 0.2};
+    holes.sky.temperature_K = 6000;
     holes.disc.emplace();
     holes.disc->opacity = 0.5;
     holes.disc->emission = DiscEmission::kThermal;

@@ -54,6 +54,9 @@ TEST_CASE("point stars: the light of 200 images is the reference's by the Jacobi
             scene.camera.yaw = 30 * kDegree * (unit(random) - 0.5);
             scene.sky.yaw = 6.0 * unit(random);
             if (view % 2 == 1) scene.camera.velocity = {0.6 * unit(random) - 0.3, 0.5 * unit(random), -0.4 * unit(random)};
+            scene.light.aberration = view % 8 != 3;   // of those that move, some without a part
+            scene.light.doppler = view % 8 != 5;
+            scene.light.gravity = view % 8 != 7;
             REQUIRE(session.renderer->prepare(scene));
             const Image<float> picture = session.renderer->picture();
             const auto tracer = reference::FrameTracer::make(scene);

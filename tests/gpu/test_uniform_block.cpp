@@ -31,6 +31,7 @@ Scene scene_of(unsigned bits) {
         scene.disc->image = "emissivity.png";
     }
     scene.sky.kind = !has(3) ? SkyKind::kBlack : has(0) ? SkyKind::kPoints : SkyKind::kStars;
+    if (has(1) && has(3)) scene.sky.temperature_K = 5000.0;
     scene.picture.bloom = has(7) ? 0.1 : 0.0;
     if (has(2) && has(3) && !has(0)) scene.disc->look.texture = TextureKind::kGrid;   // in flat space both again
     if (has(3) && has(8) && !has(0)) scene.sky.kind = SkyKind::kChecker;

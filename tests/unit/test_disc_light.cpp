@@ -58,6 +58,60 @@ TEST_CASE_FIXTURE(Fixture, "disc light: face on, g = sqrt(1 - 3M/r), by both") {
     }
 }
 
+// v^2 = M/(r - 2M) in the static frame; across the line of sight what is left of it is 1/gamma.
+TEST_CASE_FIXTURE(Fixture, "disc light: gravity's part of g is that of matter at rest, Doppler's that of its motion there") {
+    for (const double r : {3.0, 5.0, 40.0}) {
+        const double rest = std::sqrt(1 - 1 / r), v2 = 0.5 / (r - 1);
+        const reference::Shift shift = light.shift({r, 0, true, 1});
+        CHECK(shift.gravity == doctest::Approx(rest).epsilon(1e-13));
+        CHECK(shift.doppler == doctest::Approx(std::sqrt(1 - v2)).epsilon(1e-10));
+        LightSpec part;
+        part.gravity = false;
+        CHECK(shift.seen(part) == shift.doppler);
+        part.doppler = false;
+        CHECK(shift.seen(part) == 1.0);
+    }
+    // The renderer's rows: without one part the frequency of a photon of L_z = 0.8 r_s E is the other's inverse.
+    const double r = 5.0, l = 0.8;
+    const reference::Shift shift = light.shift({r, l, true, 1});
+    const auto inverse = [&](ShiftParts parts) {
+        const TexelGrid row = disc_flow_row(*spacetime, r, 2 * r, parts);
+        return row.texels[1] - l * row.texels[2];
+    };
+    CHECK(inverse({}) == doctest::Approx(1 / shift.seen({})).epsilon(1e-6));
+    CHECK(inverse({true, false}) == doctest::Approx(1 / shift.doppler).epsilon(1e-6));
+    CHECK(inverse({false, true}) == doctest::Approx(1 / shift.gravity).epsilon(1e-6));
+    CHECK(inverse({false, false}) == doctest::Approx(1.0).epsilon(1e-6));
+    // A straight ray of L_z = 0.8 r_s E across the orbit's plane: Doppler's factor of special relativity for the sine L/r.
+    LightSpec straight;
+    straight.lensing = false;
+    const reference::Shift seen = reference::DiscLight(*metric, disc, straight).shift({r, l, true, l * l});
+    const double v = std::sqrt(0.5 / (r - 1));
+    CHECK(seen.doppler == doctest::Approx(std::sqrt(1 - v * v) / (1 - v * l / r)).epsilon(1e-9));
+    CHECK(inverse({true, true, true}) == doctest::Approx(1 / seen.seen(straight)).epsilon(1e-6));
+}
+
+// Frank, King and Raine, Accretion Power in Astrophysics (2002), eq. 5.43: sigma T*^4 = 3 G M Mdot/(8 pi R^3), T* = 1.3e7 K for
+// 1e17 g/s onto a solar mass at 1e6 cm. Far out the relativistic flux is that, but for what the inner rim takes.
+TEST_CASE_FIXTURE(Fixture, "disc light: accretion in physical units gives the textbook's temperature") {
+    constexpr double kSun_cm = 2.953250077e5, kPrinted = 0.05;   // r_s; the book's figure has two digits
+    constexpr double kEddington_g_s = 1.25707e38 / 0.1 / (2.99792458e10 * 2.99792458e10);
+    const double r = 1e4, flux = disc_flux(*spacetime, {r}).front(), rate = 1e17 / kEddington_g_s;
+    const double star = 1.3e7 * std::pow(r * kSun_cm / 1e6, -0.75);
+    const double rim = std::pow(luminet_flux(2 * r) * 8 * M_PI * std::pow(2 * r, 3) / 3, 0.25);
+    CHECK(disc_temperature_K(flux, 1, rate) == doctest::Approx(star * rim).epsilon(kPrinted));
+    const double exact = std::pow(3 * 1.32712440018e26 * 1e17 / (8 * M_PI * std::pow(r * kSun_cm, 3) * 5.670374419e-5), 0.25);
+    CHECK(disc_temperature_K(flux, 1, rate) == doctest::Approx(exact * rim).epsilon(1e-3));
+    // T ~ (rate/mass)^(1/4); the reference has the same hottest ring.
+    const double peak = disc_flux_peak(*spacetime).flux;
+    CHECK(disc_temperature_K(peak, 1.6e9, 0.1) == doctest::Approx(0.5 * disc_temperature_K(peak, 1e8, 0.1)).epsilon(1e-12));
+    DiscSpec heated = disc;
+    heated.accretion = AccretionSpec{1e8, 0.1};
+    const reference::DiscLight other{*metric, heated, {}};
+    CHECK(other.hottest_K() == doctest::Approx(disc_temperature_K(peak, 1e8, 0.1)).epsilon(1e-5));
+    fmt::print("hottest ring about 1e8 suns at a tenth of Eddington's rate: {:.1f} K\n", other.hottest_K());
+}
+
 TEST_CASE_FIXTURE(Fixture, "disc light: the fall inside the last stable orbit joins its circle, and both ways agree") {
     const MatterVelocity at = disc_matter(*spacetime, 3.0), in = disc_matter(*spacetime, 3.0 - 1e-6);
     CHECK(in.u_t == doctest::Approx(at.u_t).epsilon(1e-5));

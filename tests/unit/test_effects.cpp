@@ -14,7 +14,9 @@ using namespace nullscope;
 
 namespace {
 
-EffectSet subset(unsigned bits) {
+using Bits = unsigned long long;   // one an effect
+
+EffectSet subset(Bits bits) {
     EffectSet set;
     for (const EffectRow& row : kEffectTable) {
         if (bits >> static_cast<unsigned>(row.effect) & 1u) set.insert(row.effect);
@@ -23,13 +25,13 @@ EffectSet subset(unsigned bits) {
 }
 
 // Subsets of at most three effects, and all but at most three.
-std::vector<unsigned> subsets() {
-    constexpr unsigned kAll = (1u << kEffectCount) - 1;
-    std::set<unsigned> found;
+std::vector<Bits> subsets() {
+    constexpr Bits kAll = (Bits{1} << kEffectCount) - 1;
+    std::set<Bits> found;
     for (std::size_t i = 0; i <= kEffectCount; ++i)
         for (std::size_t j = 0; j <= kEffectCount; ++j)
             for (std::size_t k = 0; k <= kEffectCount; ++k) {
-                const unsigned bits = (1u << i | 1u << j | 1u << k) & kAll;   // kEffectCount: none
+                const Bits bits = (Bits{1} << i | Bits{1} << j | Bits{1} << k) & kAll;   // kEffectCount: none
                 found.insert(bits);
                 found.insert(kAll & ~bits);
             }
@@ -54,8 +56,8 @@ TEST_CASE("the effect table names every effect once, with define, help and need"
 }
 
 TEST_CASE("an effect set is its content: subsets as map keys") {
-    std::map<EffectSet, unsigned> seen;
-    for (const unsigned bits : subsets()) {
+    std::map<EffectSet, Bits> seen;
+    for (const Bits bits : subsets()) {
         const EffectSet set = subset(bits);
         EffectSet again;
         for (const Effect effect : set.list()) again.insert(effect);
@@ -69,7 +71,7 @@ TEST_CASE("an effect set is its content: subsets as map keys") {
         CHECK(seen.emplace(set, bits).second);
     }
     CHECK(seen.size() == subsets().size());
-    for (const unsigned bits : subsets()) CHECK(seen.at(subset(bits)) == bits);
+    for (const Bits bits : subsets()) CHECK(seen.at(subset(bits)) == bits);
     CHECK(EffectSet{Effect::kSky, Effect::kDisc} == EffectSet{Effect::kDisc, Effect::kSky, Effect::kDisc});
     CHECK(EffectSet{Effect::kSky, Effect::kDisc}.keys() == std::vector<std::string_view>{"disc", "sky"});
 }

@@ -30,6 +30,7 @@ std::vector<Scene> all_scenes() {
                 scene.light.beaming = !has(6);
                 scene.light.bolometric = has(7);
             }
+            if (has(1) && has(9)) scene.sky.temperature_K = 6000.0;
             scene.sky.kind = has(4) ? SkyKind::kStars : SkyKind::kBlack;
             if (has(3) && has(6)) scene.picture.tone = has(1) ? ToneCurve::kFilm : ToneCurve::kNeutral;
             scene.picture.dither = has(9) && !has(2);
@@ -54,12 +55,12 @@ struct Mark { Effect effect; std::vector<std::string> words; };
 const std::vector<Mark> kMarks = {
     {Effect::kLensing, {"strip_locate", "strip_texture", "StripRay", "sweep_to_sky", "vec4 strip;", "vec4 orbit;", "vec4 series;"}},
     {Effect::kSpin, {"spin_step", "spin_ray", "SpinState", "vec4 spin_hole;", "vec4 spin_place;"}},
-    {Effect::kAberration, {"aberrate", "Aberration", "vec4 boost;"}},
+    {Effect::kAberration, {"aberrate", "Aberration", "vec4 boost;", "vec4 boost_colour;"}},
     {Effect::kDisc, {"disc_cross", "DiscCrossing", "plane_meet", "disc_normal", "disc_map", "disc_look"}},
     {Effect::kDiscImage, {"disc_texture", "disc_filtered"}},
     {Effect::kDiscPattern, {"disc_coat_paint", "vec4 disc_coat_map;"}},
     {Effect::kTranslucentDisc, {"fade"}},
-    {Effect::kThermalDisc, {"thermal_light", "disc_flow_texture", "black_body_texture", "DiscFlow", "vec4 disc_heat;", "zeta_slope"}},
+    {Effect::kThermalDisc, {"thermal_light", "disc_flow_texture", "DiscFlow", "vec4 disc_heat;", "zeta_slope"}},
     {Effect::kShift, {"colour_shift"}},
     {Effect::kBeaming, {"beaming"}},
     {Effect::kBolometric, {"all_wavelengths"}},
@@ -73,6 +74,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kFormula, {"_blend("}},
     {Effect::kBodyImage, {"_image(", "textureSize"}},
     {Effect::kSky, {"celestial_sphere(", "sky_texture", "vec4 sky;"}},
+    {Effect::kSkyShift, {"sky_shift", "vec4 sky_light;"}},
     {Effect::kSkyPattern, {"dome_light", "dome_paint", "vec4 dome_x;"}},
     {Effect::kInner, {"frame.strip.w"}},
     {Effect::kBounce, {"by_centre"}},
@@ -120,7 +122,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow& row : kEffectTable) all.insert(row.effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 56);
+    CHECK(members.size() == 58);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {

@@ -40,6 +40,7 @@ METHOD, WORDS = (190, 413), (14, 453, 284, 515)   # the box and what is chosen a
 AUTO = (150, 26)                   # the first entry of its list while the list is not scrolled
 LEAST, MOST = (108, 438), (266, 438)              # of the slider for the largest error
 WRONG_FATE = bytes([255, 0, 255])
+INSET, RAY = (600, 200, 820, 560), bytes([120, 200, 255])   # the probe's, and the colour of its ray
 EFFECTS = (150, 252)               # the section's header while nothing else is open, and its rows
 EFFECT_ROW = lambda row: (30, 277 + 25 * row)
 BODIES = """[sphere]
@@ -349,6 +350,22 @@ def entry(method):
     return AUTO[0], AUTO[1] + 19 * (1 + names.index(method))
 
 
+def test_p_shows_the_ray_under_the_cursor(v):
+    v.hands("mousemove", 500, 200)
+    v.settle()
+    before = v.picture(INSET)
+    v.hands("key", "p")
+    v.changes("the inset", before, INSET)
+    v.still()
+    first = v.picture(INSET)
+    assert v.count(INSET, RAY) > 20, "no ray is drawn"
+    v.hands("mousemove", 420, 250)
+    wait_until("another ray", lambda: v.picture(INSET).differing(first) > NOISE)
+    v.hands("key", "p")
+    v.hands("mousemove", 500, 200)
+    wait_until("the picture alone", lambda: v.picture(INSET).differing(before) <= NOISE)
+
+
 def test_the_accuracy_section_chooses_refuses_and_measures(v):
     v.hands("mousemove", *BESIDE, "key", "r")
     before = v.settle()
@@ -507,6 +524,32 @@ def test_without_a_second_context_the_hitch_is_seen(screen, program, folder):
             effects.viewer.kill()
 
 
+def test_exposure_follows_like_an_eye(screen, program, folder):
+    """Towards the dark sky: the picture is there, and goes on growing brighter without a hand."""
+    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=SCENE + '[picture]\nauto_exposure = "on"\n')
+    try:
+        v.start()
+        for step in [["mousemove", 800, 300], ["mousedown", 1]]:
+            v.hands(*step)
+            v.still()
+        before = v.picture()
+        v.hands("mousemove", 320, 540)
+        v.changes("the drag turns the camera", before)
+        means, end = [], time.monotonic() + 2.0
+        while time.monotonic() < end:
+            means.append(v.picture().mean())
+            time.sleep(0.05)
+        v.hands("mouseup", 1)
+        v.still()
+        last = v.picture().mean()
+        dark, steps = min(means), len({round(mean, 3) for mean in means})
+        print(f"    mean {dark:.2f} to {last:.2f} of 255 in {steps} pictures", flush=True)
+        assert steps >= 5, f"exposure jumped: {steps} pictures"
+        assert last > 1.2 * dark, f"from {dark:.2f} to {last:.2f}: exposure did not follow"
+    finally:
+        v.kill()
+
+
 def test_bad_input(screen, program, folder):
     scene = folder / "bad.toml"
     scene.write_text("[camera]\nr = -1\n")
@@ -536,9 +579,10 @@ WITH_WINDOW = [test_motion_without_a_drag_changes_nothing, test_a_drag_moves_wha
                test_keys_and_wheel_move_and_r_comes_back, test_typing_a_number_does_not_fly,
                test_a_broken_scene_is_said_and_survived, test_tab_hides_the_panels,
                test_at_rest_it_leaves_the_processor_alone, test_h_lays_the_errors_over_the_picture,
+               test_p_shows_the_ray_under_the_cursor,
                test_the_accuracy_section_chooses_refuses_and_measures, test_f12_saves_the_picture_without_panels,
                test_resizing_keeps_the_horizontal_field_of_view, test_escape_quits]
-FROM_OUTSIDE = [test_an_effect_is_switched_without_a_hitch, test_without_a_second_context_the_hitch_is_seen, test_screenshot, test_bad_input, test_no_display, test_old_opengl]
+FROM_OUTSIDE = [test_an_effect_is_switched_without_a_hitch, test_without_a_second_context_the_hitch_is_seen, test_exposure_follows_like_an_eye, test_screenshot, test_bad_input, test_no_display, test_old_opengl]
 
 
 def attempt(test, *arguments):

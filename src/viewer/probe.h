@@ -1,0 +1,50 @@
+// The ray of the pixel under the cursor, by the reference tracer: its numbers, and an inset that draws its way.
+#pragma once
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "reference/disc_light.h"
+#include "reference/frame_tracer.h"
+#include "scene/scene.h"
+#include "spacetime/spacetime.h"
+
+namespace nullscope::viewer {
+
+struct ProbeFacts {
+    Fate fate = Fate::kNoSky;
+    Object hit = Object::kNone;     // what it meets first
+    double hit_r = kNotANumber;     // and where, r_s
+    double q = 0, zeta0 = 0;        // E r_s/L; r_s/r of the camera
+    double critical = kNotANumber;  // Q: |1 - q/q_crit| = e^-Q
+    double turn_r = kNotANumber;    // turning point, r_s
+    double windings = 0;            // swept angle over a full turn
+    double delay = kNotANumber;     // r_s/c, of rays that reach the sky
+    std::optional<reference::Shift> shift;   // from what is seen to the camera; of captured rays there is none
+    std::vector<std::array<double, 2>> path; // in the ray's plane, r_s, the camera on the positive x axis
+    std::vector<double> discs;               // swept angles where the equatorial plane is met
+};
+
+class Probe {
+public:
+    // Looks at pixel position (x, y) of the scene's picture, from its top left. Under a millisecond, some more for another spacetime.
+    void look(const Scene& scene, double x, double y);
+    void forget() { facts_.reset(); }
+    const std::optional<ProbeFacts>& facts() const { return facts_; }
+    // Between NewFrame and Render, in the lower right corner above `bottom`.
+    void draw(float bottom) const;
+
+private:
+    bool follow(const Scene& scene);
+    ProbeFacts facts_of(const reference::CameraRay& ray) const;
+
+    Scene scene_;
+    std::optional<reference::FrameTracer> tracer_;
+    std::unique_ptr<reference::OrbitMetric> metric_;
+    std::optional<reference::DiscLight> matter_;   // how it moves about metric_
+    std::shared_ptr<const Spacetime> spacetime_;
+    std::optional<ProbeFacts> facts_;
+};
+
+}  // namespace nullscope::viewer
