@@ -34,7 +34,7 @@ vec2 orbit_step(vec2 y, float h) {
 }
 
 Sweep sweep_to_sky(StripRay ray, float s, float c) {
-    float q = q_sine(c) / max(s, 1.0e-6);
+    float q = frame.shift.x * frame.shift.y / max(s, 1.0e-6);
     vec2 y = vec2(frame.shift.y, -q * c);
     vec2 before = y;
     float phi = 0.0;

@@ -89,7 +89,7 @@ int run(const Options& options) {
     if (const auto left_out = std::count(records->begin(), records->end(), std::nullopt); left_out > 0)
         fmt::print(
             stderr,
-            "nullscope: {} of {} rays left empty: --with {} needs a camera outside the horizon, with r up to {:g}\n",
+            "nullscope: {} of {} rays left empty: --with {} needs a ray that somebody can look along, static or rain, with r up to {:g}\n",
             left_out, records->size(), options.with, kFarthestCamera);
     const std::string text = rays_text(*table, *records, options.crossings, (*spacetime)->length_unit());
     if (options.output.empty()) {

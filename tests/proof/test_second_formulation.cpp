@@ -193,8 +193,9 @@ TEST_CASE("second formulation: random rays in every metric") {
     for (const MetricEntry& entry : metric_registry()) {
         if (!kerr_schild_metric({std::string(entry.key), {}})) {   // stars and wormholes have no such chart: tests/vectors, tests/unit
             fmt::print("random, {}: not of Kerr-Schild form\n", entry.key);
+            // Nor has a radius that is not areal; and of a hole that spins the reference is this formulation.
             const auto spacetime = *make_spacetime(std::string(entry.key), {});
-            CHECK((spacetime->inner_end() != InnerEnd::kHorizon || spacetime->spin() != 0.0));   // spin: the reference is this formulation
+            CHECK_FALSE((spacetime->inner_end() == InnerEnd::kHorizon && spacetime->has_orbit_equation() && spacetime->spin() == 0.0));
             continue;
         }
         std::vector<Case> cases;
@@ -209,6 +210,9 @@ TEST_CASE("second formulation: random rays in every metric") {
             c.query.frame = random.unit() < 0.25 ? LocalFrame::kRain : LocalFrame::kStatic;
             c.query.r =
                 c.query.frame == LocalFrame::kRain ? random.log_between(entry.parameters.empty() ? 0.1 : 1.001, 100) : 1 + random.log_between(1e-3, 1e4);
+            // Nothing rains to where a charge repels: A above 1.
+            const auto spacetime = *make_spacetime(std::string(entry.key), c.scene.spacetime.parameters);
+            if (c.query.frame == LocalFrame::kRain && spacetime->lapse_squared(c.query.r) > 1) c.query.r += 100;
             c.query.theta = std::acos(random.between(-1, 1));
             c.query.phi = random.between(-M_PI, M_PI);
             c.query.n = {cosine, sine * std::cos(bearing), sine * std::sin(bearing)};

@@ -23,7 +23,7 @@ float el1(float one_over_x, float kc) {
 
 Sweep sweep_to_sky(StripRay ray, float s, float c) {
     float omk2 = one_minus_k2_of(ray, s, c);
-    float q = q_sine(c) / max(s, 1.0e-30);
+    float q = frame.shift.x * frame.shift.y / max(s, 1.0e-30);
     float q2 = q * q;
     float zeta0 = frame.shift.y;
     // Negative root of zeta^3 - zeta^2 + q^2: e = -e1 solves e^2 (1 + e) = q^2.
