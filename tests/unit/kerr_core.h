@@ -19,7 +19,7 @@ struct KerrView {
 };
 
 // Members of FrameData (shaders/shared/frame_block.glsl), by number.
-enum Member { kImage = 0, kRay0 = 1, kShift = 10, kBoost = 14, kDiscX = 17, kDiscY = 18, kDiscLook = 20, kSpinHole = 52, kSpinRows, kSpinScale, kSpinPlace };
+enum Member { kImage = 0, kRay0 = 1, kShift = 10, kBoost = 14, kBoostColour = 15, kDiscX = 19, kDiscY = 20, kDiscLook = 22, kSpinHole = 54, kSpinRows, kSpinScale, kSpinPlace };
 
 // rims: of an opaque disc.
 inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float, std::optional<std::array<double, 2>> rims = {}, Vec3 velocity = {0, 0, 0}) {
@@ -35,6 +35,7 @@ inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float, std:
     put(kRay0, view.look.x, view.look.y, view.look.z, 0);
     put(kShift, 1, 1 / view.r, 0, 1);
     if (speed > 0) put(kBoost, velocity.x / speed, velocity.y / speed, velocity.z / speed, std::sqrt((1 + speed) / (1 - speed)));
+    put(kBoostColour, std::sqrt((1 + speed) / (1 - speed)), 0, 0, 0);
     put(kDiscX, 1, 0, 0, rims ? (*rims)[0] : 1e30);
     put(kDiscY, 0, 1, 0, rims ? (*rims)[1] : 0);
     put(kDiscLook, 1, 0, 1, 0);
