@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kTolerance = 1e-13;      // of a step, relative to what it acts on
 constexpr double kNearest = 5e-4;         // r_s: the last picture before the singularity, 7e-6 r_s/c before the end
+constexpr double kStill = 1e-11;          // c: a boost that is rounding alone calls for no aberration, and turns directions by less than any pixel
 constexpr std::size_t kMostNodes = 1000000;
 
 // Dormand and Prince, J. Comp. Appl. Math. 6, 19 (1980): order 5, with the error of an embedded order 4.
@@ -222,7 +223,7 @@ CameraSpec Worldline::at(double tau) const {
     put(0, m, energy_ - s[1], momentum_ / radius, 0);
     for (std::size_t i = 0; i < 3; ++i) put(i + 1, s[4 + 3 * i], s[5 + 3 * i], s[6 + 3 * i], across_[i]);
     const BoostAndTurn parts = split(tetrad);
-    camera.velocity = parts.velocity;
+    camera.velocity = length(parts.velocity) > kStill ? parts.velocity : Vec3{};
     set_axes(camera, parts.turn);
     return camera;
 }

@@ -33,7 +33,7 @@ void fly_short(FlyCamera& camera, Vec3 step, const Spacetime& spacetime, const F
     const Vec3 along = camera.world_from_camera * step;
     const double outward = dot(along, camera.place);
     const Vec3 across = along - outward * camera.place;
-    const double lapse = std::sqrt(spacetime.lapse_squared(camera.r));
+    const double lapse2 = spacetime.lapse_squared(camera.r), lapse = lapse2 > 0.0 ? std::sqrt(lapse2) : 1.0;   // inside a horizon nobody rests
     const double angle = length(across) * range.unit(camera.r) / (lapse * spacetime.areal_radius(camera.r));
     if (angle > 0.0) {
         const Vec3 next = normalized(std::cos(angle) * camera.place + std::sin(angle) * normalized(across));

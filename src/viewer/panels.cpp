@@ -80,6 +80,7 @@ bool side_panel(ViewState& view, const AccuracyPanel& accuracy, const EffectsPan
             view.show_effects = true;
             return effects_section(view, effects);
         });
+        part("Let go", false, [&] { return fall_section(view); });
     }
     ImGui::End();
     return changed;

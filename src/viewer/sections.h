@@ -8,6 +8,7 @@ namespace nullscope::viewer {
 bool scene_section(ViewState& view, bool escape);
 bool camera_section(ViewState& view);
 bool boost_section(ViewState& view);
+bool fall_section(ViewState& view);
 bool lens_section(ViewState& view);
 bool disc_section(ViewState& view);
 bool sky_section(ViewState& view, bool escape);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "scene/observer.h"
 #include "spacetime/registry.h"
 #include "viewer/fly_camera.h"
 
@@ -22,6 +23,7 @@ Status load_into(ViewState& view, const std::string& file_or_name) {
     if (const double speed = length(view.scene.camera.velocity); speed > 0.0)
         view.boost_direction = view.scene.camera.velocity / speed;
     view.off = {};
+    view.fall.stop();
     view.error.clear();
     return Done{};
 }
@@ -43,6 +45,7 @@ EffectSet effects_of(const Scene& scene) { return effect_set(required_effects(sc
 void reset_camera(ViewState& view) {
     const int width = view.scene.camera.width, height = view.scene.camera.height;
     view.scene.camera = view.loaded.camera;
+    view.fall.stop();
     view.scene.camera.width = width;
     view.scene.camera.height = height;
     keep_outside_horizon(view.scene);
@@ -57,7 +60,7 @@ void keep_outside_horizon(Scene& scene) {
     const auto spacetime = spacetime_of(scene);
     if (spacetime == nullptr) return;
     const FlightRange range = flight_range(*spacetime);
-    if (!camera_can_rest(*spacetime, scene.camera.r)) scene.camera.r = range.throat > 0.0 ? range.throat : range.nearest;
+    if (falls(scene.camera) ? !camera_can_be(*spacetime, scene.camera.r) : !camera_can_rest(*spacetime, scene.camera.r)) scene.camera.r = range.throat > 0.0 ? range.throat : range.nearest;
 }
 
 double fov_of(const CameraSpec& camera) { return 2.0 * std::atan2(0.5 * camera.plane_width, camera.focal_distance); }

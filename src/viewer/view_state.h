@@ -10,6 +10,7 @@
 #include "scene/scene.h"
 #include "scene/scene_file.h"
 #include "spacetime/spacetime.h"
+#include "viewer/fall.h"
 
 namespace nullscope::viewer {
 
@@ -32,6 +33,7 @@ struct ViewState {
     bool show_grid = false;      // of coordinates, on sky and disc
     bool show_probe = false;     // the ray of the pixel under the cursor
     MethodWish method;
+    Fall fall;                       // of the camera, once it was let go
     EffectSet off;                   // of the scene's effects, switched off by hand
     Vec3 boost_direction{-1, 0, 0};  // kept while the camera is at rest
     DiscSpec hidden_disc;            // kept while the disc is switched off

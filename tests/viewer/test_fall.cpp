@@ -1,0 +1,66 @@
+// A camera that is let go in the viewer: its clock, a hand that takes part, the end.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "viewer/fall.h"
+
+namespace {
+
+using namespace nullscope;
+using viewer::Fall;
+
+Scene scene_at(double r, ObserverKind observer = ObserverKind::kStatic) {
+    Scene scene;
+    scene.camera.r = r, scene.camera.observer = observer;
+    return scene;
+}
+
+TEST_CASE("fall: a clock that runs, stops, is turned back, and ends") {
+    Scene scene = scene_at(5.0);
+    Fall fall;
+    CHECK_FALSE(fall.active());
+    CHECK_FALSE(fall.step(scene, 1.0));
+    REQUIRE(fall.let_go(scene));
+    CHECK(fall.runs());
+    CHECK(fall.step(scene, 1.0));
+    CHECK(scene.camera.r < 5.0);
+    const double r = scene.camera.r;
+    fall.run(false);
+    CHECK_FALSE(fall.step(scene, 1.0));
+    fall.seek(scene, 0.0);
+    CHECK(std::fabs(scene.camera.r - 5.0) < 1e-9);
+    fall.seek(scene, 1.0);
+    CHECK(scene.camera.r == doctest::Approx(r));
+    fall.run(true);
+    for (int i = 0; i < 100 && fall.runs(); ++i) fall.step(scene, 1.0);
+    CHECK_FALSE(fall.runs());
+    CHECK(scene.camera.r < 0.01);   // 35.124 M = 17.562 r_s/c from rest at 10 M
+    CHECK(fall.tau() == doctest::Approx(17.562).epsilon(1e-3));
+}
+
+TEST_CASE("fall: who turns the camera lets it fall on from there") {
+    Scene scene = scene_at(3.0, ObserverKind::kRain);
+    Fall fall;
+    REQUIRE(fall.let_go(scene));
+    fall.step(scene, 0.5);
+    const double r = scene.camera.r;
+    scene.camera.yaw += 0.3;
+    const double yaw = scene.camera.yaw;
+    CHECK(fall.step(scene, 1e-6));
+    CHECK(std::fabs(scene.camera.yaw - yaw) < 1e-4);
+    CHECK(std::fabs(scene.camera.r - r) < 1e-4);
+    CHECK(fall.tau() < 1e-3);
+    CHECK(fall.runs());
+}
+
+TEST_CASE("fall: an orbit stays an orbit") {
+    Scene scene = scene_at(6.0, ObserverKind::kOrbit);
+    Fall fall;
+    REQUIRE(fall.let_go(scene));
+    fall.rate = 50.0;
+    for (int i = 0; i < 20; ++i) fall.step(scene, 1.0);
+    CHECK(std::fabs(scene.camera.r - 6.0) < 1e-6);
+}
+
+}  // namespace
