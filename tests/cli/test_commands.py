@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shutil
 import struct
 import subprocess
 import zlib
@@ -91,6 +92,31 @@ class Commands(support.CliTest):
         self.assertEqual(text.count("measured: not, it cannot go alone"), 1)
         self.assertEqual(text.count(" core-s ("), len(measured))
         self.assertNotIn("core_seconds", self.run_nullscope("plan", scene, "--json").out)
+
+    def test_a_path_is_drawn_frame_by_frame_and_as_a_film(self):
+        fall = ["capture", "plunge", "--size", "32x18"]
+        self.run_nullscope(*fall, "-o", "p%05d.png", "--frames", "198:201")
+        pictures = {n: (self.folder / f"p{n:05d}.png").read_bytes() for n in (198, 199, 200)}
+        self.assertEqual(len(set(pictures.values())), 3)
+        (self.folder / "p00199.png").write_bytes(b"kept")
+        self.run_nullscope(*fall, "-o", "p%05d.png", "--frames", "198:201", "--resume")
+        self.assertEqual((self.folder / "p00199.png").read_bytes(), b"kept")
+        self.run_nullscope(*fall, "-o", "q%05d.png", "--frames", "199:200")   # of its number alone
+        self.assertEqual((self.folder / "q00199.png").read_bytes(), pictures[199])
+        self.refused(*fall, "-o", "p%05d.png", "--frames", "239:241", says=["240 frames", "0:240"])
+        self.refused("capture", "flat", "-o", "flat.mp4", says=["[path]"])
+        if shutil.which("ffmpeg"):
+            self.run_nullscope(*fall, "-o", "film.mp4", "--frames", "198:204")
+            self.assertEqual((self.folder / "film.mp4").read_bytes()[4:8], b"ftyp")
+            self.assertFalse((self.folder / "film.mp4.frames").exists())
+        else:
+            self.refused(*fall, "-o", "film.mp4", status=1, says=["ffmpeg"])
+        keys = self.write("keys.toml", '[path]\nkind = "keys"\nframes = 5\n[[path.key]]\nframe = 0\nr = 9\n[[path.key]]\nframe = 4\nr = 6\nyaw = 20\n')
+        self.run_nullscope("capture", keys, "--size", "32x18", "-o", "k%05d.png", "--frames", "0:5")
+        for text, says in {'[path]\nkind = "keys"\n': ["path.key", "two"], "[path]\nkey = 3\n": ["path.key", "list of sections"],
+                           '[path]\nkind = "keys"\n[[path.key]]\nr = 0.5\n[[path.key]]\n': ["3", "camera.r"],
+                           "[[path.key]]\nr = 5\n": ["path.key", "kind is not keys"]}.items():
+            self.refused("plan", self.write("broken.toml", text), says=says)
 
     def test_plan_says_why(self):
         text = '[camera]\nvelocity = [0.0, 0.0, 0.5]\n[sky]\nkind = "black"\n[disc]\nopacity = 0.5\n'
