@@ -1,6 +1,8 @@
 // Every case of cases.csv on every context: ray data against the reference, colours against the golden picture. A failure
 // leaves one HTML file in the build folder and prints its path.
 #include <algorithm>
+#include <cstdint>
+#include <map>
 #include <numeric>
 
 #include "base/atomic_file.h"
@@ -140,19 +142,26 @@ void run_case(const GoldenCase& golden, GpuSession& session) {
     session.renderer = std::make_unique<Renderer>();
     const auto split = halves(*scene);
     Outcome colours;
-    for (const Scene& part : split ? std::vector<Scene>{split->left, split->right} : std::vector<Scene>{*scene}) {
+    const std::vector<Scene> parts = split ? std::vector<Scene>{split->left, split->right} : std::vector<Scene>{*scene};
+    for (const Scene& part : parts) {
         Outcome rays;
         rays.scene = part;
         rays.rays = gl_ray_data(session, part);
         rays.picture = session.renderer->picture8();
-        rays.measures = measure_rays(rays.rays, part.camera, reference_trace(part));
+        // The first context's rays are measured; another's need not be again where they are the same bit by bit.
+        static std::map<std::string, std::uint64_t> measured;
+        const auto [before_bits, first] = measured.try_emplace(golden.name + (&part == &parts.back() ? "" : ", left"), mark_of(rays.rays));
+        const bool known = !first && before_bits->second == mark_of(rays.rays);
+        if (!known) rays.measures = measure_rays(rays.rays, part.camera, reference_trace(part));
         const Image<unsigned char> before = std::move(colours.picture);
         colours = rays;
         if (before.width > 0) colours.picture = side_by_side(before, rays.picture);
-        judge_rays(golden, rays);
+        if (!known) judge_rays(golden, rays);
         if (!rays.failures.empty()) fail(golden, session, rays, "rays", bytes_of(*wanted));
     }
     judge_colours(golden, nullscope::display_values(*wanted), colours);
+    if (!colours.failures.empty() && colours.measures.pixels.empty())
+        colours.measures = measure_rays(colours.rays, colours.scene.camera, reference_trace(colours.scene));
     if (split) colours.worst.clear();   // places in no single spacetime's picture
     if (!colours.failures.empty()) fail(golden, session, colours, "colours", bytes_of(*wanted));
 }

@@ -69,6 +69,7 @@ void check_camera(double r, double yaw_deg, int row_step) {
 }
 
 constexpr int kEveryRow = 1;
+constexpr int kTurnedRowStep = 3;  // the edge and its rings once more, aside of the picture's middle
 constexpr int kSmoothRowStep = 8;  // views without the shadow's edge or its rings have no place for an error to hide in
 
 TEST_CASE("4K: cameras that look at the hole") {
@@ -76,7 +77,7 @@ TEST_CASE("4K: cameras that look at the hole") {
 }
 
 TEST_CASE("4K: cameras turned by 60 degrees") {
-    for (const double r : {1.1, 1.5, 2.0, 5.0}) check_camera(r, 60, kEveryRow);
+    for (const double r : {1.1, 1.5, 2.0, 5.0}) check_camera(r, 60, kTurnedRowStep);
     for (const double r : {20.0, 1000.0}) check_camera(r, 60, kSmoothRowStep);  // the hole is out of sight
 }
 

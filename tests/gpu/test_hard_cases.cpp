@@ -30,15 +30,11 @@ bool whole(const RayFrame& frame) {  // every channel finite, every fate one tha
 
 constexpr double kRefineAbove_px = 1e-5;   // below every bound of the list but those of frames of a pixel or two
 
-// The reference's frame of a case; one of many integrals a ray is kept for the next context.
-const RayFrame* exact_frame(const HardCase& c) {
-    static std::map<std::string, RayFrame> kept;
-    static RayFrame last;
-    if (const auto found = kept.find(c.name); found != kept.end()) return &found->second;
+// The reference's frame of a case.
+RayFrame exact_frame(const HardCase& c) {
     auto traced = reference::trace_frame(c.scene);
     REQUIRE(traced);
-    RayFrame& place = c.scene.spacetime.metric == "dneg-wormhole" ? kept[c.name] : last;
-    return &(place = std::move(*traced));
+    return std::move(*traced);
 }
 
 // Pixels' middles from the frame, others traced.
@@ -63,15 +59,22 @@ ExactTrace traced_once(const Scene& scene, const RayFrame& frame) {
 }
 
 TEST_CASE("hard cases: every one within its bound") {
-    on_every_context([](GpuSession& session) {
+    std::map<std::string, std::uint64_t> measured;   // the first context's frames
+    int same = 0;
+    on_every_context([&](GpuSession& session) {
         for (const HardCase& c : hard_cases()) {
             CAPTURE(c.name);
             session.renderer->set_method(Method{.cubic = hard_cubic(c.scene)});
             const RayFrame frame = gl_ray_data(session, c.scene);
             CHECK(whole(frame));
-            const RayFrame* exact = exact_frame(c);
-            const HardBound bound = hard_bound(c.scene, *exact);
-            const RayMeasures m = measure_rays(frame, c.scene.camera, traced_once(c.scene, *exact), 1, kRefineAbove_px);
+            const auto [before, first] = measured.try_emplace(c.name, mark_of(frame));
+            if (!first && before->second == mark_of(frame)) {
+                ++same;
+                continue;
+            }
+            const RayFrame exact = exact_frame(c);
+            const HardBound bound = hard_bound(c.scene, exact);
+            const RayMeasures m = measure_rays(frame, c.scene.camera, traced_once(c.scene, exact), 1, kRefineAbove_px);
             fmt::print("{:<7} {:<55} sky {:.1e} of {:.1e}, place {:.1e} of {:.1e}, swept {:.1e} of {:.1e}, g {:.1e} of {:.1e} px; fate errors {}, "
                        "forgiven {}\n",
                        session.context->kind(), c.name, m.sky_px.max, bound.sky, m.place_px.max, bound.place, m.angle_px.max, bound.swept,
@@ -83,6 +86,7 @@ TEST_CASE("hard cases: every one within its bound") {
             CHECK(m.g_px.max <= bound.g);
         }
     });
+    fmt::print("{} frames have the same bits on a second context\n", same);
 }
 
 }  // namespace

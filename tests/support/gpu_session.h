@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <bit>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -60,6 +62,18 @@ inline RayFrame gl_ray_data(GpuSession& session, const Scene& scene) {
     const std::string reason = ready ? "" : ready.error().message;
     REQUIRE_MESSAGE(ready, reason);
     return session.renderer->ray_data();
+}
+
+// A mark of the bits of all that is known of a frame's rays (FNV-1a): what was measured on one context need not be on another whose bits
+// are the same.
+inline std::uint64_t mark_of(const RayFrame& frame) {
+    std::uint64_t mark = 14695981039346656037ull;
+    for (const RayPixel& p : frame.pixels) {
+        const double numbers[] = {static_cast<double>(p.fate), p.sky.x, p.sky.y, p.sky.z, p.g, p.delay, p.angle,
+                                  static_cast<double>(p.order), static_cast<double>(p.hit), p.u, p.v, p.w};
+        for (const double number : numbers) mark = (mark ^ std::bit_cast<std::uint64_t>(number)) * 1099511628211ull;
+    }
+    return mark;
 }
 
 inline ExactTrace reference_trace(const Scene& scene) {
