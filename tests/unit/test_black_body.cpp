@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "reference/seen_light.h"
 #include "light/black_body.h"
 #include "light/cie_1931.h"
 #include "shaderlib/shader_source.h"
@@ -63,6 +64,21 @@ TEST_CASE("light: the table's straight lines are within 2e-5 of the black body b
         CHECK(std::fabs(at(t, 2) - rgb.z) < 2e-5 * rgb.z + 2e-5);
         CHECK(std::fabs(at(t, 3) - std::log2(xyz.y)) < 2e-4);
     }
+}
+
+TEST_CASE("light: a black body seen with its frequencies times g is one of gT") {
+    constexpr double kPromised = 1e-6;
+    double worst = 0;
+    for (const double t : {2000.0, 6504.0, 30000.0})
+        for (const double g : {0.5, 0.9, 1.3, 2.0}) {
+            const Vec3 shifted = reference::seen_black_body(t, g, {}), own = reference::seen_black_body(g * t, 1.0, {});
+            worst = std::fmax(worst, length(shifted - own) / length(own));
+        }
+    MESSAGE("largest difference " << worst);
+    CHECK(worst < kPromised);
+    LightSpec unshifted;
+    unshifted.shift = false;   // that it can fail
+    CHECK(length(reference::seen_black_body(6504, 0.5, unshifted) - reference::seen_black_body(3252, 1.0, {})) > 1e-3);
 }
 
 TEST_CASE("light: shader and tables agree on the tables' sizes") {
