@@ -24,7 +24,6 @@ Result<CameraPath> CameraPath::make(const Scene& scene) {
     path.path_ = *scene.path;
     path.start_ = scene.camera;
     path.frames_ = scene.path->frames;
-    path.duration_ = scene.path->frames - 1;
     if (scene.path->kind == PathKind::kKeys) return path;
     auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     if (!spacetime) return spacetime.error();

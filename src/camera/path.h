@@ -14,11 +14,10 @@ public:
     static Result<CameraPath> make(const Scene& scene);
     int frames() const { return frames_; }
     CameraSpec at(double frame) const;                  // from 0 to frames() - 1; beyond: the first and last
-    double proper_time(double frame) const;             // of a fall; frames of keys
-    const Worldline* worldline() const { return line_ ? &*line_ : nullptr; }
 
 private:
     CameraPath() = default;
+    double proper_time(double frame) const;             // of a fall
     CameraSpec through_keys(double frame) const;
     PathSpec path_;
     CameraSpec start_;

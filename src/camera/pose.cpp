@@ -35,8 +35,8 @@ Vec3 exact_cross(Vec3 a, Vec3 b) {
             difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
-// The camera's axes along the radial frame that it is boosted from. A camera axis c becomes e = (w . c, c + w (w . c)/(1 + gamma)) with w = gamma v. Errors of c stay of their own size,
-// those of the boost are multiplied by gamma^2: the boost is computed in long double.
+// The camera's axes along the frame that it is boosted from. A camera axis c becomes e = (w . c, c + w (w . c)/(1 + gamma)) with
+// w = gamma v. Errors of c stay of their own size, those of the boost are multiplied by gamma^2: the boost is computed in long double.
 using LongRows = std::array<std::array<long double, 4>, 4>;
 LongRows rows_along_frame(const Mat3& axes, Vec3 v) {
     using Long3 = std::array<long double, 3>;
@@ -65,14 +65,16 @@ TetradPair as_pair(const LongRows& rows) {
     return tetrad;
 }
 
+Result<Done> check_speed(const CameraSpec& camera) {
+    if (one_minus_square(camera.velocity) > 0.0L) return Done{};
+    return bad_input(fmt::format("speed {} is not below that of light; allowed: |velocity| < 1", length(camera.velocity)));
+}
+
 Result<Done> check_place(const CameraSpec& camera) {
     if (!(camera.theta >= 0.0 && camera.theta <= std::numbers::pi))
         return bad_input(fmt::format("theta = {} rad is out of range; allowed: [0, pi]", camera.theta));
     if (std::sin(camera.theta) == 0.0) return bad_input("no coordinate tetrad on the axis; allowed: 0 < theta < pi");
-    if (!(one_minus_square(camera.velocity) > 0.0L))
-        return bad_input(
-            fmt::format("speed {} is not below that of light; allowed: |velocity| < 1", length(camera.velocity)));
-    return Done{};
+    return check_speed(camera);
 }
 
 }  // namespace
@@ -94,9 +96,7 @@ Mat3 static_from_camera(const CameraSpec& camera) {
 }
 
 Result<TetradPair> camera_rows_pair(const CameraSpec& camera) {
-    if (!(one_minus_square(camera.velocity) > 0.0L))
-        return bad_input(
-            fmt::format("speed {} is not below that of light; allowed: |velocity| < 1", length(camera.velocity)));
+    if (Result<Done> ok = check_speed(camera); !ok) return ok.error();
     return as_pair(rows_along_frame(static_from_camera(camera), camera.velocity));
 }
 

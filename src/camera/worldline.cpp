@@ -58,6 +58,12 @@ CameraSpec without_motion(CameraSpec camera, double lapse2) {
 
 }  // namespace
 
+// v' of the two forms the one that does not cancel.
+double Worldline::v_slope(const State& s) const {
+    if (s[1] < 0) return (1 + square(momentum_ / spacetime_->areal_radius(s[0]))) / (energy_ - s[1]);
+    return (energy_ + s[1]) / spacetime_->lapse_squared(s[0]);
+}
+
 Worldline::State Worldline::slope(const State& s) const {
     const Spacetime& spacetime = *spacetime_;
     const double r = s[0], speed = s[1], radius = spacetime.areal_radius(r), a = spacetime.lapse_squared(r);
@@ -67,9 +73,8 @@ Worldline::State Worldline::slope(const State& s) const {
     d[0] = speed;
     d[1] = -0.5 * a_slope * (1 + across2) + a * across2 * r_slope / radius;
     d[2] = turn;
-    d[3] = speed < 0 ? (1 + across2) / (energy_ - speed) : (energy_ + speed) / a;
-    const double by_v = 0.5 * a_slope * d[3], by_turn = turn * r_slope;
-    for (std::size_t i = 4; i < kSize; i += 3) {
+    const double by_v = 0.5 * a_slope * v_slope(s), by_turn = turn * r_slope;
+    for (std::size_t i = 3; i < kSize; i += 3) {
         d[i] = -by_v * s[i] + by_turn * s[i + 2];
         d[i + 1] = by_v * s[i + 1] - a * by_turn * s[i + 2];
         d[i + 2] = -by_turn * (a * s[i] - s[i + 1]) / 2;
@@ -118,13 +123,13 @@ Result<Worldline> Worldline::make(std::shared_ptr<const Spacetime> spacetime, co
     const double a = line.spacetime_->lapse_squared(start.r), m = (tetrad[0][0] + tetrad[1][0]) / o, n = (tetrad[0][0] - tetrad[1][0]) * o;
     line.energy_ = 0.5 * (a * m + n);
     line.momentum_ = aside * line.spacetime_->areal_radius(start.r);
-    State state{start.r, 0.5 * (a * m - n), 0, 0};
+    State state{start.r, 0.5 * (a * m - n), 0};
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = i + 1;
         const Vec3 side{0, tetrad[2][j], tetrad[3][j]};
-        state[4 + 3 * i] = (tetrad[0][j] + tetrad[1][j]) / o;
-        state[5 + 3 * i] = (tetrad[0][j] - tetrad[1][j]) * o;
-        state[6 + 3 * i] = dot(side, onward);
+        state[3 + 3 * i] = (tetrad[0][j] + tetrad[1][j]) / o;
+        state[4 + 3 * i] = (tetrad[0][j] - tetrad[1][j]) * o;
+        state[5 + 3 * i] = dot(side, onward);
         line.across_[i] = dot(side, normal);
     }
     line.nodes_.push_back({0, state});
@@ -199,8 +204,6 @@ Worldline::State Worldline::state_at(double tau) const {
     return step(before.state, when - before.tau, error);
 }
 
-double Worldline::advanced_time(double tau) const { return state_at(tau)[3]; }
-
 CameraSpec Worldline::at(double tau) const {
     const State s = state_at(tau);
     const double a = spacetime_->lapse_squared(s[0]), radius = spacetime_->areal_radius(s[0]), co = std::cos(s[2]), si = std::sin(s[2]);
@@ -219,9 +222,8 @@ CameraSpec Worldline::at(double tau) const {
         tetrad[1][column] = 0.5 * (o * m - n / o);
         tetrad[2][column] = side.y, tetrad[3][column] = side.z;
     };
-    const double across2 = square(momentum_ / radius), m = s[1] < 0 ? (1 + across2) / (energy_ - s[1]) : (energy_ + s[1]) / a;
-    put(0, m, energy_ - s[1], momentum_ / radius, 0);
-    for (std::size_t i = 0; i < 3; ++i) put(i + 1, s[4 + 3 * i], s[5 + 3 * i], s[6 + 3 * i], across_[i]);
+    put(0, v_slope(s), energy_ - s[1], momentum_ / radius, 0);
+    for (std::size_t i = 0; i < 3; ++i) put(i + 1, s[3 + 3 * i], s[4 + 3 * i], s[5 + 3 * i], across_[i]);
     const BoostAndTurn parts = split(tetrad);
     camera.velocity = length(parts.velocity) > kStill ? parts.velocity : Vec3{};
     set_axes(camera, parts.turn);

@@ -29,22 +29,21 @@ public:
     // The camera at a proper time from 0 to last(): observer, velocity, place and turn; the rest as it was at the start. Rotations of the
     // start's own are kept by the axes. A microsecond.
     CameraSpec at(double tau) const;
-    double advanced_time(double tau) const;            // v, from 0 at the start
     double last() const { return last_; }              // proper time of the last picture: at the end short of the singularity by 1e-5 r_s/c
     WorldlineEnd end() const { return end_; }
     double end_time() const { return end_time_; }      // proper time of the end itself, within 1e-10; last() where it is open
     std::optional<double> horizon_time() const { return horizon_time_; }   // when the outer horizon is crossed
     double energy() const { return energy_; }
-    double momentum() const { return momentum_; }
 
 private:
-    static constexpr std::size_t kSize = 13;
-    using State = std::array<double, kSize>;           // r, r', phi, v, then M, N, Phi of three axes
+    static constexpr std::size_t kSize = 12;
+    using State = std::array<double, kSize>;           // r, r', phi, then M, N, Phi of three axes
     struct Node {
         double tau;
         State state;
     };
     Worldline() = default;
+    double v_slope(const State& state) const;
     State slope(const State& state) const;
     State step(const State& state, double h, double& error) const;
     State state_at(double tau) const;

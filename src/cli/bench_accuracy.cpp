@@ -260,8 +260,7 @@ Command add_bench_accuracy(CLI::App& bench) {
     auto options = std::make_shared<Options>();
     CLI::App* app = bench.add_subcommand("accuracy", "Error and cost of every way of tracing, as a table, a diagram and JSON; some minutes");
     app->add_option("scenes", options->scenes, "Scenes whose spacetime and sky are used")->capture_default_str();
-    app->add_option("--context", options->context, "OpenGL context: auto, egl, osmesa")
-        ->check(CLI::IsMember({"auto", "egl", "osmesa"}))->capture_default_str();
+    context_option(app, options->context);
     app->add_option("--frames", options->frames, "Timed frames of each method")->check(CLI::Range(3, 1000))->capture_default_str();
     app->add_option("--json", options->json, "Write the rows to this file");
     app->add_option("--plot", options->plot, "Write the work-precision diagram to this SVG file");

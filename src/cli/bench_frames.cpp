@@ -146,8 +146,7 @@ Command add_bench_frames(CLI::App& bench) {
     CLI::App* app = bench.add_subcommand("frames", "Time of a frame, in ratio to the same frame in flat space and to a bare fetch");
     app->add_option("scenes", options->scenes, "Scenes to time")->capture_default_str();
     app->add_option("--size", options->size, "Frame size, WIDTHxHEIGHT")->capture_default_str();
-    app->add_option("--context", options->context, "OpenGL context: auto, egl, osmesa")
-        ->check(CLI::IsMember({"auto", "egl", "osmesa"}))->capture_default_str();
+    context_option(app, options->context);
     app->add_option("--frames", options->frames, "Frames of each kind")->check(CLI::Range(9, 10000))->capture_default_str();
     app->add_option("--poses", options->poses, "Also time this many random camera poses of each scene")->check(CLI::Range(0, 10000));
     app->add_flag("--effects", options->effects, "Instead of scenes: the empty scene, and each effect added to it alone");

@@ -122,8 +122,7 @@ Command add_bench_metrics(CLI::App& bench) {
     CLI::App* app = bench.add_subcommand("metrics", "One scene in every spacetime: a frame's time over Schwarzschild's, and the time of its tables");
     app->add_option("scenes", options->scenes, "Scenes whose camera, sky and disc are used")->capture_default_str();
     app->add_option("--size", options->size, "Frame size, WIDTHxHEIGHT")->capture_default_str();
-    app->add_option("--context", options->context, "OpenGL context: auto, egl, osmesa")
-        ->check(CLI::IsMember({"auto", "egl", "osmesa"}))->capture_default_str();
+    context_option(app, options->context);
     app->add_option("--frames", options->frames, "Frames of each kind")->check(CLI::Range(9, 10000))->capture_default_str();
     app->add_option("--json", options->json, "Write the rows to this file");
     return {app, [options] { return run(*options); }};

@@ -143,8 +143,7 @@ Command add_bench_soak(CLI::App& bench) {
     app->add_option("--frames", options->frames, "How many")->check(CLI::Range(2 * kSpan, 100000000))->capture_default_str();
     app->add_option("--size", options->size, "Frame size, WIDTHxHEIGHT")->capture_default_str();
     app->add_option("--seed", options->seed, "Another path")->capture_default_str();
-    app->add_option("--context", options->context, "OpenGL context: auto, egl, osmesa")
-        ->check(CLI::IsMember({"auto", "egl", "osmesa"}))->capture_default_str();
+    context_option(app, options->context);
     app->add_option("--json", options->json, "Write the result to this file");
     return {app, [options] { return run(*options); }};
 }

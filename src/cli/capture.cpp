@@ -263,8 +263,7 @@ Command add_capture(CLI::App& parent) {
     app->add_option("-o,--output", options->output, "File to write, .png or .exr; of a scene with a [path] also .mp4, by ffmpeg where that is installed (goes on with what a stopped run has drawn)")->capture_default_str();
     app->add_option("--size", options->size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
     app->add_option("--beside", options->beside, "Split screen: the right half shows this scene, seen by the camera of the first; each half is centred");
-    app->add_option("--context", options->context, "OpenGL context: auto, egl, osmesa")
-        ->check(CLI::IsMember({"auto", "egl", "osmesa"}))->capture_default_str();
+    context_option(app, options->context);
     app->add_option("--renderer", options->renderer, "gl: the shader; reference: the double-precision tracer, slow")
         ->check(CLI::IsMember({"gl", "reference"}))->capture_default_str();
     app->add_option("--method", options->method, "How the shader traces: auto (see --max-error), strip, table[:SIZE[:LOOKUP]], closed-form, "

@@ -24,6 +24,11 @@ Command add_scenes(CLI::App& parent);
 Command add_info(CLI::App& parent);
 Command add_figure(CLI::App& parent);
 
+// --context of what draws; help says what for.
+inline void context_option(CLI::App* app, std::string& context, const char* help = "OpenGL context: auto, egl, osmesa") {
+    app->add_option("--context", context, help)->check(CLI::IsMember({"auto", "egl", "osmesa"}))->capture_default_str();
+}
+
 // One line on standard error; the exit status that goes with it (1 or 2).
 int report(const Error& error);
 

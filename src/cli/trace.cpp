@@ -129,9 +129,7 @@ Command add_trace(CLI::App& parent) {
                     "List this many crossings of the equatorial plane: r_1, phi_1, ...")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
-    app->add_option("--context", options->context, "OpenGL context of --with gl: auto, egl, osmesa")
-        ->check(CLI::IsMember({"auto", "egl", "osmesa"}))
-        ->capture_default_str();
+    context_option(app, options->context, "OpenGL context of --with gl: auto, egl, osmesa");
     return {app, [options] { return run(*options); }};
 }
 

@@ -28,6 +28,32 @@ Status check_disc(const DiscSpec& disc) {
     return Done{};
 }
 
+using Tetrad = std::array<std::array<long double, 4>, 4>;   // rows e_0, right, up, backward
+
+// Components along the local frame: of a static camera they are known; others go through the metric. By spherical symmetry they do
+// not depend on theta: taken at the equator, where the coordinates are regular, they hold on the axis too. Along the rain frame
+// e_0 = (1/(1+w), -w), e_1 = (1/(1+w), 1) of (v, r), or the static one (1/s, 0), (1/s, s), s = sqrt(A), the metric
+// -A dv^2 + 2 dv dr gives those of (p^v, p^r).
+Result<Tetrad> local_tetrad(const Spacetime& spacetime, CameraSpec camera, bool from_rain) {
+    camera.theta = M_PI / 2;
+    const bool rests = camera.observer == ObserverKind::kStatic;
+    const auto pair = rests ? camera_rows_pair(camera) : ingoing_tetrad_pair(spacetime, camera);
+    if (!pair) return pair.error();
+    const double lapse2 = spacetime.lapse_squared(camera.r), radius = spacetime.areal_radius(camera.r);
+    const long double w = std::sqrt(static_cast<long double>(std::fmax(1 - lapse2, 0))), s = std::sqrt(static_cast<long double>(std::fmax(lapse2, 0)));
+    Tetrad tetrad{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        auto& row = tetrad[i];
+        for (std::size_t mu = 0; mu < 4; ++mu) row[mu] = static_cast<long double>(pair->high[i][mu]) + pair->low[i][mu];
+        if (rests) continue;
+        const long double v = row[0], r = row[1];
+        if (from_rain) row[0] = v - r / (1 + w), row[1] = w * v + r / (1 + w);
+        else row[0] = s * v - r / s, row[1] = r / s;
+        row[2] *= radius, row[3] *= radius;
+    }
+    return tetrad;
+}
+
 }  // namespace
 
 Result<FrameTracer> FrameTracer::make(const Scene& scene) {
@@ -51,49 +77,22 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     if (!metric) return metric.error();
     auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     if (!spacetime) return spacetime.error();
-    // By spherical symmetry the tetrad's components along the local frame do not depend on theta: taken at the
-    // equator, where the coordinates are regular, they hold on the axis too.
-    CameraSpec equatorial = camera;
-    equatorial.theta = M_PI / 2;
     if (!tracer.bodies_->empty() && (*spacetime)->spin() != 0)
         return bad_input(fmt::format("metric \"{}\" has no bodies; allowed: a scene without them", scene.spacetime.metric));
     if (const auto observer = observer_of(**spacetime, camera); !observer) return observer.error();
     if (Status parts = check_light_parts(**spacetime, scene); !parts) return parts.error();
-    const double lapse2 = (*spacetime)->lapse_squared(camera.r);
-    const Matrix4 g = (*spacetime)->metric(camera.r, equatorial.theta);
-    tracer.from_rain_ = falls(camera) && lapse2 <= 1;
-    // Along the rain frame e_0 = (1/(1+w), -w), e_1 = (1/(1+w), 1) of (v, r), or the static one (1/s, 0), (1/s, s), s = sqrt(A): with the
-    // metric -A dv^2 + 2 dv dr the components of (p^v, p^r) are these.
-    const long double w = std::sqrt(static_cast<long double>(std::fmax(1 - lapse2, 0))), s = std::sqrt(static_cast<long double>(std::fmax(lapse2, 0)));
-    const auto fill_tetrad = [&](const CameraSpec& of) -> Status {
-        if ((*spacetime)->spin() != 0) {
-            auto rows = camera_rows_pair(of);
-            if (!rows) return rows.error();
-            for (int i = 0; i < 4; ++i)
-                for (int mu = 0; mu < 4; ++mu) tracer.tetrad_[i][mu] = static_cast<long double>(rows->high[i][mu]) + rows->low[i][mu];
-            return Done{};
-        }
-        const bool rests = of.observer == ObserverKind::kStatic;
-        auto tetrad = rests ? camera_tetrad_pair(**spacetime, of) : ingoing_tetrad_pair(**spacetime, of);
-        if (!tetrad) return tetrad.error();
-        for (int i = 0; i < 4; ++i) {
-            std::array<long double, 4> row{};
-            for (int mu = 0; mu < 4; ++mu) row[mu] = static_cast<long double>(tetrad->high[i][mu]) + tetrad->low[i][mu];
-            auto& along = tracer.tetrad_[i];
-            for (int mu = 0; mu < 4; ++mu) along[mu] = row[mu] * std::sqrt(std::abs(static_cast<long double>(g[mu][mu])));
-            if (rests) continue;
-            if (tracer.from_rain_) along[0] = row[0] - row[1] / (1 + w), along[1] = w * row[0] + row[1] / (1 + w);
-            else along[0] = s * row[0] - row[1] / s, along[1] = row[1] / s;
-        }
-        return Done{};
-    };
-    if (Status filled = fill_tetrad(equatorial); !filled) return filled.error();
-    tracer.velocity_ = tracer.tetrad_[0];
+    tracer.from_rain_ = falls(camera) && (*spacetime)->lapse_squared(camera.r) <= 1;
+    auto tetrad = local_tetrad(**spacetime, camera, tracer.from_rain_);
+    if (!tetrad) return tetrad.error();
+    tracer.velocity_ = tetrad->front();
     if (!scene.light.aberration) {
-        equatorial.velocity = {0, 0, 0};
-        equatorial.observer = ObserverKind::kStatic;
-        if (Status filled = fill_tetrad(equatorial); !filled) return filled.error();
+        CameraSpec still = camera;
+        still.velocity = {0, 0, 0};
+        still.observer = ObserverKind::kStatic;
+        tetrad = local_tetrad(**spacetime, still, false);
+        if (!tetrad) return tetrad.error();
     }
+    tracer.tetrad_ = *tetrad;
     if (scene.disc && !(*spacetime)->can_have_disc())
         return bad_input(fmt::format("metric \"{}\" has no discs; allowed: a scene without [disc]", scene.spacetime.metric));
     tracer.matter_ = tracer.metric_ = std::move(*metric);

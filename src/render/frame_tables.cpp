@@ -269,7 +269,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     const int sky_size = std::max(textures.sky_size, 1);
     if (textures.two_skies) block.put(0.5 * sky_size, bordered_levels(sky_size) - 1, 1.0, 0.5 * sky_size / bordered_size(sky_size));
     else block.put(0.5 * textures.sky_size, std::log2(sky_size), 1.0, 0);
-    if (sky_K) block.put(sky_light(scene.light, *sky_K, g_gravity, motion_is_seen(scene)), std::log2(*sky_K));
+    if (sky_K) block.put(sky_light(scene.light, *sky_K, g_gravity, motion_is_seen(matter, scene)), std::log2(*sky_K));
     else block.put(1, 1, 1, 0);
     const double height = std::cos(camera.theta);
     block.put({0, 0, 1}, std::fabs(height) < kInPlane ? 0.0 : height);

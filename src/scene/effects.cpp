@@ -21,8 +21,7 @@ constexpr bool table_is_in_order() {
 static_assert(table_is_in_order(), "row i of kEffectTable describes enumerator i");
 
 const char* name_of(SkyKind kind) {
-    constexpr const char* kNames[] = {"stars", "image", "black", "points", "plain", "checker", "grid", "stripes", "noise", "formula"};
-    return kNames[static_cast<int>(kind)];
+    return kSkyKindNames[static_cast<int>(kind)];
 }
 
 }  // namespace
@@ -85,12 +84,11 @@ void add_bodies(const Scene& scene, std::vector<EffectReason>& reasons) {
 
 }  // namespace
 
-bool motion_is_seen(const Scene& scene) {
+bool motion_is_seen(const Spacetime& spacetime, const Scene& scene) {
     if (!scene.light.aberration && !scene.light.doppler) return false;
-    const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
-    const auto observer = spacetime ? observer_of(**spacetime, scene.camera) : spacetime.error();
+    const auto observer = observer_of(spacetime, scene.camera);
     // What falls, or is about a spinning hole, sees the sky's light shifted differently all over the sky, as what is boosted does.
-    const bool shifted = (falls(scene.camera) || (spacetime && (*spacetime)->spin() != 0.0)) && scene.sky.temperature_K && (scene.light.shift || scene.light.beaming);
+    const bool shifted = (falls(scene.camera) || spacetime.spin() != 0.0) && scene.sky.temperature_K && (scene.light.shift || scene.light.beaming);
     return observer && (!(observer->velocity == Vec3{}) || shifted);
 }
 
@@ -104,7 +102,7 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
         reasons.push_back({Effect::kLensing, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     }
     const LightSpec& light = scene.light;
-    const bool moves = motion_is_seen(scene);
+    const bool moves = spacetime && motion_is_seen(**spacetime, scene);
     if (moves) {
         const Vec3 v = scene.camera.velocity;
         const char* part = !light.aberration ? ", light.aberration = \"off\": frequencies alone" : !light.doppler ? ", light.doppler = \"off\": directions alone" : "";
@@ -116,8 +114,8 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     if (scene.disc) {
         reasons.push_back({Effect::kDisc, fmt::format("[disc] from {} to {}", scene.disc->inner, scene.disc->outer)});
         if (scene.disc->look.texture != TextureKind::kImage) {
-            constexpr const char* kNames[] = {"plain", "checker", "grid", "stripes", "noise", "formula"};
-            reasons.push_back({Effect::kDiscPattern, fmt::format("disc.texture = \"{}\"", kNames[static_cast<int>(scene.disc->look.texture)])});
+            const int pattern = static_cast<int>(SkyKind::kPlain) + static_cast<int>(scene.disc->look.texture);   // named as the sky's
+            reasons.push_back({Effect::kDiscPattern, fmt::format("disc.texture = \"{}\"", kSkyKindNames[pattern])});
         } else if (!scene.disc->image.empty()) {
             reasons.push_back({Effect::kDiscImage, fmt::format("disc.image = \"{}\"", scene.disc->image.filename().string())});
         } else if (!thermal) {

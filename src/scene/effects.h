@@ -15,6 +15,8 @@
 
 namespace nullscope {
 
+class Spacetime;
+
 enum class Effect {
     kLensing, kSpin, kAberration, kDisc, kDiscImage, kDiscPattern, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kBolometric,
     kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kPointStars, kSky, kSkyShift, kSkyPattern,
@@ -135,7 +137,7 @@ struct EffectReason {
 };
 
 // Whether the camera's velocity changes anything.
-bool motion_is_seen(const Scene& scene);
+bool motion_is_seen(const Spacetime& spacetime, const Scene& scene);
 
 // Pure: no file is opened. In the order of the enumerators, each effect at most once. The scene must be valid (an
 // unknown metric calls for no lensing).

@@ -16,11 +16,12 @@ struct SpacetimeSpec {
     friend bool operator==(const SpacetimeSpec&, const SpacetimeSpec&) = default;
 };
 
+// How the one who holds the camera moves: scene/observer.h.
+enum class ObserverKind { kStatic, kRain, kFall, kThrow, kOrbit };
+
 // A pinhole camera. The unrotated camera looks at the centre (forward = -e_r), up = -e_theta (towards the north pole),
 // right = forward x up = e_phi... see camera/pose.h. yaw turns to the right, then pitch turns up, then roll turns the picture's
 // top to the right.
-enum class ObserverKind { kStatic, kRain, kFall, kThrow, kOrbit };   // scene/observer.h
-
 struct CameraSpec {
     double r = 15.0;                 // > 0, outside the horizon for a static camera
     double theta = 1.48;             // polar angle, [0, pi]
@@ -61,6 +62,7 @@ struct BodyLook {
 // kStars: the catalogue drawn into a picture of the sky. kPoints: its stars as points, over the Milky Way. From kPlain on: SkySpec::look,
 // of the TextureKind of the same name.
 enum class SkyKind { kStars, kImage, kBlack, kPoints, kPlain, kChecker, kGrid, kStripes, kNoise, kFormula };
+inline constexpr const char* kSkyKindNames[] = {"stars", "image", "black", "points", "plain", "checker", "grid", "stripes", "noise", "formula"};
 inline bool has_look(SkyKind kind) { return kind >= SkyKind::kPlain; }
 enum class SkyMapping { kEquirectangular, kBandAndCaps };
 

@@ -24,8 +24,8 @@ constexpr double kRest = 0.2;  // s without a change before a frame is measured
 
 // All of a camera that rays depend on.
 auto lens_and_place(const CameraSpec& c) {
-    return std::tie(c.r, c.theta, c.phi, c.yaw, c.pitch, c.roll, c.velocity.x, c.velocity.y, c.velocity.z,
-                    c.plane_width, c.focal_distance, c.width, c.height);
+    return std::tie(c.r, c.theta, c.phi, c.yaw, c.pitch, c.roll, c.velocity.x, c.velocity.y, c.velocity.z, c.observer,
+                    c.fall_from, c.energy, c.plane_width, c.focal_distance, c.width, c.height);
 }
 
 // The numbers of the solid bodies' forms.

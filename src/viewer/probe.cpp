@@ -35,7 +35,7 @@ const char* words_of(const ProbeFacts& facts) {
 
 // A tracer follows the whole scene; how matter moves, the spacetime and the disc alone.
 bool Probe::follow(const Scene& scene) {
-    const bool other_matter = !spacetime_ || !(scene.spacetime == scene_.spacetime) || scene.disc != scene_.disc;
+    const bool other_matter = !spacetime_ || !(scene.spacetime == scene_.spacetime) || scene.disc != scene_.disc || !(scene.light == scene_.light);
     auto made = reference::FrameTracer::make(scene);
     auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     if (!made || !spacetime) return false;
@@ -60,28 +60,36 @@ void Probe::look(const Scene& scene, double x, double y) {
     facts_ = facts_of(tracer_->ray(x, y));
 }
 
+void Probe::meet_disc(const reference::CameraRay& ray, const reference::DiscHit& hit, ProbeFacts& facts) const {
+    facts.hit = Object::kDisc;
+    facts.hit_r = std::hypot(hit.x, hit.y);
+    if (!matter_) return;
+    const reference::Shift matter = matter_->shift({facts.hit_r, ray.l_z, hit.outward, ray.l2, hit.radial});
+    facts.shift = reference::Shift{ray.shift.gravity * matter.gravity, ray.shift.doppler * matter.doppler};
+}
+
 ProbeFacts Probe::facts_of(const reference::CameraRay& ray) const {
     ProbeFacts facts;
     const bool lengths = tracer_->metric().by_proper_length();
     const auto radius = [&](double zeta) { return lengths ? spacetime_->areal_radius(zeta) : 1 / zeta; };
-    facts.fate = ray.orbit->fate();
+    facts.fate = ray.fate();
     facts.zeta0 = 1 / spacetime_->areal_radius(scene_.camera.r);
+    facts.shift = ray.shift;
+    if (ray.spun) {   // no plane, no orbit, no q: what it meets, and g
+        const auto hits = tracer_->disc_hits(ray, 1);
+        if (!hits.empty()) meet_disc(ray, hits.front(), facts);
+        else if (facts.fate == Fate::kCaptured) facts.shift.reset();
+        return facts;
+    }
     facts.q = 1 / std::sqrt(ray.l2);
     if (const auto sphere = spacetime_->photon_sphere()) facts.critical = -std::log(std::fabs(1 - facts.q / sphere->q_crit));
     if (std::isfinite(ray.orbit->turn())) facts.turn_r = radius(ray.orbit->turn());
-    facts.shift = ray.shift;
     double end = ray.orbit->angle();
     const auto hits = tracer_->disc_hits(ray, 1);
     const auto body = tracer_->body_hit(ray);
     if (!hits.empty() && !(body && body->angle < hits.front().angle)) {
-        const auto& hit = hits.front();
-        facts.hit = Object::kDisc;
-        facts.hit_r = std::hypot(hit.x, hit.y);
-        if (scene_.disc->opacity == 1) end = hit.angle;
-        if (matter_) {
-            const reference::Shift matter = matter_->shift({facts.hit_r, ray.l_z, hit.outward, ray.l2});
-            facts.shift = reference::Shift{ray.shift.gravity * matter.gravity, ray.shift.doppler * matter.doppler};
-        }
+        meet_disc(ray, hits.front(), facts);
+        if (scene_.disc->opacity == 1) end = hits.front().angle;
     } else if (body) {
         facts.hit = body->object;
         facts.hit_r = length(body->place);

@@ -16,7 +16,7 @@ struct ProbeFacts {
     Fate fate = Fate::kNoSky;
     Object hit = Object::kNone;     // what it meets first
     double hit_r = kNotANumber;     // and where, r_s
-    double q = 0, zeta0 = 0;        // E r_s/L; r_s/r of the camera
+    double q = kNotANumber, zeta0 = 0;   // E r_s/L (without spin); r_s/r of the camera
     double critical = kNotANumber;  // Q: |1 - q/q_crit| = e^-Q
     double turn_r = kNotANumber;    // turning point, r_s
     double windings = 0;            // swept angle over a full turn
@@ -37,6 +37,7 @@ public:
 
 private:
     bool follow(const Scene& scene);
+    void meet_disc(const reference::CameraRay& ray, const reference::DiscHit& hit, ProbeFacts& facts) const;
     ProbeFacts facts_of(const reference::CameraRay& ray) const;
 
     Scene scene_;

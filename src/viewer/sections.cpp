@@ -96,17 +96,16 @@ bool disc_section(ViewState& view) {
 
 bool sky_section(ViewState& view, bool escape) {
     SkySpec& sky = view.scene.sky;
-    constexpr const char* kNames[] = {"stars", "image", "black", "points", "plain", "checker", "grid", "stripes", "noise", "formula"};
     bool changed = false;
     row("Kind", "What is seen at infinity: the stars and Milky Way that ship (as a picture, or the stars as points), the scene's image, nothing, or a pattern.");
-    if (begin_choice("##sky", kNames[static_cast<int>(sky.kind)], escape)) {
-        for (int i = 0; i < static_cast<int>(std::size(kNames)); ++i) {
+    if (begin_choice("##sky", kSkyKindNames[static_cast<int>(sky.kind)], escape)) {
+        for (int i = 0; i < static_cast<int>(std::size(kSkyKindNames)); ++i) {
             const bool missing = i == static_cast<int>(SkyKind::kImage) && view.loaded.sky.image.empty();
             if (i == static_cast<int>(SkyKind::kFormula) && view.loaded.sky.look.formula.empty()) continue;
             if (missing) {
                 ImGui::TextDisabled("image");
                 tooltip("This scene's file names no image (key image in [sky]).");
-            } else if (choice_item(kNames[i], i == static_cast<int>(sky.kind))) {
+            } else if (choice_item(kSkyKindNames[i], i == static_cast<int>(sky.kind))) {
                 sky.kind = static_cast<SkyKind>(i);
                 changed = true;
             }

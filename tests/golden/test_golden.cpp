@@ -1,8 +1,6 @@
 // Every case of cases.csv on every context: ray data against the reference, colours against the golden picture. A failure
 // leaves one HTML file in the build folder and prints its path.
 #include <algorithm>
-#include <cstdint>
-#include <map>
 #include <numeric>
 
 #include "base/atomic_file.h"
@@ -131,7 +129,7 @@ Image<unsigned char> bytes_of(const Image<float>& linear) {
     return bytes;
 }
 
-void run_case(const GoldenCase& golden, GpuSession& session) {
+void run_case(const GoldenCase& golden, GpuSession& session, MeasuredOnce& measured) {
     if (golden.contexts.find(session.context->kind()) == std::string::npos) return;
     auto scene = golden_scene(golden);
     const std::string reason = scene ? "" : scene.error().message;
@@ -148,10 +146,7 @@ void run_case(const GoldenCase& golden, GpuSession& session) {
         rays.scene = part;
         rays.rays = gl_ray_data(session, part);
         rays.picture = session.renderer->picture8();
-        // The first context's rays are measured; another's need not be again where they are the same bit by bit.
-        static std::map<std::string, std::uint64_t> measured;
-        const auto [before_bits, first] = measured.try_emplace(golden.name + (&part == &parts.back() ? "" : ", left"), mark_of(rays.rays));
-        const bool known = !first && before_bits->second == mark_of(rays.rays);
+        const bool known = measured.known(golden.name + (&part == &parts.back() ? "" : ", left"), rays.rays);
         if (!known) rays.measures = measure_rays(rays.rays, part.camera, reference_trace(part));
         const Image<unsigned char> before = std::move(colours.picture);
         colours = rays;
@@ -167,10 +162,11 @@ void run_case(const GoldenCase& golden, GpuSession& session) {
 }
 
 TEST_CASE("every case is as the reference draws it") {
-    on_every_context([](GpuSession& session) {
+    MeasuredOnce measured;
+    on_every_context([&](GpuSession& session) {
         for (const GoldenCase& golden : golden_cases()) {
             CAPTURE(golden.name);
-            run_case(golden, session);
+            run_case(golden, session, measured);
         }
     });
 }

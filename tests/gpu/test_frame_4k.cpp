@@ -1,10 +1,6 @@
 // 4K frames over 90 degrees against the reference: every pixel's screen error and fate.
 #include "support/gpu_session.h"
 
-#include <cstring>
-#include <optional>
-#include <vector>
-
 namespace {
 
 using namespace nullscope;
@@ -38,33 +34,19 @@ void check_measures(const std::string& what, const RayMeasures& m) {
     CHECK(m.not_finite == 0);
 }
 
-// Only sky, angle and g can differ in these scenes.
-bool same_bits(const RayFrame& a, const RayFrame& b) {
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const RayPixel &p = a.pixels[i], &q = b.pixels[i];
-        if (!same_end(p, q) || p.order != q.order) return false;
-        const double x[] = {p.sky.x, p.sky.y, p.sky.z, p.g, p.delay, p.angle, p.u, p.v};
-        const double y[] = {q.sky.x, q.sky.y, q.sky.z, q.g, q.delay, q.angle, q.u, q.v};
-        if (std::memcmp(x, y, sizeof(x)) != 0) return false;
-    }
-    return true;
-}
-
-// The first context's frame is measured against the reference. Another's need not be again where it is the same bit by bit.
 void check_camera(double r, double yaw_deg, int row_step) {
     const Scene scene = frame_4k(r, yaw_deg);
     const std::string where = fmt::format("r {:<5} yaw {:<4}", r, yaw_deg);
     CAPTURE(where);
-    std::optional<RayFrame> measured;
+    MeasuredOnce measured;
     on_every_context([&](GpuSession& session) {
-        RayFrame frame = gl_ray_data(session, scene);
-        if (measured && same_bits(*measured, frame)) {
+        const RayFrame frame = gl_ray_data(session, scene);
+        if (measured.known(where, frame)) {
             fmt::print("{} {}: the same bits\n", where, session.context->kind());
             return;
         }
         check_measures(fmt::format("{} {}", where, session.context->kind()),
                        measure_rays(frame, scene.camera, reference_trace(scene), row_step));
-        if (!measured) measured = std::move(frame);
     });
 }
 

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,8 +65,7 @@ inline RayFrame gl_ray_data(GpuSession& session, const Scene& scene) {
     return session.renderer->ray_data();
 }
 
-// A mark of the bits of all that is known of a frame's rays (FNV-1a): what was measured on one context need not be on another whose bits
-// are the same.
+// A mark of the bits of all that is known of a frame's rays (FNV-1a).
 inline std::uint64_t mark_of(const RayFrame& frame) {
     std::uint64_t mark = 14695981039346656037ull;
     for (const RayPixel& p : frame.pixels) {
@@ -75,6 +75,24 @@ inline std::uint64_t mark_of(const RayFrame& frame) {
     }
     return mark;
 }
+
+// What was measured on one context need not be again on another that draws the same bits.
+class MeasuredOnce {
+public:
+    // Whether a frame of this name had the same bits before.
+    bool known(const std::string& name, const RayFrame& frame) {
+        const std::uint64_t mark = mark_of(frame);
+        const auto [before, first] = marks_.try_emplace(name, mark);
+        const bool same = !first && before->second == mark;
+        count_ += same;
+        return same;
+    }
+    int count() const { return count_; }
+
+private:
+    std::map<std::string, std::uint64_t> marks_;   // of the first context
+    int count_ = 0;
+};
 
 inline ExactTrace reference_trace(const Scene& scene) {
     return [scene](const std::vector<std::array<double, 2>>& positions) {
