@@ -13,22 +13,39 @@ struct OrbitPoint {
     float across;       // d zeta / d |delta| at fixed phi
 };
 
+// The cell of the map, and the place in it, 0 ... 1.
+struct OrbitCell {
+    int column;
+    int row;
+    float across;
+    float along;
+    float start;        // of the octave: a power of two
+};
+
+OrbitCell orbit_cell(bool escapes, float u, float phi, float phi_end) {
+    Octave octave = octave_cell(u, ORBIT_CELLS_PER_OCTAVE);
+    float position = min(phi / phi_end, 1.0) * float(ORBIT_ROWS);
+    int row = int(min(position, float(ORBIT_ROWS) - 0.5));
+    OrbitCell cell;
+    cell.column = octave.cell + octave.cell / ORBIT_CELLS_PER_OCTAVE;
+    cell.row = escapes ? row : row + (ORBIT_ROWS + 1);
+    cell.across = octave.place;
+    cell.along = position - float(row);
+    cell.start = octave.start;
+    return cell;
+}
+
 // u, u_slope: as in StripRay. phi: swept angle < phi_end; phi_end_slope: d phi_end / d |delta|.
 OrbitPoint orbit_point(bool escapes, float u, float u_slope, float phi, float phi_end, float phi_end_slope) {
-    Octave octave = octave_cell(u, ORBIT_CELLS_PER_OCTAVE);
-    int whole = octave.cell / ORBIT_CELLS_PER_OCTAVE;
-    int column = octave.cell + whole;
     phi_end = max(phi_end, 1.0e-9);   // a radial ray sweeps nothing
+    OrbitCell cell = orbit_cell(escapes, u, phi, phi_end);
     float v = min(phi / phi_end, 1.0);
-    float position = v * float(ORBIT_ROWS);
-    int row = int(min(position, float(ORBIT_ROWS) - 0.5));
-    float g = position - float(row);
-    float f = octave.place;
-    int base = escapes ? row : row + (ORBIT_ROWS + 1);
-    vec4 t00 = orbit_fetch(column, base);
-    vec4 t10 = orbit_fetch(column + 1, base);
-    vec4 t01 = orbit_fetch(column, base + 1);
-    vec4 t11 = orbit_fetch(column + 1, base + 1);
+    float f = cell.across;
+    float g = cell.along;
+    vec4 t00 = orbit_fetch(cell.column, cell.row);
+    vec4 t10 = orbit_fetch(cell.column + 1, cell.row);
+    vec4 t01 = orbit_fetch(cell.column, cell.row + 1);
+    vec4 t11 = orbit_fetch(cell.column + 1, cell.row + 1);
 
     // Hermite across, for value (x, y) and slope along v (z, w) at once.
     float f2 = f * f;
@@ -51,7 +68,7 @@ OrbitPoint orbit_point(bool escapes, float u, float u_slope, float phi, float ph
     float slope_v = 6.0 * g * (1.0 - g) * (high - low) + (1.0 + g * (3.0 * g - 4.0)) * low_v + g * (3.0 * g - 2.0) * high_v;
     slope_v *= float(ORBIT_ROWS);
     float slope_x = low_x + e1 * (high_x - low_x);   // slopes of slopes left out: for footprints only
-    float slope_delta = slope_x * (float(ORBIT_CELLS_PER_OCTAVE) / octave.start) * u_slope;
+    float slope_delta = slope_x * (float(ORBIT_CELLS_PER_OCTAVE) / cell.start) * u_slope;
 
     float rest = escapes ? 1.0 - v : 1.0;
     OrbitPoint point;

@@ -4,7 +4,7 @@ struct PixelData {
     float fate;     // 0 escaped, 1 captured, 2 other side, 4 hit (scene/ray.h)
     vec3 sky;       // unit direction on the celestial sphere; zero unless the ray ends on a sky; of a star, the place hit
     float g;        // frequency in the camera over frequency at infinity; 0 unless escaped
-    float delay;
+    float delay;    // T of an escaped ray; from where an opaque object is hit, the light time; 0 without EFFECT_DELAY
     float angle;    // swept from the camera to the end
     float hit;      // number of the first object met, 0 for none
     vec3 place;     // of that meeting: x, y, z in r_s
@@ -56,6 +56,9 @@ PixelData pixel_data(vec2 pixel) {
             if (frame.disc_look.x >= 1.0) {   // opaque: the ray ends here
                 data.fate = 4.0;
                 data.angle = crossing.phi;
+#ifdef EFFECT_DELAY
+                data.delay = light_time(trace, crossing.phi, 1.0 / crossing.r, crossing.zeta_slope);
+#endif
                 break;
             }
         }
@@ -65,6 +68,9 @@ PixelData pixel_data(vec2 pixel) {
 #ifdef NEEDS_PLACE
     if (solid.object != 0 && data.fate != 4.0) {
         data.fate = 4.0;
+#ifdef EFFECT_DELAY
+        data.delay = place_of(trace, tangent, solid.phi).late;
+#endif
         if (data.hit == 0.0) {
             data.hit = float(solid.object);
             data.place = place_of(trace, tangent, solid.phi).at;
@@ -81,6 +87,9 @@ PixelData pixel_data(vec2 pixel) {
     }
 #endif
     bool sky = data.fate == 0.0 || data.fate == 2.0;
+#ifdef EFFECT_DELAY
+    if (data.fate == 0.0) data.delay = sky_delay(trace);
+#endif
     data.sky = sky ? normalize(trace.sky) : vec3(0.0, 0.0, 0.0);
     data.g = sky ? g_of(trace) : 0.0;
     return data;

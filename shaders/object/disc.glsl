@@ -9,7 +9,7 @@ struct DiscCrossing {
     float phi;        // swept angle
     vec2 along;       // footprint of one pixel on the disc in (x, y), r_s: image of its side along the ray's plane
     vec2 across;      // ... and of the side across it
-#ifdef EFFECT_THERMAL_DISC
+#ifdef NEEDS_ZETA_SLOPE
     float zeta_slope; // d zeta / d phi along the ray
 #endif
 };
@@ -48,7 +48,7 @@ DiscCrossing disc_cross(Trace trace, PlaneMeeting meeting, int number, float mar
     float r = 1.0 / zeta;
     float r_along = -point.along * r * r;
     float r_across = -point.across * r * r;
-#ifdef EFFECT_THERMAL_DISC
+#ifdef NEEDS_ZETA_SLOPE
     crossing.zeta_slope = point.along;
 #endif
 #else
@@ -58,7 +58,7 @@ DiscCrossing disc_cross(Trace trace, PlaneMeeting meeting, int number, float mar
     float r = 1.0 / zeta;
     float r_along = r * cos(trace.phi_end - crossing.phi) / max(sin_rest, 1.0e-6);
     float r_across = -r * r * zeta0 * sin(crossing.phi) / max(trace.s * trace.s, 1.0e-12);
-#ifdef EFFECT_THERMAL_DISC
+#ifdef NEEDS_ZETA_SLOPE
     crossing.zeta_slope = -r_along * zeta * zeta;
 #endif
 #endif

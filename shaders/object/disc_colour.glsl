@@ -37,23 +37,47 @@ vec4 disc_filtered(vec2 middle, vec2 a, vec2 b) {
 vec3 disc_coat_paint(vec3 at, vec3 along, vec3 across);   // object/paint.glsl
 #endif
 
+// Of image or texture at a place, with the pixel's sides a and b there.
+vec4 disc_coat(vec2 place, vec2 a, vec2 b) {
+#ifdef EFFECT_DISC_IMAGE
+    return disc_filtered(place, a, b);
+#endif
+#ifdef EFFECT_DISC_PATTERN
+    return vec4(disc_coat_paint(vec3(place, 0.0), vec3(a, 0.0), vec3(b, 0.0)), 1.0);
+#endif
+    return vec4(1.0);
+}
+
+#ifdef EFFECT_DISC_FLOW
+vec4 disc_moving(DiscCrossing crossing, float late);   // object/disc_moving.glsl
+#endif
+#ifdef EFFECT_SPOT
+vec3 spot_light(Trace trace, DiscCrossing crossing, float late);   // object/spot.glsl
+#endif
+
 // Premultiplied colour and coverage.
 vec4 disc_colour(Trace trace, DiscCrossing crossing) {
     vec2 a = crossing.along;
     vec2 b = crossing.across;
-#ifdef EFFECT_DISC_IMAGE
-    vec4 texel = disc_filtered(crossing.place, a, b);
-#else
-    vec4 texel = vec4(1.0);
+#ifdef NEEDS_LATE
+    float late = 0.0;
+#ifdef EFFECT_DELAY
+    late = light_time(trace, crossing.phi, 1.0 / crossing.r, crossing.zeta_slope);
 #endif
-#ifdef EFFECT_DISC_PATTERN
-    texel = vec4(disc_coat_paint(vec3(crossing.place, 0.0), vec3(a, 0.0), vec3(b, 0.0)), 1.0);
+#endif
+#ifdef EFFECT_DISC_FLOW
+    vec4 texel = disc_moving(crossing, late);
+#else
+    vec4 texel = disc_coat(crossing.place, a, b);
 #endif
     float inner = frame.disc_x.w;
     float outer = frame.disc_y.w;
     vec2 outward = crossing.place / crossing.r;
     float across = clamp(abs(dot(a, outward)) + abs(dot(b, outward)), 1.0e-6, 0.25 * (outer - inner));   // pixel's extent in r
     float alpha = clamp((crossing.r - inner) / across + 0.5, 0.0, 1.0) * clamp((outer - crossing.r) / across + 0.5, 0.0, 1.0);
+#ifdef EFFECT_SPOT
+    vec3 spot = spot_light(trace, crossing, late) * alpha;
+#endif
     alpha *= texel.a;
 #ifdef EFFECT_TRANSLUCENT_DISC
     float depth = min(crossing.r - inner, outer - crossing.r) / (outer - inner);
@@ -65,5 +89,9 @@ vec4 disc_colour(Trace trace, DiscCrossing crossing) {
 #ifdef EFFECT_THERMAL_DISC
     light *= thermal_light(disc_flow(trace, crossing));
 #endif
+#ifdef EFFECT_SPOT
+    return vec4(light * alpha + spot, alpha);
+#else
     return vec4(light, 1.0) * alpha;
+#endif
 }

@@ -48,5 +48,8 @@ DiscCrossing disc_thin_crossing(PlaneMeeting meeting, int number) {
     crossing.place = crossing.r * outward;
     crossing.along = 0.5 * (outer - inner) * outward;
     crossing.across = vec2(0.0);
+#ifdef NEEDS_ZETA_SLOPE
+    crossing.zeta_slope = 0.0;
+#endif
     return crossing;
 }

@@ -19,7 +19,7 @@ float march_angle(RayPlace place, float length) {
 
 // The value with the body made half a pixel smaller where pixels are blurred (blur = 1): a pixel is covered in part between.
 float march_value_at(Trace trace, RayPlace place, float phi, float blur) {
-    return march_value(place.at) + (blur > 0.0 ? 0.5 * blur * place_pixel(trace, place, phi) : 0.0);
+    return march_value(place) + (blur > 0.0 ? 0.5 * blur * place_pixel(trace, place, phi) : 0.0);
 }
 
 // Between `low` (outside) and `high` (inside): regula falsi, the end that stays halved (Illinois); every third step halves the
@@ -116,7 +116,7 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
         }
         if (inside_value <= 0.0) {
             hit.phi = march_refined(trace, tangent, blur, outside_phi, inside_phi, outside_value, inside_value);
-            hit.object = march_object(place_of(trace, tangent, hit.phi).at);
+            hit.object = march_object(place_of(trace, tangent, hit.phi));
             hit.covered = 1.0;
             going = false;
         }
@@ -128,7 +128,7 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
     } while (going && --left > 0);
     if (hit.object == 0 && nearest < 1.0) {
         hit.phi = nearest_phi;
-        hit.object = march_object(place_of(trace, tangent, nearest_phi).at);
+        hit.object = march_object(place_of(trace, tangent, nearest_phi));
         hit.covered = 1.0 - nearest;
     }
     return hit;

@@ -7,6 +7,9 @@ struct RayPlace {
     float r;
     float r_along;    // d r / d phi
     float r_across;   // d r / d |delta| at fixed phi (core/strip.glsl)
+#ifdef NEEDS_PLACE_LATE
+    float late;       // how long ago the light left that arrives now
+#endif
 };
 
 // Unit vector across the radial direction at the camera, in the ray's plane; 0 for an exactly radial ray.
@@ -39,6 +42,12 @@ RayPlace place_of(Trace trace, vec3 tangent, float phi) {
     place.outward = cos_phi * e + sin_phi * tangent;
     place.onward = cos_phi * tangent - sin_phi * e;
     place.at = place.r * place.outward;
+#ifdef NEEDS_PLACE_LATE
+    place.late = 0.0;
+#ifdef EFFECT_DELAY
+    place.late = light_time(trace, phi, zeta, along);
+#endif
+#endif
     return place;
 }
 

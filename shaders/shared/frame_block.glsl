@@ -96,4 +96,18 @@ struct FrameData {
     vec4 spin_scale;   // p_theta = x n_theta; L/sin(theta) = y n_phi; d zeta/d tau = -z n_r; 0
     vec4 spin_place;   // sin(theta), cos(theta) (exactly 0 in the equatorial plane), cos(phi), sin(phi)
 #endif
+#ifdef BLOCK_DELAY
+    vec4 delay;        // x, y of A = (1 - x zeta)(1 - y zeta); the camera's part of light times, of rays to the sky and of others (core/delay.glsl)
+#endif
+#ifdef BLOCK_DISC_FLOW
+    vec4 disc_flow;    // scene time over the life of a copy, modulo 4096; 1/life; Omega^2 = zeta^3 (z - w zeta)
+#endif
+#ifdef BLOCK_SPOT
+    vec4 spot;         // radius, angle now, Omega, angle between two
+    vec4 spot_look;    // size^2, brightness, log2 of the temperature (K) and of its luminance
+    vec4 spot_motion;  // u^t, u^phi as disc_flow_row has them, 0, 0
+#endif
+#ifdef BLOCK_BALL_PATH
+    vec4 ball_path;    // how long ago light left at the first node, 1/step, number of cells, largest speed
+#endif
 };

@@ -92,7 +92,7 @@ double unwrapped_azimuth(const Start& start, double angle, double x, double y) {
     return expected + std::remainder(std::atan2(y, x) - expected, 2 * M_PI);
 }
 
-RayRecord record_of(const Start& start, const RayPixel& pixel) {
+RayRecord record_of(const Start& start, const RayPixel& pixel, bool delays) {
     RayRecord record;
     record.fate = pixel.fate;
     if (pixel.fate == Fate::kHit) record.hit = static_cast<Object>(pixel.hit);
@@ -100,6 +100,7 @@ RayRecord record_of(const Start& start, const RayPixel& pixel) {
     if (pixel.fate != Fate::kEscaped && pixel.fate != Fate::kOtherSide) return record;
     record.sky = pixel.sky;
     record.g = pixel.g;
+    if (delays && pixel.fate == Fate::kEscaped) record.delay = pixel.delay;
     record.theta_inf = std::atan2(std::hypot(pixel.sky.x, pixel.sky.y), pixel.sky.z);
     record.phi_inf = unwrapped_azimuth(start, pixel.angle, pixel.sky.x, pixel.sky.y);
     return record;
@@ -111,11 +112,13 @@ public:
     static Result<MiddleTracer> make(const ShaderRun& run) {
         MiddleTracer tracer;
         tracer.kind_ = run.tracer;
+        tracer.tables_.want_delays(true);
         if (run.tracer != ShaderTracer::kGl) return tracer;
         auto session = open_session(run.context);
         if (!session) return session.error();
         tracer.session_ = std::move(*session);
         tracer.session_->renderer->set_method(run.method);
+        tracer.session_->renderer->want_delays(true);
         return tracer;
     }
     Result<std::vector<RayPixel>> operator()(const std::vector<Scene>& views) {
@@ -145,8 +148,9 @@ struct Job {
 // Up to three views a ray: the scene, the first crossing of the equatorial plane, the place at at_angle.
 class Batch {
 public:
-    Batch(const Scene& scene, bool planes, bool crossings, bool probes)
-        : scene_(scene), plane_(with_disc_from(scene, kPlane)), bare_plane_(plane_), planes_(planes), crossings_(crossings) {
+    Batch(const Scene& scene, const Spacetime& spacetime, bool crossings, bool probes)
+        : scene_(scene), plane_(with_disc_from(scene, kPlane)), bare_plane_(plane_), planes_(spacetime.spin() == 0.0), crossings_(crossings),
+          delays_(spacetime.lapse_roots() || !spacetime.bends_light()) {
         bare_plane_.sphere.reset(), bare_plane_.cylinder.reset(), bare_plane_.ball.reset(), bare_plane_.surface.reset();
         if (scene_.disc && scene_.disc->opacity < 1.0) scene_.disc.reset();   // it ends no ray
         if (probes && !scene_.disc) scene_ = with_disc_from(scene, kOutOfReach);
@@ -167,7 +171,7 @@ public:
                std::vector<std::optional<RayRecord>>& records) const {
         auto next = pixels.begin();
         for (const Job& job : jobs) {
-            RayRecord record = record_of(job.start, *next++);
+            RayRecord record = record_of(job.start, *next++, delays_);
             if (!planes_) record.angle = kNotANumber;
             if (crossings_) {
                 const RayPixel& met = *next++;
@@ -187,7 +191,7 @@ public:
 
 private:
     Scene scene_, plane_, bare_plane_;   // bare: without bodies, which end the ray but not the question where it is
-    bool planes_, crossings_;            // planes: rays keep to one, and sweep an angle in it
+    bool planes_, crossings_, delays_;   // planes: rays keep to one, and sweep an angle in it; delays: the shader knows them
 };
 
 }  // namespace
@@ -208,7 +212,7 @@ Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& sce
     }
     // Rows of one radius share strip and orbit map.
     std::stable_sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) { return a.start.r < b.start.r; });
-    const Batch batch(scene, spacetime.spin() == 0.0, run.crossings, run.crossings || places);
+    const Batch batch(scene, spacetime, run.crossings, run.crossings || places);
     std::vector<std::optional<RayRecord>> records(table.rows.size());
     for (std::span<const Job> rest = jobs; !rest.empty();) {
         const auto now = rest.first(std::min(kBatch, rest.size()));

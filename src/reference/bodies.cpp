@@ -8,6 +8,8 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include "expr/formula.h"
+#include "reference/ball_way.h"
+#include "scene/moving.h"
 #include "scene/named_surface.h"
 
 namespace nullscope::reference {
@@ -17,6 +19,7 @@ constexpr double kLongestTurn = 0.12;    // rad between two looks at an orbit
 constexpr double kPartOfThinnest = 0.2;  // of a body's smallest extent between two looks, where it can be met
 constexpr int kCloserLooks = 64;         // between the looks that found a body
 constexpr int kMostLooks = 200'000;
+constexpr int kWayLooks = 200;           // at the way of a ball
 
 Vec3 place_at(const Orbit& orbit, const RayPlane& plane, double angle) {
     return plane.direction(angle) / orbit.zeta_at(angle);
@@ -30,41 +33,50 @@ bool can_reach(const Orbit& orbit, double camera_r, double reach) {
 
 }  // namespace
 
-Bodies::Bodies(const Scene& scene) {
+Bodies::Bodies(const Scene& scene, const OrbitMetric& matter) : time_(scene.time) {
+    const auto parts = moving_parts(scene);
+    moves_ = std::any_of(parts.begin(), parts.end(), [](const std::string& key) { return !key.starts_with("disc") && !key.starts_with("spot"); });
     if (scene.sphere) {
-        const double radius = scene.sphere->radius;
-        parts_.push_back({Object::kSphere, radius, radius, [radius](Vec3 x) { return length(x) - radius; }});
+        const SphereSpec s = *scene.sphere;
+        parts_.push_back({Object::kSphere, s.radius * (1 - s.swing), s.radius * (1 + s.swing),
+                          [s](Vec3 x, double t) { return length(x) - s.radius * (1 + s.swing * std::sin(2 * M_PI * t / s.period)); }, s.swing > 0});
     }
     if (scene.cylinder) {
         const CylinderSpec c = *scene.cylinder;
         const double thinnest = std::min(2 * c.height, c.outer - c.inner);
-        parts_.push_back({Object::kCylinder, thinnest, std::hypot(c.outer, c.height), [c](Vec3 x) {
+        parts_.push_back({Object::kCylinder, thinnest, std::hypot(c.outer, c.height), [c](Vec3 x, double) {
                               const double rho = std::hypot(x.x, x.y);
                               return std::max({rho - c.outer, c.inner - rho, std::abs(x.z) - c.height});
                           }});
     }
     if (scene.ball) {
         const BallSpec b = *scene.ball;
-        parts_.push_back({Object::kBall, b.radius, length(b.position) + b.radius,
-                          [b](Vec3 x) { return length(x - b.position) - b.radius; }});
+        const auto way = ball_way(matter, b);
+        double reach = length(b.position);
+        if (b.motion != BallMotion::kStill)   // as far as it goes in the time that light takes
+            for (int i = 0; i <= kWayLooks; ++i) reach = std::max(reach, length(way(scene.time - 4.0 * (scene.camera.r + 50.0) * i / kWayLooks)));
+        const double step = b.motion == BallMotion::kStill ? 0.0 : b.radius;   // looks at its way were a step apart
+        parts_.push_back({Object::kBall, b.radius, reach + b.radius + step, [b, way](Vec3 x, double t) { return length(x - way(t)) - b.radius; }, b.motion != BallMotion::kStill, way});
     }
     if (scene.surface) {
         const auto shape = expr::Formula::parse(surface_shape(*scene.surface), {"x", "y", "z", "t"});
         const double bound = scene.surface->bound;
         if (shape)
-            parts_.push_back({Object::kSurface, 2 * bound / scene.surface->steps, bound, [f = *shape, bound, time = scene.time](Vec3 x) {
-                                  const double place[] = {x.x, x.y, x.z, time};
+            parts_.push_back({Object::kSurface, 2 * bound / scene.surface->steps, bound, [f = *shape, bound](Vec3 x, double t) {
+                                  const double place[] = {x.x, x.y, x.z, t};
                                   return std::max(f.value(place), length(x) - bound);
-                              }});
+                              }, surface_moves(*scene.surface)});
     }
 }
+
+double Bodies::time_at(double angle, const Part& part, LightClock* clock) const { return part.moves && clock != nullptr ? time_ - clock->late(angle) : time_; }
 
 // Equal looks along the path, fine where the body can be met; a change of sign is narrowed down by TOMS 748, a dip between three
 // looks by Brent's minimisation.
 std::optional<double> Bodies::first_angle(const Orbit& orbit, const RayPlane& plane, double camera_r,
-                                          const Part& part) const {
+                                          const Part& part, LightClock* clock) const {
     if (!can_reach(orbit, camera_r, part.reach * 1.001)) return std::nullopt;
-    const auto value = [&](double angle) { return part.value(place_at(orbit, plane, angle)); };
+    const auto value = [&](double angle) { return part.value(place_at(orbit, plane, angle), time_at(angle, part, clock)); };
     const auto solved = [&](double outside, double inside) {
         std::uintmax_t steps = 200;
         const auto root = boost::math::tools::toms748_solve(value, outside, inside,
@@ -118,20 +130,21 @@ std::optional<double> Bodies::first_angle(const Orbit& orbit, const RayPlane& pl
     return std::nullopt;
 }
 
-std::optional<BodyHit> Bodies::first_hit(const Orbit& orbit, const RayPlane& plane, double camera_r) const {
+std::optional<BodyHit> Bodies::first_hit(const Orbit& orbit, const RayPlane& plane, double camera_r, LightClock* clock) const {
     std::optional<BodyHit> first;
     for (const Part& part : parts_) {
-        const auto angle = first_angle(orbit, plane, camera_r, part);
+        const auto angle = first_angle(orbit, plane, camera_r, part, clock);
         if (!angle || (first && first->angle <= *angle)) continue;
         const Vec3 place = place_at(orbit, plane, *angle);
         const double turn = 1e-6, tiny = 1e-6 * part.thinnest;
         const Vec3 earlier = *angle > turn ? place_at(orbit, plane, *angle - turn) : place_at(orbit, plane, 0);
-        const Vec3 slope{part.value(place + Vec3{tiny, 0, 0}) - part.value(place - Vec3{tiny, 0, 0}),
-                         part.value(place + Vec3{0, tiny, 0}) - part.value(place - Vec3{0, tiny, 0}),
-                         part.value(place + Vec3{0, 0, tiny}) - part.value(place - Vec3{0, 0, tiny})};
+        const double t = time_at(*angle, part, clock);
+        const auto along = [&](Vec3 side) { return part.value(place + side, t) - part.value(place - side, t); };
+        const Vec3 slope{along({tiny, 0, 0}), along({0, tiny, 0}), along({0, 0, tiny})};
         const Vec3 back = earlier - place;
         const double size = length(slope) * length(back);
-        first = BodyHit{*angle, place, part.object, size > 0 ? std::clamp(dot(slope, back) / size, 0.0, 1.0) : 1.0};
+        first = BodyHit{*angle, place, part.object, size > 0 ? std::clamp(dot(slope, back) / size, 0.0, 1.0) : 1.0,
+                        part.middle ? part.middle(t) : Vec3{0, 0, 0}};
     }
     return first;
 }

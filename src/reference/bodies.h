@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "reference/light_time.h"
 #include "reference/orbit.h"
 #include "reference/ray_plane.h"
 #include "scene/scene.h"
@@ -16,25 +17,33 @@ struct BodyHit {
     Vec3 place;    // r_s, world axes
     Object object;
     double cosine;  // between the ray and the surface's normal, in flat coordinates
+    Vec3 middle{0, 0, 0};  // of the body, when the light left
 };
 
 // The bodies as functions of place, below 0 inside: what a ray enters first.
 class Bodies {
 public:
-    explicit Bodies(const Scene& scene);
+    // matter: outlives this.
+    Bodies(const Scene& scene, const OrbitMetric& matter);
     bool empty() const { return parts_.empty(); }
-    // A few hundred positions along the orbit: some 50 microseconds.
-    std::optional<BodyHit> first_hit(const Orbit& orbit, const RayPlane& plane, double camera_r) const;
+    bool move() const { return moves_; }
+    // A few hundred positions along the orbit: some 50 microseconds; where light takes time (clock) and something moves, some milliseconds.
+    std::optional<BodyHit> first_hit(const Orbit& orbit, const RayPlane& plane, double camera_r, LightClock* clock) const;
 
 private:
     struct Part {
         Object object;
         double thinnest;  // its smallest extent: no stride may be longer than a part of it
         double reach;     // radius about the centre that holds it
-        std::function<double(Vec3)> value;
+        std::function<double(Vec3, double)> value;   // of the place and of t
+        bool moves = false;
+        std::function<Vec3(double)> middle{};
     };
     std::optional<double> first_angle(const Orbit& orbit, const RayPlane& plane, double camera_r,
-                                      const Part& part) const;
+                                      const Part& part, LightClock* clock) const;
+    double time_at(double angle, const Part& part, LightClock* clock) const;
+    double time_ = 0;
+    bool moves_ = false;
     std::vector<Part> parts_;
 };
 

@@ -127,7 +127,7 @@ Vec3 body_light(const Scene& scene, const BodyHit& hit, const Image<float>* imag
                         : ball    ? scene.ball->radius
                         : surface ? scene.surface->bound
                                   : scene.sphere->radius;
-    const Vec3 at = ball ? hit.place - scene.ball->position : hit.place;
+    const Vec3 at = hit.place - hit.middle;
     const double c = std::cos(look.rotation), s = std::sin(look.rotation);
     const Vec3 turned{c * at.x + s * at.y, c * at.y - s * at.x, at.z};
     const Covering place =

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "camera/pose.h"
+#include "scene/moving.h"
 #include "scene/observer.h"
 #include "spacetime/registry.h"
 
@@ -22,8 +23,8 @@ Status check_disc(const DiscSpec& disc) {
         return bad_input(
             fmt::format("disc: 0 < inner < outer is required, not inner = {}, outer = {}", disc.inner, disc.outer));
     }
-    if (!(disc.opacity > 0 && disc.opacity <= 1)) {
-        return bad_input(fmt::format("disc: opacity = {} must lie in (0, 1]", disc.opacity));
+    if (!(disc.opacity >= 0 && disc.opacity <= 1)) {
+        return bad_input(fmt::format("disc: opacity = {} must lie in [0, 1]", disc.opacity));
     }
     return Done{};
 }
@@ -61,7 +62,6 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     tracer.camera_ = scene.camera;
     tracer.light_ = scene.light;
     tracer.disc_ = scene.disc;
-    tracer.bodies_ = std::make_shared<Bodies>(scene);
     const CameraSpec& camera = scene.camera;
     if (camera.width < 1 || camera.height < 1) {
         return bad_input(fmt::format("camera: size {}x{} must be at least 1x1", camera.width, camera.height));
@@ -77,7 +77,8 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     if (!metric) return metric.error();
     auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     if (!spacetime) return spacetime.error();
-    if (!tracer.bodies_->empty() && (*spacetime)->spin() != 0)
+    const bool bodies = scene.sphere || scene.cylinder || scene.ball || scene.surface;
+    if (bodies && (*spacetime)->spin() != 0)
         return bad_input(fmt::format("metric \"{}\" has no bodies; allowed: a scene without them", scene.spacetime.metric));
     if (const auto observer = observer_of(**spacetime, camera); !observer) return observer.error();
     if (Status parts = check_light_parts(**spacetime, scene); !parts) return parts.error();
@@ -97,6 +98,9 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
         return bad_input(fmt::format("metric \"{}\" has no discs; allowed: a scene without [disc]", scene.spacetime.metric));
     tracer.matter_ = tracer.metric_ = std::move(*metric);
     tracer.lapse_ = tracer.matter_->lapse(camera.r);
+    tracer.bodies_ = std::make_shared<Bodies>(scene, *tracer.matter_);
+    tracer.late_ = scene.light.delay && !moving_parts(scene).empty() && (*spacetime)->spin() == 0;
+    tracer.disc_moves_ = scene.disc && (scene.spot || scene.disc->flow != DiscFlowKind::kStill);
     if (!scene.light.lensing) {
         tracer.metric_ = std::move(*make_orbit_metric({"minkowski", {}}));
         tracer.camera_.r = (*spacetime)->areal_radius(camera.r);
@@ -166,6 +170,8 @@ std::vector<DiscHit> FrameTracer::disc_hits(const CameraRay& ray, int max_hits) 
                 hits.push_back({0, c.r * std::cos(c.phi), c.r * std::sin(c.phi), c.radial > 0, c.radial});
         return hits;
     }
+    std::optional<LightClock> clock;
+    if (late_ && disc_moves_) clock.emplace(this->clock(ray));
     for (int k = 1; static_cast<int>(hits.size()) < max_hits; ++k) {
         const double angle = ray.plane.crossing(k);
         if (!(angle < ray.orbit->angle())) break;
@@ -174,14 +180,20 @@ std::vector<DiscHit> FrameTracer::disc_hits(const CameraRay& ray, int max_hits) 
         const double phi = ray.plane.azimuth(angle);
         // Traced inward is really moving outward.
         const double before = ray.orbit->zeta_at(angle * (1 - 1e-6));
-        hits.push_back({angle, r * std::cos(phi), r * std::sin(phi), 1 / r > before, kNotANumber});
+        hits.push_back({angle, r * std::cos(phi), r * std::sin(phi), 1 / r > before, kNotANumber, clock ? clock->late(angle) : 0.0});
     }
     return hits;
 }
 
+LightClock FrameTracer::clock(const CameraRay& ray) const {
+    return {*metric_, *ray.orbit, 1 / std::sqrt(ray.l2), camera_.r, falls(camera_)};
+}
+
 std::optional<BodyHit> FrameTracer::body_hit(const CameraRay& ray) const {
     if (bodies_->empty()) return std::nullopt;
-    return bodies_->first_hit(*ray.orbit, ray.plane, camera_.r);
+    if (!late_ || !bodies_->move()) return bodies_->first_hit(*ray.orbit, ray.plane, camera_.r, nullptr);
+    LightClock clock = this->clock(ray);
+    return bodies_->first_hit(*ray.orbit, ray.plane, camera_.r, &clock);
 }
 
 RayPixel FrameTracer::pixel(double x, double y) const { return pixel_of(ray(x, y), true); }
@@ -221,6 +233,8 @@ RayPixel FrameTracer::pixel_of(const CameraRay& traced, bool with_delay) const {
         pixel.sky = traced.end();
         if (with_delay && !traced.spun) pixel.delay = finite_or_zero(traced.orbit->delay());
     }
+    if (with_delay && !traced.spun && (pixel.fate == Fate::kHit) && pixel.hit != kStarHit && !metric_->by_proper_length())
+        pixel.delay = finite_or_zero(clock(traced).late(pixel.angle));
     pixel.order = static_cast<int>(std::min(std::floor(pixel.angle / M_PI), 1e9));  // in a wormhole's tube rays wind without end
     return pixel;
 }

@@ -35,6 +35,7 @@ struct DiscHit {
     double angle, x, y;
     bool outward;  // whether the photon really moves outward there
     double radial; // p_r of the photon over its energy; of a spinning hole only
+    double late = 0;   // how long ago, by the camera's clock, the light left; 0 where nothing moves or light takes no time
 };
 
 class FrameTracer {
@@ -49,6 +50,8 @@ public:
     std::optional<std::array<double, 2>> position(Vec3 look) const;
     // Where the ray meets the disc, in its order; empty if the scene has none. At most max_hits.
     std::vector<DiscHit> disc_hits(const CameraRay& ray, int max_hits) const;
+    // What tells how late light is along it. The ray outlives it.
+    LightClock clock(const CameraRay& ray) const;
     // The first solid body that the ray meets.
     std::optional<BodyHit> body_hit(const CameraRay& ray) const;
     RayPixel pixel(double x, double y) const;
@@ -65,6 +68,7 @@ private:
     std::shared_ptr<const Bodies> bodies_;
     std::shared_ptr<const OrbitMetric> metric_, matter_;
     double lapse_ = 1;
+    bool late_ = false, disc_moves_ = false;   // light takes time, and shows it; in the disc
     bool from_rain_ = false;   // the local frame is the rain frame
     // Rows: e_0, right, up, backward; components along the local tetrad (t, r, theta, phi). In long double because
     // ahead of a camera with gamma = 700 the sum e_0 - n^i e_i leaves 1/gamma^2 of its terms.

@@ -6,6 +6,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "light/black_body.h"
+#include "reference/ball_way.h"
 #include "reference/disc_light.h"
 #include "reference/frame_tracer.h"
 #include "reference/seen_light.h"
@@ -58,6 +60,21 @@ Paint disc_paint(const DiscSpec& disc, const Image<float>* image, double x, doub
     return paint;
 }
 
+// The pattern as two fading copies have it (docs/time.md), each wound by its rings' own rates: what of it is at (x, y) at time t.
+Paint flowing_paint(const DiscSpec& disc, const Image<float>* image, double rate, double t, double x, double y) {
+    constexpr double kCopies = 4096, kGolden = 0.61803398875;
+    const double lives = t / disc.flow_life, r = std::hypot(x, y), azimuth = std::atan2(y, x);
+    Paint sum{{0, 0, 0}, 0};
+    for (const double start : {0.0, 0.5}) {
+        const double copy = std::floor(lives + start), part = lives + start - copy, weight = part < 0.5 ? 2 * part : 2 - 2 * part;
+        const double number = copy - kCopies * std::floor(copy / kCopies), turn = kGolden * number - std::floor(kGolden * number);
+        const double from = azimuth - rate * (part - 0.5) * disc.flow_life - 2 * M_PI * turn;
+        const Paint one = disc_paint(disc, image, r * std::cos(from), r * std::sin(from));
+        sum = {sum.colour + weight * one.colour, sum.alpha + weight * one.alpha};
+    }
+    return sum;
+}
+
 // 24 squares around by 12 rings of equal height, the northern half blue, the southern one amber: the look of
 // shaders/object/star.glsl, unfiltered.
 Vec3 star_colour(Vec3 place) {
@@ -87,6 +104,27 @@ Vec3 shifted(Vec3 light, const Scene& scene, double g) {
     return {changed(light.x, seen.x, own.x), changed(light.y, seen.y, own.y), changed(light.z, seen.z, own.z)};
 }
 
+Paint paint_at(const FrameTracer& tracer, const Scene& scene, const Looks& looks, const DiscHit& hit) {
+    if (scene.disc->flow == DiscFlowKind::kStill) return disc_paint(*scene.disc, looks.pictures.disc, hit.x, hit.y);
+    return flowing_paint(*scene.disc, looks.pictures.disc, kepler_rate(tracer.matter(), std::hypot(hit.x, hit.y)), scene.time - hit.late, hit.x, hit.y);
+}
+
+// A spot is a Gaussian about its middle, which moves on a circle: its frequency there is p . u, u = u^t (1, 0, 0, Omega).
+Vec3 spot_colour(const FrameTracer& tracer, const Scene& scene, const CameraRay& ray, const DiscHit& hit) {
+    const SpotSpec& spot = *scene.spot;
+    const double rate = kepler_rate(tracer.matter(), spot.r), t = scene.time - hit.late, lapse = tracer.matter().lapse(spot.r);
+    double least = INFINITY;
+    for (int i = 0; i < spot.count; ++i) {
+        const double at = spot.phase + rate * t + 2 * M_PI * i / spot.count;
+        least = std::min(least, std::hypot(hit.x - spot.r * std::cos(at), hit.y - spot.r * std::sin(at)));
+    }
+    const double l_z = scene.light.lensing ? ray.l_z : ray.l_z / lapse;
+    const double u_t = 1 / std::sqrt(lapse * lapse - rate * rate * spot.r * spot.r), all = 1 / (u_t * (1 - rate * l_z));
+    const Shift shift{ray.shift.gravity * lapse, ray.shift.doppler * all / lapse};
+    const Vec3 light = seen_black_body(spot.temperature_K, shift.seen(scene.light), scene.light);
+    return spot.brightness / std::exp2(log2_brightness(spot.temperature_K, scene.light.bolometric)) * std::exp(-0.5 * least * least / (spot.size * spot.size)) * light;
+}
+
 Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& looks, double x, double y) {
     const CameraRay ray = tracer.ray(x, y);
     Vec3 colour{0, 0, 0};
@@ -94,13 +132,14 @@ Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& look
     const std::optional<BodyHit> body = tracer.body_hit(ray);
     for (const DiscHit& hit : tracer.disc_hits(ray, kMostHits)) {
         if (body && body->angle < hit.angle) break;
-        Paint paint = disc_paint(*scene.disc, looks.pictures.disc, hit.x, hit.y);
+        Paint paint = paint_at(tracer, scene, looks, hit);
         if (looks.heat != nullptr) {
             const double r = std::hypot(hit.x, hit.y);
             const Vec3 light = looks.heat->colour(r, ray.g * looks.heat->shift({r, ray.l_z, hit.outward, ray.l2, hit.radial}).seen(scene.light));
             paint.colour = {paint.colour.x * light.x, paint.colour.y * light.y, paint.colour.z * light.z};
         }
         colour = colour + through * paint.alpha * paint.colour;
+        if (scene.spot) colour = colour + through * spot_colour(tracer, scene, ray, hit);
         through *= 1 - paint.alpha;
     }
     if (body) return colour + through * body_light(scene, *body, looks.pictures.of(body->object));
@@ -119,7 +158,7 @@ double transmission(const FrameTracer& tracer, const Scene& scene, const Looks& 
     const CameraRay ray = tracer.ray(x, y);
     if (tracer.body_hit(ray)) return 0;
     double through = 1;
-    for (const DiscHit& hit : tracer.disc_hits(ray, kMostHits)) through *= 1 - disc_paint(*scene.disc, looks.pictures.disc, hit.x, hit.y).alpha;
+    for (const DiscHit& hit : tracer.disc_hits(ray, kMostHits)) through *= 1 - paint_at(tracer, scene, looks, hit).alpha;
     return through;
 }
 

@@ -76,10 +76,10 @@ void list_crossings(const Orbit& orbit, bool by_proper_length, const RayPlane& p
 }
 
 // Ends the ray on the first solid body; what was along it before stays.
-void stop_at_bodies(const Scene& scene, const Orbit& orbit, const RayPlane& plane, double r, RayRecord& record) {
-    const Bodies bodies(scene);
+void stop_at_bodies(const Scene& scene, const OrbitMetric& metric, const Orbit& orbit, const RayPlane& plane, double r, LightClock* clock, RayRecord& record) {
+    const Bodies bodies(scene, metric);
     if (bodies.empty()) return;
-    const auto hit = bodies.first_hit(orbit, plane, r);
+    const auto hit = bodies.first_hit(orbit, plane, r, clock);
     if (!hit) return;
     record.fate = Fate::kHit;
     record.hit = hit->object;
@@ -121,7 +121,7 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
         return bad_input(fmt::format("at_angle = {} must be finite and not negative", *query.at_angle));
     }
     if ((*metric)->spin() != 0) {
-        if (!Bodies(scene).empty()) return bad_input("a spinning hole has no bodies; allowed: a scene without them");
+        if (!Bodies(scene, **metric).empty()) return bad_input("a spinning hole has no bodies; allowed: a scene without them");
         return trace_spinning(**metric, query, crossings);
     }
     Vec3 n{0, 0, 1};  // of the reduced form: in the equatorial plane towards growing phi
@@ -151,7 +151,10 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
     }
     if (record.fate == Fate::kHit) record.hit = Object::kStar;
     list_crossings(orbit, (*metric)->by_proper_length(), plane, crossings, record.crossings);
-    if (!(*metric)->by_proper_length()) stop_at_bodies(scene, orbit, plane, query.orbit ? 1 / query.orbit->zeta0 : query.r, record);
+    if ((*metric)->by_proper_length()) return record;
+    const double r = query.orbit ? 1 / query.orbit->zeta0 : query.r, q = query.orbit ? query.orbit->q : 1 / (traced->g * r * std::hypot(n.y, n.z));
+    LightClock clock(**metric, orbit, q, r, !query.orbit && query.frame == LocalFrame::kRain);
+    stop_at_bodies(scene, **metric, orbit, plane, r, scene.light.delay ? &clock : nullptr, record);
     return record;
 }
 

@@ -9,12 +9,12 @@
 #include "camera/pose.h"
 #include "camera/spin_forms.h"
 #include "light/black_body.h"
+#include "render/moving_numbers.h"
 #include "scene/pixel_angle.h"
 #include "sky/point_stars.h"
 #include "sky/sky.h"
 #include "table/critical_images.h"
 #include "table/disc_light.h"
-#include "table/orbit_map.h"
 #include "table/star_lens.h"
 
 namespace nullscope {
@@ -63,7 +63,7 @@ Silhouette silhouette(const Spacetime& spacetime, const RayFan* fan, double came
 }
 
 // Radius about the centre that holds all bodies found by strides, and the shortest stride: a thirtieth of the thinnest.
-void put_march(BlockWriter& block, const Scene& scene) {
+void put_march(BlockWriter& block, const Scene& scene, const BallPath* ball_path) {
     constexpr double kStride = 1.0 / 32;
     double reach = 0.0, thinnest = 1e30;
     if (const auto& c = scene.cylinder) {
@@ -71,8 +71,12 @@ void put_march(BlockWriter& block, const Scene& scene) {
         thinnest = std::min({thinnest, 2 * c->height, c->outer - c->inner});
     }
     if (const auto& b = scene.ball) {
-        reach = std::max(reach, length(b->position) + b->radius);
+        reach = std::max(reach, ball_path != nullptr ? ball_path->reach : length(b->position) + b->radius);
         thinnest = std::min(thinnest, b->radius);
+    }
+    if (scene.sphere && scene.sphere->swing > 0.0) {
+        reach = std::max(reach, scene.sphere->radius * (1.0 + scene.sphere->swing));
+        thinnest = std::min(thinnest, scene.sphere->radius * (1.0 - scene.sphere->swing));
     }
     if (const auto& f = scene.surface) {
         reach = std::max(reach, f->bound);
@@ -81,10 +85,13 @@ void put_march(BlockWriter& block, const Scene& scene) {
     block.put(1.001 * reach + 4 * kStride * thinnest, kStride * thinnest, 0, 0);
 }
 
-void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spacetime, const RayFan* fan) {
+void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const BallPath* ball_path) {
     const SphereSpec sphere = scene.sphere.value_or(SphereSpec{});
-    const Silhouette edge = scene.sphere ? silhouette(spacetime, fan, scene.camera.r, sphere.radius) : Silhouette{};
-    block.put(sphere.radius, 1.0 / sphere.radius, edge.sine, edge.cosine);
+    const bool pulses = sphere.swing > 0.0;   // object/pulse.glsl
+    const Silhouette edge = scene.sphere && !pulses ? silhouette(spacetime, fan, scene.camera.r, sphere.radius) : Silhouette{};
+    const double pulse = 2.0 * M_PI / sphere.period;
+    if (pulses) block.put(sphere.radius, sphere.swing, std::remainder(pulse * scene.time, 2.0 * M_PI), pulse);
+    else block.put(sphere.radius, 1.0 / sphere.radius, edge.sine, edge.cosine);
     put_look(block, sphere.look);
     const CylinderSpec cylinder = scene.cylinder.value_or(CylinderSpec{});
     block.put(cylinder.inner, cylinder.outer, cylinder.height, 0);
@@ -96,7 +103,7 @@ void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spaceti
     constexpr double kDifference = 1e-3;   // of the bound: gradients by differences keep half of a float's digits
     block.put(surface.bound, 2 * surface.bound / surface.steps, kDifference * surface.bound, scene.time);
     put_look(block, surface.look);
-    put_march(block, scene);
+    put_march(block, scene, ball_path);
 }
 
 // What the disc and the sky are painted with. A disc's brightness is disc_look's.
@@ -170,18 +177,31 @@ Status FrameTables::update(const Scene& scene) {
     const auto observer = observer_of(*matter_, scene.camera);
     if (!observer) return observer.error();
     if (Status parts = check_light_parts(*matter_, scene); !parts) return parts.error();
-    const EffectSet wanted = effect_set(required_effects(scene));
+    EffectSet wanted = effect_set(required_effects(scene));
     if (meets_objects(wanted) && !matter_->can_have_disc())
         return bad_input(fmt::format("metric \"{}\" has neither discs nor bodies; allowed: a scene without them", scene.spacetime.metric));
     if (wanted.contains(Effect::kSpin) && (has_solids(wanted) || wanted.contains(Effect::kPointStars)))
         return bad_input(fmt::format("metric \"{}\" has neither bodies nor point stars; allowed: a scene without them, or spin = 0", scene.spacetime.metric));
-    const bool orbits = meets_objects(wanted), had_orbits = meets_objects(effects_);
+    // Ray data have delays wherever the shader can tell them.
+    const bool straight = !wanted.contains(Effect::kLensing) && !wanted.contains(Effect::kSpin), known = straight || spacetime_->lapse_roots();
+    if (delays_wanted_ && known) wanted.insert(Effect::kDelay);
+    if (wanted.contains(Effect::kDelay) && !known) wanted.erase(Effect::kDelay);
+    const auto orbits_of = [](const EffectSet& effects) { return meets_objects(effects) || effects.contains(Effect::kDelay); };
+    const bool orbits = orbits_of(wanted), had_orbits = orbits_of(effects_);
+    const bool delays = wanted.contains(Effect::kDelay), had_delays = effects_.contains(Effect::kDelay);
     const bool points = wanted.contains(Effect::kPointStars), had_points = effects_.contains(Effect::kPointStars);
-    rows_stale = rows_stale || radius_ != scene.camera.r || !(frame_ == observer->frame) || (orbits && !had_orbits) || (points && !had_points) ||
+    rows_stale = rows_stale || radius_ != scene.camera.r || !(frame_ == observer->frame) || (orbits && !had_orbits) || (delays && !had_delays) || (points && !had_points) ||
                  (fan_ && fan_->w0() != fan_for(scene, *observer).w0());
     effects_ = wanted;
-    if (((!orbits && had_orbits) || (!points && had_points)) && !rows_stale) {   // what nothing calls for any more goes, the strip stays
+    ball_path_.reset();
+    if (wanted.contains(Effect::kBallPath)) {
+        auto path = nullscope::ball_path(*matter_, scene);
+        if (!path) return path.error();
+        ball_path_ = std::move(*path);
+    }
+    if (((!orbits && had_orbits) || (!delays && had_delays) || (!points && had_points)) && !rows_stale) {   // what nothing calls for any more goes, the strip stays
         if (!orbits) orbit_map_ = {};
+        if (!delays) orbit_map_.delays = {};
         if (!points) star_lens_ = {};
         ++revision_;
     }
@@ -197,7 +217,7 @@ Status FrameTables::update(const Scene& scene) {
     const auto start = std::chrono::steady_clock::now();
     fan_ = fan_for(scene, *observer);
     strip_ = build_strip(*fan_);
-    if (orbits) orbit_map_ = build_orbit_map(*fan_);
+    if (orbits) orbit_map_ = build_orbit_map(*fan_, delays);
     if (points) star_lens_ = star_lens_row(*fan_);
     rows_ms_ = milliseconds_since(start);
     return Done{};
@@ -210,10 +230,11 @@ RayFan FrameTables::fan_for(const Scene& scene, const Observer& observer) const 
 
 CoreInput FrameTables::core_input(const Scene& scene) const {
     CoreInput input;
-    input.frame = frame_numbers(scene, *spacetime_, fan(), {}, &*matter_);
+    input.frame = frame_numbers(scene, *spacetime_, fan(), {}, &*matter_, ball_path());
     input.strip = strip_.sky.view();
     input.ends = strip_.ends.view();
-    input.orbit = orbit_map_.view();
+    input.orbit = orbit_map_.places.view();
+    input.delay = orbit_map_.delays.view();
     input.lensing = effects_.contains(Effect::kLensing);
     input.spin = effects_.contains(Effect::kSpin);
     input.aberration = effects_.contains(Effect::kAberration);
@@ -221,7 +242,7 @@ CoreInput FrameTables::core_input(const Scene& scene) const {
 }
 
 FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures,
-                           const Spacetime* other_matter) {
+                           const Spacetime* other_matter, const BallPath* ball_path) {
     const Spacetime& matter = other_matter != nullptr ? *other_matter : spacetime;
     const CameraSpec& camera = scene.camera;
     const Mat3 world = world_from_static(camera.theta, camera.phi);
@@ -290,9 +311,11 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
               kPointMargin_px);
     block.put(M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0);
     block.put(scene.picture.bloom, 0, 0, 0);
-    put_bodies(block, scene, spacetime, fan);
+    put_bodies(block, scene, spacetime, fan, ball_path);
     put_coats(block, scene);
     if (spins) put_spin(block, camera, spacetime);
+    else for (int i = 0; i < 4; ++i) block.put(0, 0, 0, 0);
+    for (const auto& row : moving_numbers(scene, spacetime, matter, ball_path)) block.put(row[0], row[1], row[2], row[3]);
     return block.numbers();
 }
 

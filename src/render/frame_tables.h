@@ -5,12 +5,14 @@
 #include <optional>
 
 #include "base/result.h"
+#include "render/ball_path.h"
 #include "scene/effects.h"
 #include "scene/observer.h"
 #include "scene/scene.h"
 #include "shadercore/core_trace.h"
 #include "spacetime/registry.h"
 #include "table/deflection_table.h"
+#include "table/orbit_map.h"
 #include "table/ray_fan.h"
 #include "table/strip.h"
 
@@ -29,7 +31,10 @@ public:
     const RayFan* fan() const { return fan_ ? &*fan_ : nullptr; }
     const TexelGrid& strip() const { return strip_.sky; }
     const TexelGrid& ends() const { return strip_.ends; }
-    const TexelGrid& orbit_map() const { return orbit_map_; }
+    const TexelGrid& orbit_map() const { return orbit_map_.places; }
+    const TexelGrid& delay_map() const { return orbit_map_.delays; }   // empty where nothing asks how long light takes
+    const BallPath* ball_path() const { return ball_path_ ? &*ball_path_ : nullptr; }   // of a ball that moves; made anew by every update
+    void want_delays(bool wanted) { delays_wanted_ = wanted; }          // for ray data, whatever the scene
     const TexelGrid& star_lens() const { return star_lens_; }      // empty without point stars
     int revision() const { return revision_; }                      // grows whenever strip or orbit map change
     double table_ms() const { return table_ms_; }                   // time of the last deflection table
@@ -49,7 +54,10 @@ private:
     RayFan fan_for(const Scene& scene, const Observer& observer) const;
     EffectSet effects_;
     Strip strip_;
-    TexelGrid orbit_map_, star_lens_;
+    OrbitMap orbit_map_;
+    TexelGrid star_lens_;
+    std::optional<BallPath> ball_path_;
+    bool delays_wanted_ = false;
     int revision_ = 0;
     double table_ms_ = 0.0, rows_ms_ = 0.0;
 };
@@ -63,6 +71,6 @@ struct TextureFacts {
 // The uniform block of shaders/shared/frame_block.glsl for this scene, in double. spacetime: the rays'. matter: what shifts light, if
 // it is another. The scene's observer must exist.
 FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures,
-                           const Spacetime* matter = nullptr);
+                           const Spacetime* matter = nullptr, const BallPath* ball_path = nullptr);
 
 }  // namespace nullscope

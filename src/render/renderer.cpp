@@ -21,7 +21,7 @@ namespace {
 
 constexpr unsigned kFrameBinding = 0;
 enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5, kFarSkyUnit = 6, kBodyUnit = 7,
-            kDiscFlowUnit = kBodyUnit + kBodyCount, kBlackBodyUnit, kStarLensUnit, kPictureUnit };
+            kDiscFlowUnit = kBodyUnit + kBodyCount, kBlackBodyUnit, kStarLensUnit, kPictureUnit, kDelayUnit, kBallPathUnit };
 // Passes that work on the picture sample none of the scene's tables: they share their units.
 constexpr int kSourceUnit = kStripUnit, kHaloUnit = kOrbitUnit, kMeterUnit = kSkyUnit;
 
@@ -29,7 +29,7 @@ constexpr std::pair<const char*, int> kSamplers[] = {
     {"strip_texture", kStripUnit}, {"ends_texture", kEndsUnit}, {"orbit_texture", kOrbitUnit}, {"sky_texture", kSkyUnit},
     {"other_side_texture", kFarSkyUnit}, {"disc_texture", kDiscUnit}, {"table_texture", kTableUnit},
     {"disc_flow_texture", kDiscFlowUnit}, {"black_body_texture", kBlackBodyUnit}, {"star_lens_texture", kStarLensUnit},
-    {"picture_texture", kPictureUnit}, {"source_texture", kSourceUnit}, {"bloom_texture", kHaloUnit}, {"meter_texture", kMeterUnit}};
+    {"picture_texture", kPictureUnit}, {"delay_texture", kDelayUnit}, {"ball_path_texture", kBallPathUnit}, {"source_texture", kSourceUnit}, {"bloom_texture", kHaloUnit}, {"meter_texture", kMeterUnit}};
 
 // Nothing of a grid that is empty.
 gl::Texture texture_of(const TexelGrid& grid) {
@@ -110,11 +110,13 @@ Status Renderer::prepare(const Scene& scene) {
 }
 
 void Renderer::upload_tables() {
+    ball_path_ = tables_.ball_path() != nullptr ? texture_of(tables_.ball_path()->row) : gl::Texture();
     if (rows_revision_ != tables_.revision()) {
         rows_revision_ = tables_.revision();
         ends_ = {};
         strip_ = texture_of(tables_.strip());
         orbit_map_ = texture_of(tables_.orbit_map());
+        delay_map_ = texture_of(tables_.delay_map());
         star_lens_ = texture_of(tables_.star_lens());
     }
     // A picture of the sky alone does not look where along the ray it is.
@@ -133,7 +135,7 @@ void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
         block_effects_ = tables_.effects();
         block_members_ = block_members(*block_effects_);
     }
-    const FrameNumbers numbers = frame_numbers(scene, tables_.spacetime(), tables_.fan(), facts, &tables_.matter());
+    const FrameNumbers numbers = frame_numbers(scene, tables_.spacetime(), tables_.fan(), facts, &tables_.matter(), tables_.ball_path());
     std::array<float, 4 * kFrameVectors> block{};
     std::size_t next = 0;
     for (const int member : block_members_)
@@ -281,6 +283,8 @@ void Renderer::bind_inputs() {
     gl::bind_texture_2d(kDiscFlowUnit, disc_flow_);
     gl::bind_texture_2d(kBlackBodyUnit, black_body_);
     gl::bind_texture_2d(kStarLensUnit, star_lens_);
+    gl::bind_texture_2d(kDelayUnit, delay_map_);
+    gl::bind_texture_2d(kBallPathUnit, ball_path_);
 }
 
 void Renderer::draw(unsigned framebuffer, int width, int height, Output output) { draw_rows(framebuffer, width, height, output, 0, height); }
@@ -406,6 +410,8 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     if (ends_) lines.push_back({"ray ends", ends.width, ends.height, ends.bytes()});
     if (table_bytes_ > 0) lines.push_back({"deflection table", method_.size + 1, 2 * (method_.size + 1), table_bytes_});
     if (map.width > 0) lines.push_back({"orbit map", map.width, map.height, map.bytes()});
+    if (const TexelGrid& delays = tables_.delay_map(); delays.width > 0) lines.push_back({"delay map", delays.width, delays.height, delays.bytes()});
+    if (ball_path_) lines.push_back({"ball's way", kBallPathCells + 1, 2, tables_.ball_path()->row.bytes()});
     const int face = skies_ ? bordered_size(sky_size_) : sky_size_;
     const std::size_t sky_bytes = static_cast<std::size_t>(face) * static_cast<std::size_t>(face) * 32;   // 6 faces, 4 B, mip levels
     if (far_sky_spec_) lines.push_back({"far sky", face, face, sky_bytes});

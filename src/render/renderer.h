@@ -48,6 +48,9 @@ public:
     void set_method(const Method& method) { method_ = method; }
     const Method& method() const { return method_; }
 
+    // From the next prepare() on: ray data say how long light takes, whether the scene asks for it or not, where the metric can tell.
+    void want_delays(bool wanted) { tables_.want_delays(wanted); }
+
     // Automatic exposure: how far it moves to what a picture asks for, (0, 1]; 1 (at once) where pictures stand for themselves. In a
     // window 1 - exp(-dt/tau) a frame.
     void set_adaptation(double share) { adaptation_ = share; }
@@ -106,7 +109,7 @@ private:
     int rows_revision_ = -1;
     std::optional<EffectSet> block_effects_;
     std::vector<int> block_members_;   // of the uniform block with these effects
-    gl::Texture strip_, ends_, orbit_map_, sky_, far_sky_, skies_, disc_, table_, disc_flow_, black_body_, star_lens_;
+    gl::Texture strip_, ends_, orbit_map_, delay_map_, ball_path_, sky_, far_sky_, skies_, disc_, table_, disc_flow_, black_body_, star_lens_;
     StarField stars_;
     Bloom bloom_;
     double adaptation_ = 1.0;

@@ -63,13 +63,11 @@ void check_sky_look(const SkySpec& sky, const Given& given, Faults& faults) {
 }
 
 void check_sphere(const Scene& scene, double horizon, Faults& faults) {
-    const double radius = scene.sphere->radius;
-    if (!(radius > horizon))
-        faults.push_back(
-            {"sphere.radius", fmt::format("{} is not outside the horizon", radius), fmt::format("r > {}", horizon)});
-    else if (!(radius < scene.camera.r))
-        faults.push_back({"sphere.radius", fmt::format("the camera at r = {} is not outside of it", scene.camera.r),
-                          "radius < camera.r"});
+    const double least = scene.sphere->radius * (1 - scene.sphere->swing), most = scene.sphere->radius * (1 + scene.sphere->swing);
+    if (!(least > horizon))
+        faults.push_back({"sphere.radius", fmt::format("{} is not outside the horizon", least), fmt::format("r > {}", horizon)});
+    else if (!(most < scene.camera.r))
+        faults.push_back({"sphere.radius", fmt::format("the camera at r = {} is not outside of it", scene.camera.r), "radius < camera.r"});
 }
 
 void check_cylinder(const Scene& scene, Faults& faults) {
@@ -87,10 +85,11 @@ void check_cylinder(const Scene& scene, Faults& faults) {
 
 void check_ball(const Scene& scene, Faults& faults) {
     const BallSpec& ball = *scene.ball;
+    if (ball.motion == BallMotion::kPath) return;
     if (!(length(ball.position) > ball.radius))
         faults.push_back({"ball.radius", "the centre lies within the ball",
                           "radius below the distance of position from the centre ([sphere] is centred)"});
-    else if (!(length(camera_at(scene.camera) - ball.position) > ball.radius))
+    else if (ball.motion == BallMotion::kStill && !(length(camera_at(scene.camera) - ball.position) > ball.radius))
         faults.push_back({"ball.radius", "the camera is inside of the ball", "a ball beside the camera"});
 }
 

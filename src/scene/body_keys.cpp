@@ -15,6 +15,7 @@ constexpr KeyRange kSteps{16.0, 256.0, false, false};
 constexpr KeyRange kCount{1.0, 1000.0, false, false};
 constexpr KeyRange kBand{0.0, 90.0, true, false};
 constexpr KeyRange kFraction{0.0, 1.0, false, false};
+constexpr KeyRange kSwing{0.0, 0.5, false, false};
 constexpr KeyRange kNone{};
 
 // The keys that every body has. Body: the member of Scene.
@@ -96,6 +97,11 @@ const SceneKey kDiscTexture[] = {
 const SceneKey kForms[] = {
     {"sphere", "radius", KeyType::kNumber, "r_s", "3", kLength, "", "Radius, outside the horizon; below camera.r.",
      [](Scene& s, const KeyValue& v) { s.sphere->radius = v.number; }},
+    {"sphere", "swing", KeyType::kNumber, "", "0", kSwing, "",
+     "Pulsation: its radius is radius times 1 + swing sin(2 pi t/period).",
+     [](Scene& s, const KeyValue& v) { s.sphere->swing = v.number; }},
+    {"sphere", "period", KeyType::kNumber, "r_s/c", "40", kLength, "", "Of the pulsation; needs swing.",
+     [](Scene& s, const KeyValue& v) { s.sphere->period = v.number; }},
     {"cylinder", "inner", KeyType::kNumber, "r_s", "3", kLength, "", "Inner radius; below outer.",
      [](Scene& s, const KeyValue& v) { s.cylinder->inner = v.number; }},
     {"cylinder", "outer", KeyType::kNumber, "r_s", "8", kLength, "", "Outer radius.",
@@ -108,6 +114,16 @@ const SceneKey kForms[] = {
     {"ball", "radius", KeyType::kNumber, "r_s", "2", kLength, "",
      "Radius; neither the centre nor the camera lies within.",
      [](Scene& s, const KeyValue& v) { s.ball->radius = v.number; }},
+    {"ball", "motion", KeyType::kChoice, "", "still", kNone, "still orbit geodesic path",
+     "How its middle moves: on a circular geodesic through position, eastward; in free fall from there; along formulas of t.",
+     [](Scene& s, const KeyValue& v) { s.ball->motion = static_cast<BallMotion>(v.choice); }},
+    {"ball", "velocity", KeyType::kVelocity, "c", "[0, 0, 0]", kNone, "",
+     "At position and t = 0, along (e_r, e_theta, e_phi) of one at rest there; needs motion = \"geodesic\".",
+     [](Scene& s, const KeyValue& v) { s.ball->velocity = v.vector; }},
+    {"ball", "x", KeyType::kFormula, "", "", kNone, "t", "Of its middle at time t; needs motion = \"path\".",
+     [](Scene& s, const KeyValue& v) { s.ball->x = v.text; }},
+    {"ball", "y", KeyType::kFormula, "", "", kNone, "t", "As x.", [](Scene& s, const KeyValue& v) { s.ball->y = v.text; }},
+    {"ball", "z", KeyType::kFormula, "", "", kNone, "t", "As x.", [](Scene& s, const KeyValue& v) { s.ball->z = v.text; }},
     {"surface", "kind", KeyType::kChoice, "", "formula", kNone, "formula torus ellipsoid cube octahedron heart gyroid clebsch",
      "What solid: the formula's, or one that is known by name.",
      [](Scene& s, const KeyValue& v) { s.surface->kind = static_cast<SurfaceKind>(v.choice); }},

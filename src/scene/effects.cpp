@@ -1,10 +1,12 @@
 #include "scene/effects.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "scene/moving.h"
 #include "scene/named_surface.h"
 #include "scene/observer.h"
 #include "spacetime/registry.h"
@@ -42,13 +44,15 @@ std::vector<std::string_view> EffectSet::keys() const {
 
 bool has_marched(const EffectSet& effects) {
     return effects.contains(Effect::kCylinder) || effects.contains(Effect::kBall) ||
-           effects.contains(Effect::kSurface);
+           effects.contains(Effect::kSurface) || effects.contains(Effect::kPulse);
 }
 bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
 bool shades_heat(const EffectSet& effects) {
-    return effects.contains(Effect::kThermalDisc) || (effects.contains(Effect::kSkyShift) && effects.contains(Effect::kAberration));
+    return effects.contains(Effect::kThermalDisc) || effects.contains(Effect::kSpot) || (effects.contains(Effect::kSkyShift) && effects.contains(Effect::kAberration));
 }
 bool meets_objects(const EffectSet& effects) { return effects.contains(Effect::kDisc) || has_solids(effects); }
+
+bool moves(const EffectSet& effects) { return effects.contains(Effect::kBallPath) || effects.contains(Effect::kPulse); }
 
 namespace {
 
@@ -128,12 +132,12 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
         }
         if (thermal) reasons.push_back({Effect::kThermalDisc, "disc.emission = \"thermal\""});
     }
-    const bool points = scene.sky.kind == SkyKind::kPoints;
+    const bool points = scene.sky.kind == SkyKind::kPoints, spot = scene.disc && scene.spot;
     const bool sky_light = !has_look(scene.sky.kind) && scene.sky.kind != SkyKind::kBlack && scene.sky.even_stars == 0;
     const bool other_g = (moves && light.doppler) || (light.gravity && spacetime && (*spacetime)->lapse_squared(scene.camera.r) != 1.0);
     const bool sky_shift = sky_light && scene.sky.temperature_K && other_g && (light.shift || light.beaming);
-    if (points || thermal || sky_shift) {
-        const char* heat = points ? "sky.kind = \"points\"" : thermal ? "disc.emission = \"thermal\"" : "sky.temperature";
+    if (points || thermal || spot || sky_shift) {
+        const char* heat = spot ? "[spot]" : points ? "sky.kind = \"points\"" : thermal ? "disc.emission = \"thermal\"" : "sky.temperature";
         const bool g = light.doppler || light.gravity;
         if (g && light.shift) reasons.push_back({Effect::kShift, heat});
         if (g && light.beaming) reasons.push_back({Effect::kBeaming, heat});
@@ -163,6 +167,11 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     if (picture.tone == ToneCurve::kFilm) reasons.push_back({Effect::kToneFilm, "picture.tone = \"film\""});
     if (picture.tone == ToneCurve::kNeutral) reasons.push_back({Effect::kToneNeutral, "picture.tone = \"neutral\""});
     if (picture.dither) reasons.push_back({Effect::kDither, "picture.dither = \"on\""});
+    if (const auto moving = moving_parts(scene); !moving.empty() && light.delay && !spins) reasons.push_back({Effect::kDelay, fmt::format("{}", fmt::join(moving, ", "))});
+    if (scene.disc && scene.disc->flow == DiscFlowKind::kKepler) reasons.push_back({Effect::kDiscFlow, "disc.flow = \"kepler\""});
+    if (spot) reasons.push_back({Effect::kSpot, fmt::format("[spot] at {}", scene.spot->r)});
+    if (scene.ball && scene.ball->motion != BallMotion::kStill) reasons.push_back({Effect::kBallPath, "ball.motion"});
+    if (scene.sphere && scene.sphere->swing > 0.0) reasons.push_back({Effect::kPulse, fmt::format("sphere.swing = {}", scene.sphere->swing)});
     return reasons;
 }
 
@@ -242,6 +251,17 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
         case Effect::kToneFilm:
         case Effect::kToneNeutral: less.picture.tone = ToneCurve::kShoulder; return less;
         case Effect::kDither: less.picture.dither = false; return less;
+        case Effect::kDelay: less.light.delay = false; return less;
+        case Effect::kDiscFlow:
+            if (less.disc) less.disc->flow = DiscFlowKind::kStill;
+            return less;
+        case Effect::kSpot: less.spot.reset(); return less;
+        case Effect::kBallPath:
+            if (less.ball) less.ball->motion = BallMotion::kStill;
+            return less;
+        case Effect::kPulse:
+            if (less.sphere) less.sphere->swing = 0.0;
+            return less;
         case Effect::kInner:
         case Effect::kBounce:
         case Effect::kStar: break;

@@ -20,9 +20,10 @@ class Spacetime;
 enum class Effect {
     kLensing, kSpin, kAberration, kDisc, kDiscImage, kDiscPattern, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kBolometric,
     kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kPointStars, kSky, kSkyShift, kSkyPattern,
-    kInner, kBounce, kFarSky, kStar, kBloom, kAutoExposure, kToneFilm, kToneNeutral, kDither
+    kInner, kBounce, kFarSky, kStar, kBloom, kAutoExposure, kToneFilm, kToneNeutral, kDither,
+    kDelay, kDiscFlow, kSpot, kBallPath, kPulse
 };
-inline constexpr std::size_t kEffectCount = 32;
+inline constexpr std::size_t kEffectCount = 37;
 
 struct EffectRow {
     Effect effect;
@@ -101,6 +102,13 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
     {Effect::kToneNeutral, "tone-neutral", "EFFECT_TONE_NEUTRAL", "Bright light is compressed, other colours are kept.",
      "picture.tone is \"neutral\"", "arithmetic"},
     {Effect::kDither, "dither", "EFFECT_DITHER", "Noise hides the steps of 8 bits.", "picture.dither is \"on\"", "arithmetic"},
+    {Effect::kDelay, "delay", "EFFECT_DELAY", "Light takes time: what moves is seen where it was when its light left.",
+     "something changes with time, light.delay is not \"off\", and the hole does not spin", "delay map; four fetches and three logarithms a place along the ray"},
+    {Effect::kDiscFlow, "disc-flow", "EFFECT_DISC_FLOW", "Every ring of the disc's pattern moves with the matter's speed.", "disc.flow is \"kepler\"",
+     "the pattern twice a crossing"},
+    {Effect::kSpot, "spot", "EFFECT_SPOT", "Hot spots are on an orbit in the disc.", "there is a [spot] and a [disc]", "arithmetic a crossing; black body where one is"},
+    {Effect::kBallPath, "ball-path", "EFFECT_BALL_PATH", "The ball moves.", "ball.motion is not \"still\"", "the ball's way; two fetches a stride"},
+    {Effect::kPulse, "pulse", "EFFECT_PULSE", "The sphere pulsates.", "sphere.swing is above 0", "strides of four fetches"},
 }};
 
 constexpr const EffectRow& effect_row(Effect effect) { return kEffectTable[static_cast<std::size_t>(effect)]; }
@@ -130,6 +138,7 @@ bool has_marched(const EffectSet& effects);   // bodies that are found by stride
 bool has_solids(const EffectSet& effects);    // any solid body
 bool shades_heat(const EffectSet& effects);   // black bodies in the picture's shader: the table of their light
 bool meets_objects(const EffectSet& effects); // anything that needs positions along rays: ray ends, orbit map
+bool moves(const EffectSet& effects);         // a body that is elsewhere, or another, at another time
 
 struct EffectReason {
     Effect effect;

@@ -105,6 +105,9 @@ struct AccretionSpec {
     friend bool operator==(const AccretionSpec&, const AccretionSpec&) = default;
 };
 
+// How the pattern of a disc moves: not at all, or every ring as matter on circles does (docs/time.md).
+enum class DiscFlowKind { kStill, kKepler };
+
 struct DiscSpec {
     double inner = 3.0, outer = 12.0;   // 0 < inner < outer
     std::filesystem::path image;        // empty: the disc image that ships
@@ -115,15 +118,31 @@ struct DiscSpec {
     DiscEmission emission = DiscEmission::kImage;
     double temperature_K = 8000.0;      // thermal: of the hottest ring, in its own frame; without `accretion`
     std::optional<AccretionSpec> accretion;   // thermal: gives the temperature
+    DiscFlowKind flow = DiscFlowKind::kStill;
+    double flow_life = 40.0;            // kKepler: a copy of the pattern is wound up this long, r_s/c, then it has faded into the next
     // Colours, formula, columns and rows of it alone, and none of these with texture kImage, which is `image`. u = 1/2 + azimuth/turn,
     // v = (r - inner)/(outer - inner); x, y: the place, z = 0.
     BodyLook look{.texture = TextureKind::kImage};
     friend bool operator==(const DiscSpec&, const DiscSpec&) = default;
 };
 
+// Hot spots in the disc, evenly spread over one circular orbit: Gaussian in distance, shining by heat whatever is behind, each moving as
+// its middle does.
+struct SpotSpec {
+    double r = 3.5;                 // of the orbit, outside the photon sphere
+    double phase = 0.0;             // azimuth at time 0
+    double size = 0.35;             // standard deviation
+    double brightness = 1.0;        // in its middle, of a black body of its temperature
+    double temperature_K = 8000.0;
+    int count = 1;
+    friend bool operator==(const SpotSpec&, const SpotSpec&) = default;
+};
+
 // Solid bodies: opaque, a ray ends on the first. Lengths in r_s; (r, theta, phi) are taken as flat spherical coordinates.
 struct SphereSpec {                 // about the centre
     double radius = 3.0;            // outside the horizon
+    double swing = 0.0;             // pulsation: radius (1 + swing sin(2 pi t/period)), [0, 0.5]
+    double period = 40.0;           // r_s/c
     BodyLook look;
     friend bool operator==(const SphereSpec&, const SphereSpec&) = default;
 };
@@ -132,9 +151,15 @@ struct CylinderSpec {               // about the polar axis: a disc of finite th
     BodyLook look;
     friend bool operator==(const CylinderSpec&, const CylinderSpec&) = default;
 };
+// kOrbit: on a circular geodesic through `position`, eastward. kGeodesic: falls freely, at t = 0 from `position` with `velocity` there.
+// kPath: along formulas of t.
+enum class BallMotion { kStill, kOrbit, kGeodesic, kPath };
 struct BallSpec {                   // a sphere anywhere
     Vec3 position{-12.0, 0.0, 0.0};
     double radius = 2.0;
+    BallMotion motion = BallMotion::kStill;
+    Vec3 velocity{0, 0, 0};         // kGeodesic: along (e_r, e_theta, e_phi) of one at rest there, |v| < 1
+    std::string x, y, z;            // kPath: docs/expressions.md, of t in r_s/c
     BodyLook look;
     friend bool operator==(const BallSpec&, const BallSpec&) = default;
 };
@@ -167,6 +192,7 @@ struct LightSpec {
     bool doppler = true;       // motion of matter and camera changes frequencies
     bool gravity = true;       // so does the way out of gravity
     bool aberration = true;    // a moving camera sees other directions
+    bool delay = true;         // light takes time: what moves is seen where it was
     bool lensing = true;       // light follows the metric's geodesics; else straight lines in flat space, all else as it is
     friend bool operator==(const LightSpec&, const LightSpec&) = default;
 };
@@ -202,10 +228,12 @@ struct Scene {
     std::string name, description;
     SpacetimeSpec spacetime;
     std::optional<SpacetimeSpec> beside;   // split screen (scene/split.h): the right half shows the same in this spacetime
+    bool beside_delay = true;              // and whether light takes time there
     CameraSpec camera;
     SkySpec sky;
     SkySpec far_sky = default_far_sky();   // of wormholes: at l = -infinity
     std::optional<DiscSpec> disc;
+    std::optional<SpotSpec> spot;
     std::optional<SphereSpec> sphere;
     std::optional<CylinderSpec> cylinder;
     std::optional<BallSpec> ball;
@@ -213,7 +241,8 @@ struct Scene {
     LightSpec light;
     PictureSpec picture;
     std::optional<PathSpec> path;
-    double time = 0.0;                     // r_s/c, by the clocks at infinity: what moves is where it is then, its light has no delay
+    // r_s/c: t of the camera, by the clocks at infinity; of a camera that falls v - r, v = t + r_*, which is regular on the horizon.
+    double time = 0.0;
 };
 
 }  // namespace nullscope

@@ -7,8 +7,11 @@
 
 #include "base/text.h"
 #include "scene/body_check.h"
+#include "scene/ball_motion.h"
+#include "scene/moving.h"
 #include "scene/observer.h"
 #include "scene/scene_value.h"
+#include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
 
 namespace nullscope {
@@ -58,6 +61,8 @@ private:
     void check_sky();
     void check_disc();
     void check_solids();
+    void check_motion(const SpacetimeSpec& spec, bool delay);
+    void check_moving_keys();
     void check_spin(const SpacetimeSpec& spec);
     bool given(const std::string& name) const { return lines_.count(name) != 0; }
     int line(const std::string& name) const { return given(name) ? lines_.at(name) : 1; }
@@ -139,6 +144,7 @@ void SceneReader::read_key(std::string_view section, const toml::key& name, cons
 void SceneReader::read_section(std::string_view section, const toml::table& table) {
     if (section == "beside") scene_.beside.emplace();
     if (section == "disc") scene_.disc.emplace();
+    if (section == "spot") scene_.spot.emplace();
     if (section == "sphere") scene_.sphere.emplace();
     if (section == "cylinder") scene_.cylinder.emplace();
     if (section == "ball") scene_.ball.emplace();
@@ -299,6 +305,41 @@ void SceneReader::check_solids() {
     }
 }
 
+// What moves: whether it can, and whether its light's delay is known there.
+void SceneReader::check_motion(const SpacetimeSpec& spec, bool delay) {
+    const auto spacetime = make_spacetime(spec.metric, spec.parameters);
+    const auto moving = moving_parts(scene_);
+    if (!spacetime || moving.empty()) return;
+    const Spacetime& world = **spacetime;
+    if (world.spin() != 0.0) report(line("disc.flow"), moving.front(), "not about a spinning hole", "a metric without spin, or spin = 0");
+    else if (delay && world.bends_light() && !world.lapse_roots())
+        report(1, moving.front(), fmt::format("how long light takes is not known in metric \"{}\"", spec.metric), "light.delay = \"off\", or another metric");
+    if (scene_.spot && scene_.disc && !circular_orbit(world, scene_.spot->r))
+        report(given("spot.r") ? line("spot.r") : sections_["spot"], "spot.r", fmt::format("no circular orbit at {}", scene_.spot->r), "r outside the photon sphere");
+    if (!scene_.ball || scene_.ball->motion == BallMotion::kStill) return;
+    if (const auto motion = ball_motion(world, *scene_.ball); !motion)
+        report(line("ball.motion"), "ball.motion", motion.error().message, "a motion that a ball can have");
+}
+
+void SceneReader::check_moving_keys() {
+    const auto only = [this](const char* key, bool meant, const char* with) {
+        if (!meant && given(key)) report(line(key), key, "has no meaning here", fmt::format("with {} only", with));
+    };
+    only("disc.flow_life", scene_.disc && scene_.disc->flow == DiscFlowKind::kKepler, "flow = \"kepler\"");
+    only("sphere.period", scene_.sphere && scene_.sphere->swing > 0.0, "swing above 0");
+    const BallMotion motion = scene_.ball ? scene_.ball->motion : BallMotion::kStill;
+    only("ball.velocity", motion == BallMotion::kGeodesic, "motion = \"geodesic\"");
+    for (const char* key : {"ball.x", "ball.y", "ball.z"}) {
+        only(key, motion == BallMotion::kPath, "motion = \"path\"");
+        if (motion == BallMotion::kPath && !given(key)) report(line("ball.motion"), key, "missing, but motion is path", "a formula of t");
+    }
+    if (!scene_.spot) return;
+    if (!scene_.disc) report(sections_["spot"], "spot", "there is no [disc]", "in a disc only; disc.opacity = 0 shows the spots alone");
+    else if (!(scene_.spot->r > scene_.disc->inner && scene_.spot->r < scene_.disc->outer))
+        report(given("spot.r") ? line("spot.r") : sections_["spot"], "spot.r", fmt::format("{} is not within the disc", scene_.spot->r),
+               fmt::format("({}, {})", scene_.disc->inner, scene_.disc->outer));
+}
+
 // What is not there yet about a hole that spins.
 void SceneReader::check_spin(const SpacetimeSpec& spec) {
     const auto spacetime = make_spacetime(spec.metric, spec.parameters);
@@ -331,6 +372,11 @@ Result<Scene> SceneReader::read(const toml::table& root) {
         check_solids();
         check_spin(scene_.spacetime);
         if (scene_.beside) check_spin(*scene_.beside);
+        check_moving_keys();
+    }
+    if (reports_.empty()) {
+        check_motion(scene_.spacetime, scene_.light.delay);
+        if (scene_.beside) check_motion(*scene_.beside, scene_.light.delay && scene_.beside_delay);
     }
     if (!reports_.empty()) return bad_input(without_controls(reports_.begin()->second));
     if (scene_.name.empty()) scene_.name = fs::path(label_).stem().string();

@@ -22,7 +22,7 @@ constexpr KeyRange kFov{0.0, 180.0, true, true};
 constexpr KeyRange kPixels{1.0, 16384.0, false, false};
 constexpr KeyRange kExposure{-30.0, 30.0, false, false};
 constexpr KeyRange kLatitude{0.0, 90.0, true, true};
-constexpr KeyRange kOpacity{0.0, 1.0, true, false};
+constexpr KeyRange kOpacity{0.0, 1.0, false, false};
 constexpr KeyRange kEdge{0.0, 0.5, false, false};
 constexpr KeyRange kTemperature{1e3, 1e9, false, false};
 constexpr KeyRange kMass{1e-6, 1e12, false, false};
@@ -35,6 +35,8 @@ constexpr KeyRange kEnergy{0.0, 1e6, true, false};
 constexpr KeyRange kFrames{2.0, 1000000.0, false, false};
 constexpr KeyRange kFilmRate{0.1, 1000.0, false, false};
 constexpr KeyRange kDuration{0.0, 1e7, false, false};
+constexpr KeyRange kLife{0.0, 1e6, true, false};
+constexpr KeyRange kSpots{1.0, 64.0, false, false};
 constexpr KeyRange kNone{};
 
 AccretionSpec& accretion_of(Scene& scene) {
@@ -48,7 +50,7 @@ constexpr SceneKey kKeys[] = {
     {"", "description", KeyType::kText, "", "", kNone, "", "One sentence that says what is to be seen.",
      [](Scene& s, const KeyValue& v) { s.description = v.text; }},
 
-    {"", "time", KeyType::kNumber, "r_s/c", "0", kTime, "", "Time of the picture, for what moves: t in surface.shape.",
+    {"", "time", KeyType::kNumber, "r_s/c", "0", kTime, "", "Time of the picture, at the camera, for what moves.",
      [](Scene& s, const KeyValue& v) { s.time = v.number; }},
 
     {"spacetime", "metric", KeyType::kMetric, "", "schwarzschild", kNone, "", "The spacetime.",
@@ -56,6 +58,8 @@ constexpr SceneKey kKeys[] = {
 
     {"beside", "metric", KeyType::kMetric, "", "schwarzschild", kNone, "", "The spacetime of the picture's right half.",
      [](Scene& s, const KeyValue& v) { s.beside->metric = v.text; }},
+    {"beside", "delay", KeyType::kChoice, "", "on", kNone, "on off", "Whether light takes time in that half too.",
+     [](Scene& s, const KeyValue& v) { s.beside_delay = v.choice == 0; }},
 
     {"camera", "r", KeyType::kNumber, "r_s", "15", kRadius, "",
      "Radial coordinate; outside the horizon where the observer rests or orbits. Of wormholes: l.",
@@ -193,6 +197,26 @@ constexpr SceneKey kKeys[] = {
     {"disc", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Factor on the disc's light.",
      [](Scene& s, const KeyValue& v) { s.disc->brightness = v.number; }},
 
+    {"disc", "flow", KeyType::kChoice, "", "still", kNone, "still kepler",
+     "How image or texture moves: not at all, or every ring with the matter's own speed.",
+     [](Scene& s, const KeyValue& v) { s.disc->flow = static_cast<DiscFlowKind>(v.choice); }},
+    {"disc", "flow_life", KeyType::kNumber, "r_s/c", "40", kLife, "",
+     "How long a copy of the pattern is wound up before it has faded into the next; needs flow = \"kepler\".",
+     [](Scene& s, const KeyValue& v) { s.disc->flow_life = v.number; }},
+
+    {"spot", "r", KeyType::kNumber, "r_s", "3.5", kLength, "", "Radius of the orbit; outside the photon sphere and within the disc.",
+     [](Scene& s, const KeyValue& v) { s.spot->r = v.number; }},
+    {"spot", "phase", KeyType::kNumber, "deg", "0", kAnyAngle, "", "Azimuth at time 0.",
+     [](Scene& s, const KeyValue& v) { s.spot->phase = v.number; }},
+    {"spot", "size", KeyType::kNumber, "r_s", "0.35", kLength, "", "Standard deviation of its light, a Gaussian of the distance in the disc.",
+     [](Scene& s, const KeyValue& v) { s.spot->size = v.number; }},
+    {"spot", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Factor on its light: 1 is a black body's in its middle.",
+     [](Scene& s, const KeyValue& v) { s.spot->brightness = v.number; }},
+    {"spot", "temperature", KeyType::kNumber, "K", "8000", kTemperature, "", "Of the black body whose colour it has.",
+     [](Scene& s, const KeyValue& v) { s.spot->temperature_K = v.number; }},
+    {"spot", "count", KeyType::kWhole, "", "1", kSpots, "", "So many of them, evenly spread over the orbit.",
+     [](Scene& s, const KeyValue& v) { s.spot->count = v.width; }},
+
     {"light", "shift", KeyType::kChoice, "", "on", kNone, "on off",
      "Whether motion and gravity change the colour of what shines by its heat.",
      [](Scene& s, const KeyValue& v) { s.light.shift = v.choice == 0; }},
@@ -206,6 +230,9 @@ constexpr SceneKey kKeys[] = {
     {"light", "aberration", KeyType::kChoice, "", "on", kNone, "on off",
      "Whether a moving camera sees directions other than one at rest in its place.",
      [](Scene& s, const KeyValue& v) { s.light.aberration = v.choice == 0; }},
+    {"light", "delay", KeyType::kChoice, "", "on", kNone, "on off",
+     "Whether light takes time: what moves is seen where it was when its light left; else where it is.",
+     [](Scene& s, const KeyValue& v) { s.light.delay = v.choice == 0; }},
     {"light", "lensing", KeyType::kChoice, "", "on", kNone, "on off",
      "Whether light follows the geodesics of the metric; else straight lines, and all else is as it is.",
      [](Scene& s, const KeyValue& v) { s.light.lensing = v.choice == 0; }},

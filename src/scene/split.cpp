@@ -24,6 +24,7 @@ std::optional<Halves> halves(const Scene& scene) {
     if (!scene.beside) return std::nullopt;
     Scene other = scene;
     other.spacetime = *scene.beside;
+    other.light.delay = scene.light.delay && scene.beside_delay;
     return halves(scene, other);
 }
 

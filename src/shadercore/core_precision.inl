@@ -16,9 +16,15 @@
 #define BLOCK_DISC_PATTERN
 #define BLOCK_SKY_PATTERN
 #define BLOCK_SPIN
+#define BLOCK_DELAY
+#define BLOCK_DISC_FLOW
+#define BLOCK_SPOT
+#define BLOCK_BALL_PATH
 #define EFFECT_INNER
 #define EFFECT_BOUNCE
 #define EFFECT_STAR
+#define EFFECT_DELAY
+#define NEEDS_ZETA_SLOPE
 namespace lensed {
 #define EFFECT_DISC
 #define EFFECT_LENSING
@@ -48,6 +54,8 @@ namespace flat {
 }  // namespace flat
 #undef EFFECT_INNER
 #undef EFFECT_STAR
+#undef EFFECT_DELAY
+#undef NEEDS_ZETA_SLOPE
 #define EFFECT_SPIN
 namespace spinning {
 #include "shadercore/core_variant.inl"

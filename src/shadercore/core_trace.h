@@ -16,12 +16,12 @@ struct TexelView {
 };
 
 // FrameData of shaders/shared/frame_block.glsl as numbers, four a member, in the order of its members.
-inline constexpr std::size_t kFrameVectors = 58;
+inline constexpr std::size_t kFrameVectors = 64;
 using FrameNumbers = std::array<double, 4 * kFrameVectors>;
 
 struct CoreInput {
     FrameNumbers frame{};
-    TexelView strip, ends, orbit;
+    TexelView strip, ends, orbit, delay;   // delay: empty where nothing asks for light times
     bool cubic = false;                        // the strip's cubics instead of its lines (method strip:cubic)
     bool lensing = true, aberration = false, spin = false;   // the effects compiled in (a scene without a disc has an empty range of radii)
 };

@@ -7,7 +7,7 @@ static_assert(sizeof(FrameData) == kFrameVectors * 4 * sizeof(Real));
 
 struct Inputs {
     FrameData frame;
-    TexelView strip, ends, orbit;
+    TexelView strip, ends, orbit, delay;
 };
 thread_local Inputs inputs;
 #define frame inputs.frame
@@ -22,6 +22,7 @@ vec4 fetch(const TexelView& view, int x, int y) {
 vec4 strip_fetch(int x, int y) { return fetch(inputs.strip, x, y); }
 vec4 ends_fetch(int x, int y) { return fetch(inputs.ends, x, y); }
 vec4 orbit_fetch(int x, int y) { return fetch(inputs.orbit, x, y); }
+vec4 delay_fetch(int x, int y) { return fetch(inputs.delay, x, y); }
 
 #include "core/trig.glsl"
 #include "core/aberration.glsl"
@@ -40,6 +41,7 @@ vec4 orbit_fetch(int x, int y) { return fetch(inputs.orbit, x, y); }
 #include "method/strip.glsl"
 #endif
 #include "core/trace.glsl"
+#include "core/delay.glsl"
 #include "object/disc.glsl"
 #endif
 #include "core/raydata.glsl"
@@ -53,12 +55,13 @@ RayPixel trace_one(const CoreInput& input, double x, double y) {
     inputs.strip = input.strip;
     inputs.ends = input.ends;
     inputs.orbit = input.orbit;
+    inputs.delay = input.delay;
     const PixelData data = pixel_data(vec2(static_cast<Real>(x), static_cast<Real>(y)));
     RayPixel pixel;
     pixel.fate = static_cast<Fate>(static_cast<int>(data.fate));
     pixel.sky = {data.sky.x, data.sky.y, data.sky.z};
     pixel.g = data.g;
-    pixel.delay = data.delay;
+    pixel.delay = input.delay.data != nullptr || !input.lensing ? data.delay : 0.0;
     pixel.angle = data.angle;
     pixel.order = static_cast<int>(std::floor(pixel.angle / M_PI));
     pixel.hit = static_cast<int>(data.hit);

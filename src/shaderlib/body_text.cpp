@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "expr/formula.h"
+#include "scene/moving.h"
 #include "scene/named_surface.h"
 #include "shaderlib/preprocess.h"
 #include "shaderlib/shader_source.h"
@@ -27,25 +28,23 @@ std::vector<Body> bodies_of(const Scene& scene) {
     std::vector<Body> bodies;
     if (scene.sphere)
         bodies.push_back(
-            {"sphere", 2, &scene.sphere->look, "frame.sphere_form.x", "vec3(0.0)", "place.outward", nullptr, false});
+            {"sphere", 2, &scene.sphere->look, "frame.sphere_form.x", "vec3(0.0)", "place.outward", nullptr, scene.sphere->swing > 0.0});
     if (scene.cylinder)
         bodies.push_back({"cylinder", 3, &scene.cylinder->look, "frame.cylinder_form.y", "vec3(0.0)",
                           "cylinder_normal(place.at)", "MAPPING_PLANE"});
     if (scene.ball)
-        bodies.push_back({"ball", 4, &scene.ball->look, "frame.ball_form.w", "frame.ball_form.xyz",
-                          "ball_offset(place.at) / frame.ball_form.w"});
+        bodies.push_back({"ball", 4, &scene.ball->look, "frame.ball_form.w", "ball_middle(place)",
+                          "ball_offset(place) / frame.ball_form.w"});
     if (scene.surface)
         bodies.push_back(
-            {"surface", 5, &scene.surface->look, "frame.surface_form.x", "vec3(0.0)", "surface_normal(place.at)"});
+            {"surface", 5, &scene.surface->look, "frame.surface_form.x", "vec3(0.0)", "surface_normal(place)"});
     return bodies;
 }
 
 std::string shape_of(const SurfaceSpec& surface) {
     const auto formula = expr::Formula::parse(surface_shape(surface), {"x", "y", "z", "t"});
-    constexpr std::size_t kTime = 3;
-    // The scene's time at every place; where light is delayed, the time at which the light that is seen left `at` belongs here.
-    const std::string time = formula && formula->uses(kTime) ? "    float t = frame.surface_form.w;\n" : "";
-    return "float surface_formula(vec3 at) {\n    float x = at.x;\n    float y = at.y;\n    float z = at.z;\n" + time +
+    const std::string time = surface_moves(surface) ? "#define SURFACE_MOVES\n#define SURFACE_T , float t\n#define SURFACE_AT_T , t\n" : "#define SURFACE_T\n#define SURFACE_AT_T\n";
+    return time + "float surface_formula(vec3 at SURFACE_T) {\n    float x = at.x;\n    float y = at.y;\n    float z = at.z;\n" +
            (formula ? formula->glsl("value") : "    float value = 1.0;\n") + "    return value;\n}\n";
 }
 
@@ -91,17 +90,14 @@ std::string march_of(const std::vector<Body>& bodies, const Scene& scene) {
     std::string value, object, room;
     for (const Body& body : bodies) {
         if (!body.marched) continue;
-        value += fmt::format("    value = min(value, {}_value(at));\n", body.name);
-        room += fmt::format("    room = min(room, {}_{});\n", body.name,
-                            body.name == "ball"      ? "value(place.at)"
-                            : body.name == "surface" ? "room(place.at)"
-                                                     : "room(place)");
-        object += fmt::format(
-            "    if ({0}_value(at) < value) {{\n        value = {0}_value(at);\n        object = {1};\n    }}\n",
-            body.name, body.number);
+        const std::string at = body.name == "cylinder" ? "place.at" : "place";
+        value += fmt::format("    value = min(value, {}_value({}));\n", body.name, at);
+        room += fmt::format("    room = min(room, {}_room(place));\n", body.name);
+        object += fmt::format("    if ({0}_value({2}) < value) {{\n        value = {0}_value({2});\n        object = {1};\n    }}\n",
+                              body.name, body.number, at);
     }
     if (value.empty()) return "";
-    const bool ball_alone = bodies.back().name == "ball" && std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return b.marched; }) == 1;
+    const bool ball_alone = bodies.back().name == "ball" && scene.ball->motion == BallMotion::kStill && std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return b.marched; }) == 1;
     const std::string stop = "float march_stop(Trace trace, vec3 tangent, float phi) { return " +
                              std::string(ball_alone ? "ball_beside(trace, tangent) ? 1.0e-9 : " : "") + "max(phi, 1.0e-9); }\n";
     // Strides of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent.
@@ -109,7 +105,7 @@ std::string march_of(const std::vector<Body>& bodies, const Scene& scene) {
     const std::string graze =
         scene.surface ? "1.0e30" : "2.0 * angle * sqrt(place.r_along * place.r_along + place.r * place.r)";
     return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) + stop +
-           "float march_value(vec3 at) {\n    float value = 1.0e30;\n" + value +
+           "float march_value(RayPlace place) {\n    float value = 1.0e30;\n" + value +
            "    return value;\n}\n"
            "float march_room(RayPlace place) {\n    float room = 1.0e30;\n" +
            room +
@@ -117,12 +113,12 @@ std::string march_of(const std::vector<Body>& bodies, const Scene& scene) {
            "float march_graze(float angle, RayPlace place) { return " +
            graze +
            "; }\n"
-           "int march_object(vec3 at) {\n    float value = 1.0e30;\n    int object = 0;\n" +
+           "int march_object(RayPlace place) {\n    float value = 1.0e30;\n    int object = 0;\n" +
            object + "    return object;\n}\n";
 }
 
 std::string hit_of(const std::vector<Body>& bodies) {
-    const bool sphere = !bodies.front().marched, march = bodies.back().marched;
+    const bool sphere = !bodies.front().marched, march = bodies.back().marched;   // only a sphere that keeps its size is not
     std::string text = "SolidHit solid_hit(Trace trace, vec3 tangent, float blur) {\n";
     if (sphere && !march) return text + "    return sphere_hit(trace, tangent, blur);\n}\n";
     if (!sphere) return text + "    return march_hit(trace, tangent, march_stop(trace, tangent, trace.phi_end), blur);\n}\n";

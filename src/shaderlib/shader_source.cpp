@@ -56,11 +56,13 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
         files.emplace_back("core/sweep.glsl");
         for (std::string& file : method_files(method, metric)) files.push_back(std::move(file));
     }
-    if (lensing && (disc || solid)) files.emplace_back("core/orbit.glsl");
+    const bool delay = effects.contains(Effect::kDelay);
+    if (lensing && (disc || solid || delay)) files.emplace_back("core/orbit.glsl");
     if (disc && !spin) files.emplace_back("core/plane.glsl");
     if (!lensing && !ends && !(picture && effects.contains(Effect::kSkyPattern))) files.erase(files.begin());   // nothing inverse to compute
     if (spin) files.emplace_back("core/kerr.glsl");
     files.emplace_back(spin ? "core/spin_trace.glsl" : "core/trace.glsl");
+    if (delay) files.emplace_back("core/delay.glsl");
     if (disc) files.emplace_back(spin ? "object/spin_disc.glsl" : "object/disc.glsl");
     const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
     if (picture && (disc || sky || far_sky || effects.contains(Effect::kBodyImage))) files.emplace_back("effect/footprint.glsl");
@@ -68,6 +70,8 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
     if (picture && effects.contains(Effect::kThermalDisc))
         for (const char* file : {"object/disc_flow.glsl", "effect/thermal.glsl"}) files.emplace_back(file);
     if (picture && disc) files.emplace_back("object/disc_colour.glsl");
+    if (picture && effects.contains(Effect::kDiscFlow)) files.emplace_back("object/disc_moving.glsl");
+    if (picture && effects.contains(Effect::kSpot)) files.emplace_back("object/spot.glsl");
     if (picture && disc && lensing) files.emplace_back("object/disc_thin.glsl");
     if (picture && (sky || far_sky)) files.emplace_back("object/celestial_sphere.glsl");
     if (picture && far_sky && !sky) files.emplace_back("object/other_side.glsl");
@@ -96,7 +100,7 @@ std::string look_text(Stage stage, const EffectSet& effects, const BodyText& bod
 std::string solid_text(Stage stage, const EffectSet& effects, const BodyText& bodies) {
     if (!has_solids(effects)) return "";
     std::string text(shader_file("object/place.glsl"));
-    if (effects.contains(Effect::kSphere)) text += shader_file("object/sphere.glsl");
+    if (effects.contains(Effect::kSphere)) text += shader_file(effects.contains(Effect::kPulse) ? "object/pulse.glsl" : "object/sphere.glsl");
     if (effects.contains(Effect::kCylinder)) text += shader_file("object/cylinder.glsl");
     if (effects.contains(Effect::kBall)) text += shader_file("object/ball.glsl");
     if (effects.contains(Effect::kSurface)) text += bodies.shape + std::string(shader_file("object/surface.glsl"));
@@ -116,6 +120,10 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
     }
     if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE");
     if (has_marched(effects)) defines.emplace_back("BLOCK_MARCH");
+    const bool delay = effects.contains(Effect::kDelay), late = effects.contains(Effect::kDiscFlow) || effects.contains(Effect::kSpot);
+    if (late) defines.emplace_back("NEEDS_LATE");
+    if (effects.contains(Effect::kThermalDisc) || (effects.contains(Effect::kDisc) && delay)) defines.emplace_back("NEEDS_ZETA_SLOPE");
+    if (moves(effects) || (delay && effects.contains(Effect::kSurface))) defines.emplace_back("NEEDS_PLACE_LATE");
     const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
     if (far_sky && !sky) defines.emplace_back("BLOCK_SKY");
     if (sky && (far_sky || effects.contains(Effect::kBounce))) defines.emplace_back("NEEDS_SKY_OF_EVERY_RAY");
@@ -153,10 +161,17 @@ std::string declarations(Stage stage, const EffectSet& effects, bool ends, const
                     "vec4 ends_fetch(int x, int y) { return texelFetch(ends_texture, ivec2(x, y), 0); }\n";
         if (method.kind == MethodKind::kTable) text += "uniform highp sampler2D table_texture;\n";
         text += method_constants(method);
-        if (disc || has_solids(effects))
+        const bool delay = effects.contains(Effect::kDelay);
+        if (disc || has_solids(effects) || delay)
             text += "uniform highp sampler2D orbit_texture;\n"
                     "vec4 orbit_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(x, y), 0); }\n";
+        if (delay)
+            text += "uniform highp sampler2D delay_texture;\n"
+                    "vec4 delay_fetch(int x, int y) { return texelFetch(delay_texture, ivec2(x, y), 0); }\n";
     }
+    if (effects.contains(Effect::kBallPath))
+        text += "uniform highp sampler2D ball_path_texture;\n"
+                "vec4 ball_path_fetch(int x, int y) { return texelFetch(ball_path_texture, ivec2(x, y), 0); }\n";
     if (stage == Stage::kPicture) {
         const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
         if (sky) text += far_sky ? "uniform highp sampler2DArray sky_texture;\n" : "uniform samplerCube sky_texture;\n";
@@ -233,6 +248,7 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
     std::vector<std::string> defines = defines_of(effects);
     const bool ends = stage == Stage::kRayData || effects.contains(Effect::kDisc) || has_solids(effects);
     if (ends) defines.emplace_back("NEEDS_PHI_END");
+    if (stage == Stage::kRayData && effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PLACE_LATE");
     const bool display = stage == Stage::kPicture && output == Output::kDisplay;
     if (display) defines.emplace_back("DISPLAY_ENCODE");
 

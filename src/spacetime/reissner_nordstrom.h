@@ -28,6 +28,7 @@ public:
     std::optional<double> horizon_radius() const override { return outer_; }
     std::optional<PhotonSphere> photon_sphere() const override { return PhotonSphere{sphere_, q_crit_}; }
     bool bends_light() const override { return true; }
+    std::optional<LapseRoots> lapse_roots() const override { return LapseRoots{outer_, inner_}; }
     double chi_from_radius(double r) const override;  // r >= horizon; aborts elsewhere
     double radius_from_chi(double chi) const override;
     double bending_density(double chi) const override;

@@ -23,6 +23,7 @@ public:
     std::optional<double> horizon_radius() const override { return 1.0; }
     std::optional<PhotonSphere> photon_sphere() const override;
     bool bends_light() const override { return true; }
+    std::optional<LapseRoots> lapse_roots() const override { return LapseRoots{1.0, 0.0}; }
     double chi_from_radius(double r) const override;  // r >= 1; aborts elsewhere
     double radius_from_chi(double chi) const override;
     double bending_density(double chi) const override;

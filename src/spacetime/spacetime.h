@@ -31,6 +31,11 @@ struct Wall {
     std::array<double, 4> c;
 };
 
+// A = (1 - outer zeta)(1 - inner zeta), outer >= inner.
+struct LapseRoots {
+    double outer, inner;
+};
+
 // Radii at which a camera can be at rest: low < r < high.
 inline constexpr double kAnyRadius = 1e300;
 struct RadiusRange {
@@ -55,6 +60,8 @@ public:
     virtual std::optional<PhotonSphere> photon_sphere() const = 0;  // the one that defines chi; nothing: light runs straight, or wall()
     virtual std::optional<Wall> wall() const { return std::nullopt; }
     virtual bool bends_light() const = 0;
+    // Of metrics with R = r and A of this form, for which the shader knows how long light takes.
+    virtual std::optional<LapseRoots> lapse_roots() const { return std::nullopt; }
     // a, the hole's angular momentum over its mass, r_s: where it is not 0 the metric is symmetric about the axis only, no ray stays in a
     // plane, and what is said here of V, chi and orbits does not hold (spacetime/kerr.h).
     virtual double spin() const { return 0.0; }

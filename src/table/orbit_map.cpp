@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "table/delay_column.h"
+
 namespace nullscope {
 namespace {
 
@@ -13,10 +15,7 @@ constexpr int kCellsPerOctave = 12;  // ORBIT_CELLS_PER_OCTAVE
 constexpr int kRows = 128;          // ORBIT_ROWS
 constexpr double kLargestStep = 0.08;  // rad; local error 1e-12
 
-// zeta(phi) and its derivative by delta (the variational equation).
-struct State {
-    double zeta, slope, vary, vary_slope;
-};
+using State = OrbitState;   // its derivatives by delta follow the variational equation
 
 struct Nystrom {
     static constexpr int kStages = 6;
@@ -96,12 +95,9 @@ Column integrate(const RayFan& fan, Segment segment, const FanRay& ray, double& 
 }
 
 // One column: texels (Z, Z_d, Z_v, Z_dv) at v = 0 ... 1, derivatives by delta and by v.
-std::array<std::array<double, 4>, kRows + 1> column(const RayFan& fan, Segment segment, double delta) {
+std::vector<std::array<double, 4>> places(const RayFan& fan, Segment segment, const FanRay& ray, const Column& orbit, double end_per_delta) {
     const Spacetime& spacetime = fan.spacetime();
-    const FanRay ray = fan.ray(segment, delta);
-    double end_per_delta = 0.0;
-    const Column orbit = integrate(fan, segment, ray, end_per_delta);
-    std::array<std::array<double, 4>, kRows + 1> texels{};
+    std::vector<std::array<double, 4>> texels(kRows + 1);
     for (int i = 0; i <= kRows; ++i) {
         const double v = static_cast<double>(i) / kRows;
         const State& o = orbit[i];
@@ -126,11 +122,12 @@ std::array<std::array<double, 4>, kRows + 1> column(const RayFan& fan, Segment s
 
 }  // namespace
 
-TexelGrid build_orbit_map(const RayFan& fan) {
+OrbitMap build_orbit_map(const RayFan& fan, bool delays) {
     constexpr int kColumns = kCellsPerOctave + 1;
     const int sky = fan.octaves(Segment::kSky) * kColumns, captured = fan.octaves(Segment::kCaptured) * kColumns;
-    TexelGrid map{std::max(sky, captured), 2 * (kRows + 1), {}};
-    map.texels.assign(static_cast<std::size_t>(map.width) * map.height * 4, 0.0f);
+    OrbitMap map{{std::max(sky, captured), 2 * (kRows + 1), {}}, {}};
+    map.places.texels.assign(static_cast<std::size_t>(map.places.width) * map.places.height * 4, 0.0f);
+    if (delays) map.delays = map.places;
     tbb::parallel_for(0, sky + captured, [&](int i) {
         const Segment segment = i < sky ? Segment::kSky : Segment::kCaptured;
         const int at = i < sky ? i : i - sky;
@@ -140,15 +137,22 @@ TexelGrid build_orbit_map(const RayFan& fan) {
         const double node = std::max(fan.delta_at(u), fan.w0() / (64.0 * kCellsPerOctave));
         const double delta = fan.mirrored(segment, node);
         const double delta_per_cell = (delta == node ? 1.0 : -1.0) * fan.delta_slope(u) * u_octave / kCellsPerOctave;
-        const auto texels = column(fan, segment, delta);
-        for (int row = 0; row <= kRows; ++row) {
-            const std::size_t line = row + (segment == Segment::kSky ? 0 : kRows + 1);
-            float* out = map.texels.data() + 4 * (line * map.width + at);
-            out[0] = static_cast<float>(texels[row][0]);
-            out[1] = static_cast<float>(texels[row][1] * delta_per_cell);
-            out[2] = static_cast<float>(texels[row][2]);
-            out[3] = static_cast<float>(texels[row][3] * delta_per_cell);
-        }
+        const FanRay ray = fan.ray(segment, delta);
+        double end_per_delta = 0.0;
+        const Column orbit = integrate(fan, segment, ray, end_per_delta);
+        const auto put = [&](TexelGrid& grid, const std::vector<std::array<double, 4>>& texels) {
+            for (int row = 0; row <= kRows; ++row) {
+                const std::size_t line = row + (segment == Segment::kSky ? 0 : kRows + 1);
+                float* out = grid.texels.data() + 4 * (line * grid.width + at);
+                const auto& texel = texels[static_cast<std::size_t>(row)];
+                out[0] = static_cast<float>(texel[0]);
+                out[1] = static_cast<float>(texel[1] * delta_per_cell);
+                out[2] = static_cast<float>(texel[2]);
+                out[3] = static_cast<float>(texel[3] * delta_per_cell);
+            }
+        };
+        put(map.places, places(fan, segment, ray, orbit, end_per_delta));
+        if (delays) put(map.delays, delay_column(fan, segment, ray, orbit, end_per_delta));
     });
     return map;
 }

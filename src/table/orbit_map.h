@@ -8,7 +8,12 @@
 
 namespace nullscope {
 
-// Error of zeta: 1e-7 relative to the ray's conditioning. About 10 core-milliseconds.
-TexelGrid build_orbit_map(const RayFan& fan);
+struct OrbitMap {
+    TexelGrid places;   // zeta
+    TexelGrid delays;   // D of table/delay_column.h in the same cells; empty where nothing asks how long light takes
+};
+
+// Error of zeta: 1e-7 relative to the ray's conditioning. About 10 core-milliseconds, with delays twice that.
+OrbitMap build_orbit_map(const RayFan& fan, bool delays);
 
 }  // namespace nullscope

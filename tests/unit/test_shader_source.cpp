@@ -45,6 +45,12 @@ std::vector<Scene> all_scenes() {
             if (has(8)) scene.surface.emplace().look.texture = kind;
             for (BodyLook* look : {scene.sphere ? &scene.sphere->look : nullptr, scene.ball ? &scene.ball->look : nullptr})
                 if (look != nullptr && kind == TextureKind::kFormula) look->formula = "sin(u)";
+            if (has(2) && has(4) && !has(9)) scene.disc->flow = DiscFlowKind::kKepler;
+            if (has(2) && has(7) && has(9)) scene.spot.emplace();
+            if (has(7) && has(4) && has(3)) scene.ball->motion = BallMotion::kOrbit;
+            if (has(5) && has(8) && has(1)) scene.sphere->swing = 0.1;
+            if (has(8) && has(6)) scene.surface->shape = "x^2 + y^2 + z^2 - 9 - sin(t)";
+            scene.light.delay = !(has(0) && has(7));
             scenes.push_back(scene);
         }
     return scenes;
@@ -60,12 +66,12 @@ const std::vector<Mark> kMarks = {
     {Effect::kDiscImage, {"disc_texture", "disc_filtered"}},
     {Effect::kDiscPattern, {"disc_coat_paint", "vec4 disc_coat_map;"}},
     {Effect::kTranslucentDisc, {"fade"}},
-    {Effect::kThermalDisc, {"thermal_light", "disc_flow_texture", "DiscFlow", "vec4 disc_heat;", "zeta_slope"}},
+    {Effect::kThermalDisc, {"thermal_light", "disc_flow_texture", "DiscFlow", "vec4 disc_heat;"}},
     {Effect::kShift, {"colour_shift"}},
     {Effect::kBeaming, {"beaming"}},
     {Effect::kBolometric, {"all_wavelengths"}},
     {Effect::kPointStars, {"vec4 point_stars;", "vec4 point_spread;"}},
-    {Effect::kSphere, {"sphere_hit", "sphere_form", "sphere_light", "sphere_colour"}},
+    {Effect::kSphere, {"sphere_form", "sphere_light", "sphere_colour"}},
     {Effect::kCylinder, {"cylinder_value", "cylinder_form", "cylinder_light", "cylinder_colour"}},
     {Effect::kBall, {"ball_value", "ball_form", "ball_light", "ball_colour"}},
     {Effect::kSurface, {"surface_formula", "surface_form", "surface_light", "surface_colour"}},
@@ -85,6 +91,11 @@ const std::vector<Mark> kMarks = {
     {Effect::kToneNeutral, {"tone_neutral"}},
     {Effect::kDither, {"dither_noise"}},
     {Effect::kStar, {"star_surface", "star_square"}},
+    {Effect::kDelay, {"light_time(", "vec4 delay;", "delay_at_camera"}},
+    {Effect::kDiscFlow, {"disc_moving(", "vec4 disc_flow;"}},
+    {Effect::kSpot, {"spot_light(", "vec4 spot;", "vec4 spot_motion;"}},
+    {Effect::kBallPath, {"ball_path_fetch", "vec4 ball_path;"}},
+    {Effect::kPulse, {"sphere_room"}},
 };
 
 std::string picture_of(const Scene& scene) {
@@ -122,7 +133,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow& row : kEffectTable) all.insert(row.effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 58);
+    CHECK(members.size() == 64);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {

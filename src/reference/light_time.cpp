@@ -1,0 +1,73 @@
+#include "reference/light_time.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+
+namespace nullscope::reference {
+namespace {
+
+constexpr double kRadial = 1e7;   // q beyond which light is as good as radial: b^2/r^2 = 1e-14
+constexpr double kLongest = 0.3, kRatio = 2;   // of a panel, rad; of the radii in it: 15 nodes leave 1e-13
+constexpr int kDeepest = 12;
+constexpr double kTolerance = 1e-12;
+using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
+
+double lapse2(const OrbitMetric& metric, double r) {
+    const double lapse = metric.lapse(r);
+    return lapse * lapse;
+}
+
+}  // namespace
+
+// In x = 1/r: 1/A - 1 - x is O(x^2) and is divided by it.
+double tortoise_excess(const OrbitMetric& metric, double r) {
+    const auto rest = [&](double x) {
+        if (!(x > 1e-5)) return 1.0;   // its limit is (1 - kappa) or 1: times 1e-5 of the range
+        const double a = lapse2(metric, 1 / x);
+        return (1 / a - 1 - x) / (x * x);
+    };
+    if (metric.lapse(1e6) == 1) return 0;   // flat
+    return std::log(r) - Rule::integrate(rest, 0.0, 1 / r, kDeepest, kTolerance);
+}
+
+LightClock::LightClock(const OrbitMetric& metric, const Orbit& orbit, double q, double camera_r, bool falls)
+    : metric_(metric), orbit_(orbit), q_(q), r0_(camera_r) {
+    const double horizon = metric.horizon_radius().value_or(0.0);
+    by_v_ = camera_r <= horizon;
+    start_ = falls && !by_v_ ? tortoise_excess(metric, camera_r) : 0.0;
+    known_[0.0] = 0.0;
+}
+
+double LightClock::lag(double from, double to) const {
+    const auto rate = [this](double angle) {
+        const double zeta = orbit_.zeta_at(angle);
+        if (!by_v_) return q_ / (zeta * zeta * lapse2(metric_, 1 / zeta));
+        // Outward without a turning point: 1/(q + sqrt(q^2 - V)); V = zeta^2 A < 0 inside.
+        const double step = 1e-6, slope = (orbit_.zeta_at(angle + step) - (angle > step ? orbit_.zeta_at(angle - step) : zeta)) / (angle > step ? 2 * step : step);
+        return 1 / (q_ - slope);
+    };
+    // Panels in which the radius changes little: far out, where it runs through orders of magnitude, they crowd.
+    const std::function<double(double, double, double, double)> sum = [&](double a, double b, double zeta_a, double zeta_b) {
+        const double middle = 0.5 * (a + b), zeta = orbit_.zeta_at(middle), most = std::max({zeta_a, zeta, zeta_b}), least = std::min({zeta_a, zeta, zeta_b});
+        if (middle > a && middle < b && (b - a > kLongest || !(most < kRatio * least))) return sum(a, middle, zeta_a, zeta) + sum(middle, b, zeta, zeta_b);
+        return boost::math::quadrature::gauss<double, 15>::integrate(rate, a, b);
+    };
+    return sum(from, to, orbit_.zeta_at(from), orbit_.zeta_at(to));
+}
+
+double LightClock::late(double angle) {
+    const double r = 1 / orbit_.zeta_at(angle);
+    if (!std::isfinite(r) || !(lapse2(metric_, r) > 0)) return kNotANumber;
+    if (!(q_ < kRadial)) return by_v_ ? r + tortoise_excess(metric_, r) - r0_ : start_ + std::fabs(r + tortoise_excess(metric_, r) - r0_ - tortoise_excess(metric_, r0_));
+    auto next = known_.upper_bound(angle);
+    const auto [from, so_far] = *--next;
+    const double sum = angle > from ? so_far + lag(from, angle) : so_far;
+    known_[angle] = sum;
+    return by_v_ ? sum + r + tortoise_excess(metric_, r) - r0_ : start_ + sum;
+}
+
+}  // namespace nullscope::reference

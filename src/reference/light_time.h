@@ -1,0 +1,31 @@
+// How long light takes from a place on a ray to the camera, by quadrature of dt = q/(zeta^2 A) dphi along the closed-form orbit; and
+// what clock tells it when the camera has none of its own.
+#pragma once
+#include <map>
+
+#include "reference/orbit.h"
+
+namespace nullscope::reference {
+
+// r_* - r, r_* = integral of dr/A with r_* - r - ln(r) -> 0 at infinity. r outside the horizon. Relative error 1e-12.
+double tortoise_excess(const OrbitMetric& metric, double r);
+
+// Of one ray. What is told is the camera's clock minus t of the place: t at a camera at rest; v - r, v = t + r_*, at one that falls.
+class LightClock {
+public:
+    // q: E r_s/L, infinite for a radial ray. metric, orbit: outlive this.
+    LightClock(const OrbitMetric& metric, const Orbit& orbit, double q, double camera_r, bool falls);
+    // After a swept angle outside the horizon, 0 <= angle < orbit.angle(); NaN where there is no such light. Best asked for in growing
+    // order: it goes on from what it knows. Absolute error 1e-11 of the light time.
+    double late(double angle);
+
+private:
+    double lag(double from, double to) const;   // of t, or of v
+    const OrbitMetric& metric_;
+    const Orbit& orbit_;
+    double q_, r0_, start_ = 0;
+    bool by_v_;                      // on or inside the horizon: the regular form
+    std::map<double, double> known_;
+};
+
+}  // namespace nullscope::reference

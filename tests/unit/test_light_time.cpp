@@ -1,0 +1,51 @@
+// How long light takes, by the reference: exact values.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "reference/light_time.h"
+#include "reference/orbit.h"
+
+using namespace nullscope;
+
+namespace {
+
+// From r to r, by way of the turning point, with impact parameter b.
+double there_and_back(double b, double r) {
+    auto made = reference::make_orbit_metric({"schwarzschild", {}});
+    const auto metric = std::move(*made);
+    auto traced = metric->from_reduced({1 / b, 1 / r, 1});
+    const auto orbit = std::move(*traced);
+    reference::LightClock clock(*metric, *orbit, 1 / b, r, false);
+    return clock.late(2 * orbit->turn_angle());
+}
+
+constexpr double kM = 0.5;   // the mass in r_s
+
+}  // namespace
+
+TEST_CASE("light time: from 1000 M through the periapsis to 1000 M") {
+    for (const auto& [b, exact] : {std::pair{6.0, 2034.71014050567}, {10.0, 2026.465430162}, {100.0, 2004.192088803}}) {
+        const double found = there_and_back(b * kM, 1000 * kM) / kM;
+        fmt::print("light time, b = {} M: {:.11f} M, exact {} M\n", b, found, exact);
+        CHECK(std::fabs(found / exact - 1) < 1e-12);   // as many digits as the exact ones are known to
+    }
+}
+
+TEST_CASE("light time: what T and t say is one thing") {
+    // T = v_cam - v_inf of a ray to the sky; t to a place far out, less that place's r_* and plus the camera's, must tend to it.
+    auto made = reference::make_orbit_metric({"reissner-nordstrom", {{"charge", 0.8}}});
+    const auto metric = std::move(*made);
+    for (const double q : {0.11, 0.3, 0.4}) {
+        const double r = 9.0;
+        auto traced = metric->from_reduced({q, 1 / r, 1});
+        const auto orbit = std::move(*traced);
+        REQUIRE(orbit->fate() == Fate::kEscaped);
+        reference::LightClock clock(*metric, *orbit, q, r, false);
+        const double at = orbit->angle() * (1 - 1e-4), far = 1 / orbit->zeta_at(at);
+        const double t = clock.late(at) + r + reference::tortoise_excess(*metric, r) - far - reference::tortoise_excess(*metric, far) + 1 / (2 * q * q * far);   // and what T gains from there on
+        CHECK(std::fabs(t - orbit->delay()) < 1e-7 * orbit->delay());
+    }
+}
