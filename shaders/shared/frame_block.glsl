@@ -73,7 +73,7 @@ struct FrameData {
     vec4 surface_second;
 #endif
 #ifdef BLOCK_MARCH
-    vec4 march;          // radius about the centre that holds all bodies, shortest stride, 0, 0
+    vec4 march;          // radius about the centre that holds all bodies (of a wormhole those on the near side), shortest stride, that on the far side, 0
 #endif
 #ifdef BLOCK_DISC_PATTERN
     vec4 disc_coat_map;     // as a body's: rotation, columns, rows; colours
@@ -95,5 +95,8 @@ struct FrameData {
     vec4 spin_rows;    // E = x + y n_phi; L/sin(theta) - a E sin(theta) = z + w n_phi
     vec4 spin_scale;   // p_theta = x n_theta; L/sin(theta) = y n_phi; d zeta/d tau = -z n_r; 0
     vec4 spin_place;   // sin(theta), cos(theta) (exactly 0 in the equatorial plane), cos(phi), sin(phi)
+#endif
+#ifdef BLOCK_SIDES
+    vec4 throat;       // radius of a wormhole's throat, mu of table/throat_orbit.h, 0, 0
 #endif
 };

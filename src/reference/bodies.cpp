@@ -5,9 +5,9 @@
 #include <limits>
 
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include "expr/formula.h"
+#include "reference/first_change.h"
 #include "scene/named_surface.h"
 
 namespace nullscope::reference {
@@ -15,11 +15,11 @@ namespace {
 
 constexpr double kLongestTurn = 0.12;    // rad between two looks at an orbit
 constexpr double kPartOfThinnest = 0.2;  // of a body's smallest extent between two looks, where it can be met
-constexpr int kCloserLooks = 64;         // between the looks that found a body
 constexpr int kMostLooks = 200'000;
 
-Vec3 place_at(const Orbit& orbit, const RayPlane& plane, double angle) {
-    return plane.direction(angle) / orbit.zeta_at(angle);
+Vec3 place_at(const Orbit& orbit, const RayPlane& plane, double angle, bool by_length = false) {
+    const double at = orbit.zeta_at(angle);
+    return plane.direction(angle) * (by_length ? std::abs(at) : 1 / at);
 }
 
 // Radii at which looking is worth while: from the orbit's own extremes.
@@ -41,12 +41,12 @@ Bodies::Bodies(const Scene& scene) {
         parts_.push_back({Object::kCylinder, thinnest, std::hypot(c.outer, c.height), [c](Vec3 x) {
                               const double rho = std::hypot(x.x, x.y);
                               return std::max({rho - c.outer, c.inner - rho, std::abs(x.z) - c.height});
-                          }});
+                          }, c.far});
     }
     if (scene.ball) {
         const BallSpec b = *scene.ball;
         parts_.push_back({Object::kBall, b.radius, length(b.position) + b.radius,
-                          [b](Vec3 x) { return length(x - b.position) - b.radius; }});
+                          [b](Vec3 x) { return length(x - b.position) - b.radius; }, b.far});
     }
     if (scene.surface) {
         const auto shape = expr::Formula::parse(surface_shape(*scene.surface), {"x", "y", "z", "t"});
@@ -55,7 +55,7 @@ Bodies::Bodies(const Scene& scene) {
             parts_.push_back({Object::kSurface, 2 * bound / scene.surface->steps, bound, [f = *shape, bound, time = scene.time](Vec3 x) {
                                   const double place[] = {x.x, x.y, x.z, time};
                                   return std::max(f.value(place), length(x) - bound);
-                              }});
+                              }, scene.surface->far});
     }
 }
 
@@ -65,27 +65,7 @@ std::optional<double> Bodies::first_angle(const Orbit& orbit, const RayPlane& pl
                                           const Part& part) const {
     if (!can_reach(orbit, camera_r, part.reach * 1.001)) return std::nullopt;
     const auto value = [&](double angle) { return part.value(place_at(orbit, plane, angle)); };
-    const auto solved = [&](double outside, double inside) {
-        std::uintmax_t steps = 200;
-        const auto root = boost::math::tools::toms748_solve(value, outside, inside,
-                                                            boost::math::tools::eps_tolerance<double>(50), steps);
-        return 0.5 * (root.first + root.second);
-    };
-    // A ray that clips an edge and comes back changes sign three times between two looks: closer looks find the first.
-    const auto first_of = [&](double outside, double inside) {
-        double a = outside, b = outside, b_value = value(outside), a_value = b_value;
-        for (int i = 1; i <= kCloserLooks; ++i) {
-            const double c = i == kCloserLooks ? inside : outside + (inside - outside) * i / kCloserLooks,
-                         c_value = value(c);
-            if (b_value > 0 && c_value > 0 && b_value < a_value && b_value <= c_value) {
-                const auto [dip_angle, dip] = boost::math::tools::brent_find_minima(value, a, c, 40);
-                if (dip <= 0) return solved(a, dip_angle);
-            }
-            if (c_value <= 0) return solved(b, c);
-            a = b, a_value = b_value, b = c, b_value = c_value;
-        }
-        return inside;
-    };
+    const auto first_of = [&](double outside, double inside) { return first_change(value, outside, inside); };
     const double end = std::isfinite(orbit.angle()) ? orbit.angle() : std::numeric_limits<double>::infinity();
     double angle = 0, here = value(0), r = camera_r;
     double before_angle = 0, before = here;
@@ -118,14 +98,14 @@ std::optional<double> Bodies::first_angle(const Orbit& orbit, const RayPlane& pl
     return std::nullopt;
 }
 
-std::optional<BodyHit> Bodies::first_hit(const Orbit& orbit, const RayPlane& plane, double camera_r) const {
+std::optional<BodyHit> Bodies::first_hit(const Orbit& orbit, const RayPlane& plane, double camera_r, bool by_length) const {
     std::optional<BodyHit> first;
     for (const Part& part : parts_) {
-        const auto angle = first_angle(orbit, plane, camera_r, part);
+        const auto angle = by_length ? first_angle_by_length(orbit, plane, camera_r, part) : first_angle(orbit, plane, camera_r, part);
         if (!angle || (first && first->angle <= *angle)) continue;
-        const Vec3 place = place_at(orbit, plane, *angle);
+        const Vec3 place = place_at(orbit, plane, *angle, by_length);
         const double turn = 1e-6, tiny = 1e-6 * part.thinnest;
-        const Vec3 earlier = *angle > turn ? place_at(orbit, plane, *angle - turn) : place_at(orbit, plane, 0);
+        const Vec3 earlier = *angle > turn ? place_at(orbit, plane, *angle - turn, by_length) : place_at(orbit, plane, 0, by_length);
         const Vec3 slope{part.value(place + Vec3{tiny, 0, 0}) - part.value(place - Vec3{tiny, 0, 0}),
                          part.value(place + Vec3{0, tiny, 0}) - part.value(place - Vec3{0, tiny, 0}),
                          part.value(place + Vec3{0, 0, tiny}) - part.value(place - Vec3{0, 0, tiny})};

@@ -24,7 +24,8 @@ public:
     explicit Bodies(const Scene& scene);
     bool empty() const { return parts_.empty(); }
     // A few hundred positions along the orbit: some 50 microseconds.
-    std::optional<BodyHit> first_hit(const Orbit& orbit, const RayPlane& plane, double camera_r) const;
+    // by_length: the orbit gives l, and camera_r is one (wormholes).
+    std::optional<BodyHit> first_hit(const Orbit& orbit, const RayPlane& plane, double camera_r, bool by_length = false) const;
 
 private:
     struct Part {
@@ -32,9 +33,11 @@ private:
         double thinnest;  // its smallest extent: no stride may be longer than a part of it
         double reach;     // radius about the centre that holds it
         std::function<double(Vec3)> value;
+        bool far = false;  // of a wormhole: at l < 0
     };
     std::optional<double> first_angle(const Orbit& orbit, const RayPlane& plane, double camera_r,
                                       const Part& part) const;
+    std::optional<double> first_angle_by_length(const Orbit& orbit, const RayPlane& plane, double camera_l, const Part& part) const;
     std::vector<Part> parts_;
 };
 

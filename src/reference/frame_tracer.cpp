@@ -7,6 +7,7 @@
 
 #include "camera/pose.h"
 #include "scene/observer.h"
+#include "scene/sides.h"
 #include "spacetime/registry.h"
 
 namespace nullscope::reference {
@@ -79,6 +80,7 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     if (!spacetime) return spacetime.error();
     if (!tracer.bodies_->empty() && (*spacetime)->spin() != 0)
         return bad_input(fmt::format("metric \"{}\" has no bodies; allowed: a scene without them", scene.spacetime.metric));
+    if (Status sides = check_sides(**spacetime, scene); !sides) return sides.error();
     if (const auto observer = observer_of(**spacetime, camera); !observer) return observer.error();
     if (Status parts = check_light_parts(**spacetime, scene); !parts) return parts.error();
     tracer.from_rain_ = falls(camera) && (*spacetime)->lapse_squared(camera.r) <= 1;
@@ -181,7 +183,7 @@ std::vector<DiscHit> FrameTracer::disc_hits(const CameraRay& ray, int max_hits) 
 
 std::optional<BodyHit> FrameTracer::body_hit(const CameraRay& ray) const {
     if (bodies_->empty()) return std::nullopt;
-    return bodies_->first_hit(*ray.orbit, ray.plane, camera_.r);
+    return bodies_->first_hit(*ray.orbit, ray.plane, camera_.r, metric_->by_proper_length());
 }
 
 RayPixel FrameTracer::pixel(double x, double y) const { return pixel_of(ray(x, y), true); }

@@ -76,10 +76,10 @@ void list_crossings(const Orbit& orbit, bool by_proper_length, const RayPlane& p
 }
 
 // Ends the ray on the first solid body; what was along it before stays.
-void stop_at_bodies(const Scene& scene, const Orbit& orbit, const RayPlane& plane, double r, RayRecord& record) {
+void stop_at_bodies(const Scene& scene, const Orbit& orbit, const RayPlane& plane, double r, bool by_length, RayRecord& record) {
     const Bodies bodies(scene);
     if (bodies.empty()) return;
-    const auto hit = bodies.first_hit(orbit, plane, r);
+    const auto hit = bodies.first_hit(orbit, plane, r, by_length);
     if (!hit) return;
     record.fate = Fate::kHit;
     record.hit = hit->object;
@@ -151,7 +151,9 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
     }
     if (record.fate == Fate::kHit) record.hit = Object::kStar;
     list_crossings(orbit, (*metric)->by_proper_length(), plane, crossings, record.crossings);
-    if (!(*metric)->by_proper_length()) stop_at_bodies(scene, orbit, plane, query.orbit ? 1 / query.orbit->zeta0 : query.r, record);
+    const bool by_length = (*metric)->by_proper_length();
+    const double start = !query.orbit ? query.r : by_length ? query.orbit->zeta0 : 1 / query.orbit->zeta0;
+    stop_at_bodies(scene, orbit, plane, start, by_length, record);
     return record;
 }
 

@@ -163,6 +163,8 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     if (picture.tone == ToneCurve::kFilm) reasons.push_back({Effect::kToneFilm, "picture.tone = \"film\""});
     if (picture.tone == ToneCurve::kNeutral) reasons.push_back({Effect::kToneNeutral, "picture.tone = \"neutral\""});
     if (picture.dither) reasons.push_back({Effect::kDither, "picture.dither = \"on\""});
+    if (lensing && (*spacetime)->by_proper_length() && has_marched(effect_set(reasons)))
+        reasons.push_back({Effect::kSides, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     return reasons;
 }
 
@@ -198,6 +200,7 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
         case Effect::kLensing:
             less.light.lensing = falls(scene.camera);   // straight light is that of an observer at rest: what falls is put into flat space
             if (less.light.lensing) less.spacetime = {"minkowski", {}};
+            if (effect_set(required_effects(scene)).contains(Effect::kSides)) less.cylinder.reset(), less.ball.reset(), less.surface.reset();   // straight light knows one side
             return less;
         case Effect::kAberration:
             less.camera.velocity = {0, 0, 0};
@@ -242,6 +245,7 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
         case Effect::kToneFilm:
         case Effect::kToneNeutral: less.picture.tone = ToneCurve::kShoulder; return less;
         case Effect::kDither: less.picture.dither = false; return less;
+        case Effect::kSides: less.cylinder.reset(), less.ball.reset(), less.surface.reset(); return less;
         case Effect::kInner:
         case Effect::kBounce:
         case Effect::kStar: break;

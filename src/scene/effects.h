@@ -20,9 +20,9 @@ class Spacetime;
 enum class Effect {
     kLensing, kSpin, kAberration, kDisc, kDiscImage, kDiscPattern, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kBolometric,
     kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kPointStars, kSky, kSkyShift, kSkyPattern,
-    kInner, kBounce, kFarSky, kStar, kBloom, kAutoExposure, kToneFilm, kToneNeutral, kDither
+    kInner, kBounce, kFarSky, kStar, kBloom, kAutoExposure, kToneFilm, kToneNeutral, kDither, kSides
 };
-inline constexpr std::size_t kEffectCount = 32;
+inline constexpr std::size_t kEffectCount = 33;
 
 struct EffectRow {
     Effect effect;
@@ -101,6 +101,8 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
     {Effect::kToneNeutral, "tone-neutral", "EFFECT_TONE_NEUTRAL", "Bright light is compressed, other colours are kept.",
      "picture.tone is \"neutral\"", "arithmetic"},
     {Effect::kDither, "dither", "EFFECT_DITHER", "Noise hides the steps of 8 bits.", "picture.dither is \"on\"", "arithmetic"},
+    {Effect::kSides, "sides", "EFFECT_SIDES", "Bodies stand on either side of a wormhole's throat.", "spacetime.metric is a wormhole and there is a body",
+     "a logarithm and a root a stride"},
 }};
 
 constexpr const EffectRow& effect_row(Effect effect) { return kEffectTable[static_cast<std::size_t>(effect)]; }

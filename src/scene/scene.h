@@ -121,7 +121,8 @@ struct DiscSpec {
     friend bool operator==(const DiscSpec&, const DiscSpec&) = default;
 };
 
-// Solid bodies: opaque, a ray ends on the first. Lengths in r_s; (r, theta, phi) are taken as flat spherical coordinates.
+// Solid bodies: opaque, a ray ends on the first. Lengths in r_s; (r, theta, phi) are taken as flat spherical coordinates; of wormholes
+// (|l|, theta, phi) of one side of the throat, which is the centre: far, l < 0.
 struct SphereSpec {                 // about the centre
     double radius = 3.0;            // outside the horizon
     BodyLook look;
@@ -129,12 +130,14 @@ struct SphereSpec {                 // about the centre
 };
 struct CylinderSpec {               // about the polar axis: a disc of finite thickness, |z| <= height, inner <= rho <= outer
     double inner = 3.0, outer = 8.0, height = 0.5;
+    bool far = false;
     BodyLook look;
     friend bool operator==(const CylinderSpec&, const CylinderSpec&) = default;
 };
 struct BallSpec {                   // a sphere anywhere
     Vec3 position{-12.0, 0.0, 0.0};
     double radius = 2.0;
+    bool far = false;
     BodyLook look;
     friend bool operator==(const BallSpec&, const BallSpec&) = default;
 };
@@ -147,6 +150,7 @@ struct SurfaceSpec {                // the solid f(x, y, z, t) < 0, as far as `b
     std::string shape = "(length(x, y) - 6)^2 + z^2 - 2";   // f: docs/expressions.md
     double bound = 10.0;
     int steps = 64;                 // strides across the bounding sphere: what is thinner than one may be missed
+    bool far = false;
     BodyLook look;
     friend bool operator==(const SurfaceSpec&, const SurfaceSpec&) = default;
 };

@@ -9,6 +9,7 @@
 #include "scene/body_check.h"
 #include "scene/observer.h"
 #include "scene/scene_value.h"
+#include "scene/sides.h"
 #include "spacetime/registry.h"
 
 namespace nullscope {
@@ -58,6 +59,7 @@ private:
     void check_sky();
     void check_disc();
     void check_solids();
+    void check_throat(const SpacetimeSpec& spec);
     void check_spin(const SpacetimeSpec& spec);
     bool given(const std::string& name) const { return lines_.count(name) != 0; }
     int line(const std::string& name) const { return given(name) ? lines_.at(name) : 1; }
@@ -299,6 +301,17 @@ void SceneReader::check_solids() {
     }
 }
 
+// What stands on the sides of a wormhole, and what cannot.
+void SceneReader::check_throat(const SpacetimeSpec& spec) {
+    const auto spacetime = make_spacetime(spec.metric, spec.parameters);
+    if (!spacetime) return;
+    for (const SideFault& fault : side_faults(**spacetime, scene_)) {
+        const std::string section = fault.key.substr(0, fault.key.find('.'));
+        const auto at = sections_.find(section);
+        report(given(fault.key) ? line(fault.key) : at != sections_.end() ? at->second : line("spacetime.metric"), fault.key, fault.what, fault.allowed);
+    }
+}
+
 // What is not there yet about a hole that spins.
 void SceneReader::check_spin(const SpacetimeSpec& spec) {
     const auto spacetime = make_spacetime(spec.metric, spec.parameters);
@@ -329,6 +342,8 @@ Result<Scene> SceneReader::read(const toml::table& root) {
         check_sky();
         check_disc();
         check_solids();
+        check_throat(scene_.spacetime);
+        if (scene_.beside) check_throat(*scene_.beside);
         check_spin(scene_.spacetime);
         if (scene_.beside) check_spin(*scene_.beside);
     }

@@ -16,6 +16,7 @@
 #define BLOCK_DISC_PATTERN
 #define BLOCK_SKY_PATTERN
 #define BLOCK_SPIN
+#define BLOCK_SIDES
 #define EFFECT_INNER
 #define EFFECT_BOUNCE
 #define EFFECT_STAR

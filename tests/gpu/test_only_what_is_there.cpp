@@ -66,6 +66,7 @@ std::vector<Scene> full_scenes() {
     BodyLook& surface = holes.surface.emplace().look;
     surface.texture = TextureKind::kImage, surface.image = assets_directory() / "sky" / "milky-way.png";
     scenes[1].spacetime.metric = "ellis";
+    scenes[1].ball.emplace().far = true;
     scenes[2].spacetime.metric = "neutron-star";
     scenes[3].sky.kind = SkyKind::kPoints;
     scenes[3].light.bolometric = true;
