@@ -112,6 +112,7 @@ bool SceneReader::read_parameter(std::string_view section, const toml::key& name
         if (parameter.name != name.str()) continue;
         const KeyRange range{parameter.low, parameter.high};
         const SceneKey key{section, parameter.name, KeyType::kNumber, "", "", range, "", "", nullptr};
+        lines_[full_name(key)] = line_of(name);
         const auto checked = check_value(key, node, base_);
         if (const Fault* fault = std::get_if<Fault>(&checked)) {
             report(line_of(name), full_name(key), fault->what, allowed_text(key));
