@@ -56,13 +56,16 @@ OrbitPoint orbit_point(bool escapes, float u, float u_slope, float phi, float ph
 
 #ifdef EFFECT_SIDES
     float rest = 1.0 - v;
-    float zeta_v = slope_v * rest - value;
 #else
     float rest = escapes ? 1.0 - v : 1.0;
-    float zeta_v = slope_v * rest - (escapes ? value : 0.0);
 #endif
     OrbitPoint point;
     point.zeta = value * rest;
+#ifdef EFFECT_SIDES
+    float zeta_v = slope_v * rest - value;
+#else
+    float zeta_v = slope_v * rest - (escapes ? value : 0.0);
+#endif
     point.along = zeta_v / phi_end;
     point.across = slope_delta * rest - zeta_v * v * phi_end_slope / phi_end;
     return point;

@@ -25,11 +25,10 @@ float march_angle(RayPlace place, float length) {
 // The value with the body made half a pixel smaller where pixels are blurred (blur = 1): a pixel is covered in part between.
 float march_value_at(Trace trace, RayPlace place, float phi, float blur) {
 #ifdef EFFECT_SIDES
-    float value = march_value(place);
+    return march_value(place) + (blur > 0.0 ? 0.5 * blur * place_pixel(trace, place, phi) : 0.0);
 #else
-    float value = march_value(place.at);
+    return march_value(place.at) + (blur > 0.0 ? 0.5 * blur * place_pixel(trace, place, phi) : 0.0);
 #endif
-    return value + (blur > 0.0 ? 0.5 * blur * place_pixel(trace, place, phi) : 0.0);
 }
 
 // Between `low` (outside) and `high` (inside): regula falsi, the end that stays halved (Illinois); every third step halves the
