@@ -17,7 +17,7 @@ struct SideFault {
 
 // Of a wormhole: objects that reach across its throat or are not followed there. Of other metrics: bodies on a far side.
 std::vector<SideFault> side_faults(const Spacetime& spacetime, const Scene& scene);
-// The first of them.
+// The first of them, in a wormhole: where a scene is put into another metric, to compare with, all its bodies are on the one side.
 Status check_sides(const Spacetime& spacetime, const Scene& scene);
 
 }  // namespace nullscope
