@@ -4,6 +4,7 @@
 // W = zeta'/q, sigma = 1 for rays that end in the sky, -1 for others. A = (1 - x zeta)(1 - y zeta), x, y = frame.delay.xy. The camera's
 // ln(1/zeta0) + rho is formed on the host: frame.delay.z, and .w for rays that end in the horizon.
 
+#ifdef EFFECT_LENSING
 // D after the swept angle phi.
 float delay_rest(bool escapes, float u, float phi, float phi_end) {
     OrbitCell cell = orbit_cell(escapes, u, phi, phi_end);
@@ -46,7 +47,6 @@ float delay_at_camera(float s, float c, float sigma) {
     return -w / frame.shift.y + sigma * log(max(one_minus, 1.0e-30)) + (sigma > 0.0 ? frame.delay.z : frame.delay.w);
 }
 
-#ifdef EFFECT_LENSING
 // zeta, zeta_along (d zeta/d phi): of the place after the swept angle phi.
 float light_time(Trace trace, float phi, float zeta, float zeta_along) {
     float sigma = trace.escapes ? 1.0 : -1.0;

@@ -2,7 +2,8 @@
 //   across: octave cells of u as in strip.glsl, 12 an octave (each octave has 13 columns, its own copy of both ends),
 //   along:  v = swept angle / phi_end, kOrbitRows cells.
 // Texels: (Z, dZ/dx, dZ/dv, d2Z/dxdv), derivatives per cell. Z = zeta for captured rays, zeta/(1-v) for rays to the sky, so that
-// a distant disc keeps its relative accuracy. Segments below each other: sky first.
+// a distant disc keeps its relative accuracy. Segments below each other: sky first. Through a wormhole Z is W/(1-v) of all rays
+// (table/throat_orbit.h), and zeta is W.
 
 #define ORBIT_CELLS_PER_OCTAVE 12
 #define ORBIT_ROWS 128
@@ -70,10 +71,18 @@ OrbitPoint orbit_point(bool escapes, float u, float u_slope, float phi, float ph
     float slope_x = low_x + e1 * (high_x - low_x);   // slopes of slopes left out: for footprints only
     float slope_delta = slope_x * (float(ORBIT_CELLS_PER_OCTAVE) / cell.start) * u_slope;
 
+#ifdef EFFECT_SIDES
+    float rest = 1.0 - v;
+#else
     float rest = escapes ? 1.0 - v : 1.0;
+#endif
     OrbitPoint point;
     point.zeta = value * rest;
+#ifdef EFFECT_SIDES
+    float zeta_v = slope_v * rest - value;
+#else
     float zeta_v = slope_v * rest - (escapes ? value : 0.0);
+#endif
     point.along = zeta_v / phi_end;
     point.across = slope_delta * rest - zeta_v * v * phi_end_slope / phi_end;
     return point;

@@ -23,8 +23,12 @@ float cylinder_room(RayPlace place) {
     vec3 velocity = place_velocity(place);
     velocity /= max(sqrt(dot(velocity, velocity)), 1.0e-20);
     float bend = 0.02;
+#ifdef EFFECT_SIDES
+    bend += 0.75 * frame.throat.x / place.r;
+#else
 #ifdef EFFECT_LENSING
     bend += 0.75 / place.r;
+#endif
 #endif
     float outward = abs(place.at.x * velocity.x + place.at.y * velocity.y) / rho;
     float wall = max((rho - frame.cylinder_form.y) / min(outward + bend, 1.0), frame.cylinder_form.x - rho);

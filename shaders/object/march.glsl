@@ -11,10 +11,15 @@
 
 // Swept angle after `length` more along the ray, taken as straight.
 float march_angle(RayPlace place, float length) {
+#ifdef EFFECT_SIDES
+    // dphi = q/R^2 along a way on which R grows by no more than the way itself.
+    return length * place.radius / (place.speed * (place.radius + length));
+#else
     float speed = inversesqrt(place.r_along * place.r_along + place.r * place.r);
     float y = length * place.r * speed;
     float x = place.r + length * place.r_along * speed;
     return arc_tangent2(max(y, 1.0e-30), x);
+#endif
 }
 
 // The value with the body made half a pixel smaller where pixels are blurred (blur = 1): a pixel is covered in part between.
@@ -50,7 +55,12 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
     hit.object = 0;
     hit.phi = trace.phi_end;
     hit.covered = 0.0;
+#ifdef EFFECT_SIDES
+    float end_side = trace.escapes ? 1.0 : -1.0;
+    float reach = trace.escapes ? frame.march.x : frame.march.z;   // on the side where the ray ends
+#else
     float reach = frame.march.x;
+#endif
     float least = frame.march.y;
     float nearest = 1.0;      // of what is met in part only: value in pixels, 0 ... 1
     float nearest_phi = 0.0;
@@ -62,7 +72,11 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
     int left = MARCH_MOST_STEPS;
     bool going = true;
     do {
+#ifdef EFFECT_SIDES
+        float room = max(min(0.8 * march_room(place), 0.4 * place.radius), least);
+#else
         float room = place.r > 2.0 * reach ? place.r - 1.5 * reach : max(min(0.8 * march_room(place), 0.4 * place.r), least);
+#endif
         float next = min(phi + march_angle(place, room), phi_stop);
         place = place_of(trace, tangent, next);
         float there = march_value_at(trace, place, next, blur);
@@ -124,7 +138,11 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
         before_value = value;
         phi = next;
         value = there;
+#ifdef EFFECT_SIDES
+        going = going && next < phi_stop && !(place.side == end_side && place.r_along > 0.0 && place.r > reach);
+#else
         going = going && next < phi_stop && (place.r < reach || place.r_along < 0.0);
+#endif
     } while (going && --left > 0);
     if (hit.object == 0 && nearest < 1.0) {
         hit.phi = nearest_phi;

@@ -1,4 +1,4 @@
-// Where a ray is after a swept angle, in flat coordinates about the centre: for solid bodies.
+// Where a ray is after a swept angle, in flat coordinates about the centre: for solid bodies. Of a wormhole, those of one side.
 
 struct RayPlace {
     vec3 at;          // r_s, world axes
@@ -10,6 +10,11 @@ struct RayPlace {
 #ifdef NEEDS_PLACE_LATE
     float late;       // how long ago the light left that arrives now
 #endif
+#ifdef EFFECT_SIDES
+    float side;       // of the throat: 1 near, -1 far; r is |l|
+    float radius;     // R, areal
+    float speed;      // d(way)/d(phi): (way)^2 is (dl)^2 + (R dphi)^2
+#endif
 };
 
 // Unit vector across the radial direction at the camera, in the ray's plane; 0 for an exactly radial ray.
@@ -19,6 +24,27 @@ vec3 place_tangent(Trace trace) { return sideways(trace.side) / max(trace.s, 1.0
 RayPlace place_of(Trace trace, vec3 tangent, float phi) {
     float cos_phi = cos(phi);
     float sin_phi = sin(phi);
+#ifdef EFFECT_SIDES
+    // The map holds W (table/throat_orbit.h), which gives l towards the sky where the ray ends.
+    OrbitPoint point = orbit_point(trace.escapes, trace.ray.u, trace.ray.slope, phi, trace.phi_end, trace.phi_end_slope);
+    float w = clamp(point.zeta, 1.0e-9, 3.1415925);
+    float sine = max(sin(w), 1.0e-9);
+    float cosine = cos(w);
+    float logarithm = frame.throat.y * log(sine);
+    float l = frame.throat.x * cosine * (1.0 / sine - logarithm);
+    float l_slope = -frame.throat.x * (1.0 / (sine * sine) - sine * logarithm + frame.throat.y * cosine * cosine / sine);
+    float outward = l < 0.0 ? -1.0 : 1.0;   // growing |l|
+    RayPlace place;
+    place.side = trace.escapes ? outward : -outward;
+    place.r = max(abs(l), 1.0e-6 * frame.throat.x);
+    place.r_along = outward * l_slope * point.along;
+    place.r_across = outward * l_slope * point.across;
+    // (dl/dphi)^2 = R^4 q^2 - R^2
+    float q = max(q_sine(trace.c) / max(trace.s, 1.0e-9), 1.0e-9);
+    float r2q2 = 0.5 + sqrt(0.25 + q * q * place.r_along * place.r_along);
+    place.radius = sqrt(r2q2) / q;
+    place.speed = r2q2 / q;
+#else
 #ifdef EFFECT_LENSING
     OrbitPoint point = orbit_point(trace.escapes, trace.ray.u, trace.ray.slope, phi, trace.phi_end, trace.phi_end_slope);
     float zeta = point.zeta;
@@ -38,6 +64,7 @@ RayPlace place_of(Trace trace, vec3 tangent, float phi) {
     place.r = 1.0 / zeta;
     place.r_along = -along * place.r * place.r;
     place.r_across = -across * place.r * place.r;
+#endif
     vec3 e = radial_direction();
     place.outward = cos_phi * e + sin_phi * tangent;
     place.onward = cos_phi * tangent - sin_phi * e;

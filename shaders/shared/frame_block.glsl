@@ -73,7 +73,7 @@ struct FrameData {
     vec4 surface_second;
 #endif
 #ifdef BLOCK_MARCH
-    vec4 march;          // radius about the centre that holds all bodies, shortest stride, 0, 0
+    vec4 march;          // radius about the centre that holds all bodies (of a wormhole those on the near side), shortest stride, that on the far side, 0
 #endif
 #ifdef BLOCK_DISC_PATTERN
     vec4 disc_coat_map;     // as a body's: rotation, columns, rows; colours
@@ -88,14 +88,6 @@ struct FrameData {
     vec4 dome_colour;
     vec4 dome_second;
 #endif
-#ifdef BLOCK_SPIN
-    // Of a spinning hole (core/spin_trace.glsl): look directions, motion and ray_0, ray_x, ray_y are then along (e_r, e_theta, e_phi) of
-    // the camera at rest here. Forms of the tangent of the ray traced backward, for unit frequency in that camera; n: look direction.
-    vec4 spin_hole;    // a, a^2, radii of the outer and of the inner horizon
-    vec4 spin_rows;    // E = x + y n_phi; L/sin(theta) - a E sin(theta) = z + w n_phi
-    vec4 spin_scale;   // p_theta = x n_theta; L/sin(theta) = y n_phi; d zeta/d tau = -z n_r; 0
-    vec4 spin_place;   // sin(theta), cos(theta) (exactly 0 in the equatorial plane), cos(phi), sin(phi)
-#endif
 #ifdef BLOCK_DELAY
     vec4 delay;        // x, y of A = (1 - x zeta)(1 - y zeta); the camera's part of light times, of rays to the sky and of others (core/delay.glsl)
 #endif
@@ -109,5 +101,16 @@ struct FrameData {
 #endif
 #ifdef BLOCK_BALL_PATH
     vec4 ball_path;    // how long ago light left at the first node, 1/step, number of cells, largest speed
+#endif
+#ifdef BLOCK_SPIN
+    // Of a spinning hole (core/spin_trace.glsl): look directions, motion and ray_0, ray_x, ray_y are then along (e_r, e_theta, e_phi) of
+    // the camera at rest here. Forms of the tangent of the ray traced backward, for unit frequency in that camera; n: look direction.
+    vec4 spin_hole;    // a, a^2, radii of the outer and of the inner horizon
+    vec4 spin_rows;    // E = x + y n_phi; L/sin(theta) - a E sin(theta) = z + w n_phi
+    vec4 spin_scale;   // p_theta = x n_theta; L/sin(theta) = y n_phi; d zeta/d tau = -z n_r; 0
+    vec4 spin_place;   // sin(theta), cos(theta) (exactly 0 in the equatorial plane), cos(phi), sin(phi)
+#endif
+#ifdef BLOCK_SIDES
+    vec4 throat;       // radius of a wormhole's throat, mu of table/throat_orbit.h, 0, 0
 #endif
 };

@@ -100,6 +100,7 @@ const std::vector<Added>& additions() {
         {Effect::kToneFilm, nothing, [](Scene& s) { s.picture.tone = ToneCurve::kFilm; }},
         {Effect::kToneNeutral, nothing, [](Scene& s) { s.picture.tone = ToneCurve::kNeutral; }},
         {Effect::kDither, nothing, [](Scene& s) { s.picture.dither = true; }},
+        {Effect::kSides, dark_wormhole, [](Scene& s) { s.ball.emplace(); }},
     };
     return all;
 }

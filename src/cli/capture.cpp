@@ -31,6 +31,7 @@ struct Options {
     std::string scene, beside, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
     int samples = 3;
     std::optional<double> time;
+    double time_step = 0;
     std::optional<double> max_error;
     std::optional<int> largest_texture;
     bool raydata = false, dump_shader = false, resume = false;
@@ -44,6 +45,7 @@ struct Captured {
 };
 
 Result<Captured> capture_gl(Session& session, const Scene& scene, const Options& options, bool exr) {
+    session.renderer->want_delays(options.raydata);
     if (options.largest_texture) session.renderer->limit_pictures(*options.largest_texture);
     if (Status ready = session.renderer->prepare(scene); !ready) return ready.error();
     for (const std::string& note : session.renderer->take_notes()) fmt::print(stderr, "{}\n", note);
@@ -136,7 +138,8 @@ Result<Method> chosen_method(const Options& options, const Scene& scene) {
 bool is_film(const Options& options) { return options.output.ends_with(".mp4"); }
 
 Result<Frames> frames_of(const Options& options, const CameraPath* path) {
-    if (is_film(options) && path == nullptr) return bad_input("a film needs a scene with a [path]; allowed: -o names that end in .png or .exr");
+    if (is_film(options) && path == nullptr && (options.time_step == 0 || options.frames.empty()))
+        return bad_input("a film needs a scene with a [path], or --time-step and --frames; allowed: -o names that end in .png or .exr");
     if (is_film(options) && !have_ffmpeg()) return failed("ffmpeg is not installed, it makes the film; without it: -o NAME%05d.png and --frames");
     if (options.frames.empty()) return is_film(options) ? Frames{0, path->frames()} : Frames{};
     const auto frames = parse_frames(options.frames);
@@ -224,6 +227,7 @@ int run(const Options& options) {
             continue;
         }
         Scene now = *scene;
+        now.time += (frame - (path ? 0 : frames->first)) * options.time_step;
         if (path) {
             now.camera = path->at(frame);
             now.camera.width = scene->camera.width, now.camera.height = scene->camera.height;
@@ -247,10 +251,11 @@ int run(const Options& options) {
     }
     if (!is_film(options)) return 0;
     progress.reset();
-    if (Status made = encode_film(folder, frames->first, scene->path->rate, options.output); !made) return report(made.error());
+    const double rate = scene->path ? scene->path->rate : PathSpec{}.rate;
+    if (Status made = encode_film(folder, frames->first, rate, options.output); !made) return report(made.error());
     std::error_code error;
     std::filesystem::remove_all(folder, error);
-    fmt::print("{}: {}x{}, {} frames at {} a second\n", options.output, scene->camera.width, scene->camera.height, frames->end - frames->first, scene->path->rate);
+    fmt::print("{}: {}x{}, {} frames at {} a second\n", options.output, scene->camera.width, scene->camera.height, frames->end - frames->first, rate);
     return 0;
 }
 
@@ -273,7 +278,9 @@ Command add_capture(CLI::App& parent) {
         ->check(CLI::Range(1e-12, 1e6));
     app->add_option("--time", options->time, "Scene time in r_s/c (default: the scene's); scenes without anything that moves look the same at all times")
         ->check(CLI::Range(0.0, 1e9));
-    app->add_option("--frames", options->frames, "Draw frames A to B-1 of the scene's [path], A:B; -o then holds %05d, or ends in .mp4");
+    app->add_option("--time-step", options->time_step, "Scene time from one frame to the next, r_s/c, of --frames and films: content moves, as light's delay shows it")
+        ->check(CLI::Range(-1e6, 1e6))->capture_default_str();
+    app->add_option("--frames", options->frames, "Draw frames A to B-1 of the scene's [path], or as many with --time-step, A:B; -o then holds %05d, or ends in .mp4");
     app->add_flag("--resume", options->resume, "Leave out the frames whose files are there: goes on with a sequence that was stopped");
     app->add_option("--samples", options->samples, "reference: rays per pixel along each side")->check(CLI::Range(1, 16))->capture_default_str();
     app->add_option("--largest-texture", options->largest_texture, "Most pixels along a side of an image's texture: larger images are made "

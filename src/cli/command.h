@@ -23,6 +23,8 @@ Command add_plan(CLI::App& parent);
 Command add_scenes(CLI::App& parent);
 Command add_info(CLI::App& parent);
 Command add_figure(CLI::App& parent);
+Command add_lightcurve(CLI::App& parent);
+Command add_light_time(CLI::App& parent);
 
 // --context of what draws; help says what for.
 inline void context_option(CLI::App* app, std::string& context, const char* help = "OpenGL context: auto, egl, osmesa") {

@@ -84,7 +84,8 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.set_version_flag("--version", NULLSCOPE_VERSION);
     const std::vector<Command> commands = {add_capture(app), add_trace(app),  add_compare(app), add_bench(app),
-                                           add_plan(app),    add_scenes(app), add_info(app), add_figure(app)};
+                                           add_plan(app),    add_scenes(app), add_info(app), add_figure(app),
+                                           add_lightcurve(app), add_light_time(app)};
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

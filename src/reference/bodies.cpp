@@ -5,10 +5,10 @@
 #include <limits>
 
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include "expr/formula.h"
 #include "reference/ball_way.h"
+#include "reference/first_change.h"
 #include "scene/moving.h"
 #include "scene/named_surface.h"
 
@@ -17,12 +17,12 @@ namespace {
 
 constexpr double kLongestTurn = 0.12;    // rad between two looks at an orbit
 constexpr double kPartOfThinnest = 0.2;  // of a body's smallest extent between two looks, where it can be met
-constexpr int kCloserLooks = 64;         // between the looks that found a body
 constexpr int kMostLooks = 200'000;
 constexpr int kWayLooks = 200;           // at the way of a ball
 
-Vec3 place_at(const Orbit& orbit, const RayPlane& plane, double angle) {
-    return plane.direction(angle) / orbit.zeta_at(angle);
+Vec3 place_at(const Orbit& orbit, const RayPlane& plane, double angle, bool by_length = false) {
+    const double at = orbit.zeta_at(angle);
+    return plane.direction(angle) * (by_length ? std::abs(at) : 1 / at);
 }
 
 // Radii at which looking is worth while: from the orbit's own extremes.
@@ -39,7 +39,7 @@ Bodies::Bodies(const Scene& scene, const OrbitMetric& matter) : time_(scene.time
     if (scene.sphere) {
         const SphereSpec s = *scene.sphere;
         parts_.push_back({Object::kSphere, s.radius * (1 - s.swing), s.radius * (1 + s.swing),
-                          [s](Vec3 x, double t) { return length(x) - s.radius * (1 + s.swing * std::sin(2 * M_PI * t / s.period)); }, s.swing > 0});
+                          [s](Vec3 x, double t) { return length(x) - s.radius * (1 + s.swing * std::sin(2 * M_PI * t / s.period)); }, false, s.swing > 0});
     }
     if (scene.cylinder) {
         const CylinderSpec c = *scene.cylinder;
@@ -47,7 +47,7 @@ Bodies::Bodies(const Scene& scene, const OrbitMetric& matter) : time_(scene.time
         parts_.push_back({Object::kCylinder, thinnest, std::hypot(c.outer, c.height), [c](Vec3 x, double) {
                               const double rho = std::hypot(x.x, x.y);
                               return std::max({rho - c.outer, c.inner - rho, std::abs(x.z) - c.height});
-                          }});
+                          }, c.far});
     }
     if (scene.ball) {
         const BallSpec b = *scene.ball;
@@ -56,7 +56,7 @@ Bodies::Bodies(const Scene& scene, const OrbitMetric& matter) : time_(scene.time
         if (b.motion != BallMotion::kStill)   // as far as it goes in the time that light takes
             for (int i = 0; i <= kWayLooks; ++i) reach = std::max(reach, length(way(scene.time - 4.0 * (scene.camera.r + 50.0) * i / kWayLooks)));
         const double step = b.motion == BallMotion::kStill ? 0.0 : b.radius;   // looks at its way were a step apart
-        parts_.push_back({Object::kBall, b.radius, reach + b.radius + step, [b, way](Vec3 x, double t) { return length(x - way(t)) - b.radius; }, b.motion != BallMotion::kStill, way});
+        parts_.push_back({Object::kBall, b.radius, reach + b.radius + step, [b, way](Vec3 x, double t) { return length(x - way(t)) - b.radius; }, b.far, b.motion != BallMotion::kStill, way});
     }
     if (scene.surface) {
         const auto shape = expr::Formula::parse(surface_shape(*scene.surface), {"x", "y", "z", "t"});
@@ -65,7 +65,7 @@ Bodies::Bodies(const Scene& scene, const OrbitMetric& matter) : time_(scene.time
             parts_.push_back({Object::kSurface, 2 * bound / scene.surface->steps, bound, [f = *shape, bound](Vec3 x, double t) {
                                   const double place[] = {x.x, x.y, x.z, t};
                                   return std::max(f.value(place), length(x) - bound);
-                              }, surface_moves(*scene.surface)});
+                              }, scene.surface->far, surface_moves(*scene.surface)});
     }
 }
 
@@ -77,27 +77,7 @@ std::optional<double> Bodies::first_angle(const Orbit& orbit, const RayPlane& pl
                                           const Part& part, LightClock* clock) const {
     if (!can_reach(orbit, camera_r, part.reach * 1.001)) return std::nullopt;
     const auto value = [&](double angle) { return part.value(place_at(orbit, plane, angle), time_at(angle, part, clock)); };
-    const auto solved = [&](double outside, double inside) {
-        std::uintmax_t steps = 200;
-        const auto root = boost::math::tools::toms748_solve(value, outside, inside,
-                                                            boost::math::tools::eps_tolerance<double>(50), steps);
-        return 0.5 * (root.first + root.second);
-    };
-    // A ray that clips an edge and comes back changes sign three times between two looks: closer looks find the first.
-    const auto first_of = [&](double outside, double inside) {
-        double a = outside, b = outside, b_value = value(outside), a_value = b_value;
-        for (int i = 1; i <= kCloserLooks; ++i) {
-            const double c = i == kCloserLooks ? inside : outside + (inside - outside) * i / kCloserLooks,
-                         c_value = value(c);
-            if (b_value > 0 && c_value > 0 && b_value < a_value && b_value <= c_value) {
-                const auto [dip_angle, dip] = boost::math::tools::brent_find_minima(value, a, c, 40);
-                if (dip <= 0) return solved(a, dip_angle);
-            }
-            if (c_value <= 0) return solved(b, c);
-            a = b, a_value = b_value, b = c, b_value = c_value;
-        }
-        return inside;
-    };
+    const auto first_of = [&](double outside, double inside) { return first_change(value, outside, inside); };
     const double end = std::isfinite(orbit.angle()) ? orbit.angle() : std::numeric_limits<double>::infinity();
     double angle = 0, here = value(0), r = camera_r;
     double before_angle = 0, before = here;
@@ -130,14 +110,14 @@ std::optional<double> Bodies::first_angle(const Orbit& orbit, const RayPlane& pl
     return std::nullopt;
 }
 
-std::optional<BodyHit> Bodies::first_hit(const Orbit& orbit, const RayPlane& plane, double camera_r, LightClock* clock) const {
+std::optional<BodyHit> Bodies::first_hit(const Orbit& orbit, const RayPlane& plane, double camera_r, LightClock* clock, bool by_length) const {
     std::optional<BodyHit> first;
     for (const Part& part : parts_) {
-        const auto angle = first_angle(orbit, plane, camera_r, part, clock);
+        const auto angle = by_length ? first_angle_by_length(orbit, plane, camera_r, part) : first_angle(orbit, plane, camera_r, part, clock);
         if (!angle || (first && first->angle <= *angle)) continue;
-        const Vec3 place = place_at(orbit, plane, *angle);
+        const Vec3 place = place_at(orbit, plane, *angle, by_length);
         const double turn = 1e-6, tiny = 1e-6 * part.thinnest;
-        const Vec3 earlier = *angle > turn ? place_at(orbit, plane, *angle - turn) : place_at(orbit, plane, 0);
+        const Vec3 earlier = *angle > turn ? place_at(orbit, plane, *angle - turn, by_length) : place_at(orbit, plane, 0, by_length);
         const double t = time_at(*angle, part, clock);
         const auto along = [&](Vec3 side) { return part.value(place + side, t) - part.value(place - side, t); };
         const Vec3 slope{along({tiny, 0, 0}), along({0, tiny, 0}), along({0, 0, tiny})};

@@ -28,7 +28,9 @@ public:
     bool empty() const { return parts_.empty(); }
     bool move() const { return moves_; }
     // A few hundred positions along the orbit: some 50 microseconds; where light takes time (clock) and something moves, some milliseconds.
-    std::optional<BodyHit> first_hit(const Orbit& orbit, const RayPlane& plane, double camera_r, LightClock* clock) const;
+    // by_length: the orbit gives l, and camera_r is one (wormholes).
+    std::optional<BodyHit> first_hit(const Orbit& orbit, const RayPlane& plane, double camera_r, LightClock* clock,
+                                     bool by_length = false) const;
 
 private:
     struct Part {
@@ -36,11 +38,13 @@ private:
         double thinnest;  // its smallest extent: no stride may be longer than a part of it
         double reach;     // radius about the centre that holds it
         std::function<double(Vec3, double)> value;   // of the place and of t
+        bool far = false;   // of a wormhole: at l < 0
         bool moves = false;
         std::function<Vec3(double)> middle{};
     };
     std::optional<double> first_angle(const Orbit& orbit, const RayPlane& plane, double camera_r,
                                       const Part& part, LightClock* clock) const;
+    std::optional<double> first_angle_by_length(const Orbit& orbit, const RayPlane& plane, double camera_l, const Part& part) const;
     double time_at(double angle, const Part& part, LightClock* clock) const;
     double time_ = 0;
     bool moves_ = false;

@@ -8,6 +8,7 @@
 #include "camera/pose.h"
 #include "scene/moving.h"
 #include "scene/observer.h"
+#include "scene/sides.h"
 #include "spacetime/registry.h"
 
 namespace nullscope::reference {
@@ -80,6 +81,7 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     const bool bodies = scene.sphere || scene.cylinder || scene.ball || scene.surface;
     if (bodies && (*spacetime)->spin() != 0)
         return bad_input(fmt::format("metric \"{}\" has no bodies; allowed: a scene without them", scene.spacetime.metric));
+    if (Status sides = check_sides(**spacetime, scene); !sides) return sides.error();
     if (const auto observer = observer_of(**spacetime, camera); !observer) return observer.error();
     if (Status parts = check_light_parts(**spacetime, scene); !parts) return parts.error();
     tracer.from_rain_ = falls(camera) && (*spacetime)->lapse_squared(camera.r) <= 1;
@@ -191,7 +193,7 @@ LightClock FrameTracer::clock(const CameraRay& ray) const {
 
 std::optional<BodyHit> FrameTracer::body_hit(const CameraRay& ray) const {
     if (bodies_->empty()) return std::nullopt;
-    if (!late_ || !bodies_->move()) return bodies_->first_hit(*ray.orbit, ray.plane, camera_.r, nullptr);
+    if (!late_ || !bodies_->move()) return bodies_->first_hit(*ray.orbit, ray.plane, camera_.r, nullptr, metric_->by_proper_length());
     LightClock clock = this->clock(ray);
     return bodies_->first_hit(*ray.orbit, ray.plane, camera_.r, &clock);
 }

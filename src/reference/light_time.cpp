@@ -6,6 +6,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 
 namespace nullscope::reference {
 namespace {
@@ -68,6 +69,19 @@ double LightClock::late(double angle) {
     const double sum = angle > from ? so_far + lag(from, angle) : so_far;
     known_[angle] = sum;
     return by_v_ ? sum + r + tortoise_excess(metric_, r) - r0_ : start_ + sum;
+}
+
+std::optional<Passage> light_past(const OrbitMetric& metric, double from, double to, double impact) {
+    const auto orbit = metric.from_reduced({1 / impact, 1 / from, 1});
+    if (!orbit || !std::isfinite((*orbit)->turn())) return std::nullopt;
+    const double turn = (*orbit)->turn_angle(), closest = 1 / (*orbit)->turn();
+    if (!(to > closest)) return std::nullopt;
+    std::uintmax_t steps = 200;
+    const auto there = boost::math::tools::toms748_solve([&](double angle) { return (*orbit)->zeta_at(angle) - 1 / to; }, turn, (*orbit)->angle() * (1 - 1e-15),
+                                                         boost::math::tools::eps_tolerance<double>(52), steps);
+    LightClock clock(metric, **orbit, 1 / impact, from, false);
+    const double angle = to == from ? 2 * turn : 0.5 * (there.first + there.second);
+    return Passage{clock.late(angle), closest, angle};
 }
 
 }  // namespace nullscope::reference

@@ -2,6 +2,7 @@
 // what clock tells it when the camera has none of its own.
 #pragma once
 #include <map>
+#include <optional>
 
 #include "reference/orbit.h"
 
@@ -9,6 +10,12 @@ namespace nullscope::reference {
 
 // r_* - r, r_* = integral of dr/A with r_* - r - ln(r) -> 0 at infinity. r outside the horizon. Relative error 1e-12.
 double tortoise_excess(const OrbitMetric& metric, double r);
+
+struct Passage {
+    double time, closest, angle;   // t; r of the turning point; swept
+};
+// Light from r = `from` past the mass to r = `to`, impact parameter b. Nothing where it does not come by there.
+std::optional<Passage> light_past(const OrbitMetric& metric, double from, double to, double impact);
 
 // Of one ray. What is told is the camera's clock minus t of the place: t at a camera at rest; v - r, v = t + r_*, at one that falls.
 class LightClock {

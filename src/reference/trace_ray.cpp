@@ -76,10 +76,10 @@ void list_crossings(const Orbit& orbit, bool by_proper_length, const RayPlane& p
 }
 
 // Ends the ray on the first solid body; what was along it before stays.
-void stop_at_bodies(const Scene& scene, const OrbitMetric& metric, const Orbit& orbit, const RayPlane& plane, double r, LightClock* clock, RayRecord& record) {
+void stop_at_bodies(const Scene& scene, const OrbitMetric& metric, const Orbit& orbit, const RayPlane& plane, double r, LightClock* clock, bool by_length, RayRecord& record) {
     const Bodies bodies(scene, metric);
     if (bodies.empty()) return;
-    const auto hit = bodies.first_hit(orbit, plane, r, clock);
+    const auto hit = bodies.first_hit(orbit, plane, r, clock, by_length);
     if (!hit) return;
     record.fate = Fate::kHit;
     record.hit = hit->object;
@@ -151,10 +151,11 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
     }
     if (record.fate == Fate::kHit) record.hit = Object::kStar;
     list_crossings(orbit, (*metric)->by_proper_length(), plane, crossings, record.crossings);
-    if ((*metric)->by_proper_length()) return record;
-    const double r = query.orbit ? 1 / query.orbit->zeta0 : query.r, q = query.orbit ? query.orbit->q : 1 / (traced->g * r * std::hypot(n.y, n.z));
+    const bool by_length = (*metric)->by_proper_length();
+    const double r = !query.orbit ? query.r : by_length ? query.orbit->zeta0 : 1 / query.orbit->zeta0;
+    const double q = query.orbit ? query.orbit->q : 1 / (traced->g * r * std::hypot(n.y, n.z));
     LightClock clock(**metric, orbit, q, r, !query.orbit && query.frame == LocalFrame::kRain);
-    stop_at_bodies(scene, **metric, orbit, plane, r, scene.light.delay ? &clock : nullptr, record);
+    stop_at_bodies(scene, **metric, orbit, plane, r, scene.light.delay && !by_length ? &clock : nullptr, by_length, record);
     return record;
 }
 

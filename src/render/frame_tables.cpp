@@ -11,6 +11,7 @@
 #include "light/black_body.h"
 #include "render/moving_numbers.h"
 #include "scene/pixel_angle.h"
+#include "scene/sides.h"
 #include "sky/point_stars.h"
 #include "sky/sky.h"
 #include "table/critical_images.h"
@@ -65,24 +66,26 @@ Silhouette silhouette(const Spacetime& spacetime, const RayFan* fan, double came
 // Radius about the centre that holds all bodies found by strides, and the shortest stride: a thirtieth of the thinnest.
 void put_march(BlockWriter& block, const Scene& scene, const BallPath* ball_path) {
     constexpr double kStride = 1.0 / 32;
-    double reach = 0.0, thinnest = 1e30;
+    double reaches[2] = {0.0, 0.0}, thinnest = 1e30;   // near, far
+    const auto holds = [&](bool far, double radius) { reaches[far] = std::max(reaches[far], radius); };
     if (const auto& c = scene.cylinder) {
-        reach = std::max(reach, std::hypot(c->outer, c->height));
+        holds(c->far, std::hypot(c->outer, c->height));
         thinnest = std::min({thinnest, 2 * c->height, c->outer - c->inner});
     }
     if (const auto& b = scene.ball) {
-        reach = std::max(reach, ball_path != nullptr ? ball_path->reach : length(b->position) + b->radius);
+        holds(b->far, ball_path != nullptr ? ball_path->reach : length(b->position) + b->radius);
         thinnest = std::min(thinnest, b->radius);
     }
     if (scene.sphere && scene.sphere->swing > 0.0) {
-        reach = std::max(reach, scene.sphere->radius * (1.0 + scene.sphere->swing));
+        holds(false, scene.sphere->radius * (1.0 + scene.sphere->swing));
         thinnest = std::min(thinnest, scene.sphere->radius * (1.0 - scene.sphere->swing));
     }
     if (const auto& f = scene.surface) {
-        reach = std::max(reach, f->bound);
+        holds(f->far, f->bound);
         thinnest = std::min(thinnest, 2 * f->bound / f->steps / kStride);
     }
-    block.put(1.001 * reach + 4 * kStride * thinnest, kStride * thinnest, 0, 0);
+    const auto with_margin = [&](double reach) { return 1.001 * reach + 4 * kStride * thinnest; };
+    block.put(with_margin(reaches[0]), kStride * thinnest, with_margin(reaches[1]), 0);
 }
 
 void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const BallPath* ball_path) {
@@ -178,7 +181,8 @@ Status FrameTables::update(const Scene& scene) {
     if (!observer) return observer.error();
     if (Status parts = check_light_parts(*matter_, scene); !parts) return parts.error();
     EffectSet wanted = effect_set(required_effects(scene));
-    if (meets_objects(wanted) && !matter_->can_have_disc())
+    if (Status bodies = check_sides(*matter_, scene); !bodies) return bodies.error();
+    if ((wanted.contains(Effect::kDisc) && !matter_->can_have_disc()) || (has_solids(wanted) && !matter_->can_have_bodies() && matter_->spin() == 0.0))
         return bad_input(fmt::format("metric \"{}\" has neither discs nor bodies; allowed: a scene without them", scene.spacetime.metric));
     if (wanted.contains(Effect::kSpin) && (has_solids(wanted) || wanted.contains(Effect::kPointStars)))
         return bad_input(fmt::format("metric \"{}\" has neither bodies nor point stars; allowed: a scene without them, or spin = 0", scene.spacetime.metric));
@@ -313,9 +317,11 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(scene.picture.bloom, 0, 0, 0);
     put_bodies(block, scene, spacetime, fan, ball_path);
     put_coats(block, scene);
+    for (const auto& row : moving_numbers(scene, spacetime, matter, ball_path)) block.put(row[0], row[1], row[2], row[3]);
     if (spins) put_spin(block, camera, spacetime);
     else for (int i = 0; i < 4; ++i) block.put(0, 0, 0, 0);
-    for (const auto& row : moving_numbers(scene, spacetime, matter, ball_path)) block.put(row[0], row[1], row[2], row[3]);
+    if (spacetime.by_proper_length()) block.put(spacetime.length_unit(), spacetime.logarithm_length() / spacetime.length_unit(), 0, 0);
+    else block.put(0, 0, 0, 0);
     return block.numbers();
 }
 

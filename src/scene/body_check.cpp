@@ -13,10 +13,13 @@ namespace {
 using Given = std::function<bool(const std::string&)>;
 using Faults = std::vector<BodyFault>;
 
+// Of wormholes: on its own side.
 Vec3 camera_at(const CameraSpec& camera) {
     const double s = std::sin(camera.theta);
-    return camera.r * Vec3{s * std::cos(camera.phi), s * std::sin(camera.phi), std::cos(camera.theta)};
+    return std::fabs(camera.r) * Vec3{s * std::cos(camera.phi), s * std::sin(camera.phi), std::cos(camera.theta)};
 }
+
+bool camera_is_there(const CameraSpec& camera, bool far) { return (camera.r < 0.0) == far; }
 
 // A key that another key's value calls for, or rules out.
 void check_partner(const std::string& key, bool wanted, bool needed, const std::string& partner, const Given& given,
@@ -79,7 +82,7 @@ void check_cylinder(const Scene& scene, Faults& faults) {
     }
     const Vec3 camera = camera_at(scene.camera);
     const double rho = std::hypot(camera.x, camera.y);
-    if (std::abs(camera.z) <= c.height && rho >= c.inner && rho <= c.outer)
+    if (camera_is_there(scene.camera, c.far) && std::abs(camera.z) <= c.height && rho >= c.inner && rho <= c.outer)
         faults.push_back({"cylinder.height", "the camera is inside of the cylinder", "a cylinder beside the camera"});
 }
 
@@ -89,7 +92,7 @@ void check_ball(const Scene& scene, Faults& faults) {
     if (!(length(ball.position) > ball.radius))
         faults.push_back({"ball.radius", "the centre lies within the ball",
                           "radius below the distance of position from the centre ([sphere] is centred)"});
-    else if (ball.motion == BallMotion::kStill && !(length(camera_at(scene.camera) - ball.position) > ball.radius))
+    else if (ball.motion == BallMotion::kStill && camera_is_there(scene.camera, ball.far) && !(length(camera_at(scene.camera) - ball.position) > ball.radius))
         faults.push_back({"ball.radius", "the camera is inside of the ball", "a ball beside the camera"});
 }
 
@@ -100,7 +103,7 @@ void check_surface(const Scene& scene, const Given& given, Faults& faults) {
     const auto shape = expr::Formula::parse(surface_shape(*scene.surface), {"x", "y", "z", "t"});
     const Vec3 at = camera_at(scene.camera);
     const double place[] = {at.x, at.y, at.z, scene.time};
-    if (shape && length(at) <= scene.surface->bound && !(shape->value(place) > 0))
+    if (shape && camera_is_there(scene.camera, scene.surface->far) && length(at) <= scene.surface->bound && !(shape->value(place) > 0))
         faults.push_back({named ? "surface.size" : "surface.shape", fmt::format("the camera is inside: f is {} there", shape->value(place)),
                           "f above 0 at the camera"});
 }

@@ -88,6 +88,13 @@ std::array<SceneKey, 5> coat_keys(std::string_view section, std::string_view fir
     }};
 }
 
+// Of bodies that may stand on either side of a wormhole's throat.
+template <auto Body>
+SceneKey side_key(std::string_view section) {
+    return {section, "side", KeyType::kChoice, "", "near", kNone, "near far", "Of a wormhole's throat: near is l > 0, far is l < 0.",
+            [](Scene& s, const KeyValue& v) { (s.*Body)->far = v.choice == 1; }};
+}
+
 const SceneKey kDiscTexture[] = {
     {"disc", "texture", KeyType::kChoice, "", "image", kNone, "plain checker grid stripes noise formula image",
      "What covers it: an image, one colour, or a pattern of two colours in azimuth and radius.",
@@ -152,6 +159,7 @@ void append_body_keys(std::vector<SceneKey>& keys) {
     append(keys, kDiscTexture);
     append(keys, coat_keys<&Scene::disc>("disc", "[1, 0.72, 0.42]", "[0.12, 0.05, 0.03]"));
     append(keys, kForms);
+    append(keys, std::array{side_key<&Scene::cylinder>("cylinder"), side_key<&Scene::ball>("ball"), side_key<&Scene::surface>("surface")});
     append(keys, look_keys<&Scene::sphere>("sphere"));
     append(keys, mapping_keys<&Scene::sphere>("sphere"));
     append(keys, look_keys<&Scene::cylinder>("cylinder"));

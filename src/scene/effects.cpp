@@ -167,6 +167,8 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     if (picture.tone == ToneCurve::kFilm) reasons.push_back({Effect::kToneFilm, "picture.tone = \"film\""});
     if (picture.tone == ToneCurve::kNeutral) reasons.push_back({Effect::kToneNeutral, "picture.tone = \"neutral\""});
     if (picture.dither) reasons.push_back({Effect::kDither, "picture.dither = \"on\""});
+    if (lensing && (*spacetime)->by_proper_length() && has_marched(effect_set(reasons)))
+        reasons.push_back({Effect::kSides, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     if (const auto moving = moving_parts(scene); !moving.empty() && light.delay && !spins) reasons.push_back({Effect::kDelay, fmt::format("{}", fmt::join(moving, ", "))});
     if (scene.disc && scene.disc->flow == DiscFlowKind::kKepler) reasons.push_back({Effect::kDiscFlow, "disc.flow = \"kepler\""});
     if (spot) reasons.push_back({Effect::kSpot, fmt::format("[spot] at {}", scene.spot->r)});
@@ -207,6 +209,7 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
         case Effect::kLensing:
             less.light.lensing = falls(scene.camera);   // straight light is that of an observer at rest: what falls is put into flat space
             if (less.light.lensing) less.spacetime = {"minkowski", {}};
+            if (effect_set(required_effects(scene)).contains(Effect::kSides)) less.cylinder.reset(), less.ball.reset(), less.surface.reset();   // straight light knows one side
             return less;
         case Effect::kAberration:
             less.camera.velocity = {0, 0, 0};
@@ -251,6 +254,7 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
         case Effect::kToneFilm:
         case Effect::kToneNeutral: less.picture.tone = ToneCurve::kShoulder; return less;
         case Effect::kDither: less.picture.dither = false; return less;
+        case Effect::kSides: less.cylinder.reset(), less.ball.reset(), less.surface.reset(); return less;
         case Effect::kDelay: less.light.delay = false; return less;
         case Effect::kDiscFlow:
             if (less.disc) less.disc->flow = DiscFlowKind::kStill;

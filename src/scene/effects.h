@@ -20,10 +20,10 @@ class Spacetime;
 enum class Effect {
     kLensing, kSpin, kAberration, kDisc, kDiscImage, kDiscPattern, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kBolometric,
     kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kPointStars, kSky, kSkyShift, kSkyPattern,
-    kInner, kBounce, kFarSky, kStar, kBloom, kAutoExposure, kToneFilm, kToneNeutral, kDither,
+    kInner, kBounce, kFarSky, kStar, kBloom, kAutoExposure, kToneFilm, kToneNeutral, kDither, kSides,
     kDelay, kDiscFlow, kSpot, kBallPath, kPulse
 };
-inline constexpr std::size_t kEffectCount = 37;
+inline constexpr std::size_t kEffectCount = 38;
 
 struct EffectRow {
     Effect effect;
@@ -102,6 +102,8 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
     {Effect::kToneNeutral, "tone-neutral", "EFFECT_TONE_NEUTRAL", "Bright light is compressed, other colours are kept.",
      "picture.tone is \"neutral\"", "arithmetic"},
     {Effect::kDither, "dither", "EFFECT_DITHER", "Noise hides the steps of 8 bits.", "picture.dither is \"on\"", "arithmetic"},
+    {Effect::kSides, "sides", "EFFECT_SIDES", "Bodies stand on either side of a wormhole's throat.", "spacetime.metric is a wormhole and there is a body",
+     "a logarithm and a root a stride"},
     {Effect::kDelay, "delay", "EFFECT_DELAY", "Light takes time: what moves is seen where it was when its light left.",
      "something changes with time, light.delay is not \"off\", and the hole does not spin", "delay map; four fetches and three logarithms a place along the ray"},
     {Effect::kDiscFlow, "disc-flow", "EFFECT_DISC_FLOW", "Every ring of the disc's pattern moves with the matter's speed.", "disc.flow is \"kepler\"",

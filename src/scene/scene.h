@@ -138,7 +138,8 @@ struct SpotSpec {
     friend bool operator==(const SpotSpec&, const SpotSpec&) = default;
 };
 
-// Solid bodies: opaque, a ray ends on the first. Lengths in r_s; (r, theta, phi) are taken as flat spherical coordinates.
+// Solid bodies: opaque, a ray ends on the first. Lengths in r_s; (r, theta, phi) are taken as flat spherical coordinates; of wormholes
+// (|l|, theta, phi) of one side of the throat, which is the centre: far, l < 0.
 struct SphereSpec {                 // about the centre
     double radius = 3.0;            // outside the horizon
     double swing = 0.0;             // pulsation: radius (1 + swing sin(2 pi t/period)), [0, 0.5]
@@ -148,6 +149,7 @@ struct SphereSpec {                 // about the centre
 };
 struct CylinderSpec {               // about the polar axis: a disc of finite thickness, |z| <= height, inner <= rho <= outer
     double inner = 3.0, outer = 8.0, height = 0.5;
+    bool far = false;
     BodyLook look;
     friend bool operator==(const CylinderSpec&, const CylinderSpec&) = default;
 };
@@ -157,6 +159,7 @@ enum class BallMotion { kStill, kOrbit, kGeodesic, kPath };
 struct BallSpec {                   // a sphere anywhere
     Vec3 position{-12.0, 0.0, 0.0};
     double radius = 2.0;
+    bool far = false;
     BallMotion motion = BallMotion::kStill;
     Vec3 velocity{0, 0, 0};         // kGeodesic: along (e_r, e_theta, e_phi) of one at rest there, |v| < 1
     std::string x, y, z;            // kPath: docs/expressions.md, of t in r_s/c
@@ -172,6 +175,7 @@ struct SurfaceSpec {                // the solid f(x, y, z, t) < 0, as far as `b
     std::string shape = "(length(x, y) - 6)^2 + z^2 - 2";   // f: docs/expressions.md
     double bound = 10.0;
     int steps = 64;                 // strides across the bounding sphere: what is thinner than one may be missed
+    bool far = false;
     BodyLook look;
     friend bool operator==(const SurfaceSpec&, const SurfaceSpec&) = default;
 };

@@ -11,6 +11,7 @@
 #include "scene/moving.h"
 #include "scene/observer.h"
 #include "scene/scene_value.h"
+#include "scene/sides.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
 
@@ -63,6 +64,7 @@ private:
     void check_solids();
     void check_motion(const SpacetimeSpec& spec, bool delay);
     void check_moving_keys();
+    void check_throat(const SpacetimeSpec& spec);
     void check_spin(const SpacetimeSpec& spec);
     bool given(const std::string& name) const { return lines_.count(name) != 0; }
     int line(const std::string& name) const { return given(name) ? lines_.at(name) : 1; }
@@ -115,6 +117,7 @@ bool SceneReader::read_parameter(std::string_view section, const toml::key& name
         if (parameter.name != name.str()) continue;
         const KeyRange range{parameter.low, parameter.high};
         const SceneKey key{section, parameter.name, KeyType::kNumber, "", "", range, "", "", nullptr};
+        lines_[full_name(key)] = line_of(name);
         const auto checked = check_value(key, node, base_);
         if (const Fault* fault = std::get_if<Fault>(&checked)) {
             report(line_of(name), full_name(key), fault->what, allowed_text(key));
@@ -317,7 +320,8 @@ void SceneReader::check_motion(const SpacetimeSpec& spec, bool delay) {
     if (scene_.spot && scene_.disc && !circular_orbit(world, scene_.spot->r))
         report(given("spot.r") ? line("spot.r") : sections_["spot"], "spot.r", fmt::format("no circular orbit at {}", scene_.spot->r), "r outside the photon sphere");
     if (!scene_.ball || scene_.ball->motion == BallMotion::kStill) return;
-    if (const auto motion = ball_motion(world, *scene_.ball); !motion)
+    if (world.by_proper_length()) report(line("ball.motion"), "ball.motion", "nothing moves in a wormhole", "still");
+    else if (const auto motion = ball_motion(world, *scene_.ball); !motion)
         report(line("ball.motion"), "ball.motion", motion.error().message, "a motion that a ball can have");
 }
 
@@ -338,6 +342,17 @@ void SceneReader::check_moving_keys() {
     else if (!(scene_.spot->r > scene_.disc->inner && scene_.spot->r < scene_.disc->outer))
         report(given("spot.r") ? line("spot.r") : sections_["spot"], "spot.r", fmt::format("{} is not within the disc", scene_.spot->r),
                fmt::format("({}, {})", scene_.disc->inner, scene_.disc->outer));
+}
+
+// What stands on the sides of a wormhole, and what cannot.
+void SceneReader::check_throat(const SpacetimeSpec& spec) {
+    const auto spacetime = make_spacetime(spec.metric, spec.parameters);
+    if (!spacetime) return;
+    for (const SideFault& fault : side_faults(**spacetime, scene_)) {
+        const std::string section = fault.key.substr(0, fault.key.find('.'));
+        const auto at = sections_.find(section);
+        report(given(fault.key) ? line(fault.key) : at != sections_.end() ? at->second : line("spacetime.metric"), fault.key, fault.what, fault.allowed);
+    }
 }
 
 // What is not there yet about a hole that spins.
@@ -370,6 +385,8 @@ Result<Scene> SceneReader::read(const toml::table& root) {
         check_sky();
         check_disc();
         check_solids();
+        check_throat(scene_.spacetime);
+        if (scene_.beside) check_throat(*scene_.beside);
         check_spin(scene_.spacetime);
         if (scene_.beside) check_spin(*scene_.beside);
         check_moving_keys();

@@ -29,9 +29,10 @@ std::array<std::size_t, kFrameVectors> frame_offsets() {
             offsetof(F, surface_form), offsetof(F, surface_map), offsetof(F, surface_colour),
             offsetof(F, surface_second), offsetof(F, march), offsetof(F, disc_coat_map), offsetof(F, disc_coat_colour),
             offsetof(F, disc_coat_second), offsetof(F, dome_x), offsetof(F, dome_y), offsetof(F, dome_z),
-            offsetof(F, dome_map), offsetof(F, dome_colour), offsetof(F, dome_second), offsetof(F, spin_hole),
-            offsetof(F, spin_rows), offsetof(F, spin_scale), offsetof(F, spin_place),
-            offsetof(F, delay), offsetof(F, disc_flow), offsetof(F, spot), offsetof(F, spot_look), offsetof(F, spot_motion), offsetof(F, ball_path)};
+            offsetof(F, dome_map), offsetof(F, dome_colour), offsetof(F, dome_second),
+            offsetof(F, delay), offsetof(F, disc_flow), offsetof(F, spot), offsetof(F, spot_look), offsetof(F, spot_motion), offsetof(F, ball_path),
+            offsetof(F, spin_hole),
+            offsetof(F, spin_rows), offsetof(F, spin_scale), offsetof(F, spin_place), offsetof(F, throat)};
 }
 
 }  // namespace nullscope

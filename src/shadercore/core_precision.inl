@@ -20,6 +20,7 @@
 #define BLOCK_DISC_FLOW
 #define BLOCK_SPOT
 #define BLOCK_BALL_PATH
+#define BLOCK_SIDES
 #define EFFECT_INNER
 #define EFFECT_BOUNCE
 #define EFFECT_STAR

@@ -16,7 +16,7 @@ struct TexelView {
 };
 
 // FrameData of shaders/shared/frame_block.glsl as numbers, four a member, in the order of its members.
-inline constexpr std::size_t kFrameVectors = 64;
+inline constexpr std::size_t kFrameVectors = 65;
 using FrameNumbers = std::array<double, 4 * kFrameVectors>;
 
 struct CoreInput {

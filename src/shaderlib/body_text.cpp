@@ -22,6 +22,7 @@ struct Body {
     std::string middle, normal;  // GLSL: at the place `place`
     const char* mapping = nullptr;   // instead of the look's
     bool marched = true;
+    bool far = false;
 };
 
 std::vector<Body> bodies_of(const Scene& scene) {
@@ -31,13 +32,13 @@ std::vector<Body> bodies_of(const Scene& scene) {
             {"sphere", 2, &scene.sphere->look, "frame.sphere_form.x", "vec3(0.0)", "place.outward", nullptr, scene.sphere->swing > 0.0});
     if (scene.cylinder)
         bodies.push_back({"cylinder", 3, &scene.cylinder->look, "frame.cylinder_form.y", "vec3(0.0)",
-                          "cylinder_normal(place.at)", "MAPPING_PLANE"});
+                          "cylinder_normal(place.at)", "MAPPING_PLANE", true, scene.cylinder->far});
     if (scene.ball)
         bodies.push_back({"ball", 4, &scene.ball->look, "frame.ball_form.w", "ball_middle(place)",
-                          "ball_offset(place) / frame.ball_form.w"});
+                          "ball_offset(place) / frame.ball_form.w", nullptr, true, scene.ball->far});
     if (scene.surface)
         bodies.push_back(
-            {"surface", 5, &scene.surface->look, "frame.surface_form.x", "vec3(0.0)", "surface_normal(place)"});
+            {"surface", 5, &scene.surface->look, "frame.surface_form.x", "vec3(0.0)", "surface_normal(place)", nullptr, true, scene.surface->far});
     return bodies;
 }
 
@@ -86,10 +87,28 @@ std::string coats_of(const Scene& scene) {
     return text;
 }
 
-std::string march_of(const std::vector<Body>& bodies, const Scene& scene) {
-    std::string value, object, room;
+// Through a wormhole: a body's value on its own side; on the other, from where the way to it leads through the throat, that of the throat
+// and the way to there.
+std::string value_by_side(const Body& body) {
+    const char* off = body.far ? "place.side >= 0.0" : "place.side <= 0.0";
+    const std::string at = body.name == "cylinder" ? "place.at" : "place";
+    const std::string across = fmt::format("    bool off = {};\n    float way = off ? place.r : 0.0;\n", off);
+    return fmt::format("float {0}_value_by_side(RayPlace place) {{\n{1}    if (off) place.at = vec3(0.0);\n    return {0}_value({2}) + way;\n}}\n", body.name, across, at) +
+           fmt::format("float {0}_room_by_side(RayPlace place) {{\n{1}    if (!off) return {0}_room(place);\n    place.at = vec3(0.0);\n    return {0}_{3} + way;\n}}\n",
+                       body.name, across, at, body.name == "surface" ? "room(place)" : "value(" + at + ")");
+}
+
+std::string march_of(const std::vector<Body>& bodies, const Scene& scene, bool sides) {
+    std::string value, object, room, helpers;
     for (const Body& body : bodies) {
         if (!body.marched) continue;
+        if (sides) {
+            helpers += value_by_side(body);
+            value += fmt::format("    value = min(value, {}_value_by_side(place));\n", body.name);
+            room += fmt::format("    room = min(room, {}_room_by_side(place));\n", body.name);
+            object += fmt::format("    if ({0}_value_by_side(place) < value) {{\n        value = {0}_value_by_side(place);\n        object = {1};\n    }}\n", body.name, body.number);
+            continue;
+        }
         const std::string at = body.name == "cylinder" ? "place.at" : "place";
         value += fmt::format("    value = min(value, {}_value({}));\n", body.name, at);
         room += fmt::format("    room = min(room, {}_room(place));\n", body.name);
@@ -101,10 +120,10 @@ std::string march_of(const std::vector<Body>& bodies, const Scene& scene) {
     const std::string stop = "float march_stop(Trace trace, vec3 tangent, float phi) { return " +
                              std::string(ball_alone ? "ball_beside(trace, tangent) ? 1.0e-9 : " : "") + "max(phi, 1.0e-9); }\n";
     // Strides of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent.
-    const int steps = 128 + (scene.surface ? 2 * scene.surface->steps : 0);
+    const int steps = (sides ? 256 : 128) + (scene.surface ? 2 * scene.surface->steps : 0);
     const std::string graze =
         scene.surface ? "1.0e30" : "2.0 * angle * sqrt(place.r_along * place.r_along + place.r * place.r)";
-    return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) + stop +
+    return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) + stop + helpers +
            "float march_value(RayPlace place) {\n    float value = 1.0e30;\n" + value +
            "    return value;\n}\n"
            "float march_room(RayPlace place) {\n    float room = 1.0e30;\n" +
@@ -140,7 +159,7 @@ BodyText body_text(const Scene& scene) {
     text.coats = coats_of(scene);
     if (bodies.empty()) return text;
     if (scene.surface) text.shape = shape_of(*scene.surface);
-    text.march = march_of(bodies, scene);
+    text.march = march_of(bodies, scene, effect_set(required_effects(scene)).contains(Effect::kSides));
     text.hit = hit_of(bodies);
     std::string choice;
     for (const Body& body : bodies) {

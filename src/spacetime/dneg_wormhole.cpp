@@ -32,6 +32,16 @@ double DnegWormhole::areal_radius(double l) const {
     return throat_ + mass_ * growth(std::max(std::fabs(l) - half_length_, 0.0) / (M_PI_2 * mass_));
 }
 
+double DnegWormhole::radius_slope(double l) const {
+    const double slope = M_2_PI * std::atan(std::max(std::fabs(l) - half_length_, 0.0) / (M_PI_2 * mass_));
+    return l < 0.0 ? -slope : slope;
+}
+
+double DnegWormhole::radius_curvature(double l) const {
+    const double x = (std::fabs(l) - half_length_) / (M_PI_2 * mass_);
+    return x < 0.0 ? 0.0 : M_2_PI / (M_PI_2 * mass_ * (1.0 + x * x));
+}
+
 // R cos(chi) = sqrt((R - rho)(R + rho)): exact at the throat.
 double DnegWormhole::chi_from_radius(double l) const {
     const double more = mass_ * growth(std::max(std::fabs(l) - half_length_, 0.0) / (M_PI_2 * mass_));

@@ -37,6 +37,9 @@ public:
     bool logarithm_at_sky() const override { return true; }
     double tube_beyond(double l) const override;
     double length_unit() const override { return throat_; }
+    double radius_slope(double l) const override;
+    double radius_curvature(double l) const override;   // jumps at the tube's rims
+    double logarithm_length() const override { return mass_; }
     bool has_orbit_equation() const override { return false; }
     double half_v_slope(double zeta) const override;
     double half_v_curvature(double zeta) const override;

@@ -30,6 +30,8 @@ public:
     double half_v_slope(double) const override;
     double half_v_curvature(double) const override;
     double length_unit() const override { return throat_; }
+    double radius_slope(double l) const override;
+    double radius_curvature(double l) const override;
 
 private:
     double throat_;

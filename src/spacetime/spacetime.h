@@ -86,9 +86,15 @@ public:
 
     // Wormholes: r is the proper distance from the throat, and ray files have l0 where others have zeta0.
     bool by_proper_length() const { return inner_end() == InnerEnd::kOtherSky; }
-    // Where rays that miss the sky end in a horizon the orbit map of objects can follow them.
+    // dR/dl and d2R/dl2 there, by which objects are found (table/throat_orbit.h); and M where R = |l| - M ln |l| + const far out.
+    virtual double radius_slope(double) const { return 1.0; }
+    virtual double radius_curvature(double) const { return 0.0; }
+    virtual double logarithm_length() const { return 0.0; }
+    // In a longer tube rays wind so often that the rows of the orbit map, even in the angle, leave out what lies before and behind it.
+    static constexpr double kLongestHalfTube = 0.25;   // over the throat's radius
+    // Where rays that miss the sky end in a horizon the orbit map of objects can follow them; through a wormhole it follows them by l.
     bool can_have_disc() const { return has_orbit_equation() && inner_end() == InnerEnd::kHorizon; }
-    bool can_have_bodies() const { return can_have_disc() && spin() == 0.0; }
+    bool can_have_bodies() const { return (can_have_disc() && spin() == 0.0) || (by_proper_length() && tube_beyond(0.0) <= kLongestHalfTube); }
 
     // sqrt(V): q sin(alpha) of every ray through r, alpha its angle from the radial direction for a camera at rest.
     double root_v(double r) const;

@@ -7,28 +7,17 @@
 #include <cmath>
 
 #include "table/delay_column.h"
+#include "table/nystrom.h"
+#include "table/throat_orbit.h"
 
 namespace nullscope {
 namespace {
 
 constexpr int kCellsPerOctave = 12;  // ORBIT_CELLS_PER_OCTAVE
-constexpr int kRows = 128;          // ORBIT_ROWS
+constexpr int kRows = kOrbitRows;
 constexpr double kLargestStep = 0.08;  // rad; local error 1e-12
 
 using State = OrbitState;   // its derivatives by delta follow the variational equation
-
-struct Nystrom {
-    static constexpr int kStages = 6;
-    static constexpr std::array<double, 6> c{0, 1. / 10, 3. / 10, 7. / 10, 17. / 25, 1};
-    static constexpr double a[6][5] = {{},
-                                       {1. / 200},
-                                       {-1. / 2200, 1. / 22},
-                                       {637. / 6600, -7. / 110, 7. / 33},
-                                       {225437. / 1968750, -30073. / 281250, 65569. / 281250, -9367. / 984375},
-                                       {151. / 2142, 5. / 116, 385. / 1368, 55. / 168, -6250. / 28101}};
-    static constexpr std::array<double, 6> b{151. / 2142, 5. / 116, 385. / 1368, 55. / 168, -6250. / 28101, 0};
-    static constexpr std::array<double, 6> b_slope{151. / 2142, 25. / 522, 275. / 684, 275. / 252, -78125. / 112404, 1. / 12};
-};
 
 State step(const Spacetime& spacetime, const State& s, double h) {
     std::array<double, 6> f{}, g{};
@@ -137,10 +126,7 @@ OrbitMap build_orbit_map(const RayFan& fan, bool delays) {
         const double node = std::max(fan.delta_at(u), fan.w0() / (64.0 * kCellsPerOctave));
         const double delta = fan.mirrored(segment, node);
         const double delta_per_cell = (delta == node ? 1.0 : -1.0) * fan.delta_slope(u) * u_octave / kCellsPerOctave;
-        const FanRay ray = fan.ray(segment, delta);
-        double end_per_delta = 0.0;
-        const Column orbit = integrate(fan, segment, ray, end_per_delta);
-        const auto put = [&](TexelGrid& grid, const std::vector<std::array<double, 4>>& texels) {
+        const auto put = [&](TexelGrid& grid, const auto& texels) {
             for (int row = 0; row <= kRows; ++row) {
                 const std::size_t line = row + (segment == Segment::kSky ? 0 : kRows + 1);
                 float* out = grid.texels.data() + 4 * (line * grid.width + at);
@@ -151,6 +137,10 @@ OrbitMap build_orbit_map(const RayFan& fan, bool delays) {
                 out[3] = static_cast<float>(texel[3] * delta_per_cell);
             }
         };
+        if (fan.spacetime().by_proper_length()) return put(map.places, throat_column(fan, segment, delta));
+        const FanRay ray = fan.ray(segment, delta);
+        double end_per_delta = 0.0;
+        const Column orbit = integrate(fan, segment, ray, end_per_delta);
         put(map.places, places(fan, segment, ray, orbit, end_per_delta));
         if (delays) put(map.delays, delay_column(fan, segment, ray, orbit, end_per_delta));
     });

@@ -18,7 +18,7 @@ double square(double x) { return x * x; }
 
 RayFan::RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r, RadialFrame frame,
                double pixel)
-    : spacetime_(std::move(spacetime)), table_(std::move(table)), frame_(frame), radius_(spacetime_->areal_radius(r)), zeta0_(1.0 / radius_) {
+    : spacetime_(std::move(spacetime)), table_(std::move(table)), frame_(frame), r_(r), radius_(spacetime_->areal_radius(r)), zeta0_(1.0 / radius_) {
     const double lapse2 = spacetime_->lapse_squared(r), v0 = lapse2 * square(zeta0_);
     const auto horizon = spacetime_->horizon_radius();
     inside_ = horizon && r <= *horizon;
@@ -146,6 +146,7 @@ FanRay RayFan::ray(Segment segment, double delta) const {
     } else if (omk2 > 0.0) {
         ray.phi_end = sky ? table_->turning_to_sky(k, omk2, alpha) : table_->turning_to_horizon(k, omk2, beta);
     } else {
+        ray.tube_slope = std::sqrt(d2);
         const double from_infinity = table_->through_from_infinity(k, d2, chi0_);
         ray.phi_end = (sky ? from_infinity : table_->through_from_infinity(k, d2, M_PI) - from_infinity) +
                       (ray.in_tube = std::min((sky ? tube_out_ : tube_in_) / std::sqrt(d2), kMostInTube));

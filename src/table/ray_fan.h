@@ -30,6 +30,7 @@ struct FanRay {
     double slope;         // d zeta / d phi at the camera
     double phi_end;       // swept until infinity or until the horizon
     double in_tube;       // what of it is swept in a wormhole's tube
+    double tube_slope;    // |dl/d phi| there over the throat's radius, sqrt((q/q_crit)^2 - 1); 0 of rays that do not pass
 };
 
 class RayFan {
@@ -60,6 +61,7 @@ public:
     int octaves(Segment segment) const;                     // of u, until delta_limit
 
     double zeta0() const { return zeta0_; }                 // 1/R
+    double camera_r() const { return r_; }
     double chi0() const { return chi0_; }                    // pi inside the horizon
     const RadialFrame& frame() const { return frame_; }
     // Tangent of half the angle from the outward radial of the inward ray with this q, the last of larger q on that side: where a
@@ -89,7 +91,7 @@ private:
     std::shared_ptr<const Spacetime> spacetime_;
     std::shared_ptr<const DeflectionTable> table_;
     RadialFrame frame_;
-    double radius_, zeta0_, chi0_ = 0, q_crit_, theta_c_, c_, w0_;
+    double r_, radius_, zeta0_, chi0_ = 0, q_crit_, theta_c_, c_, w0_;
     double lapse_ = 0;                    // sqrt(A); 0 inside the horizon
     bool inside_ = false, from_inward_;   // of the horizon; whether the inward radial is the nearer one
     Divider divides_;                     // sky from the rest

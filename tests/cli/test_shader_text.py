@@ -42,6 +42,7 @@ WORDS = {
     "tone-neutral": [r"tone_neutral"],
     "dither": [r"dither_noise"],
     "star": [r"star_(?:surface|square)\w*"],
+    "sides": [r"\w+_by_side", r"throat", r"end_side"],
 }
 SCENES = {
     "nothing": '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "black"\n',
@@ -84,6 +85,7 @@ SCENES = {
     "no spin": '[spacetime]\nmetric = "kerr"\nspin = 0.0\n[disc]\n',
     "spin, patterns": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "grid"\n[disc]\ntexture = "checker"\n',
     "star": '[spacetime]\nmetric = "neutron-star"\n',
+    "sides": '[spacetime]\nmetric = "ellis"\n[sky]\nkind = "black"\n[ball]\nside = "far"\n[cylinder]\n',
 }
 
 

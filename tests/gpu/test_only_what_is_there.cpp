@@ -23,6 +23,8 @@ Names textures_for(const EffectSet& effects, const Scene& scene) {
     const bool lensing = effects.contains(Effect::kLensing), objects = meets_objects(effects);
     if (lensing) names.insert("strip");
     if (lensing && objects) names.insert({"ray ends", "orbit map"});
+    if (lensing && effects.contains(Effect::kDelay)) names.insert("delay map");
+    if (effects.contains(Effect::kBallPath)) names.insert("ball's way");
     if (effects.contains(Effect::kDiscImage)) names.insert("disc image");
     if (effects.contains(Effect::kThermalDisc)) names.insert("disc flow");
     if (shades_heat(effects)) names.insert("black body");
@@ -66,6 +68,7 @@ std::vector<Scene> full_scenes() {
     BodyLook& surface = holes.surface.emplace().look;
     surface.texture = TextureKind::kImage, surface.image = assets_directory() / "sky" / "milky-way.png";
     scenes[1].spacetime.metric = "ellis";
+    scenes[1].ball.emplace().far = true;
     scenes[2].spacetime.metric = "neutron-star";
     scenes[3].sky.kind = SkyKind::kPoints;
     scenes[3].light.bolometric = true;
@@ -73,6 +76,10 @@ std::vector<Scene> full_scenes() {
     scenes[4].disc.emplace().look.texture = TextureKind::kNoise;
     scenes[4].disc->emission = DiscEmission::kThermal;
     scenes[5].spacetime = {"reissner-nordstrom", {{"charge", 1.2}}};
+    scenes[4].disc->flow = DiscFlowKind::kKepler;
+    scenes[4].spot.emplace();
+    scenes[4].ball.emplace().motion = BallMotion::kOrbit;
+    scenes[4].sphere.emplace().swing = 0.1;
     scenes[6].spacetime.metric = "kerr";
     scenes[6].disc.emplace().emission = DiscEmission::kThermal;
     scenes[1].picture = {ToneCurve::kFilm, 0.1, false, true};

@@ -19,7 +19,7 @@ struct KerrView {
 };
 
 // Members of FrameData (shaders/shared/frame_block.glsl), by number.
-enum Member { kImage = 0, kRay0 = 1, kShift = 10, kBoost = 14, kBoostColour = 15, kDiscX = 19, kDiscY = 20, kDiscLook = 22, kSpinHole = 54, kSpinRows, kSpinScale, kSpinPlace };
+enum Member { kImage = 0, kRay0 = 1, kShift = 10, kBoost = 14, kBoostColour = 15, kDiscX = 19, kDiscY = 20, kDiscLook = 22, kSpinHole = 60, kSpinRows, kSpinScale, kSpinPlace };
 
 // rims: of an opaque disc.
 inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float, std::optional<std::array<double, 2>> rims = {}, Vec3 velocity = {0, 0, 0}) {

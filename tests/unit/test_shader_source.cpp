@@ -91,7 +91,8 @@ const std::vector<Mark> kMarks = {
     {Effect::kToneNeutral, {"tone_neutral"}},
     {Effect::kDither, {"dither_noise"}},
     {Effect::kStar, {"star_surface", "star_square"}},
-    {Effect::kDelay, {"light_time(", "vec4 delay;", "delay_at_camera"}},
+    {Effect::kSides, {"value_by_side", "vec4 throat;", "place.side"}},
+    {Effect::kDelay, {"light_time(", "vec4 delay;"}},
     {Effect::kDiscFlow, {"disc_moving(", "vec4 disc_flow;"}},
     {Effect::kSpot, {"spot_light(", "vec4 spot;", "vec4 spot_motion;"}},
     {Effect::kBallPath, {"ball_path_fetch", "vec4 ball_path;"}},
@@ -126,6 +127,18 @@ TEST_CASE("shader source: about a spinning hole nothing of plane orbits, without
     }
 }
 
+TEST_CASE("shader source: of a wormhole with bodies, on either side") {
+    Scene scene;
+    scene.spacetime.metric = "ellis";
+    scene.ball.emplace();
+    scene.surface.emplace().far = true;
+    const std::string text = picture_of(scene);
+    for (const char* word : {"value_by_side", "vec4 throat;", "off = place.side <= 0.0", "off = place.side >= 0.0"}) CHECK(text.find(word) != std::string::npos);
+    scene.spacetime.metric = "schwarzschild";
+    scene.surface->far = false;
+    for (const char* word : {"by_side", "throat", "place.side"}) CHECK(picture_of(scene).find(word) == std::string::npos);
+}
+
 TEST_CASE("shader source: the block's members are those of the effects that are on") {
     CHECK(block_members({}).size() == 11);
     CHECK(block_members({Effect::kSky}).size() == 12);
@@ -133,7 +146,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow& row : kEffectTable) all.insert(row.effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 64);
+    CHECK(members.size() == 65);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {
