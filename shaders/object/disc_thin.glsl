@@ -5,7 +5,11 @@
 //   signed angle from the critical direction:   ----|==|-----|=======|-------------->  to the sky
 //                                          rings k+1 and k         [----pixel----]
 
+#ifdef EFFECT_SPOT
+#define DISC_THIN_PX 0.5      // what differs along a ring's width and in time is looked for as long as there are pixels to show it
+#else
 #define DISC_THIN_PX 6.0      // rings whose outer rim is closer to the critical direction: further out one is 3 px wide and more
+#endif
 #define DISC_THIN_LEAST 0.002 // least covered part of a pixel that is drawn
 
 // Covered part of the pixel if crossing `number` belongs to a thin ring; `thin` false if it does not. `more`: may this ring or a
