@@ -80,6 +80,10 @@ float g_of(Trace trace) { return trace.doppler / max(trace.energy, 1.0e-6); }
 // A ray ends at the sky, and at the horizon once it has been outside of it.
 bool spin_goes(float zeta, float end, int left, bool outside) { return zeta > 0.0 && (zeta < end || !outside) && left > 0; }
 
+#ifdef METHOD_KERR_SCHILD
+vec4 kerr_schild_march(SpinRay ray, vec3 n);   // method/kerr_schild.glsl
+#endif
+
 // pixel: px from the image centre, x to the right, y up.
 Trace trace_pixel(vec2 pixel) {
     Trace trace;
@@ -95,10 +99,17 @@ Trace trace_pixel(vec2 pixel) {
     trace.pixel_angle *= seen.squeeze;
 #endif
     SpinRay ray = spin_ray(n);
-    SpinState now = spin_start(ray, n);
     trace.energy = -ray.energy;
     trace.momentum = -ray.momentum;
     trace.doppler = doppler;
+#ifdef METHOD_KERR_SCHILD
+    vec4 marched = kerr_schild_march(ray, n);
+    trace.steps = int(abs(marched.w));
+    trace.escapes = marched.w > 0.0;
+    trace.lost = false;
+    trace.sky = trace.escapes ? vec3(marched.x, marched.y, marched.z) : -n;
+#else
+    SpinState now = spin_start(ray, n);
     float end = 1.0 / ray.outer;
     int left = SPIN_MOST_STEPS;
     bool going = true;
@@ -171,6 +182,7 @@ Trace trace_pixel(vec2 pixel) {
     float c = cos(sky.psi);
     float s = sin(sky.psi);
     trace.sky = trace.escapes ? vec3(c * sky.y.x - s * sky.y.y, s * sky.y.x + c * sky.y.y, sky.y.z) : -n;
+#endif
 #ifdef NEEDS_FOOTPRINT
     vec3 right = dFdx(trace.sky);
     vec3 up = dFdy(trace.sky);
