@@ -7,6 +7,12 @@
 //     n''    = -(J^2 + 2 a^2 E^2 n_z^2) n + a^2 E^2 n_z e_z            (a Neumann oscillator: |n| = 1 stays)
 //     psi'   = a zeta (E - a L zeta) / ((1 - r_+ zeta)(1 - r_- zeta))  (dragging; 0 far away)
 // The azimuth of Boyer and Lindquist is that of n and psi added up. Without spin n turns at the rate J, as on every plane orbit.
+//
+// Where a camera falls, rays that are traced outward from it come through the horizon, where that azimuth winds without end. There psi
+// belongs to the ingoing one, phi~ = phi + int a/Delta dr (spacetime/spin_frame.h): with X = a L zeta^2 - E (1 + a^2 zeta^2) > 0 and
+// zeta'^2 = X^2 - Delta zeta^4 K
+//     psi~' = -a (E + K zeta^2 / (X - zeta')),   zeta' < 0,
+// until the horizon is some way behind, or the ray slows down to turn, where zeta' by a root would lose its digits.
 
 #define SPIN_STEP 0.6          // of a step, times the fastest rate at work there: twice the error at 0.7, half at 0.55
 #define SPIN_MOST_STEPS 64
@@ -33,6 +39,9 @@ struct SpinState {
     vec4 f;
     float psi;
     float drag;
+#ifdef EFFECT_SPIN_FALL
+    bool ingoing;     // psi belongs to phi~
+#endif
 };
 
 vec4 spin_force(SpinRay ray, vec4 y) {
@@ -47,6 +56,47 @@ float spin_delta(SpinRay ray, float zeta) { return (1.0 - ray.outer * zeta) * (1
 float spin_drag(SpinRay ray, float zeta) {
     return ray.a * zeta * (ray.energy - ray.a * ray.momentum * zeta) / spin_delta(ray, zeta);
 }
+
+// X of the photon: E (r^2 + a^2) - a L over r^2; above 0 on this side of the horizons.
+float spin_x(SpinRay ray, float zeta) {
+    return ray.a * ray.momentum * zeta * zeta - ray.energy * (1.0 + ray.a * ray.a * zeta * zeta);
+}
+
+// phi' less that of int a/Delta dr along the ray's own sense, inward or outward, with speed |zeta'| = sqrt(X^2 - Delta zeta^4 K): regular at
+// the horizon that lies there.
+float spin_regular_drag(SpinRay ray, float zeta, float speed) {
+    return -ray.a * (ray.energy + ray.k * zeta * zeta / max(spin_x(ray, zeta) + speed, 1.0e-12));
+}
+
+// int a/Delta dr from zeta on to the sky.
+float spin_winding(SpinRay ray, float zeta) {
+    return frame.spin_turn.y * log(max(1.0 - ray.inner * zeta, 1.0e-12) / max(1.0 - ray.outer * zeta, 1.0e-12));
+}
+
+#ifdef EFFECT_SPIN_FALL
+float ingoing_speed2(SpinRay ray, float zeta, float x) { return x * x - spin_delta(ray, zeta) * ray.k * zeta * zeta; }
+
+// psi' at zeta inside a step.
+float spin_turning(SpinRay ray, SpinState from, float zeta) {
+    float speed = sqrt(max(ingoing_speed2(ray, zeta, spin_x(ray, zeta)), 0.0));
+    return from.ingoing ? spin_regular_drag(ray, zeta, speed) : spin_drag(ray, zeta);
+}
+
+float spin_turning_at(SpinRay ray, SpinState at) {
+    return at.ingoing ? spin_regular_drag(ray, at.y.w, -at.v.w) : spin_drag(ray, at.y.w);
+}
+
+#define INGOING_DELTA 0.1    // Delta zeta^2 from which on the horizon is behind
+#define INGOING_DEEP 8.0    // of a step inside the horizon
+#define INGOING_SLOW 0.5     // zeta'^2 over X^2: the next step ends before the turn
+bool ingoing_stays(SpinRay ray, float zeta, float slope) {
+    float x = spin_x(ray, zeta);
+    return ray.outer * zeta >= 1.0 || (slope <= 0.0 && spin_delta(ray, zeta) <= INGOING_DELTA && slope * slope >= INGOING_SLOW * x * x);
+}
+#else
+float spin_turning(SpinRay ray, SpinState from, float zeta) { return spin_drag(ray, zeta); }
+float spin_turning_at(SpinRay ray, SpinState at) { return spin_drag(ray, at.y.w); }
+#endif
 
 // One step of RKN6(4)6FM (Dormand, El-Mikkawy and Prince 1987): five new forces, the sixth is the next step's first.
 SpinState spin_step(SpinRay ray, SpinState from, float h) {
@@ -68,10 +118,24 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
     to.f = spin_force(ray, to.y);
     to.v = from.v + (f0 * (151.0 / 2142.0) + f1 * (25.0 / 522.0) + f2 * (275.0 / 684.0) + f3 * (275.0 / 252.0) -
                      f4 * (78125.0 / 112404.0) + (hh / 12.0) * to.f) / h;
-    to.drag = spin_drag(ray, to.y.w);
-    to.psi = from.psi + h * (from.drag * (151.0 / 2142.0) + spin_drag(ray, y1.w) * (25.0 / 522.0) +
-                             spin_drag(ray, y2.w) * (275.0 / 684.0) + spin_drag(ray, y3.w) * (275.0 / 252.0) -
-                             spin_drag(ray, y4.w) * (78125.0 / 112404.0) + to.drag * (1.0 / 12.0));
+#ifdef EFFECT_SPIN_FALL
+    to.ingoing = from.ingoing;
+    // Rounding of a large zeta' deep inside is much, relative to what is left of it where rays wind: by the root while that is exact.
+    float x = spin_x(ray, to.y.w);
+    float speed2 = ingoing_speed2(ray, to.y.w, x);
+    to.v.w = from.ingoing && to.v.w < 0.0 && speed2 > INGOING_SLOW * x * x ? -sqrt(speed2) : to.v.w;
+#endif
+    to.drag = spin_turning_at(ray, to);
+    to.psi = from.psi + h * (from.drag * (151.0 / 2142.0) + spin_turning(ray, from, y1.w) * (25.0 / 522.0) +
+                             spin_turning(ray, from, y2.w) * (275.0 / 684.0) + spin_turning(ray, from, y3.w) * (275.0 / 252.0) -
+                             spin_turning(ray, from, y4.w) * (78125.0 / 112404.0) + to.drag * (1.0 / 12.0));
+#ifdef EFFECT_SPIN_FALL
+    to.ingoing = from.ingoing && ingoing_stays(ray, to.y.w, to.v.w);
+    if (from.ingoing && !to.ingoing) {
+        to.psi += spin_winding(ray, to.y.w);
+        to.drag = spin_drag(ray, to.y.w);
+    }
+#endif
     return to;
 }
 
@@ -81,8 +145,15 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
 float spin_stride(SpinRay ray, SpinState at, int left) {
     float zeta = at.y.w;
     float slope = at.v.w;
+#ifdef EFFECT_SPIN_FALL
+    float fall = at.ingoing ? 0.0 : slope * (0.5 - ray.a * ray.a * zeta) / spin_delta(ray, zeta);
+#else
     float fall = slope * (0.5 - ray.a * ray.a * zeta) / spin_delta(ray, zeta);
-    float rate2 = abs(ray.j2) + ray.a2e2 + 0.125 * ray.energy * ray.energy + 1.5 * ray.k * zeta + (slope < 0.0 ? 3.0 : 1.0) * fall * fall;
+#endif
+    float rate2 = abs(ray.j2) + ray.a2e2 + 0.125 * ray.energy * ray.energy + 1.5 * ray.k * zeta + (slope < 0.0 ? 3.0 : 1.0 + 3.0 * min(2.0 * spin_delta(ray, zeta), 1.0)) * fall * fall;
+#ifdef EFFECT_SPIN_FALL
+    rate2 += INGOING_DEEP * ray.k * zeta * clamp(ray.outer * zeta - 1.0, 0.0, 1.0);   // inside, where zeta changes by its own size
+#endif
     float h = SPIN_STEP * (1.0 + SPIN_GROWTH * max(float(SPIN_MOST_STEPS - SPIN_GROW_AFTER - left), 0.0)) * inversesqrt(rate2);
     return slope < 0.0 ? min(h, -1.05 * zeta / slope) : h;
 }
@@ -155,8 +226,20 @@ SpinCrossing spin_crossing(SpinRay ray, SpinState from, SpinState to, float h) {
     s = spin_newton(arc, s);
     vec4 at = spin_at(arc, s);
     // psi by Lobatto's four points.
-    float psi = from.psi + h * s * ((from.drag + spin_drag(ray, at.w)) / 12.0 +
-                                    (spin_drag(ray, spin_at(arc, 0.27639320225 * s).w) + spin_drag(ray, spin_at(arc, 0.72360679775 * s).w)) * (5.0 / 12.0));
+    bool inward = from.v.w > 0.0 && to.v.w > 0.0;   // phi winds up towards the past horizon: what is left of it, and the winding
+    float first = 0.27639320225 * s;
+    float second = 0.72360679775 * s;
+    float zeta1 = spin_at(arc, first).w;
+    float zeta2 = spin_at(arc, second).w;
+    float turn = inward ? spin_regular_drag(ray, from.y.w, from.v.w) + spin_regular_drag(ray, at.w, spin_slope_at(arc, s).w / h)
+                        : from.drag + spin_turning(ray, from, at.w);
+    float turn1 = inward ? spin_regular_drag(ray, zeta1, spin_slope_at(arc, first).w / h) : spin_turning(ray, from, zeta1);
+    float turn2 = inward ? spin_regular_drag(ray, zeta2, spin_slope_at(arc, second).w / h) : spin_turning(ray, from, zeta2);
+    float psi = from.psi + h * s * (turn / 12.0 + (turn1 + turn2) * (5.0 / 12.0));
+    psi += inward ? spin_winding(ray, from.y.w) - spin_winding(ray, at.w) : 0.0;
+#ifdef EFFECT_SPIN_FALL
+    psi += from.ingoing ? spin_winding(ray, at.w) : 0.0;   // the disc's azimuth is Boyer and Lindquist's
+#endif
     float inverse = inversesqrt(max(at.x * at.x + at.y * at.y, 1.0e-30));
     float c = cos(psi) * inverse;
     float t = sin(psi) * inverse;

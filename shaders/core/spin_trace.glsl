@@ -1,14 +1,17 @@
 // One pixel's ray about a spinning hole, from the camera to its end (core/kerr.glsl). In place of trace.glsl, where rays stay in planes:
-// the same Trace as far as a sky asks for it. Look directions are along (e_r, e_theta, e_phi) of the camera at rest here, which has no
-// angular momentum. Reads the global `frame` (FrameData).
+// the same Trace as far as a sky asks for it. Look directions are along (e_r, e_theta, e_phi) of the observer's own frame
+// (spacetime/spin_frame.h). Reads the global `frame` (FrameData).
+//
+// Inside the horizon every ray is traced outward, and none whose energy is not above 0 has come from our sky. Of the others those with
+// E (r_+^2 + a^2) <= a L have crossed another horizon than the one that the camera fell through: they meet nothing of ours.
 
 #define SPIN_CROSSINGS 4   // of the equatorial plane that are kept; a fifth image is e^-4pi of the first
 
 #define SPIN_FARTHEST 1.0e10   // a crossing beyond it lies behind the sky
 
 struct Trace {
-    float doppler;        // frequency in the camera over the photon's energy at infinity: g
-    float pixel_angle;    // angle that one pixel spans here, rad, in the frame of the camera at rest
+    float doppler;        // frequency in the camera over that in the observer's frame
+    float pixel_angle;    // angle that one pixel spans here, rad, in the observer's frame
     bool escapes;
     bool lost;            // neither here nor there after SPIN_MOST_STEPS
     vec3 sky;             // direction on the celestial sphere, world axes, unit to rounding; of use if escapes
@@ -19,7 +22,7 @@ struct Trace {
     vec3 sky_up;
 #endif
     int steps;
-    float momentum;       // of the photon over its frequency in the camera's frame of rest
+    float momentum;       // of the photon over its frequency in the observer's frame
     float energy;
 #ifdef EFFECT_DISC
     int crossings;        // how many of these there are
@@ -30,16 +33,18 @@ struct Trace {
 #endif
 };
 
+float spin_form(vec4 form, vec3 n) { return form.x + form.y * n.x + form.z * n.z; }
+
 // n: unit look direction along (e_r, e_theta, e_phi). Every constant is a product or a sum that keeps its digits.
 SpinRay spin_ray(vec3 n) {
     SpinRay ray;
     ray.a = frame.spin_hole.x;
     ray.outer = frame.spin_hole.z;
     ray.inner = frame.spin_hole.w;
-    ray.energy = frame.spin_rows.x + frame.spin_rows.y * n.z;
-    float w = frame.spin_rows.z + frame.spin_rows.w * n.z;        // L/sin - a E sin
-    float p_theta = frame.spin_scale.x * n.y;
-    float across = frame.spin_scale.y * n.z;                      // L/sin
+    ray.energy = spin_form(frame.spin_energy, n);
+    float w = frame.spin_across.w + frame.spin_climb.w * n.z;     // L/sin - a E sin
+    float p_theta = frame.spin_energy.w * n.y;
+    float across = spin_form(frame.spin_across, n);               // L/sin
     ray.momentum = across * frame.spin_place.x;
     ray.a2e2 = frame.spin_hole.y * ray.energy * ray.energy;
     ray.k = p_theta * p_theta + w * w;
@@ -54,19 +59,30 @@ SpinState spin_start(SpinRay ray, vec3 n) {
     float cosine = frame.spin_place.y;
     float c = frame.spin_place.z;
     float s = frame.spin_place.w;
-    float p_theta = frame.spin_scale.x * n.y;
-    float across = frame.spin_scale.y * n.z;
+    float p_theta = frame.spin_energy.w * n.y;
+    float across = spin_form(frame.spin_across, n);
     SpinState at;
     at.y = vec4(sine * c, sine * s, cosine, frame.shift.y);
-    at.v = vec4(p_theta * cosine * c - across * s, p_theta * cosine * s + across * c, -p_theta * sine, -frame.spin_scale.z * n.x);
+    at.v = vec4(p_theta * cosine * c - across * s, p_theta * cosine * s + across * c, -p_theta * sine, spin_form(frame.spin_climb, n));
     at.f = spin_force(ray, at.y);
     at.psi = 0.0;
-    at.drag = spin_drag(ray, at.y.w);
+#ifdef EFFECT_SPIN_FALL
+    at.ingoing = ingoing_stays(ray, at.y.w, at.v.w);
+    at.psi = at.ingoing ? 0.0 : -frame.spin_turn.x;
+#endif
+    at.drag = spin_turning_at(ray, at);
     return at;
 }
 
 // g: the camera's frequency over that at infinity.
-float g_of(Trace trace) { return trace.doppler; }
+float g_of(Trace trace) { return trace.doppler / max(trace.energy, 1.0e-6); }
+
+// A ray ends at the sky, and at the horizon once it has been outside of it.
+bool spin_goes(float zeta, float end, int left, bool outside) { return zeta > 0.0 && (zeta < end || !outside) && left > 0; }
+
+#ifdef METHOD_KERR_SCHILD
+vec4 kerr_schild_march(SpinRay ray, vec3 n);   // method/kerr_schild.glsl
+#endif
 
 // pixel: px from the image centre, x to the right, y up.
 Trace trace_pixel(vec2 pixel) {
@@ -83,13 +99,26 @@ Trace trace_pixel(vec2 pixel) {
     trace.pixel_angle *= seen.squeeze;
 #endif
     SpinRay ray = spin_ray(n);
-    SpinState now = spin_start(ray, n);
     trace.energy = -ray.energy;
     trace.momentum = -ray.momentum;
-    trace.doppler = doppler / max(trace.energy, 1.0e-6);
+    trace.doppler = doppler;
+#ifdef METHOD_KERR_SCHILD
+    vec4 marched = kerr_schild_march(ray, n);
+    trace.steps = int(abs(marched.w));
+    trace.escapes = marched.w > 0.0;
+    trace.lost = false;
+    trace.sky = trace.escapes ? vec3(marched.x, marched.y, marched.z) : -n;
+#else
+    SpinState now = spin_start(ray, n);
     float end = 1.0 / ray.outer;
     int left = SPIN_MOST_STEPS;
     bool going = true;
+#ifdef EFFECT_SPIN_FALL
+    bool outside = frame.shift.y * ray.outer < 1.0;
+    bool ours = outside || ray.a * ray.momentum > ray.energy * ray.outer;   // of the photon: E (r_+^2 + a^2) > a L
+#else
+    bool outside = true;
+#endif
 #ifdef EFFECT_DISC
     trace.crossings = 0;
     SpinCrossing none;
@@ -118,10 +147,16 @@ Trace trace_pixel(vec2 pixel) {
                 taken = h;
                 crossed = true;
             }
-            going = now.y.w > 0.0 && now.y.w < end && left > 0;
+#ifdef EFFECT_SPIN_FALL
+            outside = outside || now.y.w < end;
+#endif
+            going = spin_goes(now.y.w, end, left, outside);
         } while (going && !crossed);
-        going = now.y.w > 0.0 && now.y.w < end && left > 0;
+        going = spin_goes(now.y.w, end, left, outside);
         SpinCrossing crossing = spin_crossing(ray, from, to, taken);
+#ifdef EFFECT_SPIN_FALL
+        crossed = crossed && ours;
+#endif
         if (crossed && crossing.r > ray.outer && crossing.r < SPIN_FARTHEST) {
             if (trace.crossings == 0) trace.crossing_0 = crossing;
             if (trace.crossings == 1) trace.crossing_1 = crossing;
@@ -134,16 +169,20 @@ Trace trace_pixel(vec2 pixel) {
     do {
         now = spin_step(ray, now, spin_stride(ray, now, left));
         --left;
-        going = now.y.w > 0.0 && now.y.w < end && left > 0;
+#ifdef EFFECT_SPIN_FALL
+        outside = outside || now.y.w < end;
+#endif
+        going = spin_goes(now.y.w, end, left, outside);
     } while (going);
 #endif
     trace.steps = SPIN_MOST_STEPS - left;
-    trace.escapes = now.y.w <= 0.0;
+    trace.escapes = now.y.w <= 0.0 && trace.energy > 0.0;
     trace.lost = now.y.w > 0.0 && now.y.w < end;
     SpinState sky = spin_to_sky(ray, now);
     float c = cos(sky.psi);
     float s = sin(sky.psi);
     trace.sky = trace.escapes ? vec3(c * sky.y.x - s * sky.y.y, s * sky.y.x + c * sky.y.y, sky.y.z) : -n;
+#endif
 #ifdef NEEDS_FOOTPRINT
     vec3 right = dFdx(trace.sky);
     vec3 up = dFdy(trace.sky);

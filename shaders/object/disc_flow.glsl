@@ -17,9 +17,8 @@ DiscFlow disc_flow(Trace trace, DiscCrossing crossing) {
     vec4 high = disc_flow_fetch(i + 1);
     vec4 flow = low + (x - float(i)) * (high - low);
 #ifdef EFFECT_SPIN
-    float inverse_energy = 1.0 / max(trace.energy, 1.0e-6);
-    float momentum = trace.momentum * inverse_energy;
-    float radial = crossing.climb * inverse_energy;
+    // By frequencies, not by ratios to E: light may reach a camera in the hole with an energy below 0.
+    float frequency = trace.energy * flow.y - trace.momentum * flow.z - crossing.climb * flow.w;
 #else
     vec3 normal = vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z);
     float inverse_v = 1.0 / q_sine(trace.c);
@@ -28,6 +27,11 @@ DiscFlow disc_flow(Trace trace, DiscCrossing crossing) {
 #endif
     DiscFlow result;
     result.heat = flow.x;
+#ifdef EFFECT_SPIN
+    result.g = trace.doppler / max(frequency, 1.0e-6);
+    return result;
+#else
     result.g = g_of(trace) / max(flow.y - momentum * flow.z - radial * flow.w, 1.0e-6);
     return result;
+#endif
 }

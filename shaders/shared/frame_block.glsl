@@ -104,11 +104,13 @@ struct FrameData {
 #endif
 #ifdef BLOCK_SPIN
     // Of a spinning hole (core/spin_trace.glsl): look directions, motion and ray_0, ray_x, ray_y are then along (e_r, e_theta, e_phi) of
-    // the camera at rest here. Forms of the tangent of the ray traced backward, for unit frequency in that camera; n: look direction.
+    // the observer's own frame. Forms of the tangent of the ray traced backward, for unit frequency in that frame; n: look direction.
     vec4 spin_hole;    // a, a^2, radii of the outer and of the inner horizon
-    vec4 spin_rows;    // E = x + y n_phi; L/sin(theta) - a E sin(theta) = z + w n_phi
-    vec4 spin_scale;   // p_theta = x n_theta; L/sin(theta) = y n_phi; d zeta/d tau = -z n_r; 0
+    vec4 spin_energy;  // E = x + y n_r + z n_phi; p_theta = w n_theta
+    vec4 spin_across;  // L/sin(theta) = x + y n_r + z n_phi; of L/sin(theta) - a E sin(theta) = w + (spin_climb.w) n_phi
+    vec4 spin_climb;   // d zeta/d tau = x + y n_r + z n_phi
     vec4 spin_place;   // sin(theta), cos(theta) (exactly 0 in the equatorial plane), cos(phi), sin(phi)
+    vec4 spin_turn;    // ingoing azimuth less Boyer and Lindquist's at the camera (0 inside the horizon), a over the horizons' distance; 0, 0
 #endif
 #ifdef BLOCK_SIDES
     vec4 throat;       // radius of a wormhole's throat, mu of table/throat_orbit.h, 0, 0

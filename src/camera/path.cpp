@@ -31,6 +31,9 @@ Result<CameraPath> CameraPath::make(const Scene& scene) {
     auto line = Worldline::make(*spacetime, scene.camera, wanted > 0 ? wanted : kLongest);
     if (!line) return line.error();
     path.duration_ = wanted > 0 ? wanted : line->last();
+    // What keeps its look keeps it in the frame of what falls: at the first frame the one that it has at rest or on an orbit.
+    const CameraSpec first = line->at(0);
+    path.start_.yaw = first.yaw, path.start_.pitch = first.pitch, path.start_.roll = first.roll;
     path.line_ = std::move(*line);
     return path;
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "scene/observer.h"
+#include "spacetime/spin_frame.h"
 
 namespace nullscope {
 namespace {
@@ -116,29 +117,76 @@ Result<TetradPair> camera_tetrad_pair(const Spacetime& spacetime, const CameraSp
     return as_pair(rows);
 }
 
-Matrix4 ingoing_metric(const Spacetime& spacetime, double r, double theta) {
-    const double across = spacetime.areal_radius(r), sine = std::sin(theta);
+Matrix4 ingoing_hat_metric(const Spacetime& spacetime, double r, double theta) {
     Matrix4 g{};
-    g[0][0] = -spacetime.lapse_squared(r);
     g[0][1] = g[1][0] = 1.0;
-    g[2][2] = across * across;
-    g[3][3] = across * across * sine * sine;
+    if (spacetime.spin() != 0.0) {
+        const SpinPlace p = spin_place(spacetime, r, theta);
+        const double drag = p.a * p.sine;
+        g[0][0] = r / p.sigma - 1.0;
+        g[0][3] = g[3][0] = -drag * r / p.sigma;
+        g[1][3] = g[3][1] = -drag;
+        g[2][2] = p.sigma;
+        g[3][3] = p.across + drag * drag * r / p.sigma;
+        return g;
+    }
+    const double across = spacetime.areal_radius(r);
+    g[0][0] = -spacetime.lapse_squared(r);
+    g[2][2] = g[3][3] = across * across;
+    return g;
+}
+
+Matrix4 ingoing_metric(const Spacetime& spacetime, double r, double theta) {
+    Matrix4 g = ingoing_hat_metric(spacetime, r, theta);
+    for (std::size_t i = 0; i < 4; ++i) g[i][3] *= std::sin(theta), g[3][i] *= std::sin(theta);
     return g;
 }
 
 Result<TetradPair> ingoing_tetrad_pair(const Spacetime& spacetime, const CameraSpec& camera) {
     if (Result<Done> ok = check_place(camera); !ok) return ok.error();
+    Result<TetradPair> pair = ingoing_hat_pair(spacetime, camera);
+    if (!pair) return pair;
+    const long double sine = std::sin(camera.theta);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const long double phi = (static_cast<long double>(pair->high[i][3]) + pair->low[i][3]) / sine;
+        pair->high[i][3] = static_cast<double>(phi);
+        pair->low[i][3] = static_cast<double>(phi - pair->high[i][3]);
+    }
+    return pair;
+}
+
+namespace {
+
+// e_0 to e_3 of spacetime/spin_frame.h, moved along e_3 by the swirl.
+TetradPair spinning_hat_pair(const Spacetime& spacetime, const CameraSpec& camera, const Observer& observer) {
+    const SpinPlace p = spin_place(spacetime, camera.r, camera.theta);
+    const long double out = observer.frame.outward, in = p.delta / (p.sigma * out), v = observer.swirl;
+    const long double root = std::sqrt(static_cast<long double>(p.sigma)), gamma = 1.0L / std::sqrt((1.0L - v) * (1.0L + v)), drag = static_cast<long double>(p.a) * p.sine;
+    LongRows rows = rows_along_frame(observer.turn * static_from_camera(camera), observer.velocity);
+    for (auto& row : rows) {
+        const long double t = gamma * (row[0] + v * row[3]), r = row[1], theta = row[2], phi = gamma * (row[3] + v * row[0]);
+        const long double l = (t + r) / (p.sigma * out);   // of (r^2 + a^2) d_v + a sin d_phi/sin + Delta/2 d_r
+        row = {p.across * l + drag * phi / root, 0.5L * (out * (r - t) + in * (r + t)), theta / root, drag * l + phi / root};
+    }
+    return as_pair(rows);
+}
+
+}  // namespace
+
+Result<TetradPair> ingoing_hat_pair(const Spacetime& spacetime, const CameraSpec& camera) {
+    if (Result<Done> ok = check_speed(camera); !ok) return ok.error();
     const auto observer = observer_of(spacetime, camera);
     if (!observer) return observer.error();
+    if (spacetime.spin() != 0.0) return spinning_hat_pair(spacetime, camera, *observer);
     const long double o = observer->frame.outward, i = static_cast<long double>(spacetime.lapse_squared(camera.r)) / o;
-    const long double across = spacetime.areal_radius(camera.r), sine = std::sin(camera.theta);
+    const long double across = spacetime.areal_radius(camera.r);
     LongRows rows = rows_along_frame(observer->turn * static_from_camera(camera), observer->velocity);
     for (auto& [t, r, theta, phi] : rows) {
         const long double v = (t + r) / o;
         r = 0.5L * (o * (r - t) + i * (r + t));   // -w t + eps r
         t = v;
         theta /= across;
-        phi /= across * sine;
+        phi /= across;
     }
     return as_pair(rows);
 }

@@ -4,19 +4,20 @@
 
 namespace nullscope {
 
-SpinForms spin_forms(const Spacetime& spacetime, double r, double theta) {
-    const double a = spacetime.spin(), outer = *spacetime.horizon_radius(), sine = std::sin(theta), cosine = std::cos(theta);
-    const double delta = (r - outer) * (r - a * a / outer), sigma = r * r + a * a * cosine * cosine, across = r * r + a * a;
-    const double root = std::sqrt(delta), v = a * sine * root / across, gamma = 1.0 / std::sqrt((1.0 - v) * (1.0 + v));
-    const double stretch = gamma * std::sqrt(sigma);
+// The photon has (1, -n) along the camera's frame and (gamma (1 - v n_phi), -n_r, -n_theta, gamma (v - n_phi)) = (k0, k1, k2, k3) along the one
+// that it moves in. There E = energy k0 - infall k1 + (a sin/root) k3, L/sin - a E sin = root k3, p_theta = root k2 and
+// Sigma dr/dlambda = Sigma (energy k1 - infall k0), root = sqrt(Sigma).
+SpinForms spin_forms(const SpinPlace& p, const SpinFrame& frame) {
+    const double v = frame.swirl, gamma = 1.0 / std::sqrt((1.0 - v) * (1.0 + v)), root = std::sqrt(p.sigma);
+    const double energy = frame.radial.energy(), infall = frame.radial.infall(), drag = p.a * p.sine, girth = p.across / root;
+    const double scale = p.sigma / (p.r * p.r);
     SpinForms forms;
-    forms.energy = -gamma * root * std::sqrt(sigma) / across;          // minus the lapse
-    forms.energy_slope = gamma * a * sine * r / (across * std::sqrt(sigma));   // (1 - Delta/(r^2 + a^2)) = r/(r^2 + a^2)
-    forms.carter = stretch * v;
-    forms.carter_slope = stretch;
-    forms.p_theta = std::sqrt(sigma);
-    forms.momentum = std::sqrt(across + a * a * r * sine * sine / sigma);
-    forms.zeta_slope = root * std::sqrt(sigma) / (r * r);
+    forms.energy = {-gamma * (energy + drag / root * v), -infall, gamma * (energy * v + drag / root)};
+    forms.across = {-gamma * (drag * energy + girth * v), -drag * infall, gamma * (drag * energy * v + girth)};
+    forms.climb = {-scale * gamma * infall, -scale * energy, scale * gamma * infall * v};
+    forms.carter = -gamma * root * v;
+    forms.carter_slope = gamma * root;
+    forms.p_theta = root;
     return forms;
 }
 

@@ -1,18 +1,21 @@
-// The camera at rest about a spinning hole, without angular momentum: what a look direction n along its (e_r, e_theta, e_phi) gives for
-// the tangent of the ray traced backward, per unit of frequency there. Lengths in r_s.
-//     E = energy + energy_slope n_phi                          (minus the photon's)
-//     L/sin(theta) = momentum n_phi,   L/sin(theta) - a E sin(theta) = carter + carter_slope n_phi,   p_theta = p_theta n_theta
-//     d(1/r)/d tau = -zeta_slope n_r                           (tau: Mino's time)
-// Carter's frame, in which both are linear without a difference, moves at v = a sin(theta) sqrt(Delta)/(r^2 + a^2) in this one.
+// The camera about a spinning hole: what a look direction n along its frame's (e_r, e_theta, e_phi) gives for the tangent of the ray traced
+// backward, per unit of frequency there. Every one is a linear form of n, formed here in double (the photon's have the other sign):
+//     E, L/sin(theta) and d(1/r)/d tau (tau: Mino's time) = constant + radial n_r + around n_phi,
+//     L/sin(theta) - a E sin(theta) = carter + carter_slope n_phi,   p_theta = p_theta n_theta.
+// Nothing is divided by Delta or sin(theta): they hold on the horizon, inside it, and on the axis. Lengths in r_s.
 #pragma once
-#include "spacetime/spacetime.h"
+#include "spacetime/spin_frame.h"
 
 namespace nullscope {
 
-struct SpinForms {
-    double energy, energy_slope, carter, carter_slope, p_theta, momentum, zeta_slope;
+struct SpinForm {
+    double constant, radial, around;
+    double of(double n_r, double n_phi) const { return constant + radial * n_r + around * n_phi; }
 };
-// r outside the horizon; any theta.
-SpinForms spin_forms(const Spacetime& spacetime, double r, double theta);
+struct SpinForms {
+    SpinForm energy, across, climb;
+    double carter, carter_slope, p_theta;
+};
+SpinForms spin_forms(const SpinPlace& place, const SpinFrame& frame);
 
 }  // namespace nullscope

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/lorentz.h"
+#include "camera/dormand_prince.h"
 #include "camera/pose.h"
 #include "scene/observer.h"
 
@@ -14,16 +15,6 @@ constexpr double kTolerance = 1e-13;      // of a step, relative to what it acts
 constexpr double kNearest = 5e-4;         // r_s: the last picture before the singularity, 7e-6 r_s/c before the end
 constexpr double kStill = 1e-11;          // c: a boost that is rounding alone calls for no aberration, and turns directions by less than any pixel
 constexpr std::size_t kMostNodes = 1000000;
-
-// Dormand and Prince, J. Comp. Appl. Math. 6, 19 (1980): order 5, with the error of an embedded order 4.
-constexpr double kA[7][6] = {{},
-                             {1. / 5},
-                             {3. / 40, 9. / 40},
-                             {44. / 45, -56. / 15, 32. / 9},
-                             {19372. / 6561, -25360. / 2187, 64448. / 6561, -212. / 729},
-                             {9017. / 3168, -355. / 33, 46732. / 5247, 49. / 176, -5103. / 18656},
-                             {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84}};
-constexpr double kError[7] = {71. / 57600, 0, -71. / 16695, 71. / 1920, -17253. / 339200, 22. / 525, -1. / 40};
 
 double square(double x) { return x * x; }
 
@@ -83,26 +74,26 @@ Worldline::State Worldline::slope(const State& s) const {
 }
 
 Worldline::State Worldline::step(const State& s, double h, double& error) const {
-    std::array<State, 7> k{};
-    State next = s;
-    for (int i = 0; i < 7; ++i) {
-        next = s;
-        for (int j = 0; j < i; ++j)
-            for (std::size_t n = 0; n < kSize; ++n) next[n] += h * kA[i][j] * k[static_cast<std::size_t>(j)][n];
-        k[static_cast<std::size_t>(i)] = slope(next);
-    }
+    State wrong{};
+    const State next = dormand_prince(s, h, [this](const State& at) { return slope(at); }, wrong);
     error = 0;
     for (std::size_t n = 0; n < kSize; ++n) {
-        double wrong = 0;
-        for (int i = 0; i < 7; ++i) wrong += kError[i] * k[static_cast<std::size_t>(i)][n];
         const double scale = n == 0 ? std::max(std::fabs(s[0]), 1e-9) : std::max(std::fabs(s[n]), 1.0);
-        error = std::max(error, std::fabs(h * wrong) / scale);
+        error = std::max(error, std::fabs(wrong[n]) / scale);
     }
     return next;
 }
 
 Result<Worldline> Worldline::make(std::shared_ptr<const Spacetime> spacetime, const CameraSpec& start, double duration) {
-    if (spacetime->spin() != 0.0) return bad_input("no camera is let go about a hole that spins yet; allowed: path.kind = \"keys\", or spin = 0");
+    if (spacetime->spin() != 0.0) {
+        auto spun = SpinWorldline::make(std::move(spacetime), start, duration);
+        if (!spun) return spun.error();
+        Worldline line;
+        line.energy_ = spun->energy(), line.last_ = line.end_time_ = spun->last(), line.horizon_time_ = spun->horizon_time();
+        line.end_ = spun->reaches_inner_horizon() ? WorldlineEnd::kSurface : WorldlineEnd::kOpen;
+        line.spun_ = std::make_shared<const SpinWorldline>(std::move(*spun));
+        return line;
+    }
     const auto observer = observer_of(*spacetime, start);
     if (!observer) return observer.error();
     Worldline line;
@@ -158,7 +149,7 @@ void Worldline::run(double duration) {
                 break;
             }
         }
-        h *= std::isfinite(error) ? std::clamp(0.9 * std::pow(kTolerance / std::max(error, 1e-30), 0.2), 0.2, 4.0) : 0.2;
+        h *= next_step_factor(error / kTolerance);
     }
     last_ = end_time_ = nodes_.back().tau;
     if (end_ == WorldlineEnd::kOpen) return;
@@ -205,6 +196,7 @@ Worldline::State Worldline::state_at(double tau) const {
 }
 
 CameraSpec Worldline::at(double tau) const {
+    if (spun_) return spun_->at(tau);
     const State s = state_at(tau);
     const double a = spacetime_->lapse_squared(s[0]), radius = spacetime_->areal_radius(s[0]), co = std::cos(s[2]), si = std::sin(s[2]);
     CameraSpec camera = without_motion(start_, a);

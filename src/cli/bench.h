@@ -15,6 +15,7 @@ Command add_bench_accuracy(CLI::App& bench);
 Command add_bench_hard(CLI::App& bench);
 Command add_bench_soak(CLI::App& bench);
 Command add_bench_metrics(CLI::App& bench);
+Command add_bench_spin(CLI::App& bench);
 
 inline double process_seconds() {
     timespec t{};

@@ -89,6 +89,11 @@ const std::vector<Added>& additions() {
         {Effect::kSkyPattern, nothing, [](Scene& s) { s.sky.kind = SkyKind::kPlain; }},
         {Effect::kInner, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }, dark_wormhole},
         {Effect::kSpin, nothing, [](Scene& s) { s.spacetime.metric = "kerr"; }},
+        {Effect::kSpinFall, [](Scene& s) { s.spacetime.metric = "kerr"; },
+         [](Scene& s) {
+             s.spacetime.metric = "kerr";
+             s.camera.observer = ObserverKind::kRain;
+         }},
         {Effect::kBounce, [](Scene& s) { s.spacetime.metric = "schwarzschild"; },
          [](Scene& s) {
              s.spacetime = {"reissner-nordstrom", {{"charge", 1.2}}};

@@ -272,7 +272,7 @@ Command add_capture(CLI::App& parent) {
     app->add_option("--renderer", options->renderer, "gl: the shader; reference: the double-precision tracer, slow")
         ->check(CLI::IsMember({"gl", "reference"}))->capture_default_str();
     app->add_option("--method", options->method, "How the shader traces: auto (see --max-error), strip, table[:SIZE[:LOOKUP]], closed-form, "
-                    "integrate[:ORDER[:STEP]], euler:STEPS")->capture_default_str();
+                    "integrate[:ORDER[:STEP]], euler:STEPS; of a spinning hole's sky kerr-schild:STEP")->capture_default_str();
     app->add_option("--max-error", options->max_error, fmt::format("auto: the cheapest method whose measured error stays under this many pixels "
                     "(default {}, and the most exact method where the pixels are too small to be sure of that)", kDefaultMaxError_px))
         ->check(CLI::Range(1e-12, 1e6));

@@ -35,7 +35,8 @@ std::optional<Start> start_of(const RayQuery& query, const Spacetime& spacetime)
     const double r = query.orbit ? (by_length ? query.orbit->zeta0 : 1.0 / query.orbit->zeta0) : query.r;
     if (std::fabs(r) > kFarthestCamera) return std::nullopt;
     const bool rests = camera_can_rest(spacetime, r), falls = query.orbit ? !rests : query.frame == LocalFrame::kRain;
-    const ObserverKind observer = falls ? ObserverKind::kRain : ObserverKind::kStatic;
+    const ObserverKind rest = spacetime.spin() != 0.0 ? ObserverKind::kZamo : ObserverKind::kStatic;   // as the reference has it
+    const ObserverKind observer = falls ? ObserverKind::kRain : rest;
     CameraSpec there;
     there.r = r, there.observer = observer;
     if (!observer_of(spacetime, there)) return std::nullopt;

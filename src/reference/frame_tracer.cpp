@@ -37,9 +37,10 @@ using Tetrad = std::array<std::array<long double, 4>, 4>;   // rows e_0, right, 
 // e_0 = (1/(1+w), -w), e_1 = (1/(1+w), 1) of (v, r), or the static one (1/s, 0), (1/s, s), s = sqrt(A), the metric
 // -A dv^2 + 2 dv dr gives those of (p^v, p^r).
 Result<Tetrad> local_tetrad(const Spacetime& spacetime, CameraSpec camera, bool from_rain) {
-    camera.theta = M_PI / 2;
+    const bool spins = spacetime.spin() != 0;
+    if (!spins) camera.theta = M_PI / 2;
     const bool rests = camera.observer == ObserverKind::kStatic;
-    const auto pair = rests ? camera_rows_pair(camera) : ingoing_tetrad_pair(spacetime, camera);
+    const auto pair = spins ? ingoing_hat_pair(spacetime, camera) : rests ? camera_rows_pair(camera) : ingoing_tetrad_pair(spacetime, camera);
     if (!pair) return pair.error();
     const double lapse2 = spacetime.lapse_squared(camera.r), radius = spacetime.areal_radius(camera.r);
     const long double w = std::sqrt(static_cast<long double>(std::fmax(1 - lapse2, 0))), s = std::sqrt(static_cast<long double>(std::fmax(lapse2, 0)));
@@ -47,7 +48,7 @@ Result<Tetrad> local_tetrad(const Spacetime& spacetime, CameraSpec camera, bool 
     for (std::size_t i = 0; i < 4; ++i) {
         auto& row = tetrad[i];
         for (std::size_t mu = 0; mu < 4; ++mu) row[mu] = static_cast<long double>(pair->high[i][mu]) + pair->low[i][mu];
-        if (rests) continue;
+        if (rests || spins) continue;
         const long double v = row[0], r = row[1];
         if (from_rain) row[0] = v - r / (1 + w), row[1] = w * v + r / (1 + w);
         else row[0] = s * v - r / s, row[1] = r / s;
@@ -121,11 +122,10 @@ CameraRay FrameTracer::ray(double x, double y) const {
         for (int mu = 0; mu < 4; ++mu) p[mu] -= n[i] * tetrad_[i + 1][mu];
     }
     if (metric_->spin() != 0) {
-        const KerrStart start{camera_.r, camera_.theta, camera_.phi,
-                              {static_cast<double>(-p[1]), static_cast<double>(-p[2]), static_cast<double>(-p[3])}};
-        KerrRay traced = trace_kerr(metric_->spin(), start, disc_ ? kMostCrossings : 0);
+        const double azimuth = camera_.phi + (falls(camera_) ? 0 : kerr_azimuth_ahead(metric_->spin(), camera_.r));
+        KerrRay traced = trace_kerr(metric_->spin(), KerrPhoton{camera_.r, camera_.theta, azimuth, p}, disc_ ? kMostCrossings : 0);
         const double g = 1 / traced.energy, l_z = traced.l_z;
-        return {nullptr, RayPlane(camera_.theta, camera_.phi, start.look), Shift{1, g}, g, l_z, 0, std::move(traced)};
+        return {nullptr, RayPlane(camera_.theta, camera_.phi, {1, 0, 0}), Shift{1, g}, g, l_z, 0, std::move(traced)};
     }
     // The photon is null: its frequency in the local frame is the length of its spatial part.
     const long double across = std::sqrt(p[2] * p[2] + p[3] * p[3]),

@@ -72,7 +72,7 @@ private:
     bool from_rain_ = false;   // the local frame is the rain frame
     // Rows: e_0, right, up, backward; components along the local tetrad (t, r, theta, phi). In long double because
     // ahead of a camera with gamma = 700 the sum e_0 - n^i e_i leaves 1/gamma^2 of its terms.
-    // Without aberration that of a camera at rest.
+    // Without aberration that of a camera at rest. About a spinning hole along d_v, d_r, d_theta, d_phi/sin(theta) of ingoing coordinates.
     std::array<std::array<long double, 4>, 4> tetrad_{};
     std::array<long double, 4> velocity_{};   // the camera's e_0, moving
 };

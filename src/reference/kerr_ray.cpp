@@ -72,46 +72,49 @@ double turned(double at, const State& from, const State& to, const State& slope)
     return turn;
 }
 
+// What is known of a photon where it is seen, or traced on from; `theta` and `climb` towards where it came from.
+struct Launch {
+    double r, theta;
+    double phi;            // Boyer and Lindquist's, or if `falls` the ingoing azimuth
+    bool falls;            // it fell in: traced as it is, otherwise its mirror image
+    double energy, l_over_sine, p_theta, climb;   // climb: Sigma dr/dlambda
+    double p_r;            // of the chart, of what is traced
+};
+
 class Path {
 public:
-    Path(double spin, const KerrStart& start);
+    Path(double spin, const Launch& launch);
     KerrRay trace(int most_crossings);
 
 private:
     void add_crossing(const State& before, double taken, KerrRay& ray) const;
     State stepped(const State& from, double length) const {
         State to = from;
-        Stepper().do_step([this](const State& s, State& d, double) { chart_.slope(energy_, s, d); }, to, 0.0, length);
+        Stepper().do_step([this](const State& s, State& d, double) { chart_.slope(sense_ * energy_, s, d); }, to, 0.0, length);
         return to;
     }
-    double boyer_lindquist(double chart_azimuth, double r) const { return phi_ - (chart_azimuth - chart_.ahead(r, root_)); }
+    double boyer_lindquist(double chart_azimuth, double r) const { return phi_ - sense_ * (chart_azimuth - chart_.ahead(r, root_)); }
+    double climbing(const State& s, const State& slope) const;
+    Launch mirrored() const;
 
     Chart chart_;
-    double root_, outer_, phi_, energy_, momentum_, scale_ = 1;
+    double spin_, root_, outer_, phi_, energy_, momentum_, scale_ = 1;
+    double sense_;     // 1: the mirror image, forward; -1: the photon itself, backward
     double azimuth_;   // in the chart, windings kept
     bool stays_ = false;
     State state_{};
 };
 
-Path::Path(double spin, const KerrStart& start)
-    : chart_{0.5 * spin}, root_(std::sqrt((1 - spin) * (1 + spin))), outer_(0.5 * (1 + root_)), phi_(start.phi) {
-    const double a = chart_.a, r = start.r, sine = std::sin(start.theta), cosine = std::cos(start.theta);
-    const double sigma = r * r + a * a * cosine * cosine, across = r * r + a * a, delta = (r - outer_) * (r - 0.5 * (1 - root_));
-    const double area = across * sigma + a * a * r * sine * sine;   // (r^2 + a^2)^2 - Delta a^2 sin^2
-    const double frequency = length(start.look);
-    const double lapse = std::sqrt(delta * sigma / area), drag = a * r / area, girth = std::sqrt(area / sigma);
-    const double l_over_sine = -girth * start.look.z;   // the photon runs against the look direction
-    momentum_ = l_over_sine * sine;
-    energy_ = lapse * frequency + drag * momentum_;
-    // The mirrored photon: energy and L_z of the real one, r and theta towards the look direction.
-    const double p_theta = std::sqrt(sigma) * start.look.y, y = std::sqrt(sigma * delta) * start.look.x;   // Delta p_r
-    const double x = energy_ * across - a * momentum_, w = l_over_sine - a * energy_ * sine;
-    const double carter = p_theta * p_theta + w * w;
-    // p_r of the chart: (x + y)/Delta - E, with x^2 - y^2 = Delta K.
-    const double p_r = (y < 0 ? carter / (x - y) : (x + y) / delta) - energy_;
+// The mirror image has the energy and L_z of the photon, and moves in r and theta towards where that came from. Traced backward the
+// photon has the opposite momentum.
+Path::Path(double spin, const Launch& launch)
+    : chart_{0.5 * spin}, spin_(spin), root_(std::sqrt((1 - spin) * (1 + spin))), outer_(0.5 * (1 + root_)), phi_(launch.phi), energy_(launch.energy),
+      momentum_(launch.l_over_sine * std::sin(launch.theta)), sense_(launch.falls ? -1 : 1) {
+    const double a = chart_.a, r = launch.r, sine = std::sin(launch.theta), cosine = std::cos(launch.theta);
+    const double l_over_sine = sense_ * launch.l_over_sine;
     // To Cartesian components: x + iy = (r + ia) sin(theta) e^{i psi}, psi = 0 at the camera but for what the chart is ahead.
-    const double psi = chart_.ahead(r, root_) - std::atan2(a, r), c = std::cos(psi), s = std::sin(psi);
-    azimuth_ = chart_.ahead(r, root_);
+    const double psi = launch.falls ? 0 : chart_.ahead(r, root_) - std::atan2(a, r), c = std::cos(psi), s = std::sin(psi);
+    azimuth_ = psi + std::atan2(a, r);
     const double height = std::abs(cosine) < kOnEquator ? 0.0 : cosine;
     state_[0] = (r * c - a * s) * sine;
     state_[1] = (r * s + a * c) * sine;
@@ -121,10 +124,81 @@ Path::Path(double spin, const KerrStart& start)
     const Vec3 by_psi{-(r * s + a * c), r * c - a * s, 0};   // over sine
     const Vec3 n0 = cross(by_theta, by_psi), n1 = cross(by_psi, by_r), n2 = cross(by_r, by_theta);
     const double volume = dot(by_r, n0);
-    const Vec3 p = (p_r * n0 + p_theta * n1 + l_over_sine * n2) / volume;
+    const Vec3 p = (launch.p_r * n0 + launch.p_theta * n1 + l_over_sine * n2) / volume;
     state_[3] = p.x, state_[4] = p.y, state_[5] = p.z;
     scale_ = std::max(1.0, r);
-    stays_ = height == 0.0 && std::abs(p_theta) < kStaysThere * std::abs(energy_);
+    stays_ = height == 0.0 && std::abs(launch.p_theta) < kStaysThere * std::abs(energy_);
+}
+
+// p_r of the chart of the mirror image, with x^2 - y^2 = Delta K, y = climb: (x + y)/Delta - E.
+double mirror_p_r(double a, double r, double delta, double sine, const Launch& l) {
+    const double x = l.energy * (r * r + a * a) - a * l.l_over_sine * sine, w = l.l_over_sine - a * l.energy * sine;
+    const double carter = l.p_theta * l.p_theta + w * w;
+    return (l.climb < 0 ? carter / (x - l.climb) : (x + l.climb) / delta) - l.energy;
+}
+
+double horizons_apart(double spin) { return std::sqrt((1 - spin) * (1 + spin)); }
+double delta_at(double spin, double r) {
+    const double root = horizons_apart(spin);
+    return (r - 0.5 * (1 + root)) * (r - 0.5 * (1 - root));
+}
+
+Launch launch_of(double spin, const KerrStart& start) {
+    const double a = 0.5 * spin, r = start.r, sine = std::sin(start.theta), cosine = std::cos(start.theta);
+    const double sigma = r * r + a * a * cosine * cosine, across = r * r + a * a, delta = delta_at(spin, r);
+    const double area = across * sigma + a * a * r * sine * sine;   // (r^2 + a^2)^2 - Delta a^2 sin^2
+    const double lapse = std::sqrt(delta * sigma / area), drag = a * r / area, girth = std::sqrt(area / sigma);
+    Launch l{};
+    l.r = r, l.theta = start.theta, l.phi = start.phi, l.falls = false;
+    l.l_over_sine = -girth * start.look.z;   // the photon runs against the look direction
+    l.energy = lapse * length(start.look) + drag * l.l_over_sine * sine;
+    l.p_theta = std::sqrt(sigma) * start.look.y, l.climb = std::sqrt(sigma * delta) * start.look.x;
+    l.p_r = mirror_p_r(a, r, delta, sine, l);
+    return l;
+}
+
+// Down with the metric of ingoing coordinates. What is traced outward fell in.
+Launch launch_of(double spin, const KerrPhoton& photon) {
+    const long double a = 0.5L * spin, r = photon.r, sine = std::sin(photon.theta), cosine = std::cos(photon.theta), drag = a * sine;
+    const long double sigma = r * r + a * a * cosine * cosine, hole = r / sigma;
+    const auto& [v, radial, theta, phi] = photon.p;
+    Launch l{};
+    l.r = photon.r, l.theta = photon.theta, l.phi = photon.phi;
+    l.energy = static_cast<double>((1 - hole) * v - radial + drag * hole * phi);
+    l.l_over_sine = static_cast<double>(-drag * hole * v - drag * radial + (r * r + a * a + drag * drag * hole) * phi);
+    l.p_theta = static_cast<double>(-sigma * theta), l.climb = static_cast<double>(-sigma * radial);
+    const double outer = 0.5 * (1 + horizons_apart(spin));
+    l.falls = l.climb >= 0 || photon.r <= outer;
+    if (l.falls) {
+        l.p_r = -(static_cast<double>(v - drag * phi) - l.energy);
+    } else {
+        l.phi -= kerr_azimuth_ahead(spin, photon.r);
+        l.p_r = mirror_p_r(0.5 * spin, photon.r, delta_at(spin, photon.r), std::sin(photon.theta), l);
+    }
+    return l;
+}
+
+// dr/dlambda of what is traced.
+double Path::climbing(const State& s, const State& slope) const {
+    const double a = chart_.a, r = chart_.radius(s), r2 = r * r, sum = r2 * r2 + a * a * s[2] * s[2];
+    return (s[0] * slope[0] + s[1] * slope[1]) * r2 * r / sum + s[2] * slope[2] * r * (r2 + a * a) / sum;
+}
+
+// Of a photon that was traced as it is and has turned: what its mirror image begins with here.
+Launch Path::mirrored() const {
+    const double a = chart_.a, r = chart_.radius(state_), cosine = state_[2] / r, across = r * r + a * a;
+    const double flat = std::hypot(state_[0], state_[1]), sine = flat / std::sqrt(across), sigma = r * r + a * a * cosine * cosine;
+    const double co = flat > 0 ? state_[0] / flat : 1, si = flat > 0 ? state_[1] / flat : 0, girth = std::sqrt(across);
+    State slope{};
+    chart_.slope(sense_ * energy_, state_, slope);
+    Launch l{};
+    l.r = r, l.theta = std::atan2(sine, cosine), l.falls = false, l.energy = energy_;
+    l.phi = boyer_lindquist(azimuth_, r);
+    l.p_theta = girth * cosine * (co * state_[3] + si * state_[4]) - r * sine * state_[5];
+    l.l_over_sine = sense_ * girth * (co * state_[4] - si * state_[3]);
+    l.climb = sigma * climbing(state_, slope);
+    l.p_r = mirror_p_r(a, r, delta_at(spin_, r), sine, l);
+    return l;
 }
 
 // The zero of z within the step: Newton's steps on its length, each taken whole from where the step began.
@@ -132,7 +206,7 @@ void Path::add_crossing(const State& before, double taken, KerrRay& ray) const {
     double low = 0, high = taken, at = 0;
     State there = before, d{};
     for (int i = 0; i < 60; ++i) {
-        chart_.slope(energy_, there, d);
+        chart_.slope(sense_ * energy_, there, d);
         double next = at - there[2] / d[2];
         if (!(next > low && next < high)) next = 0.5 * (low + high);
         const double move = std::abs(next - at);
@@ -141,13 +215,13 @@ void Path::add_crossing(const State& before, double taken, KerrRay& ray) const {
         ((there[2] > 0) == (before[2] > 0) ? low : high) = at;
         if (move <= 1e-15 * std::abs(at) || there[2] == 0) break;
     }
-    chart_.slope(energy_, there, d);
+    chart_.slope(sense_ * energy_, there, d);
     const double r = chart_.radius(there);
     if (!(r > outer_)) return;
     const double phi = boyer_lindquist(azimuth_ + turned(azimuth_, before, there, d), r);
-    // Sigma dr/dlambda = Delta p_r of the mirror image; the photon's own has the other sign. In the plane r dr = x dx + y dy.
-    const double climbing = (there[0] * d[0] + there[1] * d[1]) / r, delta = (r - outer_) * (r - 0.5 * (1 - root_));
-    ray.crossings.push_back({r, phi, -climbing * r * r / (delta * energy_)});
+    // Sigma dr/dlambda = Delta p_r of what is traced; the photon's own has the other sign.
+    const double delta = (r - outer_) * (r - 0.5 * (1 - root_));
+    ray.crossings.push_back({r, phi, -climbing(there, d) * r * r / (delta * energy_)});
 }
 
 KerrRay Path::trace(int most_crossings) {
@@ -156,7 +230,11 @@ KerrRay Path::trace(int most_crossings) {
     ray.energy = energy_;
     ray.l_z = momentum_ / energy_;
     auto stepper = boost::numeric::odeint::make_controlled(kStepTolerance, kStepTolerance, Stepper());
-    const auto system = [this](const State& s, State& d, double) { chart_.slope(energy_, s, d); };
+    const auto system = [this](const State& s, State& d, double) { chart_.slope(sense_ * energy_, s, d); };
+    ray.fate = chart_.radius(state_) > outer_ ? Fate::kCaptured : Fate::kNoSky;
+    // From inside, what does not come out through this horizon: E (r_+^2 + a^2) <= a L.
+    if (ray.fate == Fate::kNoSky && !(energy_ * outer_ > chart_.a * momentum_)) return ray;
+    bool outside = ray.fate == Fate::kCaptured;
     const double sky = std::max(kSky, 1e6 * scale_);
     double lambda = 0, length = 0.01 * scale_;
     for (int i = 0; i < kMostSteps; ++i) {
@@ -164,31 +242,40 @@ KerrRay Path::trace(int most_crossings) {
         const double from = lambda;
         if (stepper.try_step(system, state_, lambda, length) == controlled_step_result::fail) continue;
         State slope{};
-        chart_.slope(energy_, before, slope);
+        chart_.slope(sense_ * energy_, before, slope);
         const bool crossed = before[2] != 0 && (before[2] > 0) != (state_[2] > 0) && !stays_;
         if (crossed && static_cast<int>(ray.crossings.size()) < most_crossings) add_crossing(before, lambda - from, ray);
         azimuth_ += turned(azimuth_, before, state_, slope);
         const double r = chart_.radius(state_);
-        if (r <= outer_) {
-            ray.fate = Fate::kCaptured;
+        if (r <= outer_ && outside) return ray;
+        outside = outside || r > outer_;
+        chart_.slope(sense_ * energy_, state_, slope);
+        if (sense_ < 0 && outside && climbing(state_, slope) < 0) {   // on its way to the past horizon
+            KerrRay rest = Path(spin_, mirrored()).trace(most_crossings - static_cast<int>(ray.crossings.size()));
+            ray.crossings.insert(ray.crossings.end(), rest.crossings.begin(), rest.crossings.end());
+            if (rest.fate == Fate::kEscaped) ray.fate = rest.fate, ray.sky = rest.sky, ray.phi_inf = rest.phi_inf;
             return ray;
         }
         if (r < sky) continue;
-        ray.fate = Fate::kEscaped;
-        chart_.slope(energy_, state_, slope);   // the motion's direction, nearer to the sky's than the place's
+        ray.fate = Fate::kEscaped;   // the motion's direction, nearer to the sky's than the place's
         const double place = std::atan2(state_[1], state_[0]), motion = std::atan2(slope[1], slope[0]);
-        ray.phi_inf = phi_ - (azimuth_ + std::remainder(motion - place, 2 * M_PI));
+        ray.phi_inf = phi_ - sense_ * (azimuth_ + std::remainder(motion - place, 2 * M_PI));
         const double flat = std::hypot(slope[0], slope[1]), all = std::hypot(flat, slope[2]);
         ray.sky = {flat / all * std::cos(ray.phi_inf), flat / all * std::sin(ray.phi_inf), slope[2] / all};
         return ray;
     }
-    ray.fate = Fate::kCaptured;   // still winding: closer to the critical ray than a double can tell
-    return ray;
+    return ray;   // still winding: closer to the critical ray than a double can tell
 }
 
 }  // namespace
 
-KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings) { return Path(spin, start).trace(most_crossings); }
+KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings) { return Path(spin, launch_of(spin, start)).trace(most_crossings); }
+KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings) { return Path(spin, launch_of(spin, photon)).trace(most_crossings); }
+
+double kerr_azimuth_ahead(double spin, double r) {
+    const Chart chart{0.5 * spin};
+    return chart.ahead(r, horizons_apart(spin)) - std::atan2(chart.a, r);
+}
 
 namespace {
 

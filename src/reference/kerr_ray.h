@@ -1,9 +1,11 @@
 // Light in Kerr by Hamilton's equations in Cartesian Kerr-Schild coordinates, step by step at a tight tolerance: no Mino time, no
 // constant of Carter, no polynomial of 1/r, which is what the shader works with.
 //
-// A ray that is traced backward leaves the hole's past horizon, where the ingoing chart is singular. Its mirror image under
-// (t, phi) -> (-t, -phi) is a photon that falls in: that one is traced, forward, and its azimuths are turned over.
+// A ray that is traced backward and inward leaves the hole's past horizon, where the ingoing chart is singular. Its mirror image under
+// (t, phi) -> (-t, -phi) is a photon that falls in: that one is traced, forward, and its azimuths are turned over. One that is traced
+// outward has fallen in where the chart is regular, and is traced as it is, through the horizon if the camera is inside.
 #pragma once
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -18,6 +20,15 @@ struct KerrStart {
     double r, theta, phi;   // Boyer and Lindquist, r_s; outside the horizon
     Vec3 look;              // towards where the photon comes from, times its frequency: components along e_r, e_theta, e_phi
 };
+
+// A photon at a camera anywhere outside the inner horizon, by components in ingoing coordinates along d_v, d_r, d_theta and
+// d_phi~/sin(theta). phi: that azimuth (spacetime/spin_frame.h).
+struct KerrPhoton {
+    double r, theta, phi;
+    std::array<long double, 4> p;
+};
+// The same, less Boyer and Lindquist's; r outside the horizon.
+double kerr_azimuth_ahead(double spin, double r);
 
 struct KerrRay {
     Fate fate = Fate::kNoSky;
@@ -34,6 +45,7 @@ struct KerrRay {
 
 // spin: a/M, [0, 1). Where rays are, within some 1e-12 r_s times what the ray makes of a change at its start. About 0.3 ms.
 KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings);
+KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings);
 
 // What else the tracer asks of the metric; without spin, Schwarzschild's orbits.
 std::unique_ptr<OrbitMetric> make_kerr_metric(const SpacetimeSpec& spec);

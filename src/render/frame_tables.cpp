@@ -124,14 +124,16 @@ void put_coats(BlockWriter& block, const Scene& scene) {
     put_look(block, dome);
 }
 
-void put_spin(BlockWriter& block, const CameraSpec& camera, const Spacetime& spacetime) {
-    const SpinForms forms = spin_forms(spacetime, camera.r, camera.theta);
-    const double a = spacetime.spin(), outer = *spacetime.horizon_radius();
-    block.put(a, a * a, outer, a * a / outer);
-    block.put(forms.energy, forms.energy_slope, forms.carter, forms.carter_slope);
-    block.put(forms.p_theta, forms.momentum, forms.zeta_slope, 0);
+void put_spin(BlockWriter& block, const CameraSpec& camera, const Spacetime& spacetime, const Observer& observer) {
+    const SpinForms forms = spin_forms(spin_place(spacetime, camera.r, camera.theta), {observer.frame, observer.swirl});
+    const double a = spacetime.spin(), outer = *spacetime.horizon_radius(), inner = inner_horizon(spacetime);
+    block.put(a, a * a, outer, inner);
+    block.put(forms.energy.constant, forms.energy.radial, forms.energy.around, forms.p_theta);
+    block.put(forms.across.constant, forms.across.radial, forms.across.around, forms.carter);
+    block.put(forms.climb.constant, forms.climb.radial, forms.climb.around, forms.carter_slope);
     const double height = std::cos(camera.theta);
     block.put(std::sin(camera.theta), std::fabs(height) < kInPlane ? 0.0 : height, std::cos(camera.phi), std::sin(camera.phi));
+    block.put(camera.r > outer ? azimuth_ahead(spacetime, camera.r) : 0.0, a / (outer - inner), 0, 0);
 }
 
 // Factor on the light of a sky of this temperature, where g is the same over all of it; for a moving camera one over the colour that
@@ -241,6 +243,7 @@ CoreInput FrameTables::core_input(const Scene& scene) const {
     input.delay = orbit_map_.delays.view();
     input.lensing = effects_.contains(Effect::kLensing);
     input.spin = effects_.contains(Effect::kSpin);
+    input.spin_fall = effects_.contains(Effect::kSpinFall);
     input.aberration = effects_.contains(Effect::kAberration);
     return input;
 }
@@ -318,8 +321,8 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     put_bodies(block, scene, spacetime, fan, ball_path);
     put_coats(block, scene);
     for (const auto& row : moving_numbers(scene, spacetime, matter, ball_path)) block.put(row[0], row[1], row[2], row[3]);
-    if (spins) put_spin(block, camera, spacetime);
-    else for (int i = 0; i < 4; ++i) block.put(0, 0, 0, 0);
+    if (spins) put_spin(block, camera, spacetime, observer);
+    else for (int i = 0; i < 6; ++i) block.put(0, 0, 0, 0);
     if (spacetime.by_proper_length()) block.put(spacetime.length_unit(), spacetime.logarithm_length() / spacetime.length_unit(), 0, 0);
     else block.put(0, 0, 0, 0);
     return block.numbers();

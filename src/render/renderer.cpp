@@ -55,6 +55,7 @@ bool has_method(const Spacetime& spacetime, const Method& method) {
         case MethodKind::kTable: return seen;
         case MethodKind::kClosedForm: return has_shader("method/closed_form", spacetime.name());
         case MethodKind::kIntegrate: return seen && has_shader("spacetime", spacetime.name());
+        case MethodKind::kKerrSchild: return spacetime.spin() != 0.0;
     }
     return false;
 }
@@ -229,8 +230,11 @@ void Renderer::load_black_body() {
 
 Status Renderer::load_table(const Scene& scene) {
     const bool lensing = tables_.effects().contains(Effect::kLensing);
-    if (tables_.effects().contains(Effect::kSpin) && method_ != Method{})
-        return bad_input(fmt::format("method {} is not there for a spinning hole; allowed: auto", method_name(method_)));
+    const bool spin = tables_.effects().contains(Effect::kSpin), yardstick = method_.kind == MethodKind::kKerrSchild;
+    const bool at_rest = !tables_.effects().contains(Effect::kSpinFall) && !tables_.effects().contains(Effect::kDisc);
+    if (spin && method_ != Method{} && !(yardstick && at_rest))
+        return bad_input(fmt::format("method {} is not there for this scene of a spinning hole; allowed: auto, or without [disc] and falling cameras kerr-schild:STEP", method_name(method_)));
+    if (!spin && yardstick) return bad_input(fmt::format("method {} is there for spinning holes only; allowed: auto", method_name(method_)));
     if (lensing && !has_method(tables_.spacetime(), method_))
         return bad_input(fmt::format("method {} is not there for metric \"{}\"; allowed: {}", method_name(method_), scene.spacetime.metric,
                                      methods_of(tables_.spacetime())));

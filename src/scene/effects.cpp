@@ -102,6 +102,7 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     const bool spins = spacetime && (*spacetime)->spin() != 0.0, lensing = spacetime && !spins && (*spacetime)->bends_light() && scene.light.lensing;
     if (spins) {
         reasons.push_back({Effect::kSpin, fmt::format("spacetime.spin = {}", 2.0 * (*spacetime)->spin())});
+        if (falls(scene.camera)) reasons.push_back({Effect::kSpinFall, fmt::format("camera.observer = \"{}\"", observer_name(scene.camera.observer))});
     } else if (lensing) {
         reasons.push_back({Effect::kLensing, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     }
@@ -213,7 +214,7 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
             return less;
         case Effect::kAberration:
             less.camera.velocity = {0, 0, 0};
-            if (less.camera.observer == ObserverKind::kOrbit || less.spacetime.metric == "minkowski") less.camera.observer = ObserverKind::kStatic;
+            if (less.camera.observer == ObserverKind::kOrbit || less.camera.observer == ObserverKind::kCounterOrbit || less.spacetime.metric == "minkowski") less.camera.observer = ObserverKind::kStatic;
             return less;
         case Effect::kSpin: less.spacetime.parameters["spin"] = 0.0; return less;
         case Effect::kDisc: less.disc.reset(); return less;
@@ -266,6 +267,7 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
         case Effect::kPulse:
             if (less.sphere) less.sphere->swing = 0.0;
             return less;
+        case Effect::kSpinFall:
         case Effect::kInner:
         case Effect::kBounce:
         case Effect::kStar: break;

@@ -18,12 +18,12 @@ namespace nullscope {
 class Spacetime;
 
 enum class Effect {
-    kLensing, kSpin, kAberration, kDisc, kDiscImage, kDiscPattern, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kBolometric,
+    kLensing, kSpin, kSpinFall, kAberration, kDisc, kDiscImage, kDiscPattern, kTranslucentDisc, kThermalDisc, kShift, kBeaming, kBolometric,
     kSphere, kCylinder, kBall, kSurface, kPattern, kNoise, kFormula, kBodyImage, kPointStars, kSky, kSkyShift, kSkyPattern,
     kInner, kBounce, kFarSky, kStar, kBloom, kAutoExposure, kToneFilm, kToneNeutral, kDither, kSides,
     kDelay, kDiscFlow, kSpot, kBallPath, kPulse
 };
-inline constexpr std::size_t kEffectCount = 38;
+inline constexpr std::size_t kEffectCount = 39;
 
 struct EffectRow {
     Effect effect;
@@ -40,6 +40,8 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
      "spacetime.metric is one that bends light and does not spin, and light.lensing is not \"off\"", "deflection table, strip; one fetch and two straight lines a pixel"},
     {Effect::kSpin, "spin", "EFFECT_SPIN", "Light follows the null geodesics of a spinning hole.",
      "spacetime.metric is kerr and spin is above 0", "some 8 steps of five forces a pixel, at most 64"},
+    {Effect::kSpinFall, "spin-fall", "EFFECT_SPIN_FALL", "Rays cross the horizon of a spinning hole to a camera that falls.",
+     "the hole spins, and camera.observer is \"rain\", \"fall\" or \"throw\"", "a square root a force"},
     {Effect::kAberration, "aberration", "EFFECT_ABERRATION",
      "Directions and frequencies are those of a camera that moves in its observer's frame.",
      "camera.velocity is not zero, or camera.observer is \"orbit\", and light.aberration or light.doppler is not \"off\"",

@@ -17,7 +17,7 @@ struct SpacetimeSpec {
 };
 
 // How the one who holds the camera moves: scene/observer.h.
-enum class ObserverKind { kStatic, kRain, kFall, kThrow, kOrbit };
+enum class ObserverKind { kStatic, kRain, kFall, kThrow, kOrbit, kZamo, kCarter, kCounterOrbit };
 
 // A pinhole camera. The unrotated camera looks at the centre (forward = -e_r), up = -e_theta (towards the north pole),
 // right = forward x up = e_phi... see camera/pose.h. yaw turns to the right, then pitch turns up, then roll turns the picture's
@@ -25,7 +25,7 @@ enum class ObserverKind { kStatic, kRain, kFall, kThrow, kOrbit };
 struct CameraSpec {
     double r = 15.0;                 // > 0, outside the horizon for a static camera
     double theta = 1.48;             // polar angle, [0, pi]
-    double phi = 0.0;                // azimuth
+    double phi = 0.0;                // azimuth; about a spinning hole, of an observer that falls, the one of spacetime/spin_frame.h
     double yaw = 0.0, pitch = 0.0, roll = 0.0;
     ObserverKind observer = ObserverKind::kStatic;
     double fall_from = 1e6;          // kFall: radius of rest, r_s

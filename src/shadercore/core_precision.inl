@@ -65,11 +65,20 @@ namespace spinning {
 namespace spinning_moving {
 #include "shadercore/core_variant.inl"
 }  // namespace spinning_moving
+#define EFFECT_SPIN_FALL
+namespace spinning_falling_moving {
+#include "shadercore/core_variant.inl"
+}  // namespace spinning_falling_moving
 #undef EFFECT_ABERRATION
+namespace spinning_falling {
+#include "shadercore/core_variant.inl"
+}  // namespace spinning_falling
+#undef EFFECT_SPIN_FALL
 #undef EFFECT_SPIN
 #undef EFFECT_DISC
 
 RayPixel dispatch(const CoreInput& input, double x, double y) {
+    if (input.spin && input.spin_fall) return (input.aberration ? spinning_falling_moving::trace_one : spinning_falling::trace_one)(input, x, y);
     if (input.spin) return (input.aberration ? spinning_moving::trace_one : spinning::trace_one)(input, x, y);
     if (input.lensing && input.cubic) return (input.aberration ? cubic_moving::trace_one : cubic::trace_one)(input, x, y);
     if (input.lensing) return (input.aberration ? lensed_moving::trace_one : lensed::trace_one)(input, x, y);

@@ -91,4 +91,7 @@ RayPixel trace_one(const CoreInput& input, double x, double y) {
 #undef SPIN_GROWTH
 #undef SPIN_CROSSINGS
 #undef SPIN_FARTHEST
+#undef INGOING_DELTA
+#undef INGOING_SLOW
+#undef INGOING_DEEP
 #undef NEEDS_PHI_END

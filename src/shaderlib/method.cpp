@@ -61,7 +61,7 @@ Result<Method> parse_integrate(const std::vector<std::string>& parts, const Erro
 Result<Method> parse_method(const std::string& text) {
     const Error error = bad_input(fmt::format(
         "method \"{}\" is not known; allowed: strip, strip:cubic, table[:SIZE[:hardware|bilinear|cubic|hermite]] with SIZE 8 to 1024, closed-form, "
-        "integrate[:ORDER[:STEP]] with ORDER 1, 4 or 6 and STEP 0.001 to 1 rad, euler:STEPS with STEPS 10 to 5000", text));
+        "integrate[:ORDER[:STEP]] with ORDER 1, 4 or 6 and STEP 0.001 to 1 rad, euler:STEPS with STEPS 10 to 5000, kerr-schild:STEP with STEP 0.001 to 1", text));
     const auto parts = split(text, ':');
     if (parts.empty() || parts.size() > 3) return error;
     if (parts[0] == "table") return parse_table(parts, error);
@@ -73,6 +73,11 @@ Result<Method> parse_method(const std::string& text) {
         method.most_steps = static_cast<int>(*steps);
         return method;
     }
+    if (parts[0] == "kerr-schild" && parts.size() == 2) {
+        const auto step = parse_number(parts[1]);
+        if (!step || *step < 1e-3 || *step > 1.0) return error;
+        return Method{.kind = MethodKind::kKerrSchild, .step = *step};
+    }
     if (text == "strip") return Method{};
     if (text == "strip:cubic") return Method{.cubic = true};
     if (parts.size() == 1 && text == "closed-form") return Method{.kind = MethodKind::kClosedForm};
@@ -83,6 +88,7 @@ std::string method_name(const Method& method) {
     switch (method.kind) {
         case MethodKind::kStrip: return method.cubic ? "strip:cubic" : "strip";
         case MethodKind::kClosedForm: return "closed-form";
+        case MethodKind::kKerrSchild: return fmt::format("kerr-schild:{}", method.step);
         case MethodKind::kTable:
             for (const auto& [lookup, name] : kLookups)
                 if (lookup == method.lookup) return fmt::format("table:{}:{}", method.size, name);

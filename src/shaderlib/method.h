@@ -13,6 +13,7 @@ enum class MethodKind {
     kTable,        // the two-dimensional deflection table on the GPU
     kClosedForm,   // elliptic integrals, no table; Schwarzschild only
     kIntegrate,    // the orbit equation step by step
+    kKerrSchild,   // a spinning hole's rays in Cartesian Kerr-Schild coordinates step by step: a yardstick, of skies alone
 };
 enum class Lookup { kHardware, kBilinear, kCubic, kHermite };   // of kTable
 
@@ -22,12 +23,12 @@ struct Method {
     int size = 128;                       // kTable: cells a side
     Lookup lookup = Lookup::kHermite;     // kTable
     int order = 6;                        // kIntegrate: 1, 4 or 6
-    double step = 0.6;                    // kIntegrate: rad / sqrt(1 + 3 zeta)
+    double step = 0.6;                    // kIntegrate: rad / sqrt(1 + 3 zeta); kKerrSchild: over the radius
     int most_steps = 64;                  // kIntegrate
     friend auto operator<=>(const Method&, const Method&) = default;
 };
 
-// "strip", "strip:cubic", "table", "table:128:cubic", "closed-form", "integrate", "integrate:4:0.1", "euler:300" (300 steps over 5/2 pi rad).
+// "strip", "strip:cubic", "table", "table:128:cubic", "closed-form", "integrate", "integrate:4:0.1", "euler:300" (300 steps over 5/2 pi rad), "kerr-schild:0.1".
 // Errors: the allowed forms and ranges.
 Result<Method> parse_method(const std::string& text);
 std::string method_name(const Method& method);   // parse_method(method_name(m)) == m

@@ -2,8 +2,7 @@
 // of Boyer and Lindquist. Horizons: r_+- = (1 +- sqrt(1 - spin^2))/2, the zeros of Delta = r^2 - r + a^2.
 //
 // No ray stays in a plane and there is no photon sphere: of the interface of spherical metrics only what has a meaning here is
-// given; light is traced by shaders/core/kerr.glsl. "At rest" means without angular momentum (a ZAMO): the one camera at a fixed
-// place of r and theta that exists everywhere outside the horizon.
+// given; light is traced by shaders/core/kerr.glsl. Who can hold a camera: spin_frame.h.
 #pragma once
 #include <map>
 #include <memory>
@@ -17,9 +16,10 @@ public:
     explicit Kerr(double spin_over_mass);   // (0, 1)
     std::string_view name() const override { return "kerr"; }
     double spin() const override { return a_; }
-    double lapse_squared(double r) const override;   // of the camera at rest in the equatorial plane
+    double lapse_squared(double r) const override;   // of a camera without angular momentum in the equatorial plane
     double radial_stretch2(double r) const override { return r * r / delta(r); }   // in the equatorial plane
     std::optional<double> horizon_radius() const override { return outer_; }
+    RadiusRange falling_range() const override { return {inner_horizon(), kAnyRadius}; }
     double inner_horizon() const { return a_ * a_ / outer_; }
     std::optional<PhotonSphere> photon_sphere() const override { return std::nullopt; }
     bool bends_light() const override { return true; }

@@ -9,7 +9,7 @@ namespace nullscope::viewer {
 
 class Fall {
 public:
-    // From the scene's camera, its clock at 0 and running. Errors: no such observer, a hole that spins.
+    // From the scene's camera, its clock at 0 and running. Errors: no such observer.
     Status let_go(const Scene& scene);
     void stop() { line_.reset(), runs_ = false; }
     bool active() const { return line_.has_value(); }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scene/observer.h"
+#include "spacetime/spin_frame.h"
 #include "viewer/sections.h"
 #include "viewer/widgets.h"
 
@@ -16,10 +17,13 @@ bool hold(ViewState& view, ObserverKind observer, const Spacetime& spacetime) {
     CameraSpec held = view.scene.camera;
     held.observer = observer;
     held.velocity = {};
+    // In an ergosphere nobody is at rest; without angular momentum one can stay there.
+    if (observer == ObserverKind::kStatic && spacetime.spin() != 0.0 && !observer_of(spacetime, held)) held.observer = ObserverKind::kZamo;
     if (const auto possible = observer_of(spacetime, held); !possible) {
         view.error = possible.error().message;
         return false;
     }
+    if (spacetime.spin() != 0.0 && falls(view.scene.camera)) held.phi -= azimuth_ahead(spacetime, held.r);   // where the far sky has it
     view.scene.camera = held;
     view.fall.stop();
     return true;
@@ -47,7 +51,7 @@ bool fall_section(ViewState& view) {
     tooltip("Nobody holds the camera any more: it follows a geodesic from here, with the velocity that it has. Its axes are gyroscopes.");
     ImGui::SameLine();
     if (ImGui::Button("Hover", {width, 0.0f})) changed = hold(view, ObserverKind::kStatic, *spacetime);
-    tooltip("At rest here, outside of the horizon.");
+    tooltip("At rest here, outside of the horizon; in an ergosphere without angular momentum.");
     ImGui::SameLine();
     if (ImGui::Button("Orbit", {width, 0.0f})) changed = hold(view, ObserverKind::kOrbit, *spacetime);
     tooltip("On the circular geodesic of this radius, outside of the photon sphere; let go, it stays on it.");

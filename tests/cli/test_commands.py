@@ -126,7 +126,7 @@ class Commands(support.CliTest):
         self.assertEqual(list(reasons), ["lensing", "aberration", "disc", "disc-image", "translucent-disc"])
         self.assertIn("0.5", reasons["aberration"])
         self.assertEqual([e["effect"] for e in found["left_out"]],
-                         ["spin", "disc-pattern", "thermal-disc", "shift", "beaming", "bolometric", "sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
+                         ["spin", "spin-fall", "disc-pattern", "thermal-disc", "shift", "beaming", "bolometric", "sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
                           "body-image", "point-stars", "sky", "sky-shift", "sky-pattern", "inner", "bounce", "far-sky", "star",
                           "bloom", "auto-exposure", "tone-film", "tone-neutral", "dither", "sides", "delay", "disc-flow", "spot", "ball-path", "pulse"])
         self.assertTrue(all(e["cost"] for e in found["effects"]))

@@ -12,6 +12,7 @@ IMAGE = pathlib.Path(__file__).resolve().parents[2] / "assets" / "images" / "acc
 WORDS = {
     "lensing": [r"strip\w*", r"Strip\w*", r"orbit", r"orbit_\w*", r"Orbit\w*", r"Octave", r"octave\w*", r"sweep\w*", r"series"],
     "spin": [r"spin\w*", r"Spin\w*", r"SPIN_\w*"],
+    "spin-fall": [r"ingoing\w*"],
     "aberration": [r"aberrat\w*", r"Aberration", r"boost\w*", r"motion", r"stretch"],
     "disc": [r"disc\w*", r"Disc\w*", r"plane_\w*", r"PlaneMeeting", r"meeting"],
     "disc-image": [r"disc_texture", r"disc_texel", r"disc_filtered"],
@@ -81,6 +82,7 @@ SCENES = {
     "sky and disc": '[sky]\nkind = "grid"\n[disc]\ntexture = "noise"\n',
     "sky and far sky": '[spacetime]\nmetric = "ellis"\n[sky]\nkind = "formula"\nformula = "u * x"\n',
     "spin": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "black"\n',
+    "spin, spin-fall": '[spacetime]\nmetric = "kerr"\n[camera]\nobserver = "rain"\nr = 0.8\n[sky]\nkind = "black"\n',
     "spin, disc, sky": '[spacetime]\nmetric = "kerr"\n[camera]\nvelocity = [0.1, 0.2, 0.3]\n[disc]\nemission = "thermal"\n',
     "no spin": '[spacetime]\nmetric = "kerr"\nspin = 0.0\n[disc]\n',
     "spin, patterns": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "grid"\n[disc]\ntexture = "checker"\n',

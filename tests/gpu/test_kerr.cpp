@@ -21,6 +21,7 @@ constexpr int kColumns = 401;
 Scene spinning(double spin) {
     Scene scene;
     scene.spacetime = {"kerr", {{"spin", spin}}};
+    scene.camera.observer = ObserverKind::kZamo;
     return scene;
 }
 
@@ -38,9 +39,10 @@ double edge_off_px(GpuSession& session, double spin, const Edge& edge, double sh
     camera.r = kFar;
     camera.theta = M_PI / 2;
     const auto spacetime = *make_spacetime("kerr", scene.spacetime.parameters);
-    const SpinForms f = spin_forms(*spacetime, camera.r, camera.theta);
+    const SpinPlace place = spin_place(*spacetime, camera.r, camera.theta);
+    const SpinForms f = spin_forms(place, zamo_frame(place));
     const double lambda = 0.5 * edge.lambda;   // r_s
-    const double n_phi = lambda * f.energy / (f.momentum - lambda * f.energy_slope), energy = f.energy + f.energy_slope * n_phi;
+    const double n_phi = lambda * f.energy.constant / (f.across.around - lambda * f.energy.around), energy = f.energy.of(0, n_phi);
     const double n_theta = 0.5 * std::sqrt(edge.eta) * energy / f.p_theta;   // energy < 0: northward, up
     const double n_r = -std::sqrt(1 - n_theta * n_theta - n_phi * n_phi);
     camera.yaw = std::atan2(n_phi, -n_r);

@@ -30,6 +30,7 @@ std::string View::toml(const std::string& comment) const {
     std::string text = comment + "[spacetime]\n" + fmt::format("metric = \"{}\"\n", metric);
     for (const auto& [name, value] : parameters) text += fmt::format("{} = {}\n", name, toml_number(value));
     text += "\n[camera]\n";
+    if (metric == "kerr") text += "observer = \"zamo\"\n";   // at rest as near to the horizon as anywhere else
     for (const auto& [name, value] : {std::pair{"r", r}, {"theta", theta}, {"phi", phi}, {"yaw", yaw}, {"pitch", pitch}, {"roll", roll}, {"fov", fov}})
         text += fmt::format("{} = {}\n", name, toml_number(value));
     text += fmt::format("velocity = [{}, {}, {}]\nsize = [{}, {}]\n", toml_number(velocity[0]), toml_number(velocity[1]),

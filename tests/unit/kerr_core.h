@@ -19,12 +19,13 @@ struct KerrView {
 };
 
 // Members of FrameData (shaders/shared/frame_block.glsl), by number.
-enum Member { kImage = 0, kRay0 = 1, kShift = 10, kBoost = 14, kBoostColour = 15, kDiscX = 19, kDiscY = 20, kDiscLook = 22, kSpinHole = 60, kSpinRows, kSpinScale, kSpinPlace };
+enum Member { kImage = 0, kRay0 = 1, kShift = 10, kBoost = 14, kBoostColour = 15, kDiscX = 19, kDiscY = 20, kDiscLook = 22, kSpinHole = 60, kSpinEnergy, kSpinAcross, kSpinClimb, kSpinPlace, kSpinTurn };
 
 // rims: of an opaque disc.
 inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float, std::optional<std::array<double, 2>> rims = {}, Vec3 velocity = {0, 0, 0}) {
     const auto spacetime = *make_spacetime("kerr", {{"spin", spin}});
-    const SpinForms f = spin_forms(*spacetime, view.r, view.theta);
+    const SpinPlace place = spin_place(*spacetime, view.r, view.theta);
+    const SpinForms f = spin_forms(place, zamo_frame(place));
     CoreInput input;
     const auto put = [&](Member member, double x, double y, double z, double w) {
         const std::array<double, 4> numbers{x, y, z, w};
@@ -40,9 +41,11 @@ inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float, std:
     put(kDiscY, 0, 1, 0, rims ? (*rims)[1] : 0);
     put(kDiscLook, 1, 0, 1, 0);
     put(kSpinHole, a, a * a, outer, a * a / outer);
-    put(kSpinRows, f.energy, f.energy_slope, f.carter, f.carter_slope);
-    put(kSpinScale, f.p_theta, f.momentum, f.zeta_slope, 0);
+    put(kSpinEnergy, f.energy.constant, f.energy.radial, f.energy.around, f.p_theta);
+    put(kSpinAcross, f.across.constant, f.across.radial, f.across.around, f.carter);
+    put(kSpinClimb, f.climb.constant, f.climb.radial, f.climb.around, f.carter_slope);
     put(kSpinPlace, std::sin(view.theta), std::fabs(cosine) < 1e-12 ? 0.0 : cosine, 1, 0);
+    put(kSpinTurn, azimuth_ahead(*spacetime, view.r), a / (outer - inner_horizon(*spacetime)), 0, 0);
     input.lensing = false, input.spin = true, input.aberration = speed > 0;
     return in_float ? trace_core32(input, 0, 0) : trace_core64(input, 0, 0);
 }

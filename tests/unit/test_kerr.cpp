@@ -128,11 +128,12 @@ TEST_CASE("kerr: the forms of a look direction give the reference's energy and a
                     if (!(r > 1.001 * *kerr(spin)->horizon_radius())) continue;
                     const Vec3 look = normalized(n);
                     const KerrRay ray = reference::trace_kerr(spin, {r, theta, 0, look}, 0);
-                    const SpinForms f = spin_forms(*kerr(spin), r, theta);
-                    const double e = f.energy + f.energy_slope * look.z, l = f.momentum * look.z * std::sin(theta);
+                    const SpinPlace place = spin_place(*kerr(spin), r, theta);
+                    const SpinForms f = spin_forms(place, zamo_frame(place));
+                    const double e = f.energy.of(look.x, look.z), l = f.across.of(look.x, look.z) * std::sin(theta);
                     CHECK(-e == doctest::Approx(ray.energy).epsilon(1e-13));
                     CHECK(std::fabs(-l - ray.l_z * ray.energy) < 1e-13 * std::max(1.0, r));
-                    const double w = f.momentum * look.z - 0.5 * spin * e * std::sin(theta);
+                    const double w = f.across.of(look.x, look.z) - 0.5 * spin * e * std::sin(theta);
                     CHECK(std::fabs(w - f.carter - f.carter_slope * look.z) < 1e-13 * std::max(1.0, r));
                 }
 }

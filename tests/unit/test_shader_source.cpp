@@ -61,6 +61,7 @@ struct Mark { Effect effect; std::vector<std::string> words; };
 const std::vector<Mark> kMarks = {
     {Effect::kLensing, {"strip_locate", "strip_texture", "StripRay", "sweep_to_sky", "vec4 strip;", "vec4 orbit;", "vec4 series;"}},
     {Effect::kSpin, {"spin_step", "spin_ray", "SpinState", "vec4 spin_hole;", "vec4 spin_place;"}},
+    {Effect::kSpinFall, {"ingoing", "INGOING_DELTA"}},
     {Effect::kAberration, {"aberrate", "Aberration", "vec4 boost;", "vec4 boost_colour;"}},
     {Effect::kDisc, {"disc_cross", "DiscCrossing", "plane_meet", "disc_normal", "disc_map", "disc_look"}},
     {Effect::kDiscImage, {"disc_texture", "disc_filtered"}},
@@ -146,7 +147,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow& row : kEffectTable) all.insert(row.effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 65);
+    CHECK(members.size() == 67);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {

@@ -63,4 +63,20 @@ TEST_CASE("fall: an orbit stays an orbit") {
     CHECK(std::fabs(scene.camera.r - 6.0) < 1e-6);
 }
 
+TEST_CASE("fall: about a hole that spins the clock runs through the horizon and ends short of the inner one") {
+    Scene scene = scene_at(2.0, ObserverKind::kZamo);
+    scene.spacetime = {"kerr", {{"spin", 0.9}}};
+    scene.camera.velocity = {-0.2, 0, 0};
+    Fall fall;
+    REQUIRE(fall.let_go(scene));
+    REQUIRE(fall.line().horizon_time());
+    CHECK(fall.line().end() == WorldlineEnd::kSurface);
+    fall.rate = 100.0;
+    CHECK(fall.step(scene, 1.0));
+    CHECK_FALSE(fall.runs());
+    CHECK(scene.camera.observer == ObserverKind::kRain);
+    CHECK(scene.camera.r < 0.7179);   // the outer horizon
+    CHECK(scene.camera.r > 0.2821);   // the inner one
+}
+
 }  // namespace

@@ -1,0 +1,105 @@
+// Cameras that are let go about a spinning hole: constants of motion, parallel axes, proper times, and what Schwarzschild has of it.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "camera/path.h"
+#include "camera/pose.h"
+#include "camera/spin_worldline.h"
+#include "camera/worldline.h"
+#include "scene/observer.h"
+#include "scene/scene_file.h"
+#include "spacetime/circular_orbit.h"
+#include "spacetime/registry.h"
+
+namespace {
+
+using namespace nullscope;
+
+constexpr double kConserved = 1e-10;   // what is promised of E, L, K and u . u
+
+std::shared_ptr<const Spacetime> kerr(double spin) { return *make_spacetime("kerr", {{"spin", spin}}); }
+
+CameraSpec camera_at(double r, double theta, ObserverKind observer, Vec3 velocity = {}) {
+    CameraSpec camera;
+    camera.r = r, camera.theta = theta, camera.phi = 0.4, camera.observer = observer, camera.velocity = velocity;
+    camera.yaw = 0.3, camera.pitch = -0.2, camera.roll = 0.1;
+    return camera;
+}
+
+double worst_change(const SpinWorldline& line, bool planted = false) {
+    const SpinWorldline::Constants first = line.constants(0);
+    double worst = 0;
+    for (int i = 0; i <= 200; ++i) {
+        const SpinWorldline::Constants c = line.constants(line.last() * i / 200);
+        worst = std::max({worst, std::fabs(c.energy - first.energy), std::fabs(c.momentum - first.momentum), std::fabs(c.carter - first.carter), std::fabs(c.norm + (planted ? 1.0 - 1e-9 : 1.0))});
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("spin worldline: energy, angular momentum, Carter's constant and unit velocity stay, through the horizon") {
+    for (const double spin : {0.1, 0.9, 0.998})
+        for (const CameraSpec& start : {camera_at(3, 1.2, ObserverKind::kZamo, {-0.1, 0.2, 0.3}), camera_at(5, 0.3, ObserverKind::kStatic, {-0.3, 0.05, 0}),
+                                        camera_at(4, 1.1, ObserverKind::kOrbit), camera_at(6, 0, ObserverKind::kRain), camera_at(0.9, 1.4, ObserverKind::kThrow, {0.2, -0.4, 0.1})}) {
+            const auto line = SpinWorldline::make(kerr(spin), start, 200);
+            REQUIRE(line);
+            const double worst = worst_change(*line);
+            fmt::print("a = {:<5} from r = {:<3}: {:.4g} r_s/c, E, L, K and the norm change by {:.1e}; inside: {}\n", spin, start.r, line->last(), worst, line->reaches_inner_horizon());
+            CHECK(worst < kConserved);
+            CHECK(worst_change(*line, true) > kConserved);   // the check can fail
+        }
+}
+
+TEST_CASE("spin worldline: what falls keeps its observer: rain stays rain, a circle a circle") {
+    const auto hole = kerr(0.9);
+    const auto rain = SpinWorldline::make(hole, camera_at(4, 1.1, ObserverKind::kRain), 100);
+    REQUIRE(rain);
+    CHECK(rain->reaches_inner_horizon());
+    for (int i = 0; i <= 20; ++i) CHECK(length(rain->at(rain->last() * i / 20).velocity) < 1e-10);
+    const double r = 3;
+    const auto orbit = SpinWorldline::make(hole, camera_at(r, M_PI / 2, ObserverKind::kOrbit), 60);
+    REQUIRE(orbit);
+    const CircularOrbit circle = *circular_orbit(*hole, r);
+    CHECK(std::fabs(orbit->at(60).r - r) < 1e-9);
+    CHECK(std::fabs(orbit->azimuth(60) - 60 * circle.u_t * circle.omega) < 1e-9);   // phi~ - phi stays where r does
+}
+
+TEST_CASE("spin worldline: a camera without spin is the plane orbit's, axes and all") {
+    const CameraSpec start = camera_at(4, 1.1, ObserverKind::kStatic, {-0.2, 0.15, 0.25});
+    const auto spun = SpinWorldline::make(kerr(1e-9), start, 12);
+    const auto plane = Worldline::make(kerr(0), start, 12);
+    REQUIRE(spun);
+    REQUIRE(plane);
+    CHECK(spun->reaches_inner_horizon());
+    for (int i = 0; i <= 12; ++i) {
+        const double tau = 0.99 * spun->last() * i / 12;
+        const CameraSpec a = spun->at(tau), b = plane->at(tau);
+        CHECK(std::fabs(a.r - b.r) < 1e-8);
+        CHECK(std::fabs(a.theta - b.theta) < 1e-8);
+        CHECK(std::fabs(std::remainder(a.phi - b.phi, 2 * M_PI)) < 1e-8);
+        CHECK(length(a.velocity - b.velocity) < 1e-8);
+        CHECK(length(static_from_camera(a).a - static_from_camera(b).a) + length(static_from_camera(a).c - static_from_camera(b).c) < 1e-8);
+    }
+}
+
+TEST_CASE("spin worldline: the scene that ships goes round and through the outer horizon") {
+    const auto scene = load_scene("kerr-plunge");
+    REQUIRE(scene);
+    const auto spacetime = *make_spacetime(scene->spacetime.metric, scene->spacetime.parameters);
+    const auto line = SpinWorldline::make(spacetime, scene->camera, 1e4);
+    REQUIRE(line);
+    REQUIRE(line->horizon_time());
+    const double turns = line->azimuth(*line->horizon_time()) / (2 * M_PI), worst = worst_change(*line);
+    fmt::print("kerr-plunge: {:.3f} turns to the horizon at {:.4f} r_s/c, end at {:.4f}, r = {:.4f}; constants change by {:.1e}\n", turns, *line->horizon_time(), line->last(),
+               line->at(line->last()).r, worst);
+    CHECK(turns > 1);
+    CHECK(line->reaches_inner_horizon());
+    CHECK(worst < kConserved);
+    const auto path = CameraPath::make(*scene);
+    REQUIRE(path);
+    CHECK(path->at(path->frames() - 1).r < *spacetime->horizon_radius());
+}
