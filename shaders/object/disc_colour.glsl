@@ -38,7 +38,7 @@ vec3 disc_coat_paint(vec3 at, vec3 along, vec3 across);   // object/paint.glsl
 #endif
 
 // Of image or texture at a place, with the pixel's sides a and b there.
-vec4 disc_coat(vec2 place, vec2 a, vec2 b) {
+vec4 disc_cover(vec2 place, vec2 a, vec2 b) {
 #ifdef EFFECT_DISC_IMAGE
     return disc_filtered(place, a, b);
 #endif
@@ -68,7 +68,7 @@ vec4 disc_colour(Trace trace, DiscCrossing crossing) {
 #ifdef EFFECT_DISC_FLOW
     vec4 texel = disc_moving(crossing, late);
 #else
-    vec4 texel = disc_coat(crossing.place, a, b);
+    vec4 texel = disc_cover(crossing.place, a, b);
 #endif
     float inner = frame.disc_x.w;
     float outer = frame.disc_y.w;

@@ -26,7 +26,7 @@ vec4 disc_moving(DiscCrossing crossing, float late) {
         vec2 b = crossing.across - around * (shear * dot(crossing.across, outward));
         float c = cos(angle);
         float s = sin(angle);
-        sum += disc_coat(disc_turned(crossing.place, c, s), disc_turned(a, c, s), disc_turned(b, c, s)) * (1.0 - abs(2.0 * part - 1.0));
+        sum += disc_cover(disc_turned(crossing.place, c, s), disc_turned(a, c, s), disc_turned(b, c, s)) * (1.0 - abs(2.0 * part - 1.0));
     }
     return sum;
 }

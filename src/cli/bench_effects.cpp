@@ -50,6 +50,8 @@ const std::vector<Added>& additions() {
         s.spacetime.metric = "schwarzschild";
         s.disc.emplace();
     };
+    const auto still_disc = [=](Scene& s) { bare_disc(s), s.light.delay = false; };
+    const auto moving_disc = [=](Scene& s) { still_disc(s), s.disc->flow = DiscFlowKind::kKepler; };
     static const std::vector<Added> all = {
         {Effect::kLensing, nothing, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }},
         {Effect::kAberration, nothing,
@@ -105,6 +107,12 @@ const std::vector<Added>& additions() {
         {Effect::kToneFilm, nothing, [](Scene& s) { s.picture.tone = ToneCurve::kFilm; }},
         {Effect::kToneNeutral, nothing, [](Scene& s) { s.picture.tone = ToneCurve::kNeutral; }},
         {Effect::kDither, nothing, [](Scene& s) { s.picture.dither = true; }},
+        {Effect::kDelay, moving_disc, [](Scene& s) { s.light.delay = true; }},
+        {Effect::kDiscFlow, still_disc, [](Scene& s) { s.disc->flow = DiscFlowKind::kKepler; }},
+        {Effect::kSpot, [=](Scene& s) { glowing(true, true)(s), s.light.delay = false; }, [](Scene& s) { s.spot.emplace(); }},
+        {Effect::kBallPath, [](Scene& s) { s.ball.emplace().position = {-6, 0, 0}, s.spacetime.metric = "schwarzschild", s.light.delay = false; },
+         [](Scene& s) { s.ball->motion = BallMotion::kOrbit; }},
+        {Effect::kPulse, [=](Scene& s) { sphere(s), s.light.delay = false; }, [](Scene& s) { s.sphere->swing = 0.1; }},
         {Effect::kSides, dark_wormhole, [](Scene& s) { s.ball.emplace(); }},
     };
     return all;

@@ -42,17 +42,20 @@ std::vector<Body> bodies_of(const Scene& scene) {
     return bodies;
 }
 
-std::string shape_of(const SurfaceSpec& surface) {
-    const auto formula = expr::Formula::parse(surface_shape(surface), {"x", "y", "z", "t"});
-    const std::string time = surface_moves(surface) ? "#define SURFACE_MOVES\n#define SURFACE_T , float t\n#define SURFACE_AT_T , t\n" : "#define SURFACE_T\n#define SURFACE_AT_T\n";
-    return time + "float surface_formula(vec3 at SURFACE_T) {\n    float x = at.x;\n    float y = at.y;\n    float z = at.z;\n" +
-           (formula ? formula->glsl("value") : "    float value = 1.0;\n") + "    return value;\n}\n";
-}
-
 std::string replaced(std::string text, std::string_view what, std::string_view with) {
     for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
         text.replace(at, what.size(), with);
     return text;
+}
+
+// The formula, and shaders/object/surface.glsl with or without the time.
+std::string shape_of(const SurfaceSpec& surface) {
+    const auto formula = expr::Formula::parse(surface_shape(surface), {"x", "y", "z", "t"});
+    const bool moves = surface_moves(surface);
+    std::string text = "float surface_formula(vec3 at SURFACE_T) {\n    float x = at.x;\n    float y = at.y;\n    float z = at.z;\n" +
+                       (formula ? formula->glsl("value") : "    float value = 1.0;\n") + "    return value;\n}\n" + std::string(shader_file("object/surface.glsl"));
+    text = replaced(std::move(text), " SURFACE_AT_T", moves ? ", t" : "");
+    return replaced(std::move(text), " SURFACE_T", moves ? ", float t" : "");
 }
 
 std::string statements(const BodyLook& look) {

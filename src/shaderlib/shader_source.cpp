@@ -107,7 +107,7 @@ std::string solid_text(Stage stage, const EffectSet& effects, const BodyText& bo
     if (effects.contains(Effect::kSphere)) text += shader_file(effects.contains(Effect::kPulse) ? "object/pulse.glsl" : "object/sphere.glsl");
     if (effects.contains(Effect::kCylinder)) text += shader_file("object/cylinder.glsl");
     if (effects.contains(Effect::kBall)) text += shader_file("object/ball.glsl");
-    if (effects.contains(Effect::kSurface)) text += bodies.shape + std::string(shader_file("object/surface.glsl"));
+    if (effects.contains(Effect::kSurface)) text += bodies.shape;
     text += bodies.march;
     if (has_marched(effects)) text += shader_file("object/march.glsl");
     text += bodies.hit;
@@ -251,13 +251,14 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
     if (stage == Stage::kBloomUp) return {vertex, kHead + stripped(source + kBloomDeclaration + std::string(shader_file("stage/bloom_up.frag")))};
     if (stage == Stage::kMeter) return {vertex, kHead + stripped(source + std::string(shader_file("stage/meter.frag")))};
     std::vector<std::string> defines = defines_of(effects);
-    const bool ends = stage == Stage::kRayData || effects.contains(Effect::kDisc) || has_solids(effects);
+    const bool ends = stage == Stage::kRayData || effects.contains(Effect::kDisc) || has_solids(effects) || effects.contains(Effect::kDelay);
     if (ends) defines.emplace_back("NEEDS_PHI_END");
     if (stage == Stage::kRayData && effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PLACE_LATE");
     const bool display = stage == Stage::kPicture && output == Output::kDisplay;
     if (display) defines.emplace_back("DISPLAY_ENCODE");
 
     if (stage == Stage::kPicture) defines.emplace_back("NEEDS_FOOTPRINT");
+    if (bodies.shape.find("vec3 at, float t") != std::string::npos) defines.emplace_back("SURFACE_MOVES");
     for (std::string& define : method_defines(method)) defines.push_back(std::move(define));
 
     std::string body = declarations(stage, effects, ends, method);

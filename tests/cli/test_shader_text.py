@@ -43,6 +43,11 @@ WORDS = {
     "tone-neutral": [r"tone_neutral"],
     "dither": [r"dither_noise"],
     "star": [r"star_(?:surface|square)\w*"],
+    "delay": [r"light_time", r"delay_\w+"],
+    "disc-flow": [r"disc_(?:moving|turned)"],
+    "spot": [r"spot_\w+"],
+    "ball-path": [r"ball_path\w*"],
+    "pulse": [r"sphere_room"],
     "sides": [r"\w+_by_side", r"throat", r"end_side"],
 }
 SCENES = {
@@ -87,6 +92,10 @@ SCENES = {
     "no spin": '[spacetime]\nmetric = "kerr"\nspin = 0.0\n[disc]\n',
     "spin, patterns": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "grid"\n[disc]\ntexture = "checker"\n',
     "star": '[spacetime]\nmetric = "neutron-star"\n',
+    "delay, flow, spot": '[sky]\nkind = "black"\n[disc]\ntexture = "noise"\nflow = "kepler"\n[spot]\n',
+    "flow without delay": '[disc]\nflow = "kepler"\n[light]\ndelay = "off"\n',
+    "delay, ball, sphere, surface": '[sky]\nkind = "black"\n[ball]\nmotion = "orbit"\n[sphere]\nswing = 0.1\n[surface]\nshape = "x^2 + y^2 + z^2 - 9 - sin(t)"\n',
+    "flat and moving": '[spacetime]\nmetric = "minkowski"\n[ball]\nmotion = "path"\nx = "5"\ny = "t"\nz = "0"\n[disc]\n[spot]\n',
     "sides": '[spacetime]\nmetric = "ellis"\n[sky]\nkind = "black"\n[ball]\nside = "far"\n[cylinder]\n',
 }
 

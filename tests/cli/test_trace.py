@@ -20,6 +20,8 @@ SCREEN_RAD = {"core64": 8e-7, "core32": 1.2e-6, "gl": 1.2e-6}
 FRONTIER_RAD = {"core64": 5e-8, "core32": 3e-7, "gl": 3e-7}
 # Where a ray's plane meets the equator is geometry in floats; near the poles azimuths magnify it.
 AZIMUTH_RAD = 2e-6
+# What is promised of T: relative, or in r_s/c, whichever is larger, and what the direction's last bit moves it.
+DELAY, DELAY_LEAST = 2e-6, 1e-5
 # The reference prints 17 digits and is good to 1e-14 (tests/unit/test_reference_vectors.cpp).
 REFERENCE = 3e-14
 
@@ -186,7 +188,7 @@ class ShaderText(TraceTest):
         slopes = self.slopes(outside, vectors, scene)
         self.assertGreater(len(outside), 100)
         for tracer in self.tracers():
-            worst, flipped, inside = 0.0, 0, 0
+            worst, flipped, inside, delays = 0.0, 0, 0, 0
             for row, exact in zip(self.trace(text, "--with", tracer, scene=scene), reference):
                 name = (vectors.file, tracer, exact["id"], exact["group"])
                 if exact["id"] not in slopes:   # on or inside the horizon: by the rain observer, whose rays all come from outside
@@ -205,6 +207,12 @@ class ShaderText(TraceTest):
                     error = abs(number(row["angle"]) - number(exact["angle"])) / slopes[exact["id"]]
                     self.assertLessEqual(error, SCREEN_RAD[tracer], name)
                     worst = max(worst, error)
+                    if row["delay"]:   # next to the critical ray it grows as the angle over q_crit
+                        late = number(exact["delay"])
+                        allowed = max(DELAY * late, DELAY_LEAST) + SCREEN_RAD[tracer] * slopes[exact["id"]] / vectors.q_critical
+                        self.assertLessEqual(abs(number(row["delay"]) - late), allowed, name)
+                        delays += 1
+            self.assertEqual(delays > 0, vectors is not THROAT)
             self.report(f"{vectors.file}, {tracer}: {len(slopes)} rays and {inside} on or inside the horizon: {worst:.3g} rad, {flipped} on the frontier")
 
     def test_vectors(self):
@@ -253,17 +261,24 @@ class ShaderText(TraceTest):
     def test_random_rays(self):
         text, turned, step = self.random_rays(400)
         reference = self.trace(text, "--crossings", "1")
-        angles = [(number(a["angle"]), number(b["angle"])) for a, b in zip(reference, self.trace(turned))]
+        beside = self.trace(turned)
+        angles = [(number(a["angle"]), number(b["angle"])) for a, b in zip(reference, beside)]
+        later = [abs(number(a["delay"]) - number(b["delay"])) / step if a["delay"] and b["delay"] else 0.0 for a, b in zip(reference, beside)]
         slopes = [max(1.0, abs(a - b) / step) for a, b in angles]
         for tracer in self.tracers():
             worst = {}
-            for row, exact, slope in zip(self.trace(text, "--crossings", "1", "--with", tracer), reference, slopes):
+            for row, exact, slope, lag in zip(self.trace(text, "--crossings", "1", "--with", tracer), reference, slopes, later):
                 name = (tracer, exact["i"])
                 self.assertEqual((row["i"], row["fate"]), (exact["i"], exact["fate"]), name)
-                for empty in ("delay", "turn"):
-                    self.assertEqual(row[empty], "", name)
+                self.assertEqual(row["turn"], "", name)
                 for both in ("theta_inf", "phi_inf", "at", "r_1", "phi_1"):
                     self.assertEqual(row[both] == "", exact[both] == "", (name, both))
+                self.assertEqual(row["delay"] == "", exact["delay"] == "", name)
+                if exact["delay"]:
+                    late = number(exact["delay"])
+                    allowed = max(DELAY * late, DELAY_LEAST) + SCREEN_RAD[tracer] * lag
+                    self.assertLessEqual(abs(number(row["delay"]) - late), allowed, name)
+                    worst["delay over what is allowed"] = max(worst.get("delay over what is allowed", 0.0), abs(number(row["delay"]) - late) / allowed)
                 for what, error in self.screen_errors(row, exact, slope):
                     self.assertLessEqual(error, SCREEN_RAD[tracer], (name, what))
                     worst[what] = max(worst.get(what, 0.0), error)
