@@ -10,16 +10,16 @@ vec2 disc_turned(vec2 v, float c, float s) { return vec2(c * v.x + s * v.y, c * 
 // late: how long ago the light left that arrives now.
 vec4 disc_moving(DiscCrossing crossing, float late) {
     float zeta = 1.0 / crossing.r;
-    float omega = sqrt(max(zeta * zeta * zeta * (frame.disc_flow.z - frame.disc_flow.w * zeta), 0.0));
-    float omega_slope = -0.5 * zeta * zeta * zeta * zeta * (3.0 * frame.disc_flow.z - 4.0 * frame.disc_flow.w * zeta) / max(omega, 1.0e-20);
+    float omega = sqrt(max(zeta * zeta * zeta * (frame.disc_winding.z - frame.disc_winding.w * zeta), 0.0));
+    float omega_slope = -0.5 * zeta * zeta * zeta * zeta * (3.0 * frame.disc_winding.z - 4.0 * frame.disc_winding.w * zeta) / max(omega, 1.0e-20);
     vec2 outward = crossing.place * zeta;
     vec2 around = vec2(-outward.y, outward.x);
     vec4 sum = vec4(0.0);
     for (int i = 0; i < 2; ++i) {
-        float phase = frame.disc_flow.x - late * frame.disc_flow.y + 0.5 * float(i);
+        float phase = frame.disc_winding.x - late * frame.disc_winding.y + 0.5 * float(i);
         float copy = floor(phase);
         float part = phase - copy;
-        float age = (part - 0.5) / frame.disc_flow.y;
+        float age = (part - 0.5) / frame.disc_winding.y;
         float angle = omega * age + 6.28318530717958647693 * fract(DISC_GOLDEN * (copy - DISC_COPIES * floor(copy / DISC_COPIES)));
         float shear = crossing.r * omega_slope * age;   // across for each step outward
         vec2 a = crossing.along - around * (shear * dot(crossing.along, outward));

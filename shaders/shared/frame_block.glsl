@@ -92,7 +92,7 @@ struct FrameData {
     vec4 delay;        // x, y of A = (1 - x zeta)(1 - y zeta); the camera's part of light times, of rays to the sky and of others (core/delay.glsl)
 #endif
 #ifdef BLOCK_DISC_FLOW
-    vec4 disc_flow;    // scene time over the life of a copy, modulo 4096; 1/life; Omega^2 = zeta^3 (z - w zeta)
+    vec4 disc_winding; // scene time over the life of a copy, modulo 4096; 1/life; Omega^2 = zeta^3 (z - w zeta)
 #endif
 #ifdef BLOCK_SPOT
     vec4 spot;         // radius, angle now, Omega, angle between two

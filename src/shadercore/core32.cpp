@@ -31,7 +31,7 @@ std::array<std::size_t, kFrameVectors> frame_offsets() {
             offsetof(F, surface_second), offsetof(F, march), offsetof(F, disc_coat_map), offsetof(F, disc_coat_colour),
             offsetof(F, disc_coat_second), offsetof(F, dome_x), offsetof(F, dome_y), offsetof(F, dome_z),
             offsetof(F, dome_map), offsetof(F, dome_colour), offsetof(F, dome_second),
-            offsetof(F, delay), offsetof(F, disc_flow), offsetof(F, spot), offsetof(F, spot_look), offsetof(F, spot_motion), offsetof(F, ball_path),
+            offsetof(F, delay), offsetof(F, disc_winding), offsetof(F, spot), offsetof(F, spot_look), offsetof(F, spot_motion), offsetof(F, ball_path),
             offsetof(F, spin_hole), offsetof(F, spin_energy), offsetof(F, spin_across), offsetof(F, spin_climb), offsetof(F, spin_place), offsetof(F, spin_turn),
             offsetof(F, throat)};
 }

@@ -94,7 +94,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kStar, {"star_surface", "star_square"}},
     {Effect::kSides, {"value_by_side", "vec4 throat;", "place.side"}},
     {Effect::kDelay, {"light_time(", "vec4 delay;"}},
-    {Effect::kDiscFlow, {"disc_moving(", "vec4 disc_flow;"}},
+    {Effect::kDiscFlow, {"disc_moving(", "vec4 disc_winding;"}},
     {Effect::kSpot, {"spot_light(", "vec4 spot;", "vec4 spot_motion;"}},
     {Effect::kBallPath, {"ball_path_fetch", "vec4 ball_path;"}},
     {Effect::kPulse, {"sphere_room"}},
