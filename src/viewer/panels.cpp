@@ -81,6 +81,7 @@ bool side_panel(ViewState& view, const AccuracyPanel& accuracy, const EffectsPan
             return effects_section(view, effects);
         });
         part("Let go", false, [&] { return fall_section(view); });
+        part("Clock", false, [&] { return clock_section(view); });
     }
     ImGui::End();
     return changed;

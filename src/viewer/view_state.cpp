@@ -23,6 +23,7 @@ Status load_into(ViewState& view, const std::string& file_or_name) {
     if (const double speed = length(view.scene.camera.velocity); speed > 0.0)
         view.boost_direction = view.scene.camera.velocity / speed;
     view.off = {};
+    view.clock_runs = false;
     view.fall.stop();
     view.error.clear();
     return Done{};

@@ -34,6 +34,8 @@ struct ViewState {
     bool show_probe = false;     // the ray of the pixel under the cursor
     MethodWish method;
     Fall fall;                       // of the camera, once it was let go
+    bool clock_runs = false;         // the scene's own
+    double clock_rate = 5.0;         // r_s/c a second
     EffectSet off;                   // of the scene's effects, switched off by hand
     Vec3 boost_direction{-1, 0, 0};  // kept while the camera is at rest
     DiscSpec hidden_disc;            // kept while the disc is switched off

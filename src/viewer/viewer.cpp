@@ -1,4 +1,5 @@
 #include "viewer/viewer.h"
+#include "viewer/sections.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -144,6 +145,7 @@ bool Viewer::step() {
     changed = draw_panels(view_, facts(), accuracy, effects, message_, escape) || changed;
     moving_ = controls_.apply(input, view_, dt, io.WantCaptureMouse, io.WantCaptureKeyboard);
     moving_ = view_.fall.step(view_.scene, dt) || moving_;
+    moving_ = step_clock(view_, dt) || moving_;
     if (controls_.dragging()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (input.moved || input.happened || changed || moving_) probe(input);
     if (changed || moving_) {
@@ -196,7 +198,7 @@ void Viewer::log_turn(double begun) {
 
 double Viewer::wait_time() const {
     if (size_.width == 0 || size_.height == 0) return kIdleWait;
-    if (frames_due_ > 0 || controls_.in_motion() || view_.fall.runs() || options_.after_frames > 0) return 0.0;
+    if (frames_due_ > 0 || controls_.in_motion() || view_.fall.runs() || view_.clock_runs || options_.after_frames > 0) return 0.0;
     if (ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().WantTextInput) return kCaretWait;
     if (painter_->busy() && picture_due_) return kBusyWait;
     if (seconds() < adapting_until_ && picture_.job.scene.picture.auto_exposure) return kBusyWait;

@@ -41,6 +41,7 @@ AUTO = (150, 26)                   # the first entry of its list while the list 
 LEAST, MOST = (108, 438), (266, 438)              # of the slider for the largest error
 WRONG_FATE = bytes([255, 0, 255])
 INSET, RAY = (600, 200, 820, 560), bytes([120, 200, 255])   # the probe's, and the colour of its ray
+CLOCK, RUN, DELAY = (150, 302), (60, 327), (112, 402)   # the last header while nothing else is open; its button and its box
 EFFECTS = (150, 252)               # the section's header while nothing else is open, and its rows
 EFFECT_ROW = lambda row: (30, 277 + 25 * row)
 BODIES = """[sphere]
@@ -550,6 +551,29 @@ def test_exposure_follows_like_an_eye(screen, program, folder):
         v.kill()
 
 
+def test_the_clock_runs_and_stops(screen, program, folder):
+    """A ball goes on while the clock runs, stays where it is when it stops, and jumps when its light takes no time."""
+    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=SCENE.replace("[disc]", "") + '[ball]\nposition = [6, 0, 0]\nmotion = "orbit"\n')
+    try:
+        v.start()
+        for header in HEADERS:
+            v.hands("mousemove", *header, "click", 1)
+            v.still()
+        v.hands("mousemove", *CLOCK, "click", 1)
+        v.still()
+        before = v.picture()
+        v.hands("mousemove", *RUN, "click", 1)
+        for _ in range(2):
+            v.changes("the ball moves", before)
+            before = v.picture()
+        v.hands("mousemove", *RUN, "click", 1)
+        before = v.still()
+        v.hands("mousemove", *DELAY, "click", 1)
+        v.changes("light that takes no time shows it elsewhere", v.picture() if before is None else before)
+    finally:
+        v.kill()
+
+
 def test_bad_input(screen, program, folder):
     scene = folder / "bad.toml"
     scene.write_text("[camera]\nr = -1\n")
@@ -582,7 +606,7 @@ WITH_WINDOW = [test_motion_without_a_drag_changes_nothing, test_a_drag_moves_wha
                test_p_shows_the_ray_under_the_cursor,
                test_the_accuracy_section_chooses_refuses_and_measures, test_f12_saves_the_picture_without_panels,
                test_resizing_keeps_the_horizontal_field_of_view, test_escape_quits]
-FROM_OUTSIDE = [test_an_effect_is_switched_without_a_hitch, test_without_a_second_context_the_hitch_is_seen, test_exposure_follows_like_an_eye, test_screenshot, test_bad_input, test_no_display, test_old_opengl]
+FROM_OUTSIDE = [test_an_effect_is_switched_without_a_hitch, test_without_a_second_context_the_hitch_is_seen, test_exposure_follows_like_an_eye, test_the_clock_runs_and_stops, test_screenshot, test_bad_input, test_no_display, test_old_opengl]
 
 
 def attempt(test, *arguments):
