@@ -28,7 +28,7 @@ struct Options {
     std::string scene, output = "lightcurve", size, context = "auto", renderer = "gl";
     std::vector<int> region;   // x, y of the first pixel, x, y behind the last
     std::optional<double> from, to;
-    int steps = 120;
+    int steps = 120, samples = 1;
 };
 
 struct Sample {
@@ -104,10 +104,11 @@ public:
         auto sky = build_sky(scene.sky, assets_directory(), kSkyFace);
         if (!sky) return sky.error();
         painter.sky_ = std::move(*sky);
+        painter.samples_ = options.samples;
         return painter;
     }
     Result<Image<float>> operator()(const Scene& scene) {
-        if (sky_) return reference::render_frame(scene, *sky_, {}, 1, {}, nullptr, {});
+        if (sky_) return reference::render_frame(scene, *sky_, {}, samples_, {}, nullptr, {});
         if (Status ready = session_->renderer->prepare(scene); !ready) return ready.error();
         return session_->renderer->picture();
     }
@@ -115,6 +116,7 @@ public:
 private:
     std::optional<Session> session_;
     std::optional<SkyCube> sky_;
+    int samples_ = 1;
 };
 
 Result<Scene> scene_for(const Options& options) {
@@ -175,6 +177,7 @@ Command add_lightcurve(CLI::App& parent) {
     app->add_option("--region", options->region, "X0 Y0 X1 Y1: the part of the picture that counts, px from its top left corner, X1 and Y1 behind the last (default: all of it)")->expected(4);
     app->add_option("--renderer", options->renderer, "gl: the shader; reference: the double-precision tracer, slow")
         ->check(CLI::IsMember({"gl", "reference"}))->capture_default_str();
+    app->add_option("--samples", options->samples, "reference: rays per pixel along each side")->check(CLI::Range(1, 16))->capture_default_str();
     context_option(app, options->context);
     return {app, [options] { return run(*options); }};
 }

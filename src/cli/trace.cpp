@@ -116,7 +116,7 @@ Command add_trace(CLI::App& parent) {
     app->add_option(
            "--with", options->with,
            "reference: double precision, every column. core64, core32: the shader's text as C++ in double and float; "
-           "gl: on the GPU. These three leave delay and turn empty, g unless escaped, at beyond half a turn, and "
+           "gl: on the GPU. These three leave turn empty, delay where the shader does not know it, g unless escaped, at beyond half a turn, and "
            "every crossing but the first")
         ->check(CLI::IsMember({"reference", "core64", "core32", "gl"}))
         ->capture_default_str();

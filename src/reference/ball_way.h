@@ -1,5 +1,4 @@
-// Where the ball of a scene is at a time t, found another way than scene/ball_motion.h: falls by Hamilton's equations in t itself,
-// orbits by Kepler's law from differences of the metric.
+// Where the ball of a scene is at a time t, found another way than scene/ball_motion.h: orbits by Kepler's law from differences of the metric.
 #pragma once
 #include <functional>
 
@@ -8,7 +7,7 @@
 
 namespace nullscope::reference {
 
-// metric: outlives what is returned. A fall is integrated from t = 0 at every call: some 20 us.
+// metric: outlives what is returned. Of a ball in free fall it knows nothing yet.
 std::function<Vec3(double t)> ball_way(const OrbitMetric& metric, const BallSpec& ball);
 
 // Omega of a circular geodesic at r: g_tt' + g_phiphi' Omega^2 = 0.

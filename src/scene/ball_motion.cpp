@@ -27,6 +27,7 @@ Vec3 eastward(Vec3 outward) {
 // Free fall in a plane: r'' = -(A (1 + L^2/r^2))'/2 by proper time, phi' = L/r^2, t' = E/A. Fourth order in steps that keep 1e-9.
 class Fall {
 public:
+    static constexpr double kFrozen = 1e-3;   // of the horizon: nearer to it as good as still
     struct State {
         double t, r, r_tau, phi;
     };
@@ -38,9 +39,10 @@ public:
         const double sense = t >= 0.0 ? 1.0 : -1.0;
         if (sense * (t - at_.t) < 0.0 || sense * at_.t < 0.0) at_ = start_;
         while (sense * (t - at_.t) > 0.0) {
-            if (at_.r <= horizon_ * (1.0 + 1e-6)) return {t, at_.r, 0, at_.phi};   // as good as frozen there
+            if (at_.r <= horizon_ * (1.0 + kFrozen)) return {t, at_.r, 0, at_.phi};
+            const double room = 0.1 * (at_.r - horizon_) / std::max(std::fabs(at_.r_tau), 1e-3);   // no stage of a step is inside
             const double rate = energy_ / spacetime_.lapse_squared(at_.r);
-            const double step = std::min(0.01 * at_.r / std::max(std::fabs(at_.r_tau) + std::fabs(momentum_) / at_.r, 0.3), std::fabs(t - at_.t) / rate * 1.0000001);
+            const double step = std::min({room, 0.01 * at_.r / std::max(std::fabs(at_.r_tau) + std::fabs(momentum_) / at_.r, 0.3), std::fabs(t - at_.t) / rate * 1.0000001});
             at_ = advanced(at_, sense * step);
             if (std::fabs(t - at_.t) < 1e-7) break;
         }

@@ -48,3 +48,49 @@ TEST_CASE("light time: the shader's text against the reference, on discs about h
     CHECK(worst < kMap);
     CHECK(worst_float < kFloat);
 }
+
+TEST_CASE("what moves is met where the reference meets it, at every pixel, with and without the time that light takes") {
+    constexpr double kScreenError_px = 0.05;
+    struct Case {
+        const char* name;
+        std::function<void(Scene&)> set;
+    };
+    const auto ball = [](BallMotion motion) {
+        return [motion](Scene& s) {
+            s.ball.emplace().position = {6, 0, 1}, s.ball->radius = 1.2, s.ball->motion = motion;
+            s.ball->velocity = {0.1, 0.05, 0.25};
+            s.ball->x = "6 * cos(t / 9)", s.ball->y = "6 * sin(t / 9)", s.ball->z = "2 * sin(t / 5)";
+        };
+    };
+    const std::vector<Case> cases = {
+        {"ball on an orbit", ball(BallMotion::kOrbit)},
+        {"ball on a given path", ball(BallMotion::kPath)},
+        {"ball on a given path, flat", [=](Scene& s) { ball(BallMotion::kPath)(s), s.spacetime.metric = "minkowski"; }},
+        {"ball on an orbit, light without delay", [=](Scene& s) { ball(BallMotion::kOrbit)(s), s.light.delay = false; }},
+        {"ball on an orbit, straight light", [=](Scene& s) { ball(BallMotion::kOrbit)(s), s.light.lensing = false; }},
+        {"ball on an orbit, extremal hole", [=](Scene& s) { ball(BallMotion::kOrbit)(s), s.spacetime = {"reissner-nordstrom", {{"charge", 1.0}}}; }},
+        {"ball on an orbit, a camera that falls", [=](Scene& s) { ball(BallMotion::kOrbit)(s), s.camera.observer = ObserverKind::kRain; }},
+        {"sphere that pulsates", [](Scene& s) { s.sphere.emplace().radius = 4, s.sphere->swing = 0.3, s.sphere->period = 12; }},
+        {"surface with t in it", [](Scene& s) { s.surface.emplace().shape = "length(x, y, z) - 4 - 0.6 * sin(0.5 * t + 3 * atan(y, x))", s.surface->bound = 6; }},
+    };
+    test::on_every_context([&](test::GpuSession& session) {
+        if (session.context->kind() != "egl") return;   // the same rasteriser; the reference takes seconds a case
+        for (const Case& c : cases) {
+            CAPTURE(std::string(c.name));
+            Scene scene;
+            scene.sky.kind = SkyKind::kBlack;
+            scene.time = 30, scene.camera.r = 22, scene.camera.theta = 1.2;
+            scene.camera.width = 48, scene.camera.height = 27;
+            c.set(scene);
+            const RayFrame frame = test::gl_ray_data(session, scene);
+            const RayMeasures m = measure_rays(frame, scene.camera, test::reference_trace(scene));
+            fmt::print("moving  {:<38} screen {:.1e}, place {:.1e}, swept {:.1e} px; fate errors {}, {} hits\n", c.name, m.sky_px.max, m.place_px.max, m.angle_px.max,
+                       m.fate_errors, m.place_px.count);
+            CHECK(m.not_finite == 0);
+            CHECK(m.fate_errors == 0);
+            CHECK(m.place_px.count > 0);
+            CHECK(m.place_px.max <= kScreenError_px);
+            CHECK(m.angle_px.max <= kScreenError_px);
+        }
+    });
+}
