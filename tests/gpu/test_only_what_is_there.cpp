@@ -82,6 +82,7 @@ std::vector<Scene> full_scenes() {
     scenes[4].sphere.emplace().swing = 0.1;
     scenes[6].spacetime.metric = "kerr";
     scenes[6].disc.emplace().emission = DiscEmission::kThermal;
+    scenes[6].camera.observer = ObserverKind::kRain;
     scenes[1].picture = {ToneCurve::kFilm, 0.1, false, true};
     scenes[2].picture = {ToneCurve::kNeutral, 0.0, true, false};
     return scenes;
