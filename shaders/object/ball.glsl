@@ -27,7 +27,7 @@ float ball_value(RayPlace place) {
 
 // It comes to meet the ray: both move.
 #ifdef EFFECT_BALL_PATH
-float ball_room(RayPlace place) { return ball_value(place) / (1.0 + frame.ball_path.w); }
+float ball_room(RayPlace place) { return ball_value(place) / (1.0 + frame.ball_path.w * place_slowness(place)); }
 #else
 float ball_room(RayPlace place) { return ball_value(place); }
 #endif

@@ -50,6 +50,19 @@ float march_refined(Trace trace, vec3 tangent, float blur, float low, float high
     return high;
 }
 
+#ifndef EFFECT_SIDES
+// How far to the next look at a body. Where light is slow, next to a horizon, what moves would pass unseen between two looks at places.
+float march_stride(RayPlace place) {
+    float room = min(0.8 * march_room(place), 0.4 * place.r);
+#ifdef NEEDS_PLACE_LATE
+    float slowness = place_slowness(place);
+    return max(min(room, 2.0 * place.r / slowness), frame.march.y / slowness);
+#else
+    return max(room, frame.march.y);
+#endif
+}
+#endif
+
 SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
     SolidHit hit;
     hit.object = 0;
@@ -61,7 +74,6 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
 #else
     float reach = frame.march.x;
 #endif
-    float least = frame.march.y;
     float nearest = 1.0;      // of what is met in part only: value in pixels, 0 ... 1
     float nearest_phi = 0.0;
     RayPlace place = place_of(trace, tangent, 0.0);
@@ -73,9 +85,9 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
     bool going = true;
     do {
 #ifdef EFFECT_SIDES
-        float room = max(min(0.8 * march_room(place), 0.4 * place.radius), least);
+        float room = max(min(0.8 * march_room(place), 0.4 * place.radius), frame.march.y);
 #else
-        float room = place.r > 2.0 * reach ? place.r - 1.5 * reach : max(min(0.8 * march_room(place), 0.4 * place.r), least);
+        float room = place.r > 2.0 * reach ? place.r - 1.5 * reach : march_stride(place);
 #endif
         float next = min(phi + march_angle(place, room), phi_stop);
         place = place_of(trace, tangent, next);

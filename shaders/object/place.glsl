@@ -89,6 +89,20 @@ float place_pixel(Trace trace, RayPlace place, float phi) {
     return 0.5 * trace.pixel_angle * (along + across);
 }
 
+#ifdef NEEDS_PLACE_LATE
+// 1/A, the most that light needs for a length there: what moves goes that much further while it comes along.
+#define PLACE_SLOWEST 1.0e6
+float place_slowness(RayPlace place) {
+#ifdef EFFECT_DELAY
+#ifdef EFFECT_LENSING
+    float zeta = 1.0 / place.r;
+    return 1.0 / max((1.0 - frame.delay.x * zeta) * (1.0 - frame.delay.y * zeta), 1.0 / PLACE_SLOWEST);
+#endif
+#endif
+    return 1.0;
+}
+#endif
+
 // What a solid body's hit is known by.
 struct SolidHit {
     int object;      // its number (scene/ray.h), 0 for none

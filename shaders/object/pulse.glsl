@@ -4,4 +4,4 @@ float sphere_value(RayPlace place) {
 }
 
 // It comes to meet the ray: both move.
-float sphere_room(RayPlace place) { return sphere_value(place) / (1.0 + frame.sphere_form.x * frame.sphere_form.y * frame.sphere_form.w); }
+float sphere_room(RayPlace place) { return sphere_value(place) / (1.0 + frame.sphere_form.x * frame.sphere_form.y * frame.sphere_form.w * place_slowness(place)); }

@@ -42,6 +42,8 @@ double CameraPath::proper_time(double frame) const {
     return duration_ * std::clamp(frame / (frames_ - 1), 0.0, 1.0);
 }
 
+double CameraPath::clock(double frame) const { return line_ ? line_->clock(proper_time(frame)) : 0.0; }
+
 CameraSpec CameraPath::at(double frame) const {
     if (!line_) return through_keys(frame);
     CameraSpec camera = line_->at(proper_time(frame));

@@ -13,7 +13,9 @@ public:
     // Errors: the scene has no path; no such observer. A fall is integrated here: milliseconds.
     static Result<CameraPath> make(const Scene& scene);
     int frames() const { return frames_; }
+    bool falls() const { return line_.has_value(); }
     CameraSpec at(double frame) const;                  // from 0 to frames() - 1; beyond: the first and last
+    double clock(double frame) const;                   // Scene::time then, later than the start's: of a fall; 0 where keys say no time
 
 private:
     CameraPath() = default;

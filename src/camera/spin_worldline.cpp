@@ -4,10 +4,11 @@
 #include <cmath>
 
 #include "base/lorentz.h"
-#include "camera/dormand_prince.h"
+#include "base/dormand_prince.h"
 #include "camera/pose.h"
 #include "scene/observer.h"
 #include "spacetime/spin_frame.h"
+#include "spacetime/tortoise.h"
 
 namespace nullscope {
 namespace {
@@ -107,6 +108,7 @@ Result<SpinWorldline> SpinWorldline::make(std::shared_ptr<const Spacetime> space
         const Vec4 v = cartesian(a, place, tetrad->high[i]);
         std::copy(v.begin(), v.end(), state.begin() + 3 + 4 * static_cast<std::ptrdiff_t>(i));
     }
+    line.ahead_ = falls(start) ? 0.0 : time_ahead(*spacetime, start.r);
     line.spacetime_ = std::move(spacetime);
     line.nodes_.push_back({0, state, 0});
     line.run(duration);
@@ -120,8 +122,8 @@ State slope_of(double a, const State& state) {
     const KerrSchildField field(a, state[0], state[1], state[2]);
     const Vec4 u = vector_of(state, 0);
     State d{};
-    d[0] = u[1], d[1] = u[2], d[2] = u[3];
-    for (std::size_t i = 0; 3 + 4 * i < state.size(); ++i) {
+    d[0] = u[1], d[1] = u[2], d[2] = u[3], d.back() = u[0];
+    for (std::size_t i = 0; 6 + 4 * i < state.size(); ++i) {
         const Vec4 by = field.carried(u, vector_of(state, i));
         std::copy(by.begin(), by.end(), d.begin() + 3 + 4 * static_cast<std::ptrdiff_t>(i));
     }
@@ -178,6 +180,8 @@ SpinWorldline::Node SpinWorldline::node_at(double tau) const {
     const double turned = place_of(a, there[0], there[1], there[2]).phi - place_of(a, before.state[0], before.state[1], before.state[2]).phi;
     return {when, there, before.azimuth + std::remainder(turned, 2 * M_PI)};
 }
+
+double SpinWorldline::clock(double tau) const { return ahead_ + node_at(tau).state[kClock]; }
 
 double SpinWorldline::azimuth(double tau) const { return node_at(tau).azimuth; }
 

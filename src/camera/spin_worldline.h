@@ -30,11 +30,12 @@ public:
     };
     Constants constants(double tau) const;
     double energy() const { return constants(0).energy; }
+    double clock(double tau) const;                     // as Worldline's
     double azimuth(double tau) const;                   // phi~ since the start, turns kept
 
 private:
-    static constexpr std::size_t kVectors = 4, kSize = 3 + 4 * kVectors;
-    using State = std::array<double, kSize>;            // x, y, z; then (t, x, y, z) of the velocity and of right, up, backward
+    static constexpr std::size_t kVectors = 4, kClock = 3 + 4 * kVectors, kSize = kClock + 1;
+    using State = std::array<double, kSize>;            // x, y, z; then (t, x, y, z) of the velocity and of right, up, backward; t
     struct Node {
         double tau;
         State state;
@@ -47,6 +48,7 @@ private:
     CameraSpec start_;
     std::vector<Node> nodes_;
     bool ends_ = false;
+    double ahead_ = 0;
     std::optional<double> horizon_time_;
 };
 

@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "base/lorentz.h"
-#include "camera/dormand_prince.h"
+#include "base/dormand_prince.h"
 #include "camera/pose.h"
 #include "scene/observer.h"
+#include "spacetime/tortoise.h"
 
 namespace nullscope {
 namespace {
@@ -40,9 +41,9 @@ double areal_slope(const Spacetime& spacetime, double r) {
     return slope_of([&](double x) { return spacetime.areal_radius(x); }, r);
 }
 
-// The radial frame that a place on a worldline is described in: rain, or at rest where nothing falls from infinity.
-CameraSpec without_motion(CameraSpec camera, double lapse2) {
-    camera.observer = lapse2 <= 1.0 ? ObserverKind::kRain : ObserverKind::kStatic;
+// The radial frame that a place on a worldline is described in: rain about a hole, or at rest.
+CameraSpec without_motion(CameraSpec camera, const Spacetime& spacetime) {
+    camera.observer = spacetime.horizon_radius() ? ObserverKind::kRain : ObserverKind::kStatic;
     camera.velocity = {};
     return camera;
 }
@@ -65,11 +66,12 @@ Worldline::State Worldline::slope(const State& s) const {
     d[1] = -0.5 * a_slope * (1 + across2) + a * across2 * r_slope / radius;
     d[2] = turn;
     const double by_v = 0.5 * a_slope * v_slope(s), by_turn = turn * r_slope;
-    for (std::size_t i = 3; i < kSize; i += 3) {
+    for (std::size_t i = 3; i < kAxes; i += 3) {
         d[i] = -by_v * s[i] + by_turn * s[i + 2];
         d[i + 1] = by_v * s[i + 1] - a * by_turn * s[i + 2];
         d[i + 2] = -by_turn * (a * s[i] - s[i + 1]) / 2;
     }
+    d[kClock] = spacetime.horizon_radius() ? v_slope(s) - speed : energy_ / a;
     return d;
 }
 
@@ -112,6 +114,7 @@ Result<Worldline> Worldline::make(std::shared_ptr<const Spacetime> spacetime, co
     const Mat3 world = world_from_static(start.theta, start.phi);
     line.outward_ = world.a, line.onward_ = world * onward, line.normal_ = world * normal;
     const double a = line.spacetime_->lapse_squared(start.r), m = (tetrad[0][0] + tetrad[1][0]) / o, n = (tetrad[0][0] - tetrad[1][0]) * o;
+    line.ahead_ = line.spacetime_->horizon_radius() && !falls(start) ? time_ahead(*line.spacetime_, start.r) : 0;
     line.energy_ = 0.5 * (a * m + n);
     line.momentum_ = aside * line.spacetime_->areal_radius(start.r);
     State state{start.r, 0.5 * (a * m - n), 0};
@@ -195,11 +198,13 @@ Worldline::State Worldline::state_at(double tau) const {
     return step(before.state, when - before.tau, error);
 }
 
+double Worldline::clock(double tau) const { return spun_ ? spun_->clock(tau) : ahead_ + state_at(tau)[kClock]; }
+
 CameraSpec Worldline::at(double tau) const {
     if (spun_) return spun_->at(tau);
     const State s = state_at(tau);
-    const double a = spacetime_->lapse_squared(s[0]), radius = spacetime_->areal_radius(s[0]), co = std::cos(s[2]), si = std::sin(s[2]);
-    CameraSpec camera = without_motion(start_, a);
+    const double radius = spacetime_->areal_radius(s[0]), co = std::cos(s[2]), si = std::sin(s[2]);
+    CameraSpec camera = without_motion(start_, *spacetime_);
     camera.r = s[0];
     const Vec3 place = co * outward_ + si * onward_, onward = co * onward_ - si * outward_;
     camera.theta = std::atan2(std::hypot(place.x, place.y), place.z);

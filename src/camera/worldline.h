@@ -36,10 +36,13 @@ public:
     double end_time() const { return end_time_; }      // proper time of the end itself, within 1e-10; last() where it is open
     std::optional<double> horizon_time() const { return horizon_time_; }   // when the outer horizon is crossed
     double energy() const { return energy_; }
+    // By how much Scene::time of the camera at() is later than that of the start: v - r about a hole, t where there is none. A start that
+    // does not fall tells t, and v - r is ahead of it there (spacetime/tortoise.h).
+    double clock(double tau) const;
 
 private:
-    static constexpr std::size_t kSize = 12;
-    using State = std::array<double, kSize>;           // r, r', phi, then M, N, Phi of three axes
+    static constexpr std::size_t kAxes = 12, kClock = 12, kSize = 13;
+    using State = std::array<double, kSize>;           // r, r', phi, then M, N, Phi of three axes, then the clock
     struct Node {
         double tau;
         State state;
@@ -54,7 +57,7 @@ private:
     double time_at_radius(double r) const;             // between the last two nodes
     std::shared_ptr<const Spacetime> spacetime_;
     CameraSpec start_;
-    double energy_ = 1, momentum_ = 0, last_ = 0, end_time_ = 0;
+    double energy_ = 1, momentum_ = 0, last_ = 0, end_time_ = 0, ahead_ = 0;
     Vec3 outward_, onward_, normal_;                   // of the start, world axes: place, motion across, plane
     std::array<double, 3> across_{};                   // n of the axes
     std::vector<Node> nodes_;

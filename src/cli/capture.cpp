@@ -201,6 +201,8 @@ int run(const Options& options) {
     if (const auto split = split_of(options, *scene); !split) return report(split.error());
     const bool exr = options.output.ends_with(".exr");
     if (Status good = check_output(options, exr); !good) return report(good.error());
+    if (path && path->falls() && options.time_step != 0)
+        return report(bad_input("--time-step: the scene's time goes with the camera that falls; allowed: scenes whose path.kind is not fall"));
     const auto frames = frames_of(options, path ? &*path : nullptr);
     if (!frames) return report(frames.error());
     std::optional<Session> session;
@@ -230,6 +232,7 @@ int run(const Options& options) {
         now.time += (frame - (path ? 0 : frames->first)) * options.time_step;
         if (path) {
             now.camera = path->at(frame);
+            now.time += path->clock(frame);
             now.camera.width = scene->camera.width, now.camera.height = scene->camera.height;
         }
         const auto capture = [&](const Scene& drawn) {
@@ -278,7 +281,7 @@ Command add_capture(CLI::App& parent) {
         ->check(CLI::Range(1e-12, 1e6));
     app->add_option("--time", options->time, "Scene time in r_s/c (default: the scene's); scenes without anything that moves look the same at all times")
         ->check(CLI::Range(0.0, 1e9));
-    app->add_option("--time-step", options->time_step, "Scene time from one frame to the next, r_s/c, of --frames and films: content moves, as light's delay shows it")
+    app->add_option("--time-step", options->time_step, "Scene time from one frame to the next, r_s/c, of --frames and films, but of a camera that falls, which has a clock: content moves, as light's delay shows it")
         ->check(CLI::Range(-1e6, 1e6))->capture_default_str();
     app->add_option("--frames", options->frames, "Draw frames A to B-1 of the scene's [path], or as many with --time-step, A:B; -o then holds %05d, or ends in .mp4");
     app->add_flag("--resume", options->resume, "Leave out the frames whose files are there: goes on with a sequence that was stopped");

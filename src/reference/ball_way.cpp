@@ -1,7 +1,12 @@
 #include "reference/ball_way.h"
 
 #include <algorithm>
+#include <array>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
+#include <memory>
+#include <mutex>
+#include <vector>
 
 #include "expr/formula.h"
 
@@ -14,10 +19,59 @@ double lapse2(const OrbitMetric& metric, double r) {
 }
 
 double slope_of(const OrbitMetric& metric, double r) {   // of A; eighth order
-    const double h = std::min(0.01 * r, 0.1 * (r - metric.horizon_radius().value_or(0.0)));   // all of it outside
+    double h = std::min(0.01 * r, 0.1 * (r - metric.horizon_radius().value_or(0.0)));   // all of it outside
+    while (h > 1e-12 * r && !std::isfinite(metric.lapse(r - 4 * h))) h /= 2;            // of a star
     const auto d = [&](int n) { return lapse2(metric, r + n * h) - lapse2(metric, r - n * h); };
     return (d(1) * 4.0 / 5 - d(2) / 5 + d(3) * 4.0 / 105 - d(4) / 280) / h;
 }
+
+// A ball in free fall in its plane, forward and back from t = 0: what it went through is kept.
+class Fall {
+public:
+    using State = std::array<double, 3>;   // r, P, phi
+    Fall(const OrbitMetric& metric, State start, double momentum) : metric_(metric), momentum_(momentum), ways_{{{start}, {start}}} {}
+    State at(double t) {
+        const double sense = t < 0 ? -1 : 1;
+        const std::lock_guard lock(mutex_);
+        std::vector<State>& way = ways_[t < 0];
+        const auto whole = static_cast<std::size_t>(std::fabs(t) / kStep);
+        while (way.size() <= whole) way.push_back(landed(way.back(), sense * kStep));
+        return landed(way[whole], t - sense * kStep * static_cast<double>(whole));
+    }
+
+private:
+    static constexpr double kStep = 0.02;   // r_s/c: the shortest time in which anything happens outside is some r_s/c
+    // A star's ground is where its lapse ends: the last step to it by halves.
+    State landed(const State& s, double h) const {
+        constexpr double kGround = 1e-6;   // of r
+        const auto above = [this](double r) { return std::isfinite(metric_.lapse(r * (1 - kGround))) || metric_.horizon_radius(); };
+        if (!above(s[0])) return s;
+        const State next = after(s, h);
+        if (above(2 * next[0] - s[0]) || std::fabs(h) < kGround) return next;
+        return landed(landed(s, h / 2), h / 2);
+    }
+    State after(State s, double h) const {
+        boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
+        stepper.do_step([this](const State& x, State& d, double) { slope(x, d); }, s, 0.0, h);
+        return s;
+    }
+    void slope(const State& s, State& d) const {
+        constexpr double kThere = 1e-12;   // of the horizon: nearer to it A is rounding
+        const double r = s[0];
+        d = {0, 0, 0};
+        if (!(r > metric_.horizon_radius().value_or(0.0) * (1 + kThere))) return;
+        const double a = lapse2(metric_, r);
+        if (!(a > 0)) return;   // on a star's ground
+        const double across = momentum_ / r, energy = std::sqrt(s[1] * s[1] + a * (1 + across * across));
+        d[0] = a * s[1] / energy;
+        d[1] = -a * (slope_of(metric_, r) * (1 + across * across) - 2 * a * across * across / r) / (2 * energy);
+        d[2] = a * across / (r * energy);
+    }
+    const OrbitMetric& metric_;
+    double momentum_;
+    std::array<std::vector<State>, 2> ways_;
+    std::mutex mutex_;
+};
 
 }  // namespace
 
@@ -31,7 +85,17 @@ std::function<Vec3(double t)> ball_way(const OrbitMetric& metric, const BallSpec
     switch (ball.motion) {
         case BallMotion::kStill: break;
         case BallMotion::kOrbit: return [=, omega = kepler_rate(metric, r)](double t) { return turned(e_phi, r, omega * t); };
-        case BallMotion::kGeodesic: break;   // refused by FrameTracer::make
+        case BallMotion::kGeodesic: {
+            // velocity: (e_r, e_theta, e_phi) of one at rest there; E = gamma sqrt(A), P = A p_r = gamma v_r sqrt(A).
+            const Vec3 v = ball.velocity, e_theta = cross(e_phi, e_r), across = v.y * e_theta + v.z * e_phi;
+            if (metric.lapse(1e6) == 1) return [=, v = v.x * e_r + across](double t) { return start + t * v; };   // flat
+            const double gamma = 1 / std::sqrt(1 - dot(v, v)), speed = length(across);
+            const auto fall = std::make_shared<Fall>(metric, Fall::State{r, gamma * v.x * metric.lapse(r), 0}, gamma * speed * r);
+            return [=, onward = speed > 0 ? across / speed : e_phi](double t) {
+                const Fall::State s = fall->at(t);
+                return turned(onward, s[0], s[2]);
+            };
+        }
         case BallMotion::kPath: {
             const auto x = expr::Formula::parse(ball.x, {"t"}), y = expr::Formula::parse(ball.y, {"t"}), z = expr::Formula::parse(ball.z, {"t"});
             if (!x || !y || !z) break;

@@ -79,8 +79,6 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     if (!metric) return metric.error();
     auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     if (!spacetime) return spacetime.error();
-    if (scene.ball && scene.ball->motion == BallMotion::kGeodesic)
-        return bad_input("the reference follows no ball in free fall; allowed: ball.motion = \"still\", \"orbit\" or \"path\"");
     const bool bodies = scene.sphere || scene.cylinder || scene.ball || scene.surface;
     if (bodies && (*spacetime)->spin() != 0)
         return bad_input(fmt::format("metric \"{}\" has no bodies; allowed: a scene without them", scene.spacetime.metric));

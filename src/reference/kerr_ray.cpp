@@ -15,7 +15,7 @@
 namespace nullscope::reference {
 namespace {
 
-using State = std::array<double, 6>;   // x, y, z, p_x, p_y, p_z
+using State = std::array<double, 7>;   // x, y, z, p_x, p_y, p_z, and t less what grows with the distance: t - sense sqrt(x^2 + y^2 + z^2)
 using Stepper = boost::numeric::odeint::runge_kutta_fehlberg78<State>;
 
 // Of each step, absolute and relative; the steps' errors add up to some ten times this.
@@ -29,6 +29,7 @@ constexpr double kStaysThere = 5e-11;    // and the root of Carter's constant ov
 // g = eta + 2 H l l with l = (1, lx, ly, lz), regular where matter falls in.
 struct Chart {
     double a;
+    double sense = 1;   // of Path
 
     double radius(const State& s) const {
         const double flat = s[0] * s[0] + s[1] * s[1] + s[2] * s[2] - a * a, az = a * s[2], root = std::hypot(flat, 2 * az);
@@ -54,6 +55,7 @@ struct Chart {
             const double dlz = ((i == 2 ? 1.0 : 0.0) - lz * dr[i]) / r;
             d[3 + i] = dh * lp * lp + 2 * h * lp * (dlx * s[3] + dly * s[4] + dlz * s[5]);
         }
+        d[6] = energy + 2 * h * lp - sense * (x * d[0] + y * d[1] + z * d[2]) / std::sqrt(x * x + y * y + z * z);
     }
 
     // What the azimuth of x + iy = (r + ia) sin(theta) e^{i phi~} is ahead of Boyer and Lindquist's, which it meets at infinity.
@@ -72,6 +74,12 @@ double turned(double at, const State& from, const State& to, const State& slope)
     return turn;
 }
 
+// r_* - r.
+double tortoise_ahead(double spin, double r) {
+    const double root = std::sqrt((1 - spin) * (1 + spin)), outer = 0.5 * (1 + root), inner = 0.5 * (1 - root);
+    return std::log(r) + (outer * std::log1p(-outer / r) - inner * std::log1p(-inner / r)) / root;
+}
+
 // What is known of a photon where it is seen, or traced on from; `theta` and `climb` towards where it came from.
 struct Launch {
     double r, theta;
@@ -83,11 +91,16 @@ struct Launch {
 
 class Path {
 public:
-    Path(double spin, const Launch& launch);
-    KerrRay trace(int most_crossings);
+    // late() = base + ..., see there; T counts from the camera's `from`; along: the affine parameter so far.
+    struct Start {
+        double base, from, along;
+        bool camera;
+    };
+    Path(double spin, const Launch& launch, const Start& start);
+    KerrRay trace(int most_crossings, const KerrWatch& watch);
 
 private:
-    void add_crossing(const State& before, double taken, KerrRay& ray) const;
+    void add_crossing(const State& before, double taken, double along, KerrRay& ray) const;
     State stepped(const State& from, double length) const {
         State to = from;
         Stepper().do_step([this](const State& s, State& d, double) { chart_.slope(sense_ * energy_, s, d); }, to, 0.0, length);
@@ -96,8 +109,13 @@ private:
     double boyer_lindquist(double chart_azimuth, double r) const { return phi_ - sense_ * (chart_azimuth - chart_.ahead(r, root_)); }
     double climbing(const State& s, const State& slope) const;
     Launch mirrored() const;
+    double far_part(const State& s) const { return std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]); }
+    double passed(const State& s) const;
+    double late(const State& s, double r) const { return passed(s) - sense_ * tortoise_ahead(spin_, r); }
+    KerrPlace place_on(const State& before, double taken, double along) const;
 
     Chart chart_;
+    Start start_;
     double spin_, root_, outer_, phi_, energy_, momentum_, scale_ = 1;
     double sense_;     // 1: the mirror image, forward; -1: the photon itself, backward
     double azimuth_;   // in the chart, windings kept
@@ -107,9 +125,9 @@ private:
 
 // The mirror image has the energy and L_z of the photon, and moves in r and theta towards where that came from. Traced backward the
 // photon has the opposite momentum.
-Path::Path(double spin, const Launch& launch)
-    : chart_{0.5 * spin}, spin_(spin), root_(std::sqrt((1 - spin) * (1 + spin))), outer_(0.5 * (1 + root_)), phi_(launch.phi), energy_(launch.energy),
-      momentum_(launch.l_over_sine * std::sin(launch.theta)), sense_(launch.falls ? -1 : 1) {
+Path::Path(double spin, const Launch& launch, const Start& start)
+    : chart_{0.5 * spin, launch.falls ? -1.0 : 1.0}, start_(start), spin_(spin), root_(std::sqrt((1 - spin) * (1 + spin))), outer_(0.5 * (1 + root_)),
+      phi_(launch.phi), energy_(launch.energy), momentum_(launch.l_over_sine * std::sin(launch.theta)), sense_(chart_.sense) {
     const double a = chart_.a, r = launch.r, sine = std::sin(launch.theta), cosine = std::cos(launch.theta);
     const double l_over_sine = sense_ * launch.l_over_sine;
     // To Cartesian components: x + iy = (r + ia) sin(theta) e^{i psi}, psi = 0 at the camera but for what the chart is ahead.
@@ -127,6 +145,7 @@ Path::Path(double spin, const Launch& launch)
     const Vec3 p = (launch.p_r * n0 + launch.p_theta * n1 + l_over_sine * n2) / volume;
     state_[3] = p.x, state_[4] = p.y, state_[5] = p.z;
     scale_ = std::max(1.0, r);
+    start_.base -= far_part(state_);
     stays_ = height == 0.0 && std::abs(launch.p_theta) < kStaysThere * std::abs(energy_);
 }
 
@@ -201,8 +220,21 @@ Launch Path::mirrored() const {
     return l;
 }
 
+// The chart's t is v - r of what is traced: of the mirror image -t + r_* - r, r_* of the photon's own chart. With w = t - sense |x| of the
+// state the camera's clock less t is base + sense w + |x| - sense (r_* - r).
+double Path::passed(const State& s) const { return start_.base + sense_ * s[6] + far_part(s); }
+
+KerrPlace Path::place_on(const State& before, double taken, double along) const {
+    const State there = stepped(before, taken);
+    State slope{};
+    chart_.slope(sense_ * energy_, before, slope);
+    const double r = chart_.radius(there), phi = boyer_lindquist(azimuth_ + turned(azimuth_, before, there, slope), r);
+    const double cosine = std::clamp(there[2] / r, -1.0, 1.0), sine = std::sqrt((1 - cosine) * (1 + cosine));
+    return {r * Vec3{sine * std::cos(phi), sine * std::sin(phi), cosine}, start_.along + along + taken, late(there, r)};
+}
+
 // The zero of z within the step: Newton's steps on its length, each taken whole from where the step began.
-void Path::add_crossing(const State& before, double taken, KerrRay& ray) const {
+void Path::add_crossing(const State& before, double taken, double along, KerrRay& ray) const {
     double low = 0, high = taken, at = 0;
     State there = before, d{};
     for (int i = 0; i < 60; ++i) {
@@ -221,10 +253,10 @@ void Path::add_crossing(const State& before, double taken, KerrRay& ray) const {
     const double phi = boyer_lindquist(azimuth_ + turned(azimuth_, before, there, d), r);
     // Sigma dr/dlambda = Delta p_r of what is traced; the photon's own has the other sign.
     const double delta = (r - outer_) * (r - 0.5 * (1 - root_));
-    ray.crossings.push_back({r, phi, -climbing(there, d) * r * r / (delta * energy_)});
+    ray.crossings.push_back({r, phi, -climbing(there, d) * r * r / (delta * energy_), start_.along + along + at, late(there, r)});
 }
 
-KerrRay Path::trace(int most_crossings) {
+KerrRay Path::trace(int most_crossings, const KerrWatch& watch) {
     using boost::numeric::odeint::controlled_step_result;
     KerrRay ray;
     ray.energy = energy_;
@@ -241,22 +273,30 @@ KerrRay Path::trace(int most_crossings) {
         const State before = state_;
         const double from = lambda;
         if (stepper.try_step(system, state_, lambda, length) == controlled_step_result::fail) continue;
+        if (watch && outside && chart_.radius(before) > outer_ && chart_.radius(state_) > outer_) {
+            const double taken = lambda - from;
+            if (watch({[&](double part) { return place_on(before, part * taken, from); }, start_.camera && from == 0})) return ray;
+        }
         State slope{};
         chart_.slope(sense_ * energy_, before, slope);
         const bool crossed = before[2] != 0 && (before[2] > 0) != (state_[2] > 0) && !stays_;
-        if (crossed && static_cast<int>(ray.crossings.size()) < most_crossings) add_crossing(before, lambda - from, ray);
+        if (crossed && static_cast<int>(ray.crossings.size()) < most_crossings) add_crossing(before, lambda - from, from, ray);
         azimuth_ += turned(azimuth_, before, state_, slope);
         const double r = chart_.radius(state_);
         if (r <= outer_ && outside) return ray;
         outside = outside || r > outer_;
         chart_.slope(sense_ * energy_, state_, slope);
         if (sense_ < 0 && outside && climbing(state_, slope) < 0) {   // on its way to the past horizon
-            KerrRay rest = Path(spin_, mirrored()).trace(most_crossings - static_cast<int>(ray.crossings.size()));
+            const Start here{late(state_, r) + tortoise_ahead(spin_, r), start_.from, start_.along + lambda, false};
+            KerrRay rest = Path(spin_, mirrored(), here).trace(most_crossings - static_cast<int>(ray.crossings.size()), watch);
             ray.crossings.insert(ray.crossings.end(), rest.crossings.begin(), rest.crossings.end());
-            if (rest.fate == Fate::kEscaped) ray.fate = rest.fate, ray.sky = rest.sky, ray.phi_inf = rest.phi_inf;
+            if (rest.fate == Fate::kEscaped) ray.fate = rest.fate, ray.sky = rest.sky, ray.phi_inf = rest.phi_inf, ray.delay = rest.delay;
             return ray;
         }
         if (r < sky) continue;
+        // T = late + from - r_*, without the difference of |x| and r.
+        const double across = chart_.a * chart_.a * (state_[0] * state_[0] + state_[1] * state_[1]) / (r * r + chart_.a * chart_.a);   // a^2 sin^2
+        ray.delay = start_.base + sense_ * state_[6] + across / (far_part(state_) + r) + start_.from - (sense_ > 0 ? 2 * tortoise_ahead(spin_, r) : 0);
         ray.fate = Fate::kEscaped;   // the motion's direction, nearer to the sky's than the place's
         const double place = std::atan2(state_[1], state_[0]), motion = std::atan2(slope[1], slope[0]);
         ray.phi_inf = phi_ - sense_ * (azimuth_ + std::remainder(motion - place, 2 * M_PI));
@@ -269,8 +309,17 @@ KerrRay Path::trace(int most_crossings) {
 
 }  // namespace
 
-KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings) { return Path(spin, launch_of(spin, start)).trace(most_crossings); }
-KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings) { return Path(spin, launch_of(spin, photon)).trace(most_crossings); }
+KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings) {
+    const double ahead = tortoise_ahead(spin, start.r);
+    return Path(spin, launch_of(spin, start), {ahead, start.r + ahead, 0, true}).trace(most_crossings, {});
+}
+
+KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings, bool falls, const KerrWatch& watch) {
+    const Launch launch = launch_of(spin, photon);
+    // late = 0 at the camera, or r_* - r; inside the horizon what is traced fell in, and r_* is not asked for.
+    const double sense = launch.falls ? -1 : 1, ahead = falls && launch.falls ? 0 : tortoise_ahead(spin, photon.r);
+    return Path(spin, launch, {falls ? ahead + sense * ahead : sense * ahead, photon.r + (falls ? 0 : ahead), 0, true}).trace(most_crossings, watch);
+}
 
 double kerr_azimuth_ahead(double spin, double r) {
     const Chart chart{0.5 * spin};

@@ -120,8 +120,6 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
     if (query.at_angle && !(*query.at_angle >= 0 && std::isfinite(*query.at_angle))) {
         return bad_input(fmt::format("at_angle = {} must be finite and not negative", *query.at_angle));
     }
-    if (scene.ball && scene.ball->motion == BallMotion::kGeodesic)
-        return bad_input("the reference follows no ball in free fall; allowed: ball.motion = \"still\", \"orbit\" or \"path\"");
     if ((*metric)->spin() != 0) {
         if (!Bodies(scene, **metric).empty()) return bad_input("a spinning hole has no bodies; allowed: a scene without them");
         return trace_spinning(**metric, query, crossings);

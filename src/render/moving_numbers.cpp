@@ -5,25 +5,18 @@
 #include "light/black_body.h"
 #include "scene/observer.h"
 #include "spacetime/circular_orbit.h"
+#include "spacetime/tortoise.h"
 
 namespace nullscope {
 namespace {
 
 constexpr double kCopies = 4096.0;   // DISC_COPIES of shaders/object/disc_moving.glsl
 
-// r_* - r of shaders/core/delay.glsl.
-double tortoise(const LapseRoots& roots, double zeta) {
-    const double gap = roots.outer - roots.inner, without = 1.0 - roots.inner * zeta, by = gap * zeta / without;
-    const double ratio = by > 0.0 ? -std::log1p(-by) / by * zeta / without : zeta / without;
-    return (roots.outer + roots.inner) * std::log1p(-roots.outer * zeta) - roots.inner * roots.inner * ratio - std::log(zeta);
-}
-
 std::array<double, 4> delay_row(const Scene& scene, const Spacetime& spacetime) {
-    const LapseRoots roots = spacetime.lapse_roots().value_or(LapseRoots{0, 0});
     if (!spacetime.lapse_roots()) return {0, 0, 0, 0};
-    const double zeta0 = 1.0 / scene.camera.r;
-    if (roots.outer * zeta0 >= 1.0) return {roots.outer, roots.inner, 0, 0};   // nothing but the sky's light is seen inside
-    const double camera = tortoise(roots, zeta0);
+    const LapseRoots roots = *spacetime.lapse_roots();
+    if (scene.camera.r <= roots.outer) return {roots.outer, roots.inner, 0, 0};   // nothing but the sky's light is seen inside
+    const double camera = time_ahead(spacetime, scene.camera.r);
     const bool by_fall = falls(scene.camera);   // Scene::time is then v - r
     return {roots.outer, roots.inner, by_fall ? 0.0 : camera, by_fall ? -2.0 * camera : -camera};
 }

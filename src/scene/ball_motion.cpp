@@ -7,6 +7,7 @@
 #include <array>
 #include <memory>
 
+#include "base/dormand_prince.h"
 #include "expr/formula.h"
 #include "spacetime/circular_orbit.h"
 
@@ -24,54 +25,49 @@ Vec3 eastward(Vec3 outward) {
     return rho > 0.0 ? Vec3{-outward.y / rho, outward.x / rho, 0} : Vec3{0, 1, 0};
 }
 
-// Free fall in a plane: r'' = -(A (1 + L^2/r^2))'/2 by proper time, phi' = L/r^2, t' = E/A. Fourth order in steps that keep 1e-9.
+// Free fall in a plane: r'' = -(A (1 + L^2/r^2))'/2 by proper time, phi' = L/r^2, t' = E/A.
 class Fall {
 public:
-    static constexpr double kFrozen = 1e-3;   // of the horizon: nearer to it as good as still
-    struct State {
-        double t, r, r_tau, phi;
-    };
+    static constexpr double kFrozen = 1e-6;      // of the horizon or the star: nearer to it as good as still
+    static constexpr double kTolerance = 1e-11;  // of a step
+    using State = std::array<double, 4>;         // t, r, dr/dtau, phi
     Fall(const Spacetime& spacetime, double r, double r_tau, double energy, double momentum)
         : spacetime_(spacetime), energy_(energy), momentum_(momentum), start_{0, r, r_tau, 0}, at_(start_) {
-        horizon_ = spacetime.horizon_radius().value_or(0.0);
+        ground_ = std::max(spacetime.horizon_radius().value_or(0.0), spacetime.surface_radius().value_or(0.0));
     }
     State at(double t) {
         const double sense = t >= 0.0 ? 1.0 : -1.0;
-        if (sense * (t - at_.t) < 0.0 || sense * at_.t < 0.0) at_ = start_;
-        while (sense * (t - at_.t) > 0.0) {
-            if (at_.r <= horizon_ * (1.0 + kFrozen)) return {t, at_.r, 0, at_.phi};
-            const double room = 0.1 * (at_.r - horizon_) / std::max(std::fabs(at_.r_tau), 1e-3);   // no stage of a step is inside
-            const double rate = energy_ / spacetime_.lapse_squared(at_.r);
-            const double step = std::min({room, 0.01 * at_.r / std::max(std::fabs(at_.r_tau) + std::fabs(momentum_) / at_.r, 0.3), std::fabs(t - at_.t) / rate * 1.0000001});
-            at_ = advanced(at_, sense * step);
-            if (std::fabs(t - at_.t) < 1e-7) break;
+        if (sense * (t - at_[0]) < 0.0 || sense * at_[0] < 0.0) at_ = start_, step_ = kFirstStep;
+        while (std::fabs(t - at_[0]) > kReached) {
+            const double r = at_[1], rest = (r - ground_) / std::max(std::fabs(at_[2]), 1e-3);
+            if (r <= ground_ * (1.0 + kFrozen)) return {t, r, 0, at_[3]};
+            const double left = std::fabs(t - at_[0]) * spacetime_.lapse_squared(r) / energy_;
+            const double h = std::min({step_, left, 0.1 * rest});   // no stage of a step is inside
+            State wrong{};
+            const State next = dormand_prince(at_, std::copysign(h, t - at_[0]), [this](const State& s) { return slope(s); }, wrong);
+            double error = 0;
+            for (const double x : wrong) error = std::max(error, std::fabs(x) / kTolerance);
+            if (error <= 1.0) at_ = next;
+            if (error > 1.0 || h == step_) step_ = h * next_step_factor(error);
         }
         return at_;
     }
     BallPlace motion(double t, Vec3 outward, Vec3 onward) {
         const State s = at(t);
-        const double rate = spacetime_.lapse_squared(s.r) / energy_;
-        return in_plane(outward, onward, s.r + s.r_tau * rate * (t - s.t), s.phi, s.r_tau * rate, momentum_ / (s.r * s.r) * rate);
+        const double r = s[1], rate = spacetime_.lapse_squared(r) / energy_;
+        return in_plane(outward, onward, r + s[2] * rate * (t - s[0]), s[3] + momentum_ / (r * r) * rate * (t - s[0]), s[2] * rate, momentum_ / (r * r) * rate);
     }
 
 private:
+    static constexpr double kFirstStep = 1e-2, kReached = 1e-7;
     State slope(const State& s) const {
-        const double zeta = 1.0 / s.r, a = spacetime_.lapse_squared(s.r), half_slope = spacetime_.half_v_slope(zeta);
+        const double zeta = 1.0 / s[1], a = spacetime_.lapse_squared(s[1]), half_slope = spacetime_.half_v_slope(zeta);
         const double a_r = -2.0 * (half_slope - zeta * a);   // dA/dr = -zeta^2 dA/dzeta
         const double l2 = momentum_ * momentum_;
-        return {energy_ / a, s.r_tau, -0.5 * a_r * (1.0 + l2 * zeta * zeta) + a * l2 * zeta * zeta * zeta, momentum_ * zeta * zeta};
-    }
-    State advanced(const State& s, double h) const {
-        const auto moved = [](const State& from, const State& by, double f) {
-            return State{from.t + f * by.t, from.r + f * by.r, from.r_tau + f * by.r_tau, from.phi + f * by.phi};
-        };
-        const State k1 = slope(s), k2 = slope(moved(s, k1, 0.5 * h)), k3 = slope(moved(s, k2, 0.5 * h)), k4 = slope(moved(s, k3, h));
-        State next = s;
-        for (const auto& [k, weight] : {std::pair{k1, 1.0}, {k2, 2.0}, {k3, 2.0}, {k4, 1.0}}) next = moved(next, k, h * weight / 6.0);
-        return next;
+        return {energy_ / a, s[2], -0.5 * a_r * (1.0 + l2 * zeta * zeta) + a * l2 * zeta * zeta * zeta, momentum_ * zeta * zeta};
     }
     const Spacetime& spacetime_;
-    double energy_, momentum_, horizon_;
+    double energy_, momentum_, ground_, step_ = kFirstStep;
     State start_, at_;
 };
 
@@ -86,8 +82,10 @@ Result<BallMotionAt> ball_motion(const Spacetime& spacetime, const BallSpec& bal
         return BallMotionAt([=, omega = orbit->omega](double t) { return in_plane(outward, east, r, omega * t, 0, omega); });
     }
     if (ball.motion == BallMotion::kGeodesic) {
+        if (spacetime.bends_light() && !spacetime.has_orbit_equation()) return bad_input(fmt::format("ball.motion: falls are not followed in metric \"{}\"; allowed: still, path", spacetime.name()));
         if (!camera_can_rest(spacetime, r)) return bad_input(fmt::format("ball.position: nothing can be at rest at {} from the centre; allowed: {}", r, allowed_radii(spacetime)));
         const Vec3 v = ball.velocity, across = v.z * east + v.y * cross(east, outward);   // e_theta = e_phi x e_r
+        if (!spacetime.bends_light()) return BallMotionAt([=, position = ball.position, velocity = v.x * outward + across](double t) { return BallPlace{position + t * velocity, velocity}; });
         const double speed = length(across), gamma = 1.0 / std::sqrt(1.0 - dot(v, v)), lapse = std::sqrt(spacetime.lapse_squared(r));
         auto fall = std::make_shared<Fall>(spacetime, r, gamma * v.x * lapse, gamma * lapse, gamma * speed * r);
         const Vec3 onward = speed > 0.0 ? across / speed : east;

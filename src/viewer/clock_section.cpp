@@ -45,7 +45,7 @@ bool clock_section(ViewState& view) {
 }
 
 bool step_clock(ViewState& view, double dt_s) {
-    if (!view.clock_runs || moving_parts(view.scene).empty()) return false;
+    if (!view.clock_runs || view.fall.runs() || moving_parts(view.scene).empty()) return false;
     view.scene.time += dt_s * view.clock_rate;
     return true;
 }

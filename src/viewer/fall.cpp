@@ -25,6 +25,7 @@ Status Fall::let_go(const Scene& scene) {
     tau_ = 0.0;
     runs_ = true;
     shown_ = scene.camera;
+    start_time_ = shown_time_ = scene.time;
     return Done{};
 }
 
@@ -36,6 +37,8 @@ void Fall::seek(Scene& scene, double tau) {
     camera.yaw = there.yaw, camera.pitch = there.pitch, camera.roll = there.roll;
     camera.velocity = there.velocity, camera.observer = there.observer;
     shown_ = camera;
+    start_time_ += scene.time - shown_time_;   // who set the clock sets it for the whole fall
+    scene.time = shown_time_ = start_time_ + line_->clock(tau_);
 }
 
 bool Fall::step(Scene& scene, double dt_s) {

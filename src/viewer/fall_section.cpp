@@ -6,6 +6,7 @@
 
 #include "scene/observer.h"
 #include "spacetime/spin_frame.h"
+#include "spacetime/tortoise.h"
 #include "viewer/sections.h"
 #include "viewer/widgets.h"
 
@@ -23,6 +24,7 @@ bool hold(ViewState& view, ObserverKind observer, const Spacetime& spacetime) {
         view.error = possible.error().message;
         return false;
     }
+    if (falls(view.scene.camera)) view.scene.time -= time_ahead(spacetime, held.r);   // t again
     if (spacetime.spin() != 0.0 && falls(view.scene.camera)) held.phi -= azimuth_ahead(spacetime, held.r);   // where the far sky has it
     view.scene.camera = held;
     view.fall.stop();

@@ -64,6 +64,11 @@ TEST_CASE("what moves is met where the reference meets it, at every pixel, with 
     };
     const std::vector<Case> cases = {
         {"ball on an orbit", ball(BallMotion::kOrbit)},
+        {"ball in free fall", ball(BallMotion::kGeodesic)},
+        {"ball in free fall, long ago, into the hole", [=](Scene& s) { ball(BallMotion::kGeodesic)(s), s.ball->velocity = {-0.3, 0.02, 0.1}, s.time = 60; }},
+        {"ball in free fall, before it was let go", [=](Scene& s) { ball(BallMotion::kGeodesic)(s), s.ball->velocity = {-0.3, 0.02, 0.1}, s.time = 3; }},
+        {"ball in free fall, flat", [=](Scene& s) { ball(BallMotion::kGeodesic)(s), s.spacetime.metric = "minkowski"; }},
+        {"ball in free fall, charged hole", [=](Scene& s) { ball(BallMotion::kGeodesic)(s), s.spacetime = {"reissner-nordstrom", {{"charge", 0.8}}}; }},
         {"ball on a given path", ball(BallMotion::kPath)},
         {"ball on a given path, flat", [=](Scene& s) { ball(BallMotion::kPath)(s), s.spacetime.metric = "minkowski"; }},
         {"ball on an orbit, light without delay", [=](Scene& s) { ball(BallMotion::kOrbit)(s), s.light.delay = false; }},

@@ -43,6 +43,38 @@ TEST_CASE("worldline: proper times of falls") {
     CHECK(std::fabs(*long_rain->horizon_time() / kMass - 13.5737865166653) < kPromised);
 }
 
+TEST_CASE("worldline: the clock of what falls is v - r, through the horizon, and of what was at rest t before") {
+    constexpr double kPromised = 1e-10;   // r_s/c
+    const auto hole = spacetime_of("schwarzschild");
+    const auto rain = Worldline::make(hole, camera_at(5.0, ObserverKind::kRain), 100);
+    REQUIRE(rain);
+    const auto wound = [](double r) { return 2 * (std::sqrt(r) - std::log1p(std::sqrt(r))); };
+    for (const double part : {0.0, 0.3, 0.9, 0.99, 0.9999}) {   // the horizon is passed at 0.91
+        const double tau = part * rain->last(), r = rain->at(tau).r;
+        CHECK(std::fabs(rain->clock(tau) - (tau + wound(5.0) - wound(r))) < kPromised);
+    }
+    // On a circle t = u^t tau; v - r is ahead of it by r_* - r = ln(r - 1).
+    const auto orbit = Worldline::make(hole, camera_at(5.0, ObserverKind::kOrbit), 100);
+    REQUIRE(orbit);
+    CHECK(std::fabs(orbit->clock(80) - (std::log(4.0) + 80 / std::sqrt(1 - 1.5 / 5))) < kPromised);
+    // Without a horizon time is t.
+    const auto flat = Worldline::make(spacetime_of("minkowski"), camera_at(5.0, ObserverKind::kStatic, {0.6, 0, 0}), 100);
+    REQUIRE(flat);
+    CHECK(std::fabs(flat->clock(80) - 100) < kPromised);
+    // About a hole that spins: u^t of a circle in the equator's plane (Bardeen, Press and Teukolsky 1972), M = 1/2.
+    const double a = 0.45, r = 3, drag = a * std::sqrt(0.5) / std::pow(r, 1.5);
+    CameraSpec turning = camera_at(r, ObserverKind::kOrbit);
+    turning.theta = M_PI / 2;
+    const auto spun = spacetime_of("kerr", {{"spin", 0.9}});
+    const auto round = Worldline::make(spun, turning, 100);
+    REQUIRE(round);
+    CHECK(std::fabs(round->clock(80) - round->clock(0) - 80 * (1 + drag) / std::sqrt(1 - 1.5 / r + 2 * drag)) < 10 * kPromised);
+    const auto slow = Worldline::make(spacetime_of("kerr", {{"spin", 1e-9}}), camera_at(5.0, ObserverKind::kStatic), 100);
+    const auto still = Worldline::make(hole, camera_at(5.0, ObserverKind::kStatic), 100);
+    REQUIRE((slow && still));
+    for (const double tau : {0.0, 5.0, 16.0}) CHECK(std::fabs(slow->clock(tau) - still->clock(tau)) < 100 * kPromised);
+}
+
 // The tetrad of a camera in ingoing coordinates: products against the metric.
 double orthonormality(const Spacetime& spacetime, const CameraSpec& camera) {
     const auto tetrad = ingoing_tetrad_pair(spacetime, camera);

@@ -1,0 +1,48 @@
+// Balls in free fall: the host's way against the reference's.
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "reference/ball_way.h"
+#include "scene/ball_motion.h"
+#include "spacetime/registry.h"
+
+namespace {
+
+using namespace nullscope;
+
+TEST_CASE("ball motion: free fall, past the hole, into it and out of its past, is the reference's") {
+    constexpr double kPlace = 5e-6;   // r_s: the host stops 1e-6 of it short of a horizon or a star
+    struct Case {
+        const char* metric;
+        std::map<std::string, double> parameters;
+        Vec3 position, velocity;
+    };
+    const std::vector<Case> cases = {{"schwarzschild", {}, {6, 0, 1}, {0.1, 0.05, 0.25}},
+                                     {"schwarzschild", {}, {6, 0, 1}, {-0.3, 0.02, 0.1}},
+                                     {"schwarzschild", {}, {0, -9, 2}, {-0.4, 0.1, 0.5}},
+                                     {"schwarzschild", {}, {0, 0, 4}, {0, 0, 0}},
+                                     {"reissner-nordstrom", {{"charge", 0.8}}, {6, 0, 1}, {-0.1, 0.05, 0.2}},
+                                     {"neutron-star", {{"radius", 2.5}}, {6, 0, 1}, {-0.3, 0, 0.1}},
+                                     {"minkowski", {}, {3, 1, 1}, {-0.8, 0, 0}}};
+    for (const Case& c : cases) {
+        BallSpec ball;
+        ball.motion = BallMotion::kGeodesic, ball.position = c.position, ball.velocity = c.velocity;
+        const auto spacetime = *make_spacetime(c.metric, c.parameters);
+        const auto metric = std::move(*reference::make_orbit_metric({c.metric, c.parameters}));
+        const auto exact = reference::ball_way(*metric, ball);
+        const auto motion = ball_motion(*spacetime, ball);
+        REQUIRE(motion);
+        double worst = 0, when = 0;
+        for (const double sense : {1.0, -1.0})
+            for (double t = 0; t < 90; t += 0.37) {
+                const double off = length((*motion)(sense * t).place - exact(sense * t));
+                if (!(off <= worst)) worst = off, when = sense * t;
+            }
+        fmt::print("free fall in {}: off by at most {:.1e} r_s, at t = {:.1f}\n", c.metric, worst, when);
+        CHECK(worst < kPlace);
+    }
+}
+
+}  // namespace
