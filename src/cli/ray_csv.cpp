@@ -256,11 +256,14 @@ Result<RayTable> read_rays(const std::string& path, const Spacetime& spacetime) 
 }
 
 std::string rays_text(const RayTable& table, const std::vector<std::optional<RayRecord>>& records, int crossings,
-                      double length_unit) {
+                      double length_unit, bool shifts) {
     std::string text = table.header + ",fate,theta_inf,phi_inf,angle,delay,g,turn,at";
-    for (int k = 1; k <= crossings; ++k) text += fmt::format(",r_{0},phi_{0}", k);
+    for (int k = 1; k <= crossings; ++k) {
+        text += fmt::format(",r_{0},phi_{0}", k);
+        if (shifts) text += fmt::format(",g_{}", k);
+    }
     text += '\n';
-    const std::size_t columns = 8 + 2 * static_cast<std::size_t>(crossings);
+    const std::size_t columns = 8 + (shifts ? 3 : 2) * static_cast<std::size_t>(crossings);
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         text += table.rows[i].text;
         if (!records[i]) {
@@ -277,6 +280,7 @@ std::string rays_text(const RayTable& table, const std::vector<std::optional<Ray
             const bool there = k < ray.crossings.size();
             append(text, there ? ray.crossings[k].r / length_unit : kNotANumber);
             append(text, there ? ray.crossings[k].phi : kNotANumber);
+            if (shifts) append(text, there ? ray.crossings[k].g : kNotANumber);
         }
         text += '\n';
     }

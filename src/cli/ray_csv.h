@@ -35,9 +35,10 @@ Result<RayTable> parse_rays(std::string_view text, const std::string& file, cons
 // "FILE:LINE: what", safe to print.
 Error ray_error(const RayTable& table, const RayRow& row, const std::string& what);
 
-// The rays' own columns, then what was found: fate, ..., r_1, phi_1, ... A row without a record gets empty fields.
+// The rays' own columns, then what was found: fate, ..., r_1, phi_1, ..., with shifts g_1 after these. A row without a record gets
+// empty fields.
 // Lengths are divided by length_unit (Spacetime::length_unit), by which reading has multiplied them.
 std::string rays_text(const RayTable& table, const std::vector<std::optional<RayRecord>>& records, int crossings,
-                      double length_unit = 1.0);
+                      double length_unit = 1.0, bool shifts = false);
 
 }  // namespace nullscope::cli

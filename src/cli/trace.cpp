@@ -10,6 +10,7 @@
 #include "cli/command.h"
 #include "cli/ray_csv.h"
 #include "cli/shader_rays.h"
+#include "reference/disc_light.h"
 #include "reference/ray_plane.h"
 #include "reference/reference.h"
 #include "scene/scene_file.h"
@@ -27,6 +28,11 @@ using Records = std::vector<std::optional<RayRecord>>;
 // Windings before double precision cannot tell the ray from the critical one: about 12 half turns.
 constexpr int kAllCrossings = 40;
 
+// Whether the disc's matter moves and shines by itself, so that light from it has a shift.
+bool has_matter(const Scene& scene, const Spacetime& spacetime) {
+    return scene.disc && scene.disc->emission == DiscEmission::kThermal && spacetime.can_have_disc();
+}
+
 // Ends the ray on the scene's disc if that is opaque; everything along the light ray itself stays.
 void stop_at_disc(const DiscSpec& disc, const RayQuery& query, RayRecord& record) {
     const Vec3 n = query.orbit ? Vec3{0, 0, 1} : query.n;  // the reduced form lies in the equatorial plane
@@ -42,11 +48,17 @@ void stop_at_disc(const DiscSpec& disc, const RayQuery& query, RayRecord& record
     }
 }
 
-Result<Records> trace_with_reference(const Scene& scene, const RayTable& table, int crossings, Progress& progress) {
+Result<Records> trace_with_reference(const Scene& scene, const Spacetime& spacetime, const RayTable& table, int crossings,
+                                     Progress& progress) {
     const bool opaque = scene.disc && scene.disc->opacity >= 1.0;
+    const auto metric = reference::make_orbit_metric(scene.spacetime);
+    if (!metric) return metric.error();
+    std::optional<reference::DiscLight> matter;
+    if (crossings > 0 && has_matter(scene, spacetime)) matter.emplace(**metric, *scene.disc, scene.light);
     Records records;
     for (const RayRow& row : table.rows) {
-        auto record = reference::trace_ray(scene, row.query, opaque ? std::max(crossings, kAllCrossings) : crossings);
+        const int listed = opaque ? std::max(crossings, kAllCrossings) : crossings;
+        auto record = reference::trace_ray(scene, row.query, listed, matter ? &*matter : nullptr);
         if (!record) return ray_error(table, row, record.error().message);
         if (opaque) stop_at_disc(*scene.disc, row.query, *record);
         records.emplace_back(std::move(*record));
@@ -69,7 +81,7 @@ Result<Records> trace_rows(const Scene& scene, const RayTable& table, const Spac
     const auto method = method_of(options);
     if (!method) return method.error();
     Progress progress("rays", static_cast<long long>(table.rows.size()));
-    if (options.with == "reference") return trace_with_reference(scene, table, options.crossings, progress);
+    if (options.with == "reference") return trace_with_reference(scene, spacetime, table, options.crossings, progress);
     const ShaderTracer tracer = options.with == "gl"       ? ShaderTracer::kGl
                                 : options.with == "core32" ? ShaderTracer::kCore32
                                                            : ShaderTracer::kCore64;
@@ -91,7 +103,7 @@ int run(const Options& options) {
             stderr,
             "nullscope: {} of {} rays left empty: --with {} needs a ray that somebody can look along, static or rain, with r up to {:g}\n",
             left_out, records->size(), options.with, kFarthestCamera);
-    const std::string text = rays_text(*table, *records, options.crossings, (*spacetime)->length_unit());
+    const std::string text = rays_text(*table, *records, options.crossings, (*spacetime)->length_unit(), has_matter(*scene, **spacetime));
     if (options.output.empty()) {
         std::fwrite(text.data(), 1, text.size(), stdout);
         return 0;
@@ -126,7 +138,7 @@ Command add_trace(CLI::App& parent) {
            "core64 and core32 have the strip, the reference its own")
         ->capture_default_str();
     app->add_option("--crossings", options->crossings,
-                    "List this many crossings of the equatorial plane: r_1, phi_1, ...")
+                    "List this many crossings of the equatorial plane: r_1, phi_1, ...; of a scene with a thermal disc g_1, ... too")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
     context_option(app, options->context, "OpenGL context of --with gl: auto, egl, osmesa");

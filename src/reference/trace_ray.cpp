@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "reference/bodies.h"
+#include "reference/disc_light.h"
 #include "reference/kerr_ray.h"
 #include "reference/orbit.h"
 #include "reference/ray_plane.h"
@@ -90,7 +91,19 @@ void stop_at_bodies(const Scene& scene, const OrbitMetric& metric, const Orbit& 
         if (plane.crossing(static_cast<int>(k) + 1) > hit->angle) record.crossings.resize(k);
 }
 
-Result<RayRecord> trace_spinning(const OrbitMetric& metric, const RayQuery& query, int crossings) {
+// The photon moves against n: L over E is -g r n_phi about the camera's place, and on to the axis.
+void shift_crossings(const DiscLight& matter, const OrbitMetric& metric, const Orbit& orbit, const RayPlane& plane,
+                     const RayQuery& query, Vec3 n, RayRecord& record) {
+    const double scale = record.g * query.r, l = scale * std::hypot(n.y, n.z), l_z = -scale * n.z * std::sin(query.theta);
+    for (std::size_t k = 0; k < record.crossings.size(); ++k) {
+        RayRecord::Crossing& c = record.crossings[k];
+        if (!(c.r > metric.horizon_radius().value_or(0.0))) continue;
+        const bool outward = orbit.zeta_at(plane.crossing(static_cast<int>(k) + 1) * (1 - 1e-6)) < 1 / c.r;   // traced inward
+        c.g = record.g * matter.g_infinity({c.r, l_z, outward, l * l});
+    }
+}
+
+Result<RayRecord> trace_spinning(const OrbitMetric& metric, const RayQuery& query, int crossings, const DiscLight* matter) {
     if (query.orbit) return metric.from_reduced(*query.orbit).error();
     if (query.frame == LocalFrame::kRain) return bad_input("no frame = rain about a spinning hole; allowed: static");
     const double horizon = *metric.horizon_radius();
@@ -104,7 +117,10 @@ Result<RayRecord> trace_spinning(const OrbitMetric& metric, const RayQuery& quer
     RayRecord record;
     record.fate = ray.fate;
     record.g = 1 / ray.energy;
-    for (const KerrRay::Crossing& c : ray.crossings) record.crossings.push_back({c.r, c.phi});
+    for (const KerrRay::Crossing& c : ray.crossings) {
+        const double g = matter ? record.g * matter->g_infinity({c.r, ray.l_z, c.radial > 0, kNotANumber, c.radial}) : kNotANumber;
+        record.crossings.push_back({c.r, c.phi, g});
+    }
     if (ray.fate != Fate::kEscaped) return record;
     record.sky = ray.sky;
     record.theta_inf = std::atan2(std::hypot(ray.sky.x, ray.sky.y), ray.sky.z);
@@ -114,7 +130,7 @@ Result<RayRecord> trace_spinning(const OrbitMetric& metric, const RayQuery& quer
 
 }  // namespace
 
-Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int crossings) {
+Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int crossings, const DiscLight* matter) {
     auto metric = make_orbit_metric(scene.spacetime);
     if (!metric) return metric.error();
     if (query.at_angle && !(*query.at_angle >= 0 && std::isfinite(*query.at_angle))) {
@@ -122,7 +138,7 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
     }
     if ((*metric)->spin() != 0) {
         if (!Bodies(scene, **metric).empty()) return bad_input("a spinning hole has no bodies; allowed: a scene without them");
-        return trace_spinning(**metric, query, crossings);
+        return trace_spinning(**metric, query, crossings, matter);
     }
     Vec3 n{0, 0, 1};  // of the reduced form: in the equatorial plane towards growing phi
     double theta = M_PI / 2, phi = 0;
@@ -151,6 +167,7 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
     }
     if (record.fate == Fate::kHit) record.hit = Object::kStar;
     list_crossings(orbit, (*metric)->by_proper_length(), plane, crossings, record.crossings);
+    if (matter && !query.orbit) shift_crossings(*matter, **metric, orbit, plane, query, n, record);
     const bool by_length = (*metric)->by_proper_length();
     const double r = !query.orbit ? query.r : by_length ? query.orbit->zeta0 : 1 / query.orbit->zeta0;
     const double q = query.orbit ? query.orbit->q : 1 / (traced->g * r * std::hypot(n.y, n.z));

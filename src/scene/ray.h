@@ -48,7 +48,10 @@ struct RayRecord {
     double turn = kNotANumber;    // zeta at the turning point on the traced part; empty if none
     double at = kNotANumber;      // zeta at at_angle; empty if the ray has ended before
     Object hit = Object::kNone;   // what the ray ended on: fate kHit
-    struct Crossing { double r, phi; };
+    struct Crossing {
+        double r, phi;
+        double g = kNotANumber;   // camera frequency over frequency in the disc's matter there; where it was asked for
+    };
     std::vector<Crossing> crossings;    // of the equatorial plane after leaving the camera, before the end (horizon included)
 };
 

@@ -120,6 +120,24 @@ class Reference(TraceTest):
             swept = number(row["phi_inf"]) - number(row["phi"]) if row["fate"] == "escaped" else 0
             self.assertGreaterEqual(swept * (-1 if row["note"] == "scaled" else 1), 0)
 
+    def test_shift_of_the_discs_matter(self):
+        rays = "r,theta,phi,n_r,n_theta,n_phi\n10,1.3,0,-1,0.15,0.3\n10,1.3,0,-1,0.1,-0.6\n10,1.3,0,-1,-0.4,0.15\n"
+        for a in (0.0, 0.45):   # r_s
+            scene = self.write("disc.toml", f'[spacetime]\nmetric = "kerr"\nspin = {2 * a}\n[disc]\nemission = "thermal"\n')
+            sine, sigma, delta = math.sin(1.3), 100 + (a * math.cos(1.3)) ** 2, 90 + a * a
+            area = (100 + a * a) ** 2 - delta * (a * sine) ** 2
+            for row in self.trace(rays, "--crossings", "2", scene=scene):
+                self.assertEqual([c for c in row if c[-2:] in ("_1", "_2")], ["r_1", "phi_1", "g_1", "r_2", "phi_2", "g_2"])
+                look = [number(row[c]) for c in ("n_r", "n_theta", "n_phi")]
+                l_z = -look[2] / math.hypot(*look) * math.sqrt(area / sigma) * sine * number(row["g"])
+                r = number(row["r_1"])
+                self.assertGreater(r, 3)
+                root = math.sqrt(0.5 / r ** 3)
+                g = number(row["g"]) * math.sqrt(1 - 1.5 / r + 2 * a * root) / (1 + a * root - root * l_z)
+                self.assertAlmostEqual(number(row["g_1"]) / g, 1, delta=1e-11)
+        without = self.write("no-discs.toml", '[spacetime]\nmetric = "janis-newman-winicour"\n[disc]\nemission = "thermal"\n')
+        self.assertNotIn("g_1", self.trace(rays, "--crossings", "1", scene=without)[0])
+
     def test_forms_of_files(self):
         plain = "r,theta,phi,n_r,n_theta,n_phi\n20,1.2,0.1,-1,0.05,0.3\n"
         expected = self.trace(plain)[0]
