@@ -10,6 +10,7 @@
 #include "base/assets.h"
 #include "cli/json.h"
 #include "render/renderer.h"
+#include "scene/moving.h"
 #include "scene/scene_file.h"
 #include "shaderlib/passes.h"
 #include "sky/point_stars.h"
@@ -62,6 +63,10 @@ void add_tables(const FrameTables& tables, const Scene& scene, std::vector<Line>
     const TexelGrid& lens = tables.star_lens();
     if (lens.width > 0) lines.push_back({"star lens", 1, lens.width, lens.height, bytes_of(lens.bytes()), "GPU", radius});
     if (map.width > 0) lines.push_back({"orbit map", 1, map.width, map.height, bytes_of(map.bytes()), "GPU", reason});
+    const std::string moving = fmt::format("{}", fmt::join(moving_parts(scene), ", "));
+    const TexelGrid& delays = tables.delay_map();
+    if (delays.width > 0) lines.push_back({"delay map", 1, delays.width, delays.height, bytes_of(delays.bytes()), "GPU", moving});
+    if (const BallPath* path = tables.ball_path()) lines.push_back({"ball's way", 1, path->row.width, path->row.height, bytes_of(path->row.bytes()), "GPU", "ball.motion"});
 }
 
 // As Renderer::textures() counts them, once made.

@@ -1,7 +1,6 @@
 // A scene is charged only for what is in it: no texture of an effect that is off, none kept when it goes off, and a sky alone costs
 // what it costs in a shader that never knew anything else.
 #include <algorithm>
-#include <ctime>
 #include <map>
 #include <set>
 
@@ -9,6 +8,7 @@
 #include "base/atomic_file.h"
 #include "shaderlib/shader_source.h"
 #include "support/gpu_session.h"
+#include "support/paired_cost.h"
 
 namespace {
 
@@ -108,20 +108,7 @@ TEST_CASE("an effect that is off has no texture, and gives it back when it goes 
     });
 }
 
-double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-template <class Draw>
-double cost_of(const Draw& draw) {
-    gl::finish();
-    const double start = process_seconds();
-    draw();
-    gl::finish();
-    return process_seconds() - start;
-}
-
-// Cost of a scene's picture over that of the frozen shader: the median over pairs of frames drawn one after the other, the order within
-// a pair turned each time. What else the machine does strikes both of a pair alike, and a pair that it strikes unevenly moves the median
-// by no more than its rank. same: whether both draw the same.
+// Cost of a scene's picture over that of the frozen shader. same: whether both draw the same.
 double ratio_to_lone_sky(GpuSession& session, Scene scene, bool& same) {
     constexpr int kWidth = 960, kHeight = 540, kPairs = 201;
     scene.camera.width = kWidth, scene.camera.height = kHeight;
@@ -144,19 +131,10 @@ double ratio_to_lone_sky(GpuSession& session, Scene scene, bool& same) {
     with_frozen();
     gl::read_rgba8(target, b.data());
     same = a == b;
-    std::vector<double> ratios(kPairs);
-    double ours_in_all = 0, theirs_in_all = 0;
-    for (int i = 0; i < kPairs; ++i) {
-        const double first = i % 2 ? cost_of(with_frozen) : cost_of(with_renderer);
-        const double second = i % 2 ? cost_of(with_renderer) : cost_of(with_frozen);
-        const double ours = i % 2 ? second : first, theirs = i % 2 ? first : second;
-        ratios[i] = ours / theirs, ours_in_all += ours, theirs_in_all += theirs;
-    }
-    std::ranges::nth_element(ratios, ratios.begin() + kPairs / 2);
-    const double ratio = ratios[kPairs / 2];
-    fmt::print("{}: {:.4f} core-s, the lone sky {:.4f}, means of {}: median ratio {:.4f}\n", session.context->kind(),
-               ours_in_all / kPairs, theirs_in_all / kPairs, kPairs, ratio);
-    return ratio;
+    const test::PairedCost cost = test::paired_cost(kPairs, with_renderer, with_frozen);
+    fmt::print("{}: {:.4f} core-s, the lone sky {:.4f}, means of {}: median ratio {:.4f}\n", session.context->kind(), cost.first_s, cost.second_s,
+               kPairs, cost.ratio);
+    return cost.ratio;
 }
 
 // lone_sky.frag is the shader of scene sky-only as a build would have it that never knew any other effect, written out once and kept.

@@ -1,0 +1,50 @@
+// What one way of drawing costs over another, on a machine that does other things too.
+#pragma once
+#include <algorithm>
+#include <ctime>
+#include <vector>
+
+#include "gl/gl.h"
+
+namespace nullscope::test {
+
+struct PairedCost {
+    double first_s, second_s;   // core-seconds, means
+    double ratio;               // of the first to the second, the median over pairs
+};
+
+template <class Draw>
+double cost_of(const Draw& draw) {
+    const auto seconds = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+    gl::finish();
+    const double start = seconds();
+    draw();
+    gl::finish();
+    return seconds() - start;
+}
+
+// Frames drawn one after the other, the order within a pair turned each time: what else the machine does strikes both of a pair alike, and
+// a pair that it strikes unevenly moves the median by no more than its rank. before: called with true ahead of a first, not timed.
+template <class First, class Second, class Before>
+PairedCost paired_cost(int pairs, const First& first, const Second& second, const Before& before) {
+    std::vector<double> ratios;
+    double sums[2] = {0, 0};
+    for (int i = 0; i < pairs; ++i) {
+        double costs[2] = {0, 0};
+        for (const bool is_first : {i % 2 == 0, i % 2 != 0}) {
+            before(is_first);
+            costs[is_first ? 0 : 1] = is_first ? cost_of(first) : cost_of(second);
+        }
+        ratios.push_back(costs[0] / costs[1]);
+        sums[0] += costs[0], sums[1] += costs[1];
+    }
+    std::ranges::nth_element(ratios, ratios.begin() + pairs / 2);
+    return {sums[0] / pairs, sums[1] / pairs, ratios[static_cast<std::size_t>(pairs) / 2]};
+}
+
+template <class First, class Second>
+PairedCost paired_cost(int pairs, const First& first, const Second& second) {
+    return paired_cost(pairs, first, second, [](bool) {});
+}
+
+}  // namespace nullscope::test
