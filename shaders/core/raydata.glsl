@@ -69,7 +69,7 @@ PixelData pixel_data(vec2 pixel) {
     if (solid.object != 0 && data.fate != 4.0) {
         data.fate = 4.0;
 #ifdef EFFECT_DELAY
-        data.delay = place_of(trace, tangent, solid.phi).late;
+        data.delay = place_seen(trace, tangent, solid.phi).late;
 #endif
         if (data.hit == 0.0) {
             data.hit = float(solid.object);

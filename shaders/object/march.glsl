@@ -8,6 +8,7 @@
 #define MARCH_GOLDEN 0.61803398875
 #define MARCH_SEARCHES 9     // 0.618^9: a stride to 1/76
 #define MARCH_REFINEMENTS 24
+#define MARCH_FAR 16.0       // shortest strides: half the thinnest body
 
 // Swept angle after `length` more along the ray, taken as straight.
 float march_angle(RayPlace place, float length) {
@@ -36,7 +37,7 @@ float march_refined(Trace trace, vec3 tangent, float blur, float low, float high
         float width = high - low;
         float part = left % 3 == 0 ? 0.5 : clamp(low_value / max(low_value - high_value, 1.0e-30), 0.01, 0.99);
         phi = low + width * part;
-        float value = march_value_at(trace, place_of(trace, tangent, phi), phi, blur);
+        float value = march_value_at(trace, place_seen(trace, tangent, phi), phi, blur);
         if (value > 0.0) {
             low = phi;
             low_value = value;
@@ -52,7 +53,8 @@ float march_refined(Trace trace, vec3 tangent, float blur, float low, float high
 
 #ifndef EFFECT_SIDES
 // How far to the next look at a body. Where light is slow, next to a horizon, what moves would pass unseen between two looks at places.
-float march_stride(RayPlace place) {
+float march_length(RayPlace place, float reach) {
+    if (place.r > 2.0 * reach) return place.r - 1.5 * reach;
     float room = min(0.8 * march_room(place), 0.4 * place.r);
 #ifdef NEEDS_PLACE_LATE
     float slowness = place_slowness(place);
@@ -76,7 +78,7 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
 #endif
     float nearest = 1.0;      // of what is met in part only: value in pixels, 0 ... 1
     float nearest_phi = 0.0;
-    RayPlace place = place_of(trace, tangent, 0.0);
+    RayPlace place = place_seen(trace, tangent, 0.0);
     float phi = 0.0;
     float value = march_value_at(trace, place, phi, blur);
     float before_phi = 0.0;
@@ -84,13 +86,32 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
     int left = MARCH_MOST_STEPS;
     bool going = true;
     do {
+#ifdef NEEDS_PLACE_LATE
+#ifdef EFFECT_DELAY
+        // Far from every body the time need not be exact: strides without the delay map as long as they end there.
+        bool far = true;
+        do {
+            float onward = min(phi + march_angle(place, march_length(place, reach)), phi_stop);
+            RayPlace there = place_roughly(trace, tangent, onward, place);
+            float distance = march_value_at(trace, there, onward, blur);
+            far = distance > MARCH_FAR * frame.march.y && onward < phi_stop && (there.r < reach || there.r_along < 0.0);
+            if (far) {
+                before_phi = phi;
+                before_value = value;
+                phi = onward;
+                value = distance;
+                place = there;
+            }
+        } while (far && --left > 0);
+#endif
+#endif
 #ifdef EFFECT_SIDES
         float room = max(min(0.8 * march_room(place), 0.4 * place.radius), frame.march.y);
 #else
-        float room = place.r > 2.0 * reach ? place.r - 1.5 * reach : march_stride(place);
+        float room = march_length(place, reach);
 #endif
         float next = min(phi + march_angle(place, room), phi_stop);
-        place = place_of(trace, tangent, next);
+        place = place_seen(trace, tangent, next);
         float there = march_value_at(trace, place, next, blur);
         float a = before_phi;
         float b = next;
@@ -102,8 +123,8 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
             // A dip: the least in (a, b) by golden section.
             float x = b - MARCH_GOLDEN * (b - a);
             float y = a + MARCH_GOLDEN * (b - a);
-            RayPlace at_x = place_of(trace, tangent, x);
-            RayPlace at_y = place_of(trace, tangent, y);
+            RayPlace at_x = place_seen(trace, tangent, x);
+            RayPlace at_y = place_seen(trace, tangent, y);
             float fx = march_value_at(trace, at_x, x, blur);
             float fy = march_value_at(trace, at_y, y, blur);
             int searches = MARCH_SEARCHES;
@@ -121,7 +142,7 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
                     y = a + MARCH_GOLDEN * (b - a);
                 }
                 float probe = lower ? x : y;
-                float value_there = march_value_at(trace, place_of(trace, tangent, probe), probe, blur);
+                float value_there = march_value_at(trace, place_seen(trace, tangent, probe), probe, blur);
                 if (lower) fx = value_there;
                 else fy = value_there;
             } while (--searches > 0 && min(fx, fy) > 0.0);
@@ -133,7 +154,7 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
                 outside_phi = before_phi;
                 outside_value = before_value;
             } else if (blur > 0.0) {
-                float width = dip / max(blur * place_pixel(trace, place_of(trace, tangent, dip_phi), dip_phi), 1.0e-20);
+                float width = dip / max(blur * place_pixel(trace, place_seen(trace, tangent, dip_phi), dip_phi), 1.0e-20);
                 if (width < nearest) {
                     nearest = width;
                     nearest_phi = dip_phi;
@@ -142,7 +163,7 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
         }
         if (inside_value <= 0.0) {
             hit.phi = march_refined(trace, tangent, blur, outside_phi, inside_phi, outside_value, inside_value);
-            hit.object = march_object(place_of(trace, tangent, hit.phi));
+            hit.object = march_object(place_seen(trace, tangent, hit.phi));
             hit.covered = 1.0;
             going = false;
         }
@@ -158,7 +179,7 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
     } while (going && --left > 0);
     if (hit.object == 0 && nearest < 1.0) {
         hit.phi = nearest_phi;
-        hit.object = march_object(place_of(trace, tangent, nearest_phi));
+        hit.object = march_object(place_seen(trace, tangent, nearest_phi));
         hit.covered = 1.0 - nearest;
     }
     return hit;

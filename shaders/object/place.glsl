@@ -8,7 +8,7 @@ struct RayPlace {
     float r_along;    // d r / d phi
     float r_across;   // d r / d |delta| at fixed phi (core/strip.glsl)
 #ifdef NEEDS_PLACE_LATE
-    float late;       // how long ago the light left that arrives now
+    float late;       // how long ago the light left that arrives now; of place_seen and place_roughly
 #endif
 #ifdef EFFECT_SIDES
     float side;       // of the throat: 1 near, -1 far; r is |l|
@@ -71,12 +71,36 @@ RayPlace place_of(Trace trace, vec3 tangent, float phi) {
     place.at = place.r * place.outward;
 #ifdef NEEDS_PLACE_LATE
     place.late = 0.0;
+#endif
+    return place;
+}
+
+// The same with its time.
+RayPlace place_seen(Trace trace, vec3 tangent, float phi) {
+    RayPlace place = place_of(trace, tangent, phi);
+#ifdef NEEDS_PLACE_LATE
 #ifdef EFFECT_DELAY
-    place.late = light_time(trace, phi, zeta, along);
+    place.late = light_time(trace, phi, 1.0 / place.r, -place.r_along / (place.r * place.r));
 #endif
 #endif
     return place;
 }
+
+#ifdef NEEDS_PLACE_LATE
+#ifdef EFFECT_DELAY
+// A stride on from a place, its time without the delay map: that of the straight way and about what gravity adds.
+RayPlace place_roughly(Trace trace, vec3 tangent, float phi, RayPlace from) {
+    RayPlace place = place_of(trace, tangent, phi);
+    vec3 way = place.at - from.at;
+#ifdef EFFECT_LENSING
+    place.late = from.late + sqrt(dot(way, way)) * (1.0 + 2.0 / (from.r + place.r));
+#else
+    place.late = from.late + sqrt(dot(way, way));
+#endif
+    return place;
+}
+#endif
+#endif
 
 // d(place)/d(phi)
 vec3 place_velocity(RayPlace place) { return place.r_along * place.outward + place.r * place.onward; }

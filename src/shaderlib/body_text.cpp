@@ -171,7 +171,7 @@ BodyText body_text(const Scene& scene) {
                               body.number, body.name, body.middle, body.normal);
     }
     text.light +=
-        "vec3 solid_light(Trace trace, vec3 tangent, SolidHit hit) {\n    RayPlace place = place_of(trace, tangent, "
+        "vec3 solid_light(Trace trace, vec3 tangent, SolidHit hit) {\n    RayPlace place = place_seen(trace, tangent, "
         "hit.phi);\n" +
         choice + "    return vec3(0.0);\n}\n";
     return text;
