@@ -27,25 +27,28 @@ float delay_inner(float zeta) {
 
 // Of the camera: energy (1 - W) and energy (1 + W), W = -(b + a c)/(a + b c); products, without a difference where one is small.
 vec2 delay_at_camera(Trace trace) {
-    float ahead = trace.c < 0.0 ? trace.s * trace.s / (1.0 - trace.c) : 1.0 + trace.c;     // 1 + c
-    float behind = trace.c > 0.0 ? trace.s * trace.s / (1.0 + trace.c) : 1.0 - trace.c;    // 1 - c
-    return vec2((frame.shift.x + frame.shift.z) * ahead, (frame.shift.x - frame.shift.z) * behind);
+    float more = 1.0 + abs(trace.c);
+    float less = trace.s * trace.s / more;
+    return vec2((frame.shift.x + frame.shift.z) * (trace.c < 0.0 ? less : more), (frame.shift.x - frame.shift.z) * (trace.c < 0.0 ? more : less));
 }
 
-// zeta, zeta_along (d zeta/d phi): of the place after the swept angle phi.
-float light_time(Trace trace, float phi, float zeta, float zeta_along) {
+// Of the place at r after the swept angle phi; zeta_along: d zeta/d phi there.
+float light_time(Trace trace, float phi, float r, float zeta_along) {
     float sigma = trace.escapes ? 1.0 : -1.0;
+    float zeta = 1.0 / r;
     float energy = energy_at(trace.c);
-    float start = -(frame.shift.z + frame.shift.x * trace.c) / (energy * frame.shift.y);   // W/zeta
     vec2 sides = delay_at_camera(trace);
     float near = max((1.0 - frame.delay.x * zeta), 1.0e-7);
     float per_q = trace.s / q_sine(trace.c);
+    float slope = zeta_along * per_q;
     float fall = zeta * zeta * near * max(1.0 - frame.delay.y * zeta, 0.0) * per_q * per_q;   // V/q^2 = 1 - W^2
     float root = sqrt(max(1.0 - fall, 0.0));
-    float w = fall < 0.97 ? (zeta_along < 0.0 ? -root : root) : clamp(zeta_along * per_q, -1.0, 1.0);
-    float one_minus = sigma * w > 0.0 ? fall / (1.0 + abs(w)) : 1.0 + abs(w);
-    float ratio = max(one_minus, 1.0e-30) * near * energy / (zeta * max(trace.escapes ? sides.x : sides.y, 1.0e-30));   // both roots add up to 1
-    return start - w / zeta + sigma * (log(ratio) - delay_inner(zeta)) - (trace.escapes ? frame.delay.z : frame.delay.w) +
+    float w = fall < 0.97 ? (slope < 0.0 ? -root : root) : clamp(slope, -1.0, 1.0);
+    float larger = 1.0 + abs(w);
+    float one_minus = sigma * w > 0.0 ? fall / larger : larger;
+    float ratio = max(one_minus, 1.0e-30) * near * energy * r / max(trace.escapes ? sides.x : sides.y, 1.0e-30);   // both roots add up to 1
+    float start = -(frame.shift.z + frame.shift.x * trace.c) / (energy * frame.shift.y);   // W/zeta
+    return start - w * r + sigma * (log(ratio) - delay_inner(zeta)) - (trace.escapes ? frame.delay.z : frame.delay.w) +
            delay_rest(trace.escapes, trace.ray.u, phi, trace.phi_end);
 }
 
@@ -57,8 +60,7 @@ float sky_delay(Trace trace) {
 }
 #else
 // Straight light: the distance.
-float light_time(Trace trace, float phi, float zeta, float zeta_along) {
-    float r = 1.0 / zeta;
+float light_time(Trace trace, float phi, float r, float zeta_along) {
     float r0 = 1.0 / frame.shift.y;
     float half_sine = sin(0.5 * phi);
     return sqrt((r - r0) * (r - r0) + 4.0 * r * r0 * half_sine * half_sine);

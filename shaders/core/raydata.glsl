@@ -57,7 +57,7 @@ PixelData pixel_data(vec2 pixel) {
                 data.fate = 4.0;
                 data.angle = crossing.phi;
 #ifdef EFFECT_DELAY
-                data.delay = light_time(trace, crossing.phi, 1.0 / crossing.r, crossing.zeta_slope);
+                data.delay = light_time(trace, crossing.phi, crossing.r, crossing.zeta_slope);
 #endif
                 break;
             }

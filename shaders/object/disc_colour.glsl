@@ -62,7 +62,7 @@ vec4 disc_colour(Trace trace, DiscCrossing crossing) {
 #ifdef NEEDS_LATE
     float late = 0.0;
 #ifdef EFFECT_DELAY
-    late = light_time(trace, crossing.phi, 1.0 / crossing.r, crossing.zeta_slope);
+    late = light_time(trace, crossing.phi, crossing.r, crossing.zeta_slope);
 #endif
 #endif
 #ifdef EFFECT_DISC_FLOW

@@ -80,7 +80,7 @@ RayPlace place_seen(Trace trace, vec3 tangent, float phi) {
     RayPlace place = place_of(trace, tangent, phi);
 #ifdef NEEDS_PLACE_LATE
 #ifdef EFFECT_DELAY
-    place.late = light_time(trace, phi, 1.0 / place.r, -place.r_along / (place.r * place.r));
+    place.late = light_time(trace, phi, place.r, -place.r_along / (place.r * place.r));
 #endif
 #endif
     return place;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr unsigned kFrameBinding = 0;
 enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5, kFarSkyUnit = 6, kBodyUnit = 7,
-            kDiscFlowUnit = kBodyUnit + kBodyCount, kBlackBodyUnit, kStarLensUnit, kPictureUnit, kDelayUnit, kBallPathUnit };
+            kDiscFlowUnit = kBodyUnit + kBodyCount, kBlackBodyUnit, kStarLensUnit, kPictureUnit, kBallPathUnit };
 // Passes that work on the picture sample none of the scene's tables: they share their units.
 constexpr int kSourceUnit = kStripUnit, kHaloUnit = kOrbitUnit, kMeterUnit = kSkyUnit;
 
@@ -29,7 +29,7 @@ constexpr std::pair<const char*, int> kSamplers[] = {
     {"strip_texture", kStripUnit}, {"ends_texture", kEndsUnit}, {"orbit_texture", kOrbitUnit}, {"sky_texture", kSkyUnit},
     {"other_side_texture", kFarSkyUnit}, {"disc_texture", kDiscUnit}, {"table_texture", kTableUnit},
     {"disc_flow_texture", kDiscFlowUnit}, {"black_body_texture", kBlackBodyUnit}, {"star_lens_texture", kStarLensUnit},
-    {"picture_texture", kPictureUnit}, {"delay_texture", kDelayUnit}, {"ball_path_texture", kBallPathUnit}, {"source_texture", kSourceUnit}, {"bloom_texture", kHaloUnit}, {"meter_texture", kMeterUnit}};
+    {"picture_texture", kPictureUnit}, {"ball_path_texture", kBallPathUnit}, {"source_texture", kSourceUnit}, {"bloom_texture", kHaloUnit}, {"meter_texture", kMeterUnit}};
 
 // Nothing of a grid that is empty.
 gl::Texture texture_of(const TexelGrid& grid) {
@@ -116,8 +116,7 @@ void Renderer::upload_tables() {
         rows_revision_ = tables_.revision();
         ends_ = {};
         strip_ = texture_of(tables_.strip());
-        orbit_map_ = texture_of(tables_.orbit_map());
-        delay_map_ = texture_of(tables_.delay_map());
+        orbit_map_ = texture_of(tables_.delay_map().width > 0 ? side_by_side(tables_.orbit_map(), tables_.delay_map()) : tables_.orbit_map());
         star_lens_ = texture_of(tables_.star_lens());
     }
     // A picture of the sky alone does not look where along the ray it is.
@@ -287,7 +286,6 @@ void Renderer::bind_inputs() {
     gl::bind_texture_2d(kDiscFlowUnit, disc_flow_);
     gl::bind_texture_2d(kBlackBodyUnit, black_body_);
     gl::bind_texture_2d(kStarLensUnit, star_lens_);
-    gl::bind_texture_2d(kDelayUnit, delay_map_);
     gl::bind_texture_2d(kBallPathUnit, ball_path_);
 }
 

@@ -109,7 +109,7 @@ private:
     int rows_revision_ = -1;
     std::optional<EffectSet> block_effects_;
     std::vector<int> block_members_;   // of the uniform block with these effects
-    gl::Texture strip_, ends_, orbit_map_, delay_map_, ball_path_, sky_, far_sky_, skies_, disc_, table_, disc_flow_, black_body_, star_lens_;
+    gl::Texture strip_, ends_, orbit_map_, ball_path_, sky_, far_sky_, skies_, disc_, table_, disc_flow_, black_body_, star_lens_;
     StarField stars_;
     Bloom bloom_;
     double adaptation_ = 1.0;

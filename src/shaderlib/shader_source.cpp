@@ -167,11 +167,13 @@ std::string declarations(Stage stage, const EffectSet& effects, bool ends, const
         text += method_constants(method);
         const bool delay = effects.contains(Effect::kDelay);
         if (disc || has_solids(effects) || delay)
-            text += "uniform highp sampler2D orbit_texture;\n"
-                    "vec4 orbit_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(x, y), 0); }\n";
+            text += "uniform highp sampler2D orbit_texture;\n";
+        // With delays the map's texels lie beside theirs (table/orbit_map.h).
         if (delay)
-            text += "uniform highp sampler2D delay_texture;\n"
-                    "vec4 delay_fetch(int x, int y) { return texelFetch(delay_texture, ivec2(x, y), 0); }\n";
+            text += "vec4 orbit_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(2 * x, y), 0); }\n"
+                    "vec4 delay_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(2 * x + 1, y), 0); }\n";
+        else if (disc || has_solids(effects))
+            text += "vec4 orbit_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(x, y), 0); }\n";
     }
     if (effects.contains(Effect::kBallPath))
         text += "uniform highp sampler2D ball_path_texture;\n"

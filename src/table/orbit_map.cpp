@@ -147,4 +147,15 @@ OrbitMap build_orbit_map(const RayFan& fan, bool delays) {
     return map;
 }
 
+TexelGrid side_by_side(const TexelGrid& places, const TexelGrid& delays) {
+    constexpr std::ptrdiff_t kTexel = 4;
+    TexelGrid both{2 * places.width, places.height, {}};
+    both.texels.reserve(2 * places.texels.size());
+    for (auto a = places.texels.begin(), b = delays.texels.begin(); a != places.texels.end(); a += kTexel, b += kTexel) {
+        both.texels.insert(both.texels.end(), a, a + kTexel);
+        both.texels.insert(both.texels.end(), b, b + kTexel);
+    }
+    return both;
+}
+
 }  // namespace nullscope

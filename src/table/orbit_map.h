@@ -16,4 +16,7 @@ struct OrbitMap {
 // Error of zeta: 1e-7 relative to the ray's conditioning. About 10 core-milliseconds, with delays twice that.
 OrbitMap build_orbit_map(const RayFan& fan, bool delays);
 
+// Both sheets as one texture, each place's texel with its delay's to the right: what is fetched together lies together.
+TexelGrid side_by_side(const TexelGrid& places, const TexelGrid& delays);
+
 }  // namespace nullscope

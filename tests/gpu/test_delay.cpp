@@ -52,10 +52,10 @@ TEST_CASE("light time: the shader's text against the reference, on discs about h
 
 TEST_CASE("light time: what the delay map costs of the frame that needs it") {
     constexpr double kMost = 0.15;   // issue: "at most 15 % of the frame that needs it"
-    constexpr int kPairs = 61, kWidth = 640, kHeight = 360;
+    constexpr int kWidth = 640, kHeight = 360;
     test::on_every_context([&](test::GpuSession& session) {
         if (session.context->kind() != "egl") return;   // the same rasteriser
-        for (const char* name : {"hot-spot", "late-light"}) {
+        for (const auto& [name, pairs] : {std::pair{"hot-spot", 61}, {"late-light", 9}}) {   // the second takes its time, and is far from the bound
             Scene late = *load_scene(name);
             late.camera.width = kWidth, late.camera.height = kHeight;
             Scene at_once = late;
@@ -63,7 +63,7 @@ TEST_CASE("light time: what the delay map costs of the frame that needs it") {
             Renderer& renderer = *session.renderer;
             const gl::Target target = gl::make_target(kWidth, kHeight, gl::Format::kRgba8);
             const auto draw = [&] { renderer.draw(target.framebuffer.id(), kWidth, kHeight, Output::kDisplay); };
-            const test::PairedCost cost = test::paired_cost(kPairs, draw, draw, [&](bool first) { REQUIRE(renderer.prepare(first ? late : at_once)); });
+            const test::PairedCost cost = test::paired_cost(pairs, draw, draw, [&](bool first) { REQUIRE(renderer.prepare(first ? late : at_once)); });
             const double share = 1 - 1 / cost.ratio;
             fmt::print("{}: {:.4f} core-s, with light that takes no time {:.4f}: the delay map's share {:.3f}\n", name, cost.first_s, cost.second_s, share);
             CHECK(share <= kMost);
