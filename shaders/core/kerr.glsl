@@ -39,6 +39,9 @@ struct SpinState {
     vec4 f;
     float psi;
     float drag;
+#ifdef EFFECT_DELAY
+    float lag;        // T: v at the camera less v here
+#endif
 #ifdef EFFECT_SPIN_FALL
     bool ingoing;     // psi belongs to phi~
 #endif
@@ -98,6 +101,56 @@ float spin_turning(SpinRay ray, SpinState from, float zeta) { return spin_drag(r
 float spin_turning_at(SpinRay ray, SpinState at) { return spin_drag(ray, at.y.w); }
 #endif
 
+#ifdef EFFECT_DELAY
+// How long light takes. With X (spin_x) of the photon, delta = Delta zeta^2 and |zeta'|^2 = X^2 - delta zeta^2 K the time t from the camera
+// has, along the ray inward or outward, t' = D' -+ r_*', and T = v_cam - v, v = t + r_*, grows by
+//     D' = (1 + a^2 zeta^2) K/(X + |zeta'|) + a (L - a E (1 - n_z^2))
+// outward, and inward by 2 (r_* - r_*') more: regular at the horizon and at the sky. Where the ray turns |zeta'| has a kink; there, with
+// -zeta'/(E zeta) taken off, which is all of it for straight light,
+//     t' = (-zeta'/(E zeta))' + X (X (1/zeta - a^2) + a L)/(E delta) + delta K/E + zeta''/(E zeta) + a (L - a E (1 - n_z^2)).
+#define LAG_SLOW 0.1         // |zeta'|^2 over X^2 below which a ray may be about to turn
+#define LAG_LEAST_ENERGY 1.0e-3
+
+// r_*
+float spin_tortoise(SpinRay ray, float zeta) {
+    float split = frame.spin_turn.y / ray.a;   // 1/(r_+ - r_-)
+    return 1.0 / zeta - log(zeta) + split * (ray.outer * log(max(1.0 - ray.outer * zeta, 1.0e-7)) - ray.inner * log(max(1.0 - ray.inner * zeta, 1.0e-7)));
+}
+
+bool lag_is_level(SpinRay ray, float zeta, float slope) {
+    float x = spin_x(ray, zeta);
+    return slope * slope > LAG_SLOW * x * x;
+}
+
+// Of a step between two states: does the ray keep on inward or outward, clear of a turn?
+bool lag_keeps(SpinRay ray, SpinState from, vec4 to_y, float to_slope) {
+    return from.v.w * to_slope > 0.0 && lag_is_level(ray, from.y.w, from.v.w) && lag_is_level(ray, to_y.w, to_slope);
+}
+
+float lag_rate(SpinRay ray, bool keeps, vec4 y) {
+    float zeta = y.w;
+    float x = spin_x(ray, zeta);
+    float delta = spin_delta(ray, zeta);
+    float round = ray.a * (ray.a * ray.energy * (1.0 - y.z * y.z) - ray.momentum);
+    float speed = sqrt(max(x * x - delta * zeta * zeta * ray.k, 0.0));
+    float level = (1.0 + ray.a * ray.a * zeta * zeta) * ray.k / max(x + speed, 1.0e-12);
+    float energy = max(-ray.energy, LAG_LEAST_ENERGY);
+    float inverse = 1.0 / max(zeta, 1.0e-12);
+    float turning = x * (x * (inverse - ray.a * ray.a) - ray.a * ray.momentum) / (energy * max(delta, 1.0e-7)) + delta * ray.k / energy + spin_force(ray, y).w * inverse / energy;
+    return round + (keeps ? level : turning);
+}
+
+// What T grows by beside the integral of lag_rate, from (zeta, zeta') to (zeta, zeta').
+float lag_jump(SpinRay ray, bool keeps, vec2 from, vec2 to) {
+    bool outward = from.y < 0.0;
+    float low = max(from.x, 1.0e-12);
+    float high = max(to.x, 1.0e-12);
+    float radii = keeps && outward ? 0.0 : spin_tortoise(ray, low) - spin_tortoise(ray, high);
+    float energy = max(-ray.energy, LAG_LEAST_ENERGY);
+    return keeps ? 2.0 * radii : radii + (from.y / low - to.y / high) / energy;
+}
+#endif
+
 // One step of RKN6(4)6FM (Dormand, El-Mikkawy and Prince 1987): five new forces, the sixth is the next step's first.
 SpinState spin_step(SpinRay ray, SpinState from, float h) {
     float hh = h * h;
@@ -126,6 +179,12 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
     to.v.w = from.ingoing && to.v.w < 0.0 && speed2 > INGOING_SLOW * x * x ? -sqrt(speed2) : to.v.w;
 #endif
     to.drag = spin_turning_at(ray, to);
+#ifdef EFFECT_DELAY
+    bool keeps = lag_keeps(ray, from, to.y, to.v.w);
+    to.lag = from.lag + lag_jump(ray, keeps, vec2(from.y.w, from.v.w), vec2(to.y.w, to.v.w)) +
+             h * (lag_rate(ray, keeps, from.y) * (151.0 / 2142.0) + lag_rate(ray, keeps, y1) * (25.0 / 522.0) + lag_rate(ray, keeps, y2) * (275.0 / 684.0) +
+                  lag_rate(ray, keeps, y3) * (275.0 / 252.0) - lag_rate(ray, keeps, y4) * (78125.0 / 112404.0) + lag_rate(ray, keeps, to.y) * (1.0 / 12.0));
+#endif
     to.psi = from.psi + h * (from.drag * (151.0 / 2142.0) + spin_turning(ray, from, y1.w) * (25.0 / 522.0) +
                              spin_turning(ray, from, y2.w) * (275.0 / 684.0) + spin_turning(ray, from, y3.w) * (275.0 / 252.0) -
                              spin_turning(ray, from, y4.w) * (78125.0 / 112404.0) + to.drag * (1.0 / 12.0));
@@ -167,6 +226,9 @@ SpinState spin_to_sky(SpinRay ray, SpinState beyond) {
     float rest = -at.y.w / min(at.v.w, -1.0e-20);
     at.y += rest * (at.v + 0.5 * rest * at.f);
     at.psi += rest * at.drag;
+#ifdef EFFECT_DELAY
+    at.lag += rest * lag_rate(ray, true, at.y);
+#endif
     return at;
 }
 
@@ -207,6 +269,9 @@ struct SpinCrossing {
     float r;
     vec2 place;        // x and y, azimuth of Boyer and Lindquist
     float climb;  // d zeta / d tau there: p_r of the photon is climb / (zeta^2 Delta)
+#ifdef EFFECT_DELAY
+    float late;   // how long ago, by the camera's clock, the light left
+#endif
 };
 
 // Newton's step towards n_z = 0.
@@ -247,5 +312,11 @@ SpinCrossing spin_crossing(SpinRay ray, SpinState from, SpinState to, float h) {
     crossing.r = 1.0 / max(at.w, 1.0e-12);
     crossing.place = crossing.r * vec2(c * at.x - t * at.y, t * at.x + c * at.y);
     crossing.climb = spin_slope_at(arc, s).w / h;
+#ifdef EFFECT_DELAY
+    bool keeps = lag_keeps(ray, from, to.y, to.v.w);
+    float lag = from.lag + lag_jump(ray, keeps, vec2(from.y.w, from.v.w), vec2(at.w, crossing.climb)) +
+                h * s * ((lag_rate(ray, keeps, from.y) + lag_rate(ray, keeps, at)) / 12.0 + (lag_rate(ray, keeps, spin_at(arc, first)) + lag_rate(ray, keeps, spin_at(arc, second))) * (5.0 / 12.0));
+    crossing.late = lag + spin_tortoise(ray, max(at.w, 1.0e-12)) - frame.delay.z;
+#endif
     return crossing;
 }

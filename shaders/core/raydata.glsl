@@ -39,6 +39,9 @@ PixelData pixel_data(vec2 pixel) {
             data.hit = 1.0;
             data.place = vec3(crossing.place.x, crossing.place.y, 0.0);
             data.fate = frame.disc_look.x >= 1.0 ? 4.0 : data.fate;
+#ifdef EFFECT_DELAY
+            data.delay = data.fate == 4.0 ? crossing.late : 0.0;
+#endif
         }
     }
 #endif
@@ -88,7 +91,11 @@ PixelData pixel_data(vec2 pixel) {
 #endif
     bool sky = data.fate == 0.0 || data.fate == 2.0;
 #ifdef EFFECT_DELAY
+#ifdef EFFECT_SPIN
+    if (data.fate == 0.0) data.delay = trace.lag;
+#else
     if (data.fate == 0.0) data.delay = sky_delay(trace);
+#endif
 #endif
     data.sky = sky ? normalize(trace.sky) : vec3(0.0, 0.0, 0.0);
     data.g = sky ? g_of(trace) : 0.0;

@@ -22,6 +22,9 @@ struct Trace {
     vec3 sky_up;
 #endif
     int steps;
+#ifdef EFFECT_DELAY
+    float lag;            // T, of a ray that escapes
+#endif
     float momentum;       // of the photon over its frequency in the observer's frame
     float energy;
 #ifdef EFFECT_DISC
@@ -66,6 +69,9 @@ SpinState spin_start(SpinRay ray, vec3 n) {
     at.v = vec4(p_theta * cosine * c - across * s, p_theta * cosine * s + across * c, -p_theta * sine, spin_form(frame.spin_climb, n));
     at.f = spin_force(ray, at.y);
     at.psi = 0.0;
+#ifdef EFFECT_DELAY
+    at.lag = 0.0;
+#endif
 #ifdef EFFECT_SPIN_FALL
     at.ingoing = ingoing_stays(ray, at.y.w, at.v.w);
     at.psi = at.ingoing ? 0.0 : -frame.spin_turn.x;
@@ -125,6 +131,9 @@ Trace trace_pixel(vec2 pixel) {
     none.r = 0.0;
     none.place = vec2(0.0, 0.0);
     none.climb = 0.0;
+#ifdef EFFECT_DELAY
+    none.late = 0.0;
+#endif
     trace.crossing_0 = none;
     trace.crossing_1 = none;
     trace.crossing_2 = none;
@@ -179,6 +188,9 @@ Trace trace_pixel(vec2 pixel) {
     trace.escapes = now.y.w <= 0.0 && trace.energy > 0.0;
     trace.lost = now.y.w > 0.0 && now.y.w < end;
     SpinState sky = spin_to_sky(ray, now);
+#ifdef EFFECT_DELAY
+    trace.lag = sky.lag;
+#endif
     float c = cos(sky.psi);
     float s = sin(sky.psi);
     trace.sky = trace.escapes ? vec3(c * sky.y.x - s * sky.y.y, s * sky.y.x + c * sky.y.y, sky.y.z) : -n;

@@ -62,7 +62,11 @@ vec4 disc_colour(Trace trace, DiscCrossing crossing) {
 #ifdef NEEDS_LATE
     float late = 0.0;
 #ifdef EFFECT_DELAY
+#ifdef EFFECT_SPIN
+    late = crossing.late;
+#else
     late = light_time(trace, crossing.phi, crossing.r, crossing.zeta_slope);
+#endif
 #endif
 #endif
 #ifdef EFFECT_DISC_FLOW

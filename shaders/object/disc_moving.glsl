@@ -10,8 +10,14 @@ vec2 disc_turned(vec2 v, float c, float s) { return vec2(c * v.x + s * v.y, c * 
 // late: how long ago the light left that arrives now.
 vec4 disc_moving(DiscCrossing crossing, float late) {
     float zeta = 1.0 / crossing.r;
+#ifdef EFFECT_SPIN
+    float root = sqrt(crossing.r);
+    float omega = 1.0 / (1.41421356237 * crossing.r * root + frame.spin_hole.x);   // with the spin
+    float omega_slope = -2.12132034356 * root * omega * omega;
+#else
     float omega = sqrt(max(zeta * zeta * zeta * (frame.disc_winding.z - frame.disc_winding.w * zeta), 0.0));
     float omega_slope = -0.5 * zeta * zeta * zeta * zeta * (3.0 * frame.disc_winding.z - 4.0 * frame.disc_winding.w * zeta) / max(omega, 1.0e-20);
+#endif
     vec2 outward = crossing.place * zeta;
     vec2 around = vec2(-outward.y, outward.x);
     vec4 sum = vec4(0.0);

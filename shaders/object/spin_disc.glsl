@@ -8,6 +8,9 @@ struct DiscCrossing {
     vec2 along;       // footprint of one pixel on the disc in (x, y), r_s: image of its side to the right
     vec2 across;      // ... and upward
     float climb; // d zeta / d tau along the ray
+#ifdef EFFECT_DELAY
+    float late;
+#endif
 };
 
 SpinCrossing spin_kept(Trace trace, int k) {
@@ -26,6 +29,9 @@ DiscCrossing spin_disc_cross(Trace trace, int k, vec4 foot) {
     crossing.r = max(kept.r, 1.0e-6);
     crossing.place = kept.place;
     crossing.climb = kept.climb;
+#ifdef EFFECT_DELAY
+    crossing.late = kept.late;
+#endif
     crossing.along = vec2(foot.x, foot.y);
     crossing.across = vec2(foot.z, foot.w);
     float inner = frame.disc_x.w;

@@ -151,7 +151,7 @@ class Batch {
 public:
     Batch(const Scene& scene, const Spacetime& spacetime, bool crossings, bool probes)
         : scene_(scene), plane_(with_disc_from(scene, kPlane)), bare_plane_(plane_), planes_(spacetime.spin() == 0.0), crossings_(crossings),
-          delays_(spacetime.lapse_roots() || !spacetime.bends_light()) {
+          delays_(spacetime.lapse_roots() || spacetime.spin() != 0.0 || !spacetime.bends_light()) {
         bare_plane_.sphere.reset(), bare_plane_.cylinder.reset(), bare_plane_.ball.reset(), bare_plane_.surface.reset();
         if (scene_.disc && scene_.disc->opacity < 1.0) scene_.disc.reset();   // it ends no ray
         if (probes && !scene_.disc) scene_ = with_disc_from(scene, kOutOfReach);

@@ -75,7 +75,16 @@ private:
 
 }  // namespace
 
-double kepler_rate(const OrbitMetric& metric, double r) { return std::sqrt(std::fmax(slope_of(metric, r), 0) / (2 * r)); }
+double kepler_rate(const OrbitMetric& metric, double r) {
+    if (metric.spin() == 0) return std::sqrt(std::fmax(slope_of(metric, r), 0) / (2 * r));
+    const double h = 1e-3 * r;   // fourth order
+    const auto slope = [&](double EquatorialMetric::* part) {
+        const auto d = [&](double by) { return metric.equator(r + by).*part - metric.equator(r - by).*part; };
+        return (8 * d(h) - d(2 * h)) / (12 * h);
+    };
+    const double tt = slope(&EquatorialMetric::g_tt), tp = slope(&EquatorialMetric::g_tphi), pp = slope(&EquatorialMetric::g_phiphi);
+    return (std::sqrt(std::fmax(tp * tp - tt * pp, 0)) - tp) / pp;
+}
 
 std::function<Vec3(double t)> ball_way(const OrbitMetric& metric, const BallSpec& ball) {
     const Vec3 start = ball.position;

@@ -12,7 +12,7 @@ namespace nullscope::reference {
 // metric: outlives what is returned, which any number of threads may ask. Free fall: 1e-10 of its radius a turn.
 std::function<Vec3(double t)> ball_way(const OrbitMetric& metric, const BallSpec& ball);
 
-// Omega of a circular geodesic at r: g_tt' + g_phiphi' Omega^2 = 0.
+// Omega of a circular geodesic at r, with the spin: g_tt' + 2 g_tphi' Omega + g_phiphi' Omega^2 = 0.
 double kepler_rate(const OrbitMetric& metric, double r);
 
 }  // namespace nullscope::reference

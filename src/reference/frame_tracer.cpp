@@ -102,7 +102,7 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     tracer.matter_ = tracer.metric_ = std::move(*metric);
     tracer.lapse_ = tracer.matter_->lapse(camera.r);
     tracer.bodies_ = std::make_shared<Bodies>(scene, *tracer.matter_);
-    tracer.late_ = scene.light.delay && !moving_parts(scene).empty() && (*spacetime)->spin() == 0;
+    tracer.late_ = scene.light.delay && !moving_parts(scene).empty();
     tracer.disc_moves_ = scene.disc && (scene.spot || scene.disc->flow != DiscFlowKind::kStill);
     if (!scene.light.lensing) {
         tracer.metric_ = std::move(*make_orbit_metric({"minkowski", {}}));
@@ -123,7 +123,7 @@ CameraRay FrameTracer::ray(double x, double y) const {
     }
     if (metric_->spin() != 0) {
         const double azimuth = camera_.phi + (falls(camera_) ? 0 : kerr_azimuth_ahead(metric_->spin(), camera_.r));
-        KerrRay traced = trace_kerr(metric_->spin(), KerrPhoton{camera_.r, camera_.theta, azimuth, p}, disc_ ? kMostCrossings : 0);
+        KerrRay traced = trace_kerr(metric_->spin(), KerrPhoton{camera_.r, camera_.theta, azimuth, p}, disc_ ? kMostCrossings : 0, falls(camera_));
         const double g = 1 / traced.energy, l_z = traced.l_z;
         return {nullptr, RayPlane(camera_.theta, camera_.phi, {1, 0, 0}), Shift{1, g}, g, l_z, 0, std::move(traced)};
     }
@@ -169,7 +169,7 @@ std::vector<DiscHit> FrameTracer::disc_hits(const CameraRay& ray, int max_hits) 
     if (ray.spun) {
         for (const KerrRay::Crossing& c : ray.spun->crossings)
             if (c.r >= disc_->inner && c.r <= disc_->outer && static_cast<int>(hits.size()) < max_hits)
-                hits.push_back({0, c.r * std::cos(c.phi), c.r * std::sin(c.phi), c.radial > 0, c.radial});
+                hits.push_back({0, c.r * std::cos(c.phi), c.r * std::sin(c.phi), c.radial > 0, c.radial, c.late});
         return hits;
     }
     std::optional<LightClock> clock;
@@ -233,8 +233,9 @@ RayPixel FrameTracer::pixel_of(const CameraRay& traced, bool with_delay) const {
     }
     if (pixel.fate == Fate::kEscaped || pixel.fate == Fate::kOtherSide) {
         pixel.sky = traced.end();
-        if (with_delay && !traced.spun) pixel.delay = finite_or_zero(traced.orbit->delay());
+        if (with_delay) pixel.delay = finite_or_zero(traced.spun ? traced.spun->delay : traced.orbit->delay());
     }
+    if (with_delay && traced.spun && pixel.fate == Fate::kHit) pixel.delay = hits.front().late;
     if (with_delay && !traced.spun && (pixel.fate == Fate::kHit) && pixel.hit != kStarHit && !metric_->by_proper_length())
         pixel.delay = finite_or_zero(clock(traced).late(pixel.angle));
     pixel.order = static_cast<int>(std::min(std::floor(pixel.angle / M_PI), 1e9));  // in a wormhole's tube rays wind without end

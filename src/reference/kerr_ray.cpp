@@ -22,6 +22,8 @@ using Stepper = boost::numeric::odeint::runge_kutta_fehlberg78<State>;
 constexpr double kStepTolerance = 1e-14;
 // A ray has reached the sky where what is left of its bending, M b / R^2, is below rounding.
 constexpr double kSky = 1e9;
+// Where T is read, in camera radii: further on it loses what rounding makes of |dx/dlambda| = 1, nearer M b^2/R^2.
+constexpr double kFarForTime = 1e4;
 constexpr int kMostSteps = 20000;        // near-critical rays take some hundred
 constexpr double kOnEquator = 1e-12;     // |cos theta| below which a camera is in the plane (docs/ray-data.md)
 constexpr double kStaysThere = 5e-11;    // and the root of Carter's constant over E, r_s, below which its ray stays in it
@@ -111,6 +113,7 @@ private:
     Launch mirrored() const;
     double far_part(const State& s) const { return std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]); }
     double passed(const State& s) const;
+    double delay_from(const State& s, const State& slope, double r) const;
     double late(const State& s, double r) const { return passed(s) - sense_ * tortoise_ahead(spin_, r); }
     KerrPlace place_on(const State& before, double taken, double along) const;
 
@@ -224,6 +227,14 @@ Launch Path::mirrored() const {
 // state the camera's clock less t is base + sense w + |x| - sense (r_* - r).
 double Path::passed(const State& s) const { return start_.base + sense_ * s[6] + far_part(s); }
 
+// T, from far out on the way to the sky: late + from - r_*, without the difference of |x| and r, and what is left of a straight way.
+double Path::delay_from(const State& s, const State& slope, double r) const {
+    const Vec3 x{s[0], s[1], s[2]}, v{slope[0], slope[1], slope[2]};
+    const double across = chart_.a * chart_.a * (s[0] * s[0] + s[1] * s[1]) / (r * r + chart_.a * chart_.a);   // a^2 sin^2
+    const double b = length(cross(x, v)) / length(v), far = far_part(s), rest = b * b / (far + std::sqrt((far - b) * (far + b)));
+    return start_.base + sense_ * s[6] + across / (far + r) + start_.from - (sense_ > 0 ? 2 * tortoise_ahead(spin_, r) : 0) + rest;
+}
+
 KerrPlace Path::place_on(const State& before, double taken, double along) const {
     const State there = stepped(before, taken);
     State slope{};
@@ -293,10 +304,8 @@ KerrRay Path::trace(int most_crossings, const KerrWatch& watch) {
             if (rest.fate == Fate::kEscaped) ray.fate = rest.fate, ray.sky = rest.sky, ray.phi_inf = rest.phi_inf, ray.delay = rest.delay;
             return ray;
         }
+        if (outside && std::isnan(ray.delay) && r > kFarForTime * scale_) ray.delay = delay_from(state_, slope, r);
         if (r < sky) continue;
-        // T = late + from - r_*, without the difference of |x| and r.
-        const double across = chart_.a * chart_.a * (state_[0] * state_[0] + state_[1] * state_[1]) / (r * r + chart_.a * chart_.a);   // a^2 sin^2
-        ray.delay = start_.base + sense_ * state_[6] + across / (far_part(state_) + r) + start_.from - (sense_ > 0 ? 2 * tortoise_ahead(spin_, r) : 0);
         ray.fate = Fate::kEscaped;   // the motion's direction, nearer to the sky's than the place's
         const double place = std::atan2(state_[1], state_[0]), motion = std::atan2(slope[1], slope[0]);
         ray.phi_inf = phi_ - sense_ * (azimuth_ + std::remainder(motion - place, 2 * M_PI));

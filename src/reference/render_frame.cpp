@@ -119,8 +119,10 @@ Vec3 spot_colour(const FrameTracer& tracer, const Scene& scene, const CameraRay&
         least = std::min(least, std::hypot(hit.x - spot.r * std::cos(at), hit.y - spot.r * std::sin(at)));
     }
     const double l_z = scene.light.lensing ? ray.l_z : ray.l_z / lapse;
-    const double u_t = 1 / std::sqrt(lapse * lapse - rate * rate * spot.r * spot.r), all = 1 / (u_t * (1 - rate * l_z));
-    const Shift shift{ray.shift.gravity * lapse, ray.shift.doppler * all / lapse};
+    const EquatorialMetric g = tracer.matter().equator(spot.r);
+    const double u_t = 1 / std::sqrt(-g.g_tt - rate * (2 * g.g_tphi + rate * g.g_phiphi)), all = 1 / (u_t * (1 - rate * l_z));
+    const double rest = tracer.matter().spin() == 0 ? lapse : 1;   // nobody is at rest about a spinning hole
+    const Shift shift{ray.shift.gravity * rest, ray.shift.doppler * all / rest};
     const Vec3 light = seen_black_body(spot.temperature_K, shift.seen(scene.light), scene.light);
     return spot.brightness / std::exp2(log2_brightness(spot.temperature_K, scene.light.bolometric)) * std::exp(-0.5 * least * least / (spot.size * spot.size)) * light;
 }

@@ -189,7 +189,7 @@ Status FrameTables::update(const Scene& scene) {
     if (wanted.contains(Effect::kSpin) && (has_solids(wanted) || wanted.contains(Effect::kPointStars)))
         return bad_input(fmt::format("metric \"{}\" has neither bodies nor point stars; allowed: a scene without them, or spin = 0", scene.spacetime.metric));
     // Ray data have delays wherever the shader can tell them.
-    const bool straight = !wanted.contains(Effect::kLensing) && !wanted.contains(Effect::kSpin), known = straight || spacetime_->lapse_roots();
+    const bool straight = !wanted.contains(Effect::kLensing) && !wanted.contains(Effect::kSpin), known = straight || spacetime_->spin() != 0.0 || spacetime_->lapse_roots();
     if (delays_wanted_ && known) wanted.insert(Effect::kDelay);
     if (wanted.contains(Effect::kDelay) && !known) wanted.erase(Effect::kDelay);
     const auto orbits_of = [](const EffectSet& effects) { return meets_objects(effects) || effects.contains(Effect::kDelay); };

@@ -13,6 +13,8 @@ namespace {
 constexpr double kCopies = 4096.0;   // DISC_COPIES of shaders/object/disc_moving.glsl
 
 std::array<double, 4> delay_row(const Scene& scene, const Spacetime& spacetime) {
+    // About a spinning hole r_* of the camera, or r where its clock is v - r: what T less r_* of a place is late by.
+    if (spacetime.spin() != 0.0) return {0, 0, scene.camera.r + (falls(scene.camera) ? 0.0 : time_ahead(spacetime, scene.camera.r)), 0};
     if (!spacetime.lapse_roots()) return {0, 0, 0, 0};
     const LapseRoots roots = *spacetime.lapse_roots();
     if (scene.camera.r <= roots.outer) return {roots.outer, roots.inner, 0, 0};   // nothing but the sky's light is seen inside

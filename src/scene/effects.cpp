@@ -170,7 +170,7 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     if (picture.dither) reasons.push_back({Effect::kDither, "picture.dither = \"on\""});
     if (lensing && (*spacetime)->by_proper_length() && has_marched(effect_set(reasons)))
         reasons.push_back({Effect::kSides, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
-    if (const auto moving = moving_parts(scene); !moving.empty() && light.delay && !spins) reasons.push_back({Effect::kDelay, fmt::format("{}", fmt::join(moving, ", "))});
+    if (const auto moving = moving_parts(scene); !moving.empty() && light.delay) reasons.push_back({Effect::kDelay, fmt::format("{}", fmt::join(moving, ", "))});
     if (scene.disc && scene.disc->flow == DiscFlowKind::kKepler) reasons.push_back({Effect::kDiscFlow, "disc.flow = \"kepler\""});
     if (spot) reasons.push_back({Effect::kSpot, fmt::format("[spot] at {}", scene.spot->r)});
     if (scene.ball && scene.ball->motion != BallMotion::kStill) reasons.push_back({Effect::kBallPath, "ball.motion"});

@@ -314,8 +314,7 @@ void SceneReader::check_motion(const SpacetimeSpec& spec, bool delay) {
     const auto moving = moving_parts(scene_);
     if (!spacetime || moving.empty()) return;
     const Spacetime& world = **spacetime;
-    if (world.spin() != 0.0) report(line("disc.flow"), moving.front(), "not about a spinning hole", "a metric without spin, or spin = 0");
-    else if (delay && world.bends_light() && !world.lapse_roots())
+    if (delay && world.bends_light() && world.spin() == 0.0 && !world.lapse_roots())
         report(1, moving.front(), fmt::format("how long light takes is not known in metric \"{}\"", spec.metric), "light.delay = \"off\", or another metric");
     if (scene_.spot && scene_.disc && !circular_orbit(world, scene_.spot->r))
         report(given("spot.r") ? line("spot.r") : sections_["spot"], "spot.r", fmt::format("no circular orbit at {}", scene_.spot->r), "r outside the photon sphere");

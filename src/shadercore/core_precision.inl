@@ -55,7 +55,6 @@ namespace flat {
 }  // namespace flat
 #undef EFFECT_INNER
 #undef EFFECT_STAR
-#undef EFFECT_DELAY
 #undef NEEDS_ZETA_SLOPE
 #define EFFECT_SPIN
 namespace spinning {

@@ -65,7 +65,7 @@ std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool en
     if (!lensing && !ends && !(picture && effects.contains(Effect::kSkyPattern))) files.erase(files.begin());   // nothing inverse to compute
     if (spin) files.emplace_back("core/kerr.glsl");
     files.emplace_back(spin ? "core/spin_trace.glsl" : "core/trace.glsl");
-    if (delay) files.emplace_back("core/delay.glsl");
+    if (delay && !spin) files.emplace_back("core/delay.glsl");
     if (spin && method.kind == MethodKind::kKerrSchild) files.emplace_back("method/kerr_schild.glsl");
     if (disc) files.emplace_back(spin ? "object/spin_disc.glsl" : "object/disc.glsl");
     const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
