@@ -2,14 +2,11 @@
 // vertices are images, found on the host for every camera (render/star_mesh.h), and one pass draws them.
 #pragma once
 #include <optional>
-#include <tuple>
-#include <vector>
 
 #include "base/result.h"
 #include "gl/gl.h"
 #include "render/star_mesh.h"
 #include "scene/scene.h"
-#include "sky/point_stars.h"
 
 namespace nullscope {
 
@@ -37,16 +34,12 @@ private:
         LightSpec light;
         friend bool operator==(const View&, const View&) = default;
     };
-    struct Make {
-        double light, temperature;   // log2 of flux over a black body's brightness, and of K
-    };
     void find_images(const Scene& scene, const FrameTables& tables);
 
     std::optional<Sky> sky_;
     std::optional<View> view_;
     gl::VertexList vertices_;
     std::optional<StarMesh> mesh_;
-    std::vector<Make> makes_;   // of the mesh's stars
 };
 
 }  // namespace nullscope

@@ -5,18 +5,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+#include <utility>
 
 namespace nullscope {
 namespace {
 
-constexpr double kStarsPerCell = 2.0;   // of the grid of stars
-constexpr double kWide = 0.25;          // rad of sky in a cell above which it is divided: cubics over it are off by more than 0.01 px
+constexpr std::size_t kBrightest = 64;   // stars of the first level; each further one has as many as all before it
+constexpr double kPartPerOctave = 2.0;   // how fast StarGlow::part changes, at most
+constexpr double kStarsPerCell = 2.0;                   // of a level's grid
+constexpr double kWide = 0.15;          // rad of sky in a cell above which it is divided: interpolation over it is off by more than 0.01 px
 constexpr double kBent = 0.1;           // the same, of how far a cell's middle may be from the mean of its corners, over its extent
-constexpr double kWidest = 0.8;         // rad; a cell that still covers more holds no images
+constexpr double kWidest = 0.5;         // rad from its middle up to which it is asked which stars are in it
 // Triangles are taken so much larger (of their heights), lest a star falls between those of cells of two sizes: what is found twice
 // comes out at one place.
 constexpr double kOver = 0.01, kOverDivided = 0.1;
 constexpr double kSame_px = 0.05;
+// The area of an image is at least this part of its triangle's; within a cell that is to be divided of the cell's.
+constexpr double kLeastArea = 0.7, kLeastAreaDivided = 0.4;
 constexpr int kNewton = 8;
 constexpr double kFound_px = 1e-4;
 
@@ -29,67 +37,144 @@ struct Node {
 struct Cell {
     double x, y, size;            // px, lower left corner
     std::array<Node, 4> corners;  // (0, 0), (1, 0), (0, 1), (1, 1)
+    int there() const {
+        return static_cast<int>(std::count_if(corners.begin(), corners.end(), [](const Node& n) { return n.there; }));
+    }
+};
+
+struct Cap {   // of the sky, about a cell's
+    Vec3 middle;
+    double radius;
+};
+
+struct Candidate {
+    Vec3 place;
+    int star;
 };
 
 struct Local {
     Vec3 sky, by_x, by_y;
     double g = 0;
-    bool there = true;
 };
 
-// Lagrange's cubics through -1, 0, 1, 2, and their slopes.
-std::array<double, 4> cubic(double t) {
-    return {-t * (t - 1) * (t - 2) / 6, (t + 1) * (t - 1) * (t - 2) / 2, -(t + 1) * t * (t - 2) / 2, (t + 1) * t * (t - 1) / 6};
+// Polynomials through values at equal steps, and their slopes: N = 4 at -1, 0, 1, 2; N = 3 at 0, 1/2, 1.
+template <std::size_t N>
+std::array<double, N> weights(double t) {
+    if constexpr (N == 4) return {-t * (t - 1) * (t - 2) / 6, (t + 1) * (t - 1) * (t - 2) / 2, -(t + 1) * t * (t - 2) / 2, (t + 1) * t * (t - 1) / 6};
+    else return {(2 * t - 1) * (t - 1), 4 * t * (1 - t), t * (2 * t - 1)};
 }
-std::array<double, 4> cubic_slope(double t) {
-    return {-(3 * t * t - 6 * t + 2) / 6, (3 * t * t - 4 * t - 1) / 2, -(3 * t * t - 2 * t - 2) / 2, (3 * t * t - 1) / 6};
+template <std::size_t N>
+std::array<double, N> slopes(double t) {
+    if constexpr (N == 4) return {-(3 * t * t - 6 * t + 2) / 6, (3 * t * t - 4 * t - 1) / 2, -(3 * t * t - 2 * t - 2) / 2, (3 * t * t - 1) / 6};
+    else return {4 * t - 3, 4 - 8 * t, 4 * t - 1};
+}
+
+// nodes: N rows of N.
+template <std::size_t N>
+Local interpolated(const std::array<std::array<Node, N>, N>& nodes, const Cell& cell, double x, double y) {
+    const double s = (x - cell.x) / cell.size, t = (y - cell.y) / cell.size;
+    const auto a = weights<N>(s), b = weights<N>(t), da = slopes<N>(s), db = slopes<N>(t);
+    Local local;
+    for (std::size_t j = 0; j < N; ++j)
+        for (std::size_t i = 0; i < N; ++i) {
+            const Node& node = nodes[j][i];
+            local.sky = local.sky + a[i] * b[j] * node.sky;
+            local.by_x = local.by_x + da[i] * b[j] / cell.size * node.sky;
+            local.by_y = local.by_y + a[i] * db[j] / cell.size * node.sky;
+            local.g += a[i] * b[j] * node.g;
+        }
+    return local;
 }
 
 double edge(Vec3 a, Vec3 b, Vec3 star) { return dot(cross(a - star, b - star), star); }
 
+Cap cap_of(const Cell& cell) {
+    Vec3 sum;
+    for (const Node& n : cell.corners) sum = sum + n.sky;
+    Cap cap{normalized(sum), 0};
+    for (const Node& n : cell.corners) cap.radius = std::max(cap.radius, angle_between(cap.middle, n.sky));
+    return cap;
+}
+
+double extent(const Cell& cell) {
+    const auto& c = cell.corners;
+    return std::max(length(c[3].sky - c[0].sky), length(c[2].sky - c[1].sky));
+}
+
+bool is_coarse(const Cell& cell, Vec3 middle) {
+    const auto& c = cell.corners;
+    const Vec3 mean = 0.25 * (c[0].sky + c[1].sky + c[2].sky + c[3].sky);
+    const double across = extent(cell);
+    return across > kWide || length(middle - mean) > kBent * across;
+}
+
 }  // namespace
 
-StarMesh::StarMesh(std::vector<Vec3> stars) {
-    rows_ = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(stars.size()) / (2 * kStarsPerCell))), 1, 1024);
-    columns_ = 2 * rows_;
-    const auto cell_of = [&](Vec3 v) {
-        const int row = std::clamp(static_cast<int>(0.5 * (v.z + 1) * rows_), 0, rows_ - 1);
-        const int column = std::clamp(static_cast<int>((std::atan2(v.y, v.x) / (2 * M_PI) + 0.5) * columns_), 0, columns_ - 1);
-        return static_cast<std::size_t>(row * columns_ + column);
-    };
-    first_.assign(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_) + 1, 0);
-    for (const Vec3 star : stars) ++first_[cell_of(star) + 1];
-    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    stars_.resize(stars.size());
-    numbers_.resize(stars.size());
-    std::vector<int> next = first_;
-    for (std::size_t i = 0; i < stars.size(); ++i) {
-        const auto at = static_cast<std::size_t>(next[cell_of(stars[i])]++);
-        stars_[at] = stars[i];
-        numbers_[at] = static_cast<int>(i);
+StarMesh::StarMesh(const std::vector<PointStar>& stars, bool bolometric) : glow_(bolometric) {
+    std::vector<double> power;
+    std::unordered_map<double, double> brightness;   // by temperature: the catalogue has few
+    for (const PointStar& star : stars) {
+        const auto [known, is_new] = brightness.try_emplace(star.temperature_K, 0.0);
+        if (is_new) known->second = log2_brightness(star.temperature_K, bolometric);
+        made_.push_back({std::log2(star.flux) - known->second, std::log2(star.temperature_K)});
+        power.push_back(std::log2(star.flux) + glow_.part(made_.back().temperature));
+    }
+    std::vector<int> order(stars.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return power[static_cast<std::size_t>(a)] > power[static_cast<std::size_t>(b)]; });
+    for (std::size_t from = 0, count = kBrightest; from < order.size(); from += count, count = from) {
+        const auto begin = order.begin() + static_cast<std::ptrdiff_t>(from), end = order.begin() + static_cast<std::ptrdiff_t>(std::min(from + count, order.size()));
+        Level level;
+        level.brightest = power[static_cast<std::size_t>(*begin)];
+        level.rows = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(end - begin) / (2 * kStarsPerCell))), 1, 1024);
+        level.columns = 2 * level.rows;
+        const auto cell_of = [&](Vec3 v) {
+            const int row = std::clamp(static_cast<int>(0.5 * (v.z + 1) * level.rows), 0, level.rows - 1);
+            const int column = std::clamp(static_cast<int>((std::atan2(v.y, v.x) / (2 * M_PI) + 0.5) * level.columns), 0, level.columns - 1);
+            return static_cast<std::size_t>(row * level.columns + column);
+        };
+        level.first.assign(static_cast<std::size_t>(level.rows * level.columns) + 1, 0);
+        for (auto i = begin; i != end; ++i) ++level.first[cell_of(stars[static_cast<std::size_t>(*i)].direction) + 1];
+        std::partial_sum(level.first.begin(), level.first.end(), level.first.begin());
+        level.places.resize(static_cast<std::size_t>(end - begin));
+        level.numbers.resize(level.places.size());
+        std::vector<int> next = level.first;
+        for (auto i = begin; i != end; ++i) {
+            const Vec3 place = stars[static_cast<std::size_t>(*i)].direction;
+            const auto at = static_cast<std::size_t>(next[cell_of(place)]++);
+            level.places[at] = place;
+            level.numbers[at] = *i;
+        }
+        levels_.push_back(std::move(level));
+    }
+    double coldest = INFINITY;
+    for (auto level = levels_.rbegin(); level != levels_.rend(); ++level) {
+        for (const int star : level->numbers) coldest = std::min(coldest, temperature(star));
+        level->coldest = coldest;
     }
 }
 
 template <class Visit>
-void StarMesh::near(Vec3 middle, double radius, const Visit& visit) const {
+void StarMesh::visit_near(const Level& level, Vec3 middle, double radius, const Visit& visit) {
     const double theta = std::atan2(std::hypot(middle.x, middle.y), middle.z);
     const double high = std::cos(std::max(theta - radius, 0.0)), low = std::cos(std::min(theta + radius, M_PI));
-    const int from = std::clamp(static_cast<int>(0.5 * (low + 1) * rows_), 0, rows_ - 1), to = std::clamp(static_cast<int>(0.5 * (high + 1) * rows_), 0, rows_ - 1);
-    const double reach = std::sin(radius), flat = std::sin(theta), turn = reach < flat ? std::asin(reach / flat) : M_PI;
-    const double at = (std::atan2(middle.y, middle.x) / (2 * M_PI) + 0.5) * columns_, wide = turn / (2 * M_PI) * columns_;
-    const int left = static_cast<int>(std::floor(at - wide)), right = std::min(static_cast<int>(std::floor(at + wide)), left + columns_ - 1);
-    for (int row = from; row <= to; ++row)
+    const auto row_of = [&](double z) { return std::clamp(static_cast<int>(0.5 * (z + 1) * level.rows), 0, level.rows - 1); };
+    const double reach = radius < M_PI / 2 ? std::sin(radius) : 1.0, flat = std::sin(theta), turn = reach < flat ? std::asin(reach / flat) : M_PI;
+    const double at = (std::atan2(middle.y, middle.x) / (2 * M_PI) + 0.5) * level.columns, wide = turn / (2 * M_PI) * level.columns;
+    const int left = static_cast<int>(std::floor(at - wide)), right = std::min(static_cast<int>(std::floor(at + wide)), left + level.columns - 1);
+    for (int row = row_of(low); row <= row_of(high); ++row)
         for (int column = left; column <= right; ++column) {
-            const auto cell = static_cast<std::size_t>(row * columns_ + (column + columns_) % columns_);
-            for (int i = first_[cell]; i < first_[cell + 1]; ++i) visit(i);
+            const auto cell = static_cast<std::size_t>(row * level.columns + (column + level.columns) % level.columns);
+            for (int i = level.first[cell]; i < level.first[cell + 1]; ++i)
+                visit(Candidate{level.places[static_cast<std::size_t>(i)], level.numbers[static_cast<std::size_t>(i)]});
         }
 }
 
-// One call of images(): the mesh's nodes, and what is found in a strip of cells.
+// One call of images(): the mesh's nodes, and what is found in a row of cells.
 class MeshWalk {
 public:
-    MeshWalk(const StarMesh& mesh, const CoreInput& input, int width, int height, double margin, const StarMesh::Seen& seen)
-        : mesh_(mesh), input_(input), seen_(seen), across_(0.5 * width + margin), up_(0.5 * height + margin),
+    MeshWalk(const StarMesh& mesh, const CoreInput& input, int width, int height, double margin, const StarMesh::Seeing& seeing)
+        : mesh_(mesh), input_(input), seeing_(seeing), across_(0.5 * width + margin), up_(0.5 * height + margin),
           pitch_(std::max(1.0, std::sqrt(4 * across_ * up_ / kMeshCells))), columns_(static_cast<int>(std::ceil(2 * across_ / pitch_))),
           rows_(static_cast<int>(std::ceil(2 * up_ / pitch_))), nodes_(static_cast<std::size_t>((columns_ + 3) * (rows_ + 3))) {
         tbb::parallel_for(-1, rows_ + 2, [&](int j) {
@@ -102,20 +187,17 @@ public:
     void row(int j, std::vector<MeshImage>& found) const {
         for (int i = 0; i < columns_; ++i) {
             const Cell cell{x_of(i), y_of(j), pitch_, {node(i, j), node(i + 1, j), node(i, j + 1), node(i + 1, j + 1)}};
-            std::array<Node, 16> stencil;
+            std::array<std::array<Node, 4>, 4> nodes;
             bool whole = true;
             for (int n = 0; n < 16; ++n) {
-                stencil[static_cast<std::size_t>(n)] = node(i - 1 + n % 4, j - 1 + n / 4);
-                whole = whole && stencil[static_cast<std::size_t>(n)].there;
+                Node& one = nodes[static_cast<std::size_t>(n / 4)][static_cast<std::size_t>(n % 4)];
+                one = node(i - 1 + n % 4, j - 1 + n / 4);
+                whole = whole && one.there;
             }
-            if (!whole) {
-                divided(cell, found);
-                continue;
-            }
-            const auto smooth = [&](double x, double y) { return interpolated(stencil, (x - cell.x) / pitch_, (y - cell.y) / pitch_); };
-            const Local middle = smooth(cell.x + 0.5 * pitch_, cell.y + 0.5 * pitch_);
-            if (coarse(cell, middle.sky)) divided(cell, found);
-            else stars_in(cell, kOver, smooth, found);
+            const auto smooth = [&](double x, double y) { return interpolated(nodes, cell, x, y); };
+            if (!whole || is_coarse(cell, smooth(cell.x + 0.5 * pitch_, cell.y + 0.5 * pitch_).sky)) divided(cell, nullptr, found);
+            else
+                for (const Candidate& one : candidates(cell, kLeastArea)) find(cell, one, kOver, [&] { return smooth; }, found);
         }
     }
 
@@ -130,89 +212,105 @@ private:
         return {ray.sky, ray.g, ray.fate == Fate::kEscaped};
     }
 
-    Local interpolated(const std::array<Node, 16>& stencil, double s, double t) const {
-        const auto a = cubic(s), b = cubic(t), da = cubic_slope(s), db = cubic_slope(t);
-        Local local;
-        for (std::size_t n = 0; n < 16; ++n) {
-            const std::size_t i = n % 4, j = n / 4;
-            const Vec3 sky = stencil[n].sky;
-            local.sky = local.sky + a[i] * b[j] * sky;
-            local.by_x = local.by_x + da[i] * b[j] / pitch_ * sky;
-            local.by_y = local.by_y + a[i] * db[j] / pitch_ * sky;
-            local.g += a[i] * b[j] * stencil[n].g;
+    // By this area of sky, sr/px^2.
+    bool seen(int star, double area, double g) const {
+        const double light = mesh_.light(star), own = mesh_.temperature(star), shifted = own + std::log2(std::max(g, 1e-9));
+        const StarGlow& glow = mesh_.glow_;
+        return light + glow.brightness(seeing_.beaming ? shifted : own) + glow.part(seeing_.shift ? shifted : own) - std::log2(area) > seeing_.faintest;
+    }
+
+    // The stars near a cell's sky that could be seen in it; least: of the cell's area over what an image's can be.
+    std::vector<Candidate> candidates(const Cell& cell, double least) const {
+        std::vector<Candidate> list;
+        const Cap cap = cap_of(cell);
+        const auto [area, g] = bounds(cell, least);
+        const double most = 2 * (1 - std::cos(std::min((1 + 4 * kOverDivided) * cap.radius, M_PI)));   // of the square of a chord
+        const double other = seeing_.shift ? std::min(kPartPerOctave * std::fabs(std::log2(g)), StarGlow::kMostPart) : 0.0;
+        for (const StarMesh::Level& level : mesh_.levels_) {
+            const double bluer = seeing_.beaming && g > 1 ? mesh_.glow_.brightness(level.coldest + std::log2(g)) - mesh_.glow_.brightness(level.coldest) : 0.0;
+            if (level.brightest + bluer + other - std::log2(area) < seeing_.faintest) break;
+            StarMesh::visit_near(level, cap.middle, (1 + 4 * kOverDivided) * cap.radius, [&](const Candidate& one) {
+                const Vec3 off = one.place - cap.middle;
+                if (dot(off, off) <= most && seen(one.star, area, g)) list.push_back(one);
+            });
         }
-        return local;
+        return list;
     }
 
-    // By rays `step` px to either side.
-    Local differenced(double x, double y, double step) const {
-        const Node here = traced(x, y), left = traced(x - step, y), right = traced(x + step, y), below = traced(x, y - step), above = traced(x, y + step);
-        return {here.sky, (right.sky - left.sky) / (2 * step), (above.sky - below.sky) / (2 * step), here.g,
-                here.there && left.there && right.there && below.there && above.there};
-    }
-
-    static double extent(const Cell& cell) {
+    std::pair<double, double> bounds(const Cell& cell, double least) const {
         const auto& c = cell.corners;
-        return std::max(length(c[3].sky - c[0].sky), length(c[2].sky - c[1].sky));
+        const double twice = std::min(length(cross(c[1].sky - c[0].sky, c[3].sky - c[0].sky)), length(cross(c[2].sky - c[0].sky, c[3].sky - c[0].sky)));
+        return {std::max(least * twice / (cell.size * cell.size), 1e-30), std::max({c[0].g, c[1].g, c[2].g, c[3].g})};
     }
 
-    static bool coarse(const Cell& cell, Vec3 middle) {
-        const auto& c = cell.corners;
-        const Vec3 mean = 0.25 * (c[0].sky + c[1].sky + c[2].sky + c[3].sky);
-        const double across = extent(cell);
-        return across > kWide || length(middle - mean) > kBent * across;
-    }
-
-    void divided(const Cell& cell, std::vector<MeshImage>& found) const {
-        const auto& c = cell.corners;
-        const int there = static_cast<int>(std::count_if(c.begin(), c.end(), [](const Node& n) { return n.there; }));
+    // within: the stars that could be in it; nullptr: not known.
+    void divided(const Cell& cell, const std::vector<Candidate>* within, std::vector<MeshImage>& found) const {
+        const int there = cell.there();
         const double half = 0.5 * cell.size;
+        const bool finest = cell.size < 1.5 * kMeshFinest_px;
+        std::vector<Candidate> list;
+        const bool narrow = there == 4 && cap_of(cell).radius < kWidest;
+        if (finest && !narrow) return;
+        if (narrow) {
+            list = within == nullptr ? candidates(cell, kLeastAreaDivided) : kept(cell, *within);
+            if (list.empty()) return;
+        }
         const Node middle = traced(cell.x + half, cell.y + half);
         if (there == 0 && !middle.there) return;
-        const bool split = cell.size > 1.5 * kMeshFinest_px && (there < 4 || !middle.there || coarse(cell, middle.sky));
+        const bool split = !finest && (!narrow || !middle.there || is_coarse(cell, middle.sky));
+        if (!split && !middle.there) return;
+        const auto& c = cell.corners;
+        const auto side = [&](double x, double y) { return traced(cell.x + x * half, cell.y + y * half); };
         if (!split) {
-            if (there >= 3) stars_in(cell, kOverDivided, [&](double x, double y) { return differenced(x, y, 0.25 * cell.size); }, found);
+            std::optional<std::array<std::array<Node, 3>, 3>> nodes;
+            const auto map = [&] {
+                if (!nodes) nodes = {{{c[0], side(1, 0), c[1]}, {side(0, 1), middle, side(2, 1)}, {c[2], side(1, 2), c[3]}}};
+                return [&](double x, double y) { return interpolated(*nodes, cell, x, y); };
+            };
+            for (const Candidate& one : list) find(cell, one, kOverDivided, map, found);
             return;
         }
-        const Node left = traced(cell.x, cell.y + half), right = traced(cell.x + cell.size, cell.y + half);
-        const Node below = traced(cell.x + half, cell.y), above = traced(cell.x + half, cell.y + cell.size);
-        divided({cell.x, cell.y, half, {c[0], below, left, middle}}, found);
-        divided({cell.x + half, cell.y, half, {below, c[1], middle, right}}, found);
-        divided({cell.x, cell.y + half, half, {left, middle, c[2], above}}, found);
-        divided({cell.x + half, cell.y + half, half, {middle, right, above, c[3]}}, found);
+        const Node left = side(0, 1), right = side(2, 1), below = side(1, 0), above = side(1, 2);
+        const std::vector<Candidate>* known = narrow && middle.there ? &list : nullptr;
+        divided({cell.x, cell.y, half, {c[0], below, left, middle}}, known, found);
+        divided({cell.x + half, cell.y, half, {below, c[1], middle, right}}, known, found);
+        divided({cell.x, cell.y + half, half, {left, middle, c[2], above}}, known, found);
+        divided({cell.x + half, cell.y + half, half, {middle, right, above, c[3]}}, known, found);
     }
 
-    template <class Map>
-    void stars_in(const Cell& cell, double over, const Map& map, std::vector<MeshImage>& found) const {
+    std::vector<Candidate> kept(const Cell& cell, const std::vector<Candidate>& all) const {
+        const Cap cap = cap_of(cell);
+        const auto [area, g] = bounds(cell, kLeastAreaDivided);
+        const double most = 2 * (1 - std::cos(std::min((1 + 4 * kOverDivided) * cap.radius, M_PI)));
+        std::vector<Candidate> list;
+        for (const Candidate& one : all) {
+            const Vec3 off = one.place - cap.middle;
+            if (dot(off, off) <= most && seen(one.star, area, g)) list.push_back(one);
+        }
+        return list;
+    }
+
+    // map(): what gives the sky at a place in the cell; asked for where a star is in the cell.
+    template <class MakeMap>
+    void find(const Cell& cell, const Candidate& one, double over, const MakeMap& map, std::vector<MeshImage>& found) const {
         const auto& c = cell.corners;
-        Vec3 sum;
-        for (const Node& n : c)
-            if (n.there) sum = sum + n.sky;
-        const Vec3 middle = normalized(sum);
-        double radius = 0;
-        for (const Node& n : c)
-            if (n.there) radius = std::max(radius, angle_between(middle, n.sky));
-        if (radius > kWidest) return;
-        radius *= 1 + 4 * over;
-        const double most = 2 * (1 - std::cos(radius));   // of the square of the chord
         constexpr std::array<std::array<std::size_t, 3>, 2> kTriangles = {{{0, 1, 3}, {0, 3, 2}}};
-        mesh_.near(middle, radius, [&](int i) {
-            const Vec3 star = mesh_.stars_[static_cast<std::size_t>(i)], off = star - middle;
-            if (dot(off, off) > most) return;
-            for (const auto& t : kTriangles) {
-                const Node &p = c[t[0]], &q = c[t[1]], &r = c[t[2]];
-                if (!p.there || !q.there || !r.there) continue;
-                const double u = edge(q.sky, r.sky, star), v = edge(r.sky, p.sky, star), w = edge(p.sky, q.sky, star), all = u + v + w;
-                if (!(std::min({u * all, v * all, w * all}) >= -over * all * all)) continue;
-                const double area = std::fabs(all) / (cell.size * cell.size), g = (u * p.g + v * q.g + w * r.g) / all;
-                if (!seen_(mesh_.numbers_[static_cast<std::size_t>(i)], 0.25 * area, g)) continue;
-                const std::array<double, 3> by{u / all, v / all, w / all};
-                MeshImage image{cell.x, cell.y, g, area, mesh_.numbers_[static_cast<std::size_t>(i)]};
-                for (std::size_t k = 0; k < 3; ++k) image.x += by[k] * (t[k] % 2 == 1) * cell.size, image.y += by[k] * (t[k] >= 2) * cell.size;
-                const bool inside = std::min({by[0], by[1], by[2]}) >= 0;
-                if ((refined(image, star, cell, map) || inside) && std::fabs(image.x) < across_ && std::fabs(image.y) < up_) found.push_back(image);
+        for (const auto& t : kTriangles) {
+            const Node &p = c[t[0]], &q = c[t[1]], &r = c[t[2]];
+            const double u = edge(q.sky, r.sky, one.place), v = edge(r.sky, p.sky, one.place), w = edge(p.sky, q.sky, one.place), all = u + v + w;
+            if (!(std::min({u * all, v * all, w * all}) >= -over * all * all) || all == 0) continue;
+            const std::array<double, 3> by{u / all, v / all, w / all};
+            MeshImage image{cell.x, cell.y, by[0] * p.g + by[1] * q.g + by[2] * r.g, std::fabs(all) / (cell.size * cell.size), one.star};
+            if (!seen(one.star, kLeastArea * image.area, image.g)) continue;
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (t[k] % 2 == 1) image.x += by[k] * cell.size;
+                if (t[k] >= 2) image.y += by[k] * cell.size;
             }
-        });
+            const bool inside = std::min({by[0], by[1], by[2]}) >= 0;
+            if ((refined(image, one.place, cell, map()) || inside) && std::fabs(image.x) < across_ && std::fabs(image.y) < up_ &&
+                seen(one.star, image.area, image.g))
+                found.push_back(image);
+        }
     }
 
     // Newton's steps to where the map has the star. False: they lead nowhere near; the image is left as it is.
@@ -221,32 +319,32 @@ private:
         double x = image.x, y = image.y;
         for (int step = 0; step < kNewton; ++step) {
             const Local at = map(x, y);
-            if (!at.there) return false;
             const Vec3 off = star - at.sky;
             const double xx = dot(at.by_x, at.by_x), xy = dot(at.by_x, at.by_y), yy = dot(at.by_y, at.by_y), det = xx * yy - xy * xy;
             const double ox = dot(at.by_x, off), oy = dot(at.by_y, off), dx = (yy * ox - xy * oy) / det, dy = (xx * oy - xy * ox) / det;
-            if (!(std::fabs(dx) + std::fabs(dy) < 2 * cell.size)) return false;
             x += dx, y += dy;
-            if (std::max(std::fabs(x - cell.x - 0.5 * cell.size), std::fabs(y - cell.y - 0.5 * cell.size)) > 1.5 * cell.size) return false;
+            if (!(std::max(std::fabs(x - cell.x - 0.5 * cell.size), std::fabs(y - cell.y - 0.5 * cell.size)) < 1.5 * cell.size)) return false;
             if (std::fabs(dx) + std::fabs(dy) > kFound_px) continue;
-            image.x = x, image.y = y, image.g = at.g, image.area = length(cross(at.by_x, at.by_y));
-            return image.area > 0;
+            const double area = length(cross(at.by_x, at.by_y));
+            if (!(area > 0)) return false;
+            image.x = x, image.y = y, image.g = at.g, image.area = area;
+            return true;
         }
         return false;
     }
 
     const StarMesh& mesh_;
     const CoreInput& input_;
-    const StarMesh::Seen& seen_;
+    const StarMesh::Seeing& seeing_;
     double across_, up_, pitch_;
     int columns_, rows_;
     std::vector<Node> nodes_;
 };
 
-std::vector<MeshImage> StarMesh::images(const CoreInput& input, int width, int height, double margin_px, const Seen& seen) const {
+std::vector<MeshImage> StarMesh::images(const CoreInput& input, int width, int height, double margin_px, const Seeing& seeing) const {
     std::vector<MeshImage> all;
-    if (stars_.empty()) return all;
-    const MeshWalk walk(*this, input, width, height, margin_px, seen);
+    if (levels_.empty()) return all;
+    const MeshWalk walk(*this, input, width, height, margin_px, seeing);
     std::vector<std::vector<MeshImage>> rows(static_cast<std::size_t>(walk.rows()));
     tbb::parallel_for(0, walk.rows(), [&](int j) { walk.row(j, rows[static_cast<std::size_t>(j)]); });
     for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
