@@ -17,16 +17,20 @@ constexpr std::size_t kBrightest = 64;   // stars of the first level; each furth
 constexpr double kPartPerOctave = 2.0;   // how fast StarGlow::part changes, at most
 constexpr double kStarsPerCell = 2.0;                   // of a level's grid
 constexpr double kWide = 0.15;          // rad of sky in a cell above which it is divided: interpolation over it is off by more than 0.01 px
-constexpr double kBent = 0.1;           // the same, of how far a cell's middle may be from the mean of its corners, over its extent
-constexpr double kWidest = 0.5;         // rad from its middle up to which it is asked which stars are in it
+constexpr double kBent = 0.05;           // the same, of how far a cell's middle may be from the mean of its corners, over its extent
+constexpr double kWidest = 0.5;         // rad from its middle up to which it is asked which stars are in it ...
+constexpr double kWidestFinest = 1.0;   // ... where it is not divided any more; what covers more holds no images
 // Triangles are taken so much larger (of their heights), lest a star falls between those of cells of two sizes: what is found twice
 // comes out at one place.
-constexpr double kOver = 0.01, kOverDivided = 0.1;
+constexpr double kOver = 0.01, kOverDivided = 0.1, kOverFinest = 0.3;
+constexpr double kStep = 0.01;          // of the differences between rays, over the cell, where it is not smooth enough to interpolate
 constexpr double kSame_px = 0.05;
 // The area of an image is at least this part of its triangle's; within a cell that is to be divided of the cell's.
 constexpr double kLeastArea = 0.7, kLeastAreaDivided = 0.4;
+// Of log2 of an image's area over its triangle's: beyond it, next to where images merge, the slopes are rays'.
+constexpr double kUneven = 0.1;
 constexpr int kNewton = 8;
-constexpr double kFound_px = 1e-4;
+constexpr double kFound = 3e-3, kStray = 2.0;   // a step that ends them, and how far outside of the cell they may lead; of its size
 
 struct Node {
     Vec3 sky;
@@ -172,6 +176,8 @@ void StarMesh::visit_near(const Level& level, Vec3 middle, double radius, const 
 
 // One call of images(): the mesh's nodes, and what is found in a row of cells.
 class MeshWalk {
+    using Known = std::unordered_map<long long, Node>;   // of a row's cells that are divided
+
 public:
     MeshWalk(const StarMesh& mesh, const CoreInput& input, int width, int height, double margin, const StarMesh::Seeing& seeing)
         : mesh_(mesh), input_(input), seeing_(seeing), across_(0.5 * width + margin), up_(0.5 * height + margin),
@@ -185,6 +191,7 @@ public:
     int rows() const { return rows_; }
 
     void row(int j, std::vector<MeshImage>& found) const {
+        Known known;
         for (int i = 0; i < columns_; ++i) {
             const Cell cell{x_of(i), y_of(j), pitch_, {node(i, j), node(i + 1, j), node(i, j + 1), node(i + 1, j + 1)}};
             std::array<std::array<Node, 4>, 4> nodes;
@@ -195,7 +202,7 @@ public:
                 whole = whole && one.there;
             }
             const auto smooth = [&](double x, double y) { return interpolated(nodes, cell, x, y); };
-            if (!whole || is_coarse(cell, smooth(cell.x + 0.5 * pitch_, cell.y + 0.5 * pitch_).sky)) divided(cell, nullptr, found);
+            if (!whole || is_coarse(cell, smooth(cell.x + 0.5 * pitch_, cell.y + 0.5 * pitch_).sky)) divided(cell, nullptr, known, found);
             else
                 for (const Candidate& one : candidates(cell, kLeastArea)) find(cell, one, kOver, [&] { return smooth; }, found);
         }
@@ -210,6 +217,22 @@ private:
     Node traced(double x, double y) const {
         const RayPixel ray = trace_core64(input_, x, y);
         return {ray.sky, ray.g, ray.fate == Fate::kEscaped};
+    }
+
+    // At a corner, side or middle of a divided cell: traced once a row of the mesh.
+    Node cached(double x, double y, Known& known) const {
+        const double unit = 0.5 * kMeshFinest * pitch_;
+        const long long key = (std::llround((y + up_) / unit) << 32) + std::llround((x + across_) / unit);
+        const auto [at, is_new] = known.try_emplace(key);
+        if (is_new) at->second = traced(x, y);
+        return at->second;
+    }
+
+    // By rays `step` px to either side; without slopes where one of them does not reach the sky.
+    Local differenced(double x, double y, double step) const {
+        const Node here = traced(x, y), left = traced(x - step, y), right = traced(x + step, y), below = traced(x, y - step), above = traced(x, y + step);
+        if (!here.there || !left.there || !right.there || !below.there || !above.there) return {};
+        return {here.sky, (right.sky - left.sky) / (2 * step), (above.sky - below.sky) / (2 * step), here.g};
     }
 
     // By this area of sky, sr/px^2.
@@ -244,24 +267,29 @@ private:
     }
 
     // within: the stars that could be in it; nullptr: not known.
-    void divided(const Cell& cell, const std::vector<Candidate>* within, std::vector<MeshImage>& found) const {
+    void divided(const Cell& cell, const std::vector<Candidate>* within, Known& known, std::vector<MeshImage>& found) const {
         const int there = cell.there();
         const double half = 0.5 * cell.size;
-        const bool finest = cell.size < 1.5 * kMeshFinest_px;
+        const bool finest = cell.size < 1.5 * kMeshFinest * pitch_;
         std::vector<Candidate> list;
-        const bool narrow = there == 4 && cap_of(cell).radius < kWidest;
+        const bool narrow = there == 4 && cap_of(cell).radius < (finest ? kWidestFinest : kWidest);
         if (finest && !narrow) return;
         if (narrow) {
             list = within == nullptr ? candidates(cell, kLeastAreaDivided) : kept(cell, *within);
             if (list.empty()) return;
         }
-        const Node middle = traced(cell.x + half, cell.y + half);
+        const Node middle = cached(cell.x + half, cell.y + half, known);
         if (there == 0 && !middle.there) return;
         const bool split = !finest && (!narrow || !middle.there || is_coarse(cell, middle.sky));
         if (!split && !middle.there) return;
         const auto& c = cell.corners;
-        const auto side = [&](double x, double y) { return traced(cell.x + x * half, cell.y + y * half); };
+        const auto side = [&](double x, double y) { return cached(cell.x + x * half, cell.y + y * half, known); };
         if (!split) {
+            const auto by_rays = [&](double x, double y) { return differenced(x, y, kStep * cell.size); };
+            if (is_coarse(cell, middle.sky)) {
+                for (const Candidate& one : list) find(cell, one, kOverFinest, [&] { return by_rays; }, found);
+                return;
+            }
             std::optional<std::array<std::array<Node, 3>, 3>> nodes;
             const auto map = [&] {
                 if (!nodes) nodes = {{{c[0], side(1, 0), c[1]}, {side(0, 1), middle, side(2, 1)}, {c[2], side(1, 2), c[3]}}};
@@ -271,11 +299,11 @@ private:
             return;
         }
         const Node left = side(0, 1), right = side(2, 1), below = side(1, 0), above = side(1, 2);
-        const std::vector<Candidate>* known = narrow && middle.there ? &list : nullptr;
-        divided({cell.x, cell.y, half, {c[0], below, left, middle}}, known, found);
-        divided({cell.x + half, cell.y, half, {below, c[1], middle, right}}, known, found);
-        divided({cell.x, cell.y + half, half, {left, middle, c[2], above}}, known, found);
-        divided({cell.x + half, cell.y + half, half, {middle, right, above, c[3]}}, known, found);
+        const std::vector<Candidate>* inner = narrow && middle.there ? &list : nullptr;
+        divided({cell.x, cell.y, half, {c[0], below, left, middle}}, inner, known, found);
+        divided({cell.x + half, cell.y, half, {below, c[1], middle, right}}, inner, known, found);
+        divided({cell.x, cell.y + half, half, {left, middle, c[2], above}}, inner, known, found);
+        divided({cell.x + half, cell.y + half, half, {middle, right, above, c[3]}}, inner, known, found);
     }
 
     std::vector<Candidate> kept(const Cell& cell, const std::vector<Candidate>& all) const {
@@ -307,27 +335,41 @@ private:
                 if (t[k] >= 2) image.y += by[k] * cell.size;
             }
             const bool inside = std::min({by[0], by[1], by[2]}) >= 0;
-            if ((refined(image, one.place, cell, map()) || inside) && std::fabs(image.x) < across_ && std::fabs(image.y) < up_ &&
-                seen(one.star, image.area, image.g))
-                found.push_back(image);
+            const auto by_rays = [&](double x, double y) { return differenced(x, y, kStep * cell.size); };
+            const bool met = refined(image, one.place, cell, map());
+            const double outside = away(image, cell);
+            const double uneven = std::fabs(std::log2(image.area * cell.size * cell.size / std::fabs(all)));
+            if ((outside > over && inside) || uneven > kUneven)
+                refined(image, one.place, cell, by_rays);
+            if (met ? inside || outside <= over : inside && over == kOver) add(image, found);
         }
     }
 
-    // Newton's steps to where the map has the star. False: they lead nowhere near; the image is left as it is.
+    void add(const MeshImage& image, std::vector<MeshImage>& found) const {
+        if (std::fabs(image.x) < across_ && std::fabs(image.y) < up_ && seen(image.star, image.area, image.g)) found.push_back(image);
+    }
+
+    // How far outside of the cell it is, over the cell's size.
+    static double away(const MeshImage& image, const Cell& cell) {
+        return std::max(std::fabs(image.x - cell.x - 0.5 * cell.size), std::fabs(image.y - cell.y - 0.5 * cell.size)) / cell.size - 0.5;
+    }
+
+    // Newton's steps to where the map has the star, none longer than the cell. False: they lead nowhere near; the image is left as it is.
     template <class Map>
     static bool refined(MeshImage& image, Vec3 star, const Cell& cell, const Map& map) {
-        double x = image.x, y = image.y;
+        MeshImage at = image;
         for (int step = 0; step < kNewton; ++step) {
-            const Local at = map(x, y);
-            const Vec3 off = star - at.sky;
-            const double xx = dot(at.by_x, at.by_x), xy = dot(at.by_x, at.by_y), yy = dot(at.by_y, at.by_y), det = xx * yy - xy * xy;
-            const double ox = dot(at.by_x, off), oy = dot(at.by_y, off), dx = (yy * ox - xy * oy) / det, dy = (xx * oy - xy * ox) / det;
-            x += dx, y += dy;
-            if (!(std::max(std::fabs(x - cell.x - 0.5 * cell.size), std::fabs(y - cell.y - 0.5 * cell.size)) < 1.5 * cell.size)) return false;
-            if (std::fabs(dx) + std::fabs(dy) > kFound_px) continue;
-            const double area = length(cross(at.by_x, at.by_y));
-            if (!(area > 0)) return false;
-            image.x = x, image.y = y, image.g = at.g, image.area = area;
+            const Local here = map(at.x, at.y);
+            const Vec3 off = star - here.sky;
+            const double xx = dot(here.by_x, here.by_x), xy = dot(here.by_x, here.by_y), yy = dot(here.by_y, here.by_y), det = xx * yy - xy * xy;
+            const double ox = dot(here.by_x, off), oy = dot(here.by_y, off), dx = (yy * ox - xy * oy) / det, dy = (xx * oy - xy * ox) / det;
+            const double most = std::max(std::fabs(dx), std::fabs(dy)), part = most > cell.size ? cell.size / most : 1.0;
+            at.x += part * dx, at.y += part * dy;
+            if (!(away(at, cell) < kStray)) return false;
+            if (most > kFound * cell.size) continue;
+            at.g = here.g, at.area = length(cross(here.by_x, here.by_y));
+            if (!(at.area > 0)) return false;
+            image = at;
             return true;
         }
         return false;

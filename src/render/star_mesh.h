@@ -56,6 +56,6 @@ private:
 };
 
 inline constexpr int kMeshCells = 60000;
-inline constexpr double kMeshFinest_px = 0.5;
+inline constexpr double kMeshFinest = 1.0 / 16;   // of a cell of the mesh
 
 }  // namespace nullscope
