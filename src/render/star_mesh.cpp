@@ -51,6 +51,32 @@ struct Cap {   // of the sky, about a cell's
     double radius;
 };
 
+// About a cell's sky, long as its longer diagonal; next to the shadow cells are slivers.
+class Box {
+public:
+    explicit Box(const Cell& cell) {
+        const auto& c = cell.corners;
+        const Vec3 a = c[3].sky - c[0].sky, b = c[2].sky - c[1].sky, longer = dot(a, a) > dot(b, b) ? a : b;
+        const double extent = length(longer);
+        along_ = extent > 0 ? longer / extent : Vec3{1, 0, 0};
+        across_ = cross(normalized(c[0].sky + c[1].sky + c[2].sky + c[3].sky), along_);
+        for (const Node& n : c) {
+            const double u = dot(n.sky, along_), v = dot(n.sky, across_);
+            low_[0] = std::min(low_[0], u), high_[0] = std::max(high_[0], u), low_[1] = std::min(low_[1], v), high_[1] = std::max(high_[1], v);
+        }
+        for (std::size_t i = 0; i < 2; ++i) low_[i] -= kBow * extent, high_[i] += kBow * extent;
+    }
+    bool has(Vec3 star) const {
+        const double u = dot(star, along_), v = dot(star, across_);
+        return u >= low_[0] && u <= high_[0] && v >= low_[1] && v <= high_[1];
+    }
+
+private:
+    static constexpr double kBow = 0.15;   // of the extent: how far its sky may reach beyond its corners'
+    Vec3 along_, across_;
+    std::array<double, 2> low_{INFINITY, INFINITY}, high_{-INFINITY, -INFINITY};
+};
+
 struct Candidate {
     Vec3 place;
     int star;
@@ -247,14 +273,13 @@ private:
         std::vector<Candidate> list;
         const Cap cap = cap_of(cell);
         const auto [area, g] = bounds(cell, least);
-        const double most = 2 * (1 - std::cos(std::min((1 + 4 * kOverDivided) * cap.radius, M_PI)));   // of the square of a chord
+        const Box box(cell);
         const double other = seeing_.shift ? std::min(kPartPerOctave * std::fabs(std::log2(g)), StarGlow::kMostPart) : 0.0;
         for (const StarMesh::Level& level : mesh_.levels_) {
             const double bluer = seeing_.beaming && g > 1 ? mesh_.glow_.brightness(level.coldest + std::log2(g)) - mesh_.glow_.brightness(level.coldest) : 0.0;
             if (level.brightest + bluer + other - std::log2(area) < seeing_.faintest) break;
             StarMesh::visit_near(level, cap.middle, (1 + 4 * kOverDivided) * cap.radius, [&](const Candidate& one) {
-                const Vec3 off = one.place - cap.middle;
-                if (dot(off, off) <= most && seen(one.star, area, g)) list.push_back(one);
+                if (box.has(one.place) && dot(one.place, cap.middle) > 0 && seen(one.star, area, g)) list.push_back(one);
             });
         }
         return list;
@@ -307,13 +332,11 @@ private:
     }
 
     std::vector<Candidate> kept(const Cell& cell, const std::vector<Candidate>& all) const {
-        const Cap cap = cap_of(cell);
+        const Box box(cell);
         const auto [area, g] = bounds(cell, kLeastAreaDivided);
-        const double most = 2 * (1 - std::cos(std::min((1 + 4 * kOverDivided) * cap.radius, M_PI)));
         std::vector<Candidate> list;
         for (const Candidate& one : all) {
-            const Vec3 off = one.place - cap.middle;
-            if (dot(off, off) <= most && seen(one.star, area, g)) list.push_back(one);
+            if (box.has(one.place) && seen(one.star, area, g)) list.push_back(one);
         }
         return list;
     }
