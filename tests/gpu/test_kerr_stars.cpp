@@ -137,17 +137,18 @@ TEST_CASE("kerr point stars: every image worth a thousandth of its star is the r
 struct Spot {
     double x, y;   // px: column, row from the top
     double light;  // green
+    double worth = 0;   // over its star's own
 };
 
 // Of the light above nothing in the square of pixels about a place: its sum and its middle.
 Spot spot_about(const Image<float>& picture, double x, double y, int reach) {
-    Spot spot{0, 0, 0};
+    Spot spot{};
     for (int row = static_cast<int>(y) - reach; row <= static_cast<int>(y) + reach; ++row)
         for (int column = static_cast<int>(x) - reach; column <= static_cast<int>(x) + reach; ++column) {
             const double light = picture.at(column, row)[1];
             spot.light += light, spot.x += light * (column + 0.5), spot.y += light * (row + 0.5);
         }
-    return {spot.x / spot.light, spot.y / spot.light, spot.light};
+    return {spot.x / spot.light, spot.y / spot.light, spot.light, 0};
 }
 
 // Their green light as sky/point_stars.h spreads it.
@@ -167,7 +168,7 @@ Image<float> painted(const std::vector<Spot>& spots, int width, int height) {
 
 TEST_CASE("kerr point stars: in the picture every image has the reference's light and place, and every pixel its light") {
     constexpr int kReach = 4;
-    constexpr double kBright = 0.5;   // so bright that what is left out below 1/6587 of white is below the tolerance
+    constexpr double kShown = 0.1;    // of its star's light: beside dimmer ones, at the shadow, there are others that no witness has found
     const std::vector<View> all = views();
     on_every_context([&](GpuSession& session) {
         int found = 0;
@@ -182,20 +183,19 @@ TEST_CASE("kerr point stars: in the picture every image has the reference's ligh
             std::vector<Spot> spots;
             for (std::size_t i = 0; i < both.stars.size(); ++i)
                 for (const auto& image : both.exact[i])
-                    if (own_area(scene, image.x - middle_x, image.y - middle_y) / image.solid_angle > kWorthIt)
-                        spots.push_back({image.x, image.y, reference::star_light(both.stars[i], image.g, scene.light).y / image.solid_angle});
+                    spots.push_back({image.x, image.y, reference::star_light(both.stars[i], image.g, scene.light).y / image.solid_angle,
+                                     own_area(scene, image.x - middle_x, image.y - middle_y) / image.solid_angle});
             const Image<float> exact = painted(spots, picture.width, picture.height);
             double sum = 0, difference = 0;
             for (int y = 0; y < picture.height; ++y)
                 for (int x = 0; x < picture.width; ++x) sum += exact.at(x, y)[1], difference += std::fabs(picture.at(x, y)[1] - exact.at(x, y)[1]);
             whole = std::max(whole, difference / sum);
             for (const Spot& one : spots) {
-                if (!(one.x > kReach + 1 && one.y > kReach + 1 && one.x < picture.width - kReach - 1 && one.y < picture.height - kReach - 1)) continue;
+                if (!(one.worth > kShown && one.x > kReach + 1 && one.y > kReach + 1 && one.x < picture.width - kReach - 1 && one.y < picture.height - kReach - 1)) continue;
                 CAPTURE(one.x);
                 CAPTURE(one.y);
                 CAPTURE(one.light);
                 const Spot here = spot_about(picture, one.x, one.y, kReach), there = spot_about(exact, one.x, one.y, kReach);
-                if (there.light < kBright) continue;
                 const double off = std::hypot(here.x - there.x, here.y - there.y), error = std::fabs(here.light / there.light - 1);
                 CHECK(error <= kLight);
                 CHECK(off <= kPlace_px);
@@ -203,7 +203,7 @@ TEST_CASE("kerr point stars: in the picture every image has the reference's ligh
             }
         }
         fmt::print("{}: about {} images light within {:.2g}, its middle {:.2g} px; pixel by pixel {:.2g} of a picture's light\n", session.context->kind(), found, light, place, whole);
-        CHECK(found > 60);
+        CHECK(found > 20);
         CHECK(whole <= kLight);
     });
 }
