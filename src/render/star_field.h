@@ -15,7 +15,7 @@ class FrameTables;
 class StarField {
 public:
     // Loads what the scene's sky calls for unless it is loaded; where no effect wants stars it drops them. Errors: the catalogue cannot
-    // be read. Some 30 ms for the catalogue, 100 ms for a million stars; about a spinning hole some 100 ms for every new view.
+    // be read. Some 30 ms for the catalogue, 100 ms for a million stars; about a spinning hole half a second of two cores for every new view (docs/light.md).
     Status update(const Scene& scene, const FrameTables& tables);
     // Adds the stars to a picture in linear light whose alpha says what shines through. images: how many of each star.
     void draw(const gl::Program& program, unsigned framebuffer, int width, int height, int images) const;

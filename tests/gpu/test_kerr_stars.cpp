@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -233,6 +234,30 @@ TEST_CASE("kerr point stars: next to no spin they are those of a hole without, w
         REQUIRE(session.renderer->prepare(scene));
         CHECK(difference(session.renderer->picture()) > kMean);
     });
+}
+
+TEST_CASE("kerr point stars: the whole catalogue's images, the same every time") {
+    Scene scene = star_scene(0.95, 15, 1.48, 0);
+    scene.camera.width = 1280, scene.camera.height = 720;
+    scene.sky.faintest = 20.0;
+    const auto stars = point_stars(scene.sky, assets_directory());
+    REQUIRE(stars);
+    FrameTables tables;
+    REQUIRE(tables.update(scene));
+    const CoreInput input = tables.core_input(scene);
+    const StarMesh mesh(*stars, false);
+    const StarMesh::Seeing seeing{true, true, std::log2(kFaintestPoint / point_peak())};
+    const auto start = std::chrono::steady_clock::now();
+    const auto images = mesh.images(input, scene.camera.width, scene.camera.height, kPointMargin_px, seeing);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    fmt::print("{} images of {} stars in {:.2f} s\n", images.size(), stars->size(), seconds);
+    CHECK(images.size() > 10000);
+    const auto again = mesh.images(input, scene.camera.width, scene.camera.height, kPointMargin_px, seeing);
+    REQUIRE(again.size() == images.size());
+    bool same = true;
+    for (std::size_t i = 0; i < images.size(); ++i)
+        same = same && again[i].star == images[i].star && again[i].x == images[i].x && again[i].y == images[i].y && again[i].area == images[i].area;
+    CHECK(same);
 }
 
 }  // namespace
