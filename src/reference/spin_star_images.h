@@ -21,8 +21,8 @@ private:
         bool escaped;
     };
     struct Cell {
-        double x, y, size;   // px: column, row from the top
-        std::array<Ray, 4> corners;   // (0, 0), (1, 0), (1, 1), (0, 1)
+        double x, y, size;           // px: column, row from the top
+        std::array<Ray, 4> corners;  // (0, 0), (1, 0), (1, 1), (0, 1)
     };
     Ray ray(double x, double y) const;
     void add(const Cell& cell, std::vector<Cell>& cells) const;

@@ -18,20 +18,22 @@ Status StarField::update(const Scene& scene, const FrameTables& tables) {
     if (sky_ != sky) {
         const auto stars = point_stars(scene.sky, assets_directory());
         if (!stars) return stars.error();
-        std::unordered_map<double, double> brightness;   // by temperature: the catalogue has few
+        std::unordered_map<double, double> brightness;  // by temperature: the catalogue has few
         std::vector<float> values;
         for (const PointStar& star : *stars) {
             if (sky.found) break;
             const auto [known, is_new] = brightness.try_emplace(star.temperature_K, 0.0);
             if (is_new) known->second = log2_brightness(star.temperature_K, sky.bolometric);
-            for (const double value : {star.direction.x, star.direction.y, star.direction.z, std::log2(star.flux) - known->second,
-                                       std::log2(star.temperature_K)})
+            for (const double value : {star.direction.x, star.direction.y, star.direction.z,
+                                       std::log2(star.flux) - known->second, std::log2(star.temperature_K)})
                 values.push_back(static_cast<float>(value));
         }
         mesh_.reset();
         view_.reset();
-        if (sky.found) mesh_.emplace(*stars, sky.bolometric);
-        else vertices_ = gl::make_vertex_list(values, {3, 2});
+        if (sky.found)
+            mesh_.emplace(*stars, sky.bolometric);
+        else
+            vertices_ = gl::make_vertex_list(values, {3, 2});
         sky_ = sky;
     }
     if (sky.found) find_images(scene, tables);
@@ -41,14 +43,15 @@ Status StarField::update(const Scene& scene, const FrameTables& tables) {
 void StarField::find_images(const Scene& scene, const FrameTables& tables) {
     const View view{scene.spacetime, scene.camera, scene.light};
     if (view_ == view) return;
-    Scene bare;   // rays to the sky, whatever is in their way
+    Scene bare;  // rays to the sky, whatever is in their way
     bare.spacetime = scene.spacetime, bare.camera = scene.camera, bare.light = scene.light, bare.sky = scene.sky;
     const double faintest = std::log2(kFaintestPoint / point_peak()) - scene.camera.exposure_ev;
     const CoreInput input = tables.core_input(bare);
     std::vector<float> values;
     for (const MeshImage& image : mesh_->images(input, scene.camera.width, scene.camera.height, kPointMargin_px,
                                                 {scene.light.shift, scene.light.beaming, faintest}))
-        for (const double value : {image.x, image.y, image.g, mesh_->light(image.star) - std::log2(image.area), mesh_->temperature(image.star)})
+        for (const double value : {image.x, image.y, image.g, mesh_->light(image.star) - std::log2(image.area),
+                                   mesh_->temperature(image.star)})
             values.push_back(static_cast<float>(value));
     vertices_ = gl::make_vertex_list(values, {3, 2});
     view_ = view;

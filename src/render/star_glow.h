@@ -21,10 +21,10 @@ public:
     // log2 of a black body's brightness, and of its brightest primary over that, at a temperature (log2 of K), within 0.01.
     double brightness(double log2_K) const { return at(brightness_, log2_K); }
     double part(double log2_K) const { return at(part_, log2_K); }
-    static constexpr double kMostPart = 2.3;   // of part(): red of the coldest
+    static constexpr double kMostPart = 2.3;  // of part(): red of the coldest
 
 private:
-    static constexpr double kColdest = 9.0, kStep = 0.1;   // 512 K to 524288 K
+    static constexpr double kColdest = 9.0, kStep = 0.1;  // 512 K to 524288 K
     using Row = std::array<double, 101>;
     static double at(const Row& row, double log2_K) {
         const double x = std::clamp((log2_K - kColdest) / kStep, 0.0, static_cast<double>(row.size()) - 1.001);
