@@ -1,10 +1,19 @@
 // One image of one star: where in the picture it is, and the light that its pixels share.
+#ifdef EFFECT_SPIN
+layout(location = 0) in vec3 star_place;   // of an image (src/render/star_mesh.h): px from the picture's middle, y up; g
+#else
 layout(location = 0) in vec3 star_place;   // world axes, unit
-layout(location = 1) in vec2 star_make;    // log2 of flux over a black body's brightness at its temperature; log2 of that, K
+#endif
+layout(location = 1) in vec2 star_make;    // log2 of flux over a black body's brightness at its temperature, of an image over the sky in a pixel too; log2 of that, K
 flat out vec3 star_peak;
 flat out vec2 star_middle;                 // px
 
 void main() {
+#ifdef EFFECT_SPIN
+    star_peak = seen_black_body(star_make.y, star_place.z, -star_make.x) * frame.point_stars.x;
+    vec2 pixel = vec2(star_place.x, star_place.y);
+    float ahead = 1.0;
+#else
     StarImage image = image_of_star(star_place);
     vec3 d = image.direction;
     float g = frame.radial.w / (frame.shift.x + frame.shift.z * dot(d, frame.radial.xyz));
@@ -22,6 +31,7 @@ void main() {
     // A pixel spans image.z^2 cos^3 of solid angle; the spread squeezed by aberration.
     float pixels = frame.image.z * frame.image.z * ahead * ahead * ahead;
     star_peak = light * (image.spread * squeeze * squeeze / max(pixels, 1.0e-30) * frame.point_stars.x);
+#endif
     star_middle = pixel + 0.5 * frame.image.xy;
     float bright = max(max(star_peak.r, star_peak.g), star_peak.b) * frame.image.w;
     float reach2 = log2(bright * frame.point_stars.z) * frame.point_stars.y;

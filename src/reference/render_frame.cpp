@@ -175,7 +175,6 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
     }
     auto tracer = FrameTracer::make(scene);
     if (!tracer) return tracer.error();
-    if (!stars.empty() && tracer->metric().spin() != 0) return bad_input("no point stars about a spinning hole; allowed: sky.kind stars or image");
     std::optional<DiscLight> heat;
     if (scene.disc && scene.disc->emission == DiscEmission::kThermal) heat.emplace(tracer->matter(), *scene.disc, scene.light);
     const Looks looks{sky, far_sky, pictures, heat ? &*heat : nullptr};

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "camera/pose.h"
 #include "light/black_body.h"
 #include "reference/seen_light.h"
+#include "reference/spin_star_images.h"
 
 namespace nullscope::reference {
 namespace {
@@ -77,17 +79,23 @@ Vec3 star_light(const PointStar& star, double g, const LightSpec& light) {
     return star.flux * std::exp2(-log2_brightness(star.temperature_K, light.bolometric)) * seen_black_body(star.temperature_K, g, light);
 }
 
+std::function<std::vector<StarImage>(Vec3)> images_of(const FrameTracer& tracer, const Scene& scene) {
+    if (tracer.metric().spin() != 0)
+        return [images = std::make_shared<SpinStarImages>(tracer, scene, kPointMargin_px)](Vec3 star) { return images->of(star); };
+    return [images = std::make_shared<StarImages>(tracer, scene, kOrders)](Vec3 star) { return images->of(star, kPointMargin_px); };
+}
+
 void add_point_stars(const FrameTracer& tracer, const Scene& scene, const std::vector<PointStar>& stars,
                      const std::function<double(double x, double y)>& transmission, Image<float>& picture) {
     struct Spot {
         double x, y;
         Vec3 peak;
     };
-    const StarImages images(tracer, scene, kOrders);
+    const auto images = images_of(tracer, scene);
     std::vector<std::vector<Spot>> spots(stars.size());
     constexpr double kPeak = 1 / (2 * M_PI * kPointSigma_px * kPointSigma_px);
     tbb::parallel_for(std::size_t{0}, stars.size(), [&](std::size_t i) {
-        for (const StarImage& image : images.of(stars[i].direction, kPointMargin_px)) {
+        for (const StarImage& image : images(stars[i].direction)) {
             const double through = transmission(image.x, image.y);
             if (through > 0)
                 spots[i].push_back({image.x, image.y, kPeak * through / image.solid_angle * star_light(stars[i], image.g, scene.light)});

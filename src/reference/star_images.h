@@ -13,7 +13,7 @@ namespace nullscope::reference {
 
 struct StarImage {
     double x, y;          // px: column, row from the top
-    int order;            // 0: the direct one
+    int order;            // 0: the direct one; -1 about a spinning hole (spin_star_images.h)
     double solid_angle;   // of sky that a pixel's area at (x, y) covers, sr/px^2
     double g;             // frequency in the camera over frequency at infinity
     double alpha;         // angle from the outward radial in the static frame, rad
@@ -40,6 +40,9 @@ private:
 
 // Linear Rec. 709 times sr: what an image adds to the picture, before its point spread.
 Vec3 star_light(const PointStar& star, double g, const LightSpec& light);
+
+// What finds a star's images that a picture can show, whatever the metric: from its direction. tracer: outlives it.
+std::function<std::vector<StarImage>(Vec3)> images_of(const FrameTracer& tracer, const Scene& scene);
 
 // Adds the stars, spread as sky/point_stars.h says, to a picture in linear light. transmission: what of a point behind the pixel
 // position (column, row) shines through.

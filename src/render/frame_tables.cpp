@@ -21,9 +21,6 @@
 namespace nullscope {
 namespace {
 
-// Light of a pixel, white is 1, below which a star is left out: half of the first step of 8 bits in sRGB.
-constexpr double kFaintestPoint = 1.0 / 6587.0;
-
 constexpr double kInPlane = 1e-12;   // |cos theta| below which a camera stands in the disc's plane (interfaces: rays out)
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
@@ -186,8 +183,8 @@ Status FrameTables::update(const Scene& scene) {
     if (Status bodies = check_sides(*matter_, scene); !bodies) return bodies.error();
     if ((wanted.contains(Effect::kDisc) && !matter_->can_have_disc()) || (has_solids(wanted) && !matter_->can_have_bodies() && matter_->spin() == 0.0))
         return bad_input(fmt::format("metric \"{}\" has neither discs nor bodies; allowed: a scene without them", scene.spacetime.metric));
-    if (wanted.contains(Effect::kSpin) && (has_solids(wanted) || wanted.contains(Effect::kPointStars)))
-        return bad_input(fmt::format("metric \"{}\" has neither bodies nor point stars; allowed: a scene without them, or spin = 0", scene.spacetime.metric));
+    if (wanted.contains(Effect::kSpin) && has_solids(wanted))
+        return bad_input(fmt::format("metric \"{}\" has no bodies; allowed: a scene without them, or spin = 0", scene.spacetime.metric));
     // Ray data have delays wherever the shader can tell them.
     const bool straight = !wanted.contains(Effect::kLensing) && !wanted.contains(Effect::kSpin), known = straight || spacetime_->spin() != 0.0 || spacetime_->lapse_roots();
     if (delays_wanted_ && known) wanted.insert(Effect::kDelay);
@@ -314,7 +311,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
         block.put(1.0 / disc.inner, kDiscFlowCells / std::log(disc.outer / disc.inner), std::log2(disc.temperature_K),
                   log2_brightness(disc.temperature_K, scene.light.bolometric));
     else block.put(0, 0, 0, 0);
-    block.put(1.0 / (2.0 * M_PI * kPointSigma_px * kPointSigma_px), 2.0 * kPointSigma_px * kPointSigma_px * M_LN2, 1.0 / kFaintestPoint,
+    block.put(point_peak(), 2.0 * kPointSigma_px * kPointSigma_px * M_LN2, 1.0 / kFaintestPoint,
               kPointMargin_px);
     block.put(M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0);
     block.put(scene.picture.bloom, 0, 0, 0);

@@ -102,7 +102,7 @@ Status Renderer::prepare(const Scene& scene) {
     if (Status status = load_table(scene); !status) return status;
     load_heat(scene);
     load_black_body();
-    if (Status status = stars_.update(scene, tables_.effects().contains(Effect::kPointStars)); !status) return status;
+    if (Status status = stars_.update(scene, tables_); !status) return status;
     scene_ = scene;
     if (scene_.disc && hottest_.by) scene_.disc->temperature_K = hottest_.temperature_K;
     upload_tables();

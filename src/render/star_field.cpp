@@ -2,42 +2,65 @@
 
 #include <cmath>
 #include <unordered_map>
-#include <vector>
 
 #include "base/assets.h"
 #include "light/black_body.h"
-#include "sky/point_stars.h"
+#include "render/frame_tables.h"
 
 namespace nullscope {
 
-Status StarField::update(const Scene& scene, bool wanted) {
-    if (!wanted) {
+Status StarField::update(const Scene& scene, const FrameTables& tables) {
+    if (!tables.effects().contains(Effect::kPointStars)) {
         *this = {};
         return Done{};
     }
-    const Key key{scene.sky, scene.light.bolometric};
-    if (key_ == key) return Done{};
-    const auto stars = point_stars(scene.sky, assets_directory());
-    if (!stars) return stars.error();
-    std::unordered_map<double, double> brightness;   // by temperature: the catalogue has few
-    std::vector<float> values;
-    values.reserve(stars->size() * 5);
-    for (const PointStar& star : *stars) {
-        const auto [known, is_new] = brightness.try_emplace(star.temperature_K, 0.0);
-        if (is_new) known->second = log2_brightness(star.temperature_K, key.bolometric);
-        for (const double value : {star.direction.x, star.direction.y, star.direction.z, std::log2(star.flux) - known->second,
-                                   std::log2(star.temperature_K)})
-            values.push_back(static_cast<float>(value));
+    const Sky sky{scene.sky, scene.light.bolometric, tables.effects().contains(Effect::kSpin)};
+    if (sky_ != sky) {
+        const auto stars = point_stars(scene.sky, assets_directory());
+        if (!stars) return stars.error();
+        std::unordered_map<double, double> brightness;  // by temperature: the catalogue has few
+        std::vector<float> values;
+        for (const PointStar& star : *stars) {
+            if (sky.found) break;
+            const auto [known, is_new] = brightness.try_emplace(star.temperature_K, 0.0);
+            if (is_new) known->second = log2_brightness(star.temperature_K, sky.bolometric);
+            for (const double value : {star.direction.x, star.direction.y, star.direction.z,
+                                       std::log2(star.flux) - known->second, std::log2(star.temperature_K)})
+                values.push_back(static_cast<float>(value));
+        }
+        mesh_.reset();
+        view_.reset();
+        if (sky.found)
+            mesh_.emplace(*stars, sky.bolometric);
+        else
+            vertices_ = gl::make_vertex_list(values, {3, 2});
+        sky_ = sky;
     }
-    stars_ = gl::make_vertex_list(values, {3, 2});
-    key_ = key;
+    if (sky.found) find_images(scene, tables);
     return Done{};
+}
+
+void StarField::find_images(const Scene& scene, const FrameTables& tables) {
+    const View view{scene.spacetime, scene.camera, scene.light};
+    if (view_ == view) return;
+    Scene bare;  // rays to the sky, whatever is in their way
+    bare.spacetime = scene.spacetime, bare.camera = scene.camera, bare.light = scene.light, bare.sky = scene.sky;
+    const double faintest = std::log2(kFaintestPoint / point_peak()) - scene.camera.exposure_ev;
+    const CoreInput input = tables.core_input(bare);
+    std::vector<float> values;
+    for (const MeshImage& image : mesh_->images(input, scene.camera.width, scene.camera.height, kPointMargin_px,
+                                                {scene.light.shift, scene.light.beaming, faintest}))
+        for (const double value : {image.x, image.y, image.g, mesh_->light(image.star) - std::log2(image.area),
+                                   mesh_->temperature(image.star)})
+            values.push_back(static_cast<float>(value));
+    vertices_ = gl::make_vertex_list(values, {3, 2});
+    view_ = view;
 }
 
 void StarField::draw(const gl::Program& program, unsigned framebuffer, int width, int height, int images) const {
     for (int image = 0; image < images; ++image) {
         gl::set_integer(program, "image_order", image);
-        gl::draw_points(program, stars_, stars_.count, framebuffer, width, height, kPointMargin_px);
+        gl::draw_points(program, vertices_, vertices_.count, framebuffer, width, height, kPointMargin_px);
     }
 }
 

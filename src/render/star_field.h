@@ -1,31 +1,45 @@
-// Point stars on the GPU: the vertices of a sky, and their drawing, one pass an image (table/star_lens.h).
+// Point stars on the GPU: the vertices of a sky, and their drawing, one pass an image (table/star_lens.h). About a spinning hole the
+// vertices are images, found on the host for every camera (render/star_mesh.h), and one pass draws them.
 #pragma once
 #include <optional>
 
 #include "base/result.h"
 #include "gl/gl.h"
+#include "render/star_mesh.h"
 #include "scene/scene.h"
 
 namespace nullscope {
 
+class FrameTables;
+
 class StarField {
 public:
-    // Loads the stars of the scene's sky unless they are loaded; without `wanted` drops them. Errors: the catalogue cannot be read.
-    // Some 30 ms for the catalogue, 100 ms for a million stars.
-    Status update(const Scene& scene, bool wanted);
+    // Loads what the scene's sky calls for unless it is loaded; where no effect wants stars it drops them. Errors: the catalogue cannot
+    // be read. Some 30 ms for the catalogue, 100 ms for a million stars; about a spinning hole half a second of two cores for every new view (docs/light.md).
+    Status update(const Scene& scene, const FrameTables& tables);
     // Adds the stars to a picture in linear light whose alpha says what shines through. images: how many of each star.
     void draw(const gl::Program& program, unsigned framebuffer, int width, int height, int images) const;
-    int count() const { return stars_.count; }
-    std::size_t bytes() const { return static_cast<std::size_t>(stars_.count) * 5 * sizeof(float); }
+    int count() const { return vertices_.count; }
+    std::size_t bytes() const { return static_cast<std::size_t>(vertices_.count) * 5 * sizeof(float); }
 
 private:
-    struct Key {
+    struct Sky {
         SkySpec sky;
-        bool bolometric = false;
-        friend bool operator==(const Key&, const Key&) = default;
+        bool bolometric = false, found = false;   // found: images on the host
+        friend bool operator==(const Sky&, const Sky&) = default;
     };
-    std::optional<Key> key_;
-    gl::VertexList stars_;
+    struct View {
+        SpacetimeSpec spacetime;
+        CameraSpec camera;
+        LightSpec light;
+        friend bool operator==(const View&, const View&) = default;
+    };
+    void find_images(const Scene& scene, const FrameTables& tables);
+
+    std::optional<Sky> sky_;
+    std::optional<View> view_;
+    gl::VertexList vertices_;
+    std::optional<StarMesh> mesh_;
 };
 
 }  // namespace nullscope

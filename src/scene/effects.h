@@ -81,7 +81,7 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
     {Effect::kBodyImage, "body-image", "EFFECT_BODY_IMAGE", "A body has an image on it.", "a body's texture is an image",
      "a picture with mip levels; one fetch where the body is seen"},
     {Effect::kPointStars, "point-stars", "EFFECT_POINT_STARS", "Stars are points, each with all its images.",
-     "sky.kind is \"points\"", "a pass of its own: a vertex a star and image; star lens, black body"},
+     "sky.kind is \"points\"", "a pass of its own: a vertex a star and image; star lens, black body; about a spinning hole a mesh of rays on the host"},
     {Effect::kSky, "sky", "EFFECT_SKY", "Escaped rays show the celestial sphere.", "sky.kind is stars, image or points, and there are no sky.even_stars",
      "a cube map; one fetch a pixel"},
     {Effect::kSkyShift, "sky-shift", "EFFECT_SKY_SHIFT", "The light of the sky's picture has the colour and brightness that g gives it.",

@@ -35,6 +35,7 @@ struct CameraSpec {
     double focal_distance = 1.0;     // ... and its distance: fov = 2 atan(plane_width / 2 focal_distance), 60 degrees
     int width = 1280, height = 720;  // pixels, square
     double exposure_ev = 0.0;        // display brightness is multiplied by 2^exposure_ev
+    friend bool operator==(const CameraSpec&, const CameraSpec&) = default;
 };
 
 // What a solid body, a disc or a sky looks like. Procedural kinds give a number from 0 to 1 at every place, which mixes two colours.

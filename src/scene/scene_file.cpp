@@ -361,7 +361,6 @@ void SceneReader::check_spin(const SpacetimeSpec& spec) {
     const std::string_view allowed = "a metric without spin, or spin = 0";
     for (const char* section : {"sphere", "cylinder", "ball", "surface"})
         if (const auto at = sections_.find(section); at != sections_.end()) report(at->second, section, "not about a spinning hole", allowed);
-    if (scene_.sky.kind == SkyKind::kPoints) report(line("sky.kind"), "sky.kind", "points: not about a spinning hole", "the other kinds, or spin = 0");
 }
 
 Result<Scene> SceneReader::read(const toml::table& root) {

@@ -199,10 +199,14 @@ std::string with_block(const std::string& body, const std::vector<std::string>& 
 
 ShaderSource star_source(const EffectSet& effects) {
     const std::vector<std::string> defines = defines_of(effects);
-    std::string body = std::string(kBlackBodyDeclarations) + "uniform int image_order;\n";
+    std::string body = kBlackBodyDeclarations;
+    if (!effects.contains(Effect::kSpin)) body += "uniform int image_order;\n";
     if (effects.contains(Effect::kLensing)) body += "uniform highp sampler2D star_lens_texture;\n";
-    if (effects.contains(Effect::kAberration)) body += shader_file("core/aberration.glsl");
-    for (const char* file : {"effect/black_body.glsl", "object/star_image.glsl", "stage/star.vert"}) body += shader_file(file);
+    const bool spin = effects.contains(Effect::kSpin);   // the host has found the images
+    if (effects.contains(Effect::kAberration) && !spin) body += shader_file("core/aberration.glsl");
+    body += shader_file("effect/black_body.glsl");
+    if (!spin) body += shader_file("object/star_image.glsl");
+    body += shader_file("stage/star.vert");
     return {with_block(body, defines), with_block(std::string(shader_file("stage/star.frag")), defines)};
 }
 

@@ -1,5 +1,6 @@
 // The stars of a sky as points: render and reference draw the same list, each with its own images.
 #pragma once
+#include <cmath>
 #include <filesystem>
 #include <vector>
 
@@ -19,6 +20,10 @@ struct PointStar {
 // 2e-4 wherever it lies); and how far outside of the picture a star's middle may be.
 inline constexpr double kPointSigma_px = 0.7;
 inline constexpr int kPointMargin_px = 16;
+// Light of a pixel, white is 1, below which a star is left out: half of the first step of 8 bits in sRGB.
+inline constexpr double kFaintestPoint = 1.0 / 6587.0;
+// Of a point's light, what falls on a square pixel about its middle.
+inline double point_peak() { return 1.0 / (2.0 * M_PI * kPointSigma_px * kPointSigma_px); }
 
 // Of kind kPoints: the catalogue down to SkySpec::faintest, brightest first; or even_stars on a spiral of Fibonacci, each of
 // magnitude `faintest`. Others: none. Errors: the catalogue is missing or damaged. 20 ms for the catalogue.

@@ -91,6 +91,7 @@ SCENES = {
     "spin, disc, sky": '[spacetime]\nmetric = "kerr"\n[camera]\nvelocity = [0.1, 0.2, 0.3]\n[disc]\nemission = "thermal"\n',
     "no spin": '[spacetime]\nmetric = "kerr"\nspin = 0.0\n[disc]\n',
     "spin, patterns": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "grid"\n[disc]\ntexture = "checker"\n',
+    "spin, points": '[spacetime]\nmetric = "kerr"\n[camera]\nvelocity = [0.1, 0.2, 0.3]\n[sky]\nkind = "points"\neven_stars = 10\n',
     "star": '[spacetime]\nmetric = "neutron-star"\n',
     "delay, flow, spot": '[sky]\nkind = "black"\n[disc]\ntexture = "noise"\nflow = "kepler"\n[spot]\n',
     "flow without delay": '[disc]\nflow = "kepler"\n[light]\ndelay = "off"\n',

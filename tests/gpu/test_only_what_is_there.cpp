@@ -81,6 +81,7 @@ std::vector<Scene> full_scenes() {
     scenes[4].ball.emplace().motion = BallMotion::kOrbit;
     scenes[4].sphere.emplace().swing = 0.1;
     scenes[6].spacetime.metric = "kerr";
+    scenes[6].sky.kind = SkyKind::kPoints;
     scenes[6].disc.emplace().emission = DiscEmission::kThermal;
     scenes[6].camera.observer = ObserverKind::kRain;
     scenes[1].picture = {ToneCurve::kFilm, 0.1, false, true};

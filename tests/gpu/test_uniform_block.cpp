@@ -83,7 +83,6 @@ TEST_CASE("uniform block: without an effect its members are gone and the others 
             if (spins) {
                 scene.spacetime.metric = "kerr";
                 scene.sphere.reset(), scene.cylinder.reset(), scene.ball.reset(), scene.surface.reset();
-                if (scene.sky.kind == SkyKind::kPoints) scene.sky.kind = SkyKind::kStars;
                 scene.spot.reset();
                 if (scene.disc) scene.disc->flow = DiscFlowKind::kStill;
             }

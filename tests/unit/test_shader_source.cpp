@@ -125,6 +125,9 @@ TEST_CASE("shader source: about a spinning hole nothing of plane orbits, without
         const std::string text = picture_of(scene);
         for (const char* word : {"spin_step", "SpinState", "spin_disc_cross", "spin_hole"}) CHECK((text.find(word) != std::string::npos) == (spin > 0));
         for (const char* word : {"strip_locate", "orbit_point", "plane_meet", "disc_reachable", "vec4 strip;"}) CHECK((text.find(word) != std::string::npos) == (spin == 0));
+        scene.sky.kind = SkyKind::kPoints;
+        const std::string stars = shader_source(Stage::kStars, effect_set(required_effects(scene)), Output::kLinear, {}, "kerr", {}).vertex;
+        for (const char* word : {"image_of_star", "star_lens_fetch", "image_order"}) CHECK((stars.find(word) != std::string::npos) == (spin == 0));
     }
 }
 
