@@ -123,6 +123,7 @@ Result<RayRecord> trace_spinning(const OrbitMetric& metric, const RayQuery& quer
     }
     if (ray.fate != Fate::kEscaped) return record;
     record.sky = ray.sky;
+    record.delay = ray.delay;
     record.theta_inf = std::atan2(std::hypot(ray.sky.x, ray.sky.y), ray.sky.z);
     record.phi_inf = ray.phi_inf;
     return record;
