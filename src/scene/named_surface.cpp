@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "expr/formula.h"
-
 namespace nullscope {
 
 std::string surface_shape(const SurfaceSpec& surface) {
@@ -17,12 +15,6 @@ std::string surface_shape(const SurfaceSpec& surface) {
             text += c;
     }
     return text;
-}
-
-bool moves(const SurfaceSpec& surface) {
-    constexpr std::size_t kTime = 3;
-    const auto shape = expr::Formula::parse(surface_shape(surface), {"x", "y", "z", "t"});
-    return shape && shape->uses(kTime);
 }
 
 }  // namespace nullscope

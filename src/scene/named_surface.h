@@ -36,7 +36,4 @@ inline constexpr std::array<NamedSurface, 8> kNamedSurfaces = {{
 // f(x, y, z, t) of the surface as a formula's text.
 std::string surface_shape(const SurfaceSpec& surface);
 
-// Whether the formula has t in it.
-bool moves(const SurfaceSpec& surface);
-
 }  // namespace nullscope

@@ -6,14 +6,12 @@
 
 #include <algorithm>
 
-#include "scene/named_surface.h"
 #include "spacetime/registry.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
 namespace {
 
-constexpr double kLongestTime = 1e6;   // r_s/c
 constexpr double kLeastBrightness = 0.01, kMostBrightness = 100.0;
 
 void parameters_of(const MetricEntry& entry, SpacetimeSpec& spec, bool& changed) {
@@ -47,9 +45,6 @@ bool scene_section(ViewState& view, bool escape) {
     ImGui::SameLine();
     if (ImGui::Button("Reload")) changed = static_cast<bool>(load_into(view, view.source)) || changed;
     tooltip("Reads the scene's file again; changes made here are dropped.");
-    if (view.scene.surface && moves(*view.scene.surface) &&
-        drag_number("Time", view.scene.time, 0.05, -kLongestTime, kLongestTime, "%.2f r_s/c", "Time of the picture: t of the surface's formula."))
-        changed = true;
     if (!view.error.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, {1.0f, 0.52f, 0.45f, 1.0f});
         ImGui::TextWrapped("%s", view.error.c_str());
