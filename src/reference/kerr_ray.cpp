@@ -20,6 +20,7 @@ using Stepper = boost::numeric::odeint::runge_kutta_fehlberg78<State>;
 
 // Of each step, absolute and relative; the steps' errors add up to some ten times this.
 constexpr double kStepTolerance = 1e-14;
+constexpr double kClockUnit = 1e-4;   // what the time is kept in: its steps are good to 1e-10 r_s/c, and do not ask for shorter ones
 // A ray has reached the sky where what is left of its bending, M b / R^2, is below rounding.
 constexpr double kSky = 1e9;
 // Where T is read, in camera radii: further on it loses what rounding makes of |dx/dlambda| = 1, nearer M b^2/R^2.
@@ -57,7 +58,7 @@ struct Chart {
             const double dlz = ((i == 2 ? 1.0 : 0.0) - lz * dr[i]) / r;
             d[3 + i] = dh * lp * lp + 2 * h * lp * (dlx * s[3] + dly * s[4] + dlz * s[5]);
         }
-        d[6] = energy + 2 * h * lp - sense * (x * d[0] + y * d[1] + z * d[2]) / std::sqrt(x * x + y * y + z * z);
+        d[6] = kClockUnit * (energy + 2 * h * lp - sense * (x * d[0] + y * d[1] + z * d[2]) / std::sqrt(x * x + y * y + z * z));
     }
 
     // What the azimuth of x + iy = (r + ia) sin(theta) e^{i phi~} is ahead of Boyer and Lindquist's, which it meets at infinity.
@@ -93,16 +94,15 @@ struct Launch {
 
 class Path {
 public:
-    // late() = base + ..., see there; T counts from the camera's `from`; along: the affine parameter so far.
+    // late() = base + ..., see there; T counts from the camera's `from`.
     struct Start {
-        double base, from, along;
-        bool camera;
+        double base, from;
     };
     Path(double spin, const Launch& launch, const Start& start);
-    KerrRay trace(int most_crossings, const KerrWatch& watch);
+    KerrRay trace(int most_crossings);
 
 private:
-    void add_crossing(const State& before, double taken, double along, KerrRay& ray) const;
+    void add_crossing(const State& before, double taken, KerrRay& ray) const;
     State stepped(const State& from, double length) const {
         State to = from;
         Stepper().do_step([this](const State& s, State& d, double) { chart_.slope(sense_ * energy_, s, d); }, to, 0.0, length);
@@ -115,7 +115,6 @@ private:
     double passed(const State& s) const;
     double delay_from(const State& s, const State& slope, double r) const;
     double late(const State& s, double r) const { return passed(s) - sense_ * tortoise_ahead(spin_, r); }
-    KerrPlace place_on(const State& before, double taken, double along) const;
 
     Chart chart_;
     Start start_;
@@ -225,27 +224,18 @@ Launch Path::mirrored() const {
 
 // The chart's t is v - r of what is traced: of the mirror image -t + r_* - r, r_* of the photon's own chart. With w = t - sense |x| of the
 // state the camera's clock less t is base + sense w + |x| - sense (r_* - r).
-double Path::passed(const State& s) const { return start_.base + sense_ * s[6] + far_part(s); }
+double Path::passed(const State& s) const { return start_.base + sense_ * s[6] / kClockUnit + far_part(s); }
 
 // T, from far out on the way to the sky: late + from - r_*, without the difference of |x| and r, and what is left of a straight way.
 double Path::delay_from(const State& s, const State& slope, double r) const {
     const Vec3 x{s[0], s[1], s[2]}, v{slope[0], slope[1], slope[2]};
     const double across = chart_.a * chart_.a * (s[0] * s[0] + s[1] * s[1]) / (r * r + chart_.a * chart_.a);   // a^2 sin^2
     const double b = length(cross(x, v)) / length(v), far = far_part(s), rest = b * b / (far + std::sqrt((far - b) * (far + b)));
-    return start_.base + sense_ * s[6] + across / (far + r) + start_.from - (sense_ > 0 ? 2 * tortoise_ahead(spin_, r) : 0) + rest;
-}
-
-KerrPlace Path::place_on(const State& before, double taken, double along) const {
-    const State there = stepped(before, taken);
-    State slope{};
-    chart_.slope(sense_ * energy_, before, slope);
-    const double r = chart_.radius(there), phi = boyer_lindquist(azimuth_ + turned(azimuth_, before, there, slope), r);
-    const double cosine = std::clamp(there[2] / r, -1.0, 1.0), sine = std::sqrt((1 - cosine) * (1 + cosine));
-    return {r * Vec3{sine * std::cos(phi), sine * std::sin(phi), cosine}, start_.along + along + taken, late(there, r)};
+    return start_.base + sense_ * s[6] / kClockUnit + across / (far + r) + start_.from - (sense_ > 0 ? 2 * tortoise_ahead(spin_, r) : 0) + rest;
 }
 
 // The zero of z within the step: Newton's steps on its length, each taken whole from where the step began.
-void Path::add_crossing(const State& before, double taken, double along, KerrRay& ray) const {
+void Path::add_crossing(const State& before, double taken, KerrRay& ray) const {
     double low = 0, high = taken, at = 0;
     State there = before, d{};
     for (int i = 0; i < 60; ++i) {
@@ -264,10 +254,10 @@ void Path::add_crossing(const State& before, double taken, double along, KerrRay
     const double phi = boyer_lindquist(azimuth_ + turned(azimuth_, before, there, d), r);
     // Sigma dr/dlambda = Delta p_r of what is traced; the photon's own has the other sign.
     const double delta = (r - outer_) * (r - 0.5 * (1 - root_));
-    ray.crossings.push_back({r, phi, -climbing(there, d) * r * r / (delta * energy_), start_.along + along + at, late(there, r)});
+    ray.crossings.push_back({r, phi, -climbing(there, d) * r * r / (delta * energy_), late(there, r)});
 }
 
-KerrRay Path::trace(int most_crossings, const KerrWatch& watch) {
+KerrRay Path::trace(int most_crossings) {
     using boost::numeric::odeint::controlled_step_result;
     KerrRay ray;
     ray.energy = energy_;
@@ -284,22 +274,18 @@ KerrRay Path::trace(int most_crossings, const KerrWatch& watch) {
         const State before = state_;
         const double from = lambda;
         if (stepper.try_step(system, state_, lambda, length) == controlled_step_result::fail) continue;
-        if (watch && outside && chart_.radius(before) > outer_ && chart_.radius(state_) > outer_) {
-            const double taken = lambda - from;
-            if (watch({[&](double part) { return place_on(before, part * taken, from); }, start_.camera && from == 0})) return ray;
-        }
         State slope{};
         chart_.slope(sense_ * energy_, before, slope);
         const bool crossed = before[2] != 0 && (before[2] > 0) != (state_[2] > 0) && !stays_;
-        if (crossed && static_cast<int>(ray.crossings.size()) < most_crossings) add_crossing(before, lambda - from, from, ray);
+        if (crossed && static_cast<int>(ray.crossings.size()) < most_crossings) add_crossing(before, lambda - from, ray);
         azimuth_ += turned(azimuth_, before, state_, slope);
         const double r = chart_.radius(state_);
         if (r <= outer_ && outside) return ray;
         outside = outside || r > outer_;
         chart_.slope(sense_ * energy_, state_, slope);
         if (sense_ < 0 && outside && climbing(state_, slope) < 0) {   // on its way to the past horizon
-            const Start here{late(state_, r) + tortoise_ahead(spin_, r), start_.from, start_.along + lambda, false};
-            KerrRay rest = Path(spin_, mirrored(), here).trace(most_crossings - static_cast<int>(ray.crossings.size()), watch);
+            const Start here{late(state_, r) + tortoise_ahead(spin_, r), start_.from};
+            KerrRay rest = Path(spin_, mirrored(), here).trace(most_crossings - static_cast<int>(ray.crossings.size()));
             ray.crossings.insert(ray.crossings.end(), rest.crossings.begin(), rest.crossings.end());
             if (rest.fate == Fate::kEscaped) ray.fate = rest.fate, ray.sky = rest.sky, ray.phi_inf = rest.phi_inf, ray.delay = rest.delay;
             return ray;
@@ -320,14 +306,14 @@ KerrRay Path::trace(int most_crossings, const KerrWatch& watch) {
 
 KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings) {
     const double ahead = tortoise_ahead(spin, start.r);
-    return Path(spin, launch_of(spin, start), {ahead, start.r + ahead, 0, true}).trace(most_crossings, {});
+    return Path(spin, launch_of(spin, start), {ahead, start.r + ahead}).trace(most_crossings);
 }
 
-KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings, bool falls, const KerrWatch& watch) {
+KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings, bool falls) {
     const Launch launch = launch_of(spin, photon);
     // late = 0 at the camera, or r_* - r; inside the horizon what is traced fell in, and r_* is not asked for.
     const double sense = launch.falls ? -1 : 1, ahead = falls && launch.falls ? 0 : tortoise_ahead(spin, photon.r);
-    return Path(spin, launch, {falls ? ahead + sense * ahead : sense * ahead, photon.r + (falls ? 0 : ahead), 0, true}).trace(most_crossings, watch);
+    return Path(spin, launch, {falls ? ahead + sense * ahead : sense * ahead, photon.r + (falls ? 0 : ahead)}).trace(most_crossings);
 }
 
 double kerr_azimuth_ahead(double spin, double r) {

@@ -6,7 +6,6 @@
 // outward has fallen in where the chart is regular, and is traced as it is, through the horizon if the camera is inside.
 #pragma once
 #include <array>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -40,32 +39,16 @@ struct KerrRay {
     struct Crossing {
         double r, phi;
         double radial;   // p_r of the photon over its energy: above 0 it really moves outward
-        double along;    // affine parameter, growing from 0 at the camera
-        double late;     // as KerrPlace
+        double late;     // the camera's clock less t there: of a camera that falls v - r, else t
     };
     std::vector<Crossing> crossings;   // of the equatorial plane after the camera, before the end
     double delay = kNotANumber;        // T = v at the camera less v at the sky, v = t + r_*; escaped rays
 };
 
-// On a ray outside the horizon.
-struct KerrPlace {
-    Vec3 place;     // (r, theta, phi) of Boyer and Lindquist taken as flat spherical coordinates, r_s
-    double along;   // affine parameter from the camera
-    double late;    // the camera's clock less t there: of one that falls v - r, else t
-};
-
-// A step of the tracer: places on it by the part of it, 0 ... 1, and somewhat beyond.
-struct KerrSegment {
-    std::function<KerrPlace(double part)> at;
-    bool first;     // from the camera
-};
-// Sees every step outside the horizon, in order; true: the ray ends there.
-using KerrWatch = std::function<bool(const KerrSegment& segment)>;
-
 // spin: a/M, [0, 1). Where rays are, within some 1e-12 r_s times what the ray makes of a change at its start. About 0.3 ms.
 KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings);
 // falls: the camera's clock is v - r.
-KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings, bool falls = false, const KerrWatch& watch = {});
+KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings, bool falls = false);
 
 // What else the tracer asks of the metric; without spin, Schwarzschild's orbits.
 std::unique_ptr<OrbitMetric> make_kerr_metric(const SpacetimeSpec& spec);

@@ -107,7 +107,7 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
     {Effect::kSides, "sides", "EFFECT_SIDES", "Bodies stand on either side of a wormhole's throat.", "spacetime.metric is a wormhole and there is a body",
      "a logarithm and a root a stride"},
     {Effect::kDelay, "delay", "EFFECT_DELAY", "Light takes time: what moves is seen where it was when its light left.",
-     "something changes with time and light.delay is not \"off\"", "delay map; four fetches and three logarithms a place along the ray"},
+     "something changes with time and light.delay is not \"off\"", "delay map; four fetches and a logarithm a crossing or a look at a body; about a spinning hole a root a force"},
     {Effect::kDiscFlow, "disc-flow", "EFFECT_DISC_FLOW", "Every ring of the disc's pattern moves with the matter's speed.", "disc.flow is \"kepler\"",
      "the pattern twice a crossing"},
     {Effect::kSpot, "spot", "EFFECT_SPOT", "Hot spots are on an orbit in the disc.", "there is a [spot] and a [disc]", "arithmetic a crossing; black body where one is"},

@@ -17,4 +17,28 @@ struct Nystrom {
     static constexpr std::array<double, 6> b_slope{151. / 2142, 25. / 522, 275. / 684, 275. / 252, -78125. / 112404, 1. / 12};
 };
 
+// A step of x'' = f(x) along with its derivative by a parameter. State: of x, x', dx/dp, dx'/dp, in this order. force(x, dx/dp): {f, df/dp}.
+template <class State, class Force>
+State nystrom_step(const State& s, double h, const Force& force) {
+    const auto& [x0, slope, vary0, vary_slope] = s;
+    std::array<double, Nystrom::kStages> f{}, g{};
+    for (int i = 0; i < Nystrom::kStages; ++i) {
+        double x = x0 + Nystrom::c[i] * h * slope, vary = vary0 + Nystrom::c[i] * h * vary_slope;
+        for (int j = 0; j < i; ++j) {
+            x += h * h * Nystrom::a[i][j] * f[j];
+            vary += h * h * Nystrom::a[i][j] * g[j];
+        }
+        const std::array<double, 2> at = force(x, vary);
+        f[i] = at[0], g[i] = at[1];
+    }
+    double x = x0 + h * slope, vary = vary0 + h * vary_slope, next_slope = slope, next_vary_slope = vary_slope;
+    for (int i = 0; i < Nystrom::kStages; ++i) {
+        x += h * h * Nystrom::b[i] * f[i];
+        vary += h * h * Nystrom::b[i] * g[i];
+        next_slope += h * Nystrom::b_slope[i] * f[i];
+        next_vary_slope += h * Nystrom::b_slope[i] * g[i];
+    }
+    return {x, next_slope, vary, next_vary_slope};
+}
+
 }  // namespace nullscope

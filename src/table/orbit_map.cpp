@@ -20,24 +20,9 @@ constexpr double kLargestStep = 0.08;  // rad; local error 1e-12
 using State = OrbitState;   // its derivatives by delta follow the variational equation
 
 State step(const Spacetime& spacetime, const State& s, double h) {
-    std::array<double, 6> f{}, g{};
-    for (int i = 0; i < Nystrom::kStages; ++i) {
-        double zeta = s.zeta + Nystrom::c[i] * h * s.slope, vary = s.vary + Nystrom::c[i] * h * s.vary_slope;
-        for (int j = 0; j < i; ++j) {
-            zeta += h * h * Nystrom::a[i][j] * f[j];
-            vary += h * h * Nystrom::a[i][j] * g[j];
-        }
-        f[i] = -spacetime.half_v_slope(zeta);
-        g[i] = -spacetime.half_v_curvature(zeta) * vary;
-    }
-    State next{s.zeta + h * s.slope, s.slope, s.vary + h * s.vary_slope, s.vary_slope};
-    for (int i = 0; i < Nystrom::kStages; ++i) {
-        next.zeta += h * h * Nystrom::b[i] * f[i];
-        next.vary += h * h * Nystrom::b[i] * g[i];
-        next.slope += h * Nystrom::b_slope[i] * f[i];
-        next.vary_slope += h * Nystrom::b_slope[i] * g[i];
-    }
-    return next;
+    return nystrom_step(s, h, [&](double zeta, double vary) {
+        return std::array{-spacetime.half_v_slope(zeta), -spacetime.half_v_curvature(zeta) * vary};
+    });
 }
 
 using Column = std::array<State, kRows + 1>;

@@ -30,26 +30,7 @@ struct Pull {
     }
 };
 
-State step(const Pull& pull, const State& s, double h) {
-    std::array<double, Nystrom::kStages> f{}, g{};
-    for (int i = 0; i < Nystrom::kStages; ++i) {
-        double w = s.w + Nystrom::c[i] * h * s.slope, vary = s.vary + Nystrom::c[i] * h * s.vary_slope;
-        for (int j = 0; j < i; ++j) {
-            w += h * h * Nystrom::a[i][j] * f[j];
-            vary += h * h * Nystrom::a[i][j] * g[j];
-        }
-        const auto at = pull(w, vary);
-        f[i] = at[0], g[i] = at[1];
-    }
-    State next{s.w + h * s.slope, s.slope, s.vary + h * s.vary_slope, s.vary_slope};
-    for (int i = 0; i < Nystrom::kStages; ++i) {
-        next.w += h * h * Nystrom::b[i] * f[i];
-        next.vary += h * h * Nystrom::b[i] * g[i];
-        next.slope += h * Nystrom::b_slope[i] * f[i];
-        next.vary_slope += h * Nystrom::b_slope[i] * g[i];
-    }
-    return next;
-}
+State step(const Pull& pull, const State& s, double h) { return nystrom_step(s, h, pull); }
 
 // How long a step may be: as the forces change, and next to the tube's rims as R changes its course.
 double longest_step(const Pull& pull, const State& s) {

@@ -24,16 +24,6 @@ struct Jumps {
     int fates = 0, judged = 0, not_finite = 0;
 };
 
-RayFrame exact_of(const Scene& scene) {
-    std::vector<std::array<double, 2>> middles;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) middles.push_back({x + 0.5, y + 0.5});
-    RayFrame frame;
-    frame.width = kWidth, frame.height = kHeight;
-    frame.pixels = reference_trace(scene)(middles);
-    return frame;
-}
-
 void judge(const RayFrame& gl_before, const RayFrame& gl, const RayFrame& exact_before, const RayFrame& exact, Jumps& jumps) {
     for (std::size_t i = 0; i < gl.pixels.size(); ++i) {
         const RayPixel& p = gl.pixels[i];
@@ -76,7 +66,7 @@ TEST_CASE("kerr plunge: round and through the horizon no ray jumps by more than 
             for (int i = 0; i <= steps; ++i) {
                 Scene there = plunging(disc);
                 there.camera = path->at(from + (to - from) * i / steps);
-                RayFrame gl = gl_ray_data(session, there), exact = exact_of(there);
+                RayFrame gl = gl_ray_data(session, there), exact = reference_frame(there);
                 judge(gl_before, gl, exact_before, exact, jumps);
                 gl_before = std::move(gl), exact_before = std::move(exact);
             }
@@ -97,7 +87,7 @@ TEST_CASE("kerr plunge: round and through the horizon no ray jumps by more than 
         Jumps planted;
         Scene here = scene, there = scene;
         here.camera = path->at(across), there.camera = path->at(across + 0.1);
-        const RayFrame exact = exact_of(here);
+        const RayFrame exact = reference_frame(here);
         judge(gl_ray_data(session, there), gl_ray_data(session, here), exact, exact, planted);
         CHECK(planted.most > kJump);
     });

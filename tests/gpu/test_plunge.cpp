@@ -26,16 +26,6 @@ Scene falling_at(double r, bool disc) {
     return scene;
 }
 
-RayFrame reference_frame(const Scene& scene) {
-    std::vector<std::array<double, 2>> middles;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) middles.push_back({x + 0.5, y + 0.5});
-    RayFrame frame;
-    frame.width = kWidth, frame.height = kHeight;
-    frame.pixels = reference_trace(scene)(middles);
-    return frame;
-}
-
 struct Jumps {
     double most = 0;         // what OpenGL's directions change by in a step beyond what the reference's do, rad
     int fates = 0;           // pixels of another fate

@@ -105,6 +105,17 @@ inline ExactTrace reference_trace(const Scene& scene) {
     };
 }
 
+// The same of every pixel.
+inline RayFrame reference_frame(const Scene& scene) {
+    std::vector<std::array<double, 2>> middles;
+    for (int y = 0; y < scene.camera.height; ++y)
+        for (int x = 0; x < scene.camera.width; ++x) middles.push_back({x + 0.5, y + 0.5});
+    RayFrame frame;
+    frame.width = scene.camera.width, frame.height = scene.camera.height;
+    frame.pixels = reference_trace(scene)(middles);
+    return frame;
+}
+
 inline Witnesses witnesses_of(const Scene& scene, const CoreInput& input, const RayFrame& gl, int x, int y) {
     const double right = x + 0.5 - 0.5 * scene.camera.width, up = 0.5 * scene.camera.height - (y + 0.5);
     return {reference_trace(scene)({{x + 0.5, y + 0.5}})[0], trace_core64(input, right, up),
