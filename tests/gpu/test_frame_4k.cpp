@@ -1,7 +1,5 @@
-// 4K frames over 90 degrees against the reference: screen error and fate. Every pixel with NULLSCOPE_EVERY_PIXEL set (some minutes), else
+// 4K frames over 90 degrees against the reference: screen error and fate. Every pixel with NULLSCOPE_EVERYTHING set (some minutes), else
 // those of every few rows: the suite is run after each change.
-#include <cstdlib>
-
 #include "support/gpu_session.h"
 
 namespace {
@@ -53,10 +51,9 @@ void check_camera(double r, double yaw_deg, int row_step) {
     });
 }
 
-bool every_pixel() { return std::getenv("NULLSCOPE_EVERY_PIXEL") != nullptr; }   // NOLINT(concurrency-mt-unsafe)
-const int kEveryRow = every_pixel() ? 1 : 5;
-const int kTurnedRowStep = every_pixel() ? 3 : 9;   // the edge and its rings once more, aside of the picture's middle
-const int kSmoothRowStep = every_pixel() ? 8 : 24;  // views without the shadow's edge or its rings have no place for an error to hide in
+const int kEveryRow = everything_asked() ? 1 : 5;
+const int kTurnedRowStep = everything_asked() ? 3 : 9;   // the edge and its rings once more, aside of the picture's middle
+const int kSmoothRowStep = everything_asked() ? 8 : 24;  // views without the shadow's edge or its rings have no place for an error to hide in
 
 TEST_CASE("4K: cameras that look at the hole") {
     for (const double r : {1.1, 1.5, 2.0, 5.0, 20.0, 1000.0}) check_camera(r, 0, kEveryRow);

@@ -94,6 +94,9 @@ private:
     int count_ = 0;
 };
 
+// Whether the long form of a test is asked for: the suite is run after each change.
+inline bool everything_asked() { return std::getenv("NULLSCOPE_EVERYTHING") != nullptr; }   // NOLINT(concurrency-mt-unsafe)
+
 inline ExactTrace reference_trace(const Scene& scene) {
     return [scene](const std::vector<std::array<double, 2>>& positions) {
         auto pixels = reference::trace_pixels(scene, positions);
