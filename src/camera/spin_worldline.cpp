@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/lorentz.h"
 #include "base/dormand_prince.h"
+#include "base/lorentz.h"
 #include "camera/pose.h"
 #include "scene/observer.h"
 #include "spacetime/spin_frame.h"

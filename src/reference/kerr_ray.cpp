@@ -112,9 +112,11 @@ private:
     double climbing(const State& s, const State& slope) const;
     Launch mirrored() const;
     double far_part(const State& s) const { return std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]); }
-    double passed(const State& s) const;
+    // The chart's t is v - r of what is traced: of the mirror image -t + r_* - r. With w = t - sense |x| of the state the camera's clock less t
+    // is base + sense w + |x| - sense (r_* - r).
+    double passed(const State& s) const { return start_.base + sense_ * s[6] / kClockUnit; }
     double delay_from(const State& s, const State& slope, double r) const;
-    double late(const State& s, double r) const { return passed(s) - sense_ * tortoise_ahead(spin_, r); }
+    double late(const State& s, double r) const { return passed(s) + far_part(s) - sense_ * tortoise_ahead(spin_, r); }
 
     Chart chart_;
     Start start_;
@@ -222,16 +224,12 @@ Launch Path::mirrored() const {
     return l;
 }
 
-// The chart's t is v - r of what is traced: of the mirror image -t + r_* - r, r_* of the photon's own chart. With w = t - sense |x| of the
-// state the camera's clock less t is base + sense w + |x| - sense (r_* - r).
-double Path::passed(const State& s) const { return start_.base + sense_ * s[6] / kClockUnit + far_part(s); }
-
 // T, from far out on the way to the sky: late + from - r_*, without the difference of |x| and r, and what is left of a straight way.
 double Path::delay_from(const State& s, const State& slope, double r) const {
     const Vec3 x{s[0], s[1], s[2]}, v{slope[0], slope[1], slope[2]};
     const double across = chart_.a * chart_.a * (s[0] * s[0] + s[1] * s[1]) / (r * r + chart_.a * chart_.a);   // a^2 sin^2
     const double b = length(cross(x, v)) / length(v), far = far_part(s), rest = b * b / (far + std::sqrt((far - b) * (far + b)));
-    return start_.base + sense_ * s[6] / kClockUnit + across / (far + r) + start_.from - (sense_ > 0 ? 2 * tortoise_ahead(spin_, r) : 0) + rest;
+    return passed(s) + across / (far + r) + start_.from - (sense_ > 0 ? 2 * tortoise_ahead(spin_, r) : 0) + rest;
 }
 
 // The zero of z within the step: Newton's steps on its length, each taken whole from where the step began.

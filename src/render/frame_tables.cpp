@@ -241,6 +241,7 @@ CoreInput FrameTables::core_input(const Scene& scene) const {
     input.lensing = effects_.contains(Effect::kLensing);
     input.spin = effects_.contains(Effect::kSpin);
     input.spin_fall = effects_.contains(Effect::kSpinFall);
+    input.spin_delay = input.spin && effects_.contains(Effect::kDelay);
     input.aberration = effects_.contains(Effect::kAberration);
     return input;
 }

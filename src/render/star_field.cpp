@@ -46,7 +46,8 @@ void StarField::find_images(const Scene& scene, const FrameTables& tables) {
     Scene bare;  // rays to the sky, whatever is in their way
     bare.spacetime = scene.spacetime, bare.camera = scene.camera, bare.light = scene.light, bare.sky = scene.sky;
     const double faintest = std::log2(kFaintestPoint / point_peak()) - scene.camera.exposure_ev;
-    const CoreInput input = tables.core_input(bare);
+    CoreInput input = tables.core_input(bare);
+    input.spin_delay = false;
     std::vector<float> values;
     for (const MeshImage& image : mesh_->images(input, scene.camera.width, scene.camera.height, kPointMargin_px,
                                                 {scene.light.shift, scene.light.beaming, faintest}))

@@ -14,8 +14,8 @@ struct BallPlace {
 using BallMotionAt = std::function<BallPlace(double t)>;
 
 // spacetime outlives what is returned. Errors: motion that no ball can have: an orbit at or inside the photon sphere, a fall that begins
-// inside the horizon or in a metric whose r is not areal, a formula that is none. A fall is followed from t = 0 to the times asked for, which best move away from it: 1e-8 of
-// its radius after some turns, a microsecond for a time of r/100. What reaches the horizon stays next to it.
+// inside the horizon or in a metric whose r is not areal, a formula that is none. A fall is followed from t = 0 to the times asked for,
+// which best move away from it, to 1e-9 r_s (tests/unit/test_ball_motion.cpp). What reaches a horizon or a star stays 1e-6 of it short.
 Result<BallMotionAt> ball_motion(const Spacetime& spacetime, const BallSpec& ball);
 
 }  // namespace nullscope

@@ -57,28 +57,18 @@ namespace flat {
 #undef EFFECT_STAR
 #undef NEEDS_ZETA_SLOPE
 #define EFFECT_SPIN
+namespace spinning_delayed {
+#include "shadercore/core_spinning.inl"
+}  // namespace spinning_delayed
+#undef EFFECT_DELAY
 namespace spinning {
-#include "shadercore/core_variant.inl"
+#include "shadercore/core_spinning.inl"
 }  // namespace spinning
-#define EFFECT_ABERRATION
-namespace spinning_moving {
-#include "shadercore/core_variant.inl"
-}  // namespace spinning_moving
-#define EFFECT_SPIN_FALL
-namespace spinning_falling_moving {
-#include "shadercore/core_variant.inl"
-}  // namespace spinning_falling_moving
-#undef EFFECT_ABERRATION
-namespace spinning_falling {
-#include "shadercore/core_variant.inl"
-}  // namespace spinning_falling
-#undef EFFECT_SPIN_FALL
 #undef EFFECT_SPIN
 #undef EFFECT_DISC
 
 RayPixel dispatch(const CoreInput& input, double x, double y) {
-    if (input.spin && input.spin_fall) return (input.aberration ? spinning_falling_moving::trace_one : spinning_falling::trace_one)(input, x, y);
-    if (input.spin) return (input.aberration ? spinning_moving::trace_one : spinning::trace_one)(input, x, y);
+    if (input.spin) return (input.spin_delay ? spinning_delayed::dispatch : spinning::dispatch)(input, x, y);
     if (input.lensing && input.cubic) return (input.aberration ? cubic_moving::trace_one : cubic::trace_one)(input, x, y);
     if (input.lensing) return (input.aberration ? lensed_moving::trace_one : lensed::trace_one)(input, x, y);
     return (input.aberration ? flat_moving::trace_one : flat::trace_one)(input, x, y);

@@ -166,14 +166,11 @@ std::string declarations(Stage stage, const EffectSet& effects, bool ends, const
         if (method.kind == MethodKind::kTable) text += "uniform highp sampler2D table_texture;\n";
         text += method_constants(method);
         const bool delay = effects.contains(Effect::kDelay);
-        if (disc || has_solids(effects) || delay)
-            text += "uniform highp sampler2D orbit_texture;\n";
         // With delays the map's texels lie beside theirs (table/orbit_map.h).
-        if (delay)
-            text += "vec4 orbit_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(2 * x, y), 0); }\n"
-                    "vec4 delay_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(2 * x + 1, y), 0); }\n";
-        else if (disc || has_solids(effects))
-            text += "vec4 orbit_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(x, y), 0); }\n";
+        if (disc || has_solids(effects) || delay)
+            text += fmt::format("uniform highp sampler2D orbit_texture;\n"
+                                "vec4 orbit_fetch(int x, int y) {{ return texelFetch(orbit_texture, ivec2({}x, y), 0); }}\n", delay ? "2 * " : "");
+        if (delay) text += "vec4 delay_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(2 * x + 1, y), 0); }\n";
     }
     if (effects.contains(Effect::kBallPath))
         text += "uniform highp sampler2D ball_path_texture;\n"
