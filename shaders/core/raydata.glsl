@@ -27,14 +27,18 @@ PixelData pixel_data(vec2 pixel) {
     data.place = vec3(0.0, 0.0, 0.0);
     data.delay = 0.0;
 #ifdef NEEDS_PLACE
-    vec3 tangent = place_tangent(trace);
-    SolidHit solid = solid_hit(trace, tangent, 0.0);
+    SolidHit solid = solid_hit(trace, 0.0);
+#ifndef EFFECT_SPIN
     if (solid.object != 0) data.angle = solid.phi;
+#endif
 #endif
 #ifdef EFFECT_SPIN
 #ifdef EFFECT_DISC
     for (int k = 0; k < SPIN_CROSSINGS && data.hit == 0.0; ++k) {
         DiscCrossing crossing = spin_disc_cross(trace, k, vec4(0.0, 0.0, 0.0, 0.0));
+#ifdef NEEDS_PLACE
+        if (crossing.phi > solid.phi) break;
+#endif
         if (crossing.hit) {
             data.hit = 1.0;
             data.place = vec3(crossing.place.x, crossing.place.y, 0.0);
@@ -72,11 +76,11 @@ PixelData pixel_data(vec2 pixel) {
     if (solid.object != 0 && data.fate != 4.0) {
         data.fate = 4.0;
 #ifdef EFFECT_DELAY
-        data.delay = place_seen(trace, tangent, solid.phi).late;
+        data.delay = solid.place.late;
 #endif
         if (data.hit == 0.0) {
             data.hit = float(solid.object);
-            data.place = place_of(trace, tangent, solid.phi).at;
+            data.place = solid.place.at;
         }
     }
 #endif

@@ -1,6 +1,5 @@
 // One pixel's ray about a spinning hole, from the camera to its end (core/kerr.glsl). In place of trace.glsl, where rays stay in planes:
-// the same Trace as far as a sky asks for it. Look directions are along (e_r, e_theta, e_phi) of the observer's own frame
-// (spacetime/spin_frame.h). Reads the global `frame` (FrameData).
+// the same Trace as far as a sky asks for it. Reads the global `frame` (FrameData).
 //
 // Inside the horizon every ray is traced outward, and none whose energy is not above 0 has come from our sky. Of the others those with
 // E (r_+^2 + a^2) <= a L have crossed another horizon than the one that the camera fell through: they meet nothing of ours.
@@ -34,51 +33,18 @@ struct Trace {
     SpinCrossing crossing_2;
     SpinCrossing crossing_3;
 #endif
+#ifdef NEEDS_PLACE
+    SolidHit solid;       // the first body
+#ifdef NEEDS_FOOTPRINT
+    vec3 solid_right;     // how it moves from pixel to pixel
+    vec3 solid_up;
+#endif
+#endif
 };
 
-float spin_form(vec4 form, vec3 n) { return form.x + form.y * n.x + form.z * n.z; }
-
-// n: unit look direction along (e_r, e_theta, e_phi). Every constant is a product or a sum that keeps its digits.
-SpinRay spin_ray(vec3 n) {
-    SpinRay ray;
-    ray.a = frame.spin_hole.x;
-    ray.outer = frame.spin_hole.z;
-    ray.inner = frame.spin_hole.w;
-    ray.energy = spin_form(frame.spin_energy, n);
-    float w = frame.spin_across.w + frame.spin_climb.w * n.z;     // L/sin - a E sin
-    float p_theta = frame.spin_energy.w * n.y;
-    float across = spin_form(frame.spin_across, n);               // L/sin
-    ray.momentum = across * frame.spin_place.x;
-    ray.a2e2 = frame.spin_hole.y * ray.energy * ray.energy;
-    ray.k = p_theta * p_theta + w * w;
-    ray.j2 = p_theta * p_theta + across * across - ray.a2e2 * frame.spin_place.y * frame.spin_place.y;
-    // Q = p_theta^2 + cos^2 (L^2/sin^2 - a^2 E^2), not J^2 - L^2.
-    ray.a2q = frame.spin_hole.y * (p_theta * p_theta + frame.spin_place.y * frame.spin_place.y * (across * across - ray.a2e2));
-    return ray;
-}
-
-SpinState spin_start(SpinRay ray, vec3 n) {
-    float sine = frame.spin_place.x;
-    float cosine = frame.spin_place.y;
-    float c = frame.spin_place.z;
-    float s = frame.spin_place.w;
-    float p_theta = frame.spin_energy.w * n.y;
-    float across = spin_form(frame.spin_across, n);
-    SpinState at;
-    at.y = vec4(sine * c, sine * s, cosine, frame.shift.y);
-    at.v = vec4(p_theta * cosine * c - across * s, p_theta * cosine * s + across * c, -p_theta * sine, spin_form(frame.spin_climb, n));
-    at.f = spin_force(ray, at.y);
-    at.psi = 0.0;
-#ifdef EFFECT_DELAY
-    at.lag = 0.0;
+#ifdef NEEDS_PLACE
+SolidHit solid_hit(Trace trace, float blur) { return trace.solid; }
 #endif
-#ifdef EFFECT_SPIN_FALL
-    at.ingoing = ingoing_stays(ray, at.y.w, at.v.w);
-    at.psi = at.ingoing ? 0.0 : -frame.spin_turn.x;
-#endif
-    at.drag = spin_turning_at(ray, at);
-    return at;
-}
 
 // g: the camera's frequency over that at infinity.
 float g_of(Trace trace) { return trace.doppler / max(trace.energy, 1.0e-6); }
@@ -125,9 +91,22 @@ Trace trace_pixel(vec2 pixel) {
 #else
     bool outside = true;
 #endif
+    float tau = 0.0;
+#ifdef NEEDS_PLACE
+    SolidSearch search = solid_search();
+#ifdef EFFECT_SPIN_FALL
+    search.going = ours;
+#endif
+#ifdef NEEDS_FOOTPRINT
+    float blur = 1.0;
+#else
+    float blur = 0.0;
+#endif
+#endif
 #ifdef EFFECT_DISC
     trace.crossings = 0;
     SpinCrossing none;
+    none.along = 0.0;
     none.r = 0.0;
     none.place = vec2(0.0, 0.0);
     none.climb = 0.0;
@@ -141,6 +120,7 @@ Trace trace_pixel(vec2 pixel) {
     SpinState from = now;
     SpinState to = now;
     float taken = 1.0;
+    float begun = 0.0;
     do {   // from one crossing of the plane to the next; loops are tested at the end, see disc_colour.glsl
         bool crossed = false;
         do {
@@ -148,21 +128,26 @@ Trace trace_pixel(vec2 pixel) {
             float h = spin_stride(ray, now, left);
             now = spin_step(ray, now, h);
             --left;
+#ifdef NEEDS_PLACE
+            if (search.going) search = leg_search(ray, spin_leg(ray, before, now, h), tau, trace.pixel_angle, blur, search);
+#endif
             // What is used after the loop is kept in a branch: Mesa 22's software driver gives a ray that has left a loop what later rounds
             // of the others make of variables that no round takes over from the one before.
             if (before.y.z * now.y.z < 0.0 || (now.y.z == 0.0 && before.y.z != 0.0)) {
                 from = before;
                 to = now;
                 taken = h;
+                begun = tau;
                 crossed = true;
             }
+            tau += h;
 #ifdef EFFECT_SPIN_FALL
             outside = outside || now.y.w < end;
 #endif
             going = spin_goes(now.y.w, end, left, outside);
         } while (going && !crossed);
         going = spin_goes(now.y.w, end, left, outside);
-        SpinCrossing crossing = spin_crossing(ray, from, to, taken);
+        SpinCrossing crossing = spin_crossing(ray, from, to, taken, begun);
 #ifdef EFFECT_SPIN_FALL
         crossed = crossed && ours;
 #endif
@@ -176,13 +161,24 @@ Trace trace_pixel(vec2 pixel) {
     } while (going);
 #else
     do {
+#ifdef NEEDS_PLACE
+        SpinState before = now;
+        float h = spin_stride(ray, before, left);
+        now = spin_step(ray, before, h);
+        if (search.going) search = leg_search(ray, spin_leg(ray, before, now, h), tau, trace.pixel_angle, blur, search);
+        tau += h;
+#else
         now = spin_step(ray, now, spin_stride(ray, now, left));
+#endif
         --left;
 #ifdef EFFECT_SPIN_FALL
         outside = outside || now.y.w < end;
 #endif
         going = spin_goes(now.y.w, end, left, outside);
     } while (going);
+#endif
+#ifdef NEEDS_PLACE
+    trace.solid = solid_found(search);
 #endif
     trace.steps = SPIN_MOST_STEPS - left;
     trace.escapes = now.y.w <= 0.0 && trace.energy > 0.0;
@@ -204,6 +200,17 @@ Trace trace_pixel(vec2 pixel) {
     vec3 area = cross(right, up);
     trace.stretch_along = longer / trace.pixel_angle;
     trace.stretch_across = sqrt(dot(area, area)) / (longer * trace.pixel_angle);
+#ifdef NEEDS_PLACE
+    trace.solid_right = dFdx(trace.solid.place.at);
+    trace.solid_up = dFdy(trace.solid.place.at);
+    float met = float(trace.solid.object);
+    float side = trace.pixel_angle * search.length;
+    if (abs(dFdx(met)) + abs(dFdy(met)) > 0.0) {   // straight light, across it
+        vec3 ahead = normalize(trace.solid.place.velocity);
+        trace.solid_right = side * normalize(cross(ahead, abs(ahead.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
+        trace.solid_up = cross(trace.solid_right, ahead);
+    }
+#endif
 #else
     trace.stretch_along = 1.0;
     trace.stretch_across = 1.0;

@@ -32,6 +32,7 @@ float ball_room(RayPlace place) { return ball_value(place) / (1.0 + frame.ball_p
 float ball_room(RayPlace place) { return ball_value(place); }
 #endif
 
+#ifndef EFFECT_SPIN
 // A ray stays in a plane through the centre: where that passes the ball by, with a pixel's width to spare, there is nothing to march
 // for. tangent: place_tangent.
 bool ball_beside(Trace trace, vec3 tangent) {
@@ -40,3 +41,4 @@ bool ball_beside(Trace trace, vec3 tangent) {
     float pixel = reach * trace.pixel_angle / max(trace.s, 1.0e-9);
     return abs(dot(cross(radial_direction(), tangent), middle)) > frame.ball_form.w + pixel;
 }
+#endif

@@ -102,12 +102,15 @@ RayPlace place_roughly(Trace trace, vec3 tangent, float phi, RayPlace from) {
 #endif
 #endif
 
+// r_s by rad.
+float place_speed(RayPlace place) { return sqrt(place.r_along * place.r_along + place.r * place.r); }
+
 // d(place)/d(phi)
 vec3 place_velocity(RayPlace place) { return place.r_along * place.outward + place.r * place.onward; }
 
 // How wide a pixel is there, r_s: the mean of its side along the ray's plane and of its side across it, seen across the ray.
 float place_pixel(Trace trace, RayPlace place, float phi) {
-    float speed = sqrt(place.r_along * place.r_along + place.r * place.r);
+    float speed = place_speed(place);
     float along = abs(place.r_across) * place.r / max(speed, 1.0e-20);
     float across = place.r * abs(sin(phi)) / max(trace.s, 1.0e-9);
     return 0.5 * trace.pixel_angle * (along + across);
@@ -126,10 +129,3 @@ float place_slowness(RayPlace place) {
     return 1.0;
 }
 #endif
-
-// What a solid body's hit is known by.
-struct SolidHit {
-    int object;      // its number (scene/ray.h), 0 for none
-    float phi;       // swept angle there; trace.phi_end for none
-    float covered;   // part of the pixel that the body covers
-};

@@ -5,6 +5,7 @@ struct DiscCrossing {
     bool hit;
     float r;          // r_s
     vec2 place;       // disc (x, y), r_s
+    float phi;        // Mino's time
     vec2 along;       // footprint of one pixel on the disc in (x, y), r_s: image of its side to the right
     vec2 across;      // ... and upward
     float climb; // d zeta / d tau along the ray
@@ -28,6 +29,7 @@ DiscCrossing spin_disc_cross(Trace trace, int k, vec4 foot) {
     DiscCrossing crossing;
     crossing.r = max(kept.r, 1.0e-6);
     crossing.place = kept.place;
+    crossing.phi = kept.along;
     crossing.climb = kept.climb;
 #ifdef EFFECT_DELAY
     crossing.late = kept.late;

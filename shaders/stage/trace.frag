@@ -7,9 +7,8 @@ void main() {
     float through = 1.0;
 #ifdef NEEDS_PLACE
     // The first solid body: met once, laid between the disc's crossings before and behind it.
-    vec3 tangent = place_tangent(trace);
-    SolidHit solid = solid_hit(trace, tangent, 1.0);
-    vec4 body = solid.object == 0 ? vec4(0.0) : vec4(solid_light(trace, tangent, solid), 1.0) * solid.covered;
+    SolidHit solid = solid_hit(trace, 1.0);
+    vec4 body = solid.object == 0 ? vec4(0.0) : vec4(solid_light(trace, solid), 1.0) * solid.covered;
 #endif
 #ifdef EFFECT_SPIN
 #ifdef EFFECT_DISC
@@ -18,6 +17,13 @@ void main() {
     bool more = spin_disc_more(trace, k);
     do {   // tested at the end, see disc_colour
         DiscCrossing crossing = spin_disc_cross(trace, k, spin_foot_of(feet, k));
+#ifdef NEEDS_PLACE
+        if (crossing.phi > solid.phi) {
+            light += through * body.rgb;
+            through -= through * body.a;
+            body = vec4(0.0);
+        }
+#endif
         vec4 over = disc_colour(trace, crossing);
         over = more && crossing.hit ? over * through : vec4(0.0);
         light += over.rgb;

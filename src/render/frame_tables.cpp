@@ -60,29 +60,32 @@ Silhouette silhouette(const Spacetime& spacetime, const RayFan* fan, double came
     return {2.0 * by, (1.0 / t - t) * by};
 }
 
-// Radius about the centre that holds all bodies found by strides, and the shortest stride: a thirtieth of the thinnest.
-void put_march(BlockWriter& block, const Scene& scene, const BallPath* ball_path) {
+// Of a hole with a = spin, r_s: light that is on its way in there does not turn any more (Bardeen, Press and Teukolsky 1972).
+double innermost_photon_orbit(double spin) { return 1.0 + std::cos(2.0 / 3.0 * std::acos(-2.0 * std::fabs(spin))); }
+
+// Radii about the centre between which all bodies lie that are found by strides, and the shortest stride: a thirtieth of the thinnest.
+void put_march(BlockWriter& block, const Scene& scene, double spin, const BallPath* ball_path) {
     constexpr double kStride = 1.0 / 32;
-    double reaches[2] = {0.0, 0.0}, thinnest = 1e30;   // near, far
-    const auto holds = [&](bool far, double radius) { reaches[far] = std::max(reaches[far], radius); };
+    double reaches[2] = {0.0, 0.0}, thinnest = 1e30, ground = innermost_photon_orbit(spin);   // near, far
+    const auto holds = [&](bool far, double radius, double from) { reaches[far] = std::max(reaches[far], radius), ground = std::min(ground, from); };
     if (const auto& c = scene.cylinder) {
-        holds(c->far, std::hypot(c->outer, c->height));
+        holds(c->far, std::hypot(c->outer, c->height), c->inner);
         thinnest = std::min({thinnest, 2 * c->height, c->outer - c->inner});
     }
     if (const auto& b = scene.ball) {
-        holds(b->far, ball_path != nullptr ? ball_path->reach : length(b->position) + b->radius);
+        holds(b->far, ball_path != nullptr ? ball_path->reach : length(b->position) + b->radius, ball_path != nullptr ? 0.0 : length(b->position) - b->radius);
         thinnest = std::min(thinnest, b->radius);
     }
-    if (scene.sphere && scene.sphere->swing > 0.0) {
-        holds(false, scene.sphere->radius * (1.0 + scene.sphere->swing));
+    if (scene.sphere && (spin != 0.0 || scene.sphere->swing > 0.0)) {
+        holds(false, scene.sphere->radius * (1.0 + scene.sphere->swing), scene.sphere->radius * (1.0 - scene.sphere->swing));
         thinnest = std::min(thinnest, scene.sphere->radius * (1.0 - scene.sphere->swing));
     }
     if (const auto& f = scene.surface) {
-        holds(f->far, f->bound);
+        holds(f->far, f->bound, 0.0);
         thinnest = std::min(thinnest, 2 * f->bound / f->steps / kStride);
     }
     const auto with_margin = [&](double reach) { return 1.001 * reach + 4 * kStride * thinnest; };
-    block.put(with_margin(reaches[0]), kStride * thinnest, with_margin(reaches[1]), 0);
+    block.put(with_margin(reaches[0]), kStride * thinnest, with_margin(reaches[1]), 0.999 * ground);
 }
 
 void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const BallPath* ball_path) {
@@ -103,7 +106,7 @@ void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spaceti
     constexpr double kDifference = 1e-3;   // of the bound: gradients by differences keep half of a float's digits
     block.put(surface.bound, 2 * surface.bound / surface.steps, kDifference * surface.bound, scene.time);
     put_look(block, surface.look);
-    put_march(block, scene, ball_path);
+    put_march(block, scene, spacetime.spin(), ball_path);
 }
 
 // What the disc and the sky are painted with. A disc's brightness is disc_look's.
@@ -181,10 +184,8 @@ Status FrameTables::update(const Scene& scene) {
     if (Status parts = check_light_parts(*matter_, scene); !parts) return parts.error();
     EffectSet wanted = effect_set(required_effects(scene));
     if (Status bodies = check_sides(*matter_, scene); !bodies) return bodies.error();
-    if ((wanted.contains(Effect::kDisc) && !matter_->can_have_disc()) || (has_solids(wanted) && !matter_->can_have_bodies() && matter_->spin() == 0.0))
+    if ((wanted.contains(Effect::kDisc) && !matter_->can_have_disc()) || (has_solids(wanted) && !matter_->can_have_bodies()))
         return bad_input(fmt::format("metric \"{}\" has neither discs nor bodies; allowed: a scene without them", scene.spacetime.metric));
-    if (wanted.contains(Effect::kSpin) && has_solids(wanted))
-        return bad_input(fmt::format("metric \"{}\" has no bodies; allowed: a scene without them, or spin = 0", scene.spacetime.metric));
     // Ray data have delays wherever the shader can tell them.
     const bool straight = !wanted.contains(Effect::kLensing) && !wanted.contains(Effect::kSpin), known = straight || spacetime_->spin() != 0.0 || spacetime_->lapse_roots();
     if (delays_wanted_ && known) wanted.insert(Effect::kDelay);

@@ -76,13 +76,16 @@ private:
 Result<BallMotionAt> ball_motion(const Spacetime& spacetime, const BallSpec& ball) {
     const double r = length(ball.position);
     const Vec3 outward = ball.position / r, east = eastward(outward);
+    const bool spins = spacetime.spin() != 0.0;
     if (ball.motion == BallMotion::kOrbit) {
+        if (spins && ball.position.z != 0.0)
+            return bad_input(fmt::format("ball.position: no circular orbit at z = {} about a spinning hole; allowed: z = 0, in the equatorial plane", ball.position.z));
         const auto orbit = circular_orbit(spacetime, r);
         if (!orbit) return bad_input(fmt::format("ball.position: no circular orbit at {} from the centre; allowed: outside the photon sphere", r));
         return BallMotionAt([=, omega = orbit->omega](double t) { return in_plane(outward, east, r, omega * t, 0, omega); });
     }
     if (ball.motion == BallMotion::kGeodesic) {
-        if (spacetime.bends_light() && !spacetime.has_orbit_equation()) return bad_input(fmt::format("ball.motion: falls are not followed in metric \"{}\"; allowed: still, path", spacetime.name()));
+        if (spins || (spacetime.bends_light() && !spacetime.has_orbit_equation())) return bad_input(fmt::format("ball.motion: falls are not followed in metric \"{}\"; allowed: still, path", spacetime.name()));
         if (!camera_can_rest(spacetime, r)) return bad_input(fmt::format("ball.position: nothing can be at rest at {} from the centre; allowed: {}", r, allowed_radii(spacetime)));
         const Vec3 v = ball.velocity, across = v.z * east + v.y * cross(east, outward);   // e_theta = e_phi x e_r
         if (!spacetime.bends_light()) return BallMotionAt([=, position = ball.position, velocity = v.x * outward + across](double t) { return BallPlace{position + t * velocity, velocity}; });

@@ -44,7 +44,8 @@ std::vector<std::string_view> EffectSet::keys() const {
 
 bool has_marched(const EffectSet& effects) {
     return effects.contains(Effect::kCylinder) || effects.contains(Effect::kBall) ||
-           effects.contains(Effect::kSurface) || effects.contains(Effect::kPulse);
+           effects.contains(Effect::kSurface) || effects.contains(Effect::kPulse) ||
+           (effects.contains(Effect::kSphere) && effects.contains(Effect::kSpin));
 }
 bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
 bool shades_heat(const EffectSet& effects) {

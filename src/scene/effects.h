@@ -138,7 +138,7 @@ private:
     std::bitset<kEffectCount> bits_;
 };
 
-bool has_marched(const EffectSet& effects);   // bodies that are found by strides: all but the sphere
+bool has_marched(const EffectSet& effects);   // bodies that are found by strides: all but the sphere, and that about a spinning hole
 bool has_solids(const EffectSet& effects);    // any solid body
 bool shades_heat(const EffectSet& effects);   // black bodies in the picture's shader: the table of their light
 bool meets_objects(const EffectSet& effects); // anything that needs positions along rays: ray ends, orbit map

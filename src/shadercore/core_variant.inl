@@ -28,6 +28,8 @@ vec4 delay_fetch(int x, int y) { return fetch(inputs.delay, x, y); }
 #include "core/aberration.glsl"
 #ifdef EFFECT_SPIN
 #include "core/kerr.glsl"
+#include "core/spin_leg.glsl"
+#include "core/spin_ray.glsl"
 #include "core/spin_trace.glsl"
 #include "object/spin_disc.glsl"
 #else
@@ -86,6 +88,7 @@ RayPixel trace_one(const CoreInput& input, double x, double y) {
 #undef ORBIT_ROWS
 #undef DISC_MOST_CROSSINGS
 #undef SPIN_STEP
+#undef LOBATTO_POINT
 #undef SPIN_MOST_STEPS
 #undef SPIN_GROW_AFTER
 #undef SPIN_GROWTH

@@ -25,11 +25,11 @@ struct Body {
     bool far = false;
 };
 
-std::vector<Body> bodies_of(const Scene& scene) {
+std::vector<Body> bodies_of(const Scene& scene, bool spins) {
     std::vector<Body> bodies;
     if (scene.sphere)
         bodies.push_back(
-            {"sphere", 2, &scene.sphere->look, "frame.sphere_form.x", "vec3(0.0)", "place.outward", nullptr, scene.sphere->swing > 0.0});
+            {"sphere", 2, &scene.sphere->look, "frame.sphere_form.x", "vec3(0.0)", "place.outward", nullptr, spins || scene.sphere->swing > 0.0});
     if (scene.cylinder)
         bodies.push_back({"cylinder", 3, &scene.cylinder->look, "frame.cylinder_form.y", "vec3(0.0)",
                           "cylinder_normal(place.at)", "MAPPING_PLANE", true, scene.cylinder->far});
@@ -101,7 +101,8 @@ std::string value_by_side(const Body& body) {
                        body.name, across, at, body.name == "surface" ? "room(place)" : "value(" + at + ")");
 }
 
-std::string march_of(const std::vector<Body>& bodies, const Scene& scene, bool sides) {
+std::string march_of(const std::vector<Body>& bodies, const Scene& scene, const EffectSet& effects) {
+    const bool sides = effects.contains(Effect::kSides), spins = effects.contains(Effect::kSpin);
     std::string value, object, room, helpers;
     for (const Body& body : bodies) {
         if (!body.marched) continue;
@@ -120,12 +121,12 @@ std::string march_of(const std::vector<Body>& bodies, const Scene& scene, bool s
     }
     if (value.empty()) return "";
     const bool ball_alone = bodies.back().name == "ball" && scene.ball->motion == BallMotion::kStill && std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return b.marched; }) == 1;
-    const std::string stop = "float march_stop(Trace trace, vec3 tangent, float phi) { return " +
+    const std::string stop = spins ? "" : "float march_stop(Trace trace, vec3 tangent, float phi) { return " +
                              std::string(ball_alone ? "ball_beside(trace, tangent) ? 1.0e-9 : " : "") + "max(phi, 1.0e-9); }\n";
     // Strides of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent.
     const int steps = (sides ? 256 : 128) + (scene.surface ? 2 * scene.surface->steps : 0);
     const std::string graze =
-        scene.surface ? "1.0e30" : "2.0 * angle * sqrt(place.r_along * place.r_along + place.r * place.r)";
+        scene.surface ? "1.0e30" : "2.0 * angle * place_speed(place)";
     return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) + stop + helpers +
            "float march_value(RayPlace place) {\n    float value = 1.0e30;\n" + value +
            "    return value;\n}\n"
@@ -141,29 +142,31 @@ std::string march_of(const std::vector<Body>& bodies, const Scene& scene, bool s
 
 std::string hit_of(const std::vector<Body>& bodies) {
     const bool sphere = !bodies.front().marched, march = bodies.back().marched;   // only a sphere that keeps its size is not
-    std::string text = "SolidHit solid_hit(Trace trace, vec3 tangent, float blur) {\n";
-    if (sphere && !march) return text + "    return sphere_hit(trace, tangent, blur);\n}\n";
-    if (!sphere) return text + "    return march_hit(trace, tangent, march_stop(trace, tangent, trace.phi_end), blur);\n}\n";
+    const std::string text = "SolidHit solid_hit(Trace trace, float blur) {\n    vec3 tangent = place_tangent(trace);\n    SolidHit hit = ";
+    const std::string placed = "    if (hit.object != 0) hit.place = place_seen(trace, tangent, hit.phi);\n    return hit;\n}\n";
+    if (sphere && !march) return text + "sphere_hit(trace, tangent, blur);\n" + placed;
+    if (!sphere) return text + "march_hit(trace, tangent, march_stop(trace, tangent, trace.phi_end), blur);\n" + placed;
     // What lies before the sphere; a body's blurred edge before it hides the sphere's own.
     return text +
-           "    SolidHit sphere = sphere_hit(trace, tangent, blur);\n"
-           "    bool whole = sphere.covered >= 1.0;\n"
-           "    SolidHit other = march_hit(trace, tangent, march_stop(trace, tangent, whole ? sphere.phi : trace.phi_end), whole ? "
+           "sphere_hit(trace, tangent, blur);\n"
+           "    bool whole = hit.covered >= 1.0;\n"
+           "    SolidHit other = march_hit(trace, tangent, march_stop(trace, tangent, whole ? hit.phi : trace.phi_end), whole ? "
            "0.0 : blur);\n"
-           "    if (other.object == 0) return sphere;\n"
-           "    return sphere.object == 0 || other.phi < sphere.phi ? other : sphere;\n}\n";
+           "    if (other.object != 0 && (hit.object == 0 || other.phi < hit.phi)) hit = other;\n" + placed;
 }
 
 }  // namespace
 
 BodyText body_text(const Scene& scene) {
-    const std::vector<Body> bodies = bodies_of(scene);
+    const EffectSet effects = effect_set(required_effects(scene));
+    const bool spins = effects.contains(Effect::kSpin);
+    const std::vector<Body> bodies = bodies_of(scene, spins);
     BodyText text;
     text.coats = coats_of(scene);
     if (bodies.empty()) return text;
     if (scene.surface) text.shape = shape_of(*scene.surface);
-    text.march = march_of(bodies, scene, effect_set(required_effects(scene)).contains(Effect::kSides));
-    text.hit = hit_of(bodies);
+    text.march = march_of(bodies, scene, effects);
+    if (!spins) text.hit = hit_of(bodies);
     std::string choice;
     for (const Body& body : bodies) {
         text.light += light_of(body, true);
@@ -171,8 +174,7 @@ BodyText body_text(const Scene& scene) {
                               body.number, body.name, body.middle, body.normal);
     }
     text.light +=
-        "vec3 solid_light(Trace trace, vec3 tangent, SolidHit hit) {\n    RayPlace place = place_seen(trace, tangent, "
-        "hit.phi);\n" +
+        "vec3 solid_light(Trace trace, SolidHit hit) {\n    RayPlace place = hit.place;\n" +
         choice + "    return vec3(0.0);\n}\n";
     return text;
 }

@@ -48,51 +48,70 @@ std::vector<std::string> method_defines(const Method& method) {
     return {};
 }
 
-std::vector<std::string> files_of(Stage stage, const EffectSet& effects, bool ends, const Method& method, std::string_view metric) {
-    std::vector<std::string> files = {"core/trig.glsl"};
-    const bool lensing = effects.contains(Effect::kLensing), disc = effects.contains(Effect::kDisc), solid = has_solids(effects);
-    const bool spin = effects.contains(Effect::kSpin);
-    const bool picture = stage == Stage::kPicture;
+using Files = std::vector<std::string>;
+
+// What a ray's way is made of.
+Files way_files(Stage stage, const EffectSet& effects, bool ends, const Method& method, std::string_view metric) {
+    const bool lensing = effects.contains(Effect::kLensing), disc = effects.contains(Effect::kDisc), spin = effects.contains(Effect::kSpin);
+    Files files;
+    if (lensing || ends || (stage == Stage::kPicture && effects.contains(Effect::kSkyPattern))) files.emplace_back("core/trig.glsl");   // else nothing inverse to compute
     if (effects.contains(Effect::kAberration)) files.emplace_back("core/aberration.glsl");
     if (lensing) {
         files.emplace_back("core/strip.glsl");
         files.emplace_back("core/sweep.glsl");
         for (std::string& file : method_files(method, metric)) files.push_back(std::move(file));
     }
-    const bool delay = effects.contains(Effect::kDelay);
-    if (lensing && (disc || solid || delay)) files.emplace_back("core/orbit.glsl");
+    if (lensing && (meets_objects(effects) || effects.contains(Effect::kDelay))) files.emplace_back("core/orbit.glsl");
     if (disc && !spin) files.emplace_back("core/plane.glsl");
-    if (!lensing && !ends && !(picture && effects.contains(Effect::kSkyPattern))) files.erase(files.begin());   // nothing inverse to compute
-    if (spin) files.emplace_back("core/kerr.glsl");
-    files.emplace_back(spin ? "core/spin_trace.glsl" : "core/trace.glsl");
-    if (delay && !spin) files.emplace_back("core/delay.glsl");
-    if (spin && method.kind == MethodKind::kKerrSchild) files.emplace_back("method/kerr_schild.glsl");
-    if (disc) files.emplace_back(spin ? "object/spin_disc.glsl" : "object/disc.glsl");
-    const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
-    if (picture && (disc || sky || far_sky || effects.contains(Effect::kBodyImage))) files.emplace_back("effect/footprint.glsl");
-    if (picture && shades_heat(effects)) files.emplace_back("effect/black_body.glsl");
-    if (picture && effects.contains(Effect::kThermalDisc))
-        for (const char* file : {"object/disc_flow.glsl", "effect/thermal.glsl"}) files.emplace_back(file);
-    if (picture && disc) files.emplace_back("object/disc_colour.glsl");
-    if (picture && effects.contains(Effect::kDiscFlow)) files.emplace_back("object/disc_moving.glsl");
-    if (picture && effects.contains(Effect::kSpot)) files.emplace_back("object/spot.glsl");
-    if (picture && disc && lensing) files.emplace_back("object/disc_thin.glsl");
-    if (picture && (sky || far_sky)) files.emplace_back("object/celestial_sphere.glsl");
-    if (picture && far_sky && !sky) files.emplace_back("object/other_side.glsl");
-    if (picture && effects.contains(Effect::kStar)) files.emplace_back("object/star.glsl");
+    if (spin)
+        for (const char* file : {"core/kerr.glsl", "core/spin_leg.glsl", "core/spin_ray.glsl"}) files.emplace_back(file);
     return files;
+}
+
+Files trace_files(const EffectSet& effects, const Method& method) {
+    if (!effects.contains(Effect::kSpin)) return effects.contains(Effect::kDelay) ? Files{"core/trace.glsl", "core/delay.glsl"} : Files{"core/trace.glsl"};
+    return method.kind == MethodKind::kKerrSchild ? Files{"core/spin_trace.glsl", "method/kerr_schild.glsl"} : Files{"core/spin_trace.glsl"};
+}
+
+// What is no solid body.
+Files scene_files(Stage stage, const EffectSet& effects) {
+    const bool disc = effects.contains(Effect::kDisc), sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
+    Files files;
+    if (disc) files.emplace_back(effects.contains(Effect::kSpin) ? "object/spin_disc.glsl" : "object/disc.glsl");
+    if (stage != Stage::kPicture) return files;
+    if (disc || sky || far_sky || effects.contains(Effect::kBodyImage)) files.emplace_back("effect/footprint.glsl");
+    if (shades_heat(effects)) files.emplace_back("effect/black_body.glsl");
+    if (effects.contains(Effect::kThermalDisc))
+        for (const char* file : {"object/disc_flow.glsl", "effect/thermal.glsl"}) files.emplace_back(file);
+    if (disc) files.emplace_back("object/disc_colour.glsl");
+    if (effects.contains(Effect::kDiscFlow)) files.emplace_back("object/disc_moving.glsl");
+    if (effects.contains(Effect::kSpot)) files.emplace_back("object/spot.glsl");
+    if (disc && effects.contains(Effect::kLensing)) files.emplace_back("object/disc_thin.glsl");
+    if (sky || far_sky) files.emplace_back("object/celestial_sphere.glsl");
+    if (far_sky && !sky) files.emplace_back("object/other_side.glsl");
+    if (effects.contains(Effect::kStar)) files.emplace_back("object/star.glsl");
+    return files;
+}
+
+std::string text_of(const Files& files) {
+    std::string text;
+    for (const std::string& file : files) text += shader_file(file);
+    return text;
 }
 
 bool has_coats(const EffectSet& effects) { return effects.contains(Effect::kDiscPattern) || effects.contains(Effect::kSkyPattern); }
 
-// What formulas and looks are made of, and what the disc and the sky are painted with.
+// What formulas are made of.
+std::string formula_text(Stage stage, const EffectSet& effects) {
+    if (!has_solids(effects) && !(stage == Stage::kPicture && has_coats(effects))) return "";
+    const bool formulas = effects.contains(Effect::kFormula) || effects.contains(Effect::kNoise) || effects.contains(Effect::kSurface);
+    return formulas ? std::string(shader_file("effect/expression.glsl")) : "";
+}
+
+// What looks are made of, and what the disc and the sky are painted with.
 std::string look_text(Stage stage, const EffectSet& effects, const BodyText& bodies) {
-    const bool solid = has_solids(effects), picture = stage == Stage::kPicture;
-    std::string text;
-    if (!solid && !(picture && has_coats(effects))) return text;
-    if (effects.contains(Effect::kFormula) || effects.contains(Effect::kNoise) || effects.contains(Effect::kSurface)) text += shader_file("effect/expression.glsl");
-    if (!picture) return text;
-    text += shader_file("effect/body_mapping.glsl");
+    if (stage != Stage::kPicture || (!has_solids(effects) && !has_coats(effects))) return "";
+    std::string text(shader_file("effect/body_mapping.glsl"));
     if (effects.contains(Effect::kPattern)) text += shader_file("effect/pattern.glsl");
     if (effects.contains(Effect::kNoise)) text += shader_file("effect/grain.glsl");
     text += bodies.coats;
@@ -100,20 +119,19 @@ std::string look_text(Stage stage, const EffectSet& effects, const BodyText& bod
     return text;
 }
 
-// In the order of the text: bodies, how they are met, what they look like.
-std::string solid_text(Stage stage, const EffectSet& effects, const BodyText& bodies) {
+// Solid bodies, and how they are met: about a spinning hole by the tracer, else by what it has found.
+std::string solid_text(const EffectSet& effects, const BodyText& bodies) {
     if (!has_solids(effects)) return "";
-    std::string text(shader_file("object/place.glsl"));
-    if (effects.contains(Effect::kSphere)) text += shader_file(effects.contains(Effect::kPulse) ? "object/pulse.glsl" : "object/sphere.glsl");
+    const bool spin = effects.contains(Effect::kSpin), pulse = effects.contains(Effect::kPulse);
+    std::string text = text_of({spin ? "object/spin_place.glsl" : "object/place.glsl", "object/solid_hit.glsl"});
+    if (effects.contains(Effect::kSphere)) text += shader_file(pulse ? "object/pulse.glsl" : spin ? "object/still_sphere.glsl" : "object/sphere.glsl");
     if (effects.contains(Effect::kCylinder)) text += shader_file("object/cylinder.glsl");
     if (effects.contains(Effect::kBall)) text += shader_file("object/ball.glsl");
     if (effects.contains(Effect::kSurface)) text += bodies.shape;
     text += bodies.march;
-    if (has_marched(effects)) text += shader_file("object/march.glsl");
-    text += bodies.hit;
-    if (stage != Stage::kPicture) return text;
-    text += shader_file("object/solid.glsl");
-    return text + bodies.light;
+    if (has_marched(effects))
+        text += spin ? text_of({"object/spin_way.glsl", "object/march.glsl", "object/spin_march.glsl"}) : text_of({"object/plane_way.glsl", "object/march.glsl", "object/plane_march.glsl"});
+    return text + bodies.hit;
 }
 
 std::vector<std::string> defines_of(const EffectSet& effects) {
@@ -265,9 +283,12 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
     for (std::string& define : method_defines(method)) defines.push_back(std::move(define));
 
     std::string body = declarations(stage, effects, ends, method);
-    for (const std::string& file : files_of(stage, effects, ends, method, metric)) body += shader_file(file);
-    body += look_text(stage, effects, bodies);
-    body += solid_text(stage, effects, bodies);
+    const bool spin = effects.contains(Effect::kSpin);
+    body += text_of(way_files(stage, effects, ends, method, metric)) + formula_text(stage, effects);
+    if (spin) body += solid_text(effects, bodies);
+    body += text_of(trace_files(effects, method)) + text_of(scene_files(stage, effects)) + look_text(stage, effects, bodies);
+    if (!spin) body += solid_text(effects, bodies);
+    if (has_solids(effects) && stage == Stage::kPicture) body += std::string(shader_file("object/solid.glsl")) + bodies.light;
     if (stage == Stage::kRayData) body += shader_file("core/raydata.glsl");
     if (display) body += shader_file("effect/display.glsl");
     body += shader_file(stage == Stage::kPicture ? "stage/trace.frag" : "stage/raydata.frag");

@@ -94,7 +94,7 @@ public:
     static constexpr double kLongestHalfTube = 0.25;   // over the throat's radius
     // Where rays that miss the sky end in a horizon the orbit map of objects can follow them; through a wormhole it follows them by l.
     bool can_have_disc() const { return has_orbit_equation() && inner_end() == InnerEnd::kHorizon; }
-    bool can_have_bodies() const { return (can_have_disc() && spin() == 0.0) || (by_proper_length() && tube_beyond(0.0) <= kLongestHalfTube); }
+    bool can_have_bodies() const { return can_have_disc() || (by_proper_length() && tube_beyond(0.0) <= kLongestHalfTube); }
 
     // sqrt(V): q sin(alpha) of every ray through r, alpha its angle from the radial direction for a camera at rest.
     double root_v(double r) const;

@@ -1,0 +1,167 @@
+// Where a ray about a spinning hole (core/kerr.glsl) is within a step, by the fraction s of it.
+
+// Over a step, as a polynomial of the fraction s of it: the quintic with the values, slopes and curvatures of both ends.
+struct SpinArc {
+    vec4 c0;
+    vec4 c1;
+    vec4 c2;
+    vec4 c3;
+    vec4 c4;
+    vec4 c5;
+};
+
+SpinArc spin_arc(SpinState from, SpinState to, float h) {
+    SpinArc arc;
+    arc.c0 = from.y;
+    arc.c1 = h * from.v;
+    arc.c2 = (0.5 * h * h) * from.f;
+    vec4 d = to.y - arc.c0 - arc.c1 - arc.c2;
+    vec4 dv = h * to.v - arc.c1 - 2.0 * arc.c2;
+    vec4 df = (h * h) * to.f - 2.0 * arc.c2;
+    arc.c3 = 10.0 * d - 4.0 * dv + 0.5 * df;
+    arc.c4 = -15.0 * d + 7.0 * dv - df;
+    arc.c5 = 6.0 * d - 3.0 * dv + 0.5 * df;
+    return arc;
+}
+
+vec4 spin_at(SpinArc arc, float s) {
+    return arc.c0 + s * (arc.c1 + s * (arc.c2 + s * (arc.c3 + s * (arc.c4 + s * arc.c5))));
+}
+
+vec4 spin_slope_at(SpinArc arc, float s) {
+    return arc.c1 + s * (2.0 * arc.c2 + s * (3.0 * arc.c3 + s * (4.0 * arc.c4 + s * (5.0 * arc.c5))));
+}
+
+// A sum from 0 to s of what is known at Lobatto's five points of a step, as a polynomial of t = 2 s - 1.
+struct SpinSum {
+    float c0;   // of what is summed: c0 + c1 t + ... + c4 t^4
+    float c1;
+    float c2;
+    float c3;
+    float c4;
+};
+
+#define LOBATTO_POINT 0.17267316464601143   // the points: 0, this, 1/2, 1 - this, 1
+
+SpinSum spin_sum(float d0, float d1, float d2, float d3, float d4) {
+    float near = 0.5 * (d1 + d3) - d2;
+    float far = 0.5 * (d0 + d4) - d2;
+    float odd = 0.76376261582597333 * (d3 - d1);   // sqrt(7/3)/2: the points are at t^2 = 3/7
+    SpinSum sum;
+    sum.c0 = d2;
+    sum.c4 = (49.0 / 12.0) * ((3.0 / 7.0) * far - near);
+    sum.c2 = far - sum.c4;
+    sum.c3 = 1.75 * (0.5 * (d4 - d0) - odd);
+    sum.c1 = 0.5 * (d4 - d0) - sum.c3;
+    return sum;
+}
+
+float spin_sum_to(SpinSum sum, float s) {
+    float t = 2.0 * s - 1.0;
+    float even = sum.c0 + t * t * (sum.c2 * (1.0 / 3.0) + t * t * (sum.c4 * 0.2));
+    float start = sum.c0 + sum.c2 * (1.0 / 3.0) + sum.c4 * 0.2;
+    float more = 2.0 * s * (t - 1.0);   // t^2 - 1
+    return 0.5 * (t * even + start + more * (0.5 * sum.c1 + 0.25 * sum.c3 * (t * t + 1.0)));
+}
+
+// A step, and what is summed over it. The azimuth is Boyer and Lindquist's anywhere outside the horizon: psi + winding * (what is left of
+// int a/Delta dr to the sky).
+struct SpinLeg {
+    SpinArc arc;
+    float h;
+    float psi;        // at its start
+    SpinSum turn;
+    float winding;    // 1 where psi belongs to the ingoing azimuth, -1 where phi winds up towards the past horizon
+#ifdef EFFECT_DELAY
+    bool keeps;
+    float lag;
+    vec2 start;       // zeta, zeta'
+    SpinSum lags;
+#endif
+};
+
+float leg_turning(SpinRay ray, SpinState from, bool inward, vec4 y, float slope) {
+    return inward ? spin_regular_drag(ray, y.w, slope) : spin_turning(ray, from, y.w);
+}
+
+SpinLeg spin_leg(SpinRay ray, SpinState from, SpinState to, float h) {
+    SpinLeg leg;
+    leg.arc = spin_arc(from, to, h);
+    leg.h = h;
+    bool inward = from.v.w > 0.0 && to.v.w > 0.0;
+    vec4 y1 = spin_at(leg.arc, LOBATTO_POINT);
+    vec4 y2 = spin_at(leg.arc, 0.5);
+    vec4 y3 = spin_at(leg.arc, 1.0 - LOBATTO_POINT);
+    leg.turn = spin_sum(h * leg_turning(ray, from, inward, from.y, from.v.w), h * leg_turning(ray, from, inward, y1, spin_slope_at(leg.arc, LOBATTO_POINT).w / h),
+                        h * leg_turning(ray, from, inward, y2, spin_slope_at(leg.arc, 0.5).w / h),
+                        h * leg_turning(ray, from, inward, y3, spin_slope_at(leg.arc, 1.0 - LOBATTO_POINT).w / h), h * leg_turning(ray, from, inward, to.y, to.v.w));
+    leg.winding = inward ? -1.0 : 0.0;
+    leg.psi = from.psi + (inward ? spin_winding(ray, from.y.w) : 0.0);
+#ifdef EFFECT_SPIN_FALL
+    leg.winding = from.ingoing ? 1.0 : leg.winding;
+#endif
+#ifdef EFFECT_DELAY
+    leg.keeps = lag_keeps(ray, from, to.y, to.v.w);
+    leg.lag = from.lag;
+    leg.start = vec2(from.y.w, from.v.w);
+    leg.lags = spin_sum(h * lag_rate(ray, leg.keeps, from.y), h * lag_rate(ray, leg.keeps, y1), h * lag_rate(ray, leg.keeps, y2), h * lag_rate(ray, leg.keeps, y3),
+                        h * lag_rate(ray, leg.keeps, to.y));
+#endif
+    return leg;
+}
+
+// Azimuth of Boyer and Lindquist less that of n. y: spin_at(leg.arc, s)
+float leg_turned(SpinRay ray, SpinLeg leg, float s, vec4 y) {
+    return leg.psi + spin_sum_to(leg.turn, s) + (leg.winding == 0.0 ? 0.0 : leg.winding * spin_winding(ray, y.w));
+}
+
+#ifdef EFFECT_DELAY
+// How long ago, by the camera's clock, the light left.
+float leg_late(SpinRay ray, SpinLeg leg, float s, vec4 y) {
+    float climb = spin_slope_at(leg.arc, s).w / leg.h;
+    float lag = leg.lag + lag_jump(ray, leg.keeps, leg.start, vec2(y.w, climb)) + spin_sum_to(leg.lags, s);
+    return lag + spin_tortoise(ray, max(y.w, 1.0e-12)) - frame.delay.z;
+}
+#endif
+
+// A meeting of the ray with the equatorial plane.
+struct SpinCrossing {
+    float along;       // Mino's time
+    float r;
+    vec2 place;        // x and y, azimuth of Boyer and Lindquist
+    float climb;       // d zeta / d tau there: p_r of the photon is climb / (zeta^2 Delta)
+#ifdef EFFECT_DELAY
+    float late;        // how long ago, by the camera's clock, the light left
+#endif
+};
+
+// Newton's step towards n_z = 0.
+float spin_newton(SpinArc arc, float s) {
+    float slope = spin_slope_at(arc, s).z;
+    return clamp(s - spin_at(arc, s).z / (abs(slope) > 1.0e-30 ? slope : 1.0e-30), 0.0, 1.0);
+}
+
+// Within a step that begins at Mino's time tau and between whose ends n_z changes its sign.
+SpinCrossing spin_crossing(SpinRay ray, SpinState from, SpinState to, float h, float tau) {
+    SpinLeg leg = spin_leg(ray, from, to, h);
+    float change = from.y.z - to.y.z;
+    float s = clamp(from.y.z / (abs(change) > 1.0e-30 ? change : 1.0e-30), 0.0, 1.0);
+    s = spin_newton(leg.arc, s);
+    s = spin_newton(leg.arc, s);
+    s = spin_newton(leg.arc, s);
+    s = spin_newton(leg.arc, s);
+    vec4 at = spin_at(leg.arc, s);
+    float psi = leg_turned(ray, leg, s, at);
+    float inverse = inversesqrt(max(at.x * at.x + at.y * at.y, 1.0e-30));
+    float c = cos(psi) * inverse;
+    float t = sin(psi) * inverse;
+    SpinCrossing crossing;
+    crossing.along = tau + s * h;
+    crossing.r = 1.0 / max(at.w, 1.0e-12);
+    crossing.place = crossing.r * vec2(c * at.x - t * at.y, t * at.x + c * at.y);
+    crossing.climb = spin_slope_at(leg.arc, s).w / h;
+#ifdef EFFECT_DELAY
+    crossing.late = leg_late(ray, leg, s, at);
+#endif
+    return crossing;
+}

@@ -1,0 +1,46 @@
+// How a ray about a spinning hole starts at the camera (core/kerr.glsl). Look directions are along (e_r, e_theta, e_phi) of the observer's own
+// frame (spacetime/spin_frame.h).
+
+float spin_form(vec4 form, vec3 n) { return form.x + form.y * n.x + form.z * n.z; }
+
+// n: unit look direction along (e_r, e_theta, e_phi). Every constant is a product or a sum that keeps its digits.
+SpinRay spin_ray(vec3 n) {
+    SpinRay ray;
+    ray.a = frame.spin_hole.x;
+    ray.outer = frame.spin_hole.z;
+    ray.inner = frame.spin_hole.w;
+    ray.energy = spin_form(frame.spin_energy, n);
+    float w = frame.spin_across.w + frame.spin_climb.w * n.z;     // L/sin - a E sin
+    float p_theta = frame.spin_energy.w * n.y;
+    float across = spin_form(frame.spin_across, n);               // L/sin
+    ray.momentum = across * frame.spin_place.x;
+    ray.a2e2 = frame.spin_hole.y * ray.energy * ray.energy;
+    ray.k = p_theta * p_theta + w * w;
+    ray.j2 = p_theta * p_theta + across * across - ray.a2e2 * frame.spin_place.y * frame.spin_place.y;
+    // Q = p_theta^2 + cos^2 (L^2/sin^2 - a^2 E^2), not J^2 - L^2.
+    ray.a2q = frame.spin_hole.y * (p_theta * p_theta + frame.spin_place.y * frame.spin_place.y * (across * across - ray.a2e2));
+    return ray;
+}
+
+SpinState spin_start(SpinRay ray, vec3 n) {
+    float sine = frame.spin_place.x;
+    float cosine = frame.spin_place.y;
+    float c = frame.spin_place.z;
+    float s = frame.spin_place.w;
+    float p_theta = frame.spin_energy.w * n.y;
+    float across = spin_form(frame.spin_across, n);
+    SpinState at;
+    at.y = vec4(sine * c, sine * s, cosine, frame.shift.y);
+    at.v = vec4(p_theta * cosine * c - across * s, p_theta * cosine * s + across * c, -p_theta * sine, spin_form(frame.spin_climb, n));
+    at.f = spin_force(ray, at.y);
+    at.psi = 0.0;
+#ifdef EFFECT_DELAY
+    at.lag = 0.0;
+#endif
+#ifdef EFFECT_SPIN_FALL
+    at.ingoing = ingoing_stays(ray, at.y.w, at.v.w);
+    at.psi = at.ingoing ? 0.0 : -frame.spin_turn.x;
+#endif
+    at.drag = spin_turning_at(ray, at);
+    return at;
+}

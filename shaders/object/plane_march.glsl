@@ -1,0 +1,112 @@
+// Solid bodies along an orbit (object/march.glsl).
+
+// Swept angle after `length` more along the ray, taken as straight.
+float march_angle(RayPlace place, float length) {
+#ifdef EFFECT_SIDES
+    // dphi = q/R^2 along a way on which R grows by no more than the way itself.
+    return length * place.radius / (place.speed * (place.radius + length));
+#else
+    float speed = inversesqrt(place.r_along * place.r_along + place.r * place.r);
+    float y = length * place.r * speed;
+    float x = place.r + length * place.r_along * speed;
+    return arc_tangent2(max(y, 1.0e-30), x);
+#endif
+}
+
+SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
+    MarchWay way;
+    way.trace = trace;
+    way.tangent = tangent;
+    SolidHit hit;
+    hit.object = 0;
+    hit.phi = trace.phi_end;
+    hit.covered = 0.0;
+#ifdef EFFECT_SIDES
+    float end_side = trace.escapes ? 1.0 : -1.0;
+    float reach = trace.escapes ? frame.march.x : frame.march.z;   // on the side where the ray ends
+#else
+    float reach = frame.march.x;
+#endif
+    float nearest = 1.0;      // of what is met in part only: value in pixels, 0 ... 1
+    float nearest_phi = 0.0;
+    RayPlace place = place_seen(trace, tangent, 0.0);
+    float phi = 0.0;
+    float value = march_value_at(way, place, phi, blur);
+    float before_phi = 0.0;
+    float before_value = value;
+    int left = MARCH_MOST_STEPS;
+    bool going = true;
+    do {
+#ifdef NEEDS_PLACE_LATE
+#ifdef EFFECT_DELAY
+        // Far from every body the time need not be exact: strides without the delay map as long as they end there.
+        bool far = true;
+        do {
+            float onward = min(phi + march_angle(place, march_length(place, reach)), phi_stop);
+            RayPlace there = place_roughly(trace, tangent, onward, place);
+            float distance = march_value_at(way, there, onward, blur);
+            far = distance > MARCH_FAR * frame.march.y && onward < phi_stop && (there.r < reach || there.r_along < 0.0);
+            if (far) {
+                before_phi = phi;
+                before_value = value;
+                phi = onward;
+                value = distance;
+                place = there;
+            }
+        } while (far && --left > 0);
+#endif
+#endif
+#ifdef EFFECT_SIDES
+        float room = max(min(0.8 * march_room(place), 0.4 * place.radius), frame.march.y);
+#else
+        float room = march_length(place, reach);
+#endif
+        float next = min(phi + march_angle(place, room), phi_stop);
+        place = place_seen(trace, tangent, next);
+        float there = march_value_at(way, place, next, blur);
+        float a = before_phi;
+        float b = next;
+        float inside_phi = next;
+        float inside_value = there;
+        float outside_phi = phi;
+        float outside_value = value;
+        if (there > 0.0 && value < before_value && value <= there && value < march_graze(b - a, place)) {
+            vec2 least = march_dip(way, blur, a, b);
+            float dip = least.y;
+            float dip_phi = least.x;
+            if (dip <= 0.0) {
+                inside_phi = dip_phi;
+                inside_value = dip;
+                outside_phi = before_phi;
+                outside_value = before_value;
+            } else if (blur > 0.0) {
+                float width = dip / max(blur * place_pixel(trace, place_seen(trace, tangent, dip_phi), dip_phi), 1.0e-20);
+                if (width < nearest) {
+                    nearest = width;
+                    nearest_phi = dip_phi;
+                }
+            }
+        }
+        if (inside_value <= 0.0) {
+            hit.phi = march_refined(way, blur, outside_phi, inside_phi, outside_value, inside_value);
+            hit.object = march_object(place_seen(trace, tangent, hit.phi));
+            hit.covered = 1.0;
+            going = false;
+        }
+        before_phi = phi;
+        before_value = value;
+        phi = next;
+        value = there;
+#ifdef EFFECT_SIDES
+        going = going && next < phi_stop && !(place.side == end_side && place.r_along > 0.0 && place.r > reach);
+#else
+        going = going && next < phi_stop && (place.r < reach || place.r_along < 0.0);
+#endif
+    } while (going && --left > 0);
+    if (hit.object == 0 && nearest < 1.0) {
+        hit.phi = nearest_phi;
+        hit.object = march_object(place_seen(trace, tangent, nearest_phi));
+        hit.covered = 1.0 - nearest;
+    }
+    return hit;
+}

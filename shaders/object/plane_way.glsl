@@ -1,0 +1,10 @@
+// The way that is marched along: an orbit by its swept angle (object/march.glsl).
+
+struct MarchWay {
+    Trace trace;
+    vec3 tangent;   // place_tangent
+};
+
+RayPlace way_place(MarchWay way, float phi) { return place_seen(way.trace, way.tangent, phi); }
+float way_value(MarchWay way, RayPlace place) { return march_value(place); }
+float way_pixel(MarchWay way, RayPlace place, float phi) { return place_pixel(way.trace, place, phi); }

@@ -1,0 +1,7 @@
+// What a solid body's hit is known by.
+struct SolidHit {
+    int object;      // its number (scene/ray.h), 0 for none
+    float phi;       // swept angle there, about a spinning hole Mino's time; how far the ray goes at least for none
+    float covered;   // part of the pixel that the body covers
+    RayPlace place;
+};

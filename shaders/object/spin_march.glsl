@@ -1,0 +1,113 @@
+// Solid bodies along a ray about a spinning hole, step by step of its tracer (object/march.glsl).
+
+#define MARCH_LONGEST 0.5    // of a step; a dip between two steps is looked for on the second's polynomials, as far before its start
+
+// The part of a step that is `length` more along the ray, taken as straight.
+float march_part(RayPlace place, float length) {
+    float speed = max(place_speed(place), 1.0e-20);
+    float outward = dot(place.velocity, place.outward) / speed;
+    vec3 across = place.velocity - (outward * speed) * place.outward;
+    float round = max(sqrt(dot(across, across)) / speed, 1.0e-7);
+    return arc_tangent2(length * round, max(place.r + length * outward, 1.0e-6)) * place.r / (speed * round);
+}
+
+// What a search has come to; `hit` as far as that is known.
+struct SolidSearch {
+    bool going;
+    int left;             // looks
+    float before;         // the last look within a step, by Mino's time less than now, and the value there
+    float before_value;
+    float length;         // of the way
+    float nearest;        // of what is met in part only: value in pixels, 0 ... 1
+    SolidHit hit;
+};
+
+SolidSearch solid_search() {
+    SolidSearch search;
+    search.going = true;
+    search.left = MARCH_MOST_STEPS;
+    search.before = 0.0;
+    search.before_value = 1.0e30;
+    search.length = 0.0;
+    search.nearest = 1.0;
+    search.hit.object = 0;
+    search.hit.phi = 1.0e30;
+    search.hit.covered = 0.0;
+    return search;
+}
+
+// Along a step that begins at Mino's time tau.
+SolidSearch leg_search(SpinRay ray, SpinLeg leg, float tau, float pixel_angle, float blur, SolidSearch search) {
+    float reach = frame.march.x;
+    MarchWay way;
+    way.ray = ray;
+    way.leg = leg;
+    way.pixel_angle = pixel_angle;
+    way.length = search.length;
+    float s = 0.0;
+    RayPlace place = way_place(way, s);
+    float value = march_value_at(way, place, s, blur);
+    float before = max(-search.before / leg.h, -MARCH_LONGEST);
+    float before_value = search.before_value;
+    bool grows_to = spin_slope_at(leg.arc, 1.0).w > 0.0;
+    bool on = true;
+    do {
+        float next = min(s + min(march_part(place, march_length(place, reach)), MARCH_LONGEST), 1.0);
+        RayPlace there = way_place(way, next);
+        vec3 chord = there.at - place.at;
+        way.length += sqrt(dot(chord, chord));
+        float value_there = march_value_at(way, there, next, blur);
+        float inside = value <= 0.0 ? s : next;
+        float inside_value = min(value, value_there);
+        float outside = value <= 0.0 ? before : s;
+        float outside_value = value <= 0.0 ? before_value : value;
+        if (value > 0.0 && value_there > 0.0 && value < before_value && value <= value_there && value < march_graze(next - before, there)) {
+            vec2 dip = march_dip(way, blur, before, next);
+            if (dip.y <= 0.0) {
+                inside = dip.x;
+                inside_value = dip.y;
+                outside = before;
+                outside_value = before_value;
+            } else if (blur > 0.0) {
+                float width = dip.y / max(blur * way_pixel(way, there, dip.x), 1.0e-20);
+                if (width < search.nearest) {
+                    search.nearest = width;
+                    search.hit.phi = tau + dip.x * leg.h;
+                    search.hit.place = way_place(way, dip.x);
+                }
+            }
+        }
+        if (inside_value <= 0.0) {
+            float at = march_refined(way, blur, outside, inside, outside_value, inside_value);
+            search.hit.place = way_place(way, at);
+            search.hit.phi = tau + at * leg.h;
+            search.hit.covered = 1.0;
+            search.going = false;
+        }
+        before = s;
+        before_value = value;
+        s = next;
+        value = value_there;
+        place = there;
+        // On its way out beyond every body; what it does in later steps they tell. On its way in close to the hole nothing is left.
+        bool outward = dot(place.velocity, place.outward) > 0.0;
+        search.going = search.going && (outward || place.r > frame.march.w);
+        on = search.going && next < 1.0 && (place.r < reach || !outward || grows_to);
+        search.left -= 1;
+    } while (on && search.left > 0);
+    bool whole = s >= 1.0;
+    search.before = (1.0 - (whole ? before : s)) * leg.h;
+    search.before_value = whole ? before_value : value;
+    search.length = way.length;
+    search.going = search.going && search.left > 0;
+    return search;
+}
+
+SolidHit solid_found(SolidSearch search) {
+    SolidHit hit = search.hit;
+    bool part = hit.covered == 0.0 && search.nearest < 1.0;
+    if (part) hit.covered = 1.0 - search.nearest;
+    if (hit.covered > 0.0) hit.object = march_object(hit.place);
+    else hit.phi = 1.0e30;
+    return hit;
+}

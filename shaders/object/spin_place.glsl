@@ -1,0 +1,56 @@
+// Where a ray about a spinning hole is within a step (core/spin_leg.glsl), in flat coordinates about the centre: for solid bodies. In place of
+// place.glsl, for rays that stay in planes.
+
+struct RayPlace {
+    vec3 at;          // r_s, world axes; azimuth of Boyer and Lindquist
+    vec3 outward;     // unit vector from the centre to it
+    vec3 velocity;    // d(at)/ds, s the fraction of the step
+    float r;
+#ifdef NEEDS_PLACE_LATE
+    float late;       // how long ago the light left that arrives now
+#endif
+};
+
+vec3 place_turned(vec3 v, float c, float s) { return vec3(c * v.x - s * v.y, s * v.x + c * v.y, v.z); }
+
+// s: 0 ... 1, and a little before: the end of the step before.
+RayPlace leg_place(SpinRay ray, SpinLeg leg, float s) {
+    vec4 y = spin_at(leg.arc, s);
+    vec4 slope = spin_slope_at(leg.arc, s);
+    float zeta = max(y.w, 1.0e-10);
+    float psi = leg_turned(ray, leg, s, y);
+    float c = cos(psi);
+    float t = sin(psi);
+    RayPlace place;
+    place.r = 1.0 / zeta;
+    place.outward = place_turned(vec3(y.x, y.y, y.z), c, t);
+    place.at = place.r * place.outward;
+    float turning = spin_drag(ray, min(zeta, 0.999999 / ray.outer)) * leg.h;
+    place.velocity = place.r * (place_turned(vec3(slope.x, slope.y, slope.z), c, t) + turning * vec3(-place.outward.y, place.outward.x, 0.0) -
+                                (slope.w * place.r) * place.outward);
+#ifdef NEEDS_PLACE_LATE
+#ifdef EFFECT_DELAY
+    place.late = leg_late(ray, leg, s, vec4(y.x, y.y, y.z, zeta));
+#else
+    place.late = 0.0;
+#endif
+#endif
+    return place;
+}
+
+float place_speed(RayPlace place) { return sqrt(dot(place.velocity, place.velocity)); }
+vec3 place_velocity(RayPlace place) { return place.velocity; }
+
+#ifdef NEEDS_PLACE_LATE
+// The most that light needs for a length there: (r^2 + a^2)/Delta.
+#define PLACE_SLOWEST 1.0e6
+float place_slowness(RayPlace place) {
+#ifdef EFFECT_DELAY
+    float zeta = 1.0 / place.r;
+    float delta = (1.0 - frame.spin_hole.z * zeta) * (1.0 - frame.spin_hole.w * zeta);
+    return (1.0 + frame.spin_hole.y * zeta * zeta) / max(delta, 1.0 / PLACE_SLOWEST);
+#else
+    return 1.0;
+#endif
+}
+#endif

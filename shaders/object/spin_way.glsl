@@ -1,0 +1,14 @@
+// The way that is marched along: a step of a ray about a spinning hole, by the fraction of it (object/march.glsl).
+
+struct MarchWay {
+    SpinRay ray;
+    SpinLeg leg;
+    float pixel_angle;
+    float length;     // of the way from the camera, r_s
+};
+
+RayPlace way_place(MarchWay way, float s) { return leg_place(way.ray, way.leg, s); }
+// Outside of everything within the horizon.
+float way_value(MarchWay way, RayPlace place) { return place.r > way.ray.outer ? march_value(place) : 1.0e30; }
+// As if light went straight.
+float way_pixel(MarchWay way, RayPlace place, float s) { return way.pixel_angle * way.length; }
