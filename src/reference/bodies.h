@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "base/result.h"
 #include "reference/light_time.h"
 #include "reference/orbit.h"
 #include "reference/ray_plane.h"
@@ -13,11 +14,24 @@
 namespace nullscope::reference {
 
 struct BodyHit {
-    double angle;  // swept
+    double along;  // swept angle; about a spinning hole the affine parameter (kerr_ray.h)
     Vec3 place;    // r_s, world axes
     Object object;
     double cosine;  // between the ray and the surface's normal, in flat coordinates
     Vec3 middle{0, 0, 0};  // of the body, when the light left
+    double late = kNotANumber;  // about a spinning hole: the camera's clock less t there
+};
+
+struct BodyPart {
+    Object object;
+    double thinnest;  // its smallest extent: no stride may be longer than a part of it
+    double reach;     // radius about the centre that holds it
+    std::function<double(Vec3, double)> value;   // of the place and of t
+    bool far = false;   // of a wormhole: at l < 0
+    bool moves = false;
+    std::function<Vec3(double)> middle{};
+    bool clear = false;   // value is at most how far the body is, in r_s and r_s/c
+    double cosine(Vec3 place, Vec3 back, double t) const;   // BodyHit's, of a ray that comes from `back`, of any length
 };
 
 // The bodies as functions of place, below 0 inside: what a ray enters first.
@@ -27,21 +41,15 @@ public:
     Bodies(const Scene& scene, const OrbitMetric& matter);
     bool empty() const { return parts_.empty(); }
     bool move() const { return moves_; }
+    double time() const { return time_; }
+    const std::vector<BodyPart>& parts() const { return parts_; }
     // A few hundred positions along the orbit: some 50 microseconds; where light takes time (clock) and something moves, some milliseconds.
     // by_length: the orbit gives l, and camera_r is one (wormholes).
     std::optional<BodyHit> first_hit(const Orbit& orbit, const RayPlane& plane, double camera_r, LightClock* clock,
                                      bool by_length = false) const;
 
 private:
-    struct Part {
-        Object object;
-        double thinnest;  // its smallest extent: no stride may be longer than a part of it
-        double reach;     // radius about the centre that holds it
-        std::function<double(Vec3, double)> value;   // of the place and of t
-        bool far = false;   // of a wormhole: at l < 0
-        bool moves = false;
-        std::function<Vec3(double)> middle{};
-    };
+    using Part = BodyPart;
     std::optional<double> first_angle(const Orbit& orbit, const RayPlane& plane, double camera_r,
                                       const Part& part, LightClock* clock) const;
     std::optional<double> first_angle_by_length(const Orbit& orbit, const RayPlane& plane, double camera_l, const Part& part) const;
@@ -50,6 +58,9 @@ private:
     bool moves_ = false;
     std::vector<Part> parts_;
 };
+
+// Error: a ball on a way that is not followed about a spinning hole.
+Status check_bodies(const Scene& scene, const OrbitMetric& matter);
 
 // Linear light of a body's texture at a place. image: of texture kind image.
 Vec3 body_light(const Scene& scene, const BodyHit& hit, const Image<float>* image);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "camera/pose.h"
+#include "reference/spin_bodies.h"
 #include "scene/moving.h"
 #include "scene/observer.h"
 #include "scene/sides.h"
@@ -79,9 +80,7 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     if (!metric) return metric.error();
     auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     if (!spacetime) return spacetime.error();
-    const bool bodies = scene.sphere || scene.cylinder || scene.ball || scene.surface;
-    if (bodies && (*spacetime)->spin() != 0)
-        return bad_input(fmt::format("metric \"{}\" has no bodies; allowed: a scene without them", scene.spacetime.metric));
+    if (Status followed = check_bodies(scene, **metric); !followed) return followed.error();
     if (Status sides = check_sides(**spacetime, scene); !sides) return sides.error();
     if (const auto observer = observer_of(**spacetime, camera); !observer) return observer.error();
     if (Status parts = check_light_parts(**spacetime, scene); !parts) return parts.error();
@@ -123,9 +122,10 @@ CameraRay FrameTracer::ray(double x, double y) const {
     }
     if (metric_->spin() != 0) {
         const double azimuth = camera_.phi + (falls(camera_) ? 0 : kerr_azimuth_ahead(metric_->spin(), camera_.r));
-        KerrRay traced = trace_kerr(metric_->spin(), KerrPhoton{camera_.r, camera_.theta, azimuth, p}, disc_ ? kMostCrossings : 0, falls(camera_));
+        BodyWatch bodies(*bodies_, late_);
+        KerrRay traced = trace_kerr(metric_->spin(), KerrPhoton{camera_.r, camera_.theta, azimuth, p}, disc_ ? kMostCrossings : 0, falls(camera_), bodies.watch());
         const double g = 1 / traced.energy, l_z = traced.l_z;
-        return {nullptr, RayPlane(camera_.theta, camera_.phi, {1, 0, 0}), Shift{1, g}, g, l_z, 0, std::move(traced)};
+        return {nullptr, RayPlane(camera_.theta, camera_.phi, {1, 0, 0}), Shift{1, g}, g, l_z, 0, std::move(traced), bodies.hit()};
     }
     // The photon is null: its frequency in the local frame is the length of its spatial part.
     const long double across = std::sqrt(p[2] * p[2] + p[3] * p[3]),
@@ -169,7 +169,7 @@ std::vector<DiscHit> FrameTracer::disc_hits(const CameraRay& ray, int max_hits) 
     if (ray.spun) {
         for (const KerrRay::Crossing& c : ray.spun->crossings)
             if (c.r >= disc_->inner && c.r <= disc_->outer && static_cast<int>(hits.size()) < max_hits)
-                hits.push_back({0, c.r * std::cos(c.phi), c.r * std::sin(c.phi), c.radial > 0, c.radial, c.late});
+                hits.push_back({c.along, c.r * std::cos(c.phi), c.r * std::sin(c.phi), c.radial > 0, c.radial, c.late});
         return hits;
     }
     std::optional<LightClock> clock;
@@ -192,7 +192,7 @@ LightClock FrameTracer::clock(const CameraRay& ray) const {
 }
 
 std::optional<BodyHit> FrameTracer::body_hit(const CameraRay& ray) const {
-    if (bodies_->empty()) return std::nullopt;
+    if (bodies_->empty() || ray.spun) return ray.met;
     if (!late_ || !bodies_->move()) return bodies_->first_hit(*ray.orbit, ray.plane, camera_.r, nullptr, metric_->by_proper_length());
     LightClock clock = this->clock(ray);
     return bodies_->first_hit(*ray.orbit, ray.plane, camera_.r, &clock);
@@ -214,10 +214,11 @@ RayPixel FrameTracer::pixel_of(const CameraRay& traced, bool with_delay) const {
     }
     const std::vector<DiscHit> hits = disc_hits(traced, 1);
     const std::optional<BodyHit> body = body_hit(traced);
-    const bool disc_first = !hits.empty() && !(body && body->angle < hits.front().angle);
+    const bool disc_first = !hits.empty() && !(body && body->along < hits.front().along);
+    const auto angle = [&](double along) { return traced.spun ? 0.0 : along; };
     if (body) {   // solid: it ends the ray, whatever a translucent disc before it
         pixel.fate = Fate::kHit;
-        pixel.angle = body->angle;
+        pixel.angle = angle(body->along);
         pixel.hit = static_cast<int>(body->object);
         pixel.u = body->place.x, pixel.v = body->place.y, pixel.w = body->place.z;
     }
@@ -228,14 +229,14 @@ RayPixel FrameTracer::pixel_of(const CameraRay& traced, bool with_delay) const {
         pixel.w = 0;
         if (disc_->opacity == 1) {
             pixel.fate = Fate::kHit;
-            pixel.angle = hits.front().angle;
+            pixel.angle = angle(hits.front().along);
         }
     }
     if (pixel.fate == Fate::kEscaped || pixel.fate == Fate::kOtherSide) {
         pixel.sky = traced.end();
         if (with_delay) pixel.delay = finite_or_zero(traced.spun ? traced.spun->delay : traced.orbit->delay());
     }
-    if (with_delay && traced.spun && pixel.fate == Fate::kHit) pixel.delay = hits.front().late;
+    if (with_delay && traced.spun && pixel.fate == Fate::kHit) pixel.delay = disc_first && disc_->opacity == 1 ? hits.front().late : body->late;
     if (with_delay && !traced.spun && (pixel.fate == Fate::kHit) && pixel.hit != kStarHit && !metric_->by_proper_length())
         pixel.delay = finite_or_zero(clock(traced).late(pixel.angle));
     pixel.order = static_cast<int>(std::min(std::floor(pixel.angle / M_PI), 1e9));  // in a wormhole's tube rays wind without end

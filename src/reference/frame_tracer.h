@@ -25,14 +25,16 @@ struct CameraRay {
     Shift shift;  // camera frequency over frequency at infinity
     double g;     // the same, as far as the switches of the scene's light let it
     double l_z, l2;  // the photon's angular momentum about the polar axis over its energy, r_s; and all of it, squared
-    std::optional<KerrRay> spun;   // about a spinning hole: instead of orbit, plane and l2
+    std::optional<KerrRay> spun;   // about a spinning hole: instead of orbit, plane and l2; as if there were no bodies ...
+    std::optional<BodyHit> met{};  // ... of which it meets this one first
     Fate fate() const { return spun ? spun->fate : orbit->fate(); }
     Vec3 end() const { return spun ? spun->sky : plane.direction(orbit->angle()); }   // where on the sky, or on what it ends on
 };
 
 // A place where a ray meets the equatorial plane, in world axes: x = r cos(phi), y = r sin(phi), lengths in r_s.
 struct DiscHit {
-    double angle, x, y;
+    double along;  // swept angle; about a spinning hole the affine parameter (kerr_ray.h)
+    double x, y;
     bool outward;  // whether the photon really moves outward there
     double radial; // p_r of the photon over its energy; of a spinning hole only
     double late = 0;   // how long ago, by the camera's clock, the light left; 0 where nothing moves or light takes no time

@@ -26,6 +26,8 @@ constexpr double kSky = 1e9;
 // Where T is read, in camera radii: further on it loses what rounding makes of |dx/dlambda| = 1, nearer M b^2/R^2.
 constexpr double kFarForTime = 1e4;
 constexpr int kMostSteps = 20000;        // near-critical rays take some hundred
+constexpr double kAboveHorizon = 1e-9;   // of its radius: how near to it a ray is shown; nearer, rounding turns the azimuth by 1e-7 rad and more
+constexpr int kHalvings = 40;            // of a step through the horizon: beyond them is rounding
 constexpr double kOnEquator = 1e-12;     // |cos theta| below which a camera is in the plane (docs/ray-data.md)
 constexpr double kStaysThere = 5e-11;    // and the root of Carter's constant over E, r_s, below which its ray stays in it
 
@@ -94,15 +96,17 @@ struct Launch {
 
 class Path {
 public:
-    // late() = base + ..., see there; T counts from the camera's `from`.
+    // late() = base + ..., see there; T counts from the camera's `from`; along: the affine parameter so far.
     struct Start {
-        double base, from;
+        double base, from, along = 0;
     };
     Path(double spin, const Launch& launch, const Start& start);
-    KerrRay trace(int most_crossings);
+    KerrRay trace(int most_crossings, const KerrWatch& watch);
 
 private:
-    void add_crossing(const State& before, double taken, KerrRay& ray) const;
+    void add_crossing(const State& before, double taken, double along, KerrRay& ray) const;
+    void show(const State& before, double taken, double along, const KerrWatch& watch) const;
+    KerrPlace place_of(const State& there, double azimuth) const;
     State stepped(const State& from, double length) const {
         State to = from;
         Stepper().do_step([this](const State& s, State& d, double) { chart_.slope(sense_ * energy_, s, d); }, to, 0.0, length);
@@ -232,8 +236,39 @@ double Path::delay_from(const State& s, const State& slope, double r) const {
     return passed(s) + across / (far + r) + start_.from - (sense_ > 0 ? 2 * tortoise_ahead(spin_, r) : 0) + rest;
 }
 
+KerrPlace Path::place_of(const State& there, double azimuth) const {
+    const double r = chart_.radius(there), flat = std::hypot(there[0], there[1]) / std::sqrt(r * r + chart_.a * chart_.a);
+    return {r, std::atan2(flat, there[2] / r), boyer_lindquist(azimuth, r), late(there, r)};
+}
+
+// What of a step is outside the horizon; its azimuths are counted from where it began.
+void Path::show(const State& before, double taken, double along, const KerrWatch& watch) const {
+    const auto outside = [this](const State& s) { return chart_.radius(s) > outer_ * (1 + kAboveHorizon); };
+    const bool begins = outside(before), ends = outside(state_);
+    if (!begins && !ends) return;
+    State slope{};
+    chart_.slope(sense_ * energy_, before, slope);
+    const auto azimuth = [this, before, slope, from = azimuth_](const State& there) { return from + turned(from, before, there, slope); };
+    const auto at = [this, before, azimuth, along](double a) {
+        const State there = stepped(before, a - along);
+        return place_of(there, azimuth(there));
+    };
+    KerrStep step{along, along + taken, {}, {}, at};
+    if (begins != ends) {
+        double out = begins ? 0 : taken, in = taken - out;
+        for (int i = 0; i < kHalvings; ++i) {
+            const double middle = 0.5 * (out + in);
+            (outside(stepped(before, middle)) ? out : in) = middle;
+        }
+        (begins ? step.to : step.from) = along + out;
+    }
+    step.begin = begins ? place_of(before, azimuth_) : at(step.from);
+    step.end = ends ? place_of(state_, azimuth(state_)) : at(step.to);
+    watch(step);
+}
+
 // The zero of z within the step: Newton's steps on its length, each taken whole from where the step began.
-void Path::add_crossing(const State& before, double taken, KerrRay& ray) const {
+void Path::add_crossing(const State& before, double taken, double along, KerrRay& ray) const {
     double low = 0, high = taken, at = 0;
     State there = before, d{};
     for (int i = 0; i < 60; ++i) {
@@ -252,10 +287,10 @@ void Path::add_crossing(const State& before, double taken, KerrRay& ray) const {
     const double phi = boyer_lindquist(azimuth_ + turned(azimuth_, before, there, d), r);
     // Sigma dr/dlambda = Delta p_r of what is traced; the photon's own has the other sign.
     const double delta = (r - outer_) * (r - 0.5 * (1 - root_));
-    ray.crossings.push_back({r, phi, -climbing(there, d) * r * r / (delta * energy_), late(there, r)});
+    ray.crossings.push_back({r, phi, -climbing(there, d) * r * r / (delta * energy_), along + at, late(there, r)});
 }
 
-KerrRay Path::trace(int most_crossings) {
+KerrRay Path::trace(int most_crossings, const KerrWatch& watch) {
     using boost::numeric::odeint::controlled_step_result;
     KerrRay ray;
     ray.energy = energy_;
@@ -272,18 +307,20 @@ KerrRay Path::trace(int most_crossings) {
         const State before = state_;
         const double from = lambda;
         if (stepper.try_step(system, state_, lambda, length) == controlled_step_result::fail) continue;
+        const double taken = lambda - from, along = start_.along + from;
+        if (watch) show(before, taken, along, watch);
         State slope{};
         chart_.slope(sense_ * energy_, before, slope);
         const bool crossed = before[2] != 0 && (before[2] > 0) != (state_[2] > 0) && !stays_;
-        if (crossed && static_cast<int>(ray.crossings.size()) < most_crossings) add_crossing(before, lambda - from, ray);
+        if (crossed && static_cast<int>(ray.crossings.size()) < most_crossings) add_crossing(before, taken, along, ray);
         azimuth_ += turned(azimuth_, before, state_, slope);
         const double r = chart_.radius(state_);
         if (r <= outer_ && outside) return ray;
         outside = outside || r > outer_;
         chart_.slope(sense_ * energy_, state_, slope);
         if (sense_ < 0 && outside && climbing(state_, slope) < 0) {   // on its way to the past horizon
-            const Start here{late(state_, r) + tortoise_ahead(spin_, r), start_.from};
-            KerrRay rest = Path(spin_, mirrored(), here).trace(most_crossings - static_cast<int>(ray.crossings.size()));
+            const Start here{late(state_, r) + tortoise_ahead(spin_, r), start_.from, start_.along + lambda};
+            KerrRay rest = Path(spin_, mirrored(), here).trace(most_crossings - static_cast<int>(ray.crossings.size()), watch);
             ray.crossings.insert(ray.crossings.end(), rest.crossings.begin(), rest.crossings.end());
             if (rest.fate == Fate::kEscaped) ray.fate = rest.fate, ray.sky = rest.sky, ray.phi_inf = rest.phi_inf, ray.delay = rest.delay;
             return ray;
@@ -302,16 +339,23 @@ KerrRay Path::trace(int most_crossings) {
 
 }  // namespace
 
-KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings) {
-    const double ahead = tortoise_ahead(spin, start.r);
-    return Path(spin, launch_of(spin, start), {ahead, start.r + ahead}).trace(most_crossings);
+Vec3 KerrPlace::flat() const { return r * Vec3{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)}; }
+
+double way_between(const KerrPlace& from, const KerrPlace& to) {
+    const double sine = std::max(std::sin(from.theta), std::sin(to.theta));
+    return std::hypot(to.r - from.r, std::max(from.r, to.r) * std::hypot(to.theta - from.theta, sine * (to.phi - from.phi)));
 }
 
-KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings, bool falls) {
+KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings, const KerrWatch& watch) {
+    const double ahead = tortoise_ahead(spin, start.r);
+    return Path(spin, launch_of(spin, start), {ahead, start.r + ahead}).trace(most_crossings, watch);
+}
+
+KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings, bool falls, const KerrWatch& watch) {
     const Launch launch = launch_of(spin, photon);
     // late = 0 at the camera, or r_* - r; inside the horizon what is traced fell in, and r_* is not asked for.
     const double sense = launch.falls ? -1 : 1, ahead = falls && launch.falls ? 0 : tortoise_ahead(spin, photon.r);
-    return Path(spin, launch, {falls ? ahead + sense * ahead : sense * ahead, photon.r + (falls ? 0 : ahead)}).trace(most_crossings);
+    return Path(spin, launch, {falls ? ahead + sense * ahead : sense * ahead, photon.r + (falls ? 0 : ahead)}).trace(most_crossings, watch);
 }
 
 double kerr_azimuth_ahead(double spin, double r) {

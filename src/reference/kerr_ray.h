@@ -6,6 +6,7 @@
 // outward has fallen in where the chart is regular, and is traced as it is, through the horizon if the camera is inside.
 #pragma once
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -39,16 +40,35 @@ struct KerrRay {
     struct Crossing {
         double r, phi;
         double radial;   // p_r of the photon over its energy: above 0 it really moves outward
-        double late;     // the camera's clock less t there: of a camera that falls v - r, else t
+        double along;    // affine parameter, growing from 0 at the camera
+        double late;     // as KerrPlace
     };
     std::vector<Crossing> crossings;   // of the equatorial plane after the camera, before the end
     double delay = kNotANumber;        // T = v at the camera less v at the sky, v = t + r_*; escaped rays
 };
 
+// On a ray outside the outer horizon.
+struct KerrPlace {
+    double r, theta, phi;   // Boyer and Lindquist's
+    double late;            // the camera's clock less t there: of a camera that falls v - r, else t
+    Vec3 flat() const;      // (r, theta, phi) taken as flat spherical coordinates, r_s
+};
+// Of the sphere that has the larger of two radii: how far apart, round it and along the radius. Above the chord, whatever winds between them.
+double way_between(const KerrPlace& from, const KerrPlace& to);
+
+// A step of the tracer, as far as it is outside the outer horizon: from one affine parameter to another.
+struct KerrStep {
+    double from, to;
+    KerrPlace begin, end;
+    std::function<KerrPlace(double along)> at;   // as exact as the step; within trace_kerr only. Some microsecond
+};
+// Is shown every step, in order.
+using KerrWatch = std::function<void(const KerrStep& step)>;
+
 // spin: a/M, [0, 1). Where rays are, within some 1e-12 r_s times what the ray makes of a change at its start. About 0.3 ms.
-KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings);
+KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings, const KerrWatch& watch = {});
 // falls: the camera's clock is v - r.
-KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings, bool falls = false);
+KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings, bool falls = false, const KerrWatch& watch = {});
 
 // What else the tracer asks of the metric; without spin, Schwarzschild's orbits.
 std::unique_ptr<OrbitMetric> make_kerr_metric(const SpacetimeSpec& spec);

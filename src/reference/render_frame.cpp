@@ -133,7 +133,7 @@ Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& look
     double through = 1;
     const std::optional<BodyHit> body = tracer.body_hit(ray);
     for (const DiscHit& hit : tracer.disc_hits(ray, kMostHits)) {
-        if (body && body->angle < hit.angle) break;
+        if (body && body->along < hit.along) break;
         Paint paint = paint_at(tracer, scene, looks, hit);
         if (looks.heat != nullptr) {
             const double r = std::hypot(hit.x, hit.y);

@@ -9,6 +9,7 @@
 #include "reference/orbit.h"
 #include "reference/ray_plane.h"
 #include "reference/reference.h"
+#include "reference/spin_bodies.h"
 
 namespace nullscope::reference {
 namespace {
@@ -84,11 +85,11 @@ void stop_at_bodies(const Scene& scene, const OrbitMetric& metric, const Orbit& 
     if (!hit) return;
     record.fate = Fate::kHit;
     record.hit = hit->object;
-    record.angle = hit->angle;
+    record.angle = hit->along;
     record.theta_inf = record.phi_inf = record.delay = kNotANumber;
     record.sky = {kNotANumber, kNotANumber, kNotANumber};
     for (std::size_t k = 0; k < record.crossings.size(); ++k)
-        if (plane.crossing(static_cast<int>(k) + 1) > hit->angle) record.crossings.resize(k);
+        if (plane.crossing(static_cast<int>(k) + 1) > hit->along) record.crossings.resize(k);
 }
 
 // The photon moves against n: L over E is -g r n_phi about the camera's place, and on to the axis.
@@ -103,7 +104,7 @@ void shift_crossings(const DiscLight& matter, const OrbitMetric& metric, const O
     }
 }
 
-Result<RayRecord> trace_spinning(const OrbitMetric& metric, const RayQuery& query, int crossings, const DiscLight* matter) {
+Result<RayRecord> trace_spinning(const Scene& scene, const OrbitMetric& metric, const RayQuery& query, int crossings, const DiscLight* matter) {
     if (query.orbit) return metric.from_reduced(*query.orbit).error();
     if (query.frame == LocalFrame::kRain) return bad_input("no frame = rain about a spinning hole; allowed: static");
     const double horizon = *metric.horizon_radius();
@@ -113,15 +114,21 @@ Result<RayRecord> trace_spinning(const OrbitMetric& metric, const RayQuery& quer
         return bad_input(fmt::format("theta = {} must lie in [0, pi] and phi = {} be finite", query.theta, query.phi));
     const auto n = unit_direction(query.n);
     if (!n) return n.error();
-    const KerrRay ray = trace_kerr(metric.spin(), {query.r, query.theta, query.phi, *n}, crossings);
+    if (Status followed = check_bodies(scene, metric); !followed) return followed.error();
+    const Bodies bodies(scene, metric);
+    BodyWatch bodies_on(bodies, scene.light.delay);
+    const KerrRay ray = trace_kerr(metric.spin(), {query.r, query.theta, query.phi, *n}, crossings, bodies_on.watch());
+    const auto& hit = bodies_on.hit();
     RayRecord record;
-    record.fate = ray.fate;
+    record.fate = hit ? Fate::kHit : ray.fate;
+    if (hit) record.hit = hit->object;
     record.g = 1 / ray.energy;
     for (const KerrRay::Crossing& c : ray.crossings) {
+        if (hit && c.along > hit->along) break;
         const double g = matter ? record.g * matter->g_infinity({c.r, ray.l_z, c.radial > 0, kNotANumber, c.radial}) : kNotANumber;
         record.crossings.push_back({c.r, c.phi, g});
     }
-    if (ray.fate != Fate::kEscaped) return record;
+    if (record.fate != Fate::kEscaped) return record;
     record.sky = ray.sky;
     record.delay = ray.delay;
     record.theta_inf = std::atan2(std::hypot(ray.sky.x, ray.sky.y), ray.sky.z);
@@ -137,10 +144,7 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
     if (query.at_angle && !(*query.at_angle >= 0 && std::isfinite(*query.at_angle))) {
         return bad_input(fmt::format("at_angle = {} must be finite and not negative", *query.at_angle));
     }
-    if ((*metric)->spin() != 0) {
-        if (!Bodies(scene, **metric).empty()) return bad_input("a spinning hole has no bodies; allowed: a scene without them");
-        return trace_spinning(**metric, query, crossings, matter);
-    }
+    if ((*metric)->spin() != 0) return trace_spinning(scene, **metric, query, crossings, matter);
     Vec3 n{0, 0, 1};  // of the reduced form: in the equatorial plane towards growing phi
     double theta = M_PI / 2, phi = 0;
     if (!query.orbit) {

@@ -77,7 +77,9 @@ ProbeFacts Probe::facts_of(const reference::CameraRay& ray) const {
     facts.shift = ray.shift;
     if (ray.spun) {   // no plane, no orbit, no q: what it meets, and g
         const auto hits = tracer_->disc_hits(ray, 1);
-        if (!hits.empty()) meet_disc(ray, hits.front(), facts);
+        const auto body = tracer_->body_hit(ray);
+        if (!hits.empty() && !(body && body->along < hits.front().along)) meet_disc(ray, hits.front(), facts);
+        else if (body) facts.hit = body->object, facts.hit_r = length(body->place);
         else if (facts.fate == Fate::kCaptured) facts.shift.reset();
         return facts;
     }
@@ -87,13 +89,13 @@ ProbeFacts Probe::facts_of(const reference::CameraRay& ray) const {
     double end = ray.orbit->angle();
     const auto hits = tracer_->disc_hits(ray, 1);
     const auto body = tracer_->body_hit(ray);
-    if (!hits.empty() && !(body && body->angle < hits.front().angle)) {
+    if (!hits.empty() && !(body && body->along < hits.front().along)) {
         meet_disc(ray, hits.front(), facts);
-        if (scene_.disc->opacity == 1) end = hits.front().angle;
+        if (scene_.disc->opacity == 1) end = hits.front().along;
     } else if (body) {
         facts.hit = body->object;
         facts.hit_r = length(body->place);
-        end = body->angle;
+        end = body->along;
         facts.shift->gravity *= tracer_->metric().lapse(facts.hit_r);   // it rests
     } else if (facts.fate == Fate::kHit) {
         facts.hit = Object::kStar;

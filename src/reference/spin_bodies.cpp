@@ -1,0 +1,92 @@
+#include "reference/spin_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/first_change.h"
+
+namespace nullscope::reference {
+namespace {
+
+constexpr double kPartOfThinnest = 0.2;  // of a body's smallest extent between two looks, where it can be met
+constexpr double kPartOfWay = 0.5;       // of the way to where it can be met, elsewhere
+constexpr double kArc = 1.1;             // of way_between: no step's arc is longer
+constexpr double kAim = 0.9;             // of the longest stride: what the last one says of the next is so good
+constexpr double kBack = 1e-4;           // of a radius: over which the ray's direction is taken, to second order
+constexpr int kMostLooks = 200'000;      // a ray
+
+}  // namespace
+
+BodyWatch::BodyWatch(const Bodies& bodies, bool delay) : bodies_(bodies), delay_(delay) {
+    for (const BodyPart& part : bodies.parts()) tracks_.push_back({&part});
+}
+
+KerrWatch BodyWatch::watch() {
+    if (bodies_.empty()) return {};
+    return [this](const KerrStep& step) { see(step); };
+}
+
+// A dip that begins in one step and ends in the next may lie before what another body was met at: one more step is looked at.
+void BodyWatch::see(const KerrStep& step) {
+    if (hit_ && previous_ && hit_->along < previous_->from) return;
+    for (Track& track : tracks_) follow(track, step);
+    previous_ = step;
+}
+
+// Of place, and of light's time where the body moves: none moves faster than light.
+double BodyWatch::way(const BodyPart& part, const KerrPlace& from, const KerrPlace& to) const {
+    return way_between(from, to) + (part.moves && delay_ ? std::abs(to.late - from.late) : 0.0);
+}
+
+void BodyWatch::follow(Track& track, const KerrStep& step) {
+    const BodyPart& part = *track.part;
+    const double fine = kPartOfThinnest * part.thinnest, rim = part.reach * 1.001 + 3 * fine;   // a look beyond every dip
+    if (0.5 * (step.begin.r + step.end.r - kArc * way_between(step.begin, step.end)) > rim) {
+        track.here.reset(), track.before.reset();
+        return;
+    }
+    if (!track.here) track.here = Look{step.from, value_of(part, step.begin), step.begin};
+    double turn = step.to - step.from, went = way(part, step.begin, step.end);   // what the next stride is aimed by
+    while (track.here->along < step.to && track.looks < kMostLooks) {
+        if (hit_ && track.before && hit_->along < track.before->along) return;
+        const Look& here = *track.here;
+        const double clear = part.clear ? here.value : kPartOfWay * (here.place.r - part.reach), stride = std::max(fine, clear);
+        if (went > kAim * stride) turn *= kAim * stride / went;
+        else turn = std::min(2 * turn, turn * kAim * stride / std::max(went, 1e-3 * stride));
+        const double next = here.along + turn < step.to ? here.along + turn : step.to;
+        turn = next - here.along;
+        if (!(turn > 0)) break;
+        const KerrPlace place = next == step.to ? step.end : step.at(next);
+        ++track.looks;
+        went = way(part, here.place, place);
+        if (went > stride && here.along + 0.5 * turn > here.along) continue;
+        const Look there{next, value_of(part, place), place};
+        if (const auto along = entry(track, there, step)) meet(part, *along, step);
+        track.before = track.here, track.here = there;
+    }
+}
+
+// Where between the look before the last one and this one the ray enters.
+std::optional<double> BodyWatch::entry(const Track& track, const Look& there, const KerrStep& step) const {
+    const Look &here = *track.here, &before = track.before ? *track.before : here;
+    if (!(here.value > 0)) return std::nullopt;
+    const auto value = [&](double along) { return value_of(*track.part, place_at(along, step)); };
+    const double outside = before.value > 0 ? before.along : here.along;
+    if (there.value <= 0) return first_change(value, outside, there.along);
+    if (!(here.value < before.value && here.value <= there.value)) return std::nullopt;
+    if (track.part->clear && here.value > std::max(way(*track.part, before.place, here.place), way(*track.part, here.place, there.place))) return std::nullopt;
+    const auto [along, dip] = boost::math::tools::brent_find_minima(value, before.along, there.along, 40);
+    if (dip <= 0) return first_change(value, before.along, along);
+    return std::nullopt;
+}
+
+void BodyWatch::meet(const BodyPart& part, double along, const KerrStep& step) {
+    if (hit_ && hit_->along <= along) return;
+    const KerrPlace at = place_at(along, step);
+    const double whole = way_between(step.begin, step.end), h = whole > 0 ? kBack * at.r * (step.to - step.from) / whole : 0;
+    const Vec3 place = at.flat(), back = 4 * (place_at(along - h, step).flat() - place) - (place_at(along - 2 * h, step).flat() - place);
+    const double t = time_at(part, at);
+    hit_ = BodyHit{along, place, part.object, part.cosine(place, back, t), part.middle ? part.middle(t) : Vec3{0, 0, 0}, at.late};
+}
+
+}  // namespace nullscope::reference

@@ -1,0 +1,400 @@
+// Solid bodies about a spinning hole, by the reference: against the spinless reference, Carter's radial potential, crossings of the
+// plane, and a march of its own.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <random>
+
+#include "expr/formula.h"
+#include "reference/ball_way.h"
+#include "reference/frame_tracer.h"
+#include "reference/kerr_ray.h"
+#include "reference/reference.h"
+#include "reference/spin_bodies.h"
+#include "scene/moving.h"
+#include "scene/named_surface.h"
+
+namespace {
+
+using namespace nullscope;
+using reference::BodyHit;
+using reference::KerrRay;
+using reference::KerrStart;
+using reference::KerrStep;
+
+constexpr double kAlmostNone = 1e-9;   // spin
+constexpr double kOnSurface = 1e-10;   // of the body's size
+
+Scene spinning(double spin) {
+    Scene scene;
+    scene.spacetime = {"kerr", {{"spin", spin}}};
+    scene.camera.theta = 1.3, scene.camera.phi = 0.2, scene.camera.width = 40, scene.camera.height = 30;
+    return scene;
+}
+
+struct Kind {
+    const char* name;
+    void (*add)(Scene&);
+    double size;   // of it
+};
+const Kind kKinds[] = {
+    {"sphere", [](Scene& s) { s.sphere = SphereSpec{}; }, 3},
+    {"pulsating sphere", [](Scene& s) { s.sphere = SphereSpec{}, s.sphere->swing = 0.2, s.sphere->period = 15; }, 3},
+    {"thick disc", [](Scene& s) { s.cylinder = CylinderSpec{}; }, 8},
+    {"still ball", [](Scene& s) { s.ball = BallSpec{}, s.ball->position = {-5, 2, 1}; }, 2},
+    {"orbiting ball", [](Scene& s) { s.ball = BallSpec{}, s.ball->position = {3, 5, 0}, s.ball->motion = BallMotion::kOrbit; }, 2},
+    {"ball on a path", [](Scene& s) { s.ball = BallSpec{}, s.ball->motion = BallMotion::kPath, s.ball->x = "6*sin(0.1*t)", s.ball->y = "5 + 0*t", s.ball->z = "3*cos(0.1*t)"; }, 2},
+    {"ring", [](Scene& s) { s.surface = SurfaceSpec{}; }, 6},
+};
+
+// At rest, falling, and inside the horizon, looking out.
+struct Camera {
+    const char* name;
+    ObserverKind observer;
+    double r, phi, yaw, width;
+};
+const Camera kCameras[] = {{"at rest", ObserverKind::kStatic, 15, 0.2, 0, 1.2}, {"falling", ObserverKind::kRain, 11, 0.2, 0, 1.6}, {"from inside", ObserverKind::kRain, 0.6, 1.8, M_PI, 6}, {"from inside, elsewhere", ObserverKind::kRain, 0.6, 0.2, M_PI, 6}};
+
+void seen_by(Scene& scene, const Camera& camera) {
+    scene.camera.observer = camera.observer, scene.camera.r = camera.r, scene.camera.phi = camera.phi, scene.camera.yaw = camera.yaw, scene.camera.plane_width = camera.width;
+}
+// Whether one of two cameras inside the horizon can see it: the sphere that they are in, not.
+bool seen_from_inside(const Kind& kind) {
+    Scene scene;
+    kind.add(scene);
+    return !scene.sphere;
+}
+
+std::unique_ptr<reference::OrbitMetric> metric_of(const Scene& scene) { return std::move(*reference::make_orbit_metric(scene.spacetime)); }
+
+// Of the one body of a scene, once more.
+double value_of(const Scene& scene, const reference::OrbitMetric& metric, Vec3 x, double t) {
+    if (scene.sphere) return length(x) - scene.sphere->radius * (1 + scene.sphere->swing * std::sin(2 * M_PI * t / scene.sphere->period));
+    if (scene.ball) return length(x - reference::ball_way(metric, *scene.ball)(t)) - scene.ball->radius;
+    if (scene.surface) {
+        const double place[] = {x.x, x.y, x.z, t};
+        return expr::Formula::parse(surface_shape(*scene.surface), {"x", "y", "z", "t"})->value(place);
+    }
+    const double rho = std::hypot(x.x, x.y);
+    return std::max({rho - scene.cylinder->outer, scene.cylinder->inner - rho, std::fabs(x.z) - scene.cylinder->height});
+}
+
+struct Met {
+    KerrRay ray;
+    std::optional<BodyHit> hit;
+};
+Met met(const Scene& scene, const reference::OrbitMetric& metric, const KerrStart& start) {
+    const reference::Bodies bodies(scene, metric);
+    reference::BodyWatch watch(bodies, scene.light.delay);
+    Met found{reference::trace_kerr(metric.spin(), start, 16, watch.watch()), {}};
+    found.hit = watch.hit();
+    return found;
+}
+
+// Carter's R(r) of a ray that the camera without angular momentum sees from `look`: how far in it gets, or 0 at the horizon.
+double least_radius(double spin, const KerrStart& start) {
+    const double a = 0.5 * spin, sine = std::sin(start.theta), cosine = std::cos(start.theta), r0 = start.r;
+    const double sigma = r0 * r0 + a * a * cosine * cosine, delta0 = r0 * r0 - r0 + a * a, area = (r0 * r0 + a * a) * (r0 * r0 + a * a) - delta0 * a * a * sine * sine;
+    const double l = -std::sqrt(area / sigma) * sine * start.look.z, e = std::sqrt(delta0 * sigma / area) + a * r0 / area * l;
+    const double p_theta2 = sigma * start.look.y * start.look.y, k = p_theta2 + std::pow(l / sine - a * e * sine, 2);
+    const auto potential = [&](double r) { return std::pow(e * (r * r + a * a) - a * l, 2) - (r * r - r + a * a) * k; };
+    if (start.look.x >= 0) return r0;
+    const double horizon = 0.5 * (1 + std::sqrt((1 - spin) * (1 + spin)));
+    constexpr int kLooks = 4000;
+    for (int i = 1; i <= kLooks; ++i) {
+        const auto at = [&](int j) { return r0 + (horizon - r0) * j / kLooks; };
+        if (potential(at(i)) >= 0) continue;
+        double high = at(i - 1), low = at(i);
+        for (int j = 0; j < 60; ++j) (potential(0.5 * (low + high)) >= 0 ? high : low) = 0.5 * (low + high);
+        return high;
+    }
+    return 0;
+}
+
+}  // namespace
+
+TEST_CASE("kerr bodies: with almost no spin they are where the spinless reference has them") {
+    constexpr double kPlace = 3e-7;    // what the spin itself makes: 1e-9 r_s, on grazing rays some 200 times that; a tenth of it with a tenth of the spin
+    constexpr double kCosine = 1e-6;   // the spinless one is a difference over 1e-6 rad
+    for (const Kind& kind : kKinds) {
+        CAPTURE(std::string(kind.name));
+        int from_inside = 0;
+        for (const Camera& camera : kCameras) {
+            CAPTURE(std::string(camera.name));
+            Scene slow = spinning(kAlmostNone);
+            slow.time = 7;
+            kind.add(slow);
+            seen_by(slow, camera);
+            Scene none = slow;
+            none.spacetime = {"schwarzschild", {}};
+            const auto tracer = reference::FrameTracer::make(slow), other = reference::FrameTracer::make(none);
+            REQUIRE(tracer);
+            REQUIRE(other);
+            double place = 0, cosine = 0, delay = 0;
+            int hits = 0, misses = 0;
+            const int stride = moving_parts(slow).empty() ? (camera.r > 11 ? 1 : 3) : 5;   // the spinless clock takes milliseconds
+            for (int y = 0; y < slow.camera.height; y += stride)
+                for (int x = 0; x < slow.camera.width; x += stride) {
+                    const RayPixel a = tracer->pixel(x + 0.5, y + 0.5), b = other->pixel(x + 0.5, y + 0.5);
+                    CAPTURE(x);
+                    CAPTURE(y);
+                    CHECK(a.fate == b.fate);
+                    CHECK(a.hit == b.hit);
+                    ++(a.fate == Fate::kHit ? hits : misses);
+                    if (a.fate != Fate::kHit || b.fate != Fate::kHit) continue;
+                    place = std::max(place, length(Vec3{a.u - b.u, a.v - b.v, a.w - b.w}));
+                    delay = std::max(delay, std::fabs(a.delay - b.delay));
+                    const auto seen = tracer->body_hit(tracer->ray(x + 0.5, y + 0.5)), known = other->body_hit(other->ray(x + 0.5, y + 0.5));
+                    cosine = std::max(cosine, std::fabs(seen->cosine - known->cosine));
+                }
+            fmt::print("spin 1e-9, {}, {}: {} hits, {} others, places by {:.2e}, cosines by {:.2e}, delays by {:.2e}\n", kind.name, camera.name, hits, misses, place, cosine, delay);
+            if (camera.r < 1) from_inside += hits;
+            else CHECK(hits > 0);
+            CHECK(misses > 0);
+            CHECK(place < kPlace);
+            CHECK(delay < kPlace);
+            CHECK(cosine < kCosine);
+        }
+        CHECK((from_inside > 0) == seen_from_inside(kind));
+    }
+}
+
+TEST_CASE("kerr bodies: a ray meets a sphere exactly if Carter's potential lets it in so far") {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> even(0, 1);
+    double off = 0;
+    int hits = 0, clear = 0;
+    for (const double spin : {0.9, 0.998})
+        for (const double radius : {1.2, 3.0, 8.0}) {
+            Scene sphere = spinning(spin), formula = sphere;
+            sphere.sphere = SphereSpec{}, sphere.sphere->radius = radius;
+            formula.surface = SurfaceSpec{}, formula.surface->bound = 1.01 * radius, formula.surface->shape = fmt::format("length(x, y, z) - {}", radius);
+            const auto metric = metric_of(sphere);
+            for (int i = 0; i < 12; ++i) {
+                const double theta = 0.3 + 2.5 * even(random), around = 2 * M_PI * even(random);
+                const auto start = [&](double beta) { return KerrStart{12, theta, 0, {-std::cos(beta), std::sin(beta) * std::cos(around), std::sin(beta) * std::sin(around)}}; };
+                double low = 0, high = 0.5 * M_PI;   // of the ray that touches it
+                for (int j = 0; j < 50; ++j) (least_radius(spin, start(0.5 * (low + high))) < radius ? low : high) = 0.5 * (low + high);
+                for (const double by : {-0.5, -1e-2, -1e-4, -1e-6, 1e-6, 1e-4, 1e-2, 0.5}) {
+                    const double beta = by == -0.5 ? 0.5 * low : low + by;
+                    CAPTURE(spin);
+                    CAPTURE(radius);
+                    CAPTURE(i);
+                    CAPTURE(by);
+                    for (const Scene* scene : {&sphere, &formula}) {
+                        const Met found = met(*scene, *metric, start(beta));
+                        CHECK(found.hit.has_value() == (by < 0));
+                        if (!found.hit) {
+                            ++clear;
+                            continue;
+                        }
+                        ++hits;
+                        off = std::max(off, std::fabs(length(found.hit->place) / radius - 1));
+                    }
+                }
+            }
+        }
+    fmt::print("spheres: {} rays hit, off by {:.2e} of the radius, {} miss\n", hits, off, clear);
+    CHECK(off < kOnSurface);
+}
+
+TEST_CASE("kerr bodies: hits lie on the surface, and a fine march meets nothing before") {
+    constexpr int kParts = 24;   // of a step
+    constexpr double kNearer = 1e-6;   // of the affine parameter: what a march may come before
+    for (const double spin : {0.9, 0.998})
+        for (const Kind& kind : kKinds) {
+            CAPTURE(spin);
+            CAPTURE(std::string(kind.name));
+            int from_inside = 0;
+            for (const Camera& camera : kCameras) {
+                CAPTURE(std::string(camera.name));
+                Scene scene = spinning(spin);
+                kind.add(scene);
+                scene.time = 3, scene.camera.width = 12, scene.camera.height = 9;
+                seen_by(scene, camera);
+                if (camera.r < 1) scene.camera.r = spin < 0.95 ? 0.6 : 0.51;   // between its horizons
+                const auto tracer = reference::FrameTracer::make(scene);
+                REQUIRE(tracer);
+                const auto metric = metric_of(scene);
+                double off = 0;
+                int hits = 0;
+                for (int y = 0; y < scene.camera.height; ++y)
+                    for (int x = 0; x < scene.camera.width; ++x) {
+                        const auto hit = tracer->body_hit(tracer->ray(x + 0.5, y + 0.5));
+                        if (!hit) continue;
+                        ++hits;
+                        off = std::max(off, std::fabs(value_of(scene, *metric, hit->place, scene.time - hit->late)) / kind.size);
+                    }
+                fmt::print("spin {}, {}, {}: {} hits, off by {:.2e} of its size\n", spin, kind.name, camera.name, hits, off);
+                if (camera.r < 1) from_inside += hits;
+                else CHECK(hits > 0);
+                CHECK(off < kOnSurface);
+                if (camera.observer != ObserverKind::kStatic) continue;
+                for (int i = 0; i < 12; ++i) {
+                    const double beta = 0.04 * i, around = 2.4 * i;   // a spiral about the hole
+                    const KerrStart start{15, 1.3, 0.2, {-std::cos(beta), std::sin(beta) * std::cos(around), std::sin(beta) * std::sin(around)}};
+                    const Met found = met(scene, *metric, start);
+                    double first = INFINITY;
+                    reference::trace_kerr(spin, start, 0, [&](const KerrStep& step) {
+                        if (first < INFINITY || std::min(step.begin.r, step.end.r) > 40) return;
+                        for (int k = 0; k <= kParts; ++k) {
+                            const double along = step.from + (step.to - step.from) * k / kParts;
+                            const reference::KerrPlace place = step.at(along);
+                            if (value_of(scene, *metric, place.flat(), scene.time - place.late) < 0) first = std::min(first, along);
+                        }
+                    });
+                    CHECK((found.hit ? found.hit->along * (1 - kNearer) : INFINITY) <= first);
+                    if (found.hit && first == INFINITY) CHECK(found.hit->cosine < 0.3);   // grazed between two looks of the march
+                }
+            }
+            CHECK((from_inside > 0) == seen_from_inside(kind));
+        }
+}
+
+TEST_CASE("kerr bodies: the face of a very thin thick disc is where rays cross the plane") {
+    constexpr double kHeight = 1e-6;
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> even(0, 1);
+    double worst = 0;
+    int faces = 0, inward = 0;
+    for (const double spin : {0.9, 0.998}) {
+        Scene scene = spinning(spin);
+        scene.cylinder = CylinderSpec{}, scene.cylinder->inner = 2, scene.cylinder->outer = 9, scene.cylinder->height = kHeight;
+        const auto metric = metric_of(scene);
+        for (int i = 0; i < 120; ++i) {
+            const double beta = 0.7 * std::sqrt(even(random)), around = 2 * M_PI * even(random), out = i % 3 == 0 ? 1 : -1;
+            const KerrStart start{out > 0 ? 4.0 : 15.0, 0.5 + 0.8 * even(random), 0.3, {out * std::cos(beta), std::sin(beta) * std::cos(around), std::sin(beta) * std::sin(around)}};
+            const Met found = met(scene, *metric, start);
+            const auto crossed = std::find_if(found.ray.crossings.begin(), found.ray.crossings.end(), [](const auto& c) { return c.r > 2.001 && c.r < 8.999; });
+            const bool rim = std::any_of(found.ray.crossings.begin(), found.ray.crossings.end(), [](const auto& c) { return std::fabs(c.r - 2) <= 1e-3 || std::fabs(c.r - 9) <= 1e-3; });
+            CAPTURE(spin);
+            CAPTURE(i);
+            if (rim) continue;
+            REQUIRE(found.hit.has_value() == (crossed != found.ray.crossings.end()));
+            if (!found.hit) continue;
+            CHECK(found.hit->along < crossed->along);
+            CHECK(found.hit->late < crossed->late);
+            const Vec3 place = crossed->r * Vec3{std::cos(crossed->phi), std::sin(crossed->phi), 0};
+            const double cosine = found.hit->cosine;
+            if (cosine < 0.05) continue;
+            ++faces, inward += out < 0;
+            worst = std::max(worst, std::fabs(length(found.hit->place - place) * cosine / kHeight - 1));   // a straight way through half of it
+        }
+    }
+    fmt::print("thin thick disc: {} hits on its faces, the way to the plane is height/cosine but for {:.2e} of it\n", faces, worst);
+    CHECK(faces > 60);
+    CHECK(inward > 30);
+    CHECK(inward < faces);
+    CHECK(worst < 1e-4);
+}
+
+TEST_CASE("kerr bodies: discs before and behind a ball") {
+    for (const double opacity : {1.0, 0.5}) {
+        int both = 0, disc_first = 0, ball_first = 0;
+        for (const double x : {-7.0, 7.0}) {
+            Scene with = spinning(0.9);
+            with.camera.width = 28, with.camera.height = 21;
+            with.disc = DiscSpec{}, with.disc->inner = 2, with.disc->outer = 9, with.disc->opacity = opacity;
+            with.ball = BallSpec{}, with.ball->position = {x, 0, 0}, with.ball->radius = 2.5;
+            Scene disc = with, ball = with;
+            disc.disc->opacity = 1;
+            disc.ball.reset(), ball.disc.reset();
+            const auto all = reference::trace_frame(with), discs = reference::trace_frame(disc), balls = reference::trace_frame(ball);
+            REQUIRE(all);
+            for (std::size_t i = 0; i < all->pixels.size(); ++i) {
+                const RayPixel &a = all->pixels[i], &d = discs->pixels[i], &b = balls->pixels[i];
+                const bool meets_disc = d.fate == Fate::kHit, meets_ball = b.fate == Fate::kHit;
+                const bool disc_is_first = meets_disc && !(meets_ball && b.delay < d.delay);   // light from nearer by is younger
+                CHECK(a.hit == (disc_is_first ? kDiscHit : b.hit));
+                CHECK(a.u == (disc_is_first ? d.u : b.u));
+                const bool ends_on_disc = disc_is_first && opacity == 1;
+                CHECK(a.fate == (ends_on_disc ? d.fate : b.fate));
+                CHECK(a.delay == (ends_on_disc ? d.delay : b.delay));
+                CHECK(length(a.sky - (ends_on_disc ? d.sky : b.sky)) == 0);
+                if (meets_disc && meets_ball) ++both, (disc_is_first ? disc_first : ball_first)++;
+            }
+        }
+        CHECK(disc_first > 5);
+        CHECK(ball_first > 5);
+        CHECK(both == disc_first + ball_first);
+    }
+}
+
+TEST_CASE("kerr bodies: a ray's record ends on the body, with the crossings before it") {
+    Scene scene = spinning(0.9);
+    scene.ball = BallSpec{}, scene.ball->position = {-4, 0, 0}, scene.ball->radius = 1;
+    int dropped = 0, kept = 0;
+    for (int i = 0; i < 40; ++i) {
+        RayQuery query;
+        query.r = 12, query.theta = 1.2, query.phi = 0, query.n = {-1, 0.05 * (i % 8) - 0.2, 0.1 * (i / 8) - 0.2};
+        const auto record = reference::trace_ray(scene, query, 5);
+        REQUIRE(record);
+        Scene bare = scene;
+        bare.ball.reset();
+        const auto free = reference::trace_ray(bare, query, 5);
+        if (record->fate != Fate::kHit) {
+            CHECK(record->crossings.size() == free->crossings.size());
+            continue;
+        }
+        CHECK(record->hit == Object::kBall);
+        CHECK(std::isnan(record->delay));
+        dropped += static_cast<int>(free->crossings.size() - record->crossings.size()), kept += static_cast<int>(record->crossings.size());
+    }
+    CHECK(dropped > 0);
+    CHECK(kept > 0);
+}
+
+TEST_CASE("kerr bodies: pictures with almost no spin are the spinless ones") {
+    Scene slow = spinning(kAlmostNone);
+    slow.sky.kind = SkyKind::kChecker;
+    slow.disc = DiscSpec{}, slow.disc->opacity = 0.6, slow.disc->outer = 8, slow.disc->look.texture = TextureKind::kPlain;
+    slow.ball = BallSpec{}, slow.ball->position = {5, 3, 0}, slow.ball->motion = BallMotion::kOrbit, slow.ball->look.limb = 0.7, slow.ball->look.texture = TextureKind::kStripes;
+    slow.cylinder = CylinderSpec{}, slow.cylinder->inner = 9, slow.cylinder->outer = 11, slow.cylinder->look.texture = TextureKind::kGrid;
+    Scene none = slow;
+    none.spacetime = {"schwarzschild", {}};
+    const auto a = reference::render_frame(slow, {}, {}, 1), b = reference::render_frame(none, {}, {}, 1);
+    REQUIRE(a);
+    REQUIRE(b);
+    int differ = 0;
+    for (int y = 0; y < a->height; ++y)
+        for (int x = 0; x < a->width; ++x)
+            for (int c = 0; c < 3; ++c) differ += !(std::fabs(a->at(x, y)[c] - b->at(x, y)[c]) < 1e-5);
+    CHECK(differ == 0);
+}
+
+TEST_CASE("kerr bodies: ways of a ball that are not followed are refused") {
+    Scene scene = spinning(0.9);
+    scene.ball = BallSpec{};
+    scene.ball->motion = BallMotion::kGeodesic;
+    RayQuery query;
+    query.r = 10;
+    CHECK_FALSE(reference::FrameTracer::make(scene));
+    CHECK_FALSE(reference::trace_ray(scene, query));
+    scene.ball->motion = BallMotion::kOrbit;
+    CHECK(reference::FrameTracer::make(scene));
+    scene.ball->position.z = 1;
+    CHECK_FALSE(reference::FrameTracer::make(scene));
+}
+
+TEST_CASE("kerr bodies: what looking for them costs") {
+    const auto took = [](const Scene& scene) {
+        const auto tracer = reference::FrameTracer::make(scene);
+        std::vector<double> rows;   // the median of 10
+        for (int y = 0; y < 10; ++y) {
+            const auto from = std::chrono::steady_clock::now();
+            for (int x = 0; x < 20; ++x) (void)tracer->pixel(2 * x + 0.5, 3 * y + 0.5);
+            rows.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - from).count() / 20);
+        }
+        std::nth_element(rows.begin(), rows.begin() + 5, rows.end());
+        return rows[5];
+    };
+    const double bare = took(spinning(0.9));
+    for (const Kind& kind : kKinds) {
+        Scene scene = spinning(0.9);
+        kind.add(scene);
+        fmt::print("a ray {:.3f} ms, with a {} {:.3f} ms\n", bare, kind.name, took(scene));
+    }
+}
