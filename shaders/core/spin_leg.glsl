@@ -115,6 +115,9 @@ float leg_turned(SpinRay ray, SpinLeg leg, float s, vec4 y) {
     return leg.psi + spin_sum_to(leg.turn, s) + (leg.winding == 0.0 ? 0.0 : leg.winding * spin_winding(ray, y.w));
 }
 
+// psi at its end: where phi winds up better than the step itself has it, for places next to the horizon.
+float leg_psi(SpinRay ray, SpinLeg leg, SpinState to) { return leg.winding < 0.0 ? leg_turned(ray, leg, 1.0, to.y) : to.psi; }
+
 #ifdef EFFECT_DELAY
 // How long ago, by the camera's clock, the light left.
 float leg_late(SpinRay ray, SpinLeg leg, float s, vec4 y) {

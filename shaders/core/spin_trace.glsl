@@ -129,7 +129,11 @@ Trace trace_pixel(vec2 pixel) {
             now = spin_step(ray, now, h);
             --left;
 #ifdef NEEDS_PLACE
-            if (search.going) search = leg_search(ray, spin_leg(ray, before, now, h), tau, trace.pixel_angle, blur, search);
+            if (search.going) {
+                SpinLeg leg = spin_leg(ray, before, now, h);
+                search = leg_search(ray, leg, tau, trace.pixel_angle, blur, search);
+                now.psi = leg_psi(ray, leg, now);
+            }
 #endif
             // What is used after the loop is kept in a branch: Mesa 22's software driver gives a ray that has left a loop what later rounds
             // of the others make of variables that no round takes over from the one before.
@@ -165,7 +169,11 @@ Trace trace_pixel(vec2 pixel) {
         SpinState before = now;
         float h = spin_stride(ray, before, left);
         now = spin_step(ray, before, h);
-        if (search.going) search = leg_search(ray, spin_leg(ray, before, now, h), tau, trace.pixel_angle, blur, search);
+        if (search.going) {
+            SpinLeg leg = spin_leg(ray, before, now, h);
+            search = leg_search(ray, leg, tau, trace.pixel_angle, blur, search);
+            now.psi = leg_psi(ray, leg, now);
+        }
         tau += h;
 #else
         now = spin_step(ray, now, spin_stride(ray, now, left));

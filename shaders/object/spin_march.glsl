@@ -11,6 +11,13 @@ float march_part(RayPlace place, float length) {
     return arc_tangent2(length * round, max(place.r + length * outward, 1.0e-6)) * place.r / (speed * round);
 }
 
+// How far to the next look, as a part of the step: within the least radius of a body only the way out counts, not how light winds.
+float march_stride(RayPlace place, float reach) {
+    float outward = abs(dot(place.velocity, place.outward));
+    float below = 0.9 * (frame.march.z - place.r) / max(outward, 1.0e-20);
+    return min(max(march_part(place, march_length(place, reach)), below), MARCH_LONGEST);
+}
+
 // What a search has come to; `hit` as far as that is known.
 struct SolidSearch {
     bool going;
@@ -52,7 +59,7 @@ SolidSearch leg_search(SpinRay ray, SpinLeg leg, float tau, float pixel_angle, f
     bool grows_to = spin_slope_at(leg.arc, 1.0).w > 0.0;
     bool on = true;
     do {
-        float next = min(s + min(march_part(place, march_length(place, reach)), MARCH_LONGEST), 1.0);
+        float next = min(s + march_stride(place, reach), 1.0);
         RayPlace there = way_place(way, next);
         vec3 chord = there.at - place.at;
         way.length += sqrt(dot(chord, chord));

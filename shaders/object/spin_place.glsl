@@ -25,7 +25,7 @@ RayPlace leg_place(SpinRay ray, SpinLeg leg, float s) {
     place.r = 1.0 / zeta;
     place.outward = place_turned(vec3(y.x, y.y, y.z), c, t);
     place.at = place.r * place.outward;
-    float turning = spin_drag(ray, min(zeta, 0.999999 / ray.outer)) * leg.h;
+    float turning = ray.outer * zeta < 1.0 ? spin_drag(ray, zeta) * leg.h : 0.0;
     place.velocity = place.r * (place_turned(vec3(slope.x, slope.y, slope.z), c, t) + turning * vec3(-place.outward.y, place.outward.x, 0.0) -
                                 (slope.w * place.r) * place.outward);
 #ifdef NEEDS_PLACE_LATE

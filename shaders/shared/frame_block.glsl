@@ -73,7 +73,7 @@ struct FrameData {
     vec4 surface_second;
 #endif
 #ifdef BLOCK_MARCH
-    vec4 march;          // radius about the centre that holds all bodies (of a wormhole those on the near side), shortest stride, that on the far side, radius within which no ray on its way in meets one
+    vec4 march;          // radius about the centre that holds all bodies (of a wormhole those on the near side), shortest stride, that on the far side, about a spinning hole the least radius of a body; there the radius within which no ray on its way in meets one
 #endif
 #ifdef BLOCK_DISC_PATTERN
     vec4 disc_coat_map;     // as a body's: rotation, columns, rows; colours

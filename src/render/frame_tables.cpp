@@ -66,7 +66,7 @@ double innermost_photon_orbit(double spin) { return 1.0 + std::cos(2.0 / 3.0 * s
 // Radii about the centre between which all bodies lie that are found by strides, and the shortest stride: a thirtieth of the thinnest.
 void put_march(BlockWriter& block, const Scene& scene, double spin, const BallPath* ball_path) {
     constexpr double kStride = 1.0 / 32;
-    double reaches[2] = {0.0, 0.0}, thinnest = 1e30, ground = innermost_photon_orbit(spin);   // near, far
+    double reaches[2] = {0.0, 0.0}, thinnest = 1e30, ground = 1e30;   // near, far
     const auto holds = [&](bool far, double radius, double from) { reaches[far] = std::max(reaches[far], radius), ground = std::min(ground, from); };
     if (const auto& c = scene.cylinder) {
         holds(c->far, std::hypot(c->outer, c->height), c->inner);
@@ -85,7 +85,8 @@ void put_march(BlockWriter& block, const Scene& scene, double spin, const BallPa
         thinnest = std::min(thinnest, 2 * f->bound / f->steps / kStride);
     }
     const auto with_margin = [&](double reach) { return 1.001 * reach + 4 * kStride * thinnest; };
-    block.put(with_margin(reaches[0]), kStride * thinnest, with_margin(reaches[1]), 0.999 * ground);
+    const double least = 0.999 * ground;
+    block.put(with_margin(reaches[0]), kStride * thinnest, spin != 0.0 ? least : with_margin(reaches[1]), std::min(least, innermost_photon_orbit(spin)));
 }
 
 void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const BallPath* ball_path) {

@@ -73,7 +73,7 @@ TEST_CASE("disc: g as the GPU draws it is the reference's, whole and with a part
                     bool whole = true;                   // no rim within the pixel
                     for (const auto& [dx, dy] : {std::pair{-1.5, 0.0}, {1.5, 0.0}, {0.0, -1.5}, {0.0, 1.5}}) {
                         const auto beside = tracer->disc_hits(tracer->ray(x + 0.5 + dx, y + 0.5 + dy), 1);
-                        whole = whole && !beside.empty() && std::abs(beside[0].angle - hits[0].angle) < 0.3;
+                        whole = whole && !beside.empty() && std::abs(beside[0].along - hits[0].along) < 0.3;
                     }
                     if (!whole) continue;
                     const double expected = ray.g * light.shift({r, ray.l_z, hits[0].outward, ray.l2}).seen(scene.light);
