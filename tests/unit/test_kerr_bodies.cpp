@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "camera/pose.h"
@@ -134,6 +135,12 @@ double least_radius(double spin, const KerrStart& start) {
     }
     return 0;
 }
+// The angle to straight inward at which a ray touches a sphere.
+double touching_angle(double spin, const std::function<KerrStart(double)>& start, double radius) {
+    double low = 0, high = 0.5 * M_PI;
+    for (int j = 0; j < 50; ++j) (least_radius(spin, start(0.5 * (low + high))) < radius ? low : high) = 0.5 * (low + high);
+    return low;
+}
 
 }  // namespace
 
@@ -198,10 +205,9 @@ TEST_CASE("kerr bodies: a ray meets a sphere exactly if Carter's potential lets 
             for (int i = 0; i < 12; ++i) {
                 const double theta = 0.3 + 2.5 * even(random), around = 2 * M_PI * even(random);
                 const auto start = [&](double beta) { return KerrStart{12, theta, 0, {-std::cos(beta), std::sin(beta) * std::cos(around), std::sin(beta) * std::sin(around)}}; };
-                double low = 0, high = 0.5 * M_PI;   // of the ray that touches it
-                for (int j = 0; j < 50; ++j) (least_radius(spin, start(0.5 * (low + high))) < radius ? low : high) = 0.5 * (low + high);
+                const double touching = touching_angle(spin, start, radius);
                 for (const double by : {-0.5, -1e-2, -1e-4, -1e-6, 1e-6, 1e-4, 1e-2, 0.5}) {
-                    const double beta = by == -0.5 ? 0.5 * low : low + by;
+                    const double beta = by == -0.5 ? 0.5 * touching : touching + by;
                     CAPTURE(spin);
                     CAPTURE(radius);
                     CAPTURE(i);
@@ -292,6 +298,31 @@ TEST_CASE("kerr bodies: what is traced outward and turns back meets the same as 
     CHECK(place < kSameRay);
     CHECK(along < kSameRay);
     CHECK(late < kSameRay);
+}
+
+TEST_CASE("kerr bodies: a sphere that is just touched comes before what stands right behind") {
+    constexpr double kSpin = 0.9, kRadius = 6, kBehind = 0.15;   // of the affine parameter, which is nearly r_s here
+    Scene alone = spinning(kSpin);
+    alone.sphere = SphereSpec{}, alone.sphere->radius = kRadius;
+    const auto metric = metric_of(alone);
+    for (int i = 0; i < 40; ++i) {
+        const double around = 0.1 * i, r0 = 10 + 0.2 * i;   // where steps begin differs
+        const auto start = [&](double beta) { return KerrStart{r0, 1.2, 0, {-std::cos(beta), std::sin(beta) * std::cos(around), std::sin(beta) * std::sin(around)}}; };
+        const KerrStart touching = start(touching_angle(kSpin, start, kRadius) - 1e-7);
+        const Met first = met(alone, *metric, touching);
+        REQUIRE(first.hit);
+        Scene both = alone;
+        both.ball = BallSpec{}, both.ball->radius = 0.05;
+        reference::trace_kerr(kSpin, touching, 0, [&](const KerrStep& step) {
+            const double along = first.hit->along + kBehind;
+            if (along >= step.from && along <= step.to) both.ball->position = step.at(along).flat();
+        });
+        const Met found = met(both, *metric, touching);
+        CAPTURE(i);
+        REQUIRE(found.hit);
+        CHECK(found.hit->object == Object::kSphere);
+        CHECK(length(found.hit->place - first.hit->place) < 1e-6);
+    }
 }
 
 TEST_CASE("kerr bodies: hits lie on the surface, and a fine march meets nothing before") {
