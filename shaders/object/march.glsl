@@ -13,21 +13,16 @@
 #define MARCH_REFINEMENTS 24
 #define MARCH_FAR 16.0       // shortest strides: half the thinnest body
 
-// The value with the body made half a pixel smaller where pixels are blurred (blur = 1): a pixel is covered in part between.
-float march_value_at(MarchWay way, RayPlace place, float at, float blur) {
-    return way_value(way, place) + (blur > 0.0 ? 0.5 * blur * way_pixel(way, place, at) : 0.0);
-}
-
 // Between `low` (outside) and `high` (inside): regula falsi, the end that stays halved (Illinois); every third step halves the
 // interval, for values with a corner in them.
-float march_refined(MarchWay way, float blur, float low, float high, float low_value, float high_value) {
+float march_refined(MarchWay way, float low, float high, float low_value, float high_value) {
     float at = high;
     int left = MARCH_REFINEMENTS;
     do {
         float width = high - low;
         float part = left % 3 == 0 ? 0.5 : clamp(low_value / max(low_value - high_value, 1.0e-30), 0.01, 0.99);
         at = low + width * part;
-        float value = march_value_at(way, way_place(way, at), at, blur);
+        float value = way_value(way, way_place(way, at));
         if (value > 0.0) {
             low = at;
             low_value = value;
@@ -42,13 +37,11 @@ float march_refined(MarchWay way, float blur, float low, float high, float low_v
 }
 
 // The least in (a, b) by golden section: where, and the value; the first below 0.
-vec2 march_dip(MarchWay way, float blur, float a, float b) {
+vec2 march_dip(MarchWay way, float a, float b) {
     float x = b - MARCH_GOLDEN * (b - a);
     float y = a + MARCH_GOLDEN * (b - a);
-    RayPlace at_x = way_place(way, x);
-    RayPlace at_y = way_place(way, y);
-    float fx = march_value_at(way, at_x, x, blur);
-    float fy = march_value_at(way, at_y, y, blur);
+    float fx = way_value(way, way_place(way, x));
+    float fy = way_value(way, way_place(way, y));
     int searches = MARCH_SEARCHES;
     do {
         bool lower = fx < fy;
@@ -64,11 +57,33 @@ vec2 march_dip(MarchWay way, float blur, float a, float b) {
             y = a + MARCH_GOLDEN * (b - a);
         }
         float probe = lower ? x : y;
-        float value_there = march_value_at(way, way_place(way, probe), probe, blur);
+        float value_there = way_value(way, way_place(way, probe));
         if (lower) fx = value_there;
         else fy = value_there;
     } while (--searches > 0 && min(fx, fy) > 0.0);
     return fx < fy ? vec2(x, fx) : vec2(y, fy);
+}
+
+// How much of a pixel is covered whose ray comes `depth` deep into a body, below 0 by as much beside it; in pixels. thickness: the thinnest
+// body's. Where a ray would come deeper than that the body is flat.
+float march_cover(float depth, float thickness) {
+    return depth > thickness ? 1.0 : clamp(0.5 + depth, 0.0, min(thickness, 1.0));
+}
+
+#define MARCH_THINNEST 32.0  // shortest strides: the thinnest body
+#define MARCH_PROBE 4.0      // shortest strides
+
+// The same of a ray that enters a body there: how deep it will come by slope and curvature of the value along it.
+float march_entry_cover(MarchWay way, float at) {
+    RayPlace place = way_place(way, at);
+    float pixel = max(way_pixel(way, place, at), 1.0e-20);
+    float probe = min(MARCH_PROBE * frame.march.y / max(place_speed(place), 1.0e-20), way_left(way, at));
+    float before = way_value(way, way_place(way, at - probe));
+    float after = way_value(way, way_place(way, at + probe));
+    float slope = 0.5 * (before - after);
+    float bend = before + after - 2.0 * way_value(way, place);
+    float depth = bend > 1.0e-4 * abs(slope) ? 0.5 * slope * slope / bend : 1.0e30;
+    return march_cover(depth / pixel, MARCH_THINNEST * frame.march.y / pixel);
 }
 
 #ifndef EFFECT_SIDES

@@ -27,11 +27,12 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
 #else
     float reach = frame.march.x;
 #endif
-    float nearest = 1.0;      // of what is met in part only: value in pixels, 0 ... 1
-    float nearest_phi = 0.0;
+    float part = 0.0;         // of the pixel, of what is met in part only
+    float part_phi = 0.0;
+    bool entered = false;     // that is a body which the ray enters, though close to its silhouette
     RayPlace place = place_seen(trace, tangent, 0.0);
     float phi = 0.0;
-    float value = march_value_at(way, place, phi, blur);
+    float value = march_value(place);
     float before_phi = 0.0;
     float before_value = value;
     int left = MARCH_MOST_STEPS;
@@ -44,7 +45,7 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
         do {
             float onward = min(phi + march_angle(place, march_length(place, reach)), phi_stop);
             RayPlace there = place_roughly(trace, tangent, onward, place);
-            float distance = march_value_at(way, there, onward, blur);
+            float distance = march_value(there);
             far = distance > MARCH_FAR * frame.march.y && onward < phi_stop && (there.r < reach || there.r_along < 0.0);
             if (far) {
                 before_phi = phi;
@@ -63,15 +64,15 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
 #endif
         float next = min(phi + march_angle(place, room), phi_stop);
         place = place_seen(trace, tangent, next);
-        float there = march_value_at(way, place, next, blur);
+        float there = march_value(place);
         float a = before_phi;
         float b = next;
         float inside_phi = next;
         float inside_value = there;
         float outside_phi = phi;
         float outside_value = value;
-        if (there > 0.0 && value < before_value && value <= there && value < march_graze(b - a, place)) {
-            vec2 least = march_dip(way, blur, a, b);
+        if (there > 0.0 && value > 0.0 && value < before_value && value <= there && value < march_graze(b - a, place)) {
+            vec2 least = march_dip(way, a, b);
             float dip = least.y;
             float dip_phi = least.x;
             if (dip <= 0.0) {
@@ -80,18 +81,26 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
                 outside_phi = before_phi;
                 outside_value = before_value;
             } else if (blur > 0.0) {
-                float width = dip / max(blur * place_pixel(trace, place_seen(trace, tangent, dip_phi), dip_phi), 1.0e-20);
-                if (width < nearest) {
-                    nearest = width;
-                    nearest_phi = dip_phi;
+                float pixel = max(place_pixel(trace, place_seen(trace, tangent, dip_phi), dip_phi), 1.0e-20);
+                float cover = march_cover(-dip / pixel, MARCH_THINNEST * frame.march.y / pixel);
+                if (cover > part && !entered) {
+                    part = cover;
+                    part_phi = dip_phi;
                 }
             }
         }
-        if (inside_value <= 0.0) {
-            hit.phi = march_refined(way, blur, outside_phi, inside_phi, outside_value, inside_value);
-            hit.object = march_object(place_seen(trace, tangent, hit.phi));
-            hit.covered = 1.0;
-            going = false;
+        if (inside_value <= 0.0 && outside_value > 0.0) {
+            float entry = march_refined(way, outside_phi, inside_phi, outside_value, inside_value);
+            float cover = blur > 0.0 ? march_entry_cover(way, entry) : 1.0;
+            if (!entered) {
+                part = cover;
+                part_phi = entry;
+            }
+            entered = true;
+            if (cover >= 1.0) {   // not on to the sky: all of it is what is entered first
+                part = 1.0;
+                going = false;
+            }
         }
         before_phi = phi;
         before_value = value;
@@ -103,10 +112,10 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
         going = going && next < phi_stop && (place.r < reach || place.r_along < 0.0);
 #endif
     } while (going && --left > 0);
-    if (hit.object == 0 && nearest < 1.0) {
-        hit.phi = nearest_phi;
-        hit.object = march_object(place_seen(trace, tangent, nearest_phi));
-        hit.covered = 1.0 - nearest;
+    if (part > 0.0) {
+        hit.phi = part_phi;
+        hit.object = march_object(place_seen(trace, tangent, part_phi));
+        hit.covered = part;
     }
     return hit;
 }

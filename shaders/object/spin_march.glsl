@@ -18,15 +18,15 @@ float march_stride(RayPlace place, float reach) {
     return min(max(march_part(place, march_length(place, reach)), below), MARCH_LONGEST);
 }
 
-// What a search has come to; `hit` as far as that is known.
+// What a search has come to.
 struct SolidSearch {
     bool going;
     int left;             // looks
     float before;         // the last look within a step, by Mino's time less than now, and the value there
     float before_value;
     float length;         // of the way
-    float nearest;        // of what is met in part only: value in pixels, 0 ... 1
-    SolidHit hit;
+    bool entered;         // hit is a body that the ray enters
+    SolidHit hit;         // as far as it is known: covered > 0
 };
 
 SolidSearch solid_search() {
@@ -36,10 +36,25 @@ SolidSearch solid_search() {
     search.before = 0.0;
     search.before_value = 1.0e30;
     search.length = 0.0;
-    search.nearest = 1.0;
+    search.entered = false;
     search.hit.object = 0;
     search.hit.phi = 1.0e30;
     search.hit.covered = 0.0;
+    return search;
+}
+
+// What the ray enters first, or else comes closest to. Where it enters something behind that as a whole it does not go on to the sky.
+SolidSearch solid_met(SolidSearch search, RayPlace place, float tau, float cover, bool entered) {
+    if (!search.entered && (entered || cover > search.hit.covered)) {
+        search.hit.place = place;
+        search.hit.phi = tau;
+        search.hit.covered = cover;
+    }
+    search.entered = search.entered || entered;
+    if (entered && cover >= 1.0) {
+        search.hit.covered = 1.0;
+        search.going = false;
+    }
     return search;
 }
 
@@ -53,7 +68,7 @@ SolidSearch leg_search(SpinRay ray, SpinLeg leg, float tau, float pixel_angle, f
     way.length = search.length;
     float s = 0.0;
     RayPlace place = way_place(way, s);
-    float value = march_value_at(way, place, s, blur);
+    float value = way_value(way, place);
     float before = max(-search.before / leg.h, -MARCH_LONGEST);
     float before_value = search.before_value;
     bool grows_to = spin_slope_at(leg.arc, 1.0).w > 0.0;
@@ -63,33 +78,26 @@ SolidSearch leg_search(SpinRay ray, SpinLeg leg, float tau, float pixel_angle, f
         RayPlace there = way_place(way, next);
         vec3 chord = there.at - place.at;
         way.length += sqrt(dot(chord, chord));
-        float value_there = march_value_at(way, there, next, blur);
+        float value_there = way_value(way, there);
         float inside = value <= 0.0 ? s : next;
-        float inside_value = min(value, value_there);
+        float inside_value = value <= 0.0 ? value : value_there;
         float outside = value <= 0.0 ? before : s;
         float outside_value = value <= 0.0 ? before_value : value;
         if (value > 0.0 && value_there > 0.0 && value < before_value && value <= value_there && value < march_graze(next - before, there)) {
-            vec2 dip = march_dip(way, blur, before, next);
+            vec2 dip = march_dip(way, before, next);
             if (dip.y <= 0.0) {
                 inside = dip.x;
                 inside_value = dip.y;
                 outside = before;
                 outside_value = before_value;
             } else if (blur > 0.0) {
-                float width = dip.y / max(blur * way_pixel(way, there, dip.x), 1.0e-20);
-                if (width < search.nearest) {
-                    search.nearest = width;
-                    search.hit.phi = tau + dip.x * leg.h;
-                    search.hit.place = way_place(way, dip.x);
-                }
+                float pixel = max(way_pixel(way, there, dip.x), 1.0e-20);
+                search = solid_met(search, way_place(way, dip.x), tau + dip.x * leg.h, march_cover(-dip.y / pixel, MARCH_THINNEST * frame.march.y / pixel), false);
             }
         }
-        if (inside_value <= 0.0) {
-            float at = march_refined(way, blur, outside, inside, outside_value, inside_value);
-            search.hit.place = way_place(way, at);
-            search.hit.phi = tau + at * leg.h;
-            search.hit.covered = 1.0;
-            search.going = false;
+        if (inside_value <= 0.0 && outside_value > 0.0) {
+            float at = march_refined(way, outside, inside, outside_value, inside_value);
+            search = solid_met(search, way_place(way, at), tau + at * leg.h, blur > 0.0 ? march_entry_cover(way, at) : 1.0, true);
         }
         before = s;
         before_value = value;
@@ -112,9 +120,6 @@ SolidSearch leg_search(SpinRay ray, SpinLeg leg, float tau, float pixel_angle, f
 
 SolidHit solid_found(SolidSearch search) {
     SolidHit hit = search.hit;
-    bool part = hit.covered == 0.0 && search.nearest < 1.0;
-    if (part) hit.covered = 1.0 - search.nearest;
     if (hit.covered > 0.0) hit.object = march_object(hit.place);
-    else hit.phi = 1.0e30;
     return hit;
 }

@@ -1,0 +1,78 @@
+// Bodies thinner than a pixel keep their light: it is how much of a pixel they cover that counts, not how thick they are along the ray.
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "sky/sky.h"
+#include "support/gpu_session.h"
+
+namespace {
+
+using namespace nullscope;
+using namespace nullscope::test;
+
+constexpr int kSamples = 3;       // a side and pixel, of the reference
+// Of the light: edges are softened half a pixel outward where a body has corners, and to both sides where it is round.
+constexpr double kTotal = 0.06;
+
+struct Case {
+    const char* name;
+    std::function<void(Scene&)> set;
+};
+
+void kerr(Scene& s) { s.spacetime = {"kerr", {{"spin", 0.9}}}; }
+void flat(Scene& s) { s.spacetime.metric = "minkowski"; }
+void ring(Scene& s, double height) { s.cylinder.emplace().inner = 4, s.cylinder->outer = 8, s.cylinder->height = height; }
+void ball(Scene& s, double radius) { s.ball.emplace().position = {6, 1, 0.5}, s.ball->radius = radius; }
+
+const std::vector<Case>& cases() {
+    static const std::vector<Case> all = {
+        {"thin ring, flat", [](Scene& s) { flat(s), ring(s, 0.05); }},
+        {"thin ring", [](Scene& s) { ring(s, 0.05); }},
+        {"thin ring, spinning hole", [](Scene& s) { kerr(s), ring(s, 0.05); }},
+        {"thick ring, flat", [](Scene& s) { flat(s), ring(s, 1.5); }},
+        {"thick ring, spinning hole", [](Scene& s) { kerr(s), ring(s, 1.5); }},
+        {"ball of six pixels, flat", [](Scene& s) { flat(s), ball(s, 1.5); }},
+        {"ball of six pixels", [](Scene& s) { ball(s, 1.5); }},
+        {"ball of six pixels, spinning hole", [](Scene& s) { kerr(s), ball(s, 1.5); }},
+        {"torus of four pixels, flat", [](Scene& s) { flat(s), s.surface.emplace().shape = "(length(x, y) - 6)^2 + z^2 - 1", s.surface->bound = 8; }},
+    };
+    return all;
+}
+
+double light(const Image<float>& picture) {
+    double sum = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) sum += static_cast<double>(picture.at(x, y)[1]);
+    return sum;
+}
+
+TEST_CASE("thin bodies: as much light as the reference's") {
+    std::map<std::string, double> exact_light;
+    on_every_context([&](GpuSession& session) {
+        for (const Case& c : cases()) {
+            const std::string name = c.name;
+            CAPTURE(name);
+            Scene scene;
+            scene.sky.kind = SkyKind::kBlack;
+            scene.camera.r = 30, scene.camera.theta = 1.3;
+            scene.camera.width = 48, scene.camera.height = 27;
+            scene.camera.plane_width = 0.6 * scene.camera.focal_distance;
+            c.set(scene);
+            REQUIRE(session.renderer->prepare(scene));
+            if (!exact_light.contains(name)) {
+                const auto sky = build_sky(scene.sky, {}, 16);
+                REQUIRE(sky);
+                const auto exact = reference::render_frame(scene, *sky, nullptr, kSamples, {});
+                REQUIRE(exact);
+                exact_light[name] = light(*exact);
+            }
+            const double drawn = light(session.renderer->picture()), all = exact_light[name];
+            fmt::print("{:<7} {:<35} light {:.4f} of the reference's {:.1f}\n", session.context->kind(), c.name, drawn / all, all);
+            CHECK(all > 1);
+            CHECK(std::abs(drawn / all - 1) <= kTotal);
+        }
+    });
+}
+
+}  // namespace
