@@ -1,4 +1,4 @@
-// nullscope bench accuracy: error and cost of every method and table size, in one run, costs drawn in turn.
+// nullscope bench accuracy: error and cost of every method and table size, about a spinning hole of every step and order, in one run, costs drawn in turn.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -295,7 +295,8 @@ int run(const Options& options) {
         }
         Samples floor;
         const std::vector<Scene> scenes = views(scene->spacetime, **spacetime);
-        if (Status done = measure_errors(*session, scenes, spins ? kNear * *(*spacetime)->horizon_radius() : 0.0, rows); !done) return report(done.error());
+        const double near_radius = spins ? kNear * *(*spacetime)->horizon_radius() : 0.0;
+        if (Status done = measure_errors(*session, scenes, near_radius, rows); !done) return report(done.error());
         if (Status done = measure_costs(*session, spins ? sky_alone(*scene) : *scene, options.frames, rows, floor); !done) return report(done.error());
         mark_frontier(rows);
         const double floor_core = median(floor.core_s);
@@ -309,7 +310,7 @@ int run(const Options& options) {
         if (options.plot.empty()) continue;
         const std::string subtitle = fmt::format("{}, {}, {}, {} threads; {} cameras, every {}th pixel of a 4K frame; grey: dominated",
                                                  scene->spacetime.metric, session->context->kind(), session->renderer->info().renderer,
-                                                 std::thread::hardware_concurrency(), spins ? scenes.size() : scenes.size() / 2,
+                                                 std::thread::hardware_concurrency(), std::count_if(scenes.begin(), scenes.end(), [&](const Scene& s) { return !s.disc && s.camera.r >= near_radius; }),
                                                  k4kWidth / scenes.front().camera.width);
         if (Status written = write_text_atomically(options.plot, accuracy_svg(points, floor_core, subtitle)); !written) return report(written.error());
     }
