@@ -53,6 +53,8 @@ FAULTS = [
      "(ray.energy - ray.a * ray.momentum * zeta)", "(ray.energy + ray.a * ray.momentum * zeta)", ("unit_tests", "kerr: the shader core*")),
     ("mino", "half of the mass in the orbit of 1/r about a spinning hole", "shaders/core/kerr.glsl",
      "1.5 * ray.k - 2.0", "0.75 * ray.k - 2.0", ("gpu_tests", "kerr: the shadow*")),
+    ("sixth-order", "one weight of the sixth-order step about a spinning hole", "shaders/core/kerr.glsl",
+     "f3 * (275.0 / 252.0) -", "f3 * (276.0 / 252.0) -", ("gpu_tests", "kerr methods: half*")),
     ("spin-dips", "bodies about a spinning hole that a ray just touches, missed", "src/reference/spin_bodies.cpp",
      "if (dip <= 0) return", "if (dip <= -1) return", ("unit_tests", "kerr bodies*")),
     ("spin-azimuth", "the azimuth of what a ray meets about a spinning hole, in the chart", "src/reference/kerr_ray.cpp",

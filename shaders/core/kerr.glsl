@@ -14,11 +14,17 @@
 //     psi~' = -a (E + K zeta^2 / (X - zeta')),   zeta' < 0,
 // until the horizon is some way behind, or the ray slows down to turn, where zeta' by a root would lose its digits.
 
+// A ray that winds for long is one whose end moves fast with its direction: its errors weigh less, and its steps may grow.
+#ifndef METHOD_MINO
 #define SPIN_STEP 0.6          // of a step, times the fastest rate at work there: twice the error at 0.7, half at 0.55
 #define SPIN_MOST_STEPS 64
-// A ray that winds for long is one whose end moves fast with its direction: its errors weigh less, and its steps may grow.
 #define SPIN_GROW_AFTER 20
 #define SPIN_GROWTH 0.03
+#else                          // SPIN_STEP and SPIN_MOST_STEPS by the method; all steps of a ray in the same proportion
+#define SPIN_SHARE (SPIN_STEP / 0.6)
+#define SPIN_GROW_AFTER int(20.0 / SPIN_SHARE + 0.5)
+#define SPIN_GROWTH (0.03 * SPIN_SHARE)
+#endif
 
 struct SpinRay {
     float a;
@@ -151,6 +157,9 @@ float lag_jump(SpinRay ray, bool keeps, vec2 from, vec2 to) {
 }
 #endif
 
+#ifdef METHOD_MINO_4
+SpinState spin_step(SpinRay ray, SpinState from, float h);   // method/mino_4.glsl
+#else
 // One step of RKN6(4)6FM (Dormand, El-Mikkawy and Prince 1987): five new forces, the sixth is the next step's first.
 SpinState spin_step(SpinRay ray, SpinState from, float h) {
     float hh = h * h;
@@ -197,6 +206,7 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
 #endif
     return to;
 }
+#endif
 
 // SPIN_STEP over the fastest rate: the sphere's, the radius' and how fast Delta changes next to the horizon (more on the way out, where
 // the dragging is of use; on the way in a step must be able to pass the horizon). On its way out a ray ends its last step a little
@@ -212,6 +222,9 @@ float spin_stride(SpinRay ray, SpinState at, int left) {
     float rate2 = abs(ray.j2) + ray.a2e2 + 0.125 * ray.energy * ray.energy + 1.5 * ray.k * zeta + (slope < 0.0 ? 3.0 : 1.0 + 3.0 * min(2.0 * spin_delta(ray, zeta), 1.0)) * fall * fall;
 #ifdef EFFECT_SPIN_FALL
     rate2 += INGOING_DEEP * ray.k * zeta * clamp(ray.outer * zeta - 1.0, 0.0, 1.0);   // inside, where zeta changes by its own size
+#endif
+#ifdef METHOD_MINO
+    if (slope > 0.0 && SPIN_SHARE < 1.0) rate2 -= (1.0 - SPIN_SHARE * SPIN_SHARE) * fall * fall;   // short steps pass the horizon too
 #endif
     float h = SPIN_STEP * (1.0 + SPIN_GROWTH * max(float(SPIN_MOST_STEPS - SPIN_GROW_AFTER - left), 0.0)) * inversesqrt(rate2);
     return slope < 0.0 ? min(h, -1.05 * zeta / slope) : h;

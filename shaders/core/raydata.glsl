@@ -7,7 +7,7 @@ struct PixelData {
     float delay;    // T of an escaped ray; from where an opaque object is hit, the light time; 0 without EFFECT_DELAY
     float angle;    // swept from the camera to the end
     float hit;      // number of the first object met, 0 for none
-    vec3 place;     // of that meeting: x, y, z in r_s
+    vec3 place;     // of that meeting: x, y, z in r_s; of methods that count their steps, where nothing is met, x is their number
 #ifdef EFFECT_SPIN
     float steps;    // that the tracer took
 #endif
@@ -103,5 +103,8 @@ PixelData pixel_data(vec2 pixel) {
 #endif
     data.sky = sky ? normalize(trace.sky) : vec3(0.0, 0.0, 0.0);
     data.g = sky ? g_of(trace) : 0.0;
+#ifdef METHOD_COUNTS
+    if (data.hit == 0.0) data.place.x = data.steps;
+#endif
     return data;
 }

@@ -3,7 +3,7 @@
 // falls in where the chart is regular. KERR_SCHILD_STEP: of a step, times the radius.
 #define KERR_SCHILD_MOST 20000
 #define KERR_SCHILD_SKY 2000.0    // radius, r_s, where a ray's motion is taken for its direction: 3e-6 rad are left at an impact parameter of 10
-#define KERR_SCHILD_FAR 16.0      // radius from which on steps grow as its square
+#define KERR_SCHILD_FAR 16.0      // radius from which on steps outward grow as its square
 
 struct KerrSchildState {
     vec3 at;
@@ -62,8 +62,8 @@ vec4 kerr_schild_march(SpinRay ray, vec3 n) {
     float steps = 0.0;
     do {
         r = kerr_schild_radius(a, s.at);
-        float h = KERR_SCHILD_STEP * r * max(1.0, r * (1.0 / KERR_SCHILD_FAR));
         KerrSchildState k1 = kerr_schild_slope(a, s);
+        float h = KERR_SCHILD_STEP * r * (dot(s.at, k1.at) > 0.0 ? max(1.0, r * (1.0 / KERR_SCHILD_FAR)) : 1.0);
         KerrSchildState k2 = kerr_schild_slope(a, KerrSchildState(s.at + 0.5 * h * k1.at, s.p + 0.5 * h * k1.p));
         KerrSchildState k3 = kerr_schild_slope(a, KerrSchildState(s.at + 0.5 * h * k2.at, s.p + 0.5 * h * k2.p));
         KerrSchildState k4 = kerr_schild_slope(a, KerrSchildState(s.at + h * k3.at, s.p + h * k3.p));

@@ -19,7 +19,8 @@ struct Axis {
 
 const char* colour_of(const std::string& family) {
     static const std::map<std::string, const char*> colours = {
-        {"strip", "#c2410c"}, {"table", "#1d4ed8"}, {"closed-form", "#7e22ce"}, {"integrate", "#15803d"}, {"euler", "#52525b"}};
+        {"strip", "#c2410c"}, {"table", "#1d4ed8"}, {"closed-form", "#7e22ce"}, {"integrate", "#15803d"}, {"euler", "#52525b"},
+        {"mino:6", "#c2410c"}, {"mino:4", "#15803d"}, {"kerr-schild", "#52525b"}};
     const auto found = colours.find(family);
     return found == colours.end() ? "#000000" : found->second;
 }

@@ -1,4 +1,4 @@
-// nullscope bench accuracy: error and cost of every method and table size, in one run, costs drawn in turn.
+// nullscope bench accuracy: error and cost of every method and table size, about a spinning hole of every step and order, in one run, costs drawn in turn.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include "cli/accuracy_plot.h"
 #include "cli/bench.h"
 #include "cli/json.h"
+#include "cli/remembered_trace.h"
 #include "cli/session.h"
 #include "compare/ray_metrics.h"
 #include "reference/reference.h"
@@ -28,7 +29,9 @@ struct Options {
 
 constexpr double k4kWidth = 3840;
 constexpr int kErrorWidth = 384, kErrorHeight = 216;   // a 4K frame of 90 degrees, every tenth pixel each way
+constexpr int kSpinErrorWidth = 160, kSpinErrorHeight = 90;   // the same, every 24th: the reference takes steps about a spinning hole
 constexpr double kRefineAbove_px = 5e-5;               // of this frame: 0.0005 px of the 4K frame
+constexpr double kNear = 1.5;   // horizon radii: nearer cameras about a spinning hole are reported apart
 constexpr int kTimeWidth = 1280, kTimeHeight = 720;
 
 const std::vector<std::string>& methods() {
@@ -37,7 +40,9 @@ const std::vector<std::string>& methods() {
         "table:128:cubic", "table:256:cubic", "table:64:bilinear", "table:128:bilinear", "table:256:bilinear", "table:512:bilinear",
         "table:1024:bilinear", "table:64:hardware", "table:128:hardware", "table:256:hardware", "table:512:hardware", "table:1024:hardware",
         "closed-form", "integrate:6:1", "integrate:6:0.6", "integrate:6:0.3", "integrate:6:0.2", "integrate:6:0.15", "integrate:4:0.4", "integrate:4:0.2", "integrate:4:0.1",
-        "integrate:4:0.05", "euler:100", "euler:300", "euler:1000", "euler:3000"};
+        "integrate:4:0.05", "euler:100", "euler:300", "euler:1000", "euler:3000",
+        "mino:6:1", "mino:6:0.8", "mino:6:0.6", "mino:6:0.45", "mino:6:0.3", "mino:4:0.6", "mino:4:0.3", "mino:4:0.15", "mino:4:0.075",
+        "kerr-schild:0.32", "kerr-schild:0.16", "kerr-schild:0.08", "kerr-schild:0.04", "kerr-schild:0.02", "kerr-schild:0.01"};
     return list;
 }
 
@@ -63,25 +68,46 @@ std::vector<CameraSpec> cameras() {
     return list;
 }
 
+// Of observers without angular momentum: far, middle, near, by the axis, at the photon orbits, in the ergosphere and next to the horizon.
+std::vector<CameraSpec> spin_cameras(double horizon) {
+    std::vector<CameraSpec> list;
+    const auto add = [&](double r, double theta, double yaw) {
+        CameraSpec camera;
+        camera.observer = ObserverKind::kZamo;
+        camera.r = r, camera.theta = theta, camera.yaw = yaw, camera.pitch = 0.1;
+        camera.plane_width = 2.0;
+        camera.width = kSpinErrorWidth, camera.height = kSpinErrorHeight;
+        list.push_back(camera);
+    };
+    add(1000, 1.2, 0), add(20, 1.2, 0), add(20, 1.2, M_PI), add(8, 1.5, 0), add(4, 0.05, 0.3), add(2, 1.2, 0.7), add(1.3 * horizon, 1.4, 2.4), add(1.02 * horizon, 1.0, 2.4);
+    return list;
+}
+
 struct Row {
     std::string name;
     Method method;
-    std::vector<float> screen, forward, disc;   // per pixel of all cameras
-    long long fate_errors = 0;
+    std::vector<float> screen, forward, disc, near;   // per pixel of all cameras; near: those of kNear, which are not in screen
+    long long fate_errors = 0, near_fate_errors = 0;
+    long long steps = 0, rays = 0;   // of methods that count them
+    int most_steps = 0;
     std::size_t bytes = 0;
     double build_ms = 0;
     Samples cost;
-    Spread screen_px, forward_rad, disc_px;   // on the sky; places on the disc
+    Spread screen_px, forward_rad, disc_px, near_px;   // on the sky; places on the disc; on the sky of near cameras
     bool on_frontier = false;
 };
 
-// Each camera sees the whole sky, and then a disc that covers as much of it as a disc can.
-std::vector<Scene> views(const SpacetimeSpec& spacetime) {
+bool is_default(const Method& method) { return method == Method{} || method == Method{.kind = MethodKind::kMino}; }
+
+// Each camera sees the whole sky, and then a disc that covers as much of it as a disc can; about a spinning hole the sky alone, which every method draws.
+std::vector<Scene> views(const SpacetimeSpec& spec, const Spacetime& spacetime) {
     std::vector<Scene> list;
+    const bool spins = spacetime.spin() != 0.0;
     for (const bool disc : {false, true})
-        for (const CameraSpec& camera : cameras()) {
+        for (const CameraSpec& camera : spins ? spin_cameras(*spacetime.horizon_radius()) : cameras()) {
+            if (spins && disc) continue;
             Scene scene;
-            scene.spacetime = spacetime;
+            scene.spacetime = spec;
             scene.camera = camera;
             scene.sky.kind = SkyKind::kBlack;
             if (disc) {
@@ -94,31 +120,37 @@ std::vector<Scene> views(const SpacetimeSpec& spacetime) {
     return list;
 }
 
-Status measure_errors(Session& session, const SpacetimeSpec& spacetime, std::vector<Row>& rows) {
-    const std::vector<Scene> scenes = views(spacetime);
+// near_radius: nearer cameras are reported apart.
+Status measure_errors(Session& session, const std::vector<Scene>& scenes, double near_radius, std::vector<Row>& rows) {
     Progress progress("errors", static_cast<long long>(rows.size() * scenes.size()));
     for (const Scene& scene : scenes) {
-        const ExactTrace trace = [&](const std::vector<std::array<double, 2>>& positions) {
+        const ExactTrace plain = [&](const std::vector<std::array<double, 2>>& positions) {
             auto pixels = reference::trace_pixels(scene, positions);
             return pixels ? std::move(*pixels) : std::vector<RayPixel>(positions.size());
         };
+        // A spinless hole's exact ray costs less than to look it up.
+        const ExactTrace trace = effect_set(required_effects(scene)).contains(Effect::kSpin) ? remembered_trace(scene) : plain;
+        const bool near = scene.camera.r < near_radius;
+        const auto to_4k = static_cast<float>(k4kWidth / scene.camera.width);
         for (Row& row : rows) {
             session.renderer->set_method(row.method);
             if (Status ready = session.renderer->prepare(scene); !ready) return ready;
-            const RayMeasures m = measure_rays(session.renderer->ray_data(), scene.camera, trace, 1, kRefineAbove_px);
+            const RayFrame frame = session.renderer->ray_data();
+            for (const RayPixel& pixel : frame.pixels) row.steps += pixel.steps, row.most_steps = std::max(row.most_steps, pixel.steps);
+            row.rays += static_cast<long long>(frame.pixels.size());
+            const RayMeasures m = measure_rays(frame, scene.camera, trace, 1, kRefineAbove_px);
             for (const PixelErrors& pixel : m.pixels) {
-                constexpr auto kTo4k = static_cast<float>(k4kWidth / kErrorWidth);
-                if (pixel.hit) row.disc.push_back(pixel.place_px * kTo4k);
+                if (pixel.hit) row.disc.push_back(pixel.place_px * to_4k);
                 if (!pixel.escaped || scene.disc) continue;
-                row.screen.push_back(pixel.sky_px * kTo4k);
+                (near ? row.near : row.screen).push_back(pixel.sky_px * to_4k);
                 row.forward.push_back(pixel.forward_rad);
             }
-            row.fate_errors += m.fate_errors;
+            (near ? row.near_fate_errors : row.fate_errors) += m.fate_errors;
             progress.advance();
         }
     }
     for (Row& row : rows)
-        row.screen_px = spread_of(row.screen), row.forward_rad = spread_of(row.forward), row.disc_px = spread_of(row.disc);
+        row.screen_px = spread_of(row.screen), row.forward_rad = spread_of(row.forward), row.disc_px = spread_of(row.disc), row.near_px = spread_of(row.near);
     return Done{};
 }
 
@@ -143,7 +175,7 @@ Status measure_costs(Session& session, Scene scene, int frames, std::vector<Row>
                                (row.method.kind == MethodKind::kStrip ? session.renderer->tables().rows_ms() : 0.0);
                 for (const auto& line : session.renderer->textures())
                     if (line.name == (row.method.kind == MethodKind::kStrip ? "strip" : "deflection table")) row.bytes = line.bytes;
-                if (row.method.kind == MethodKind::kClosedForm || row.method.kind == MethodKind::kIntegrate) row.build_ms = 0, row.bytes = 0;
+                if (row.method.kind != MethodKind::kStrip && row.method.kind != MethodKind::kTable) row.build_ms = 0, row.bytes = 0;
                 draw(*session.renderer);
             } else {
                 time_one(row.cost, [&] { draw(*session.renderer); });
@@ -176,6 +208,8 @@ const char* lookup_name(Lookup lookup) {
     return "";
 }
 
+double mean_steps(const Row& row) { return static_cast<double>(row.steps) / static_cast<double>(row.rays); }
+
 JsonObject json_of(const Row& row, const Session& session, const std::string& metric, double floor_core) {
     const double core = median(row.cost.core_s);
     const bool table = row.method.kind == MethodKind::kTable;
@@ -186,7 +220,11 @@ JsonObject json_of(const Row& row, const Session& session, const std::string& me
     o.raw("screen_error_px", spread_json(row.screen_px)).raw("forward_error_rad", spread_json(row.forward_rad));
     o.raw("disc_error_px", spread_json(row.disc_px));
     o.add("fate_errors", row.fate_errors).raw("on_frontier", row.on_frontier ? "true" : "false");
-    o.raw("is_default", row.method == Method{} ? "true" : "false");
+    if (counts_steps(row.method)) {
+        o.add("mean_steps", mean_steps(row)).add("most_steps", row.most_steps);
+        o.raw("near_error_px", spread_json(row.near_px)).add("near_fate_errors", row.near_fate_errors);
+    }
+    o.raw("is_default", is_default(row.method) ? "true" : "false");
     o.add("context", session.context->kind()).add("renderer", session.renderer->info().renderer);
     o.add("width", kTimeWidth).add("height", kTimeHeight).add("threads", static_cast<int>(std::thread::hardware_concurrency()));
     return o;
@@ -194,9 +232,12 @@ JsonObject json_of(const Row& row, const Session& session, const std::string& me
 
 std::string family(const Method& method) {
     if (method.kind == MethodKind::kIntegrate) return method.order == 1 ? "euler" : "integrate";
+    if (method.kind == MethodKind::kMino) return method.order == 4 ? "mino:4" : "mino:6";
     const std::string name = method_name(method);
     return name.substr(0, name.find(':'));
 }
+
+const char* place_of(const Row& row) { return is_default(row.method) ? "default" : row.on_frontier ? "frontier" : "dominated"; }
 
 void print_table(const std::vector<Row>& rows, double floor_core) {
     fmt::print("| method | bytes | build ms | core-s | x floor | screen error px: max | 99.9 % | median | on a disc: max | forward error rad: max | median | fate errors | |\n"
@@ -205,8 +246,27 @@ void print_table(const std::vector<Row>& rows, double floor_core) {
         const double core = median(row.cost.core_s);
         fmt::print("| {} | {} | {:.1f} | {:.4f} | {:.2f} | {:.2g} | {:.2g} | {:.2g} | {:.2g} | {:.2g} | {:.2g} | {} | {} |\n", row.name, row.bytes,
                    row.build_ms, core, core / floor_core, row.screen_px.max, row.screen_px.p999, row.screen_px.median, row.disc_px.max, row.forward_rad.max,
-                   row.forward_rad.median, row.fate_errors, row.method == Method{} ? "default" : row.on_frontier ? "frontier" : "dominated");
+                   row.forward_rad.median, row.fate_errors, place_of(row));
     }
+}
+
+// About a spinning hole: no tables, no discs, but steps.
+void print_spin_table(const std::vector<Row>& rows, double floor_core) {
+    const auto own = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return is_default(row.method); });
+    fmt::print("| method | screen error px: max | 99.9 % | median | fate errors | next to the horizon: max | 99.9 % | fate errors | steps: mean | most | core-s | x floor | x default | |\n"
+               "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    for (const Row& row : rows) {
+        const double core = median(row.cost.core_s);
+        fmt::print("| {} | {:.2g} | {:.2g} | {:.2g} | {} | {:.2g} | {:.2g} | {} | {:.2f} | {} | {:.4f} | {:.2f} | {:.2f} | {} |\n", row.name, row.screen_px.max, row.screen_px.p999, row.screen_px.median,
+                   row.fate_errors, row.near_px.max, row.near_px.p999, row.near_fate_errors, mean_steps(row), row.most_steps, core, core / floor_core, core / median(own->cost.core_s), place_of(row));
+    }
+}
+
+// What every method for spinning holes draws: the sky, and no time to pass.
+Scene sky_alone(const Scene& scene) {
+    Scene alone;
+    alone.name = scene.name, alone.spacetime = scene.spacetime, alone.camera = scene.camera, alone.sky = scene.sky;
+    return alone;
 }
 
 int run(const Options& options) {
@@ -217,34 +277,41 @@ int run(const Options& options) {
     for (const std::string& name : options.scenes) {
         auto scene = load_scene(name);
         if (!scene) return report(scene.error());
-        if (!effect_set(required_effects(*scene)).contains(Effect::kLensing))
+        const EffectSet effects = effect_set(required_effects(*scene));
+        const bool spins = effects.contains(Effect::kSpin);
+        if (!effects.contains(Effect::kLensing) && !spins)
             return report(bad_input(fmt::format("scene {}: light runs straight in {}, there is nothing to compare", name, scene->spacetime.metric)));
+        const auto spacetime = make_spacetime(scene->spacetime.metric, scene->spacetime.parameters);
+        if (!spacetime) return report(spacetime.error());
         std::vector<Row> rows;
         for (const std::string& text : methods()) {
             const auto method = parse_method(text);
             if (!method) return report(method.error());
-            if (const auto spacetime = make_spacetime(scene->spacetime.metric, scene->spacetime.parameters); !spacetime || !has_method(**spacetime, *method)) continue;
+            if (!has_method(**spacetime, *method)) continue;
             Row row;
             row.name = text;
             row.method = *method;
             rows.push_back(std::move(row));
         }
         Samples floor;
-        if (Status done = measure_errors(*session, scene->spacetime, rows); !done) return report(done.error());
-        if (Status done = measure_costs(*session, *scene, options.frames, rows, floor); !done) return report(done.error());
+        const std::vector<Scene> scenes = views(scene->spacetime, **spacetime);
+        const double near_radius = spins ? kNear * *(*spacetime)->horizon_radius() : 0.0;
+        if (Status done = measure_errors(*session, scenes, near_radius, rows); !done) return report(done.error());
+        if (Status done = measure_costs(*session, spins ? sky_alone(*scene) : *scene, options.frames, rows, floor); !done) return report(done.error());
         mark_frontier(rows);
         const double floor_core = median(floor.core_s);
-        print_table(rows, floor_core);
+        (spins ? print_spin_table : print_table)(rows, floor_core);
         std::vector<PlotPoint> points;
         for (const Row& row : rows) {
-            measured.push_back({scene->spacetime.metric, row.method, row.screen_px.max, median(row.cost.core_s) / floor_core, row.disc_px.max});
+            if (!spins) measured.push_back({scene->spacetime.metric, row.method, row.screen_px.max, median(row.cost.core_s) / floor_core, row.disc_px.max});
             objects.push_back(json_of(row, *session, scene->spacetime.metric, floor_core));
-            points.push_back({row.name, family(row.method), median(row.cost.core_s), row.screen_px.max, row.on_frontier, row.method == Method{}});
+            points.push_back({row.name, family(row.method), median(row.cost.core_s), row.screen_px.max, row.on_frontier, is_default(row.method)});
         }
         if (options.plot.empty()) continue;
-        const std::string subtitle = fmt::format("{}, {}, {}, {} threads; 10 cameras, every 10th pixel of a 4K frame; grey: dominated",
+        const std::string subtitle = fmt::format("{}, {}, {}, {} threads; {} cameras, every {}th pixel of a 4K frame; grey: dominated",
                                                  scene->spacetime.metric, session->context->kind(), session->renderer->info().renderer,
-                                                 std::thread::hardware_concurrency());
+                                                 std::thread::hardware_concurrency(), std::count_if(scenes.begin(), scenes.end(), [&](const Scene& s) { return !s.disc && s.camera.r >= near_radius; }),
+                                                 k4kWidth / scenes.front().camera.width);
         if (Status written = write_text_atomically(options.plot, accuracy_svg(points, floor_core, subtitle)); !written) return report(written.error());
     }
     if (!options.frontier.empty())
@@ -258,7 +325,7 @@ int run(const Options& options) {
 
 Command add_bench_accuracy(CLI::App& bench) {
     auto options = std::make_shared<Options>();
-    CLI::App* app = bench.add_subcommand("accuracy", "Error and cost of every way of tracing, as a table, a diagram and JSON; some minutes");
+    CLI::App* app = bench.add_subcommand("accuracy", "Error and cost of every way of tracing, about a spinning hole of its steps and orders, as a table, a diagram and JSON; some minutes");
     app->add_option("scenes", options->scenes, "Scenes whose spacetime and sky are used")->capture_default_str();
     context_option(app, options->context);
     app->add_option("--frames", options->frames, "Timed frames of each method")->check(CLI::Range(3, 1000))->capture_default_str();

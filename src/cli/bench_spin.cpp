@@ -5,16 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 
 #include "base/atomic_file.h"
 #include "cli/arguments.h"
 #include "cli/bench.h"
 #include "cli/json.h"
+#include "cli/remembered_trace.h"
 #include "cli/session.h"
 #include "compare/ray_metrics.h"
-#include "reference/reference.h"
 #include "render/frame_tables.h"
 #include "shadercore/core_trace.h"
 
@@ -44,21 +43,6 @@ Scene scene_of(const View& view, int width, int height) {
     scene.camera.width = width, scene.camera.height = height;
     scene.sky.kind = SkyKind::kGrid;
     return scene;
-}
-
-// The reference, each ray once.
-ExactTrace remembered(const Scene& scene) {
-    const auto known = std::make_shared<std::map<std::array<double, 2>, RayPixel>>();
-    return [known, scene](const std::vector<std::array<double, 2>>& positions) {
-        std::vector<std::array<double, 2>> wanted;
-        for (const auto& at : positions)
-            if (!known->contains(at)) wanted.push_back(at);
-        const std::vector<RayPixel> pixels = *reference::trace_pixels(scene, wanted);   // the scenes are ours: nothing to refuse
-        for (std::size_t i = 0; i < wanted.size(); ++i) (*known)[wanted[i]] = pixels[i];
-        std::vector<RayPixel> result;
-        for (const auto& at : positions) result.push_back(known->at(at));
-        return result;
-    };
 }
 
 Result<RayMeasures> errors_of(Renderer& renderer, const Method& method, const Scene& scene, const ExactTrace& exact) {
@@ -91,7 +75,7 @@ Result<Steps> steps_of(const Scene& scene) {
 Result<JsonObject> measure(Session& session, Renderer& march, const gl::Target& target, const View& view, int frames) {
     const Scene scene = scene_of(view, target.width, target.height), small = scene_of(view, kErrorWidth, kErrorWidth * target.height / target.width);
     const double finer = static_cast<double>(target.width) / kErrorWidth;
-    const ExactTrace exact = remembered(small);
+    const ExactTrace exact = remembered_trace(small);
     const auto ours = errors_of(*session.renderer, Method{}, small, exact);
     if (!ours) return ours.error();
     fmt::print("{}: ours {:.4f} px at most, {:.4f} at the 99.9th percentile, {:.5f} in the median of {}x{}; fate errors {}\n", scene.name, ours->sky_px.max * finer,

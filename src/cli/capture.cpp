@@ -126,7 +126,13 @@ Status write(const std::string& file_name, const Scene& scene, const Captured& c
 
 // auto: the cheapest that was measured to keep --max-error; said on standard error.
 Result<Method> chosen_method(const Options& options, const Scene& scene) {
-    if (options.method != "auto") return parse_method(options.method);
+    if (options.method != "auto") {
+        auto method = parse_method(options.method);
+        // The renderer takes the default for auto.
+        if (method && *method == Method{} && effect_set(required_effects(scene)).contains(Effect::kSpin))
+            return bad_input("method strip is not there for a spinning hole; allowed: auto, mino[:ORDER[:STEP]], kerr-schild:STEP");
+        return method;
+    }
     const auto measured = load_frontier(assets_directory() / "frontier.csv");
     if (!measured) return measured.error();
     const auto choice = options.max_error ? choose_method(*measured, scene, *options.max_error) : default_method(*measured, scene);
@@ -275,7 +281,7 @@ Command add_capture(CLI::App& parent) {
     app->add_option("--renderer", options->renderer, "gl: the shader; reference: the double-precision tracer, slow")
         ->check(CLI::IsMember({"gl", "reference"}))->capture_default_str();
     app->add_option("--method", options->method, "How the shader traces: auto (see --max-error), strip, table[:SIZE[:LOOKUP]], closed-form, "
-                    "integrate[:ORDER[:STEP]], euler:STEPS; of a spinning hole's sky kerr-schild:STEP")->capture_default_str();
+                    "integrate[:ORDER[:STEP]], euler:STEPS; of a spinning hole mino[:ORDER[:STEP]], of its sky alone also mino:4 and kerr-schild:STEP")->capture_default_str();
     app->add_option("--max-error", options->max_error, fmt::format("auto: the cheapest method whose measured error stays under this many pixels "
                     "(default {}, and the most exact method where the pixels are too small to be sure of that)", kDefaultMaxError_px))
         ->check(CLI::Range(1e-12, 1e6));

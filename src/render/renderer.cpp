@@ -49,13 +49,14 @@ Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
 }  // namespace
 
 bool has_method(const Spacetime& spacetime, const Method& method) {
+    if (spacetime.spin() != 0.0) return counts_steps(method);   // no table: nothing else
     const bool seen = spacetime.inner_end() == InnerEnd::kHorizon;   // others have rays to the inside to follow too
     switch (method.kind) {
         case MethodKind::kStrip: return true;
         case MethodKind::kTable: return seen;
         case MethodKind::kClosedForm: return has_shader("method/closed_form", spacetime.name());
         case MethodKind::kIntegrate: return seen && has_shader("spacetime", spacetime.name());
-        case MethodKind::kKerrSchild: return spacetime.spin() != 0.0;
+        case MethodKind::kMino: case MethodKind::kKerrSchild: return false;
     }
     return false;
 }
@@ -229,11 +230,14 @@ void Renderer::load_black_body() {
 
 Status Renderer::load_table(const Scene& scene) {
     const bool lensing = tables_.effects().contains(Effect::kLensing);
-    const bool spin = tables_.effects().contains(Effect::kSpin), yardstick = method_.kind == MethodKind::kKerrSchild;
-    const bool at_rest = !tables_.effects().contains(Effect::kSpinFall) && !tables_.effects().contains(Effect::kDisc);
-    if (spin && method_ != Method{} && !(yardstick && at_rest))
-        return bad_input(fmt::format("method {} is not there for this scene of a spinning hole; allowed: auto, or without [disc] and falling cameras kerr-schild:STEP", method_name(method_)));
-    if (!spin && yardstick) return bad_input(fmt::format("method {} is there for spinning holes only; allowed: auto", method_name(method_)));
+    const EffectSet& effects = tables_.effects();
+    const bool spin = effects.contains(Effect::kSpin);
+    const bool sky_alone = !effects.contains(Effect::kSpinFall) && !effects.contains(Effect::kDisc) && !effects.contains(Effect::kDelay) && !has_solids(effects);
+    const bool whole = method_ == Method{} || (method_.kind == MethodKind::kMino && method_.order == 6);
+    if (spin && !whole && !(counts_steps(method_) && sky_alone))
+        return bad_input(fmt::format("method {} is not there for this scene of a spinning hole; allowed: auto, mino[:6[:STEP]], or without [disc], bodies, delays and falling cameras "
+                                     "mino:4[:STEP] and kerr-schild:STEP", method_name(method_)));
+    if (!spin && counts_steps(method_)) return bad_input(fmt::format("method {} is there for spinning holes only; allowed: auto", method_name(method_)));
     if (lensing && !has_method(tables_.spacetime(), method_))
         return bad_input(fmt::format("method {} is not there for metric \"{}\"; allowed: {}", method_name(method_), scene.spacetime.metric,
                                      methods_of(tables_.spacetime())));
@@ -382,6 +386,7 @@ RayFrame Renderer::draw_rays(const gl::Target& target) {
     bind_inputs();
     gl::draw_fullscreen(built, empty_, target.framebuffer.id(), w, h);
     RayFrame frame{w, h, std::vector<RayPixel>(static_cast<std::size_t>(w) * h)};
+    const bool counted = counts_steps(method_);
     std::vector<float> values(static_cast<std::size_t>(w) * h * 4);
     for (int attachment = 0; attachment < 3; ++attachment) {
         gl::read_rgba32f(target, attachment, values.data());
@@ -398,6 +403,7 @@ RayFrame Renderer::draw_rays(const gl::Target& target) {
                 } else {
                     pixel.hit = static_cast<int>(row[0]);
                     pixel.u = row[1], pixel.v = row[2], pixel.w = row[3];
+                    if (counted && pixel.hit == 0) pixel.steps = static_cast<int>(std::exchange(pixel.u, 0.0));
                 }
             }
         }

@@ -66,7 +66,7 @@ struct RayPixel {
     double angle = 0;           // swept from the camera to the end (sky, horizon or hit), rad
     int order = 0;              // image order: floor(angle / pi)
     int hit = 0;                // number of the first object hit (Object), 0 for none, also for a translucent object
-    int steps = 0;              // that the tracer took, where it takes steps; of the shader core only
+    int steps = 0;              // that the tracer took, where it takes steps; of the shader core, and of methods that count them (shaderlib/method.h)
     double u = 0, v = 0, w = 0; // place of the first hit: x, y, z in r_s, world axes; on the disc w = 0; star: longitude and latitude, rad
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -18,7 +19,9 @@ constexpr std::array<std::pair<Lookup, const char*>, 4> kLookups = {{{Lookup::kH
 constexpr double kEulerSpan = 2.5 * M_PI;   // rad: what a march of N equal steps is spread over
 constexpr int kStepsPerSpan = 12;           // the cap of the high orders, in spans of 1 rad per step size
 
-int most_steps(int order, double step) {
+int most_steps(MethodKind kind, int order, double step) {
+    const Method usual;   // auto's, of a spinning hole
+    if (kind == MethodKind::kMino) return std::max(usual.most_steps, static_cast<int>(std::ceil(usual.most_steps * usual.step / step)));
     return order == 1 ? static_cast<int>(std::lround(kEulerSpan / step)) : static_cast<int>(std::ceil(3.0 * kStepsPerSpan / step));
 }
 
@@ -40,11 +43,12 @@ Result<Method> parse_table(const std::vector<std::string>& parts, const Error& e
     return error;
 }
 
-Result<Method> parse_integrate(const std::vector<std::string>& parts, const Error& error) {
-    Method method{.kind = MethodKind::kIntegrate};
+// integrate or mino.
+Result<Method> parse_steps(MethodKind kind, const std::vector<std::string>& parts, const Error& error) {
+    Method method{.kind = kind};
     if (parts.size() > 1) {
         const auto order = parse_number(parts[1]);
-        if (!order || (*order != 1 && *order != 4 && *order != 6)) return error;
+        if (!order || ((*order != 1 || kind == MethodKind::kMino) && *order != 4 && *order != 6)) return error;
         method.order = static_cast<int>(*order);
     }
     if (parts.size() > 2) {
@@ -52,7 +56,7 @@ Result<Method> parse_integrate(const std::vector<std::string>& parts, const Erro
         if (!step || *step < 1e-3 || *step > 1.0) return error;
         method.step = *step;
     }
-    method.most_steps = most_steps(method.order, method.step);
+    method.most_steps = most_steps(kind, method.order, method.step);
     return method;
 }
 
@@ -61,11 +65,12 @@ Result<Method> parse_integrate(const std::vector<std::string>& parts, const Erro
 Result<Method> parse_method(const std::string& text) {
     const Error error = bad_input(fmt::format(
         "method \"{}\" is not known; allowed: strip, strip:cubic, table[:SIZE[:hardware|bilinear|cubic|hermite]] with SIZE 8 to 1024, closed-form, "
-        "integrate[:ORDER[:STEP]] with ORDER 1, 4 or 6 and STEP 0.001 to 1 rad, euler:STEPS with STEPS 10 to 5000, kerr-schild:STEP with STEP 0.001 to 1", text));
+        "integrate[:ORDER[:STEP]] with ORDER 1, 4 or 6 and STEP 0.001 to 1 rad, euler:STEPS with STEPS 10 to 5000, mino[:ORDER[:STEP]] with ORDER 4 or 6 and STEP 0.001 to 1, kerr-schild:STEP with STEP 0.001 to 1", text));
     const auto parts = split(text, ':');
     if (parts.empty() || parts.size() > 3) return error;
     if (parts[0] == "table") return parse_table(parts, error);
-    if (parts[0] == "integrate") return parse_integrate(parts, error);
+    if (parts[0] == "integrate") return parse_steps(MethodKind::kIntegrate, parts, error);
+    if (parts[0] == "mino") return parse_steps(MethodKind::kMino, parts, error);
     if (parts[0] == "euler" && parts.size() == 2) {
         const auto steps = parse_number(parts[1]);
         if (!steps || !euler_steps(*steps)) return error;
@@ -88,6 +93,7 @@ std::string method_name(const Method& method) {
     switch (method.kind) {
         case MethodKind::kStrip: return method.cubic ? "strip:cubic" : "strip";
         case MethodKind::kClosedForm: return "closed-form";
+        case MethodKind::kMino: return fmt::format("mino:{}:{}", method.order, method.step);
         case MethodKind::kKerrSchild: return fmt::format("kerr-schild:{}", method.step);
         case MethodKind::kTable:
             for (const auto& [lookup, name] : kLookups)

@@ -22,6 +22,7 @@ std::vector<std::string> method_files(const Method& method, std::string_view met
         case MethodKind::kClosedForm: return {"method/by_angle.glsl", fmt::format("method/closed_form/{}.glsl", metric)};
         case MethodKind::kIntegrate:
             return {"method/by_angle.glsl", fmt::format("spacetime/{}.glsl", metric), "method/integrate.glsl"};
+        case MethodKind::kMino: return {};
         case MethodKind::kKerrSchild: return {"method/kerr_schild.glsl"};
     }
     return {};
@@ -31,12 +32,14 @@ std::string method_constants(const Method& method) {
     if (method.kind == MethodKind::kTable) return fmt::format("#define TABLE_SIZE {}\n", method.size);
     if (method.kind == MethodKind::kIntegrate)
         return fmt::format("#define STEP_ANGLE {:.9f}\n#define STEP_MOST {}\n", method.step, method.most_steps);
+    if (method.kind == MethodKind::kMino) return fmt::format("#define SPIN_STEP {:.9f}\n#define SPIN_MOST_STEPS {}\n", method.step, method.most_steps);
     if (method.kind == MethodKind::kKerrSchild) return fmt::format("#define KERR_SCHILD_STEP {:.9f}\n", method.step);
     return "";
 }
 
 std::vector<std::string> method_defines(const Method& method) {
-    if (method.kind == MethodKind::kKerrSchild) return {"METHOD_KERR_SCHILD"};
+    if (method.kind == MethodKind::kKerrSchild) return {"METHOD_KERR_SCHILD", "METHOD_COUNTS"};
+    if (method.kind == MethodKind::kMino) return {"METHOD_MINO", fmt::format("METHOD_MINO_{}", method.order), "METHOD_COUNTS"};
     if (method.kind == MethodKind::kIntegrate) return {fmt::format("STEP_ORDER_{}", method.order)};
     if (method.kind != MethodKind::kTable) return {};
     switch (method.lookup) {
@@ -65,6 +68,7 @@ Files way_files(Stage stage, const EffectSet& effects, bool ends, const Method& 
     if (disc && !spin) files.emplace_back("core/plane.glsl");
     if (spin)
         for (const char* file : {"core/kerr.glsl", "core/spin_leg.glsl", "core/spin_ray.glsl"}) files.emplace_back(file);
+    if (spin && method.kind == MethodKind::kMino && method.order == 4) files.emplace_back("method/mino_4.glsl");
     return files;
 }
 
@@ -193,7 +197,7 @@ std::string declarations(Stage stage, const EffectSet& effects, bool ends, const
     if (effects.contains(Effect::kBallPath))
         text += "uniform highp sampler2D ball_path_texture;\n"
                 "vec4 ball_path_fetch(int x, int y) { return texelFetch(ball_path_texture, ivec2(x, y), 0); }\n";
-    if (method.kind == MethodKind::kKerrSchild) text += method_constants(method);
+    if (counts_steps(method)) text += method_constants(method);
     if (stage == Stage::kPicture) {
         const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
         if (sky) text += far_sky ? "uniform highp sampler2DArray sky_texture;\n" : "uniform samplerCube sky_texture;\n";

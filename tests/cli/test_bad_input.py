@@ -108,6 +108,11 @@ class Scenes(support.CliTest):
         for text, says in cases.items():
             self.everywhere(self.write("bad.toml", text), ["bad.toml"] + says)
 
+    def test_methods_of_spinning_holes(self):
+        for scene, method, says in (("kerr", "strip", ["strip", "allowed: auto, mino"]), ("kerr", "mino:4", ["mino:4:0.6", "allowed: auto, mino"]),
+                                    ("kerr", "mino:5", ["mino:5", "ORDER 4 or 6"]), ("sky-only", "mino", ["mino:6:0.6", "spinning holes only"])):
+            self.refused("capture", scene, "--size", "16x9", "--method", method, "-o", "a.png", says=says)
+
     def test_images_that_are_none(self):
         self.write("fake.png", b"this is no image" * 100)
         self.write("cut.png", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x10")

@@ -1,0 +1,17 @@
+// The fourth-order alternative to the step of core/kerr.glsl, for skies alone: Nystroem's step (1925), the classic Runge-Kutta weights for y'' = f(y),
+// three new forces. The dragging takes the weights and the places of the speed, and so the same order.
+SpinState spin_step(SpinRay ray, SpinState from, float h) {
+    float hh = h * h;
+    vec4 v = h * from.v;
+    vec4 f0 = hh * from.f;
+    vec4 y1 = from.y + 0.5 * v + 0.125 * f0;
+    vec4 f1 = hh * spin_force(ray, y1);
+    vec4 y2 = from.y + v + 0.5 * f1;
+    SpinState to;
+    to.y = from.y + v + (f0 + 2.0 * f1) * (1.0 / 6.0);
+    to.v = from.v + (f0 + 4.0 * f1 + hh * spin_force(ray, y2)) * (1.0 / 6.0) / h;
+    to.f = spin_force(ray, to.y);
+    to.drag = spin_drag(ray, to.y.w);
+    to.psi = from.psi + h * (from.drag + 4.0 * spin_drag(ray, y1.w) + spin_drag(ray, y2.w)) * (1.0 / 6.0);
+    return to;
+}
