@@ -19,11 +19,11 @@
 #define SPIN_STEP 0.6          // of a step, times the fastest rate at work there: twice the error at 0.7, half at 0.55
 #define SPIN_MOST_STEPS 64
 #define SPIN_GROW_AFTER 20
-#define SPIN_GROWTH 0.03
+#define SPIN_GROWTH 0.07
 #else                          // SPIN_STEP and SPIN_MOST_STEPS by the method; all steps of a ray in the same proportion
 #define SPIN_SHARE (SPIN_STEP / 0.6)
 #define SPIN_GROW_AFTER int(20.0 / SPIN_SHARE + 0.5)
-#define SPIN_GROWTH (0.03 * SPIN_SHARE)
+#define SPIN_GROWTH (0.07 * SPIN_SHARE)
 #endif
 
 struct SpinRay {

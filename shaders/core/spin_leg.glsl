@@ -129,6 +129,7 @@ float leg_late(SpinRay ray, SpinLeg leg, float s, vec4 y) {
 
 // A meeting of the ray with the equatorial plane.
 struct SpinCrossing {
+    float number;      // 1 for the ray's first
     float along;       // Mino's time
     float r;
     vec2 place;        // x and y, azimuth of Boyer and Lindquist
@@ -159,6 +160,7 @@ SpinCrossing spin_crossing(SpinRay ray, SpinState from, SpinState to, float h, f
     float c = cos(psi) * inverse;
     float t = sin(psi) * inverse;
     SpinCrossing crossing;
+    crossing.number = 0.0;
     crossing.along = tau + s * h;
     crossing.r = 1.0 / max(at.w, 1.0e-12);
     crossing.place = crossing.r * vec2(c * at.x - t * at.y, t * at.x + c * at.y);

@@ -4,7 +4,8 @@
 // Inside the horizon every ray is traced outward, and none whose energy is not above 0 has come from our sky. Of the others those with
 // E (r_+^2 + a^2) <= a L have crossed another horizon than the one that the camera fell through: they meet nothing of ours.
 
-#define SPIN_CROSSINGS 4   // of the equatorial plane that are kept; a fifth image is e^-4pi of the first
+#define SPIN_CROSSINGS 4   // of the disc that are kept: layers of a translucent one
+#define SPIN_RIM 0.125     // of the disc's width, and of its inner radius: by no more is it widened for rims that cover a pixel in part
 
 #define SPIN_FARTHEST 1.0e10   // a crossing beyond it lies behind the sky
 
@@ -27,7 +28,7 @@ struct Trace {
     float momentum;       // of the photon over its frequency in the observer's frame
     float energy;
 #ifdef EFFECT_DISC
-    int crossings;        // how many of these there are
+    int crossings;        // of the disc, or close to its rims: how many of these there are
     SpinCrossing crossing_0;
     SpinCrossing crossing_1;
     SpinCrossing crossing_2;
@@ -106,6 +107,7 @@ Trace trace_pixel(vec2 pixel) {
 #ifdef EFFECT_DISC
     trace.crossings = 0;
     SpinCrossing none;
+    none.number = 0.0;
     none.along = 0.0;
     none.r = 0.0;
     none.place = vec2(0.0, 0.0);
@@ -121,6 +123,8 @@ Trace trace_pixel(vec2 pixel) {
     SpinState to = now;
     float taken = 1.0;
     float begun = 0.0;
+    float number = 0.0;
+    float rim = SPIN_RIM * min(frame.disc_y.w - frame.disc_x.w, frame.disc_x.w);
     do {   // from one crossing of the plane to the next; loops are tested at the end, see disc_colour.glsl
         bool crossed = false;
         do {
@@ -155,7 +159,9 @@ Trace trace_pixel(vec2 pixel) {
 #ifdef EFFECT_SPIN_FALL
         crossed = crossed && ours;
 #endif
-        if (crossed && crossing.r > ray.outer && crossing.r < SPIN_FARTHEST) {
+        number += crossed ? 1.0 : 0.0;
+        crossing.number = number;
+        if (crossed && crossing.r > max(ray.outer, frame.disc_x.w - rim) && crossing.r < min(SPIN_FARTHEST, frame.disc_y.w + rim)) {
             if (trace.crossings == 0) trace.crossing_0 = crossing;
             if (trace.crossings == 1) trace.crossing_1 = crossing;
             if (trace.crossings == 2) trace.crossing_2 = crossing;

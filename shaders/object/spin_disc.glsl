@@ -38,7 +38,7 @@ DiscCrossing spin_disc_cross(Trace trace, int k, vec4 foot) {
     crossing.across = vec2(foot.z, foot.w);
     float inner = frame.disc_x.w;
     float outer = frame.disc_y.w;
-    float reach = min(0.5 * sqrt(dot(foot, foot)), 0.125 * (outer - inner));
+    float reach = min(0.5 * sqrt(dot(foot, foot)), SPIN_RIM * min(outer - inner, inner));
     crossing.hit = spin_disc_more(trace, k) && crossing.r >= inner - reach && crossing.r <= outer + reach;
     return crossing;
 }
@@ -52,9 +52,9 @@ struct DiscFeet {
     vec4 foot_3;
 };
 
-vec4 spin_foot(Trace trace, int k, vec2 place, float r) {
+vec4 spin_foot(Trace trace, int k, vec2 place, float r, float number) {
     vec4 foot = vec4(dFdx(place), dFdy(place));
-    float there = spin_disc_more(trace, k) ? 1.0 : 0.0;
+    float there = spin_disc_more(trace, k) ? number : 0.0;
     float edge = abs(dFdx(there)) + abs(dFdy(there));
     float side = trace.pixel_angle * (r + 1.0 / frame.shift.y);
     return edge == 0.0 ? foot : vec4(side, 0.0, 0.0, side);
@@ -62,10 +62,10 @@ vec4 spin_foot(Trace trace, int k, vec2 place, float r) {
 
 DiscFeet spin_feet(Trace trace) {
     DiscFeet feet;
-    feet.foot_0 = spin_foot(trace, 0, trace.crossing_0.place, trace.crossing_0.r);
-    feet.foot_1 = spin_foot(trace, 1, trace.crossing_1.place, trace.crossing_1.r);
-    feet.foot_2 = spin_foot(trace, 2, trace.crossing_2.place, trace.crossing_2.r);
-    feet.foot_3 = spin_foot(trace, 3, trace.crossing_3.place, trace.crossing_3.r);
+    feet.foot_0 = spin_foot(trace, 0, trace.crossing_0.place, trace.crossing_0.r, trace.crossing_0.number);
+    feet.foot_1 = spin_foot(trace, 1, trace.crossing_1.place, trace.crossing_1.r, trace.crossing_1.number);
+    feet.foot_2 = spin_foot(trace, 2, trace.crossing_2.place, trace.crossing_2.r, trace.crossing_2.number);
+    feet.foot_3 = spin_foot(trace, 3, trace.crossing_3.place, trace.crossing_3.r, trace.crossing_3.number);
     return feet;
 }
 

@@ -93,6 +93,7 @@ RayPixel trace_one(const CoreInput& input, double x, double y) {
 #undef SPIN_GROW_AFTER
 #undef SPIN_GROWTH
 #undef SPIN_CROSSINGS
+#undef SPIN_RIM
 #undef SPIN_FARTHEST
 #undef INGOING_DELTA
 #undef INGOING_SLOW

@@ -5,6 +5,7 @@
 
 #include "camera/spin_forms.h"
 #include "spacetime/registry.h"
+#include "reference/frame_tracer.h"
 #include "support/gpu_session.h"
 
 namespace {
