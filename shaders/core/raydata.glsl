@@ -52,7 +52,9 @@ PixelData pixel_data(vec2 pixel) {
 #else
 #ifdef EFFECT_DISC
     PlaneMeeting meeting = disc_meeting(trace);
-    for (int k = disc_first(trace, meeting); k < DISC_MOST_CROSSINGS && disc_reachable(trace, meeting, k); ++k) {
+    int passed = int(frame.disc_look.w);
+    int first = disc_first(trace, meeting);
+    for (int k = passed > first ? passed : first; k < DISC_MOST_CROSSINGS && disc_reachable(trace, meeting, k); ++k) {
         DiscCrossing crossing = disc_cross(trace, meeting, k, 0.0);
 #ifdef NEEDS_PLACE
         if (crossing.phi > solid.phi) break;

@@ -161,7 +161,7 @@ Trace trace_pixel(vec2 pixel) {
 #endif
         number += crossed ? 1.0 : 0.0;
         crossing.number = number;
-        if (crossed && crossing.r > max(ray.outer, frame.disc_x.w - rim) && crossing.r < min(SPIN_FARTHEST, frame.disc_y.w + rim)) {
+        if (crossed && number > frame.disc_look.w && crossing.r > max(ray.outer, frame.disc_x.w - rim) && crossing.r < min(SPIN_FARTHEST, frame.disc_y.w + rim)) {
             if (trace.crossings == 0) trace.crossing_0 = crossing;
             if (trace.crossings == 1) trace.crossing_1 = crossing;
             if (trace.crossings == 2) trace.crossing_2 = crossing;

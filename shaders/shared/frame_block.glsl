@@ -33,7 +33,7 @@ struct FrameData {
     vec4 disc_x;       // disc's x axis, .w = inner radius (r_s)
     vec4 disc_y;       // disc's y axis, .w = outer radius (r_s)
     vec4 disc_map;     // cos and sin of the image's rotation, each over 2 outer; texels per r_s; highest level
-    vec4 disc_look;    // opacity, rim fade (fraction of the width, 0 = none), brightness, 0
+    vec4 disc_look;    // opacity, rim fade (fraction of the width, 0 = none), brightness; how many of a ray's crossings it is not met by
     vec4 critical;     // images of the disc next to the critical direction: C of its rims, log2(e)/a, first angle
 #endif
 #ifdef BLOCK_THERMAL_DISC

@@ -146,11 +146,11 @@ struct Job {
     bool asks_place() const { return at_angle && *at_angle > 0.0 && *at_angle <= M_PI; }
 };
 
-// Up to three views a ray: the scene, the first crossing of the equatorial plane, the place at at_angle.
+// The views of a ray: the scene, one for each crossing of the equatorial plane that is asked for, the place at at_angle.
 class Batch {
 public:
-    Batch(const Scene& scene, const Spacetime& spacetime, bool crossings, bool probes)
-        : scene_(scene), plane_(with_disc_from(scene, kPlane)), bare_plane_(plane_), planes_(spacetime.spin() == 0.0), crossings_(crossings),
+    Batch(const Scene& scene, const Spacetime& spacetime, int crossings, bool probes)
+        : scene_(scene), plane_(with_disc_from(scene, kPlane)), bare_plane_(plane_), crossings_(crossings), planes_(spacetime.spin() == 0.0),
           delays_(spacetime.lapse_roots() || spacetime.spin() != 0.0 || !spacetime.bends_light()) {
         bare_plane_.sphere.reset(), bare_plane_.cylinder.reset(), bare_plane_.ball.reset(), bare_plane_.surface.reset();
         if (scene_.disc && scene_.disc->opacity < 1.0) scene_.disc.reset();   // it ends no ray
@@ -161,7 +161,10 @@ public:
         std::vector<Scene> views;
         for (const Job& job : jobs) {
             views.push_back(view_along(scene_, job.start));
-            if (crossings_) views.push_back(view_along(plane_, job.start));
+            for (int k = 0; k < crossings_; ++k) {
+                views.push_back(view_along(plane_, job.start));
+                views.back().disc->passed = k;
+            }
             if (job.asks_place()) views.push_back(view_along(bare_plane_, moved_to_meet_equator(job.start, *job.at_angle)));
         }
         return views;
@@ -174,11 +177,10 @@ public:
         for (const Job& job : jobs) {
             RayRecord record = record_of(job.start, *next++, delays_);
             if (!planes_) record.angle = kNotANumber;
-            if (crossings_) {
+            for (int k = 0; k < crossings_; ++k) {
                 const RayPixel& met = *next++;
                 const double r = std::hypot(met.u, met.v);
-                if (met.hit == kDiscHit)
-                    record.crossings.push_back({r, unwrapped_azimuth(job.start, met.angle, met.u, met.v)});
+                if (met.hit == kDiscHit) record.crossings.push_back({r, unwrapped_azimuth(job.start, met.angle, met.u, met.v)});
             }
             if (job.asks_place()) {
                 const RayPixel& met = *next++;
@@ -192,7 +194,8 @@ public:
 
 private:
     Scene scene_, plane_, bare_plane_;   // bare: without bodies, which end the ray but not the question where it is
-    bool planes_, crossings_, delays_;   // planes: rays keep to one, and sweep an angle in it; delays: the shader knows them
+    int crossings_;
+    bool planes_, delays_;   // planes: rays keep to one, and sweep an angle in it; delays: the shader knows them
 };
 
 }  // namespace
@@ -213,7 +216,9 @@ Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& sce
     }
     // Rows of one radius share strip and orbit map.
     std::stable_sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) { return a.start.r < b.start.r; });
-    const Batch batch(scene, spacetime, run.crossings, run.crossings || places);
+    constexpr int kMostCrossings = 12;   // that the shader looks for (DISC_MOST_CROSSINGS)
+    const int crossings = std::min(run.crossings, kMostCrossings);
+    const Batch batch(scene, spacetime, crossings, crossings > 0 || places);
     std::vector<std::optional<RayRecord>> records(table.rows.size());
     for (std::span<const Job> rest = jobs; !rest.empty();) {
         const auto now = rest.first(std::min(kBatch, rest.size()));

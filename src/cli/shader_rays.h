@@ -18,12 +18,12 @@ struct ShaderRun {
     ShaderTracer tracer = ShaderTracer::kCore64;
     Method method;                 // of kGl; the C++ core has the strip only
     std::string context = "auto";  // of kGl, as in open_session
-    bool crossings = false;        // find the first crossing of the equatorial plane
+    int crossings = 0;             // of the equatorial plane, to find
 };
 
 // In the order of the table's rows; nothing for a ray whose camera cannot stand in a static frame outside the horizon
 // (or lies beyond kFarthestCamera). Of a record these stay empty: delay and turn; g unless escaped; `at` beyond half a
-// turn; all crossings but the first. done(n): n more rows are traced.
+// turn; crossings from the 13th on, and about a spinning hole their windings. done(n): n more rows are traced.
 Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& scene, const Spacetime& spacetime,
                                                                 const RayTable& table, const ShaderRun& run,
                                                                 const std::function<void(long long)>& done);

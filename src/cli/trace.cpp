@@ -85,7 +85,7 @@ Result<Records> trace_rows(const Scene& scene, const RayTable& table, const Spac
     const ShaderTracer tracer = options.with == "gl"       ? ShaderTracer::kGl
                                 : options.with == "core32" ? ShaderTracer::kCore32
                                                            : ShaderTracer::kCore64;
-    return trace_with_shader(scene, spacetime, table, {tracer, *method, options.context, options.crossings > 0},
+    return trace_with_shader(scene, spacetime, table, {tracer, *method, options.context, options.crossings},
                              [&](long long n) { progress.advance(n); });
 }
 

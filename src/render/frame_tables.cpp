@@ -307,7 +307,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put({0, 1, 0}, outer);
     block.put(std::cos(disc.rotation) / (2 * disc.outer), std::sin(disc.rotation) / (2 * disc.outer),
               textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1)));
-    block.put(disc.opacity, disc.edge, disc.brightness, 0);
+    block.put(disc.opacity, disc.edge, disc.brightness, disc.passed);
     const CriticalImages images = fan != nullptr && scene.disc ? critical_images(*fan, disc.inner, disc.outer) : CriticalImages{};
     block.put(images.inner, images.outer, images.per_angle * M_LOG2E, images.from_angle);
     if (disc.emission == DiscEmission::kThermal)

@@ -1,7 +1,6 @@
 #include "render/star_field.h"
 
 #include <cmath>
-#include <unordered_map>
 
 #include "base/assets.h"
 #include "light/black_body.h"
@@ -18,22 +17,19 @@ Status StarField::update(const Scene& scene, const FrameTables& tables) {
     if (sky_ != sky) {
         const auto stars = point_stars(scene.sky, assets_directory());
         if (!stars) return stars.error();
-        std::unordered_map<double, double> brightness;  // by temperature: the catalogue has few
-        std::vector<float> values;
-        for (const PointStar& star : *stars) {
-            if (sky.found) break;
-            const auto [known, is_new] = brightness.try_emplace(star.temperature_K, 0.0);
-            if (is_new) known->second = log2_brightness(star.temperature_K, sky.bolometric);
-            for (const double value : {star.direction.x, star.direction.y, star.direction.z,
-                                       std::log2(star.flux) - known->second, std::log2(star.temperature_K)})
-                values.push_back(static_cast<float>(value));
-        }
         mesh_.reset();
         view_.reset();
-        if (sky.found)
+        if (sky.found) {
             mesh_.emplace(*stars, sky.bolometric);
-        else
+        } else {
+            const std::vector<StarLight> lights = star_lights(*stars, sky.bolometric);
+            std::vector<float> values;
+            for (std::size_t i = 0; i < lights.size(); ++i) {
+                const Vec3 v = (*stars)[i].direction;
+                for (const double value : {v.x, v.y, v.z, lights[i].light, lights[i].temperature}) values.push_back(static_cast<float>(value));
+            }
             vertices_ = gl::make_vertex_list(values, {3, 2});
+        }
         sky_ = sky;
     }
     if (sky.found) find_images(scene, tables);
@@ -51,8 +47,8 @@ void StarField::find_images(const Scene& scene, const FrameTables& tables) {
     std::vector<float> values;
     for (const MeshImage& image : mesh_->images(input, scene.camera.width, scene.camera.height, kPointMargin_px,
                                                 {scene.light.shift, scene.light.beaming, faintest}))
-        for (const double value : {image.x, image.y, image.g, mesh_->light(image.star) - std::log2(image.area),
-                                   mesh_->temperature(image.star)})
+        for (const double value : {image.x, image.y, image.g, mesh_->light(image.star).light - std::log2(image.area),
+                                   mesh_->light(image.star).temperature})
             values.push_back(static_cast<float>(value));
     vertices_ = gl::make_vertex_list(values, {3, 2});
     view_ = view;

@@ -1,10 +1,14 @@
-// How bright the brightest primary of a black body is, from a table: what decides whether a star is worth an image.
+// How bright stars are: what they shine with before anything shifts it, and how bright the brightest primary of a black body is, from a table,
+// which decides whether a star is worth an image.
 #pragma once
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
+#include <vector>
 
 #include "light/black_body.h"
+#include "sky/point_stars.h"
 
 namespace nullscope {
 
@@ -33,5 +37,21 @@ private:
     }
     Row brightness_{}, part_{};
 };
+
+// Of each star.
+struct StarLight {
+    double light;        // log2 of flux over a black body's brightness
+    double temperature;  // log2 of K
+};
+inline std::vector<StarLight> star_lights(const std::vector<PointStar>& stars, bool bolometric) {
+    std::vector<StarLight> lights;
+    std::unordered_map<double, double> brightness;  // by temperature: the catalogue has few
+    for (const PointStar& star : stars) {
+        const auto [known, is_new] = brightness.try_emplace(star.temperature_K, 0.0);
+        if (is_new) known->second = log2_brightness(star.temperature_K, bolometric);
+        lights.push_back({std::log2(star.flux) - known->second, std::log2(star.temperature_K)});
+    }
+    return lights;
+}
 
 }  // namespace nullscope

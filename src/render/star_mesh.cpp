@@ -3,19 +3,19 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
+#include "render/star_cell.h"
+
 namespace nullscope {
 namespace {
 
-constexpr std::size_t kBrightest = 64;  // stars of the first level; each further one has as many as all before it
+using namespace mesh;
+
 constexpr double kPartPerOctave = 2.0;  // how fast StarGlow::part changes, at most
-constexpr double kStarsPerCell = 2.0;   // of a level's grid
 constexpr double kWide =
     0.15;  // rad of sky in a cell above which it is divided: interpolation over it is off by more than 0.01 px
 constexpr double kBent =
@@ -36,112 +36,6 @@ constexpr int kNewton = 8;
 constexpr double kFound = 3e-3,
                  kStray = 2.0;  // a step that ends them, and how far outside of the cell they may lead; of its size
 
-struct Node {
-    Vec3 sky;
-    double g = 0;
-    bool there = false;
-};
-
-struct Cell {
-    double x, y, size;            // px, lower left corner
-    std::array<Node, 4> corners;  // (0, 0), (1, 0), (0, 1), (1, 1)
-    int there() const {
-        return static_cast<int>(std::count_if(corners.begin(), corners.end(), [](const Node& n) { return n.there; }));
-    }
-};
-
-struct Cap {  // of the sky, about a cell's
-    Vec3 middle;
-    double radius;
-};
-
-// About a cell's sky, long as its longer diagonal; next to the shadow cells are slivers.
-class Box {
-public:
-    explicit Box(const Cell& cell) {
-        const auto& c = cell.corners;
-        const Vec3 a = c[3].sky - c[0].sky, b = c[2].sky - c[1].sky, longer = dot(a, a) > dot(b, b) ? a : b;
-        const double extent = length(longer);
-        along_ = extent > 0 ? longer / extent : Vec3{1, 0, 0};
-        across_ = cross(normalized(c[0].sky + c[1].sky + c[2].sky + c[3].sky), along_);
-        for (const Node& n : c) {
-            const double u = dot(n.sky, along_), v = dot(n.sky, across_);
-            low_[0] = std::min(low_[0], u), high_[0] = std::max(high_[0], u), low_[1] = std::min(low_[1], v),
-            high_[1] = std::max(high_[1], v);
-        }
-        for (std::size_t i = 0; i < 2; ++i) low_[i] -= kBow * extent, high_[i] += kBow * extent;
-    }
-    bool has(Vec3 star) const {
-        const double u = dot(star, along_), v = dot(star, across_);
-        return u >= low_[0] && u <= high_[0] && v >= low_[1] && v <= high_[1];
-    }
-
-private:
-    static constexpr double kBow = 0.15;  // of the extent: how far its sky may reach beyond its corners'
-    Vec3 along_, across_;
-    std::array<double, 2> low_{INFINITY, INFINITY}, high_{-INFINITY, -INFINITY};
-};
-
-struct Candidate {
-    Vec3 place;
-    int star;
-};
-
-struct Local {
-    Vec3 sky, by_x, by_y;
-    double g = 0;
-};
-
-// Polynomials through values at equal steps, and their slopes: N = 4 at -1, 0, 1, 2; N = 3 at 0, 1/2, 1.
-template <std::size_t N>
-std::array<double, N> weights(double t) {
-    if constexpr (N == 4)
-        return {-t * (t - 1) * (t - 2) / 6, (t + 1) * (t - 1) * (t - 2) / 2, -(t + 1) * t * (t - 2) / 2,
-                (t + 1) * t * (t - 1) / 6};
-    else
-        return {(2 * t - 1) * (t - 1), 4 * t * (1 - t), t * (2 * t - 1)};
-}
-template <std::size_t N>
-std::array<double, N> slopes(double t) {
-    if constexpr (N == 4)
-        return {-(3 * t * t - 6 * t + 2) / 6, (3 * t * t - 4 * t - 1) / 2, -(3 * t * t - 2 * t - 2) / 2,
-                (3 * t * t - 1) / 6};
-    else
-        return {4 * t - 3, 4 - 8 * t, 4 * t - 1};
-}
-
-// nodes: N rows of N.
-template <std::size_t N>
-Local interpolated(const std::array<std::array<Node, N>, N>& nodes, const Cell& cell, double x, double y) {
-    const double s = (x - cell.x) / cell.size, t = (y - cell.y) / cell.size;
-    const auto a = weights<N>(s), b = weights<N>(t), da = slopes<N>(s), db = slopes<N>(t);
-    Local local;
-    for (std::size_t j = 0; j < N; ++j)
-        for (std::size_t i = 0; i < N; ++i) {
-            const Node& node = nodes[j][i];
-            local.sky = local.sky + a[i] * b[j] * node.sky;
-            local.by_x = local.by_x + da[i] * b[j] / cell.size * node.sky;
-            local.by_y = local.by_y + a[i] * db[j] / cell.size * node.sky;
-            local.g += a[i] * b[j] * node.g;
-        }
-    return local;
-}
-
-double edge(Vec3 a, Vec3 b, Vec3 star) { return dot(cross(a - star, b - star), star); }
-
-Cap cap_of(const Cell& cell) {
-    Vec3 sum;
-    for (const Node& n : cell.corners) sum = sum + n.sky;
-    Cap cap{normalized(sum), 0};
-    for (const Node& n : cell.corners) cap.radius = std::max(cap.radius, angle_between(cap.middle, n.sky));
-    return cap;
-}
-
-double extent(const Cell& cell) {
-    const auto& c = cell.corners;
-    return std::max(length(c[3].sky - c[0].sky), length(c[2].sky - c[1].sky));
-}
-
 bool is_coarse(const Cell& cell, Vec3 middle) {
     const auto& c = cell.corners;
     const Vec3 mean = 0.25 * (c[0].sky + c[1].sky + c[2].sky + c[3].sky);
@@ -151,84 +45,15 @@ bool is_coarse(const Cell& cell, Vec3 middle) {
 
 }  // namespace
 
-StarMesh::StarMesh(const std::vector<PointStar>& stars, bool bolometric) : glow_(bolometric) {
-    std::vector<double> power;
-    std::unordered_map<double, double> brightness;  // by temperature: the catalogue has few
-    for (const PointStar& star : stars) {
-        const auto [known, is_new] = brightness.try_emplace(star.temperature_K, 0.0);
-        if (is_new) known->second = log2_brightness(star.temperature_K, bolometric);
-        made_.push_back({std::log2(star.flux) - known->second, std::log2(star.temperature_K)});
-        power.push_back(std::log2(star.flux) + glow_.part(made_.back().temperature));
-    }
-    std::vector<int> order(stars.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-        return power[static_cast<std::size_t>(a)] > power[static_cast<std::size_t>(b)];
-    });
-    for (std::size_t from = 0, count = kBrightest; from < order.size(); from += count, count = from) {
-        const auto begin = order.begin() + static_cast<std::ptrdiff_t>(from),
-                   end = order.begin() + static_cast<std::ptrdiff_t>(std::min(from + count, order.size()));
-        Level level;
-        level.brightest = power[static_cast<std::size_t>(*begin)];
-        level.rows =
-            std::clamp(static_cast<int>(std::sqrt(static_cast<double>(end - begin) / (2 * kStarsPerCell))), 1, 1024);
-        level.columns = 2 * level.rows;
-        const auto cell_of = [&](Vec3 v) {
-            const int row = std::clamp(static_cast<int>(0.5 * (v.z + 1) * level.rows), 0, level.rows - 1);
-            const int column = std::clamp(static_cast<int>((std::atan2(v.y, v.x) / (2 * M_PI) + 0.5) * level.columns),
-                                          0, level.columns - 1);
-            return static_cast<std::size_t>(row * level.columns + column);
-        };
-        level.first.assign(static_cast<std::size_t>(level.rows * level.columns) + 1, 0);
-        for (auto i = begin; i != end; ++i) ++level.first[cell_of(stars[static_cast<std::size_t>(*i)].direction) + 1];
-        std::partial_sum(level.first.begin(), level.first.end(), level.first.begin());
-        level.places.resize(static_cast<std::size_t>(end - begin));
-        level.numbers.resize(level.places.size());
-        std::vector<int> next = level.first;
-        for (auto i = begin; i != end; ++i) {
-            const Vec3 place = stars[static_cast<std::size_t>(*i)].direction;
-            const auto at = static_cast<std::size_t>(next[cell_of(place)]++);
-            level.places[at] = place;
-            level.numbers[at] = *i;
-        }
-        levels_.push_back(std::move(level));
-    }
-    double coldest = INFINITY;
-    for (auto level = levels_.rbegin(); level != levels_.rend(); ++level) {
-        for (const int star : level->numbers) coldest = std::min(coldest, temperature(star));
-        level->coldest = coldest;
-    }
-}
-
-template <class Visit>
-void StarMesh::visit_near(const Level& level, Vec3 middle, double radius, const Visit& visit) {
-    const double theta = std::atan2(std::hypot(middle.x, middle.y), middle.z);
-    const double high = std::cos(std::max(theta - radius, 0.0)), low = std::cos(std::min(theta + radius, M_PI));
-    const auto row_of = [&](double z) {
-        return std::clamp(static_cast<int>(0.5 * (z + 1) * level.rows), 0, level.rows - 1);
-    };
-    const double reach = radius < M_PI / 2 ? std::sin(radius) : 1.0, flat = std::sin(theta),
-                 turn = reach < flat ? std::asin(reach / flat) : M_PI;
-    const double at = (std::atan2(middle.y, middle.x) / (2 * M_PI) + 0.5) * level.columns,
-                 wide = turn / (2 * M_PI) * level.columns;
-    const int left = static_cast<int>(std::floor(at - wide)),
-              right = std::min(static_cast<int>(std::floor(at + wide)), left + level.columns - 1);
-    for (int row = row_of(low); row <= row_of(high); ++row)
-        for (int column = left; column <= right; ++column) {
-            const auto cell = static_cast<std::size_t>(row * level.columns + (column + level.columns) % level.columns);
-            for (int i = level.first[cell]; i < level.first[cell + 1]; ++i)
-                visit(Candidate{level.places[static_cast<std::size_t>(i)], level.numbers[static_cast<std::size_t>(i)]});
-        }
-}
-
 // One call of images(): the mesh's nodes, and what is found in a row of cells.
 class MeshWalk {
+    using Star = StarGrid::Star;
     using Known = std::unordered_map<long long, Node>;  // of a row's cells that are divided
 
 public:
-    MeshWalk(const StarMesh& mesh, const CoreInput& input, int width, int height, double margin,
+    MeshWalk(const StarGrid& stars, const CoreInput& input, int width, int height, double margin,
              const StarMesh::Seeing& seeing)
-        : mesh_(mesh),
+        : stars_(stars),
           input_(input),
           seeing_(seeing),
           across_(0.5 * width + margin),
@@ -259,7 +84,7 @@ public:
             if (!whole || is_coarse(cell, smooth(cell.x + 0.5 * pitch_, cell.y + 0.5 * pitch_).sky))
                 divided(cell, nullptr, known, found);
             else
-                for (const Candidate& one : candidates(cell, kLeastArea))
+                for (const Star& one : candidates(cell, kLeastArea))
                     find(
                         cell, one, kOver, [&] { return smooth; }, found);
         }
@@ -295,29 +120,29 @@ private:
 
     // By this area of sky, sr/px^2.
     bool seen(int star, double area, double g) const {
-        const double light = mesh_.light(star), own = mesh_.temperature(star),
+        const double light = stars_.light(star).light, own = stars_.light(star).temperature,
                      shifted = own + std::log2(std::max(g, 1e-9));
-        const StarGlow& glow = mesh_.glow_;
+        const StarGlow& glow = stars_.glow();
         return light + glow.brightness(seeing_.beaming ? shifted : own) + glow.part(seeing_.shift ? shifted : own) -
                    std::log2(area) >
                seeing_.faintest;
     }
 
     // The stars near a cell's sky that could be seen in it; least: of the cell's area over what an image's can be.
-    std::vector<Candidate> candidates(const Cell& cell, double least) const {
-        std::vector<Candidate> list;
+    std::vector<Star> candidates(const Cell& cell, double least) const {
+        std::vector<Star> list;
         const Cap cap = cap_of(cell);
         const auto [area, g] = bounds(cell, least);
         const Box box(cell);
         const double other =
             seeing_.shift ? std::min(kPartPerOctave * std::fabs(std::log2(g)), StarGlow::kMostPart) : 0.0;
-        for (const StarMesh::Level& level : mesh_.levels_) {
-            const double bluer = seeing_.beaming && g > 1 ? mesh_.glow_.brightness(level.coldest + std::log2(g)) -
-                                                                mesh_.glow_.brightness(level.coldest)
+        for (const StarGrid::Level& level : stars_.levels()) {
+            const double bluer = seeing_.beaming && g > 1 ? stars_.glow().brightness(level.coldest + std::log2(g)) -
+                                                                stars_.glow().brightness(level.coldest)
                                                           : 0.0;
             if (level.brightest + bluer + other - std::log2(area) < seeing_.faintest) break;
-            StarMesh::visit_near(level, cap.middle, (1 + 4 * kOverDivided) * cap.radius, [&](const Candidate& one) {
-                if (box.has(one.place) && dot(one.place, cap.middle) > 0 && seen(one.star, area, g))
+            StarGrid::visit_near(level, cap.middle, (1 + 4 * kOverDivided) * cap.radius, [&](const Star& one) {
+                if (box.has(one.place) && dot(one.place, cap.middle) > 0 && seen(one.number, area, g))
                     list.push_back(one);
             });
         }
@@ -332,12 +157,12 @@ private:
     }
 
     // within: the stars that could be in it; nullptr: not known.
-    void divided(const Cell& cell, const std::vector<Candidate>* within, Known& known,
+    void divided(const Cell& cell, const std::vector<Star>* within, Known& known,
                  std::vector<MeshImage>& found) const {
         const int there = cell.there();
         const double half = 0.5 * cell.size;
         const bool finest = cell.size < 1.5 * kMeshFinest * pitch_;
-        std::vector<Candidate> list;
+        std::vector<Star> list;
         const bool narrow = there == 4 && cap_of(cell).radius < (finest ? kWidestFinest : kWidest);
         if (finest && !narrow) return;
         if (narrow) {
@@ -353,7 +178,7 @@ private:
         if (!split) {
             const auto by_rays = [&](double x, double y) { return differenced(x, y, kStep * cell.size); };
             if (is_coarse(cell, middle.sky)) {
-                for (const Candidate& one : list)
+                for (const Star& one : list)
                     find(
                         cell, one, kOverFinest, [&] { return by_rays; }, found);
                 return;
@@ -364,30 +189,30 @@ private:
                     nodes = {{{c[0], side(1, 0), c[1]}, {side(0, 1), middle, side(2, 1)}, {c[2], side(1, 2), c[3]}}};
                 return [&](double x, double y) { return interpolated(*nodes, cell, x, y); };
             };
-            for (const Candidate& one : list) find(cell, one, kOverDivided, map, found);
+            for (const Star& one : list) find(cell, one, kOverDivided, map, found);
             return;
         }
         const Node left = side(0, 1), right = side(2, 1), below = side(1, 0), above = side(1, 2);
-        const std::vector<Candidate>* inner = narrow && middle.there ? &list : nullptr;
+        const std::vector<Star>* inner = narrow && middle.there ? &list : nullptr;
         divided({cell.x, cell.y, half, {c[0], below, left, middle}}, inner, known, found);
         divided({cell.x + half, cell.y, half, {below, c[1], middle, right}}, inner, known, found);
         divided({cell.x, cell.y + half, half, {left, middle, c[2], above}}, inner, known, found);
         divided({cell.x + half, cell.y + half, half, {middle, right, above, c[3]}}, inner, known, found);
     }
 
-    std::vector<Candidate> kept(const Cell& cell, const std::vector<Candidate>& all) const {
+    std::vector<Star> kept(const Cell& cell, const std::vector<Star>& all) const {
         const Box box(cell);
         const auto [area, g] = bounds(cell, kLeastAreaDivided);
-        std::vector<Candidate> list;
-        for (const Candidate& one : all) {
-            if (box.has(one.place) && seen(one.star, area, g)) list.push_back(one);
+        std::vector<Star> list;
+        for (const Star& one : all) {
+            if (box.has(one.place) && seen(one.number, area, g)) list.push_back(one);
         }
         return list;
     }
 
     // map(): what gives the sky at a place in the cell; asked for where a star is in the cell.
     template <class MakeMap>
-    void find(const Cell& cell, const Candidate& one, double over, const MakeMap& map,
+    void find(const Cell& cell, const Star& one, double over, const MakeMap& map,
               std::vector<MeshImage>& found) const {
         const auto& c = cell.corners;
         constexpr std::array<std::array<std::size_t, 3>, 2> kTriangles = {{{0, 1, 3}, {0, 3, 2}}};
@@ -398,8 +223,8 @@ private:
             if (!(std::min({u * all, v * all, w * all}) >= -over * all * all) || all == 0) continue;
             const std::array<double, 3> by{u / all, v / all, w / all};
             MeshImage image{cell.x, cell.y, by[0] * p.g + by[1] * q.g + by[2] * r.g,
-                            std::fabs(all) / (cell.size * cell.size), one.star};
-            if (!seen(one.star, kLeastArea * image.area, image.g)) continue;
+                            std::fabs(all) / (cell.size * cell.size), one.number};
+            if (!seen(one.number, kLeastArea * image.area, image.g)) continue;
             for (std::size_t k = 0; k < 3; ++k) {
                 if (t[k] % 2 == 1) image.x += by[k] * cell.size;
                 if (t[k] >= 2) image.y += by[k] * cell.size;
@@ -450,7 +275,7 @@ private:
         return false;
     }
 
-    const StarMesh& mesh_;
+    const StarGrid& stars_;
     const CoreInput& input_;
     const StarMesh::Seeing& seeing_;
     double across_, up_, pitch_;
@@ -461,8 +286,8 @@ private:
 std::vector<MeshImage> StarMesh::images(const CoreInput& input, int width, int height, double margin_px,
                                         const Seeing& seeing) const {
     std::vector<MeshImage> all;
-    if (levels_.empty()) return all;
-    const MeshWalk walk(*this, input, width, height, margin_px, seeing);
+    if (stars_.levels().empty()) return all;
+    const MeshWalk walk(stars_, input, width, height, margin_px, seeing);
     std::vector<std::vector<MeshImage>> rows(static_cast<std::size_t>(walk.rows()));
     tbb::parallel_for(0, walk.rows(), [&](int j) { walk.row(j, rows[static_cast<std::size_t>(j)]); });
     for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());

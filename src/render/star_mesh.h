@@ -3,10 +3,8 @@
 #pragma once
 #include <vector>
 
-#include "base/vec.h"
-#include "render/star_glow.h"
+#include "render/star_grid.h"
 #include "shadercore/core_trace.h"
-#include "sky/point_stars.h"
 
 namespace nullscope {
 
@@ -19,13 +17,9 @@ struct MeshImage {
 
 class StarMesh {
 public:
-    StarMesh(const std::vector<PointStar>& stars, bool bolometric);
+    StarMesh(const std::vector<PointStar>& stars, bool bolometric) : stars_(stars, bolometric) {}
 
-    // Number i of the list.
-    double light(int star) const {
-        return made_[static_cast<std::size_t>(star)].light;
-    }  // log2 of flux over a black body's brightness
-    double temperature(int star) const { return made_[static_cast<std::size_t>(star)].temperature; }  // log2 of K
+    const StarLight& light(int star) const { return stars_.light(star); }  // number i of the list
 
     // The images that can be seen within margin_px of the picture, by star: each within 0.01 px and 1 % of its area, next to the shadow
     // too. Closer to the shadow's edge than kMeshFinest cells there are none. kMeshCells rays and some six times as many along the edge
@@ -38,25 +32,7 @@ public:
                                   const Seeing& seeing) const;
 
 private:
-    friend class MeshWalk;
-    struct Made {
-        double light, temperature;
-    };
-    // Stars of like brightness, by cell of a grid of equal steps of z and of the azimuth.
-    struct Level {
-        double brightest = 0.0,
-               coldest = 0.0;  // log2 of flux in the brightest primary; log2 of K, of this and of all fainter levels
-        int rows = 1, columns = 1;
-        std::vector<Vec3> places;
-        std::vector<int> numbers;  // of those in the list
-        std::vector<int> first;    // of each cell, and the end
-    };
-    template <class Visit>
-    static void visit_near(const Level& level, Vec3 middle, double radius, const Visit& visit);
-
-    StarGlow glow_;
-    std::vector<Made> made_;
-    std::vector<Level> levels_;  // brightest first
+    StarGrid stars_;
 };
 
 inline constexpr int kMeshCells = 60000;

@@ -120,6 +120,7 @@ struct DiscSpec {
     double temperature_K = 8000.0;      // thermal: of the hottest ring, in its own frame; without `accretion`
     std::optional<AccretionSpec> accretion;   // thermal: gives the temperature
     DiscFlowKind flow = DiscFlowKind::kStill;
+    int passed = 0;                     // of each ray's crossings of the plane, before it is met: ray files list them one by one
     double flow_life = 40.0;            // kKepler: a copy of the pattern is wound up this long, r_s/c, then it has faded into the next
     // Colours, formula, columns and rows of it alone, and none of these with texture kImage, which is `image`. u = 1/2 + azimuth/turn,
     // v = (r - inner)/(outer - inner); x, y: the place, z = 0.

@@ -273,23 +273,24 @@ class ShaderText(TraceTest):
             yield "g", abs(number(row["g"]) / number(exact["g"]) - 1)
         if exact["at"]:
             yield "at", abs(number(row["at"]) - number(exact["at"])) / slope
-        if exact["r_1"]:
-            yield "crossing", abs(1 / number(row["r_1"]) - 1 / number(exact["r_1"])) / slope
+        for r in ("r_1", "r_2"):
+            if exact[r]:
+                yield "crossing", abs(1 / number(row[r]) - 1 / number(exact[r])) / slope
 
     def test_random_rays(self):
         text, turned, step = self.random_rays(400)
-        reference = self.trace(text, "--crossings", "1")
+        reference = self.trace(text, "--crossings", "2")
         beside = self.trace(turned)
         angles = [(number(a["angle"]), number(b["angle"])) for a, b in zip(reference, beside)]
         later = [abs(number(a["delay"]) - number(b["delay"])) / step if a["delay"] and b["delay"] else 0.0 for a, b in zip(reference, beside)]
         slopes = [max(1.0, abs(a - b) / step) for a, b in angles]
         for tracer in self.tracers():
             worst = {}
-            for row, exact, slope, lag in zip(self.trace(text, "--crossings", "1", "--with", tracer), reference, slopes, later):
+            for row, exact, slope, lag in zip(self.trace(text, "--crossings", "2", "--with", tracer), reference, slopes, later):
                 name = (tracer, exact["i"])
                 self.assertEqual((row["i"], row["fate"]), (exact["i"], exact["fate"]), name)
                 self.assertEqual(row["turn"], "", name)
-                for both in ("theta_inf", "phi_inf", "at", "r_1", "phi_1"):
+                for both in ("theta_inf", "phi_inf", "at", "r_1", "phi_1", "r_2", "phi_2"):
                     self.assertEqual(row[both] == "", exact[both] == "", (name, both))
                 self.assertEqual(row["delay"] == "", exact["delay"] == "", name)
                 if exact["delay"]:
@@ -300,8 +301,9 @@ class ShaderText(TraceTest):
                 for what, error in self.screen_errors(row, exact, slope):
                     self.assertLessEqual(error, SCREEN_RAD[tracer], (name, what))
                     worst[what] = max(worst.get(what, 0.0), error)
-                if exact["phi_1"]:
-                    self.assertAlmostEqual(number(row["phi_1"]), number(exact["phi_1"]), delta=AZIMUTH_RAD, msg=name)
+                for phi in ("phi_1", "phi_2"):
+                    if exact[phi]:
+                        self.assertAlmostEqual(number(row[phi]), number(exact[phi]), delta=AZIMUTH_RAD, msg=name)
             self.report(f"{tracer}: random rays: " + ", ".join(f"{k} {v:.3g}" for k, v in worst.items()))
 
     def test_disc_stops_rays(self):
@@ -363,15 +365,17 @@ class ShaderText(TraceTest):
     def test_about_a_spinning_hole(self):
         scene = self.write("kerr.toml", '[spacetime]\nmetric = "kerr"\nspin = 0.9\n')
         rays = "r,theta,phi,n_r,n_theta,n_phi\n10,1.3,0.2,-0.95,0.2,0.24\n10,1.3,0.2,-0.98,0.1,-0.3\n5,0.4,0.2,-0.9,0.4,0.1\n3,1.57,1,0.2,0.3,-0.7\n5,0,0.2,-0.9,0.4,0.1\n"
-        exact = self.trace(rays, "--crossings", "1", scene=scene)
+        exact = self.trace(rays, "--crossings", "2", scene=scene)
         self.assertEqual([r["fate"] for r in exact], ["escaped", "escaped", "captured", "escaped", "captured"])
+        self.assertTrue(any(r["r_2"] for r in exact))
         for tracer in self.tracers():
-            for row, right in zip(self.trace(rays, "--with", tracer, "--crossings", "1", scene=scene), exact):
+            for row, right in zip(self.trace(rays, "--with", tracer, "--crossings", "2", scene=scene), exact):
                 self.assertEqual((row["fate"], row["angle"]), (right["fate"], ""), tracer)
-                self.assertEqual(row["r_1"] == "", right["r_1"] == "")
-                if right["r_1"]:
-                    self.assertAlmostEqual(number(row["r_1"]) / number(right["r_1"]), 1, delta=1e-5)
-                    self.assertAlmostEqual(math.remainder(number(row["phi_1"]) - number(right["phi_1"]), 2 * math.pi), 0, delta=1e-5)
+                for r, phi in (("r_1", "phi_1"), ("r_2", "phi_2")):
+                    self.assertEqual(row[r] == "", right[r] == "", (tracer, r))
+                    if right[r]:
+                        self.assertAlmostEqual(number(row[r]) / number(right[r]), 1, delta=1e-5)
+                        self.assertAlmostEqual(math.remainder(number(row[phi]) - number(right[phi]), 2 * math.pi), 0, delta=1e-5)
                 if right["fate"] == "escaped":
                     self.assertLess(angle_between(direction(row), direction(right)), 1e-5)   # truncation, six steps of 0.6 rad
         self.write("rain.csv", "r,theta,phi,n_r,n_theta,n_phi,frame\n5,1,0,-1,0,0,rain\n")

@@ -50,7 +50,8 @@ const std::vector<Case>& cases() {
 }
 
 TEST_CASE("kerr bodies: hits, places and fates are the reference's at every pixel") {
-    on_every_context([](GpuSession& session) {
+    MeasuredOnce measured;
+    on_every_context([&](GpuSession& session) {
         for (const Case& c : cases()) {
             const std::string name = c.name;
             CAPTURE(name);
@@ -62,6 +63,7 @@ TEST_CASE("kerr bodies: hits, places and fates are the reference's at every pixe
             looks(scene, 10, 1.3);
             c.set(scene);
             const RayFrame frame = gl_ray_data(session, scene);
+            if (measured.known(name, frame)) continue;
             const RayMeasures m = measure_rays(frame, scene.camera, reference_trace(scene));
             fmt::print("{:<7} {:<45} screen {:.4f}, place {:.4f} px of 1080p; {} hits, fate errors {}, forgiven {}\n", session.context->kind(), c.name, kOf1080 * m.sky_px.max, kOf1080 * m.place_px.max,
                        m.place_px.count, m.fate_errors, m.forgiven);

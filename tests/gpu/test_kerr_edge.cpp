@@ -30,8 +30,8 @@ TEST_CASE("kerr edge: rays further than a microradian from it end as the referen
     double in_double = 0, in_float = 0;
     int edges = 0, steps = 0;
     for (const double spin : {0.5, 0.9, 0.998, 0.9999})
-        for (const double r : {3.0, 10.0, 100.0})
-            for (const double theta : {0.5 * M_PI, 1.3, 0.5}) {
+        for (const double r : {3.0, 10.0})
+            for (const double theta : {0.5 * M_PI, 1.3}) {
                 Scene scene;
                 scene.spacetime = {"kerr", {{"spin", spin}}};
                 CameraSpec& camera = scene.camera;
@@ -57,7 +57,7 @@ TEST_CASE("kerr edge: rays further than a microradian from it end as the referen
                     }
             }
     fmt::print("{} edges: core64 off by at most {:.1e} rad, core32 {:.1e} rad; next to them rays take at most {} steps\n", edges, in_double, in_float, steps);
-    CHECK(edges > 150);
+    CHECK(edges > 60);
     CHECK(in_double <= kInDouble);
     CHECK(in_float <= kInFloat);
     CHECK(steps < kMostSteps);

@@ -48,7 +48,8 @@ const std::vector<Case>& cases() {
 }
 
 TEST_CASE("sides: hits, places and fates are the reference's at every pixel") {
-    on_every_context([](GpuSession& session) {
+    MeasuredOnce measured;
+    on_every_context([&](GpuSession& session) {
         for (const Case& c : cases()) {
             const std::string name = c.name;
             CAPTURE(name);
@@ -61,6 +62,7 @@ TEST_CASE("sides: hits, places and fates are the reference's at every pixel") {
             c.set(scene);
             if (scene.spacetime.metric != "ellis") scene.camera.width = 65, scene.camera.height = 37;   // the reference takes milliseconds a ray
             const RayFrame frame = gl_ray_data(session, scene);
+            if (measured.known(name, frame)) continue;
             const RayMeasures m = measure_rays(frame, scene.camera, reference_trace(scene));
             fmt::print("{:<7} {:<40} screen {:.1e}, place {:.1e}, swept {:.1e} px; {} hits, fate errors {}, forgiven {}\n", session.context->kind(), c.name,
                        m.sky_px.max, m.place_px.max, m.angle_px.max, m.place_px.count, m.fate_errors, m.forgiven);
