@@ -166,8 +166,10 @@ void run_case(const GoldenCase& golden, GpuSession& session, MeasuredOnce& measu
 TEST_CASE("every case is as the reference draws it") {
     MeasuredOnce measured;
     on_every_context([&](GpuSession& session) {
+        int number = 0;
         for (const GoldenCase& golden : golden_cases()) {
             CAPTURE(golden.name);
+            if (session.context->kind() == std::string("osmesa") && number++ % 3 != 0 && !everything_asked()) continue;   // that both draw the same bits has a test
             run_case(golden, session, measured);
         }
     });
