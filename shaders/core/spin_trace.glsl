@@ -133,7 +133,8 @@ Trace trace_pixel(vec2 pixel) {
             now = spin_step(ray, now, h);
             --left;
 #ifdef NEEDS_PLACE
-            if (search.going) {
+            search.before += h;
+            if (search.going && leg_reaches(before, now, h)) {
                 SpinLeg leg = spin_leg(ray, before, now, h);
                 search = leg_search(ray, leg, tau, trace.pixel_angle, blur, search);
                 now.psi = leg_psi(ray, leg, now);
@@ -175,7 +176,8 @@ Trace trace_pixel(vec2 pixel) {
         SpinState before = now;
         float h = spin_stride(ray, before, left);
         now = spin_step(ray, before, h);
-        if (search.going) {
+        search.before += h;
+        if (search.going && leg_reaches(before, now, h)) {
             SpinLeg leg = spin_leg(ray, before, now, h);
             search = leg_search(ray, leg, tau, trace.pixel_angle, blur, search);
             now.psi = leg_psi(ray, leg, now);

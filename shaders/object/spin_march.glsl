@@ -22,7 +22,7 @@ float march_stride(RayPlace place, float reach) {
 struct SolidSearch {
     bool going;
     int left;             // looks
-    float before;         // the last look within a step, by Mino's time less than now, and the value there
+    float before;         // the last look within a step, how long ago by Mino's time, and the value there
     float before_value;
     float length;         // of the way
     bool entered;         // hit is a body that the ray enters
@@ -58,6 +58,12 @@ SolidSearch solid_met(SolidSearch search, RayPlace place, float tau, float cover
     return search;
 }
 
+// May a step come as close to the centre as a body does?
+bool leg_reaches(SpinState from, SpinState to, float h) {
+    float more = 0.25 * h * max(abs(from.v.w), abs(to.v.w));   // where zeta turns within it
+    return (max(from.y.w, to.y.w) + more) * frame.march.x >= 1.0;
+}
+
 // Along a step that begins at Mino's time tau.
 SolidSearch leg_search(SpinRay ray, SpinLeg leg, float tau, float pixel_angle, float blur, SolidSearch search) {
     float reach = frame.march.x;
@@ -65,11 +71,11 @@ SolidSearch leg_search(SpinRay ray, SpinLeg leg, float tau, float pixel_angle, f
     way.ray = ray;
     way.leg = leg;
     way.pixel_angle = pixel_angle;
-    way.length = search.length;
     float s = 0.0;
     RayPlace place = way_place(way, s);
+    way.length = max(search.length, abs(1.0 / frame.shift.y - place.r));   // steps that no body is near to are left out
     float value = way_value(way, place);
-    float before = max(-search.before / leg.h, -MARCH_LONGEST);
+    float before = max(1.0 - search.before / leg.h, -MARCH_LONGEST);
     float before_value = search.before_value;
     bool grows_to = spin_slope_at(leg.arc, 1.0).w > 0.0;
     bool on = true;

@@ -26,6 +26,7 @@ BallPath sampled(const BallMotionAt& motion, const Scene& scene, double reach) {
         write(0, ball.place);
         write(1, -path.step * ball.velocity);
         path.reach = std::max(path.reach, length(ball.place) + scene.ball->radius);
+        path.ground = std::min(path.ground, length(ball.place) - scene.ball->radius - path.step * length(ball.velocity));
         path.speed = std::max(path.speed, length(ball.velocity));
     };
     if (scene.time > path.from)   // away from t = 0, whence falls are followed

@@ -14,6 +14,7 @@ struct BallPath {
     double from = 0, step = 1;  // of the first node, and from one to the next, r_s/c before the scene's time
     double reach = 0;         // from the centre, of its farthest point, r_s
     double speed = 0;         // its largest, in coordinates
+    double ground = 1e30;     // as far from the centre as no point of it comes closer
 };
 
 // For all light that can have come from it, up to some ten half turns about the hole. Errors: those of scene/ball_motion.h.

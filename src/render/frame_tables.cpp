@@ -73,7 +73,7 @@ void put_march(BlockWriter& block, const Scene& scene, double spin, const BallPa
         thinnest = std::min({thinnest, 2 * c->height, c->outer - c->inner});
     }
     if (const auto& b = scene.ball) {
-        holds(b->far, ball_path != nullptr ? ball_path->reach : length(b->position) + b->radius, ball_path != nullptr ? 0.0 : length(b->position) - b->radius);
+        holds(b->far, ball_path != nullptr ? ball_path->reach : length(b->position) + b->radius, ball_path != nullptr ? std::max(ball_path->ground, 0.0) : length(b->position) - b->radius);
         thinnest = std::min(thinnest, b->radius);
     }
     if (scene.sphere && (spin != 0.0 || scene.sphere->swing > 0.0)) {
