@@ -133,12 +133,8 @@ Trace trace_pixel(vec2 pixel) {
             now = spin_step(ray, now, h);
             --left;
 #ifdef NEEDS_PLACE
-            search.before += h;
-            if (search.going && leg_reaches(before, now, h)) {
-                SpinLeg leg = spin_leg(ray, before, now, h);
-                search = leg_search(ray, leg, tau, trace.pixel_angle, blur, search);
-                now.psi = leg_psi(ray, leg, now);
-            }
+            search = step_search(ray, before, now, h, tau, trace.pixel_angle, blur, search);
+            now.psi = search.psi;
 #endif
             // What is used after the loop is kept in a branch: Mesa 22's software driver gives a ray that has left a loop what later rounds
             // of the others make of variables that no round takes over from the one before.
@@ -176,12 +172,8 @@ Trace trace_pixel(vec2 pixel) {
         SpinState before = now;
         float h = spin_stride(ray, before, left);
         now = spin_step(ray, before, h);
-        search.before += h;
-        if (search.going && leg_reaches(before, now, h)) {
-            SpinLeg leg = spin_leg(ray, before, now, h);
-            search = leg_search(ray, leg, tau, trace.pixel_angle, blur, search);
-            now.psi = leg_psi(ray, leg, now);
-        }
+        search = step_search(ray, before, now, h, tau, trace.pixel_angle, blur, search);
+        now.psi = search.psi;
         tau += h;
 #else
         now = spin_step(ray, now, spin_stride(ray, now, left));

@@ -25,6 +25,7 @@ struct SolidSearch {
     float before;         // the last look within a step, how long ago by Mino's time, and the value there
     float before_value;
     float length;         // of the way
+    float psi;            // at the end of the step that was looked along
     bool entered;         // hit is a body that the ray enters
     SolidHit hit;         // as far as it is known: covered > 0
 };
@@ -36,6 +37,7 @@ SolidSearch solid_search() {
     search.before = 0.0;
     search.before_value = 1.0e30;
     search.length = 0.0;
+    search.psi = 0.0;
     search.entered = false;
     search.hit.object = 0;
     search.hit.phi = 1.0e30;
@@ -121,6 +123,18 @@ SolidSearch leg_search(SpinRay ray, SpinLeg leg, float tau, float pixel_angle, f
     search.before_value = whole ? before_value : value;
     search.length = way.length;
     search.going = search.going && search.left > 0;
+    return search;
+}
+
+// Along the step between two states that begins at Mino's time tau, if it comes near to a body.
+SolidSearch step_search(SpinRay ray, SpinState from, SpinState to, float h, float tau, float pixel_angle, float blur, SolidSearch search) {
+    search.before += h;
+    search.psi = to.psi;
+    if (search.going && leg_reaches(from, to, h)) {
+        SpinLeg leg = spin_leg(ray, from, to, h);
+        search = leg_search(ray, leg, tau, pixel_angle, blur, search);
+        search.psi = leg_psi(ray, leg, to);
+    }
     return search;
 }
 
