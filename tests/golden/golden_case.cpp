@@ -7,6 +7,7 @@
 #include "base/atomic_file.h"
 #include "base/text.h"
 #include "scene/scene_file.h"
+#include "support/folders.h"
 
 namespace nullscope::test {
 namespace {
@@ -41,7 +42,7 @@ Result<GoldenCase> parse_case(const std::string& line) {
 
 }  // namespace
 
-std::filesystem::path golden_folder() { return std::filesystem::path(NULLSCOPE_TEST_DATA) / "golden"; }
+std::filesystem::path golden_folder() { return data_folder() / "golden"; }
 
 Result<std::vector<GoldenCase>> read_golden_cases(const std::filesystem::path& file) {
     const auto text = read_text(file);

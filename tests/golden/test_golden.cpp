@@ -11,6 +11,7 @@
 #include "golden/golden_case.h"
 #include "scene/scene_file.h"
 #include "scene/split.h"
+#include "support/folders.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -114,7 +115,7 @@ void fail(const GoldenCase& golden, GpuSession& session, const Outcome& outcome,
         const ExactPixel exact = exact_pixel(outcome.scene.camera, trace, p.x, p.y);
         report.pixels.push_back({p.x, p.y, outcome.measures.at(p.x, p.y), witnesses, verdict_of(witnesses, exact)});
     }
-    const std::filesystem::path file = std::filesystem::path(NULLSCOPE_REPORTS) /
+    const std::filesystem::path file = reports_folder() /
                                        fmt::format("{}-{}-{}.html", golden.name, session.context->kind(), kind);
     const Status saved = save_report(file, report);
     std::string sentence =

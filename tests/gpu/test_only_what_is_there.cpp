@@ -7,6 +7,7 @@
 #include "base/assets.h"
 #include "base/atomic_file.h"
 #include "shaderlib/shader_source.h"
+#include "support/folders.h"
 #include "support/gpu_session.h"
 #include "support/paired_cost.h"
 
@@ -115,7 +116,7 @@ double ratio_to_lone_sky(GpuSession& session, Scene scene, bool& same) {
     scene.camera.width = kWidth, scene.camera.height = kHeight;
     Renderer& renderer = *session.renderer;
     REQUIRE(renderer.prepare(scene));
-    const auto frozen = read_text(std::filesystem::path(NULLSCOPE_TEST_DATA) / "gpu" / "lone_sky.frag");
+    const auto frozen = read_text(data_folder() / "gpu" / "lone_sky.frag");
     REQUIRE(frozen);
     const ShaderSource source = shader_source(Stage::kPicture, {Effect::kLensing, Effect::kSky}, Output::kDisplay, {}, "schwarzschild", {});
     const gl::Program lone = gl::make_program(source.vertex, *frozen);

@@ -19,6 +19,7 @@
 #include "proof/taylor_orbit.h"
 #include "reference/frame_tracer.h"
 #include "spacetime/registry.h"
+#include "support/folders.h"
 
 namespace {
 
@@ -172,8 +173,7 @@ TEST_CASE("hard cases: the reference agrees with the second formulation") {
         keep(most, worst.error_px, worst.bound_px);
         lines += fmt::format("{}\t{:.3g}\t{:.3g}\n", c.name, worst.error_px, worst.bound_px);
     }
-    std::filesystem::create_directories(NULLSCOPE_REPORTS);
-    std::ofstream(std::filesystem::path(NULLSCOPE_REPORTS) / "hard-reference.tsv") << lines;
+    std::ofstream(test::reports_folder() / "hard-reference.tsv") << lines;
     fmt::print("{} views, {} rays, {} views of metrics without a second formulation left out; largest error over bound {:.2f}\n",
                hard_cases().size(), rays, others, most.ratio());
 }

@@ -13,6 +13,7 @@
 
 #include "proof/view_judge.h"
 #include "scene/scene_file.h"
+#include "support/folders.h"
 
 namespace {
 
@@ -51,7 +52,7 @@ Reproduction reproduce(FrameTables& tables, const View& view, const Core& core, 
     Reproduction result;
     result.view = shrunk(view, [&](const View& v) { return worst_of(tables, v, core, what, pixels).ratio > 1; });
     result.finding = worst_of(tables, result.view, core, what, pixels);
-    const std::filesystem::path folder = std::filesystem::path(NULLSCOPE_REPORTS) / "found";
+    const std::filesystem::path folder = test::reports_folder() / "found";
     std::filesystem::create_directories(folder);
     result.file = folder / (name + ".toml");
     std::ofstream(result.file) << result.view.toml(
@@ -123,7 +124,7 @@ FoundScene read_found(const std::filesystem::path& path) {
 TEST_CASE("random views: scenes that were found, each at the pixel that it names") {
     FrameTables tables;
     int scenes = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(NULLSCOPE_TEST_DATA "/hard/found")) {
+    for (const auto& entry : std::filesystem::directory_iterator(test::data_folder() / "hard/found")) {
         if (entry.path().extension() != ".toml") continue;
         const FoundScene found = read_found(entry.path());
         ++scenes;

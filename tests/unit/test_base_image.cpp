@@ -8,6 +8,7 @@
 #include "base/exr_file.h"
 #include "base/image_file.h"
 #include "base_temporary_folder.h"
+#include "support/folders.h"
 
 using namespace nullscope;
 namespace fs = std::filesystem;
@@ -293,7 +294,7 @@ TEST_CASE("save_png refuses images that are none") {
 }
 
 TEST_CASE("hostile pictures are refused before a decoder allocates for them or reads past its tables") {
-    const fs::path corpus = fs::path(NULLSCOPE_TEST_DATA) / "fuzz" / "corpus";
+    const fs::path corpus = test::data_folder() / "fuzz" / "corpus";
     const std::pair<const char*, const char*> cases[] = {
         {"picture/huge-header.png", "10000 x 10000 pixels are not in 69 bytes"},
         {"picture/png-chunk-of-2-gigabytes", "a chunk is longer than the file"},

@@ -8,6 +8,7 @@
 #include "reference/orbit.h"
 #include "shadercore/core64.h"
 #include "spacetime/registry.h"
+#include "support/folders.h"
 #include "table/density_fit.h"
 #include "table/deflection_table.h"
 #include "table/orbit_map.h"
@@ -50,7 +51,7 @@ TEST_CASE("deflection table: swept angle of every escaping vector") {
     const double q_crit = spacetime->photon_sphere()->q_crit;
     double worst = 0.0;
     int rows = 0;
-    for (const VectorRow& row : load_vectors(NULLSCOPE_TEST_DATA "/vectors/schwarzschild.csv")) {
+    for (const VectorRow& row : load_vectors(test::data_folder() / "vectors/schwarzschild.csv")) {
         const double zeta0 = number(row, "zeta0"), delta = number(row, "delta");   // delta = q/q_crit - 1 to all digits
         if (number(row, "status") != 0 || zeta0 >= 1.0) continue;
         const double k = number(row, "q") / q_crit, one_minus_k2 = -delta * (2.0 + delta);

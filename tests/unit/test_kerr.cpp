@@ -13,6 +13,7 @@
 #include "reference/reference.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
+#include "support/folders.h"
 #include "table/disc_light.h"
 #include "vector_file.h"
 
@@ -142,7 +143,7 @@ TEST_CASE("kerr: the shader core meets the vectors in float and in double, every
     for (const bool in_float : {false, true}) {
         double sky_px = 0, place_px = 0;
         int rays = 0, places = 0, most = 0;
-        for (const VectorRow& row : load_vectors(NULLSCOPE_TEST_DATA "/vectors/kerr_a0.9.csv")) {
+        for (const VectorRow& row : load_vectors(test::data_folder() / "vectors/kerr_a0.9.csv")) {
             CAPTURE(row.at("id"));
             const double r0 = 0.5 * number(row, "r0"), theta = number(row, "theta0");
             const Vec3 n = normalized(Vec3{number(row, "n_r"), number(row, "n_th"), number(row, "n_ph")});

@@ -7,6 +7,7 @@
 
 #include "reference/kerr_ray.h"
 #include "reference/reference.h"
+#include "support/folders.h"
 #include "vector_file.h"
 
 namespace {
@@ -70,7 +71,7 @@ struct Worst {
 // bias: added to every look direction, to see the check fail.
 Worst compare(double bias) {
     Worst worst;
-    for (const VectorRow& row : load_vectors(NULLSCOPE_TEST_DATA "/vectors/kerr_a0.9.csv")) {
+    for (const VectorRow& row : load_vectors(test::data_folder() / "vectors/kerr_a0.9.csv")) {
         KerrStart start = start_of(row);
         start.look = normalized(start.look + bias * Vec3{0, 1, 0});
         const KerrRay ray = reference::trace_kerr(kSpin, start, kCrossings);

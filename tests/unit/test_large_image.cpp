@@ -10,6 +10,7 @@
 #include "base/image_file.h"
 #include "base/large_image.h"
 #include "base_temporary_folder.h"
+#include "support/folders.h"
 
 using namespace nullscope;
 namespace fs = std::filesystem;
@@ -92,7 +93,7 @@ TEST_CASE("colours behind nothing do not bleed into a smaller picture") {
 }
 
 TEST_CASE("by rows, JPEG is read to within a code value of the whole, and what needs the whole is refused") {
-    const fs::path corpus = fs::path(NULLSCOPE_TEST_DATA) / "fuzz" / "corpus" / "picture";
+    const fs::path corpus = test::data_folder() / "fuzz" / "corpus" / "picture";
     int read = 0;
     for (const auto& entry : fs::directory_iterator(corpus)) {
         const auto bytes = read_text(entry.path());

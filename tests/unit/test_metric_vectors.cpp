@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "reference/reference.h"
+#include "support/folders.h"
 #include "vector_condition.h"
 #include "vector_file.h"
 
@@ -41,7 +42,7 @@ TEST_CASE("the reference meets every row of the extremal Reissner-Nordstrom vect
     int rows = 0, inside = 0;
     Scene scene;
     scene.spacetime = {"reissner-nordstrom", {{"charge", 1.0}}};
-    for (const VectorRow& row : load_vectors(NULLSCOPE_TEST_DATA "/vectors/rn_extremal.csv")) {
+    for (const VectorRow& row : load_vectors(test::data_folder() / "vectors/rn_extremal.csv")) {
         const double q = number(row, "q"), zeta0 = number(row, "zeta0"), v = zeta0 * (1 - 0.5 * zeta0);
         const int s = static_cast<int>(number(row, "s")), status = static_cast<int>(number(row, "status"));
         const Trace trace = [&](double q_, double zeta_, std::optional<double> at) {
@@ -84,7 +85,7 @@ TEST_CASE("the reference meets every row of the Ellis vectors") {
     int rows = 0;
     Scene scene;
     scene.spacetime = {"ellis", {}};
-    for (const VectorRow& row : load_vectors(NULLSCOPE_TEST_DATA "/vectors/ellis.csv")) {
+    for (const VectorRow& row : load_vectors(test::data_folder() / "vectors/ellis.csv")) {
         const double h = number(row, "h"), l0 = number(row, "l0");
         const int s = static_cast<int>(number(row, "s"));
         const Trace trace = [&](double q_, double l_, std::optional<double> at) {
@@ -116,7 +117,7 @@ TEST_CASE("the reference meets every row of the Ellis vectors") {
 TEST_CASE("the reference meets every row of the vectors of charges without horizon") {
     double worst = 0;
     int rows = 0;
-    for (const VectorRow& row : load_vectors(NULLSCOPE_TEST_DATA "/vectors/rn_naked.csv")) {
+    for (const VectorRow& row : load_vectors(test::data_folder() / "vectors/rn_naked.csv")) {
         Scene scene;
         scene.spacetime = {"reissner-nordstrom", {{"charge", number(row, "charge")}}};
         const double q = number(row, "q"), zeta0 = number(row, "zeta0"), charge = number(row, "charge");
@@ -161,7 +162,7 @@ TEST_CASE("the reference meets every row of the vectors of charges without horiz
 TEST_CASE("the reference meets every row of the vectors of James, von Tunzelmann, Franklin and Thorne's wormhole") {
     double worst = 0;
     int rows = 0;
-    for (const VectorRow& row : load_vectors(NULLSCOPE_TEST_DATA "/vectors/dneg.csv")) {
+    for (const VectorRow& row : load_vectors(test::data_folder() / "vectors/dneg.csv")) {
         Scene scene;
         scene.spacetime = {"dneg-wormhole", {{"length", number(row, "length")}, {"lensing_width", number(row, "width")}}};
         const double h = number(row, "h"), l0 = number(row, "l0");

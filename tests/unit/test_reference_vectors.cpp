@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "reference/reference.h"
+#include "support/folders.h"
 #include "vector_condition.h"
 #include "vector_file.h"
 
@@ -62,7 +63,7 @@ void check(const VectorRow& row, const std::string& column, const VectorOutput& 
 }
 
 TEST_CASE("the reference meets every row of the Schwarzschild vectors") {
-    const auto rows = load_vectors(std::string(NULLSCOPE_TEST_DATA) + "/vectors/schwarzschild.csv");
+    const auto rows = load_vectors(test::data_folder() / "vectors/schwarzschild.csv");
     REQUIRE(rows.size() > 100);
     for (const VectorRow& row : rows) {
         const double q = number(row, "q"), zeta0 = number(row, "zeta0");
@@ -84,7 +85,7 @@ TEST_CASE("the reference meets every row of the Schwarzschild vectors") {
 TEST_CASE("the reference's frequency ratio is that of the vectors") {
     // One square root and one division of exact inputs: a few roundings, amplified by 1/(1 - zeta0) of the lapse.
     constexpr double kRoundings = 8 * 2.3e-16;
-    for (const VectorRow& row : load_vectors(std::string(NULLSCOPE_TEST_DATA) + "/vectors/schwarzschild.csv")) {
+    for (const VectorRow& row : load_vectors(test::data_folder() / "vectors/schwarzschild.csv")) {
         const double expected = number(row, "g_static"), zeta0 = number(row, "zeta0");
         const auto record = trace(number(row, "q"), zeta0, static_cast<int>(number(row, "s")), {});
         REQUIRE(record);

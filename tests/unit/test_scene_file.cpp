@@ -15,6 +15,7 @@
 #include "scene/scene_file.h"
 #include "scene/scene_keys.h"
 #include "spacetime/registry.h"
+#include "support/folders.h"
 
 using namespace nullscope;
 namespace fs = std::filesystem;
@@ -173,7 +174,7 @@ TEST_CASE("the defaults that the key table shows are those of an empty scene") {
 }
 
 TEST_CASE("docs/scenes.md has every key, every metric's parameter and every allowed range") {
-    const Result<std::string> docs = read_text(fs::path(NULLSCOPE_SOURCE_DIR) / "docs/scenes.md");
+    const Result<std::string> docs = read_text(test::source_folder() / "docs/scenes.md");
     REQUIRE(docs);
     const auto shown = [](std::string_view text, bool code) {
         return text.empty() ? std::string("-") : code ? fmt::format("`{}`", text) : std::string(text);

@@ -13,6 +13,7 @@
 #include "sky/sky.h"
 #include "sky/star_catalogue.h"
 #include "sky/star_light.h"
+#include "support/folders.h"
 
 using namespace nullscope;
 namespace fs = std::filesystem;
@@ -27,7 +28,7 @@ constexpr float kStripeError = 0.1f;   // what a pattern of period two pixels, t
 constexpr double kPixelError = 0.006;  // of an image of 8 bits: half a code near white is 0.0045 in linear light
 constexpr int kSize = 256;             // of faces: quick, and one texel is 0.35 degrees
 
-const fs::path kAssets = fs::path(NULLSCOPE_SOURCE_DIR) / "assets";
+const fs::path kAssets = test::source_folder() / "assets";
 
 Vec3 direction(double ra_degrees, double dec_degrees) {
     const double ra = ra_degrees * kDegree, dec = dec_degrees * kDegree;

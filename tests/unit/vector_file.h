@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -12,7 +13,7 @@ namespace nullscope {
 
 using VectorRow = std::map<std::string, std::string>;
 
-inline std::vector<VectorRow> load_vectors(const std::string& path) {
+inline std::vector<VectorRow> load_vectors(const std::filesystem::path& path) {
     std::ifstream in(path);
     std::vector<VectorRow> rows;
     std::vector<std::string> names;
