@@ -5,6 +5,7 @@
 #include <string>
 
 #include "scene/scene_file.h"
+#include "support/folders.h"
 
 using namespace nullscope;
 using namespace std::string_literals;
@@ -149,7 +150,8 @@ const Broken kBroken[] = {
 }  // namespace
 
 TEST_CASE("every broken scene is refused in one line that names file, line and key") {
-    const std::filesystem::path base = NULLSCOPE_TEST_DATA;  // its CMakeLists.txt serves as an image: none is opened
+    const std::filesystem::path base =
+        nullscope::test::data_folder();  // its CMakeLists.txt serves as an image: none is opened
     for (const Broken& broken : kBroken) {
         const Result<Scene> scene = parse_scene(broken.text, "dir/scene.toml", base);
         CAPTURE(broken.text.substr(0, 100));
