@@ -10,12 +10,12 @@
 
 namespace nullscope::cli {
 
-Command add_bench_frames(CLI::App& bench);
-Command add_bench_accuracy(CLI::App& bench);
-Command add_bench_hard(CLI::App& bench);
-Command add_bench_soak(CLI::App& bench);
-Command add_bench_metrics(CLI::App& bench);
-Command add_bench_spin(CLI::App& bench);
+void add_bench_frames(Command& bench);
+void add_bench_accuracy(Command& bench);
+void add_bench_hard(Command& bench);
+void add_bench_soak(Command& bench);
+void add_bench_metrics(Command& bench);
+void add_bench_spin(Command& bench);
 
 inline double process_seconds() {
     timespec t{};

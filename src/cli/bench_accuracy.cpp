@@ -323,16 +323,19 @@ int run(const Options& options) {
 
 }  // namespace
 
-Command add_bench_accuracy(CLI::App& bench) {
+void add_bench_accuracy(Command& bench) {
     auto options = std::make_shared<Options>();
-    CLI::App* app = bench.add_subcommand("accuracy", "Error and cost of every way of tracing, about a spinning hole of its steps and orders, as a table, a diagram and JSON; some minutes");
-    app->add_option("scenes", options->scenes, "Scenes whose spacetime and sky are used")->capture_default_str();
-    context_option(app, options->context);
-    app->add_option("--frames", options->frames, "Timed frames of each method")->check(CLI::Range(3, 1000))->capture_default_str();
-    app->add_option("--json", options->json, "Write the rows to this file");
-    app->add_option("--plot", options->plot, "Write the work-precision diagram to this SVG file");
-    app->add_option("--frontier", options->frontier, "Write what --method auto chooses from to this CSV file (ships as assets/frontier.csv)");
-    return {app, [options] { return run(*options); }};
+    Command& command = bench.add_command("accuracy",
+                                         "Error and cost of every way of tracing, about a spinning hole of its steps "
+                                         "and orders, as a table, a diagram and JSON; some minutes");
+    command.add_option("scenes", &options->scenes, "Scenes whose spacetime and sky are used").show_default();
+    context_option(command, options->context);
+    command.add_option("--frames", &options->frames, "Timed frames of each method").in_range(3, 1000).show_default();
+    command.add_option("--json", &options->json, "Write the rows to this file");
+    command.add_option("--plot", &options->plot, "Write the work-precision diagram to this SVG file");
+    command.add_option("--frontier", &options->frontier,
+                       "Write what --method auto chooses from to this CSV file (ships as assets/frontier.csv)");
+    command.on_run([options] { return run(*options); });
 }
 
 }  // namespace nullscope::cli

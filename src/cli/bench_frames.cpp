@@ -141,17 +141,20 @@ int run_frames(const Options& options) {
 
 }  // namespace
 
-Command add_bench_frames(CLI::App& bench) {
+void add_bench_frames(Command& bench) {
     auto options = std::make_shared<Options>();
-    CLI::App* app = bench.add_subcommand("frames", "Time of a frame, in ratio to the same frame in flat space and to a bare fetch");
-    app->add_option("scenes", options->scenes, "Scenes to time")->capture_default_str();
-    app->add_option("--size", options->size, "Frame size, WIDTHxHEIGHT")->capture_default_str();
-    context_option(app, options->context);
-    app->add_option("--frames", options->frames, "Frames of each kind")->check(CLI::Range(9, 10000))->capture_default_str();
-    app->add_option("--poses", options->poses, "Also time this many random camera poses of each scene")->check(CLI::Range(0, 10000));
-    app->add_flag("--effects", options->effects, "Instead of scenes: the empty scene, and each effect added to it alone");
-    app->add_option("--json", options->json, "Write the rows to this file");
-    return {app, [options] { return run_frames(*options); }};
+    Command& command =
+        bench.add_command("frames", "Time of a frame, in ratio to the same frame in flat space and to a bare fetch");
+    command.add_option("scenes", &options->scenes, "Scenes to time").show_default();
+    command.add_option("--size", &options->size, "Frame size, WIDTHxHEIGHT").show_default();
+    context_option(command, options->context);
+    command.add_option("--frames", &options->frames, "Frames of each kind").in_range(9, 10000).show_default();
+    command.add_option("--poses", &options->poses, "Also time this many random camera poses of each scene")
+        .in_range(0, 10000);
+    command.add_flag("--effects", &options->effects,
+                     "Instead of scenes: the empty scene, and each effect added to it alone");
+    command.add_option("--json", &options->json, "Write the rows to this file");
+    command.on_run([options] { return run_frames(*options); });
 }
 
 }  // namespace nullscope::cli

@@ -203,14 +203,17 @@ int run(const Options& options) {
 
 }  // namespace
 
-Command add_bench_hard(CLI::App& bench) {
+void add_bench_hard(Command& bench) {
     auto options = std::make_shared<Options>();
-    CLI::App* app = bench.add_subcommand(
-        "hard", "The hard cases: what each may err by and what every witness measures; status 1 if one is outside of its bound");
-    app->add_option("--json", options->json, "Write the rows to this file");
-    app->add_option("--reference", options->reference, "Fill the column of the reference from this file (proof_tests writes it: reports/hard-reference.tsv)");
-    app->add_option("--only", options->only, "Only cases with this text in their name");
-    return {app, [options] { return run(*options); }};
+    Command& command = bench.add_command("hard",
+                                         "The hard cases: what each may err by and what every witness measures; status "
+                                         "1 if one is outside of its bound");
+    command.add_option("--json", &options->json, "Write the rows to this file");
+    command.add_option(
+        "--reference", &options->reference,
+        "Fill the column of the reference from this file (proof_tests writes it: reports/hard-reference.tsv)");
+    command.add_option("--only", &options->only, "Only cases with this text in their name");
+    command.on_run([options] { return run(*options); });
 }
 
 }  // namespace nullscope::cli

@@ -117,15 +117,16 @@ int run(const Options& options) {
 
 }  // namespace
 
-Command add_bench_metrics(CLI::App& bench) {
+void add_bench_metrics(Command& bench) {
     auto options = std::make_shared<Options>();
-    CLI::App* app = bench.add_subcommand("metrics", "One scene in every spacetime: a frame's time over Schwarzschild's, and the time of its tables");
-    app->add_option("scenes", options->scenes, "Scenes whose camera, sky and disc are used")->capture_default_str();
-    app->add_option("--size", options->size, "Frame size, WIDTHxHEIGHT")->capture_default_str();
-    context_option(app, options->context);
-    app->add_option("--frames", options->frames, "Frames of each kind")->check(CLI::Range(9, 10000))->capture_default_str();
-    app->add_option("--json", options->json, "Write the rows to this file");
-    return {app, [options] { return run(*options); }};
+    Command& command = bench.add_command(
+        "metrics", "One scene in every spacetime: a frame's time over Schwarzschild's, and the time of its tables");
+    command.add_option("scenes", &options->scenes, "Scenes whose camera, sky and disc are used").show_default();
+    command.add_option("--size", &options->size, "Frame size, WIDTHxHEIGHT").show_default();
+    context_option(command, options->context);
+    command.add_option("--frames", &options->frames, "Frames of each kind").in_range(9, 10000).show_default();
+    command.add_option("--json", &options->json, "Write the rows to this file");
+    command.on_run([options] { return run(*options); });
 }
 
 }  // namespace nullscope::cli

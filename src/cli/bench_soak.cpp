@@ -137,15 +137,17 @@ int run(const Options& options) {
 
 }  // namespace
 
-Command add_bench_soak(CLI::App& bench) {
+void add_bench_soak(Command& bench) {
     auto options = std::make_shared<Options>();
-    CLI::App* app = bench.add_subcommand("soak", "Thousands of frames along a random path with changes of scene; status 1 if memory grows or a value is not finite");
-    app->add_option("--frames", options->frames, "How many")->check(CLI::Range(2 * kSpan, 100000000))->capture_default_str();
-    app->add_option("--size", options->size, "Frame size, WIDTHxHEIGHT")->capture_default_str();
-    app->add_option("--seed", options->seed, "Another path")->capture_default_str();
-    context_option(app, options->context);
-    app->add_option("--json", options->json, "Write the result to this file");
-    return {app, [options] { return run(*options); }};
+    Command& command = bench.add_command("soak",
+                                         "Thousands of frames along a random path with changes of scene; status 1 if "
+                                         "memory grows or a value is not finite");
+    command.add_option("--frames", &options->frames, "How many").in_range(2 * kSpan, 100000000).show_default();
+    command.add_option("--size", &options->size, "Frame size, WIDTHxHEIGHT").show_default();
+    command.add_option("--seed", &options->seed, "Another path").in_range(0, 4294967295.0).show_default();
+    context_option(command, options->context);
+    command.add_option("--json", &options->json, "Write the result to this file");
+    command.on_run([options] { return run(*options); });
 }
 
 }  // namespace nullscope::cli

@@ -138,14 +138,15 @@ int run(const Options& options) {
 
 }  // namespace
 
-Command add_bench_spin(CLI::App& bench) {
+void add_bench_spin(Command& bench) {
     auto options = std::make_shared<Options>();
-    CLI::App* app = bench.add_subcommand("spin", "A spinning hole's rays against a march in Kerr-Schild coordinates: errors, then cost");
-    app->add_option("--size", options->size, "Frame size, WIDTHxHEIGHT")->capture_default_str();
-    context_option(app, options->context);
-    app->add_option("--frames", options->frames, "Frames of each kind")->check(CLI::Range(3, 10000))->capture_default_str();
-    app->add_option("--json", options->json, "Write the rows to this file");
-    return {app, [options] { return run(*options); }};
+    Command& command = bench.add_command(
+        "spin", "A spinning hole's rays against a march in Kerr-Schild coordinates: errors, then cost");
+    command.add_option("--size", &options->size, "Frame size, WIDTHxHEIGHT").show_default();
+    context_option(command, options->context);
+    command.add_option("--frames", &options->frames, "Frames of each kind").in_range(3, 10000).show_default();
+    command.add_option("--json", &options->json, "Write the rows to this file");
+    command.on_run([options] { return run(*options); });
 }
 
 }  // namespace nullscope::cli

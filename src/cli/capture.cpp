@@ -270,33 +270,65 @@ int run(const Options& options) {
 
 }  // namespace
 
-Command add_capture(CLI::App& parent) {
+void add_capture(Command& parent) {
     auto options = std::make_shared<Options>();
-    CLI::App* app = parent.add_subcommand("capture", "Draw a scene to a PNG (display-ready) or an EXR (linear light, optional ray data)");
-    app->add_option("scene", options->scene, "Scene file, or the name of one that ships (see: nullscope scenes)")->required();
-    app->add_option("-o,--output", options->output, "File to write, .png or .exr; of a scene with a [path] also .mp4, by ffmpeg where that is installed (goes on with what a stopped run has drawn)")->capture_default_str();
-    app->add_option("--size", options->size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
-    app->add_option("--beside", options->beside, "Split screen: the right half shows this scene, seen by the camera of the first; each half is centred");
-    context_option(app, options->context);
-    app->add_option("--renderer", options->renderer, "gl: the shader; reference: the double-precision tracer, slow")
-        ->check(CLI::IsMember({"gl", "reference"}))->capture_default_str();
-    app->add_option("--method", options->method, "How the shader traces: auto (see --max-error), strip, table[:SIZE[:LOOKUP]], closed-form, "
-                    "integrate[:ORDER[:STEP]], euler:STEPS; of a spinning hole mino[:ORDER[:STEP]], of its sky alone also mino:4 and kerr-schild:STEP")->capture_default_str();
-    app->add_option("--max-error", options->max_error, fmt::format("auto: the cheapest method whose measured error stays under this many pixels "
-                    "(default {}, and the most exact method where the pixels are too small to be sure of that)", kDefaultMaxError_px))
-        ->check(CLI::Range(1e-12, 1e6));
-    app->add_option("--time", options->time, "Scene time in r_s/c (default: the scene's); scenes without anything that moves look the same at all times")
-        ->check(CLI::Range(0.0, 1e9));
-    app->add_option("--time-step", options->time_step, "Scene time from one frame to the next, r_s/c, of --frames and films, but of a camera that falls, which has a clock: content moves, as light's delay shows it")
-        ->check(CLI::Range(-1e6, 1e6))->capture_default_str();
-    app->add_option("--frames", options->frames, "Draw frames A to B-1 of the scene's [path], or as many with --time-step, A:B; -o then holds %05d, or ends in .mp4");
-    app->add_flag("--resume", options->resume, "Leave out the frames whose files are there: goes on with a sequence that was stopped");
-    app->add_option("--samples", options->samples, "reference: rays per pixel along each side")->check(CLI::Range(1, 16))->capture_default_str();
-    app->add_option("--largest-texture", options->largest_texture, "Most pixels along a side of an image's texture: larger images are made "
-                    "smaller while they are read (default: the driver's limit)")->check(CLI::Range(16, 65536));
-    app->add_flag("--raydata", options->raydata, "Also write where every pixel's ray went, as channels of the EXR");
-    app->add_flag("--dump-shader", options->dump_shader, "Print the shaders of this scene's passes and stop");
-    return {app, [options] { return run(*options); }};
+    Command& command = parent.add_command(
+        "capture", "Draw a scene to a PNG (display-ready) or an EXR (linear light, optional ray data)");
+    command.add_option("scene", &options->scene, "Scene file, or the name of one that ships (see: nullscope scenes)")
+        .required();
+    command
+        .add_option("-o,--output", &options->output,
+                    "File to write, .png or .exr; of a scene with a [path] also .mp4, by ffmpeg where that is "
+                    "installed (goes on with what a stopped run has drawn)")
+        .show_default();
+    command.add_option("--size", &options->size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
+    command.add_option(
+        "--beside", &options->beside,
+        "Split screen: the right half shows this scene, seen by the camera of the first; each half is centred");
+    context_option(command, options->context);
+    command.add_option("--renderer", &options->renderer, "gl: the shader; reference: the double-precision tracer, slow")
+        .one_of({"gl", "reference"})
+        .show_default();
+    command
+        .add_option("--method", &options->method,
+                    "How the shader traces: auto (see --max-error), strip, table[:SIZE[:LOOKUP]], closed-form, "
+                    "integrate[:ORDER[:STEP]], euler:STEPS; of a spinning hole mino[:ORDER[:STEP]], of its sky alone "
+                    "also mino:4 and kerr-schild:STEP")
+        .show_default();
+    command
+        .add_option(
+            "--max-error", &options->max_error,
+            fmt::format("auto: the cheapest method whose measured error stays under this many pixels "
+                        "(default {}, and the most exact method where the pixels are too small to be sure of that)",
+                        kDefaultMaxError_px))
+        .in_range(1e-12, 1e6);
+    command
+        .add_option(
+            "--time", &options->time,
+            "Scene time in r_s/c (default: the scene's); scenes without anything that moves look the same at all times")
+        .in_range(0.0, 1e9);
+    command
+        .add_option("--time-step", &options->time_step,
+                    "Scene time from one frame to the next, r_s/c, of --frames and films, but of a camera that falls, "
+                    "which has a clock: content moves, as light's delay shows it")
+        .in_range(-1e6, 1e6)
+        .show_default();
+    command.add_option("--frames", &options->frames,
+                       "Draw frames A to B-1 of the scene's [path], or as many with --time-step, A:B; -o then holds "
+                       "%05d, or ends in .mp4");
+    command.add_flag("--resume", &options->resume,
+                     "Leave out the frames whose files are there: goes on with a sequence that was stopped");
+    command.add_option("--samples", &options->samples, "reference: rays per pixel along each side")
+        .in_range(1, 16)
+        .show_default();
+    command
+        .add_option("--largest-texture", &options->largest_texture,
+                    "Most pixels along a side of an image's texture: larger images are made "
+                    "smaller while they are read (default: the driver's limit)")
+        .in_range(16, 65536);
+    command.add_flag("--raydata", &options->raydata, "Also write where every pixel's ray went, as channels of the EXR");
+    command.add_flag("--dump-shader", &options->dump_shader, "Print the shaders of this scene's passes and stop");
+    command.on_run([options] { return run(*options); });
 }
 
 }  // namespace nullscope::cli

@@ -1,34 +1,29 @@
-// A subcommand registers itself with CLI11 and runs when it was named; it returns the process's exit status.
+// The subcommands of nullscope: each adds itself to the program, with its options and what it runs, which returns the
+// exit status.
 #pragma once
-#include <CLI/CLI.hpp>
-
-#include <functional>
 #include <memory>
 #include <string>
 
+#include "base/command_line.h"
 #include "base/result.h"
 
 namespace nullscope::cli {
 
-struct Command {
-    CLI::App* app = nullptr;
-    std::function<int()> run;
-};
-
-Command add_capture(CLI::App& parent);
-Command add_trace(CLI::App& parent);
-Command add_compare(CLI::App& parent);
-Command add_bench(CLI::App& parent);
-Command add_plan(CLI::App& parent);
-Command add_scenes(CLI::App& parent);
-Command add_info(CLI::App& parent);
-Command add_figure(CLI::App& parent);
-Command add_lightcurve(CLI::App& parent);
-Command add_light_time(CLI::App& parent);
+void add_capture(Command& parent);
+void add_trace(Command& parent);
+void add_compare(Command& parent);
+void add_bench(Command& parent);
+void add_plan(Command& parent);
+void add_scenes(Command& parent);
+void add_info(Command& parent);
+void add_figure(Command& parent);
+void add_lightcurve(Command& parent);
+void add_light_time(Command& parent);
 
 // --context of what draws; help says what for.
-inline void context_option(CLI::App* app, std::string& context, const char* help = "OpenGL context: auto, egl, osmesa") {
-    app->add_option("--context", context, help)->check(CLI::IsMember({"auto", "egl", "osmesa"}))->capture_default_str();
+inline void context_option(Command& command, std::string& context,
+                           const char* help = "OpenGL context: auto, egl, osmesa") {
+    command.add_option("--context", &context, help).one_of({"auto", "egl", "osmesa"}).show_default();
 }
 
 // One line on standard error; the exit status that goes with it (1 or 2).

@@ -118,17 +118,18 @@ int run(const Options& options) {
 
 }  // namespace
 
-Command add_compare(CLI::App& parent) {
+void add_compare(Command& parent) {
     auto options = std::make_shared<Options>();
-    CLI::App* app = parent.add_subcommand(
+    Command& command = parent.add_command(
         "compare", "Differences between two pictures, or between the ray data of two frames (A against the exact B)");
-    app->add_option("a", options->a, "PNG, JPEG, HDR or EXR; or an EXR with ray data (nullscope capture --raydata)")
-        ->required();
-    app->add_option("b", options->b, "The same kind of file: what A should be")->required();
-    app->add_option("--heatmap", options->heat_map, "PNG to write: each pixel's difference by colour, with a legend");
-    app->add_option("--scene", options->scene,
-                    "Ray data: the scene of both, whose camera says what angle a pixel spans");
-    return {app, [options] { return run(*options); }};
+    command.add_option("a", &options->a, "PNG, JPEG, HDR or EXR; or an EXR with ray data (nullscope capture --raydata)")
+        .required();
+    command.add_option("b", &options->b, "The same kind of file: what A should be").required();
+    command.add_option("--heatmap", &options->heat_map,
+                       "PNG to write: each pixel's difference by colour, with a legend");
+    command.add_option("--scene", &options->scene,
+                       "Ray data: the scene of both, whose camera says what angle a pixel spans");
+    command.on_run([options] { return run(*options); });
 }
 
 }  // namespace nullscope::cli

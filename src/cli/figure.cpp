@@ -124,13 +124,17 @@ int run(const Options& options) {
 
 }  // namespace
 
-Command add_figure(CLI::App& parent) {
+void add_figure(Command& parent) {
     auto options = std::make_shared<Options>();
-    CLI::App* app = parent.add_subcommand("figure", "Draw as SVG: light rays near the critical one, the types of rays, isoradials (images of rings of the disc)");
-    app->add_option("name", options->name, "bending, ray-types or isoradials")->required()->check(CLI::IsMember({"bending", "ray-types", "isoradials"}));
-    app->add_option("--scene", options->scene, "isoradials: scene whose camera looks")->capture_default_str();
-    app->add_option("-o,--output", options->output, "File to write (default NAME.svg)");
-    return {app, [options] { return run(*options); }};
+    Command& command = parent.add_command(
+        "figure",
+        "Draw as SVG: light rays near the critical one, the types of rays, isoradials (images of rings of the disc)");
+    command.add_option("name", &options->name, "bending, ray-types or isoradials")
+        .required()
+        .one_of({"bending", "ray-types", "isoradials"});
+    command.add_option("--scene", &options->scene, "isoradials: scene whose camera looks").show_default();
+    command.add_option("-o,--output", &options->output, "File to write (default NAME.svg)");
+    command.on_run([options] { return run(*options); });
 }
 
 }  // namespace nullscope::cli

@@ -48,14 +48,25 @@ int run(const Options& options) {
 
 }  // namespace
 
-Command add_light_time(CLI::App& parent) {
+void add_light_time(Command& parent) {
     auto options = std::make_shared<Options>();
-    CLI::App* app = parent.add_subcommand("light-time", "How long light takes past a mass, and how much later than along the chord (Shapiro); by the reference tracer");
-    app->add_option("--from", options->from, "Distance of the source from the mass, r_s; km where --mass-suns is given")->check(CLI::Range(1.6, 1e15))->capture_default_str();
-    app->add_option("--to", options->to, "Distance of the receiver, beyond the closest approach")->check(CLI::Range(1.6, 1e15))->capture_default_str();
-    app->add_option("--impact", options->impact, "Impact parameter")->check(CLI::Range(1e-3, 1e15))->capture_default_str();
-    app->add_option("--mass-suns", options->mass_suns, "Mass in Suns: lengths are then km, and times are said in s too")->check(CLI::Range(1e-6, 1e12));
-    return {app, [options] { return run(*options); }};
+    Command& command = parent.add_command(
+        "light-time",
+        "How long light takes past a mass, and how much later than along the chord (Shapiro); by the reference tracer");
+    command
+        .add_option("--from", &options->from,
+                    "Distance of the source from the mass, r_s; km where --mass-suns is given")
+        .in_range(1.6, 1e15)
+        .show_default();
+    command.add_option("--to", &options->to, "Distance of the receiver, beyond the closest approach")
+        .in_range(1.6, 1e15)
+        .show_default();
+    command.add_option("--impact", &options->impact, "Impact parameter").in_range(1e-3, 1e15).show_default();
+    command
+        .add_option("--mass-suns", &options->mass_suns,
+                    "Mass in Suns: lengths are then km, and times are said in s too")
+        .in_range(1e-6, 1e12);
+    command.on_run([options] { return run(*options); });
 }
 
 }  // namespace nullscope::cli

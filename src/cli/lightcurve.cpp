@@ -165,21 +165,32 @@ int run(const Options& options) {
 
 }  // namespace
 
-Command add_lightcurve(CLI::App& parent) {
+void add_lightcurve(Command& parent) {
     auto options = std::make_shared<Options>();
-    CLI::App* app = parent.add_subcommand("lightcurve", "Light of a scene against time: FILE.csv and FILE.svg");
-    app->add_option("scene", options->scene, "Scene file, or the name of one that ships, in which something changes with time")->required();
-    app->add_option("-o,--output", options->output, "Files to write, without .csv and .svg")->capture_default_str();
-    app->add_option("--from", options->from, "First time, r_s/c (default: the scene's)")->check(CLI::Range(-1e9, 1e9));
-    app->add_option("--to", options->to, "Last time (default: one turn of the spots or one pulse later, else 100)")->check(CLI::Range(-1e9, 1e9));
-    app->add_option("--steps", options->steps, "Number of times")->check(CLI::Range(2, 100000))->capture_default_str();
-    app->add_option("--size", options->size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
-    app->add_option("--region", options->region, "X0 Y0 X1 Y1: the part of the picture that counts, px from its top left corner, X1 and Y1 behind the last (default: all of it)")->expected(4);
-    app->add_option("--renderer", options->renderer, "gl: the shader; reference: the double-precision tracer, slow")
-        ->check(CLI::IsMember({"gl", "reference"}))->capture_default_str();
-    app->add_option("--samples", options->samples, "reference: rays per pixel along each side")->check(CLI::Range(1, 16))->capture_default_str();
-    context_option(app, options->context);
-    return {app, [options] { return run(*options); }};
+    Command& command = parent.add_command("lightcurve", "Light of a scene against time: FILE.csv and FILE.svg");
+    command
+        .add_option("scene", &options->scene,
+                    "Scene file, or the name of one that ships, in which something changes with time")
+        .required();
+    command.add_option("-o,--output", &options->output, "Files to write, without .csv and .svg").show_default();
+    command.add_option("--from", &options->from, "First time, r_s/c (default: the scene's)").in_range(-1e9, 1e9);
+    command.add_option("--to", &options->to, "Last time (default: one turn of the spots or one pulse later, else 100)")
+        .in_range(-1e9, 1e9);
+    command.add_option("--steps", &options->steps, "Number of times").in_range(2, 100000).show_default();
+    command.add_option("--size", &options->size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
+    command
+        .add_option("--region", &options->region,
+                    "X0 Y0 X1 Y1: the part of the picture that counts, px from its top left corner, X1 and Y1 behind "
+                    "the last (default: all of it)")
+        .count(4);
+    command.add_option("--renderer", &options->renderer, "gl: the shader; reference: the double-precision tracer, slow")
+        .one_of({"gl", "reference"})
+        .show_default();
+    command.add_option("--samples", &options->samples, "reference: rays per pixel along each side")
+        .in_range(1, 16)
+        .show_default();
+    context_option(command, options->context);
+    command.on_run([options] { return run(*options); });
 }
 
 }  // namespace nullscope::cli

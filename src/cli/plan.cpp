@@ -226,16 +226,20 @@ int run(const Options& options) {
 
 }  // namespace
 
-Command add_plan(CLI::App& parent) {
+void add_plan(Command& parent) {
     auto options = std::make_shared<Options>();
-    CLI::App* app =
-        parent.add_subcommand("plan", "Say what a scene calls for: effects, tables, textures, passes, shader; and why");
-    app->add_option("scene", options->scene, "Scene file, or the name of one that ships (see: nullscope scenes)")
-        ->required();
-    app->add_flag("--json", options->json, "Print one JSON object");
-    app->add_flag("--measure", options->measure, "Draw the scene with and without each effect, and say what it takes");
-    app->add_option("--frames", options->frames, "Frames of each kind")->check(CLI::Range(3, 1000))->capture_default_str()->needs("--measure");
-    return {app, [options] { return run(*options); }};
+    Command& command =
+        parent.add_command("plan", "Say what a scene calls for: effects, tables, textures, passes, shader; and why");
+    command.add_option("scene", &options->scene, "Scene file, or the name of one that ships (see: nullscope scenes)")
+        .required();
+    command.add_flag("--json", &options->json, "Print one JSON object");
+    command.add_flag("--measure", &options->measure,
+                     "Draw the scene with and without each effect, and say what it takes");
+    command.add_option("--frames", &options->frames, "Frames of each kind")
+        .in_range(3, 1000)
+        .show_default()
+        .needs("--measure");
+    command.on_run([options] { return run(*options); });
 }
 
 }  // namespace nullscope::cli

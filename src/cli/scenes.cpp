@@ -9,35 +9,37 @@
 
 namespace nullscope::cli {
 
-Command add_scenes(CLI::App& parent) {
-    CLI::App* app = parent.add_subcommand("scenes", "List the scenes that ship: name and one sentence");
-    return {app, [] {
-                const auto scenes = shipped_scenes();
-                if (scenes.empty()) return report(failed("no scenes found; set NULLSCOPE_ASSETS to the folder assets/"));
-                std::size_t widest = 0;
-                for (const SceneInfo& scene : scenes) widest = std::max(widest, scene.name.size());
-                for (const SceneInfo& scene : scenes) fmt::print("{:<{}}  {}\n", scene.name, widest, scene.description);
-                return 0;
-            }};
+void add_scenes(Command& parent) {
+    Command& command = parent.add_command("scenes", "List the scenes that ship: name and one sentence");
+    command.on_run([] {
+        const auto scenes = shipped_scenes();
+        if (scenes.empty()) return report(failed("no scenes found; set NULLSCOPE_ASSETS to the folder assets/"));
+        std::size_t widest = 0;
+        for (const SceneInfo& scene : scenes) widest = std::max(widest, scene.name.size());
+        for (const SceneInfo& scene : scenes) fmt::print("{:<{}}  {}\n", scene.name, widest, scene.description);
+        return 0;
+    });
 }
 
-Command add_info(CLI::App& parent) {
-    CLI::App* app = parent.add_subcommand("info", "Say which OpenGL contexts work here, with driver, version and limits");
-    return {app, [] {
-                int working = 0;
-                for (const char* kind : {"egl", "osmesa"}) {
-                    auto session = open_session(kind);
-                    if (!session) {
-                        fmt::print("{}: not here: {}\n", kind, session.error().message);
-                        continue;
-                    }
-                    ++working;
-                    const gl::Info& i = session->renderer->info();
-                    fmt::print("{}: OpenGL {}\n  renderer {} ({}), GLSL {}\n  largest texture {}, cube face {}, target {} px\n", kind,
-                               i.version, i.renderer, i.vendor, i.glsl, i.max_texture_size, i.max_cube_size, i.max_renderbuffer_size);
-                }
-                return working > 0 ? 0 : 1;
-            }};
+void add_info(Command& parent) {
+    Command& command =
+        parent.add_command("info", "Say which OpenGL contexts work here, with driver, version and limits");
+    command.on_run([] {
+        int working = 0;
+        for (const char* kind : {"egl", "osmesa"}) {
+            auto session = open_session(kind);
+            if (!session) {
+                fmt::print("{}: not here: {}\n", kind, session.error().message);
+                continue;
+            }
+            ++working;
+            const gl::Info& i = session->renderer->info();
+            fmt::print("{}: OpenGL {}\n  renderer {} ({}), GLSL {}\n  largest texture {}, cube face {}, target {} px\n",
+                       kind, i.version, i.renderer, i.vendor, i.glsl, i.max_texture_size, i.max_cube_size,
+                       i.max_renderbuffer_size);
+        }
+        return working > 0 ? 0 : 1;
+    });
 }
 
 }  // namespace nullscope::cli

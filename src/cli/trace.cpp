@@ -114,35 +114,42 @@ int run(const Options& options) {
 
 }  // namespace
 
-Command add_trace(CLI::App& parent) {
+void add_trace(Command& parent) {
     auto options = std::make_shared<Options>();
-    CLI::App* app = parent.add_subcommand("trace", "Trace a list of rays: CSV in, CSV out (columns: docs/ray-data.md)");
-    app->add_option("scene", options->scene,
+    Command& command = parent.add_command("trace", "Trace a list of rays: CSV in, CSV out (columns: docs/ray-data.md)");
+    command
+        .add_option("scene", &options->scene,
                     "Scene file, or the name of one that ships; its metric and disc count, its camera does not")
-        ->required();
-    app->add_option("--rays", options->rays,
+        .required();
+    command
+        .add_option("--rays", &options->rays,
                     "CSV with the columns r,theta,phi,n_r,n_theta,n_phi[,frame] or q,zeta0,s; optional at_angle; "
                     "others pass through")
-        ->required();
-    app->add_option("-o,--output", options->output, "File to write (default: standard output)");
-    app->add_option(
-           "--with", options->with,
-           "reference: double precision, every column. core64, core32: the shader's text as C++ in double and float; "
-           "gl: on the GPU. These three leave turn empty, delay where the shader does not know it, g unless escaped, at beyond half a turn, and "
-           "every crossing but the first")
-        ->check(CLI::IsMember({"reference", "core64", "core32", "gl"}))
-        ->capture_default_str();
-    app->add_option(
-           "--method", options->method,
-           "How --with gl traces: auto (= strip), strip, table[:SIZE[:LOOKUP]], closed-form, integrate[:ORDER[:STEP]]; "
-           "core64 and core32 have the strip, the reference its own")
-        ->capture_default_str();
-    app->add_option("--crossings", options->crossings,
-                    "List this many crossings of the equatorial plane: r_1, phi_1, ...; of a scene with a thermal disc g_1, ... too")
-        ->check(CLI::Range(0, 1000))
-        ->capture_default_str();
-    context_option(app, options->context, "OpenGL context of --with gl: auto, egl, osmesa");
-    return {app, [options] { return run(*options); }};
+        .required();
+    command.add_option("-o,--output", &options->output, "File to write (default: standard output)");
+    command
+        .add_option(
+            "--with", &options->with,
+            "reference: double precision, every column. core64, core32: the shader's text as C++ in double and float; "
+            "gl: on the GPU. These three leave turn empty, delay where the shader does not know it, g unless escaped, "
+            "at beyond half a turn, and "
+            "every crossing but the first")
+        .one_of({"reference", "core64", "core32", "gl"})
+        .show_default();
+    command
+        .add_option("--method", &options->method,
+                    "How --with gl traces: auto (= strip), strip, table[:SIZE[:LOOKUP]], closed-form, "
+                    "integrate[:ORDER[:STEP]]; "
+                    "core64 and core32 have the strip, the reference its own")
+        .show_default();
+    command
+        .add_option("--crossings", &options->crossings,
+                    "List this many crossings of the equatorial plane: r_1, phi_1, ...; of a scene with a thermal disc "
+                    "g_1, ... too")
+        .in_range(0, 1000)
+        .show_default();
+    context_option(command, options->context, "OpenGL context of --with gl: auto, egl, osmesa");
+    command.on_run([options] { return run(*options); });
 }
 
 }  // namespace nullscope::cli

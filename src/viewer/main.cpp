@@ -1,6 +1,5 @@
 // nullscope-viewer: curved spacetimes in a window.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -8,6 +7,7 @@
 #include <string>
 
 #include "base/atomic_file.h"
+#include "base/command_line.h"
 #include "base/text.h"
 #include "viewer/viewer.h"
 
@@ -19,7 +19,8 @@ using viewer::PixelSize;
 constexpr int kLargest = 16384;  // px
 
 int report(const Error& error) {
-    fmt::print(stderr, "nullscope-viewer: {}\n", error.message);
+    const bool input = error.kind == ErrorKind::kBadInput;  // a driver's log may have lines
+    fmt::print(stderr, "nullscope-viewer: {}\n", input ? without_controls(error.message) : error.message);
     return static_cast<int>(error.kind);
 }
 
@@ -48,6 +49,28 @@ constexpr const char* kHands =
     "quits.\n"
     "Without a display: nullscope capture SCENE -o FILE.png, or xvfb-run nullscope-viewer ...";
 
+Command program_of(viewer::ViewerOptions& options, std::string& size) {
+    Command program("nullscope-viewer", kAbout);
+    program.set_footer(kHands);
+    program.set_version(NULLSCOPE_VERSION);
+    program.add_option("scene", &options.scene, "Scene file, or the name of one that ships").show_default();
+    program.add_option(
+        "--size", &size,
+        "Window size in pixels, WIDTHxHEIGHT (default: the scene's, or the screen's if that is smaller)");
+    program.add_option("--screenshot", &options.screenshot, "Write what the window shows to this .png, then quit");
+    program
+        .add_option("--after-frames", &options.after_frames,
+                    "Quit, and write the screenshot, after this many frames (default: 4 with --screenshot)")
+        .in_range(1, 1000000);
+    program.add_flag("--hidden", &options.hidden, "Show no window; goes with --screenshot or --after-frames");
+    program.add_flag("--one-context", &options.one_context,
+                     "Draw pictures where the panels are drawn, not in the background");
+    program.add_option(
+        "--turns", &options.turns,
+        "Write a line a turn of the loop to this file: when (s), how long (ms), programs, 1 while at work");
+    return program;
+}
+
 int run(const viewer::ViewerOptions& options) {
     auto opened = viewer::Viewer::open(options);
     if (!opened) return report(opened.error());
@@ -60,26 +83,11 @@ int run(const viewer::ViewerOptions& options) {
 int main(int argc, char** argv) {
     nullscope::clean_up_on_signals();
     constexpr int kFramesOfScreenshot = 4;  // panels have found their size by then
-    CLI::App app{kAbout, "nullscope-viewer"};
-    app.footer(kHands);
-    app.set_version_flag("--version", NULLSCOPE_VERSION);
     viewer::ViewerOptions options;
     std::string size;
-    app.add_option("scene", options.scene, "Scene file, or the name of one that ships")->capture_default_str();
-    app.add_option("--size", size,
-                   "Window size in pixels, WIDTHxHEIGHT (default: the scene's, or the screen's if that is smaller)");
-    app.add_option("--screenshot", options.screenshot, "Write what the window shows to this .png, then quit");
-    app.add_option("--after-frames", options.after_frames,
-                   "Quit, and write the screenshot, after this many frames (default: 4 with --screenshot)")
-        ->check(CLI::Range(1, 1000000));
-    app.add_flag("--hidden", options.hidden, "Show no window; goes with --screenshot or --after-frames");
-    app.add_flag("--one-context", options.one_context, "Draw pictures where the panels are drawn, not in the background");
-    app.add_option("--turns", options.turns, "Write a line a turn of the loop to this file: when (s), how long (ms), programs, 1 while at work");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? 0 : 2;
-    }
+    const auto asked = nullscope::parse_command_line(program_of(options, size), argc, argv);
+    if (!asked) return report(asked.error());
+    if (!asked->text.empty()) return fmt::print("{}", asked->text), 0;
     if (!size.empty()) {
         options.size = parse_size(size);
         if (!options.size)

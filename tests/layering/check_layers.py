@@ -18,6 +18,7 @@ PACKAGES = [
     ("Dear ImGui", re.compile(r"^(imgui/)?(backends/)?imgui\w*\.h$"), {"viewer"}),
     ("GLFW", re.compile(r"^GLFW/"), {"viewer", "context/glfw.cpp"}),
     ("toml++", re.compile(r"^toml(\+\+|plusplus)?/|^toml\.hpp$|^toml\+\+$"), {"scene"}),
+    ("CLI11", re.compile(r"^CLI/|^CLI11\.hpp$"), {"base/command_line.cpp"}),
     ("Boost", re.compile(r"^boost/"), {"reference"}),
 ]
 # The independent witness shares no geodesic code with what it judges, not even through a third module.

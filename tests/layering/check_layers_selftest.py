@@ -35,6 +35,8 @@ FORBIDDEN = [
     ("src/context/planted.h", "#include <GLFW/glfw3.h>", "GLFW is included in"),
     ("src/camera/planted.h", "#include <toml++/toml.h>", "toml++ is included in"),
     ("src/table/planted.h", "#include <boost/math/special_functions/ellint_1.hpp>", "Boost is included in"),
+    ("src/base/planted.h", "#include <CLI/CLI.hpp>", "CLI11 is included in"),
+    ("src/cli/planted.h", "#include <CLI11.hpp>", "CLI11 is included in"),
     ("src/base/planted.h", '#include "/usr/include/math.h"', "absolute path"),
     ("src/base/planted.h", '#include "../scene/scene.h"', "climbs"),
     ("src/base/planted.h", '#include "vec.h"', "names no module"),

@@ -1,0 +1,94 @@
+// The command line of a program: its commands, their options, help, and one line for what is wrong with it. The package
+// behind it, CLI11, is included by command_line.cpp alone: its headers take seconds in every file that sees them.
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/result.h"
+
+namespace nullscope {
+
+// Where a value goes. It keeps what it holds (the default) unless the option is given.
+using OptionTarget = std::variant<bool*, std::string*, int*, unsigned*, double*, std::optional<int>*,
+                                  std::optional<double>*, std::vector<std::string>*, std::vector<int>*>;
+
+// One option, and what its values may be.
+struct Option {
+    std::string names, help;  // "-o,--output"; without dashes: a word by its place
+    OptionTarget target;
+    bool is_required = false, shows_default = false;
+    std::vector<std::string> words;                  // the values that are allowed; none: any
+    std::optional<std::pair<double, double>> range;  // of numbers; both ends are allowed
+    int values = 1;                                  // of a list of fixed length; a list without one takes 1 or more
+    std::string other;                               // the option that this one is part of
+
+    Option& required() {
+        is_required = true;
+        return *this;
+    }
+    Option& show_default() {
+        shows_default = true;
+        return *this;
+    }  // help says what the target holds
+    Option& one_of(std::vector<std::string> allowed) {
+        words = std::move(allowed);
+        return *this;
+    }
+    Option& in_range(double least, double most) {
+        range = {least, most};
+        return *this;
+    }
+    Option& count(int exactly) {
+        values = exactly;
+        return *this;
+    }
+    Option& needs(std::string name) {
+        other = std::move(name);
+        return *this;
+    }
+};
+
+// A program, or a command of one. Options are parsed into their targets, which must outlive the parsing.
+class Command {
+public:
+    Command(std::string name, std::string help) : name_(std::move(name)), help_(std::move(help)) {}
+
+    Command& add_command(std::string name, std::string help);
+    Option& add_option(std::string names, OptionTarget target, std::string help);
+    void add_flag(std::string names, bool* target, std::string help) {
+        add_option(std::move(names), target, std::move(help));
+    }
+    void on_run(std::function<int()> run) { run_ = std::move(run); }
+    void set_footer(std::string text) { footer_ = std::move(text); }    // of the help text
+    void set_version(std::string text) { version_ = std::move(text); }  // adds --version
+
+    const std::string& name() const { return name_; }
+    const std::string& help() const { return help_; }
+    const std::string& footer() const { return footer_; }
+    const std::string& version() const { return version_; }
+    const std::function<int()>& run() const { return run_; }
+    const std::vector<std::unique_ptr<Command>>& commands() const { return commands_; }
+    const std::vector<std::unique_ptr<Option>>& options() const { return options_; }
+
+private:
+    std::string name_, help_, footer_, version_;
+    std::function<int()> run_;
+    std::vector<std::unique_ptr<Command>> commands_;  // a command that has commands needs one of them
+    std::vector<std::unique_ptr<Option>> options_;    // pointers: add_* give out references
+};
+
+// What the words ask for: a text to print (help, version), or the run of the command that was named.
+struct Asked {
+    std::string text;
+    std::function<int()> run;  // where there is no text; nothing if that command has none
+};
+
+// Errors: one line with the option, its value and what is allowed.
+Result<Asked> parse_command_line(const Command& program, int argc, const char* const* argv);
+
+}  // namespace nullscope
