@@ -1,11 +1,16 @@
 #!/usr/bin/env bash
 # Installs what is missing, configures once and builds build/release. run.sh and test.sh begin with this.
+#
+#   scripts/build.sh             builds everything
+#   scripts/build.sh TARGET...   only these: scripts/build.sh nullscope nullscope-viewer
+#
 # When nothing has changed it takes about a second. CMAKE_BUILD_PARALLEL_LEVEL limits the number of compilers.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build/release
 fail() { echo "build: $*" >&2; exit 1; }
+case "${1-}" in -h | --help) sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}"; exit 0 ;; esac
 
 "$root/scripts/install-packages.sh" --quiet
 
@@ -19,4 +24,6 @@ if [[ ! -e $build/build.ninja ]] || ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$
     fi
 fi
 
-cmake --build "$build" >&2 || fail "the build failed; the compiler's message is above"
+targets=()
+[[ $# -eq 0 ]] || targets=(--target "$@")
+cmake --build "$build" ${targets[@]+"${targets[@]}"} >&2 || fail "the build failed; the compiler's message is above"

@@ -36,7 +36,7 @@ if [[ $# -gt 0 && $1 != -* ]]; then
     shift
 fi
 
-"$root/scripts/build.sh"
+"$root/scripts/build.sh" nullscope nullscope-viewer
 
 # The way out without a display: the same renderer into a file. Of the viewer's options, size and file name carry over.
 capture() {
