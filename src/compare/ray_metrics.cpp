@@ -224,6 +224,7 @@ RayMeasures empty_measures(const RayFrame& tested) {
     RayMeasures measures;
     measures.width = tested.width;
     measures.height = tested.height;
+    measures.row_step = tested.row_step;
     measures.pixels.resize(tested.pixels.size());
     return measures;
 }
@@ -246,10 +247,10 @@ RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const
                          double refine_above_px) {
     RayMeasures measures = empty_measures(tested);
     Judge judge(tested, camera, trace, refine_above_px);
-    const int rows = row_step == 1 ? kBandRows : 1;
-    for (int y = 0; y < tested.height; y += std::max(rows, row_step)) {
+    const int step = std::max(row_step, tested.row_step), rows = step == 1 ? kBandRows : 1;
+    for (int y = 0; y < tested.height; y += std::max(rows, step)) {
         const TileErrors band = judge.tile({0, y, tested.width, std::min(y + rows, tested.height)}, in_parallel);
-        std::copy(band.pixels.begin(), band.pixels.end(), measures.pixels.begin() + static_cast<std::ptrdiff_t>(y) * tested.width);
+        std::copy(band.pixels.begin(), band.pixels.end(), measures.pixels.begin() + static_cast<std::ptrdiff_t>(tested.index(0, y)));
     }
     summarise(tested, measures);
     return measures;
@@ -299,7 +300,7 @@ std::vector<PixelPlace> worst_pixels(const RayMeasures& measures, std::size_t mo
     std::vector<PixelPlace> places;
     const auto width = static_cast<std::size_t>(measures.width);
     for (std::size_t i = 0; i < count; ++i)
-        places.push_back({static_cast<int>(order[i] % width), static_cast<int>(order[i] / width)});
+        places.push_back({static_cast<int>(order[i] % width), static_cast<int>(order[i] / width) * measures.row_step});
     return places;
 }
 

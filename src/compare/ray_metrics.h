@@ -22,15 +22,15 @@ inline constexpr double kDisplaceAbove_px = 1e-3;
 using ExactTrace = std::function<std::vector<RayPixel>(const std::vector<std::array<double, 2>>& positions)>;
 
 struct RayMeasures {
-    int width = 0, height = 0;
+    int width = 0, height = 0, row_step = 1;   // as of the frame that was measured
     std::vector<PixelErrors> pixels;  // top row first
     long long fate_errors = 0, forgiven = 0, not_finite = 0;
     Spread forward_rad, sky_px, place_px, angle_px, g_px;  // over the pixels that have such a value in both frames
 
-    const PixelErrors& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
+    const PixelErrors& at(int x, int y) const { return pixels[static_cast<std::size_t>(y / row_step) * width + x]; }
 };
 
-// Compares every pixel (of every row_step-th row) with the exact trace. The motion per pixel comes from the neighbours, and
+// Compares every pixel (of every row_step-th row, at least the frame's own step) with the exact trace. The motion per pixel comes from the neighbours, and
 // where that leaves more than refine_above_px, from displaced rays. Memory: 24 bytes a pixel and 64 rows of exact
 // pixels; cost: that of the trace and some 0.2 core-microseconds a pixel.
 RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, int row_step = 1,

@@ -273,6 +273,13 @@ void read_rgba32f(const Target& target, int attachment, float* out) {
     check("read pixels");
 }
 
+void read_rgba32f_row(const Target& target, int attachment, int row, float* out) {
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachment));
+    glReadPixels(0, row, target.width, 1, GL_RGBA, GL_FLOAT, out);
+    check("read a row");
+}
+
 VertexArray make_vertex_array() {
     GLuint id = 0;
     glGenVertexArrays(1, &id);

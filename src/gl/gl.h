@@ -102,6 +102,7 @@ struct Target {
 Target make_target(int width, int height, Format format, int count = 1);
 void read_rgba8(const Target& target, unsigned char* out);               // bottom row first
 void read_rgba32f(const Target& target, int attachment, float* out);     // bottom row first
+void read_rgba32f_row(const Target& target, int attachment, int row, float* out);   // row: from the bottom
 
 VertexArray make_vertex_array();
 // Draws one triangle over the viewport of the bound framebuffer. framebuffer 0: the window.

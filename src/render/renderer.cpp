@@ -359,8 +359,8 @@ Image<float> Renderer::picture() {
     return turned_over(pixels, w, h);
 }
 
-RayFrame Renderer::ray_data() {
-    return draw_rays(gl::make_target(scene_.camera.width, scene_.camera.height, gl::Format::kRgba32F, 3));
+RayFrame Renderer::ray_data(int row_step) {
+    return draw_rays(gl::make_target(scene_.camera.width, scene_.camera.height, gl::Format::kRgba32F, 3), row_step);
 }
 
 Result<std::vector<RayPixel>> Renderer::trace_middles(const std::vector<Scene>& views) {
@@ -374,26 +374,28 @@ Result<std::vector<RayPixel>> Renderer::trace_middles(const std::vector<Scene>& 
         body_text_ = body_text(view);
         upload_tables();
         upload_block(view, {});
-        rays.push_back(draw_rays(target).at(0, 0));
+        rays.push_back(draw_rays(target, 1).at(0, 0));
     }
     return rays;
 }
 
-RayFrame Renderer::draw_rays(const gl::Target& target) {
-    const int w = target.width, h = target.height;
+RayFrame Renderer::draw_rays(const gl::Target& target, int row_step) {
+    const int w = target.width, h = target.height, rows = (h - 1) / row_step + 1;
     upload_ends();
     const gl::Program& built = program(Stage::kRayData, Output::kLinear);
     bind_inputs();
-    gl::draw_fullscreen(built, empty_, target.framebuffer.id(), w, h);
-    RayFrame frame{w, h, std::vector<RayPixel>(static_cast<std::size_t>(w) * h)};
+    if (row_step == 1) gl::draw_fullscreen(built, empty_, target.framebuffer.id(), w, h);
+    else
+        for (int y = 0; y < h; y += row_step) gl::draw_rows(built, empty_, target.framebuffer.id(), w, h, h - 1 - y, h - y);
+    RayFrame frame{w, h, std::vector<RayPixel>(static_cast<std::size_t>(w) * rows), row_step};
     const bool counted = counts_steps(method_);
-    std::vector<float> values(static_cast<std::size_t>(w) * h * 4);
+    std::vector<float> values(static_cast<std::size_t>(w) * 4);
     for (int attachment = 0; attachment < 3; ++attachment) {
-        gl::read_rgba32f(target, attachment, values.data());
-        for (int y = 0; y < h; ++y) {
-            const float* row = values.data() + static_cast<std::size_t>(h - 1 - y) * w * 4;
+        for (int y = 0; y < h; y += row_step) {
+            gl::read_rgba32f_row(target, attachment, h - 1 - y, values.data());
+            const float* row = values.data();
             for (int x = 0; x < w; ++x, row += 4) {
-                RayPixel& pixel = frame.pixels[static_cast<std::size_t>(y) * w + x];
+                RayPixel& pixel = frame.pixels[frame.index(x, y)];
                 if (attachment == 0) {
                     pixel.fate = static_cast<Fate>(static_cast<int>(row[0]));
                     pixel.sky = {row[1], row[2], row[3]};

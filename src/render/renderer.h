@@ -67,7 +67,7 @@ public:
     // The prepared scene, read back; rows from the top.
     Image<unsigned char> picture8();     // RGB, display-encoded
     Image<float> picture();              // RGB, linear light
-    RayFrame ray_data();
+    RayFrame ray_data(int row_step = 1);   // row_step: draws and reads only rows 0, row_step, ...; the same bits there
 
     // The ray through the middle of each view's picture, in order; no picture of sky or disc is loaded. Needs no prepare(),
     // and a new one before the next picture. Views that follow each other with one camera.r share a strip and an orbit map.
@@ -88,7 +88,7 @@ private:
     void upload_tables();
     void upload_ends();
     void upload_block(const Scene& scene, const TextureFacts& facts);
-    RayFrame draw_rays(const gl::Target& target);
+    RayFrame draw_rays(const gl::Target& target, int row_step);
     Result<SkyCube> built_sky(const SkySpec& spec, int size);
     Status load_skies(const Scene& scene);
     Status load_disc(const Scene& scene);

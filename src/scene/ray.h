@@ -73,7 +73,9 @@ struct RayPixel {
 struct RayFrame {
     int width = 0, height = 0;
     std::vector<RayPixel> pixels;   // top row first
-    const RayPixel& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
+    int row_step = 1;               // the pixels are those of rows 0, row_step, 2 row_step, ... only
+    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y / row_step) * width + x; }   // y: a row that is there
+    const RayPixel& at(int x, int y) const { return pixels[index(x, y)]; }
 };
 
 }  // namespace nullscope
