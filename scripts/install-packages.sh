@@ -9,24 +9,28 @@ build=(g++ cmake ninja-build pkg-config python3 python3-glad libglfw3-dev libglm
        libpng-dev libjpeg-dev doctest-dev)
 run=(libegl1 libgl1 libgl1-mesa-dri fonts-dejavu-core)
 test=(xvfb xauth xdotool)
+checks=(clang libclang-rt-dev clang-format clang-tidy)   # scripts/check.sh
 # Used where they exist: a faster second build; a second way to render without a window system (it left Mesa in 25.1).
 optional=(ccache libosmesa6)
 
 usage() {
     cat <<'END'
-Usage: install-packages.sh [--quiet]
+Usage: install-packages.sh [--quiet] [--checks]
 Installs the packages that nullscope needs by apt, if any are missing. Needs root or sudo for that.
-  --quiet   say nothing unless something is missing or goes wrong
+  --quiet    say nothing unless something is missing or goes wrong
+  --checks   also what scripts/check.sh needs: clang, clang-format and clang-tidy
 END
 }
 
 quiet=no
-case "${1-}" in
-    '') ;;
-    --quiet) quiet=yes ;;
-    -h | --help) usage; exit 0 ;;
-    *) usage >&2; exit 2 ;;
-esac
+for argument in "$@"; do
+    case $argument in
+        --quiet) quiet=yes ;;
+        --checks) test+=("${checks[@]}") ;;
+        -h | --help) usage; exit 0 ;;
+        *) usage >&2; exit 2 ;;
+    esac
+done
 
 say() { echo "install-packages: $*" >&2; }
 fail() { say "$@"; exit 1; }

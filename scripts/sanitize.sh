@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Builds with the address, undefined-behaviour and leak sanitizers (preset sanitize) and runs tests under them.
+# Builds with clang and the address, undefined-behaviour and leak sanitizers (preset sanitize) and runs tests under them.
 #
-#   scripts/sanitize.sh                  the short check of continuous integration: unit and fuzz
+#   scripts/sanitize.sh                  the short check: unit, contract and fuzz
+#   scripts/sanitize.sh --build-programs the same, and builds both programs too (scripts/check.sh)
 #   scripts/sanitize.sh CTEST OPTION...  a full build and other tests: scripts/sanitize.sh -L 'unit|cli|gpu'
 #
 # Leaks inside drivers are passed over by tests/leaks.supp, which says why.
@@ -10,13 +11,14 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 case "${1-}" in -h | --help) sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}"; exit 0 ;; esac
 
-"$root/scripts/install-packages.sh" --quiet
+"$root/scripts/install-packages.sh" --quiet --checks
 cd "$root"
 [[ -e build/sanitize/build.ninja ]] || cmake --preset sanitize >&2
 targets=()
-if [[ $# -eq 0 ]]; then
-    targets=(--target unit_tests fuzz_scene fuzz_picture fuzz_exr fuzz_rays fuzz_words fuzz_formula)
-    set -- -L '^(unit|fuzz)$'
+if [[ $# -eq 0 || $1 == --build-programs ]]; then
+    targets=(--target unit_tests contract_tests fuzz_scene fuzz_picture fuzz_exr fuzz_rays fuzz_words fuzz_formula)
+    [[ $# -eq 0 ]] || targets+=(nullscope nullscope-viewer)
+    set -- -R '^(whole: (unit|contract)$|fuzz:)'
 fi
 cmake --build build/sanitize ${targets[@]+"${targets[@]}"} >&2
 export MESA_SHADER_CACHE_DISABLE=true

@@ -1,5 +1,5 @@
-// 4K frames over 90 degrees against the reference: screen error and fate. Every pixel with NULLSCOPE_EVERYTHING set (some minutes), else
-// those of every few rows: the suite is run after each change.
+// 4K frames over 90 degrees against the reference: screen error and fate. Every pixel at depth everything (some minutes), else those of
+// every few rows, of which alone rays are drawn.
 #include "support/gpu_session.h"
 
 namespace {
@@ -41,7 +41,7 @@ void check_camera(double r, double yaw_deg, int row_step) {
     CAPTURE(where);
     MeasuredOnce measured;
     on_every_context([&](GpuSession& session) {
-        const RayFrame frame = gl_ray_data(session, scene);
+        const RayFrame frame = gl_ray_data(session, scene, row_step);
         if (measured.known(where, frame)) {
             fmt::print("{} {}: the same bits\n", where, session.context->kind());
             return;
@@ -51,9 +51,9 @@ void check_camera(double r, double yaw_deg, int row_step) {
     });
 }
 
-const int kEveryRow = everything_asked() ? 1 : 23;
-const int kTurnedRowStep = everything_asked() ? 3 : 45;   // the edge and its rings once more, aside of the picture's middle
-const int kSmoothRowStep = everything_asked() ? 8 : 40;  // views without the shadow's edge or its rings have no place for an error to hide in
+const int kEveryRow = by_depth(61, 23, 1);
+const int kTurnedRowStep = by_depth(181, 45, 3);   // the edge and its rings once more, aside of the picture's middle
+const int kSmoothRowStep = by_depth(181, 40, 8);   // views without the shadow's edge or its rings have no place for an error to hide in
 
 TEST_CASE("4K: cameras that look at the hole") {
     for (const double r : {1.1, 1.5, 2.0, 5.0, 20.0, 1000.0}) check_camera(r, 0, kEveryRow);

@@ -52,7 +52,9 @@ const std::vector<Case>& cases() {
 TEST_CASE("kerr bodies: hits, places and fates are the reference's at every pixel") {
     MeasuredOnce measured;
     on_every_context([&](GpuSession& session) {
+        Selection selection(4);
         for (const Case& c : cases()) {
+            if (!selection.takes_next()) continue;
             const std::string name = c.name;
             CAPTURE(name);
             Scene scene;

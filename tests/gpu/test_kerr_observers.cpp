@@ -48,8 +48,10 @@ TEST_CASE("kerr observers: every one's frame is the reference's, outside, on and
         {kRain, 0.9999, 0.6, 1.2, 2, 2},       {kThrow, 0.95, 30, 1.2, 0, 0.6}};
     on_every_context([&](GpuSession& session) {
         if (session.context->kind() == std::string("osmesa")) return;   // the same driver
+        Selection selection(5);   // prime to the two of disc
         for (const View& view : views)
             for (const bool disc : {false, true}) {
+                if (!selection.takes_next()) continue;
                 const Scene scene = scene_of(view, disc);
                 const RayMeasures m = measure_rays(gl_ray_data(session, scene), scene.camera, reference_trace(scene));
                 fmt::print("{:<13} a = {:<6} r = {:<8.6g} {:<4}: sky {:.4f}, disc {:.4f}, g {:.4f} px of 1080p; fate errors {}, skies {}\n", observer_name(view.observer),

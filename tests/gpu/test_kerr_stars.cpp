@@ -91,7 +91,8 @@ const Both& both_of_view(std::size_t i) {
 
 TEST_CASE("kerr point stars: every image worth a thousandth of its star is the reference's, place, area and g") {
     const std::vector<View> all = views();
-    for (std::size_t v = 0; v < all.size(); ++v) {
+    const std::size_t measured = by_depth(std::size_t{1}, all.size(), all.size());
+    for (std::size_t v = 0; v < measured; ++v) {
         const View& view = all[v];
         CAPTURE(std::string(view.name));
         const Scene& scene = view.scene;

@@ -76,7 +76,7 @@ TEST_CASE("repeat: the same bits from draw to draw and renderer to renderer, EGL
         CAPTURE(name);
         const Scene scene = small(name);
         std::optional<Drawn> first;
-        on_every_context([&](GpuSession& session) {
+        on_all_contexts([&](GpuSession& session) {
             Drawn drawn = draw(session, scene);
             check_same(drawn, draw(session, scene));
             if (first) {
@@ -91,7 +91,7 @@ TEST_CASE("repeat: the same bits from draw to draw and renderer to renderer, EGL
 }
 
 TEST_CASE("repeat: a picture does not depend on what was drawn before it") {
-    on_every_context([](GpuSession& session) {
+    on_all_contexts([](GpuSession& session) {
         const Scene scene = small("sky-only");
         Scene large = scene;
         large.camera.width = 1920;

@@ -19,6 +19,7 @@
 #include "gl/gl.h"
 #include "reference/reference.h"
 #include "render/renderer.h"
+#include "support/depth.h"
 
 namespace nullscope::test {
 
@@ -46,9 +47,10 @@ inline std::optional<GpuSession> open_gpu(const std::string& kind) {
 }
 
 // Runs the test on every kind of context that there is, one after the other; fails if there is none.
-inline void on_every_context(const std::function<void(GpuSession&)>& test) {
+inline void on_all_contexts(const std::function<void(GpuSession&)>& test, int most = 2) {
     int opened = 0;
     for (const std::string kind : kContextKinds) {
+        if (opened == most) break;
         CAPTURE(kind);
         auto session = open_gpu(kind);
         if (!session) continue;
@@ -58,11 +60,16 @@ inline void on_every_context(const std::function<void(GpuSession&)>& test) {
     CHECK_MESSAGE(opened > 0, "neither EGL nor OSMesa gives a context");
 }
 
-inline RayFrame gl_ray_data(GpuSession& session, const Scene& scene) {
+// The same; at quick depth on the first kind alone. That all draw the same bits has a test of its own (test_repeat.cpp).
+inline void on_every_context(const std::function<void(GpuSession&)>& test) {
+    on_all_contexts(test, depth() == Depth::kQuick ? 1 : 2);
+}
+
+inline RayFrame gl_ray_data(GpuSession& session, const Scene& scene, int row_step = 1) {
     const Status ready = session.renderer->prepare(scene);
     const std::string reason = ready ? "" : ready.error().message;
     REQUIRE_MESSAGE(ready, reason);
-    return session.renderer->ray_data();
+    return session.renderer->ray_data(row_step);
 }
 
 // A mark of the bits of all that is known of a frame's rays (FNV-1a).
@@ -93,9 +100,6 @@ private:
     std::map<std::string, std::uint64_t> marks_;   // of the first context
     int count_ = 0;
 };
-
-// Whether the long form of a test is asked for: the suite is run after each change.
-inline bool everything_asked() { return std::getenv("NULLSCOPE_EVERYTHING") != nullptr; }   // NOLINT(concurrency-mt-unsafe)
 
 inline ExactTrace reference_trace(const Scene& scene) {
     return [scene](const std::vector<std::array<double, 2>>& positions) {
