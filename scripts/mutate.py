@@ -1,21 +1,26 @@
 #!/usr/bin/env python3
-"""Plants deliberate faults, one at a time, and says which test catches each.
+"""Mutation testing: plants one mutant at a time and says whether its test catches it.
 
     scripts/mutate.py                 all of them, as a Markdown table; some fifteen minutes on two cores
     scripts/mutate.py --list          their names
     scripts/mutate.py NAME...         only these
+    scripts/mutate.py --check         builds nothing: does the text of every mutant occur exactly once in its file?
+    scripts/mutate.py --self-test     does --check report a text that is missing and one that occurs twice?
     --build FOLDER                    the build folder (default build/release), configured before
 
-A fault is a replacement of one piece of text in one file of shaders/ or src/. The file is changed in place, the one program
-that holds the test is built and the test is run; then the file is as it was. Files with changes that are not committed are
-not touched. Before that, every test has to pass without a fault. Ends with 1 if a fault survives: a test is missing.
+A mutant is a replacement of one piece of text in one file of shaders/ or src/. The file is changed in place, the one
+program that holds the test is built and the test is run; then the file is as it was. Files with changes that are not
+committed are not touched. Before that, every test has to pass without a mutant. Ends with 1 if a mutant survives: a
+test is missing.
 """
 import argparse
 import os
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
+from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -23,21 +28,33 @@ HARD = ("gpu_tests", "hard cases*")
 GOLDEN = ("golden_tests", "every case is*")
 RANDOM = ("proof_tests", "random views: the*")
 
-# name, what the fault is, file, text, what stands in its place, (program, test case)
-FAULTS = [
+
+class Mutant(NamedTuple):
+    name: str
+    what: str
+    file: str
+    old: str
+    new: str
+    test: tuple   # program, test case
+
+
+MUTANTS = [Mutant(*row) for row in [
     ("sign", "a sign: sin(delta) of the ray", "shaders/core/strip.glsl",
      "float sine = tangent * factor - strip.x", "float sine = tangent * factor + strip.x", HARD),
     ("root", "a missing square root: |n x e|", "shaders/core/trace.glsl",
      "trace.s = sqrt(dot(trace.side, trace.side));", "trace.s = dot(trace.side, trace.side);", HARD),
     ("half-angle", "the half-angle formula that cancels", "shaders/core/strip.glsl",
-     "float half_tan = cosine > 0.0 ? a / b : b / max(a, 1.0e-30);", "float half_tan = a / b;", HARD),
+     "float over = cosine > 0.0 ? a : b;\n    float under = cosine > 0.0 ? b : max(a, 1.0e-30);",
+     "float over = a;\n    float under = max((1.0 + cosine) * factor, 1.0e-30);", HARD),
     ("axes-disc", "swapped texture axes: the disc's image", "shaders/object/disc_colour.glsl",
      "vec2(0.5 + turned.x, 0.5 - turned.y)", "vec2(0.5 - turned.y, 0.5 + turned.x)", GOLDEN),
     ("axes-orbit", "swapped table axes: the orbit map", "shaders/core/orbit.glsl",
-     "vec4 t10 = orbit_fetch(column + 1, base);\n    vec4 t01 = orbit_fetch(column, base + 1);",
-     "vec4 t01 = orbit_fetch(column + 1, base);\n    vec4 t10 = orbit_fetch(column, base + 1);", HARD),
+     "vec4 t10 = orbit_fetch(cell.column + 1, cell.row);\n    vec4 t01 = orbit_fetch(cell.column, cell.row + 1);",
+     "vec4 t01 = orbit_fetch(cell.column + 1, cell.row);\n    vec4 t10 = orbit_fetch(cell.column, cell.row + 1);",
+     HARD),
     ("float-fan", "float for double: the camera's place in the table", "src/table/ray_fan.cpp",
-     "chi0_ = spacetime_->chi_from_zeta(zeta0_);", "chi0_ = static_cast<float>(spacetime_->chi_from_zeta(zeta0_));", HARD),
+     "chi0_ = inside_ ? M_PI : spacetime_->chi_from_radius(r);",
+     "chi0_ = static_cast<float>(inside_ ? M_PI : spacetime_->chi_from_radius(r));", HARD),
     ("float-frame", "float for double: the boost's stretch", "src/render/frame_tables.cpp",
      "std::sqrt((1.0 + speed) / (1.0 - speed))",
      "std::sqrt((1.0f + static_cast<float>(speed)) / (1.0f - static_cast<float>(speed)))", HARD),
@@ -47,33 +64,38 @@ FAULTS = [
      ">= trace.s ? 0 : 1;", ">= trace.s ? 1 : 1;", HARD),
     ("order-number", "image orders counted in quarter turns", "shaders/stage/raydata.frag",
      "floor(data.angle * 0.31830988618379067154)", "floor(data.angle * 0.63661977236758134308)", HARD),
-    ("doppler", "the frequency without the motion's part", "shaders/core/raydata.glsl",
-     "frame.shift.x * trace.doppler", "frame.shift.x", HARD),
-    ("dragging", "the dragging with the wrong sign of L", "shaders/core/kerr.glsl",
-     "(ray.energy - ray.a * ray.momentum * zeta)", "(ray.energy + ray.a * ray.momentum * zeta)", ("unit_tests", "kerr: the shader core*")),
-    ("mino", "half of the mass in the orbit of 1/r about a spinning hole", "shaders/core/kerr.glsl",
+    ("doppler", "the frequency without the motion's part", "shaders/core/trace.glsl",
+     "frame.radial.w * trace.doppler / energy_at", "frame.radial.w / energy_at", HARD),
+    ("dragging", "frame dragging with the wrong sign of L", "shaders/core/kerr.glsl",
+     "(ray.energy - ray.a * ray.momentum * zeta)", "(ray.energy + ray.a * ray.momentum * zeta)",
+     ("unit_tests", "kerr: the shader core*")),
+    ("mino", "half of the mass in the orbit of 1/r about a rotating hole", "shaders/core/kerr.glsl",
      "1.5 * ray.k - 2.0", "0.75 * ray.k - 2.0", ("gpu_tests", "kerr: the shadow*")),
-    ("sixth-order", "one weight of the sixth-order step about a spinning hole", "shaders/core/kerr.glsl",
+    ("sixth-order", "one weight of the sixth-order step about a rotating hole", "shaders/core/kerr.glsl",
      "f3 * (275.0 / 252.0) -", "f3 * (276.0 / 252.0) -", ("gpu_tests", "kerr methods: half*")),
-    ("spin-dips", "bodies about a spinning hole that a ray just touches, missed", "src/reference/spin_bodies.cpp",
+    ("spin-dips", "bodies about a rotating hole that a ray just touches, missed", "src/reference/spin_bodies.cpp",
      "if (dip <= 0) return", "if (dip <= -1) return", ("unit_tests", "kerr bodies*")),
-    ("spin-azimuth", "the azimuth of what a ray meets about a spinning hole, in the chart", "src/reference/kerr_ray.cpp",
-     "boyer_lindquist(azimuth, r), late(there, r)};", "phi_ - sense_ * (azimuth - std::atan2(chart_.a, r)), late(there, r)};",
+    ("spin-azimuth", "Kerr-Schild azimuth where Boyer-Lindquist is meant", "src/reference/kerr_ray.cpp",
+     "boyer_lindquist(azimuth, r), late(there, r)};",
+     "phi_ - sense_ * (azimuth - std::atan2(chart_.a, r)), late(there, r)};",
      ("unit_tests", "kerr bodies*")),
     ("thin-rings", "thin rings met by the pixel's middle only", "shaders/object/disc_thin.glsl",
      "ring.thin = phi > frame.critical.w", "ring.thin = phi < 0.0", ("gpu_tests", "thin rings*")),
     ("handedness", "a left-handed frame", "src/render/frame_tables.cpp",
      "cross(radial, meridian)", "cross(meridian, radial)", HARD),
     ("through", "light behind a translucent disc not dimmed", "shaders/stage/trace.frag",
-     "through -= over.a;", "through -= 0.0 * over.a;", GOLDEN),
+     "through -= over.a;\n        ++k;\n        more = disc_reachable", "++k;\n        more = disc_reachable", GOLDEN),
     ("display", "a missing square root in the display's curve", "shaders/effect/display.glsl",
      "vec3 s1 = sqrt(c);", "vec3 s1 = c;", GOLDEN),
     ("stale", "tables kept when the camera moves", "src/render/frame_tables.cpp",
-     "radius_ != scene.camera.r || (orbits && !had_orbits) ||\n                 (fan_ && fan_->w0() != fan_for(scene).w0());",
-     "(orbits && !had_orbits);", HARD),   # the radius alone is no fault: another radius is another w0
+     "radius_ != scene.camera.r || !(frame_ == observer->frame) || (orbits && !had_orbits) || "
+     "(delays && !had_delays) || (points && !had_points) ||\n"
+     "                 (fan_ && fan_->w0() != fan_for(scene, *observer).w0());",
+     "(orbits && !had_orbits) || (delays && !had_delays) || (points && !had_points);",
+     HARD),   # the radius alone is an equivalent mutant: another radius is another w0
     ("stale-zoom", "tables kept when the view narrows", "src/render/frame_tables.cpp",
-     "(fan_ && fan_->w0() != fan_for(scene).w0());", "false;", HARD),
-    ("nystrom", "a wrong coefficient of the integrator", "src/table/orbit_map.cpp",
+     "(fan_ && fan_->w0() != fan_for(scene, *observer).w0());", "false;", HARD),
+    ("nystrom", "a wrong coefficient of the integrator", "src/table/nystrom.h",
      "25. / 522", "25. / 525", RANDOM),
     ("cube", "a mirrored face of the sky", "src/sky/cube.cpp",
      "case 2: return {s, 1, t};", "case 2: return {-s, 1, t};", ("unit_tests", "cube_direction*")),
@@ -89,7 +111,7 @@ FAULTS = [
     ("channels", "two channels of the ray data exchanged", "src/compare/ray_channels.cpp",
      '{"sky.x", [](const RayPixel& p) { return p.sky.x; }', '{"sky.x", [](const RayPixel& p) { return p.sky.y; }',
      ("unit_tests", "compare: every channel*")),
-]
+]]
 
 
 def changed(path):
@@ -106,21 +128,47 @@ def run_test(folder, program, case):
     if program == "cli":
         command = [sys.executable, "-B", str(ROOT / "tests/cli" / case), str(Path(folder) / "bin/nullscope")]
         return subprocess.run(command, cwd=ROOT, capture_output=True, env=environment).returncode != 0
-    done = subprocess.run([str(Path(folder) / "bin" / program), f"-tc={case}", "--abort-after=1"], cwd=ROOT, capture_output=True,
-                          env=environment, timeout=900)
+    done = subprocess.run([str(Path(folder) / "bin" / program), f"-tc={case}", "--abort-after=1"], cwd=ROOT,
+                          capture_output=True, env=environment, timeout=900)
     return done.returncode != 0
 
 
-def plant(folder, fault):
-    name, what, file, old, new, (program, case) = fault
-    path = ROOT / file
-    text = path.read_text()
-    if text.count(old) != 1:
-        return f"NOT PLANTED: its text occurs {text.count(old)} times"
-    if changed(file):
+def occurrences(root, mutant):
+    path = root / mutant.file
+    return path.read_text().count(mutant.old) if path.is_file() else 0
+
+
+def check(root, mutants):
+    """One line for each mutant whose text does not occur exactly once in its file, or that changes nothing."""
+    lost = [f"{mutant.name}: its text occurs {occurrences(root, mutant)} times in {mutant.file}"
+            for mutant in mutants if occurrences(root, mutant) != 1]
+    return lost + [f"{mutant.name}: changes nothing" for mutant in mutants if mutant.old == mutant.new]
+
+
+def self_test():
+    with tempfile.TemporaryDirectory() as folder:
+        root = Path(folder)
+        (root / "a.txt").write_text("once twice twice")
+        samples = [Mutant(name, "", file, old, new, ()) for name, file, old, new in [
+            ("good", "a.txt", "once", "x"), ("missing", "a.txt", "never", "x"), ("twice", "a.txt", "twice", "x"),
+            ("no-file", "b.txt", "once", "x"), ("equal", "a.txt", "once", "once")]]
+        reported = [line.split(":")[0] for line in check(root, samples)]
+        if reported != ["missing", "twice", "no-file", "equal"]:
+            print(f"mutate: the self-test reported {reported}", file=sys.stderr)
+            return 1
+    return 0
+
+
+def plant(folder, mutant):
+    path = ROOT / mutant.file
+    if occurrences(ROOT, mutant) != 1:
+        return f"NOT PLANTED: its text occurs {occurrences(ROOT, mutant)} times"
+    if changed(mutant.file):
         return "NOT PLANTED: the file has changes that are not committed"
+    program, case = mutant.test
+    text = path.read_text()
     try:
-        path.write_text(text.replace(old, new))
+        path.write_text(text.replace(mutant.old, mutant.new))
         built = build(folder, "nullscope" if program == "cli" else program)
         if built.returncode != 0:
             return "NOT BUILT: " + built.stdout.strip().splitlines()[-1]
@@ -129,35 +177,46 @@ def plant(folder, fault):
         path.write_text(text)
 
 
+def run(folder, chosen):
+    for program, case in sorted({mutant.test for mutant in chosen}):
+        built = build(folder, "nullscope" if program == "cli" else program)
+        if built.returncode != 0 or run_test(folder, program, case):
+            print(f"mutate: {program}: {case} fails without any mutant", file=sys.stderr)
+            return 1
+    bad = 0
+    print("| mutant | where | test | |\n|---|---|---|---|", flush=True)
+    for mutant in chosen:
+        started = time.monotonic()
+        verdict = plant(folder, mutant)
+        bad += verdict != "caught"
+        print(f"| {mutant.what} | {mutant.file} | {': '.join(mutant.test)} | {verdict} |", flush=True)
+        print(f"mutate: {mutant.name}: {verdict} ({time.monotonic() - started:.0f} s)", file=sys.stderr, flush=True)
+    return 1 if bad else 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*")
     parser.add_argument("--list", action="store_true")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--self-test", action="store_true")
     parser.add_argument("--build", default=str(ROOT / "build/release"))
     options = parser.parse_args()
-    names = [fault[0] for fault in FAULTS]
+    names = [mutant.name for mutant in MUTANTS]
     if options.list:
         print("\n".join(names))
         return 0
+    if options.self_test:
+        return self_test()
+    if options.check:
+        lost = check(ROOT, MUTANTS)
+        print("\n".join(lost) or f"mutate: each of {len(MUTANTS)} mutants finds its text once")
+        return 1 if lost else 0
     unknown = [name for name in options.names if name not in names]
     if unknown:
-        print(f"mutate: no such fault: {', '.join(unknown)}", file=sys.stderr)
+        print(f"mutate: no such mutant: {', '.join(unknown)}", file=sys.stderr)
         return 2
-    chosen = [fault for fault in FAULTS if not options.names or fault[0] in options.names]
-    for program, case in sorted({fault[5] for fault in chosen}):
-        built = build(options.build, "nullscope" if program == "cli" else program)
-        if built.returncode != 0 or run_test(options.build, program, case):
-            print(f"mutate: {program}: {case} fails without any fault", file=sys.stderr)
-            return 1
-    bad = 0
-    print("| fault | where | test | |\n|---|---|---|---|", flush=True)
-    for fault in chosen:
-        started = time.monotonic()
-        verdict = plant(options.build, fault)
-        bad += verdict != "caught"
-        print(f"| {fault[1]} | {fault[2]} | {fault[5][0]}: {fault[5][1]} | {verdict} |", flush=True)
-        print(f"mutate: {fault[0]}: {verdict} ({time.monotonic() - started:.0f} s)", file=sys.stderr, flush=True)
-    return 1 if bad else 0
+    return run(options.build, [mutant for mutant in MUTANTS if not options.names or mutant.name in options.names])
 
 
 if __name__ == "__main__":
