@@ -132,9 +132,11 @@ public:
     std::vector<Effect> list() const;            // in the order of the enumerators
     std::vector<std::string_view> keys() const;  // the same as keys
     friend bool operator==(const EffectSet& a, const EffectSet& b) { return a.bits_ == b.bits_; }
-    friend bool operator<(const EffectSet& a, const EffectSet& b) { return a.bits_.to_ulong() < b.bits_.to_ulong(); }
+    // Not to_ulong(): where long has 32 bits (Windows, WebAssembly) it throws for the effects from number 32 on.
+    friend bool operator<(const EffectSet& a, const EffectSet& b) { return a.bits_.to_ullong() < b.bits_.to_ullong(); }
 
 private:
+    static_assert(kEffectCount <= 64, "operator< compares sets as numbers of 64 bits");
     std::bitset<kEffectCount> bits_;
 };
 

@@ -277,3 +277,16 @@ TEST_CASE("a scene without one of its effects calls for no more than the others"
     }
     CHECK(gone.size() >= 8);   // the scenes that ship have most of them
 }
+
+TEST_CASE("effect sets are ordered by all their bits, those beyond 32 too") {
+    const auto of = [](std::size_t number) { return EffectSet{static_cast<Effect>(number)}; };
+    for (std::size_t i = 0; i < kEffectCount; ++i)
+        for (std::size_t j = 0; j < kEffectCount; ++j) {
+            CAPTURE(i);
+            CAPTURE(j);
+            CHECK((of(i) < of(j)) == (i < j));
+        }
+    std::set<EffectSet> keys;   // as the renderer's cache of programs has them
+    for (std::size_t i = 0; i + 1 < kEffectCount; ++i) keys.insert({static_cast<Effect>(i), static_cast<Effect>(i + 1)});
+    CHECK(keys.size() == kEffectCount - 1);
+}
