@@ -130,6 +130,8 @@ double FrameAccuracy::wait() const {
     return std::max(changed_at_ + kRest - seconds(), 0.001);
 }
 
+bool FrameAccuracy::at_work() const { return asks_ || watch_.measuring() || news_ || std::isfinite(wait()); }
+
 void FrameAccuracy::draw_overlay() {
     if (!begun_ || !error_.empty()) return;
     if (watch_.take_heat(heat_)) overlay_ = gl::make_rgba8_texture(heat_.width, heat_.height, heat_.data.data());

@@ -67,7 +67,8 @@ Command program_of(viewer::ViewerOptions& options, std::string& size) {
                      "Draw pictures where the panels are drawn, not in the background");
     program.add_option(
         "--turns", &options.turns,
-        "Write a line a turn of the loop to this file: when (s), how long (ms), programs, 1 while at work");
+        "Write what the window's loop does to this file: the first pictures with the time since the start, turns with their "
+        "processor time, when it rests (/dev/stderr: to the terminal)");
     return program;
 }
 

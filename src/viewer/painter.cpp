@@ -1,44 +1,16 @@
 #include "viewer/painter.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
+#include <vector>
 
-#include "scene/split.h"
+#include "viewer/workshop.h"
 
 namespace nullscope::viewer {
 namespace {
 
 constexpr int kTimedFrames = 9, kLeastTimed = 3;   // of each scene, in turn; their median counts
 constexpr double kLongestTiming = 4.0;             // s for an effect, unless its least frames take more
-constexpr double kBand_ms = 20.0;                  // what the window may have to wait for: a driver draws one thing at a time
-constexpr int kFirstRows = 8;
-
-// How long the dearest row of the last picture took, by which the next is cut.
-struct Pace {
-    double row_ms = 0.0;   // 0: not known
-};
-
-// In bands of rows that take some kBand_ms each, so that the window gets its turn between them.
-double timed(Renderer& renderer, const gl::Target& target, Pace& pace) {
-    const double start = seconds();
-    double dearest = 0.0;
-    const auto affordable = [&](double row_ms) { return std::max(1, static_cast<int>(kBand_ms / std::max(row_ms, 1e-6))); };
-    int rows = pace.row_ms > 0.0 ? std::min(affordable(pace.row_ms), target.height) : kFirstRows;
-    for (int row = 0; row < target.height;) {
-        const int last = std::min(row + rows, target.height);
-        const double begun = seconds();
-        renderer.draw_rows(target.framebuffer.id(), target.width, target.height, Output::kDisplay, row, last);
-        gl::finish();
-        dearest = std::max(dearest, 1e3 * (seconds() - begun) / (last - row));
-        if (pace.row_ms == 0.0 && row == 0) dearest = 0.0;   // perhaps it compiled
-        rows = std::min(affordable(dearest), 2 * rows);
-        row = last;
-    }
-    pace.row_ms = dearest;
-    return 1e3 * (seconds() - start);
-}
 
 double median(std::vector<double> values) {
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
@@ -46,49 +18,6 @@ double median(std::vector<double> values) {
 }
 
 }  // namespace
-
-struct Painter::Workshop {
-    Renderer renderer;
-    std::unique_ptr<Renderer> right;   // of a split screen
-    std::array<gl::Target, 2> halves;
-    std::array<Pace, 2> half_paces;
-    std::unique_ptr<Renderer> other;   // without an effect, while measuring
-    std::array<gl::Target, 2> targets;
-    Pace pace;           // of scenes with these effects
-    EffectSet effects;
-    double compile_ms = 0.0;
-    std::size_t next = 0;
-
-    Workshop() { renderer.keep_finer_sky(); }
-    // The right half's spacetime may not have the left one's method.
-    Status prepare_right(const Scene& scene, const Method& method) {
-        if (right == nullptr) right = std::make_unique<Renderer>(), right->keep_finer_sky();
-        const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
-        right->set_method(spacetime && has_method(**spacetime, method) ? method : Method{});
-        return right->prepare(scene);
-    }
-    double timed_halves(const Halves& split, const gl::Target& target) {
-        double ms = 0.0;
-        int x = 0;
-        for (std::size_t i = 0; i < 2; ++i) {
-            const CameraSpec& camera = (i == 0 ? split.left : split.right).camera;
-            if (halves[i].width != camera.width || halves[i].height != camera.height)
-                halves[i] = gl::make_target(camera.width, camera.height, gl::Format::kRgba8);
-            ms += timed(i == 0 ? renderer : *right, halves[i], half_paces[i]);
-            gl::blit(halves[i].colours.front().id(), camera.width, camera.height, target.framebuffer.id(), camera.width, camera.height, x);
-            x += camera.width;
-        }
-        gl::finish();
-        return ms;
-    }
-    const gl::Target& target(int width, int height) {
-        gl::Target& chosen = targets[next];
-        next = 1 - next;
-        if (chosen.width != width || chosen.height != height)
-            chosen = gl::make_target(width, height, gl::Format::kRgba8);
-        return chosen;
-    }
-};
 
 Painter::Painter(Window& window, bool threads, std::function<void()> news) : news_(std::move(news)) {
     if (threads) context_ = window.share();
@@ -103,14 +32,18 @@ Painter::~Painter() { thread_.request_stop(); }
 void Painter::ask(PaintJob job) {
     if (own_ != nullptr) {
         busy_ = true;
-        do_job(*own_, std::move(job));
+        ++drawn_by_caller_;
+        do_job(*own_, job);
+        news_();   // the caller's loop is about to wait for events
         return;
     }
     {
         const std::lock_guard lock(mutex_);
         job_ = std::move(job);
+        painting_.reset();
         order_.reset();
         busy_ = true;
+        gives_up_ = false;
     }
     wake_.notify_all();
 }
@@ -120,22 +53,37 @@ bool Painter::busy() const {
     return busy_;
 }
 
-bool Painter::wait(double seconds) {
-    std::unique_lock lock(mutex_);
-    const auto ready = [this] { return painting_.has_value() || failure_ != nullptr; };
-    if (std::isinf(seconds))
-        done_.wait(lock, ready);
-    else
-        done_.wait_for(lock, std::chrono::duration<double>(seconds), ready);
-    return ready();
+bool Painter::gives_up() const {
+    const std::lock_guard lock(mutex_);
+    return gives_up_;
+}
+
+bool Painter::at_work() const {
+    const std::lock_guard lock(mutex_);
+    return at_work_ || job_ || order_;
+}
+
+PaintProgress Painter::progress() const {
+    const std::lock_guard lock(mutex_);
+    return progress_;
 }
 
 std::optional<Painting> Painter::take() {
     const std::lock_guard lock(mutex_);
     if (failure_ != nullptr) std::rethrow_exception(std::exchange(failure_, nullptr));
     if (!painting_) return std::nullopt;
-    busy_ = false;
+    if (painting_->texture != 0) shown_ = painting_->texture;
+    if (last_) busy_ = false;
     return std::exchange(painting_, std::nullopt);
+}
+
+void Painter::publish(Painting painting, bool last) {
+    const std::lock_guard lock(mutex_);
+    gives_up_ = !last;
+    if (job_) return;   // nobody waits for this one any more
+    painting_ = std::move(painting);
+    last_ = last;
+    if (last) progress_ = {};
 }
 
 void Painter::measure(const Scene& scene, const Method& method) {
@@ -161,107 +109,113 @@ bool Painter::interrupted() const {
     return job_.has_value() || thread_.get_stop_token().stop_requested();
 }
 
+bool Painter::stopped() const { return thread_.get_stop_token().stop_requested(); }
+
+std::array<unsigned, 2> Painter::textures_in_use() const {
+    const std::lock_guard lock(mutex_);
+    return {shown_, painting_ ? painting_->texture : 0};
+}
+
 void Painter::work(const std::stop_token& stop) {
     try {
         context_->make_current();
         Workshop workshop;
         std::unique_lock lock(mutex_);
         while (wake_.wait(lock, stop, [this] { return job_ || order_; }), !stop.stop_requested()) {
-            auto job = std::exchange(job_, std::nullopt);
-            auto order = job ? std::nullopt : std::exchange(order_, std::nullopt);
+            const auto job = std::exchange(job_, std::nullopt);
+            const auto order = job ? std::nullopt : std::exchange(order_, std::nullopt);
+            at_work_ = true;
             lock.unlock();
             if (job)
-                do_job(workshop, std::move(*job));
+                do_job(workshop, *job);
             else
                 do_measure(workshop, *order);
+            lock.lock();
+            at_work_ = false;
+            lock.unlock();
             news_();
             lock.lock();
         }
     } catch (...) {
         const std::lock_guard lock(mutex_);
         failure_ = std::current_exception();
+        at_work_ = false;
     }
     context_->leave();
-    done_.notify_all();
     news_();
 }
 
-void Painter::do_job(Workshop& workshop, PaintJob job) {
-    Renderer& renderer = workshop.renderer;
-    renderer.set_method(job.method);
-    renderer.set_adaptation(job.adaptation);
-    Painting painting;
-    const auto split = job.rays ? std::nullopt : halves(job.scene);
-    painting.ready = renderer.prepare(split ? split->left : job.scene);
-    if (painting.ready && split) painting.ready = workshop.prepare_right(split->right, job.method);
-    if (!split) workshop.right.reset();
-    if (painting.ready && job.rays) {
-        painting.rays = renderer.ray_data();
-    } else if (painting.ready) {
-        const gl::Target& target = workshop.target(job.scene.camera.width, job.scene.camera.height);
-        const int programs = renderer.picture_programs();
-        if (effect_set(required_effects(job.scene)) != workshop.effects) workshop.pace = {};
-        workshop.effects = effect_set(required_effects(job.scene));
-        const auto drawn = [&] { return split ? workshop.timed_halves(*split, target) : timed(renderer, target, workshop.pace); };
-        painting.draw_ms = drawn();
-        if (renderer.picture_programs() > programs) {   // drivers compile until the first picture is there
-            const double first_ms = std::exchange(painting.draw_ms, drawn());
-            workshop.compile_ms += std::max(first_ms - painting.draw_ms, 0.0);
-        }
-        painting.texture = target.colours.front().id();
+// whole_job: a newer job does not end it.
+DrawWatch Painter::watch(bool whole_job) {
+    return {[this, whole_job] { return whole_job ? stopped() : interrupted(); },
+            [this](const PaintProgress& progress) {
+                const std::lock_guard lock(mutex_);
+                progress_ = progress;
+            }};
+}
+
+void Painter::do_job(Workshop& workshop, const PaintJob& job) {
+    if (job.rays) return publish(workshop.rays(job), true);
+    const int coarseness = own_ != nullptr ? 1 : workshop.coarseness(job);
+    if (coarseness > 1) {
+        auto coarse = workshop.picture(job, coarseness, textures_in_use(), watch(true));
+        if (!coarse) return;
+        const bool good = static_cast<bool>(coarse->ready);
+        publish(std::move(*coarse), !good);
+        news_();
+        if (!good) return;
     }
-    painting.notes = renderer.take_notes();
-    painting.programs = renderer.picture_programs();
-    painting.compile_ms = workshop.compile_ms;
-    painting.table_ms = renderer.tables().table_ms();
-    painting.rows_ms = renderer.tables().rows_ms();
-    painting.job = std::move(job);
-    {
+    const bool may_be_left = coarseness > 1 || !job.coarse_first;
+    if (may_be_left) {
         const std::lock_guard lock(mutex_);
-        painting_ = std::move(painting);
+        gives_up_ = !job_;
     }
-    done_.notify_all();
+    if (auto whole = workshop.picture(job, 1, textures_in_use(), watch(!may_be_left))) publish(std::move(*whole), true);
 }
 
 // With and without in turn, so that what else the machine does falls on both.
 void Painter::do_measure(Workshop& workshop, const Order& order) {
     EffectTimes times;
-    const auto publish = [&] {
+    const auto publish_times = [&] {
         const std::lock_guard lock(mutex_);
         times_ = times;
         times_new_ = true;
     };
-    workshop.renderer.set_method(order.method);
-    if (!workshop.renderer.prepare(order.scene)) return;
-    if (workshop.other == nullptr) workshop.other = std::make_unique<Renderer>();
-    Renderer& other = *workshop.other;
+    const DrawWatch watch{[this] { return interrupted(); }, [](const PaintProgress&) {}};
+    Renderer& renderer = workshop.renderer();
+    renderer.set_method(order.method);
+    if (!renderer.prepare(order.scene)) return;
+    Renderer& other = workshop.other();
     const gl::Target target = gl::make_target(order.scene.camera.width, order.scene.camera.height, gl::Format::kRgba8);
     for (const Effect effect : effect_set(required_effects(order.scene)).list()) {
         const auto without = without_effect(order.scene, effect);
         if (!without) continue;
         other.set_method(Method{});   // what remains may not know the scene's
-        if (has_method(workshop.renderer.tables().spacetime(), order.method) && without->spacetime == order.scene.spacetime)
+        if (has_method(renderer.tables().spacetime(), order.method) && without->spacetime == order.scene.spacetime)
             other.set_method(order.method);
         if (interrupted()) return;
         if (!other.prepare(*without)) continue;   // the scene cannot be without it: a thermal disc in flat space
         Pace other_pace;
-        timed(other, target, other_pace);   // compiles
-        timed(workshop.renderer, target, workshop.pace);
         std::vector<double> whole, rest;
+        const auto time_both = [&] {
+            const auto with = draw_in_bands(renderer, target, workshop.pace(), watch);
+            const auto less = with ? draw_in_bands(other, target, other_pace, watch) : std::nullopt;
+            if (less) whole.push_back(with->draw_ms), rest.push_back(less->draw_ms);
+            return less.has_value();
+        };
+        if (!time_both()) return;   // compiles: does not count
+        whole.clear(), rest.clear();
         const double begun = seconds();
-        for (int i = 0; i < kTimedFrames && (i < kLeastTimed || seconds() - begun < kLongestTiming); ++i) {
-            if (interrupted()) return;
-            whole.push_back(timed(workshop.renderer, target, workshop.pace));
-            rest.push_back(timed(other, target, other_pace));
-        }
+        for (int i = 0; i < kTimedFrames && (i < kLeastTimed || seconds() - begun < kLongestTiming); ++i)
+            if (!time_both()) return;
         times.picture_ms = median(whole);
         times.effects.push_back({effect, times.picture_ms - median(rest)});
-        publish();
+        publish_times();
         news_();
     }
     times.complete = true;
-    workshop.other.reset();   // its textures with it
-    publish();
+    workshop.drop_other();   // its textures with it
+    publish_times();
 }
 
 }  // namespace nullscope::viewer

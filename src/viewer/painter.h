@@ -1,8 +1,11 @@
 // Draws the viewer's pictures on a thread of its own, in an OpenGL context that shares textures with the window's: while a program
 // is compiled, a sky built or an image read, the window keeps its last picture and its panels answer.
 //
-// Owners: a job is copied in, a painting moved out; the renderer is the thread's alone. A painting's texture is drawn to again
-// only after the one that follows it was taken.
+// Owners: a job is copied in, a painting moved out; the renderers are the thread's alone. A painting's texture is drawn to again only
+// after the one that follows it was taken.
+//
+// A job may give two pictures: a coarse one first, if the whole one takes long. The coarse one is always finished; the whole one is
+// given up between two bands of rows when a newer job comes, so that what moves is followed and what rests is whole.
 #pragma once
 #include <condition_variable>
 #include <exception>
@@ -10,85 +13,67 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <thread>
-#include <vector>
 
-#include "gl/gl.h"
-#include "render/renderer.h"
+#include "viewer/paint_job.h"
 #include "viewer/window.h"
 
 namespace nullscope::viewer {
 
-struct PaintJob {
-    Scene scene;
-    Method method;
-    bool rays = false;  // ray data instead of a picture
-    double adaptation = 1.0;   // Renderer::set_adaptation
-};
-
-// What effects cost in the frame on the screen: the picture's time, less that of the scene without the effect.
-struct EffectTime {
-    Effect effect;
-    double ms = 0.0;
-};
-struct EffectTimes {
-    std::vector<EffectTime> effects;
-    double picture_ms = 0.0;  // of the whole
-    bool complete = false;
-};
-
-struct Painting {
-    PaintJob job;
-    Status ready{Done{}};  // what prepare() said; else there is nothing below
-    unsigned texture = 0;  // RGBA8, of the job's size, display-encoded; valid until the next painting but one is asked for
-    std::optional<RayFrame> rays;
-    double draw_ms = 0.0;  // the picture's, finished
-    std::vector<std::string> notes;   // what was done to images
-    int programs = 0;      // compiled for pictures until now
-    double compile_ms = 0.0 /* of them all, with the driver's own at the first picture */, table_ms = 0.0, rows_ms = 0.0;
-};
+class Workshop;
+struct DrawWatch;
 
 class Painter {
 public:
     // threads: false draws in the window's own context within ask(), as where a second context cannot be had. news: called from
     // the thread when a painting or a time is ready. throws gl::GlError.
     Painter(Window& window, bool threads, std::function<void()> news);
-    ~Painter();
+    ~Painter();   // waits for a driver that compiles, a sky that is built, an image that is read
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
     bool in_background() const { return context_ != nullptr; }
-    void ask(PaintJob job);      // only while not busy()
-    bool busy() const;           // asked, and not taken yet
-    bool wait(double seconds);   // true if a painting can be taken; infinite: until then
-    std::optional<Painting> take();   // throws what the thread met
+    void ask(PaintJob job);      // only while not busy() or gives_up(); a painting of the job before that was not taken is dropped
+    bool busy() const;           // asked, and the last painting of that job not taken yet
+    bool gives_up() const;       // what is drawn now would make room for a job that comes with a coarse picture
+    bool at_work() const;        // the thread draws or measures
+    PaintProgress progress() const;
+    std::optional<Painting> take();   // if there is one; throws what the thread met
+    int drawn_by_caller() const { return drawn_by_caller_; }   // jobs that ask() did itself, its caller waiting
 
     // Measures what each effect of the scene costs, one after the other, until there is a new job.
     void measure(const Scene& scene, const Method& method);
     std::optional<EffectTimes> take_times();   // if there is more than at the last call
 
 private:
-    struct Workshop;   // what lives in the context
     struct Order {
         Scene scene;
         Method method;
     };
     void work(const std::stop_token& stop);
-    void do_job(Workshop& workshop, PaintJob job);
+    void do_job(Workshop& workshop, const PaintJob& job);
     void do_measure(Workshop& workshop, const Order& order);
+    void publish(Painting painting, bool last);
+    DrawWatch watch(bool whole_job);
+    std::array<unsigned, 2> textures_in_use() const;
     bool interrupted() const;
+    bool stopped() const;
 
     std::unique_ptr<SharedContext> context_;   // nullptr: jobs are done within ask()
     std::function<void()> news_;
     mutable std::mutex mutex_;
-    std::condition_variable_any wake_, done_;
+    std::condition_variable_any wake_;
     std::optional<PaintJob> job_;
     std::optional<Order> order_;
     std::optional<Painting> painting_;
+    unsigned shown_ = 0;              // texture of the painting that was taken last
+    bool last_ = false;               // painting_ is its job's last
+    bool busy_ = false, at_work_ = false, gives_up_ = false;
+    PaintProgress progress_;
     EffectTimes times_;
-    bool times_new_ = false, busy_ = false;
+    bool times_new_ = false;
     std::exception_ptr failure_;
+    int drawn_by_caller_ = 0;
     std::unique_ptr<Workshop> own_;   // without a thread
     std::jthread thread_;             // last: ends before what it uses
 };

@@ -87,6 +87,18 @@ bool side_panel(ViewState& view, const AccuracyPanel& accuracy, const EffectsPan
     return changed;
 }
 
+// Nothing where nothing is done.
+std::string progress_words(const PaintProgress& progress) {
+    using Stage = PaintProgress::Stage;
+    switch (progress.stage) {
+        case Stage::kIdle: return "";
+        case Stage::kPreparing: return "preparing";
+        case Stage::kCompiling: return "compiling shaders";
+        case Stage::kDrawing: return fmt::format("drawing {:.0f} %", 100.0 * progress.rows / std::max(progress.of, 1));
+    }
+    return "";
+}
+
 void status_line(const FrameFacts& facts) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.0f, screen.y - status_height()});
@@ -95,11 +107,14 @@ void status_line(const FrameFacts& facts) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kMargin * em(), 0.25f * em()});
     if (ImGui::Begin("##status", nullptr, kFixed | ImGuiWindowFlags_NoInputs)) {
-        const std::string rate = facts.fps > 0.0 ? fmt::format("{:.0f} fps", facts.fps) : facts.busy ? "at work" : "idle";
-        ImGui::TextUnformatted(fmt::format("{:.1f} ms  {}", facts.picture_ms, rate).c_str());
+        const std::string took = !facts.picture ? "" : facts.coarse ? "coarse" : fmt::format("{:.1f} ms", facts.picture_ms);
+        const std::string work = progress_words(facts.progress);
+        const std::string rate = facts.fps > 0.0 ? fmt::format("{:.0f} fps", facts.fps) : "idle";
+        ImGui::TextUnformatted((facts.fps <= 0.0 && !work.empty() ? work : took + "  " + rate).c_str());
+        const std::string tables = facts.picture ? fmt::format("table {:.0f} ms, rows {:.1f} ms     ", facts.table_ms, facts.rows_ms) : "";
         const std::string rest =
-            fmt::format("{} x {}     table {:.0f} ms, rows {:.1f} ms     OpenGL {}     {}", facts.size.width,
-                        facts.size.height, facts.table_ms, facts.rows_ms, facts.version, facts.renderer);
+            fmt::format("{} x {}     {}OpenGL {}     {}", facts.size.width, facts.size.height, tables, facts.version,
+                        facts.renderer);
         ImGui::SameLine(9.5f * em());
         ImGui::TextDisabled("%s", rest.c_str());
         const char* hint = "F1 keys   Tab panels";
@@ -140,6 +155,19 @@ void message_window(const std::string& message) {
 }
 
 }  // namespace
+
+void draw_first_wait(const std::string& scene, const PaintProgress& progress) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    draw.AddRectFilled({0.0f, 0.0f}, screen, IM_COL32(0, 0, 0, 255));
+    const std::string work = progress_words(progress), words = scene + (work.empty() ? "" : ": " + work);
+    const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+    const float width = 12.0f * em(), height = 0.15f * em(), left = 0.5f * (screen.x - width), top = 0.5f * screen.y;
+    draw.AddText({0.5f * (screen.x - size.x), top - 1.4f * em()}, ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str());
+    const float share = static_cast<float>(progress.rows) / static_cast<float>(std::max(progress.of, 1));
+    draw.AddRectFilled({left, top}, {left + width, top + height}, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    draw.AddRectFilled({left, top}, {left + share * width, top + height}, ImGui::GetColorU32(ImGuiCol_CheckMark));
+}
 
 bool draw_panels(ViewState& view, const FrameFacts& facts, const AccuracyPanel& accuracy, const EffectsPanel& effects,
                  const std::string& message, bool escape) {

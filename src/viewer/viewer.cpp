@@ -3,21 +3,20 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdio>
+#include <cstdlib>
 #include <utility>
 
 #include "base/assets.h"
 #include "base/image_file.h"
 #include "gl/gl.h"
 #include "viewer/screenshot.h"
-#include "viewer/theme.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -26,11 +25,13 @@ constexpr int kSettlingFrames = 3;       // panels answer an event a frame later
 constexpr int kNewsFrames = 2;           // a measured number may make its panel wider a frame later
 constexpr double kIdleWait = 1.0;        // s
 constexpr double kCaretWait = 0.1;       // s, while a text field shows a blinking caret
-constexpr double kBusyWait = 0.03;        // s, while a picture is awaited and another is due
+constexpr double kAdaptingWait = 0.03;    // s, while exposure follows
+constexpr double kBusyWait = 0.05;        // s between frames of the panels over a picture that is awaited: the processor is the painter's
+constexpr double kProgressWait = 0.1;     // s between looks at how far a picture is
+constexpr double kProgressAfter = 0.3;    // s that a picture takes before its progress is shown
 constexpr double kFirstStep = 1.0 / 60;  // s of motion that a key's first frame stands for
 constexpr double kLongestStep = 0.1;     // s: a hitch is no leap
 constexpr double kMessageTime = 6.0;     // s
-constexpr double kPatience = 0.12;       // s that a turn waits for its picture before it shows the last one again
 constexpr double kRestBeforeTimes = 0.5; // s without a change before effects are measured
 constexpr double kAdaptation = 0.4;      // s in which exposure goes all but 1/e of its way
 constexpr double kAdapted = 2.5;         // s after the last change until it is there
@@ -38,33 +39,14 @@ constexpr double kRateTime = 0.25;       // s between changes of the numbers in 
 
 std::string title_of(const Scene& scene) { return scene.name + " - nullscope"; }
 
+// Without the painter's thread: a driver that compiles, a sky that is built and an image that is read cannot be interrupted. Files are
+// written by this thread, so that none is left half done.
+[[noreturn]] void end_process() {
+    std::fflush(nullptr);
+    std::_Exit(0);
+}
+
 }  // namespace
-
-PanelSystem::PanelSystem(Window& window) : window_(window) {
-    IMGUI_CHECKVERSION();
-    ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;  // leaves no file behind
-    ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
-    ImGui_ImplOpenGL3_Init("#version 330 core");
-}
-
-PanelSystem::~PanelSystem() {
-    ImGui_ImplOpenGL3_Shutdown();
-    ImGui_ImplGlfw_Shutdown();
-    ImGui::DestroyContext();
-}
-
-void PanelSystem::begin_frame() {
-    const double scale = window_.content_scale(), ratio = window_.pixel_ratio();
-    if (scale != content_scale_ || ratio != pixel_ratio_) {
-        content_scale_ = scale, pixel_ratio_ = ratio;
-        ImGui_ImplOpenGL3_DestroyDeviceObjects();  // made again, with the new font, by the next NewFrame
-        apply_theme(scale, ratio);
-    }
-    ImGui_ImplOpenGL3_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
-    ImGui::NewFrame();
-}
 
 Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     std::unique_ptr<Viewer> viewer(new Viewer(options));
@@ -75,7 +57,6 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     auto window = Window::open({size, !options.size, options.hidden, title_of(viewer->view_.scene)});
     if (!window) return window.error();
     viewer->window_ = std::move(*window);
-    viewer->panel_system_ = std::make_unique<PanelSystem>(*viewer->window_);
     viewer->info_ = gl::info();
     viewer->painter_ = std::make_unique<Painter>(*viewer->window_, !options.one_context, [] { glfwPostEmptyEvent(); });
     viewer->accuracy_ = std::make_unique<FrameAccuracy>();
@@ -85,94 +66,127 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     else
         viewer->not_measured_ = measured.error().message;
     if (Status started = viewer->start(); !started) return started.error();
+    viewer->panel_system_ = std::make_unique<PanelSystem>(*viewer->window_);
     return viewer;
 }
 
-Viewer::~Viewer() {
-    if (turns_ != nullptr) std::fclose(turns_);
-}
+Viewer::~Viewer() = default;
 
-// The first picture, without which there is nothing to keep on the screen.
+// The painter begins before the panels are there.
 Status Viewer::start() {
-    if (!options_.turns.empty() && (turns_ = std::fopen(options_.turns.c_str(), "w")) == nullptr)
-        return failed(fmt::format("{}: cannot be written", options_.turns));
+    if (!options_.turns.empty())
+        if (Status opened = log_.open(options_.turns); !opened) return opened;
     fit_to_window();
     shown_ = view_.scene;
     shown_loaded_ = view_.loaded;
-    ask();
-    painter_->wait(std::numeric_limits<double>::infinity());
-    auto painting = painter_->take();
-    if (!painting->ready) return painting->ready.error();
-    adopt(std::move(*painting));
+    if (painter_->in_background()) ask();
     return Done{};
 }
 
 Status Viewer::run() {
-    while (!window_->closing()) {
-        if (!step() || options_.after_frames == 0 || ++frames_ < options_.after_frames) continue;
-        if (options_.screenshot.empty()) break;
-        return save_png(options_.screenshot, drawn_apart(size_, [this](unsigned framebuffer) {
-                            draw(framebuffer);
-                            ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-                        }));
+    while (!window_->closing() && !refusal_) {
+        if (!step() || !patient() || ++frames_ < options_.after_frames) continue;
+        return options_.screenshot.empty() ? Done{} : save_screenshot();
     }
+    if (refusal_) return *refusal_;
+    if (painter_->at_work()) end_process();
     return Done{};
+}
+
+Status Viewer::save_screenshot() {
+    return save_png(options_.screenshot, drawn_apart(size_, [this](unsigned framebuffer) {
+                        draw(framebuffer);
+                        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+                    }));
 }
 
 bool Viewer::step() {
     const double wait = wait_time();
-    waited_ = wait > 0.0;
+    waited_ = wait > 0.0 && !in_motion();
     const Input& input = window_->poll(wait);
-    const double begun = seconds();
-    const double dt = elapsed();
+    if (window_->closing()) return false;
+    const double cpu = thread_cpu_seconds(), dt = elapsed();
     if (input.happened) frames_due_ = kSettlingFrames;
+    if (!input.pressed.empty()) last_key_ = input.pressed.back();
+    follow_times();
+    bool changed = fit_to_window();
+    coarse_wanted_ = coarse_wanted_ || changed;
+    if (size_.width == 0 || size_.height == 0) return false;  // minimised
+    const bool news = take();
+    if (news) frames_due_ = std::max(frames_due_, kNewsFrames);
+
+    const bool panels_had_pointer = ImGui::GetIO().WantCaptureMouse;  // in the frame before: a tooltip goes when the pointer leaves
+    panel_system_->begin_frame();
+    changed = handle_keys(input) || changed;
+    changed = panels(input) || changed;
+    moving_ = move(input, dt);
+    const ImGuiIO& io = ImGui::GetIO();
+    if (input.moved || input.happened || changed || moving_) probe(input);
+    follow_changes(changed);
+    measure_effects(!moving_ && !changed);
+    if (painter_->in_background() || patient() || drawn_at_ > 0.0) ask();   // else the window's first frame would wait for it
+    if (input.moved && (panels_had_pointer || io.WantCaptureMouse)) frames_due_ = kSettlingFrames;  // tooltips
+    if (io.WantTextInput || patient()) frames_due_ = std::max(frames_due_, 1);
+    const bool drawn = shows_frame(news);
+    if (drawn) {
+        --frames_due_;
+        present();
+        log_turn(cpu);
+    } else {
+        ImGui::EndFrame();
+    }
+    log_rest();
+    return drawn;
+}
+
+bool Viewer::shows_frame(bool news) {
+    if (patient()) return settled();
+    return frames_due_ > 0 && (news || !painter_->busy() || seconds() - drawn_at_ >= kBusyWait);
+}
+
+void Viewer::follow_times() {
     if (!message_.empty() && seconds() > message_until_) {
         message_.clear();
         frames_due_ = kSettlingFrames;
     }
-    bool changed = fit_to_window();
-    if (size_.width == 0 || size_.height == 0) return false;  // minimised
+    const bool slow = painter_->busy() && (picture_.texture == 0 || seconds() - asked_at_ > kProgressAfter);
+    const PaintProgress progress = slow ? painter_->progress() : PaintProgress{};
+    if (progress != progress_) frames_due_ = std::max(frames_due_, 1);
+    progress_ = progress;
+}
 
-    const ImGuiIO& io = ImGui::GetIO();
-    const bool panels_had_pointer = io.WantCaptureMouse;  // in the frame before: a tooltip goes when the pointer leaves
-    panel_system_->begin_frame();
-    changed = handle_keys(input) || changed;
+bool Viewer::panels(const Input& input) {
     const bool escape = std::find(input.pressed.begin(), input.pressed.end(), GLFW_KEY_ESCAPE) != input.pressed.end();
+    if (picture_.texture == 0) draw_first_wait(view_.scene.name, progress_);
     if (view_.show_errors && !picture_.job.scene.beside) accuracy_->draw_overlay();
     const AccuracyPanel accuracy{measured_, not_measured_, choice_, accuracy_->facts(), picture_ms_shown_};
     const EffectsPanel effects{effect_times_, picture_.job.scene, painter_->in_background(), picture_.programs, picture_.compile_ms};
     if (view_.show_probe) probe_.draw(ImGui::GetIO().DisplaySize.y - (view_.show_panels ? 2.0f * ImGui::GetFontSize() : 0.0f));
-    changed = draw_panels(view_, facts(), accuracy, effects, message_, escape) || changed;
-    moving_ = controls_.apply(input, view_, dt, io.WantCaptureMouse, io.WantCaptureKeyboard);
-    moving_ = view_.fall.step(view_.scene, dt) || moving_;
-    moving_ = step_clock(view_, dt) || moving_;
+    return draw_panels(view_, facts(), accuracy, effects, message_, escape);
+}
+
+bool Viewer::move(const Input& input, double dt) {
+    const ImGuiIO& io = ImGui::GetIO();
+    bool moved = controls_.apply(input, view_, dt, io.WantCaptureMouse, io.WantCaptureKeyboard);
+    moved = view_.fall.step(view_.scene, dt) || moved;
+    moved = step_clock(view_, dt) || moved;
     if (controls_.dragging()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (input.moved || input.happened || changed || moving_) probe(input);
+    return moved;
+}
+
+void Viewer::follow_changes(bool changed) {
     if (changed || moving_) {
         adapting_until_ = seconds() + kAdapted;
+        coarse_wanted_ = coarse_wanted_ || moving_ || ImGui::IsAnyItemActive() || view_.source != asked_.source;
         fit_to_window();  // a scene that was just loaded has a size of its own
         picture_due_ = true;
         frames_due_ = kSettlingFrames;
-    } else if (seconds() < adapting_until_ && drawn_scene(view_).picture.auto_exposure && options_.after_frames == 0) {
+    } else if (seconds() < adapting_until_ && drawn_scene(view_).picture.auto_exposure && !patient()) {
         picture_due_ = true;
     }
     const bool whole = !picture_.job.scene.beside;   // errors are a single spacetime's
     const bool watched = whole && (view_.show_errors || (view_.show_panels && view_.show_accuracy));
     if (accuracy_->update(watched, moving_ || changed || picture_due_)) frames_due_ = std::max(frames_due_, kNewsFrames);
-    measure_effects(!moving_ && !changed);
-    const bool patient = options_.after_frames > 0;   // every frame of a screenshot's run is of the scene as it is
-    ask();
-    if (take(patient ? std::numeric_limits<double>::infinity() : kPatience)) frames_due_ = std::max(frames_due_, kNewsFrames);
-    if (input.moved && (panels_had_pointer || io.WantCaptureMouse)) frames_due_ = kSettlingFrames;  // tooltips
-    if (io.WantTextInput || options_.after_frames > 0) frames_due_ = std::max(frames_due_, 1);
-    if (frames_due_ == 0) {
-        ImGui::EndFrame();
-        return false;
-    }
-    --frames_due_;
-    present();
-    log_turn(begun);
-    return true;
 }
 
 // Under the panels' pointer it stays what it was.
@@ -187,21 +201,39 @@ void Viewer::probe(const Input& input) {
 double Viewer::adaptation(const Scene& scene) {
     const double now = seconds(), since = std::min(now - adapted_at_, kLongestStep);
     adapted_at_ = now;
-    return options_.after_frames > 0 || !scene.picture.auto_exposure ? 1.0 : 1.0 - std::exp(-since / kAdaptation);
+    return patient() || !scene.picture.auto_exposure ? 1.0 : 1.0 - std::exp(-since / kAdaptation);
 }
 
-void Viewer::log_turn(double begun) {
-    if (turns_ == nullptr) return;
-    fmt::print(turns_, "{:.4f} {:.1f} {} {}\n", begun, 1e3 * (seconds() - begun), picture_.programs, painter_->busy() ? 1 : 0);
-    std::fflush(turns_);
+void Viewer::log_turn(double cpu_s) {
+    log_.turn({1e3 * (thread_cpu_seconds() - cpu_s), painter_->drawn_by_caller(), picture_.programs, picture_.texture != 0,
+               picture_.coarse(), painter_->busy()});
+}
+
+void Viewer::log_rest() {
+    if (!log_.is_open() || !at_rest()) return;
+    window_->framebuffer();   // an answer of the display's server: it has shown what it was sent before
+    log_.rest(last_key_);
+}
+
+bool Viewer::in_motion() const { return controls_.in_motion() || view_.fall.runs() || view_.clock_runs; }
+
+bool Viewer::settled() const { return picture_.texture != 0 && !picture_.coarse() && !picture_due_ && !painter_->busy(); }
+
+bool Viewer::at_rest() const {
+    const bool times_due = view_.show_panels && view_.show_effects && !effect_times_.complete;
+    return settled() && frames_due_ == 0 && !in_motion() && !painter_->at_work() && !accuracy_->at_work() && !times_due &&
+           (seconds() >= adapting_until_ || !picture_.job.scene.picture.auto_exposure);
 }
 
 double Viewer::wait_time() const {
+    const bool busy = painter_->busy();
     if (size_.width == 0 || size_.height == 0) return kIdleWait;
-    if (frames_due_ > 0 || controls_.in_motion() || view_.fall.runs() || view_.clock_runs || options_.after_frames > 0) return 0.0;
+    if (patient()) return busy ? kIdleWait : 0.0;
+    if (in_motion()) return busy ? kBusyWait : 0.0;
+    if (frames_due_ > 0) return busy ? std::clamp(drawn_at_ + kBusyWait - seconds(), 0.0, kBusyWait) : 0.0;
     if (ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().WantTextInput) return kCaretWait;
-    if (painter_->busy() && picture_due_) return kBusyWait;
-    if (seconds() < adapting_until_ && picture_.job.scene.picture.auto_exposure) return kBusyWait;
+    if (busy) return kProgressWait;
+    if (seconds() < adapting_until_ && picture_.job.scene.picture.auto_exposure) return kAdaptingWait;
     double idle = std::min(kIdleWait, accuracy_->wait());
     if (view_.show_effects && !times_asked_) idle = std::min(idle, std::max(changed_at_ + kRestBeforeTimes - seconds(), 0.01));
     return message_.empty() ? idle : std::clamp(message_until_ - seconds(), 0.01, idle);
@@ -247,25 +279,32 @@ bool Viewer::fit_to_window() {
 }
 
 void Viewer::ask() {
-    if (painter_->busy()) return;
-    if (picture_due_) {
-        picture_due_ = false;
-        asked_ = view_;
-        const Scene scene = drawn_scene(view_);
-        asked_choice_ = method_choice(measured_, view_.method, scene);
-        painter_->ask({scene, asked_choice_.method, false, adaptation(scene)});
-    } else if (accuracy_->asks_for_rays()) {
-        painter_->ask({picture_.job.scene, picture_.job.method, true});
+    const bool busy = painter_->busy();
+    if (!picture_due_) {
+        if (!busy && accuracy_->asks_for_rays()) painter_->ask({picture_.job.scene, picture_.job.method, true});
+        return;
     }
+    const Scene scene = drawn_scene(view_);
+    // Exposure that follows is metered from picture to picture: all but the first are whole.
+    const bool metered = scene.picture.auto_exposure && picture_.texture != 0;
+    const bool coarse = coarse_wanted_ && !patient() && !save_due_ && !metered;
+    if (busy && !(coarse && painter_->gives_up())) return;
+    picture_due_ = coarse_wanted_ = false;
+    asked_ = view_;
+    asked_at_ = seconds();
+    asked_choice_ = method_choice(measured_, view_.method, scene);
+    painter_->ask({scene, asked_choice_.method, false, adaptation(scene), coarse});
 }
 
-bool Viewer::take(double patience_s) {
-    if (!painter_->busy() || !painter_->wait(patience_s)) return false;
+bool Viewer::take() {
     auto painting = painter_->take();
+    if (!painting) return false;
     if (painting->rays)
         accuracy_->take_rays(painting->job.scene, std::move(*painting->rays));
     else if (painting->ready)
         adopt(std::move(*painting));
+    else if (picture_.texture == 0 && !picture_due_)
+        refusal_ = painting->ready.error();
     else
         refuse(*painting);
     return true;
@@ -280,6 +319,7 @@ void Viewer::adopt(Painting painting) {
         changed_at_ = seconds();
     }
     picture_ = std::move(painting);
+    measure_rate();
     if (!picture_.notes.empty()) say(picture_.notes.back());
     choice_ = asked_choice_;
     accuracy_->frame_is(picture_.job.scene, picture_.job.method);
@@ -288,6 +328,7 @@ void Viewer::adopt(Painting painting) {
     shown_loaded_ = asked_.loaded;
     shown_method_ = asked_.method;
     shown_off_ = asked_.off;
+    if (save_due_ && !picture_.coarse()) save_picture();
 }
 
 // What was shown is shown on, unless the hands have gone on meanwhile.
@@ -316,8 +357,7 @@ void Viewer::measure_effects(bool still) {
 }
 
 void Viewer::draw(unsigned framebuffer) {
-    const CameraSpec& camera = picture_.job.scene.camera;
-    gl::blit(picture_.texture, camera.width, camera.height, framebuffer, size_.width, size_.height);
+    if (picture_.texture != 0) gl::blit(picture_.texture, picture_.width, picture_.height, framebuffer, size_.width, size_.height);
 }
 
 void Viewer::present() {
@@ -326,22 +366,24 @@ void Viewer::present() {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     gl::finish();  // the picture's texture may be drawn to again
     window_->swap();
-    measure_rate();
+    drawn_at_ = seconds();
 }
 
-// Frames that follow each other without a wait tell a rate.
+// Pictures that follow each other without a wait tell a rate.
 void Viewer::measure_rate() {
     constexpr double kMemory = 0.9;
-    const double now = seconds(), frame = now - drawn_at_;
-    drawn_at_ = now;
-    frame_s_ = waited_ ? 0.0 : frame_s_ > 0.0 ? kMemory * frame_s_ + (1.0 - kMemory) * frame : frame;
-    if (now - rate_shown_at_ < kRateTime && frames_due_ > 0) return;
+    const double now = seconds(), between = now - adopted_at_;
+    adopted_at_ = now;
+    frame_s_ = !moving_ ? 0.0 : frame_s_ > 0.0 ? kMemory * frame_s_ + (1.0 - kMemory) * between : between;
+    if (now - rate_shown_at_ < kRateTime && moving_) return;
     rate_shown_at_ = now;
-    picture_ms_shown_ = picture_.draw_ms;
-    fps_shown_ = frames_due_ > 0 && moving_ && frame_s_ > 0.0 ? 1.0 / frame_s_ : 0.0;
+    if (!picture_.coarse()) picture_ms_shown_ = picture_.draw_ms;
+    fps_shown_ = frame_s_ > 0.0 ? 1.0 / frame_s_ : 0.0;
 }
 
 void Viewer::save_picture() {
+    save_due_ = picture_.texture == 0 || picture_.coarse();
+    if (save_due_) return;
     const auto path = fresh_screenshot_path();
     const Status saved = save_png(path, drawn_apart(size_, [this](unsigned framebuffer) { draw(framebuffer); }));
     say(saved ? fmt::format("Saved {}", path.string()) : saved.error().message);
@@ -354,8 +396,9 @@ void Viewer::say(const std::string& message) {
 
 FrameFacts Viewer::facts() const {
     const std::string version = info_.version.substr(0, info_.version.find(' '));
-    const bool last = frames_due_ <= 1;  // what this frame shows stays
-    return {picture_ms_shown_, last ? 0.0 : fps_shown_, picture_.table_ms, picture_.rows_ms, size_, info_.renderer, version, painter_->busy()};
+    const double fps = moving_ ? fps_shown_ : 0.0;
+    return {picture_ms_shown_, fps, picture_.table_ms, picture_.rows_ms, size_, info_.renderer, version,
+            picture_.texture != 0, picture_.coarse(), progress_};
 }
 
 }  // namespace nullscope::viewer

@@ -1,6 +1,5 @@
 // The viewer itself: window, panels, hands and renderer, and the loop that draws when there is something to draw.
 #pragma once
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,8 +7,10 @@
 #include "gl/gl.h"
 #include "viewer/controls.h"
 #include "viewer/frame_accuracy.h"
+#include "viewer/loop_log.h"
 #include "viewer/method_choice.h"
 #include "viewer/painter.h"
+#include "viewer/panel_system.h"
 #include "viewer/panels.h"
 #include "viewer/probe.h"
 #include "viewer/view_state.h"
@@ -24,21 +25,7 @@ struct ViewerOptions {
     int after_frames = 0;           // 0: run until closed
     bool hidden = false;
     bool one_context = false;  // draws where the panels are drawn, as where a second context cannot be had
-    std::string turns;         // file for a line a turn of the loop, or nothing
-};
-
-// Owns Dear ImGui's context and backends.
-class PanelSystem {
-public:
-    explicit PanelSystem(Window& window);
-    ~PanelSystem();
-    PanelSystem(const PanelSystem&) = delete;
-    PanelSystem& operator=(const PanelSystem&) = delete;
-    void begin_frame();  // follows the window to a screen of another scale
-
-private:
-    Window& window_;
-    double content_scale_ = 0.0, pixel_ratio_ = 0.0;
+    std::string turns;         // file for what the loop does (viewer/loop_log.h), or nothing
 };
 
 class Viewer {
@@ -51,23 +38,34 @@ public:
 private:
     explicit Viewer(const ViewerOptions& options) : options_(options) {}
     Status start();
+    Status save_screenshot();
     bool step();               // one turn of the loop: true if a frame was drawn
+    bool panels(const Input& input);            // true if they changed the scene
+    bool move(const Input& input, double dt);   // by hands, fall and clock: true if something moved
+    void follow_changes(bool changed);
+    void follow_times();       // messages that end, progress that goes on
+    bool shows_frame(bool news);                // what was begun with NewFrame, or not yet
     double wait_time() const;  // for events; 0: do not wait
+    bool patient() const { return options_.after_frames > 0; }   // every frame of such a run is of the scene as it is
+    bool in_motion() const;    // without a hand: the next picture is due already
+    bool settled() const;      // the picture is whole, and of the scene as it is
+    bool at_rest() const;      // nothing is due, measured or drawn
     double elapsed();          // since the last step, for motion
     bool handle_keys(const Input& input);
     bool fit_to_window();  // true if the picture's size changed
     void ask();            // for what is due: a picture of view_, ray data or the effects' times
-    bool take(double patience_s);   // what was asked for if it comes in time: true if there is something new to show
+    bool take();           // what was asked for if it is there: true if there is something new to show
     void adopt(Painting painting);
     void refuse(const Painting& painting);
     void measure_effects(bool still);
     void probe(const Input& input);
     double adaptation(const Scene& scene);   // what share of its way exposure goes in the next picture
-    void log_turn(double since);
+    void log_turn(double cpu_s);
+    void log_rest();
     void draw(unsigned framebuffer);
     void present();
     void measure_rate();
-    void save_picture();
+    void save_picture();   // as soon as it is whole
     void say(const std::string& message);
     FrameFacts facts() const;
 
@@ -80,11 +78,15 @@ private:
     std::unique_ptr<Painter> painter_;
     Painting picture_;                 // that is shown
     bool picture_due_ = true;          // view_ has changed since the last was asked for
+    bool coarse_wanted_ = true;        // a picture soon rather than a whole one: hands are at work
+    bool save_due_ = false;            // F12, while the picture was not whole
+    std::optional<Error> refusal_;     // of the first scene: there is nothing to show
     gl::Info info_;
     EffectTimes effect_times_;
     double changed_at_ = 0.0;          // what the effects' times depend on
     bool times_asked_ = false;
-    std::FILE* turns_ = nullptr;
+    LoopLog log_;
+    int last_key_ = 0;
     PixelSize size_;
     std::vector<MeasuredMethod> measured_;  // the frontier that ships
     std::string not_measured_;              // why it could not be read, or nothing
@@ -99,7 +101,8 @@ private:
     double message_until_ = 0.0;
     int frames_ = 0, frames_due_ = 3;
     bool moving_ = false, waited_ = true;
-    double stepped_at_ = 0.0, drawn_at_ = 0.0, rate_shown_at_ = 0.0;
+    double stepped_at_ = 0.0, drawn_at_ = 0.0, adopted_at_ = 0.0, rate_shown_at_ = 0.0, asked_at_ = 0.0;
+    PaintProgress progress_;           // that is shown
     double picture_ms_shown_ = 0.0, frame_s_ = 0.0, fps_shown_ = 0.0;
 };
 

@@ -1,4 +1,5 @@
 """A screen of its own (Xvfb) whose pixels can be read, hands (xdotool), and PNG files: standard library only."""
+import ctypes
 import mmap
 import os
 import shutil
@@ -128,3 +129,31 @@ class Screen:
         """xdotool; returns what it prints."""
         return subprocess.run(["xdotool", *map(str, words)], env={**os.environ, "DISPLAY": self.display}, check=True,
                               stdout=subprocess.PIPE, text=True, timeout=30).stdout
+
+
+class WindowCloser:
+    """Closes windows as a window manager's button does: with the message WM_DELETE_WINDOW, which xdotool of 2016 cannot send."""
+
+    class Message(ctypes.Structure):   # XClientMessageEvent, within the size of an XEvent
+        _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int), ("display", ctypes.c_void_p),
+                    ("window", ctypes.c_ulong), ("message_type", ctypes.c_ulong), ("format", ctypes.c_int), ("data", ctypes.c_long * 5),
+                    ("padding", ctypes.c_long * 12)]
+
+    def __init__(self, display):
+        self.x11 = ctypes.CDLL("libX11.so.6")
+        self.x11.XOpenDisplay.restype = self.x11.XInternAtom.restype = ctypes.c_void_p
+        self.display = ctypes.c_void_p(self.x11.XOpenDisplay(display.encode()))
+        assert self.display, f"nothing answers at {display}"
+
+    def atom(self, name):
+        return self.x11.XInternAtom(self.display, name.encode(), 0)
+
+    def close(self, window):
+        client_message, format_of_longs = 33, 32
+        message = self.Message(type=client_message, window=window, message_type=self.atom("WM_PROTOCOLS"), format=format_of_longs)
+        message.data[0] = self.atom("WM_DELETE_WINDOW")
+        self.x11.XSendEvent(self.display, ctypes.c_ulong(window), 0, ctypes.c_long(0), ctypes.byref(message))
+        self.x11.XSync(self.display, 0)
+
+    def leave(self):
+        self.x11.XCloseDisplay(self.display)

@@ -1,0 +1,74 @@
+#include "viewer/loop_log.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <ctime>
+#include <fstream>
+#include <sstream>
+
+namespace nullscope::viewer {
+namespace {
+
+double clock_seconds(clockid_t clock) {
+    timespec now{};
+    clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// When the process began, s since the machine started: field 22 of /proc/self/stat, in ticks. Where there is none: now.
+double began_at() {
+    constexpr int kFieldsAfterName = 19;   // field 22, counted from field 3, which follows the name in brackets
+    std::ifstream file("/proc/self/stat");
+    std::string text, field;
+    std::getline(file, text);
+    std::istringstream fields(text.substr(std::min(text.rfind(')') + 1, text.size())));
+    for (int i = 0; i <= kFieldsAfterName; ++i) fields >> field;
+    const double ticks = static_cast<double>(sysconf(_SC_CLK_TCK));
+    return fields ? std::stod(field) / ticks : clock_seconds(CLOCK_BOOTTIME);
+}
+
+}  // namespace
+
+double process_seconds() {
+    static const double began = began_at();
+    return clock_seconds(CLOCK_BOOTTIME) - began;
+}
+
+double process_cpu_seconds() { return clock_seconds(CLOCK_PROCESS_CPUTIME_ID); }
+double thread_cpu_seconds() { return clock_seconds(CLOCK_THREAD_CPUTIME_ID); }
+
+LoopLog::~LoopLog() {
+    if (file_ != nullptr) std::fclose(file_);
+}
+
+Status LoopLog::open(const std::string& path) {
+    if ((file_ = std::fopen(path.c_str(), "w")) == nullptr) return failed(fmt::format("{}: cannot be written", path));
+    return Done{};
+}
+
+void LoopLog::line(const std::string& words) {
+    fmt::print(file_, "{}\n", words);
+    std::fflush(file_);
+}
+
+void LoopLog::turn(const Turn& turn) {
+    if (file_ == nullptr) return;
+    const char* picture = !turn.picture ? "none" : turn.coarse ? "coarse" : "whole";
+    bool& seen = turn.coarse ? coarse_seen_ : whole_seen_;
+    if (turn.picture && !seen) {
+        seen = true;
+        line(fmt::format("first t={:.3f} cpu={:.3f} picture={}", process_seconds(), process_cpu_seconds(), picture));
+    }
+    line(fmt::format("turn t={:.3f} cpu_ms={:.1f} here={} programs={} picture={} work={}", process_seconds(), turn.cpu_ms, turn.here,
+                     turn.programs, picture, turn.working ? 1 : 0));
+    rested_key_ = -1;
+}
+
+void LoopLog::rest(int last_key) {
+    if (file_ == nullptr || rested_key_ == last_key) return;
+    rested_key_ = last_key;
+    line(fmt::format("rest t={:.3f} key={}", process_seconds(), last_key));
+}
+
+}  // namespace nullscope::viewer

@@ -1,0 +1,49 @@
+// What the window's loop does, written to a file for tests and for people who look for hitches: a line for each turn that drew, one
+// for each picture that is the first of its kind, one whenever the viewer comes to rest. Each line is a word and name=value pairs:
+//
+//   turn t=1.234 cpu_ms=3.1 here=0 programs=1 picture=whole work=1
+//   first t=0.871 cpu=1.310 picture=coarse
+//   rest t=2.100 key=284
+//
+// t: s since the process began. cpu_ms: processor time of the window's thread alone, so that it does not depend on what else the machine
+// does. here: pictures that this thread drew itself until now. cpu: s of the whole process. key: the last key that was pressed (GLFW's
+// number), so that who has sent a key knows that all before it was answered.
+#pragma once
+#include <cstdio>
+#include <string>
+
+#include "base/result.h"
+
+namespace nullscope::viewer {
+
+double process_seconds();       // since the process began
+double process_cpu_seconds();   // of all its threads
+double thread_cpu_seconds();    // of the calling one
+
+class LoopLog {
+public:
+    LoopLog() = default;
+    ~LoopLog();
+    LoopLog(const LoopLog&) = delete;
+    LoopLog& operator=(const LoopLog&) = delete;
+
+    // Without it nothing is written. Errors: a file that cannot be written.
+    Status open(const std::string& path);
+    bool is_open() const { return file_ != nullptr; }
+
+    struct Turn {
+        double cpu_ms = 0.0;
+        int here = 0, programs = 0;
+        bool picture = false, coarse = false, working = false;
+    };
+    void turn(const Turn& turn);   // that drew
+    void rest(int last_key);       // once after each turn or key
+
+private:
+    void line(const std::string& words);
+    std::FILE* file_ = nullptr;
+    bool coarse_seen_ = false, whole_seen_ = false;
+    int rested_key_ = -1;          // the last that rest() wrote; -1: a turn was drawn since
+};
+
+}  // namespace nullscope::viewer

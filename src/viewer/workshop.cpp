@@ -1,0 +1,143 @@
+#include "viewer/workshop.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "spacetime/registry.h"
+#include "viewer/bands.h"
+#include "viewer/window.h"
+
+namespace nullscope::viewer {
+namespace {
+
+constexpr double kDear_ms = 150.0;     // a picture that takes less follows the hand as it is
+constexpr double kCoarse_ms = 60.0;    // what a coarse picture should take
+constexpr int kUnknownCoarseness = 4;  // of a picture of unknown cost: a sixteenth of its pixels
+constexpr int kMostCoarse = 8;
+constexpr int kLeastSide_px = 32;      // of a coarse picture: with less there is nothing to see
+
+bool contains(const std::array<unsigned, 2>& textures, unsigned id) {
+    return std::find(textures.begin(), textures.end(), id) != textures.end();
+}
+
+}  // namespace
+
+std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, Pace& pace, const DrawWatch& watch) {
+    using Stage = PaintProgress::Stage;
+    const double start = seconds();
+    BandCutter bands(target.height, pace.pixel_ms * target.width);
+    watch.tell({pace.pixel_ms > 0.0 ? Stage::kDrawing : Stage::kCompiling, 0, target.height});
+    while (!bands.done()) {
+        if (watch.give_up()) return std::nullopt;
+        const int programs = renderer.picture_programs();
+        const double begun = seconds();
+        renderer.draw_rows(target.framebuffer.id(), target.width, target.height, Output::kDisplay, bands.first(), bands.last());
+        gl::finish();   // drivers compile until the first rows are there
+        bands.took(1e3 * (seconds() - begun), renderer.picture_programs() > programs);
+        watch.tell({Stage::kDrawing, bands.first(), target.height});
+    }
+    if (bands.row_ms() > 0.0) pace.pixel_ms = bands.row_ms() / target.width;
+    return DrawTimes{1e3 * (seconds() - start) - bands.compile_ms(), bands.compile_ms()};
+}
+
+int Workshop::coarseness(const PaintJob& job) const {
+    if (!job.coarse_first || job.rays) return 1;
+    const CameraSpec& camera = job.scene.camera;
+    const bool known = picture_ms_ > 0.0 && method_ == job.method && effects_ == effect_set(required_effects(job.scene));
+    const double whole_ms = picture_ms_ * camera.width * camera.height;
+    if (known && whole_ms <= kDear_ms) return 1;
+    int times = known ? 2 : kUnknownCoarseness;
+    while (known && times < kMostCoarse && whole_ms > kCoarse_ms * times * times) times *= 2;
+    while (times > 1 && std::min(camera.width, camera.height) < kLeastSide_px * times) times /= 2;
+    return times;
+}
+
+Status Workshop::prepare(const Scene& scene, const PaintJob& job) {
+    renderer_.set_method(job.method);
+    renderer_.set_adaptation(job.adaptation);
+    split_ = job.rays ? std::nullopt : halves(scene);
+    if (!split_) right_.reset();
+    if (Status ready = renderer_.prepare(split_ ? split_->left : scene); !ready || !split_) return ready;
+    if (right_ == nullptr) right_ = std::make_unique<Renderer>(), right_->keep_finer_sky();
+    // The right half's spacetime may not have the left one's method.
+    const SpacetimeSpec& other = split_->right.spacetime;
+    const auto spacetime = make_spacetime(other.metric, other.parameters);
+    right_->set_method(spacetime && has_method(**spacetime, job.method) ? job.method : Method{});
+    return right_->prepare(split_->right);
+}
+
+std::optional<DrawTimes> Workshop::draw(const gl::Target& target, const DrawWatch& watch) {
+    if (!split_) return draw_in_bands(renderer_, target, pace_, watch);
+    DrawTimes sum;
+    int x = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const CameraSpec& camera = (i == 0 ? split_->left : split_->right).camera;
+        if (halves_[i].width != camera.width || halves_[i].height != camera.height)
+            halves_[i] = gl::make_target(camera.width, camera.height, gl::Format::kRgba8);
+        const auto times = draw_in_bands(i == 0 ? renderer_ : *right_, halves_[i], half_paces_[i], watch);
+        if (!times) return std::nullopt;
+        sum.draw_ms += times->draw_ms, sum.compile_ms += times->compile_ms;
+        gl::blit(halves_[i].colours.front().id(), camera.width, camera.height, target.framebuffer.id(), camera.width,
+                 camera.height, x);
+        x += camera.width;
+    }
+    gl::finish();
+    return sum;
+}
+
+std::optional<Painting> Workshop::picture(const PaintJob& job, int coarseness, const std::array<unsigned, 2>& avoid,
+                                          const DrawWatch& watch) {
+    if (watch.give_up()) return std::nullopt;
+    Painting painting;
+    painting.job = job;
+    Scene scene = job.scene;
+    scene.camera.width = painting.width = scene.camera.width / coarseness;
+    scene.camera.height = painting.height = scene.camera.height / coarseness;
+    watch.tell({PaintProgress::Stage::kPreparing, 0, painting.height});
+    painting.ready = prepare(scene, job);
+    if (painting.ready) {
+        const EffectSet effects = effect_set(required_effects(scene));
+        if (effects != effects_ || job.method != method_) pace_ = {}, half_paces_ = {};
+        effects_ = effects, method_ = job.method;
+        const gl::Target& drawn = target(painting.width, painting.height, avoid);
+        const auto times = draw(drawn, watch);
+        if (!times) return std::nullopt;
+        painting.draw_ms = times->draw_ms;
+        compile_ms_ += times->compile_ms;
+        picture_ms_ = times->draw_ms / (static_cast<double>(painting.width) * painting.height);
+        painting.texture = drawn.colours.front().id();
+    }
+    add_facts(painting);
+    return painting;
+}
+
+Painting Workshop::rays(const PaintJob& job) {
+    Painting painting;
+    painting.job = job;
+    painting.ready = prepare(job.scene, job);
+    if (painting.ready) painting.rays = renderer_.ray_data();
+    add_facts(painting);
+    return painting;
+}
+
+void Workshop::add_facts(Painting& painting) {
+    painting.notes = renderer_.take_notes();
+    painting.programs = renderer_.picture_programs();
+    painting.compile_ms = compile_ms_;
+    painting.table_ms = renderer_.tables().table_ms();
+    painting.rows_ms = renderer_.tables().rows_ms();
+}
+
+const gl::Target& Workshop::target(int width, int height, const std::array<unsigned, 2>& avoid) {
+    gl::Target* free = nullptr;
+    for (gl::Target& each : targets_) {
+        const unsigned id = each.colours.empty() ? 0 : each.colours.front().id();
+        if (id != 0 && contains(avoid, id)) continue;
+        if (id != 0 && each.width == width && each.height == height) return each;
+        if (free == nullptr || id == 0) free = &each;
+    }
+    *free = gl::make_target(width, height, gl::Format::kRgba8);
+    return *free;
+}
+
+}  // namespace nullscope::viewer
