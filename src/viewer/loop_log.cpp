@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <sstream>
@@ -62,13 +63,14 @@ void LoopLog::turn(const Turn& turn) {
     }
     line(fmt::format("turn t={:.3f} cpu_ms={:.1f} here={} programs={} picture={} work={}", process_seconds(), turn.cpu_ms, turn.here,
                      turn.programs, picture, turn.working ? 1 : 0));
-    rested_key_ = -1;
+    rested_.reset();
 }
 
-void LoopLog::rest(int last_key) {
-    if (file_ == nullptr || rested_key_ == last_key) return;
-    rested_key_ = last_key;
-    line(fmt::format("rest t={:.3f} key={}", process_seconds(), last_key));
+void LoopLog::rest(int last_key, bool measuring) {
+    const std::pair state{last_key, measuring};
+    if (file_ == nullptr || rested_ == state) return;
+    rested_ = state;
+    line(fmt::format("rest t={:.3f} key={} measuring={}", process_seconds(), last_key, measuring ? 1 : 0));
 }
 
 }  // namespace nullscope::viewer

@@ -3,14 +3,16 @@
 //
 //   turn t=1.234 cpu_ms=3.1 here=0 programs=1 picture=whole work=1
 //   first t=0.871 cpu=1.310 picture=coarse
-//   rest t=2.100 key=284
+//   rest t=2.100 key=284 measuring=0
 //
 // t: s since the process began. cpu_ms: processor time of the window's thread alone, so that it does not depend on what else the machine
 // does. here: pictures that this thread drew itself until now. cpu: s of the whole process. key: the last key that was pressed (GLFW's
-// number), so that who has sent a key knows that all before it was answered.
+// number), so that who has sent a key knows that all before it was answered. measuring: errors or the effects' times still are.
 #pragma once
 #include <cstdio>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "base/result.h"
 
@@ -37,13 +39,13 @@ public:
         bool picture = false, coarse = false, working = false;
     };
     void turn(const Turn& turn);   // that drew
-    void rest(int last_key);       // once after each turn or key
+    void rest(int last_key, bool measuring);   // once after each turn, key or end of measuring
 
 private:
     void line(const std::string& words);
     std::FILE* file_ = nullptr;
     bool coarse_seen_ = false, whole_seen_ = false;
-    int rested_key_ = -1;          // the last that rest() wrote; -1: a turn was drawn since
+    std::optional<std::pair<int, bool>> rested_;   // what rest() wrote last; nothing: a turn was drawn since
 };
 
 }  // namespace nullscope::viewer

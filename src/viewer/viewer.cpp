@@ -211,8 +211,9 @@ void Viewer::log_turn(double cpu_s) {
 
 void Viewer::log_rest() {
     if (!log_.is_open() || !at_rest()) return;
+    const bool times_due = view_.show_panels && view_.show_effects && !effect_times_.complete;
     window_->framebuffer();   // an answer of the display's server: it has shown what it was sent before
-    log_.rest(last_key_);
+    log_.rest(last_key_, accuracy_->at_work() || times_due);
 }
 
 bool Viewer::in_motion() const { return controls_.in_motion() || view_.fall.runs() || view_.clock_runs; }
@@ -220,8 +221,7 @@ bool Viewer::in_motion() const { return controls_.in_motion() || view_.fall.runs
 bool Viewer::settled() const { return picture_.texture != 0 && !picture_.coarse() && !picture_due_ && !painter_->busy(); }
 
 bool Viewer::at_rest() const {
-    const bool times_due = view_.show_panels && view_.show_effects && !effect_times_.complete;
-    return settled() && frames_due_ == 0 && !in_motion() && !painter_->at_work() && !accuracy_->at_work() && !times_due &&
+    return settled() && frames_due_ == 0 && !in_motion() &&
            (seconds() >= adapting_until_ || !picture_.job.scene.picture.auto_exposure);
 }
 

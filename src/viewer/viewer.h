@@ -49,7 +49,7 @@ private:
     bool patient() const { return options_.after_frames > 0; }   // every frame of such a run is of the scene as it is
     bool in_motion() const;    // without a hand: the next picture is due already
     bool settled() const;      // the picture is whole, and of the scene as it is
-    bool at_rest() const;      // nothing is due, measured or drawn
+    bool at_rest() const;      // settled, and all of it shown
     double elapsed();          // since the last step, for motion
     bool handle_keys(const Input& input);
     bool fit_to_window();  // true if the picture's size changed

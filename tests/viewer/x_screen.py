@@ -32,10 +32,21 @@ class Picture:
         rows = [self.data[3 * (y * self.width + left):3 * (y * self.width + right)] for y in range(top, bottom)]
         return Picture(right - left, bottom - top, b"".join(rows))
 
-    def differing(self, other, tolerance=2):
-        """Share of the bytes that differ by more than tolerance."""
+    def differing(self, other, tolerance=2, enough=1.0):
+        """Share of the bytes that differ by more than tolerance; counted no further than to more than `enough`."""
         assert (self.width, self.height) == (other.width, other.height), "pictures of different size"
-        return sum(abs(a - b) > tolerance for a, b in zip(self.data, other.data)) / len(self.data)
+        count, stride = 0, 3 * self.width
+        for at in range(0, len(self.data), stride):
+            one, two = self.data[at:at + stride], other.data[at:at + stride]
+            if one != two:     # most rows of most pairs are the same
+                count += sum(abs(a - b) > tolerance for a, b in zip(one, two))
+                if count > enough * len(self.data):
+                    break
+        return count / len(self.data)
+
+    def changed(self, other, share):
+        """Whether more than that share of the bytes differs."""
+        return self.differing(other, enough=share) > share
 
     def grey(self, x, y):
         at = 3 * (y * self.width + x)

@@ -1,0 +1,194 @@
+"""Cases that run viewers of their own."""
+import os
+import subprocess
+import time
+
+from viewer_process import *
+from x_screen import read_png, wait_until
+
+WINDOWS_SHARE = 0.5    # of the processor time that a whole picture costs the window's thread where it draws it: it must stay far below
+
+
+def run(program, *arguments, **changes):
+    env = {name: value for name, value in {**os.environ, **changes}.items() if value is not None}
+    return subprocess.run([program, *arguments], env=env, capture_output=True, text=True, timeout=HUNG_S)
+
+
+def test_screenshot(screen, program, folder):
+    """Of whole pictures, whoever draws them."""
+    shots = []
+    for more in [[], ["--hidden", "--after-frames", "7"], ["--one-context"]]:
+        path = folder / "window.png"
+        done = run(program, "sky-only", "--size", "640x360", "--screenshot", path, *more, DISPLAY=screen.display)
+        assert done.returncode == 0, f"{more}: exit status {done.returncode}: {done.stderr}"
+        picture = read_png(path)
+        assert (picture.width, picture.height) == (640, 360) and picture.mean() > 1, f"{more}: not a picture of 640x360"
+        shots.append(picture.crop(300, 0, 640, 330))     # no panel lies here
+        path.unlink()
+    for shot in shots[1:]:
+        same(shots[0], shot, "between screenshots of one scene")
+
+
+class Effects:
+    """A viewer whose effects panel is open."""
+
+    def __init__(self, screen, program, *arguments):
+        self.viewer = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", *arguments, scene=SCENE + BODIES)
+
+    def __enter__(self):
+        self.viewer.start()
+        for header in [*HEADERS, EFFECTS]:
+            self.viewer.toggle(*header)
+        return self
+
+    def __exit__(self, *_):
+        self.viewer.kill()
+
+    def switch(self, row, what):
+        """The picture before and the one after, those seen on the way, the turns meanwhile and how many programs were compiled."""
+        v = self.viewer
+        before, seen, at = v.picture(RIGHT), [], v.log.size()
+        programs = int(v.log.turns()[-1]["programs"])
+        v.settle("mousemove", *EFFECT_ROW(row))
+        v.settle("mousedown", 1)
+        v.hands("mouseup", 1)
+
+        def switched():
+            picture = v.picture(RIGHT)
+            if not seen or picture.data != seen[-1].data:
+                seen.append(picture)
+            return seen[-1].changed(before, CHANGED)
+        wait_until(what, switched, HUNG_S)
+        v.settle("mousemove", *BESIDE)
+        turns = v.log.turns(at)
+        return before, v.picture(RIGHT), seen, turns, int(turns[-1]["programs"]) - programs
+
+
+def dearest(turns):
+    """Processor time of the window's thread in its longest turn, ms."""
+    return max(float(turn["cpu_ms"]) for turn in turns)
+
+
+def test_an_effect_is_switched_without_a_hitch(screen, program, folder):
+    """The window's thread never draws a picture, nor waits for one; where there is one context it does, and that is seen."""
+    with Effects(screen, program) as effects:
+        longest = 0.0
+        for what, compiled in [("the ball goes", 1), ("the ball comes back", 0)]:
+            before, after, seen, turns, programs = effects.switch(row_of("ball"), what)
+            assert programs == compiled, f"{what}: {programs} programs compiled instead of {compiled}"
+            assert all(turn["here"] == "0" for turn in turns), f"{what}: the window's thread drew a picture"
+            for picture in seen:     # the last picture until the next is whole
+                kept = min(picture.differing(before), picture.differing(after))
+                assert kept <= CURSOR, f"{what}: neither the picture before nor the one after: {kept:.1%} differ from both"
+            longest = max(longest, dearest(turns))
+    with Effects(screen, program, "--one-context") as effects:
+        _, _, _, turns, programs = effects.switch(row_of("ball"), "the ball goes")
+        hitch = dearest(turns)
+        assert programs == 1 and int(turns[-1]["here"]) > int(turns[0]["here"]), "in one context somebody else drew"
+    print(f"    longest turn of the window's thread: {longest:.0f} ms of processor time, in one context {hitch:.0f} ms", flush=True)
+    assert longest < WINDOWS_SHARE * hitch, "a turn takes as long as one that draws and compiles"
+
+
+def test_what_moves_is_followed_coarsely_and_rests_whole(screen, program, folder):
+    """A scene whose picture takes about a second."""
+    v = Viewer(screen, program, "--size", "480x300", scene="torus")
+    try:
+        v.start()
+        area = (300, 20, 470, 260)     # no panel lies here
+        home, at = v.picture(area), v.log.size()
+        v.hands("keydown", "e")
+
+        def followed():
+            return sum(turn["picture"] == "coarse" for turn in v.log.turns(at)) >= 3
+        wait_until("three coarse pictures on the way", followed, HUNG_S)
+        v.settle("keyup", "e")
+        assert v.log.turns()[-1]["picture"] == "whole", "a coarse picture stays"
+        assert v.picture(area).changed(home, CHANGED), "E does not roll the camera"
+        v.settle("key", "r")
+        same(home, v.picture(area), "R after E")
+    finally:
+        v.kill()
+
+
+def test_exposure_follows_like_an_eye(screen, program, folder):
+    """Towards the dark sky: the picture is there, and goes on growing brighter without a hand."""
+    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=SCENE + '[picture]\nauto_exposure = "on"\n')
+    try:
+        v.start()
+        v.settle("mousemove", 800, 300)
+        v.settle("mousedown", 1)
+        before = v.picture()
+        v.hands("mousemove", 320, 540)
+        v.changes("the drag turns the camera", before)
+        at, means = v.log.size(), [v.picture().mean()]
+        while not any(word == "rest" for word, _ in v.log.since(at)):
+            means.append(v.picture().mean())
+            time.sleep(0.05)
+        v.settle("mouseup", 1)
+        last = v.picture().mean()
+        dark, steps = min(means), len({round(mean, 3) for mean in means})
+        print(f"    mean {dark:.2f} to {last:.2f} of 255 in {steps} pictures", flush=True)
+        assert steps >= 4, f"exposure jumped: {steps} pictures"
+        assert last > 1.2 * dark, f"from {dark:.2f} to {last:.2f}: exposure did not follow"
+    finally:
+        v.kill()
+
+
+def test_the_clock_runs_and_stops(screen, program, folder):
+    """A ball goes on while the clock runs, stays where it is when it stops, and jumps when its light takes no time."""
+    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=SCENE.replace("[disc]", "") + '[ball]\nposition = [6, 0, 0]\nmotion = "orbit"\n')
+    try:
+        v.start()
+        for header in [*HEADERS, CLOCK]:
+            v.toggle(*header)
+        before = v.picture()
+        v.settle("mousemove", *RUN)
+        v.hands("mousedown", 1, "sleep", 0.2, "mouseup", 1)     # no rest while the clock runs
+        for _ in range(2):
+            v.changes("the ball moves", before)
+            before = v.picture()
+        v.hands("mousedown", 1, "sleep", 0.2, "mouseup", 1)
+        before = v.settle()
+        same(before, v.settle(), "with the clock stopped")
+        v.click(*DELAY)
+        assert v.picture().changed(before, CHANGED), "light that takes no time shows it at the same place"
+    finally:
+        v.kill()
+
+
+def test_bad_input(screen, program, folder):
+    scene = folder / "bad.toml"
+    scene.write_text("[camera]\nr = -1\n")
+    for arguments in [[scene], ["no-such-scene"], ["--size", "12"], ["--screenshot", "x.jpg"], ["--hidden"], ["--no"]]:
+        done = run(program, *arguments, DISPLAY=screen.display)
+        assert done.returncode == 2, f"{arguments}: exit status {done.returncode}"
+        assert done.stderr.strip(), f"{arguments}: no word on what is wrong"
+    line = run(program, scene, DISPLAY=screen.display).stderr
+    assert line.count("\n") == 1 and "bad.toml:2: camera.r" in line, f"not one line with file, line and key: {line}"
+
+
+def test_a_scene_that_cannot_be_drawn(screen, program, folder):
+    """Found out by the painter, while the window is there already."""
+    (folder / "broken.png").write_text("no image")
+    scene = folder / "image.toml"
+    scene.write_text('[disc]\nimage = "broken.png"\n')
+    done = run(program, scene, DISPLAY=screen.display)
+    assert done.returncode == 2 and done.stderr.count("\n") == 1 and "broken.png" in done.stderr, f"{done.returncode}: {done.stderr}"
+
+
+def test_no_display(screen, program, folder):
+    for display, words in [(None, "DISPLAY is not set"), (":9999", ":9999")]:
+        done = run(program, DISPLAY=display, WAYLAND_DISPLAY=None)
+        assert done.returncode == 1, f"exit status {done.returncode}"
+        assert "display" in done.stderr and words in done.stderr and "nullscope capture" in done.stderr, done.stderr
+
+
+def test_old_opengl(screen, program, folder):
+    done = run(program, DISPLAY=screen.display, MESA_GL_VERSION_OVERRIDE="2.1")
+    assert done.returncode == 1, f"exit status {done.returncode}"
+    assert "3.3" in done.stderr and "2.1" in done.stderr and "display" not in done.stderr, done.stderr
+
+
+CASES = [test_an_effect_is_switched_without_a_hitch, test_what_moves_is_followed_coarsely_and_rests_whole,
+         test_exposure_follows_like_an_eye, test_the_clock_runs_and_stops, test_screenshot, test_bad_input,
+         test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]

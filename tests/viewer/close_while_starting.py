@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""Closes the viewer's window at moments of its start, and finds that the process ends at once.
+
+Usage: close_while_starting.py VIEWER
+
+What the process still does is stated in its own processor time after the close, which does not depend on what else the machine does;
+the time on the wall is printed. The moments are stages of the start, told by the processor time that the process has spent: the same
+on busy machines. NULLSCOPE_EVERYTHING: more of them; NULLSCOPE_SEED: other ones.
+
+Exit status 0: all ended; 1: one did not; 77: Xvfb or xdotool is missing.
+"""
+import os
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from viewer_process import EVERYTHING, HUNG_S, Log
+from x_screen import Screen, WindowCloser, wait_until
+
+MOMENTS = 30 if EVERYTHING else 5
+# Processor time from the close to the end. Before its first look at events the window's thread makes its context and its first frame,
+# some 0.2 s; the painter's threads go on beside it meanwhile.
+BOUND_S = 0.3
+# Until here: torus has its whole picture after some 6 s of processor time, accretion after some 2 s.
+LATEST_S = {"torus": 5.0, "accretion": 2.0}
+TICK_S = 1.0 / os.sysconf("SC_CLK_TCK")
+
+
+def spent(pid):
+    """Processor time, s, in ticks of a hundredth."""
+    fields = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) * TICK_S
+
+
+def close_at(program, scene, moment_s, screen, folder):
+    """(exit status, processor time from the close to the end, wall time of the same, what the viewer had on the screen)."""
+    env = {**os.environ, "DISPLAY": screen.display}
+    log = Log(folder / "turns.txt")
+    log.path.unlink(missing_ok=True)
+    process = subprocess.Popen([program, scene, "--size", "1280x720", "--turns", log.path], cwd=folder, env=env)
+    closer = WindowCloser(screen.display)
+    try:
+        find = ["xdotool", "search", "--onlyvisible", "--name", "nullscope"]
+        window = wait_until("the window", lambda: subprocess.run(find, env=env, capture_output=True, text=True).stdout.split(), HUNG_S, 0.005)
+        wait_until("the moment", lambda: spent(process.pid) >= moment_s, HUNG_S, 0.002)
+        before, begun = spent(process.pid), time.monotonic()
+        closer.close(int(window[0]))
+        _, status, usage = os.wait4(process.pid, 0)     # a hang ends with the test's own time limit
+        process.returncode = os.waitstatus_to_exitcode(status)
+        after = usage.ru_utime + usage.ru_stime - before
+        shown = [values["picture"] for word, values in log.since() if word == "turn"][-1:]
+        return process.returncode, after, time.monotonic() - begun, shown[0] if shown else "no frame"
+    finally:
+        closer.leave()
+        if process.returncode is None:
+            process.kill()
+            process.wait()
+
+
+def main():
+    missing = [tool for tool in ("Xvfb", "xdotool") if shutil.which(tool) is None]
+    if missing:
+        print(f"skipped: {' and '.join(missing)} not installed")
+        return 77
+    program, good = str(Path(sys.argv[1]).resolve()), True
+    os.environ.update(LIBGL_ALWAYS_SOFTWARE="1", MESA_SHADER_CACHE_DISABLE="true")
+    chance = random.Random(int(os.environ.get("NULLSCOPE_SEED", "1")))
+    screen, folder = Screen(1300, 740), Path(tempfile.mkdtemp(prefix="nullscope-close."))
+    try:
+        for scene, latest_s in LATEST_S.items():
+            # One in each part of the start, the first as soon as there is a window.
+            for i in range(MOMENTS):
+                moment_s = latest_s * (i + chance.random()) / MOMENTS if i > 0 else 0.0
+                status, cpu, wall, shown = close_at(program, scene, moment_s, screen, folder)
+                ended = status == 0 and cpu <= BOUND_S
+                good = good and ended
+                print(f"{'passed' if ended else 'FAILED'} {scene} closed after {moment_s:.2f} s of processor time ({shown}): status {status}, "
+                      f"{cpu:.2f} s of processor time to the end, {wall:.2f} s by the clock", flush=True)
+    finally:
+        screen.close()
+        shutil.rmtree(folder, ignore_errors=True)
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

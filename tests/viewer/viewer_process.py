@@ -1,0 +1,179 @@
+"""A running viewer, its hands and eyes: what the cases of drive_viewer.py are made of."""
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+from x_screen import wait_until
+
+EVERYTHING = "NULLSCOPE_EVERYTHING" in os.environ   # else a few cases are shorter
+WIDTH, HEIGHT = 840, 600
+SCENE = """[camera]
+r = 22.0
+theta = 80.0
+roll = -6.0
+fov = 62.0
+[disc]
+"""
+BODIES = """[sphere]
+radius = 1.8
+texture = "checker"
+[ball]
+position = [6, 6, -3]
+radius = 3
+texture = "noise"
+"""
+# Areas of the window, and places in it.
+PICTURE = (320, 300, 820, 560)     # no panel lies here
+PANEL = (10, 60, 284, 515)
+SIDE, KEYS, FIELD = (10, 60, 280, 300), (300, 10, 830, 180), (110, 92, 180, 106)
+BESIDE = (420, 40)                 # a place for the pointer outside of all these areas
+RELOAD = (240, 26)                 # the button
+LEGEND, BESIDE_LEGEND = (560, 470, 836, 574), (320, 300, 550, 560)   # of the overlay's colours
+HEADERS = [(150, 377), (150, 252), (150, 52)]   # lens, boost, camera; each where it is while those above are open
+ALONE = (150, 227)                 # the accuracy section's header while nothing else is open
+METHOD, WORDS = (190, 413), (14, 453, 284, 515)   # the box and what is chosen and why
+AUTO = (150, 26)                   # the first entry of its list while the list is not scrolled
+LEAST, MOST = (108, 438), (266, 438)              # of the slider for the largest error
+INSET = (600, 200, 820, 560)       # the probe's
+CLOCK, RUN, DELAY = (150, 302), (60, 327), (112, 402)   # the last header while nothing else is open; its button and its box
+EFFECTS = (150, 252)               # the section's header while nothing else is open, and its rows
+EFFECT_ROW = lambda row: (30, 277 + 25 * row)
+RIGHT = (560, 200, 820, 560)       # the ball is there, the tooltip of a row is not
+# Colours.
+LETTERS = bytes([230, 232, 237])   # the theme's text
+WRONG_FATE, RAY = bytes([255, 0, 255]), bytes([120, 200, 255])
+# Shares of bytes.
+NOISE = 0.002                      # single pixels on the edge of rounding
+CURSOR = 0.01                      # the pointer itself is a part of the screen
+CHANGED = 0.02
+# Keys that do nothing in the viewer, by their names and GLFW's numbers: in turn the last of what is sent, so that the viewer's word on
+# which key it has seen last tells that it has seen all before.
+MARKS = [("Pause", 284), ("Scroll_Lock", 281)]
+HUNG_S = 60.0                      # no bound on how long anything takes: a test that hangs shall end
+MEASURED_S = 240.0                 # the same for all of a frame's errors
+
+
+def same(one, other, what, allowed=NOISE):
+    share = one.differing(other)
+    assert share <= allowed, f"{what}: {share:.2%} of the bytes differ"
+
+
+class Log:
+    """What --turns wrote (src/viewer/loop_log.h): lines as (word, {name: value})."""
+
+    def __init__(self, path):
+        self.path = path
+
+    def size(self):
+        return self.path.stat().st_size if self.path.exists() else 0
+
+    def since(self, at=0):
+        if not self.path.exists():
+            return []
+        with open(self.path, "rb") as file:
+            file.seek(at)
+            text = file.read().decode()
+        whole = text[:text.rfind("\n") + 1].splitlines()   # the last line may not be complete
+        return [(line.split()[0], dict(pair.split("=") for pair in line.split()[1:])) for line in whole]
+
+    def turns(self, at=0):
+        return [values for word, values in self.since(at) if word == "turn"]
+
+
+def shipped(name):
+    return (Path(__file__).resolve().parents[2] / "assets" / "scenes" / f"{name}.toml").read_text()
+
+
+class Viewer:
+    """A running viewer with its window at the screen's corner."""
+
+    def __init__(self, screen, program, *arguments, scene=SCENE):
+        self.screen, self.folder, self.marks = screen, tempfile.mkdtemp(prefix="nullscope-viewer."), 0
+        self.scene = Path(self.folder) / "scene.toml"
+        self.scene.write_text(scene if "\n" in scene else shipped(scene))
+        self.log = Log(Path(self.folder) / "turns.txt")
+        self.env = {**os.environ, "DISPLAY": screen.display}
+        self.process = subprocess.Popen([program, self.scene.name, "--turns", self.log.path, *arguments], cwd=self.folder,
+                                        env=self.env, stderr=subprocess.PIPE, text=True)
+        self.window = None
+
+    def start(self):
+        self.window = wait_until("the window", self.find)
+        self.settle("windowfocus", self.window, "mousemove", *BESIDE)
+
+    def find(self):
+        assert self.process.poll() is None, f"the viewer ended early: {self.process.stderr.read()}"
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "nullscope"], env=self.env,
+                               capture_output=True, text=True).stdout.split()
+        return found[0] if found else None
+
+    def hands(self, *words):
+        return self.screen.hands(*words)
+
+    def picture(self, area=PICTURE):
+        return self.screen.picture(*area)
+
+    def settle(self, *words, measured=False):
+        """Does what the words say; the picture once all of it was answered and the viewer has come to rest. measured: the errors and
+        the effects' times too."""
+        at, (name, number) = self.log.size(), MARKS[self.marks % len(MARKS)]
+        self.marks += 1
+        self.hands(*words, "key", name)
+
+        def rests():
+            assert self.process.poll() is None, f"the viewer ended: {self.process.stderr.read()}"
+            last = self.log.since(at)[-1:]
+            return last and last[0][0] == "rest" and int(last[0][1]["key"]) == number and (not measured or last[0][1]["measuring"] == "0")
+        wait_until("the viewer comes to rest", rests, MEASURED_S if measured else HUNG_S, every_s=0.01)
+        return self.picture()
+
+    def click(self, x, y):
+        """On a panel; Dear ImGui 1.86 sees the pointer where it is during a frame, not where it was at the click."""
+        for step in [["mousemove", x, y], ["mousedown", 1], ["mouseup", 1], ["mousemove", *BESIDE]]:
+            self.settle(*step)
+
+    def toggle(self, x, y):
+        before = self.picture(PANEL)
+        self.click(x, y)
+        assert self.picture(PANEL).changed(before, CHANGED), f"no header at {x}, {y} opens or shuts"
+
+    def changes(self, what, before, area=PICTURE):
+        wait_until(what, lambda: self.picture(area).changed(before, CHANGED), HUNG_S)
+
+    def count(self, area, colour):
+        data = self.picture(area).data
+        return sum(pixel == tuple(colour) for pixel in zip(data[::3], data[1::3], data[2::3]))
+
+    def refused(self):
+        """Pixels of red letters: thin strokes reach their colour, (255, 133, 115), in some versions of Dear ImGui only."""
+        data = self.picture(WORDS).data
+        return sum(r > 150 and 2 * g < 1.2 * r and b < g for r, g, b in zip(data[::3], data[1::3], data[2::3]))
+
+    def spent(self):
+        """Processor time, s."""
+        fields = Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+    def rests(self):
+        """What was begun may take its time; then the processor is left alone."""
+        def idle():
+            before = self.spent()
+            time.sleep(0.5)
+            return self.spent() - before < 0.1
+        wait_until("less than 0.1 s of processor time in half a second", idle, MEASURED_S)
+
+    def kill(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.communicate()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def row_of(effect, called_for=("lensing", "disc", "disc-image", "sphere", "ball")):
+    """Which row of the panel is an effect's: the table's order, of those that SCENE + BODIES calls for."""
+    table = (Path(__file__).resolve().parents[2] / "src" / "scene" / "effects.h").read_text()
+    return [key for key in re.findall(r'\{Effect::k\w+, "([\w-]+)"', table) if key in called_for].index(effect)
