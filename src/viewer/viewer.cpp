@@ -34,7 +34,7 @@ constexpr double kLongestStep = 0.1;     // s: a hitch is no leap
 constexpr double kMessageTime = 6.0;     // s
 constexpr double kRestBeforeTimes = 0.5; // s without a change before effects are measured
 constexpr double kAdaptation = 0.4;      // s in which exposure goes all but 1/e of its way
-constexpr double kAdapted = 2.5;         // s after the last change until it is there
+constexpr double kAdapted = 2e-3;        // of its way: what remains is not seen
 constexpr double kRateTime = 0.25;       // s between changes of the numbers in the status line
 
 std::string title_of(const Scene& scene) { return scene.name + " - nullscope"; }
@@ -176,12 +176,12 @@ bool Viewer::move(const Input& input, double dt) {
 
 void Viewer::follow_changes(bool changed) {
     if (changed || moving_) {
-        adapting_until_ = seconds() + kAdapted;
+        exposure_left_ = 1.0;
         coarse_wanted_ = coarse_wanted_ || moving_ || ImGui::IsAnyItemActive() || view_.source != asked_.source;
         fit_to_window();  // a scene that was just loaded has a size of its own
         picture_due_ = true;
         frames_due_ = kSettlingFrames;
-    } else if (seconds() < adapting_until_ && drawn_scene(view_).picture.auto_exposure && !patient()) {
+    } else if (adapting()) {
         picture_due_ = true;
     }
     const bool whole = !picture_.job.scene.beside;   // errors are a single spacetime's
@@ -201,8 +201,12 @@ void Viewer::probe(const Input& input) {
 double Viewer::adaptation(const Scene& scene) {
     const double now = seconds(), since = std::min(now - adapted_at_, kLongestStep);
     adapted_at_ = now;
-    return patient() || !scene.picture.auto_exposure ? 1.0 : 1.0 - std::exp(-since / kAdaptation);
+    const double share = patient() || !scene.picture.auto_exposure ? 1.0 : 1.0 - std::exp(-since / kAdaptation);
+    exposure_left_ *= 1.0 - share;
+    return share;
 }
+
+bool Viewer::adapting() const { return exposure_left_ > kAdapted && view_.scene.picture.auto_exposure && !patient(); }
 
 void Viewer::log_turn(double cpu_s) {
     log_.turn({1e3 * (thread_cpu_seconds() - cpu_s), painter_->drawn_by_caller(), picture_.programs, picture_.texture != 0,
@@ -221,8 +225,7 @@ bool Viewer::in_motion() const { return controls_.in_motion() || view_.fall.runs
 bool Viewer::settled() const { return picture_.texture != 0 && !picture_.coarse() && !picture_due_ && !painter_->busy(); }
 
 bool Viewer::at_rest() const {
-    return settled() && frames_due_ == 0 && !in_motion() &&
-           (seconds() >= adapting_until_ || !picture_.job.scene.picture.auto_exposure);
+    return settled() && frames_due_ == 0 && !in_motion() && !adapting();
 }
 
 double Viewer::wait_time() const {
@@ -233,7 +236,7 @@ double Viewer::wait_time() const {
     if (frames_due_ > 0) return busy ? std::clamp(drawn_at_ + kBusyWait - seconds(), 0.0, kBusyWait) : 0.0;
     if (ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().WantTextInput) return kCaretWait;
     if (busy) return kProgressWait;
-    if (seconds() < adapting_until_ && picture_.job.scene.picture.auto_exposure) return kAdaptingWait;
+    if (adapting()) return kAdaptingWait;
     double idle = std::min(kIdleWait, accuracy_->wait());
     if (view_.show_effects && !times_asked_) idle = std::min(idle, std::max(changed_at_ + kRestBeforeTimes - seconds(), 0.01));
     return message_.empty() ? idle : std::clamp(message_until_ - seconds(), 0.01, idle);

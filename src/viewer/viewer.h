@@ -47,6 +47,7 @@ private:
     bool shows_frame(bool news);                // what was begun with NewFrame, or not yet
     double wait_time() const;  // for events; 0: do not wait
     bool patient() const { return options_.after_frames > 0; }   // every frame of such a run is of the scene as it is
+    bool adapting() const;     // pictures are due until exposure has come to rest
     bool in_motion() const;    // without a hand: the next picture is due already
     bool settled() const;      // the picture is whole, and of the scene as it is
     bool at_rest() const;      // settled, and all of it shown
@@ -96,7 +97,8 @@ private:
     EffectSet shown_off_;
     std::unique_ptr<FrameAccuracy> accuracy_;
     Probe probe_;
-    double adapted_at_ = 0.0, adapting_until_ = 0.0;   // s: automatic exposure follows like an eye
+    double adapted_at_ = 0.0;      // s: automatic exposure follows like an eye,
+    double exposure_left_ = 0.0;   // what share of its way is still before it
     std::string message_;
     double message_until_ = 0.0;
     int frames_ = 0, frames_due_ = 3;

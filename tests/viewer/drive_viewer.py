@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Uses nullscope-viewer as a person would, on a screen of its own, and looks at the pixels.
 
-Usage: drive_viewer.py VIEWER [CASE...]     (VIEWER: the program; CASE: names of test functions without "test_")
+Usage: drive_viewer.py VIEWER [CASE...]     (VIEWER: the program; CASE: names of test functions without "test_", or "window": those that
+                                            share one viewer, or "apart": those that run their own; without any: all)
 
 No case bounds a time by the clock on the wall, so that they pass on busy machines. NULLSCOPE_EVERYTHING: longer cases too.
 Exit status 0: all passed; 1: some failed; 77: Xvfb or xdotool is missing.
@@ -15,7 +16,7 @@ import time
 import traceback
 from pathlib import Path
 
-import cases_outside
+import cases_apart
 import cases_window
 from viewer_process import HEIGHT, WIDTH, Viewer
 from x_screen import Screen
@@ -40,19 +41,21 @@ def main():
         print(f"skipped: {' and '.join(missing)} not installed")
         return 77
     program = str(Path(sys.argv[1]).resolve())
-    chosen = lambda tests: [t for t in tests if len(sys.argv) < 3 or t.__name__.removeprefix("test_") in sys.argv[2:]]
+    words = sys.argv[2:] or ["window", "apart"]
+    groups = {"window": cases_window.CASES, "apart": cases_apart.CASES}
+    chosen = lambda group: [t for t in groups[group] if group in words or t.__name__.removeprefix("test_") in words]
     os.environ.update(LIBGL_ALWAYS_SOFTWARE="1", MESA_SHADER_CACHE_DISABLE="true")
     screen, folder, good = Screen(WIDTH + 100, HEIGHT + 100), Path(tempfile.mkdtemp(prefix="nullscope-drive.")), True
     viewers = []
     try:
-        if chosen(cases_window.CASES):
+        if chosen("window"):
             def test_start():
                 viewers.append(Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}"))
                 viewers[0].start()
             good = attempt(test_start)
-        for test in chosen(cases_window.CASES) if good else []:
+        for test in chosen("window") if good else []:
             good = attempt(test, viewers[0]) and good
-        for test in chosen(cases_outside.CASES):
+        for test in chosen("apart"):
             good = attempt(test, screen, program, folder) and good
     finally:
         for viewer in viewers:
