@@ -208,16 +208,19 @@ Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& sce
     auto trace = MiddleTracer::make(run);
     if (!trace) return trace.error();
     std::vector<Job> jobs;
+    const bool plane = spacetime.can_have_disc();          // the plane is found by a disc in it
+    const bool angles = plane && spacetime.spin() == 0.0;  // of orbits that stay in a plane
     bool places = false;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         const RayQuery& query = table.rows[row].query;
-        if (const auto start = start_of(query, spacetime)) jobs.push_back({row, *start, spacetime.spin() == 0.0 ? query.at_angle : std::nullopt});   // angles of plane orbits only
-        places = places || (query.at_angle && spacetime.spin() == 0.0);
+        if (const auto start = start_of(query, spacetime))
+            jobs.push_back({row, *start, angles ? query.at_angle : std::nullopt});
+        places = places || (angles && query.at_angle);
     }
     // Rows of one radius share strip and orbit map.
     std::stable_sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) { return a.start.r < b.start.r; });
     constexpr int kMostCrossings = 12;   // that the shader looks for (DISC_MOST_CROSSINGS)
-    const int crossings = std::min(run.crossings, kMostCrossings);
+    const int crossings = plane ? std::min(run.crossings, kMostCrossings) : 0;
     const Batch batch(scene, spacetime, crossings, crossings > 0 || places);
     std::vector<std::optional<RayRecord>> records(table.rows.size());
     for (std::span<const Job> rest = jobs; !rest.empty();) {

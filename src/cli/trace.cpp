@@ -103,6 +103,14 @@ int run(const Options& options) {
             stderr,
             "nullscope: {} of {} rays left empty: --with {} needs a ray that somebody can look along, static or rain, with r up to {:g}\n",
             left_out, records->size(), options.with, kFarthestCamera);
+    const bool asks_plane =
+        options.crossings > 0 || std::any_of(table->rows.begin(), table->rows.end(),
+                                             [](const RayRow& row) { return row.query.at_angle.has_value(); });
+    if (asks_plane && options.with != "reference" && !(*spacetime)->can_have_disc())
+        fmt::print(stderr,
+                   "nullscope: crossings and at left empty: --with {} does not find them in metric {}; "
+                   "allowed: --with reference\n",
+                   options.with, scene->spacetime.metric);
     const std::string text = rays_text(*table, *records, options.crossings, (*spacetime)->length_unit(), has_matter(*scene, **spacetime));
     if (options.output.empty()) {
         std::fwrite(text.data(), 1, text.size(), stdout);

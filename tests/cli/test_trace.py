@@ -239,6 +239,15 @@ class ShaderText(TraceTest):
     def test_vectors_of_the_extremal_hole(self):
         self.judge_vectors(EXTREMAL)
 
+    def test_a_wormhole_is_traced_by_the_shader(self):
+        """It has no discs, by which the shader finds crossings and places: these stay empty."""
+        rays = self.write("rays.csv", "r,theta,phi,n_r,n_theta,n_phi,at_angle\n5,1.5,0,-1,0,0.1,0.5\n")
+        for tracer in ("core64", "gl"):
+            ran = self.run_nullscope("trace", "wormhole", "--rays", rays, "--with", tracer, "--crossings", "1")
+            self.assertIn("other_side", ran.out)
+            self.assertTrue(ran.out.endswith(",,,\n"), ran.out)
+            self.assertEqual(ran.err.count("left empty"), 1, ran.err)
+
     def test_vectors_of_the_ellis_wormhole(self):
         self.judge_vectors(THROAT)
 
