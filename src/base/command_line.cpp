@@ -115,6 +115,9 @@ struct Node {
     const Command* command;
     CLI::App* app;
     std::string path;  // "nullscope bench frames"
+    std::string help_text() const {
+        return app->help(path.substr(0, path.size() - std::min(path.size(), command->name().size() + 1)));
+    }
     std::vector<std::pair<const Option*, CLI::Option*>> options;
     std::vector<Node> nodes;
 };
@@ -135,13 +138,13 @@ CLI::Option* add_to(CLI::App& app, const Option& option) {
 
 Node node_of(const Command& command, CLI::App& app, const std::string& path) {
     Node node{&command, &app, path, {}, {}};
-    if (!command.footer().empty()) app.footer(command.footer());
     if (!command.version().empty()) app.set_version_flag("--version", command.version());
     for (const auto& option : command.options()) node.options.emplace_back(option.get(), add_to(app, *option));
     for (const auto& child : command.commands())
         node.nodes.push_back(node_of(*child, *app.add_subcommand(child->name(), child->help()),
                                      fmt::format("{} {}", path, child->name())));
     if (!node.nodes.empty()) app.require_subcommand(1);
+    if (!command.footer().empty()) app.footer(command.footer());  // last: commands would inherit it
     return node;
 }
 
@@ -215,6 +218,18 @@ Result<Asked> asked_of(const Node& node) {
     return Asked{"", node.command->run()};
 }
 
+// "help bench frames": the help of the command that the words after "help" name.
+Result<Asked> help_of(const Node& root, const Words& words) {
+    const Node* at = &root;
+    for (const std::string& word : words) {
+        const auto same = [&](const Node& child) { return child.command->name() == word; };
+        const auto found = std::find_if(at->nodes.begin(), at->nodes.end(), same);
+        if (found == at->nodes.end()) return unknown_word(*at, word);
+        at = &*found;
+    }
+    return Asked{at->help_text(), {}};
+}
+
 }  // namespace
 
 Command& Command::add_command(std::string name, std::string help) {
@@ -229,6 +244,9 @@ Option& Command::add_option(std::string names, OptionTarget target, std::string 
 Result<Asked> parse_command_line(const Command& program, int argc, const char* const* argv) {
     CLI::App app{program.help(), program.name()};
     const Node root = node_of(program, app, program.name());
+    const Words words(argv + std::min(argc, 1), argv + argc);
+    if (!root.nodes.empty() && words.empty()) return help_of(root, {});
+    if (!root.nodes.empty() && words.front() == "help") return help_of(root, {words.begin() + 1, words.end()});
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

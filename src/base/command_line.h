@@ -88,6 +88,7 @@ struct Asked {
     std::function<int()> run;  // where there is no text; nothing if that command has none
 };
 
+// A program with commands takes "help [COMMAND...]" too, and alone it prints its help.
 // Errors: one line with the option, its value and what is allowed.
 Result<Asked> parse_command_line(const Command& program, int argc, const char* const* argv);
 

@@ -40,6 +40,8 @@ int main(int argc, char** argv) {
     for (const auto add : {add_capture, add_trace, add_compare, add_bench, add_plan, add_scenes, add_info, add_figure,
                            add_lightcurve, add_light_time})
         add(program);
+    program.set_footer(
+        "\nnullscope help COMMAND says what a command takes. The window is a program of its own: nullscope-viewer.");
     const auto asked = nullscope::parse_command_line(program, argc, argv);
     if (!asked) return report(asked.error());
     try {

@@ -1,6 +1,5 @@
 // Where scenes are found: files, and those that ship by their name.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -32,9 +31,9 @@ Error no_such_scene(const std::string& name) {
     std::vector<std::string> names;
     for (const fs::path& file : scene_files()) names.push_back(file.stem().string());
     const std::string nearest = nearest_word(name, names);
-    const std::string hint = nearest.empty() ? "" : fmt::format(" (nearest: {})", nearest);
-    return bad_input(without_controls(fmt::format("{}: no such file, and no scene of this name ships; scenes: {}{}",
-                                                  in_quotes(name), fmt::join(names, ", "), hint)));
+    const std::string hint = nearest.empty() ? "" : fmt::format("nearest: {}; ", nearest);
+    return bad_input(without_controls(fmt::format(
+        "{}: no such file, and no scene of this name ships ({}see: nullscope scenes)", in_quotes(name), hint)));
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ std::string_view type_name(const toml::node& node) {
         case toml::node_type::array: return "an array";
         case toml::node_type::string: return "a string";
         case toml::node_type::integer: return "an integer";
-        case toml::node_type::floating_point: return "a number";
+        case toml::node_type::floating_point: return "a floating-point number";
         case toml::node_type::boolean: return "a boolean";
         default: return "a date or time";
     }
@@ -84,7 +84,8 @@ Checked check_size(const SceneKey& key, const toml::node& node) {
     for (std::size_t i = 0; i < 2; ++i) {
         const toml::node& item = *array->get(i);
         if (!item.is_integer()) {
-            return Fault{fmt::format("must be two integers, but number {} is {}", i + 1, type_name(item))};
+            return Fault{
+                fmt::format("must be two integers, but the {} is {}", i == 0 ? "first" : "second", type_name(item))};
         }
         const double number = item.value<double>().value_or(-1.0);  // integers above 2^53 have no double: out of range
         if (!key.range.contains(number)) return Fault{fmt::format("{} is out of range", number)};

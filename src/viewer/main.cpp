@@ -47,7 +47,8 @@ constexpr const char* kHands =
     "own\n"
     "camera, H shows the error of every pixel, Tab hides the panels, F1 lists all keys, F12 saves the picture, Escape "
     "quits.\n"
-    "Without a display: nullscope capture SCENE -o FILE.png, or xvfb-run nullscope-viewer ...";
+    "Without a display: nullscope capture SCENE -o FILE.png, or xvfb-run nullscope-viewer ...\n"
+    "Pictures, films, rays and measurements in files: nullscope (see: nullscope help).";
 
 Command program_of(viewer::ViewerOptions& options, std::string& size) {
     Command program("nullscope-viewer", kAbout);

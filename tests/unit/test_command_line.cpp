@@ -126,6 +126,12 @@ TEST_CASE("help of a command line lists commands, options, defaults and ranges")
     REQUIRE(one);
     REQUIRE(version);
     CHECK(version->text == "1.2.3\n");
+    CHECK(program.parse({})->text == all->text);
+    CHECK(program.parse({"help"})->text == all->text);
+    CHECK(program.parse({"help", "draw"})->text == one->text);
+    CHECK(one->text.find("Usage: prog draw") != std::string::npos);
+    CHECK(program.error({"help", "drow"}) ==
+          "drow: no such command; allowed: draw, list (nearest: draw) (see: prog --help)");
     for (const char* word : {"A program.", "draw", "Draws.", "list"}) CHECK(all->text.find(word) != std::string::npos);
     for (const char* word : {"-k,--kind", "{red,blue}=red", "INT in [1 - 20]=3", "[a,b]", "only with --quick"})
         CHECK(one->text.find(word) != std::string::npos);
