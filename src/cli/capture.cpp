@@ -1,131 +1,30 @@
 // nullscope capture: a picture of a scene in a file.
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
-#include "base/atomic_file.h"
 #include "base/assets.h"
-#include "base/image_file.h"
-#include "base/large_image.h"
 #include "base/progress.h"
-#include "cli/arguments.h"
 #include "camera/path.h"
+#include "cli/arguments.h"
+#include "cli/capture_picture.h"
 #include "cli/command.h"
 #include "cli/film.h"
-#include "cli/session.h"
-#include "compare/ray_channels.h"
-#include "reference/reference.h"
-#include "render/display.h"
+#include "cli/frame_names.h"
 #include "render/frontier.h"
 #include "scene/scene_file.h"
+#include "scene/scene_keys.h"
 #include "scene/split.h"
 #include "shaderlib/passes.h"
 
 namespace nullscope::cli {
 namespace {
 
-struct Options {
-    std::string scene, beside, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
-    int samples = 3;
-    std::optional<double> time;
-    double time_step = 0;
-    std::optional<double> max_error;
-    std::optional<int> largest_texture;
-    bool raydata = false, dump_shader = false, resume = false;
-};
-
-struct Captured {
-    Image<float> linear;                 // for .exr
-    Image<unsigned char> display;        // for .png
-    std::optional<RayFrame> rays;
-    std::string made_by;
-};
-
-Result<Captured> capture_gl(Session& session, const Scene& scene, const Options& options, bool exr) {
-    session.renderer->want_delays(options.raydata);
-    if (options.largest_texture) session.renderer->limit_pictures(*options.largest_texture);
-    if (Status ready = session.renderer->prepare(scene); !ready) return ready.error();
-    for (const std::string& note : session.renderer->take_notes()) fmt::print(stderr, "{}\n", note);
-    Captured captured;
-    if (exr) captured.linear = session.renderer->picture();
-    else captured.display = session.renderer->picture8();
-    if (options.raydata) captured.rays = session.renderer->ray_data();
-    captured.made_by = session.context->kind() + ", " + session.renderer->info().renderer;
-    return captured;
-}
-
-Result<Captured> capture_reference(const Scene& scene, const Options& options, bool exr) {
-    constexpr int kSkyFace = 2048;
-    auto sky = build_sky(scene.sky, assets_directory(), kSkyFace);
-    if (!sky) return sky.error();
-    std::optional<SkyCube> far_sky;
-    if (effect_set(required_effects(scene)).contains(Effect::kFarSky)) {
-        auto built = build_sky(scene.far_sky, assets_directory(), kSkyFace);
-        if (!built) return built.error();
-        far_sky = std::move(*built);
-    }
-    std::optional<Image<float>> disc;
-    if (effect_set(required_effects(scene)).contains(Effect::kDiscImage)) {
-        auto image = load_disc_image(*scene.disc);
-        if (!image) return image.error();
-        disc = std::move(image->image);
-    }
-    std::array<std::optional<Image<float>>, kBodyCount> bodies;
-    for (int body = 0; body < kBodyCount; ++body) {
-        const auto file = body_image_file(scene, body);
-        if (!file) continue;
-        auto image = load_fitted_image(*file);
-        if (!image) return image.error();
-        bodies[static_cast<std::size_t>(body)] = std::move(image->image);
-    }
-    reference::Pictures pictures(disc ? &*disc : nullptr);
-    if (bodies[0]) pictures.sphere = &*bodies[0];
-    if (bodies[1]) pictures.cylinder = &*bodies[1];
-    if (bodies[2]) pictures.ball = &*bodies[2];
-    if (bodies[3]) pictures.surface = &*bodies[3];
-    const auto stars = point_stars(scene.sky, assets_directory());
-    if (!stars) return stars.error();
-    const long long pixels = static_cast<long long>(scene.camera.width) * scene.camera.height;
-    Captured captured;
-    {
-        Progress progress("reference picture", pixels);
-        auto image = reference::render_frame(scene, *sky, pictures, options.samples,
-                                             [&](long long n) { progress.advance(n); }, far_sky ? &*far_sky : nullptr, *stars);
-        if (!image) return image.error();
-        captured.linear = std::move(*image);
-    }
-    if (options.raydata) {
-        Progress progress("reference ray data", pixels);
-        auto rays = reference::trace_frame(scene, [&](long long n) { progress.advance(n); });
-        if (!rays) return rays.error();
-        captured.rays = std::move(*rays);
-    }
-    if (!exr) captured.display = display_encoded(captured.linear, scene.camera.exposure_ev, scene.picture);
-    captured.made_by = "reference tracer";
-    return captured;
-}
-
-Status write(const std::string& file_name, const Scene& scene, const Captured& captured, bool exr) {
-    if (!exr) return save_png(file_name, captured.display);
-    ChannelImage file;
-    file.width = captured.linear.width;
-    file.height = captured.linear.height;
-    const char* names[3] = {"R", "G", "B"};
-    for (int c = 0; c < 3; ++c) {
-        auto& channel = file.channels[names[c]];
-        channel.resize(static_cast<std::size_t>(file.width) * file.height);
-        for (std::size_t i = 0; i < channel.size(); ++i) channel[i] = captured.linear.data[3 * i + static_cast<std::size_t>(c)];
-    }
-    if (captured.rays) add_ray_channels(*captured.rays, file);
-    file.attributes = {{"nullscope.scene", scene.name}, {"nullscope.renderer", captured.made_by}, {"nullscope.version", NULLSCOPE_VERSION}};
-    return save_exr(file_name, file);
-}
-
 // auto: the cheapest that was measured to keep --max-error; said on standard error.
-Result<Method> chosen_method(const Options& options, const Scene& scene) {
+Result<Method> chosen_method(const CaptureOptions& options, const Scene& scene) {
     if (options.method != "auto") {
         auto method = parse_method(options.method);
         // The renderer takes the default for auto.
@@ -141,27 +40,31 @@ Result<Method> chosen_method(const Options& options, const Scene& scene) {
     return choice->method;
 }
 
-bool is_film(const Options& options) { return options.output.ends_with(".mp4"); }
+bool is_film(const CaptureOptions& options) { return options.output.ends_with(".mp4"); }
+std::string film_folder(const CaptureOptions& options) { return options.output + ".frames"; }
 
-Result<Frames> frames_of(const Options& options, const CameraPath* path) {
+Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) {
     if (is_film(options) && path == nullptr && (options.time_step == 0 || options.frames.empty()))
         return bad_input("a film needs a scene with a [path], or --time-step and --frames; allowed: -o names that end in .png or .exr");
     if (is_film(options) && !have_ffmpeg()) return failed("ffmpeg is not installed, it makes the film; without it: -o NAME%05d.png and --frames");
     if (options.frames.empty()) return is_film(options) ? Frames{0, path->frames()} : Frames{};
     const auto frames = parse_frames(options.frames);
     if (frames && path != nullptr && frames->end > path->frames())
-        return bad_input(fmt::format("--frames {}: the path has {} frames; allowed: 0:{}", options.frames, path->frames(), path->frames()));
-    if (frames && !is_film(options) && options.output.find("%05d") == std::string::npos)
-        return bad_input(fmt::format("-o {}: a sequence needs a place for the frame's number; allowed: names that hold %05d", options.output));
+        return bad_input(fmt::format("--frames {}: the path has {} frames; allowed: 0:{}", options.frames,
+                                     path->frames(), path->frames()));
     return frames;
 }
 
-std::string numbered(std::string name, int frame) {
-    const std::size_t at = name.find("%05d");
-    return at == std::string::npos ? name : name.replace(at, 4, fmt::format("{:05d}", frame));
+// Where the pictures go: a film's wait in a folder beside it, from where a run that was stopped goes on. Nothing: one picture.
+Result<std::optional<FrameNames>> names_of(const CaptureOptions& options) {
+    if (is_film(options)) return std::optional(FrameNames::in_folder(film_folder(options)));
+    if (options.frames.empty()) return std::optional<FrameNames>();
+    auto names = FrameNames::parse(options.output);
+    if (!names) return names.error();
+    return std::optional(std::move(*names));
 }
 
-Result<Scene> scene_for(const Options& options) {
+Result<Scene> scene_for(const CaptureOptions& options) {
     auto scene = load_scene(options.scene);
     if (scene && options.time) scene->time = *options.time;
     if (!scene || options.size.empty()) return scene;
@@ -173,7 +76,7 @@ Result<Scene> scene_for(const Options& options) {
 }
 
 // Nothing where the picture is one scene's.
-Result<std::optional<Halves>> split_of(const Options& options, const Scene& scene) {
+Result<std::optional<Halves>> split_of(const CaptureOptions& options, const Scene& scene) {
     if (options.beside.empty() && !scene.beside) return std::optional<Halves>();
     if (options.raydata) return bad_input("--raydata is of one spacetime; leave out --beside, or [beside] of the scene");
     if (options.beside.empty()) return halves(scene);
@@ -182,96 +85,149 @@ Result<std::optional<Halves>> split_of(const Options& options, const Scene& scen
     return std::optional(halves(scene, *other));
 }
 
-Status check_output(const Options& options, bool exr) {
+// Files of an unknown kind, and options that would change nothing.
+Status check_options(const CaptureOptions& options, bool exr) {
     if (!exr && !is_film(options) && !options.output.ends_with(".png"))
         return bad_input(fmt::format("-o {}: unknown kind of file; allowed: names that end in .png, .exr or .mp4", options.output));
     if (options.raydata && !exr) return bad_input("--raydata goes into an .exr; give -o FILE.exr");
+    if (options.samples && options.renderer != "reference")
+        return bad_input("--samples: the shader takes one ray a pixel; allowed: with --renderer reference");
     return Done{};
 }
 
-int run(const Options& options) {
-    const auto scene = scene_for(options);
-    if (!scene) return report(scene.error());
+int dump_shader(const Scene& scene) {
+    const EffectSet effects = effect_set(required_effects(scene));
+    for (const Pass& pass : passes(effects, Output::kDisplay))
+        fmt::print("{}", pass_text(pass, effects, {}, scene.spacetime.metric, body_text(scene)));
+    return 0;
+}
+
+// What is to be drawn, checked.
+struct Job {
+    Scene scene;
     std::optional<CameraPath> path;
-    if (scene->path) {
-        auto made = CameraPath::make(*scene);
-        if (!made) return report(made.error());
-        path = std::move(*made);
+    Frames frames;
+    std::optional<FrameNames> names;  // of a film or a sequence
+    Method method;
+    bool exr = false;
+};
+
+// The scene of a frame. Without a path the first frame that is drawn has the scene's time.
+Scene scene_at(const Job& job, double time_step, int frame) {
+    Scene now = job.scene;
+    now.time += (frame - (job.path ? 0 : job.frames.first)) * time_step;
+    if (!job.path) return now;
+    now.camera = job.path->at(frame);
+    now.time += job.path->clock(frame);
+    now.camera.width = job.scene.camera.width, now.camera.height = job.scene.camera.height;
+    return now;
+}
+
+// One picture, or two side by side, into a file. Returns what it was made by.
+Result<std::string> draw(Session* session, const Scene& scene, const CaptureOptions& options, bool exr,
+                         const std::string& file) {
+    const auto split = split_of(options, scene);
+    if (!split) return split.error();
+    auto captured = capture_picture(session, *split ? (*split)->left : scene, options, exr);
+    if (!captured) return captured.error();
+    if (*split) {
+        const auto right = capture_picture(session, (*split)->right, options, exr);
+        if (!right) return right.error();
+        if (exr)
+            captured->linear = side_by_side(captured->linear, right->linear);
+        else
+            captured->display = side_by_side(captured->display, right->display);
     }
-    if (options.dump_shader) {
-        const EffectSet effects = effect_set(required_effects(*scene));
-        for (const Pass& pass : passes(effects, Output::kDisplay))
-            fmt::print("{}", pass_text(pass, effects, {}, scene->spacetime.metric, body_text(*scene)));
-        return 0;
+    if (Status written = write_picture(file, scene, *captured, exr); !written) return written.error();
+    return captured->made_by;
+}
+
+Result<Job> job_of(const CaptureOptions& options, Scene scene) {
+    Job job{std::move(scene), {}, {}, {}, {}, options.output.ends_with(".exr")};
+    if (job.scene.path) {
+        auto made = CameraPath::make(job.scene);
+        if (!made) return made.error();
+        job.path = std::move(*made);
     }
-    if (const auto split = split_of(options, *scene); !split) return report(split.error());
-    const bool exr = options.output.ends_with(".exr");
-    if (Status good = check_output(options, exr); !good) return report(good.error());
-    if (path && path->falls() && options.time_step != 0)
-        return report(bad_input("--time-step: the scene's time goes with the camera that falls; allowed: scenes whose path.kind is not fall"));
-    const auto frames = frames_of(options, path ? &*path : nullptr);
-    if (!frames) return report(frames.error());
+    if (const auto split = split_of(options, job.scene); !split) return split.error();
+    if (Status good = check_options(options, job.exr); !good) return good.error();
+    if (job.path && job.path->falls() && options.time_step != 0)
+        return bad_input(
+            "--time-step: the scene's time goes with the camera that falls; allowed: scenes whose path.kind is not "
+            "fall");
+    const auto frames = frames_of(options, job.path ? &*job.path : nullptr);
+    if (!frames) return frames.error();
+    job.frames = *frames;
+    auto names = names_of(options);
+    if (!names) return names.error();
+    job.names = std::move(*names);
+    if (options.renderer != "gl") return job;
+    const auto method = chosen_method(options, job.scene);
+    if (!method) return method.error();
+    job.method = *method;
+    return job;
+}
+
+Status draw_frames(const Job& job, Session* session, const CaptureOptions& options) {
+    const int count = job.frames.end - job.frames.first;
+    std::optional<Progress> progress;
+    if (count > 1) progress.emplace("frames", count);
+    for (int frame = job.frames.first; frame < job.frames.end; ++frame) {
+        const std::string file = job.names ? job.names->of(frame) : options.output;
+        const bool there = (options.resume || is_film(options)) &&
+                           std::filesystem::exists(file);  // a file has its name only when it is whole
+        if (!there) {
+            const auto made_by = draw(session, scene_at(job, options.time_step, frame), options, job.exr, file);
+            if (!made_by) return made_by.error();
+            if (!is_film(options))
+                fmt::print("{}: {}x{}, {}\n", file, job.scene.camera.width, job.scene.camera.height, *made_by);
+        }
+        if (progress) progress->advance();
+    }
+    return Done{};
+}
+
+Status finish_film(const Job& job, const CaptureOptions& options) {
+    const double rate = job.scene.path ? job.scene.path->rate : PathSpec{}.rate;
+    const int count = job.frames.end - job.frames.first;
+    if (Status made = encode_film(film_folder(options), job.frames.first, count, rate, options.output); !made)
+        return made;
+    std::error_code error;
+    std::filesystem::remove_all(film_folder(options), error);
+    fmt::print("{}: {}x{}, {} frames at {} a second\n", options.output, job.scene.camera.width, job.scene.camera.height,
+               count, rate);
+    return Done{};
+}
+
+int run(const CaptureOptions& options) {
+    auto scene = scene_for(options);
+    if (!scene) return report(scene.error());
+    if (options.dump_shader) return dump_shader(*scene);
+    const auto job = job_of(options, std::move(*scene));
+    if (!job) return report(job.error());
     std::optional<Session> session;
     if (options.renderer == "gl") {
         auto opened = open_session(options.context);
         if (!opened) return report(opened.error());
         session = std::move(*opened);
-        const auto method = chosen_method(options, *scene);
-        if (!method) return report(method.error());
-        session->renderer->set_method(*method);
+        session->renderer->set_method(job->method);
     }
-    // A film's pictures wait in a folder beside it: a run that was stopped goes on from them.
-    const std::string folder = options.output + ".frames";
     if (is_film(options)) {
         std::error_code error;
-        if (std::filesystem::create_directories(folder, error); error) return report(failed(fmt::format("{}: {}", folder, error.message())));
+        std::filesystem::create_directories(film_folder(options), error);
+        if (error) return report(failed(fmt::format("{}: {}", film_folder(options), error.message())));
     }
-    std::optional<Progress> progress;
-    if (frames->end - frames->first > 1) progress.emplace("frames", frames->end - frames->first);
-    for (int frame = frames->first; frame < frames->end; ++frame) {
-        const std::string file = numbered(is_film(options) ? folder + "/%05d.png" : options.output, frame);
-        if ((options.resume || is_film(options)) && std::filesystem::exists(file)) {   // a file has its name only when it is whole
-            if (progress) progress->advance();
-            continue;
-        }
-        Scene now = *scene;
-        now.time += (frame - (path ? 0 : frames->first)) * options.time_step;
-        if (path) {
-            now.camera = path->at(frame);
-            now.time += path->clock(frame);
-            now.camera.width = scene->camera.width, now.camera.height = scene->camera.height;
-        }
-        const auto capture = [&](const Scene& drawn) {
-            return session ? capture_gl(*session, drawn, options, exr) : capture_reference(drawn, options, exr);
-        };
-        const auto split = split_of(options, now);
-        if (!split) return report(split.error());
-        auto captured = capture(*split ? (*split)->left : now);
-        if (!captured) return report(captured.error());
-        if (*split) {
-            const auto right = capture((*split)->right);
-            if (!right) return report(right.error());
-            if (exr) captured->linear = side_by_side(captured->linear, right->linear);
-            else captured->display = side_by_side(captured->display, right->display);
-        }
-        if (Status written = write(file, *scene, *captured, exr); !written) return report(written.error());
-        if (progress) progress->advance();
-        if (!is_film(options)) fmt::print("{}: {}x{}, {}\n", file, scene->camera.width, scene->camera.height, captured->made_by);
-    }
+    if (Status drawn = draw_frames(*job, session ? &*session : nullptr, options); !drawn) return report(drawn.error());
     if (!is_film(options)) return 0;
-    progress.reset();
-    const double rate = scene->path ? scene->path->rate : PathSpec{}.rate;
-    if (Status made = encode_film(folder, frames->first, rate, options.output); !made) return report(made.error());
-    std::error_code error;
-    std::filesystem::remove_all(folder, error);
-    fmt::print("{}: {}x{}, {} frames at {} a second\n", options.output, scene->camera.width, scene->camera.height, frames->end - frames->first, rate);
+    if (Status made = finish_film(*job, options); !made) return report(made.error());
     return 0;
 }
 
 }  // namespace
 
 void add_capture(Command& parent) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CaptureOptions>();
+    const KeyRange times = key_range("time");
     Command& command = parent.add_command(
         "capture", "Draw a scene to a PNG (display-ready) or an EXR (linear light, optional ray data)");
     command.add_option("scene", &options->scene, "Scene file, or the name of one that ships (see: nullscope scenes)")
@@ -306,7 +262,7 @@ void add_capture(Command& parent) {
         .add_option(
             "--time", &options->time,
             "Scene time in r_s/c (default: the scene's); scenes without anything that moves look the same at all times")
-        .in_range(0.0, 1e9);
+        .in_range(times.low, times.high);
     command
         .add_option("--time-step", &options->time_step,
                     "Scene time from one frame to the next, r_s/c, of --frames and films, but of a camera that falls, "
@@ -315,12 +271,13 @@ void add_capture(Command& parent) {
         .show_default();
     command.add_option("--frames", &options->frames,
                        "Draw frames A to B-1 of the scene's [path], or as many with --time-step, A:B; -o then holds "
-                       "%05d, or ends in .mp4");
+                       "a place for the number, %05d, %d or #####, or ends in .mp4");
     command.add_flag("--resume", &options->resume,
                      "Leave out the frames whose files are there: goes on with a sequence that was stopped");
-    command.add_option("--samples", &options->samples, "reference: rays per pixel along each side")
-        .in_range(1, 16)
-        .show_default();
+    command
+        .add_option("--samples", &options->samples,
+                    fmt::format("reference: rays per pixel along each side (default {})", kSamples))
+        .in_range(1, 16);
     command
         .add_option("--largest-texture", &options->largest_texture,
                     "Most pixels along a side of an image's texture: larger images are made "

@@ -31,16 +31,43 @@ int run_quietly(std::vector<std::string> words) {
     return WEXITSTATUS(status) == 127 ? -1 : WEXITSTATUS(status);
 }
 
+// For names that ffmpeg reads as a pattern.
+std::string percent_doubled(const std::string& name) {
+    std::string doubled;
+    for (const char c : name) doubled += c == '%' ? "%%" : std::string(1, c);
+    return doubled;
+}
+
 }  // namespace
 
 bool have_ffmpeg() { return run_quietly({"ffmpeg", "-loglevel", "quiet", "-version"}) == 0; }
 
-Status encode_film(const std::string& folder, int first, double rate, const std::string& output) {
+Status encode_film(const std::string& folder, int first, int count, double rate, const std::string& output) {
     const std::string part = output + ".part.mp4";
     // Sides are made even: 4:2:0 halves them.
-    const int status = run_quietly({"ffmpeg", "-y", "-loglevel", "error", "-framerate", fmt::format("{}", rate), "-start_number", fmt::format("{}", first),
-                                    "-i", folder + "/%05d.png", "-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2", "-c:v", "libx264", "-crf", "16", "-pix_fmt",
-                                    "yuv420p", "-movflags", "+faststart", part});
+    const int status = run_quietly({"ffmpeg",
+                                    "-y",
+                                    "-loglevel",
+                                    "error",
+                                    "-framerate",
+                                    fmt::format("{}", rate),
+                                    "-start_number",
+                                    fmt::format("{}", first),
+                                    "-i",
+                                    percent_doubled(folder) + "/%05d.png",
+                                    "-frames:v",
+                                    fmt::format("{}", count),
+                                    "-vf",
+                                    "crop=trunc(iw/2)*2:trunc(ih/2)*2",
+                                    "-c:v",
+                                    "libx264",
+                                    "-crf",
+                                    "16",
+                                    "-pix_fmt",
+                                    "yuv420p",
+                                    "-movflags",
+                                    "+faststart",
+                                    part});
     std::error_code error;
     if (status == 0) std::filesystem::rename(part, output, error);
     if (status == 0 && !error) return Done{};

@@ -7,7 +7,7 @@
 namespace nullscope::cli {
 
 bool have_ffmpeg();
-// folder/00000.png ... to an H.264 film; under its name only when complete. Errors: ffmpeg is missing or fails.
-Status encode_film(const std::string& folder, int first, double rate, const std::string& output);
+// The `count` pictures folder/00000.png ... from number `first` on to an H.264 film; under its name only when complete. Errors: ffmpeg is missing or fails.
+Status encode_film(const std::string& folder, int first, int count, double rate, const std::string& output);
 
 }  // namespace nullscope::cli

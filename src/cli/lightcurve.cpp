@@ -28,7 +28,8 @@ struct Options {
     std::string scene, output = "lightcurve", size, context = "auto", renderer = "gl";
     std::vector<int> region;   // x, y of the first pixel, x, y behind the last
     std::optional<double> from, to;
-    int steps = 120, samples = 1;
+    std::optional<int> samples;  // reference alone
+    int steps = 120;
 };
 
 struct Sample {
@@ -104,7 +105,7 @@ public:
         auto sky = build_sky(scene.sky, assets_directory(), kSkyFace);
         if (!sky) return sky.error();
         painter.sky_ = std::move(*sky);
-        painter.samples_ = options.samples;
+        painter.samples_ = options.samples.value_or(1);
         return painter;
     }
     Result<Image<float>> operator()(const Scene& scene) {
@@ -139,6 +140,8 @@ int run(const Options& options) {
     auto scene = scene_for(options);
     if (!scene) return report(scene.error());
     if (moving_parts(*scene).empty()) return report(bad_input(fmt::format("{}: nothing in it changes with time; allowed: a scene with disc.flow, [spot], sphere.swing, ball.motion or t in surface.shape", options.scene)));
+    if (options.samples && options.renderer != "reference")
+        return report(bad_input("--samples: the shader takes one ray a pixel; allowed: with --renderer reference"));
     const auto region = region_of(options, scene->camera);
     if (!region) return report(region.error());
     const double from = options.from.value_or(scene->time), to = options.to.value_or(from + period_of(*scene));
@@ -186,9 +189,8 @@ void add_lightcurve(Command& parent) {
     command.add_option("--renderer", &options->renderer, "gl: the shader; reference: the double-precision tracer, slow")
         .one_of({"gl", "reference"})
         .show_default();
-    command.add_option("--samples", &options->samples, "reference: rays per pixel along each side")
-        .in_range(1, 16)
-        .show_default();
+    command.add_option("--samples", &options->samples, "reference: rays per pixel along each side (default 1)")
+        .in_range(1, 16);
     context_option(command, options->context);
     command.on_run([options] { return run(*options); });
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "base/text.h"
@@ -273,6 +274,12 @@ std::span<const SceneKey> scene_keys() {
 
 std::string full_name(const SceneKey& key) {
     return key.section.empty() ? std::string(key.key) : fmt::format("{}.{}", key.section, key.key);
+}
+
+KeyRange key_range(std::string_view name) {
+    for (const SceneKey& key : scene_keys())
+        if (full_name(key) == name) return key.range;
+    std::abort();
 }
 
 std::string allowed_text(const SceneKey& key) {

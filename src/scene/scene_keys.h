@@ -49,6 +49,7 @@ inline constexpr double kFastestCamera = 1.0 - 1e-12;  // so that 1 - v^2 keeps 
 inline constexpr std::size_t kLongestText = 200;       // bytes of name and description
 
 std::span<const SceneKey> scene_keys();
+KeyRange key_range(std::string_view full_name);  // of a key that the program names
 std::string full_name(const SceneKey& key);     // "camera.r", "name"
 std::string allowed_text(const SceneKey& key);  // "(0, 180)", "stars, image or black", ...
 

@@ -13,7 +13,6 @@ GOOD = "10,1.5,0,-1,0,0.1\n"
 
 class Usage(support.CliTest):
     def test_commands_and_options(self):
-        self.refused(says=["a command is missing", "capture", "--help"])
         self.refused("captur", says=["captur", "nearest: capture"])
         self.refused("capture", says=["scene", "capture --help"])
         self.refused("capture", "flat", "--contxt", "egl", says=["--contxt", "nearest: --context"])
@@ -21,7 +20,10 @@ class Usage(support.CliTest):
         self.refused("trace", "flat", says=["--rays"])
         self.refused("trace", "flat", "--rays", "x.csv", "--with", "gpu", says=["gpu", "core64"])
         self.refused("trace", "flat", "--rays", "x.csv", "--crossings", "-1", says=["--crossings", "0"])
-        self.refused("capture", "a\nb", "c\n\x1b[31md", says=["not expected"])
+        self.refused("capture", "a\nb", "c\n\x1b[31md", says=["c?", "not expected"])
+        self.refused("capture", "flat", "one", "two", says=["one: not expected"])
+        self.refused("bench", "frames", "--frames", "3", says=["--frames 3: out of range; allowed: whole numbers from 9 to 10000"])
+        self.refused("help", "captur", says=["nearest: capture"])
         self.refused("bench", says=["frames"])
         escape = "\x1b[2J\n\x7f"    # what a terminal would obey; refused() looks for it in the message
         small = ("--size", "16x9", "-o", "a.png")
@@ -30,6 +32,14 @@ class Usage(support.CliTest):
         self.refused("capture", "flat", *small, f"--frames={escape}", says=["?[2J??"])
         self.refused("capture", "flat", "-o", escape, says=["?[2J??"])
         self.refused("plan", "flat", "--xml", says=["--xml"])
+
+    def test_options_that_change_nothing(self):
+        self.refused("capture", "flat", "--size", "16x9", "--samples", "2", says=["--samples", "--renderer reference"])
+        self.refused("lightcurve", "hot-spot", "--size", "16x9", "--samples", "2", says=["--samples", "--renderer reference"])
+
+    def test_names_of_a_sequence(self):
+        for name in ("a.png", "a%05d%d.png", "a#b#.png", "a%s.png", "a%020d.png"):
+            self.refused("capture", "flat", "--size", "4x2", "--frames", "0:2", "-o", name, says=[name, "allowed", "%05d"])
 
     def test_sizes(self):
         for size in ("0x0", "1x", "x1", "-3x4", "99999999x1", "1.5x2", "axb", "10x10x10", "1e400x1", "nanx1"):
@@ -80,7 +90,7 @@ class Scenes(support.CliTest):
             self.refused(command, scene, *options, says=says)
 
     def test_no_such_scene(self):
-        self.everywhere("first-lihgt", ["first-lihgt", "nearest: first-light"])
+        self.everywhere("first-lihgt", ["first-lihgt", "nearest: first-light; see: nullscope scenes"])
         self.everywhere("nowhere/scene.toml", ["nowhere/scene.toml"])
         self.everywhere(".", ["folder"])
         self.everywhere("a\x1b[2Jb\nc", ["no such file"])

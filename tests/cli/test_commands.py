@@ -66,6 +66,18 @@ class Commands(support.CliTest):
             self.assertIn("Usage: nullscope", ran.out)
             self.assertEqual(ran.err, "")
 
+    def test_help_of_a_command_and_alone(self):
+        alone = self.run_nullscope().out
+        self.assertEqual(alone, self.run_nullscope("--help").out)
+        self.assertEqual(alone, self.run_nullscope("help").out)
+        self.assertIn("nullscope-viewer", alone)
+        self.assertEqual(self.run_nullscope("help", "bench", "frames").out, self.run_nullscope("bench", "frames", "--help").out)
+
+    def test_names_of_a_sequence(self):
+        for pattern, name in (("a%05d.png", "a00002.png"), ("b%d.png", "b2.png"), ("c%03d.png", "c002.png"), ("d##.png", "d02.png")):
+            self.run_nullscope("capture", "flat", "--size", "4x2", "--frames", "2:3", "--time", "-5", "-o", pattern)
+            self.assertTrue((self.folder / name).exists(), pattern)
+
     def test_version(self):
         self.assertRegex(self.run_nullscope("--version").out, r"^\d+\.\d+")
 
