@@ -240,6 +240,8 @@ void SceneReader::check_path() {
     if (keys ? scene_.path->keys.size() < 2 : !scene_.path->keys.empty())
         report(sections_["path"], "path.key", keys ? "fewer than two keys, but kind is keys" : "keys, but kind is not keys",
                keys ? "two [[path.key]] or more" : "with kind = \"keys\" only");
+    if (keys && !given("path.frames") && !scene_.path->keys.empty())
+        scene_.path->frames = std::max(2, static_cast<int>(scene_.path->keys.back().frame) + 1);
     for (const char* key : {"path.duration", "path.look"})
         if (keys && given(key)) report(line(key), key, "kind is not fall", "with kind = \"fall\" only");
     for (const PathKey& key : scene_.path->keys)

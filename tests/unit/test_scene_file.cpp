@@ -274,3 +274,13 @@ TEST_CASE("hostile text: nothing crashes, every refusal is one plain line") {
         CHECK(harmless(fmt::format("sky.image = \"{}\"", repeated("\xC3\xA9", n))));
     }
 }
+
+TEST_CASE("a path through keys ends at its last key unless its length is given") {
+    const std::string keys = "[[path.key]]\nr = 9\n[[path.key]]\nframe = 48\nr = 8\n";
+    const auto open_end = parse_scene("[path]\nkind = \"keys\"\n" + keys, "a.toml", ".");
+    REQUIRE(open_end);
+    CHECK(open_end->path->frames == 49);
+    const auto given = parse_scene("[path]\nkind = \"keys\"\nframes = 240\n" + keys, "a.toml", ".");
+    REQUIRE(given);
+    CHECK(given->path->frames == 240);
+}
