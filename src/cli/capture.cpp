@@ -1,7 +1,6 @@
 // nullscope capture: a picture of a scene in a file.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -14,6 +13,8 @@
 #include "cli/command.h"
 #include "cli/film.h"
 #include "cli/frame_names.h"
+#include "cli/frame_stamp.h"
+#include "cli/frame_store.h"
 #include "render/frontier.h"
 #include "scene/scene_file.h"
 #include "scene/scene_keys.h"
@@ -55,10 +56,9 @@ Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) 
     return frames;
 }
 
-// Where the pictures go: a film's wait in a folder beside it, from where a run that was stopped goes on. Nothing: one picture.
+// Of a sequence's files. Nothing: one picture, or a film, whose pictures have a folder of their own.
 Result<std::optional<FrameNames>> names_of(const CaptureOptions& options) {
-    if (is_film(options)) return std::optional(FrameNames::in_folder(film_folder(options)));
-    if (options.frames.empty()) return std::optional<FrameNames>();
+    if (is_film(options) || options.frames.empty()) return std::optional<FrameNames>();
     auto names = FrameNames::parse(options.output);
     if (!names) return names.error();
     return std::optional(std::move(*names));
@@ -107,8 +107,8 @@ struct Job {
     Scene scene;
     std::optional<CameraPath> path;
     Frames frames;
-    std::optional<FrameNames> names;  // of a film or a sequence
-    Method method;
+    std::optional<FrameNames> names;  // of a sequence
+    Method method;                    // of the shader
     bool exr = false;
 };
 
@@ -168,17 +168,36 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
     return job;
 }
 
-Status draw_frames(const Job& job, Session* session, const CaptureOptions& options) {
+// Where the pictures of a film or a sequence go, and which of them are there. Nothing: one picture.
+Result<std::unique_ptr<FrameStore>> store_of(const Job& job, const CaptureOptions& options) {
+    if (!is_film(options) && !job.names) return std::unique_ptr<FrameStore>();
+    std::optional<Scene> beside;
+    if (!options.beside.empty()) {
+        auto other = load_scene(options.beside);
+        if (!other) return other.error();
+        beside = std::move(*other);
+    }
+    const double first_time = job.scene.time - (job.path ? 0 : job.frames.first) * options.time_step;
+    const std::string stamp = frame_stamp(
+        {job.scene, beside ? &*beside : nullptr, options, method_name(job.method), first_time, NULLSCOPE_VERSION});
+    auto store = is_film(options) ? FrameStore::open_film(film_folder(options), stamp)
+                                  : FrameStore::open_sequence(*job.names, job.frames, stamp, options.resume);
+    if (!store) return store.error();
+    return std::make_unique<FrameStore>(std::move(*store));
+}
+
+// Those that the store has not.
+Status draw_frames(const Job& job, Session* session, const CaptureOptions& options, FrameStore* store) {
     const int count = job.frames.end - job.frames.first;
     std::optional<Progress> progress;
     if (count > 1) progress.emplace("frames", count);
     for (int frame = job.frames.first; frame < job.frames.end; ++frame) {
-        const std::string file = job.names ? job.names->of(frame) : options.output;
-        const bool there = (options.resume || is_film(options)) &&
-                           std::filesystem::exists(file);  // a file has its name only when it is whole
+        const std::string file = store != nullptr ? store->file(frame) : options.output;
+        const bool there = store != nullptr && (options.resume || is_film(options)) && store->has(frame);
         if (!there) {
             const auto made_by = draw(session, scene_at(job, options.time_step, frame), options, job.exr, file);
             if (!made_by) return made_by.error();
+            if (store != nullptr) store->drew_one();
             if (!is_film(options))
                 fmt::print("{}: {}x{}, {}\n", file, job.scene.camera.width, job.scene.camera.height, *made_by);
         }
@@ -205,6 +224,8 @@ int run(const CaptureOptions& options) {
     if (options.dump_shader) return dump_shader(*scene);
     const auto job = job_of(options, std::move(*scene));
     if (!job) return report(job.error());
+    const auto store = store_of(*job, options);
+    if (!store) return report(store.error());
     std::optional<Session> session;
     if (options.renderer == "gl") {
         auto opened = open_session(options.context);
@@ -212,12 +233,8 @@ int run(const CaptureOptions& options) {
         session = std::move(*opened);
         session->renderer->set_method(job->method);
     }
-    if (is_film(options)) {
-        std::error_code error;
-        std::filesystem::create_directories(film_folder(options), error);
-        if (error) return report(failed(fmt::format("{}: {}", film_folder(options), error.message())));
-    }
-    if (Status drawn = draw_frames(*job, session ? &*session : nullptr, options); !drawn) return report(drawn.error());
+    if (Status drawn = draw_frames(*job, session ? &*session : nullptr, options, store->get()); !drawn)
+        return report(drawn.error());
     if (!is_film(options)) return 0;
     if (Status made = finish_film(*job, options); !made) return report(made.error());
     return 0;
@@ -235,7 +252,7 @@ void add_capture(Command& parent) {
     command
         .add_option("-o,--output", &options->output,
                     "File to write, .png or .exr; of a scene with a [path] also .mp4, by ffmpeg where that is "
-                    "installed (goes on with what a stopped run has drawn)")
+                    "installed (resumes an interrupted run of the same scene and options)")
         .show_default();
     command.add_option("--size", &options->size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
     command.add_option(
@@ -272,8 +289,9 @@ void add_capture(Command& parent) {
     command.add_option("--frames", &options->frames,
                        "Draw frames A to B-1 of the scene's [path], or as many with --time-step, A:B; -o then holds "
                        "a place for the number, %05d, %d or #####, or ends in .mp4");
-    command.add_flag("--resume", &options->resume,
-                     "Leave out the frames whose files are there: goes on with a sequence that was stopped");
+    command.add_flag(
+        "--resume", &options->resume,
+        "Leave out the frames whose files are there: resumes an interrupted sequence of the same scene and options");
     command
         .add_option("--samples", &options->samples,
                     fmt::format("reference: rays per pixel along each side (default {})", kSamples))

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostDigits = 9;
 
-// A place for a number: where it begins, how long it is, how many digits it asks for. length 0: there is none from `from` on.
+// A place for a number: where it begins, how long it is, how many digits it asks for. length 0: there is none.
 struct Place {
     std::size_t at = 0, length = 0, digits = 0;
 };
@@ -55,6 +55,11 @@ FrameNames FrameNames::in_folder(const std::string& folder) {
     names.after_ = ".png";
     names.digits_ = 5;
     return names;
+}
+
+std::string FrameNames::stamp_file() const {
+    const bool bare = before_.empty() || before_.ends_with('/');  // "%05d.png": a dot in front would hide it
+    return before_ + (bare ? "frames" : "") + after_ + ".stamp";
 }
 
 std::string FrameNames::of(int frame) const { return fmt::format("{}{:0{}d}{}", before_, frame, digits_, after_); }

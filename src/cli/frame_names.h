@@ -13,7 +13,7 @@ public:
     static FrameNames in_folder(const std::string& folder);  // folder/00000.png ...
     std::string of(int frame) const;                         // with zeros in front, as many digits as there are places
     const std::string& pattern() const { return pattern_; }
-    std::string without_number() const { return before_ + after_; }
+    std::string stamp_file() const;  // NAME.png.stamp for NAME%05d.png
 
 private:
     std::string pattern_, before_, after_;

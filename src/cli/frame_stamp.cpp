@@ -1,0 +1,83 @@
+#include "cli/frame_stamp.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <set>
+#include <vector>
+
+#include "base/text.h"
+#include "scene/scene_text.h"
+
+namespace nullscope::cli {
+namespace {
+
+// Size and FNV-1a hash of a file's bytes: pictures depend on what is in an image, not on where it lies.
+std::string contents_of(const std::filesystem::path& file) {
+    constexpr std::uint64_t kOffset = 0xcbf29ce484222325u, kPrime = 0x100000001b3u;
+    std::ifstream in(file, std::ios::binary);
+    if (!in) return "unreadable";
+    std::uint64_t hash = kOffset, size = 0;
+    std::vector<char> bytes(1u << 20);
+    while (in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())), in.gcount() > 0) {
+        const auto end = bytes.begin() + in.gcount();
+        for (auto byte = bytes.begin(); byte != end; ++byte) hash = (hash ^ static_cast<unsigned char>(*byte)) * kPrime;
+        size += static_cast<std::uint64_t>(in.gcount());
+    }
+    return fmt::format("{} bytes, {:016x}", size, hash);
+}
+
+void append_scene(std::string& text, const std::string& prefix, const Scene& scene) {
+    for (const SceneLine& line : scene_lines(scene))
+        text += fmt::format("{}{} = {}\n", prefix, line.name, line.file.empty() ? line.value : contents_of(line.file));
+}
+
+// The names of the lines of `text` that `other` does not have, added to names.
+void add_names(const std::string& text, const std::string& other, std::vector<std::string>& names) {
+    const auto lines = split(other, '\n');
+    const std::set<std::string> known(lines.begin(), lines.end());
+    for (const std::string& line : split(text, '\n')) {
+        const std::string name = without_controls(line.substr(0, line.find(" = ")));
+        if (known.contains(line) || std::find(names.begin(), names.end(), name) != names.end()) continue;
+        names.push_back(name);
+    }
+}
+
+}  // namespace
+
+std::string frame_stamp(const StampInput& input) {
+    const CaptureOptions& options = input.options;
+    const std::string kind = options.output.substr(std::min(options.output.rfind('.'), options.output.size()));
+    std::string text = fmt::format("program version = {}\n", input.version);
+    text += fmt::format("kind of file = {}\n", kind == ".mp4" ? ".png" : kind);
+    text += fmt::format("--raydata = {}\n", options.raydata);
+    text += fmt::format("--renderer = {}\n", options.renderer);
+    if (options.renderer == "reference") {
+        text += fmt::format("--samples = {}\n", options.samples.value_or(kSamples));
+    } else {
+        text += fmt::format("--context = {}\n--method = {}\n", options.context, input.method);
+        text += fmt::format("--largest-texture = {}\n", options.largest_texture.value_or(0));
+    }
+    text += fmt::format("--time-step = {:.17g}\ntime of frame 0 = {:.17g}\n", options.time_step, input.first_time);
+    append_scene(text, "", input.scene);
+    if (input.beside != nullptr) append_scene(text, "--beside ", *input.beside);
+    return text;
+}
+
+std::string stamp_difference(const std::string& before, const std::string& now) {
+    constexpr std::size_t kMostNames = 3;
+    if (before.empty()) return "nothing says what they show";
+    std::vector<std::string> names;
+    add_names(now, before, names);
+    add_names(before, now, names);
+    if (names.empty()) return "another order of their lines";
+    const std::size_t shown = std::min(names.size(), kMostNames);
+    const std::string more = names.size() > shown ? fmt::format(" and {} more", names.size() - shown) : "";
+    names.resize(shown);
+    return fmt::format("another {}{}", fmt::join(names, ", "), more);
+}
+
+}  // namespace nullscope::cli
