@@ -89,12 +89,16 @@ def test_an_effect_is_switched_without_a_hitch(screen, program, folder):
     assert longest < WINDOWS_SHARE * hitch, "a turn takes as long as one that draws and compiles"
 
 
-def test_what_moves_is_followed_coarsely_and_rests_whole(screen, program, folder):
-    """A scene whose picture takes about a second."""
-    v = Viewer(screen, program, "--size", "480x300", scene="torus")
+def test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely(screen, program, folder):
+    """A scene whose picture takes about a second, and its program longer than that."""
+    v = Viewer(screen, program, "--size", "640x300", scene="torus")
     try:
-        v.start()
-        area = (300, 20, 470, 260)     # no panel lies here
+        area, keys = (290, 20, 630, 260), (250, 40, 350, 260)     # no panel lies in the first, in the second none of the letters that are whole pixels of their colour but F1's
+        v.window = wait_until("the window", v.find)
+        v.hands("windowfocus", v.window, "key", "F1")
+        wait_until("F1 is answered", lambda: v.count(keys, LETTERS) > 4, HUNG_S)
+        assert v.log.turns()[-1]["picture"] == "none", "F1 is answered after the first picture only"
+        v.settle("key", "F1", "mousemove", *BESIDE)
         home, at = v.picture(area), v.log.size()
         v.hands("keydown", "e")
 
@@ -189,6 +193,7 @@ def test_old_opengl(screen, program, folder):
     assert "3.3" in done.stderr and "2.1" in done.stderr and "display" not in done.stderr, done.stderr
 
 
-CASES = [test_an_effect_is_switched_without_a_hitch, test_what_moves_is_followed_coarsely_and_rests_whole,
+CASES = [test_an_effect_is_switched_without_a_hitch,
+         test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_exposure_follows_like_an_eye, test_the_clock_runs_and_stops, test_screenshot, test_bad_input,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
