@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <stb_image.h>
-#include <stb_image_write.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +15,7 @@
 #include "base/hdr_file.h"
 #include "base/jpeg_check.h"
 #include "base/png_check.h"
+#include "base/png_encoder.h"
 #include "base/text.h"
 
 namespace nullscope {
@@ -142,14 +142,9 @@ Status save_png(const std::filesystem::path& path, const Image<unsigned char>& i
         row_bytes * image.height > std::numeric_limits<int>::max())
         return failed(fmt::format("cannot write '{}': {} x {} pixels of {} channels are no PNG image", path.string(),
                                   image.width, image.height, image.channels));
-    std::string bytes;
-    const auto append = [](void* context, void* data, int size) {
-        static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
-    };
-    if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, image.channels, image.data.data(),
-                                static_cast<int>(row_bytes)))
-        return failed(fmt::format("cannot write '{}': PNG encoder failed", path.string()));
-    return write_text_atomically(path, bytes);
+    const Result<std::string> bytes = encode_png(image);
+    if (!bytes) return failed(fmt::format("cannot write '{}': {}", path.string(), bytes.error().message));
+    return write_text_atomically(path, *bytes);
 }
 
 float srgb_from_linear(float linear) {
