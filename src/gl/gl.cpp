@@ -169,28 +169,41 @@ Texture make_rgba8_texture(int width, int height, const unsigned char* rgba) {
     return texture;
 }
 
-Texture make_cube_texture(int size, const float* const faces[6]) {
+Texture make_sky_cube(int size, int levels) {
     Texture texture(new_texture(GL_TEXTURE_CUBE_MAP));
     set_sampling(GL_TEXTURE_CUBE_MAP, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
-    for (int face = 0; face < 6; ++face)
-        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), 0, GL_R11F_G11F_B10F, size, size, 0, GL_RGB,
-                     GL_FLOAT, faces[face]);
-    glGenerateMipmap(GL_TEXTURE_CUBE_MAP);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, levels - 1);
+    for (int level = 0; level < levels; ++level)
+        for (GLenum face = 0; face < 6; ++face)
+            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, GL_R11F_G11F_B10F, size >> level, size >> level, 0, GL_RGB,
+                         GL_UNSIGNED_INT_10F_11F_11F_REV, nullptr);
     check("sky texture");
     return texture;
 }
 
-Texture make_layers_texture(int size, int levels, const std::vector<const float*>& layers) {
+Texture make_sky_layers(int size, int levels, int layers) {
     Texture texture(new_texture(GL_TEXTURE_2D_ARRAY));
     set_sampling(GL_TEXTURE_2D_ARRAY, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, levels - 1);
-    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R11F_G11F_B10F, size, size, static_cast<GLsizei>(layers.size()), 0, GL_RGB, GL_FLOAT, nullptr);
-    for (std::size_t i = 0; i < layers.size(); ++i)
-        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(i), size, size, 1, GL_RGB, GL_FLOAT, layers[i]);
-    glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
+    for (int level = 0; level < levels; ++level)
+        glTexImage3D(GL_TEXTURE_2D_ARRAY, level, GL_R11F_G11F_B10F, size >> level, size >> level, layers, 0, GL_RGB,
+                     GL_UNSIGNED_INT_10F_11F_11F_REV, nullptr);
     check("texture of two skies");
     return texture;
+}
+
+void fill_sky_cube(const Texture& texture, const SkyTexels& t) {
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
+    glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(t.layer), t.level, 0, t.first_row, t.width, t.rows, GL_RGB,
+                    GL_UNSIGNED_INT_10F_11F_11F_REV, t.texels);
+}
+
+void fill_sky_layers(const Texture& texture, const SkyTexels& t) {
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, texture.id());
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, t.level, 0, t.first_row, t.layer, t.width, t.rows, 1, GL_RGB, GL_UNSIGNED_INT_10F_11F_11F_REV, t.texels);
 }
 
 Buffer make_uniform_buffer(std::size_t bytes) {

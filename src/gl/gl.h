@@ -2,6 +2,7 @@
 // Every object must die while the context that made it is current.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -74,11 +75,15 @@ Texture make_number_texture(int width, int height, int channels, const float* va
 Texture make_picture_texture(int width, int height, int channels, const float* data);
 // Colours for the eye: RGBA8 as they are, nearest, one level, top row first.
 Texture make_rgba8_texture(int width, int height, const unsigned char* rgba);
-// Six faces of RGB float, stored as R11F_G11F_B10F; seamless, trilinear.
-Texture make_cube_texture(int size, const float* const faces[6]);
-
-// Layers of RGB float, stored and filtered as a cube map's faces, with so many mip levels.
-Texture make_layers_texture(int size, int levels, const std::vector<const float*>& layers);
+// Skies: texels of R11F_G11F_B10F that come packed, by fill_sky. Trilinear. A cube map's six faces, seamless; or layers, each a face.
+Texture make_sky_cube(int size, int levels);
+Texture make_sky_layers(int size, int levels, int layers);
+struct SkyTexels {
+    int layer, level, first_row, rows, width;
+    const std::uint32_t* texels;
+};
+void fill_sky_cube(const Texture& texture, const SkyTexels& texels);
+void fill_sky_layers(const Texture& texture, const SkyTexels& texels);
 
 Buffer make_uniform_buffer(std::size_t bytes);
 void upload_uniforms(const Buffer& buffer, const void* data, std::size_t bytes);

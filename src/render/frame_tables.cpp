@@ -12,8 +12,8 @@
 #include "render/moving_numbers.h"
 #include "scene/pixel_angle.h"
 #include "scene/sides.h"
+#include "sky/packed_sky.h"
 #include "sky/point_stars.h"
-#include "sky/sky.h"
 #include "table/critical_images.h"
 #include "table/disc_light.h"
 #include "table/star_lens.h"
@@ -295,7 +295,7 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(speed > 0.0 ? shown * (observer.velocity / speed) : Vec3{1, 0, 0}, scene.light.aberration ? stretch : 1.0);
     block.put(scene.light.doppler ? stretch : 1.0, sky_K ? log2_brightness(*sky_K, scene.light.bolometric) : 0.0, 0, 0);
     const int sky_size = std::max(textures.sky_size, 1);
-    if (textures.two_skies) block.put(0.5 * sky_size, bordered_levels(sky_size) - 1, 1.0, 0.5 * sky_size / bordered_size(sky_size));
+    if (textures.two_skies) block.put(0.5 * sky_size, sky_levels(sky_size, true) - 1, 1.0, 0.5 * sky_size / bordered_size(sky_size));
     else block.put(0.5 * textures.sky_size, std::log2(sky_size), 1.0, 0);
     if (sky_K) block.put(sky_light(scene.light, *sky_K, g_gravity, motion_is_seen(matter, scene)), std::log2(*sky_K));
     else block.put(1, 1, 1, 0);

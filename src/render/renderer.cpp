@@ -10,7 +10,7 @@
 
 #include "base/assets.h"
 #include "base/large_image.h"
-#include "sky/sky.h"
+#include "sky/packed_sky.h"
 #include "shaderlib/passes.h"
 #include "table/disc_light.h"
 #include "table/star_lens.h"
@@ -144,13 +144,6 @@ void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
     gl::upload_uniforms(uniforms_, block.data(), sizeof(block));
 }
 
-Result<SkyCube> Renderer::built_sky(const SkySpec& spec, int size) {
-    auto built = build_sky(spec, assets_directory(), size);
-    if (built)
-        for (std::string& note : built->notes) notes_.push_back(std::move(note));
-    return built;
-}
-
 // One sky is a cube map; two are layers of one texture, so that a pixel fetches once (shaders/object/celestial_sphere.glsl).
 Status Renderer::load_skies(const Scene& scene) {
     const EffectSet& effects = tables_.effects();
@@ -162,18 +155,24 @@ Status Renderer::load_skies(const Scene& scene) {
     for (gl::Texture* texture : {&sky_, &far_sky_, &skies_}) *texture = {};
     sky_spec_.reset(), far_sky_spec_.reset();
     sky_size_ = 0;
-    std::vector<SkyCube> built;
-    for (const auto& spec : {near, far}) {
-        if (!spec) continue;
-        auto sky = built_sky(*spec, size);
-        if (!sky) return sky.error();
-        built.push_back(near && far ? with_borders(*sky) : std::move(*sky));
+    const bool both = near && far;
+    const int levels = sky_levels(size, both);
+    if (both) skies_ = gl::make_sky_layers(bordered_size(size), levels, 12);
+    int layer = 0;
+    for (const auto& [spec, cube] : {std::pair{&near, &sky_}, std::pair{&far, &far_sky_}}) {
+        if (!*spec) continue;
+        const auto painter = SkyPainter::make(**spec, assets_directory(), size, both ? size / kBorderOf : 0);
+        if (!painter) return painter.error();
+        for (std::string& note : painter->notes()) notes_.push_back(std::move(note));
+        if (!both) *cube = gl::make_sky_cube(size, levels);
+        pack_sky(*painter, [&, texture = cube](const PackedRows& rows) {
+            const gl::SkyTexels texels{layer + rows.face, rows.level, rows.first, rows.count, rows.width, rows.texels};
+            if (both) gl::fill_sky_layers(skies_, texels);
+            else gl::fill_sky_cube(*texture, texels);
+        });
+        layer += 6;
     }
-    std::vector<const float*> faces;
-    for (const SkyCube& sky : built)
-        for (const Image<float>& face : sky.faces) faces.push_back(face.data.data());
-    if (near && far) skies_ = gl::make_layers_texture(bordered_size(size), bordered_levels(size), faces);
-    else if (near || far) (near ? sky_ : far_sky_) = gl::make_cube_texture(size, faces.data());
+    gl::check("sky");
     sky_spec_ = near, far_sky_spec_ = far;
     sky_size_ = size;
     return Done{};

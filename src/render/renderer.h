@@ -20,7 +20,6 @@
 #include "scene/ray.h"
 #include "scene/scene.h"
 #include "shaderlib/passes.h"
-#include "sky/sky.h"
 
 namespace nullscope {
 
@@ -89,7 +88,6 @@ private:
     void upload_ends();
     void upload_block(const Scene& scene, const TextureFacts& facts);
     RayFrame draw_rays(const gl::Target& target, int row_step);
-    Result<SkyCube> built_sky(const SkySpec& spec, int size);
     Status load_skies(const Scene& scene);
     Status load_disc(const Scene& scene);
     Status load_bodies(const Scene& scene);

@@ -1,5 +1,5 @@
-// Cube map geometry by the OpenGL 3.3 core specification, table 3.19: major axis and (s_c, t_c) of every face.
-#include <tbb/parallel_for.h>
+// Major axis and (s_c, t_c) of every face.
+#include "sky/cube.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,33 +47,6 @@ Vec3 sample_sky(const SkyCube& sky, Vec3 direction) {
     const Vec3 upper = (1.0 - fx) * texel(x0, y0) + fx * texel(x1, y0);
     const Vec3 lower = (1.0 - fx) * texel(x0, y1) + fx * texel(x1, y1);
     return (1.0 - fy) * upper + fy * lower;
-}
-
-SkyCube with_borders(const SkyCube& sky) {
-    const int border = sky.size / kBorderOf;
-    SkyCube wide;
-    wide.size = bordered_size(sky.size);
-    wide.notes = sky.notes;
-    tbb::parallel_for(std::size_t{0}, sky.faces.size(), [&](std::size_t face) {
-        Image<float>& image = wide.faces[face] = Image<float>(wide.size, wide.size, 3);
-        const auto fill = [&](int y, int first, int last) {
-            for (int x = first; x < last; ++x) {
-                const Vec3 light = sample_sky(sky, cube_direction(static_cast<int>(face), (x - border + 0.5) / sky.size, (y - border + 0.5) / sky.size));
-                float* out = image.at(x, y);
-                out[0] = static_cast<float>(light.x), out[1] = static_cast<float>(light.y), out[2] = static_cast<float>(light.z);
-            }
-        };
-        for (int y = 0; y < wide.size; ++y) {
-            if (y < border || y >= wide.size - border) {
-                fill(y, 0, wide.size);
-                continue;
-            }
-            fill(y, 0, border);
-            std::copy_n(sky.faces[face].at(0, y - border), 3 * sky.size, image.at(border, y));
-            fill(y, wide.size - border, wide.size);
-        }
-    });
-    return wide;
 }
 
 }  // namespace nullscope

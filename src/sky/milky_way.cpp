@@ -1,13 +1,14 @@
-// The Milky Way: the map is evaluated on a coarse grid of every face and interpolated; it has no finer detail.
+// Built without errno from sqrt (src/CMakeLists.txt), so that loops over nodes are vectorised.
+#include "sky/milky_way.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <vector>
 
 #include "base/image_file.h"
-#include "sky/panorama.h"
+#include "sky/cube.h"
+#include "sky/equirectangular.h"
 
 namespace nullscope {
 namespace {
@@ -29,83 +30,112 @@ Weights catmull_rom(double t) {
             -0.5 * s * t * t};
 }
 
+using Light = std::array<float, 4>;   // red, green, blue and nothing: what a processor adds at once
+
+// The map, a Light a pixel.
+std::vector<Light> lights_of(const Image<float>& map) {
+    std::vector<Light> lights(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
+    const float* from = map.data.data();
+    for (Light& light : lights) light = {from[0], from[1], from[2], 0.0f}, from += map.channels;
+    return lights;
+}
+
 // Smooths the map's 8-bit steps and dither as well. Columns are periodic, rows clamped.
-Vec3 sample_map(const Image<float>& map, Vec3 direction) {
-    const PanoramaPosition p = equirectangular_position(map.width, map.height, direction);
+Light sample_map(const std::vector<Light>& map, int width, int height, PanoramaPosition p) {
     const double fx = std::floor(p.x - 0.5), fy = std::floor(p.y - 0.5);
     const Weights wx = b_spline(p.x - 0.5 - fx), wy = b_spline(p.y - 0.5 - fy);
-    Vec3 sum{};
-    for (int j = 0; j < 4; ++j)
-        for (int i = 0; i < 4; ++i) {
-            const int x = (static_cast<int>(fx) + i - 1 + 2 * map.width) % map.width;
-            const int y = std::clamp(static_cast<int>(fy) + j - 1, 0, map.height - 1);
-            const float* c = map.at(x, y);
-            const double w = wx[static_cast<std::size_t>(i)] * wy[static_cast<std::size_t>(j)];
-            sum = sum + w * Vec3{c[0], c[1], c[2]};
+    std::array<int, 4> columns{};
+    for (int i = 0; i < 4; ++i) {
+        const int x = static_cast<int>(fx) + i - 1;
+        const bool inside = x >= 0 && x < width;   // a division for each would be half of the cost
+        columns[static_cast<std::size_t>(i)] = inside ? x : (x % width + width) % width;
+    }
+    Light sum{};
+    for (int j = 0; j < 4; ++j) {
+        const Light* row = map.data() + static_cast<std::size_t>(std::clamp(static_cast<int>(fy) + j - 1, 0, height - 1)) * static_cast<std::size_t>(width);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto w = static_cast<float>(wx[i] * wy[static_cast<std::size_t>(j)]);
+            for (std::size_t c = 0; c < 4; ++c) sum[c] += w * row[columns[i]][c];
         }
+    }
     return sum;
 }
 
-// Values at the corners of a face's cells and one row beyond each edge: neighbours agree on a common edge, so that it
-// does not show.
-class Grid {
-public:
-    Grid(const Image<float>& map, const Mat3& sky_from_world, int face, int cells, double brightness)
-        : nodes_(cells + 3), values_(static_cast<std::size_t>(3 * nodes_) * static_cast<std::size_t>(nodes_)) {
-        tbb::parallel_for(0, nodes_, [&](int y) {
-            float* out = row(y);
-            for (int x = 0; x < nodes_; ++x) {
-                const Vec3 direction = cube_direction(face, (x - 1.0) / cells, (y - 1.0) / cells);
-                const Vec3 value = brightness * sample_map(map, sky_from_world * direction);
-                *out++ = static_cast<float>(value.x);
-                *out++ = static_cast<float>(value.y);
-                *out++ = static_cast<float>(value.z);
-            }
-        });
-    }
-
-    // A row of texels, `fine` of them a cell.
-    void interpolate(int y, int fine, const std::vector<Weights>& weights, float* out) const {
-        std::vector<float> column(static_cast<std::size_t>(3 * nodes_));
-        const Weights& wy = weights[static_cast<std::size_t>(y % fine)];
-        for (int j = 0; j < 4; ++j) {
-            const float* source = row(y / fine + j);
-            const auto w = static_cast<float>(wy[static_cast<std::size_t>(j)]);
-            for (std::size_t i = 0; i < column.size(); ++i) column[i] += w * source[i];
+// Texels of a row from the nodes about it, kFine a cell. Neighbouring faces agree on a common edge: it does not show.
+template <int kFine>
+void interpolate(const float* nodes, int cells, const std::vector<Weights>& weights, float* out) {
+    float w[4][kFine];
+    for (std::size_t i = 0; i < kFine; ++i)
+        for (std::size_t k = 0; k < 4; ++k) w[k][i] = static_cast<float>(weights[i][k]);
+    for (int cell = 0; cell < cells; ++cell, out += kFine) {
+        const float* p = nodes + cell;
+        for (std::size_t i = 0; i < kFine; ++i) {
+            const float value = w[0][i] * p[0] + w[1][i] * p[1] + w[2][i] * p[2] + w[3][i] * p[3];
+            out[i] = value > 0.0f ? value : 0.0f;
         }
-        for (int cell = 0; cell < nodes_ - 3; ++cell)
-            for (int i = 0; i < fine; ++i)
-                for (int c = 0; c < 3; ++c) {
-                    const float* p = column.data() + 3 * cell + c;
-                    const Weights& w = weights[static_cast<std::size_t>(i)];
-                    const double value = w[0] * p[0] + w[1] * p[3] + w[2] * p[6] + w[3] * p[9];
-                    *out++ = static_cast<float>(std::max(value, 0.0));
-                }
     }
-
-private:
-    float* row(int y) { return values_.data() + static_cast<std::size_t>(3 * nodes_) * static_cast<std::size_t>(y); }
-    const float* row(int y) const { return const_cast<Grid*>(this)->row(y); }
-    int nodes_;
-    std::vector<float> values_;
-};
+}
 
 }  // namespace
 
-Status draw_milky_way(SkyCube& sky, const std::filesystem::path& path, const Mat3& world_from_sky, double brightness) {
+Result<MilkyWay> MilkyWay::load(const std::filesystem::path& path, const Mat3& world_from_sky, double brightness, int size, int border) {
     const Result<Image<float>> map = load_image(path);
     if (!map) return failed(map.error().message);
-    const int cells = std::min(sky.size, kGridSize), fine = sky.size / cells;
-    std::vector<Weights> weights;
-    weights.reserve(static_cast<std::size_t>(fine));
-    for (int i = 0; i < fine; ++i) weights.push_back(catmull_rom((i + 0.5) / fine));
+    MilkyWay way;
+    const int cells = std::min(size, kGridSize);
+    way.fine_ = size / cells;
+    for (int i = 0; i < way.fine_; ++i) way.weights_.push_back(catmull_rom((i + 0.5) / way.fine_));
+    const int before = 1 + border / way.fine_;   // nodes on each side beyond the face
+    const int side = way.side_ = cells + 1 + 2 * before;
+    const std::size_t plane = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+    way.values_.resize(6 * 3 * plane);
     const Mat3 sky_from_world = transposed(world_from_sky);
-    for (int face = 0; face < 6; ++face) {
-        const Grid grid(*map, sky_from_world, face, cells, brightness);
-        Image<float>& image = sky.faces[static_cast<std::size_t>(face)];
-        tbb::parallel_for(0, sky.size, [&](int y) { grid.interpolate(y, fine, weights, image.at(0, y)); });
+    const std::vector<Light> lights = lights_of(*map);
+    tbb::parallel_for(0, 6 * side, [&](int task) {
+        const int face = task / side, y = task % side;
+        const FaceAxes axes = face_axes(face);
+        const Vec3 left = sky_from_world * (axes.middle + (2.0 * (y - before) / cells - 1.0) * axes.down), along = sky_from_world * axes.right;
+        std::vector<PanoramaPosition> places(static_cast<std::size_t>(side));
+        for (int x = 0; x < side; ++x)
+            places[static_cast<std::size_t>(x)] = equirectangular_position(map->width, map->height, left + (2.0 * (x - before) / cells - 1.0) * along);
+        float* out = way.values_.data() + 3 * plane * static_cast<std::size_t>(face) + static_cast<std::size_t>(y) * static_cast<std::size_t>(side);
+        for (const PanoramaPosition& place : places) {
+            const Light light = sample_map(lights, map->width, map->height, place);
+            for (std::size_t c = 0; c < 3; ++c) out[c * plane] = static_cast<float>(brightness) * light[c];
+            ++out;
+        }
+    });
+    return way;
+}
+
+const float* MilkyWay::nodes(int face, std::size_t plane, int row) const {
+    const auto side = static_cast<std::size_t>(side_);
+    return values_.data() + ((static_cast<std::size_t>(face) * 3 + plane) * side + static_cast<std::size_t>(row)) * side;
+}
+
+void MilkyWay::paint(SkyRows& rows) const {
+    std::vector<float> column(static_cast<std::size_t>(side_));
+    const int cells = rows.width() / fine_;
+    for (int y = rows.first; y < rows.first + rows.count; ++y) {
+        const int from_top = y + rows.border;
+        const Weights& wy = weights_[static_cast<std::size_t>(from_top % fine_)];
+        for (std::size_t plane = 0; plane < 3; ++plane) {
+            std::fill(column.begin(), column.end(), 0.0f);
+            for (std::size_t j = 0; j < 4; ++j) {
+                const float* source = nodes(rows.face, plane, from_top / fine_ + static_cast<int>(j));
+                const auto w = static_cast<float>(wy[j]);
+                for (std::size_t i = 0; i < column.size(); ++i) column[i] += w * source[i];
+            }
+            float* out = rows.row(plane, y);
+            switch (fine_) {
+                case 1: interpolate<1>(column.data(), cells, weights_, out); break;
+                case 2: interpolate<2>(column.data(), cells, weights_, out); break;
+                case 4: interpolate<4>(column.data(), cells, weights_, out); break;
+                case 8: interpolate<8>(column.data(), cells, weights_, out); break;
+                default: interpolate<16>(column.data(), cells, weights_, out); break;   // faces of 8192, the largest
+            }
+        }
     }
-    return Done{};
 }
 
 }  // namespace nullscope

@@ -1,13 +1,13 @@
 #include "sky/panorama.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/large_image.h"
+#include "sky/cube.h"
+#include "sky/equirectangular.h"
 
 namespace nullscope {
 namespace {
@@ -15,26 +15,6 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 // A bilinear sample covers two pixels, so samples this far apart leave no gap between them.
 constexpr double kPixelsPerSample = 1.5;
-
-// Arctangent of t in [0, 1] by Abramowitz & Stegun 4.4.49. Error below 2e-8 rad: 5e-5 pixels of a 16384-column image.
-constexpr double kArctangent[] = {1.0,           -0.3333314528, 0.1999355085,  -0.1420889944, 0.1065626393,
-                                  -0.0752896400, 0.0429096138,  -0.0161657367, 0.0028662257};
-
-// std::atan2 at a third of its cost; 0 for (0, 0).
-double fast_atan2(double y, double x) {
-    const double ax = std::fabs(x), ay = std::fabs(y), larger = std::max(ax, ay);
-    if (!(larger > 0.0)) return 0.0;
-    const double t = std::min(ax, ay) / larger, q = t * t;
-    double angle = 0.0;
-    for (int i = 8; i >= 0; --i) angle = angle * q + kArctangent[i];
-    angle *= t;
-    if (ay > ax) angle = 0.5 * kPi - angle;
-    if (x < 0.0) angle = kPi - angle;
-    return std::copysign(angle, y);
-}
-
-double azimuth(Vec3 d) { return fast_atan2(d.y, d.x); }
-double latitude(Vec3 d) { return fast_atan2(d.z, std::sqrt(d.x * d.x + d.y * d.y)); }
 
 // Columns are periodic or clamped, rows clamped.
 Vec3 bilinear(const Image<float>& image, double x, double y, bool periodic) {
@@ -54,53 +34,20 @@ Vec3 bilinear(const Image<float>& image, double x, double y, bool periodic) {
             wa * a[2] + wb * b[2] + wc * c[2] + wd * d[2]};
 }
 
-// Fills every face: sample(sky direction, any length) -> radiance, averaged over n x n samples a texel.
-template <class Sample>
-void fill(SkyCube& sky, const Mat3& world_from_sky, int n, double brightness, const Sample& sample) {
-    const Mat3 sky_from_world = transposed(world_from_sky);
-    const double step = 1.0 / (static_cast<double>(sky.size) * n);
-    const double weight = brightness / (static_cast<double>(n) * n);
-    tbb::parallel_for(0, 6 * sky.size, [&](int task) {
-        const int face = task / sky.size, y = task % sky.size;
-        float* out = sky.faces[static_cast<std::size_t>(face)].at(0, y);
-        for (int x = 0; x < sky.size; ++x, out += 3) {
-            Vec3 sum{};
-            for (int j = 0; j < n; ++j)
-                for (int i = 0; i < n; ++i)
-                    sum = sum + sample(sky_from_world *
-                                       cube_direction(face, (x * n + i + 0.5) * step, (y * n + j + 0.5) * step));
-            out[0] = static_cast<float>(weight * sum.x);
-            out[1] = static_cast<float>(weight * sum.y);
-            out[2] = static_cast<float>(weight * sum.z);
-        }
-    });
-}
-
 int samples_per_texel(double pixels_per_radian, int face_size) {
     return std::max(1, static_cast<int>(std::ceil(pixels_per_radian * 2.0 / face_size / kPixelsPerSample)));
 }
 
 // Images are read no larger than this: 4 columns a texel along the faces' equator, where 3.14 lie in the middle of a face and one at
 // its edge is 2 times as fine; never less than 8192, so that only the largest are touched.
-Result<Image<float>> load_for(SkyCube& sky, const std::filesystem::path& path) {
+Result<Image<float>> load_for(int face_size, const std::filesystem::path& path, std::vector<std::string>& notes) {
     constexpr int kLeastSide = 8192, kColumnsPerTexel = 4;
-    const int side = std::max(kLeastSide, kColumnsPerTexel * sky.size);
+    const int side = std::max(kLeastSide, kColumnsPerTexel * face_size);
     auto fitted = load_fitted_image(path, {.max_side = side});
     if (!fitted) return fitted.error();
     if (fitted->reduced())
-        sky.notes.push_back(reduction_words(path, *fitted, fmt::format("the sky's faces are of {} px", sky.size)));
+        notes.push_back(reduction_words(path, *fitted, fmt::format("the sky's faces are of {} px", face_size)));
     return std::move(fitted->image);
-}
-
-Status draw_equirectangular(SkyCube& sky, const SkySpec& spec, const Mat3& world_from_sky) {
-    const Result<Image<float>> image = load_for(sky, spec.image);
-    if (!image) return image.error();
-    const double density = std::max(image->width / (2.0 * kPi), image->height / kPi);
-    fill(sky, world_from_sky, samples_per_texel(density, sky.size), spec.brightness, [&](Vec3 d) {
-        const PanoramaPosition p = equirectangular_position(image->width, image->height, d);
-        return bilinear(*image, p.x, p.y, true);
-    });
-    return Done{};
 }
 
 // Seen from inside and upright, with the band's middle (azimuth 0) in front: the north cap joins above the band with
@@ -114,39 +61,62 @@ Vec3 sample_cap(const Image<float>& image, double side, double phi, double fract
     return bilinear(image, x, y, false);
 }
 
-Status draw_band_and_caps(SkyCube& sky, const SkySpec& spec, const Mat3& world_from_sky) {
-    const double limit = spec.band_latitude;
-    if (!(limit > 0.0 && limit < 0.5 * kPi))
-        return bad_input(fmt::format("sky: band latitude {} is outside (0, pi/2)", limit));
-    const Result<Image<float>> band = load_for(sky, spec.image);
-    if (!band) return band.error();
-    const Result<Image<float>> north = load_for(sky, spec.north_cap);
-    if (!north) return north.error();
-    const Result<Image<float>> south = load_for(sky, spec.south_cap);
-    if (!south) return south.error();
-    const double cap_angle = 0.5 * kPi - limit;
-    const auto cap_density = [&](const Image<float>& cap) { return 0.5 * std::min(cap.width, cap.height) / cap_angle; };
-    const double density =
-        std::max({band->width / (2.0 * kPi), band->height / (2.0 * limit), cap_density(*north), cap_density(*south)});
-    fill(sky, world_from_sky, samples_per_texel(density, sky.size), spec.brightness, [&](Vec3 d) {
-        const double phi = azimuth(d), beta = latitude(d);
-        if (beta > limit) return sample_cap(*north, 1.0, phi, (0.5 * kPi - beta) / cap_angle);
-        if (beta < -limit) return sample_cap(*south, -1.0, phi, (0.5 * kPi + beta) / cap_angle);
-        const double y = 0.5 * (1.0 - beta / limit) * band->height;
-        return bilinear(*band, (0.5 - phi / (2.0 * kPi)) * band->width, y, true);
-    });
-    return Done{};
-}
-
 }  // namespace
 
-PanoramaPosition equirectangular_position(int width, int height, Vec3 direction) {
-    return {(0.5 - azimuth(direction) / (2.0 * kPi)) * width, (0.5 - latitude(direction) / kPi) * height};
+Result<Panorama> Panorama::load(const SkySpec& spec, const Mat3& world_from_sky, int face_size) {
+    Panorama made;
+    made.mapping_ = spec.mapping;
+    made.band_latitude_ = spec.band_latitude;
+    made.sky_from_world_ = transposed(world_from_sky);
+    const bool caps = spec.mapping != SkyMapping::kEquirectangular;
+    const double limit = caps ? spec.band_latitude : 0.5 * kPi;
+    if (caps && !(limit > 0.0 && limit < 0.5 * kPi))
+        return bad_input(fmt::format("sky: band latitude {} is outside (0, pi/2)", limit));
+    auto image = load_for(face_size, spec.image, made.notes_);
+    if (!image) return image.error();
+    made.image_ = std::move(*image);
+    double density = std::max(made.image_.width / (2.0 * kPi), made.image_.height / (2.0 * limit));
+    if (caps)
+        for (const auto& [file, cap] : {std::pair{&spec.north_cap, &made.north_}, std::pair{&spec.south_cap, &made.south_}}) {
+            auto loaded = load_for(face_size, *file, made.notes_);
+            if (!loaded) return loaded.error();
+            *cap = std::move(*loaded);
+            density = std::max(density, 0.5 * std::min(cap->width, cap->height) / (0.5 * kPi - limit));
+        }
+    made.samples_ = samples_per_texel(density, face_size);
+    made.brightness_ = spec.brightness;
+    return made;
 }
 
-Status draw_image(SkyCube& sky, const SkySpec& spec, const Mat3& world_from_sky) {
-    return spec.mapping == SkyMapping::kEquirectangular ? draw_equirectangular(sky, spec, world_from_sky)
-                                                        : draw_band_and_caps(sky, spec, world_from_sky);
+Vec3 Panorama::sample_band_and_caps(Vec3 d) const {
+    const double phi = azimuth_of(d), beta = latitude_of(d), limit = band_latitude_, cap_angle = 0.5 * kPi - limit;
+    if (beta > limit) return sample_cap(north_, 1.0, phi, (0.5 * kPi - beta) / cap_angle);
+    if (beta < -limit) return sample_cap(south_, -1.0, phi, (0.5 * kPi + beta) / cap_angle);
+    const double y = 0.5 * (1.0 - beta / limit) * image_.height;
+    return bilinear(image_, (0.5 - phi / (2.0 * kPi)) * image_.width, y, true);
+}
+
+Vec3 Panorama::sample(Vec3 d) const {
+    if (mapping_ != SkyMapping::kEquirectangular) return sample_band_and_caps(d);
+    const PanoramaPosition p = equirectangular_position(image_.width, image_.height, d);
+    return bilinear(image_, p.x, p.y, true);
+}
+
+void Panorama::paint(SkyRows& rows) const {
+    const int n = samples_;
+    const double step = 1.0 / (static_cast<double>(rows.size) * n), weight = brightness_ / (static_cast<double>(n) * n);
+    for (int y = rows.first; y < rows.first + rows.count; ++y) {
+        float *red = rows.row(0, y), *green = rows.row(1, y), *blue = rows.row(2, y);
+        for (int x = -rows.border; x < rows.size + rows.border; ++x) {
+            Vec3 sum{};
+            for (int j = 0; j < n; ++j)
+                for (int i = 0; i < n; ++i)
+                    sum = sum + sample(sky_from_world_ * cube_direction(rows.face, (x * n + i + 0.5) * step, (y * n + j + 0.5) * step));
+            *red++ = static_cast<float>(weight * sum.x);
+            *green++ = static_cast<float>(weight * sum.y);
+            *blue++ = static_cast<float>(weight * sum.z);
+        }
+    }
 }
 
 }  // namespace nullscope

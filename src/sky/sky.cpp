@@ -1,36 +1,13 @@
 #include "sky/sky.h"
 
-#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
-#include <bit>
 #include <cmath>
 
-#include "sky/panorama.h"
-#include "sky/star_catalogue.h"
-#include "sky/star_light.h"
+#include "sky/sky_painter.h"
 
 namespace nullscope {
-namespace {
-
-constexpr int kMinFaceSize = 16, kMaxFaceSize = 8192;
-
-// Radiance of the Milky Way's brightest cloud, linear: sRGB 0.38, below a star of V = 5 as under a dark sky.
-constexpr double kMilkyWayPeak = 0.12;
-
-Status draw_haze(SkyCube& sky, const SkySpec& spec, const std::filesystem::path& assets, const Mat3& world_from_sky) {
-    return draw_milky_way(sky, assets / "sky" / "milky-way.png", world_from_sky, spec.brightness * kMilkyWayPeak);
-}
-
-Status draw_stars(SkyCube& sky, const SkySpec& spec, const std::filesystem::path& assets, const Mat3& world_from_sky) {
-    const Result<std::vector<Star>> stars = load_stars(assets / "sky" / "stars.bin");
-    if (!stars) return stars.error();
-    if (Status drawn = draw_haze(sky, spec, assets, world_from_sky); !drawn) return drawn;
-    add_stars(sky, *stars, world_from_sky, spec.brightness);
-    return Done{};
-}
-
-}  // namespace
 
 Mat3 sky_rotation(const SkySpec& spec) {
     const double cy = std::cos(spec.yaw), sy = std::sin(spec.yaw), ct = std::cos(spec.tilt), st = std::sin(spec.tilt);
@@ -38,19 +15,26 @@ Mat3 sky_rotation(const SkySpec& spec) {
 }
 
 Result<SkyCube> build_sky(const SkySpec& spec, const std::filesystem::path& assets, int face_size) {
-    if (face_size < kMinFaceSize || face_size > kMaxFaceSize || !std::has_single_bit(static_cast<unsigned>(face_size)))
-        return bad_input(
-            fmt::format("sky: face size {} is not a power of two in [{}, {}]", face_size, kMinFaceSize, kMaxFaceSize));
+    const auto painter = SkyPainter::make(spec, assets, face_size, 0);
+    if (!painter) return painter.error();
+    return painted_sky(*painter);
+}
+
+SkyCube painted_sky(const SkyPainter& painter) {
+    constexpr int kRows = 16;   // a task's: the smallest face's all
     SkyCube sky;
-    sky.size = face_size;
-    tbb::parallel_for(std::size_t{0}, sky.faces.size(),
-                      [&](std::size_t face) { sky.faces[face] = Image<float>(face_size, face_size, 3); });
-    const Mat3 world_from_sky = sky_rotation(spec);
-    Status drawn = Done{};
-    if (spec.kind == SkyKind::kStars) drawn = draw_stars(sky, spec, assets, world_from_sky);
-    if (spec.kind == SkyKind::kPoints) drawn = draw_haze(sky, spec, assets, world_from_sky);
-    if (spec.kind == SkyKind::kImage) drawn = draw_image(sky, spec, world_from_sky);
-    if (!drawn) return drawn.error();
+    sky.size = painter.face_size();
+    sky.notes = painter.notes();
+    tbb::parallel_for(std::size_t{0}, sky.faces.size(), [&](std::size_t face) { sky.faces[face] = Image<float>(sky.size, sky.size, 3); });
+    tbb::enumerable_thread_specific<SkyRows> scratch;
+    const int tasks = sky.size / kRows;
+    tbb::parallel_for(0, 6 * tasks, [&](int task) {
+        SkyRows& rows = scratch.local();
+        painter.paint(task / tasks, task % tasks * kRows, kRows, rows);
+        float* out = sky.faces[static_cast<std::size_t>(rows.face)].at(0, rows.first);
+        for (std::size_t i = 0; i < rows.texels(); ++i)
+            for (const std::vector<float>& plane : rows.planes) *out++ = plane[i];
+    });
     return sky;
 }
 

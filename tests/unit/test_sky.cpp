@@ -9,8 +9,10 @@
 #include "base/atomic_file.h"
 #include "base/image_file.h"
 #include "base_temporary_folder.h"
-#include "sky/panorama.h"
+#include "sky/milky_way.h"
+#include "sky/packed_sky.h"
 #include "sky/sky.h"
+#include "sky/sky_painter.h"
 #include "sky/star_catalogue.h"
 #include "sky/star_light.h"
 #include "support/folders.h"
@@ -40,6 +42,26 @@ SkyCube black(int size) {
     sky.size = size;
     for (Image<float>& face : sky.faces) face = Image<float>(size, size, 3);
     return sky;
+}
+
+// Faces that paint(rows) fills, all rows of a face at once.
+template <class Paint>
+SkyCube faces_of(int size, const Paint& paint) {
+    SkyCube sky = black(size);
+    for (int face = 0; face < 6; ++face) {
+        SkyRows rows{face, size, 0, 0, size, {}};
+        for (auto& plane : rows.planes) plane.assign(rows.texels(), 0.0f);
+        paint(rows);
+        float* out = sky.faces[static_cast<std::size_t>(face)].data.data();
+        for (std::size_t i = 0; i < rows.texels(); ++i)
+            for (const auto& plane : rows.planes) *out++ = plane[i];
+    }
+    return sky;
+}
+
+SkyCube star_faces(int size, const std::vector<Star>& stars) {
+    const StarPainter painter(stars, Mat3{}, 1.0, size, 0);
+    return faces_of(size, [&](SkyRows& rows) { painter.add(rows); });
 }
 
 double luminance(Vec3 c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
@@ -121,35 +143,6 @@ TEST_CASE("cube_direction and cube_position agree with OpenGL 3.3 table 3.19") {
             }
 }
 
-TEST_CASE("with_borders: a face goes on into its neighbours, and its own texels stay") {
-    constexpr int kFace = 64, kBorder = kFace / kBorderOf;
-    SkyCube sky;
-    sky.size = kFace;
-    for (int face = 0; face < 6; ++face) {
-        Image<float>& image = sky.faces[static_cast<std::size_t>(face)] = Image<float>(kFace, kFace, 3);
-        for (int y = 0; y < kFace; ++y)
-            for (int x = 0; x < kFace; ++x) {
-                const Vec3 c = colour_of(cube_direction(face, (x + 0.5) / kFace, (y + 0.5) / kFace));
-                const float values[3] = {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
-                std::copy_n(values, 3, image.at(x, y));
-            }
-    }
-    const SkyCube wide = with_borders(sky);
-    REQUIRE(wide.size == kFace + 2 * kBorder);
-    CHECK((wide.size >> (bordered_levels(kFace) - 1)) == 17);   // 16 texels of the face and half a texel on each side
-    constexpr double kTexel = 2.0 / kFace;   // a colour changes by at most 0.4 a radian; next to an edge samples are clamped
-    for (int face = 0; face < 6; ++face)
-        for (int y = 0; y < wide.size; ++y)
-            for (int x = 0; x < wide.size; ++x) {
-                const int u = x - kBorder, v = y - kBorder;
-                const float* c = wide.faces[static_cast<std::size_t>(face)].at(x, y);
-                if (u >= 0 && u < kFace && v >= 0 && v < kFace)
-                    CHECK(std::equal(c, c + 3, sky.faces[static_cast<std::size_t>(face)].at(u, v)));
-                else
-                    CHECK(length(Vec3{c[0], c[1], c[2]} - colour_of(cube_direction(face, (u + 0.5) / kFace, (v + 0.5) / kFace))) < kTexel);
-            }
-}
-
 TEST_CASE("sample_sky: texel centres exactly, bilinear between, clamped at the edge of a face") {
     SkyCube sky = black(16);
     for (int x = 0; x < 16; ++x)
@@ -174,8 +167,7 @@ TEST_CASE("a star's flux does not depend on where it lies, nor on the size of th
             kPeakOfMagnitude5 * 2.0 * kPi * reference * reference * std::pow(10.0, -0.4 * (magnitude - 5.0));
         for (const int size : {64, kSize, 512})
             for (const Vec3& place : places) {
-                SkyCube sky = black(size);
-                add_stars(sky, {{normalized(place), magnitude, 90}}, Mat3{}, 1.0);
+                const SkyCube sky = star_faces(size, {{normalized(place), magnitude, 90}});
                 CHECK(std::fabs(total_flux(sky) / expected - 1.0) < kFluxError);  // Approx is absolute below 1
             }
     }
@@ -186,8 +178,7 @@ TEST_CASE("a star's radiance depends on the angle to it only") {
     const double reference = core_sigma(kReferenceFace), sigma = core_sigma(kSize);
     const double peak = kPeakOfMagnitude5 * std::pow(10.0, -0.4) * reference * reference / (sigma * sigma);
     for (const Vec3 place : {Vec3{1, 0.001, 0.002}, Vec3{1, 1, 0.3}, Vec3{-1, 1, -1}, Vec3{0.98, -0.97, 1}}) {
-        SkyCube sky = black(kSize);
-        add_stars(sky, {{normalized(place), 6.0, 90}}, Mat3{}, 1.0);
+        const SkyCube sky = star_faces(kSize, {{normalized(place), 6.0, 90}});
         double worst = 0.0;
         for (int face = 0; face < 6; ++face)
             for (int y = 0; y < kSize; ++y)
@@ -274,8 +265,9 @@ TEST_CASE("the star sky is not mirrored and turns with yaw and tilt") {
 }
 
 TEST_CASE("the Milky Way is brightest near the galactic centre, dark at the poles and has no seams") {
-    SkyCube sky = black(kSize);
-    REQUIRE(draw_milky_way(sky, kAssets / "sky" / "milky-way.png", Mat3{}, 1.0));
+    const auto haze = MilkyWay::load(kAssets / "sky" / "milky-way.png", Mat3{}, 1.0, kSize, 0);
+    REQUIRE(haze);
+    const SkyCube sky = faces_of(kSize, [&](SkyRows& rows) { haze->paint(rows); });
     Vec3 brightest{};
     double peak = 0.0;
     for (int face = 0; face < 6; ++face)
