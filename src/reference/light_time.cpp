@@ -71,6 +71,28 @@ double LightClock::late(double angle) {
     return by_v_ ? sum + r + tortoise_excess(metric_, r) - r0_ : start_ + sum;
 }
 
+namespace {
+
+// t from the turning point r0 to r of Schwarzschild's metric, less s = sqrt(r^2 - r0^2), what it is without a mass. With A = 1 - 1/r,
+// b^2 = r0^2/A(r0), and d = r - r0 = s^2/(r + r0)
+//     dt/ds = 1/(A sqrt(U)),  U = (r/s)^2 (1 - b^2 A/r^2) = [r0^2 (2 r0 - 3) + (r0 - 1) d (3 r0 + d)] / [(r0 - 1) r (r + r0)],
+//     dt/ds - 1 = (1 - A^2 U)/(A sqrt(U) (1 + A sqrt(U))),  1 - A^2 U = (2 - 1/r)/r + A^2 r0^2/[(r0 - 1) r (r + r0)]:
+// every term is positive. Panels that double, from within the distance at which U leaves its least value: 15 nodes leave 1e-16.
+double mass_part(double r0, double r) {
+    const auto rate = [&](double s) {
+        const double at = std::hypot(r0, s), d = s * s / (at + r0), a = (at - 1) / at, below = (r0 - 1) * at * (at + r0);
+        const double u = (r0 * r0 * (2 * r0 - 3) + (r0 - 1) * d * (3 * r0 + d)) / below, root = a * std::sqrt(u);
+        return ((2 - 1 / at) / at + a * a * r0 * r0 / below) / (root * (1 + root));
+    };
+    const double end = std::sqrt((r - r0) * (r + r0)), bend = r0 * std::sqrt(std::min(2 * (2 * r0 - 3) / (3 * (r0 - 1)), 1.0));
+    double sum = 0;
+    for (double from = 0, to = std::max(0.25 * bend, 1e-8); from < end; from = to, to *= 2)
+        sum += boost::math::quadrature::gauss<double, 15>::integrate(rate, from, std::min(to, end));
+    return sum;
+}
+
+}  // namespace
+
 std::optional<Passage> light_past(const OrbitMetric& metric, double from, double to, double impact) {
     const auto orbit = metric.from_reduced({1 / impact, 1 / from, 1});
     if (!orbit || !std::isfinite((*orbit)->turn())) return std::nullopt;
@@ -79,9 +101,9 @@ std::optional<Passage> light_past(const OrbitMetric& metric, double from, double
     std::uintmax_t steps = 200;
     const auto there = boost::math::tools::toms748_solve([&](double angle) { return (*orbit)->zeta_at(angle) - 1 / to; }, turn, (*orbit)->angle() * (1 - 1e-15),
                                                          boost::math::tools::eps_tolerance<double>(52), steps);
-    LightClock clock(metric, **orbit, 1 / impact, from, false);
+    const double straight = std::sqrt((from - closest) * (from + closest)) + std::sqrt((to - closest) * (to + closest));
     const double angle = to == from ? 2 * turn : 0.5 * (there.first + there.second);
-    return Passage{clock.late(angle), closest, angle};
+    return Passage{straight + (mass_part(closest, from) + mass_part(closest, to)), closest, angle};
 }
 
 }  // namespace nullscope::reference

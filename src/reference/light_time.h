@@ -14,7 +14,8 @@ double tortoise_excess(const OrbitMetric& metric, double r);
 struct Passage {
     double time, closest, angle;   // t; r of the turning point; swept
 };
-// Light from r = `from` past the mass to r = `to`, impact parameter b. Nothing where it does not come by there.
+// Light from r = `from` past a Schwarzschild mass to r = `to`, impact parameter b. Nothing where it does not come by there. Time by
+// radius, not by angle: far out one rounding of the angle is r^2/b of them in the radius. Within 4 roundings of the time.
 std::optional<Passage> light_past(const OrbitMetric& metric, double from, double to, double impact);
 
 // Of one ray. What is told is the camera's clock minus t of the place: t at a camera at rest; v - r, v = t + r_*, at one that falls.
