@@ -79,7 +79,9 @@ constexpr SceneKey kKeys[] = {
      "Turn about the line of sight that takes the camera's top to its right, after pitch.",
      [](Scene& s, const KeyValue& v) { s.camera.roll = v.number; }},
     {"camera", "observer", KeyType::kChoice, "", "static", kNone, "static rain fall throw orbit zamo carter counter-orbit",
-     "Who holds the camera: at rest; fallen from rest at infinity, or at fall_from; thrown in with energy; on a circular orbit, or the other way round; about a spinning hole without angular momentum, or as Carter.",
+     "Observer: static; rain (free fall from rest at infinity); fall (from rest at fall_from); throw (geodesic of given "
+     "energy); orbit and counter-orbit (prograde, retrograde circular geodesic); zamo (without angular momentum) and "
+     "carter (Carter's frame), about a rotating hole.",
      [](Scene& s, const KeyValue& v) { s.camera.observer = static_cast<ObserverKind>(v.choice); }},
     {"camera", "fall_from", KeyType::kNumber, "r_s", "1e+06", kRadius, "",
      "Radius where the fall began; needs observer = \"fall\".",
@@ -178,7 +180,7 @@ constexpr SceneKey kKeys[] = {
      "Image whose square covers the disc's square; the disc image that ships where it is missing. Needs texture = \"image\".",
      [](Scene& s, const KeyValue& v) { s.disc->image = v.path; }},
     {"disc", "emission", KeyType::kChoice, "", "image", kNone, "image thermal",
-     "Whence its light: image or texture, as they are, or the heat that matter gains on its way in (these then give emissivities).",
+     "Where its light comes from: image or texture, as they are, or the heat that matter gains on its way in (these then give emissivities).",
      [](Scene& s, const KeyValue& v) { s.disc->emission = static_cast<DiscEmission>(v.choice); }},
     {"disc", "temperature", KeyType::kNumber, "K", "8000", kTemperature, "",
      "Of the hottest ring of a thermal disc, in its own frame; brightness 1 is that ring's.",
@@ -216,7 +218,7 @@ constexpr SceneKey kKeys[] = {
      [](Scene& s, const KeyValue& v) { s.spot->brightness = v.number; }},
     {"spot", "temperature", KeyType::kNumber, "K", "8000", kTemperature, "", "Of the black body whose colour it has.",
      [](Scene& s, const KeyValue& v) { s.spot->temperature_K = v.number; }},
-    {"spot", "count", KeyType::kWhole, "", "1", kSpots, "", "So many of them, evenly spread over the orbit.",
+    {"spot", "count", KeyType::kWhole, "", "1", kSpots, "", "Number of spots, evenly spaced along the orbit.",
      [](Scene& s, const KeyValue& v) { s.spot->count = v.width; }},
 
     {"light", "shift", KeyType::kChoice, "", "on", kNone, "on off",
