@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string>
 
 #include "base/assets.h"
 #include "base/atomic_file.h"
@@ -15,6 +16,7 @@ namespace {
 
 using namespace nullscope;
 using namespace nullscope::test;
+using namespace std::string_literals;
 
 using Names = std::set<std::string>;
 
@@ -65,7 +67,7 @@ std::vector<Scene> full_scenes() {
     holes.sphere.emplace().look.texture = TextureKind::kChecker;
     holes.cylinder.emplace().look.texture = TextureKind::kNoise;
     BodyLook& ball = holes.ball.emplace().look;
-    ball.texture = TextureKind::kFormula, ball.formula = "u";
+    ball.texture = TextureKind::kFormula, ball.formula = "u"s;
     BodyLook& surface = holes.surface.emplace().look;
     surface.texture = TextureKind::kImage, surface.image = assets_directory() / "sky" / "milky-way.png";
     scenes[1].spacetime.metric = "ellis";

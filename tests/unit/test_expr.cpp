@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 
 #include "expr/formula.h"
 #include "scene/named_surface.h"
 
 using namespace nullscope;
+using namespace std::string_literals;
 using expr::Formula;
 
 namespace {
@@ -91,8 +93,8 @@ TEST_CASE("formulas: limits of length, size and depth, on either side") {
     CHECK(Formula::parse(std::string(expr::kLongest - 1, ' ') + "x", kNames));
     CHECK(fault(std::string(expr::kLongest, ' ') + "x").find("longer than 1000 bytes") != std::string::npos);
     const int sum = static_cast<int>(expr::kMostNodes) / 2 - 1;  // x+x+...: two nodes a term after the first
-    CHECK(Formula::parse("x" + repeated("+x", sum), kNames));
-    CHECK(fault("x" + repeated("+x", sum + 1)).find("more than 256 operands") != std::string::npos);
+    CHECK(Formula::parse("x"s + repeated("+x", sum), kNames));
+    CHECK(fault("x"s + repeated("+x", sum + 1)).find("more than 256 operands") != std::string::npos);
     CHECK(Formula::parse(repeated("-", expr::kDeepest - 1) + "x", kNames));
     CHECK(fault(repeated("-", expr::kDeepest) + "x").find("nested more than 32 deep") != std::string::npos);
     for (const char* opening : {"(", "-(", "sin(", "2^("})

@@ -9,6 +9,7 @@
 #include "shaderlib/shader_source.h"
 
 using namespace nullscope;
+using namespace std::string_literals;
 
 namespace {
 
@@ -37,8 +38,8 @@ std::vector<Scene> all_scenes() {
             scene.picture.bloom = has(8) && has(0) ? 0.1 : 0.0;
             if (has(2) && has(9) && has(8)) scene.sky.kind = SkyKind::kPoints;
             if (has(1) && has(3) && has(7)) scene.sky.kind = static_cast<SkyKind>(static_cast<int>(SkyKind::kPlain) + static_cast<int>(bits % 6));
-            if (has(2) && has(1) && has(6)) scene.disc->look.texture = kind, scene.disc->look.formula = "v";
-            scene.sky.look.formula = "u";
+            if (has(2) && has(1) && has(6)) scene.disc->look.texture = kind, scene.disc->look.formula = "v"s;
+            scene.sky.look.formula = "u"s;
             if (has(5)) scene.sphere.emplace().look.texture = kind;
             if (has(6)) scene.cylinder.emplace().look.texture = kind;
             if (has(7)) scene.ball.emplace().look.texture = kind;
