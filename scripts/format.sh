@@ -17,11 +17,7 @@ fi
 if [[ $# -gt 0 ]]; then
     files=("$@")
 else
-    folders=()
-    for folder in src tests bench; do
-        [[ ! -d $root/$folder ]] || folders+=("$root/$folder")
-    done
-    mapfile -t files < <(find "${folders[@]}" -name '*.h' -o -name '*.cpp' | sort)
+    mapfile -t files < <(find "$root/src" "$root/tests" -name '*.h' -o -name '*.cpp' | sort)
 fi
 
 if [[ $check == no ]]; then
