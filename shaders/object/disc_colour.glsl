@@ -49,7 +49,7 @@ vec4 disc_cover(vec2 place, vec2 a, vec2 b) {
 }
 
 #ifdef EFFECT_DISC_FLOW
-vec4 disc_moving(DiscCrossing crossing, float late);   // object/disc_moving.glsl
+vec4 disc_flow(DiscCrossing crossing, float late);   // object/disc_flow.glsl
 #endif
 #ifdef EFFECT_SPOT
 vec3 spot_light(Trace trace, DiscCrossing crossing, float late);   // object/spot.glsl
@@ -70,7 +70,7 @@ vec4 disc_colour(Trace trace, DiscCrossing crossing) {
 #endif
 #endif
 #ifdef EFFECT_DISC_FLOW
-    vec4 texel = disc_moving(crossing, late);
+    vec4 texel = disc_flow(crossing, late);
 #else
     vec4 texel = disc_cover(crossing.place, a, b);
 #endif
@@ -91,7 +91,7 @@ vec4 disc_colour(Trace trace, DiscCrossing crossing) {
 #endif
     vec3 light = texel.rgb * frame.disc_look.z;
 #ifdef EFFECT_THERMAL_DISC
-    light *= thermal_light(disc_flow(trace, crossing));
+    light *= thermal_light(disc_matter(trace, crossing));
 #endif
 #ifdef EFFECT_SPOT
     return vec4(light * alpha + spot, alpha);

@@ -1,37 +1,38 @@
-// How the disc's matter moves and how hot it is: disc_flow_texture, cells of equal ln r.
+// A pattern that every ring carries round with its own speed. Wound up for ever it would be shredded: two copies of it, each of which
+// starts half a life back and is wound until half a life ahead of where it is drawn, half a life apart; each fades in and out, and
+// comes back turned. DISC_COPIES of them until they repeat.
 
-#define DISC_FLOW_CELLS 1024
+#define DISC_COPIES 4096.0
+#define DISC_GOLDEN 0.61803398875
 
-struct DiscFlow {
-    float heat;   // log2 of the temperature over the hottest ring's
-    float g;      // frequency in the camera over frequency in the matter
-};
+vec2 disc_turned(vec2 v, float c, float s) { return vec2(c * v.x + s * v.y, c * v.y - s * v.x); }   // back by an angle
 
-// Frequency of a photon in the matter, over its energy at infinity: u^t - (L_z/E) u^phi - (k_r/E) u^r. The photon's real motion is
-// that of the traced ray backward: L_z/E = (n x e) . normal / (q s), k_r/E = (1/q) (d zeta / d phi) / A. About a
-// spinning hole k_r/E = (d zeta / d tau) g_rr / E (core/kerr.glsl). The row's last number holds the metric's part of it.
-DiscFlow disc_flow(Trace trace, DiscCrossing crossing) {
-    float x = clamp(log(crossing.r * frame.disc_heat.x) * frame.disc_heat.y, 0.0, float(DISC_FLOW_CELLS) - 0.001);
-    int i = int(x);
-    vec4 low = disc_flow_fetch(i);
-    vec4 high = disc_flow_fetch(i + 1);
-    vec4 flow = low + (x - float(i)) * (high - low);
+// late: how long ago the light left that arrives now.
+vec4 disc_flow(DiscCrossing crossing, float late) {
+    float zeta = 1.0 / crossing.r;
 #ifdef EFFECT_SPIN
-    // By frequencies, not by ratios to E: light may reach a camera in the hole with an energy below 0.
-    float frequency = trace.energy * flow.y - trace.momentum * flow.z - crossing.climb * flow.w;
+    float root = sqrt(crossing.r);
+    float omega = 1.0 / (1.41421356237 * crossing.r * root + frame.spin_hole.x);   // with the spin
+    float omega_slope = -2.12132034356 * root * omega * omega;
 #else
-    vec3 normal = vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z);
-    float inverse_v = 1.0 / q_sine(trace.c);
-    float momentum = dot(crossed_direction(trace), normal) * inverse_v;
-    float radial = trace.s * inverse_v * crossing.zeta_slope;
+    float omega = sqrt(max(zeta * zeta * zeta * (frame.disc_winding.z - frame.disc_winding.w * zeta), 0.0));
+    float omega_slope = -0.5 * zeta * zeta * zeta * zeta * (3.0 * frame.disc_winding.z - 4.0 * frame.disc_winding.w * zeta) / max(omega, 1.0e-20);
 #endif
-    DiscFlow result;
-    result.heat = flow.x;
-#ifdef EFFECT_SPIN
-    result.g = trace.doppler / max(frequency, 1.0e-6);
-    return result;
-#else
-    result.g = g_of(trace) / max(flow.y - momentum * flow.z - radial * flow.w, 1.0e-6);
-    return result;
-#endif
+    vec2 outward = crossing.place * zeta;
+    vec2 around = vec2(-outward.y, outward.x);
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < 2; ++i) {
+        float phase = frame.disc_winding.x - late * frame.disc_winding.y + 0.5 * float(i);
+        float copy = floor(phase);
+        float part = phase - copy;
+        float age = (part - 0.5) / frame.disc_winding.y;
+        float angle = omega * age + 6.28318530717958647693 * fract(DISC_GOLDEN * (copy - DISC_COPIES * floor(copy / DISC_COPIES)));
+        float shear = crossing.r * omega_slope * age;   // across for each step outward
+        vec2 a = crossing.along - around * (shear * dot(crossing.along, outward));
+        vec2 b = crossing.across - around * (shear * dot(crossing.across, outward));
+        float c = cos(angle);
+        float s = sin(angle);
+        sum += disc_cover(disc_turned(crossing.place, c, s), disc_turned(a, c, s), disc_turned(b, c, s)) * (1.0 - abs(2.0 * part - 1.0));
+    }
+    return sum;
 }

@@ -10,7 +10,7 @@
 namespace nullscope {
 namespace {
 
-constexpr double kCopies = 4096.0;   // DISC_COPIES of shaders/object/disc_moving.glsl
+constexpr double kCopies = 4096.0;   // DISC_COPIES of shaders/object/disc_flow.glsl
 
 std::array<double, 4> delay_row(const Scene& scene, const Spacetime& spacetime) {
     // About a spinning hole r_* of the camera, or r where its clock is v - r: what T less r_* of a place is late by.

@@ -28,7 +28,7 @@ constexpr int kSourceUnit = kStripUnit, kHaloUnit = kOrbitUnit, kMeterUnit = kSk
 constexpr std::pair<const char*, int> kSamplers[] = {
     {"strip_texture", kStripUnit}, {"ends_texture", kEndsUnit}, {"orbit_texture", kOrbitUnit}, {"sky_texture", kSkyUnit},
     {"other_side_texture", kFarSkyUnit}, {"disc_texture", kDiscUnit}, {"table_texture", kTableUnit},
-    {"disc_flow_texture", kDiscFlowUnit}, {"black_body_texture", kBlackBodyUnit}, {"star_lens_texture", kStarLensUnit},
+    {"disc_matter_texture", kDiscFlowUnit}, {"black_body_texture", kBlackBodyUnit}, {"star_lens_texture", kStarLensUnit},
     {"picture_texture", kPictureUnit}, {"ball_path_texture", kBallPathUnit}, {"source_texture", kSourceUnit}, {"bloom_texture", kHaloUnit}, {"meter_texture", kMeterUnit}};
 
 // Nothing of a grid that is empty.

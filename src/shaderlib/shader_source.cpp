@@ -86,9 +86,9 @@ Files scene_files(Stage stage, const EffectSet& effects) {
     if (disc || sky || far_sky || effects.contains(Effect::kBodyImage)) files.emplace_back("effect/footprint.glsl");
     if (shades_heat(effects)) files.emplace_back("effect/black_body.glsl");
     if (effects.contains(Effect::kThermalDisc))
-        for (const char* file : {"object/disc_flow.glsl", "effect/thermal.glsl"}) files.emplace_back(file);
+        for (const char* file : {"object/disc_matter.glsl", "effect/thermal.glsl"}) files.emplace_back(file);
     if (disc) files.emplace_back("object/disc_colour.glsl");
-    if (effects.contains(Effect::kDiscFlow)) files.emplace_back("object/disc_moving.glsl");
+    if (effects.contains(Effect::kDiscFlow)) files.emplace_back("object/disc_flow.glsl");
     if (effects.contains(Effect::kSpot)) files.emplace_back("object/spot.glsl");
     if (disc && effects.contains(Effect::kLensing)) files.emplace_back("object/disc_thin.glsl");
     if (sky || far_sky) files.emplace_back("object/celestial_sphere.glsl");
@@ -167,9 +167,9 @@ std::vector<std::string> members_of(const std::string& block) {
 }
 
 constexpr const char* kBlockDeclaration = "layout(std140) uniform FrameBlock { FrameData frame; };\n";
-constexpr const char* kDiscFlowDeclarations =
-    "uniform highp sampler2D disc_flow_texture;\n"
-    "vec4 disc_flow_fetch(int i) { return texelFetch(disc_flow_texture, ivec2(i, 0), 0); }\n";
+constexpr const char* kDiscMatterDeclarations =
+    "uniform highp sampler2D disc_matter_texture;\n"
+    "vec4 disc_matter_fetch(int i) { return texelFetch(disc_matter_texture, ivec2(i, 0), 0); }\n";
 constexpr const char* kBlackBodyDeclarations =
     "uniform highp sampler2D black_body_texture;\n"
     "vec4 black_body_fetch(int i) { return texelFetch(black_body_texture, ivec2(i, 0), 0); }\n";
@@ -203,7 +203,7 @@ std::string declarations(Stage stage, const EffectSet& effects, bool ends, const
         if (sky) text += far_sky ? "uniform highp sampler2DArray sky_texture;\n" : "uniform samplerCube sky_texture;\n";
         else if (far_sky) text += "uniform samplerCube other_side_texture;\n";
         if (effects.contains(Effect::kDiscImage)) text += "uniform sampler2D disc_texture;\n";
-        if (effects.contains(Effect::kThermalDisc)) text += kDiscFlowDeclarations;
+        if (effects.contains(Effect::kThermalDisc)) text += kDiscMatterDeclarations;
         if (shades_heat(effects)) text += kBlackBodyDeclarations;
     }
     return text;

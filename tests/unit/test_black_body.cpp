@@ -82,13 +82,13 @@ TEST_CASE("light: a black body seen with its frequencies times g is one of gT") 
 }
 
 TEST_CASE("light: shader and tables agree on the tables' sizes") {
-    const std::string text(shader_file("effect/black_body.glsl")), flow(shader_file("object/disc_flow.glsl"));
+    const std::string text(shader_file("effect/black_body.glsl")), matter(shader_file("object/disc_matter.glsl"));
     CHECK(text.find("#define PLANCK_CELLS " + std::to_string(kBlackBodyCells) + "\n") != std::string::npos);
     CHECK(text.find("#define PLANCK_COLDEST 9.0\n") != std::string::npos);
     CHECK(text.find("#define PLANCK_PER_OCTAVE 102.4\n") != std::string::npos);
     CHECK(kColdest == 9.0);
     CHECK(kBlackBodyCells / (kHottest - kColdest) == doctest::Approx(102.4));
-    CHECK(flow.find("#define DISC_FLOW_CELLS " + std::to_string(kDiscFlowCells) + "\n") != std::string::npos);
+    CHECK(matter.find("#define DISC_MATTER_CELLS " + std::to_string(kDiscFlowCells) + "\n") != std::string::npos);
 }
 
 }  // namespace
