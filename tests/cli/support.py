@@ -12,6 +12,7 @@ from pathlib import Path
 BINARY = str(Path(sys.argv.pop(1)).resolve())
 VECTORS = Path(__file__).resolve().parent.parent / "vectors"
 SMALL = "48x27"      # px; large enough for a shadow, quick on a software driver
+QUICK = os.environ.get("NULLSCOPE_TESTS", "quick") == "quick" and "NULLSCOPE_EVERYTHING" not in os.environ   # as support/depth.h
 LONGEST_S = 300      # a run that takes longer hangs
 
 

@@ -50,7 +50,9 @@ double light(const Image<float>& picture) {
 TEST_CASE("thin bodies: as much light as the reference's") {
     std::map<std::string, double> exact_light;
     on_every_context([&](GpuSession& session) {
+        Selection selection(3);
         for (const Case& c : cases()) {
+            if (!selection.takes_next()) continue;
             const std::string name = c.name;
             CAPTURE(name);
             Scene scene;

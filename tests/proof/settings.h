@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <random>
 
+#include "support/depth.h"
+
 namespace nullscope::proof {
 
 inline unsigned seed() {
@@ -17,6 +19,8 @@ inline int times_longer() {
     const int n = text != nullptr ? std::atoi(text) : 1;
     return n > 1 ? n : 1;
 }
+// Of so many random cases, how many are tried: a third at quick depth.
+inline int tries(int cases) { return cases * times_longer() / test::by_depth(3, 1, 1); }
 
 // Random numbers that are the same with every standard library (its distributions are not).
 class Random {
