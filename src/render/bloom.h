@@ -20,7 +20,8 @@ public:
     void draw_up(const gl::Program& up, const gl::VertexArray& empty, int source_unit, int bloom_unit);   // after draw_down
     // share: how far the metered luminance moves to the picture's, 1 at first and where nothing adapts.
     void draw_meter(const gl::Program& meter, const gl::VertexArray& empty, int source_unit, double share);   // after draw_down
-    const gl::Texture& halo() const { return up_.front().colours.front(); }
+    // The sum of all levels; of a picture with one level that level.
+    const gl::Texture& halo() const { return (up_.empty() ? down_ : up_).front().colours.front(); }
     const gl::Texture& metered() const { return meter_->colours.front(); }
 
 private:

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/display.h"
+#include "scene/scene_file.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -114,3 +115,34 @@ TEST_CASE("display: exposure adapts by the share it is told and starts at once")
 }
 
 }  // namespace
+
+TEST_CASE("display: pictures of a few pixels, down to one") {
+    constexpr std::pair<int, int> kSizes[] = {{1, 1}, {2, 1}, {1, 2}, {3, 5}, {16, 16}};
+    // What draws in more than one pass, or about a point: every shipped scene where all is asked for.
+    const auto has_passes = [](const Scene& scene) {
+        const EffectSet effects = effect_set(required_effects(scene));
+        return effects.contains(Effect::kBloom) || effects.contains(Effect::kAutoExposure) ||
+               effects.contains(Effect::kPointStars);
+    };
+    int drawn = 0;
+    on_every_context([&](GpuSession& session) {
+        if (session.context->kind() != std::string("egl") && !everything_asked()) return;  // both have one rasteriser
+        for (const SceneInfo& info : shipped_scenes()) {
+            auto scene = load_scene(info.path.string());
+            REQUIRE(scene);
+            if (!has_passes(*scene) && !everything_asked()) continue;
+            for (const auto& [width, height] : kSizes) {
+                CAPTURE(info.name);
+                CAPTURE(width);
+                CAPTURE(height);
+                scene->camera.width = width, scene->camera.height = height;
+                REQUIRE(session.renderer->prepare(*scene));
+                const Image<float> linear = session.renderer->picture();
+                const auto expected = display_encoded(linear, scene->camera.exposure_ev, scene->picture);
+                CHECK(worst_step(session.renderer->picture8(), expected) <= kSteps);
+                ++drawn;
+            }
+        }
+    });
+    CHECK(drawn >= 10);
+}
