@@ -16,18 +16,24 @@ void main() {
 #else
     StarImage image = image_of_star(star_place);
     vec3 d = image.direction;
-    float g = frame.radial.w / (frame.shift.x + frame.shift.z * dot(d, frame.radial.xyz));
+    float g = frame.radial.w / (frame.shift.x + frame.shift.z * d.z);
     float squeeze = 1.0;
 #ifdef EFFECT_ABERRATION
     vec3 motion = vec3(frame.boost.x, frame.boost.y, frame.boost.z);
+    d = d.x * frame.meridian.xyz + d.y * frame.transverse.xyz + d.z * frame.radial.xyz;
     g *= aberrate(d, motion, 1.0, frame.boost_colour.x).doppler;
     Aberration seen = aberrate(d, motion, 1.0 / frame.boost.w, 1.0);   // back to the camera
     d = seen.direction;
     squeeze = seen.squeeze;
+    float ahead = dot(d, frame.ray_0.xyz);
+    vec2 at = vec2(dot(d, frame.ray_x.xyz), dot(d, frame.ray_y.xyz));
+#else
+    // Along the axes through the hole: keeps its digits at a hole of a few microradians.
+    float ahead = dot(d, frame.polar_0.xyz);
+    vec2 at = vec2(dot(d, frame.polar_x.xyz), dot(d, frame.polar_y.xyz));
 #endif
     vec3 light = seen_black_body(star_make.y, g, -star_make.x);
-    float ahead = dot(d, frame.ray_0.xyz);
-    vec2 pixel = vec2(dot(d, frame.ray_x.xyz), dot(d, frame.ray_y.xyz)) / (max(ahead, 1.0e-6) * frame.image.z * frame.image.z);
+    vec2 pixel = at / (max(ahead, 1.0e-6) * frame.image.z * frame.image.z);
     // A pixel spans image.z^2 cos^3 of solid angle; the spread squeezed by aberration.
     float pixels = frame.image.z * frame.image.z * ahead * ahead * ahead;
     star_peak = light * (image.spread * squeeze * squeeze / max(pixels, 1.0e-30) * frame.point_stars.x);

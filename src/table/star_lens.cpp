@@ -7,53 +7,63 @@
 namespace nullscope {
 namespace {
 
-constexpr int kPerOctave = 32;   // samples of the fan
+constexpr int kPerOctave = 32;           // samples of the fan
+constexpr int kPoints = 6;               // of the polynomial through samples
+constexpr double kLeastPhi = 1e-3;       // rad; T tan(Phi/2) is even in Phi: 1e-6 of it are left
+constexpr double kLeastEinstein = 1e-9;  // of T, where nothing bends: any number serves
 
-struct Sample {
-    double phi, alpha;
+struct FanSample {
+    double phi, tangent;   // tan(theta/2)
 };
 
-// Rays of the fan from the radial direction (phi = 0) to the last winding, phi growing.
-std::vector<Sample> samples_of(const RayFan& fan, double last_phi) {
-    const int count = fan.octaves(Segment::kSky) * kPerOctave;
+// Rays of the fan from almost the outward radial to the last winding, phi growing.
+std::vector<FanSample> fan_samples(const RayFan& fan, double last_phi) {
     const double limit = fan.delta_limit(Segment::kSky);
-    // Beyond the radial ray the fan goes on as its own mirror image, so that slopes there have neighbours on both sides.
-    std::vector<Sample> samples;
-    for (int i = count; i >= 1; --i) {
-        const double u = std::exp2(i / kPerOctave) * (1.0 + double(i % kPerOctave) / kPerOctave), delta = fan.delta_at(u);
+    std::vector<FanSample> samples;
+    for (int i = fan.octaves(Segment::kSky) * kPerOctave; i >= 1; --i) {
+        const double u = std::exp2(i / kPerOctave) * (1.0 + double(i % kPerOctave) / kPerOctave);
+        const double delta = fan.delta_at(u);
         if (delta >= limit) continue;
         const FanRay ray = fan.ray(Segment::kSky, delta);
-        samples.push_back({ray.phi_end, M_PI - ray.beta});
+        samples.push_back({ray.phi_end, std::tan(0.5 * ray.beta)});
         if (ray.phi_end > last_phi + 0.5) break;
     }
-    std::vector<Sample> all;
-    for (std::size_t i = std::min<std::size_t>(8, samples.size()); i-- > 0;) all.push_back({-samples[i].phi, -samples[i].alpha});
-    all.push_back({0.0, 0.0});
-    all.insert(all.end(), samples.begin(), samples.end());
-    return all;
+    return samples;
 }
 
-struct Place {
-    double alpha, slope;
+double x_of(double phi, double einstein) {
+    const double b = phi < M_PI ? -1.0 / std::tan(0.5 * phi) : 0.5 * (phi - M_PI);
+    return std::asinh(0.5 * b / einstein);
+}
+
+// x and y = ln(T/E).
+struct Sample {
+    double x, y;
 };
 
-// Beyond the last sample there is nothing to see: no slope. Else the polynomial through six samples about phi, and its derivative (Lagrange's form).
-Place at(const std::vector<Sample>& samples, double phi) {
-    if (phi > samples.back().phi) return {samples.back().alpha, 0.0};
-    const auto above = std::lower_bound(samples.begin(), samples.end(), phi, [](const Sample& s, double p) { return s.phi < p; });
-    const long next = above - samples.begin(), most = static_cast<long>(samples.size()) - 6;
-    const Sample* s = samples.data() + std::clamp(next - 3, 0L, most);
-    Place place{0.0, 0.0};
-    for (int i = 0; i < 6; ++i) {
-        double weight = 1.0, slope = 0.0;
-        for (int j = 0; j < 6; ++j) {
+struct Place {
+    double y, slope, bend;   // y, dy/dx, d2y/dx2
+};
+
+// The polynomial through six samples about x, and its derivatives (Lagrange's form, each factor by the product rule).
+Place at(const std::vector<Sample>& samples, double x) {
+    const auto above =
+        std::lower_bound(samples.begin(), samples.end(), x, [](const Sample& s, double p) { return s.x < p; });
+    const long next = above - samples.begin(), most = static_cast<long>(samples.size()) - kPoints;
+    const Sample* s = samples.data() + std::clamp(next - kPoints / 2, 0L, most);
+    Place place{0.0, 0.0, 0.0};
+    for (int i = 0; i < kPoints; ++i) {
+        double weight = 1.0, slope = 0.0, bend = 0.0;
+        for (int j = 0; j < kPoints; ++j) {
             if (j == i) continue;
-            const double by = 1.0 / (s[i].phi - s[j].phi);
-            slope = slope * (phi - s[j].phi) * by + weight * by;
-            weight *= (phi - s[j].phi) * by;
+            const double by = 1.0 / (s[i].x - s[j].x), factor = (x - s[j].x) * by;
+            bend = bend * factor + 2.0 * slope * by;
+            slope = slope * factor + weight * by;
+            weight *= factor;
         }
-        place.alpha += weight * s[i].alpha;
-        place.slope += slope * s[i].alpha;
+        place.y += weight * s[i].y;
+        place.slope += slope * s[i].y;
+        place.bend += bend * s[i].y;
     }
     return place;
 }
@@ -61,12 +71,28 @@ Place at(const std::vector<Sample>& samples, double phi) {
 }  // namespace
 
 TexelGrid star_lens_row(const RayFan& fan) {
-    const std::vector<Sample> samples = samples_of(fan, kStarImages * M_PI);
-    TexelGrid row{kStarLensCells + 1, 1, {}};
-    for (int i = 0; i <= kStarLensCells; ++i) {
-        const Place place = at(samples, kStarImages * M_PI * i / kStarLensCells);
-        for (const double value : {place.alpha, place.slope, 0.0, 0.0}) row.texels.push_back(static_cast<float>(value));
+    const std::vector<FanSample> rays = fan_samples(fan, kStarImages * M_PI);
+    // T at Phi = pi, to a few per cent; of the last ray where none is turned that far.
+    const auto ring = std::find_if(rays.begin(), rays.end() - 1, [](const FanSample& ray) { return ray.phi >= M_PI; });
+    const double einstein = std::max(ring->tangent, kLeastEinstein);
+    std::vector<Sample> samples;
+    for (const FanSample& ray : rays) {
+        const double x = x_of(ray.phi, einstein);
+        if (samples.empty() || x > samples.back().x) samples.push_back({x, std::log(ray.tangent / einstein) + x});
     }
+    const double first = x_of(kLeastPhi, einstein);
+    const double last = x_of(std::min(kStarImages * M_PI, rays.back().phi), einstein);
+    const double per_x = kStarLensCells / (last - first);
+    TexelGrid row{kStarLensCells + 2, 1, {}};
+    const auto put = [&](std::initializer_list<double> texel) {
+        for (const double value : texel) row.texels.push_back(static_cast<float>(value));
+    };
+    for (int i = 0; i <= kStarLensCells; ++i) {
+        const Place place = at(samples, first + i / per_x);
+        const double ratio = std::exp(place.y);
+        put({ratio, ratio * place.slope / per_x, 1.0 - place.slope, -place.bend / per_x});
+    }
+    put({einstein, first, per_x, 0.0});
     return row;
 }
 
