@@ -13,6 +13,9 @@ namespace {
 
 // What one pixel of the bench's 4K frame spans in the middle: its errors in px are at least forward errors over this.
 constexpr double kBenchPixel_rad = 2.0 / 3840.0;
+// A bound above this is not told: scaling takes the sky to move by no more than the pixel's own angle from one pixel to
+// the next. Deep zooms look at a hole that moves it by millions of that, and err by as much less.
+constexpr double kTellsNothing_px = 1.0;
 
 }  // namespace
 
@@ -82,6 +85,10 @@ Choice default_method(const std::vector<MeasuredMethod>& methods, const Scene& s
     if (auto choice = choose_method(methods, scene, kDefaultMaxError_px)) return *choice;
     const MeasuredMethod& best = *most_exact(methods, scene.spacetime.metric);
     const double error = error_in_frame(best, scene);
+    if (error > kTellsNothing_px)
+        return {best.method, error,
+                fmt::format("{}: the most exact there is; its error was not measured for pixels as small as these ({:.2g} rad)",
+                            method_name(best.method), smallest_pixel_angle(scene.camera))};
     return {best.method, error, fmt::format("{}: the most exact there is, for pixels as small as these; at most {:.2g} px are sure here, not the usual {}",
                                             method_name(best.method), error, kDefaultMaxError_px)};
 }

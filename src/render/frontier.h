@@ -46,7 +46,8 @@ struct Choice {
 Result<Choice> choose_method(const std::vector<MeasuredMethod>& methods, const Scene& scene, double max_error_px);
 
 // What draws a scene for which nothing was asked: by kDefaultMaxError_px, and where the pixels are too small for that to be
-// sure of any method, the most exact one.
+// sure of any method, the most exact one. error_px then is a bound by scaling, far too large for pixels much smaller than
+// the bench's; where it tells nothing the reason does not give it.
 Choice default_method(const std::vector<MeasuredMethod>& methods, const Scene& scene);
 
 }  // namespace nullscope

@@ -121,4 +121,20 @@ TEST_CASE("methods: hardware filtering with weights of 8 bits, emulated") {
     CHECK(worst < kBound_rad);
 }
 
+TEST_CASE("methods: a bound that tells nothing is not told") {
+    const auto measured = load_frontier(assets_directory() / "frontier.csv");
+    REQUIRE(measured);
+    Scene scene;
+    const auto reason_at = [&](double fov) {
+        scene.camera.focal_distance = 1.0, scene.camera.plane_width = 2 * std::tan(0.5 * fov);
+        return default_method(*measured, scene).reason;
+    };
+    CHECK(reason_at(1.0).find("asked: 0.05") != std::string::npos);
+    CHECK(reason_at(0.01).find("px are sure here, not the usual 0.05") != std::string::npos);
+    scene.camera.r = 1e9;
+    const std::string deep = reason_at(2e-8);   // filled by the hole
+    CHECK(deep.find("not measured for pixels as small as these (1.6e-11 rad)") != std::string::npos);
+    CHECK(deep.find("px") == std::string::npos);
+}
+
 }  // namespace
