@@ -106,7 +106,7 @@ Result<ChannelImage> read_exr(std::string_view bytes, const std::string& name, l
 // Throws what OpenEXR throws. Encoded in memory: OpenEXR's destructors swallow write errors of files.
 std::string encode_exr(const ChannelImage& image) {
     Imf::Header header(image.width, image.height);
-    header.compression() = Imf::PIZ_COMPRESSION;
+    header.compression() = Imf::ZIP_COMPRESSION;
     Imf::FrameBuffer buffer;
     for (const auto& [name, values] : image.channels) {
         header.channels().insert(name, Imf::Channel(Imf::FLOAT));

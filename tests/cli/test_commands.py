@@ -36,7 +36,7 @@ def png_size(data):
 
 
 def read_exr(data):
-    """Channels (name -> kind), data window's size and the blocks of pixels of a single-part PIZ EXR."""
+    """Channels (name -> kind), data window's size and the blocks of pixels of a single-part ZIP EXR."""
     if data[:4] != b"\x76\x2f\x31\x01":
         raise ValueError("not an EXR")
     at, names, size = 8, [], None
@@ -55,7 +55,7 @@ def read_exr(data):
             low_x, low_y, high_x, high_y = struct.unpack("<4i", body)
             size = (high_x - low_x + 1, high_y - low_y + 1)
         at = kind_end + 5 + length
-    blocks = -(-size[1] // 32)   # PIZ packs 32 rows together; a table of their places goes before them
+    blocks = -(-size[1] // 16)   # ZIP packs 16 rows together; a table of their places goes before them
     return dict(names), size, data[at + 1 + 8 * blocks:]
 
 
