@@ -135,14 +135,15 @@ Result<Image<float>> load_image(const std::filesystem::path& path, long long max
     return decode_image(*bytes, path.string(), max_pixels);
 }
 
-Status save_png(const std::filesystem::path& path, const Image<unsigned char>& image) {
+Status save_png(const std::filesystem::path& path, const Image<unsigned char>& image,
+                const std::map<std::string, std::string>& texts) {
     const long long row_bytes = static_cast<long long>(image.width) * image.channels;
     if (image.width <= 0 || image.height <= 0 || (image.channels != 3 && image.channels != 4) ||
         static_cast<long long>(image.data.size()) != row_bytes * image.height ||
         row_bytes * image.height > std::numeric_limits<int>::max())
         return failed(fmt::format("cannot write '{}': {} x {} pixels of {} channels are no PNG image", path.string(),
                                   image.width, image.height, image.channels));
-    const Result<std::string> bytes = encode_png(image);
+    const Result<std::string> bytes = encode_png(image, texts);
     if (!bytes) return failed(fmt::format("cannot write '{}': {}", path.string(), bytes.error().message));
     return write_text_atomically(path, *bytes);
 }

@@ -21,10 +21,12 @@ Result<Image<float>> load_image(const std::filesystem::path& path, long long max
 // The same for a PNG, JPEG or HDR file in memory; name: what errors call it.
 Result<Image<float>> decode_image(std::string_view bytes, const std::string& name, long long max_pixels = 500'000'000);
 
-// 3 or 4 channels of 8 bits, already display-encoded.
-Status save_png(const std::filesystem::path& path, const Image<unsigned char>& image);
+// 3 or 4 channels of 8 bits, already display-encoded. texts: what the file says of itself, by keyword ("Title", "Software").
+Status save_png(const std::filesystem::path& path, const Image<unsigned char>& image,
+                const std::map<std::string, std::string>& texts = {});
 
-// A set of named float channels of one size ("R", "G", "B", "sky.x", ...) and string attributes; PIZ-compressed.
+// A set of named float channels of one size ("R", "G", "B", "sky.x", ...) and string attributes; ZIP-compressed, which
+// every reader knows.
 struct ChannelImage {
     int width = 0;
     int height = 0;

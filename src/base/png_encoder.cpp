@@ -5,6 +5,7 @@
 
 #include <csetjmp>
 #include <new>
+#include <vector>
 
 namespace nullscope {
 namespace {
@@ -13,6 +14,15 @@ constexpr int kDeflateLevel = 2;   // of 9; the third takes half as long again f
 
 class Encoder {
 public:
+    // texts: outlives the encoder; libpng changes none of it.
+    explicit Encoder(const std::map<std::string, std::string>& texts) : Encoder() {
+        for (const auto& [keyword, text] : texts) {
+            png_text& chunk = texts_.emplace_back();
+            chunk.compression = PNG_ITXT_COMPRESSION_NONE;
+            chunk.key = const_cast<char*>(keyword.c_str());
+            chunk.text = const_cast<char*>(text.c_str());
+        }
+    }
     Encoder() : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, this, on_error, [](png_structp, png_const_charp) {})) {
         info_ = png_ != nullptr ? png_create_info_struct(png_) : nullptr;
     }
@@ -29,6 +39,7 @@ public:
         png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
         png_set_compression_level(png_, kDeflateLevel);
         png_set_compression_buffer_size(png_, kChunk);
+        png_set_text(png_, info_, texts_.data(), static_cast<int>(texts_.size()));
         png_write_info(png_, info_);
         for (int y = 0; y < image.height; ++y) png_write_row(png_, image.at(0, y));
         png_write_end(png_, info_);
@@ -57,13 +68,14 @@ private:
 
     png_structp png_ = nullptr;
     png_infop info_ = nullptr;
+    std::vector<png_text> texts_;
     std::string bytes_, error_ = "out of memory";
 };
 
 }  // namespace
 
-Result<std::string> encode_png(const Image<unsigned char>& image) {
-    Encoder encoder;
+Result<std::string> encode_png(const Image<unsigned char>& image, const std::map<std::string, std::string>& texts) {
+    Encoder encoder(texts);
     if (!encoder.encode(image)) return failed(encoder.error());
     return std::move(encoder.bytes());
 }

@@ -90,7 +90,9 @@ Result<Captured> capture_picture(Session* session, const Scene& scene, const Cap
 }
 
 Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured, bool exr) {
-    if (!exr) return save_png(file_name, captured.display);
+    if (!exr)
+        return save_png(file_name, captured.display,
+                        {{"Title", scene.name}, {"Software", "nullscope " NULLSCOPE_VERSION}});
     ChannelImage file;
     file.width = captured.linear.width;
     file.height = captured.linear.height;

@@ -282,6 +282,22 @@ TEST_CASE("EXR: channels and attributes survive, cut and inconsistent ones are e
     CHECK_FALSE(load_image(folder.path / "d.exr"));  // no colours
 }
 
+TEST_CASE("a PNG says of itself what it is given to say, and is read as without") {
+    const TemporaryFolder folder("saidpng");
+    Image<unsigned char> picture(3, 2, 3);
+    picture.at(1, 1)[2] = 200;
+    REQUIRE(save_png(folder.path / "plain.png", picture));
+    REQUIRE(save_png(folder.path / "said.png", picture, {{"Title", "Gebäude"}, {"Software", "nullscope 1"}}));
+    const auto plain = load_image(folder.path / "plain.png"), said = load_image(folder.path / "said.png");
+    REQUIRE(plain);
+    REQUIRE(said);
+    CHECK(plain->data == said->data);
+    const auto bytes = read_text(folder.path / "said.png");
+    REQUIRE(bytes);
+    CHECK(bytes->find("iTXtTitle" + std::string(5, '\0') + "Gebäude") != std::string::npos);
+    CHECK(bytes->find("iTXtSoftware") != std::string::npos);
+}
+
 TEST_CASE("save_png refuses images that are none") {
     const TemporaryFolder folder("badpng");
     CHECK_FALSE(save_png(folder.path / "a.png", {}));
