@@ -5,7 +5,7 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr double kLeastRow_ms = 1e-6;   // a clock may not see a row's time at all
+constexpr double kLeastRow_ms = 1e-6;  // a clock may not see a row's time at all
 
 int affordable(double row_ms, int height) {
     return static_cast<int>(std::clamp(kBand_ms / std::max(row_ms, kLeastRow_ms), 1.0, static_cast<double>(height)));
@@ -14,7 +14,8 @@ int affordable(double row_ms, int height) {
 }  // namespace
 
 BandCutter::BandCutter(int height, double row_ms)
-    : height_(height), last_(std::min(row_ms > 0.0 ? affordable(row_ms, height) : kFirstRows, height)),
+    : height_(height),
+      last_(std::min(row_ms > 0.0 ? affordable(row_ms, height) : kFirstRows, height)),
       expected_ms_(row_ms / kLongestBand) {}
 
 void BandCutter::took(double ms, bool compiled) {

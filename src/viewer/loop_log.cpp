@@ -19,7 +19,7 @@ double clock_seconds(clockid_t clock) {
 
 // When the process began, s since the machine started: field 22 of /proc/self/stat, in ticks. Where there is none: now.
 double began_at() {
-    constexpr int kFieldsAfterName = 19;   // field 22, counted from field 3, which follows the name in brackets
+    constexpr int kFieldsAfterName = 19;  // field 22, counted from field 3, which follows the name in brackets
     std::ifstream file("/proc/self/stat");
     std::string text, field;
     std::getline(file, text);
@@ -61,8 +61,8 @@ void LoopLog::turn(const Turn& turn) {
         seen = true;
         line(fmt::format("first t={:.3f} cpu={:.3f} picture={}", process_seconds(), process_cpu_seconds(), picture));
     }
-    line(fmt::format("turn t={:.3f} cpu_ms={:.1f} here={} programs={} picture={} work={}", process_seconds(), turn.cpu_ms, turn.here,
-                     turn.programs, picture, turn.working ? 1 : 0));
+    line(fmt::format("turn t={:.3f} cpu_ms={:.1f} here={} programs={} picture={} work={}", process_seconds(),
+                     turn.cpu_ms, turn.here, turn.programs, picture, turn.working ? 1 : 0));
     rested_.reset();
 }
 

@@ -1,13 +1,15 @@
-// What the window's loop does, written to a file for tests and for people who look for hitches: a line for each turn that drew, one
-// for each picture that is the first of its kind, one whenever the viewer comes to rest. Each line is a word and name=value pairs:
+// What the window's loop does, written to a file for tests and for people who look for hitches: a line for each turn
+// that drew, one for each picture that is the first of its kind, one whenever the viewer comes to rest. Each line is
+// a word and name=value pairs:
 //
 //   turn t=1.234 cpu_ms=3.1 here=0 programs=1 picture=whole work=1
 //   first t=0.871 cpu=1.310 picture=coarse
 //   rest t=2.100 key=284 measuring=0
 //
-// t: s since the process began. cpu_ms: processor time of the window's thread alone, so that it does not depend on what else the machine
-// does. here: pictures that this thread drew itself until now. cpu: s of the whole process. key: the last key that was pressed (GLFW's
-// number), so that who has sent a key knows that all before it was answered. measuring: errors or the effects' times still are.
+// t: s since the process began. cpu_ms: processor time of the window's thread alone, so that it does not depend on
+// what else the machine does. here: pictures that this thread drew itself until now. cpu: s of the whole process.
+// key: the last key that was pressed (GLFW's number), so that who has sent a key knows that all before it was
+// answered. measuring: errors or the effects' times still are.
 #pragma once
 #include <cstdio>
 #include <optional>
@@ -18,9 +20,9 @@
 
 namespace nullscope::viewer {
 
-double process_seconds();       // since the process began
-double process_cpu_seconds();   // of all its threads
-double thread_cpu_seconds();    // of the calling one
+double process_seconds();      // since the process began
+double process_cpu_seconds();  // of all its threads
+double thread_cpu_seconds();   // of the calling one
 
 class LoopLog {
 public:
@@ -38,14 +40,14 @@ public:
         int here = 0, programs = 0;
         bool picture = false, coarse = false, working = false;
     };
-    void turn(const Turn& turn);   // that drew
-    void rest(int last_key, bool measuring);   // once after each turn, key or end of measuring
+    void turn(const Turn& turn);              // that drew
+    void rest(int last_key, bool measuring);  // once after each turn, key or end of measuring
 
 private:
     void line(const std::string& words);
     std::FILE* file_ = nullptr;
     bool coarse_seen_ = false, whole_seen_ = false;
-    std::optional<std::pair<int, bool>> rested_;   // what rest() wrote last; nothing: a turn was drawn since
+    std::optional<std::pair<int, bool>> rested_;  // what rest() wrote last; nothing: a turn was drawn since
 };
 
 }  // namespace nullscope::viewer

@@ -66,10 +66,9 @@ Command program_of(viewer::ViewerOptions& options, std::string& size) {
     program.add_flag("--hidden", &options.hidden, "Show no window; goes with --screenshot or --after-frames");
     program.add_flag("--one-context", &options.one_context,
                      "Draw pictures where the panels are drawn, not in the background");
-    program.add_option(
-        "--turns", &options.turns,
-        "Write what the window's loop does to this file: the first pictures with the time since the start, turns with their "
-        "processor time, when it rests (/dev/stderr: to the terminal)");
+    program.add_option("--turns", &options.turns,
+                       "Write what the window's loop does to this file: the first pictures with the time since the "
+                       "start, turns with their processor time, when it rests (/dev/stderr: to the terminal)");
     return program;
 }
 

@@ -24,7 +24,7 @@ struct PaintJob {
 struct PaintProgress {
     enum class Stage { kIdle, kPreparing, kCompiling, kDrawing };
     Stage stage = Stage::kIdle;
-    int rows = 0, of = 0;       // of the picture that is drawn
+    int rows = 0, of = 0;  // of the picture that is drawn
     friend bool operator==(const PaintProgress&, const PaintProgress&) = default;
 };
 
@@ -45,9 +45,9 @@ struct Painting {
     unsigned texture = 0;       // RGBA8, display-encoded; valid until the painting after it was taken
     int width = 0, height = 0;  // of the texture; of a coarse picture less than the job's
     std::optional<RayFrame> rays;
-    double draw_ms = 0.0;  // the picture's, finished; compiling apart
-    std::vector<std::string> notes;   // what was done to images
-    int programs = 0;      // compiled for pictures until now
+    double draw_ms = 0.0;            // the picture's, finished; compiling apart
+    std::vector<std::string> notes;  // what was done to images
+    int programs = 0;                // compiled for pictures until now
     double compile_ms = 0.0 /* of them all, with the driver's own at the first rows */, table_ms = 0.0, rows_ms = 0.0;
 
     bool coarse() const { return width < job.scene.camera.width || height < job.scene.camera.height; }

@@ -34,7 +34,7 @@ void Painter::ask(PaintJob job) {
         busy_ = true;
         ++drawn_by_caller_;
         do_job(*own_, job);
-        news_();   // the caller's loop is about to wait for events
+        news_();  // the caller's loop is about to wait for events
         return;
     }
     {
@@ -80,7 +80,7 @@ std::optional<Painting> Painter::take() {
 void Painter::publish(Painting painting, bool last) {
     const std::lock_guard lock(mutex_);
     gives_up_ = !last;
-    if (job_) return;   // nobody waits for this one any more
+    if (job_) return;  // nobody waits for this one any more
     painting_ = std::move(painting);
     last_ = last;
     if (last) progress_ = {};
@@ -203,7 +203,7 @@ void Painter::do_measure(Workshop& workshop, const Order& order) {
             if (less) whole.push_back(with->draw_ms), rest.push_back(less->draw_ms);
             return less.has_value();
         };
-        if (!time_both()) return;   // compiles: does not count
+        if (!time_both()) return;  // compiles: does not count
         whole.clear(), rest.clear();
         const double begun = seconds();
         for (int i = 0; i < kTimedFrames && (i < kLeastTimed || seconds() - begun < kLongestTiming); ++i)
@@ -214,7 +214,7 @@ void Painter::do_measure(Workshop& workshop, const Order& order) {
         news_();
     }
     times.complete = true;
-    workshop.drop_other();   // its textures with it
+    workshop.drop_other();  // its textures with it
     publish_times();
 }
 

@@ -1,11 +1,12 @@
 // Draws the viewer's pictures on a thread of its own, in an OpenGL context that shares textures with the window's: while a program
 // is compiled, a sky built or an image read, the window keeps its last picture and its panels answer.
 //
-// Owners: a job is copied in, a painting moved out; the renderers are the thread's alone. A painting's texture is drawn to again only
-// after the one that follows it was taken.
+// Owners: a job is copied in, a painting moved out; the renderers are the thread's alone. A painting's texture is
+// drawn to again only after the one that follows it was taken.
 //
-// A job may give two pictures: a coarse one first, if the whole one takes long. The coarse one is always finished; the whole one is
-// given up between two bands of rows when a newer job comes, so that what moves is followed and what rests is whole.
+// A job may give two pictures: a coarse one first, if the whole one takes long. The coarse one is always finished;
+// the whole one is given up between two bands of rows when a newer job comes, so that what moves is followed and what
+// rests is whole.
 #pragma once
 #include <condition_variable>
 #include <exception>
@@ -28,18 +29,19 @@ public:
     // threads: false draws in the window's own context within ask(), as where a second context cannot be had. news: called from
     // the thread when a painting or a time is ready. throws gl::GlError.
     Painter(Window& window, bool threads, std::function<void()> news);
-    ~Painter();   // waits for a driver that compiles, a sky that is built, an image that is read
+    ~Painter();  // waits for a driver that compiles, a sky that is built, an image that is read
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
     bool in_background() const { return context_ != nullptr; }
-    void ask(PaintJob job);      // only while not busy() or gives_up(); a painting of the job before that was not taken is dropped
-    bool busy() const;           // asked, and the last painting of that job not taken yet
-    bool gives_up() const;       // what is drawn now would make room for a job that comes with a coarse picture
-    bool at_work() const;        // the thread draws or measures
+    // Only while not busy() or gives_up(). A painting of the job before that was not taken is dropped.
+    void ask(PaintJob job);
+    bool busy() const;      // asked, and the last painting of that job not taken yet
+    bool gives_up() const;  // what is drawn now would make room for a job that comes with a coarse picture
+    bool at_work() const;   // the thread draws or measures
     PaintProgress progress() const;
-    std::optional<Painting> take();   // if there is one; throws what the thread met
-    int drawn_by_caller() const { return drawn_by_caller_; }   // jobs that ask() did itself, its caller waiting
+    std::optional<Painting> take();                           // if there is one; throws what the thread met
+    int drawn_by_caller() const { return drawn_by_caller_; }  // jobs that ask() did itself, its caller waiting
 
     // Measures what each effect of the scene costs, one after the other, until there is a new job.
     void measure(const Scene& scene, const Method& method);
@@ -66,8 +68,8 @@ private:
     std::optional<PaintJob> job_;
     std::optional<Order> order_;
     std::optional<Painting> painting_;
-    unsigned shown_ = 0;              // texture of the painting that was taken last
-    bool last_ = false;               // painting_ is its job's last
+    unsigned shown_ = 0;  // texture of the painting that was taken last
+    bool last_ = false;   // painting_ is its job's last
     bool busy_ = false, at_work_ = false, gives_up_ = false;
     PaintProgress progress_;
     EffectTimes times_;

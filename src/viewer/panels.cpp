@@ -107,14 +107,16 @@ void status_line(const FrameFacts& facts) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kMargin * em(), 0.25f * em()});
     if (ImGui::Begin("##status", nullptr, kFixed | ImGuiWindowFlags_NoInputs)) {
-        const std::string took = !facts.picture ? "" : facts.coarse ? "coarse" : fmt::format("{:.1f} ms", facts.picture_ms);
+        const std::string took = !facts.picture ? ""
+                                 : facts.coarse ? "coarse"
+                                                : fmt::format("{:.1f} ms", facts.picture_ms);
         const std::string work = progress_words(facts.progress);
         const std::string rate = facts.fps > 0.0 ? fmt::format("{:.0f} fps", facts.fps) : "idle";
         ImGui::TextUnformatted((facts.fps <= 0.0 && !work.empty() ? work : took + "  " + rate).c_str());
-        const std::string tables = facts.picture ? fmt::format("table {:.0f} ms, rows {:.1f} ms     ", facts.table_ms, facts.rows_ms) : "";
-        const std::string rest =
-            fmt::format("{} x {}     {}OpenGL {}     {}", facts.size.width, facts.size.height, tables, facts.version,
-                        facts.renderer);
+        const std::string tables =
+            facts.picture ? fmt::format("table {:.0f} ms, rows {:.1f} ms     ", facts.table_ms, facts.rows_ms) : "";
+        const std::string rest = fmt::format("{} x {}     {}OpenGL {}     {}", facts.size.width, facts.size.height,
+                                             tables, facts.version, facts.renderer);
         ImGui::SameLine(9.5f * em());
         ImGui::TextDisabled("%s", rest.c_str());
         const char* hint = "F1 keys   Tab panels";
@@ -163,7 +165,8 @@ void draw_first_wait(const std::string& scene, const PaintProgress& progress) {
     const std::string work = progress_words(progress), words = scene + (work.empty() ? "" : ": " + work);
     const ImVec2 size = ImGui::CalcTextSize(words.c_str());
     const float width = 12.0f * em(), height = 0.15f * em(), left = 0.5f * (screen.x - width), top = 0.5f * screen.y;
-    draw.AddText({0.5f * (screen.x - size.x), top - 1.4f * em()}, ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str());
+    draw.AddText({0.5f * (screen.x - size.x), top - 1.4f * em()}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
+                 words.c_str());
     const float share = static_cast<float>(progress.rows) / static_cast<float>(std::max(progress.of, 1));
     draw.AddRectFilled({left, top}, {left + width, top + height}, ImGui::GetColorU32(ImGuiCol_FrameBg));
     draw.AddRectFilled({left, top}, {left + share * width, top + height}, ImGui::GetColorU32(ImGuiCol_CheckMark));

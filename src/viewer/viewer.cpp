@@ -25,10 +25,10 @@ constexpr int kSettlingFrames = 3;       // panels answer an event a frame later
 constexpr int kNewsFrames = 2;           // a measured number may make its panel wider a frame later
 constexpr double kIdleWait = 1.0;        // s
 constexpr double kCaretWait = 0.1;       // s, while a text field shows a blinking caret
-constexpr double kAdaptingWait = 0.03;    // s, while exposure follows
-constexpr double kBusyWait = 0.05;        // s between frames of the panels over a picture that is awaited: the processor is the painter's
-constexpr double kProgressWait = 0.1;     // s between looks at how far a picture is
-constexpr double kProgressAfter = 0.3;    // s that a picture takes before its progress is shown
+constexpr double kAdaptingWait = 0.03;   // s, while exposure follows
+constexpr double kBusyWait = 0.05;       // s between frames while a picture is awaited: the processor is the painter's
+constexpr double kProgressWait = 0.1;    // s between looks at how far a picture is
+constexpr double kProgressAfter = 0.3;   // s that a picture takes before its progress is shown
 constexpr double kFirstStep = 1.0 / 60;  // s of motion that a key's first frame stands for
 constexpr double kLongestStep = 0.1;     // s: a hitch is no leap
 constexpr double kMessageTime = 6.0;     // s
@@ -37,16 +37,16 @@ constexpr double kAdaptation = 0.4;      // s in which exposure goes all but 1/e
 constexpr double kAdapted = 2e-3;        // of its way: what remains is not seen
 constexpr double kRateTime = 0.25;       // s between changes of the numbers in the status line
 
-std::string title_of(const Scene& scene) { return scene.name + " - nullscope"; }
-
-// Without the painter's thread: a driver that compiles, a sky that is built and an image that is read cannot be interrupted. Files are
-// written by this thread, so that none is left half done.
+// Without the painter's thread: a driver that compiles, a sky that is built and an image that is read cannot be
+// interrupted. Files are written by this thread, so that none is left half done.
 [[noreturn]] void end_process() {
     std::fflush(nullptr);
     std::_Exit(0);
 }
 
 }  // namespace
+
+std::string Viewer::title_of(const Scene& scene) { return scene.name + " - nullscope"; }
 
 Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     std::unique_ptr<Viewer> viewer(new Viewer(options));
@@ -115,7 +115,8 @@ bool Viewer::step() {
     const bool news = take();
     if (news) frames_due_ = std::max(frames_due_, kNewsFrames);
 
-    const bool panels_had_pointer = ImGui::GetIO().WantCaptureMouse;  // in the frame before: a tooltip goes when the pointer leaves
+    // In the frame before: a tooltip goes when the pointer leaves.
+    const bool panels_had_pointer = ImGui::GetIO().WantCaptureMouse;
     panel_system_->begin_frame();
     changed = handle_keys(input) || changed;
     changed = panels(input) || changed;
@@ -124,7 +125,8 @@ bool Viewer::step() {
     if (input.moved || input.happened || changed || moving_) probe(input);
     follow_changes(changed);
     measure_effects(!moving_ && !changed);
-    if (painter_->in_background() || patient() || drawn_at_ > 0.0) ask();   // else the window's first frame would wait for it
+    // In one context the window's first frame would wait for the first picture.
+    if (painter_->in_background() || patient() || drawn_at_ > 0.0) ask();
     if (input.moved && (panels_had_pointer || io.WantCaptureMouse)) frames_due_ = kSettlingFrames;  // tooltips
     if (io.WantTextInput || patient()) frames_due_ = std::max(frames_due_, 1);
     const bool drawn = shows_frame(news);
@@ -186,7 +188,8 @@ void Viewer::follow_changes(bool changed) {
     }
     const bool whole = !picture_.job.scene.beside;   // errors are a single spacetime's
     const bool watched = whole && (view_.show_errors || (view_.show_panels && view_.show_accuracy));
-    if (accuracy_->update(watched, moving_ || changed || picture_due_)) frames_due_ = std::max(frames_due_, kNewsFrames);
+    if (accuracy_->update(watched, moving_ || changed || picture_due_))
+        frames_due_ = std::max(frames_due_, kNewsFrames);
 }
 
 // Under the panels' pointer it stays what it was.
@@ -209,24 +212,24 @@ double Viewer::adaptation(const Scene& scene) {
 bool Viewer::adapting() const { return exposure_left_ > kAdapted && view_.scene.picture.auto_exposure && !patient(); }
 
 void Viewer::log_turn(double cpu_s) {
-    log_.turn({1e3 * (thread_cpu_seconds() - cpu_s), painter_->drawn_by_caller(), picture_.programs, picture_.texture != 0,
-               picture_.coarse(), painter_->busy()});
+    log_.turn({1e3 * (thread_cpu_seconds() - cpu_s), painter_->drawn_by_caller(), picture_.programs,
+               picture_.texture != 0, picture_.coarse(), painter_->busy()});
 }
 
 void Viewer::log_rest() {
     if (!log_.is_open() || !at_rest()) return;
     const bool times_due = view_.show_panels && view_.show_effects && !effect_times_.complete;
-    window_->framebuffer();   // an answer of the display's server: it has shown what it was sent before
+    window_->framebuffer();  // an answer of the display's server: it has shown what it was sent before
     log_.rest(last_key_, accuracy_->at_work() || times_due);
 }
 
 bool Viewer::in_motion() const { return controls_.in_motion() || view_.fall.runs() || view_.clock_runs; }
 
-bool Viewer::settled() const { return picture_.texture != 0 && !picture_.coarse() && !picture_due_ && !painter_->busy(); }
-
-bool Viewer::at_rest() const {
-    return settled() && frames_due_ == 0 && !in_motion() && !adapting();
+bool Viewer::settled() const {
+    return picture_.texture != 0 && !picture_.coarse() && !picture_due_ && !painter_->busy();
 }
+
+bool Viewer::at_rest() const { return settled() && frames_due_ == 0 && !in_motion() && !adapting(); }
 
 double Viewer::wait_time() const {
     const bool busy = painter_->busy();
@@ -281,59 +284,6 @@ bool Viewer::fit_to_window() {
     return changed;
 }
 
-void Viewer::ask() {
-    const bool busy = painter_->busy();
-    if (!picture_due_) {
-        if (!busy && accuracy_->asks_for_rays()) painter_->ask({picture_.job.scene, picture_.job.method, true});
-        return;
-    }
-    const Scene scene = drawn_scene(view_);
-    // Exposure that follows is metered from picture to picture: all but the first are whole.
-    const bool metered = scene.picture.auto_exposure && picture_.texture != 0;
-    const bool coarse = coarse_wanted_ && !patient() && !save_due_ && !metered;
-    if (busy && !(coarse && painter_->gives_up())) return;
-    picture_due_ = coarse_wanted_ = false;
-    asked_ = view_;
-    asked_at_ = seconds();
-    asked_choice_ = method_choice(measured_, view_.method, scene);
-    painter_->ask({scene, asked_choice_.method, false, adaptation(scene), coarse});
-}
-
-bool Viewer::take() {
-    auto painting = painter_->take();
-    if (!painting) return false;
-    if (painting->rays)
-        accuracy_->take_rays(painting->job.scene, std::move(*painting->rays));
-    else if (painting->ready)
-        adopt(std::move(*painting));
-    else if (picture_.texture == 0 && !picture_due_)
-        refusal_ = painting->ready.error();
-    else
-        refuse(*painting);
-    return true;
-}
-
-void Viewer::adopt(Painting painting) {
-    if (asked_.scene.name != shown_.name) window_->set_title(title_of(asked_.scene));
-    if (painting.job.method != picture_.job.method || effects_of(painting.job.scene) != effects_of(picture_.job.scene) ||
-        painting.job.scene.camera.width != picture_.job.scene.camera.width) {
-        effect_times_ = {};
-        times_asked_ = false;
-        changed_at_ = seconds();
-    }
-    picture_ = std::move(painting);
-    measure_rate();
-    if (!picture_.notes.empty()) say(picture_.notes.back());
-    choice_ = asked_choice_;
-    accuracy_->frame_is(picture_.job.scene, picture_.job.method);
-    view_.error.clear();
-    shown_ = asked_.scene;
-    shown_loaded_ = asked_.loaded;
-    shown_method_ = asked_.method;
-    shown_off_ = asked_.off;
-    if (save_due_ && !picture_.coarse()) save_picture();
-}
-
 // What was shown is shown on, unless the hands have gone on meanwhile.
 void Viewer::refuse(const Painting& painting) {
     if (painting.job.rays || picture_due_) return;
@@ -359,10 +309,6 @@ void Viewer::measure_effects(bool still) {
     painter_->measure(picture_.job.scene, picture_.job.method);
 }
 
-void Viewer::draw(unsigned framebuffer) {
-    if (picture_.texture != 0) gl::blit(picture_.texture, picture_.width, picture_.height, framebuffer, size_.width, size_.height);
-}
-
 void Viewer::present() {
     ImGui::Render();
     draw(0);
@@ -384,14 +330,6 @@ void Viewer::measure_rate() {
     fps_shown_ = frame_s_ > 0.0 ? 1.0 / frame_s_ : 0.0;
 }
 
-void Viewer::save_picture() {
-    save_due_ = picture_.texture == 0 || picture_.coarse();
-    if (save_due_) return;
-    const auto path = fresh_screenshot_path();
-    const Status saved = save_png(path, drawn_apart(size_, [this](unsigned framebuffer) { draw(framebuffer); }));
-    say(saved ? fmt::format("Saved {}", path.string()) : saved.error().message);
-}
-
 void Viewer::say(const std::string& message) {
     message_ = message;
     message_until_ = seconds() + kMessageTime;
@@ -400,8 +338,8 @@ void Viewer::say(const std::string& message) {
 FrameFacts Viewer::facts() const {
     const std::string version = info_.version.substr(0, info_.version.find(' '));
     const double fps = moving_ ? fps_shown_ : 0.0;
-    return {picture_ms_shown_, fps, picture_.table_ms, picture_.rows_ms, size_, info_.renderer, version,
-            picture_.texture != 0, picture_.coarse(), progress_};
+    return {picture_ms_shown_, fps,     picture_.table_ms,     picture_.rows_ms,  size_,
+            info_.renderer,    version, picture_.texture != 0, picture_.coarse(), progress_};
 }
 
 }  // namespace nullscope::viewer

@@ -37,20 +37,21 @@ public:
 
 private:
     explicit Viewer(const ViewerOptions& options) : options_(options) {}
+    static std::string title_of(const Scene& scene);   // of the window
     Status start();
     Status save_screenshot();
     bool step();               // one turn of the loop: true if a frame was drawn
-    bool panels(const Input& input);            // true if they changed the scene
-    bool move(const Input& input, double dt);   // by hands, fall and clock: true if something moved
+    bool panels(const Input& input);           // true if they changed the scene
+    bool move(const Input& input, double dt);  // by hands, fall and clock: true if something moved
     void follow_changes(bool changed);
-    void follow_times();       // messages that end, progress that goes on
-    bool shows_frame(bool news);                // what was begun with NewFrame, or not yet
+    void follow_times();          // messages that end, progress that goes on
+    bool shows_frame(bool news);  // what was begun with NewFrame, or not yet
     double wait_time() const;  // for events; 0: do not wait
-    bool patient() const { return options_.after_frames > 0; }   // every frame of such a run is of the scene as it is
-    bool adapting() const;     // pictures are due until exposure has come to rest
-    bool in_motion() const;    // without a hand: the next picture is due already
-    bool settled() const;      // the picture is whole, and of the scene as it is
-    bool at_rest() const;      // settled, and all of it shown
+    bool patient() const { return options_.after_frames > 0; }  // every frame of such a run is of the scene as it is
+    bool adapting() const;                                      // pictures are due until exposure has come to rest
+    bool in_motion() const;                                     // without a hand: the next picture is due already
+    bool settled() const;                                       // the picture is whole, and of the scene as it is
+    bool at_rest() const;                                       // settled, and all of it shown
     double elapsed();          // since the last step, for motion
     bool handle_keys(const Input& input);
     bool fit_to_window();  // true if the picture's size changed
@@ -66,7 +67,7 @@ private:
     void draw(unsigned framebuffer);
     void present();
     void measure_rate();
-    void save_picture();   // as soon as it is whole
+    void save_picture();  // as soon as it is whole
     void say(const std::string& message);
     FrameFacts facts() const;
 
@@ -97,14 +98,14 @@ private:
     EffectSet shown_off_;
     std::unique_ptr<FrameAccuracy> accuracy_;
     Probe probe_;
-    double adapted_at_ = 0.0;      // s: automatic exposure follows like an eye,
-    double exposure_left_ = 0.0;   // what share of its way is still before it
+    double adapted_at_ = 0.0;     // s: automatic exposure follows like an eye,
+    double exposure_left_ = 0.0;  // what share of its way is still before it
     std::string message_;
     double message_until_ = 0.0;
     int frames_ = 0, frames_due_ = 3;
     bool moving_ = false, waited_ = true;
     double stepped_at_ = 0.0, drawn_at_ = 0.0, adopted_at_ = 0.0, rate_shown_at_ = 0.0, asked_at_ = 0.0;
-    PaintProgress progress_;           // that is shown
+    PaintProgress progress_;  // that is shown
     double picture_ms_shown_ = 0.0, frame_s_ = 0.0, fps_shown_ = 0.0;
 };
 

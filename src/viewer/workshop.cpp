@@ -14,7 +14,7 @@ constexpr double kDear_ms = 150.0;     // a picture that takes less follows the 
 constexpr double kCoarse_ms = 60.0;    // what a coarse picture should take
 constexpr int kUnknownCoarseness = 4;  // of a picture of unknown cost: a sixteenth of its pixels
 constexpr int kMostCoarse = 8;
-constexpr int kLeastSide_px = 32;      // of a coarse picture: with less there is nothing to see
+constexpr int kLeastSide_px = 32;  // of a coarse picture: with less there is nothing to see
 
 bool contains(const std::array<unsigned, 2>& textures, unsigned id) {
     return std::find(textures.begin(), textures.end(), id) != textures.end();
@@ -22,7 +22,8 @@ bool contains(const std::array<unsigned, 2>& textures, unsigned id) {
 
 }  // namespace
 
-std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, Pace& pace, const DrawWatch& watch) {
+std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, Pace& pace,
+                                       const DrawWatch& watch) {
     using Stage = PaintProgress::Stage;
     const double start = seconds();
     BandCutter bands(target.height, pace.pixel_ms * target.width);
@@ -31,8 +32,9 @@ std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& tar
         if (watch.give_up()) return std::nullopt;
         const int programs = renderer.picture_programs();
         const double begun = seconds();
-        renderer.draw_rows(target.framebuffer.id(), target.width, target.height, Output::kDisplay, bands.first(), bands.last());
-        gl::finish();   // drivers compile until the first rows are there
+        renderer.draw_rows(target.framebuffer.id(), target.width, target.height, Output::kDisplay, bands.first(),
+                           bands.last());
+        gl::finish();  // drivers compile until the first rows are there
         bands.took(1e3 * (seconds() - begun), renderer.picture_programs() > programs);
         watch.tell({Stage::kDrawing, bands.first(), target.height});
     }
@@ -43,7 +45,8 @@ std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& tar
 int Workshop::coarseness(const PaintJob& job) const {
     if (!job.coarse_first || job.rays) return 1;
     const CameraSpec& camera = job.scene.camera;
-    const bool known = picture_ms_ > 0.0 && method_ == job.method && effects_ == effect_set(required_effects(job.scene));
+    const bool known =
+        picture_ms_ > 0.0 && method_ == job.method && effects_ == effect_set(required_effects(job.scene));
     const double whole_ms = picture_ms_ * camera.width * camera.height;
     if (known && whole_ms <= kDear_ms) return 1;
     int times = known ? 2 : kUnknownCoarseness;

@@ -1,4 +1,5 @@
-// What draws the viewer's pictures: renderers and textures of one OpenGL context. All of it belongs to the thread whose context it is.
+// What draws the viewer's pictures: renderers and textures of one OpenGL context. All of it belongs to the thread
+// whose context it is.
 #pragma once
 #include <array>
 #include <functional>
@@ -14,12 +15,12 @@ namespace nullscope::viewer {
 
 // How long the dearest row of the last picture took, by which the next is cut into bands.
 struct Pace {
-    double pixel_ms = 0.0;   // 0: not known
+    double pixel_ms = 0.0;  // 0: not known
 };
 
 // What a picture is told and asked while it is drawn.
 struct DrawWatch {
-    std::function<bool()> give_up;                    // asked between bands
+    std::function<bool()> give_up;  // asked between bands
     std::function<void(const PaintProgress&)> tell;
 };
 
@@ -28,7 +29,8 @@ struct DrawTimes {
 };
 
 // Draws what is prepared; nothing if it was given up.
-std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, Pace& pace, const DrawWatch& watch);
+std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, Pace& pace,
+                                       const DrawWatch& watch);
 
 class Workshop {
 public:
@@ -36,7 +38,8 @@ public:
 
     // How many times smaller than the job's, in each direction, a coarse picture should be; 1: none is worth its time.
     int coarseness(const PaintJob& job) const;
-    // The job's picture, each side divided by `coarseness`; nothing if it was given up. avoid: textures that are in use.
+    // The job's picture, each side divided by `coarseness`; nothing if it was given up. avoid: textures that are in
+    // use.
     std::optional<Painting> picture(const PaintJob& job, int coarseness, const std::array<unsigned, 2>& avoid,
                                     const DrawWatch& watch);
     Painting rays(const PaintJob& job);
@@ -54,16 +57,17 @@ private:
     void add_facts(Painting& painting);
 
     Renderer renderer_;
-    std::unique_ptr<Renderer> right_;   // of a split screen
-    std::unique_ptr<Renderer> other_;   // while effects are measured
-    std::optional<Halves> split_;       // that is prepared
+    std::unique_ptr<Renderer> right_;  // of a split screen
+    std::unique_ptr<Renderer> other_;  // while effects are measured
+    std::optional<Halves> split_;      // that is prepared
     std::array<gl::Target, 2> halves_;
     std::array<Pace, 2> half_paces_;
-    std::array<gl::Target, 4> targets_; // shown, waiting to be shown, drawn to; one more, as coarse and whole take turns
-    Pace pace_;                         // of scenes with these effects and this method
+    // Shown, waiting to be shown, drawn to; one more, as coarse and whole take turns.
+    std::array<gl::Target, 4> targets_;
+    Pace pace_;  // of scenes with these effects and this method
     EffectSet effects_;
     Method method_;
-    double picture_ms_ = 0.0;           // the last picture's, a pixel; 0: not known
+    double picture_ms_ = 0.0;  // the last picture's, a pixel; 0: not known
     double compile_ms_ = 0.0;
 };
 

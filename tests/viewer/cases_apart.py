@@ -6,7 +6,8 @@ import time
 from viewer_process import *
 from x_screen import read_png, wait_until
 
-WINDOWS_SHARE = 0.5    # of the processor time that a whole picture costs the window's thread where it draws it: it must stay far below
+# of the processor time that a whole picture costs the window's thread where it draws it: it must stay far below
+WINDOWS_SHARE = 0.5
 
 
 def run(program, *arguments, **changes):
@@ -45,7 +46,7 @@ class Effects:
         self.viewer.kill()
 
     def switch(self, row, what):
-        """The picture before and the one after, those seen on the way, the turns meanwhile and how many programs were compiled."""
+        """The picture before, the one after, those seen on the way, the turns meanwhile and the programs compiled."""
         v = self.viewer
         before, seen, at = v.picture(RIGHT), [], v.log.size()
         programs = int(v.log.turns()[-1]["programs"])
@@ -70,7 +71,7 @@ def dearest(turns):
 
 
 def test_an_effect_is_switched_without_a_hitch(screen, program, folder):
-    """The window's thread never draws a picture, nor waits for one; where there is one context it does, and that is seen."""
+    """The window's thread never draws a picture, nor waits for one; in one context it does, and that is seen."""
     with Effects(screen, program) as effects:
         longest = 0.0
         for what, compiled in [("the ball goes", 1), ("the ball comes back", 0)]:
@@ -79,13 +80,13 @@ def test_an_effect_is_switched_without_a_hitch(screen, program, folder):
             assert all(turn["here"] == "0" for turn in turns), f"{what}: the window's thread drew a picture"
             for picture in seen:     # the last picture until the next is whole
                 kept = min(picture.differing(before), picture.differing(after))
-                assert kept <= CURSOR, f"{what}: neither the picture before nor the one after: {kept:.1%} differ from both"
+                assert kept <= CURSOR, f"{what}: neither picture is seen: {kept:.1%} differ from both"
             longest = max(longest, dearest(turns))
     with Effects(screen, program, "--one-context") as effects:
         _, _, _, turns, programs = effects.switch(row_of("ball"), "the ball goes")
         hitch = dearest(turns)
         assert programs == 1 and int(turns[-1]["here"]) > int(turns[0]["here"]), "in one context somebody else drew"
-    print(f"    longest turn of the window's thread: {longest:.0f} ms of processor time, in one context {hitch:.0f} ms", flush=True)
+    print(f"    processor time of the longest turn: {longest:.0f} ms, in one context {hitch:.0f} ms", flush=True)
     assert longest < WINDOWS_SHARE * hitch, "a turn takes as long as one that draws and compiles"
 
 
@@ -93,7 +94,8 @@ def test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely
     """A scene whose picture takes about a second, and its program longer than that."""
     v = Viewer(screen, program, "--size", "640x300", scene="torus")
     try:
-        area, keys = (290, 20, 630, 260), (250, 40, 350, 260)     # no panel lies in the first, in the second none of the letters that are whole pixels of their colour but F1's
+        # no panel lies in the first, in the second none of the letters that are whole pixels of their colour but F1's
+        area, keys = (290, 20, 630, 260), (250, 40, 350, 260)
         v.window = wait_until("the window", v.find)
         v.hands("windowfocus", v.window, "key", "F1")
         wait_until("F1 is answered", lambda: v.count(keys, LETTERS) > 4, HUNG_S)
@@ -140,7 +142,8 @@ def test_exposure_follows_like_an_eye(screen, program, folder):
 
 def test_the_clock_runs_and_stops(screen, program, folder):
     """A ball goes on while the clock runs, stays where it is when it stops, and jumps when its light takes no time."""
-    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=SCENE.replace("[disc]", "") + '[ball]\nposition = [6, 0, 0]\nmotion = "orbit"\n')
+    ball = '[ball]\nposition = [6, 0, 0]\nmotion = "orbit"\n'
+    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=SCENE.replace("[disc]", "") + ball)
     try:
         v.start()
         for header in [*HEADERS, CLOCK]:
@@ -177,7 +180,8 @@ def test_a_scene_that_cannot_be_drawn(screen, program, folder):
     scene = folder / "image.toml"
     scene.write_text('[disc]\nimage = "broken.png"\n')
     done = run(program, scene, DISPLAY=screen.display)
-    assert done.returncode == 2 and done.stderr.count("\n") == 1 and "broken.png" in done.stderr, f"{done.returncode}: {done.stderr}"
+    assert done.returncode == 2, f"exit status {done.returncode}"
+    assert done.stderr.count("\n") == 1 and "broken.png" in done.stderr, f"not one line with the file: {done.stderr}"
 
 
 def test_no_display(screen, program, folder):

@@ -3,9 +3,9 @@
 
 Usage: close_while_starting.py VIEWER
 
-What the process still does is stated in its own processor time after the close, which does not depend on what else the machine does;
-the time on the wall is printed. The moments are stages of the start, told by the processor time that the process has spent: the same
-on busy machines. NULLSCOPE_EVERYTHING: more of them; NULLSCOPE_SEED: other ones.
+What the process still does is stated in its own processor time after the close, which does not depend on what else the
+machine does; the time on the wall is printed. The moments are stages of the start, told by the processor time that the
+process has spent: the same on busy machines. NULLSCOPE_EVERYTHING: more of them; NULLSCOPE_SEED: other ones.
 
 Exit status 0: all ended; 1: one did not; 77: Xvfb or xdotool is missing.
 """
@@ -22,8 +22,8 @@ from viewer_process import EVERYTHING, HUNG_S, Log
 from x_screen import Screen, WindowCloser, wait_until
 
 MOMENTS = 30 if EVERYTHING else 5
-# Processor time from the close to the end. Before its first look at events the window's thread makes its context and its first frame,
-# some 0.2 s; the painter's threads go on beside it meanwhile.
+# Processor time from the close to the end. Before its first look at events the window's thread makes its context and
+# its first frame, some 0.2 s; the painter's threads go on beside it meanwhile.
 BOUND_S = 0.3
 # Until here: torus has its whole picture after some 6 s of processor time, accretion after some 2 s.
 LATEST_S = {"torus": 5.0, "accretion": 2.0}
@@ -37,7 +37,7 @@ def spent(pid):
 
 
 def close_at(program, scene, moment_s, screen, folder):
-    """(exit status, processor time from the close to the end, wall time of the same, what the viewer had on the screen)."""
+    """(exit status, processor time from the close to the end, wall time of the same, what was on the screen)."""
     env = {**os.environ, "DISPLAY": screen.display}
     log = Log(folder / "turns.txt")
     log.path.unlink(missing_ok=True)
@@ -45,7 +45,8 @@ def close_at(program, scene, moment_s, screen, folder):
     closer = WindowCloser(screen.display)
     try:
         find = ["xdotool", "search", "--onlyvisible", "--name", "nullscope"]
-        window = wait_until("the window", lambda: subprocess.run(find, env=env, capture_output=True, text=True).stdout.split(), HUNG_S, 0.005)
+        found = lambda: subprocess.run(find, env=env, capture_output=True, text=True).stdout.split()
+        window = wait_until("the window", found, HUNG_S, 0.005)
         wait_until("the moment", lambda: spent(process.pid) >= moment_s, HUNG_S, 0.002)
         before, begun = spent(process.pid), time.monotonic()
         closer.close(int(window[0]))
@@ -78,8 +79,8 @@ def main():
                 status, cpu, wall, shown = close_at(program, scene, moment_s, screen, folder)
                 ended = status == 0 and cpu <= BOUND_S
                 good = good and ended
-                print(f"{'passed' if ended else 'FAILED'} {scene} closed after {moment_s:.2f} s of processor time ({shown}): status {status}, "
-                      f"{cpu:.2f} s of processor time to the end, {wall:.2f} s by the clock", flush=True)
+                print(f"{'passed' if ended else 'FAILED'} {scene} closed after {moment_s:.2f} s of processor time "
+                      f"({shown}): status {status}, {cpu:.2f} s of it to the end, {wall:.2f} s by the clock", flush=True)
     finally:
         screen.close()
         shutil.rmtree(folder, ignore_errors=True)

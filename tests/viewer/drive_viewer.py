@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Uses nullscope-viewer as a person would, on a screen of its own, and looks at the pixels.
 
-Usage: drive_viewer.py VIEWER [CASE...]     (VIEWER: the program; CASE: names of test functions without "test_", or "window": those that
-                                            share one viewer, or "apart": those that run their own; without any: all)
+Usage: drive_viewer.py VIEWER [CASE...]     (VIEWER: the program; CASE: names of test functions without "test_",
+                                            or "window": those that share one viewer, or "apart": those that run
+                                            their own; without any: all)
 
-No case bounds a time by the clock on the wall, so that they pass on busy machines. NULLSCOPE_EVERYTHING: longer cases too.
+No case bounds a time by the clock on the wall, so that they pass on busy machines. NULLSCOPE_EVERYTHING:
+longer cases too.
 Exit status 0: all passed; 1: some failed; 77: Xvfb or xdotool is missing.
 """
 import os

@@ -11,7 +11,7 @@ using namespace nullscope::viewer;
 
 struct Drawn {
     int bands = 0, rows = 0;
-    double longest_ms = 0.0;   // band of those after the first
+    double longest_ms = 0.0;  // band of those after the first
 };
 
 // Draws a picture whose row y costs row_ms(y).
@@ -55,12 +55,14 @@ TEST_CASE("bands: a picture like the one before is cut by its dearest row from t
 
 TEST_CASE("bands: what compiles is told from what draws") {
     BandCutter bands(720, 0.0);
-    const Drawn drawn = draw(bands, [](int) { return 0.5; }, 400.0);
+    const Drawn drawn = draw(
+        bands, [](int) { return 0.5; }, 400.0);
     CHECK(drawn.rows == 720);
     CHECK(bands.row_ms() == doctest::Approx(0.5));
     CHECK(bands.compile_ms() == doctest::Approx(400.0));
-    BandCutter small(kFirstRows, 0.0);   // one band: nothing to judge it by
-    draw(small, [](int) { return 0.5; }, 400.0);
+    BandCutter small(kFirstRows, 0.0);  // one band: nothing to judge it by
+    draw(
+        small, [](int) { return 0.5; }, 400.0);
     CHECK(small.row_ms() == 0.0);
     CHECK(small.compile_ms() == doctest::Approx(400.0 + 0.5 * kFirstRows));
 }

@@ -9,7 +9,8 @@ from pathlib import Path
 
 from x_screen import wait_until
 
-EVERYTHING = "NULLSCOPE_EVERYTHING" in os.environ or os.environ.get("NULLSCOPE_TESTS", "quick") != "quick"   # else a few cases are shorter
+# else a few cases are shorter
+EVERYTHING = "NULLSCOPE_EVERYTHING" in os.environ or os.environ.get("NULLSCOPE_TESTS", "quick") != "quick"
 WIDTH, HEIGHT = 840, 600
 SCENE = """[camera]
 r = 22.0
@@ -39,7 +40,8 @@ METHOD, WORDS = (190, 413), (14, 453, 284, 515)   # the box and what is chosen a
 AUTO = (150, 26)                   # the first entry of its list while the list is not scrolled
 LEAST, MOST = (108, 438), (266, 438)              # of the slider for the largest error
 INSET = (600, 200, 820, 560)       # the probe's
-CLOCK, RUN, DELAY = (150, 302), (60, 327), (112, 402)   # the last header while nothing else is open; its button and its box
+# the last header while nothing else is open; its button and its box
+CLOCK, RUN, DELAY = (150, 302), (60, 327), (112, 402)
 EFFECTS = (150, 252)               # the section's header while nothing else is open, and its rows
 EFFECT_ROW = lambda row: (30, 277 + 25 * row)
 RIGHT = (560, 200, 820, 560)       # the ball is there, the tooltip of a row is not
@@ -50,8 +52,8 @@ WRONG_FATE, RAY = bytes([255, 0, 255]), bytes([120, 200, 255])
 NOISE = 0.002                      # single pixels on the edge of rounding
 CURSOR = 0.01                      # the pointer itself is a part of the screen
 CHANGED = 0.02
-# Keys that do nothing in the viewer, by their names and GLFW's numbers: in turn the last of what is sent, so that the viewer's word on
-# which key it has seen last tells that it has seen all before.
+# Keys that do nothing in the viewer, by their names and GLFW's numbers: in turn the last of what is sent, so that the
+# viewer's word on which key it has seen last tells that it has seen all before.
 MARKS = [("Pause", 284), ("Scroll_Lock", 281)]
 HUNG_S = 60.0                      # no bound on how long anything takes: a test that hangs shall end
 MEASURED_S = 240.0                 # the same for all of a frame's errors
@@ -97,8 +99,8 @@ class Viewer:
         self.scene.write_text(scene if "\n" in scene else shipped(scene))
         self.log = Log(Path(self.folder) / "turns.txt")
         self.env = {**os.environ, "DISPLAY": screen.display}
-        self.process = subprocess.Popen([program, self.scene.name, "--turns", self.log.path, *arguments], cwd=self.folder,
-                                        env=self.env, stderr=subprocess.PIPE, text=True)
+        self.process = subprocess.Popen([program, self.scene.name, "--turns", self.log.path, *arguments],
+                                        cwd=self.folder, env=self.env, stderr=subprocess.PIPE, text=True)
         self.window = None
 
     def start(self):
@@ -118,16 +120,16 @@ class Viewer:
         return self.screen.picture(*area)
 
     def settle(self, *words, measured=False):
-        """Does what the words say; the picture once all of it was answered and the viewer has come to rest. measured: the errors and
-        the effects' times too."""
+        """Does what the words say; the picture once all of it was answered and the viewer rests. measured: the
+        errors and the effects' times too."""
         at, (name, number) = self.log.size(), MARKS[self.marks % len(MARKS)]
         self.marks += 1
         self.hands(*words, "key", name)
 
         def rests():
             assert self.process.poll() is None, f"the viewer ended: {self.process.stderr.read()}"
-            last = self.log.since(at)[-1:]
-            return last and last[0][0] == "rest" and int(last[0][1]["key"]) == number and (not measured or last[0][1]["measuring"] == "0")
+            word, values = (self.log.since(at) or [("", {})])[-1]
+            return word == "rest" and int(values["key"]) == number and not (measured and values["measuring"] == "1")
         wait_until("the viewer comes to rest", rests, MEASURED_S if measured else HUNG_S, every_s=0.01)
         return self.picture()
 
@@ -149,7 +151,7 @@ class Viewer:
         return sum(pixel == tuple(colour) for pixel in zip(data[::3], data[1::3], data[2::3]))
 
     def refused(self):
-        """Pixels of red letters: thin strokes reach their colour, (255, 133, 115), in some versions of Dear ImGui only."""
+        """Pixels of red letters: thin strokes reach (255, 133, 115) in some versions of Dear ImGui only."""
         data = self.picture(WORDS).data
         return sum(r > 150 and 2 * g < 1.2 * r and b < g for r, g, b in zip(data[::3], data[1::3], data[2::3]))
 

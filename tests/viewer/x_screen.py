@@ -143,12 +143,12 @@ class Screen:
 
 
 class WindowCloser:
-    """Closes windows as a window manager's button does: with the message WM_DELETE_WINDOW, which xdotool of 2016 cannot send."""
+    """Closes windows as a window manager's button does, by WM_DELETE_WINDOW; xdotool of 2016 cannot."""
 
     class Message(ctypes.Structure):   # XClientMessageEvent, within the size of an XEvent
-        _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int), ("display", ctypes.c_void_p),
-                    ("window", ctypes.c_ulong), ("message_type", ctypes.c_ulong), ("format", ctypes.c_int), ("data", ctypes.c_long * 5),
-                    ("padding", ctypes.c_long * 12)]
+        _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("send_event", ctypes.c_int),
+                    ("display", ctypes.c_void_p), ("window", ctypes.c_ulong), ("message_type", ctypes.c_ulong),
+                    ("format", ctypes.c_int), ("data", ctypes.c_long * 5), ("padding", ctypes.c_long * 12)]
 
     def __init__(self, display):
         self.x11 = ctypes.CDLL("libX11.so.6")
@@ -161,7 +161,8 @@ class WindowCloser:
 
     def close(self, window):
         client_message, format_of_longs = 33, 32
-        message = self.Message(type=client_message, window=window, message_type=self.atom("WM_PROTOCOLS"), format=format_of_longs)
+        message = self.Message(type=client_message, window=window, message_type=self.atom("WM_PROTOCOLS"),
+                               format=format_of_longs)
         message.data[0] = self.atom("WM_DELETE_WINDOW")
         self.x11.XSendEvent(self.display, ctypes.c_ulong(window), 0, ctypes.c_long(0), ctypes.byref(message))
         self.x11.XSync(self.display, 0)
