@@ -109,6 +109,7 @@ class Films(FilmTest):
         for output, folder in (("film.mp4", "film.mp4.frames"), ("%d.png", ".")):
             process = self.begun(*SIZE, *ENDLESS, "-o", output, folder=folder)
             process.send_signal(signal.SIGSTOP)
+            os.waitpid(process.pid, os.WUNTRACED)   # once it stands still
             short = ("capture", "scene.toml", *SIZE, "--time-step", "0.25", "--frames", "0:9", "-o", output)
             self.refused(*short, status=1, says=["another run is drawing it"], environment=self.environment)
             self.refused(*short, "--resume", status=1, says=["another run is drawing it"], environment=self.environment)
