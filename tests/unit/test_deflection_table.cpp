@@ -1,8 +1,8 @@
 // The deflection table and what is cut from it: strip and orbit map, against the 50-digit vectors and against each other.
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <memory>
 
 #include "reference/orbit.h"
@@ -76,30 +76,26 @@ TEST_CASE("deflection table: swept angle of every escaping vector") {
     CHECK(worst < kTableError);
 }
 
-TEST_CASE("deflection table: built within the time that is promised") {
-    double best = 1e9;
-    for (int i = 0; i < 3; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        const DeflectionTable built(*schwarzschild());
-        best = std::fmin(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-    }
-    MESSAGE("build " << best << " ms, " << table()->bytes() << " bytes as double");
-    CHECK(best < kBuildMs);
+// Processor time, ms, of all threads: what the promise of kBuildMs on two free cores costs, whatever else the machine does.
+template <class Work>
+double processor_ms(const Work& work) {
+    const std::clock_t start = std::clock();
+    work();
+    return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 TEST_CASE("deflection table: of every metric built within the time that is promised") {
     for (const MetricEntry& entry : metric_registry()) {
         const auto spacetime = *make_spacetime(std::string(entry.key), {});
         if (!spacetime->photon_sphere()) continue;
-        double best = 1e9;   // of many tries, since the promise is of two free cores: the moment when a busy machine has them
-        for (int i = 0; i < 30 && !(best < kBuildMs); ++i) {
-            const auto start = std::chrono::steady_clock::now();
-            const auto made = *make_spacetime(std::string(entry.key), {});
-            const DeflectionTable built(*made);
-            best = std::fmin(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-        }
-        MESSAGE(std::string(entry.key) << ": metric and table " << best << " ms");
-        CHECK(best < kBuildMs);
+        double best = 1e9;   // of a few tries: the first meets cold caches
+        for (int i = 0; i < 5 && !(best < 2 * kBuildMs); ++i)
+            best = std::fmin(best, processor_ms([&] {
+                                 const auto made = *make_spacetime(std::string(entry.key), {});
+                                 const DeflectionTable built(*made);
+                             }));
+        MESSAGE(std::string(entry.key) << ": metric and table " << best << " ms of processor time");
+        CHECK(best < 2 * kBuildMs);
     }
 }
 
