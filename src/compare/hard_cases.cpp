@@ -71,7 +71,7 @@ void photon_sphere(List& list) {
     for (const auto& [where, r] : radii)
         for (const auto& [look, yaw] : {std::pair{"across", 90.0}, {"inwards", 0.0}, {"outwards", 180.0}})
             list.add(fmt::format("photon sphere {}, {}", where, look), "both sheets of the table meet and chi0 = pi/2",
-                     [&](Scene& s) { s.camera.r = r, s.camera.yaw = yaw * kDegree, field_of_view(s, 100 * kDegree); });
+                     [r = r, yaw = yaw](Scene& s) { s.camera.r = r, s.camera.yaw = yaw * kDegree, field_of_view(s, 100 * kDegree); });
 }
 
 void radii(List& list) {
@@ -140,16 +140,16 @@ void table_edges(List& list) {
 void axis_and_plane(List& list) {
     for (const auto& [name, theta] : {std::pair{"0", 0.0}, {"pi", M_PI}, {"1e-9", 1e-9}, {"1e-4", 1e-4}})
         list.add(fmt::format("camera at theta = {}", name), "the polar axis has no azimuth",
-                 [&](Scene& s) { disc(s), s.camera.r = 20, s.camera.theta = theta; });
+                 [theta = theta](Scene& s) { disc(s), s.camera.r = 20, s.camera.theta = theta; });
     list.add("rays across the polar axis", "azimuth jumps by pi along the ray", [](Scene& s) {
         s.camera.r = 20, s.camera.theta = 0.6, s.camera.pitch = -0.15, field_of_view(s, 20 * kDegree);
     });
     for (const auto& [name, off] : {std::pair{"in the disc's plane", 0.0}, {"1e-6 above the disc's plane", 1e-6}, {"1e-9 above it", 1e-9},
                                     {"1e-4 below it", -1e-4}}) {
-        list.add(fmt::format("camera {}", name), "the disc is seen edge-on", [&](Scene& s) {
+        list.add(fmt::format("camera {}", name), "the disc is seen edge-on", [off = off](Scene& s) {
             disc(s), s.camera.r = 20, s.camera.theta = M_PI / 2 - off;
         });
-        list.add(fmt::format("camera inside the disc, {}", name), "the disc is around the camera", [&](Scene& s) {
+        list.add(fmt::format("camera inside the disc, {}", name), "the disc is around the camera", [off = off](Scene& s) {
             disc(s), s.camera.r = 7, s.camera.theta = M_PI / 2 - off;
         });
     }
@@ -200,7 +200,7 @@ void motions(List& list) {
 void moving_zooms(List& list) {
     for (const double degrees : {1.0, 0.1, 0.01})
         for (const auto& [name, v] : {std::pair{"0.89 c", Vec3{0.5, 0, 0.74}}, {"0.999 c across", Vec3{0, 0, 0.999}}, {"0.999 c inwards", Vec3{-0.999, 0, 0}}})
-            list.add(fmt::format("{} degrees at {}", degrees, name), "aberration forms every direction anew, in float", [&](Scene& s) {
+            list.add(fmt::format("{} degrees at {}", degrees, name), "aberration forms every direction anew, in float", [v = v, degrees](Scene& s) {
                 s.camera.r = 20, s.camera.yaw = 21 * kDegree, s.camera.pitch = 3 * kDegree, s.camera.velocity = v, field_of_view(s, degrees * kDegree);
             });
 }
@@ -221,7 +221,7 @@ void frames(List& list) {
         });
     }
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 129}, {129, 1}, {8192, 2}, {2, 8192}, {2, 2}})
-        list.add(fmt::format("{} x {}", width, height), "sizes that leave no neighbour, or many", [&](Scene& s) {
+        list.add(fmt::format("{} x {}", width, height), "sizes that leave no neighbour, or many", [width = width, height = height](Scene& s) {
             disc(s), s.camera.r = 20, s.camera.theta = 1.4, s.camera.width = width, s.camera.height = height;
             if (height > width) s.camera.plane_width /= height;
         });

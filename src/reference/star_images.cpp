@@ -64,7 +64,7 @@ std::vector<StarImage> StarImages::of(Vec3 direction, double margin_px) const {
         if (!position) continue;
         const auto [x, y] = *position;
         if (!(x > -margin_px && x < camera_.width + margin_px && y > -margin_px && y < camera_.height + margin_px)) continue;
-        const auto sky = [&](double dx, double dy) {
+        const auto sky = [&, x = x, y = y](double dx, double dy) {
             const CameraRay ray = tracer_.ray(x + dx, y + dy);
             return ray.plane.direction(ray.orbit->angle());
         };

@@ -141,7 +141,7 @@ private:
                                                                 stars_.glow().brightness(level.coldest)
                                                           : 0.0;
             if (level.brightest + bluer + other - std::log2(area) < seeing_.faintest) break;
-            StarGrid::visit_near(level, cap.middle, (1 + 4 * kOverDivided) * cap.radius, [&](const Star& one) {
+            StarGrid::visit_near(level, cap.middle, (1 + 4 * kOverDivided) * cap.radius, [&, area = area, g = g](const Star& one) {
                 if (box.has(one.place) && dot(one.place, cap.middle) > 0 && seen(one.number, area, g))
                     list.push_back(one);
             });

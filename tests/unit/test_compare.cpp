@@ -222,7 +222,8 @@ TEST_CASE("compare: every channel of the ray data holds what its name says, and 
     image.width = image.height = 1;
     add_ray_channels({1, 1, {pixel}}, image);
     CHECK(image.channels.size() == expected.size());
-    for (const auto& [name, value] : expected) {
+    for (const auto& [key, value] : expected) {
+        const std::string name = key;   // clang 14 captures no structured binding
         CAPTURE(name);
         REQUIRE(image.channels.count(name) == 1);
         CHECK(image.channels.at(name) == std::vector<float>{value});
