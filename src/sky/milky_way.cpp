@@ -1,4 +1,4 @@
-// Built without errno from sqrt (src/CMakeLists.txt), so that loops over nodes are vectorised.
+// Its loops are to be vectorised: see its compiler options in src/CMakeLists.txt.
 #include "sky/milky_way.h"
 
 #include <tbb/parallel_for.h>

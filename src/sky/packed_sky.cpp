@@ -1,3 +1,4 @@
+// Its loops are to be vectorised: see its compiler options in src/CMakeLists.txt.
 #include "sky/packed_sky.h"
 
 #include <tbb/enumerable_thread_specific.h>

@@ -1,4 +1,4 @@
-// Built without errno from sqrt (src/CMakeLists.txt), so that the loops over a row's texels are vectorised.
+// Its loops are to be vectorised: see its compiler options in src/CMakeLists.txt.
 #include "sky/star_light.h"
 
 #include <tbb/parallel_for.h>
