@@ -10,8 +10,8 @@
 
 #include "base/assets.h"
 #include "base/large_image.h"
-#include "sky/packed_sky.h"
 #include "shaderlib/passes.h"
+#include "sky/packed_sky.h"
 #include "table/disc_light.h"
 #include "table/star_lens.h"
 #include "table/table_grid.h"
@@ -97,17 +97,18 @@ Status Renderer::prepare(const Scene& scene) {
     if (const auto* fan = tables_.fan(); fan != nullptr && fan->frame().infall() > 0.0 && method_.kind != MethodKind::kStrip)
         return bad_input(fmt::format("camera.observer = \"{}\" with another method than the strip; allowed: --method strip or auto, or a static observer",
                                      observer_name(scene.camera.observer)));
-    if (Status status = load_skies(scene); !status) return status;
+    begin_skies(scene);   // they get ready while the rest is loaded
     if (Status status = load_disc(scene); !status) return status;
     if (Status status = load_bodies(scene); !status) return status;
     if (Status status = load_table(scene); !status) return status;
     load_heat(scene);
     load_black_body();
     if (Status status = stars_.update(scene, tables_); !status) return status;
+    if (Status status = skies_.finish(notes_); !status) return status;
     scene_ = scene;
     if (scene_.disc && hottest_.by) scene_.disc->temperature_K = hottest_.temperature_K;
     upload_tables();
-    upload_block(scene_, {sky_size_, disc_width_, static_cast<bool>(skies_)});
+    upload_block(scene_, {skies_.size(), disc_width_, skies_.both()});
     return Done{};
 }
 
@@ -144,38 +145,12 @@ void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
     gl::upload_uniforms(uniforms_, block.data(), sizeof(block));
 }
 
-// One sky is a cube map; two are layers of one texture, so that a pixel fetches once (shaders/object/celestial_sphere.glsl).
-Status Renderer::load_skies(const Scene& scene) {
+void Renderer::begin_skies(const Scene& scene) {
     const EffectSet& effects = tables_.effects();
     const auto near = effects.contains(Effect::kSky) ? std::optional(scene.sky) : std::nullopt;
     const auto far = effects.contains(Effect::kFarSky) ? std::optional(scene.far_sky) : std::nullopt;
     const int wanted = near || far ? sky_face_size(scene.camera, info_.max_cube_size) : 0;
-    const int size = keep_finer_sky_ && wanted > 0 ? std::max(wanted, sky_size_) : wanted;
-    if (sky_spec_ == near && far_sky_spec_ == far && sky_size_ == size) return Done{};
-    for (gl::Texture* texture : {&sky_, &far_sky_, &skies_}) *texture = {};
-    sky_spec_.reset(), far_sky_spec_.reset();
-    sky_size_ = 0;
-    const bool both = near && far;
-    const int levels = sky_levels(size, both);
-    if (both) skies_ = gl::make_sky_layers(bordered_size(size), levels, 12);
-    int layer = 0;
-    for (const auto& [spec, cube] : {std::pair{&near, &sky_}, std::pair{&far, &far_sky_}}) {
-        if (!*spec) continue;
-        const auto painter = SkyPainter::make(**spec, assets_directory(), size, both ? size / kBorderOf : 0);
-        if (!painter) return painter.error();
-        for (std::string& note : painter->notes()) notes_.push_back(std::move(note));
-        if (!both) *cube = gl::make_sky_cube(size, levels);
-        pack_sky(*painter, [&, texture = cube](const PackedRows& rows) {
-            const gl::SkyTexels texels{layer + rows.face, rows.level, rows.first, rows.count, rows.width, rows.texels};
-            if (both) gl::fill_sky_layers(skies_, texels);
-            else gl::fill_sky_cube(*texture, texels);
-        });
-        layer += 6;
-    }
-    gl::check("sky");
-    sky_spec_ = near, far_sky_spec_ = far;
-    sky_size_ = size;
-    return Done{};
+    skies_.begin(near, far, keep_finer_sky_ && wanted > 0 ? std::max(wanted, skies_.size()) : wanted);
 }
 
 Status Renderer::load_disc(const Scene& scene) {
@@ -280,9 +255,7 @@ void Renderer::bind_inputs() {
     gl::bind_texture_2d(kStripUnit, strip_);
     gl::bind_texture_2d(kEndsUnit, ends_);
     gl::bind_texture_2d(kOrbitUnit, orbit_map_);
-    gl::bind_texture_cube(kSkyUnit, sky_);
-    gl::bind_texture_layers(kSkyUnit, skies_);
-    gl::bind_texture_cube(kFarSkyUnit, far_sky_);
+    skies_.bind(kSkyUnit, kFarSkyUnit);
     gl::bind_texture_2d(kDiscUnit, disc_);
     gl::bind_texture_2d(kTableUnit, table_);
     body_images_.bind(kBodyUnit);
@@ -421,10 +394,10 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     if (map.width > 0) lines.push_back({"orbit map", map.width, map.height, map.bytes()});
     if (const TexelGrid& delays = tables_.delay_map(); delays.width > 0) lines.push_back({"delay map", delays.width, delays.height, delays.bytes()});
     if (ball_path_) lines.push_back({"ball's way", kBallPathCells + 1, 2, tables_.ball_path()->row.bytes()});
-    const int face = skies_ ? bordered_size(sky_size_) : sky_size_;
+    const int face = skies_.both() ? bordered_size(skies_.size()) : skies_.size();
     const std::size_t sky_bytes = static_cast<std::size_t>(face) * static_cast<std::size_t>(face) * 32;   // 6 faces, 4 B, mip levels
-    if (far_sky_spec_) lines.push_back({"far sky", face, face, sky_bytes});
-    if (sky_spec_) lines.push_back({"sky", face, face, sky_bytes});
+    if (skies_.far()) lines.push_back({"far sky", face, face, sky_bytes});
+    if (skies_.near()) lines.push_back({"sky", face, face, sky_bytes});
     if (disc_width_ > 0) lines.push_back({"disc image", disc_width_, disc_height_, static_cast<std::size_t>(disc_width_) * disc_height_ * 32 / 3});
     for (int body = 0; body < kBodyCount; ++body)
         if (const auto& picture = body_images_.pictures()[static_cast<std::size_t>(body)])

@@ -16,6 +16,7 @@
 #include "render/bloom.h"
 #include "render/body_images.h"
 #include "render/frame_tables.h"
+#include "render/sky_textures.h"
 #include "render/star_field.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
@@ -88,7 +89,7 @@ private:
     void upload_ends();
     void upload_block(const Scene& scene, const TextureFacts& facts);
     RayFrame draw_rays(const gl::Target& target, int row_step);
-    Status load_skies(const Scene& scene);
+    void begin_skies(const Scene& scene);
     Status load_disc(const Scene& scene);
     Status load_bodies(const Scene& scene);
     Status load_table(const Scene& scene);
@@ -107,7 +108,7 @@ private:
     int rows_revision_ = -1;
     std::optional<EffectSet> block_effects_;
     std::vector<int> block_members_;   // of the uniform block with these effects
-    gl::Texture strip_, ends_, orbit_map_, ball_path_, sky_, far_sky_, skies_, disc_, table_, disc_flow_, black_body_, star_lens_;
+    gl::Texture strip_, ends_, orbit_map_, ball_path_, disc_, table_, disc_flow_, black_body_, star_lens_;
     StarField stars_;
     Bloom bloom_;
     double adaptation_ = 1.0;
@@ -117,8 +118,7 @@ private:
     std::optional<std::pair<SpacetimeSpec, Method>> table_key_;   // of table_
     std::size_t table_bytes_ = 0;
     double gpu_table_ms_ = 0.0;
-    std::optional<SkySpec> sky_spec_, far_sky_spec_;   // that are loaded
-    int sky_size_ = 0;                 // of a face
+    SkyTextures skies_;
     bool keep_finer_sky_ = false;
     std::optional<std::string> disc_file_;
     std::optional<std::tuple<SpacetimeSpec, double, double, bool, bool, bool>> flow_key_;   // of disc_flow_: its radii, parts of g

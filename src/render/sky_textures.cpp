@@ -1,0 +1,51 @@
+#include "render/sky_textures.h"
+
+#include <utility>
+
+#include "base/assets.h"
+#include "sky/packed_sky.h"
+
+namespace nullscope {
+
+void SkyTextures::begin(const std::optional<SkySpec>& near, const std::optional<SkySpec>& far, int size) {
+    if (near_ == near && far_ == far && size_ == size) return;
+    *this = {};
+    near_ = near, far_ = far, size_ = size;
+    const int border = both() ? size / kBorderOf : 0;
+    for (const auto* spec : {&near_, &far_})
+        if (*spec)
+            painters_.push_back(std::async(std::launch::async, [spec = **spec, size, border] {
+                return SkyPainter::make(spec, assets_directory(), size, border);
+            }));
+}
+
+Status SkyTextures::finish(std::vector<std::string>& notes) {
+    if (painters_.empty()) return Done{};
+    SkyTextures work = std::exchange(*this, {});   // nothing stays loaded where something fails
+    const int levels = sky_levels(work.size_, work.both());
+    gl::Texture& texture = work.both() ? work.layers_ : work.near_ ? work.near_cube_ : work.far_cube_;
+    texture = work.both() ? gl::make_sky_layers(bordered_size(work.size_), levels, 12) : gl::make_sky_cube(work.size_, levels);
+    int layer = 0;
+    for (auto& coming : std::exchange(work.painters_, {})) {
+        const auto painter = coming.get();
+        if (!painter) return painter.error();
+        for (std::string& note : painter->notes()) notes.push_back(std::move(note));
+        pack_sky(*painter, [&](const PackedRows& rows) {
+            const gl::SkyTexels texels{layer + rows.face, rows.level, rows.first, rows.count, rows.width, rows.texels};
+            if (work.both()) gl::fill_sky_layers(texture, texels);
+            else gl::fill_sky_cube(texture, texels);
+        });
+        layer += 6;
+    }
+    gl::check("sky");
+    *this = std::move(work);
+    return Done{};
+}
+
+void SkyTextures::bind(int near_unit, int far_unit) const {
+    gl::bind_texture_cube(near_unit, near_cube_);
+    gl::bind_texture_layers(near_unit, layers_);
+    gl::bind_texture_cube(far_unit, far_cube_);
+}
+
+}  // namespace nullscope

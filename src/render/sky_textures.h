@@ -1,0 +1,38 @@
+// The skies of a scene as textures: one is a cube map; two, of a wormhole's sides, are layers of one texture, so that a pixel fetches once
+// (shaders/object/celestial_sphere.glsl).
+#pragma once
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "gl/gl.h"
+#include "scene/scene.h"
+#include "sky/sky_painter.h"
+
+namespace nullscope {
+
+class SkyTextures {
+public:
+    // Starts to make ready what these skies need, on other threads, unless they are loaded. size: of a face; 0 without any sky.
+    void begin(const std::optional<SkySpec>& near, const std::optional<SkySpec>& far, int size);
+    // Paints and uploads what was begun. Errors: SkyPainter::make's; nothing is loaded then. notes: for people, a line each.
+    Status finish(std::vector<std::string>& notes);
+
+    // Of near and far; units that no sky needs stay bare.
+    void bind(int near_unit, int far_unit) const;
+
+    int size() const { return size_; }         // of a face
+    bool both() const { return near_ && far_; }
+    bool near() const { return near_.has_value(); }
+    bool far() const { return far_.has_value(); }
+
+private:
+    gl::Texture near_cube_, far_cube_, layers_;
+    std::optional<SkySpec> near_, far_;        // that are loaded, or begun
+    int size_ = 0;
+    std::vector<std::future<Result<SkyPainter>>> painters_;   // begun
+};
+
+}  // namespace nullscope
