@@ -4,6 +4,7 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <bit>
 #include <sstream>
 
 namespace nullscope::gl {
@@ -152,11 +153,38 @@ Texture make_number_texture(int width, int height, int channels, const float* va
 
 Texture make_float_texture(int width, int height, const float* rgba) { return make_number_texture(width, height, 4, rgba, false); }
 
+namespace {
+
+// Means of 2 x 2 pixels, of 2 x 1 where a side is 1 already.
+std::vector<float> halved(const float* from, int width, int height, int channels) {
+    const int to_width = std::max(width / 2, 1), to_height = std::max(height / 2, 1);
+    const std::size_t across = width > 1 ? static_cast<std::size_t>(channels) : 0, row = static_cast<std::size_t>(width * channels), down = height > 1 ? row : 0;
+    std::vector<float> to(static_cast<std::size_t>(to_width) * static_cast<std::size_t>(to_height * channels));
+    float* out = to.data();
+    for (int y = 0; y < to_height; ++y)
+        for (int x = 0; x < to_width; ++x) {
+            const float* p = from + 2 * static_cast<std::size_t>(y) * down + 2 * static_cast<std::size_t>(x) * across;
+            for (int c = 0; c < channels; ++c, ++p) *out++ = 0.25f * (p[0] + p[across] + p[down] + p[across + down]);
+        }
+    return to;
+}
+
+}  // namespace
+
+// Where sides are powers of two, mip levels are made here: a software driver would compile a shader for them first, some 40 ms.
 Texture make_picture_texture(int width, int height, int channels, const float* data) {
     Texture texture(new_texture(GL_TEXTURE_2D));
     set_sampling(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, width, height, 0, channels == 4 ? GL_RGBA : GL_RGB, GL_FLOAT, data);
-    glGenerateMipmap(GL_TEXTURE_2D);
+    const GLenum format = channels == 4 ? GL_RGBA : GL_RGB;
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, width, height, 0, format, GL_FLOAT, data);
+    const bool powers = std::has_single_bit(static_cast<unsigned>(width)) && std::has_single_bit(static_cast<unsigned>(height));
+    if (!powers) glGenerateMipmap(GL_TEXTURE_2D);
+    std::vector<float> texels;
+    for (int level = 1; powers && (width > 1 || height > 1); ++level) {
+        texels = level == 1 ? halved(data, width, height, channels) : halved(texels.data(), width, height, channels);
+        width = std::max(width / 2, 1), height = std::max(height / 2, 1);
+        glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, width, height, 0, format, GL_FLOAT, texels.data());
+    }
     check("picture texture");
     return texture;
 }
