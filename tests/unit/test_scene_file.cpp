@@ -155,6 +155,8 @@ TEST_CASE("the defaults that the key table shows are those of an empty scene") {
     for (const SceneKey& key : scene_keys()) {
         if (key.type != KeyType::kNumber || key.section == "disc" || key.fallback.empty()) continue;
         Scene changed = empty;
+        changed.path.emplace(), changed.disc.emplace(), changed.spot.emplace(), changed.sphere.emplace();
+        changed.cylinder.emplace(), changed.ball.emplace(), changed.surface.emplace();
         KeyValue value;
         value.number = *parse_number(key.fallback) * (key.unit == "deg" ? kDegree : 1.0);
         CHECK(key.range.contains(*parse_number(key.fallback)));
