@@ -130,6 +130,7 @@ TEST_CASE("kerr bodies: what is traced outward and turns back meets the same as 
     constexpr double kSameRay = 1e-9;   // of rays within 1e-12 r_s, by directions that rounding turns by 1e-16, near the critical one
     int hits = 0, back = 0;
     double place = 0, along = 0, late = 0;
+    const auto apart = [](double a, double b) { return std::fabs(a - b) / std::max(1.0, std::fabs(b)); };   // along: 0 abreast of the hole
     for (const double r : {1.1, 1.5, 1.8}) {
         Scene scene = spinning(0.9);
         scene.camera.observer = ObserverKind::kZamo, scene.camera.r = r, scene.camera.theta = 1.4, scene.camera.plane_width = 2, scene.camera.width = 12, scene.camera.height = 9;
@@ -153,12 +154,12 @@ TEST_CASE("kerr bodies: what is traced outward and turns back meets the same as 
                     CAPTURE(y);
                     REQUIRE(hit.has_value() == other.hit.has_value());
                     REQUIRE(traced.spun->crossings.size() == other.ray.crossings.size());
-                    for (std::size_t k = 0; k < other.ray.crossings.size(); ++k) along = std::max(along, std::fabs(traced.spun->crossings[k].along / other.ray.crossings[k].along - 1));
+                    for (std::size_t k = 0; k < other.ray.crossings.size(); ++k) along = std::max(along, apart(traced.spun->crossings[k].along, other.ray.crossings[k].along));
                     if (!hit) continue;
                     ++hits, back += n.x > 0 && traced.fate() == Fate::kCaptured;
                     CHECK(hit->object == other.hit->object);
                     place = std::max(place, length(hit->place - other.hit->place));
-                    along = std::max(along, std::fabs(hit->along / other.hit->along - 1));
+                    along = std::max(along, apart(hit->along, other.hit->along));
                     late = std::max(late, std::fabs(hit->late - other.hit->late));
                 }
         }
@@ -172,7 +173,7 @@ TEST_CASE("kerr bodies: what is traced outward and turns back meets the same as 
 
 TEST_CASE("kerr bodies: hits lie on the surface, and a fine march meets nothing before") {
     constexpr int kParts = 24;   // of a step
-    constexpr double kNearer = 1e-6;   // of the affine parameter: what a march may come before
+    constexpr double kNearer = 1e-5;   // of the affine parameter: what a march may come before
     for (const double spin : {0.9, 0.998})
         for (const Kind& kind : kKinds) {
             CAPTURE(spin);
@@ -216,7 +217,7 @@ TEST_CASE("kerr bodies: hits lie on the surface, and a fine march meets nothing 
                             if (value_of(scene, *metric, place.flat(), scene.time - place.late) < 0) first = std::min(first, along);
                         }
                     });
-                    CHECK((found.hit ? found.hit->along * (1 - kNearer) : INFINITY) <= first);
+                    CHECK((found.hit ? found.hit->along - kNearer : INFINITY) <= first);
                     if (found.hit && first == INFINITY) CHECK(found.hit->cosine < 0.3);   // grazed between two looks of the march
                 }
             }
