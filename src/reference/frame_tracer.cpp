@@ -204,7 +204,7 @@ RayPixel FrameTracer::pixel_without_delay(double x, double y) const { return pix
 RayPixel FrameTracer::pixel_of(const CameraRay& traced, bool with_delay) const {
     RayPixel pixel;
     pixel.fate = traced.fate();
-    pixel.g = traced.g;
+    pixel.g = traced.g > 0 && std::isfinite(traced.g) ? traced.g : 0;   // light of no positive energy has no frequency at infinity
     pixel.angle = traced.spun ? 0.0 : finite_or_zero(traced.orbit->angle());
     if (pixel.fate == Fate::kHit) {   // a star
         const Vec3 place = traced.plane.direction(pixel.angle);

@@ -1,6 +1,7 @@
 // The reference's frames: finite everywhere, boosted cameras, disc hits, compositing.
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <doctest/doctest.h>
 
@@ -54,6 +55,30 @@ TEST_CASE("reference: frames are finite everywhere") {
             }
         }
     }
+}
+
+TEST_CASE("reference: frames from inside a horizon are finite, and light of no positive energy has no g") {
+    for (const char* metric : {"schwarzschild", "reissner-nordstrom", "kerr"})
+        for (const ObserverKind observer : {ObserverKind::kRain, ObserverKind::kFall, ObserverKind::kThrow})
+            for (const double r : {0.3, 0.6, 0.87}) {
+                Scene scene = small_scene();
+                scene.spacetime.metric = metric;
+                if (metric == std::string("kerr")) scene.spacetime.parameters["spin"] = 0.5;   // between 0.067 and 0.933 r_s
+                scene.camera.width = 24, scene.camera.height = 18, scene.camera.plane_width = 6;
+                scene.camera.observer = observer, scene.camera.r = r, scene.camera.theta = 1.2;
+                scene.camera.fall_from = 5, scene.camera.energy = 0.4;
+                scene.camera.velocity = {0.3, 0.1, -0.2};
+                for (const double yaw : {0.0, M_PI}) {
+                    scene.camera.yaw = yaw;
+                    const auto frame = reference::trace_frame(scene);
+                    CAPTURE(std::string(metric));
+                    CAPTURE(r);
+                    REQUIRE(frame);
+                    int broken = 0;
+                    for (const RayPixel& pixel : frame->pixels) broken += !all_finite(pixel) || !(pixel.g >= 0);
+                    CHECK(broken == 0);
+                }
+            }
 }
 
 // The frame carries a photon momentum through the tetrad; the same pixel by the product form of aberration and
