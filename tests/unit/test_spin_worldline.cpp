@@ -13,6 +13,7 @@
 #include "scene/scene_file.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
+#include "spacetime/spin_frame.h"
 
 namespace {
 
@@ -66,6 +67,38 @@ TEST_CASE("spin worldline: what falls keeps its observer: rain stays rain, a cir
     const CircularOrbit circle = *circular_orbit(*hole, r);
     CHECK(std::fabs(orbit->at(60).r - r) < 1e-9);
     CHECK(std::fabs(orbit->azimuth(60) - 60 * circle.u_t * circle.omega) < 1e-9);   // phi~ - phi stays where r does
+}
+
+// A camera that is let go from rest without angular momentum has E and Carter's K of its start. `fall` has p_theta = 0 wherever it is: the same
+// geodesic in the plane of the equator, and off it by p_theta^2 = K - a^2 E^2 sin^2 - a^2 cos^2 = a^2 (1 - E^2)(cos^2 theta0 - cos^2 theta).
+TEST_CASE("spin worldline: from rest it is the observer `fall` in the equator's plane, elsewhere off by Carter's p_theta") {
+    constexpr double kFrom = 5, kSameMotion = 1e-12;
+    for (const double spin : {0.9, 0.998})
+        for (const double theta : {M_PI / 2, 1.2, 0.6}) {
+            const auto hole = kerr(spin);
+            const auto line = SpinWorldline::make(hole, camera_at(kFrom, theta, ObserverKind::kZamo), 200);
+            REQUIRE(line);
+            const double a = spin / 2, energy = line->energy();
+            CHECK(std::fabs(energy - std::sqrt(zamo_lapse2(spin_place(*hole, kFrom, theta)))) < kConserved);
+            for (const double part : {0.7, 0.9, 0.97, 0.99}) {   // from 4 r_s to inside the horizon
+                const CameraSpec here = line->at(part * line->last());
+                CameraSpec falls = here;
+                falls.observer = ObserverKind::kFall, falls.fall_from = kFrom, falls.velocity = {};
+                const auto u = ingoing_hat_pair(*hole, here), axes = ingoing_hat_pair(*hole, falls);
+                REQUIRE(u);
+                REQUIRE(axes);
+                const double sigma = here.r * here.r + std::pow(a * std::cos(here.theta), 2), p_theta = sigma * u->high[0][2];
+                const double carter = a * a * (1 - energy * energy) * (std::pow(std::cos(theta), 2) - std::pow(std::cos(here.theta), 2));
+                CAPTURE(spin);
+                CAPTURE(theta);
+                CAPTURE(here.r);
+                CHECK(std::fabs(p_theta - std::sqrt(std::fmax(carter, 0))) < 1e-9);
+                double apart = 0;
+                for (std::size_t mu = 0; mu < 4; ++mu) apart = std::fmax(apart, std::fabs(u->high[0][mu] - axes->high[0][mu]));
+                if (theta == M_PI / 2) CHECK(apart < kSameMotion);
+                else CHECK(apart > 1e-4);
+            }
+        }
 }
 
 TEST_CASE("spin worldline: a camera without spin is the plane orbit's, axes and all") {
