@@ -87,8 +87,8 @@ MUTANTS = [Mutant(*row) for row in [
     ("display", "a missing square root in the display's curve", "shaders/effect/display.glsl",
      "vec3 s1 = sqrt(c);", "vec3 s1 = c;", GOLDEN),
     ("stale", "tables kept when the camera moves", "src/render/frame_tables.cpp",
-     "radius_ != scene.camera.r || !(frame_ == observer->frame) || (orbits && !had_orbits) || "
-     "(delays && !had_delays) || (points && !had_points) ||\n"
+     "radius_ != scene.camera.r || !(frame_ == observer->frame) || (orbits && !had_orbits) ||\n"
+     "                 (delays && !had_delays) || (points && !had_points) ||\n"
      "                 (fan_ && fan_->w0() != fan_for(scene, *observer).w0());",
      "(orbits && !had_orbits) || (delays && !had_delays) || (points && !had_points);",
      HARD),   # the radius alone is an equivalent mutant: another radius is another w0

@@ -50,9 +50,12 @@ tier=quick
 [[ $# -eq 0 ]] || tier=all
 rm -f "$times" "$build/reports/cases.tsv"
 "$root/scripts/install-packages.sh" --quiet
-for label in cli viewer unit contract gpu golden proof fuzz; do
+for program in nullscope nullscope-viewer; do
+    measured "programs: $program" "$root/scripts/build.sh" "$program"
+done
+for label in unit contract gpu golden proof fuzz viewer; do
     # shellcheck disable=SC2046
-    measured "build: ${label/cli/programs}" "$root/scripts/build.sh" $(targets_of "$label")
+    measured "build: $label" "$root/scripts/build.sh" $(targets_of "$label")
 done
 status=0
 NULLSCOPE_TESTS=$tier run_ctest -L '^tier$' || status=$?

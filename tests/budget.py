@@ -13,12 +13,12 @@ from pathlib import Path
 
 
 def read_times(file):
-    """{kind: {label: seconds}}, and the costliest single entries; kind is build, test or check."""
+    """{kind: {label: seconds}}, and the costliest single entries; kind is programs, build, test or check."""
     sums, entries = defaultdict(lambda: defaultdict(float)), []
     for line in Path(file).read_text(encoding="utf-8").splitlines():
         name, processor, wall = line.split("\t")
         first, _, rest = name.partition(": ")
-        kind, label = (first, rest) if first in ("build", "check") else ("test", rest.split(",")[0] if first == "whole" else first)
+        kind, label = (first, rest) if first in ("programs", "build", "check") else ("test", rest.split(",")[0] if first == "whole" else first)
         sums[kind][label] += float(processor)
         entries.append((float(processor), float(wall), name))
     return sums, sorted(entries, reverse=True)
