@@ -11,7 +11,8 @@ namespace {
 class CaseTimes : public doctest::IReporter {
 public:
     explicit CaseTimes(const doctest::ContextOptions&) {
-        if (const char* name = std::getenv("NULLSCOPE_CASE_TIMES")) file_ = std::fopen(name, "a");   // NOLINT(concurrency-mt-unsafe)
+        if (const char* name = std::getenv("NULLSCOPE_CASE_TIMES"))
+            file_ = std::fopen(name, "a");  // NOLINT(concurrency-mt-unsafe)
     }
     ~CaseTimes() override {
         if (file_ != nullptr) std::fclose(file_);

@@ -9,7 +9,8 @@ std::vector<AreaFilter::Part> AreaFilter::parts_of(int from, int to) {
     std::vector<Part> parts(static_cast<std::size_t>(from));
     const double scale = static_cast<double>(to) / from;
     for (int i = 0; i < from; ++i) {
-        const long long left = static_cast<long long>(i) * to, right = left + to;   // of the old one, in parts of the new's 1/from
+        const long long left = static_cast<long long>(i) * to,
+                        right = left + to;  // of the old one, in parts of the new's 1/from
         const int first = static_cast<int>(left / from);
         const long long edge = static_cast<long long>(first + 1) * from;
         const double beyond = right > edge ? static_cast<double>(right - edge) / from : 0.0;

@@ -14,7 +14,7 @@ class AreaFilter {
 public:
     // 0 < to_width <= width, 0 < to_height <= height; channels 3 or 4.
     AreaFilter(int width, int height, int channels, int to_width, int to_height);
-    void add_row(const float* row);     // width * channels numbers, linear light
+    void add_row(const float* row);  // width * channels numbers, linear light
     Image<float> take() { return std::move(image_); }
 
 private:

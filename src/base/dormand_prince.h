@@ -8,7 +8,8 @@ namespace nullscope {
 
 // state after h; `wrong`: what the step may be off by, component by component. slope: State -> State.
 template <std::size_t N, class Slope>
-std::array<double, N> dormand_prince(const std::array<double, N>& state, double h, const Slope& slope, std::array<double, N>& wrong) {
+std::array<double, N> dormand_prince(const std::array<double, N>& state, double h, const Slope& slope,
+                                     std::array<double, N>& wrong) {
     constexpr double kA[7][6] = {{},
                                  {1. / 5},
                                  {3. / 40, 9. / 40},

@@ -22,10 +22,30 @@ constexpr std::size_t kChannelBytes = 16;        // after a channel's name
 
 // OpenEXR reads these many bytes of a value of such a type, whatever size is announced.
 constexpr std::array<std::pair<std::string_view, std::size_t>, 24> kSizes = {{
-    {"box2f", 16},   {"box2i", 16}, {"chromaticities", 32}, {"compression", 1}, {"deepImageState", 1}, {"double", 8},
-    {"envmap", 1},   {"float", 4},  {"int", 4},             {"keycode", 28},    {"lineOrder", 1},      {"m33d", 72},
-    {"m33f", 36},    {"m44d", 128}, {"m44f", 64},           {"rational", 8},    {"tiledesc", 9},       {"timecode", 8},
-    {"v2d", 16},     {"v2f", 8},    {"v2i", 8},             {"v3d", 24},        {"v3f", 12},           {"v3i", 12},
+    {"box2f", 16},
+    {"box2i", 16},
+    {"chromaticities", 32},
+    {"compression", 1},
+    {"deepImageState", 1},
+    {"double", 8},
+    {"envmap", 1},
+    {"float", 4},
+    {"int", 4},
+    {"keycode", 28},
+    {"lineOrder", 1},
+    {"m33d", 72},
+    {"m33f", 36},
+    {"m44d", 128},
+    {"m44f", 64},
+    {"rational", 8},
+    {"tiledesc", 9},
+    {"timecode", 8},
+    {"v2d", 16},
+    {"v2f", 8},
+    {"v2i", 8},
+    {"v3d", 24},
+    {"v3f", 12},
+    {"v3i", 12},
 }};
 
 class Bytes {
@@ -95,8 +115,7 @@ std::optional<bool> header_is_there(Bytes& bytes, std::string& fault) {
         const auto size = type ? bytes.number() : std::nullopt;
         const auto value = size ? bytes.take(*size) : std::nullopt;
         if (!value) return std::nullopt;
-        if (!value_holds(*type, *value))
-            fault = without_controls(fmt::format("attribute {} is no {}", *name, *type));
+        if (!value_holds(*type, *value)) fault = without_controls(fmt::format("attribute {} is no {}", *name, *type));
         if (!fault.empty()) return false;
     }
 }

@@ -27,9 +27,9 @@ namespace {
 constexpr long long kMaxPixels = 500'000'000;     // as load_image
 constexpr long long kMaxSamples = 2'000'000'000;  // pixels times channels: 8 GB of floats
 constexpr std::size_t kMaxFileBytes = std::size_t{8} << 30;
-constexpr long long kMaxSide = 1 << 16;           // px; also of a tile
-constexpr long long kMostLinesAtOnce = 256;       // DWAB; the other kinds of compression take fewer
-constexpr long long kMaxBlock = 1 << 27;          // samples that the decoder holds at once: 256 lines, or a tile
+constexpr long long kMaxSide = 1 << 16;      // px; also of a tile
+constexpr long long kMostLinesAtOnce = 256;  // DWAB; the other kinds of compression take fewer
+constexpr long long kMaxBlock = 1 << 27;     // samples that the decoder holds at once: 256 lines, or a tile
 
 Error unreadable(const std::string& name, const std::string& reason) {
     return bad_input(without_controls(fmt::format("cannot read image '{}': {}", name, reason)));
@@ -75,7 +75,8 @@ Result<ChannelImage> read_exr(std::string_view bytes, const std::string& name, l
         return unreadable(name, fmt::format("{} x {} pixels of {} channels, at most {} pixels are allowed", width,
                                             height, channels, max_pixels));
     if (!plausible_size(width * height * channels, bytes.size()))
-        return unreadable(name, fmt::format("{} x {} pixels of {} channels are not in {} bytes", width, height, channels, bytes.size()));
+        return unreadable(name, fmt::format("{} x {} pixels of {} channels are not in {} bytes", width, height,
+                                            channels, bytes.size()));
     const bool tiled = header.hasTileDescription();
     const long long tile_width = tiled ? header.tileDescription().xSize : 1;
     const long long tile_height = tiled ? header.tileDescription().ySize : 1;

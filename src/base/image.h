@@ -14,8 +14,7 @@ struct Image {
     std::vector<T> data;  // width * height * channels
 
     Image() = default;
-    Image(int w, int h, int c)
-        : width(w), height(h), channels(c), data(static_cast<std::size_t>(w) * h * c, T{}) {}
+    Image(int w, int h, int c) : width(w), height(h), channels(c), data(static_cast<std::size_t>(w) * h * c, T{}) {}
 
     T* at(int x, int y) { return data.data() + (static_cast<std::size_t>(y) * width + x) * channels; }
     const T* at(int x, int y) const { return data.data() + (static_cast<std::size_t>(y) * width + x) * channels; }
@@ -26,7 +25,8 @@ struct Image {
 // more would only make a reader allocate: deflate, the densest compression there is, packs 1032 to 1, here 1-bit pixels.
 inline bool plausible_size(long long samples, unsigned long long file_bytes) {
     constexpr unsigned long long kAlways = 1u << 26, kMostPerByte = 8 * 1032;  // 64 Mi samples: 256 MB of floats
-    return static_cast<unsigned long long>(samples) <= kAlways || static_cast<unsigned long long>(samples) / kMostPerByte <= file_bytes;
+    return static_cast<unsigned long long>(samples) <= kAlways ||
+           static_cast<unsigned long long>(samples) / kMostPerByte <= file_bytes;
 }
 
 // Of one height and kind.

@@ -30,7 +30,7 @@ Status save_png(const std::filesystem::path& path, const Image<unsigned char>& i
 struct ChannelImage {
     int width = 0;
     int height = 0;
-    std::map<std::string, std::vector<float>> channels;    // name -> width*height values, top row first
+    std::map<std::string, std::vector<float>> channels;  // name -> width*height values, top row first
     std::map<std::string, std::string> attributes;
 };
 Status save_exr(const std::filesystem::path& path, const ChannelImage& image);

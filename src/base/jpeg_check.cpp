@@ -69,7 +69,8 @@ Status Check::run() {
         if (marker == kEnd) break;
         const std::size_t value = at + 4, end = at + 2 + std::max(byte(at + 2) << 8 | byte(at + 3), 2u);
         if (marker == kProgressive) progressive_ = true;
-        if (marker == kHuffmanTables && !read_tables(value, end)) return bad_input("a Huffman table has too many codes");
+        if (marker == kHuffmanTables && !read_tables(value, end))
+            return bad_input("a Huffman table has too many codes");
         if (marker == kScan && !has_tables_of_scan(value)) return bad_input("a scan's Huffman table is missing");
         if (marker == kScan && ++scans_ > kMostScans) return bad_input("too many scans");
         at = end;

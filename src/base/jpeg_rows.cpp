@@ -23,7 +23,7 @@ public:
         errors_.output_message = [](j_common_ptr) {};
         jpeg_.client_data = this;
     }
-    ~JpegRows() override { jpeg_destroy_decompress(&jpeg_); }   // knows what was never created
+    ~JpegRows() override { jpeg_destroy_decompress(&jpeg_); }  // knows what was never created
     JpegRows(const JpegRows&) = delete;
     JpegRows& operator=(const JpegRows&) = delete;
 
@@ -51,14 +51,14 @@ private:
         std::array<char, JMSG_LENGTH_MAX> words{};
         jpeg->err->format_message(jpeg, words.data());
         of(jpeg).error_ = words.data();
-        longjmp(of(jpeg).jump_, 1);   // NOLINT
+        longjmp(of(jpeg).jump_, 1);  // NOLINT
     }
     static boolean on_fill(j_decompress_ptr jpeg) {
         JpegRows& self = of(reinterpret_cast<j_common_ptr>(jpeg));
         const std::size_t got = self.source_(self.buffer_.data(), self.buffer_.size());
         if (got == 0) {
             self.error_ = "the file is too short";
-            longjmp(self.jump_, 1);   // NOLINT
+            longjmp(self.jump_, 1);  // NOLINT
         }
         self.manager_.next_input_byte = reinterpret_cast<const JOCTET*>(self.buffer_.data());
         self.manager_.bytes_in_buffer = got;
@@ -75,7 +75,7 @@ private:
         manager.bytes_in_buffer -= static_cast<std::size_t>(bytes);
     }
     bool read_head() {
-        if (setjmp(jump_) != 0) return false;   // NOLINT
+        if (setjmp(jump_) != 0) return false;  // NOLINT
         jpeg_create_decompress(&jpeg_);
         jpeg_.client_data = this;
         jpeg_.src = &manager_;
@@ -92,7 +92,7 @@ private:
         return true;
     }
     bool read_row() {
-        if (setjmp(jump_) != 0) return false;   // NOLINT
+        if (setjmp(jump_) != 0) return false;  // NOLINT
         JSAMPROW row = bytes_.data();
         return jpeg_read_scanlines(&jpeg_, &row, 1) == 1;
     }

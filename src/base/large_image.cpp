@@ -18,7 +18,7 @@ namespace nullscope {
 namespace {
 
 constexpr std::string_view kPngMagic = "\x89PNG\r\n\x1a\n", kJpegMagic = "\xff\xd8\xff";
-constexpr std::size_t kHeadBytes = 1 << 20;   // where a PNG's or JPEG's size is found without its decoder
+constexpr std::size_t kHeadBytes = 1 << 20;  // where a PNG's or JPEG's size is found without its decoder
 
 Error unreadable(const std::string& name, std::string_view reason) {
     return bad_input(without_controls(fmt::format("cannot read image '{}': {}", name, reason)));
@@ -34,15 +34,16 @@ unsigned number_at(std::string_view bytes, std::size_t at, std::size_t count) {
 long long announced_pixels(std::string_view head) {
     if (head.starts_with(kPngMagic)) {
         constexpr std::size_t kWidth = 16, kEnd = 24;
-        constexpr unsigned kMost = 0x7fffffff;   // PNG's own limit: the product of two fits
+        constexpr unsigned kMost = 0x7fffffff;  // PNG's own limit: the product of two fits
         if (head.size() < kEnd) return 0;
-        return static_cast<long long>(std::min(number_at(head, kWidth, 4), kMost)) * std::min(number_at(head, kWidth + 4, 4), kMost);
+        return static_cast<long long>(std::min(number_at(head, kWidth, 4), kMost)) *
+               std::min(number_at(head, kWidth + 4, 4), kMost);
     }
     if (!head.starts_with(kJpegMagic)) return 0;
     for (std::size_t at = 2; at + 9 <= head.size();) {
         if (head[at] != '\xff') return 0;
         const unsigned kind = static_cast<unsigned char>(head[at + 1]);
-        if (kind == 0xff) {   // padding
+        if (kind == 0xff) {  // padding
             ++at;
             continue;
         }
@@ -60,13 +61,14 @@ bool by_rows(std::string_view head, const ImageLimits& limits) {
     return pixels > limits.whole_pixels || (pixels == 0 && head.starts_with(kJpegMagic));
 }
 
-Result<FittedImage> read_rows(std::string_view head, ByteSource source, unsigned long long file_bytes, const std::string& name,
-                              const ImageLimits& limits) {
+Result<FittedImage> read_rows(std::string_view head, ByteSource source, unsigned long long file_bytes,
+                              const std::string& name, const ImageLimits& limits) {
     auto opened = head.starts_with(kPngMagic) ? open_png_rows(std::move(source)) : open_jpeg_rows(std::move(source));
     if (!opened) return unreadable(name, opened.error().message);
     RowReader& rows = **opened;
     if (static_cast<long long>(rows.width) * rows.height > limits.max_pixels)
-        return unreadable(name, fmt::format("{} x {} pixels, at most {} are allowed", rows.width, rows.height, limits.max_pixels));
+        return unreadable(
+            name, fmt::format("{} x {} pixels, at most {} are allowed", rows.width, rows.height, limits.max_pixels));
     if (!plausible_size(static_cast<long long>(rows.width) * rows.height * rows.channels, file_bytes))
         return unreadable(name, fmt::format("{} x {} pixels are not in {} bytes", rows.width, rows.height, file_bytes));
     const FittedSize size = fitted_size(rows.width, rows.height, limits.max_side);
@@ -130,8 +132,8 @@ Result<FittedImage> decode_fitted_image(std::string_view bytes, const std::strin
 
 std::string reduction_words(const std::filesystem::path& path, const FittedImage& image, const std::string& why) {
     if (!image.reduced()) return "";
-    return without_controls(fmt::format("'{}': {}x{} px, read as {}x{} px: {}", path.string(), image.width, image.height,
-                                        image.image.width, image.image.height, why));
+    return without_controls(fmt::format("'{}': {}x{} px, read as {}x{} px: {}", path.string(), image.width,
+                                        image.height, image.image.width, image.image.height, why));
 }
 
 }  // namespace nullscope

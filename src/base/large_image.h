@@ -10,15 +10,15 @@
 namespace nullscope {
 
 struct ImageLimits {
-    int max_side = 16384;                         // px, of what is returned
-    long long whole_pixels = 32LL << 20;          // beyond, PNG and JPEG are read row by row
-    long long max_pixels = 2'000'000'000;         // of such a file; others keep load_image's own limit
+    int max_side = 16384;                  // px, of what is returned
+    long long whole_pixels = 32LL << 20;   // beyond, PNG and JPEG are read row by row
+    long long max_pixels = 2'000'000'000;  // of such a file; others keep load_image's own limit
 };
 
 // An image, smaller than its file's if that has a longer side: each pixel the mean of those it stands for, in linear light.
 struct FittedImage {
     Image<float> image;
-    int width = 0, height = 0;   // the file's
+    int width = 0, height = 0;  // the file's
     bool reduced() const { return image.width != width || image.height != height; }
 };
 
@@ -26,7 +26,8 @@ struct FittedImage {
 // a few rows where the file is read row by row, else the file and the whole image.
 Result<FittedImage> load_fitted_image(const std::filesystem::path& path, const ImageLimits& limits = {});
 // The same for a PNG, JPEG or HDR file in memory; name: what errors call it.
-Result<FittedImage> decode_fitted_image(std::string_view bytes, const std::string& name, const ImageLimits& limits = {});
+Result<FittedImage> decode_fitted_image(std::string_view bytes, const std::string& name,
+                                        const ImageLimits& limits = {});
 
 // "'sky.png': 29566x14321 px, read as 8192x3968 px: " + why; empty if nothing was reduced.
 std::string reduction_words(const std::filesystem::path& path, const FittedImage& image, const std::string& why);

@@ -7,7 +7,7 @@
 
 namespace nullscope {
 
-using Lorentz = std::array<std::array<double, 4>, 4>;   // rows
+using Lorentz = std::array<std::array<double, 4>, 4>;  // rows
 
 // The pure boost that takes (1, 0) to gamma (1, v). |v| < 1. Entries to rounding of themselves.
 inline Lorentz boost(Vec3 v) {

@@ -6,7 +6,8 @@
 namespace nullscope {
 
 Status check_png(std::string_view bytes) {
-    constexpr std::size_t kSignature = 8, kHead = 8, kFrame = 12;  // bytes: of the file; before and around a chunk's data
+    constexpr std::size_t kSignature = 8, kHead = 8,
+                          kFrame = 12;  // bytes: of the file; before and around a chunk's data
     bytes.remove_prefix(kSignature);
     while (bytes.size() >= kHead) {
         std::uint32_t length = 0;

@@ -10,7 +10,7 @@
 namespace nullscope {
 namespace {
 
-constexpr int kDeflateLevel = 2;   // of 9; the third takes half as long again for 4 % fewer bytes
+constexpr int kDeflateLevel = 2;  // of 9; the third takes half as long again for 4 % fewer bytes
 
 class Encoder {
 public:
@@ -23,7 +23,8 @@ public:
             chunk.text = const_cast<char*>(text.c_str());
         }
     }
-    Encoder() : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, this, on_error, [](png_structp, png_const_charp) {})) {
+    Encoder()
+        : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, this, on_error, [](png_structp, png_const_charp) {})) {
         info_ = png_ != nullptr ? png_create_info_struct(png_) : nullptr;
     }
     ~Encoder() { png_destroy_write_struct(&png_, &info_); }
@@ -31,11 +32,11 @@ public:
     Encoder& operator=(const Encoder&) = delete;
 
     bool encode(const Image<unsigned char>& image) {
-        if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;   // NOLINT
+        if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;  // NOLINT
         png_set_write_fn(png_, this, on_write, nullptr);
         png_set_IHDR(png_, info_, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
-                     image.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                     PNG_FILTER_TYPE_DEFAULT);
+                     image.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
         png_set_compression_level(png_, kDeflateLevel);
         png_set_compression_buffer_size(png_, kChunk);
@@ -49,16 +50,16 @@ public:
     const std::string& error() const { return error_; }
 
 private:
-    static constexpr std::size_t kChunk = 1u << 18;   // bytes of a file's piece
+    static constexpr std::size_t kChunk = 1u << 18;  // bytes of a file's piece
 
     [[noreturn]] static void on_error(png_structp png, png_const_charp words) {
         static_cast<Encoder*>(png_get_error_ptr(png))->error_ = words;
-        longjmp(png_jmpbuf(png), 1);   // NOLINT
+        longjmp(png_jmpbuf(png), 1);  // NOLINT
     }
     static void on_write(png_structp png, png_bytep data, png_size_t size) {
         auto& self = *static_cast<Encoder*>(png_get_io_ptr(png));
         bool written = true;
-        try {   // nothing may be thrown through libpng
+        try {  // nothing may be thrown through libpng
             self.bytes_.append(reinterpret_cast<const char*>(data), size);
         } catch (const std::bad_alloc&) {
             written = false;

@@ -12,8 +12,8 @@
 namespace nullscope {
 namespace {
 
-constexpr png_uint_32 kMostSide = 1'000'000;             // px: a row of 16 MB
-constexpr png_alloc_size_t kMostChunk = 8u << 20;        // bytes of a chunk that is no picture (profiles, words)
+constexpr png_uint_32 kMostSide = 1'000'000;       // px: a row of 16 MB
+constexpr png_alloc_size_t kMostChunk = 8u << 20;  // bytes of a chunk that is no picture (profiles, words)
 
 class PngRows : public RowReader {
 public:
@@ -37,8 +37,10 @@ public:
         bytes_.resize(png_get_rowbytes(png_, info_));
         const std::size_t codes = sixteen_ ? 65536 : 256;
         table_.resize(codes);
-        for (std::size_t i = 0; i < codes; ++i) table_[i] = linear_from_srgb(static_cast<float>(i) / static_cast<float>(codes - 1));
-        if ((channels != 3 && channels != 4) || bytes_.size() != static_cast<std::size_t>(width) * channels * (sixteen_ ? 2 : 1))
+        for (std::size_t i = 0; i < codes; ++i)
+            table_[i] = linear_from_srgb(static_cast<float>(i) / static_cast<float>(codes - 1));
+        if ((channels != 3 && channels != 4) ||
+            bytes_.size() != static_cast<std::size_t>(width) * channels * (sixteen_ ? 2 : 1))
             return bad_input("an unknown kind of PNG");
         return Done{};
     }
@@ -61,7 +63,7 @@ public:
 private:
     [[noreturn]] static void on_error(png_structp png, png_const_charp words) {
         static_cast<PngRows*>(png_get_error_ptr(png))->error_ = words;
-        longjmp(png_jmpbuf(png), 1);   // NOLINT
+        longjmp(png_jmpbuf(png), 1);  // NOLINT
     }
     static void on_read(png_structp png, png_bytep to, png_size_t size) {
         auto& self = *static_cast<PngRows*>(png_get_io_ptr(png));
@@ -69,7 +71,7 @@ private:
     }
     // Whatever the file has becomes 8 or 16 bits of red, green, blue and perhaps alpha.
     bool read_head() {
-        if (setjmp(png_jmpbuf(png_)) != 0) return false;   // NOLINT
+        if (setjmp(png_jmpbuf(png_)) != 0) return false;  // NOLINT
         png_set_read_fn(png_, this, on_read);
         png_set_user_limits(png_, kMostSide, kMostSide);
         png_set_chunk_malloc_max(png_, kMostChunk);
@@ -80,7 +82,7 @@ private:
         return true;
     }
     bool read_row() {
-        if (setjmp(png_jmpbuf(png_)) != 0) return false;   // NOLINT
+        if (setjmp(png_jmpbuf(png_)) != 0) return false;  // NOLINT
         png_read_row(png_, bytes_.data(), nullptr);
         return true;
     }

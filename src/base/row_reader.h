@@ -16,7 +16,7 @@ using ByteSource = std::function<std::size_t(char* to, std::size_t most)>;
 class RowReader {
 public:
     virtual ~RowReader() = default;
-    int width = 0, height = 0, channels = 0;   // 3, or 4 with alpha
+    int width = 0, height = 0, channels = 0;  // 3, or 4 with alpha
     // The next row, linear light; at most height times. Errors: damaged, too short.
     virtual Status next(float* row) = 0;
 };

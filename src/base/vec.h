@@ -13,7 +13,7 @@ struct Vec3 {
     friend Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
     friend Vec3 operator*(Vec3 a, double s) { return s * a; }
     friend Vec3 operator/(Vec3 a, double s) { return {a.x / s, a.y / s, a.z / s}; }
-    friend bool operator==(const Vec3&, const Vec3&) = default;   // every digit
+    friend bool operator==(const Vec3&, const Vec3&) = default;  // every digit
 };
 
 inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }

@@ -8,13 +8,14 @@
 namespace nullscope {
 namespace {
 
-constexpr double kLongest = 1e4;   // r_s/c: of a fall to the end that does not come, an orbit
+constexpr double kLongest = 1e4;  // r_s/c: of a fall to the end that does not come, an orbit
 
 // Numbers of a camera that are interpolated.
-constexpr double CameraSpec::* kNumbers[] = {&CameraSpec::r,     &CameraSpec::theta, &CameraSpec::phi,         &CameraSpec::yaw,
-                                             &CameraSpec::pitch, &CameraSpec::roll,  &CameraSpec::plane_width, &CameraSpec::focal_distance,
-                                             &CameraSpec::exposure_ev, &CameraSpec::fall_from, &CameraSpec::energy};
-constexpr double Vec3::* kAxes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
+constexpr double CameraSpec::*kNumbers[] = {
+    &CameraSpec::r,           &CameraSpec::theta,     &CameraSpec::phi,         &CameraSpec::yaw,
+    &CameraSpec::pitch,       &CameraSpec::roll,      &CameraSpec::plane_width, &CameraSpec::focal_distance,
+    &CameraSpec::exposure_ev, &CameraSpec::fall_from, &CameraSpec::energy};
+constexpr double Vec3::*kAxes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
 
 }  // namespace
 
@@ -38,16 +39,15 @@ Result<CameraPath> CameraPath::make(const Scene& scene) {
     return path;
 }
 
-double CameraPath::proper_time(double frame) const {
-    return duration_ * std::clamp(frame / (frames_ - 1), 0.0, 1.0);
-}
+double CameraPath::proper_time(double frame) const { return duration_ * std::clamp(frame / (frames_ - 1), 0.0, 1.0); }
 
 double CameraPath::clock(double frame) const { return line_ ? line_->clock(proper_time(frame)) : 0.0; }
 
 CameraSpec CameraPath::at(double frame) const {
     if (!line_) return through_keys(frame);
     CameraSpec camera = line_->at(proper_time(frame));
-    if (path_.look == PathLook::kCentre) camera.yaw = start_.yaw, camera.pitch = start_.pitch, camera.roll = start_.roll;
+    if (path_.look == PathLook::kCentre)
+        camera.yaw = start_.yaw, camera.pitch = start_.pitch, camera.roll = start_.roll;
     return camera;
 }
 
@@ -55,12 +55,15 @@ CameraSpec CameraPath::at(double frame) const {
 CameraSpec CameraPath::through_keys(double frame) const {
     const auto& keys = path_.keys;
     const double t = std::clamp(frame, keys.front().frame, keys.back().frame);
-    const auto after = std::upper_bound(keys.begin() + 1, keys.end() - 1, t, [](double f, const PathKey& k) { return f < k.frame; });
+    const auto after =
+        std::upper_bound(keys.begin() + 1, keys.end() - 1, t, [](double f, const PathKey& k) { return f < k.frame; });
     const auto i = static_cast<std::size_t>(after - keys.begin()) - 1;
     const auto value = [&](const auto& of) {
         const auto slope = [&](std::size_t k) {
             const std::size_t low = k > 0 ? k - 1 : k, high = std::min(k + 1, keys.size() - 1);
-            const auto secant = [&](std::size_t a, std::size_t b) { return (of(keys[b].camera) - of(keys[a].camera)) / (keys[b].frame - keys[a].frame); };
+            const auto secant = [&](std::size_t a, std::size_t b) {
+                return (of(keys[b].camera) - of(keys[a].camera)) / (keys[b].frame - keys[a].frame);
+            };
             if (low == k || high == k) return secant(low, high);
             const double before = keys[k].frame - keys[low].frame, beyond = keys[high].frame - keys[k].frame;
             return (beyond * secant(low, k) + before * secant(k, high)) / (before + beyond);
@@ -71,7 +74,8 @@ CameraSpec CameraPath::through_keys(double frame) const {
     };
     CameraSpec camera = keys[i].camera;
     for (const auto member : kNumbers) camera.*member = value([member](const CameraSpec& c) { return c.*member; });
-    for (const auto axis : kAxes) camera.velocity.*axis = value([axis](const CameraSpec& c) { return c.velocity.*axis; });
+    for (const auto axis : kAxes)
+        camera.velocity.*axis = value([axis](const CameraSpec& c) { return c.velocity.*axis; });
     return camera;
 }
 

@@ -14,12 +14,12 @@ public:
     static Result<CameraPath> make(const Scene& scene);
     int frames() const { return frames_; }
     bool falls() const { return line_.has_value(); }
-    CameraSpec at(double frame) const;                  // from 0 to frames() - 1; beyond: the first and last
-    double clock(double frame) const;                   // Scene::time then, later than the start's: of a fall; 0 where keys say no time
+    CameraSpec at(double frame) const;  // from 0 to frames() - 1; beyond: the first and last
+    double clock(double frame) const;   // Scene::time then, later than the start's: of a fall; 0 where keys say no time
 
 private:
     CameraPath() = default;
-    double proper_time(double frame) const;             // of a fall
+    double proper_time(double frame) const;  // of a fall
     CameraSpec through_keys(double frame) const;
     PathSpec path_;
     CameraSpec start_;

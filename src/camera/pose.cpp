@@ -68,7 +68,8 @@ TetradPair as_pair(const LongRows& rows) {
 
 Result<Done> check_speed(const CameraSpec& camera) {
     if (one_minus_square(camera.velocity) > 0.0L) return Done{};
-    return bad_input(fmt::format("speed {} is not below that of light; allowed: |velocity| < 1", length(camera.velocity)));
+    return bad_input(
+        fmt::format("speed {} is not below that of light; allowed: |velocity| < 1", length(camera.velocity)));
 }
 
 Result<Done> check_place(const CameraSpec& camera) {
@@ -105,13 +106,16 @@ Result<TetradPair> camera_tetrad_pair(const Spacetime& spacetime, const CameraSp
     if (!camera_can_rest(spacetime, camera.r))
         return bad_input(fmt::format("no static frame at r = {}; allowed: {}", camera.r, allowed_radii(spacetime)));
     if (Result<Done> ok = check_place(camera); !ok) return ok.error();
-    const Matrix4 g = spacetime.metric(camera.r, camera.theta), inverse = spacetime.inverse_metric(camera.r, camera.theta);
-    const long double drag = static_cast<long double>(inverse[0][3]) / inverse[0][0];   // of a camera without angular momentum
+    const Matrix4 g = spacetime.metric(camera.r, camera.theta),
+                  inverse = spacetime.inverse_metric(camera.r, camera.theta);
+    const long double drag =
+        static_cast<long double>(inverse[0][3]) / inverse[0][0];  // of a camera without angular momentum
     LongRows rows = rows_along_frame(static_from_camera(camera), camera.velocity);
     for (auto& row : rows) {
         const long double t = row[0];
         for (int mu = 0; mu < 4; ++mu)
-            row[mu] /= std::sqrt(mu == 0 && drag != 0 ? -1.0L / inverse[0][0] : std::fabs(static_cast<long double>(g[mu][mu])));
+            row[mu] /= std::sqrt(mu == 0 && drag != 0 ? -1.0L / inverse[0][0]
+                                                      : std::fabs(static_cast<long double>(g[mu][mu])));
         if (drag != 0) row[3] += drag * t * std::sqrt(-static_cast<long double>(inverse[0][0]));
     }
     return as_pair(rows);
@@ -161,12 +165,15 @@ namespace {
 TetradPair spinning_hat_pair(const Spacetime& spacetime, const CameraSpec& camera, const Observer& observer) {
     const SpinPlace p = spin_place(spacetime, camera.r, camera.theta);
     const long double out = observer.frame.outward, in = p.delta / (p.sigma * out), v = observer.swirl;
-    const long double root = std::sqrt(static_cast<long double>(p.sigma)), gamma = 1.0L / std::sqrt((1.0L - v) * (1.0L + v)), drag = static_cast<long double>(p.a) * p.sine;
+    const long double root = std::sqrt(static_cast<long double>(p.sigma)),
+                      gamma = 1.0L / std::sqrt((1.0L - v) * (1.0L + v)), drag = static_cast<long double>(p.a) * p.sine;
     LongRows rows = rows_along_frame(observer.turn * static_from_camera(camera), observer.velocity);
     for (auto& row : rows) {
-        const long double t = gamma * (row[0] + v * row[3]), r = row[1], theta = row[2], phi = gamma * (row[3] + v * row[0]);
-        const long double l = (t + r) / (p.sigma * out);   // of (r^2 + a^2) d_v + a sin d_phi/sin + Delta/2 d_r
-        row = {p.across * l + drag * phi / root, 0.5L * (out * (r - t) + in * (r + t)), theta / root, drag * l + phi / root};
+        const long double t = gamma * (row[0] + v * row[3]), r = row[1], theta = row[2],
+                          phi = gamma * (row[3] + v * row[0]);
+        const long double l = (t + r) / (p.sigma * out);  // of (r^2 + a^2) d_v + a sin d_phi/sin + Delta/2 d_r
+        row = {p.across * l + drag * phi / root, 0.5L * (out * (r - t) + in * (r + t)), theta / root,
+               drag * l + phi / root};
     }
     return as_pair(rows);
 }
@@ -183,7 +190,7 @@ Result<TetradPair> ingoing_hat_pair(const Spacetime& spacetime, const CameraSpec
     LongRows rows = rows_along_frame(observer->turn * static_from_camera(camera), observer->velocity);
     for (auto& [t, r, theta, phi] : rows) {
         const long double v = (t + r) / o;
-        r = 0.5L * (o * (r - t) + i * (r + t));   // -w t + eps r
+        r = 0.5L * (o * (r - t) + i * (r + t));  // -w t + eps r
         t = v;
         theta /= across;
         phi /= across;

@@ -9,7 +9,8 @@ namespace nullscope {
 // Sigma dr/dlambda = Sigma (energy k1 - infall k0), root = sqrt(Sigma).
 SpinForms spin_forms(const SpinPlace& p, const SpinFrame& frame) {
     const double v = frame.swirl, gamma = 1.0 / std::sqrt((1.0 - v) * (1.0 + v)), root = std::sqrt(p.sigma);
-    const double energy = frame.radial.energy(), infall = frame.radial.infall(), drag = p.a * p.sine, girth = p.across / root;
+    const double energy = frame.radial.energy(), infall = frame.radial.infall(), drag = p.a * p.sine,
+                 girth = p.across / root;
     const double scale = p.sigma / (p.r * p.r);
     SpinForms forms;
     forms.energy = {-gamma * (energy + drag / root * v), -infall, gamma * (energy * v + drag / root)};

@@ -13,19 +13,21 @@
 namespace nullscope {
 namespace {
 
-constexpr double kTolerance = 5e-15;      // of a step, relative to what it acts on, at least 1: 1e-11 over the orbits of a film, but for rounding
-constexpr double kShortOfInner = 0.05;    // of the way between the horizons: who goes round fast enough nears one that v does not reach, its components without bound
-constexpr double kStill = 1e-11;          // c: see worldline.cpp
+constexpr double kTolerance =
+    5e-15;  // of a step, relative to what it acts on, at least 1: 1e-11 over the orbits of a film, but for rounding
+constexpr double kShortOfInner =
+    0.05;  // of the way between the horizons: who goes round fast enough nears one that v does not reach, its components without bound
+constexpr double kStill = 1e-11;  // c: see worldline.cpp
 constexpr std::size_t kMostNodes = 1000000;
 
-using Vec4 = std::array<double, 4>;   // t, x, y, z
+using Vec4 = std::array<double, 4>;  // t, x, y, z
 
 // The metric at a place, and its derivatives along x, y and z.
 struct KerrSchildField {
     double r, f;
     std::array<double, 4> l;
     std::array<double, 3> df;
-    std::array<std::array<double, 3>, 4> dl;   // dl[mu][k]
+    std::array<std::array<double, 3>, 4> dl;  // dl[mu][k]
 
     KerrSchildField(double a, double x, double y, double z) {
         const double flat = x * x + y * y + z * z - a * a, root = std::hypot(flat, 2 * a * z);
@@ -51,7 +53,7 @@ struct KerrSchildField {
     // -Gamma(u, v): with g_{ab,k} = f_k l_a l_b + f (l_{a,k} l_b + l_a l_{b,k}), down, then up by eta - f l l.
     Vec4 carried(const Vec4& u, const Vec4& v) const {
         const double lu = along(u), lv = along(v);
-        double fu = 0, fv = 0, across = 0, back = 0;   // f_k u^k, f_k v^k, l_{a,k} u^k v^a and the other way round
+        double fu = 0, fv = 0, across = 0, back = 0;  // f_k u^k, f_k v^k, l_{a,k} u^k v^a and the other way round
         Vec4 du{}, dv{};
         for (std::size_t k = 0; k < 3; ++k) {
             fu += df[k] * u[k + 1], fv += df[k] * v[k + 1];
@@ -60,13 +62,14 @@ struct KerrSchildField {
         for (std::size_t m = 1; m < 4; ++m) across += du[m] * v[m], back += dv[m] * u[m];
         Vec4 down{};
         for (std::size_t m = 0; m < 4; ++m) {
-            double gradient = 0;   // of g(u, v)
+            double gradient = 0;  // of g(u, v)
             if (m > 0) {
                 double mu = 0, mv = 0;
                 for (std::size_t n = 1; n < 4; ++n) mu += dl[n][m - 1] * u[n], mv += dl[n][m - 1] * v[n];
                 gradient = df[m - 1] * lu * lv + f * (mu * lv + mv * lu);
             }
-            down[m] = 0.5 * (fu * l[m] * lv + f * (du[m] * lv + l[m] * across) + fv * l[m] * lu + f * (dv[m] * lu + l[m] * back) - gradient);
+            down[m] = 0.5 * (fu * l[m] * lv + f * (du[m] * lv + l[m] * across) + fv * l[m] * lu +
+                             f * (dv[m] * lu + l[m] * back) - gradient);
         }
         const double lw = -down[0] + l[1] * down[1] + l[2] * down[2] + l[3] * down[3];
         return {down[0] - f * lw, -down[1] + f * l[1] * lw, -down[2] + f * l[2] * lw, -down[3] + f * l[3] * lw};
@@ -78,14 +81,16 @@ struct Place {
 };
 Place place_of(double a, double x, double y, double z) {
     const KerrSchildField field(a, x, y, z);
-    return {field.r, std::atan2(std::hypot(x, y) / std::sqrt(field.r * field.r + a * a), z / field.r), std::atan2(y, x) - std::atan2(a, field.r)};
+    return {field.r, std::atan2(std::hypot(x, y) / std::sqrt(field.r * field.r + a * a), z / field.r),
+            std::atan2(y, x) - std::atan2(a, field.r)};
 }
 
 // From components along d_v, d_r, d_theta and d_phi~/sin(theta).
 Vec4 cartesian(double a, const Place& p, const Vec4& hat) {
     const double st = std::sin(p.theta), ct = std::cos(p.theta), c = std::cos(p.phi), s = std::sin(p.phi);
-    const double x = p.r * c - a * s, y = p.r * s + a * c;   // over sin(theta)
-    return {hat[0] - hat[1], c * st * hat[1] + x * ct * hat[2] - y * hat[3], s * st * hat[1] + y * ct * hat[2] + x * hat[3], ct * hat[1] - p.r * st * hat[2]};
+    const double x = p.r * c - a * s, y = p.r * s + a * c;  // over sin(theta)
+    return {hat[0] - hat[1], c * st * hat[1] + x * ct * hat[2] - y * hat[3],
+            s * st * hat[1] + y * ct * hat[2] + x * hat[3], ct * hat[1] - p.r * st * hat[2]};
 }
 
 template <class State>
@@ -95,7 +100,8 @@ Vec4 vector_of(const State& state, std::size_t i) {
 
 }  // namespace
 
-Result<SpinWorldline> SpinWorldline::make(std::shared_ptr<const Spacetime> spacetime, const CameraSpec& start, double duration) {
+Result<SpinWorldline> SpinWorldline::make(std::shared_ptr<const Spacetime> spacetime, const CameraSpec& start,
+                                          double duration) {
     const auto tetrad = ingoing_hat_pair(*spacetime, start);
     if (!tetrad) return tetrad.error();
     SpinWorldline line;
@@ -133,7 +139,8 @@ State slope_of(double a, const State& state) {
 }  // namespace
 
 void SpinWorldline::run(double duration) {
-    const double a = spacetime_->spin(), outer = *spacetime_->horizon_radius(), inner = inner_horizon(*spacetime_), low = inner + kShortOfInner * (outer - inner);
+    const double a = spacetime_->spin(), outer = *spacetime_->horizon_radius(), inner = inner_horizon(*spacetime_),
+                 low = inner + kShortOfInner * (outer - inner);
     const auto slope = [a](const State& s) { return slope_of(a, s); };
     const auto azimuth_of = [a](const State& s) { return place_of(a, s[0], s[1], s[2]).phi; };
     const auto radius_of = [a](const State& s) { return KerrSchildField(a, s[0], s[1], s[2]).r; };
@@ -144,7 +151,8 @@ void SpinWorldline::run(double duration) {
         State wrong{};
         const State next = dormand_prince(now.state, h, slope, wrong);
         double error = 0;
-        for (std::size_t n = 0; n < kSize; ++n) error = std::max(error, std::fabs(wrong[n]) / std::max(std::fabs(now.state[n]), 1.0) / kTolerance);
+        for (std::size_t n = 0; n < kSize; ++n)
+            error = std::max(error, std::fabs(wrong[n]) / std::max(std::fabs(now.state[n]), 1.0) / kTolerance);
         for (const double x : next)
             if (!std::isfinite(x)) error = INFINITY;
         // The length of a step that ends at this radius, by halving it.
@@ -159,11 +167,14 @@ void SpinWorldline::run(double duration) {
         if (error <= 1 && radius_of(next) <= low) {
             const double rest = time_at(low);
             const State end = dormand_prince(now.state, rest, slope, wrong);
-            nodes_.push_back({now.tau + rest, end, now.azimuth + std::remainder(azimuth_of(end) - azimuth_of(now.state), 2 * M_PI)});
+            nodes_.push_back(
+                {now.tau + rest, end, now.azimuth + std::remainder(azimuth_of(end) - azimuth_of(now.state), 2 * M_PI)});
             ends_ = true;
         } else if (error <= 1) {
-            if (!horizon_time_ && radius_of(next) <= outer && radius_of(now.state) > outer) horizon_time_ = now.tau + time_at(outer);
-            nodes_.push_back({now.tau + h, next, now.azimuth + std::remainder(azimuth_of(next) - azimuth_of(now.state), 2 * M_PI)});
+            if (!horizon_time_ && radius_of(next) <= outer && radius_of(now.state) > outer)
+                horizon_time_ = now.tau + time_at(outer);
+            nodes_.push_back(
+                {now.tau + h, next, now.azimuth + std::remainder(azimuth_of(next) - azimuth_of(now.state), 2 * M_PI)});
         }
         h *= next_step_factor(error);
     }
@@ -172,12 +183,15 @@ void SpinWorldline::run(double duration) {
 SpinWorldline::Node SpinWorldline::node_at(double tau) const {
     const double when = std::clamp(tau, 0.0, last());
     if (nodes_.size() == 1) return nodes_.front();
-    const auto after = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, when, [](double t, const Node& n) { return t < n.tau; });
+    const auto after =
+        std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, when, [](double t, const Node& n) { return t < n.tau; });
     const Node& before = *(after - 1);
     const double a = spacetime_->spin();
     State wrong{};
-    const State there = dormand_prince(before.state, when - before.tau, [a](const State& s) { return slope_of(a, s); }, wrong);
-    const double turned = place_of(a, there[0], there[1], there[2]).phi - place_of(a, before.state[0], before.state[1], before.state[2]).phi;
+    const State there = dormand_prince(
+        before.state, when - before.tau, [a](const State& s) { return slope_of(a, s); }, wrong);
+    const double turned = place_of(a, there[0], there[1], there[2]).phi -
+                          place_of(a, before.state[0], before.state[1], before.state[2]).phi;
     return {when, there, before.azimuth + std::remainder(turned, 2 * M_PI)};
 }
 
@@ -191,9 +205,11 @@ SpinWorldline::Constants SpinWorldline::constants(double tau) const {
     const KerrSchildField field(a, s[0], s[1], s[2]);
     const Vec4 u = vector_of(s, 0);
     const Place place = place_of(a, s[0], s[1], s[2]);
-    const double st = std::sin(place.theta), energy = -field.product({1, 0, 0, 0}, u), across = field.product(cartesian(a, place, {0, 0, 0, 1}), u);
+    const double st = std::sin(place.theta), energy = -field.product({1, 0, 0, 0}, u),
+                 across = field.product(cartesian(a, place, {0, 0, 0, 1}), u);
     const double p_theta = field.product(cartesian(a, place, {0, 0, 1, 0}), u), w = across - a * energy * st;
-    return {energy, across * st, p_theta * p_theta + w * w + a * a * std::pow(std::cos(place.theta), 2), field.product(u, u)};
+    return {energy, across * st, p_theta * p_theta + w * w + a * a * std::pow(std::cos(place.theta), 2),
+            field.product(u, u)};
 }
 
 CameraSpec SpinWorldline::at(double tau) const {
@@ -205,16 +221,17 @@ CameraSpec SpinWorldline::at(double tau) const {
     camera.observer = ObserverKind::kRain;
     camera.velocity = {};
     camera.r = place.r, camera.theta = place.theta, camera.phi = std::remainder(place.phi, 2 * M_PI);
-    camera.yaw = camera.pitch = camera.roll = 0;   // right e_phi, up -e_theta, backward e_r
+    camera.yaw = camera.pitch = camera.roll = 0;  // right e_phi, up -e_theta, backward e_r
     const auto frame = ingoing_hat_pair(*spacetime_, camera);
-    if (!frame) return start_;                     // a worldline ends where there is none
+    if (!frame) return start_;  // a worldline ends where there is none
     Vec4 axes[4];
     for (std::size_t i = 0; i < 4; ++i) axes[i] = cartesian(a, place, frame->high[i]);
     Lorentz tetrad{};
     for (std::size_t i = 0; i < kVectors; ++i) {
         const Vec4 v = vector_of(s, i);
         tetrad[0][i] = -field.product(axes[0], v);
-        tetrad[1][i] = field.product(axes[3], v), tetrad[2][i] = -field.product(axes[2], v), tetrad[3][i] = field.product(axes[1], v);
+        tetrad[1][i] = field.product(axes[3], v), tetrad[2][i] = -field.product(axes[2], v),
+        tetrad[3][i] = field.product(axes[1], v);
     }
     const BoostAndTurn parts = split(tetrad);
     camera.velocity = length(parts.velocity) > kStill ? parts.velocity : Vec3{};

@@ -18,24 +18,26 @@ namespace nullscope {
 class SpinWorldline {
 public:
     // As Worldline::make. Ends short of the inner horizon, by a twentieth of the way between both.
-    static Result<SpinWorldline> make(std::shared_ptr<const Spacetime> spacetime, const CameraSpec& start, double duration);
-    CameraSpec at(double tau) const;                    // falling with energy 1 and a velocity in that frame
+    static Result<SpinWorldline> make(std::shared_ptr<const Spacetime> spacetime, const CameraSpec& start,
+                                      double duration);
+    CameraSpec at(double tau) const;  // falling with energy 1 and a velocity in that frame
     double last() const { return nodes_.back().tau; }
     bool reaches_inner_horizon() const { return ends_; }
     std::optional<double> horizon_time() const { return horizon_time_; }
 
     // Of the motion now: constant along it, to 1e-10.
     struct Constants {
-        double energy, momentum, carter, norm;   // -u_t, u_phi, K, u . u
+        double energy, momentum, carter, norm;  // -u_t, u_phi, K, u . u
     };
     Constants constants(double tau) const;
     double energy() const { return constants(0).energy; }
-    double clock(double tau) const;                     // as Worldline's
-    double azimuth(double tau) const;                   // phi~ since the start, turns kept
+    double clock(double tau) const;    // as Worldline's
+    double azimuth(double tau) const;  // phi~ since the start, turns kept
 
 private:
     static constexpr std::size_t kVectors = 4, kClock = 3 + 4 * kVectors, kSize = kClock + 1;
-    using State = std::array<double, kSize>;            // x, y, z; then (t, x, y, z) of the velocity and of right, up, backward; t
+    using State =
+        std::array<double, kSize>;  // x, y, z; then (t, x, y, z) of the velocity and of right, up, backward; t
     struct Node {
         double tau;
         State state;

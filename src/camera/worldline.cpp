@@ -12,9 +12,10 @@
 namespace nullscope {
 namespace {
 
-constexpr double kTolerance = 1e-13;      // of a step, relative to what it acts on
-constexpr double kNearest = 5e-4;         // r_s: the last picture before the singularity, 7e-6 r_s/c before the end
-constexpr double kStill = 1e-11;          // c: a boost that is rounding alone calls for no aberration, and turns directions by less than any pixel
+constexpr double kTolerance = 1e-13;  // of a step, relative to what it acts on
+constexpr double kNearest = 5e-4;     // r_s: the last picture before the singularity, 7e-6 r_s/c before the end
+constexpr double kStill =
+    1e-11;  // c: a boost that is rounding alone calls for no aberration, and turns directions by less than any pixel
 constexpr std::size_t kMostNodes = 1000000;
 
 double square(double x) { return x * x; }
@@ -59,7 +60,8 @@ double Worldline::v_slope(const State& s) const {
 Worldline::State Worldline::slope(const State& s) const {
     const Spacetime& spacetime = *spacetime_;
     const double r = s[0], speed = s[1], radius = spacetime.areal_radius(r), a = spacetime.lapse_squared(r);
-    const double a_slope = lapse_slope(spacetime, r), r_slope = areal_slope(spacetime, r), turn = momentum_ / square(radius);
+    const double a_slope = lapse_slope(spacetime, r), r_slope = areal_slope(spacetime, r),
+                 turn = momentum_ / square(radius);
     const double across2 = square(momentum_ / radius);
     State d{};
     d[0] = speed;
@@ -77,7 +79,8 @@ Worldline::State Worldline::slope(const State& s) const {
 
 Worldline::State Worldline::step(const State& s, double h, double& error) const {
     State wrong{};
-    const State next = dormand_prince(s, h, [this](const State& at) { return slope(at); }, wrong);
+    const State next = dormand_prince(
+        s, h, [this](const State& at) { return slope(at); }, wrong);
     error = 0;
     for (std::size_t n = 0; n < kSize; ++n) {
         const double scale = n == 0 ? std::max(std::fabs(s[0]), 1e-9) : std::max(std::fabs(s[n]), 1.0);
@@ -86,12 +89,14 @@ Worldline::State Worldline::step(const State& s, double h, double& error) const 
     return next;
 }
 
-Result<Worldline> Worldline::make(std::shared_ptr<const Spacetime> spacetime, const CameraSpec& start, double duration) {
+Result<Worldline> Worldline::make(std::shared_ptr<const Spacetime> spacetime, const CameraSpec& start,
+                                  double duration) {
     if (spacetime->spin() != 0.0) {
         auto spun = SpinWorldline::make(std::move(spacetime), start, duration);
         if (!spun) return spun.error();
         Worldline line;
-        line.energy_ = spun->energy(), line.last_ = line.end_time_ = spun->last(), line.horizon_time_ = spun->horizon_time();
+        line.energy_ = spun->energy(), line.last_ = line.end_time_ = spun->last(),
+        line.horizon_time_ = spun->horizon_time();
         line.end_ = spun->reaches_inner_horizon() ? WorldlineEnd::kSurface : WorldlineEnd::kOpen;
         line.spun_ = std::make_shared<const SpinWorldline>(std::move(*spun));
         return line;
@@ -107,13 +112,16 @@ Result<Worldline> Worldline::make(std::shared_ptr<const Spacetime> spacetime, co
     Lorentz tetrad{};
     tetrad[0][0] = 1;
     const Vec3 columns[3] = {axes.a, axes.b, axes.c};
-    for (std::size_t i = 0; i < 3; ++i) tetrad[1][i + 1] = columns[i].x, tetrad[2][i + 1] = columns[i].y, tetrad[3][i + 1] = columns[i].z;
+    for (std::size_t i = 0; i < 3; ++i)
+        tetrad[1][i + 1] = columns[i].x, tetrad[2][i + 1] = columns[i].y, tetrad[3][i + 1] = columns[i].z;
     tetrad = boost(observer->velocity) * tetrad;
     const double aside = std::hypot(tetrad[2][0], tetrad[3][0]);
-    const Vec3 onward = aside > 0 ? Vec3{0, tetrad[2][0] / aside, tetrad[3][0] / aside} : Vec3{0, 0, 1}, normal = cross({1, 0, 0}, onward);
+    const Vec3 onward = aside > 0 ? Vec3{0, tetrad[2][0] / aside, tetrad[3][0] / aside} : Vec3{0, 0, 1},
+               normal = cross({1, 0, 0}, onward);
     const Mat3 world = world_from_static(start.theta, start.phi);
     line.outward_ = world.a, line.onward_ = world * onward, line.normal_ = world * normal;
-    const double a = line.spacetime_->lapse_squared(start.r), m = (tetrad[0][0] + tetrad[1][0]) / o, n = (tetrad[0][0] - tetrad[1][0]) * o;
+    const double a = line.spacetime_->lapse_squared(start.r), m = (tetrad[0][0] + tetrad[1][0]) / o,
+                 n = (tetrad[0][0] - tetrad[1][0]) * o;
     line.ahead_ = line.spacetime_->horizon_radius() && !falls(start) ? time_ahead(*line.spacetime_, start.r) : 0;
     line.energy_ = 0.5 * (a * m + n);
     line.momentum_ = aside * line.spacetime_->areal_radius(start.r);
@@ -146,7 +154,8 @@ void Worldline::run(double duration) {
         const bool good = error <= kTolerance && std::isfinite(error);
         if (good) {
             nodes_.push_back({now.tau + h, next});
-            if (horizon && !horizon_time_ && next[0] <= *horizon && nodes_.front().state[0] > *horizon) horizon_time_ = time_at_radius(*horizon);
+            if (horizon && !horizon_time_ && next[0] <= *horizon && nodes_.front().state[0] > *horizon)
+                horizon_time_ = time_at_radius(*horizon);
             if (next[0] <= low) {
                 end_ = singular ? WorldlineEnd::kSingularity : WorldlineEnd::kSurface;
                 break;
@@ -183,7 +192,8 @@ void Worldline::finish_at_singularity() {
         double sum = 0;
         for (int i = 0; i < panels; ++i) {
             const double y = (i + 0.5) * step, r = y * y;
-            sum += 2 * y * step / std::sqrt(square(energy_) - spacetime_->lapse_squared(r) * (1 + square(momentum_ / r)));
+            sum +=
+                2 * y * step / std::sqrt(square(energy_) - spacetime_->lapse_squared(r) * (1 + square(momentum_ / r)));
         }
         return sum;
     };
@@ -192,7 +202,8 @@ void Worldline::finish_at_singularity() {
 
 Worldline::State Worldline::state_at(double tau) const {
     const double when = std::clamp(tau, 0.0, last_);
-    const auto after = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, when, [](double t, const Node& n) { return t < n.tau; });
+    const auto after =
+        std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, when, [](double t, const Node& n) { return t < n.tau; });
     const Node& before = nodes_.size() > 1 ? *(after - 1) : nodes_.front();
     double error = 0;
     return step(before.state, when - before.tau, error);

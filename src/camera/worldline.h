@@ -20,7 +20,11 @@
 
 namespace nullscope {
 
-enum class WorldlineEnd { kOpen, kSingularity, kSurface };   // kSurface: of a star; or as far inside a charged hole as there is a picture, or a spinning one
+enum class WorldlineEnd {
+    kOpen,
+    kSingularity,
+    kSurface
+};  // kSurface: of a star; or as far inside a charged hole as there is a picture, or a spinning one
 
 class Worldline {
 public:
@@ -31,10 +35,14 @@ public:
     // The camera at a proper time from 0 to last(): observer, velocity, place and turn; the rest as it was at the start. Rotations of the
     // start's own are kept by the axes. A microsecond.
     CameraSpec at(double tau) const;
-    double last() const { return last_; }              // proper time of the last picture: at the end short of the singularity by 1e-5 r_s/c
+    double last() const {
+        return last_;
+    }  // proper time of the last picture: at the end short of the singularity by 1e-5 r_s/c
     WorldlineEnd end() const { return end_; }
-    double end_time() const { return end_time_; }      // proper time of the end itself, within 1e-10; last() where it is open
-    std::optional<double> horizon_time() const { return horizon_time_; }   // when the outer horizon is crossed
+    double end_time() const {
+        return end_time_;
+    }  // proper time of the end itself, within 1e-10; last() where it is open
+    std::optional<double> horizon_time() const { return horizon_time_; }  // when the outer horizon is crossed
     double energy() const { return energy_; }
     // By how much Scene::time of the camera at() is later than that of the start: v - r about a hole, t where there is none. A start that
     // does not fall tells t, and v - r is ahead of it there (spacetime/tortoise.h).
@@ -42,7 +50,7 @@ public:
 
 private:
     static constexpr std::size_t kAxes = 12, kClock = 12, kSize = 13;
-    using State = std::array<double, kSize>;           // r, r', phi, then M, N, Phi of three axes, then the clock
+    using State = std::array<double, kSize>;  // r, r', phi, then M, N, Phi of three axes, then the clock
     struct Node {
         double tau;
         State state;
@@ -54,16 +62,16 @@ private:
     State state_at(double tau) const;
     void run(double duration);
     void finish_at_singularity();
-    double time_at_radius(double r) const;             // between the last two nodes
+    double time_at_radius(double r) const;  // between the last two nodes
     std::shared_ptr<const Spacetime> spacetime_;
     CameraSpec start_;
     double energy_ = 1, momentum_ = 0, last_ = 0, end_time_ = 0, ahead_ = 0;
-    Vec3 outward_, onward_, normal_;                   // of the start, world axes: place, motion across, plane
-    std::array<double, 3> across_{};                   // n of the axes
+    Vec3 outward_, onward_, normal_;  // of the start, world axes: place, motion across, plane
+    std::array<double, 3> across_{};  // n of the axes
     std::vector<Node> nodes_;
     WorldlineEnd end_ = WorldlineEnd::kOpen;
     std::optional<double> horizon_time_;
-    std::shared_ptr<const SpinWorldline> spun_;        // about a spinning hole: instead of all but what is said of it
+    std::shared_ptr<const SpinWorldline> spun_;  // about a spinning hole: instead of all but what is said of it
 };
 
 }  // namespace nullscope

@@ -6,8 +6,9 @@
 namespace nullscope::cli {
 
 struct PlotPoint {
-    std::string label, family;   // family: strip, table, closed-form, integrate, euler; mino:6, mino:4, kerr-schild: one colour each
-    double cost, error;          // core-seconds; px of a 4K frame, maximum
+    std::string label,
+        family;  // family: strip, table, closed-form, integrate, euler; mino:6, mino:4, kerr-schild: one colour each
+    double cost, error;  // core-seconds; px of a 4K frame, maximum
     bool on_frontier, is_default;
 };
 

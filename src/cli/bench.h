@@ -34,7 +34,8 @@ void time_one(Samples& samples, Draw&& draw) {
     const auto start = std::chrono::steady_clock::now();
     draw();
     gl::finish();
-    samples.wall_ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    samples.wall_ms.push_back(
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     samples.core_s.push_back(process_seconds() - core);
 }
 

@@ -28,21 +28,63 @@ struct Options {
 };
 
 constexpr double k4kWidth = 3840;
-constexpr int kErrorWidth = 384, kErrorHeight = 216;   // a 4K frame of 90 degrees, every tenth pixel each way
-constexpr int kSpinErrorWidth = 160, kSpinErrorHeight = 90;   // the same, every 24th: the reference takes steps about a spinning hole
-constexpr double kRefineAbove_px = 5e-5;               // of this frame: 0.0005 px of the 4K frame
-constexpr double kNear = 1.5;   // horizon radii: nearer cameras about a spinning hole are reported apart
+constexpr int kErrorWidth = 384, kErrorHeight = 216;  // a 4K frame of 90 degrees, every tenth pixel each way
+constexpr int kSpinErrorWidth = 160,
+              kSpinErrorHeight = 90;      // the same, every 24th: the reference takes steps about a spinning hole
+constexpr double kRefineAbove_px = 5e-5;  // of this frame: 0.0005 px of the 4K frame
+constexpr double kNear = 1.5;             // horizon radii: nearer cameras about a spinning hole are reported apart
 constexpr int kTimeWidth = 1280, kTimeHeight = 720;
 
 const std::vector<std::string>& methods() {
-    static const std::vector<std::string> list = {
-        "strip", "strip:cubic", "table:32:hermite", "table:64:hermite", "table:128:hermite", "table:256:hermite", "table:32:cubic", "table:64:cubic",
-        "table:128:cubic", "table:256:cubic", "table:64:bilinear", "table:128:bilinear", "table:256:bilinear", "table:512:bilinear",
-        "table:1024:bilinear", "table:64:hardware", "table:128:hardware", "table:256:hardware", "table:512:hardware", "table:1024:hardware",
-        "closed-form", "integrate:6:1", "integrate:6:0.6", "integrate:6:0.3", "integrate:6:0.2", "integrate:6:0.15", "integrate:4:0.4", "integrate:4:0.2", "integrate:4:0.1",
-        "integrate:4:0.05", "euler:100", "euler:300", "euler:1000", "euler:3000",
-        "mino:6:1", "mino:6:0.8", "mino:6:0.6", "mino:6:0.45", "mino:6:0.3", "mino:4:0.6", "mino:4:0.3", "mino:4:0.15", "mino:4:0.075",
-        "kerr-schild:0.32", "kerr-schild:0.16", "kerr-schild:0.08", "kerr-schild:0.04", "kerr-schild:0.02", "kerr-schild:0.01"};
+    static const std::vector<std::string> list = {"strip",
+                                                  "strip:cubic",
+                                                  "table:32:hermite",
+                                                  "table:64:hermite",
+                                                  "table:128:hermite",
+                                                  "table:256:hermite",
+                                                  "table:32:cubic",
+                                                  "table:64:cubic",
+                                                  "table:128:cubic",
+                                                  "table:256:cubic",
+                                                  "table:64:bilinear",
+                                                  "table:128:bilinear",
+                                                  "table:256:bilinear",
+                                                  "table:512:bilinear",
+                                                  "table:1024:bilinear",
+                                                  "table:64:hardware",
+                                                  "table:128:hardware",
+                                                  "table:256:hardware",
+                                                  "table:512:hardware",
+                                                  "table:1024:hardware",
+                                                  "closed-form",
+                                                  "integrate:6:1",
+                                                  "integrate:6:0.6",
+                                                  "integrate:6:0.3",
+                                                  "integrate:6:0.2",
+                                                  "integrate:6:0.15",
+                                                  "integrate:4:0.4",
+                                                  "integrate:4:0.2",
+                                                  "integrate:4:0.1",
+                                                  "integrate:4:0.05",
+                                                  "euler:100",
+                                                  "euler:300",
+                                                  "euler:1000",
+                                                  "euler:3000",
+                                                  "mino:6:1",
+                                                  "mino:6:0.8",
+                                                  "mino:6:0.6",
+                                                  "mino:6:0.45",
+                                                  "mino:6:0.3",
+                                                  "mino:4:0.6",
+                                                  "mino:4:0.3",
+                                                  "mino:4:0.15",
+                                                  "mino:4:0.075",
+                                                  "kerr-schild:0.32",
+                                                  "kerr-schild:0.16",
+                                                  "kerr-schild:0.08",
+                                                  "kerr-schild:0.04",
+                                                  "kerr-schild:0.02",
+                                                  "kerr-schild:0.01"};
     return list;
 }
 
@@ -79,21 +121,23 @@ std::vector<CameraSpec> spin_cameras(double horizon) {
         camera.width = kSpinErrorWidth, camera.height = kSpinErrorHeight;
         list.push_back(camera);
     };
-    add(1000, 1.2, 0), add(20, 1.2, 0), add(20, 1.2, M_PI), add(8, 1.5, 0), add(4, 0.05, 0.3), add(2, 1.2, 0.7), add(1.3 * horizon, 1.4, 2.4), add(1.02 * horizon, 1.0, 2.4);
+    add(1000, 1.2, 0), add(20, 1.2, 0), add(20, 1.2, M_PI), add(8, 1.5, 0), add(4, 0.05, 0.3), add(2, 1.2, 0.7),
+        add(1.3 * horizon, 1.4, 2.4), add(1.02 * horizon, 1.0, 2.4);
     return list;
 }
 
 struct Row {
     std::string name;
     Method method;
-    std::vector<float> screen, forward, disc, near;   // per pixel of all cameras; near: those of kNear, which are not in screen
+    std::vector<float> screen, forward, disc,
+        near;  // per pixel of all cameras; near: those of kNear, which are not in screen
     long long fate_errors = 0, near_fate_errors = 0;
-    long long steps = 0, rays = 0;   // of methods that count them
+    long long steps = 0, rays = 0;  // of methods that count them
     int most_steps = 0;
     std::size_t bytes = 0;
     double build_ms = 0;
     Samples cost;
-    Spread screen_px, forward_rad, disc_px, near_px;   // on the sky; places on the disc; on the sky of near cameras
+    Spread screen_px, forward_rad, disc_px, near_px;  // on the sky; places on the disc; on the sky of near cameras
     bool on_frontier = false;
 };
 
@@ -129,14 +173,16 @@ Status measure_errors(Session& session, const std::vector<Scene>& scenes, double
             return pixels ? std::move(*pixels) : std::vector<RayPixel>(positions.size());
         };
         // A spinless hole's exact ray costs less than to look it up.
-        const ExactTrace trace = effect_set(required_effects(scene)).contains(Effect::kSpin) ? remembered_trace(scene) : plain;
+        const ExactTrace trace =
+            effect_set(required_effects(scene)).contains(Effect::kSpin) ? remembered_trace(scene) : plain;
         const bool near = scene.camera.r < near_radius;
         const auto to_4k = static_cast<float>(k4kWidth / scene.camera.width);
         for (Row& row : rows) {
             session.renderer->set_method(row.method);
             if (Status ready = session.renderer->prepare(scene); !ready) return ready;
             const RayFrame frame = session.renderer->ray_data();
-            for (const RayPixel& pixel : frame.pixels) row.steps += pixel.steps, row.most_steps = std::max(row.most_steps, pixel.steps);
+            for (const RayPixel& pixel : frame.pixels)
+                row.steps += pixel.steps, row.most_steps = std::max(row.most_steps, pixel.steps);
             row.rays += static_cast<long long>(frame.pixels.size());
             const RayMeasures m = measure_rays(frame, scene.camera, trace, 1, kRefineAbove_px);
             for (const PixelErrors& pixel : m.pixels) {
@@ -150,7 +196,8 @@ Status measure_errors(Session& session, const std::vector<Scene>& scenes, double
         }
     }
     for (Row& row : rows)
-        row.screen_px = spread_of(row.screen), row.forward_rad = spread_of(row.forward), row.disc_px = spread_of(row.disc), row.near_px = spread_of(row.near);
+        row.screen_px = spread_of(row.screen), row.forward_rad = spread_of(row.forward),
+        row.disc_px = spread_of(row.disc), row.near_px = spread_of(row.near);
     return Done{};
 }
 
@@ -162,10 +209,12 @@ Status measure_costs(Session& session, Scene scene, int frames, std::vector<Row>
     Renderer flat_renderer;
     if (Status ready = flat_renderer.prepare(flat); !ready) return ready;
     const gl::Target target = gl::make_target(kTimeWidth, kTimeHeight, gl::Format::kRgba8);
-    const auto draw = [&](Renderer& renderer) { renderer.draw(target.framebuffer.id(), kTimeWidth, kTimeHeight, Output::kDisplay); };
+    const auto draw = [&](Renderer& renderer) {
+        renderer.draw(target.framebuffer.id(), kTimeWidth, kTimeHeight, Output::kDisplay);
+    };
     draw(flat_renderer);
     Progress progress("costs", static_cast<long long>(rows.size()) * (frames + 1));
-    for (int frame = -1; frame < frames; ++frame) {   // the first round compiles
+    for (int frame = -1; frame < frames; ++frame) {  // the first round compiles
         for (Row& row : rows) {
             session.renderer->set_method(row.method);
             if (Status ready = session.renderer->prepare(scene); !ready) return ready;
@@ -174,8 +223,10 @@ Status measure_costs(Session& session, Scene scene, int frames, std::vector<Row>
                                (row.method.kind == MethodKind::kTable ? session.renderer->gpu_table_ms() : 0.0) +
                                (row.method.kind == MethodKind::kStrip ? session.renderer->tables().rows_ms() : 0.0);
                 for (const auto& line : session.renderer->textures())
-                    if (line.name == (row.method.kind == MethodKind::kStrip ? "strip" : "deflection table")) row.bytes = line.bytes;
-                if (row.method.kind != MethodKind::kStrip && row.method.kind != MethodKind::kTable) row.build_ms = 0, row.bytes = 0;
+                    if (line.name == (row.method.kind == MethodKind::kStrip ? "strip" : "deflection table"))
+                        row.bytes = line.bytes;
+                if (row.method.kind != MethodKind::kStrip && row.method.kind != MethodKind::kTable)
+                    row.build_ms = 0, row.bytes = 0;
                 draw(*session.renderer);
             } else {
                 time_one(row.cost, [&] { draw(*session.renderer); });
@@ -191,12 +242,15 @@ void mark_frontier(std::vector<Row>& rows) {
     for (Row& row : rows) {
         row.on_frontier = std::none_of(rows.begin(), rows.end(), [&](const Row& other) {
             const double c = median(other.cost.core_s), mine = median(row.cost.core_s);
-            return c <= mine && other.screen_px.max <= row.screen_px.max && (c < mine || other.screen_px.max < row.screen_px.max);
+            return c <= mine && other.screen_px.max <= row.screen_px.max &&
+                   (c < mine || other.screen_px.max < row.screen_px.max);
         });
     }
 }
 
-std::string spread_json(const Spread& s) { return JsonObject().add("max", s.max).add("p999", s.p999).add("median", s.median).text(); }
+std::string spread_json(const Spread& s) {
+    return JsonObject().add("max", s.max).add("p999", s.p999).add("median", s.median).text();
+}
 
 const char* lookup_name(Lookup lookup) {
     switch (lookup) {
@@ -214,7 +268,9 @@ JsonObject json_of(const Row& row, const Session& session, const std::string& me
     const double core = median(row.cost.core_s);
     const bool table = row.method.kind == MethodKind::kTable;
     JsonObject o;
-    o.add("method", row.name).add("size", table ? row.method.size : 0).add("lookup", table ? lookup_name(row.method.lookup) : "");
+    o.add("method", row.name)
+        .add("size", table ? row.method.size : 0)
+        .add("lookup", table ? lookup_name(row.method.lookup) : "");
     o.add("metric", metric).add("bytes", static_cast<long long>(row.bytes)).add("build_ms", row.build_ms);
     o.add("core_seconds", core).add("median_ms", median(row.cost.wall_ms)).add("floor_ratio", core / floor_core);
     o.raw("screen_error_px", spread_json(row.screen_px)).raw("forward_error_rad", spread_json(row.forward_rad));
@@ -226,7 +282,9 @@ JsonObject json_of(const Row& row, const Session& session, const std::string& me
     }
     o.raw("is_default", is_default(row.method) ? "true" : "false");
     o.add("context", session.context->kind()).add("renderer", session.renderer->info().renderer);
-    o.add("width", kTimeWidth).add("height", kTimeHeight).add("threads", static_cast<int>(std::thread::hardware_concurrency()));
+    o.add("width", kTimeWidth)
+        .add("height", kTimeHeight)
+        .add("threads", static_cast<int>(std::thread::hardware_concurrency()));
     return o;
 }
 
@@ -237,28 +295,40 @@ std::string family(const Method& method) {
     return name.substr(0, name.find(':'));
 }
 
-const char* place_of(const Row& row) { return is_default(row.method) ? "default" : row.on_frontier ? "frontier" : "dominated"; }
+const char* place_of(const Row& row) {
+    return is_default(row.method) ? "default" : row.on_frontier ? "frontier" : "dominated";
+}
 
 void print_table(const std::vector<Row>& rows, double floor_core) {
-    fmt::print("| method | bytes | build ms | core-s | x floor | screen error px: max | 99.9 % | median | on a disc: max | forward error rad: max | median | fate errors | |\n"
-               "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    fmt::print(
+        "| method | bytes | build ms | core-s | x floor | screen error px: max | 99.9 % | median | on a disc: max | "
+        "forward error rad: max | median | fate errors | |\n"
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (const Row& row : rows) {
         const double core = median(row.cost.core_s);
-        fmt::print("| {} | {} | {:.1f} | {:.4f} | {:.2f} | {:.2g} | {:.2g} | {:.2g} | {:.2g} | {:.2g} | {:.2g} | {} | {} |\n", row.name, row.bytes,
-                   row.build_ms, core, core / floor_core, row.screen_px.max, row.screen_px.p999, row.screen_px.median, row.disc_px.max, row.forward_rad.max,
-                   row.forward_rad.median, row.fate_errors, place_of(row));
+        fmt::print(
+            "| {} | {} | {:.1f} | {:.4f} | {:.2f} | {:.2g} | {:.2g} | {:.2g} | {:.2g} | {:.2g} | {:.2g} | {} | {} |\n",
+            row.name, row.bytes, row.build_ms, core, core / floor_core, row.screen_px.max, row.screen_px.p999,
+            row.screen_px.median, row.disc_px.max, row.forward_rad.max, row.forward_rad.median, row.fate_errors,
+            place_of(row));
     }
 }
 
 // About a spinning hole: no tables, no discs, but steps.
 void print_spin_table(const std::vector<Row>& rows, double floor_core) {
     const auto own = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return is_default(row.method); });
-    fmt::print("| method | screen error px: max | 99.9 % | median | fate errors | next to the horizon: max | 99.9 % | fate errors | steps: mean | most | core-s | x floor | x default | |\n"
-               "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    fmt::print(
+        "| method | screen error px: max | 99.9 % | median | fate errors | next to the horizon: max | 99.9 % | fate "
+        "errors | steps: mean | most | core-s | x floor | x default | |\n"
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (const Row& row : rows) {
         const double core = median(row.cost.core_s);
-        fmt::print("| {} | {:.2g} | {:.2g} | {:.2g} | {} | {:.2g} | {:.2g} | {} | {:.2f} | {} | {:.4f} | {:.2f} | {:.2f} | {} |\n", row.name, row.screen_px.max, row.screen_px.p999, row.screen_px.median,
-                   row.fate_errors, row.near_px.max, row.near_px.p999, row.near_fate_errors, mean_steps(row), row.most_steps, core, core / floor_core, core / median(own->cost.core_s), place_of(row));
+        fmt::print(
+            "| {} | {:.2g} | {:.2g} | {:.2g} | {} | {:.2g} | {:.2g} | {} | {:.2f} | {} | {:.4f} | {:.2f} | {:.2f} | {} "
+            "|\n",
+            row.name, row.screen_px.max, row.screen_px.p999, row.screen_px.median, row.fate_errors, row.near_px.max,
+            row.near_px.p999, row.near_fate_errors, mean_steps(row), row.most_steps, core, core / floor_core,
+            core / median(own->cost.core_s), place_of(row));
     }
 }
 
@@ -280,7 +350,8 @@ int run(const Options& options) {
         const EffectSet effects = effect_set(required_effects(*scene));
         const bool spins = effects.contains(Effect::kSpin);
         if (!effects.contains(Effect::kLensing) && !spins)
-            return report(bad_input(fmt::format("scene {}: light runs straight in {}, there is nothing to compare", name, scene->spacetime.metric)));
+            return report(bad_input(fmt::format("scene {}: light runs straight in {}, there is nothing to compare",
+                                                name, scene->spacetime.metric)));
         const auto spacetime = make_spacetime(scene->spacetime.metric, scene->spacetime.parameters);
         if (!spacetime) return report(spacetime.error());
         std::vector<Row> rows;
@@ -297,27 +368,38 @@ int run(const Options& options) {
         const std::vector<Scene> scenes = views(scene->spacetime, **spacetime);
         const double near_radius = spins ? kNear * *(*spacetime)->horizon_radius() : 0.0;
         if (Status done = measure_errors(*session, scenes, near_radius, rows); !done) return report(done.error());
-        if (Status done = measure_costs(*session, spins ? sky_alone(*scene) : *scene, options.frames, rows, floor); !done) return report(done.error());
+        if (Status done = measure_costs(*session, spins ? sky_alone(*scene) : *scene, options.frames, rows, floor);
+            !done)
+            return report(done.error());
         mark_frontier(rows);
         const double floor_core = median(floor.core_s);
         (spins ? print_spin_table : print_table)(rows, floor_core);
         std::vector<PlotPoint> points;
         for (const Row& row : rows) {
-            if (!spins) measured.push_back({scene->spacetime.metric, row.method, row.screen_px.max, median(row.cost.core_s) / floor_core, row.disc_px.max});
+            if (!spins)
+                measured.push_back({scene->spacetime.metric, row.method, row.screen_px.max,
+                                    median(row.cost.core_s) / floor_core, row.disc_px.max});
             objects.push_back(json_of(row, *session, scene->spacetime.metric, floor_core));
-            points.push_back({row.name, family(row.method), median(row.cost.core_s), row.screen_px.max, row.on_frontier, is_default(row.method)});
+            points.push_back({row.name, family(row.method), median(row.cost.core_s), row.screen_px.max, row.on_frontier,
+                              is_default(row.method)});
         }
         if (options.plot.empty()) continue;
-        const std::string subtitle = fmt::format("{}, {}, {}, {} threads; {} cameras, every {}th pixel of a 4K frame; grey: dominated",
-                                                 scene->spacetime.metric, session->context->kind(), session->renderer->info().renderer,
-                                                 std::thread::hardware_concurrency(), std::count_if(scenes.begin(), scenes.end(), [&](const Scene& s) { return !s.disc && s.camera.r >= near_radius; }),
-                                                 k4kWidth / scenes.front().camera.width);
-        if (Status written = write_text_atomically(options.plot, accuracy_svg(points, floor_core, subtitle)); !written) return report(written.error());
+        const std::string subtitle =
+            fmt::format("{}, {}, {}, {} threads; {} cameras, every {}th pixel of a 4K frame; grey: dominated",
+                        scene->spacetime.metric, session->context->kind(), session->renderer->info().renderer,
+                        std::thread::hardware_concurrency(),
+                        std::count_if(scenes.begin(), scenes.end(),
+                                      [&](const Scene& s) { return !s.disc && s.camera.r >= near_radius; }),
+                        k4kWidth / scenes.front().camera.width);
+        if (Status written = write_text_atomically(options.plot, accuracy_svg(points, floor_core, subtitle)); !written)
+            return report(written.error());
     }
     if (!options.frontier.empty())
-        if (Status written = write_text_atomically(options.frontier, frontier_text(measured)); !written) return report(written.error());
+        if (Status written = write_text_atomically(options.frontier, frontier_text(measured)); !written)
+            return report(written.error());
     if (options.json.empty()) return 0;
-    if (Status written = write_text_atomically(options.json, json_list(objects)); !written) return report(written.error());
+    if (Status written = write_text_atomically(options.json, json_list(objects)); !written)
+        return report(written.error());
     return 0;
 }
 

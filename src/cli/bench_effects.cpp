@@ -101,7 +101,8 @@ const std::vector<Added>& additions() {
              s.spacetime = {"reissner-nordstrom", {{"charge", 1.2}}};
          }},
         {Effect::kFarSky, dark_wormhole, [](Scene& s) { s.far_sky.kind = SkyKind::kStars; }},
-        {Effect::kStar, [](Scene& s) { s.spacetime.metric = "schwarzschild"; }, [](Scene& s) { s.spacetime.metric = "neutron-star"; }},
+        {Effect::kStar, [](Scene& s) { s.spacetime.metric = "schwarzschild"; },
+         [](Scene& s) { s.spacetime.metric = "neutron-star"; }},
         {Effect::kBloom, nothing, [](Scene& s) { s.picture.bloom = 0.1; }},
         {Effect::kAutoExposure, nothing, [](Scene& s) { s.picture.auto_exposure = true; }},
         {Effect::kToneFilm, nothing, [](Scene& s) { s.picture.tone = ToneCurve::kFilm; }},
@@ -109,8 +110,12 @@ const std::vector<Added>& additions() {
         {Effect::kDither, nothing, [](Scene& s) { s.picture.dither = true; }},
         {Effect::kDelay, moving_disc, [](Scene& s) { s.light.delay = true; }},
         {Effect::kDiscFlow, still_disc, [](Scene& s) { s.disc->flow = DiscFlowKind::kKepler; }},
-        {Effect::kSpot, [=](Scene& s) { glowing(true, true)(s), s.light.delay = false; }, [](Scene& s) { s.spot.emplace(); }},
-        {Effect::kBallPath, [](Scene& s) { s.ball.emplace().position = {-6, 0, 0}, s.spacetime.metric = "schwarzschild", s.light.delay = false; },
+        {Effect::kSpot, [=](Scene& s) { glowing(true, true)(s), s.light.delay = false; },
+         [](Scene& s) { s.spot.emplace(); }},
+        {Effect::kBallPath,
+         [](Scene& s) {
+             s.ball.emplace().position = {-6, 0, 0}, s.spacetime.metric = "schwarzschild", s.light.delay = false;
+         },
          [](Scene& s) { s.ball->motion = BallMotion::kOrbit; }},
         {Effect::kPulse, [=](Scene& s) { sphere(s), s.light.delay = false; }, [](Scene& s) { s.sphere->swing = 0.1; }},
         {Effect::kSides, dark_wormhole, [](Scene& s) { s.ball.emplace(); }},
@@ -141,14 +146,17 @@ Result<Bench> open_bench(const std::string& context, int width, int height) {
     auto session = open_session(context);
     if (!session) return session.error();
     if (Status ready = session->renderer->prepare(empty_scene(width, height)); !ready) return ready.error();
-    return Bench{std::move(*session), std::make_unique<Renderer>(), std::make_unique<Renderer>(), gl::make_target(width, height, gl::Format::kRgba8)};
+    return Bench{std::move(*session), std::make_unique<Renderer>(), std::make_unique<Renderer>(),
+                 gl::make_target(width, height, gl::Format::kRgba8)};
 }
 
 // Of what is prepared, in turn (A B C A B C ...).
 EffectCost cost_of(Bench& bench, Effect effect, int frames, Progress& progress) {
-    const auto draw = [&](Renderer& renderer) { renderer.draw(bench.target.framebuffer.id(), bench.target.width, bench.target.height, Output::kDisplay); };
+    const auto draw = [&](Renderer& renderer) {
+        renderer.draw(bench.target.framebuffer.id(), bench.target.width, bench.target.height, Output::kDisplay);
+    };
     Renderer* const renderers[] = {bench.session.renderer.get(), bench.without.get(), bench.with.get()};
-    for (Renderer* renderer : renderers) draw(*renderer);   // compiles
+    for (Renderer* renderer : renderers) draw(*renderer);  // compiles
     Samples samples[3];
     for (int i = 0; i < frames; ++i, progress.advance())
         for (int k = 0; k < 3; ++k) time_one(samples[k], [&] { draw(*renderers[k]); });
@@ -166,7 +174,7 @@ Result<std::vector<EffectCost>> effect_costs(const Scene& scene, const std::stri
     std::vector<EffectCost> costs;
     for (const Effect effect : effects) {
         const auto without = without_effect(scene, effect);
-        if (!without || !bench->without->prepare(*without)) {   // it cannot go alone
+        if (!without || !bench->without->prepare(*without)) {  // it cannot go alone
             progress.advance(frames);
             continue;
         }
@@ -190,8 +198,8 @@ Status bench_effects(const std::string& context, int width, int height, int fram
         if (Status ready = bench.with->prepare(with); !ready) return ready;
         const EffectCost cost = cost_of(bench, added.effect, frames, progress);
         const EffectRow& row = effect_row(added.effect);
-        fmt::print("{:<18} {:.4f} core-s, without it {:.4f}: {:+.2f} x the empty scene's {:.4f}\n", row.key, cost.with_s,
-                   cost.without_s, cost.over_floor(), cost.floor_s);
+        fmt::print("{:<18} {:.4f} core-s, without it {:.4f}: {:+.2f} x the empty scene's {:.4f}\n", row.key,
+                   cost.with_s, cost.without_s, cost.over_floor(), cost.floor_s);
         rows.push_back(JsonObject()
                            .add("effect", row.key)
                            .add("renderer", bench.session.renderer->info().renderer)

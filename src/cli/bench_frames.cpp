@@ -50,11 +50,11 @@ Result<JsonObject> measure(Bench& bench, const Scene& scene, int frames) {
     const unsigned to = bench.target.framebuffer.id();
     Renderer& renderer = *bench.session.renderer;
     const auto first = std::chrono::steady_clock::now();
-    renderer.draw(to, w, h, Output::kDisplay);   // compiles
+    renderer.draw(to, w, h, Output::kDisplay);  // compiles
     gl::finish();
     const double first_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - first).count();
     bench.floor->draw(to, w, h, Output::kDisplay);
-    bench.floor->draw_bare_fetch(to, w, h);   // whose sky is a cube map, a wormhole's or not
+    bench.floor->draw_bare_fetch(to, w, h);  // whose sky is a cube map, a wormhole's or not
     Progress progress("bench " + scene.name, frames);
     for (int i = 0; i < frames; ++i) {
         time_one(picture, [&] { renderer.draw(to, w, h, Output::kDisplay); });
@@ -65,22 +65,28 @@ Result<JsonObject> measure(Bench& bench, const Scene& scene, int frames) {
     const auto [low, high] = std::minmax_element(picture.wall_ms.begin(), picture.wall_ms.end());
     const double core = median(picture.core_s);
     JsonObject row;
-    row.add("scene", scene.name).add("context", bench.session.context->kind()).add("renderer", renderer.info().renderer);
+    row.add("scene", scene.name)
+        .add("context", bench.session.context->kind())
+        .add("renderer", renderer.info().renderer);
     row.add("width", w).add("height", h).add("frames", frames);
     row.add("median_ms", median(picture.wall_ms)).add("min_ms", *low).add("max_ms", *high);
     row.add("core_seconds", core).add("compile_ms", first_ms);
     row.add("table_ms", renderer.tables().table_ms() + renderer.tables().rows_ms());
     row.add("floor_ratio", core / median(floor.core_s)).add("fetch_ratio", core / median(fetch.core_s));
     row.add("floor_core_seconds", median(floor.core_s));
-    fmt::print("{:<18} {:7.2f} ms ({:.2f} to {:.2f})  {:.4f} core-s  {:5.2f} x floor  {:5.2f} x fetch  first frame {:.0f} ms, tables {:.1f} ms\n",
-               scene.name, median(picture.wall_ms), *low, *high, core, core / median(floor.core_s), core / median(fetch.core_s), first_ms,
-               renderer.tables().table_ms() + renderer.tables().rows_ms());
+    fmt::print(
+        "{:<18} {:7.2f} ms ({:.2f} to {:.2f})  {:.4f} core-s  {:5.2f} x floor  {:5.2f} x fetch  first frame {:.0f} ms, "
+        "tables {:.1f} ms\n",
+        scene.name, median(picture.wall_ms), *low, *high, core, core / median(floor.core_s),
+        core / median(fetch.core_s), first_ms, renderer.tables().table_ms() + renderer.tables().rows_ms());
     return row;
 }
 
 // Random places and directions, some close, some far, most of them with the hole in view.
 Scene random_pose(Scene scene, std::mt19937& random) {
-    const auto uniform = [&](double low, double high) { return low + (high - low) * (static_cast<double>(random()) / 4294967296.0); };
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+    };
     scene.camera.r = 1.02 * std::pow(100.0, uniform(0.0, 1.0));
     scene.camera.theta = std::acos(uniform(-1.0, 1.0));
     scene.camera.phi = uniform(0.0, 2 * M_PI);
@@ -100,13 +106,16 @@ Result<double> pose_ratio(Bench& bench, const Scene& scene, int poses) {
         if (Status ready = bench.session.renderer->prepare(posed); !ready) return ready.error();
         Samples samples;
         for (int k = 0; k < 3; ++k)
-            time_one(samples, [&] { bench.session.renderer->draw(bench.target.framebuffer.id(), posed.camera.width, posed.camera.height, Output::kDisplay); });
+            time_one(samples, [&] {
+                bench.session.renderer->draw(bench.target.framebuffer.id(), posed.camera.width, posed.camera.height,
+                                             Output::kDisplay);
+            });
         const double cost = *std::min_element(samples.core_s.begin(), samples.core_s.end());
         cheapest = std::min(cheapest, cost);
         dearest = std::max(dearest, cost);
     }
-    fmt::print("{:<18} {} random poses: {:.4f} to {:.4f} core-s, dearest over cheapest {:.2f}\n", scene.name, poses, cheapest, dearest,
-               dearest / cheapest);
+    fmt::print("{:<18} {} random poses: {:.4f} to {:.4f} core-s, dearest over cheapest {:.2f}\n", scene.name, poses,
+               cheapest, dearest, dearest / cheapest);
     return dearest / cheapest;
 }
 
@@ -115,10 +124,12 @@ int report_of(const Status& status) { return status ? 0 : report(status.error())
 int run_frames(const Options& options) {
     const auto size = parse_size(options.size);
     if (!size) return report(size.error());
-    if (options.effects) return report_of(bench_effects(options.context, size->width, size->height, options.frames, options.json));
+    if (options.effects)
+        return report_of(bench_effects(options.context, size->width, size->height, options.frames, options.json));
     auto session = open_session(options.context);
     if (!session) return report(session.error());
-    Bench bench{std::move(*session), std::make_unique<Renderer>(), gl::make_target(size->width, size->height, gl::Format::kRgba8)};
+    Bench bench{std::move(*session), std::make_unique<Renderer>(),
+                gl::make_target(size->width, size->height, gl::Format::kRgba8)};
     std::vector<JsonObject> rows;
     for (const std::string& name : options.scenes) {
         auto scene = load_scene(name);

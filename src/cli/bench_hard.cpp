@@ -26,15 +26,16 @@ struct Options {
     std::string json, reference, only;
 };
 
-constexpr double kRefineAbove_px = 1e-5;   // below every bound of the list but those of frames of a pixel or two
+constexpr double kRefineAbove_px = 1e-5;  // below every bound of the list but those of frames of a pixel or two
 constexpr std::array<const char*, 4> kWitnesses = {"core64", "core32", "egl", "osmesa"};
 
 struct Measured {
-    HardBound bound, error;   // px
+    HardBound bound, error;  // px
     long long fate_errors = 0, not_finite = 0;
-    double over_bound() const {   // more than 1: outside
+    double over_bound() const {  // more than 1: outside
         if (fate_errors + not_finite > 0) return INFINITY;
-        return std::max({error.sky / bound.sky, error.place / bound.place, error.swept / bound.swept, error.g / bound.g});
+        return std::max(
+            {error.sky / bound.sky, error.place / bound.place, error.swept / bound.swept, error.g / bound.g});
     }
 };
 
@@ -60,7 +61,10 @@ Measured measured(const Row& row, const RayFrame& tested, double bit) {
         return pixels ? std::move(*pixels) : std::vector<RayPixel>(positions.size());
     };
     const RayMeasures m = measure_rays(tested, scene.camera, trace, 1, kRefineAbove_px);
-    return {hard_bound(scene, row.exact, bit), {m.sky_px.max, m.place_px.max, m.angle_px.max, m.g_px.max}, m.fate_errors, m.not_finite};
+    return {hard_bound(scene, row.exact, bit),
+            {m.sky_px.max, m.place_px.max, m.angle_px.max, m.g_px.max},
+            m.fate_errors,
+            m.not_finite};
 }
 
 // The shader's text in C++ at every pixel.
@@ -70,7 +74,8 @@ RayFrame core_frame(const Scene& scene, CoreInput input, Trace trace) {
     input.cubic = hard_cubic(scene);
     RayFrame frame{width, height, {}};
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) frame.pixels.push_back(trace(input, x + 0.5 - 0.5 * width, 0.5 * height - (y + 0.5)));
+        for (int x = 0; x < width; ++x)
+            frame.pixels.push_back(trace(input, x + 0.5 - 0.5 * width, 0.5 * height - (y + 0.5)));
     return frame;
 }
 
@@ -117,10 +122,12 @@ Status read_reference(const std::string& path, std::vector<Row>& rows) {
         ++number;
         const std::size_t first = line.find('\t'), second = line.find('\t', first + 1);
         if (first == std::string::npos || second == std::string::npos)
-            return bad_input(fmt::format("{}:{}: expected a name, an error and a bound, tabs between them", path, number));
+            return bad_input(
+                fmt::format("{}:{}: expected a name, an error and a bound, tabs between them", path, number));
         ReferenceRow row;
         std::istringstream numbers(line.substr(first + 1));
-        if (!(numbers >> row.error_px >> row.bound_px)) return bad_input(fmt::format("{}:{}: two numbers are expected after the name", path, number));
+        if (!(numbers >> row.error_px >> row.bound_px))
+            return bad_input(fmt::format("{}:{}: two numbers are expected after the name", path, number));
         found[line.substr(0, first)] = row;
     }
     for (Row& row : rows)
@@ -128,7 +135,9 @@ Status read_reference(const std::string& path, std::vector<Row>& rows) {
     return Done{};
 }
 
-std::string pair_text(double sky, double place, bool disc) { return disc ? fmt::format("{:.1e}, {:.1e}", sky, place) : fmt::format("{:.1e}", sky); }
+std::string pair_text(double sky, double place, bool disc) {
+    return disc ? fmt::format("{:.1e}, {:.1e}", sky, place) : fmt::format("{:.1e}", sky);
+}
 
 std::string cell(const std::optional<Measured>& m, bool disc) {
     if (!m) return "-";
@@ -137,12 +146,15 @@ std::string cell(const std::optional<Measured>& m, bool disc) {
 }
 
 void print_table(const std::vector<Row>& rows) {
-    fmt::print("| case | why it is hard | bound px | reference | core64 | core32 | EGL | OSMesa |\n|---|---|---|---|---|---|---|---|\n");
+    fmt::print(
+        "| case | why it is hard | bound px | reference | core64 | core32 | EGL | OSMesa "
+        "|\n|---|---|---|---|---|---|---|---|\n");
     for (const Row& row : rows) {
         const bool disc = row.hard->scene.disc.has_value();
         const HardBound bound = hard_bound(row.hard->scene, row.exact);
-        fmt::print("| {} | {} | {} | {} |", row.hard->name, row.hard->why, pair_text(bound.sky, bound.place, disc),
-                   row.reference ? fmt::format("{:.0e} of {:.0e}", row.reference->error_px, row.reference->bound_px) : "-");
+        fmt::print(
+            "| {} | {} | {} | {} |", row.hard->name, row.hard->why, pair_text(bound.sky, bound.place, disc),
+            row.reference ? fmt::format("{:.0e} of {:.0e}", row.reference->error_px, row.reference->bound_px) : "-");
         for (const auto& m : row.witness) fmt::print(" {} |", cell(m, disc));
         fmt::print("\n");
     }
@@ -164,7 +176,9 @@ std::string json_of(const HardBound& b) {
 JsonObject json_of(const Row& row) {
     JsonObject o;
     o.add("case", row.hard->name).add("why", row.hard->why);
-    if (row.reference) o.raw("reference", JsonObject().add("sky_px", row.reference->error_px).add("bound_px", row.reference->bound_px).text());
+    if (row.reference)
+        o.raw("reference",
+              JsonObject().add("sky_px", row.reference->error_px).add("bound_px", row.reference->bound_px).text());
     for (std::size_t i = 0; i < kWitnesses.size(); ++i) {
         if (!row.witness[i]) continue;
         const Measured& m = *row.witness[i];
@@ -196,7 +210,8 @@ int run(const Options& options) {
     if (!options.json.empty()) {
         std::vector<JsonObject> objects;
         for (const Row& row : rows) objects.push_back(json_of(row));
-        if (Status written = write_text_atomically(options.json, json_list(objects)); !written) return report(written.error());
+        if (Status written = write_text_atomically(options.json, json_list(objects)); !written)
+            return report(written.error());
     }
     return std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.within(); }) ? 0 : 1;
 }

@@ -59,17 +59,20 @@ Result<TableTime> time_tables(const Scene& scene) {
     return TableTime{median(samples.wall_ms), 1e3 * median(samples.core_s)};
 }
 
-Result<JsonObject> measure(Session& session, Renderer& twin, const gl::Target& target, Scene scene, const SpacetimeSpec& spec, int frames) {
+Result<JsonObject> measure(Session& session, Renderer& twin, const gl::Target& target, Scene scene,
+                           const SpacetimeSpec& spec, int frames) {
     const auto spacetime = make_spacetime(spec.metric, spec.parameters);
     if (!spacetime) return spacetime.error();
-    if (!(*spacetime)->can_have_disc()) scene.disc.reset();   // of both frames
+    if (!(*spacetime)->can_have_disc()) scene.disc.reset();  // of both frames
     Scene other = scene;
     scene.spacetime = spec;
     other.spacetime = {"schwarzschild", {}};
     if (Status ready = session.renderer->prepare(scene); !ready) return ready.error();
     if (Status ready = twin.prepare(other); !ready) return ready.error();
-    const auto draw = [&](Renderer& renderer) { renderer.draw(target.framebuffer.id(), target.width, target.height, Output::kDisplay); };
-    for (Renderer* renderer : {session.renderer.get(), &twin}) draw(*renderer);   // compiles
+    const auto draw = [&](Renderer& renderer) {
+        renderer.draw(target.framebuffer.id(), target.width, target.height, Output::kDisplay);
+    };
+    for (Renderer* renderer : {session.renderer.get(), &twin}) draw(*renderer);  // compiles
     Samples picture, hole;
     for (int i = 0; i < frames; ++i) {
         time_one(picture, [&] { draw(*session.renderer); });
@@ -78,8 +81,9 @@ Result<JsonObject> measure(Session& session, Renderer& twin, const gl::Target& t
     const auto tables = time_tables(scene);
     if (!tables) return tables.error();
     const double core = median(picture.core_s), core_of_hole = median(hole.core_s);
-    fmt::print("{:<12} {:<30} {:.4f} core-s, Schwarzschild {:.4f}: ratio {:.3f}; tables {:.1f} ms, {:.1f} core-ms{}\n", scene.name, label_of(spec), core,
-               core_of_hole, core / core_of_hole, tables->wall_ms, tables->core_ms, scene.disc ? ", with the disc" : "");
+    fmt::print("{:<12} {:<30} {:.4f} core-s, Schwarzschild {:.4f}: ratio {:.3f}; tables {:.1f} ms, {:.1f} core-ms{}\n",
+               scene.name, label_of(spec), core, core_of_hole, core / core_of_hole, tables->wall_ms, tables->core_ms,
+               scene.disc ? ", with the disc" : "");
     JsonObject row;
     row.add("scene", scene.name).add("spacetime", label_of(spec)).add("renderer", session.renderer->info().renderer);
     row.add("width", target.width).add("height", target.height).add("frames", frames).add("disc", scene.disc ? 1 : 0);

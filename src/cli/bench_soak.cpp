@@ -30,7 +30,7 @@ struct Options {
     unsigned seed = 1;
 };
 
-constexpr int kSpan = 500;            // frames in which every kind of scene is seen; in the first of them its shader is compiled
+constexpr int kSpan = 500;  // frames in which every kind of scene is seen; in the first of them its shader is compiled
 constexpr double kMostGrowth = 0.02;  // of the peak: what a heap's fragments come and go by
 constexpr int kFramesAScene = 10;     // 24 kinds of scene, each twice a span
 
@@ -56,7 +56,7 @@ public:
         camera.theta = std::clamp(M_PI / 2 * (1 + at(1, frame)), 0.0, M_PI);
         camera.phi = 3 * at(2, frame);
         camera.yaw = 2 * at(3, frame), camera.pitch = at(4, frame), camera.roll = 3 * at(5, frame);
-        camera.plane_width = 2 * std::tan(0.5 * (0.55 + 0.15 * at(6, frame)));   // the sky's texture keeps its size
+        camera.plane_width = 2 * std::tan(0.5 * (0.55 + 0.15 * at(6, frame)));  // the sky's texture keeps its size
         if (kind % 2 == 1) camera.velocity = 0.9 * normalized(Vec3{at(7, frame), at(8, frame), at(9, frame) + 1e-3});
         if (kind % 3 != 0) scene.disc = DiscSpec{};
         if (kind % 3 == 2) scene.disc->opacity = 0.5, scene.disc->inner = 1.2, scene.disc->outer = 30;
@@ -70,7 +70,7 @@ private:
         double slow, fast, slow_phase, fast_phase;
     };
     double unit() { return static_cast<double>(random_()) / 4294967296.0; }
-    double at(int i, int frame) const {   // -1 ... 1
+    double at(int i, int frame) const {  // -1 ... 1
         const Wave& w = waves_[i];
         return 0.6 * std::sin(w.slow * frame + w.slow_phase) + 0.4 * std::sin(w.fast * frame + w.fast_phase);
     }
@@ -79,8 +79,8 @@ private:
 };
 
 struct Counts {
-    long long not_finite = 0;    // values of pictures and pixels of ray data
-    std::vector<double> peaks;   // bytes resident, of each span
+    long long not_finite = 0;   // values of pictures and pixels of ray data
+    std::vector<double> peaks;  // bytes resident, of each span
     double later() const { return *std::max_element(peaks.begin() + 1, peaks.end()); }
     double growth() const { return (later() - peaks.front()) / peaks.front(); }
 };
@@ -96,14 +96,16 @@ Result<Counts> soak(Session& session, const Options& options, int width, int hei
     for (int frame = 0; frame < options.frames; ++frame, progress.advance()) {
         const Scene scene = path.scene(frame, width, height);
         if (Status ready = session.renderer->prepare(scene); !ready) return ready.error();
-        const Image<float> picture = session.renderer->picture();   // throws what OpenGL reports
+        const Image<float> picture = session.renderer->picture();  // throws what OpenGL reports
         const RayFrame rays = session.renderer->ray_data();
         counts.not_finite += not_finite_of(picture);
-        counts.not_finite += std::count_if(rays.pixels.begin(), rays.pixels.end(), [](const RayPixel& p) { return !all_finite(p); });
+        counts.not_finite +=
+            std::count_if(rays.pixels.begin(), rays.pixels.end(), [](const RayPixel& p) { return !all_finite(p); });
         if (frame % kSpan == 0) counts.peaks.push_back(0);
         counts.peaks.back() = std::max(counts.peaks.back(), resident_bytes());
         if ((frame + 1) % (4 * kSpan) == 0) {
-            fmt::print("frame {:6}: {:.1f} MiB resident at most in the last {}\n", frame + 1, counts.peaks.back() / (1 << 20), kSpan);
+            fmt::print("frame {:6}: {:.1f} MiB resident at most in the last {}\n", frame + 1,
+                       counts.peaks.back() / (1 << 20), kSpan);
             std::fflush(stdout);
         }
     }
@@ -122,15 +124,22 @@ int run(const Options& options) {
     const auto counts = soak(*session, options, size->width, size->height);
     if (!counts) return report(counts.error());
     const bool flat = counts->growth() <= kMostGrowth, finite = counts->not_finite == 0;
-    fmt::print("{} frames on {}: resident memory {:.1f} MiB at most in the first {}, {:.1f} MiB after them: {:+.2f} % ({}); "
-               "no OpenGL error; {} values not finite\n",
-               options.frames, session->context->kind(), counts->peaks.front() / (1 << 20), kSpan, counts->later() / (1 << 20),
-               100 * counts->growth(), flat ? "allowed: 2" : "more than 2", counts->not_finite);
+    fmt::print(
+        "{} frames on {}: resident memory {:.1f} MiB at most in the first {}, {:.1f} MiB after them: {:+.2f} % ({}); "
+        "no OpenGL error; {} values not finite\n",
+        options.frames, session->context->kind(), counts->peaks.front() / (1 << 20), kSpan, counts->later() / (1 << 20),
+        100 * counts->growth(), flat ? "allowed: 2" : "more than 2", counts->not_finite);
     if (!options.json.empty()) {
         JsonObject o;
-        o.add("frames", options.frames).add("context", session->context->kind()).add("renderer", session->renderer->info().renderer);
-        o.add("first_bytes", counts->peaks.front()).add("later_bytes", counts->later()).add("growth", counts->growth()).add("not_finite", counts->not_finite);
-        if (Status written = write_text_atomically(options.json, json_list({o})); !written) return report(written.error());
+        o.add("frames", options.frames)
+            .add("context", session->context->kind())
+            .add("renderer", session->renderer->info().renderer);
+        o.add("first_bytes", counts->peaks.front())
+            .add("later_bytes", counts->later())
+            .add("growth", counts->growth())
+            .add("not_finite", counts->not_finite);
+        if (Status written = write_text_atomically(options.json, json_list({o})); !written)
+            return report(written.error());
     }
     return flat && finite ? 0 : 1;
 }

@@ -29,9 +29,10 @@ struct View {
     double spin, r, theta_deg, fov_deg;
 };
 constexpr View kViews[] = {{0.9, 8, 80, 60}, {0.998, 4, 85, 90}};
-constexpr int kErrorWidth = 160;          // columns of the frame that errors are taken on
-constexpr double kLongest = 0.64, kShortest = 0.004, kShorter = 0.7071067811865476;   // steps of the march that are tried
-constexpr int kCap = 64;                  // SPIN_MOST_STEPS
+constexpr int kErrorWidth = 160;  // columns of the frame that errors are taken on
+constexpr double kLongest = 0.64, kShortest = 0.004,
+                 kShorter = 0.7071067811865476;  // steps of the march that are tried
+constexpr int kCap = 64;                         // SPIN_MOST_STEPS
 
 Scene scene_of(const View& view, int width, int height) {
     Scene scene;
@@ -65,7 +66,8 @@ Result<Steps> steps_of(const Scene& scene) {
     double sum = 0;
     for (int y = 0; y < scene.camera.height; y += 2)
         for (int x = 0; x < scene.camera.width; x += 2) {
-            const int n = trace_core32(input, x + 0.5 - 0.5 * scene.camera.width, 0.5 * scene.camera.height - y - 0.5).steps;
+            const int n =
+                trace_core32(input, x + 0.5 - 0.5 * scene.camera.width, 0.5 * scene.camera.height - y - 0.5).steps;
             sum += n, steps.most = std::max(steps.most, n), steps.at_cap += n >= kCap, ++steps.rays;
         }
     steps.mean = sum / static_cast<double>(steps.rays);
@@ -73,13 +75,16 @@ Result<Steps> steps_of(const Scene& scene) {
 }
 
 Result<JsonObject> measure(Session& session, Renderer& march, const gl::Target& target, const View& view, int frames) {
-    const Scene scene = scene_of(view, target.width, target.height), small = scene_of(view, kErrorWidth, kErrorWidth * target.height / target.width);
+    const Scene scene = scene_of(view, target.width, target.height),
+                small = scene_of(view, kErrorWidth, kErrorWidth * target.height / target.width);
     const double finer = static_cast<double>(target.width) / kErrorWidth;
     const ExactTrace exact = remembered_trace(small);
     const auto ours = errors_of(*session.renderer, Method{}, small, exact);
     if (!ours) return ours.error();
-    fmt::print("{}: ours {:.4f} px at most, {:.4f} at the 99.9th percentile, {:.5f} in the median of {}x{}; fate errors {}\n", scene.name, ours->sky_px.max * finer,
-               ours->sky_px.p999 * finer, ours->sky_px.median * finer, target.width, target.height, ours->fate_errors);
+    fmt::print(
+        "{}: ours {:.4f} px at most, {:.4f} at the 99.9th percentile, {:.5f} in the median of {}x{}; fate errors {}\n",
+        scene.name, ours->sky_px.max * finer, ours->sky_px.p999 * finer, ours->sky_px.median * finer, target.width,
+        target.height, ours->fate_errors);
     Method chosen{.kind = MethodKind::kKerrSchild};
     Spread reached;
     bool met = false;
@@ -87,8 +92,11 @@ Result<JsonObject> measure(Session& session, Renderer& march, const gl::Target& 
         const Method method{.kind = MethodKind::kKerrSchild, .step = step};
         const auto theirs = errors_of(march, method, small, exact);
         if (!theirs) return theirs.error();
-        fmt::print("  Kerr-Schild RK4, step {:.4f} r: {:.4f} px at most, {:.4f} at the 99.9th percentile, {:.5f} in the median; fate errors {}\n", step, theirs->sky_px.max * finer,
-                   theirs->sky_px.p999 * finer, theirs->sky_px.median * finer, theirs->fate_errors);
+        fmt::print(
+            "  Kerr-Schild RK4, step {:.4f} r: {:.4f} px at most, {:.4f} at the 99.9th percentile, {:.5f} in the "
+            "median; fate errors {}\n",
+            step, theirs->sky_px.max * finer, theirs->sky_px.p999 * finer, theirs->sky_px.median * finer,
+            theirs->fate_errors);
         met = theirs->sky_px.p999 <= ours->sky_px.p999;
         if (met || reached.count == 0 || theirs->sky_px.p999 < reached.p999) chosen = method, reached = theirs->sky_px;
     }
@@ -96,8 +104,10 @@ Result<JsonObject> measure(Session& session, Renderer& march, const gl::Target& 
     march.set_method(chosen);
     if (Status ready = session.renderer->prepare(scene); !ready) return ready.error();
     if (Status ready = march.prepare(scene); !ready) return ready.error();
-    const auto draw = [&](Renderer& renderer) { renderer.draw(target.framebuffer.id(), target.width, target.height, Output::kDisplay); };
-    for (Renderer* renderer : {session.renderer.get(), &march}) draw(*renderer);   // compiles
+    const auto draw = [&](Renderer& renderer) {
+        renderer.draw(target.framebuffer.id(), target.width, target.height, Output::kDisplay);
+    };
+    for (Renderer* renderer : {session.renderer.get(), &march}) draw(*renderer);  // compiles
     Samples own, other;
     for (int i = 0; i < frames; ++i) {
         time_one(own, [&] { draw(*session.renderer); });
@@ -106,13 +116,19 @@ Result<JsonObject> measure(Session& session, Renderer& march, const gl::Target& 
     const auto steps = steps_of(scene);
     if (!steps) return steps.error();
     const double core = median(own.core_s), core_march = median(other.core_s);
-    fmt::print("  {}step {:.4f} r; a frame: ours {:.4f} core-s, the march {:.4f} core-s: {:.1f} times as dear\n", met ? "as exact with " : "never as exact, nearest with ", chosen.step, core,
-               core_march, core_march / core);
-    fmt::print("  our rays take {:.2f} steps, {} at most; {} of {} at the cap of {}\n", steps->mean, steps->most, steps->at_cap, steps->rays, kCap);
+    fmt::print("  {}step {:.4f} r; a frame: ours {:.4f} core-s, the march {:.4f} core-s: {:.1f} times as dear\n",
+               met ? "as exact with " : "never as exact, nearest with ", chosen.step, core, core_march,
+               core_march / core);
+    fmt::print("  our rays take {:.2f} steps, {} at most; {} of {} at the cap of {}\n", steps->mean, steps->most,
+               steps->at_cap, steps->rays, kCap);
     JsonObject row;
     row.add("scene", scene.name).add("width", target.width).add("height", target.height).add("frames", frames);
-    row.add("max_px", ours->sky_px.max * finer).add("p999_px", ours->sky_px.p999 * finer).add("march_step", chosen.step);
-    row.add("march_max_px", reached.max * finer).add("march_p999_px", reached.p999 * finer).add("as_exact", met ? "yes" : "no");
+    row.add("max_px", ours->sky_px.max * finer)
+        .add("p999_px", ours->sky_px.p999 * finer)
+        .add("march_step", chosen.step);
+    row.add("march_max_px", reached.max * finer)
+        .add("march_p999_px", reached.p999 * finer)
+        .add("as_exact", met ? "yes" : "no");
     row.add("core_seconds", core).add("march_core_seconds", core_march).add("ratio", core_march / core);
     row.add("mean_steps", steps->mean).add("most_steps", steps->most).add("at_cap", steps->at_cap);
     return row;

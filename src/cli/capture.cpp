@@ -30,12 +30,14 @@ Result<Method> chosen_method(const CaptureOptions& options, const Scene& scene) 
         auto method = parse_method(options.method);
         // The renderer takes the default for auto.
         if (method && *method == Method{} && effect_set(required_effects(scene)).contains(Effect::kSpin))
-            return bad_input("method strip is not there for a spinning hole; allowed: auto, mino[:ORDER[:STEP]], kerr-schild:STEP");
+            return bad_input(
+                "method strip is not there for a spinning hole; allowed: auto, mino[:ORDER[:STEP]], kerr-schild:STEP");
         return method;
     }
     const auto measured = load_frontier(assets_directory() / "frontier.csv");
     if (!measured) return measured.error();
-    const auto choice = options.max_error ? choose_method(*measured, scene, *options.max_error) : default_method(*measured, scene);
+    const auto choice =
+        options.max_error ? choose_method(*measured, scene, *options.max_error) : default_method(*measured, scene);
     if (!choice) return choice.error();
     if (options.max_error || choice->error_px > kDefaultMaxError_px) fmt::print(stderr, "method {}\n", choice->reason);
     return choice->method;
@@ -46,8 +48,11 @@ std::string film_folder(const CaptureOptions& options) { return options.output +
 
 Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) {
     if (is_film(options) && path == nullptr && (options.time_step == 0 || options.frames.empty()))
-        return bad_input("a film needs a scene with a [path], or --time-step and --frames; allowed: -o names that end in .png or .exr");
-    if (is_film(options) && !have_ffmpeg()) return failed("ffmpeg is not installed, it makes the film; without it: -o NAME%05d.png and --frames");
+        return bad_input(
+            "a film needs a scene with a [path], or --time-step and --frames; allowed: -o names that end in .png or "
+            ".exr");
+    if (is_film(options) && !have_ffmpeg())
+        return failed("ffmpeg is not installed, it makes the film; without it: -o NAME%05d.png and --frames");
     if (options.frames.empty()) return is_film(options) ? Frames{0, path->frames()} : Frames{};
     const auto frames = parse_frames(options.frames);
     if (frames && path != nullptr && frames->end > path->frames())
@@ -78,7 +83,8 @@ Result<Scene> scene_for(const CaptureOptions& options) {
 // Nothing where the picture is one scene's.
 Result<std::optional<Halves>> split_of(const CaptureOptions& options, const Scene& scene) {
     if (options.beside.empty() && !scene.beside) return std::optional<Halves>();
-    if (options.raydata) return bad_input("--raydata is of one spacetime; leave out --beside, or [beside] of the scene");
+    if (options.raydata)
+        return bad_input("--raydata is of one spacetime; leave out --beside, or [beside] of the scene");
     if (options.beside.empty()) return halves(scene);
     auto other = load_scene(options.beside);
     if (!other) return other.error();
@@ -88,7 +94,8 @@ Result<std::optional<Halves>> split_of(const CaptureOptions& options, const Scen
 // Files of an unknown kind, and options that would change nothing.
 Status check_options(const CaptureOptions& options, bool exr) {
     if (!exr && !is_film(options) && !options.output.ends_with(".png"))
-        return bad_input(fmt::format("-o {}: unknown kind of file; allowed: names that end in .png, .exr or .mp4", options.output));
+        return bad_input(
+            fmt::format("-o {}: unknown kind of file; allowed: names that end in .png, .exr or .mp4", options.output));
     if (options.raydata && !exr) return bad_input("--raydata goes into an .exr; give -o FILE.exr");
     if (options.samples && options.renderer != "reference")
         return bad_input("--samples: the shader takes one ray a pixel; allowed: with --renderer reference");

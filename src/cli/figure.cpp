@@ -14,9 +14,9 @@
 namespace nullscope::cli {
 namespace {
 
-constexpr double kCriticalQ = 0.38490017945975050967;   // 2/(3 sqrt 3)
-constexpr double kEdge = 7.0;                           // half a panel, r_s
-constexpr double kPanel = 360;                          // px
+constexpr double kCriticalQ = 0.38490017945975050967;  // 2/(3 sqrt 3)
+constexpr double kEdge = 7.0;                          // half a panel, r_s
+constexpr double kPanel = 360;                         // px
 
 struct Point {
     double x, y;
@@ -24,7 +24,7 @@ struct Point {
 
 // The part of a light ray with r <= 1.5 kEdge: from radius r0 with q and direction s, until it ends.
 std::vector<Point> path(double q, double r0, int s) {
-    constexpr double kStep = 0.01;   // rad
+    constexpr double kStep = 0.01;  // rad
     std::vector<Point> points{{r0, 0}};
     Scene scene;
     for (int i = 1; i < 4000; ++i) {
@@ -50,17 +50,26 @@ std::string line(const std::vector<Point>& points, double turn, const char* colo
 // A panel with the horizon (black), the photon sphere (dashed) and what is drawn into it.
 std::string panel(int column, int row, const std::string& title, const std::string& inside) {
     const double unit = kPanel / 2 / kEdge;
-    return fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} {}\">\n", column * (kPanel + 10), row * (kPanel + 10),
-                       kPanel, kPanel, -kPanel / 2, -kPanel / 2, kPanel, kPanel) +
-           fmt::format("<rect x=\"{0}\" y=\"{0}\" width=\"{1}\" height=\"{1}\" fill=\"#ffffff\" stroke=\"#d4d4d8\"/>\n", -kPanel / 2, kPanel) +
-           fmt::format("<circle r=\"{:.2f}\" fill=\"#18181b\"/><circle r=\"{:.2f}\" fill=\"none\" stroke=\"#a1a1aa\" stroke-dasharray=\"4 3\"/>\n", unit,
-                       1.5 * unit) +
-           inside + fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"14\" fill=\"#18181b\">{}</text>\n</svg>\n", -kPanel / 2 + 10, -kPanel / 2 + 22, title);
+    return fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} {}\">\n",
+                       column * (kPanel + 10), row * (kPanel + 10), kPanel, kPanel, -kPanel / 2, -kPanel / 2, kPanel,
+                       kPanel) +
+           fmt::format("<rect x=\"{0}\" y=\"{0}\" width=\"{1}\" height=\"{1}\" fill=\"#ffffff\" stroke=\"#d4d4d8\"/>\n",
+                       -kPanel / 2, kPanel) +
+           fmt::format(
+               "<circle r=\"{:.2f}\" fill=\"#18181b\"/><circle r=\"{:.2f}\" fill=\"none\" stroke=\"#a1a1aa\" "
+               "stroke-dasharray=\"4 3\"/>\n",
+               unit, 1.5 * unit) +
+           inside +
+           fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"14\" fill=\"#18181b\">{}</text>\n</svg>\n",
+                       -kPanel / 2 + 10, -kPanel / 2 + 22, title);
 }
 
 std::string document(int columns, int rows, const std::string& panels) {
-    return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\">\n",
-                       columns * (kPanel + 10) - 10, rows * (kPanel + 10) - 10) + panels + "</svg>\n";
+    return fmt::format(
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+               "font-family=\"sans-serif\">\n",
+               columns * (kPanel + 10) - 10, rows * (kPanel + 10) - 10) +
+           panels + "</svg>\n";
 }
 
 // "Bending of light rays for Q = 1.85, 6.75, 9.85 and 14.3, where q = q_crit (1 - exp(-Q))": each ray is drawn from its turning
@@ -75,7 +84,8 @@ std::string bending() {
         query.orbit = ReducedRay{q, 1 / start, 1};
         const auto ray = reference::trace_ray({}, query);
         const double bent = ray ? ray->angle : 0.0;
-        panels += panel(i % 2, i / 2, fmt::format("Q = {:g}: swept {:.1f} degrees", big_q, bent * 180 / M_PI), line(path(q, start, 1), 0, "#c2410c"));
+        panels += panel(i % 2, i / 2, fmt::format("Q = {:g}: swept {:.1f} degrees", big_q, bent * 180 / M_PI),
+                        line(path(q, start, 1), 0, "#c2410c"));
         ++i;
     }
     return document(2, 2, panels);
@@ -83,7 +93,11 @@ std::string bending() {
 
 // "Types of rays, depending on r <> 3M, q <> q_crit and u^r <> 0".
 std::string ray_types() {
-    struct Kind { const char* title; double r, k; int s; };
+    struct Kind {
+        const char* title;
+        double r, k;
+        int s;
+    };
     const std::vector<Kind> kinds = {{"r &gt; 3M, q &lt; q_crit, inward: turns, escapes", 5, 0.9, 1},
                                      {"r &gt; 3M, q &lt; q_crit, outward: escapes", 5, 0.9, -1},
                                      {"r &gt; 3M, q &gt; q_crit, inward: captured", 5, 1.1, 1},
@@ -115,7 +129,9 @@ struct Options {
 
 int run(const Options& options) {
     const std::string file = options.output.empty() ? options.name + ".svg" : options.output;
-    Result<std::string> svg = options.name == "bending" ? bending() : options.name == "ray-types" ? ray_types() : isoradials(options.scene);
+    Result<std::string> svg = options.name == "bending"     ? bending()
+                              : options.name == "ray-types" ? ray_types()
+                                                            : isoradials(options.scene);
     if (!svg) return report(svg.error());
     if (Status written = write_text_atomically(file, *svg); !written) return report(written.error());
     fmt::print("{}\n", file);

@@ -73,7 +73,8 @@ Status encode_film(const std::string& folder, int first, int count, double rate,
     if (status == 0 && !error) return Done{};
     std::filesystem::remove(part, error);
     return failed(status < 0 ? "ffmpeg is not installed; the pictures are in " + folder
-                             : fmt::format("ffmpeg could not write {} (exit status {}); the pictures are in {}", output, status, folder));
+                             : fmt::format("ffmpeg could not write {} (exit status {}); the pictures are in {}", output,
+                                           status, folder));
 }
 
 }  // namespace nullscope::cli

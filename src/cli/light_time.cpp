@@ -12,7 +12,7 @@
 namespace nullscope::cli {
 namespace {
 
-constexpr double kSun_m = 2953.250077, kLight_m_s = 299792458.0;   // r_s of the Sun; c
+constexpr double kSun_m = 2953.250077, kLight_m_s = 299792458.0;  // r_s of the Sun; c
 
 struct Options {
     double from = 500, to = 500, impact = 5;
@@ -20,29 +20,40 @@ struct Options {
 };
 
 // Between two places at these radii, `angle` apart.
-double chord(double a, double b, double angle) { return std::hypot(a - b, 2 * std::sqrt(a * b) * std::sin(0.5 * angle)); }
+double chord(double a, double b, double angle) {
+    return std::hypot(a - b, 2 * std::sqrt(a * b) * std::sin(0.5 * angle));
+}
 
 int run(const Options& options) {
-    const double unit_m = options.mass_suns ? *options.mass_suns * kSun_m : 0;   // r_s in m
-    const double scale = options.mass_suns ? 1000 / unit_m : 1;                  // of the lengths given, in r_s
+    const double unit_m = options.mass_suns ? *options.mass_suns * kSun_m : 0;  // r_s in m
+    const double scale = options.mass_suns ? 1000 / unit_m : 1;                 // of the lengths given, in r_s
     const double from = options.from * scale, to = options.to * scale, impact = options.impact * scale;
-    constexpr double kCritical = 2.5980762113533159;   // 3 sqrt(3)/2
-    if (!(impact > kCritical)) return report(bad_input(fmt::format("--impact {}: light that near falls into the hole; allowed: above {:.6g}", options.impact, kCritical / scale)));
+    constexpr double kCritical = 2.5980762113533159;  // 3 sqrt(3)/2
+    if (!(impact > kCritical))
+        return report(bad_input(fmt::format("--impact {}: light that near falls into the hole; allowed: above {:.6g}",
+                                            options.impact, kCritical / scale)));
     const auto made = reference::make_orbit_metric({"schwarzschild", {}});
     if (!made) return report(made.error());
     const auto passage = reference::light_past(**made, from, to, impact);
-    if (!passage) return report(bad_input(fmt::format("--from {} --to {} --impact {}: the closest approach is farther out than that; allowed: smaller impact parameters", options.from, options.to, options.impact)));
+    if (!passage)
+        return report(
+            bad_input(fmt::format("--from {} --to {} --impact {}: the closest approach is farther out than that; "
+                                  "allowed: smaller impact parameters",
+                                  options.from, options.to, options.impact)));
     const auto [t, closest, angle] = *passage;
-    constexpr double kMass = 0.5;   // in r_s: harmonic radius r - M
+    constexpr double kMass = 0.5;  // in r_s: harmonic radius r - M
     const double by_r = t - chord(from, to, angle), harmonic = t - chord(from - kMass, to - kMass, angle);
     fmt::print("coordinate time      {:.15g} r_s/c, {:.15g} GM/c^3\n", t, 2 * t);
     fmt::print("closest approach     {:.15g} r_s\n", closest);
-    fmt::print("over the chord       {:.10g} r_s/c by Schwarzschild's r, {:.10g} by the harmonic r - GM/c^2\n", by_r, harmonic);
+    fmt::print("over the chord       {:.10g} r_s/c by Schwarzschild's r, {:.10g} by the harmonic r - GM/c^2\n", by_r,
+               harmonic);
     if (!options.mass_suns) return 0;
     const double unit_us = 1e6 * unit_m / kLight_m_s;
-    fmt::print("4 GM/c^3             {:.9g} us; of first order, 2 GM/c^3 ln(4 r1 r2/b^2): {:.9g} us\n", 2 * unit_us, unit_us * std::log(4 * from * to / (impact * impact)));
+    fmt::print("4 GM/c^3             {:.9g} us; of first order, 2 GM/c^3 ln(4 r1 r2/b^2): {:.9g} us\n", 2 * unit_us,
+               unit_us * std::log(4 * from * to / (impact * impact)));
     fmt::print("coordinate time      {:.15g} s\n", 1e-6 * t * unit_us);
-    fmt::print("over the chord       {:.8g} us by Schwarzschild's r, {:.8g} us by the harmonic one\n", by_r * unit_us, harmonic * unit_us);
+    fmt::print("over the chord       {:.8g} us by Schwarzschild's r, {:.8g} us by the harmonic one\n", by_r * unit_us,
+               harmonic * unit_us);
     return 0;
 }
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/assets.h"
 #include "base/large_image.h"
 #include "cli/bench_effects.h"
 #include "cli/command.h"
-#include "base/assets.h"
 #include "cli/json.h"
 #include "render/renderer.h"
 #include "scene/moving.h"
@@ -39,7 +39,7 @@ struct Plan {
     std::vector<EffectReason> effects;
     std::vector<Line> tables;
     long long shader_bytes = 0, shader_lines = 0;
-    std::vector<EffectCost> costs;   // where they were measured
+    std::vector<EffectCost> costs;  // where they were measured
 };
 
 long long bytes_of(std::size_t bytes) { return static_cast<long long>(bytes); }
@@ -49,24 +49,31 @@ void add_tables(const FrameTables& tables, const Scene& scene, std::vector<Line>
     if (tables.fan() == nullptr) return;
     const std::string metric = fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric);
     const TexelGrid &strip = tables.strip(), &ends = tables.ends(), &map = tables.orbit_map();
-    if (table != nullptr) lines.push_back(
-        {"deflection table", 3, table->size() + 1, table->size() + 1, bytes_of(table->bytes()), "host", metric});
+    if (table != nullptr)
+        lines.push_back(
+            {"deflection table", 3, table->size() + 1, table->size() + 1, bytes_of(table->bytes()), "host", metric});
     const std::string radius = fmt::format("camera.r = {}", scene.camera.r);
     lines.push_back({"strip", 1, strip.width, strip.height, bytes_of(strip.bytes()), "GPU", radius});
     if (ends.width > 0)
-        lines.push_back({"ray ends", 1, ends.width, ends.height, bytes_of(ends.bytes()), meets_objects(tables.effects()) ? "GPU" : "host", radius});
-    const char* objects[] = {scene.disc ? "[disc]" : "", scene.sphere ? "[sphere]" : "", scene.cylinder ? "[cylinder]" : "",
-                             scene.ball ? "[ball]" : "", scene.surface ? "[surface]" : ""};
+        lines.push_back({"ray ends", 1, ends.width, ends.height, bytes_of(ends.bytes()),
+                         meets_objects(tables.effects()) ? "GPU" : "host", radius});
+    const char* objects[] = {scene.disc ? "[disc]" : "", scene.sphere ? "[sphere]" : "",
+                             scene.cylinder ? "[cylinder]" : "", scene.ball ? "[ball]" : "",
+                             scene.surface ? "[surface]" : ""};
     std::string reason;
     for (const std::string object : objects)
         if (!object.empty()) reason += (reason.empty() ? "" : ", ") + object;
     const TexelGrid& lens = tables.star_lens();
-    if (lens.width > 0) lines.push_back({"star lens", 1, lens.width, lens.height, bytes_of(lens.bytes()), "GPU", radius});
+    if (lens.width > 0)
+        lines.push_back({"star lens", 1, lens.width, lens.height, bytes_of(lens.bytes()), "GPU", radius});
     if (map.width > 0) lines.push_back({"orbit map", 1, map.width, map.height, bytes_of(map.bytes()), "GPU", reason});
     const std::string moving = fmt::format("{}", fmt::join(moving_parts(scene), ", "));
     const TexelGrid& delays = tables.delay_map();
-    if (delays.width > 0) lines.push_back({"delay map", 1, delays.width, delays.height, bytes_of(delays.bytes()), "GPU", moving});
-    if (const BallPath* path = tables.ball_path()) lines.push_back({"ball's way", 1, path->row.width, path->row.height, bytes_of(path->row.bytes()), "GPU", "ball.motion"});
+    if (delays.width > 0)
+        lines.push_back({"delay map", 1, delays.width, delays.height, bytes_of(delays.bytes()), "GPU", moving});
+    if (const BallPath* path = tables.ball_path())
+        lines.push_back(
+            {"ball's way", 1, path->row.width, path->row.height, bytes_of(path->row.bytes()), "GPU", "ball.motion"});
 }
 
 // As Renderer::textures() counts them, once made.
@@ -80,7 +87,8 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Li
         lines.push_back({"disc flow", 1, kDiscFlowCells + 1, 1, 16 * (kDiscFlowCells + 1), "GPU", "disc.emission"});
     }
     if (shades_heat(effects) || effects.contains(Effect::kPointStars))
-        lines.push_back({"black body", 1, kBlackBodyCells + 1, 1, 16 * (kBlackBodyCells + 1), "GPU", "disc.emission, sky.kind, sky.temperature"});
+        lines.push_back({"black body", 1, kBlackBodyCells + 1, 1, 16 * (kBlackBodyCells + 1), "GPU",
+                         "disc.emission, sky.kind, sky.temperature"});
     if (effects.contains(Effect::kPointStars)) {
         const auto stars = point_stars(scene.sky, assets_directory());
         if (!stars) return stars.error();
@@ -89,9 +97,11 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Li
     }
     if (keeps_light(passes(effects, Output::kDisplay))) {
         const long long w = scene.camera.width, h = scene.camera.height;
-        lines.push_back({"linear picture", 1, w, h, 8 * w * h, "GPU", "camera.size"});   // 8 B
-        if (effects.contains(Effect::kBloom) || effects.contains(Effect::kAutoExposure))   // halves of halves, down and up
-            lines.push_back({"bloom", 2, (w + 1) / 2, (h + 1) / 2, 16 * w * h / 3, "GPU", "picture.bloom, picture.auto_exposure"});
+        lines.push_back({"linear picture", 1, w, h, 8 * w * h, "GPU", "camera.size"});  // 8 B
+        if (effects.contains(Effect::kBloom) ||
+            effects.contains(Effect::kAutoExposure))  // halves of halves, down and up
+            lines.push_back(
+                {"bloom", 2, (w + 1) / 2, (h + 1) / 2, 16 * w * h / 3, "GPU", "picture.bloom, picture.auto_exposure"});
     }
     if (effects.contains(Effect::kDiscImage)) {
         const auto image = load_disc_image(*scene.disc);
@@ -106,7 +116,8 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Li
         const auto image = load_fitted_image(*file);
         if (!image) return image.error();
         const long long w = image->image.width, h = image->image.height;
-        lines.push_back({fmt::format("{} image", kBodies[body]), 1, w, h, w * h * 32 / 3, "GPU", fmt::format("{}.image", kBodies[body])});
+        lines.push_back({fmt::format("{} image", kBodies[body]), 1, w, h, w * h * 32 / 3, "GPU",
+                         fmt::format("{}.image", kBodies[body])});
     }
     return Done{};
 }
@@ -148,10 +159,12 @@ void print_text(const Plan& plan) {
     const CameraSpec& camera = plan.scene.camera;
     fmt::print("{}\n\nEffects\n", plan.scene.name);
     for (const EffectReason& effect : plan.effects) {
-        fmt::print("  {:<18}{}\n  {:<18}costs: {}\n", effect_row(effect.effect).key, effect.reason, "", effect_row(effect.effect).cost);
+        fmt::print("  {:<18}{}\n  {:<18}costs: {}\n", effect_row(effect.effect).key, effect.reason, "",
+                   effect_row(effect.effect).cost);
         if (const EffectCost* cost = cost_of(plan, effect.effect))
-            fmt::print("  {:<18}measured: {:+.4f} of {:.4f} core-s ({:+.0f} %), {:+.2f} x the empty scene's {:.4f}\n", "", cost->with_s - cost->without_s,
-                       cost->with_s, 100.0 * (cost->with_s - cost->without_s) / cost->with_s, cost->over_floor(), cost->floor_s);
+            fmt::print("  {:<18}measured: {:+.4f} of {:.4f} core-s ({:+.0f} %), {:+.2f} x the empty scene's {:.4f}\n",
+                       "", cost->with_s - cost->without_s, cost->with_s,
+                       100.0 * (cost->with_s - cost->without_s) / cost->with_s, cost->over_floor(), cost->floor_s);
         else if (!plan.costs.empty())
             fmt::print("  {:<18}measured: not, it cannot go alone\n", "");
     }
@@ -166,17 +179,24 @@ void print_text(const Plan& plan) {
     fmt::print("Passes\n");
     for (const Pass& pass : passes(effect_set(plan.effects), Output::kDisplay))
         fmt::print("  {:<18}{} x {} px; {}\n", pass.name, camera.width, camera.height, pass.what);
-    fmt::print("Shaders\n  {} bytes, {} lines (nullscope capture SCENE --dump-shader prints it)\n",
-               plan.shader_bytes, plan.shader_lines);
+    fmt::print("Shaders\n  {} bytes, {} lines (nullscope capture SCENE --dump-shader prints it)\n", plan.shader_bytes,
+               plan.shader_lines);
 }
 
 std::string json_of(const Plan& plan) {
     std::vector<JsonObject> effects, off, tables;
     for (const EffectReason& e : plan.effects) {
         const EffectRow& row = effect_row(e.effect);
-        effects.push_back(JsonObject().add("effect", row.key).add("reason", e.reason).add("define", row.define).add("cost", row.cost));
+        effects.push_back(JsonObject()
+                              .add("effect", row.key)
+                              .add("reason", e.reason)
+                              .add("define", row.define)
+                              .add("cost", row.cost));
         if (const EffectCost* cost = cost_of(plan, e.effect))
-            effects.back().add("core_seconds", cost->with_s).add("without_core_seconds", cost->without_s).add("empty_core_seconds", cost->floor_s);
+            effects.back()
+                .add("core_seconds", cost->with_s)
+                .add("without_core_seconds", cost->without_s)
+                .add("empty_core_seconds", cost->floor_s);
     }
     for (const EffectRow* row : left_out(plan))
         off.push_back(JsonObject().add("effect", row->key).add("needs", row->needs));

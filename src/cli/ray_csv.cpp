@@ -15,7 +15,8 @@ namespace {
 enum Column { kR, kTheta, kPhi, kNr, kNtheta, kNphi, kFrame, kQ, kZeta0, kS, kAtAngle, kColumnCount };
 constexpr std::array<std::string_view, kColumnCount> kNames = {"r",     "theta", "phi",   "n_r", "n_theta", "n_phi",
                                                                "frame", "q",     "zeta0", "s",   "at_angle"};
-constexpr std::string_view kForms = "r,theta,phi,n_r,n_theta,n_phi[,frame] or q,zeta0,s (wormholes: q,l0,s); either with at_angle";
+constexpr std::string_view kForms =
+    "r,theta,phi,n_r,n_theta,n_phi[,frame] or q,zeta0,s (wormholes: q,l0,s); either with at_angle";
 
 constexpr double kLargestRadius = 1e30;  // r_s; squares of r and 1/r stay within a double
 constexpr double kLeastQ = 1e-30, kLargestQ = 1e30;
@@ -89,7 +90,8 @@ Result<Header> read_header(const std::string& file, int line, std::string_view t
     header.line = line;
     header.fields = fields->size();
     for (std::size_t i = 0; i < fields->size(); ++i) {
-        const auto known = std::find(kNames.begin(), kNames.end(), by_length && (*fields)[i] == "l0" ? "zeta0" : (*fields)[i]);
+        const auto known =
+            std::find(kNames.begin(), kNames.end(), by_length && (*fields)[i] == "l0" ? "zeta0" : (*fields)[i]);
         if (known == kNames.end()) continue;
         auto& place = header.at[static_cast<std::size_t>(known - kNames.begin())];
         if (place) return fault(file, line, *known, "this column is there twice", "once");
@@ -138,8 +140,9 @@ private:
 void read_reduced(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
     ReducedRay ray;
     ray.q = row.number(kQ, kLeastQ, kLargestQ, "q from 1e-30 to 1e30");
-    if (spacetime.spin() != 0.0) row.report(kQ, "a ray about a spinning hole needs more than these", "r, theta, phi, n_r, n_theta, n_phi");
-    const bool by_length = spacetime.by_proper_length();   // wormholes: l0 instead
+    if (spacetime.spin() != 0.0)
+        row.report(kQ, "a ray about a spinning hole needs more than these", "r, theta, phi, n_r, n_theta, n_phi");
+    const bool by_length = spacetime.by_proper_length();  // wormholes: l0 instead
     ray.zeta0 = by_length ? row.number(kZeta0, -kLargestRadius, kLargestRadius, "l0 from -1e30 to 1e30")
                           : row.number(kZeta0, 1 / kLargestRadius, kLargestRadius, "zeta0 from 1e-30 to 1e30");
     constexpr std::string_view kEitherWay = "1 (towards the hole) or -1 (away)";
@@ -158,7 +161,7 @@ void read_reduced(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
 
 void read_general(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
     query.r = !spacetime.by_proper_length() ? row.number(kR, 1 / kLargestRadius, kLargestRadius, "r from 1e-30 to 1e30")
-                                             : row.number(kR, -kLargestRadius, kLargestRadius, "r from -1e30 to 1e30");
+                                            : row.number(kR, -kLargestRadius, kLargestRadius, "r from -1e30 to 1e30");
     query.r *= spacetime.length_unit();
     query.theta = row.number(kTheta, 0, M_PI, "theta in [0, pi]");
     query.phi = row.number(kPhi, -1e6, 1e6, "phi in [-1e6, 1e6] rad");
@@ -207,8 +210,10 @@ Result<RayRow> read_row(const std::string& file, int line, std::string_view text
 
 std::string_view fate_name(const RayRecord& record) {
     constexpr std::array<std::string_view, 4> kFates = {"escaped", "captured", "other_side", "no_sky"};
-    constexpr std::array<std::string_view, 7> kHits = {"no_sky", "hit:disc", "hit:sphere", "hit:cylinder", "hit:ball", "hit:surface", "hit:star"};
-    return record.fate == Fate::kHit ? kHits[static_cast<std::size_t>(record.hit)] : kFates[static_cast<std::size_t>(record.fate)];
+    constexpr std::array<std::string_view, 7> kHits = {"no_sky",   "hit:disc",    "hit:sphere", "hit:cylinder",
+                                                       "hit:ball", "hit:surface", "hit:star"};
+    return record.fate == Fate::kHit ? kHits[static_cast<std::size_t>(record.hit)]
+                                     : kFates[static_cast<std::size_t>(record.fate)];
 }
 
 void append(std::string& line, double value) {

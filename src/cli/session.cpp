@@ -9,8 +9,9 @@ Result<Session> open_session(const std::string& context) {
     if (!made) return made.error();
     Session session;
     session.context = std::move(*made);
-    gl::load_functions([](const char* name, void* user) { return static_cast<GlContext*>(user)->get_proc_address(name); },
-                       session.context.get());
+    gl::load_functions(
+        [](const char* name, void* user) { return static_cast<GlContext*>(user)->get_proc_address(name); },
+        session.context.get());
     session.renderer = std::make_unique<Renderer>();
     return session;
 }

@@ -11,7 +11,7 @@ namespace nullscope::cli {
 
 struct Session {
     std::unique_ptr<GlContext> context;
-    std::unique_ptr<Renderer> renderer;   // dies first
+    std::unique_ptr<Renderer> renderer;  // dies first
 };
 
 // context: auto, egl, osmesa.

@@ -25,27 +25,31 @@ struct Start {
 // (table/ray_fan.h).
 Vec3 rain_direction(const Spacetime& spacetime, double r, double q) {
     const double lapse2 = spacetime.lapse_squared(r), areal = spacetime.areal_radius(r);
-    const double o = falling_frame(lapse2, 1.0).outward, sum = q + std::sqrt(std::max(q * q - lapse2 / (areal * areal), 0.0));
+    const double o = falling_frame(lapse2, 1.0).outward,
+                 sum = q + std::sqrt(std::max(q * q - lapse2 / (areal * areal), 0.0));
     const double t = o / (areal * sum), by = 1.0 / (1.0 / t + t);
     return {(1.0 / t - t) * by, 0.0, 2.0 * by};
 }
 
 std::optional<Start> start_of(const RayQuery& query, const Spacetime& spacetime) {
-    const bool by_length = spacetime.by_proper_length();   // wormholes: zeta0 holds l0, and s = +1 is towards the throat
+    const bool by_length = spacetime.by_proper_length();  // wormholes: zeta0 holds l0, and s = +1 is towards the throat
     const double r = query.orbit ? (by_length ? query.orbit->zeta0 : 1.0 / query.orbit->zeta0) : query.r;
     if (std::fabs(r) > kFarthestCamera) return std::nullopt;
     const bool rests = camera_can_rest(spacetime, r), falls = query.orbit ? !rests : query.frame == LocalFrame::kRain;
-    const ObserverKind rest = spacetime.spin() != 0.0 ? ObserverKind::kZamo : ObserverKind::kStatic;   // as the reference has it
+    const ObserverKind rest =
+        spacetime.spin() != 0.0 ? ObserverKind::kZamo : ObserverKind::kStatic;  // as the reference has it
     const ObserverKind observer = falls ? ObserverKind::kRain : rest;
     CameraSpec there;
     there.r = r, there.observer = observer;
     if (!observer_of(spacetime, there)) return std::nullopt;
     if (query.orbit && falls) {
-        if (query.orbit->s > 0) return std::nullopt;   // no look direction of anybody inside: it would have come from the hole
+        if (query.orbit->s > 0)
+            return std::nullopt;  // no look direction of anybody inside: it would have come from the hole
         return Start{r, M_PI / 2, 0.0, rain_direction(spacetime, r, query.orbit->q), observer};
     }
     if (query.orbit) {  // sin(alpha) = sqrt(V)/q; its cosine as a product
-        const double v = spacetime.root_v(r), q = std::max(query.orbit->q, v), inward = by_length && r < 0 ? -query.orbit->s : query.orbit->s;
+        const double v = spacetime.root_v(r), q = std::max(query.orbit->q, v),
+                     inward = by_length && r < 0 ? -query.orbit->s : query.orbit->s;
         return Start{r, M_PI / 2, 0.0, {-inward * std::sqrt((q - v) / q * ((q + v) / q)), 0.0, v / q}};
     }
     return Start{r, query.theta, query.phi, query.n, observer};
@@ -150,10 +154,14 @@ struct Job {
 class Batch {
 public:
     Batch(const Scene& scene, const Spacetime& spacetime, int crossings, bool probes)
-        : scene_(scene), plane_(with_disc_from(scene, kPlane)), bare_plane_(plane_), crossings_(crossings), planes_(spacetime.spin() == 0.0),
+        : scene_(scene),
+          plane_(with_disc_from(scene, kPlane)),
+          bare_plane_(plane_),
+          crossings_(crossings),
+          planes_(spacetime.spin() == 0.0),
           delays_(spacetime.lapse_roots() || spacetime.spin() != 0.0 || !spacetime.bends_light()) {
         bare_plane_.sphere.reset(), bare_plane_.cylinder.reset(), bare_plane_.ball.reset(), bare_plane_.surface.reset();
-        if (scene_.disc && scene_.disc->opacity < 1.0) scene_.disc.reset();   // it ends no ray
+        if (scene_.disc && scene_.disc->opacity < 1.0) scene_.disc.reset();  // it ends no ray
         if (probes && !scene_.disc) scene_ = with_disc_from(scene, kOutOfReach);
     }
 
@@ -165,7 +173,8 @@ public:
                 views.push_back(view_along(plane_, job.start));
                 views.back().disc->passed = k;
             }
-            if (job.asks_place()) views.push_back(view_along(bare_plane_, moved_to_meet_equator(job.start, *job.at_angle)));
+            if (job.asks_place())
+                views.push_back(view_along(bare_plane_, moved_to_meet_equator(job.start, *job.at_angle)));
         }
         return views;
     }
@@ -180,7 +189,8 @@ public:
             for (int k = 0; k < crossings_; ++k) {
                 const RayPixel& met = *next++;
                 const double r = std::hypot(met.u, met.v);
-                if (met.hit == kDiscHit) record.crossings.push_back({r, unwrapped_azimuth(job.start, met.angle, met.u, met.v)});
+                if (met.hit == kDiscHit)
+                    record.crossings.push_back({r, unwrapped_azimuth(job.start, met.angle, met.u, met.v)});
             }
             if (job.asks_place()) {
                 const RayPixel& met = *next++;
@@ -193,9 +203,9 @@ public:
     }
 
 private:
-    Scene scene_, plane_, bare_plane_;   // bare: without bodies, which end the ray but not the question where it is
+    Scene scene_, plane_, bare_plane_;  // bare: without bodies, which end the ray but not the question where it is
     int crossings_;
-    bool planes_, delays_;   // planes: rays keep to one, and sweep an angle in it; delays: the shader knows them
+    bool planes_, delays_;  // planes: rays keep to one, and sweep an angle in it; delays: the shader knows them
 };
 
 }  // namespace
@@ -204,7 +214,8 @@ Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& sce
                                                                 const RayTable& table, const ShaderRun& run,
                                                                 const std::function<void(long long)>& done) {
     if (run.tracer != ShaderTracer::kGl && has_solids(effect_set(required_effects(scene))))
-        return bad_input("--with core64 and core32 know no solid bodies; allowed: reference or gl, or a scene without bodies");
+        return bad_input(
+            "--with core64 and core32 know no solid bodies; allowed: reference or gl, or a scene without bodies");
     auto trace = MiddleTracer::make(run);
     if (!trace) return trace.error();
     std::vector<Job> jobs;
@@ -219,7 +230,7 @@ Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& sce
     }
     // Rows of one radius share strip and orbit map.
     std::stable_sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) { return a.start.r < b.start.r; });
-    constexpr int kMostCrossings = 12;   // that the shader looks for (DISC_MOST_CROSSINGS)
+    constexpr int kMostCrossings = 12;  // that the shader looks for (DISC_MOST_CROSSINGS)
     const int crossings = plane ? std::min(run.crossings, kMostCrossings) : 0;
     const Batch batch(scene, spacetime, crossings, crossings > 0 || places);
     std::vector<std::optional<RayRecord>> records(table.rows.size());

@@ -42,14 +42,15 @@ void stop_at_disc(const DiscSpec& disc, const RayQuery& query, RayRecord& record
         if (!(r >= disc.inner && r <= disc.outer)) continue;
         record.fate = Fate::kHit;
         record.hit = Object::kDisc;
-        if (std::isfinite(record.angle)) record.angle = plane.crossing(static_cast<int>(k) + 1);   // of a ray that stays in a plane
+        if (std::isfinite(record.angle))
+            record.angle = plane.crossing(static_cast<int>(k) + 1);  // of a ray that stays in a plane
         record.theta_inf = record.phi_inf = record.delay = kNotANumber;
         return;
     }
 }
 
-Result<Records> trace_with_reference(const Scene& scene, const Spacetime& spacetime, const RayTable& table, int crossings,
-                                     Progress& progress) {
+Result<Records> trace_with_reference(const Scene& scene, const Spacetime& spacetime, const RayTable& table,
+                                     int crossings, Progress& progress) {
     const bool opaque = scene.disc && scene.disc->opacity >= 1.0;
     const auto metric = reference::make_orbit_metric(scene.spacetime);
     if (!metric) return metric.error();
@@ -99,10 +100,10 @@ int run(const Options& options) {
     const auto records = trace_rows(*scene, *table, **spacetime, options);
     if (!records) return report(records.error());
     if (const auto left_out = std::count(records->begin(), records->end(), std::nullopt); left_out > 0)
-        fmt::print(
-            stderr,
-            "nullscope: {} of {} rays left empty: --with {} needs a ray that somebody can look along, static or rain, with r up to {:g}\n",
-            left_out, records->size(), options.with, kFarthestCamera);
+        fmt::print(stderr,
+                   "nullscope: {} of {} rays left empty: --with {} needs a ray that somebody can look along, static or "
+                   "rain, with r up to {:g}\n",
+                   left_out, records->size(), options.with, kFarthestCamera);
     const bool asks_plane =
         options.crossings > 0 || std::any_of(table->rows.begin(), table->rows.end(),
                                              [](const RayRow& row) { return row.query.at_angle.has_value(); });
@@ -111,7 +112,8 @@ int run(const Options& options) {
                    "nullscope: crossings and at left empty: --with {} does not find them in metric {}; "
                    "allowed: --with reference\n",
                    options.with, scene->spacetime.metric);
-    const std::string text = rays_text(*table, *records, options.crossings, (*spacetime)->length_unit(), has_matter(*scene, **spacetime));
+    const std::string text =
+        rays_text(*table, *records, options.crossings, (*spacetime)->length_unit(), has_matter(*scene, **spacetime));
     if (options.output.empty()) {
         std::fwrite(text.data(), 1, text.size(), stdout);
         return 0;

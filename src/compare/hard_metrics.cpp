@@ -45,7 +45,8 @@ Scene frame_of(const Place& place, double r, double yaw, double fov) {
 double dividing_angle(const Place& p, double r) {
     const auto root_v = [&](double x) {
         if (p.metric == "ellis") return 1 / std::hypot(x, 1.0);
-        if (const auto spacetime = make_spacetime(p.metric, p.parameters); p.metric == "dneg-wormhole") return (*spacetime)->root_v(x);
+        if (const auto spacetime = make_spacetime(p.metric, p.parameters); p.metric == "dneg-wormhole")
+            return (*spacetime)->root_v(x);
         const double charge = p.parameters.contains("charge") ? p.parameters.at("charge") : 0.0;
         return std::sqrt(1 - 1 / x + 0.25 * charge * charge / (x * x)) / x;
     };
@@ -76,9 +77,9 @@ void dividing_sphere(std::vector<HardCase>& list, const Place& p) {
                                      {"1e-3 below", -1e-3}}) {
         if (p.photon_r + off <= p.least) continue;
         for (const auto& [look, yaw] : kLooks)
-            add(list, p,
-                fmt::format("camera {} the {}, {}", where, p.least < 0 ? "throat" : "photon sphere", look),
-                "both kinds of rays meet, and chi0 = pi/2", frame_of(p, p.photon_r + off, yaw + p.aside, 100 * kDegree));
+            add(list, p, fmt::format("camera {} the {}, {}", where, p.least < 0 ? "throat" : "photon sphere", look),
+                "both kinds of rays meet, and chi0 = pi/2",
+                frame_of(p, p.photon_r + off, yaw + p.aside, 100 * kDegree));
     }
 }
 
@@ -87,7 +88,11 @@ void extremes(std::vector<HardCase>& list, const Place& p) {
         for (const auto& [look, yaw] : kLooks) {
             if (p.least > 0)
                 add(list, p,
-                    fmt::format("1e-{} above the {}, {}", k, p.metric == "neutron-star" ? "surface" : p.parameters.contains("charge") && p.parameters.at("charge") > 1 ? "innermost camera" : "horizon", look),
+                    fmt::format("1e-{} above the {}, {}", k,
+                                p.metric == "neutron-star"                                         ? "surface"
+                                : p.parameters.contains("charge") && p.parameters.at("charge") > 1 ? "innermost camera"
+                                                                                                   : "horizon",
+                                look),
                     "the sky closes to a cone, or the surface fills half of it",
                     frame_of(p, p.least * (1 + std::pow(10.0, -k)), yaw + p.aside, 100 * kDegree));
             else
@@ -124,8 +129,19 @@ std::vector<HardCase> hard_metric_cases() {
          0.5 * (1 + s),
          true},
         {"reissner-nordstrom", "extremal hole", {{"charge", 1.0}}, 1.0, 0.5, true},
-        {"reissner-nordstrom", "charge just naked", {{"charge", 1.001}}, 0.25 * (3 + std::sqrt(1 - 8 * 0.002001)), 0.25 * (3 + std::sqrt(1 - 8 * 0.002001)), false},
-        {"reissner-nordstrom", "charge where photon spheres merge", {{"charge", std::sqrt(1.125)}}, 0.75, 0.75 * (1 + 1e-7), false, kAside},
+        {"reissner-nordstrom",
+         "charge just naked",
+         {{"charge", 1.001}},
+         0.25 * (3 + std::sqrt(1 - 8 * 0.002001)),
+         0.25 * (3 + std::sqrt(1 - 8 * 0.002001)),
+         false},
+        {"reissner-nordstrom",
+         "charge where photon spheres merge",
+         {{"charge", std::sqrt(1.125)}},
+         0.75,
+         0.75 * (1 + 1e-7),
+         false,
+         kAside},
         {"reissner-nordstrom", "naked charge of 1.2", {{"charge", 1.2}}, 0.96, 0.1, false},
         {"neutron-star", "star of 1.2 r_s", {{"radius", 1.2}}, 1.5, 1.2 * kStandoff, false},
         {"neutron-star", "star of 2.5 r_s", {{"radius", 2.5}}, 2.5, 2.5 * kStandoff, false},

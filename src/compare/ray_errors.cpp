@@ -110,7 +110,8 @@ float place_error(const RayPixel& tested, const ExactPixel& exact) {
     const Vec3 error = hit_place(tested) - here;
     const double least = exact.pixel_angle * length(exact.camera - here);
     const float within = in_pixels(flat(error), flat(by_x), flat(by_y), least);
-    const float off = in_pixels(std::abs(dot(error, n)) < kOffPlane * plain_length(error) ? 0.0 : dot(error, n), 0, 0, least);
+    const float off =
+        in_pixels(std::abs(dot(error, n)) < kOffPlane * plain_length(error) ? 0.0 : dot(error, n), 0, 0, least);
     return std::hypot(within, off);
 }
 

@@ -121,8 +121,8 @@ public:
     TileErrors tile(const PixelRect& rect, Rows&& rows) {
         const auto cells = static_cast<std::size_t>(rect.right - rect.left) * (rect.bottom - rect.top);
         tile_ = {rect, std::vector<PixelErrors>(cells)};
-        const PixelRect around{std::max(0, rect.left - 1), std::max(0, rect.top - 1), std::min(tested_.width, rect.right + 1),
-                               std::min(tested_.height, rect.bottom + 1)};
+        const PixelRect around{std::max(0, rect.left - 1), std::max(0, rect.top - 1),
+                               std::min(tested_.width, rect.right + 1), std::min(tested_.height, rect.bottom + 1)};
         const std::vector<RayPixel> pixels = exact_around(trace_, rect, around);
         const Band band{pixels.data(), around};
         rows(rect.top, rect.bottom, [&](int y) {
@@ -185,7 +185,9 @@ private:
         if (!same_end(here, tested) || tested.hit == 0) return true;
         // Both met the disc, on different images of it: the ray beside must meet the tested one.
         constexpr double kCloser = 0.25;  // of the distance between the images
-        const auto distance = [&](const RayPixel& other) { return std::hypot(other.u - tested.u, other.v - tested.v, other.w - tested.w); };
+        const auto distance = [&](const RayPixel& other) {
+            return std::hypot(other.u - tested.u, other.v - tested.v, other.w - tested.w);
+        };
         return distance(beside) < kCloser * distance(here);
     }
 
@@ -250,14 +252,15 @@ RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const
     const int step = std::max(row_step, tested.row_step), rows = step == 1 ? kBandRows : 1;
     for (int y = 0; y < tested.height; y += std::max(rows, step)) {
         const TileErrors band = judge.tile({0, y, tested.width, std::min(y + rows, tested.height)}, in_parallel);
-        std::copy(band.pixels.begin(), band.pixels.end(), measures.pixels.begin() + static_cast<std::ptrdiff_t>(tested.index(0, y)));
+        std::copy(band.pixels.begin(), band.pixels.end(),
+                  measures.pixels.begin() + static_cast<std::ptrdiff_t>(tested.index(0, y)));
     }
     summarise(tested, measures);
     return measures;
 }
 
-TileErrors measure_tile(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, const PixelRect& rect,
-                        double refine_above_px) {
+TileErrors measure_tile(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace,
+                        const PixelRect& rect, double refine_above_px) {
     return Judge(tested, camera, trace, refine_above_px).tile(rect, [](int first, int end, auto&& work) {
         for (int y = first; y < end; ++y) work(y);
     });

@@ -22,8 +22,8 @@ inline constexpr double kDisplaceAbove_px = 1e-3;
 using ExactTrace = std::function<std::vector<RayPixel>(const std::vector<std::array<double, 2>>& positions)>;
 
 struct RayMeasures {
-    int width = 0, height = 0, row_step = 1;   // as of the frame that was measured
-    std::vector<PixelErrors> pixels;  // top row first
+    int width = 0, height = 0, row_step = 1;  // as of the frame that was measured
+    std::vector<PixelErrors> pixels;          // top row first
     long long fate_errors = 0, forgiven = 0, not_finite = 0;
     Spread forward_rad, sky_px, place_px, angle_px, g_px;  // over the pixels that have such a value in both frames
 
@@ -44,10 +44,12 @@ struct PixelRect {
 struct TileErrors {
     PixelRect rect;
     std::vector<PixelErrors> pixels;  // top row first
-    PixelErrors& at(int x, int y) { return pixels[static_cast<std::size_t>(y - rect.top) * (rect.right - rect.left) + x - rect.left]; }
+    PixelErrors& at(int x, int y) {
+        return pixels[static_cast<std::size_t>(y - rect.top) * (rect.right - rect.left) + x - rect.left];
+    }
 };
-TileErrors measure_tile(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, const PixelRect& rect,
-                        double refine_above_px = kDisplaceAbove_px);
+TileErrors measure_tile(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace,
+                        const PixelRect& rect, double refine_above_px = kDisplaceAbove_px);
 
 // The exact answer at pixel (x, y) and displaced by 1e-4 px.
 ExactPixel exact_pixel(const CameraSpec& camera, const ExactTrace& trace, int x, int y);

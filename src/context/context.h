@@ -16,7 +16,7 @@ public:
     virtual ~GlContext() = default;
     virtual Status make_current() = 0;
     virtual GlProc get_proc_address(const char* name) const = 0;
-    virtual std::string kind() const = 0;   // "egl", "osmesa", "window"
+    virtual std::string kind() const = 0;  // "egl", "osmesa", "window"
 };
 
 // Errors: the library is not installed, or no context of version 3.3 core can be had; the sentence says which and what to do.

@@ -19,7 +19,8 @@ using EGLSurface = void*;
 using EGLDevice = void*;
 using EGLint = std::int32_t;
 using EGLBoolean = unsigned int;
-constexpr EGLint kNone = 0x3038, kRenderableType = 0x3040, kOpenglBit = 0x0008, kSurfaceType = 0x3033, kExtensions = 0x3055;
+constexpr EGLint kNone = 0x3038, kRenderableType = 0x3040, kOpenglBit = 0x0008, kSurfaceType = 0x3033,
+                 kExtensions = 0x3055;
 constexpr EGLint kMajorVersion = 0x3098, kMinorVersion = 0x30FB, kProfileMask = 0x30FD, kCoreProfileBit = 0x0001;
 constexpr unsigned kOpenglApi = 0x30A2, kPlatformDevice = 0x313F, kPlatformSurfaceless = 0x31DD;
 
@@ -54,7 +55,8 @@ const Egl* egl() {
                          load_symbol(library, "eglMakeCurrent", e.make_current) &&
                          load_symbol(library, "eglQueryString", e.query_string);
         if (!all) return false;
-        e.get_platform_display = reinterpret_cast<decltype(e.get_platform_display)>(e.get_proc_address("eglGetPlatformDisplayEXT"));
+        e.get_platform_display =
+            reinterpret_cast<decltype(e.get_platform_display)>(e.get_proc_address("eglGetPlatformDisplayEXT"));
         e.query_devices = reinterpret_cast<decltype(e.query_devices)>(e.get_proc_address("eglQueryDevicesEXT"));
         return true;
     }();
@@ -66,13 +68,14 @@ public:
     EglContext(EGLDisplay display, EGLContext context) : display_(display), context_(context) {}
     ~EglContext() override {
         egl()->make_current(display_, nullptr, nullptr, nullptr);
-        egl()->destroy_context(display_, context_);   // the display is shared by the process and stays
+        egl()->destroy_context(display_, context_);  // the display is shared by the process and stays
     }
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;
     Status make_current() override {
         egl()->bind_api(kOpenglApi);
-        if (!egl()->make_current(display_, nullptr, nullptr, context_)) return failed("EGL: the context cannot be made current");
+        if (!egl()->make_current(display_, nullptr, nullptr, context_))
+            return failed("EGL: the context cannot be made current");
         return Done{};
     }
     GlProc get_proc_address(const char* name) const override {
@@ -104,21 +107,27 @@ std::unique_ptr<GlContext> context_on(EGLDisplay display) {
 
 Result<std::unique_ptr<GlContext>> make_egl_context() {
     const Egl* e = egl();
-    if (e == nullptr) return failed("EGL: libEGL.so.1 is not installed (Debian and Ubuntu: apt install libegl1 libgl1-mesa-dri)");
+    if (e == nullptr)
+        return failed("EGL: libEGL.so.1 is not installed (Debian and Ubuntu: apt install libegl1 libgl1-mesa-dri)");
     const char* extensions = e->query_string(nullptr, kExtensions);
-    const auto has = [&](const char* name) { return extensions != nullptr && std::strstr(extensions, name) != nullptr; };
+    const auto has = [&](const char* name) {
+        return extensions != nullptr && std::strstr(extensions, name) != nullptr;
+    };
     if (e->get_platform_display != nullptr && e->query_devices != nullptr && has("EGL_EXT_platform_device")) {
         std::array<EGLDevice, 16> devices{};
         EGLint count = 0;
         if (e->query_devices(static_cast<EGLint>(devices.size()), devices.data(), &count))
             for (EGLint i = 0; i < count; ++i)
-                if (auto context = context_on(e->get_platform_display(kPlatformDevice, devices[static_cast<std::size_t>(i)], nullptr)))
+                if (auto context = context_on(
+                        e->get_platform_display(kPlatformDevice, devices[static_cast<std::size_t>(i)], nullptr)))
                     return context;
     }
     if (e->get_platform_display != nullptr && has("EGL_MESA_platform_surfaceless"))
         if (auto context = context_on(e->get_platform_display(kPlatformSurfaceless, nullptr, nullptr))) return context;
     if (auto context = context_on(e->get_display(nullptr))) return context;
-    return failed("EGL: no device gives an OpenGL 3.3 core context (Debian and Ubuntu: apt install libgl1-mesa-dri for software rendering)");
+    return failed(
+        "EGL: no device gives an OpenGL 3.3 core context (Debian and Ubuntu: apt install libgl1-mesa-dri for software "
+        "rendering)");
 }
 
 }  // namespace nullscope

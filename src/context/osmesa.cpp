@@ -47,7 +47,7 @@ public:
     std::string kind() const override { return "osmesa"; }
 
 private:
-    static constexpr int kSide = 16;   // of its own buffer, which nothing draws to
+    static constexpr int kSide = 16;  // of its own buffer, which nothing draws to
     void* context_;
     std::vector<unsigned char> pixels_ = std::vector<unsigned char>(4 * kSide * kSide);
 };
@@ -56,8 +56,11 @@ private:
 
 Result<std::unique_ptr<GlContext>> make_osmesa_context() {
     if (osmesa() == nullptr)
-        return failed("OSMesa: libOSMesa is not installed (Debian 12, 13, Ubuntu 24.04: apt install libosmesa6; it left Mesa in 25.1)");
-    const std::array<int, 12> attributes = {kFormat, kRgba, kDepthBits, 0, kProfile, kCoreProfile, kMajorVersion, 3, kMinorVersion, 3, 0, 0};
+        return failed(
+            "OSMesa: libOSMesa is not installed (Debian 12, 13, Ubuntu 24.04: apt install libosmesa6; it left Mesa in "
+            "25.1)");
+    const std::array<int, 12> attributes = {kFormat,       kRgba, kDepthBits,    0, kProfile, kCoreProfile,
+                                            kMajorVersion, 3,     kMinorVersion, 3, 0,        0};
     void* context = osmesa()->create(attributes.data(), nullptr);
     if (context == nullptr) return failed("OSMesa: it gives no OpenGL 3.3 core context");
     std::unique_ptr<GlContext> result = std::make_unique<OsmesaContext>(context);

@@ -83,7 +83,8 @@ void prepare_context() {
 }
 
 Info info() {
-    Info i{text_of(GL_VERSION), text_of(GL_RENDERER), text_of(GL_VENDOR), text_of(GL_SHADING_LANGUAGE_VERSION), 0, 0, 0};
+    Info i{
+        text_of(GL_VERSION), text_of(GL_RENDERER), text_of(GL_VENDOR), text_of(GL_SHADING_LANGUAGE_VERSION), 0, 0, 0};
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &i.max_texture_size);
     glGetIntegerv(GL_MAX_CUBE_MAP_TEXTURE_SIZE, &i.max_cube_size);
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &i.max_renderbuffer_size);
@@ -95,7 +96,8 @@ void check(const char* where) {
     if (error == GL_NO_ERROR) return;
     if (error == GL_OUT_OF_MEMORY) throw GlError(fmt::format("{}: the GPU is out of memory", where));
     constexpr GLenum kContextLost = 0x0507;  // OpenGL 4.5, KHR_robustness
-    if (error == kContextLost) throw GlError(fmt::format("{}: the driver was reset and has lost its context; start again", where));
+    if (error == kContextLost)
+        throw GlError(fmt::format("{}: the driver was reset and has lost its context; start again", where));
     throw GlError(fmt::format("{}: OpenGL error 0x{:04x}", where, error));
 }
 
@@ -138,7 +140,8 @@ std::vector<int> uniform_offsets(const Program& program, const std::vector<std::
     glGetUniformIndices(program.id(), static_cast<GLsizei>(names.size()), names.data(), indices.data());
     std::vector<int> offsets(members.size(), -1);
     for (std::size_t i = 0; i < members.size(); ++i)
-        if (indices[i] != GL_INVALID_INDEX) glGetActiveUniformsiv(program.id(), 1, &indices[i], GL_UNIFORM_OFFSET, &offsets[i]);
+        if (indices[i] != GL_INVALID_INDEX)
+            glGetActiveUniformsiv(program.id(), 1, &indices[i], GL_UNIFORM_OFFSET, &offsets[i]);
     return offsets;
 }
 
@@ -146,19 +149,23 @@ Texture make_number_texture(int width, int height, int channels, const float* va
     Texture texture(new_texture(GL_TEXTURE_2D));
     set_sampling(GL_TEXTURE_2D, linear ? GL_LINEAR : GL_NEAREST, linear ? GL_LINEAR : GL_NEAREST);
     const bool one = channels == 1;
-    glTexImage2D(GL_TEXTURE_2D, 0, one ? GL_R32F : GL_RGBA32F, width, height, 0, one ? GL_RED : GL_RGBA, GL_FLOAT, values);
+    glTexImage2D(GL_TEXTURE_2D, 0, one ? GL_R32F : GL_RGBA32F, width, height, 0, one ? GL_RED : GL_RGBA, GL_FLOAT,
+                 values);
     check("table texture");
     return texture;
 }
 
-Texture make_float_texture(int width, int height, const float* rgba) { return make_number_texture(width, height, 4, rgba, false); }
+Texture make_float_texture(int width, int height, const float* rgba) {
+    return make_number_texture(width, height, 4, rgba, false);
+}
 
 namespace {
 
 // Means of 2 x 2 pixels, of 2 x 1 where a side is 1 already.
 std::vector<float> halved(const float* from, int width, int height, int channels) {
     const int to_width = std::max(width / 2, 1), to_height = std::max(height / 2, 1);
-    const std::size_t across = width > 1 ? static_cast<std::size_t>(channels) : 0, row = static_cast<std::size_t>(width * channels), down = height > 1 ? row : 0;
+    const std::size_t across = width > 1 ? static_cast<std::size_t>(channels) : 0,
+                      row = static_cast<std::size_t>(width * channels), down = height > 1 ? row : 0;
     std::vector<float> to(static_cast<std::size_t>(to_width) * static_cast<std::size_t>(to_height * channels));
     float* out = to.data();
     for (int y = 0; y < to_height; ++y)
@@ -177,7 +184,8 @@ Texture make_picture_texture(int width, int height, int channels, const float* d
     set_sampling(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
     const GLenum format = channels == 4 ? GL_RGBA : GL_RGB;
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, width, height, 0, format, GL_FLOAT, data);
-    const bool powers = std::has_single_bit(static_cast<unsigned>(width)) && std::has_single_bit(static_cast<unsigned>(height));
+    const bool powers =
+        std::has_single_bit(static_cast<unsigned>(width)) && std::has_single_bit(static_cast<unsigned>(height));
     if (!powers) glGenerateMipmap(GL_TEXTURE_2D);
     std::vector<float> texels;
     for (int level = 1; powers && (width > 1 || height > 1); ++level) {
@@ -204,8 +212,8 @@ Texture make_sky_cube(int size, int levels) {
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, levels - 1);
     for (int level = 0; level < levels; ++level)
         for (GLenum face = 0; face < 6; ++face)
-            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, GL_R11F_G11F_B10F, size >> level, size >> level, 0, GL_RGB,
-                         GL_UNSIGNED_INT_10F_11F_11F_REV, nullptr);
+            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, GL_R11F_G11F_B10F, size >> level, size >> level,
+                         0, GL_RGB, GL_UNSIGNED_INT_10F_11F_11F_REV, nullptr);
     check("sky texture");
     return texture;
 }
@@ -224,14 +232,15 @@ Texture make_sky_layers(int size, int levels, int layers) {
 void fill_sky_cube(const Texture& texture, const SkyTexels& t) {
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
-    glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(t.layer), t.level, 0, t.first_row, t.width, t.rows, GL_RGB,
-                    GL_UNSIGNED_INT_10F_11F_11F_REV, t.texels);
+    glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(t.layer), t.level, 0, t.first_row, t.width,
+                    t.rows, GL_RGB, GL_UNSIGNED_INT_10F_11F_11F_REV, t.texels);
 }
 
 void fill_sky_layers(const Texture& texture, const SkyTexels& t) {
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture.id());
-    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, t.level, 0, t.first_row, t.layer, t.width, t.rows, 1, GL_RGB, GL_UNSIGNED_INT_10F_11F_11F_REV, t.texels);
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, t.level, 0, t.first_row, t.layer, t.width, t.rows, 1, GL_RGB,
+                    GL_UNSIGNED_INT_10F_11F_11F_REV, t.texels);
 }
 
 Buffer make_uniform_buffer(std::size_t bytes) {
@@ -247,7 +256,9 @@ void upload_uniforms(const Buffer& buffer, const void* data, std::size_t bytes) 
     glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
 }
 
-void bind_uniforms(const Buffer& buffer, unsigned binding) { glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer.id()); }
+void bind_uniforms(const Buffer& buffer, unsigned binding) {
+    glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer.id());
+}
 
 VertexList make_vertex_list(const std::vector<float>& values, const std::vector<int>& sizes) {
     GLuint id = 0;
@@ -255,14 +266,16 @@ VertexList make_vertex_list(const std::vector<float>& values, const std::vector<
     VertexList list{Buffer(id), make_vertex_array(), 0};
     glBindVertexArray(list.layout.id());
     glBindBuffer(GL_ARRAY_BUFFER, id);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data(),
+                 GL_STATIC_DRAW);
     int floats = 0;
     for (const int size : sizes) floats += size;
     std::size_t at = 0;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         glEnableVertexAttribArray(static_cast<GLuint>(i));
-        glVertexAttribPointer(static_cast<GLuint>(i), sizes[i], GL_FLOAT, GL_FALSE, floats * static_cast<GLsizei>(sizeof(float)),
-                              reinterpret_cast<const void*>(at));   // NOLINT: OpenGL's offset
+        glVertexAttribPointer(static_cast<GLuint>(i), sizes[i], GL_FLOAT, GL_FALSE,
+                              floats * static_cast<GLsizei>(sizeof(float)),
+                              reinterpret_cast<const void*>(at));  // NOLINT: OpenGL's offset
         at += static_cast<std::size_t>(sizes[i]) * sizeof(float);
     }
     list.count = static_cast<int>(values.size()) / floats;
@@ -330,7 +343,8 @@ VertexArray make_vertex_array() {
 namespace {
 
 // What every draw begins with: neither blending nor depth nor scissors.
-void begin_draw(const Program& program, const VertexArray& vertices, unsigned framebuffer, int x, int y, int width, int height) {
+void begin_draw(const Program& program, const VertexArray& vertices, unsigned framebuffer, int x, int y, int width,
+                int height) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(x, y, width, height);
     glDisable(GL_BLEND);
@@ -342,7 +356,8 @@ void begin_draw(const Program& program, const VertexArray& vertices, unsigned fr
 
 }  // namespace
 
-void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, double share) {
+void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height,
+                     double share) {
     begin_draw(program, empty, framebuffer, 0, 0, width, height);
     if (share < 1.0) {
         glEnable(GL_BLEND);
@@ -354,7 +369,8 @@ void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned 
     check("draw");
 }
 
-void draw_rows(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int first, int last) {
+void draw_rows(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int first,
+               int last) {
     begin_draw(program, empty, framebuffer, 0, 0, width, height);
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, first, width, last - first);
@@ -363,7 +379,8 @@ void draw_rows(const Program& program, const VertexArray& empty, unsigned frameb
     check("draw rows");
 }
 
-void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width, int height, int margin) {
+void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width,
+                 int height, int margin) {
     begin_draw(program, vertices.layout, framebuffer, -margin, -margin, width + 2 * margin, height + 2 * margin);
     glEnable(GL_PROGRAM_POINT_SIZE);
     glEnable(GL_BLEND);
@@ -401,14 +418,16 @@ void set_linear(const Texture& texture) {
 
 void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_width, int to_height, int to_x) {
     GLuint id = 0;
-    glGenFramebuffers(1, &id);   // framebuffers are no shared objects, and attaching anew shows what another context drew
+    glGenFramebuffers(1,
+                      &id);  // framebuffers are no shared objects, and attaching anew shows what another context drew
     const Framebuffer source(id);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, id);
     glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     glDisable(GL_SCISSOR_TEST);
     const bool same = width == to_width && height == to_height;
-    glBlitFramebuffer(0, 0, width, height, to_x, 0, to_x + to_width, to_height, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
+    glBlitFramebuffer(0, 0, width, height, to_x, 0, to_x + to_width, to_height, GL_COLOR_BUFFER_BIT,
+                      same ? GL_NEAREST : GL_LINEAR);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, to_width, to_height);
     check("blit");

@@ -25,7 +25,7 @@ struct Info {
     int max_texture_size = 0, max_cube_size = 0, max_renderbuffer_size = 0;
 };
 Info info();
-void check(const char* where);   // throws GlError if glGetError has something to say
+void check(const char* where);  // throws GlError if glGetError has something to say
 
 // Owns one GL name of a kind; movable.
 template <void (*Delete)(unsigned)>
@@ -63,7 +63,7 @@ using VertexArray = Name<delete_vertex_array>;
 // throws GlError with the driver's log and the numbered lines it complains of.
 Program make_program(const std::string& vertex, const std::string& fragment);
 void bind_uniform_block(const Program& program, const char* block, unsigned binding);
-void bind_sampler(const Program& program, const char* sampler, int unit);   // silent if the program has no such sampler
+void bind_sampler(const Program& program, const char* sampler, int unit);  // silent if the program has no such sampler
 // Byte offsets of the members of a uniform block, in the order of `members`; -1 for one that the compiler dropped.
 std::vector<int> uniform_offsets(const Program& program, const std::vector<std::string>& members);
 
@@ -105,24 +105,27 @@ struct Target {
     Framebuffer framebuffer;
 };
 Target make_target(int width, int height, Format format, int count = 1);
-void read_rgba8(const Target& target, unsigned char* out);               // bottom row first
-void read_rgba32f(const Target& target, int attachment, float* out);     // bottom row first
-void read_rgba32f_row(const Target& target, int attachment, int row, float* out);   // row: from the bottom
+void read_rgba8(const Target& target, unsigned char* out);                         // bottom row first
+void read_rgba32f(const Target& target, int attachment, float* out);               // bottom row first
+void read_rgba32f_row(const Target& target, int attachment, int row, float* out);  // row: from the bottom
 
 VertexArray make_vertex_array();
 // Draws one triangle over the viewport of the bound framebuffer. framebuffer 0: the window.
 // share below 1: what is there moves so far towards what is drawn.
-void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, double share = 1.0);
+void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height,
+                     double share = 1.0);
 // Of it the rows from first (counted from the bottom) up to but not including last.
-void draw_rows(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int first, int last);
+void draw_rows(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int first,
+               int last);
 // Adds points to what is in the framebuffer: colour += colour of the point x alpha that is there; alpha stays. The viewport is
 // `margin` px wider on every side, so that a point whose middle is outside still shows its rim.
-void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width, int height, int margin);
+void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width,
+                 int height, int margin);
 void set_integer(const Program& program, const char* uniform, int value);
 void bind_texture_2d(int unit, const Texture& texture);
 void bind_texture_cube(int unit, const Texture& texture);
 void bind_texture_layers(int unit, const Texture& texture);
-void set_linear(const Texture& texture);   // of a 2D texture without mip levels: filtered between texels
+void set_linear(const Texture& texture);  // of a 2D texture without mip levels: filtered between texels
 // Copies a colour texture over a framebuffer of another size or the same (0: the window), or from column to_x on into it. The texture
 // may be another context's.
 void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_width, int to_height, int to_x = 0);

@@ -40,7 +40,7 @@ Vec3 rec709_from_xyz(Vec3 c) {
 Vec3 into_gamut(Vec3 c) {
     const double least = std::min({c.x, c.y, c.z});
     if (least >= 0.0) return c;
-    const double y = 0.2126390059 * c.x + 0.7151686788 * c.y + 0.0721923154 * c.z;   // > 0 for light
+    const double y = 0.2126390059 * c.x + 0.7151686788 * c.y + 0.0721923154 * c.z;  // > 0 for light
     const double keep = y / (y - least);
     return {y + keep * (c.x - y), y + keep * (c.y - y), y + keep * (c.z - y)};
 }

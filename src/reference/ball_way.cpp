@@ -18,9 +18,9 @@ double lapse2(const OrbitMetric& metric, double r) {
     return lapse * lapse;
 }
 
-double slope_of(const OrbitMetric& metric, double r) {   // of A; eighth order
-    double h = std::min(0.01 * r, 0.1 * (r - metric.horizon_radius().value_or(0.0)));   // all of it outside
-    while (h > 1e-12 * r && !std::isfinite(metric.lapse(r - 4 * h))) h /= 2;            // of a star
+double slope_of(const OrbitMetric& metric, double r) {                                 // of A; eighth order
+    double h = std::min(0.01 * r, 0.1 * (r - metric.horizon_radius().value_or(0.0)));  // all of it outside
+    while (h > 1e-12 * r && !std::isfinite(metric.lapse(r - 4 * h))) h /= 2;           // of a star
     const auto d = [&](int n) { return lapse2(metric, r + n * h) - lapse2(metric, r - n * h); };
     return (d(1) * 4.0 / 5 - d(2) / 5 + d(3) * 4.0 / 105 - d(4) / 280) / h;
 }
@@ -28,8 +28,9 @@ double slope_of(const OrbitMetric& metric, double r) {   // of A; eighth order
 // A ball in free fall in its plane, forward and back from t = 0: what it went through is kept.
 class Fall {
 public:
-    using State = std::array<double, 3>;   // r, P, phi
-    Fall(const OrbitMetric& metric, State start, double momentum) : metric_(metric), momentum_(momentum), ways_{{{start}, {start}}} {}
+    using State = std::array<double, 3>;  // r, P, phi
+    Fall(const OrbitMetric& metric, State start, double momentum)
+        : metric_(metric), momentum_(momentum), ways_{{{start}, {start}}} {}
     State at(double t) {
         const double sense = t < 0 ? -1 : 1;
         const std::lock_guard lock(mutex_);
@@ -40,11 +41,13 @@ public:
     }
 
 private:
-    static constexpr double kStep = 0.02;   // r_s/c: the shortest time in which anything happens outside is some r_s/c
+    static constexpr double kStep = 0.02;  // r_s/c: the shortest time in which anything happens outside is some r_s/c
     // A star's ground is where its lapse ends: the last step to it by halves.
     State landed(const State& s, double h) const {
-        constexpr double kGround = 1e-6;   // of r
-        const auto above = [this](double r) { return std::isfinite(metric_.lapse(r * (1 - kGround))) || metric_.horizon_radius(); };
+        constexpr double kGround = 1e-6;  // of r
+        const auto above = [this](double r) {
+            return std::isfinite(metric_.lapse(r * (1 - kGround))) || metric_.horizon_radius();
+        };
         if (!above(s[0])) return s;
         const State next = after(s, h);
         if (above(2 * next[0] - s[0]) || std::fabs(h) < kGround) return next;
@@ -56,12 +59,12 @@ private:
         return s;
     }
     void slope(const State& s, State& d) const {
-        constexpr double kThere = 1e-12;   // of the horizon: nearer to it A is rounding
+        constexpr double kThere = 1e-12;  // of the horizon: nearer to it A is rounding
         const double r = s[0];
         d = {0, 0, 0};
         if (!(r > metric_.horizon_radius().value_or(0.0) * (1 + kThere))) return;
         const double a = lapse2(metric_, r);
-        if (!(a > 0)) return;   // on a star's ground
+        if (!(a > 0)) return;  // on a star's ground
         const double across = momentum_ / r, energy = std::sqrt(s[1] * s[1] + a * (1 + across * across));
         d[0] = a * s[1] / energy;
         d[1] = -a * (slope_of(metric_, r) * (1 + across * across) - 2 * a * across * across / r) / (2 * energy);
@@ -77,12 +80,13 @@ private:
 
 double kepler_rate(const OrbitMetric& metric, double r) {
     if (metric.spin() == 0) return std::sqrt(std::fmax(slope_of(metric, r), 0) / (2 * r));
-    const double h = 1e-3 * r;   // fourth order
-    const auto slope = [&](double EquatorialMetric::* part) {
+    const double h = 1e-3 * r;  // fourth order
+    const auto slope = [&](double EquatorialMetric::*part) {
         const auto d = [&](double by) { return metric.equator(r + by).*part - metric.equator(r - by).*part; };
         return (8 * d(h) - d(2 * h)) / (12 * h);
     };
-    const double tt = slope(&EquatorialMetric::g_tt), tp = slope(&EquatorialMetric::g_tphi), pp = slope(&EquatorialMetric::g_phiphi);
+    const double tt = slope(&EquatorialMetric::g_tt), tp = slope(&EquatorialMetric::g_tphi),
+                 pp = slope(&EquatorialMetric::g_phiphi);
     return (std::sqrt(std::fmax(tp * tp - tt * pp, 0)) - tp) / pp;
 }
 
@@ -90,23 +94,28 @@ std::function<Vec3(double t)> ball_way(const OrbitMetric& metric, const BallSpec
     const Vec3 start = ball.position;
     const double r = length(start), azimuth = std::atan2(start.y, start.x);
     const Vec3 e_r = start / r, e_phi{-std::sin(azimuth), std::cos(azimuth), 0};
-    const auto turned = [=](Vec3 onward, double radius, double phi) { return radius * (std::cos(phi) * e_r + std::sin(phi) * onward); };
+    const auto turned = [=](Vec3 onward, double radius, double phi) {
+        return radius * (std::cos(phi) * e_r + std::sin(phi) * onward);
+    };
     switch (ball.motion) {
         case BallMotion::kStill: break;
-        case BallMotion::kOrbit: return [=, omega = kepler_rate(metric, r)](double t) { return turned(e_phi, r, omega * t); };
+        case BallMotion::kOrbit:
+            return [=, omega = kepler_rate(metric, r)](double t) { return turned(e_phi, r, omega * t); };
         case BallMotion::kGeodesic: {
             // velocity: (e_r, e_theta, e_phi) of one at rest there; E = gamma sqrt(A), P = A p_r = gamma v_r sqrt(A).
             const Vec3 v = ball.velocity, e_theta = cross(e_phi, e_r), across = v.y * e_theta + v.z * e_phi;
-            if (metric.lapse(1e6) == 1) return [=, v = v.x * e_r + across](double t) { return start + t * v; };   // flat
+            if (metric.lapse(1e6) == 1) return [=, v = v.x * e_r + across](double t) { return start + t * v; };  // flat
             const double gamma = 1 / std::sqrt(1 - dot(v, v)), speed = length(across);
-            const auto fall = std::make_shared<Fall>(metric, Fall::State{r, gamma * v.x * metric.lapse(r), 0}, gamma * speed * r);
+            const auto fall =
+                std::make_shared<Fall>(metric, Fall::State{r, gamma * v.x * metric.lapse(r), 0}, gamma * speed * r);
             return [=, onward = speed > 0 ? across / speed : e_phi](double t) {
                 const Fall::State s = fall->at(t);
                 return turned(onward, s[0], s[2]);
             };
         }
         case BallMotion::kPath: {
-            const auto x = expr::Formula::parse(ball.x, {"t"}), y = expr::Formula::parse(ball.y, {"t"}), z = expr::Formula::parse(ball.z, {"t"});
+            const auto x = expr::Formula::parse(ball.x, {"t"}), y = expr::Formula::parse(ball.y, {"t"}),
+                       z = expr::Formula::parse(ball.z, {"t"});
             if (!x || !y || !z) break;
             return [x = *x, y = *y, z = *z](double t) {
                 const double at[] = {t};

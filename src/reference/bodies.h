@@ -17,21 +17,21 @@ struct BodyHit {
     double along;  // swept angle; about a spinning hole the affine parameter (kerr_ray.h)
     Vec3 place;    // r_s, world axes
     Object object;
-    double cosine;  // between the ray and the surface's normal, in flat coordinates
-    Vec3 middle{0, 0, 0};  // of the body, when the light left
+    double cosine;              // between the ray and the surface's normal, in flat coordinates
+    Vec3 middle{0, 0, 0};       // of the body, when the light left
     double late = kNotANumber;  // about a spinning hole: the camera's clock less t there
 };
 
 struct BodyPart {
     Object object;
-    double thinnest;  // its smallest extent: no stride may be longer than a part of it
-    double reach;     // radius about the centre that holds it
-    std::function<double(Vec3, double)> value;   // of the place and of t
-    bool far = false;   // of a wormhole: at l < 0
+    double thinnest;                            // its smallest extent: no stride may be longer than a part of it
+    double reach;                               // radius about the centre that holds it
+    std::function<double(Vec3, double)> value;  // of the place and of t
+    bool far = false;                           // of a wormhole: at l < 0
     bool moves = false;
     std::function<Vec3(double)> middle{};
-    bool clear = false;   // value is at most how far the body is, in r_s and r_s/c
-    double cosine(Vec3 place, Vec3 back, double t) const;   // BodyHit's, of a ray that comes from `back`, of any length
+    bool clear = false;                                    // value is at most how far the body is, in r_s and r_s/c
+    double cosine(Vec3 place, Vec3 back, double t) const;  // BodyHit's, of a ray that comes from `back`, of any length
 };
 
 // The bodies as functions of place, below 0 inside: what a ray enters first.
@@ -50,9 +50,10 @@ public:
 
 private:
     using Part = BodyPart;
-    std::optional<double> first_angle(const Orbit& orbit, const RayPlane& plane, double camera_r,
-                                      const Part& part, LightClock* clock) const;
-    std::optional<double> first_angle_by_length(const Orbit& orbit, const RayPlane& plane, double camera_l, const Part& part) const;
+    std::optional<double> first_angle(const Orbit& orbit, const RayPlane& plane, double camera_r, const Part& part,
+                                      LightClock* clock) const;
+    std::optional<double> first_angle_by_length(const Orbit& orbit, const RayPlane& plane, double camera_l,
+                                                const Part& part) const;
     double time_at(double angle, const Part& part, LightClock* clock) const;
     double time_ = 0;
     bool moves_ = false;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <tbb/parallel_for.h>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/tools/minima.hpp>
-#include <tbb/parallel_for.h>
 
 #include "light/black_body.h"
 #include "reference/seen_light.h"
@@ -14,7 +14,7 @@ namespace nullscope::reference {
 namespace {
 
 template <class Function>
-double derivative(Function f, double r) {   // eighth order: some 1e-12 relative
+double derivative(Function f, double r) {  // eighth order: some 1e-12 relative
     constexpr double h = 0.01;
     const auto d = [&](int n) { return f(r * (1 + n * h)) - f(r * (1 - n * h)); };
     return (d(1) * 4.0 / 5 - d(2) / 5 + d(3) * 4.0 / 105 - d(4) / 280) / (h * r);
@@ -22,8 +22,10 @@ double derivative(Function f, double r) {   // eighth order: some 1e-12 relative
 
 // sigma T^4 = flux Mdot c^2 / r_s^2. Of a hole of one solar mass: Eddington's luminosity, and r_s by the Sun's 2953.25 m.
 double accretion_temperature_K(const AccretionSpec& accretion, double flux) {
-    constexpr double kEddington_W = 1.25707e31, kSun_m = 2953.250077, kStefan_W_m2_K4 = 5.670374419e-8, kEfficiency = 0.1;
-    const double heat_W = accretion.rate_eddington * accretion.mass_suns * kEddington_W / kEfficiency, r_s = accretion.mass_suns * kSun_m;
+    constexpr double kEddington_W = 1.25707e31, kSun_m = 2953.250077, kStefan_W_m2_K4 = 5.670374419e-8,
+                     kEfficiency = 0.1;
+    const double heat_W = accretion.rate_eddington * accretion.mass_suns * kEddington_W / kEfficiency,
+                 r_s = accretion.mass_suns * kSun_m;
     return std::sqrt(std::sqrt(flux * heat_W / r_s / r_s / kStefan_W_m2_K4));
 }
 
@@ -41,7 +43,10 @@ DiscLight::DiscLight(const OrbitMetric& metric, const DiscSpec& disc, const Ligh
     // The least energy of all circles: Boost's Brent gives half of the digits, a bisection of its slope the rest.
     const auto slope = [&](double r) { return derivative([&](double at) { return circle(at).energy; }, r); };
     double low = (metric.spin() == 0 ? 1.75 : 1.001) * horizon, high = 100 * horizon;
-    const auto energy_or_more = [&](double r) { const double e = circle(r).energy; return std::isfinite(e) ? e : 2.0; };
+    const auto energy_or_more = [&](double r) {
+        const double e = circle(r).energy;
+        return std::isfinite(e) ? e : 2.0;
+    };
     isco_ = boost::math::tools::brent_find_minima(energy_or_more, low, high, 26).first;
     low = isco_ * (1 - 1e-3), high = isco_ * (1 + 1e-3);
     for (int i = 0; i < 45; ++i) (slope(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
@@ -53,16 +58,18 @@ DiscLight::DiscLight(const OrbitMetric& metric, const DiscSpec& disc, const Ligh
     constexpr int kSteps = 4000;
     step_ = std::log(disc.outer / isco_) / kSteps;
     heat_.resize(kSteps + 1);
-    tbb::parallel_for(0, kSteps + 1, [&](int i) { heat_[static_cast<std::size_t>(i)] = flux(isco_ * std::exp(step_ * i)) / peak; });
+    tbb::parallel_for(0, kSteps + 1,
+                      [&](int i) { heat_[static_cast<std::size_t>(i)] = flux(isco_ * std::exp(step_ * i)) / peak; });
 }
 
 double DiscLight::heat(double r) const {
     if (heat_.empty() || !(r > isco_)) return 0.0;
     const double x = std::log(r / isco_) / step_;
     const int last = static_cast<int>(heat_.size()) - 1, i = std::clamp(static_cast<int>(x) - 1, 0, last - 3);
-    const double f = x - i, *h = heat_.data() + i;   // cubic through four
-    return std::max(-h[0] * (f - 1) * (f - 2) * (f - 3) / 6 + h[1] * f * (f - 2) * (f - 3) / 2 - h[2] * f * (f - 1) * (f - 3) / 2 +
-                    h[3] * f * (f - 1) * (f - 2) / 6, 0.0);
+    const double f = x - i, *h = heat_.data() + i;  // cubic through four
+    return std::max(-h[0] * (f - 1) * (f - 2) * (f - 3) / 6 + h[1] * f * (f - 2) * (f - 3) / 2 -
+                        h[2] * f * (f - 1) * (f - 3) / 2 + h[3] * f * (f - 1) * (f - 2) / 6,
+                    0.0);
 }
 
 double DiscLight::lapse2(double r) const {
@@ -104,7 +111,8 @@ double DiscLight::g_infinity(const PhotonAtDisc& photon) const {
     const Circle last = circle(isco_);
     if (metric_.spin() != 0) return fallen_g(photon, last);
     const double a = lapse2(r);
-    const double fall = std::sqrt(std::max(last.energy * last.energy - a * (1 + last.momentum * last.momentum / (r * r)), 0.0));
+    const double fall =
+        std::sqrt(std::max(last.energy * last.energy - a * (1 + last.momentum * last.momentum / (r * r)), 0.0));
     const double climb = std::sqrt(std::max(1 - a * photon.l2 / (r * r), 0.0)) * (photon.outward ? 1 : -1);
     return a / (last.energy - a * last.momentum * photon.l_z / (r * r) + climb * fall);
 }
@@ -114,13 +122,13 @@ double DiscLight::fallen_g(const PhotonAtDisc& photon, const Circle& last) const
     const EquatorialMetric g = metric_.equator(photon.r);
     const double det = g.g_tt * g.g_phiphi - g.g_tphi * g.g_tphi;
     const double tt = g.g_phiphi / det, tp = -g.g_tphi / det, pp = g.g_tt / det, e = last.energy, l = last.momentum;
-    const double fall = std::sqrt(std::max(-(1 + tt * e * e - 2 * tp * e * l + pp * l * l) / g.g_rr, 0.0));   // -u^r
+    const double fall = std::sqrt(std::max(-(1 + tt * e * e - 2 * tp * e * l + pp * l * l) / g.g_rr, 0.0));  // -u^r
     return -1 / (tt * e - tp * (l + e * photon.l_z) + pp * l * photon.l_z - photon.radial * fall);
 }
 
 Shift DiscLight::shift(const PhotonAtDisc& photon) const {
-    if (metric_.spin() != 0) return {1, g_infinity(photon)};   // nobody is at rest there
-    const double rest = metric_.lapse(photon.r);   // of matter at rest there
+    if (metric_.spin() != 0) return {1, g_infinity(photon)};  // nobody is at rest there
+    const double rest = metric_.lapse(photon.r);              // of matter at rest there
     if (light_.lensing) return {rest, g_infinity(photon) / rest};
     // A straight ray that comes by a direction of sine L/r is what a geodesic of L/lapse is to matter at rest there.
     return {rest, g_infinity({photon.r, photon.l_z / rest, photon.outward, photon.l2 / (rest * rest)}) / rest};

@@ -12,11 +12,11 @@ namespace nullscope::reference {
 
 // What a photon brings to a ring: per unit of its energy at infinity.
 struct PhotonAtDisc {
-    double r;         // r_s
-    double l_z;       // angular momentum about the polar axis over energy, r_s
-    bool outward;     // whether it really moves outward there
-    double l2;        // all of its angular momentum over energy, squared; without spin
-    double radial = 0;   // p_r over energy; of a spinning hole
+    double r;           // r_s
+    double l_z;         // angular momentum about the polar axis over energy, r_s
+    bool outward;       // whether it really moves outward there
+    double l2;          // all of its angular momentum over energy, squared; without spin
+    double radial = 0;  // p_r over energy; of a spinning hole
 };
 
 class DiscLight {
@@ -41,13 +41,13 @@ private:
     double fallen_g(const PhotonAtDisc& photon, const Circle& last) const;
     double lapse2(double r) const;
     Circle circle(double r) const;
-    double heat(double r) const;   // flux over the largest, from a table: 1e-9 of the largest
+    double heat(double r) const;  // flux over the largest, from a table: 1e-9 of the largest
 
     const OrbitMetric& metric_;
     DiscSpec disc_;
     LightSpec light_;
     double isco_ = 0, hottest_ = 0, luminance_ = 1;
-    std::vector<double> heat_;   // flux over the largest, at equal steps of ln(r/isco)
+    std::vector<double> heat_;  // flux over the largest, at equal steps of ln(r/isco)
     double step_ = 1;
 };
 

@@ -65,8 +65,11 @@ struct Side {
     double rho, mass, unit, b, turn, base2, base, turn_f, end;  // base: R + b, R^2 - b^2 at w = 0; turn_f: f there
     bool turns;
     Side(const Throat& m, const Start& start)
-        : rho(static_cast<double>(m.rho)), mass(static_cast<double>(m.mass)), unit(static_cast<double>(m.unit)),
-          b(static_cast<double>(start.b)), turns(start.turn2 > 0) {
+        : rho(static_cast<double>(m.rho)),
+          mass(static_cast<double>(m.mass)),
+          unit(static_cast<double>(m.unit)),
+          b(static_cast<double>(start.b)),
+          turns(start.turn2 > 0) {
         if (turns) {
             turn_f = static_cast<double>(start.turn2 / (start.b + m.rho) / m.mass);
             turn = static_cast<double>(Throat::step_for(0, start.turn2 / (start.b + m.rho) / m.mass));
@@ -88,7 +91,8 @@ struct Side {
         double radius, root, dl;  // R, sqrt(R^2 - b^2), dl/dw over that root: regular where it vanishes
     };
     At at(double w) const {
-        const double off = offset(w), grown = Throat::growth(turns ? turn : 0.0, off);  // in double: a few roundings, a quarter of the time
+        const double off = offset(w), grown = Throat::growth(turns ? turn : 0.0,
+                                                             off);  // in double: a few roundings, a quarter of the time
         const double radius = base + mass * grown;
         const double root = std::sqrt(base2 + mass * grown * (radius + base));
         if (!turns) return {radius, root, unit * turn * std::cosh(w) / root};
@@ -96,7 +100,8 @@ struct Side {
         return {radius, root, unit * std::cosh(0.5 * w) * std::sqrt(2 * turn / (mass * slope * (radius + base)))};
     }
     double w_of_offset(Long t) const {
-        return turns ? 2 * std::asinh(std::sqrt(static_cast<double>(t) / (2 * turn))) : std::asinh(static_cast<double>(t) / turn);
+        return turns ? 2 * std::asinh(std::sqrt(static_cast<double>(t) / (2 * turn)))
+                     : std::asinh(static_cast<double>(t) / turn);
     }
     double rate(double w) const {  // dphi/dw
         const At a = at(w);
@@ -116,7 +121,9 @@ struct Side {
             },
             from, to, kStep);
     }
-    double lag_to_sky(double from) const { return (from < end ? lag(from, end) : 0.0) + 0.5 * b * (b / at(std::max(from, end)).radius); }
+    double lag_to_sky(double from) const {
+        return (from < end ? lag(from, end) : 0.0) + 0.5 * b * (b / at(std::max(from, end)).radius);
+    }
     double time(double from, double to) const {
         return integrate_panels(
             [this](double w) {
@@ -143,7 +150,8 @@ public:
         }
         beyond_ = side_.beyond(camera_);
         to_middle_ = side_.swept(0, camera_);
-        const double place = static_cast<double>(m.half > 0 ? std::clamp(start.l / m.half, Long(-1), Long(1)) : Long(on_));
+        const double place =
+            static_cast<double>(m.half > 0 ? std::clamp(start.l / m.half, Long(-1), Long(1)) : Long(on_));
         const double forward = start.outward ? 1 : -1;
         if (side_.turns) {
             leaves_ = forward == on_;
@@ -235,8 +243,10 @@ public:
 private:
     std::unique_ptr<Orbit> orbit(Start start) const {
         if (start.b < kRadialImpact * m_.rho)
-            return std::make_unique<Straight>(static_cast<double>(start.l), start.outward ? Fate::kEscaped : Fate::kOtherSide);
-        if (start.turn2 == 0 && start.away2 == 0) return std::make_unique<Straight>(static_cast<double>(start.l), Fate::kNoSky);
+            return std::make_unique<Straight>(static_cast<double>(start.l),
+                                              start.outward ? Fate::kEscaped : Fate::kOtherSide);
+        if (start.turn2 == 0 && start.away2 == 0)
+            return std::make_unique<Straight>(static_cast<double>(start.l), Fate::kNoSky);
         // The critical ray itself never ends; its neighbour, closer than any double comes, does.
         if (start.turn2 == 0) start.turn2 = -std::pow(m_.rho * Long(std::numeric_limits<double>::epsilon()), 2);
         return std::make_unique<Swept>(m_, start);

@@ -22,22 +22,26 @@ namespace nullscope::reference {
 struct CameraRay {
     std::unique_ptr<Orbit> orbit;
     RayPlane plane;
-    Shift shift;  // camera frequency over frequency at infinity
-    double g;     // the same, as far as the switches of the scene's light let it
+    Shift shift;     // camera frequency over frequency at infinity
+    double g;        // the same, as far as the switches of the scene's light let it
     double l_z, l2;  // the photon's angular momentum about the polar axis over its energy, r_s; and all of it, squared
-    std::optional<KerrRay> spun;   // about a spinning hole: instead of orbit, plane and l2; as if there were no bodies ...
+    std::optional<KerrRay>
+        spun;  // about a spinning hole: instead of orbit, plane and l2; as if there were no bodies ...
     std::optional<BodyHit> met{};  // ... of which it meets this one first
     Fate fate() const { return spun ? spun->fate : orbit->fate(); }
-    Vec3 end() const { return spun ? spun->sky : plane.direction(orbit->angle()); }   // where on the sky, or on what it ends on
+    Vec3 end() const {
+        return spun ? spun->sky : plane.direction(orbit->angle());
+    }  // where on the sky, or on what it ends on
 };
 
 // A place where a ray meets the equatorial plane, in world axes: x = r cos(phi), y = r sin(phi), lengths in r_s.
 struct DiscHit {
     double along;  // swept angle; about a spinning hole the affine parameter (kerr_ray.h)
     double x, y;
-    bool outward;  // whether the photon really moves outward there
-    double radial; // p_r of the photon over its energy; of a spinning hole only
-    double late = 0;   // how long ago, by the camera's clock, the light left; 0 where nothing moves or light takes no time
+    bool outward;   // whether the photon really moves outward there
+    double radial;  // p_r of the photon over its energy; of a spinning hole only
+    double late =
+        0;  // how long ago, by the camera's clock, the light left; 0 where nothing moves or light takes no time
 };
 
 class FrameTracer {
@@ -70,13 +74,13 @@ private:
     std::shared_ptr<const Bodies> bodies_;
     std::shared_ptr<const OrbitMetric> metric_, matter_;
     double lapse_ = 1;
-    bool late_ = false, disc_moves_ = false;   // light takes time, and shows it; in the disc
-    bool from_rain_ = false;   // the local frame is the rain frame
+    bool late_ = false, disc_moves_ = false;  // light takes time, and shows it; in the disc
+    bool from_rain_ = false;                  // the local frame is the rain frame
     // Rows: e_0, right, up, backward; components along the local tetrad (t, r, theta, phi). In long double because
     // ahead of a camera with gamma = 700 the sum e_0 - n^i e_i leaves 1/gamma^2 of its terms.
     // Without aberration that of a camera at rest. About a spinning hole along d_v, d_r, d_theta, d_phi/sin(theta) of ingoing coordinates.
     std::array<std::array<long double, 4>, 4> tetrad_{};
-    std::array<long double, 4> velocity_{};   // the camera's e_0, moving
+    std::array<long double, 4> velocity_{};  // the camera's e_0, moving
 };
 
 }  // namespace nullscope::reference

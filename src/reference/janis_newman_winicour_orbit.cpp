@@ -25,7 +25,8 @@ template <class F>
 Panel panel(const F& f, Long low, Long high) {
     const Long middle = (low + high) / 2, half = (high - low) / 2;
     Long error = 0;
-    const Long value = boost::math::quadrature::gauss_kronrod<Long, 21>::integrate([&](Long t) { return f(middle + half * t); }, Long(-1), Long(1), 0, Long(0), &error);
+    const Long value = boost::math::quadrature::gauss_kronrod<Long, 21>::integrate(
+        [&](Long t) { return f(middle + half * t); }, Long(-1), Long(1), 0, Long(0), &error);
     return {half * value, half * error};
 }
 // Boost's own halving asks each half for half the error, below the last digit where an end is singular.
@@ -33,7 +34,8 @@ template <class F>
 Long halved(const F& f, Long low, Long high, const Panel& whole, Long tolerance, int depth) {
     if (!(whole.error > tolerance) || depth == kDeepest) return whole.value;
     const Long middle = (low + high) / 2;
-    return halved(f, low, middle, panel(f, low, middle), tolerance, depth + 1) + halved(f, middle, high, panel(f, middle, high), tolerance, depth + 1);
+    return halved(f, low, middle, panel(f, low, middle), tolerance, depth + 1) +
+           halved(f, middle, high, panel(f, middle, high), tolerance, depth + 1);
 }
 template <class F>
 Long integral(const F& f, Long low, Long high) {
@@ -48,7 +50,8 @@ struct Mass {
     Long w(Long x, Long y) const { return x * x * std::pow(y, 2 * g - 1); }
     // W(from) - W(from + step), as far as their logarithms differ.
     Long fall(Long from, Long step) const {
-        return -w(from, 1 - from) * std::expm1(2 * std::log1p(step / from) + (2 * g - 1) * std::log1p(-step / (1 - from)));
+        return -w(from, 1 - from) *
+               std::expm1(2 * std::log1p(step / from) + (2 * g - 1) * std::log1p(-step / (1 - from)));
     }
     Long lapse2(Long r) const { return std::pow((r - r_g) / r, g); }
     Long area(Long r) const { return r * std::pow((r - r_g) / r, (1 - g) / 2); }
@@ -88,9 +91,11 @@ public:
         if (before || turn_ != turn_) (start_.s > 0 ? low : high) = static_cast<double>(start_.x);
         if (before) (start_.s > 0 ? high : low) = static_cast<double>(turn_x_);
         const double at_low = left(low), at_high = left(high);
-        if (at_low * at_high >= 0) return (std::abs(at_low) < std::abs(at_high) ? low : high) / static_cast<double>(m_.r_g);
+        if (at_low * at_high >= 0)
+            return (std::abs(at_low) < std::abs(at_high) ? low : high) / static_cast<double>(m_.r_g);
         std::uintmax_t steps = 200;
-        const auto found = boost::math::tools::toms748_solve(left, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(52), steps);
+        const auto found = boost::math::tools::toms748_solve(left, low, high, at_low, at_high,
+                                                             boost::math::tools::eps_tolerance<double>(52), steps);
         return 0.5 * (found.first + found.second) / static_cast<double>(m_.r_g);
     }
     // T in r_s/c: R^2 = r_g^2 y^(1-g)/x^2, A R^2 dphi... : outward dT = dphi r_g ... / (q + sqrt P), inward q dphi/(x^2 y^(2g-1)).
@@ -106,10 +111,12 @@ public:
         const Long near_t = split > 0 ? turn_x_ - split : camera_t_;
         in += about_turn(0, std::sqrt(near_t), both);
         if (split > 0)
-            in += integral([&](Long l) {
-                const Long x = std::exp(l), y = 1 - x;
-                return x * both(x, y) * rate(x, y);
-            }, std::log(start_.x), std::log(split));
+            in += integral(
+                [&](Long l) {
+                    const Long x = std::exp(l), y = 1 - x;
+                    return x * both(x, y) * rate(x, y);
+                },
+                std::log(start_.x), std::log(split));
         return static_cast<double>(m_.r_g * (leave + 2 * in));
     }
 
@@ -127,10 +134,12 @@ private:
     template <class Weight>
     Long about_turn(Long from, Long to, const Weight& weight) const {
         const int side = outside_ ? -1 : 1;
-        return integral([&](Long s) {
-            const Long t = s * s, x = turn_x_ + side * t, y = 1 - x;
-            return 2 * std::pow(y, m_.g - 1) / std::sqrt(m_.fall(turn_x_, side * t) / t) * weight(x, y);
-        }, from, to);
+        return integral(
+            [&](Long s) {
+                const Long t = s * s, x = turn_x_ + side * t, y = 1 - x;
+                return 2 * std::pow(y, m_.g - 1) / std::sqrt(m_.fall(turn_x_, side * t) / t) * weight(x, y);
+            },
+            from, to);
     }
     Long to_turn(Long, Long t) const {
         return about_turn(0, std::sqrt(t), [](Long, Long) { return Long(1); });
@@ -145,7 +154,8 @@ private:
         const Long near = turns_ ? std::min(x, turn_x_ / 4) : x;
         const Long first = integral(direct, 0, near);
         if (!turns_ || near == x) return first;
-        return first + about_turn(std::sqrt(t), std::sqrt(turn_x_ - near), [&](Long z, Long y) { return weight(std::sqrt(p_of(z)), y); });
+        return first + about_turn(std::sqrt(t), std::sqrt(turn_x_ - near),
+                                  [&](Long z, Long y) { return weight(std::sqrt(p_of(z)), y); });
     }
     Long p_of(Long x) const { return std::max(m_.fall(turn_x_, x - turn_x_), Long(0)); }
     // What a ray at x still sweeps once it is past its turning point: to the sky, or to the singular surface.
@@ -157,16 +167,18 @@ private:
             sum = turns_ ? about_turn(std::sqrt(t), std::sqrt(middle - turn_x_), [](Long, Long) { return Long(1); })
                          : integral([this](Long z) { return rate(z, 1 - z); }, x, middle);
         const Long y1 = x < middle ? 1 - middle : y;  // y = y1 exp(-tau)
-        return sum + integral([&](Long tau) {
-            const Long z = y1 * std::exp(-tau);
-            return std::pow(z, m_.g) / std::sqrt(start_.q * start_.q - m_.w(1 - z, z));
-        }, 0, 50 / m_.g);
+        return sum + integral(
+                         [&](Long tau) {
+                             const Long z = y1 * std::exp(-tau);
+                             return std::pow(z, m_.g) / std::sqrt(start_.q * start_.q - m_.w(1 - z, z));
+                         },
+                         0, 50 / m_.g);
     }
     // W(turn) = qg^2; from the camera where that is near, for the digits of their distance.
     void find_turn() {
         const int side = outside_ ? -1 : 1;
         Long low = 0, high = outside_ ? m_.x_c : 1 - m_.x_c;  // distance from the photon sphere
-        const auto beyond = [&](Long d) {  // qg^2 < W: not yet
+        const auto beyond = [&](Long d) {                     // qg^2 < W: not yet
             const Long x = m_.x_c + side * d;
             return outside_ && x < m_.x_c / 2 ? p(x, 1 - x) > 0 : start_.delta2 + m_.fall(m_.x_c, side * d) > 0;
         };
@@ -220,8 +232,10 @@ public:
         if (!(y > 0)) return bad_input(fmt::format("zeta0 = {} lies on or within the singular surface", ray.zeta0));
         const Long root = std::sqrt(m_.w(x, y)), p = ray.q < kRadialQ ? (q - root) * (q + root) : 0;
         if (p < -kTurningSlack * q * q)
-            return bad_input(fmt::format("no ray with q = {:.17g} passes through zeta0 = {:.17g}: q^2 < V(zeta0)", ray.q, ray.zeta0));
-        return orbit({q, x, y, ray.s, std::sqrt(std::max(p, Long(0))), (q - std::sqrt(m_.w_c)) * (q + std::sqrt(m_.w_c))});
+            return bad_input(fmt::format("no ray with q = {:.17g} passes through zeta0 = {:.17g}: q^2 < V(zeta0)",
+                                         ray.q, ray.zeta0));
+        return orbit(
+            {q, x, y, ray.s, std::sqrt(std::max(p, Long(0))), (q - std::sqrt(m_.w_c)) * (q + std::sqrt(m_.w_c))});
     }
     std::unique_ptr<Orbit> from_static(const LocalRay& ray) const override {
         const Long q = std::sqrt(m_.lapse2(ray.r)) / m_.area(ray.r) / ray.n_t;
@@ -229,21 +243,25 @@ public:
     }
     RainOrbit from_rain(const LocalRay& ray) const override {  // E = 1 + w n_r, dr ~ w + n_r, w = sqrt(1 - A)
         if (!(ray.r > m_.r_g)) return {std::make_unique<Standing>(1 / ray.r, Fate::kNoSky, true), kNotANumber};
-        const Long w = std::sqrt(1 - m_.lapse2(ray.r)), energy = 1 + w * ray.n_r, outward = w + ray.n_r, across = m_.area(ray.r) * ray.n_t;
-        return {local(ray.r, energy / across, std::abs(outward) / across, outward > 0 ? -1 : 1), static_cast<double>(1 / energy)};
+        const Long w = std::sqrt(1 - m_.lapse2(ray.r)), energy = 1 + w * ray.n_r, outward = w + ray.n_r,
+                   across = m_.area(ray.r) * ray.n_t;
+        return {local(ray.r, energy / across, std::abs(outward) / across, outward > 0 ? -1 : 1),
+                static_cast<double>(1 / energy)};
     }
 
 private:
     std::unique_ptr<Orbit> local(Long r, Long q, Long root_p, int s) const {
         Start start{q * m_.r_g, m_.r_g / r, (r - m_.r_g) / r, s, root_p * m_.r_g, 0};
         const Long off = start.x - m_.x_c, root = std::sqrt(m_.w_c);
-        start.delta2 = std::abs(off) < m_.x_c / 4 && start.y > (1 - m_.x_c) / 4 ? start.root_p * start.root_p - m_.fall(m_.x_c, off)
-                                                                              : (start.q - root) * (start.q + root);
+        start.delta2 = std::abs(off) < m_.x_c / 4 && start.y > (1 - m_.x_c) / 4
+                           ? start.root_p * start.root_p - m_.fall(m_.x_c, off)
+                           : (start.q - root) * (start.q + root);
         return orbit(start);
     }
     std::unique_ptr<Orbit> orbit(Start start) const {
         const double zeta0 = static_cast<double>(start.x / m_.r_g);
-        if (!(start.q < kRadialQ)) return std::make_unique<Standing>(zeta0, start.s < 0 ? Fate::kEscaped : Fate::kCaptured, true);
+        if (!(start.q < kRadialQ))
+            return std::make_unique<Standing>(zeta0, start.s < 0 ? Fate::kEscaped : Fate::kCaptured, true);
         if (start.delta2 == 0) {
             if (start.root_p == 0) return std::make_unique<Standing>(zeta0, Fate::kNoSky, false);
             start.delta2 = std::pow(Long(std::numeric_limits<double>::epsilon()), 2);

@@ -11,8 +11,8 @@
 namespace nullscope::reference {
 namespace {
 
-constexpr double kRadial = 1e7;   // q beyond which light is as good as radial: b^2/r^2 = 1e-14
-constexpr double kLongest = 0.3, kRatio = 2;   // of a panel, rad; of the radii in it: 15 nodes leave 1e-13
+constexpr double kRadial = 1e7;               // q beyond which light is as good as radial: b^2/r^2 = 1e-14
+constexpr double kLongest = 0.3, kRatio = 2;  // of a panel, rad; of the radii in it: 15 nodes leave 1e-13
 constexpr int kDeepest = 12;
 constexpr double kTolerance = 1e-12;
 using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
@@ -27,11 +27,11 @@ double lapse2(const OrbitMetric& metric, double r) {
 // In x = 1/r: 1/A - 1 - x is O(x^2) and is divided by it.
 double tortoise_excess(const OrbitMetric& metric, double r) {
     const auto rest = [&](double x) {
-        if (!(x > 1e-5)) return 1.0;   // its limit is (1 - kappa) or 1: times 1e-5 of the range
+        if (!(x > 1e-5)) return 1.0;  // its limit is (1 - kappa) or 1: times 1e-5 of the range
         const double a = lapse2(metric, 1 / x);
         return (1 / a - 1 - x) / (x * x);
     };
-    if (metric.lapse(1e6) == 1) return 0;   // flat
+    if (metric.lapse(1e6) == 1) return 0;  // flat
     return std::log(r) - Rule::integrate(rest, 0.0, 1 / r, kDeepest, kTolerance);
 }
 
@@ -48,13 +48,18 @@ double LightClock::lag(double from, double to) const {
         const double zeta = orbit_.zeta_at(angle);
         if (!by_v_) return q_ / (zeta * zeta * lapse2(metric_, 1 / zeta));
         // Outward without a turning point: 1/(q + sqrt(q^2 - V)); V = zeta^2 A < 0 inside.
-        const double step = 1e-6, slope = (orbit_.zeta_at(angle + step) - (angle > step ? orbit_.zeta_at(angle - step) : zeta)) / (angle > step ? 2 * step : step);
+        const double step = 1e-6,
+                     slope = (orbit_.zeta_at(angle + step) - (angle > step ? orbit_.zeta_at(angle - step) : zeta)) /
+                             (angle > step ? 2 * step : step);
         return 1 / (q_ - slope);
     };
     // Panels in which the radius changes little: far out, where it runs through orders of magnitude, they crowd.
-    const std::function<double(double, double, double, double)> sum = [&](double a, double b, double zeta_a, double zeta_b) {
-        const double middle = 0.5 * (a + b), zeta = orbit_.zeta_at(middle), most = std::max({zeta_a, zeta, zeta_b}), least = std::min({zeta_a, zeta, zeta_b});
-        if (middle > a && middle < b && (b - a > kLongest || !(most < kRatio * least))) return sum(a, middle, zeta_a, zeta) + sum(middle, b, zeta, zeta_b);
+    const std::function<double(double, double, double, double)> sum = [&](double a, double b, double zeta_a,
+                                                                          double zeta_b) {
+        const double middle = 0.5 * (a + b), zeta = orbit_.zeta_at(middle), most = std::max({zeta_a, zeta, zeta_b}),
+                     least = std::min({zeta_a, zeta, zeta_b});
+        if (middle > a && middle < b && (b - a > kLongest || !(most < kRatio * least)))
+            return sum(a, middle, zeta_a, zeta) + sum(middle, b, zeta, zeta_b);
         return boost::math::quadrature::gauss<double, 15>::integrate(rate, a, b);
     };
     return sum(from, to, orbit_.zeta_at(from), orbit_.zeta_at(to));
@@ -63,7 +68,9 @@ double LightClock::lag(double from, double to) const {
 double LightClock::late(double angle) {
     const double r = 1 / orbit_.zeta_at(angle);
     if (!std::isfinite(r) || !(lapse2(metric_, r) > 0)) return kNotANumber;
-    if (!(q_ < kRadial)) return by_v_ ? r + tortoise_excess(metric_, r) - r0_ : start_ + std::fabs(r + tortoise_excess(metric_, r) - r0_ - tortoise_excess(metric_, r0_));
+    if (!(q_ < kRadial))
+        return by_v_ ? r + tortoise_excess(metric_, r) - r0_
+                     : start_ + std::fabs(r + tortoise_excess(metric_, r) - r0_ - tortoise_excess(metric_, r0_));
     auto next = known_.upper_bound(angle);
     const auto [from, so_far] = *--next;
     const double sum = angle > from ? so_far + lag(from, angle) : so_far;
@@ -80,11 +87,13 @@ namespace {
 // every term is positive. Panels that double, from within the distance at which U leaves its least value: 15 nodes leave 1e-16.
 double mass_part(double r0, double r) {
     const auto rate = [&](double s) {
-        const double at = std::hypot(r0, s), d = s * s / (at + r0), a = (at - 1) / at, below = (r0 - 1) * at * (at + r0);
+        const double at = std::hypot(r0, s), d = s * s / (at + r0), a = (at - 1) / at,
+                     below = (r0 - 1) * at * (at + r0);
         const double u = (r0 * r0 * (2 * r0 - 3) + (r0 - 1) * d * (3 * r0 + d)) / below, root = a * std::sqrt(u);
         return ((2 - 1 / at) / at + a * a * r0 * r0 / below) / (root * (1 + root));
     };
-    const double end = std::sqrt((r - r0) * (r + r0)), bend = r0 * std::sqrt(std::min(2 * (2 * r0 - 3) / (3 * (r0 - 1)), 1.0));
+    const double end = std::sqrt((r - r0) * (r + r0)),
+                 bend = r0 * std::sqrt(std::min(2 * (2 * r0 - 3) / (3 * (r0 - 1)), 1.0));
     double sum = 0;
     for (double from = 0, to = std::max(0.25 * bend, 1e-8); from < end; from = to, to *= 2)
         sum += boost::math::quadrature::gauss<double, 15>::integrate(rate, from, std::min(to, end));
@@ -99,8 +108,9 @@ std::optional<Passage> light_past(const OrbitMetric& metric, double from, double
     const double turn = (*orbit)->turn_angle(), closest = 1 / (*orbit)->turn();
     if (!(to > closest)) return std::nullopt;
     std::uintmax_t steps = 200;
-    const auto there = boost::math::tools::toms748_solve([&](double angle) { return (*orbit)->zeta_at(angle) - 1 / to; }, turn, (*orbit)->angle() * (1 - 1e-15),
-                                                         boost::math::tools::eps_tolerance<double>(52), steps);
+    const auto there = boost::math::tools::toms748_solve(
+        [&](double angle) { return (*orbit)->zeta_at(angle) - 1 / to; }, turn, (*orbit)->angle() * (1 - 1e-15),
+        boost::math::tools::eps_tolerance<double>(52), steps);
     const double straight = std::sqrt((from - closest) * (from + closest)) + std::sqrt((to - closest) * (to + closest));
     const double angle = to == from ? 2 * turn : 0.5 * (there.first + there.second);
     return Passage{straight + (mass_part(closest, from) + mass_part(closest, to)), closest, angle};

@@ -12,7 +12,7 @@ namespace nullscope::reference {
 double tortoise_excess(const OrbitMetric& metric, double r);
 
 struct Passage {
-    double time, closest, angle;   // t; r of the turning point; swept
+    double time, closest, angle;  // t; r of the turning point; swept
 };
 // Light from r = `from` past a Schwarzschild mass to r = `to`, impact parameter b. Nothing where it does not come by there. Time by
 // radius, not by angle: far out one rounding of the angle is r^2/b of them in the radius. Within 4 roundings of the time.
@@ -28,11 +28,11 @@ public:
     double late(double angle);
 
 private:
-    double lag(double from, double to) const;   // of t, or of v
+    double lag(double from, double to) const;  // of t, or of v
     const OrbitMetric& metric_;
     const Orbit& orbit_;
     double q_, r0_, start_ = 0;
-    bool by_v_;                      // on or inside the horizon: the regular form
+    bool by_v_;  // on or inside the horizon: the regular form
     std::map<double, double> known_;
 };
 

@@ -20,7 +20,7 @@ constexpr double kTurningSlack = 16 * std::numeric_limits<double>::epsilon();
 struct Charge {
     Long kappa, sphere, q_crit;  // sphere: zeta of the outer photon sphere, or where dV/dzeta is least
     Long tilt, bow, third;       // q_crit^2 - V = -x (tilt + x (bow + x (third + x kappa))), x = zeta - sphere
-    bool traps;  // there is a photon sphere
+    bool traps;                  // there is a photon sphere
     explicit Charge(double charge) {
         const Long q = charge, s2 = (1 - q) * (1 + q), inside = 1 + 8 * s2;  // 9 - 32 kappa
         kappa = q * q / 4;
@@ -71,7 +71,8 @@ public:
         if (angle == 0) return static_cast<double>(start_.zeta0);
         if (fate_ == Fate::kNoSky || has_ended(angle)) return kNotANumber;
         if (near_sky_)
-            return invert_panels([this](double z) { return sky_rate(z); }, 0, static_cast<double>(start_.zeta0), angle_ - angle);
+            return invert_panels([this](double z) { return sky_rate(z); }, 0, static_cast<double>(start_.zeta0),
+                                 angle_ - angle);
         const auto rate = [this](double w) { return this->rate(w); };
         const double rest = angle_ - angle, whole = out_ + (turn_ == turn_ ? turn_angle_ : 0);
         if (turn_ == turn_ && angle < turn_angle_) return place(invert_panels(rate, camera_, zero_, -angle));
@@ -88,7 +89,8 @@ public:
         if (fate_ != Fate::kEscaped) return kNotANumber;
         const double q = static_cast<double>(start_.q);
         if (near_sky_)
-            return integrate_panels([&](double z) { return sky_rate(z) / (q + 1 / sky_rate(z)); }, 0, static_cast<double>(start_.zeta0));
+            return integrate_panels([&](double z) { return sky_rate(z) / (q + 1 / sky_rate(z)); }, 0,
+                                    static_cast<double>(start_.zeta0));
         const double out = integrate_panels([&](double w) { return rate(w) / (q + root_p(w)); }, camera_, sky_);
         if (start_.s < 0) return out;
         return out + 2 * inward_delay();
@@ -97,16 +99,22 @@ public:
 private:
     // q dphi/(zeta^2 A) from the camera to the turning point; in log(zeta) far from it.
     double inward_delay() const {
-        const auto weight = [this](Long z) { return static_cast<double>(start_.q / (z * z * (1 - z + m_.kappa * z * z))); };
+        const auto weight = [this](Long z) {
+            return static_cast<double>(start_.q / (z * z * (1 - z + m_.kappa * z * z)));
+        };
         const auto near = [&](double w) { return rate(w) * weight(zeta(w)); };
         // A has its zeros close to the path where the charge is nearly 1, or e large: panels that grow with the distance from there.
-        const std::complex<Long> zero(1 / (2 * m_.kappa), std::sqrt(std::max(4 * m_.kappa - 1, Long(0))) / (2 * m_.kappa));
+        const std::complex<Long> zero(1 / (2 * m_.kappa),
+                                      std::sqrt(std::max(4 * m_.kappa - 1, Long(0))) / (2 * m_.kappa));
         const std::complex<Long> there = std::asinh((std::sqrt(e_ - zero) - sigma_) / Long(mu_));
-        const double middle = static_cast<double>(there.real()), finest = std::max(std::abs(static_cast<double>(there.imag())), 1e-12);
+        const double middle = static_cast<double>(there.real()),
+                     finest = std::max(std::abs(static_cast<double>(there.imag())), 1e-12);
         const auto crowded = [&](double from, double to) {
             double sum = 0;
             for (double at = from; at < to;) {
-                const double next = std::min({to, at + kPanel, at < middle ? std::max(at + finest, at + 0.5 * (middle - at)) : at + std::max(finest, at - middle)});
+                const double next = std::min({to, at + kPanel,
+                                              at < middle ? std::max(at + finest, at + 0.5 * (middle - at))
+                                                          : at + std::max(finest, at - middle)});
                 sum += PanelGauss::integrate(near, at, next);
                 at = next;
             }
@@ -179,7 +187,8 @@ private:
             off_ = root_between(near_sphere, 0, high);
             e_ = sphere + off_;
         }
-        c_ = {2 * e_ - 3 * e_ * e_ + 4 * m_.kappa * e_ * e_ * e_, -(1 - 3 * e_ + 6 * m_.kappa * e_ * e_), 4 * m_.kappa * e_ - 1, -m_.kappa};
+        c_ = {2 * e_ - 3 * e_ * e_ + 4 * m_.kappa * e_ * e_ * e_, -(1 - 3 * e_ + 6 * m_.kappa * e_ * e_),
+              4 * m_.kappa * e_ - 1, -m_.kappa};
         if (std::abs(off_) < Long(0.3) * sphere)  // V'(e) by its expansion about the sphere, where it vanishes
             c_[0] = m_.tilt + off_ * (2 * m_.bow + off_ * (3 * m_.third + off_ * 4 * m_.kappa));
         Long low = 1;
@@ -187,11 +196,14 @@ private:
         const Long b = -root_between([&](Long z) { return far(-z); }, 0, low);
         const Long half = (e_ + b - 1 / m_.kappa) / 2, rest = -q * q / (m_.kappa * e_ * b), disc = half * half - rest;
         // The two other roots: nearest to the path in s = sqrt(e - zeta).
-        const std::complex<Long> root = disc >= 0 ? std::complex<Long>(-half - std::sqrt(disc)) : std::complex<Long>(-half, std::sqrt(-disc));
+        const std::complex<Long> root =
+            disc >= 0 ? std::complex<Long>(-half - std::sqrt(disc)) : std::complex<Long>(-half, std::sqrt(-disc));
         const std::complex<Long> s = std::sqrt(std::complex<Long>(e_) - root);
         sigma_ = disc >= 0 ? 0 : s.real();
         mu_ = static_cast<double>(std::abs(s.imag()));
-        if (disc >= 0) mu_ = static_cast<double>(std::sqrt(std::max(std::min(c_[0] / std::max(-bow_of(), Long(1e-30L)), e_), Long(0))));
+        if (disc >= 0)
+            mu_ = static_cast<double>(
+                std::sqrt(std::max(std::min(c_[0] / std::max(-bow_of(), Long(1e-30L)), e_), Long(0))));
         if (std::abs(s) > 2 * std::sqrt(e_)) sigma_ = 0, mu_ = static_cast<double>(std::sqrt(e_));  // far from the path
         mu_ = std::clamp(mu_, 1e-15, static_cast<double>(std::sqrt(e_)));
     }
@@ -264,7 +276,8 @@ private:
     }
     std::unique_ptr<Orbit> orbit(Start start) const {
         const double zeta0 = static_cast<double>(start.zeta0);
-        if (!(start.q < kRadialQ)) return std::make_unique<Standing>(zeta0, Fate::kEscaped, true);  // in, and back the same way
+        if (!(start.q < kRadialQ))
+            return std::make_unique<Standing>(zeta0, Fate::kEscaped, true);  // in, and back the same way
         if (m_.traps && start.delta2 == 0) {
             if (start.root_p == 0) return std::make_unique<Standing>(zeta0, Fate::kNoSky, false);
             start.delta2 = std::pow(Long(std::numeric_limits<double>::epsilon()), 2);

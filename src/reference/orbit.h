@@ -21,7 +21,9 @@ public:
     Fate fate() const { return fate_; }      // kEscaped, kOtherSide, kCaptured, kHit (a star) or kNoSky
     double angle() const { return angle_; }  // to the sky or the inward crossing of the horizon; NaN: no such end
     double turn() const { return turn_; }    // zeta at the turning point on the traced part; NaN: there is none
-    double turn_angle() const { return turn_angle_; }  // swept to the turning point on the traced part; NaN: there is none
+    double turn_angle() const {
+        return turn_angle_;
+    }  // swept to the turning point on the traced part; NaN: there is none
     // zeta after a swept angle >= 0; NaN if the ray has ended before or there. A few elliptic functions.
     virtual double zeta_at(double angle) const = 0;
     // T = v_cam - v_inf in r_s/c of an escaped ray, NaN for others. Some microseconds.
@@ -61,8 +63,8 @@ public:
         return {-l * l, 0, r * r, 1 / (l * l)};
     }
     virtual std::optional<double> horizon_radius() const = 0;  // of the outer horizon
-    virtual bool by_proper_length() const { return false; }  // places are l (wormholes), not zeta
-    virtual double lapse(double r) const = 0;                  // sqrt(-g_tt); not a number where no camera can be at rest
+    virtual bool by_proper_length() const { return false; }    // places are l (wormholes), not zeta
+    virtual double lapse(double r) const = 0;  // sqrt(-g_tt); not a number where no camera can be at rest
     // Errors: no ray with this q passes through zeta0 (q^2 < V(zeta0) by more than rounding). Infinite q: radial.
     virtual Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay& ray) const = 0;
     virtual std::unique_ptr<Orbit> from_static(const LocalRay& ray) const = 0;  // r outside the horizon

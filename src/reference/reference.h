@@ -21,7 +21,8 @@ class DiscLight;
 // One ray in the scene's spacetime. crossings: how many crossings of the equatorial plane to list. matter: gives them their g.
 // A ray that falls inward from a camera at or inside the horizon has ended where it starts: nothing is listed for it.
 // Errors: query outside the metric's domain, frame that does not exist there.
-Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int crossings = 0, const DiscLight* matter = nullptr);
+Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int crossings = 0,
+                            const DiscLight* matter = nullptr);
 
 // The ray data of a whole frame on all cores, 0.7 to 2 million rays a second and core. delay is always filled in.
 // done(n): called from any thread after n more pixels. Deterministic. Errors: bad camera, disc or metric.

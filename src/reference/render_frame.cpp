@@ -10,9 +10,9 @@
 #include "reference/ball_way.h"
 #include "reference/disc_light.h"
 #include "reference/frame_tracer.h"
+#include "reference/reference.h"
 #include "reference/seen_light.h"
 #include "reference/star_images.h"
-#include "reference/reference.h"
 
 namespace nullscope::reference {
 namespace {
@@ -53,7 +53,9 @@ Paint disc_paint(const DiscSpec& disc, const Image<float>* image, double x, doub
     const double c = std::cos(disc.rotation), s = std::sin(disc.rotation);
     const double u = (c * x + s * y) / disc.outer, v = (c * y - s * x) / disc.outer;
     const bool painted = disc.look.texture != TextureKind::kImage;
-    Paint paint = painted ? Paint{disc_coat(disc, x, y), 1} : image ? sample_image(*image, 0.5 * (1 + u), 0.5 * (1 - v)) : Paint{{1, 1, 1}, 1};
+    Paint paint = painted ? Paint{disc_coat(disc, x, y), 1}
+                  : image ? sample_image(*image, 0.5 * (1 + u), 0.5 * (1 - v))
+                          : Paint{{1, 1, 1}, 1};
     const double r = std::hypot(x, y), distance = std::min(r - disc.inner, disc.outer - r) / (disc.outer - disc.inner);
     paint.colour = disc.brightness * paint.colour;
     paint.alpha *= disc.opacity * (disc.edge > 0 ? smoothstep(disc.edge, distance) : 1.0);
@@ -66,8 +68,10 @@ Paint flowing_paint(const DiscSpec& disc, const Image<float>* image, double rate
     const double lives = t / disc.flow_life, r = std::hypot(x, y), azimuth = std::atan2(y, x);
     Paint sum{{0, 0, 0}, 0};
     for (const double start : {0.0, 0.5}) {
-        const double copy = std::floor(lives + start), part = lives + start - copy, weight = part < 0.5 ? 2 * part : 2 - 2 * part;
-        const double number = copy - kCopies * std::floor(copy / kCopies), turn = kGolden * number - std::floor(kGolden * number);
+        const double copy = std::floor(lives + start), part = lives + start - copy,
+                     weight = part < 0.5 ? 2 * part : 2 - 2 * part;
+        const double number = copy - kCopies * std::floor(copy / kCopies),
+                     turn = kGolden * number - std::floor(kGolden * number);
         const double from = azimuth - rate * (part - 0.5) * disc.flow_life - 2 * M_PI * turn;
         const Paint one = disc_paint(disc, image, r * std::cos(from), r * std::sin(from));
         sum = {sum.colour + weight * one.colour, sum.alpha + weight * one.alpha};
@@ -80,7 +84,8 @@ Paint flowing_paint(const DiscSpec& disc, const Image<float>* image, double rate
 Vec3 star_colour(Vec3 place) {
     constexpr double kSquare = M_PI / 12;
     const double longitude = std::atan2(place.y, place.x) + 2 * M_PI;
-    const bool odd = (static_cast<int>(std::floor(longitude / kSquare)) + static_cast<int>(std::floor(6 * (place.z + 2)))) % 2 != 0;
+    const bool odd =
+        (static_cast<int>(std::floor(longitude / kSquare)) + static_cast<int>(std::floor(6 * (place.z + 2)))) % 2 != 0;
     const Vec3 colour = place.z > 0 ? Vec3{0.20, 0.32, 0.62} : Vec3{0.62, 0.36, 0.16};
     return (odd ? 0.4 : 1.6) * colour;
 }
@@ -99,20 +104,23 @@ struct Looks {
 // Light of the sky, each primary changed as a black body of the sky's temperature has it changed by g.
 Vec3 shifted(Vec3 light, const Scene& scene, double g) {
     if (!scene.sky.temperature_K || g == 1) return light;
-    const Vec3 own = seen_black_body(*scene.sky.temperature_K, 1, scene.light), seen = seen_black_body(*scene.sky.temperature_K, g, scene.light);
+    const Vec3 own = seen_black_body(*scene.sky.temperature_K, 1, scene.light),
+               seen = seen_black_body(*scene.sky.temperature_K, g, scene.light);
     const auto changed = [](double a, double by, double of) { return of > 0 ? a * by / of : 0.0; };
     return {changed(light.x, seen.x, own.x), changed(light.y, seen.y, own.y), changed(light.z, seen.z, own.z)};
 }
 
 Paint paint_at(const FrameTracer& tracer, const Scene& scene, const Looks& looks, const DiscHit& hit) {
     if (scene.disc->flow == DiscFlowKind::kStill) return disc_paint(*scene.disc, looks.pictures.disc, hit.x, hit.y);
-    return flowing_paint(*scene.disc, looks.pictures.disc, kepler_rate(tracer.matter(), std::hypot(hit.x, hit.y)), scene.time - hit.late, hit.x, hit.y);
+    return flowing_paint(*scene.disc, looks.pictures.disc, kepler_rate(tracer.matter(), std::hypot(hit.x, hit.y)),
+                         scene.time - hit.late, hit.x, hit.y);
 }
 
 // A spot is a Gaussian about its middle, which moves on a circle: its frequency there is p . u, u = u^t (1, 0, 0, Omega).
 Vec3 spot_colour(const FrameTracer& tracer, const Scene& scene, const CameraRay& ray, const DiscHit& hit) {
     const SpotSpec& spot = *scene.spot;
-    const double rate = kepler_rate(tracer.matter(), spot.r), t = scene.time - hit.late, lapse = tracer.matter().lapse(spot.r);
+    const double rate = kepler_rate(tracer.matter(), spot.r), t = scene.time - hit.late,
+                 lapse = tracer.matter().lapse(spot.r);
     double least = INFINITY;
     for (int i = 0; i < spot.count; ++i) {
         const double at = spot.phase + rate * t + 2 * M_PI * i / spot.count;
@@ -120,11 +128,13 @@ Vec3 spot_colour(const FrameTracer& tracer, const Scene& scene, const CameraRay&
     }
     const double l_z = scene.light.lensing ? ray.l_z : ray.l_z / lapse;
     const EquatorialMetric g = tracer.matter().equator(spot.r);
-    const double u_t = 1 / std::sqrt(-g.g_tt - rate * (2 * g.g_tphi + rate * g.g_phiphi)), all = 1 / (u_t * (1 - rate * l_z));
-    const double rest = tracer.matter().spin() == 0 ? lapse : 1;   // nobody is at rest about a spinning hole
+    const double u_t = 1 / std::sqrt(-g.g_tt - rate * (2 * g.g_tphi + rate * g.g_phiphi)),
+                 all = 1 / (u_t * (1 - rate * l_z));
+    const double rest = tracer.matter().spin() == 0 ? lapse : 1;  // nobody is at rest about a spinning hole
     const Shift shift{ray.shift.gravity * rest, ray.shift.doppler * all / rest};
     const Vec3 light = seen_black_body(spot.temperature_K, shift.seen(scene.light), scene.light);
-    return spot.brightness / std::exp2(log2_brightness(spot.temperature_K, scene.light.bolometric)) * std::exp(-0.5 * least * least / (spot.size * spot.size)) * light;
+    return spot.brightness / std::exp2(log2_brightness(spot.temperature_K, scene.light.bolometric)) *
+           std::exp(-0.5 * least * least / (spot.size * spot.size)) * light;
 }
 
 Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& looks, double x, double y) {
@@ -137,7 +147,8 @@ Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& look
         Paint paint = paint_at(tracer, scene, looks, hit);
         if (looks.heat != nullptr) {
             const double r = std::hypot(hit.x, hit.y);
-            const Vec3 light = looks.heat->colour(r, ray.g * looks.heat->shift({r, ray.l_z, hit.outward, ray.l2, hit.radial}).seen(scene.light));
+            const Vec3 light = looks.heat->colour(
+                r, ray.g * looks.heat->shift({r, ray.l_z, hit.outward, ray.l2, hit.radial}).seen(scene.light));
             paint.colour = {paint.colour.x * light.x, paint.colour.y * light.y, paint.colour.z * light.z};
         }
         colour = colour + through * paint.alpha * paint.colour;
@@ -147,7 +158,8 @@ Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& look
     if (body) return colour + through * body_light(scene, *body, looks.pictures.of(body->object));
     if (ray.fate() == Fate::kEscaped && through > 0) {
         const Vec3 at = ray.end();
-        colour = colour + through * (has_look(scene.sky.kind) ? sky_coat(scene.sky, at) : shifted(sample_sky(looks.sky, at), scene, ray.g));
+        colour = colour + through * (has_look(scene.sky.kind) ? sky_coat(scene.sky, at)
+                                                              : shifted(sample_sky(looks.sky, at), scene, ray.g));
     }
     if (ray.fate() == Fate::kHit) colour = colour + through * star_colour(ray.end());
     if (ray.fate() == Fate::kOtherSide && looks.far_sky != nullptr)
@@ -160,7 +172,8 @@ double transmission(const FrameTracer& tracer, const Scene& scene, const Looks& 
     const CameraRay ray = tracer.ray(x, y);
     if (tracer.body_hit(ray)) return 0;
     double through = 1;
-    for (const DiscHit& hit : tracer.disc_hits(ray, kMostHits)) through *= 1 - paint_at(tracer, scene, looks, hit).alpha;
+    for (const DiscHit& hit : tracer.disc_hits(ray, kMostHits))
+        through *= 1 - paint_at(tracer, scene, looks, hit).alpha;
     return through;
 }
 
@@ -176,7 +189,8 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
     auto tracer = FrameTracer::make(scene);
     if (!tracer) return tracer.error();
     std::optional<DiscLight> heat;
-    if (scene.disc && scene.disc->emission == DiscEmission::kThermal) heat.emplace(tracer->matter(), *scene.disc, scene.light);
+    if (scene.disc && scene.disc->emission == DiscEmission::kThermal)
+        heat.emplace(tracer->matter(), *scene.disc, scene.light);
     const Looks looks{sky, far_sky, pictures, heat ? &*heat : nullptr};
     Image<float> image(scene.camera.width, scene.camera.height, 3);
     tbb::parallel_for(tbb::blocked_range<int>(0, image.height), [&](const tbb::blocked_range<int>& rows) {
@@ -197,7 +211,9 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
         }
     });
     if (!stars.empty())
-        add_point_stars(*tracer, scene, stars, [&](double x, double y) { return transmission(*tracer, scene, looks, x, y); }, image);
+        add_point_stars(
+            *tracer, scene, stars, [&](double x, double y) { return transmission(*tracer, scene, looks, x, y); },
+            image);
     return image;
 }
 

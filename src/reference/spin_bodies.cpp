@@ -40,19 +40,23 @@ double BodyWatch::way(const BodyPart& part, const KerrPlace& from, const KerrPla
 
 void BodyWatch::follow(Track& track, const KerrStep& step) {
     const BodyPart& part = *track.part;
-    const double fine = kPartOfThinnest * part.thinnest, rim = part.reach * 1.001 + 3 * fine;   // a look beyond every dip
+    const double fine = kPartOfThinnest * part.thinnest,
+                 rim = part.reach * 1.001 + 3 * fine;  // a look beyond every dip
     if (0.5 * (step.begin.r + step.end.r - kArc * way_between(step.begin, step.end)) > rim) {
         track.here.reset(), track.before.reset();
         return;
     }
     if (!track.here) track.here = Look{step.from, value_of(part, step.begin), step.begin};
-    double turn = step.to - step.from, went = way(part, step.begin, step.end);   // what the next stride is aimed by
+    double turn = step.to - step.from, went = way(part, step.begin, step.end);  // what the next stride is aimed by
     while (track.here->along < step.to && track.looks < kMostLooks) {
         if (hit_ && track.before && hit_->along < track.before->along) return;
         const Look& here = *track.here;
-        const double clear = part.clear ? here.value : kPartOfWay * (here.place.r - part.reach), stride = std::max(fine, clear);
-        if (went > kAim * stride) turn *= kAim * stride / went;
-        else turn = std::min(2 * turn, turn * kAim * stride / std::max(went, 1e-3 * stride));
+        const double clear = part.clear ? here.value : kPartOfWay * (here.place.r - part.reach),
+                     stride = std::max(fine, clear);
+        if (went > kAim * stride)
+            turn *= kAim * stride / went;
+        else
+            turn = std::min(2 * turn, turn * kAim * stride / std::max(went, 1e-3 * stride));
         const double next = here.along + turn < step.to ? here.along + turn : step.to;
         turn = next - here.along;
         if (!(turn > 0)) break;
@@ -74,7 +78,9 @@ std::optional<double> BodyWatch::entry(const Track& track, const Look& there, co
     const double outside = before.value > 0 ? before.along : here.along;
     if (there.value <= 0) return first_change(value, outside, there.along);
     if (!(here.value < before.value && here.value <= there.value)) return std::nullopt;
-    if (track.part->clear && here.value > std::max(way(*track.part, before.place, here.place), way(*track.part, here.place, there.place))) return std::nullopt;
+    if (track.part->clear &&
+        here.value > std::max(way(*track.part, before.place, here.place), way(*track.part, here.place, there.place)))
+        return std::nullopt;
     const auto [along, dip] = boost::math::tools::brent_find_minima(value, before.along, there.along, 40);
     if (dip <= 0) return first_change(value, before.along, along);
     return std::nullopt;
@@ -83,10 +89,13 @@ std::optional<double> BodyWatch::entry(const Track& track, const Look& there, co
 void BodyWatch::meet(const BodyPart& part, double along, const KerrStep& step) {
     if (hit_ && hit_->along <= along) return;
     const KerrPlace at = place_at(along, step);
-    const double whole = way_between(step.begin, step.end), h = whole > 0 ? kBack * at.r * (step.to - step.from) / whole : 0;
-    const Vec3 place = at.flat(), back = 4 * (place_at(along - h, step).flat() - place) - (place_at(along - 2 * h, step).flat() - place);
+    const double whole = way_between(step.begin, step.end),
+                 h = whole > 0 ? kBack * at.r * (step.to - step.from) / whole : 0;
+    const Vec3 place = at.flat(),
+               back = 4 * (place_at(along - h, step).flat() - place) - (place_at(along - 2 * h, step).flat() - place);
     const double t = time_at(part, at);
-    hit_ = BodyHit{along, place, part.object, part.cosine(place, back, t), part.middle ? part.middle(t) : Vec3{0, 0, 0}, at.late};
+    hit_ = BodyHit{
+        along, place, part.object, part.cosine(place, back, t), part.middle ? part.middle(t) : Vec3{0, 0, 0}, at.late};
 }
 
 }  // namespace nullscope::reference

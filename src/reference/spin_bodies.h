@@ -16,14 +16,14 @@ public:
     BodyWatch& operator=(const BodyWatch&) = delete;
     // For trace_kerr, while this lives; empty where there are no bodies. A look is 1 microsecond, a ray past a body takes some hundred.
     KerrWatch watch();
-    const std::optional<BodyHit>& hit() const { return hit_; }   // the first body that the ray enters
+    const std::optional<BodyHit>& hit() const { return hit_; }  // the first body that the ray enters
 
 private:
     struct Look {
         double along, value;
         KerrPlace place;
     };
-    struct Track {   // of one body: the last two looks, where the ray is near it
+    struct Track {  // of one body: the last two looks, where the ray is near it
         const BodyPart* part;
         std::optional<Look> before{}, here{};
         int looks = 0;
@@ -32,9 +32,15 @@ private:
     void follow(Track& track, const KerrStep& step);
     std::optional<double> entry(const Track& track, const Look& there, const KerrStep& step) const;
     void meet(const BodyPart& part, double along, const KerrStep& step);
-    KerrPlace place_at(double along, const KerrStep& step) const { return along < step.from && previous_ ? previous_->at(along) : step.at(along); }
-    double time_at(const BodyPart& part, const KerrPlace& place) const { return part.moves && delay_ ? bodies_.time() - place.late : bodies_.time(); }
-    double value_of(const BodyPart& part, const KerrPlace& place) const { return part.value(place.flat(), time_at(part, place)); }
+    KerrPlace place_at(double along, const KerrStep& step) const {
+        return along < step.from && previous_ ? previous_->at(along) : step.at(along);
+    }
+    double time_at(const BodyPart& part, const KerrPlace& place) const {
+        return part.moves && delay_ ? bodies_.time() - place.late : bodies_.time();
+    }
+    double value_of(const BodyPart& part, const KerrPlace& place) const {
+        return part.value(place.flat(), time_at(part, place));
+    }
     double way(const BodyPart& part, const KerrPlace& from, const KerrPlace& to) const;
 
     const Bodies& bodies_;

@@ -1,7 +1,7 @@
 #include "reference/star_images.h"
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <tbb/parallel_for.h>
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@
 namespace nullscope::reference {
 namespace {
 
-constexpr int kOrders = 4;           // images that a picture has; the next is e^-pi dimmer, and some pixels of the shadow's rim
-constexpr double kStep_px = 1e-3;    // of the Jacobian's differences
+constexpr int kOrders = 4;  // images that a picture has; the next is e^-pi dimmer, and some pixels of the shadow's rim
+constexpr double kStep_px = 1e-3;  // of the Jacobian's differences
 constexpr int kSamples = 400;
 
 }  // namespace
@@ -28,7 +28,7 @@ double StarImages::swept(double alpha) const {
 
 StarImages::StarImages(const FrameTracer& tracer, const Scene& scene, int orders)
     : tracer_(tracer), camera_(scene.camera), orders_(orders) {
-    double sky = 1e-12, lost = M_PI;   // the last ray that reaches the sky lies between
+    double sky = 1e-12, lost = M_PI;  // the last ray that reaches the sky lies between
     if (std::isnan(swept(M_PI - 1e-12))) {
         for (int i = 0; i < 200 && lost - sky > 1e-16 * lost; ++i) {
             const double middle = 0.5 * (sky + lost);
@@ -39,7 +39,7 @@ StarImages::StarImages(const FrameTracer& tracer, const Scene& scene, int orders
         orders_ = 1;
     }
     samples_.push_back({0.0, 0.0});
-    for (int i = 0; i <= kSamples; ++i) {   // crowded towards the last ray
+    for (int i = 0; i <= kSamples; ++i) {  // crowded towards the last ray
         const double alpha = sky * (1 - std::pow(10.0, -13.0 * i / kSamples)), angle = swept(alpha);
         if (angle > samples_.back().swept) samples_.push_back({alpha, angle});
     }
@@ -57,32 +57,42 @@ std::vector<StarImage> StarImages::of(Vec3 direction, double margin_px) const {
         const auto next = std::upper_bound(samples_.begin() + 1, samples_.end() - 1, wanted,
                                            [](double w, const Sample& s) { return w < s.swept; });
         std::uintmax_t most = 60;
-        const auto bracket = boost::math::tools::toms748_solve([&](double alpha) { return swept(alpha) - wanted; }, (next - 1)->alpha,
-                                                               next->alpha, boost::math::tools::eps_tolerance<double>(50), most);
-        const double alpha = 0.5 * (bracket.first + bracket.second), side = (odd ? -1 : 1) * std::sin(alpha) / std::max(across, 1e-300);
+        const auto bracket =
+            boost::math::tools::toms748_solve([&](double alpha) { return swept(alpha) - wanted; }, (next - 1)->alpha,
+                                              next->alpha, boost::math::tools::eps_tolerance<double>(50), most);
+        const double alpha = 0.5 * (bracket.first + bracket.second),
+                     side = (odd ? -1 : 1) * std::sin(alpha) / std::max(across, 1e-300);
         const auto position = tracer_.position({std::cos(alpha), side * local.y, side * local.z});
         if (!position) continue;
         const auto [x, y] = *position;
-        if (!(x > -margin_px && x < camera_.width + margin_px && y > -margin_px && y < camera_.height + margin_px)) continue;
+        if (!(x > -margin_px && x < camera_.width + margin_px && y > -margin_px && y < camera_.height + margin_px))
+            continue;
         const auto sky = [&, x = x, y = y](double dx, double dy) {
             const CameraRay ray = tracer_.ray(x + dx, y + dy);
             return ray.plane.direction(ray.orbit->angle());
         };
-        const Vec3 by_x = (sky(kStep_px, 0) - sky(-kStep_px, 0)) / (2 * kStep_px), by_y = (sky(0, kStep_px) - sky(0, -kStep_px)) / (2 * kStep_px);
+        const Vec3 by_x = (sky(kStep_px, 0) - sky(-kStep_px, 0)) / (2 * kStep_px),
+                   by_y = (sky(0, kStep_px) - sky(0, -kStep_px)) / (2 * kStep_px);
         const double solid_angle = length(cross(by_x, by_y));
-        if (std::isfinite(solid_angle) && solid_angle > 0) images.push_back({x, y, order, solid_angle, tracer_.ray(x, y).g, alpha});
+        if (std::isfinite(solid_angle) && solid_angle > 0)
+            images.push_back({x, y, order, solid_angle, tracer_.ray(x, y).g, alpha});
     }
     return images;
 }
 
 Vec3 star_light(const PointStar& star, double g, const LightSpec& light) {
-    return star.flux * std::exp2(-log2_brightness(star.temperature_K, light.bolometric)) * seen_black_body(star.temperature_K, g, light);
+    return star.flux * std::exp2(-log2_brightness(star.temperature_K, light.bolometric)) *
+           seen_black_body(star.temperature_K, g, light);
 }
 
 std::function<std::vector<StarImage>(Vec3)> images_of(const FrameTracer& tracer, const Scene& scene) {
     if (tracer.metric().spin() != 0)
-        return [images = std::make_shared<SpinStarImages>(tracer, scene, kPointMargin_px)](Vec3 star) { return images->of(star); };
-    return [images = std::make_shared<StarImages>(tracer, scene, kOrders)](Vec3 star) { return images->of(star, kPointMargin_px); };
+        return [images = std::make_shared<SpinStarImages>(tracer, scene, kPointMargin_px)](Vec3 star) {
+            return images->of(star);
+        };
+    return [images = std::make_shared<StarImages>(tracer, scene, kOrders)](Vec3 star) {
+        return images->of(star, kPointMargin_px);
+    };
 }
 
 void add_point_stars(const FrameTracer& tracer, const Scene& scene, const std::vector<PointStar>& stars,
@@ -98,14 +108,17 @@ void add_point_stars(const FrameTracer& tracer, const Scene& scene, const std::v
         for (const StarImage& image : images(stars[i].direction)) {
             const double through = transmission(image.x, image.y);
             if (through > 0)
-                spots[i].push_back({image.x, image.y, kPeak * through / image.solid_angle * star_light(stars[i], image.g, scene.light)});
+                spots[i].push_back({image.x, image.y,
+                                    kPeak * through / image.solid_angle * star_light(stars[i], image.g, scene.light)});
         }
     });
-    constexpr int kReach = 6;   // px: 8 sigma
+    constexpr int kReach = 6;  // px: 8 sigma
     for (const auto& list : spots)
         for (const Spot& spot : list)
-            for (int row = std::max(0, static_cast<int>(spot.y) - kReach); row < std::min(picture.height, static_cast<int>(spot.y) + kReach + 1); ++row)
-                for (int column = std::max(0, static_cast<int>(spot.x) - kReach); column < std::min(picture.width, static_cast<int>(spot.x) + kReach + 1); ++column) {
+            for (int row = std::max(0, static_cast<int>(spot.y) - kReach);
+                 row < std::min(picture.height, static_cast<int>(spot.y) + kReach + 1); ++row)
+                for (int column = std::max(0, static_cast<int>(spot.x) - kReach);
+                     column < std::min(picture.width, static_cast<int>(spot.x) + kReach + 1); ++column) {
                     const double dx = column + 0.5 - spot.x, dy = row + 0.5 - spot.y;
                     const double share = std::exp(-(dx * dx + dy * dy) / (2 * kPointSigma_px * kPointSigma_px));
                     float* pixel = picture.at(column, row);

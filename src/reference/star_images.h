@@ -12,11 +12,11 @@
 namespace nullscope::reference {
 
 struct StarImage {
-    double x, y;          // px: column, row from the top
-    int order;            // 0: the direct one; -1 about a spinning hole (spin_star_images.h)
-    double solid_angle;   // of sky that a pixel's area at (x, y) covers, sr/px^2
-    double g;             // frequency in the camera over frequency at infinity
-    double alpha;         // angle from the outward radial in the static frame, rad
+    double x, y;         // px: column, row from the top
+    int order;           // 0: the direct one; -1 about a spinning hole (spin_star_images.h)
+    double solid_angle;  // of sky that a pixel's area at (x, y) covers, sr/px^2
+    double g;            // frequency in the camera over frequency at infinity
+    double alpha;        // angle from the outward radial in the static frame, rad
 };
 
 class StarImages {
@@ -30,12 +30,12 @@ private:
     struct Sample {
         double alpha, swept;
     };
-    double swept(double alpha) const;   // NaN for rays that do not reach the sky
+    double swept(double alpha) const;  // NaN for rays that do not reach the sky
 
     const FrameTracer& tracer_;
     CameraSpec camera_;
     int orders_;
-    std::vector<Sample> samples_;       // swept grows
+    std::vector<Sample> samples_;  // swept grows
 };
 
 // Linear Rec. 709 times sr: what an image adds to the picture, before its point spread.

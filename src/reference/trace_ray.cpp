@@ -68,7 +68,8 @@ Result<Vec3> unit_direction(Vec3 n) {
     return normalized(n / largest);
 }
 
-void list_crossings(const Orbit& orbit, bool by_proper_length, const RayPlane& plane, int count, std::vector<RayRecord::Crossing>& list) {
+void list_crossings(const Orbit& orbit, bool by_proper_length, const RayPlane& plane, int count,
+                    std::vector<RayRecord::Crossing>& list) {
     for (int k = 1; k <= count; ++k) {
         const double angle = plane.crossing(k);
         if (!(angle < orbit.angle())) return;
@@ -78,7 +79,8 @@ void list_crossings(const Orbit& orbit, bool by_proper_length, const RayPlane& p
 }
 
 // Ends the ray on the first solid body; what was along it before stays.
-void stop_at_bodies(const Scene& scene, const OrbitMetric& metric, const Orbit& orbit, const RayPlane& plane, double r, LightClock* clock, bool by_length, RayRecord& record) {
+void stop_at_bodies(const Scene& scene, const OrbitMetric& metric, const Orbit& orbit, const RayPlane& plane, double r,
+                    LightClock* clock, bool by_length, RayRecord& record) {
     const Bodies bodies(scene, metric);
     if (bodies.empty()) return;
     const auto hit = bodies.first_hit(orbit, plane, r, clock, by_length);
@@ -95,21 +97,25 @@ void stop_at_bodies(const Scene& scene, const OrbitMetric& metric, const Orbit& 
 // The photon moves against n: L over E is -g r n_phi about the camera's place, and on to the axis.
 void shift_crossings(const DiscLight& matter, const OrbitMetric& metric, const Orbit& orbit, const RayPlane& plane,
                      const RayQuery& query, Vec3 n, RayRecord& record) {
-    const double scale = record.g * query.r, l = scale * std::hypot(n.y, n.z), l_z = -scale * n.z * std::sin(query.theta);
+    const double scale = record.g * query.r, l = scale * std::hypot(n.y, n.z),
+                 l_z = -scale * n.z * std::sin(query.theta);
     for (std::size_t k = 0; k < record.crossings.size(); ++k) {
         RayRecord::Crossing& c = record.crossings[k];
         if (!(c.r > metric.horizon_radius().value_or(0.0))) continue;
-        const bool outward = orbit.zeta_at(plane.crossing(static_cast<int>(k) + 1) * (1 - 1e-6)) < 1 / c.r;   // traced inward
+        const bool outward =
+            orbit.zeta_at(plane.crossing(static_cast<int>(k) + 1) * (1 - 1e-6)) < 1 / c.r;  // traced inward
         c.g = record.g * matter.g_infinity({c.r, l_z, outward, l * l});
     }
 }
 
-Result<RayRecord> trace_spinning(const Scene& scene, const OrbitMetric& metric, const RayQuery& query, int crossings, const DiscLight* matter) {
+Result<RayRecord> trace_spinning(const Scene& scene, const OrbitMetric& metric, const RayQuery& query, int crossings,
+                                 const DiscLight* matter) {
     if (query.orbit) return metric.from_reduced(*query.orbit).error();
     if (query.frame == LocalFrame::kRain) return bad_input("no frame = rain about a spinning hole; allowed: static");
     const double horizon = *metric.horizon_radius();
     if (!(query.r > horizon && query.r <= kLargestRadius))
-        return bad_input(fmt::format("r = {} must lie in ({}, {}], outside the horizon", query.r, horizon, kLargestRadius));
+        return bad_input(
+            fmt::format("r = {} must lie in ({}, {}], outside the horizon", query.r, horizon, kLargestRadius));
     if (!(query.theta >= 0 && query.theta <= M_PI && std::isfinite(query.phi)))
         return bad_input(fmt::format("theta = {} must lie in [0, pi] and phi = {} be finite", query.theta, query.phi));
     const auto n = unit_direction(query.n);
@@ -125,7 +131,8 @@ Result<RayRecord> trace_spinning(const Scene& scene, const OrbitMetric& metric, 
     record.g = 1 / ray.energy;
     for (const KerrRay::Crossing& c : ray.crossings) {
         if (hit && c.along > hit->along) break;
-        const double g = matter ? record.g * matter->g_infinity({c.r, ray.l_z, c.radial > 0, kNotANumber, c.radial}) : kNotANumber;
+        const double g =
+            matter ? record.g * matter->g_infinity({c.r, ray.l_z, c.radial > 0, kNotANumber, c.radial}) : kNotANumber;
         record.crossings.push_back({c.r, c.phi, g});
     }
     if (record.fate != Fate::kEscaped) return record;
@@ -177,7 +184,8 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
     const double r = !query.orbit ? query.r : by_length ? query.orbit->zeta0 : 1 / query.orbit->zeta0;
     const double q = query.orbit ? query.orbit->q : 1 / (traced->g * r * std::hypot(n.y, n.z));
     LightClock clock(**metric, orbit, q, r, !query.orbit && query.frame == LocalFrame::kRain);
-    stop_at_bodies(scene, **metric, orbit, plane, r, scene.light.delay && !by_length ? &clock : nullptr, by_length, record);
+    stop_at_bodies(scene, **metric, orbit, plane, r, scene.light.delay && !by_length ? &clock : nullptr, by_length,
+                   record);
     return record;
 }
 

@@ -18,7 +18,7 @@ void Bloom::resize(int width, int height) {
             gl::set_linear(targets->back().colours.front());
         }
     } while (width > kCoarsest || height > kCoarsest);
-    up_.pop_back();   // the coarsest level is its own sum
+    up_.pop_back();  // the coarsest level is its own sum
 }
 
 std::size_t Bloom::bytes() const {
@@ -28,7 +28,8 @@ std::size_t Bloom::bytes() const {
     return 8 * texels;
 }
 
-void Bloom::draw_down(const gl::Program& down, const gl::VertexArray& empty, const gl::Texture& picture, int source_unit) {
+void Bloom::draw_down(const gl::Program& down, const gl::VertexArray& empty, const gl::Texture& picture,
+                      int source_unit) {
     const gl::Texture* source = &picture;
     for (const gl::Target& target : down_) {
         gl::bind_texture_2d(source_unit, *source);

@@ -17,16 +17,18 @@ public:
 
     // All of them draw with `source_texture` at unit source_unit, `bloom_texture` at bloom_unit.
     void draw_down(const gl::Program& down, const gl::VertexArray& empty, const gl::Texture& picture, int source_unit);
-    void draw_up(const gl::Program& up, const gl::VertexArray& empty, int source_unit, int bloom_unit);   // after draw_down
+    void draw_up(const gl::Program& up, const gl::VertexArray& empty, int source_unit,
+                 int bloom_unit);  // after draw_down
     // share: how far the metered luminance moves to the picture's, 1 at first and where nothing adapts.
-    void draw_meter(const gl::Program& meter, const gl::VertexArray& empty, int source_unit, double share);   // after draw_down
+    void draw_meter(const gl::Program& meter, const gl::VertexArray& empty, int source_unit,
+                    double share);  // after draw_down
     // The sum of all levels; of a picture with one level that level.
     const gl::Texture& halo() const { return (up_.empty() ? down_ : up_).front().colours.front(); }
     const gl::Texture& metered() const { return meter_->colours.front(); }
 
 private:
     int width_ = 0, height_ = 0;
-    std::vector<gl::Target> down_, up_;   // up_[i] has the size of down_[i]
+    std::vector<gl::Target> down_, up_;  // up_[i] has the size of down_[i]
     std::optional<gl::Target> meter_;
 };
 

@@ -15,16 +15,19 @@ namespace {
 Vec3 filtered(const Image<float>& image, double u, double v) {
     const double x = u * image.width - 0.5, y = v * image.height - 0.5, fx = x - std::floor(x), fy = y - std::floor(y);
     const auto texel = [&](double column, double row) {
-        const float* p = image.at(std::clamp(static_cast<int>(column), 0, image.width - 1), std::clamp(static_cast<int>(row), 0, image.height - 1));
+        const float* p = image.at(std::clamp(static_cast<int>(column), 0, image.width - 1),
+                                  std::clamp(static_cast<int>(row), 0, image.height - 1));
         return Vec3{p[0], p[1], p[2]};
     };
     const double x0 = std::floor(x), y0 = std::floor(y);
-    return (1 - fy) * ((1 - fx) * texel(x0, y0) + fx * texel(x0 + 1, y0)) + fy * ((1 - fx) * texel(x0, y0 + 1) + fx * texel(x0 + 1, y0 + 1));
+    return (1 - fy) * ((1 - fx) * texel(x0, y0) + fx * texel(x0 + 1, y0)) +
+           fy * ((1 - fx) * texel(x0, y0 + 1) + fx * texel(x0 + 1, y0 + 1));
 }
 
-Vec3 four(const Image<float>& image, double u, double v, double reach) {   // reach: texels of the image
+Vec3 four(const Image<float>& image, double u, double v, double reach) {  // reach: texels of the image
     const double du = reach / image.width, dv = reach / image.height;
-    return 0.25 * (filtered(image, u - du, v - dv) + filtered(image, u + du, v - dv) + filtered(image, u - du, v + dv) + filtered(image, u + du, v + dv));
+    return 0.25 * (filtered(image, u - du, v - dv) + filtered(image, u + du, v - dv) + filtered(image, u - du, v + dv) +
+                   filtered(image, u + du, v + dv));
 }
 
 template <class Texel>
@@ -57,7 +60,8 @@ Vec3 toned(Vec3 c, ToneCurve curve) {
 
 double mean_luminance(const Image<float>& image) {
     double sum = 0;
-    for (std::size_t i = 0; i + 2 < image.data.size(); i += 3) sum += 0.2126 * image.data[i] + 0.7152 * image.data[i + 1] + 0.0722 * image.data[i + 2];
+    for (std::size_t i = 0; i + 2 < image.data.size(); i += 3)
+        sum += 0.2126 * image.data[i] + 0.7152 * image.data[i + 1] + 0.0722 * image.data[i + 2];
     return sum / (static_cast<double>(image.width) * image.height);
 }
 
@@ -67,7 +71,8 @@ std::vector<Image<float>> pyramid(const Image<float>& linear) {
     const Image<float>* source = &linear;
     do {
         const int width = (source->width + 1) / 2, height = (source->height + 1) / 2;
-        down.push_back(image_of(width, height, [&](double x, double y) { return four(*source, x / width, y / height, 1.0); }));
+        down.push_back(
+            image_of(width, height, [&](double x, double y) { return four(*source, x / width, y / height, 1.0); }));
         source = &down.back();
     } while (source->width > 8 || source->height > 8);
     return down;
@@ -86,7 +91,8 @@ Image<float> with_bloom(const Image<float>& linear, double share) {
         });
     }
     return image_of(linear.width, linear.height, [&](double x, double y) {
-        return (1 - share) * filtered(linear, x / linear.width, y / linear.height) + share * filtered(halo, x / linear.width, y / linear.height);
+        return (1 - share) * filtered(linear, x / linear.width, y / linear.height) +
+               share * filtered(halo, x / linear.width, y / linear.height);
     });
 }
 
@@ -99,7 +105,8 @@ Image<unsigned char> display_encoded(const Image<float>& linear, double exposure
         const Vec3 c = toned(exposure * Vec3{light.data[i], light.data[i + 1], light.data[i + 2]}, picture.tone);
         const double values[3] = {c.x, c.y, c.z};
         for (std::size_t k = 0; k < 3; ++k)
-            out.data[i + k] = static_cast<unsigned char>(std::lround(255.0f * srgb_from_linear(static_cast<float>(std::clamp(values[k], 0.0, 1.0)))));
+            out.data[i + k] = static_cast<unsigned char>(
+                std::lround(255.0f * srgb_from_linear(static_cast<float>(std::clamp(values[k], 0.0, 1.0)))));
     }
     return out;
 }

@@ -21,7 +21,8 @@
 namespace nullscope {
 namespace {
 
-constexpr double kInPlane = 1e-12;   // |cos theta| below which a camera stands in the disc's plane (interfaces: rays out)
+constexpr double kInPlane =
+    1e-12;  // |cos theta| below which a camera stands in the disc's plane (interfaces: rays out)
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -56,7 +57,8 @@ Silhouette silhouette(const Spacetime& spacetime, const RayFan* fan, double came
     const auto photon_sphere = spacetime.photon_sphere();
     if (photon_sphere && radius <= photon_sphere->radius) return {-1.0, 0.0};
     if (fan == nullptr) return {radius / camera_r, -std::sqrt((camera_r - radius) * (camera_r + radius)) / camera_r};
-    const double t = fan->half_tangent_inward(std::sqrt(spacetime.lapse_squared(radius)) / radius), by = 1.0 / (1.0 / t + t);
+    const double t = fan->half_tangent_inward(std::sqrt(spacetime.lapse_squared(radius)) / radius),
+                 by = 1.0 / (1.0 / t + t);
     return {2.0 * by, (1.0 / t - t) * by};
 }
 
@@ -66,18 +68,22 @@ double innermost_photon_orbit(double spin) { return 1.0 + std::cos(2.0 / 3.0 * s
 // Radii about the centre between which all bodies lie that are found by strides, and the shortest stride: a thirtieth of the thinnest.
 void put_march(BlockWriter& block, const Scene& scene, double spin, const BallPath* ball_path) {
     constexpr double kStride = 1.0 / 32;
-    double reaches[2] = {0.0, 0.0}, thinnest = 1e30, ground = 1e30;   // near, far
-    const auto holds = [&](bool far, double radius, double from) { reaches[far] = std::max(reaches[far], radius), ground = std::min(ground, from); };
+    double reaches[2] = {0.0, 0.0}, thinnest = 1e30, ground = 1e30;  // near, far
+    const auto holds = [&](bool far, double radius, double from) {
+        reaches[far] = std::max(reaches[far], radius), ground = std::min(ground, from);
+    };
     if (const auto& c = scene.cylinder) {
         holds(c->far, std::hypot(c->outer, c->height), c->inner);
         thinnest = std::min({thinnest, 2 * c->height, c->outer - c->inner});
     }
     if (const auto& b = scene.ball) {
-        holds(b->far, ball_path != nullptr ? ball_path->reach : length(b->position) + b->radius, ball_path != nullptr ? std::max(ball_path->ground, 0.0) : length(b->position) - b->radius);
+        holds(b->far, ball_path != nullptr ? ball_path->reach : length(b->position) + b->radius,
+              ball_path != nullptr ? std::max(ball_path->ground, 0.0) : length(b->position) - b->radius);
         thinnest = std::min(thinnest, b->radius);
     }
     if (scene.sphere && (spin != 0.0 || scene.sphere->swing > 0.0)) {
-        holds(false, scene.sphere->radius * (1.0 + scene.sphere->swing), scene.sphere->radius * (1.0 - scene.sphere->swing));
+        holds(false, scene.sphere->radius * (1.0 + scene.sphere->swing),
+              scene.sphere->radius * (1.0 - scene.sphere->swing));
         thinnest = std::min(thinnest, scene.sphere->radius * (1.0 - scene.sphere->swing));
     }
     if (const auto& f = scene.surface) {
@@ -86,16 +92,21 @@ void put_march(BlockWriter& block, const Scene& scene, double spin, const BallPa
     }
     const auto with_margin = [&](double reach) { return 1.001 * reach + 4 * kStride * thinnest; };
     const double least = 0.999 * ground;
-    block.put(with_margin(reaches[0]), kStride * thinnest, spin != 0.0 ? least : with_margin(reaches[1]), std::min(least, innermost_photon_orbit(spin)));
+    block.put(with_margin(reaches[0]), kStride * thinnest, spin != 0.0 ? least : with_margin(reaches[1]),
+              std::min(least, innermost_photon_orbit(spin)));
 }
 
-void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const BallPath* ball_path) {
+void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spacetime, const RayFan* fan,
+                const BallPath* ball_path) {
     const SphereSpec sphere = scene.sphere.value_or(SphereSpec{});
-    const bool pulses = sphere.swing > 0.0;   // object/pulse.glsl
-    const Silhouette edge = scene.sphere && !pulses ? silhouette(spacetime, fan, scene.camera.r, sphere.radius) : Silhouette{};
+    const bool pulses = sphere.swing > 0.0;  // object/pulse.glsl
+    const Silhouette edge =
+        scene.sphere && !pulses ? silhouette(spacetime, fan, scene.camera.r, sphere.radius) : Silhouette{};
     const double pulse = 2.0 * M_PI / sphere.period;
-    if (pulses) block.put(sphere.radius, sphere.swing, std::remainder(pulse * scene.time, 2.0 * M_PI), pulse);
-    else block.put(sphere.radius, 1.0 / sphere.radius, edge.sine, edge.cosine);
+    if (pulses)
+        block.put(sphere.radius, sphere.swing, std::remainder(pulse * scene.time, 2.0 * M_PI), pulse);
+    else
+        block.put(sphere.radius, 1.0 / sphere.radius, edge.sine, edge.cosine);
     put_look(block, sphere.look);
     const CylinderSpec cylinder = scene.cylinder.value_or(CylinderSpec{});
     block.put(cylinder.inner, cylinder.outer, cylinder.height, 0);
@@ -104,7 +115,7 @@ void put_bodies(BlockWriter& block, const Scene& scene, const Spacetime& spaceti
     block.put(ball.position, ball.radius);
     put_look(block, ball.look);
     const SurfaceSpec surface = scene.surface.value_or(SurfaceSpec{});
-    constexpr double kDifference = 1e-3;   // of the bound: gradients by differences keep half of a float's digits
+    constexpr double kDifference = 1e-3;  // of the bound: gradients by differences keep half of a float's digits
     block.put(surface.bound, 2 * surface.bound / surface.steps, kDifference * surface.bound, scene.time);
     put_look(block, surface.look);
     put_march(block, scene, spacetime.spin(), ball_path);
@@ -116,8 +127,9 @@ void put_coats(BlockWriter& block, const Scene& scene) {
     BodyLook coat = disc.look;
     coat.rotation = disc.rotation;
     put_look(block, coat);
-    const double cy = std::cos(scene.sky.yaw), sy = std::sin(scene.sky.yaw), ct = std::cos(scene.sky.tilt), st = std::sin(scene.sky.tilt);
-    block.put({cy, sy, 0}, 0);   // columns of R_z(yaw) R_x(tilt)
+    const double cy = std::cos(scene.sky.yaw), sy = std::sin(scene.sky.yaw), ct = std::cos(scene.sky.tilt),
+                 st = std::sin(scene.sky.tilt);
+    block.put({cy, sy, 0}, 0);  // columns of R_z(yaw) R_x(tilt)
     block.put({-sy * ct, cy * ct, st}, 0);
     block.put({sy * st, -cy * st, ct}, 0);
     BodyLook dome = scene.sky.look;
@@ -133,7 +145,8 @@ void put_spin(BlockWriter& block, const CameraSpec& camera, const Spacetime& spa
     block.put(forms.across.constant, forms.across.radial, forms.across.around, forms.carter);
     block.put(forms.climb.constant, forms.climb.radial, forms.climb.around, forms.carter_slope);
     const double height = std::cos(camera.theta);
-    block.put(std::sin(camera.theta), std::fabs(height) < kInPlane ? 0.0 : height, std::cos(camera.phi), std::sin(camera.phi));
+    block.put(std::sin(camera.theta), std::fabs(height) < kInPlane ? 0.0 : height, std::cos(camera.phi),
+              std::sin(camera.phi));
     block.put(camera.r > outer ? azimuth_ahead(spacetime, camera.r) : 0.0, a / (outer - inner), 0, 0);
 }
 
@@ -144,9 +157,11 @@ Vec3 sky_light(const LightSpec& light, double temperature_K, double g, bool move
         const Vec3 xyz = black_body_xyz(hue_K);
         return into_gamut(rec709_from_xyz(xyz / xyz.y));
     };
-    const Vec3 own = colour(temperature_K), seen = moves ? Vec3{1, 1, 1} : colour(light.shift ? g * temperature_K : temperature_K);
+    const Vec3 own = colour(temperature_K),
+               seen = moves ? Vec3{1, 1, 1} : colour(light.shift ? g * temperature_K : temperature_K);
     const double glow_K = light.beaming && !moves ? g * temperature_K : temperature_K;
-    const double brighter = std::exp2(log2_brightness(glow_K, light.bolometric) - log2_brightness(temperature_K, light.bolometric));
+    const double brighter =
+        std::exp2(log2_brightness(glow_K, light.bolometric) - log2_brightness(temperature_K, light.bolometric));
     const auto factor = [&](double a, double b) { return b > 0.0 ? brighter * a / b : 0.0; };
     return {factor(seen.x, own.x), factor(seen.y, own.y), factor(seen.z, own.z)};
 }
@@ -203,17 +218,23 @@ Status FrameTables::update_rows(const Scene& scene) {
     if (Status parts = check_light_parts(*matter_, scene); !parts) return parts.error();
     EffectSet wanted = effect_set(required_effects(scene));
     if (Status bodies = check_sides(*matter_, scene); !bodies) return bodies.error();
-    if ((wanted.contains(Effect::kDisc) && !matter_->can_have_disc()) || (has_solids(wanted) && !matter_->can_have_bodies()))
-        return bad_input(fmt::format("metric \"{}\" has neither discs nor bodies; allowed: a scene without them", scene.spacetime.metric));
+    if ((wanted.contains(Effect::kDisc) && !matter_->can_have_disc()) ||
+        (has_solids(wanted) && !matter_->can_have_bodies()))
+        return bad_input(fmt::format("metric \"{}\" has neither discs nor bodies; allowed: a scene without them",
+                                     scene.spacetime.metric));
     // Ray data have delays wherever the shader can tell them.
-    const bool straight = !wanted.contains(Effect::kLensing) && !wanted.contains(Effect::kSpin), known = straight || spacetime_->spin() != 0.0 || spacetime_->lapse_roots();
+    const bool straight = !wanted.contains(Effect::kLensing) && !wanted.contains(Effect::kSpin),
+               known = straight || spacetime_->spin() != 0.0 || spacetime_->lapse_roots();
     if (delays_wanted_ && known) wanted.insert(Effect::kDelay);
     if (wanted.contains(Effect::kDelay) && !known) wanted.erase(Effect::kDelay);
-    const auto orbits_of = [](const EffectSet& effects) { return meets_objects(effects) || effects.contains(Effect::kDelay); };
+    const auto orbits_of = [](const EffectSet& effects) {
+        return meets_objects(effects) || effects.contains(Effect::kDelay);
+    };
     const bool orbits = orbits_of(wanted), had_orbits = orbits_of(effects_);
     const bool delays = wanted.contains(Effect::kDelay), had_delays = effects_.contains(Effect::kDelay);
     const bool points = wanted.contains(Effect::kPointStars), had_points = effects_.contains(Effect::kPointStars);
-    rows_stale = rows_stale || radius_ != scene.camera.r || !(frame_ == observer->frame) || (orbits && !had_orbits) || (delays && !had_delays) || (points && !had_points) ||
+    rows_stale = rows_stale || radius_ != scene.camera.r || !(frame_ == observer->frame) || (orbits && !had_orbits) ||
+                 (delays && !had_delays) || (points && !had_points) ||
                  (fan_ && fan_->w0() != fan_for(scene, *observer).w0());
     effects_ = wanted;
     ball_path_.reset();
@@ -222,7 +243,8 @@ Status FrameTables::update_rows(const Scene& scene) {
         if (!path) return path.error();
         ball_path_ = std::move(*path);
     }
-    if (((!orbits && had_orbits) || (!delays && had_delays) || (!points && had_points)) && !rows_stale) {   // what nothing calls for any more goes, the strip stays
+    if (((!orbits && had_orbits) || (!delays && had_delays) || (!points && had_points)) &&
+        !rows_stale) {  // what nothing calls for any more goes, the strip stays
         if (!orbits) orbit_map_ = {};
         if (!delays) orbit_map_.delays = {};
         if (!points) star_lens_ = {};
@@ -247,7 +269,8 @@ Status FrameTables::update_rows(const Scene& scene) {
 }
 
 RayFan FrameTables::fan_for(const Scene& scene, const Observer& observer) const {
-    const double speed = scene.light.aberration ? length(observer.velocity) : 0.0, squeeze = std::sqrt((1.0 - speed) / (1.0 + speed));
+    const double speed = scene.light.aberration ? length(observer.velocity) : 0.0,
+                 squeeze = std::sqrt((1.0 - speed) / (1.0 + speed));
     return {spacetime_, table_, scene.camera.r, observer.frame, squeeze * smallest_pixel_angle(scene.camera)};
 }
 
@@ -266,8 +289,9 @@ CoreInput FrameTables::core_input(const Scene& scene) const {
     return input;
 }
 
-FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures,
-                           const Spacetime* other_matter, const BallPath* ball_path, const CriticalImages* known_images) {
+FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan,
+                           const TextureFacts& textures, const Spacetime* other_matter, const BallPath* ball_path,
+                           const CriticalImages* known_images) {
     const Spacetime& matter = other_matter != nullptr ? *other_matter : spacetime;
     const CameraSpec& camera = scene.camera;
     const Mat3 world = world_from_static(camera.theta, camera.phi);
@@ -275,15 +299,16 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     // Where light goes straight its frame is at rest and A = 1. What g then lacks, or has too much without gravity's part, is a factor.
     const bool straight = &matter != &spacetime;
     const RadialFrame frame = straight || spacetime.spin() != 0.0 ? RadialFrame{} : observer.frame;
-    const double g_gravity = scene.light.gravity ? 1.0 / observer.frame.energy() : 1.0;   // switched off with observers at rest only
+    const double g_gravity =
+        scene.light.gravity ? 1.0 / observer.frame.energy() : 1.0;  // switched off with observers at rest only
     const double g_factor = straight || !scene.light.gravity ? g_gravity * frame.energy() : 1.0;
     const Mat3 axes = observer.turn * static_from_camera(camera);
     const double pixel = camera.plane_width / camera.width / camera.focal_distance;
-    const Vec3 local[3] = {-axes.c, pixel * axes.a, pixel * axes.b};   // forward, a pixel to the right, a pixel up
+    const Vec3 local[3] = {-axes.c, pixel * axes.a, pixel * axes.b};  // forward, a pixel to the right, a pixel up
     BlockWriter block;
     block.put(camera.width, camera.height, pixel, std::exp2(camera.exposure_ev));
     const bool spins = spacetime.spin() != 0.0;
-    const Mat3 shown = spins ? Mat3{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : world;   // axes of look directions and of motion
+    const Mat3 shown = spins ? Mat3{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : world;  // axes of look directions and of motion
     for (const Vec3 v : local) block.put(shown * v, 0);
     const double off_axis = std::hypot(local[0].y, local[0].z);
     const Vec3 meridian = off_axis > 0.0 ? Vec3{0, local[0].y, local[0].z} / off_axis : Vec3{0, 1, 0}, radial{1, 0, 0};
@@ -296,8 +321,10 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     const auto horizon = spacetime.horizon_radius();
     const Fate lost = horizon && camera.r <= *horizon ? Fate::kNoSky : inner_fate(spacetime.inner_end());
     block.put(frame.energy(), 1.0 / matter.areal_radius(camera.r), frame.infall(), static_cast<double>(lost));
-    if (fan != nullptr) block.put(critical_cosine, critical_sine, 1.0 / fan->w0(), fan->octaves(Segment::kSky));
-    else block.put(0, 0, 0, 0);
+    if (fan != nullptr)
+        block.put(critical_cosine, critical_sine, 1.0 / fan->w0(), fan->octaves(Segment::kSky));
+    else
+        block.put(0, 0, 0, 0);
     if (fan != nullptr) {
         const auto series = fan->has_table() ? fan->table().series() : DeflectionTable::Series{};
         const int captured = fan->octaves(Segment::kSky) + fan->octaves(Segment::kCaptured);
@@ -310,13 +337,18 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     }
     const auto sky_K = scene.sky.temperature_K;
     const double speed = length(observer.velocity), stretch = std::sqrt((1.0 + speed) / (1.0 - speed));
-    block.put(speed > 0.0 ? shown * (observer.velocity / speed) : Vec3{1, 0, 0}, scene.light.aberration ? stretch : 1.0);
+    block.put(speed > 0.0 ? shown * (observer.velocity / speed) : Vec3{1, 0, 0},
+              scene.light.aberration ? stretch : 1.0);
     block.put(scene.light.doppler ? stretch : 1.0, sky_K ? log2_brightness(*sky_K, scene.light.bolometric) : 0.0, 0, 0);
     const int sky_size = std::max(textures.sky_size, 1);
-    if (textures.two_skies) block.put(0.5 * sky_size, sky_levels(sky_size, true) - 1, 1.0, 0.5 * sky_size / bordered_size(sky_size));
-    else block.put(0.5 * textures.sky_size, std::log2(sky_size), 1.0, 0);
-    if (sky_K) block.put(sky_light(scene.light, *sky_K, g_gravity, motion_is_seen(matter, scene)), std::log2(*sky_K));
-    else block.put(1, 1, 1, 0);
+    if (textures.two_skies)
+        block.put(0.5 * sky_size, sky_levels(sky_size, true) - 1, 1.0, 0.5 * sky_size / bordered_size(sky_size));
+    else
+        block.put(0.5 * textures.sky_size, std::log2(sky_size), 1.0, 0);
+    if (sky_K)
+        block.put(sky_light(scene.light, *sky_K, g_gravity, motion_is_seen(matter, scene)), std::log2(*sky_K));
+    else
+        block.put(1, 1, 1, 0);
     const double height = std::cos(camera.theta);
     block.put({0, 0, 1}, std::fabs(height) < kInPlane ? 0.0 : height);
     const DiscSpec disc = scene.disc.value_or(DiscSpec{});
@@ -326,24 +358,30 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(std::cos(disc.rotation) / (2 * disc.outer), std::sin(disc.rotation) / (2 * disc.outer),
               textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1)));
     block.put(disc.opacity, disc.edge, disc.brightness, disc.passed);
-    const CriticalImages images = known_images != nullptr ? *known_images
-                                  : fan != nullptr && scene.disc ? critical_images(*fan, disc.inner, disc.outer) : CriticalImages{};
+    const CriticalImages images = known_images != nullptr        ? *known_images
+                                  : fan != nullptr && scene.disc ? critical_images(*fan, disc.inner, disc.outer)
+                                                                 : CriticalImages{};
     block.put(images.inner, images.outer, images.per_angle * M_LOG2E, images.from_angle);
     if (disc.emission == DiscEmission::kThermal)
         block.put(1.0 / disc.inner, kDiscFlowCells / std::log(disc.outer / disc.inner), std::log2(disc.temperature_K),
                   log2_brightness(disc.temperature_K, scene.light.bolometric));
-    else block.put(0, 0, 0, 0);
-    block.put(point_peak(), 2.0 * kPointSigma_px * kPointSigma_px * M_LN2, 1.0 / kFaintestPoint,
-              kPointMargin_px);
+    else
+        block.put(0, 0, 0, 0);
+    block.put(point_peak(), 2.0 * kPointSigma_px * kPointSigma_px * M_LN2, 1.0 / kFaintestPoint, kPointMargin_px);
     block.put(M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0);
     block.put(scene.picture.bloom, 0, 0, 0);
     put_bodies(block, scene, spacetime, fan, ball_path);
     put_coats(block, scene);
-    for (const auto& row : moving_numbers(scene, spacetime, matter, ball_path)) block.put(row[0], row[1], row[2], row[3]);
-    if (spins) put_spin(block, camera, spacetime, observer);
-    else for (int i = 0; i < 6; ++i) block.put(0, 0, 0, 0);
-    if (spacetime.by_proper_length()) block.put(spacetime.length_unit(), spacetime.logarithm_length() / spacetime.length_unit(), 0, 0);
-    else block.put(0, 0, 0, 0);
+    for (const auto& row : moving_numbers(scene, spacetime, matter, ball_path))
+        block.put(row[0], row[1], row[2], row[3]);
+    if (spins)
+        put_spin(block, camera, spacetime, observer);
+    else
+        for (int i = 0; i < 6; ++i) block.put(0, 0, 0, 0);
+    if (spacetime.by_proper_length())
+        block.put(spacetime.length_unit(), spacetime.logarithm_length() / spacetime.length_unit(), 0, 0);
+    else
+        block.put(0, 0, 0, 0);
     return block.numbers();
 }
 

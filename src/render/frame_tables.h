@@ -26,28 +26,32 @@ public:
     Status update(const Scene& scene);
 
     const EffectSet& effects() const { return effects_; }
-    const Spacetime& spacetime() const { return *spacetime_; }      // of the rays
-    const Spacetime& matter() const { return *matter_; }            // of what they meet: another where light goes straight
-    const DeflectionTable* table() const { return table_.get(); }   // nullptr in flat space
+    const Spacetime& spacetime() const { return *spacetime_; }  // of the rays
+    const Spacetime& matter() const { return *matter_; }        // of what they meet: another where light goes straight
+    const DeflectionTable* table() const { return table_.get(); }  // nullptr in flat space
     const RayFan* fan() const { return fan_ ? &*fan_ : nullptr; }
     const TexelGrid& strip() const { return strip_.sky; }
     const TexelGrid& ends() const { return strip_.ends; }
     const TexelGrid& orbit_map() const { return orbit_map_.places; }
-    const TexelGrid& delay_map() const { return orbit_map_.delays; }   // empty where nothing asks how long light takes
-    const BallPath* ball_path() const { return ball_path_ ? &*ball_path_ : nullptr; }   // of a ball that moves; made anew by every update
-    void want_delays(bool wanted) { delays_wanted_ = wanted; }          // for ray data, whatever the scene
-    const TexelGrid& star_lens() const { return star_lens_; }      // empty without point stars
-    const CriticalImages* critical_images() const { return images_ ? &images_->images : nullptr; }   // of the disc, where there is one
+    const TexelGrid& delay_map() const { return orbit_map_.delays; }  // empty where nothing asks how long light takes
+    const BallPath* ball_path() const {
+        return ball_path_ ? &*ball_path_ : nullptr;
+    }                                                           // of a ball that moves; made anew by every update
+    void want_delays(bool wanted) { delays_wanted_ = wanted; }  // for ray data, whatever the scene
+    const TexelGrid& star_lens() const { return star_lens_; }   // empty without point stars
+    const CriticalImages* critical_images() const {
+        return images_ ? &images_->images : nullptr;
+    }  // of the disc, where there is one
     int critical_images_made() const { return images_made_; }
-    int revision() const { return revision_; }                      // grows whenever strip or orbit map change
-    double table_ms() const { return table_ms_; }                   // time of the last deflection table
-    double rows_ms() const { return rows_ms_; }                     // time of the last strip and orbit map
+    int revision() const { return revision_; }     // grows whenever strip or orbit map change
+    double table_ms() const { return table_ms_; }  // time of the last deflection table
+    double rows_ms() const { return rows_ms_; }    // time of the last strip and orbit map
 
     // For the shader core as C++; views into this object.
     CoreInput core_input(const Scene& scene) const;
 
 private:
-    SpacetimeSpec spec_;   // of matter_
+    SpacetimeSpec spec_;  // of matter_
     bool lensing_ = true;
     std::shared_ptr<const Spacetime> spacetime_, matter_;
     std::shared_ptr<const DeflectionTable> table_;
@@ -61,7 +65,7 @@ private:
     TexelGrid star_lens_;
     std::optional<BallPath> ball_path_;
     bool delays_wanted_ = false;
-    struct DiscImages {   // what they are of
+    struct DiscImages {  // what they are of
         int revision;
         double inner, outer;
         CriticalImages images;
@@ -77,12 +81,13 @@ private:
 // What textures tell the uniform block.
 struct TextureFacts {
     int sky_size = 0, disc_width = 0;
-    bool two_skies = false;   // in one texture, with borders
+    bool two_skies = false;  // in one texture, with borders
 };
 
 // The uniform block of shaders/shared/frame_block.glsl for this scene, in double. spacetime: the rays'. matter: what shifts light, if
 // it is another. images: of the disc in this fan; without them they are worked out, some 4 ms. The scene's observer must exist.
-FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures,
-                           const Spacetime* matter = nullptr, const BallPath* ball_path = nullptr, const CriticalImages* images = nullptr);
+FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan,
+                           const TextureFacts& textures, const Spacetime* matter = nullptr,
+                           const BallPath* ball_path = nullptr, const CriticalImages* images = nullptr);
 
 }  // namespace nullscope

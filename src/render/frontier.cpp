@@ -28,19 +28,27 @@ Result<std::vector<MeasuredMethod>> load_frontier(const std::filesystem::path& p
         ++number;
         if (trim(line).empty() || line[0] == '#' || line.starts_with("metric,")) continue;
         const auto cells = split(line, ',');
-        const auto error = cells.size() == 5 ? parse_number(cells[2]) : std::nullopt, cost = cells.size() == 5 ? parse_number(cells[3]) : std::nullopt;
+        const auto error = cells.size() == 5 ? parse_number(cells[2]) : std::nullopt,
+                   cost = cells.size() == 5 ? parse_number(cells[3]) : std::nullopt;
         const auto disc = cells.size() == 5 ? parse_number(cells[4]) : std::nullopt;
         const auto method = cells.size() == 5 ? parse_method(cells[1]) : Result<Method>(bad_input(""));
-        if (!error || !cost || !disc || !method) return bad_input(fmt::format("{}:{}: expected metric,method,error_px,floor_ratio,disc_error_px", path.string(), number));
+        if (!error || !cost || !disc || !method)
+            return bad_input(
+                fmt::format("{}:{}: expected metric,method,error_px,floor_ratio,disc_error_px", path.string(), number));
         methods.push_back({cells[0], *method, *error, *cost, *disc});
     }
     return methods;
 }
 
 std::string frontier_text(const std::vector<MeasuredMethod>& methods) {
-    std::string out = "# Largest screen error on the sky and on a disc (px of a 4K frame over 90 degrees) and cost (over flat space) of each method:\n"
-                      "# made by nullscope bench accuracy --frontier, read by --method auto --max-error.\nmetric,method,error_px,floor_ratio,disc_error_px\n";
-    for (const MeasuredMethod& m : methods) out += fmt::format("{},{},{:.4g},{:.4g},{:.4g}\n", m.metric, method_name(m.method), m.error_px, m.floor_ratio, m.disc_error_px);
+    std::string out =
+        "# Largest screen error on the sky and on a disc (px of a 4K frame over 90 degrees) and cost (over flat space) "
+        "of each method:\n"
+        "# made by nullscope bench accuracy --frontier, read by --method auto "
+        "--max-error.\nmetric,method,error_px,floor_ratio,disc_error_px\n";
+    for (const MeasuredMethod& m : methods)
+        out += fmt::format("{},{},{:.4g},{:.4g},{:.4g}\n", m.metric, method_name(m.method), m.error_px, m.floor_ratio,
+                           m.disc_error_px);
     return out;
 }
 
@@ -51,7 +59,8 @@ double error_in_frame(const MeasuredMethod& method, const Scene& scene) {
 
 bool is_dominated(const MeasuredMethod& method, const std::vector<MeasuredMethod>& methods) {
     return std::any_of(methods.begin(), methods.end(), [&](const MeasuredMethod& other) {
-        return other.metric == method.metric && other.floor_ratio <= method.floor_ratio && other.error_px <= method.error_px &&
+        return other.metric == method.metric && other.floor_ratio <= method.floor_ratio &&
+               other.error_px <= method.error_px &&
                (other.floor_ratio < method.floor_ratio || other.error_px < method.error_px);
     });
 }
@@ -69,16 +78,22 @@ Result<Choice> choose_method(const std::vector<MeasuredMethod>& methods, const S
     for (const MeasuredMethod& m : methods) {
         if (m.metric != scene.spacetime.metric) continue;
         ++known;
-        if (error_in_frame(m, scene) <= max_error_px && (best == nullptr || m.floor_ratio < best->floor_ratio)) best = &m;
+        if (error_in_frame(m, scene) <= max_error_px && (best == nullptr || m.floor_ratio < best->floor_ratio))
+            best = &m;
     }
     if (known == 0)
-        return Choice{Method{}, 0.0, fmt::format("in {} light runs straight or nothing was measured: the default", scene.spacetime.metric)};
+        return Choice{
+            Method{}, 0.0,
+            fmt::format("in {} light runs straight or nothing was measured: the default", scene.spacetime.metric)};
     if (best == nullptr)
-        return bad_input(fmt::format("--max-error {}: no method is that exact in this frame; allowed: {:.2g} px and more", max_error_px,
-                                     error_in_frame(*most_exact(methods, scene.spacetime.metric), scene)));
-    return Choice{best->method, error_in_frame(*best, scene),
-                  fmt::format("{}: at most {:.2g} px here (asked: {}), the cheapest of {} measured methods, {:.2f} times flat space",
-                              method_name(best->method), error_in_frame(*best, scene), max_error_px, known, best->floor_ratio)};
+        return bad_input(
+            fmt::format("--max-error {}: no method is that exact in this frame; allowed: {:.2g} px and more",
+                        max_error_px, error_in_frame(*most_exact(methods, scene.spacetime.metric), scene)));
+    return Choice{
+        best->method, error_in_frame(*best, scene),
+        fmt::format(
+            "{}: at most {:.2g} px here (asked: {}), the cheapest of {} measured methods, {:.2f} times flat space",
+            method_name(best->method), error_in_frame(*best, scene), max_error_px, known, best->floor_ratio)};
 }
 
 Choice default_method(const std::vector<MeasuredMethod>& methods, const Scene& scene) {
@@ -87,10 +102,13 @@ Choice default_method(const std::vector<MeasuredMethod>& methods, const Scene& s
     const double error = error_in_frame(best, scene);
     if (error > kTellsNothing_px)
         return {best.method, error,
-                fmt::format("{}: the most exact there is; its error was not measured for pixels as small as these ({:.2g} rad)",
-                            method_name(best.method), smallest_pixel_angle(scene.camera))};
-    return {best.method, error, fmt::format("{}: the most exact there is, for pixels as small as these; at most {:.2g} px are sure here, not the usual {}",
-                                            method_name(best.method), error, kDefaultMaxError_px)};
+                fmt::format(
+                    "{}: the most exact there is; its error was not measured for pixels as small as these ({:.2g} rad)",
+                    method_name(best.method), smallest_pixel_angle(scene.camera))};
+    return {best.method, error,
+            fmt::format("{}: the most exact there is, for pixels as small as these; at most {:.2g} px are sure here, "
+                        "not the usual {}",
+                        method_name(best.method), error, kDefaultMaxError_px)};
 }
 
 }  // namespace nullscope

@@ -14,9 +14,10 @@ namespace nullscope {
 struct MeasuredMethod {
     std::string metric;
     Method method;
-    double error_px;      // largest screen error on the sky over the cameras of the bench, px of a 4K frame over 90 degrees
-    double floor_ratio;   // cost of a frame over the same frame in flat space
-    double disc_error_px = 0.0;  // the same on a disc that covers what a disc can: mostly the orbit map's, whatever the method
+    double error_px;  // largest screen error on the sky over the cameras of the bench, px of a 4K frame over 90 degrees
+    double floor_ratio;  // cost of a frame over the same frame in flat space
+    double disc_error_px =
+        0.0;  // the same on a disc that covers what a disc can: mostly the orbit map's, whatever the method
 };
 
 // Errors: file missing, a line that is not metric,method,error_px,floor_ratio,disc_error_px.
@@ -37,8 +38,8 @@ inline constexpr double kDefaultMaxError_px = 0.05;  // of the frame that is dra
 
 struct Choice {
     Method method;
-    double error_px;      // expected at most, px of this camera's frame
-    std::string reason;   // one sentence
+    double error_px;     // expected at most, px of this camera's frame
+    std::string reason;  // one sentence
 };
 
 // The cheapest method whose error stays under max_error_px in this camera's frame.

@@ -6,10 +6,10 @@
 
 namespace nullscope {
 
-inline constexpr std::size_t kMovingRows = 6;   // delay, disc_winding, spot, spot_look, spot_motion, ball_path
+inline constexpr std::size_t kMovingRows = 6;  // delay, disc_winding, spot, spot_look, spot_motion, ball_path
 
 // spacetime: the rays'; matter: what they meet. Phases are reduced in double: floats keep their digits at any time.
-std::array<std::array<double, 4>, kMovingRows> moving_numbers(const Scene& scene, const Spacetime& spacetime, const Spacetime& matter,
-                                                              const BallPath* ball_path);
+std::array<std::array<double, 4>, kMovingRows> moving_numbers(const Scene& scene, const Spacetime& spacetime,
+                                                              const Spacetime& matter, const BallPath* ball_path);
 
 }  // namespace nullscope

@@ -20,16 +20,33 @@ namespace nullscope {
 namespace {
 
 constexpr unsigned kFrameBinding = 0;
-enum Unit { kStripUnit = 0, kOrbitUnit = 1, kSkyUnit = 2, kDiscUnit = 3, kTableUnit = 4, kEndsUnit = 5, kFarSkyUnit = 6, kBodyUnit = 7,
-            kDiscFlowUnit = kBodyUnit + kBodyCount, kBlackBodyUnit, kStarLensUnit, kPictureUnit, kBallPathUnit };
+enum Unit {
+    kStripUnit = 0,
+    kOrbitUnit = 1,
+    kSkyUnit = 2,
+    kDiscUnit = 3,
+    kTableUnit = 4,
+    kEndsUnit = 5,
+    kFarSkyUnit = 6,
+    kBodyUnit = 7,
+    kDiscFlowUnit = kBodyUnit + kBodyCount,
+    kBlackBodyUnit,
+    kStarLensUnit,
+    kPictureUnit,
+    kBallPathUnit
+};
 // Passes that work on the picture sample none of the scene's tables: they share their units.
 constexpr int kSourceUnit = kStripUnit, kHaloUnit = kOrbitUnit, kMeterUnit = kSkyUnit;
 
 constexpr std::pair<const char*, int> kSamplers[] = {
-    {"strip_texture", kStripUnit}, {"ends_texture", kEndsUnit}, {"orbit_texture", kOrbitUnit}, {"sky_texture", kSkyUnit},
-    {"other_side_texture", kFarSkyUnit}, {"disc_texture", kDiscUnit}, {"table_texture", kTableUnit},
-    {"disc_matter_texture", kDiscFlowUnit}, {"black_body_texture", kBlackBodyUnit}, {"star_lens_texture", kStarLensUnit},
-    {"picture_texture", kPictureUnit}, {"ball_path_texture", kBallPathUnit}, {"source_texture", kSourceUnit}, {"bloom_texture", kHaloUnit}, {"meter_texture", kMeterUnit}};
+    {"strip_texture", kStripUnit},          {"ends_texture", kEndsUnit},
+    {"orbit_texture", kOrbitUnit},          {"sky_texture", kSkyUnit},
+    {"other_side_texture", kFarSkyUnit},    {"disc_texture", kDiscUnit},
+    {"table_texture", kTableUnit},          {"disc_matter_texture", kDiscFlowUnit},
+    {"black_body_texture", kBlackBodyUnit}, {"star_lens_texture", kStarLensUnit},
+    {"picture_texture", kPictureUnit},      {"ball_path_texture", kBallPathUnit},
+    {"source_texture", kSourceUnit},        {"bloom_texture", kHaloUnit},
+    {"meter_texture", kMeterUnit}};
 
 // Nothing of a grid that is empty.
 gl::Texture texture_of(const TexelGrid& grid) {
@@ -49,28 +66,31 @@ Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
 }  // namespace
 
 bool has_method(const Spacetime& spacetime, const Method& method) {
-    if (spacetime.spin() != 0.0) return counts_steps(method);   // no table: nothing else
-    const bool seen = spacetime.inner_end() == InnerEnd::kHorizon;   // others have rays to the inside to follow too
+    if (spacetime.spin() != 0.0) return counts_steps(method);       // no table: nothing else
+    const bool seen = spacetime.inner_end() == InnerEnd::kHorizon;  // others have rays to the inside to follow too
     switch (method.kind) {
         case MethodKind::kStrip: return true;
         case MethodKind::kTable: return seen;
         case MethodKind::kClosedForm: return has_shader("method/closed_form", spacetime.name());
         case MethodKind::kIntegrate: return seen && has_shader("spacetime", spacetime.name());
-        case MethodKind::kMino: case MethodKind::kKerrSchild: return false;
+        case MethodKind::kMino:
+        case MethodKind::kKerrSchild: return false;
     }
     return false;
 }
 
 std::string methods_of(const Spacetime& spacetime) {
     std::string list = "strip, strip:cubic";
-    for (const auto& [kind, name] : {std::pair{MethodKind::kTable, "table"}, {MethodKind::kIntegrate, "integrate"}, {MethodKind::kClosedForm, "closed-form"}})
+    for (const auto& [kind, name] : {std::pair{MethodKind::kTable, "table"},
+                                     {MethodKind::kIntegrate, "integrate"},
+                                     {MethodKind::kClosedForm, "closed-form"}})
         if (has_method(spacetime, Method{.kind = kind})) list += fmt::format(", {}", name);
     return list;
 }
 
 int sky_face_size(const CameraSpec& camera, int max_cube_size) {
     const double pixel = camera.plane_width / camera.width / camera.focal_distance;
-    const int wanted = static_cast<int>(std::min(2.0 / pixel, 2048.0));   // a texel in a face's middle spans 2/size rad
+    const int wanted = static_cast<int>(std::min(2.0 / pixel, 2048.0));  // a texel in a face's middle spans 2/size rad
     return std::min(std::max(256, static_cast<int>(std::bit_ceil(static_cast<unsigned>(wanted)))), max_cube_size);
 }
 
@@ -86,18 +106,25 @@ std::vector<std::string> Renderer::take_notes() { return std::exchange(notes_, {
 
 void Renderer::limit_pictures(int largest) { largest_picture_ = std::min(largest, info_.max_texture_size); }
 
-Renderer::Renderer() : info_(gl::info()), largest_picture_(std::min(info_.max_texture_size, kLargestPicture)), empty_(gl::make_vertex_array()), uniforms_(gl::make_uniform_buffer(sizeof(float) * 4 * kFrameVectors)) {}
+Renderer::Renderer()
+    : info_(gl::info()),
+      largest_picture_(std::min(info_.max_texture_size, kLargestPicture)),
+      empty_(gl::make_vertex_array()),
+      uniforms_(gl::make_uniform_buffer(sizeof(float) * 4 * kFrameVectors)) {}
 
 Status Renderer::prepare(const Scene& scene) {
     const int limit = std::min(info_.max_texture_size, info_.max_renderbuffer_size);
     if (scene.camera.width > limit || scene.camera.height > limit)
-        return bad_input(fmt::format("size {}x{} is beyond what this driver can draw; allowed: 1x1 to {}x{}", scene.camera.width,
-                                     scene.camera.height, limit, limit));
+        return bad_input(fmt::format("size {}x{} is beyond what this driver can draw; allowed: 1x1 to {}x{}",
+                                     scene.camera.width, scene.camera.height, limit, limit));
     if (Status status = tables_.update(scene); !status) return status;
-    if (const auto* fan = tables_.fan(); fan != nullptr && fan->frame().infall() > 0.0 && method_.kind != MethodKind::kStrip)
-        return bad_input(fmt::format("camera.observer = \"{}\" with another method than the strip; allowed: --method strip or auto, or a static observer",
-                                     observer_name(scene.camera.observer)));
-    begin_skies(scene);   // they get ready while the rest is loaded
+    if (const auto* fan = tables_.fan();
+        fan != nullptr && fan->frame().infall() > 0.0 && method_.kind != MethodKind::kStrip)
+        return bad_input(
+            fmt::format("camera.observer = \"{}\" with another method than the strip; allowed: --method strip or auto, "
+                        "or a static observer",
+                        observer_name(scene.camera.observer)));
+    begin_skies(scene);  // they get ready while the rest is loaded
     if (Status status = load_disc(scene); !status) return status;
     if (Status status = load_bodies(scene); !status) return status;
     if (Status status = load_table(scene); !status) return status;
@@ -118,7 +145,8 @@ void Renderer::upload_tables() {
         rows_revision_ = tables_.revision();
         ends_ = {};
         strip_ = texture_of(tables_.strip());
-        orbit_map_ = texture_of(tables_.delay_map().width > 0 ? side_by_side(tables_.orbit_map(), tables_.delay_map()) : tables_.orbit_map());
+        orbit_map_ = texture_of(tables_.delay_map().width > 0 ? side_by_side(tables_.orbit_map(), tables_.delay_map())
+                                                              : tables_.orbit_map());
         star_lens_ = texture_of(tables_.star_lens());
     }
     // A picture of the sky alone does not look where along the ray it is.
@@ -137,11 +165,13 @@ void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
         block_effects_ = tables_.effects();
         block_members_ = block_members(*block_effects_);
     }
-    const FrameNumbers numbers = frame_numbers(scene, tables_.spacetime(), tables_.fan(), facts, &tables_.matter(), tables_.ball_path());
+    const FrameNumbers numbers =
+        frame_numbers(scene, tables_.spacetime(), tables_.fan(), facts, &tables_.matter(), tables_.ball_path());
     std::array<float, 4 * kFrameVectors> block{};
     std::size_t next = 0;
     for (const int member : block_members_)
-        for (std::size_t i = 0; i < 4; ++i) block[next++] = static_cast<float>(numbers[4 * static_cast<std::size_t>(member) + i]);
+        for (std::size_t i = 0; i < 4; ++i)
+            block[next++] = static_cast<float>(numbers[4 * static_cast<std::size_t>(member) + i]);
     gl::upload_uniforms(uniforms_, block.data(), sizeof(block));
 }
 
@@ -164,7 +194,8 @@ Status Renderer::load_disc(const Scene& scene) {
     if (disc_file_ == file) return Done{};
     const auto fitted = load_disc_image(*scene.disc, largest_picture_);
     if (!fitted) return fitted.error();
-    if (fitted->reduced()) notes_.push_back(reduction_words(disc_image_file(*scene.disc), *fitted, textures_end_at(largest_picture_)));
+    if (fitted->reduced())
+        notes_.push_back(reduction_words(disc_image_file(*scene.disc), *fitted, textures_end_at(largest_picture_)));
     const Image<float>& image = fitted->image;
     disc_ = gl::make_picture_texture(image.width, image.height, image.channels, image.data.data());
     disc_file_ = file;
@@ -186,35 +217,47 @@ void Renderer::load_heat(const Scene& scene) {
         return;
     }
     const auto& accretion = scene.disc->accretion;
-    if (!accretion) hottest_ = {};
+    if (!accretion)
+        hottest_ = {};
     else if (!(hottest_.by == accretion && hottest_.about == scene.spacetime))
-        hottest_ = {accretion, scene.spacetime,
-                    disc_temperature_K(disc_flux_peak(tables_.matter()).flux, accretion->mass_suns, accretion->rate_eddington)};
-    const auto key = std::make_tuple(scene.spacetime, scene.disc->inner, scene.disc->outer, scene.light.doppler, scene.light.gravity, scene.light.lensing);
+        hottest_ = {
+            accretion, scene.spacetime,
+            disc_temperature_K(disc_flux_peak(tables_.matter()).flux, accretion->mass_suns, accretion->rate_eddington)};
+    const auto key = std::make_tuple(scene.spacetime, scene.disc->inner, scene.disc->outer, scene.light.doppler,
+                                     scene.light.gravity, scene.light.lensing);
     if (flow_key_ == key) return;
-    disc_flow_ = texture_of(disc_flow_row(tables_.matter(), scene.disc->inner, scene.disc->outer, {scene.light.doppler, scene.light.gravity, !scene.light.lensing}));
+    disc_flow_ = texture_of(disc_flow_row(tables_.matter(), scene.disc->inner, scene.disc->outer,
+                                          {scene.light.doppler, scene.light.gravity, !scene.light.lensing}));
     flow_key_ = key;
 }
 
 void Renderer::load_black_body() {
     const bool wanted = shades_heat(tables_.effects()) || tables_.effects().contains(Effect::kPointStars);
-    if (!wanted) black_body_ = {};
-    else if (!black_body_) black_body_ = texture_of(black_body_row());
+    if (!wanted)
+        black_body_ = {};
+    else if (!black_body_)
+        black_body_ = texture_of(black_body_row());
 }
 
 Status Renderer::load_table(const Scene& scene) {
     const bool lensing = tables_.effects().contains(Effect::kLensing);
     const EffectSet& effects = tables_.effects();
     const bool spin = effects.contains(Effect::kSpin);
-    const bool sky_alone = !effects.contains(Effect::kSpinFall) && !effects.contains(Effect::kDisc) && !effects.contains(Effect::kDelay) && !has_solids(effects);
+    const bool sky_alone = !effects.contains(Effect::kSpinFall) && !effects.contains(Effect::kDisc) &&
+                           !effects.contains(Effect::kDelay) && !has_solids(effects);
     const bool whole = method_ == Method{} || (method_.kind == MethodKind::kMino && method_.order == 6);
     if (spin && !whole && !(counts_steps(method_) && sky_alone))
-        return bad_input(fmt::format("method {} is not there for this scene of a spinning hole; allowed: auto, mino[:6[:STEP]], or without [disc], bodies, delays and falling cameras "
-                                     "mino:4[:STEP] and kerr-schild:STEP", method_name(method_)));
-    if (!spin && counts_steps(method_)) return bad_input(fmt::format("method {} is there for spinning holes only; allowed: auto", method_name(method_)));
+        return bad_input(
+            fmt::format("method {} is not there for this scene of a spinning hole; allowed: auto, mino[:6[:STEP]], or "
+                        "without [disc], bodies, delays and falling cameras "
+                        "mino:4[:STEP] and kerr-schild:STEP",
+                        method_name(method_)));
+    if (!spin && counts_steps(method_))
+        return bad_input(
+            fmt::format("method {} is there for spinning holes only; allowed: auto", method_name(method_)));
     if (lensing && !has_method(tables_.spacetime(), method_))
-        return bad_input(fmt::format("method {} is not there for metric \"{}\"; allowed: {}", method_name(method_), scene.spacetime.metric,
-                                     methods_of(tables_.spacetime())));
+        return bad_input(fmt::format("method {} is not there for metric \"{}\"; allowed: {}", method_name(method_),
+                                     scene.spacetime.metric, methods_of(tables_.spacetime())));
     if (!lensing || method_.kind != MethodKind::kTable) {
         table_ = {};
         table_key_.reset();
@@ -226,7 +269,8 @@ Status Renderer::load_table(const Scene& scene) {
     const auto start = std::chrono::steady_clock::now();
     const bool hermite = method_.lookup == Lookup::kHermite;
     const TableGrid grid = build_table_grid(*tables_.table(), method_.size, hermite);
-    table_ = gl::make_number_texture(grid.width, grid.height, grid.channels, grid.values.data(), method_.lookup == Lookup::kHardware);
+    table_ = gl::make_number_texture(grid.width, grid.height, grid.channels, grid.values.data(),
+                                     method_.lookup == Lookup::kHardware);
     table_bytes_ = grid.values.size() * sizeof(float);
     table_key_ = key;
     gpu_table_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -234,11 +278,14 @@ Status Renderer::load_table(const Scene& scene) {
 }
 
 const gl::Program& Renderer::program(Stage stage, Output output) {
-    const auto key = knows_scene(stage) ? std::make_tuple(stage, output, tables_.effects(), method_, std::string(tables_.spacetime().name()), body_text_)
-                                        : std::make_tuple(stage, output, EffectSet{}, Method{}, std::string(), BodyText{});
+    const auto key = knows_scene(stage)
+                         ? std::make_tuple(stage, output, tables_.effects(), method_,
+                                           std::string(tables_.spacetime().name()), body_text_)
+                         : std::make_tuple(stage, output, EffectSet{}, Method{}, std::string(), BodyText{});
     const auto found = programs_.find(key);
     if (found != programs_.end()) return found->second;
-    const ShaderSource source = shader_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
+    const ShaderSource source =
+        shader_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
     gl::Program made = gl::make_program(source.vertex, source.fragment);
     gl::bind_uniform_block(made, "FrameBlock", kFrameBinding);
     for (const auto& [sampler, unit] : kSamplers) gl::bind_sampler(made, sampler, unit);
@@ -247,7 +294,9 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
 }
 
 int Renderer::picture_programs() const {
-    return static_cast<int>(std::count_if(programs_.begin(), programs_.end(), [](const auto& entry) { return std::get<Stage>(entry.first) == Stage::kPicture; }));
+    return static_cast<int>(std::count_if(programs_.begin(), programs_.end(), [](const auto& entry) {
+        return std::get<Stage>(entry.first) == Stage::kPicture;
+    }));
 }
 
 void Renderer::bind_inputs() {
@@ -265,19 +314,25 @@ void Renderer::bind_inputs() {
     gl::bind_texture_2d(kBallPathUnit, ball_path_);
 }
 
-void Renderer::draw(unsigned framebuffer, int width, int height, Output output) { draw_rows(framebuffer, width, height, output, 0, height); }
+void Renderer::draw(unsigned framebuffer, int width, int height, Output output) {
+    draw_rows(framebuffer, width, height, output, 0, height);
+}
 
 // The passes that follow the picture's need all of it: they run with its last rows.
 void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output output, int first, int last) {
     const std::vector<Pass> list = passes(tables_.effects(), output);
-    const bool keep = keeps_light(list), halves = tables_.effects().contains(Effect::kBloom) || tables_.effects().contains(Effect::kAutoExposure);
-    if (!keep) linear_ = {};
+    const bool keep = keeps_light(list),
+               halves = tables_.effects().contains(Effect::kBloom) || tables_.effects().contains(Effect::kAutoExposure);
+    if (!keep)
+        linear_ = {};
     else if (linear_.width != width || linear_.height != height) {
         linear_ = gl::make_target(width, height, gl::Format::kRgba16F);
         gl::set_linear(linear_.colours.front());
     }
-    if (keep && halves) bloom_.resize(width, height);
-    else bloom_.clear();
+    if (keep && halves)
+        bloom_.resize(width, height);
+    else
+        bloom_.clear();
     bind_inputs();
     for (const Pass& pass : list) {
         if (pass.stage == Stage::kPicture && last - first < height) {
@@ -294,7 +349,8 @@ void Renderer::draw_pass(const Pass& pass, unsigned framebuffer, int width, int 
     const unsigned picture = linear_.width > 0 ? linear_.framebuffer.id() : framebuffer;
     switch (pass.stage) {
         case Stage::kStars:
-            return stars_.draw(built, picture, width, height, tables_.effects().contains(Effect::kLensing) ? kStarImages : 1);
+            return stars_.draw(built, picture, width, height,
+                               tables_.effects().contains(Effect::kLensing) ? kStarImages : 1);
         case Stage::kBloomDown: return bloom_.draw_down(built, empty_, linear_.colours.front(), kSourceUnit);
         case Stage::kBloomUp: return bloom_.draw_up(built, empty_, kSourceUnit, kHaloUnit);
         case Stage::kMeter: return bloom_.draw_meter(built, empty_, kSourceUnit, adaptation_);
@@ -356,9 +412,11 @@ RayFrame Renderer::draw_rays(const gl::Target& target, int row_step) {
     upload_ends();
     const gl::Program& built = program(Stage::kRayData, Output::kLinear);
     bind_inputs();
-    if (row_step == 1) gl::draw_fullscreen(built, empty_, target.framebuffer.id(), w, h);
+    if (row_step == 1)
+        gl::draw_fullscreen(built, empty_, target.framebuffer.id(), w, h);
     else
-        for (int y = 0; y < h; y += row_step) gl::draw_rows(built, empty_, target.framebuffer.id(), w, h, h - 1 - y, h - y);
+        for (int y = 0; y < h; y += row_step)
+            gl::draw_rows(built, empty_, target.framebuffer.id(), w, h, h - 1 - y, h - y);
     RayFrame frame{w, h, std::vector<RayPixel>(static_cast<std::size_t>(w) * rows), row_step};
     const bool counted = counts_steps(method_);
     std::vector<float> values(static_cast<std::size_t>(w) * 4);
@@ -392,22 +450,32 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     if (ends_) lines.push_back({"ray ends", ends.width, ends.height, ends.bytes()});
     if (table_bytes_ > 0) lines.push_back({"deflection table", method_.size + 1, 2 * (method_.size + 1), table_bytes_});
     if (map.width > 0) lines.push_back({"orbit map", map.width, map.height, map.bytes()});
-    if (const TexelGrid& delays = tables_.delay_map(); delays.width > 0) lines.push_back({"delay map", delays.width, delays.height, delays.bytes()});
+    if (const TexelGrid& delays = tables_.delay_map(); delays.width > 0)
+        lines.push_back({"delay map", delays.width, delays.height, delays.bytes()});
     if (ball_path_) lines.push_back({"ball's way", kBallPathCells + 1, 2, tables_.ball_path()->row.bytes()});
     const int face = skies_.both() ? bordered_size(skies_.size()) : skies_.size();
-    const std::size_t sky_bytes = static_cast<std::size_t>(face) * static_cast<std::size_t>(face) * 32;   // 6 faces, 4 B, mip levels
+    const std::size_t sky_bytes =
+        static_cast<std::size_t>(face) * static_cast<std::size_t>(face) * 32;  // 6 faces, 4 B, mip levels
     if (skies_.far()) lines.push_back({"far sky", face, face, sky_bytes});
     if (skies_.near()) lines.push_back({"sky", face, face, sky_bytes});
-    if (disc_width_ > 0) lines.push_back({"disc image", disc_width_, disc_height_, static_cast<std::size_t>(disc_width_) * disc_height_ * 32 / 3});
+    if (disc_width_ > 0)
+        lines.push_back(
+            {"disc image", disc_width_, disc_height_, static_cast<std::size_t>(disc_width_) * disc_height_ * 32 / 3});
     for (int body = 0; body < kBodyCount; ++body)
         if (const auto& picture = body_images_.pictures()[static_cast<std::size_t>(body)])
-            lines.push_back({body_image_sampler(body), picture->width, picture->height, static_cast<std::size_t>(picture->width) * picture->height * 32 / 3});
-    if (flow_key_) lines.push_back({"disc flow", kDiscFlowCells + 1, 1, static_cast<std::size_t>(kDiscFlowCells + 1) * 16});
-    if (black_body_) lines.push_back({"black body", kBlackBodyCells + 1, 1, static_cast<std::size_t>(kBlackBodyCells + 1) * 16});
+            lines.push_back({body_image_sampler(body), picture->width, picture->height,
+                             static_cast<std::size_t>(picture->width) * picture->height * 32 / 3});
+    if (flow_key_)
+        lines.push_back({"disc flow", kDiscFlowCells + 1, 1, static_cast<std::size_t>(kDiscFlowCells + 1) * 16});
+    if (black_body_)
+        lines.push_back({"black body", kBlackBodyCells + 1, 1, static_cast<std::size_t>(kBlackBodyCells + 1) * 16});
     if (star_lens_) lines.push_back({"star lens", tables_.star_lens().width, 1, tables_.star_lens().bytes()});
     if (stars_.count() > 0) lines.push_back({"stars", stars_.count(), 1, stars_.bytes()});
-    if (linear_.width > 0) lines.push_back({"linear picture", linear_.width, linear_.height, static_cast<std::size_t>(linear_.width) * linear_.height * 8});
-    if (bloom_.bytes() > 0) lines.push_back({"bloom", (linear_.width + 1) / 2, (linear_.height + 1) / 2, bloom_.bytes()});
+    if (linear_.width > 0)
+        lines.push_back({"linear picture", linear_.width, linear_.height,
+                         static_cast<std::size_t>(linear_.width) * linear_.height * 8});
+    if (bloom_.bytes() > 0)
+        lines.push_back({"bloom", (linear_.width + 1) / 2, (linear_.height + 1) / 2, bloom_.bytes()});
     return lines;
 }
 

@@ -39,7 +39,7 @@ public:
 
     // The longest side of the textures of images from the next prepare() on; larger images are made smaller while they are read.
     // Without it: the driver's limit, at most kLargestPicture.
-    static constexpr int kLargestPicture = 16384;   // px: 1.1 GB with mip levels for an image twice as wide as high
+    static constexpr int kLargestPicture = 16384;  // px: 1.1 GB with mip levels for an image twice as wide as high
     void limit_pictures(int largest);
     // What was done to images since the last call, a line each, for people.
     std::vector<std::string> take_notes();
@@ -65,20 +65,24 @@ public:
     void draw_bare_fetch(unsigned framebuffer, int width, int height);
 
     // The prepared scene, read back; rows from the top.
-    Image<unsigned char> picture8();     // RGB, display-encoded
-    Image<float> picture();              // RGB, linear light
-    RayFrame ray_data(int row_step = 1);   // row_step: draws and reads only rows 0, row_step, ...; the same bits there
+    Image<unsigned char> picture8();      // RGB, display-encoded
+    Image<float> picture();               // RGB, linear light
+    RayFrame ray_data(int row_step = 1);  // row_step: draws and reads only rows 0, row_step, ...; the same bits there
 
     // The ray through the middle of each view's picture, in order; no picture of sky or disc is loaded. Needs no prepare(),
     // and a new one before the next picture. Views that follow each other with one camera.r share a strip and an orbit map.
     Result<std::vector<RayPixel>> trace_middles(const std::vector<Scene>& views);
 
     const FrameTables& tables() const { return tables_; }
-    double gpu_table_ms() const { return gpu_table_ms_; }             // time of the last table of method kTable
-    int picture_programs() const;                                     // of pictures, built so far
+    double gpu_table_ms() const { return gpu_table_ms_; }  // time of the last table of method kTable
+    int picture_programs() const;                          // of pictures, built so far
     const gl::Info& info() const { return info_; }
 
-    struct TextureLine { std::string name; int width, height; std::size_t bytes; };
+    struct TextureLine {
+        std::string name;
+        int width, height;
+        std::size_t bytes;
+    };
     std::vector<TextureLine> textures() const;
 
 private:
@@ -107,22 +111,23 @@ private:
     Scene scene_;
     int rows_revision_ = -1;
     std::optional<EffectSet> block_effects_;
-    std::vector<int> block_members_;   // of the uniform block with these effects
+    std::vector<int> block_members_;  // of the uniform block with these effects
     gl::Texture strip_, ends_, orbit_map_, ball_path_, disc_, table_, disc_flow_, black_body_, star_lens_;
     StarField stars_;
     Bloom bloom_;
     double adaptation_ = 1.0;
-    gl::Target linear_;                // what passes of light work on, if there are any
+    gl::Target linear_;  // what passes of light work on, if there are any
     BodyText body_text_;
     BodyImages body_images_;
-    std::optional<std::pair<SpacetimeSpec, Method>> table_key_;   // of table_
+    std::optional<std::pair<SpacetimeSpec, Method>> table_key_;  // of table_
     std::size_t table_bytes_ = 0;
     double gpu_table_ms_ = 0.0;
     SkyTextures skies_;
     bool keep_finer_sky_ = false;
     std::optional<std::string> disc_file_;
-    std::optional<std::tuple<SpacetimeSpec, double, double, bool, bool, bool>> flow_key_;   // of disc_flow_: its radii, parts of g
-    struct Hottest {   // ring of the disc, where accretion heats it
+    std::optional<std::tuple<SpacetimeSpec, double, double, bool, bool, bool>>
+        flow_key_;    // of disc_flow_: its radii, parts of g
+    struct Hottest {  // ring of the disc, where accretion heats it
         std::optional<AccretionSpec> by;
         SpacetimeSpec about;
         double temperature_K = 0.0;
@@ -132,7 +137,7 @@ private:
 
 // What a metric can be traced by: some methods need a shader of its own (shaders/method/closed_form, shaders/spacetime).
 bool has_method(const Spacetime& spacetime, const Method& method);
-std::string methods_of(const Spacetime& spacetime);   // "strip, strip:cubic, ..."
+std::string methods_of(const Spacetime& spacetime);  // "strip, strip:cubic, ..."
 
 // Face size of the sky's cube map that matches a camera's pixels: a power of two, 256 ... 2048 and what the driver allows.
 int sky_face_size(const CameraSpec& camera, int max_cube_size);

@@ -21,10 +21,11 @@ void SkyTextures::begin(const std::optional<SkySpec>& near, const std::optional<
 
 Status SkyTextures::finish(std::vector<std::string>& notes) {
     if (painters_.empty()) return Done{};
-    SkyTextures work = std::exchange(*this, {});   // nothing stays loaded where something fails
+    SkyTextures work = std::exchange(*this, {});  // nothing stays loaded where something fails
     const int levels = sky_levels(work.size_, work.both());
     gl::Texture& texture = work.both() ? work.layers_ : work.near_ ? work.near_cube_ : work.far_cube_;
-    texture = work.both() ? gl::make_sky_layers(bordered_size(work.size_), levels, 12) : gl::make_sky_cube(work.size_, levels);
+    texture = work.both() ? gl::make_sky_layers(bordered_size(work.size_), levels, 12)
+                          : gl::make_sky_cube(work.size_, levels);
     int layer = 0;
     for (auto& coming : std::exchange(work.painters_, {})) {
         const auto painter = coming.get();
@@ -32,8 +33,10 @@ Status SkyTextures::finish(std::vector<std::string>& notes) {
         for (std::string& note : painter->notes()) notes.push_back(std::move(note));
         pack_sky(*painter, [&](const PackedRows& rows) {
             const gl::SkyTexels texels{layer + rows.face, rows.level, rows.first, rows.count, rows.width, rows.texels};
-            if (work.both()) gl::fill_sky_layers(texture, texels);
-            else gl::fill_sky_cube(texture, texels);
+            if (work.both())
+                gl::fill_sky_layers(texture, texels);
+            else
+                gl::fill_sky_cube(texture, texels);
         });
         layer += 6;
     }

@@ -23,16 +23,16 @@ public:
     // Of near and far; units that no sky needs stay bare.
     void bind(int near_unit, int far_unit) const;
 
-    int size() const { return size_; }         // of a face
+    int size() const { return size_; }  // of a face
     bool both() const { return near_ && far_; }
     bool near() const { return near_.has_value(); }
     bool far() const { return far_.has_value(); }
 
 private:
     gl::Texture near_cube_, far_cube_, layers_;
-    std::optional<SkySpec> near_, far_;        // that are loaded, or begun
+    std::optional<SkySpec> near_, far_;  // that are loaded, or begun
     int size_ = 0;
-    std::vector<std::future<Result<SkyPainter>>> painters_;   // begun
+    std::vector<std::future<Result<SkyPainter>>> painters_;  // begun
 };
 
 }  // namespace nullscope

@@ -26,7 +26,8 @@ Status StarField::update(const Scene& scene, const FrameTables& tables) {
             std::vector<float> values;
             for (std::size_t i = 0; i < lights.size(); ++i) {
                 const Vec3 v = (*stars)[i].direction;
-                for (const double value : {v.x, v.y, v.z, lights[i].light, lights[i].temperature}) values.push_back(static_cast<float>(value));
+                for (const double value : {v.x, v.y, v.z, lights[i].light, lights[i].temperature})
+                    values.push_back(static_cast<float>(value));
             }
             vertices_ = gl::make_vertex_list(values, {3, 2});
         }

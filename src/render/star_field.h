@@ -25,7 +25,7 @@ public:
 private:
     struct Sky {
         SkySpec sky;
-        bool bolometric = false, found = false;   // found: images on the host
+        bool bolometric = false, found = false;  // found: images on the host
         friend bool operator==(const Sky&, const Sky&) = default;
     };
     struct View {

@@ -10,12 +10,16 @@ constexpr double kStarsPerCell = 2.0;   // of a level's grid
 
 }  // namespace
 
-StarGrid::StarGrid(const std::vector<PointStar>& stars, bool bolometric) : glow_(bolometric), lights_(star_lights(stars, bolometric)) {
+StarGrid::StarGrid(const std::vector<PointStar>& stars, bool bolometric)
+    : glow_(bolometric), lights_(star_lights(stars, bolometric)) {
     std::vector<double> power;
-    for (std::size_t i = 0; i < stars.size(); ++i) power.push_back(std::log2(stars[i].flux) + glow_.part(lights_[i].temperature));
+    for (std::size_t i = 0; i < stars.size(); ++i)
+        power.push_back(std::log2(stars[i].flux) + glow_.part(lights_[i].temperature));
     std::vector<int> order(stars.size());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return power[static_cast<std::size_t>(a)] > power[static_cast<std::size_t>(b)]; });
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+        return power[static_cast<std::size_t>(a)] > power[static_cast<std::size_t>(b)];
+    });
     for (std::size_t from = 0, count = kBrightest; from < order.size(); from += count, count = from) {
         const int* begin = order.data() + from;
         levels_.push_back(level_of(stars, begin, begin + std::min(count, order.size() - from)));
@@ -30,11 +34,13 @@ StarGrid::StarGrid(const std::vector<PointStar>& stars, bool bolometric) : glow_
 
 StarGrid::Level StarGrid::level_of(const std::vector<PointStar>& stars, const int* begin, const int* end) const {
     Level level;
-    level.rows = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(end - begin) / (2 * kStarsPerCell))), 1, 1024);
+    level.rows =
+        std::clamp(static_cast<int>(std::sqrt(static_cast<double>(end - begin) / (2 * kStarsPerCell))), 1, 1024);
     level.columns = 2 * level.rows;
     const auto cell_of = [&](Vec3 v) {
         const int row = std::clamp(static_cast<int>(0.5 * (v.z + 1) * level.rows), 0, level.rows - 1);
-        const int column = std::clamp(static_cast<int>((std::atan2(v.y, v.x) / (2 * M_PI) + 0.5) * level.columns), 0, level.columns - 1);
+        const int column = std::clamp(static_cast<int>((std::atan2(v.y, v.x) / (2 * M_PI) + 0.5) * level.columns), 0,
+                                      level.columns - 1);
         return static_cast<std::size_t>(row * level.columns + column);
     };
     level.first.assign(static_cast<std::size_t>(level.rows * level.columns) + 1, 0);

@@ -35,14 +35,21 @@ public:
     static void visit_near(const Level& level, Vec3 middle, double radius, const Visit& visit) {
         const double theta = std::atan2(std::hypot(middle.x, middle.y), middle.z);
         const double high = std::cos(std::max(theta - radius, 0.0)), low = std::cos(std::min(theta + radius, M_PI));
-        const auto row_of = [&](double z) { return std::clamp(static_cast<int>(0.5 * (z + 1) * level.rows), 0, level.rows - 1); };
-        const double reach = radius < M_PI / 2 ? std::sin(radius) : 1.0, flat = std::sin(theta), turn = reach < flat ? std::asin(reach / flat) : M_PI;
-        const double at = (std::atan2(middle.y, middle.x) / (2 * M_PI) + 0.5) * level.columns, wide = turn / (2 * M_PI) * level.columns;
-        const int left = static_cast<int>(std::floor(at - wide)), right = std::min(static_cast<int>(std::floor(at + wide)), left + level.columns - 1);
+        const auto row_of = [&](double z) {
+            return std::clamp(static_cast<int>(0.5 * (z + 1) * level.rows), 0, level.rows - 1);
+        };
+        const double reach = radius < M_PI / 2 ? std::sin(radius) : 1.0, flat = std::sin(theta),
+                     turn = reach < flat ? std::asin(reach / flat) : M_PI;
+        const double at = (std::atan2(middle.y, middle.x) / (2 * M_PI) + 0.5) * level.columns,
+                     wide = turn / (2 * M_PI) * level.columns;
+        const int left = static_cast<int>(std::floor(at - wide)),
+                  right = std::min(static_cast<int>(std::floor(at + wide)), left + level.columns - 1);
         for (int row = row_of(low); row <= row_of(high); ++row)
             for (int column = left; column <= right; ++column) {
-                const auto cell = static_cast<std::size_t>(row * level.columns + (column + level.columns) % level.columns);
-                for (int i = level.first[cell]; i < level.first[cell + 1]; ++i) visit(level.stars[static_cast<std::size_t>(i)]);
+                const auto cell =
+                    static_cast<std::size_t>(row * level.columns + (column + level.columns) % level.columns);
+                for (int i = level.first[cell]; i < level.first[cell + 1]; ++i)
+                    visit(level.stars[static_cast<std::size_t>(i)]);
             }
     }
 

@@ -141,10 +141,11 @@ private:
                                                                 stars_.glow().brightness(level.coldest)
                                                           : 0.0;
             if (level.brightest + bluer + other - std::log2(area) < seeing_.faintest) break;
-            StarGrid::visit_near(level, cap.middle, (1 + 4 * kOverDivided) * cap.radius, [&, area = area, g = g](const Star& one) {
-                if (box.has(one.place) && dot(one.place, cap.middle) > 0 && seen(one.number, area, g))
-                    list.push_back(one);
-            });
+            StarGrid::visit_near(
+                level, cap.middle, (1 + 4 * kOverDivided) * cap.radius, [&, area = area, g = g](const Star& one) {
+                    if (box.has(one.place) && dot(one.place, cap.middle) > 0 && seen(one.number, area, g))
+                        list.push_back(one);
+                });
         }
         return list;
     }
@@ -157,8 +158,7 @@ private:
     }
 
     // within: the stars that could be in it; nullptr: not known.
-    void divided(const Cell& cell, const std::vector<Star>* within, Known& known,
-                 std::vector<MeshImage>& found) const {
+    void divided(const Cell& cell, const std::vector<Star>* within, Known& known, std::vector<MeshImage>& found) const {
         const int there = cell.there();
         const double half = 0.5 * cell.size;
         const bool finest = cell.size < 1.5 * kMeshFinest * pitch_;
@@ -212,8 +212,7 @@ private:
 
     // map(): what gives the sky at a place in the cell; asked for where a star is in the cell.
     template <class MakeMap>
-    void find(const Cell& cell, const Star& one, double over, const MakeMap& map,
-              std::vector<MeshImage>& found) const {
+    void find(const Cell& cell, const Star& one, double over, const MakeMap& map, std::vector<MeshImage>& found) const {
         const auto& c = cell.corners;
         constexpr std::array<std::array<std::size_t, 3>, 2> kTriangles = {{{0, 1, 3}, {0, 3, 2}}};
         for (const auto& t : kTriangles) {

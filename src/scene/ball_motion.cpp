@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <memory>
 
 #include "base/dormand_prince.h"
@@ -16,7 +16,8 @@ namespace {
 
 // In the plane of `outward` and `onward`.
 BallPlace in_plane(Vec3 outward, Vec3 onward, double r, double phi, double r_dot, double phi_dot) {
-    const Vec3 e = std::cos(phi) * outward + std::sin(phi) * onward, across = std::cos(phi) * onward - std::sin(phi) * outward;
+    const Vec3 e = std::cos(phi) * outward + std::sin(phi) * onward,
+               across = std::cos(phi) * onward - std::sin(phi) * outward;
     return {r * e, r_dot * e + (r * phi_dot) * across};
 }
 
@@ -42,9 +43,10 @@ public:
             const double r = at_[1], rest = (r - ground_) / std::max(std::fabs(at_[2]), 1e-3);
             if (r <= ground_ * (1.0 + kFrozen)) return {t, r, 0, at_[3]};
             const double left = std::fabs(t - at_[0]) * spacetime_.lapse_squared(r) / energy_;
-            const double h = std::min({step_, left, 0.1 * rest});   // no stage of a step is inside
+            const double h = std::min({step_, left, 0.1 * rest});  // no stage of a step is inside
             State wrong{};
-            const State next = dormand_prince(at_, std::copysign(h, t - at_[0]), [this](const State& s) { return slope(s); }, wrong);
+            const State next = dormand_prince(
+                at_, std::copysign(h, t - at_[0]), [this](const State& s) { return slope(s); }, wrong);
             double error = 0;
             for (const double x : wrong) error = std::max(error, std::fabs(x) / kTolerance);
             if (error <= 1.0) at_ = next;
@@ -55,16 +57,18 @@ public:
     BallPlace motion(double t, Vec3 outward, Vec3 onward) {
         const State s = at(t);
         const double r = s[1], rate = spacetime_.lapse_squared(r) / energy_;
-        return in_plane(outward, onward, r + s[2] * rate * (t - s[0]), s[3] + momentum_ / (r * r) * rate * (t - s[0]), s[2] * rate, momentum_ / (r * r) * rate);
+        return in_plane(outward, onward, r + s[2] * rate * (t - s[0]), s[3] + momentum_ / (r * r) * rate * (t - s[0]),
+                        s[2] * rate, momentum_ / (r * r) * rate);
     }
 
 private:
     static constexpr double kFirstStep = 1e-2, kReached = 1e-7;
     State slope(const State& s) const {
         const double zeta = 1.0 / s[1], a = spacetime_.lapse_squared(s[1]), half_slope = spacetime_.half_v_slope(zeta);
-        const double a_r = -2.0 * (half_slope - zeta * a);   // dA/dr = -zeta^2 dA/dzeta
+        const double a_r = -2.0 * (half_slope - zeta * a);  // dA/dr = -zeta^2 dA/dzeta
         const double l2 = momentum_ * momentum_;
-        return {energy_ / a, s[2], -0.5 * a_r * (1.0 + l2 * zeta * zeta) + a * l2 * zeta * zeta * zeta, momentum_ * zeta * zeta};
+        return {energy_ / a, s[2], -0.5 * a_r * (1.0 + l2 * zeta * zeta) + a * l2 * zeta * zeta * zeta,
+                momentum_ * zeta * zeta};
     }
     const Spacetime& spacetime_;
     double energy_, momentum_, ground_, step_ = kFirstStep;
@@ -79,17 +83,31 @@ Result<BallMotionAt> ball_motion(const Spacetime& spacetime, const BallSpec& bal
     const bool spins = spacetime.spin() != 0.0;
     if (ball.motion == BallMotion::kOrbit) {
         if (spins && ball.position.z != 0.0)
-            return bad_input(fmt::format("ball.position: no circular orbit at z = {} about a spinning hole; allowed: z = 0, in the equatorial plane", ball.position.z));
+            return bad_input(
+                fmt::format("ball.position: no circular orbit at z = {} about a spinning hole; allowed: z = 0, in the "
+                            "equatorial plane",
+                            ball.position.z));
         const auto orbit = circular_orbit(spacetime, r);
-        if (!orbit) return bad_input(fmt::format("ball.position: no circular orbit at {} from the centre; allowed: outside the photon sphere", r));
-        return BallMotionAt([=, omega = orbit->omega](double t) { return in_plane(outward, east, r, omega * t, 0, omega); });
+        if (!orbit)
+            return bad_input(fmt::format(
+                "ball.position: no circular orbit at {} from the centre; allowed: outside the photon sphere", r));
+        return BallMotionAt(
+            [=, omega = orbit->omega](double t) { return in_plane(outward, east, r, omega * t, 0, omega); });
     }
     if (ball.motion == BallMotion::kGeodesic) {
-        if (spins || (spacetime.bends_light() && !spacetime.has_orbit_equation())) return bad_input(fmt::format("ball.motion: falls are not followed in metric \"{}\"; allowed: still, path", spacetime.name()));
-        if (!camera_can_rest(spacetime, r)) return bad_input(fmt::format("ball.position: nothing can be at rest at {} from the centre; allowed: {}", r, allowed_radii(spacetime)));
-        const Vec3 v = ball.velocity, across = v.z * east + v.y * cross(east, outward);   // e_theta = e_phi x e_r
-        if (!spacetime.bends_light()) return BallMotionAt([=, position = ball.position, velocity = v.x * outward + across](double t) { return BallPlace{position + t * velocity, velocity}; });
-        const double speed = length(across), gamma = 1.0 / std::sqrt(1.0 - dot(v, v)), lapse = std::sqrt(spacetime.lapse_squared(r));
+        if (spins || (spacetime.bends_light() && !spacetime.has_orbit_equation()))
+            return bad_input(fmt::format("ball.motion: falls are not followed in metric \"{}\"; allowed: still, path",
+                                         spacetime.name()));
+        if (!camera_can_rest(spacetime, r))
+            return bad_input(fmt::format("ball.position: nothing can be at rest at {} from the centre; allowed: {}", r,
+                                         allowed_radii(spacetime)));
+        const Vec3 v = ball.velocity, across = v.z * east + v.y * cross(east, outward);  // e_theta = e_phi x e_r
+        if (!spacetime.bends_light())
+            return BallMotionAt([=, position = ball.position, velocity = v.x * outward + across](double t) {
+                return BallPlace{position + t * velocity, velocity};
+            });
+        const double speed = length(across), gamma = 1.0 / std::sqrt(1.0 - dot(v, v)),
+                     lapse = std::sqrt(spacetime.lapse_squared(r));
         auto fall = std::make_shared<Fall>(spacetime, r, gamma * v.x * lapse, gamma * lapse, gamma * speed * r);
         const Vec3 onward = speed > 0.0 ? across / speed : east;
         return BallMotionAt([=](double t) { return fall->motion(t, outward, onward); });

@@ -9,7 +9,7 @@
 namespace nullscope {
 
 struct BallPlace {
-    Vec3 place, velocity;   // r_s, c; world axes, (r, theta, phi) taken as flat spherical coordinates
+    Vec3 place, velocity;  // r_s, c; world axes, (r, theta, phi) taken as flat spherical coordinates
 };
 using BallMotionAt = std::function<BallPlace(double t)>;
 

@@ -29,7 +29,8 @@ void check_partner(const std::string& key, bool wanted, bool needed, const std::
 }
 
 // word: the key that chooses the texture.
-void check_pattern(const std::string& section, const std::string& word, const BodyLook& look, const Given& given, Faults& faults) {
+void check_pattern(const std::string& section, const std::string& word, const BodyLook& look, const Given& given,
+                   Faults& faults) {
     const auto of = [&](const char* key) { return fmt::format("{}.{}", section, key); };
     const TextureKind kind = look.texture;
     const bool plain = kind == TextureKind::kPlain, image = kind == TextureKind::kImage,
@@ -48,7 +49,8 @@ void check_pattern(const std::string& section, const std::string& word, const Bo
 void check_look(const std::string& section, const BodyLook& look, const Given& given, Faults& faults) {
     check_partner(section + ".image", look.texture == TextureKind::kImage, true, "texture = \"image\"", given, faults);
     check_pattern(section, "texture", look, given, faults);
-    check_partner(section + ".band_latitude", look.mapping == BodyMapping::kBand, false, "mapping = \"band\"", given, faults);
+    check_partner(section + ".band_latitude", look.mapping == BodyMapping::kBand, false, "mapping = \"band\"", given,
+                  faults);
 }
 
 void check_disc_look(const BodyLook& look, const Given& given, Faults& faults) {
@@ -56,21 +58,26 @@ void check_disc_look(const BodyLook& look, const Given& given, Faults& faults) {
     check_partner("disc.image", image, false, "texture = \"image\"", given, faults);
     check_pattern("disc", "texture", look, given, faults);
     check_partner("disc.colour", !image, false, "a texture that is no image", given, faults);
-    check_partner("disc.second_colour", !image && look.texture != TextureKind::kPlain, false, "a texture of two colours", given, faults);
+    check_partner("disc.second_colour", !image && look.texture != TextureKind::kPlain, false,
+                  "a texture of two colours", given, faults);
 }
 
 void check_sky_look(const SkySpec& sky, const Given& given, Faults& faults) {
     check_pattern("sky", "kind", sky_look(sky), given, faults);
     check_partner("sky.colour", has_look(sky.kind), false, "kind = \"plain\" or a pattern", given, faults);
-    check_partner("sky.second_colour", has_look(sky.kind) && sky.kind != SkyKind::kPlain, false, "a kind of two colours", given, faults);
+    check_partner("sky.second_colour", has_look(sky.kind) && sky.kind != SkyKind::kPlain, false,
+                  "a kind of two colours", given, faults);
 }
 
 void check_sphere(const Scene& scene, double horizon, Faults& faults) {
-    const double least = scene.sphere->radius * (1 - scene.sphere->swing), most = scene.sphere->radius * (1 + scene.sphere->swing);
+    const double least = scene.sphere->radius * (1 - scene.sphere->swing),
+                 most = scene.sphere->radius * (1 + scene.sphere->swing);
     if (!(least > horizon))
-        faults.push_back({"sphere.radius", fmt::format("{} is not outside the horizon", least), fmt::format("r > {}", horizon)});
+        faults.push_back(
+            {"sphere.radius", fmt::format("{} is not outside the horizon", least), fmt::format("r > {}", horizon)});
     else if (!(most < scene.camera.r))
-        faults.push_back({"sphere.radius", fmt::format("the camera at r = {} is not outside of it", scene.camera.r), "radius < camera.r"});
+        faults.push_back({"sphere.radius", fmt::format("the camera at r = {} is not outside of it", scene.camera.r),
+                          "radius < camera.r"});
 }
 
 void check_cylinder(const Scene& scene, Faults& faults) {
@@ -92,7 +99,8 @@ void check_ball(const Scene& scene, Faults& faults) {
     if (!(length(ball.position) > ball.radius))
         faults.push_back({"ball.radius", "the centre lies within the ball",
                           "radius below the distance of position from the centre ([sphere] is centred)"});
-    else if (ball.motion == BallMotion::kStill && camera_is_there(scene.camera, ball.far) && !(length(camera_at(scene.camera) - ball.position) > ball.radius))
+    else if (ball.motion == BallMotion::kStill && camera_is_there(scene.camera, ball.far) &&
+             !(length(camera_at(scene.camera) - ball.position) > ball.radius))
         faults.push_back({"ball.radius", "the camera is inside of the ball", "a ball beside the camera"});
 }
 
@@ -103,8 +111,10 @@ void check_surface(const Scene& scene, const Given& given, Faults& faults) {
     const auto shape = expr::Formula::parse(surface_shape(*scene.surface), {"x", "y", "z", "t"});
     const Vec3 at = camera_at(scene.camera);
     const double place[] = {at.x, at.y, at.z, scene.time};
-    if (shape && camera_is_there(scene.camera, scene.surface->far) && length(at) <= scene.surface->bound && !(shape->value(place) > 0))
-        faults.push_back({named ? "surface.size" : "surface.shape", fmt::format("the camera is inside: f is {} there", shape->value(place)),
+    if (shape && camera_is_there(scene.camera, scene.surface->far) && length(at) <= scene.surface->bound &&
+        !(shape->value(place) > 0))
+        faults.push_back({named ? "surface.size" : "surface.shape",
+                          fmt::format("the camera is inside: f is {} there", shape->value(place)),
                           "f above 0 at the camera"});
 }
 

@@ -66,24 +66,30 @@ std::array<SceneKey, 2> mapping_keys(std::string_view section) {
 
 template <auto Part>
 BodyLook& look_of(Scene& scene) {
-    if constexpr (requires { (scene.*Part).look; }) return (scene.*Part).look;
-    else return (scene.*Part)->look;
+    if constexpr (requires { (scene.*Part).look; })
+        return (scene.*Part).look;
+    else
+        return (scene.*Part)->look;
 }
 
 // Of what is not solid and may have a texture, with its two colours.
 template <auto Part>
 std::array<SceneKey, 5> coat_keys(std::string_view section, std::string_view first, std::string_view second) {
     return {{
-        {section, "formula", KeyType::kFormula, "", "", kNone, "u v x y z", "How much of the first colour, from 0 to 1; needs \"formula\".",
+        {section, "formula", KeyType::kFormula, "", "", kNone, "u v x y z",
+         "How much of the first colour, from 0 to 1; needs \"formula\".",
          [](Scene& s, const KeyValue& v) { look_of<Part>(s).formula = v.text; }},
-        {section, "colour", KeyType::kColour, "", first, kColour, "", "First colour of a texture that is no image, linear red, green and blue.",
+        {section, "colour", KeyType::kColour, "", first, kColour, "",
+         "First colour of a texture that is no image, linear red, green and blue.",
          [](Scene& s, const KeyValue& v) { look_of<Part>(s).colour = v.vector; }},
         {section, "second_colour", KeyType::kColour, "", second, kColour, "",
          "Second colour: of the other cells, of the ground between lines, of where the formula is 0.",
          [](Scene& s, const KeyValue& v) { look_of<Part>(s).second_colour = v.vector; }},
-        {section, "columns", KeyType::kWhole, "", "24", kCount, "", "Cells of the pattern round about; of noise, grains over the radius.",
+        {section, "columns", KeyType::kWhole, "", "24", kCount, "",
+         "Cells of the pattern round about; of noise, grains over the radius.",
          [](Scene& s, const KeyValue& v) { look_of<Part>(s).columns = v.width; }},
-        {section, "rows", KeyType::kWhole, "", "12", kCount, "", "Cells of the pattern from top to bottom, or rim to rim; stripes are rows.",
+        {section, "rows", KeyType::kWhole, "", "12", kCount, "",
+         "Cells of the pattern from top to bottom, or rim to rim; stripes are rows.",
          [](Scene& s, const KeyValue& v) { look_of<Part>(s).rows = v.width; }},
     }};
 }
@@ -91,7 +97,14 @@ std::array<SceneKey, 5> coat_keys(std::string_view section, std::string_view fir
 // Of bodies that may stand on either side of a wormhole's throat.
 template <auto Body>
 SceneKey side_key(std::string_view section) {
-    return {section, "side", KeyType::kChoice, "", "near", kNone, "near far", "Of a wormhole's throat: near is l > 0, far is l < 0.",
+    return {section,
+            "side",
+            KeyType::kChoice,
+            "",
+            "near",
+            kNone,
+            "near far",
+            "Of a wormhole's throat: near is l > 0, far is l < 0.",
             [](Scene& s, const KeyValue& v) { (s.*Body)->far = v.choice == 1; }};
 }
 
@@ -122,19 +135,24 @@ const SceneKey kForms[] = {
      "Radius; neither the centre nor the camera lies within.",
      [](Scene& s, const KeyValue& v) { s.ball->radius = v.number; }},
     {"ball", "motion", KeyType::kChoice, "", "still", kNone, "still orbit geodesic path",
-     "How its middle moves: on a circular geodesic through position, eastward; in free fall from there; along formulas of t.",
+     "How its middle moves: on a circular geodesic through position, eastward; in free fall from there; along formulas "
+     "of t.",
      [](Scene& s, const KeyValue& v) { s.ball->motion = static_cast<BallMotion>(v.choice); }},
     {"ball", "velocity", KeyType::kVelocity, "c", "[0, 0, 0]", kNone, "",
      "At position and t = 0, along (e_r, e_theta, e_phi) of one at rest there; needs motion = \"geodesic\".",
      [](Scene& s, const KeyValue& v) { s.ball->velocity = v.vector; }},
     {"ball", "x", KeyType::kFormula, "", "", kNone, "t", "Of its middle at time t; needs motion = \"path\".",
      [](Scene& s, const KeyValue& v) { s.ball->x = v.text; }},
-    {"ball", "y", KeyType::kFormula, "", "", kNone, "t", "As x.", [](Scene& s, const KeyValue& v) { s.ball->y = v.text; }},
-    {"ball", "z", KeyType::kFormula, "", "", kNone, "t", "As x.", [](Scene& s, const KeyValue& v) { s.ball->z = v.text; }},
-    {"surface", "kind", KeyType::kChoice, "", "formula", kNone, "formula torus ellipsoid cube octahedron heart gyroid clebsch",
+    {"ball", "y", KeyType::kFormula, "", "", kNone, "t", "As x.",
+     [](Scene& s, const KeyValue& v) { s.ball->y = v.text; }},
+    {"ball", "z", KeyType::kFormula, "", "", kNone, "t", "As x.",
+     [](Scene& s, const KeyValue& v) { s.ball->z = v.text; }},
+    {"surface", "kind", KeyType::kChoice, "", "formula", kNone,
+     "formula torus ellipsoid cube octahedron heart gyroid clebsch",
      "What solid: the formula's, or one that is known by name.",
      [](Scene& s, const KeyValue& v) { s.surface->kind = static_cast<SurfaceKind>(v.choice); }},
-    {"surface", "size", KeyType::kNumber, "r_s", "6", kLength, "", "The length that is 1 in a named surface; needs a kind with a name.",
+    {"surface", "size", KeyType::kNumber, "r_s", "6", kLength, "",
+     "The length that is 1 in a named surface; needs a kind with a name.",
      [](Scene& s, const KeyValue& v) { s.surface->size = v.number; }},
     {"surface", "shape", KeyType::kFormula, "", "(length(x, y) - 6)^2 + z^2 - 2", kNone, "x y z t",
      "f(x, y, z, t), below 0 inside of the solid; outside of it at the camera; t is time. Needs kind = \"formula\".",
@@ -159,7 +177,8 @@ void append_body_keys(std::vector<SceneKey>& keys) {
     append(keys, kDiscTexture);
     append(keys, coat_keys<&Scene::disc>("disc", "[1, 0.72, 0.42]", "[0.12, 0.05, 0.03]"));
     append(keys, kForms);
-    append(keys, std::array{side_key<&Scene::cylinder>("cylinder"), side_key<&Scene::ball>("ball"), side_key<&Scene::surface>("surface")});
+    append(keys, std::array{side_key<&Scene::cylinder>("cylinder"), side_key<&Scene::ball>("ball"),
+                            side_key<&Scene::surface>("surface")});
     append(keys, look_keys<&Scene::sphere>("sphere"));
     append(keys, mapping_keys<&Scene::sphere>("sphere"));
     append(keys, look_keys<&Scene::cylinder>("cylinder"));

@@ -10,6 +10,6 @@ namespace nullscope {
 // The keys that make something move, as a plan names them: "disc.flow", "spot.r". Empty: every time looks the same.
 std::vector<std::string> moving_parts(const Scene& scene);
 
-bool surface_moves(const SurfaceSpec& surface);   // whether its formula asks for t
+bool surface_moves(const SurfaceSpec& surface);  // whether its formula asks for t
 
 }  // namespace nullscope

@@ -11,7 +11,7 @@ namespace nullscope {
 struct NamedSurface {
     SurfaceKind kind;
     std::string_view key;
-    std::string_view formula;   // of X, Y, Z: the place over surface.size; empty for kFormula
+    std::string_view formula;  // of X, Y, Z: the place over surface.size; empty for kFormula
     std::string_view help;
 };
 
@@ -23,9 +23,11 @@ inline constexpr std::array<NamedSurface, 8> kNamedSurfaces = {{
     {SurfaceKind::kCube, "cube", "length(max(abs(X) - 0.5, 0), max(abs(Y) - 0.5, 0), max(abs(Z) - 0.5, 0)) - 0.08",
      "a cube of half width 0.58 with round edges"},
     {SurfaceKind::kOctahedron, "octahedron", "abs(X) + abs(Y) + abs(Z) - 1", "corners at distance 1"},
-    {SurfaceKind::kHeart, "heart", "(X^2 + 2.25 * Y^2 + Z^2 - 1)^3 - X^2 * Z^3 - 0.1125 * Y^2 * Z^3", "Taubin's heart, 1.3 in height"},
+    {SurfaceKind::kHeart, "heart", "(X^2 + 2.25 * Y^2 + Z^2 - 1)^3 - X^2 * Z^3 - 0.1125 * Y^2 * Z^3",
+     "Taubin's heart, 1.3 in height"},
     {SurfaceKind::kGyroid, "gyroid",
-     "abs(sin(2 * pi * X) * cos(2 * pi * Y) + sin(2 * pi * Y) * cos(2 * pi * Z) + sin(2 * pi * Z) * cos(2 * pi * X)) - 0.4",
+     "abs(sin(2 * pi * X) * cos(2 * pi * Y) + sin(2 * pi * Y) * cos(2 * pi * Z) + sin(2 * pi * Z) * cos(2 * pi * X)) - "
+     "0.4",
      "Schoen's gyroid, a labyrinth of period 1, as far as surface.bound"},
     {SurfaceKind::kClebsch, "clebsch",
      "81 * (X^3 + Y^3 + Z^3) - 189 * (X^2 * (Y + Z) + Y^2 * (X + Z) + Z^2 * (X + Y)) + 54 * X * Y * Z"

@@ -18,9 +18,10 @@ namespace nullscope {
 
 struct Observer {
     RadialFrame frame;
-    double swirl = 0;   // speed along e_phi of the observer's own frame in that; without spin 0
-    Vec3 velocity;   // of the camera in the observer's own frame, along (e_r, e_theta, e_phi)
-    Mat3 turn;       // of the camera's axes, before the boost: what two boosts in different directions leave (Thomas, Wigner)
+    double swirl = 0;  // speed along e_phi of the observer's own frame in that; without spin 0
+    Vec3 velocity;     // of the camera in the observer's own frame, along (e_r, e_theta, e_phi)
+    Mat3
+        turn;  // of the camera's axes, before the boost: what two boosts in different directions leave (Thomas, Wigner)
 };
 
 // Where light runs straight the frame is at rest and all motion is in velocity. Errors: no such observer at camera.r, with what is allowed.
@@ -28,7 +29,8 @@ Result<Observer> observer_of(const Spacetime& spacetime, const CameraSpec& camer
 
 // Inward: its frame is not that of an observer at rest, nor at a constant radius.
 inline bool falls(const CameraSpec& camera) {
-    return camera.observer == ObserverKind::kRain || camera.observer == ObserverKind::kFall || camera.observer == ObserverKind::kThrow;
+    return camera.observer == ObserverKind::kRain || camera.observer == ObserverKind::kFall ||
+           camera.observer == ObserverKind::kThrow;
 }
 
 // The parts of light.* that are switched off one by one are parts by observers at rest: not of one that falls, nor about a hole that

@@ -34,47 +34,56 @@ struct RayQuery {
     Vec3 n{-1, 0, 0};
     LocalFrame frame = LocalFrame::kStatic;
     std::optional<ReducedRay> orbit;
-    std::optional<double> at_angle;     // a swept angle at which the position along the ray is asked for, rad
+    std::optional<double> at_angle;  // a swept angle at which the position along the ray is asked for, rad
 };
 
 // The answer. Empty values are NaN (kNotANumber).
 struct RayRecord {
     Fate fate = Fate::kNoSky;
-    double theta_inf = kNotANumber, phi_inf = kNotANumber;  // direction on the sky; phi unwrapped (phi_camera + what was swept)
-    Vec3 sky{kNotANumber, kNotANumber, kNotANumber};        // the same as a unit vector in world axes
-    double angle = kNotANumber;   // swept in the orbital plane from the camera to the end (sky, or horizon), windings kept
-    double delay = kNotANumber;   // T = v_cam - v_inf, in r_s/c; escaped rays
-    double g = kNotANumber;       // camera frequency over frequency at infinity
-    double turn = kNotANumber;    // zeta at the turning point on the traced part; empty if none
-    double at = kNotANumber;      // zeta at at_angle; empty if the ray has ended before
-    Object hit = Object::kNone;   // what the ray ended on: fate kHit
+    double theta_inf = kNotANumber,
+           phi_inf = kNotANumber;  // direction on the sky; phi unwrapped (phi_camera + what was swept)
+    Vec3 sky{kNotANumber, kNotANumber, kNotANumber};  // the same as a unit vector in world axes
+    double angle =
+        kNotANumber;  // swept in the orbital plane from the camera to the end (sky, or horizon), windings kept
+    double delay = kNotANumber;  // T = v_cam - v_inf, in r_s/c; escaped rays
+    double g = kNotANumber;      // camera frequency over frequency at infinity
+    double turn = kNotANumber;   // zeta at the turning point on the traced part; empty if none
+    double at = kNotANumber;     // zeta at at_angle; empty if the ray has ended before
+    Object hit = Object::kNone;  // what the ray ended on: fate kHit
     struct Crossing {
         double r, phi;
-        double g = kNotANumber;   // camera frequency over frequency in the disc's matter there; where it was asked for
+        double g = kNotANumber;  // camera frequency over frequency in the disc's matter there; where it was asked for
     };
-    std::vector<Crossing> crossings;    // of the equatorial plane after leaving the camera, before the end (horizon included)
+    std::vector<Crossing>
+        crossings;  // of the equatorial plane after leaving the camera, before the end (horizon included)
 };
 
-inline constexpr int kDiscHit = 1, kStarHit = 6;   // RayPixel::hit
+inline constexpr int kDiscHit = 1, kStarHit = 6;  // RayPixel::hit
 
 // One pixel of the ray data of a frame (docs/ray-data.md). Finite always; 0 where a value does not exist.
 struct RayPixel {
-    Fate fate = Fate::kNoSky;   // kHit: ended on an opaque object
-    Vec3 sky{0, 0, 0};          // unit direction on the celestial sphere, world axes; escaped rays
-    double g = 0;               // camera frequency over frequency at infinity
-    double delay = 0;           // r_s/c; 0 unless delay is called for
-    double angle = 0;           // swept from the camera to the end (sky, horizon or hit), rad
-    int order = 0;              // image order: floor(angle / pi)
-    int hit = 0;                // number of the first object hit (Object), 0 for none, also for a translucent object
-    int steps = 0;              // that the tracer took, where it takes steps; of the shader core, and of methods that count them (shaderlib/method.h)
-    double u = 0, v = 0, w = 0; // place of the first hit: x, y, z in r_s, world axes; on the disc w = 0; star: longitude and latitude, rad
+    Fate fate = Fate::kNoSky;  // kHit: ended on an opaque object
+    Vec3 sky{0, 0, 0};         // unit direction on the celestial sphere, world axes; escaped rays
+    double g = 0;              // camera frequency over frequency at infinity
+    double delay = 0;          // r_s/c; 0 unless delay is called for
+    double angle = 0;          // swept from the camera to the end (sky, horizon or hit), rad
+    int order = 0;             // image order: floor(angle / pi)
+    int hit = 0;               // number of the first object hit (Object), 0 for none, also for a translucent object
+    int steps =
+        0;  // that the tracer took, where it takes steps; of the shader core, and of methods that count them (shaderlib/method.h)
+    double
+        u = 0,
+        v = 0,
+        w = 0;  // place of the first hit: x, y, z in r_s, world axes; on the disc w = 0; star: longitude and latitude, rad
 };
 
 struct RayFrame {
     int width = 0, height = 0;
-    std::vector<RayPixel> pixels;   // top row first
-    int row_step = 1;               // the pixels are those of rows 0, row_step, 2 row_step, ... only
-    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y / row_step) * width + x; }   // y: a row that is there
+    std::vector<RayPixel> pixels;  // top row first
+    int row_step = 1;              // the pixels are those of rows 0, row_step, 2 row_step, ... only
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y / row_step) * width + x;
+    }  // y: a row that is there
     const RayPixel& at(int x, int y) const { return pixels[index(x, y)]; }
 };
 

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "base/text.h"
-#include "scene/body_check.h"
 #include "scene/ball_motion.h"
+#include "scene/body_check.h"
 #include "scene/moving.h"
 #include "scene/observer.h"
 #include "scene/scene_value.h"
@@ -55,7 +55,7 @@ private:
     void read_key(std::string_view section, const toml::key& name, const toml::node& node);
     bool read_parameter(std::string_view section, const toml::key& name, const toml::node& node);
     void report_unknown(std::string_view section, const toml::key& name);
-    void check_camera(int key_line = 0);   // key_line: of [[path.key]], 0 for [camera]
+    void check_camera(int key_line = 0);  // key_line: of [[path.key]], 0 for [camera]
     void check_path();
     void read_path_keys(const toml::node& node);
     void check_place(std::string_view section, const SpacetimeSpec& spec, int key_line);
@@ -74,16 +74,16 @@ private:
     fs::path base_;
     Scene scene_;
     // The sections that name a metric, and which: null while the file names none that is known.
-    std::map<std::string, const MetricEntry*, std::less<>> metrics_ = {{"spacetime", find_metric(SpacetimeSpec{}.metric)},
-                                                                       {"beside", find_metric(SpacetimeSpec{}.metric)}};
+    std::map<std::string, const MetricEntry*, std::less<>> metrics_ = {
+        {"spacetime", find_metric(SpacetimeSpec{}.metric)}, {"beside", find_metric(SpacetimeSpec{}.metric)}};
     const MetricEntry* metric_of(std::string_view section) const {
         const auto found = metrics_.find(section);
         return found != metrics_.end() ? found->second : nullptr;
     }
     SpacetimeSpec& spec_of(std::string_view section) { return section == "beside" ? *scene_.beside : scene_.spacetime; }
-    std::map<std::string, int> lines_;                                  // of the keys that are there, by full name
-    std::map<std::string, int> sections_;                               // lines where sections begin
-    std::map<int, std::string> reports_;                                // what is wrong, by line; the first is returned
+    std::map<std::string, int> lines_;     // of the keys that are there, by full name
+    std::map<std::string, int> sections_;  // lines where sections begin
+    std::map<int, std::string> reports_;   // what is wrong, by line; the first is returned
 };
 
 void SceneReader::report(int line, std::string_view name, std::string_view what, std::string_view allowed) {
@@ -102,9 +102,8 @@ void SceneReader::report_unknown(std::string_view section, const toml::key& name
         break;
     }
     const std::string shown = in_quotes(name.str());
-    const std::string what = metric != nullptr
-                                 ? fmt::format("no parameter of metric \"{}\"", metric->key)
-                                 : std::string("unknown key");
+    const std::string what =
+        metric != nullptr ? fmt::format("no parameter of metric \"{}\"", metric->key) : std::string("unknown key");
     report(line_of(name), prefix + shown.substr(1, shown.size() - 2), what,
            listed(words) + (nearest.empty() ? "" : fmt::format(" (nearest known key: {})", nearest)));
 }
@@ -160,7 +159,7 @@ void SceneReader::read_section(std::string_view section, const toml::table& tabl
         of_metric->second = reports_.empty() ? find_metric(spec_of(section).metric) : nullptr;
     }
     for (const auto& [name, node] : table) {
-        if (section == "path" && name.str() == "key") continue;   // read_path_keys
+        if (section == "path" && name.str() == "key") continue;  // read_path_keys
         if (of_metric == metrics_.end() || name.str() != "metric") read_key(section, name, node);
     }
 }
@@ -172,10 +171,12 @@ void SceneReader::check_camera(int key_line) {
                    "either fov, or plane_width and focal_distance");
         }
     }
-    constexpr std::pair<const char*, ObserverKind> kOfOne[] = {{"camera.fall_from", ObserverKind::kFall}, {"camera.energy", ObserverKind::kThrow}};
+    constexpr std::pair<const char*, ObserverKind> kOfOne[] = {{"camera.fall_from", ObserverKind::kFall},
+                                                               {"camera.energy", ObserverKind::kThrow}};
     for (const auto& [key, observer] : kOfOne)
         if (given(key) && scene_.camera.observer != observer)
-            report(line(key), key, "camera.observer is another", fmt::format("with observer = \"{}\" only", observer == ObserverKind::kFall ? "fall" : "throw"));
+            report(line(key), key, "camera.observer is another",
+                   fmt::format("with observer = \"{}\" only", observer == ObserverKind::kFall ? "fall" : "throw"));
     check_place("spacetime", scene_.spacetime, key_line);
     const auto world = make_spacetime(scene_.spacetime.metric, scene_.spacetime.parameters);
     if (const Status parts = world ? check_light_parts(**world, scene_) : Done{}; !parts) {
@@ -189,7 +190,9 @@ void SceneReader::check_place(std::string_view section, const SpacetimeSpec& spe
     const auto spacetime = make_spacetime(spec.metric, spec.parameters);
     if (!spacetime) return;
     if (scene_.camera.observer == ObserverKind::kStatic && !camera_can_rest(**spacetime, scene_.camera.r)) {
-        report(key_line > 0 ? key_line : line(given("camera.r") ? std::string("camera.r") : std::string(section) + ".metric"), "camera.r",
+        report(key_line > 0 ? key_line
+                            : line(given("camera.r") ? std::string("camera.r") : std::string(section) + ".metric"),
+               "camera.r",
                fmt::format("a static camera cannot be at {}{}", scene_.camera.r,
                            (*spacetime)->horizon_radius() ? ", on or inside the horizon" : ""),
                allowed_radii(**spacetime));
@@ -220,13 +223,16 @@ void SceneReader::read_path_keys(const toml::node& node) {
                 continue;
             }
             const auto frame = value.value<double>();
-            if (!frame || !(*frame >= 0.0 && *frame <= 1e6)) report(line_of(name), "path.key.frame", "must be a number", "[0, 1000000]");
-            else key.frame = *frame;
+            if (!frame || !(*frame >= 0.0 && *frame <= 1e6))
+                report(line_of(name), "path.key.frame", "must be a number", "[0, 1000000]");
+            else
+                key.frame = *frame;
         }
         key.camera = scene_.camera;
         const int here = static_cast<int>(entry.source().begin.line);
         if (!scene_.path->keys.empty() && !(key.frame > scene_.path->keys.back().frame))
-            report(here, "path.key.frame", fmt::format("{} is not after the key before", key.frame), "frames that grow");
+            report(here, "path.key.frame", fmt::format("{} is not after the key before", key.frame),
+                   "frames that grow");
         scene_.path->keys.push_back(key);
         if (reports_.empty()) check_camera(here);
     }
@@ -238,26 +244,32 @@ void SceneReader::check_path() {
     if (!scene_.path) return;
     const bool keys = scene_.path->kind == PathKind::kKeys;
     if (keys ? scene_.path->keys.size() < 2 : !scene_.path->keys.empty())
-        report(sections_["path"], "path.key", keys ? "fewer than two keys, but kind is keys" : "keys, but kind is not keys",
+        report(sections_["path"], "path.key",
+               keys ? "fewer than two keys, but kind is keys" : "keys, but kind is not keys",
                keys ? "two [[path.key]] or more" : "with kind = \"keys\" only");
     if (keys && !given("path.frames") && !scene_.path->keys.empty())
         scene_.path->frames = std::max(2, static_cast<int>(scene_.path->keys.back().frame) + 1);
     for (const char* key : {"path.duration", "path.look"})
         if (keys && given(key)) report(line(key), key, "kind is not fall", "with kind = \"fall\" only");
     for (const PathKey& key : scene_.path->keys)
-        if (key.camera.observer != scene_.path->keys.front().camera.observer || key.camera.width != scene_.camera.width || key.camera.height != scene_.camera.height)
-            report(sections_["path"], "path.key", "observer and size change on the way", "one observer and one size for all keys");
+        if (key.camera.observer != scene_.path->keys.front().camera.observer ||
+            key.camera.width != scene_.camera.width || key.camera.height != scene_.camera.height)
+            report(sections_["path"], "path.key", "observer and size change on the way",
+                   "one observer and one size for all keys");
 }
 
 void SceneReader::check_sky() {
     const bool far_image = scene_.far_sky.kind == SkyKind::kImage;
     if (far_image != given("far_sky.image"))
-        report(line(far_image ? "far_sky.kind" : "far_sky.image"), "far_sky.image", far_image ? "missing, but kind is image" : "kind is not image",
+        report(line(far_image ? "far_sky.kind" : "far_sky.image"), "far_sky.image",
+               far_image ? "missing, but kind is image" : "kind is not image",
                far_image ? "an image file" : "with kind = \"image\" only");
     for (const char* key : {"sky.faintest", "sky.even_stars"})
-        if (scene_.sky.kind != SkyKind::kPoints && given(key)) report(line(key), key, "kind is not points", "with kind = \"points\" only");
+        if (scene_.sky.kind != SkyKind::kPoints && given(key))
+            report(line(key), key, "kind is not points", "with kind = \"points\" only");
     if (given("sky.temperature") && (has_look(scene_.sky.kind) || scene_.sky.kind == SkyKind::kBlack))
-        report(line("sky.temperature"), "sky.temperature", "kind is neither stars, image nor points", "with those kinds only");
+        report(line("sky.temperature"), "sky.temperature", "kind is neither stars, image nor points",
+               "with those kinds only");
     const bool image = scene_.sky.kind == SkyKind::kImage;
     const bool caps = scene_.sky.mapping == SkyMapping::kBandAndCaps;
     if (image && !given("sky.image")) {
@@ -281,11 +293,15 @@ void SceneReader::check_sky() {
 }
 
 void SceneReader::check_disc() {
-    for (const auto& [key, other] : {std::pair{"disc.mass", "disc.accretion_rate"}, {"disc.accretion_rate", "disc.mass"}}) {
+    for (const auto& [key, other] :
+         {std::pair{"disc.mass", "disc.accretion_rate"}, {"disc.accretion_rate", "disc.mass"}}) {
         if (!given(key)) continue;
         if (!given(other)) report(line(key), other, fmt::format("missing, but there is a {}", key), "both or none");
-        if (scene_.disc->emission != DiscEmission::kThermal) report(line(key), key, "emission is not thermal", "with emission = \"thermal\" only");
-        if (given("disc.temperature")) report(line("disc.temperature"), "disc.temperature", fmt::format("{} gives the temperature", key), "one of both");
+        if (scene_.disc->emission != DiscEmission::kThermal)
+            report(line(key), key, "emission is not thermal", "with emission = \"thermal\" only");
+        if (given("disc.temperature"))
+            report(line("disc.temperature"), "disc.temperature", fmt::format("{} gives the temperature", key),
+                   "one of both");
     }
     if (!scene_.disc || scene_.disc->inner < scene_.disc->outer) return;
     const bool inner = given("disc.inner");
@@ -314,9 +330,11 @@ void SceneReader::check_solids() {
 void SceneReader::report_message(const std::string& message, const std::string& other) {
     const std::string_view mark = "; allowed: ";
     const std::size_t colon = message.find(": "), allowed = message.find(mark);
-    if (allowed == std::string::npos || colon > allowed) return report(line(other), other, message, "a value that can be used");
+    if (allowed == std::string::npos || colon > allowed)
+        return report(line(other), other, message, "a value that can be used");
     const std::string key = message.substr(0, colon);
-    report(line(given(key) ? key : other), key, message.substr(colon + 2, allowed - colon - 2), message.substr(allowed + mark.size()));
+    report(line(given(key) ? key : other), key, message.substr(colon + 2, allowed - colon - 2),
+           message.substr(allowed + mark.size()));
 }
 
 // What moves: whether it can, and whether its light's delay is known there.
@@ -326,11 +344,14 @@ void SceneReader::check_motion(const SpacetimeSpec& spec, bool delay) {
     if (!spacetime || moving.empty()) return;
     const Spacetime& world = **spacetime;
     if (delay && world.bends_light() && world.spin() == 0.0 && !world.lapse_roots())
-        report(1, moving.front(), fmt::format("how long light takes is not known in metric \"{}\"", spec.metric), "light.delay = \"off\", or another metric");
+        report(1, moving.front(), fmt::format("how long light takes is not known in metric \"{}\"", spec.metric),
+               "light.delay = \"off\", or another metric");
     if (scene_.spot && scene_.disc && !circular_orbit(world, scene_.spot->r))
-        report(given("spot.r") ? line("spot.r") : sections_["spot"], "spot.r", fmt::format("no circular orbit at {}", scene_.spot->r), "r outside the photon sphere");
+        report(given("spot.r") ? line("spot.r") : sections_["spot"], "spot.r",
+               fmt::format("no circular orbit at {}", scene_.spot->r), "r outside the photon sphere");
     if (!scene_.ball || scene_.ball->motion == BallMotion::kStill) return;
-    if (world.by_proper_length()) report(line("ball.motion"), "ball.motion", "nothing moves in a wormhole", "still");
+    if (world.by_proper_length())
+        report(line("ball.motion"), "ball.motion", "nothing moves in a wormhole", "still");
     else if (const auto motion = ball_motion(world, *scene_.ball); !motion)
         report_message(motion.error().message, "ball.motion");
 }
@@ -345,12 +366,16 @@ void SceneReader::check_moving_keys() {
     only("ball.velocity", motion == BallMotion::kGeodesic, "motion = \"geodesic\"");
     for (const char* key : {"ball.x", "ball.y", "ball.z"}) {
         only(key, motion == BallMotion::kPath, "motion = \"path\"");
-        if (motion == BallMotion::kPath && !given(key)) report(line("ball.motion"), key, "missing, but motion is path", "a formula of t");
+        if (motion == BallMotion::kPath && !given(key))
+            report(line("ball.motion"), key, "missing, but motion is path", "a formula of t");
     }
     if (!scene_.spot) return;
-    if (!scene_.disc) report(sections_["spot"], "spot", "there is no [disc]", "in a disc only; disc.opacity = 0 shows the spots alone");
+    if (!scene_.disc)
+        report(sections_["spot"], "spot", "there is no [disc]",
+               "in a disc only; disc.opacity = 0 shows the spots alone");
     else if (!(scene_.spot->r > scene_.disc->inner && scene_.spot->r < scene_.disc->outer))
-        report(given("spot.r") ? line("spot.r") : sections_["spot"], "spot.r", fmt::format("{} is not within the disc", scene_.spot->r),
+        report(given("spot.r") ? line("spot.r") : sections_["spot"], "spot.r",
+               fmt::format("{} is not within the disc", scene_.spot->r),
                fmt::format("({}, {})", scene_.disc->inner, scene_.disc->outer));
 }
 
@@ -361,7 +386,10 @@ void SceneReader::check_throat(const SpacetimeSpec& spec) {
     for (const SideFault& fault : side_faults(**spacetime, scene_)) {
         const std::string section = fault.key.substr(0, fault.key.find('.'));
         const auto at = sections_.find(section);
-        report(given(fault.key) ? line(fault.key) : at != sections_.end() ? at->second : line("spacetime.metric"), fault.key, fault.what, fault.allowed);
+        report(given(fault.key)        ? line(fault.key)
+               : at != sections_.end() ? at->second
+                                       : line("spacetime.metric"),
+               fault.key, fault.what, fault.allowed);
     }
 }
 
@@ -380,7 +408,8 @@ Result<Scene> SceneReader::read(const toml::table& root) {
     }
     if (reports_.empty()) {  // what follows compares values with each other
         check_camera();
-        if (const toml::node* keys = root.at_path("path.key").node(); keys != nullptr && scene_.path) read_path_keys(*keys);
+        if (const toml::node* keys = root.at_path("path.key").node(); keys != nullptr && scene_.path)
+            read_path_keys(*keys);
         check_path();
         check_sky();
         check_disc();

@@ -28,7 +28,7 @@ struct KeyValue {
     double number = 0;
     Vec3 vector;
     int width = 0, height = 0;  // kSize; kWhole: width
-    int choice = 0;  // index in SceneKey::choices
+    int choice = 0;             // index in SceneKey::choices
     std::string text;
     std::filesystem::path path;  // resolved against the scene file's folder
 };
@@ -50,7 +50,7 @@ inline constexpr std::size_t kLongestText = 200;       // bytes of name and desc
 
 std::span<const SceneKey> scene_keys();
 KeyRange key_range(std::string_view full_name);  // of a key that the program names
-std::string full_name(const SceneKey& key);     // "camera.r", "name"
-std::string allowed_text(const SceneKey& key);  // "(0, 180)", "stars, image or black", ...
+std::string full_name(const SceneKey& key);      // "camera.r", "name"
+std::string allowed_text(const SceneKey& key);   // "(0, 180)", "stars, image or black", ...
 
 }  // namespace nullscope

@@ -23,7 +23,8 @@ std::vector<fs::path> scene_files() {
     for (fs::directory_iterator i(scenes_directory(), error), end; !error && i != end; i.increment(error)) {
         if (i->path().extension() == ".toml") files.push_back(i->path());
     }
-    std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) { return a.stem() < b.stem(); });   // by the name that is shown
+    std::sort(files.begin(), files.end(),
+              [](const fs::path& a, const fs::path& b) { return a.stem() < b.stem(); });  // by the name that is shown
     return files;
 }
 

@@ -58,7 +58,8 @@ Checked check_vector(const SceneKey& key, const toml::node& node) {
         const std::optional<double> number = finite_number(*array->get(i));
         if (!number) return Fault{fmt::format("component {} is not a finite number", i + 1)};
         v[i] = *number;
-        if (key.type != KeyType::kVelocity && !key.range.contains(v[i])) return Fault{fmt::format("{} is out of range", v[i])};
+        if (key.type != KeyType::kVelocity && !key.range.contains(v[i]))
+            return Fault{fmt::format("{} is out of range", v[i])};
     }
     KeyValue value;
     value.vector = {v[0], v[1], v[2]};
@@ -69,7 +70,7 @@ Checked check_vector(const SceneKey& key, const toml::node& node) {
 
 Checked check_whole(const SceneKey& key, const toml::node& node) {
     if (!node.is_integer()) return Fault{fmt::format("must be an integer, not {}", type_name(node))};
-    const double number = node.value<double>().value_or(-1e300);   // integers above 2^53 have no double: out of range
+    const double number = node.value<double>().value_or(-1e300);  // integers above 2^53 have no double: out of range
     if (!key.range.contains(number)) return Fault{fmt::format("{} is out of range", number)};
     KeyValue value;
     value.width = static_cast<int>(number);
@@ -104,7 +105,8 @@ Checked check_text(const SceneKey& key, const std::string& text, const fs::path&
     if (key.type == KeyType::kText) {
         if (text.size() > kLongestText) return Fault{fmt::format("{} bytes are too long", text.size())};
     } else if (key.type == KeyType::kFormula) {
-        if (const auto formula = expr::Formula::parse(text, split(key.choices, ' ')); !formula) return Fault{formula.error().message};
+        if (const auto formula = expr::Formula::parse(text, split(key.choices, ' ')); !formula)
+            return Fault{formula.error().message};
     } else if (key.type == KeyType::kImage) {
         value.path = base / fs::path(text);
         std::error_code error;

@@ -10,7 +10,7 @@ namespace nullscope {
 struct Halves {
     Scene left, right;
 };
-Halves halves(const Scene& scene, const Scene& other);    // beside a scene of its own, camera apart
-std::optional<Halves> halves(const Scene& scene);         // beside scene.beside; nothing where there is none
+Halves halves(const Scene& scene, const Scene& other);  // beside a scene of its own, camera apart
+std::optional<Halves> halves(const Scene& scene);       // beside scene.beside; nothing where there is none
 
 }  // namespace nullscope

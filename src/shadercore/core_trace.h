@@ -21,9 +21,10 @@ using FrameNumbers = std::array<double, 4 * kFrameVectors>;
 
 struct CoreInput {
     FrameNumbers frame{};
-    TexelView strip, ends, orbit, delay;   // delay: empty where nothing asks for light times
-    bool cubic = false;                        // the strip's cubics instead of its lines (method strip:cubic)
-    bool lensing = true, aberration = false, spin = false, spin_fall = false, spin_delay = false;   // the effects compiled in (a scene without a disc has an empty range of radii)
+    TexelView strip, ends, orbit, delay;  // delay: empty where nothing asks for light times
+    bool cubic = false;                   // the strip's cubics instead of its lines (method strip:cubic)
+    bool lensing = true, aberration = false, spin = false, spin_fall = false,
+         spin_delay = false;  // the effects compiled in (a scene without a disc has an empty range of radii)
 };
 
 // Ray data of the pixel at (x, y) px from the image centre, y up. Same result for the same input; thread-safe.

@@ -18,9 +18,9 @@ struct Body {
     std::string name;
     int number;  // Object
     const BodyLook* look;
-    std::string size;            // GLSL: the length that grains are counted over
-    std::string middle, normal;  // GLSL: at the place `place`
-    const char* mapping = nullptr;   // instead of the look's
+    std::string size;               // GLSL: the length that grains are counted over
+    std::string middle, normal;     // GLSL: at the place `place`
+    const char* mapping = nullptr;  // instead of the look's
     bool marched = true;
     bool far = false;
 };
@@ -28,8 +28,8 @@ struct Body {
 std::vector<Body> bodies_of(const Scene& scene, bool spins) {
     std::vector<Body> bodies;
     if (scene.sphere)
-        bodies.push_back(
-            {"sphere", 2, &scene.sphere->look, "frame.sphere_form.x", "vec3(0.0)", "place.outward", nullptr, spins || scene.sphere->swing > 0.0});
+        bodies.push_back({"sphere", 2, &scene.sphere->look, "frame.sphere_form.x", "vec3(0.0)", "place.outward",
+                          nullptr, spins || scene.sphere->swing > 0.0});
     if (scene.cylinder)
         bodies.push_back({"cylinder", 3, &scene.cylinder->look, "frame.cylinder_form.y", "vec3(0.0)",
                           "cylinder_normal(place.at)", "MAPPING_PLANE", true, scene.cylinder->far});
@@ -37,8 +37,8 @@ std::vector<Body> bodies_of(const Scene& scene, bool spins) {
         bodies.push_back({"ball", 4, &scene.ball->look, "frame.ball_form.w", "ball_middle(place)",
                           "ball_offset(place) / frame.ball_form.w", nullptr, true, scene.ball->far});
     if (scene.surface)
-        bodies.push_back(
-            {"surface", 5, &scene.surface->look, "frame.surface_form.x", "vec3(0.0)", "surface_normal(place)", nullptr, true, scene.surface->far});
+        bodies.push_back({"surface", 5, &scene.surface->look, "frame.surface_form.x", "vec3(0.0)",
+                          "surface_normal(place)", nullptr, true, scene.surface->far});
     return bodies;
 }
 
@@ -52,8 +52,10 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
 std::string shape_of(const SurfaceSpec& surface) {
     const auto formula = expr::Formula::parse(surface_shape(surface), {"x", "y", "z", "t"});
     const bool moves = surface_moves(surface);
-    std::string text = "float surface_formula(vec3 at SURFACE_T) {\n    float x = at.x;\n    float y = at.y;\n    float z = at.z;\n" +
-                       (formula ? formula->glsl("value") : "    float value = 1.0;\n") + "    return value;\n}\n" + std::string(shader_file("object/surface.glsl"));
+    std::string text =
+        "float surface_formula(vec3 at SURFACE_T) {\n    float x = at.x;\n    float y = at.y;\n    float z = at.z;\n" +
+        (formula ? formula->glsl("value") : "    float value = 1.0;\n") + "    return value;\n}\n" +
+        std::string(shader_file("object/surface.glsl"));
     text = replaced(std::move(text), " SURFACE_AT_T", moves ? ", t" : "");
     return replaced(std::move(text), " SURFACE_T", moves ? ", float t" : "");
 }
@@ -69,8 +71,9 @@ std::string light_of(const Body& body, bool solid) {
                                          "TEXTURE_NOISE", "TEXTURE_FORMULA", "TEXTURE_IMAGE"};
     constexpr const char* kMappings[] = {"MAPPING_EQUIRECTANGULAR", "MAPPING_BAND", "MAPPING_CAPS", "MAPPING_CUBE"};
     const BodyLook& look = *body.look;
-    std::vector<std::string> defines = {kTextures[static_cast<int>(look.texture)],
-                                        body.mapping != nullptr ? body.mapping : kMappings[static_cast<int>(look.mapping)]};
+    std::vector<std::string> defines = {
+        kTextures[static_cast<int>(look.texture)],
+        body.mapping != nullptr ? body.mapping : kMappings[static_cast<int>(look.mapping)]};
     if (solid) defines.emplace_back("MAPPING_OUTSIDE");
     std::string text = resolved_branches(std::string(shader_file("object/paint.glsl")), defines);
     if (solid) text += shader_file("object/body_light.glsl");
@@ -96,9 +99,14 @@ std::string value_by_side(const Body& body) {
     const char* off = body.far ? "place.side >= 0.0" : "place.side <= 0.0";
     const std::string at = body.name == "cylinder" ? "place.at" : "place";
     const std::string across = fmt::format("    bool off = {};\n    float way = off ? place.r : 0.0;\n", off);
-    return fmt::format("float {0}_value_by_side(RayPlace place) {{\n{1}    if (off) place.at = vec3(0.0);\n    return {0}_value({2}) + way;\n}}\n", body.name, across, at) +
-           fmt::format("float {0}_room_by_side(RayPlace place) {{\n{1}    if (!off) return {0}_room(place);\n    place.at = vec3(0.0);\n    return {0}_{3} + way;\n}}\n",
-                       body.name, across, at, body.name == "surface" ? "room(place)" : "value(" + at + ")");
+    return fmt::format(
+               "float {0}_value_by_side(RayPlace place) {{\n{1}    if (off) place.at = vec3(0.0);\n    return "
+               "{0}_value({2}) + way;\n}}\n",
+               body.name, across, at) +
+           fmt::format(
+               "float {0}_room_by_side(RayPlace place) {{\n{1}    if (!off) return {0}_room(place);\n    place.at = "
+               "vec3(0.0);\n    return {0}_{3} + way;\n}}\n",
+               body.name, across, at, body.name == "surface" ? "room(place)" : "value(" + at + ")");
 }
 
 std::string march_of(const std::vector<Body>& bodies, const Scene& scene, const EffectSet& effects) {
@@ -110,23 +118,29 @@ std::string march_of(const std::vector<Body>& bodies, const Scene& scene, const 
             helpers += value_by_side(body);
             value += fmt::format("    value = min(value, {}_value_by_side(place));\n", body.name);
             room += fmt::format("    room = min(room, {}_room_by_side(place));\n", body.name);
-            object += fmt::format("    if ({0}_value_by_side(place) < value) {{\n        value = {0}_value_by_side(place);\n        object = {1};\n    }}\n", body.name, body.number);
+            object += fmt::format(
+                "    if ({0}_value_by_side(place) < value) {{\n        value = {0}_value_by_side(place);\n        "
+                "object = {1};\n    }}\n",
+                body.name, body.number);
             continue;
         }
         const std::string at = body.name == "cylinder" ? "place.at" : "place";
         value += fmt::format("    value = min(value, {}_value({}));\n", body.name, at);
         room += fmt::format("    room = min(room, {}_room(place));\n", body.name);
-        object += fmt::format("    if ({0}_value({2}) < value) {{\n        value = {0}_value({2});\n        object = {1};\n    }}\n",
-                              body.name, body.number, at);
+        object += fmt::format(
+            "    if ({0}_value({2}) < value) {{\n        value = {0}_value({2});\n        object = {1};\n    }}\n",
+            body.name, body.number, at);
     }
     if (value.empty()) return "";
-    const bool ball_alone = bodies.back().name == "ball" && scene.ball->motion == BallMotion::kStill && std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return b.marched; }) == 1;
-    const std::string stop = spins ? "" : "float march_stop(Trace trace, vec3 tangent, float phi) { return " +
-                             std::string(ball_alone ? "ball_beside(trace, tangent) ? 1.0e-9 : " : "") + "max(phi, 1.0e-9); }\n";
+    const bool ball_alone = bodies.back().name == "ball" && scene.ball->motion == BallMotion::kStill &&
+                            std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return b.marched; }) == 1;
+    const std::string stop = spins ? ""
+                                   : "float march_stop(Trace trace, vec3 tangent, float phi) { return " +
+                                         std::string(ball_alone ? "ball_beside(trace, tangent) ? 1.0e-9 : " : "") +
+                                         "max(phi, 1.0e-9); }\n";
     // Strides of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent.
     const int steps = (sides ? 256 : 128) + (scene.surface ? 2 * scene.surface->steps : 0);
-    const std::string graze =
-        scene.surface ? "1.0e30" : "2.0 * angle * place_speed(place)";
+    const std::string graze = scene.surface ? "1.0e30" : "2.0 * angle * place_speed(place)";
     return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) + stop + helpers +
            "float march_value(RayPlace place) {\n    float value = 1.0e30;\n" + value +
            "    return value;\n}\n"
@@ -141,18 +155,23 @@ std::string march_of(const std::vector<Body>& bodies, const Scene& scene, const 
 }
 
 std::string hit_of(const std::vector<Body>& bodies) {
-    const bool sphere = !bodies.front().marched, march = bodies.back().marched;   // only a sphere that keeps its size is not
-    const std::string text = "SolidHit solid_hit(Trace trace, float blur) {\n    vec3 tangent = place_tangent(trace);\n    SolidHit hit = ";
-    const std::string placed = "    if (hit.object != 0) hit.place = place_seen(trace, tangent, hit.phi);\n    return hit;\n}\n";
+    const bool sphere = !bodies.front().marched,
+               march = bodies.back().marched;  // only a sphere that keeps its size is not
+    const std::string text =
+        "SolidHit solid_hit(Trace trace, float blur) {\n    vec3 tangent = place_tangent(trace);\n    SolidHit hit = ";
+    const std::string placed =
+        "    if (hit.object != 0) hit.place = place_seen(trace, tangent, hit.phi);\n    return hit;\n}\n";
     if (sphere && !march) return text + "sphere_hit(trace, tangent, blur);\n" + placed;
     if (!sphere) return text + "march_hit(trace, tangent, march_stop(trace, tangent, trace.phi_end), blur);\n" + placed;
     // What lies before the sphere; a body's blurred edge before it hides the sphere's own.
     return text +
            "sphere_hit(trace, tangent, blur);\n"
            "    bool whole = hit.covered >= 1.0;\n"
-           "    SolidHit other = march_hit(trace, tangent, march_stop(trace, tangent, whole ? hit.phi : trace.phi_end), whole ? "
+           "    SolidHit other = march_hit(trace, tangent, march_stop(trace, tangent, whole ? hit.phi : "
+           "trace.phi_end), whole ? "
            "0.0 : blur);\n"
-           "    if (other.object != 0 && (hit.object == 0 || other.phi < hit.phi)) hit = other;\n" + placed;
+           "    if (other.object != 0 && (hit.object == 0 || other.phi < hit.phi)) hit = other;\n" +
+           placed;
 }
 
 }  // namespace
@@ -173,9 +192,8 @@ BodyText body_text(const Scene& scene) {
         choice += fmt::format("    if (hit.object == {}) return {}_light(trace, place, place.at - {}, {});\n",
                               body.number, body.name, body.middle, body.normal);
     }
-    text.light +=
-        "vec3 solid_light(Trace trace, SolidHit hit) {\n    RayPlace place = hit.place;\n" +
-        choice + "    return vec3(0.0);\n}\n";
+    text.light += "vec3 solid_light(Trace trace, SolidHit hit) {\n    RayPlace place = hit.place;\n" + choice +
+                  "    return vec3(0.0);\n}\n";
     return text;
 }
 

@@ -16,13 +16,15 @@ constexpr std::array<std::pair<Lookup, const char*>, 4> kLookups = {{{Lookup::kH
                                                                      {Lookup::kBilinear, "bilinear"},
                                                                      {Lookup::kCubic, "cubic"},
                                                                      {Lookup::kHermite, "hermite"}}};
-constexpr double kEulerSpan = 2.5 * M_PI;   // rad: what a march of N equal steps is spread over
-constexpr int kStepsPerSpan = 12;           // the cap of the high orders, in spans of 1 rad per step size
+constexpr double kEulerSpan = 2.5 * M_PI;  // rad: what a march of N equal steps is spread over
+constexpr int kStepsPerSpan = 12;          // the cap of the high orders, in spans of 1 rad per step size
 
 int most_steps(MethodKind kind, int order, double step) {
-    const Method usual;   // auto's, of a spinning hole
-    if (kind == MethodKind::kMino) return std::max(usual.most_steps, static_cast<int>(std::ceil(usual.most_steps * usual.step / step)));
-    return order == 1 ? static_cast<int>(std::lround(kEulerSpan / step)) : static_cast<int>(std::ceil(3.0 * kStepsPerSpan / step));
+    const Method usual;  // auto's, of a spinning hole
+    if (kind == MethodKind::kMino)
+        return std::max(usual.most_steps, static_cast<int>(std::ceil(usual.most_steps * usual.step / step)));
+    return order == 1 ? static_cast<int>(std::lround(kEulerSpan / step))
+                      : static_cast<int>(std::ceil(3.0 * kStepsPerSpan / step));
 }
 
 bool euler_steps(double n) { return n >= 10 && n <= 5000 && n == std::floor(n); }
@@ -64,8 +66,11 @@ Result<Method> parse_steps(MethodKind kind, const std::vector<std::string>& part
 
 Result<Method> parse_method(const std::string& text) {
     const Error error = bad_input(fmt::format(
-        "method \"{}\" is not known; allowed: strip, strip:cubic, table[:SIZE[:hardware|bilinear|cubic|hermite]] with SIZE 8 to 1024, closed-form, "
-        "integrate[:ORDER[:STEP]] with ORDER 1, 4 or 6 and STEP 0.001 to 1 rad, euler:STEPS with STEPS 10 to 5000, mino[:ORDER[:STEP]] with ORDER 4 or 6 and STEP 0.001 to 1, kerr-schild:STEP with STEP 0.001 to 1", text));
+        "method \"{}\" is not known; allowed: strip, strip:cubic, table[:SIZE[:hardware|bilinear|cubic|hermite]] with "
+        "SIZE 8 to 1024, closed-form, "
+        "integrate[:ORDER[:STEP]] with ORDER 1, 4 or 6 and STEP 0.001 to 1 rad, euler:STEPS with STEPS 10 to 5000, "
+        "mino[:ORDER[:STEP]] with ORDER 4 or 6 and STEP 0.001 to 1, kerr-schild:STEP with STEP 0.001 to 1",
+        text));
     const auto parts = split(text, ':');
     if (parts.empty() || parts.size() > 3) return error;
     if (parts[0] == "table") return parse_table(parts, error);

@@ -11,8 +11,8 @@ namespace nullscope {
 struct Pass {
     Stage stage;
     Output output;
-    std::string_view name;   // "picture"
-    std::string_view what;   // a person's words
+    std::string_view name;  // "picture"
+    std::string_view what;  // a person's words
 };
 
 // kDisplay: to 8 bits. kLinear: linear light, nothing done to it.
@@ -22,6 +22,7 @@ std::vector<Pass> passes(const EffectSet& effects, Output output);
 bool keeps_light(const std::vector<Pass>& passes);
 
 // What a pass says to the driver; of fullscreen passes the fragment shader alone.
-std::string pass_text(const Pass& pass, const EffectSet& effects, const Method& method, std::string_view metric, const BodyText& bodies);
+std::string pass_text(const Pass& pass, const EffectSet& effects, const Method& method, std::string_view metric,
+                      const BodyText& bodies);
 
 }  // namespace nullscope

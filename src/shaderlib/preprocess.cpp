@@ -22,8 +22,8 @@ std::string resolved_branches(const std::string& text, const std::vector<std::st
     };
     std::vector<Level> levels;
     const auto is_ours = [](const std::string& name) {
-        for (const char* ours :
-             {"EFFECT_", "BLOCK_", "NEEDS_", "DISPLAY_", "TABLE_", "STEP_ORDER_", "TEXTURE_", "MAPPING_", "SURFACE_", "METHOD_"})
+        for (const char* ours : {"EFFECT_", "BLOCK_", "NEEDS_", "DISPLAY_", "TABLE_", "STEP_ORDER_", "TEXTURE_",
+                                 "MAPPING_", "SURFACE_", "METHOD_"})
             if (name.starts_with(ours)) return true;
         return name == "__cplusplus";
     };

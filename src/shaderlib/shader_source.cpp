@@ -19,7 +19,8 @@ std::vector<std::string> method_files(const Method& method, std::string_view met
     switch (method.kind) {
         case MethodKind::kStrip: return {method.cubic ? "method/strip_cubic.glsl" : "method/strip.glsl"};
         case MethodKind::kTable: return {"core/table_mapping.glsl", "method/by_angle.glsl", "method/table.glsl"};
-        case MethodKind::kClosedForm: return {"method/by_angle.glsl", fmt::format("method/closed_form/{}.glsl", metric)};
+        case MethodKind::kClosedForm:
+            return {"method/by_angle.glsl", fmt::format("method/closed_form/{}.glsl", metric)};
         case MethodKind::kIntegrate:
             return {"method/by_angle.glsl", fmt::format("spacetime/{}.glsl", metric), "method/integrate.glsl"};
         case MethodKind::kMino: return {};
@@ -32,14 +33,16 @@ std::string method_constants(const Method& method) {
     if (method.kind == MethodKind::kTable) return fmt::format("#define TABLE_SIZE {}\n", method.size);
     if (method.kind == MethodKind::kIntegrate)
         return fmt::format("#define STEP_ANGLE {:.9f}\n#define STEP_MOST {}\n", method.step, method.most_steps);
-    if (method.kind == MethodKind::kMino) return fmt::format("#define SPIN_STEP {:.9f}\n#define SPIN_MOST_STEPS {}\n", method.step, method.most_steps);
+    if (method.kind == MethodKind::kMino)
+        return fmt::format("#define SPIN_STEP {:.9f}\n#define SPIN_MOST_STEPS {}\n", method.step, method.most_steps);
     if (method.kind == MethodKind::kKerrSchild) return fmt::format("#define KERR_SCHILD_STEP {:.9f}\n", method.step);
     return "";
 }
 
 std::vector<std::string> method_defines(const Method& method) {
     if (method.kind == MethodKind::kKerrSchild) return {"METHOD_KERR_SCHILD", "METHOD_COUNTS"};
-    if (method.kind == MethodKind::kMino) return {"METHOD_MINO", fmt::format("METHOD_MINO_{}", method.order), "METHOD_COUNTS"};
+    if (method.kind == MethodKind::kMino)
+        return {"METHOD_MINO", fmt::format("METHOD_MINO_{}", method.order), "METHOD_COUNTS"};
     if (method.kind == MethodKind::kIntegrate) return {fmt::format("STEP_ORDER_{}", method.order)};
     if (method.kind != MethodKind::kTable) return {};
     switch (method.lookup) {
@@ -55,9 +58,11 @@ using Files = std::vector<std::string>;
 
 // What a ray's way is made of.
 Files way_files(Stage stage, const EffectSet& effects, bool ends, const Method& method, std::string_view metric) {
-    const bool lensing = effects.contains(Effect::kLensing), disc = effects.contains(Effect::kDisc), spin = effects.contains(Effect::kSpin);
+    const bool lensing = effects.contains(Effect::kLensing), disc = effects.contains(Effect::kDisc),
+               spin = effects.contains(Effect::kSpin);
     Files files;
-    if (lensing || ends || (stage == Stage::kPicture && effects.contains(Effect::kSkyPattern))) files.emplace_back("core/trig.glsl");   // else nothing inverse to compute
+    if (lensing || ends || (stage == Stage::kPicture && effects.contains(Effect::kSkyPattern)))
+        files.emplace_back("core/trig.glsl");  // else nothing inverse to compute
     if (effects.contains(Effect::kAberration)) files.emplace_back("core/aberration.glsl");
     if (lensing) {
         files.emplace_back("core/strip.glsl");
@@ -67,19 +72,24 @@ Files way_files(Stage stage, const EffectSet& effects, bool ends, const Method& 
     if (lensing && (meets_objects(effects) || effects.contains(Effect::kDelay))) files.emplace_back("core/orbit.glsl");
     if (disc && !spin) files.emplace_back("core/plane.glsl");
     if (spin)
-        for (const char* file : {"core/kerr.glsl", "core/spin_leg.glsl", "core/spin_ray.glsl"}) files.emplace_back(file);
+        for (const char* file : {"core/kerr.glsl", "core/spin_leg.glsl", "core/spin_ray.glsl"})
+            files.emplace_back(file);
     if (spin && method.kind == MethodKind::kMino && method.order == 4) files.emplace_back("method/mino_4.glsl");
     return files;
 }
 
 Files trace_files(const EffectSet& effects, const Method& method) {
-    if (!effects.contains(Effect::kSpin)) return effects.contains(Effect::kDelay) ? Files{"core/trace.glsl", "core/delay.glsl"} : Files{"core/trace.glsl"};
-    return method.kind == MethodKind::kKerrSchild ? Files{"core/spin_trace.glsl", "method/kerr_schild.glsl"} : Files{"core/spin_trace.glsl"};
+    if (!effects.contains(Effect::kSpin))
+        return effects.contains(Effect::kDelay) ? Files{"core/trace.glsl", "core/delay.glsl"}
+                                                : Files{"core/trace.glsl"};
+    return method.kind == MethodKind::kKerrSchild ? Files{"core/spin_trace.glsl", "method/kerr_schild.glsl"}
+                                                  : Files{"core/spin_trace.glsl"};
 }
 
 // What is no solid body.
 Files scene_files(Stage stage, const EffectSet& effects) {
-    const bool disc = effects.contains(Effect::kDisc), sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
+    const bool disc = effects.contains(Effect::kDisc), sky = effects.contains(Effect::kSky),
+               far_sky = effects.contains(Effect::kFarSky);
     Files files;
     if (disc) files.emplace_back(effects.contains(Effect::kSpin) ? "object/spin_disc.glsl" : "object/disc.glsl");
     if (stage != Stage::kPicture) return files;
@@ -103,12 +113,15 @@ std::string text_of(const Files& files) {
     return text;
 }
 
-bool has_coats(const EffectSet& effects) { return effects.contains(Effect::kDiscPattern) || effects.contains(Effect::kSkyPattern); }
+bool has_coats(const EffectSet& effects) {
+    return effects.contains(Effect::kDiscPattern) || effects.contains(Effect::kSkyPattern);
+}
 
 // What formulas are made of.
 std::string formula_text(Stage stage, const EffectSet& effects) {
     if (!has_solids(effects) && !(stage == Stage::kPicture && has_coats(effects))) return "";
-    const bool formulas = effects.contains(Effect::kFormula) || effects.contains(Effect::kNoise) || effects.contains(Effect::kSurface);
+    const bool formulas =
+        effects.contains(Effect::kFormula) || effects.contains(Effect::kNoise) || effects.contains(Effect::kSurface);
     return formulas ? std::string(shader_file("effect/expression.glsl")) : "";
 }
 
@@ -128,13 +141,15 @@ std::string solid_text(const EffectSet& effects, const BodyText& bodies) {
     if (!has_solids(effects)) return "";
     const bool spin = effects.contains(Effect::kSpin), pulse = effects.contains(Effect::kPulse);
     std::string text = text_of({spin ? "object/spin_place.glsl" : "object/place.glsl", "object/solid_hit.glsl"});
-    if (effects.contains(Effect::kSphere)) text += shader_file(pulse ? "object/pulse.glsl" : spin ? "object/still_sphere.glsl" : "object/sphere.glsl");
+    if (effects.contains(Effect::kSphere))
+        text += shader_file(pulse ? "object/pulse.glsl" : spin ? "object/still_sphere.glsl" : "object/sphere.glsl");
     if (effects.contains(Effect::kCylinder)) text += shader_file("object/cylinder.glsl");
     if (effects.contains(Effect::kBall)) text += shader_file("object/ball.glsl");
     if (effects.contains(Effect::kSurface)) text += bodies.shape;
     text += bodies.march;
     if (has_marched(effects))
-        text += spin ? text_of({"object/spin_way.glsl", "object/march.glsl", "object/spin_march.glsl"}) : text_of({"object/plane_way.glsl", "object/march.glsl", "object/plane_march.glsl"});
+        text += spin ? text_of({"object/spin_way.glsl", "object/march.glsl", "object/spin_march.glsl"})
+                     : text_of({"object/plane_way.glsl", "object/march.glsl", "object/plane_march.glsl"});
     return text + bodies.hit;
 }
 
@@ -146,9 +161,11 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
     }
     if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE");
     if (has_marched(effects)) defines.emplace_back("BLOCK_MARCH");
-    const bool delay = effects.contains(Effect::kDelay), late = effects.contains(Effect::kDiscFlow) || effects.contains(Effect::kSpot);
+    const bool delay = effects.contains(Effect::kDelay),
+               late = effects.contains(Effect::kDiscFlow) || effects.contains(Effect::kSpot);
     if (late) defines.emplace_back("NEEDS_LATE");
-    if (effects.contains(Effect::kThermalDisc) || (effects.contains(Effect::kDisc) && delay)) defines.emplace_back("NEEDS_ZETA_SLOPE");
+    if (effects.contains(Effect::kThermalDisc) || (effects.contains(Effect::kDisc) && delay))
+        defines.emplace_back("NEEDS_ZETA_SLOPE");
     if (moves(effects) || (delay && effects.contains(Effect::kSurface))) defines.emplace_back("NEEDS_PLACE_LATE");
     const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
     if (far_sky && !sky) defines.emplace_back("BLOCK_SKY");
@@ -180,28 +197,36 @@ std::string declarations(Stage stage, const EffectSet& effects, bool ends, const
     if (effects.contains(Effect::kLensing)) {
         const bool strip = method.kind == MethodKind::kStrip;
         if (strip && !method.cubic)
-            text += "uniform highp sampler2D strip_texture;\n"
-                    "vec4 strip_fetch(int x, int y) { return texelFetch(strip_texture, ivec2(x, y), 0); }\n";
+            text +=
+                "uniform highp sampler2D strip_texture;\n"
+                "vec4 strip_fetch(int x, int y) { return texelFetch(strip_texture, ivec2(x, y), 0); }\n";
         if (ends || (strip && method.cubic))
-            text += "uniform highp sampler2D ends_texture;\n"
-                    "vec4 ends_fetch(int x, int y) { return texelFetch(ends_texture, ivec2(x, y), 0); }\n";
+            text +=
+                "uniform highp sampler2D ends_texture;\n"
+                "vec4 ends_fetch(int x, int y) { return texelFetch(ends_texture, ivec2(x, y), 0); }\n";
         if (method.kind == MethodKind::kTable) text += "uniform highp sampler2D table_texture;\n";
         text += method_constants(method);
         const bool delay = effects.contains(Effect::kDelay);
         // With delays the map's texels lie beside theirs (table/orbit_map.h).
         if (disc || has_solids(effects) || delay)
-            text += fmt::format("uniform highp sampler2D orbit_texture;\n"
-                                "vec4 orbit_fetch(int x, int y) {{ return texelFetch(orbit_texture, ivec2({}x, y), 0); }}\n", delay ? "2 * " : "");
-        if (delay) text += "vec4 delay_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(2 * x + 1, y), 0); }\n";
+            text += fmt::format(
+                "uniform highp sampler2D orbit_texture;\n"
+                "vec4 orbit_fetch(int x, int y) {{ return texelFetch(orbit_texture, ivec2({}x, y), 0); }}\n",
+                delay ? "2 * " : "");
+        if (delay)
+            text += "vec4 delay_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(2 * x + 1, y), 0); }\n";
     }
     if (effects.contains(Effect::kBallPath))
-        text += "uniform highp sampler2D ball_path_texture;\n"
-                "vec4 ball_path_fetch(int x, int y) { return texelFetch(ball_path_texture, ivec2(x, y), 0); }\n";
+        text +=
+            "uniform highp sampler2D ball_path_texture;\n"
+            "vec4 ball_path_fetch(int x, int y) { return texelFetch(ball_path_texture, ivec2(x, y), 0); }\n";
     if (counts_steps(method)) text += method_constants(method);
     if (stage == Stage::kPicture) {
         const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
-        if (sky) text += far_sky ? "uniform highp sampler2DArray sky_texture;\n" : "uniform samplerCube sky_texture;\n";
-        else if (far_sky) text += "uniform samplerCube other_side_texture;\n";
+        if (sky)
+            text += far_sky ? "uniform highp sampler2DArray sky_texture;\n" : "uniform samplerCube sky_texture;\n";
+        else if (far_sky)
+            text += "uniform samplerCube other_side_texture;\n";
         if (effects.contains(Effect::kDiscImage)) text += "uniform sampler2D disc_texture;\n";
         if (effects.contains(Effect::kThermalDisc)) text += kDiscMatterDeclarations;
         if (shades_heat(effects)) text += kBlackBodyDeclarations;
@@ -213,7 +238,8 @@ const std::string kHead = std::string(kVersion) + "precision highp float;\npreci
 
 // Of a program whose picture calls for nothing of the scene but the uniform block.
 std::string with_block(const std::string& body, const std::vector<std::string>& defines) {
-    return kHead + stripped(resolved_branches(std::string(shader_file("shared/frame_block.glsl")) + kBlockDeclaration + body, defines));
+    return kHead + stripped(resolved_branches(
+                       std::string(shader_file("shared/frame_block.glsl")) + kBlockDeclaration + body, defines));
 }
 
 ShaderSource star_source(const EffectSet& effects) {
@@ -221,7 +247,7 @@ ShaderSource star_source(const EffectSet& effects) {
     std::string body = kBlackBodyDeclarations;
     if (!effects.contains(Effect::kSpin)) body += "uniform int image_order;\n";
     if (effects.contains(Effect::kLensing)) body += "uniform highp sampler2D star_lens_texture;\n";
-    const bool spin = effects.contains(Effect::kSpin);   // the host has found the images
+    const bool spin = effects.contains(Effect::kSpin);  // the host has found the images
     if (effects.contains(Effect::kAberration) && !spin) body += shader_file("core/aberration.glsl");
     body += shader_file("effect/black_body.glsl");
     if (!spin) body += shader_file("object/star_image.glsl");
@@ -234,7 +260,8 @@ constexpr const char* kBloomDeclaration = "uniform highp sampler2D bloom_texture
 std::string develop_source(const EffectSet& effects) {
     std::string body = "uniform highp sampler2D picture_texture;\n";
     if (effects.contains(Effect::kBloom)) body += kBloomDeclaration;
-    if (effects.contains(Effect::kAutoExposure)) body += fmt::format("uniform highp sampler2D meter_texture;\n#define METER_KEY {}\n", kMeterKey);
+    if (effects.contains(Effect::kAutoExposure))
+        body += fmt::format("uniform highp sampler2D meter_texture;\n#define METER_KEY {}\n", kMeterKey);
     body += shader_file("effect/display.glsl");
     body += shader_file("stage/develop.frag");
     return with_block(body, defines_of(effects));
@@ -258,25 +285,30 @@ std::string_view shader_file(std::string_view path) {
 
 std::vector<int> block_members(const EffectSet& effects) {
     const std::string block(shader_file("shared/frame_block.glsl"));
-    const std::vector<std::string> all = members_of(block), kept = members_of(resolved_branches(block, defines_of(effects)));
+    const std::vector<std::string> all = members_of(block),
+                                   kept = members_of(resolved_branches(block, defines_of(effects)));
     std::vector<int> members;
     for (std::size_t i = 0, next = 0; i < all.size() && next < kept.size(); ++i)
         if (all[i] == kept[next]) members.push_back(static_cast<int>(i)), ++next;
     return members;
 }
 
-ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method, std::string_view metric,
-                           const BodyText& bodies) {
+ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method,
+                           std::string_view metric, const BodyText& bodies) {
     const std::string vertex = std::string(kVersion) + stripped(shader_file("stage/fullscreen.vert"));
     if (stage == Stage::kBareFetch) return {vertex, with_block(std::string(shader_file("stage/bare_fetch.frag")), {})};
     if (stage == Stage::kStars) return star_source(effects);
     if (stage == Stage::kDevelop) return {vertex, develop_source(effects)};
     const std::string source = "uniform highp sampler2D source_texture;\n";
-    if (stage == Stage::kBloomDown) return {vertex, kHead + stripped(source + std::string(shader_file("stage/bloom_down.frag")))};
-    if (stage == Stage::kBloomUp) return {vertex, kHead + stripped(source + kBloomDeclaration + std::string(shader_file("stage/bloom_up.frag")))};
-    if (stage == Stage::kMeter) return {vertex, kHead + stripped(source + std::string(shader_file("stage/meter.frag")))};
+    if (stage == Stage::kBloomDown)
+        return {vertex, kHead + stripped(source + std::string(shader_file("stage/bloom_down.frag")))};
+    if (stage == Stage::kBloomUp)
+        return {vertex, kHead + stripped(source + kBloomDeclaration + std::string(shader_file("stage/bloom_up.frag")))};
+    if (stage == Stage::kMeter)
+        return {vertex, kHead + stripped(source + std::string(shader_file("stage/meter.frag")))};
     std::vector<std::string> defines = defines_of(effects);
-    const bool ends = stage == Stage::kRayData || effects.contains(Effect::kDisc) || has_solids(effects) || effects.contains(Effect::kDelay);
+    const bool ends = stage == Stage::kRayData || effects.contains(Effect::kDisc) || has_solids(effects) ||
+                      effects.contains(Effect::kDelay);
     if (ends) defines.emplace_back("NEEDS_PHI_END");
     if (stage == Stage::kRayData && effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PLACE_LATE");
     const bool display = stage == Stage::kPicture && output == Output::kDisplay;
@@ -290,9 +322,11 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
     const bool spin = effects.contains(Effect::kSpin);
     body += text_of(way_files(stage, effects, ends, method, metric)) + formula_text(stage, effects);
     if (spin) body += solid_text(effects, bodies);
-    body += text_of(trace_files(effects, method)) + text_of(scene_files(stage, effects)) + look_text(stage, effects, bodies);
+    body += text_of(trace_files(effects, method)) + text_of(scene_files(stage, effects)) +
+            look_text(stage, effects, bodies);
     if (!spin) body += solid_text(effects, bodies);
-    if (has_solids(effects) && stage == Stage::kPicture) body += std::string(shader_file("object/solid.glsl")) + bodies.light;
+    if (has_solids(effects) && stage == Stage::kPicture)
+        body += std::string(shader_file("object/solid.glsl")) + bodies.light;
     if (stage == Stage::kRayData) body += shader_file("core/raydata.glsl");
     if (display) body += shader_file("effect/display.glsl");
     body += shader_file(stage == Stage::kPicture ? "stage/trace.frag" : "stage/raydata.frag");

@@ -15,8 +15,10 @@ namespace nullscope {
 // a yardstick of cost.
 enum class Stage { kPicture, kStars, kBloomDown, kBloomUp, kMeter, kDevelop, kRayData, kBareFetch };
 // Whether a stage's text depends on the scene at all; else one program serves every scene.
-constexpr bool knows_scene(Stage stage) { return stage != Stage::kBloomDown && stage != Stage::kBloomUp && stage != Stage::kMeter; }
-enum class Output { kLinear, kDisplay };   // kDisplay: exposure and sRGB encoding in the shader (8-bit targets)
+constexpr bool knows_scene(Stage stage) {
+    return stage != Stage::kBloomDown && stage != Stage::kBloomUp && stage != Stage::kMeter;
+}
+enum class Output { kLinear, kDisplay };  // kDisplay: exposure and sRGB encoding in the shader (8-bit targets)
 
 // What automatic exposure makes of the picture's mean luminance.
 inline constexpr double kMeterKey = 0.12;

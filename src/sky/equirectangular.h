@@ -33,7 +33,8 @@ struct PanoramaPosition {
     double x, y;
 };
 inline PanoramaPosition equirectangular_position(int width, int height, Vec3 direction) {
-    return {(0.5 - azimuth_of(direction) / (2.0 * std::numbers::pi)) * width, (0.5 - latitude_of(direction) / std::numbers::pi) * height};
+    return {(0.5 - azimuth_of(direction) / (2.0 * std::numbers::pi)) * width,
+            (0.5 - latitude_of(direction) / std::numbers::pi) * height};
 }
 
 }  // namespace nullscope

@@ -30,7 +30,7 @@ Weights catmull_rom(double t) {
             -0.5 * s * t * t};
 }
 
-using Light = std::array<float, 4>;   // red, green, blue and nothing: what a processor adds at once
+using Light = std::array<float, 4>;  // red, green, blue and nothing: what a processor adds at once
 
 // The map, a Light a pixel.
 std::vector<Light> lights_of(const Image<float>& map) {
@@ -47,12 +47,14 @@ Light sample_map(const std::vector<Light>& map, int width, int height, PanoramaP
     std::array<int, 4> columns{};
     for (int i = 0; i < 4; ++i) {
         const int x = static_cast<int>(fx) + i - 1;
-        const bool inside = x >= 0 && x < width;   // a division for each would be half of the cost
+        const bool inside = x >= 0 && x < width;  // a division for each would be half of the cost
         columns[static_cast<std::size_t>(i)] = inside ? x : (x % width + width) % width;
     }
     Light sum{};
     for (int j = 0; j < 4; ++j) {
-        const Light* row = map.data() + static_cast<std::size_t>(std::clamp(static_cast<int>(fy) + j - 1, 0, height - 1)) * static_cast<std::size_t>(width);
+        const Light* row =
+            map.data() + static_cast<std::size_t>(std::clamp(static_cast<int>(fy) + j - 1, 0, height - 1)) *
+                             static_cast<std::size_t>(width);
         for (std::size_t i = 0; i < 4; ++i) {
             const auto w = static_cast<float>(wx[i] * wy[static_cast<std::size_t>(j)]);
             for (std::size_t c = 0; c < 4; ++c) sum[c] += w * row[columns[i]][c];
@@ -78,14 +80,15 @@ void interpolate(const float* nodes, int cells, const std::vector<Weights>& weig
 
 }  // namespace
 
-Result<MilkyWay> MilkyWay::load(const std::filesystem::path& path, const Mat3& world_from_sky, double brightness, int size, int border) {
+Result<MilkyWay> MilkyWay::load(const std::filesystem::path& path, const Mat3& world_from_sky, double brightness,
+                                int size, int border) {
     const Result<Image<float>> map = load_image(path);
     if (!map) return failed(map.error().message);
     MilkyWay way;
     const int cells = std::min(size, kGridSize);
     way.fine_ = size / cells;
     for (int i = 0; i < way.fine_; ++i) way.weights_.push_back(catmull_rom((i + 0.5) / way.fine_));
-    const int before = 1 + border / way.fine_;   // nodes on each side beyond the face
+    const int before = 1 + border / way.fine_;  // nodes on each side beyond the face
     const int side = way.side_ = cells + 1 + 2 * before;
     const std::size_t plane = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
     way.values_.resize(6 * 3 * plane);
@@ -94,11 +97,14 @@ Result<MilkyWay> MilkyWay::load(const std::filesystem::path& path, const Mat3& w
     tbb::parallel_for(0, 6 * side, [&](int task) {
         const int face = task / side, y = task % side;
         const FaceAxes axes = face_axes(face);
-        const Vec3 left = sky_from_world * (axes.middle + (2.0 * (y - before) / cells - 1.0) * axes.down), along = sky_from_world * axes.right;
+        const Vec3 left = sky_from_world * (axes.middle + (2.0 * (y - before) / cells - 1.0) * axes.down),
+                   along = sky_from_world * axes.right;
         std::vector<PanoramaPosition> places(static_cast<std::size_t>(side));
         for (int x = 0; x < side; ++x)
-            places[static_cast<std::size_t>(x)] = equirectangular_position(map->width, map->height, left + (2.0 * (x - before) / cells - 1.0) * along);
-        float* out = way.values_.data() + 3 * plane * static_cast<std::size_t>(face) + static_cast<std::size_t>(y) * static_cast<std::size_t>(side);
+            places[static_cast<std::size_t>(x)] =
+                equirectangular_position(map->width, map->height, left + (2.0 * (x - before) / cells - 1.0) * along);
+        float* out = way.values_.data() + 3 * plane * static_cast<std::size_t>(face) +
+                     static_cast<std::size_t>(y) * static_cast<std::size_t>(side);
         for (const PanoramaPosition& place : places) {
             const Light light = sample_map(lights, map->width, map->height, place);
             for (std::size_t c = 0; c < 3; ++c) out[c * plane] = static_cast<float>(brightness) * light[c];
@@ -110,7 +116,8 @@ Result<MilkyWay> MilkyWay::load(const std::filesystem::path& path, const Mat3& w
 
 const float* MilkyWay::nodes(int face, std::size_t plane, int row) const {
     const auto side = static_cast<std::size_t>(side_);
-    return values_.data() + ((static_cast<std::size_t>(face) * 3 + plane) * side + static_cast<std::size_t>(row)) * side;
+    return values_.data() +
+           ((static_cast<std::size_t>(face) * 3 + plane) * side + static_cast<std::size_t>(row)) * side;
 }
 
 void MilkyWay::paint(SkyRows& rows) const {
@@ -132,7 +139,7 @@ void MilkyWay::paint(SkyRows& rows) const {
                 case 2: interpolate<2>(column.data(), cells, weights_, out); break;
                 case 4: interpolate<4>(column.data(), cells, weights_, out); break;
                 case 8: interpolate<8>(column.data(), cells, weights_, out); break;
-                default: interpolate<16>(column.data(), cells, weights_, out); break;   // faces of 8192, the largest
+                default: interpolate<16>(column.data(), cells, weights_, out); break;  // faces of 8192, the largest
             }
         }
     }

@@ -15,22 +15,22 @@
 namespace nullscope {
 namespace {
 
-constexpr std::int32_t kRebias = 112 << 23;          // between a float's exponent and a small float's
+constexpr std::int32_t kRebias = 112 << 23;  // between a float's exponent and a small float's
 constexpr int kShift11 = 17, kShift10 = 18;
 constexpr float kMost11 = 65024.0f, kMost10 = 64512.0f;
 
 // A band is so many rows that it holds one row of the level of 16 texels.
 constexpr int kCoarsest = 16;
-constexpr int kPaintedAtOnce = 32;                   // rows: the floats of a face of 2048 then fit a core's cache
-constexpr int kBandsAThread = 2;                     // painted while as many are handed over: 6 MB a thread at 2048
+constexpr int kPaintedAtOnce = 32;  // rows: the floats of a face of 2048 then fit a core's cache
+constexpr int kBandsAThread = 2;    // painted while as many are handed over: 6 MB a thread at 2048
 
 constexpr std::int32_t kLeast = kRebias + (1 << 23);  // bits of 2^-14, from which on a small float has an exponent
 
 // kShift: bits of a float's mantissa that are cut off. Below 2^-14 steps stay what they are there.
 template <int kShift>
 inline std::uint32_t small_float(float value, float most) {
-    constexpr float kSteps = static_cast<float>(1 << (14 + 23 - kShift));   // in 1
-    const float positive = value > 0.0f ? value : 0.0f;   // NaN too
+    constexpr float kSteps = static_cast<float>(1 << (14 + 23 - kShift));  // in 1
+    const float positive = value > 0.0f ? value : 0.0f;                    // NaN too
     const float within = positive < most ? positive : most;
     const auto bits = std::bit_cast<std::int32_t>(within);
     const auto fine = static_cast<std::int32_t>((bits < kLeast ? within : 0.0f) * kSteps);
@@ -41,11 +41,13 @@ template <int kShift>
 inline float large_float(std::uint32_t packed) {
     constexpr float kStep = 1.0f / static_cast<float>(1 << (14 + 23 - kShift));
     const auto bits = static_cast<std::int32_t>(packed << kShift);
-    return bits >= 1 << 23 ? std::bit_cast<float>(bits + kRebias) : static_cast<float>(static_cast<std::int32_t>(packed)) * kStep;
+    return bits >= 1 << 23 ? std::bit_cast<float>(bits + kRebias)
+                           : static_cast<float>(static_cast<std::int32_t>(packed)) * kStep;
 }
 
 inline std::uint32_t pack(float red, float green, float blue) {
-    return small_float<kShift11>(red, kMost11) | small_float<kShift11>(green, kMost11) << 11 | small_float<kShift10>(blue, kMost10) << 22;
+    return small_float<kShift11>(red, kMost11) | small_float<kShift11>(green, kMost11) << 11 |
+           small_float<kShift10>(blue, kMost10) << 22;
 }
 
 void pack_rows(const SkyRows& rows, std::uint32_t* out) {
@@ -57,7 +59,9 @@ void pack_rows(const SkyRows& rows, std::uint32_t* out) {
 class Bands {
 public:
     explicit Bands(const SkyPainter& painter)
-        : painter_(painter), rows_(painter.face_size() / kCoarsest), width_(painter.face_size() + 2 * painter.border()),
+        : painter_(painter),
+          rows_(painter.face_size() / kCoarsest),
+          width_(painter.face_size() + 2 * painter.border()),
           of_face_(width_ / rows_) {
         for (int level = 0; rows_ >> level > 0; ++level) {
             starts_.push_back(texels_);
@@ -82,7 +86,8 @@ public:
     void hand_over(int band, const std::uint32_t* texels, const std::function<void(const PackedRows&)>& take) const {
         for (std::size_t level = 0; level < starts_.size(); ++level) {
             const int rows = rows_ >> level;
-            take({band / of_face_, static_cast<int>(level), band % of_face_ * rows, rows, width_ >> level, texels + starts_[level]});
+            take({band / of_face_, static_cast<int>(level), band % of_face_ * rows, rows, width_ >> level,
+                  texels + starts_[level]});
         }
     }
     int levels() const { return static_cast<int>(starts_.size()); }
@@ -97,7 +102,8 @@ private:
 };
 
 // The levels of less than kCoarsest texels, from that one.
-void hand_over_rest(int face, int level, std::vector<std::uint32_t> texels, const std::function<void(const PackedRows&)>& take) {
+void hand_over_rest(int face, int level, std::vector<std::uint32_t> texels,
+                    const std::function<void(const PackedRows&)>& take) {
     std::vector<std::uint32_t> half(texels.size());
     for (int width = kCoarsest / 2; width > 0; width /= 2) {
         halve_packed(texels.data(), 2 * width, 2 * width, half.data());
@@ -113,13 +119,16 @@ std::uint32_t packed_light(float red, float green, float blue) { return pack(red
 void halve_packed(const std::uint32_t* from, int width, int rows, std::uint32_t* to) {
     constexpr std::uint32_t kMask11 = (1u << 11) - 1;
     for (int y = 0; y + 1 < rows; y += 2) {
-        const std::uint32_t *upper = from + static_cast<std::size_t>(y) * static_cast<std::size_t>(width), *lower = upper + width;
+        const std::uint32_t *upper = from + static_cast<std::size_t>(y) * static_cast<std::size_t>(width),
+                            *lower = upper + width;
         for (int x = 0; x < width / 2; ++x) {
             const std::uint32_t a = upper[2 * x], b = upper[2 * x + 1], c = lower[2 * x], d = lower[2 * x + 1];
-            const float red = large_float<kShift11>(a & kMask11) + large_float<kShift11>(b & kMask11) + large_float<kShift11>(c & kMask11) + large_float<kShift11>(d & kMask11);
+            const float red = large_float<kShift11>(a & kMask11) + large_float<kShift11>(b & kMask11) +
+                              large_float<kShift11>(c & kMask11) + large_float<kShift11>(d & kMask11);
             const float green = large_float<kShift11>(a >> 11 & kMask11) + large_float<kShift11>(b >> 11 & kMask11) +
                                 large_float<kShift11>(c >> 11 & kMask11) + large_float<kShift11>(d >> 11 & kMask11);
-            const float blue = large_float<kShift10>(a >> 22) + large_float<kShift10>(b >> 22) + large_float<kShift10>(c >> 22) + large_float<kShift10>(d >> 22);
+            const float blue = large_float<kShift10>(a >> 22) + large_float<kShift10>(b >> 22) +
+                               large_float<kShift10>(c >> 22) + large_float<kShift10>(d >> 22);
             *to++ = pack(0.25f * red, 0.25f * green, 0.25f * blue);
         }
     }
@@ -130,9 +139,12 @@ void pack_sky(const SkyPainter& painter, const std::function<void(const PackedRo
     const int at_once = kBandsAThread * tbb::this_task_arena::max_concurrency();
     std::array<std::vector<std::uint32_t>, 2> halves;
     for (auto& half : halves) half.resize(bands.texels() * static_cast<std::size_t>(std::min(at_once, bands.count())));
-    const auto place = [&](std::vector<std::uint32_t>& half, int band) { return half.data() + bands.texels() * static_cast<std::size_t>(band % at_once); };
+    const auto place = [&](std::vector<std::uint32_t>& half, int band) {
+        return half.data() + bands.texels() * static_cast<std::size_t>(band % at_once);
+    };
     const auto make = [&](int first, std::vector<std::uint32_t>& half) {
-        tbb::parallel_for(first, std::min(first + at_once, bands.count()), [&](int band) { bands.make(band, place(half, band)); });
+        tbb::parallel_for(first, std::min(first + at_once, bands.count()),
+                          [&](int band) { bands.make(band, place(half, band)); });
     };
     std::vector<std::uint32_t> coarsest;
     make(0, halves[0]);
@@ -145,7 +157,8 @@ void pack_sky(const SkyPainter& painter, const std::function<void(const PackedRo
             if (band % bands.of_face() == 0) coarsest.clear();
             const std::uint32_t* row = bands.coarsest(place(halves[0], band));
             coarsest.insert(coarsest.end(), row, row + kCoarsest);
-            if (coarsest.size() == kCoarsest * kCoarsest) hand_over_rest(band / bands.of_face(), bands.levels(), coarsest, take);
+            if (coarsest.size() == kCoarsest * kCoarsest)
+                hand_over_rest(band / bands.of_face(), bands.levels(), coarsest, take);
         }
         next.wait();
     }

@@ -22,7 +22,9 @@ inline constexpr int kBorderOf = 32;
 inline int bordered_size(int face_size) { return face_size + 2 * (face_size / kBorderOf); }
 
 // Levels down to one texel; with a border down to a face of 16.
-inline int sky_levels(int face_size, bool bordered) { return std::bit_width(static_cast<unsigned>(bordered ? face_size / 16 : face_size)); }
+inline int sky_levels(int face_size, bool bordered) {
+    return std::bit_width(static_cast<unsigned>(bordered ? face_size / 16 : face_size));
+}
 
 // What is handed over: rows [first, first + count) of a level of a face, border included, packed.
 struct PackedRows {

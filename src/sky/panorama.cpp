@@ -77,7 +77,8 @@ Result<Panorama> Panorama::load(const SkySpec& spec, const Mat3& world_from_sky,
     made.image_ = std::move(*image);
     double density = std::max(made.image_.width / (2.0 * kPi), made.image_.height / (2.0 * limit));
     if (caps)
-        for (const auto& [file, cap] : {std::pair{&spec.north_cap, &made.north_}, std::pair{&spec.south_cap, &made.south_}}) {
+        for (const auto& [file, cap] :
+             {std::pair{&spec.north_cap, &made.north_}, std::pair{&spec.south_cap, &made.south_}}) {
             auto loaded = load_for(face_size, *file, made.notes_);
             if (!loaded) return loaded.error();
             *cap = std::move(*loaded);
@@ -111,7 +112,8 @@ void Panorama::paint(SkyRows& rows) const {
             Vec3 sum{};
             for (int j = 0; j < n; ++j)
                 for (int i = 0; i < n; ++i)
-                    sum = sum + sample(sky_from_world_ * cube_direction(rows.face, (x * n + i + 0.5) * step, (y * n + j + 0.5) * step));
+                    sum = sum + sample(sky_from_world_ *
+                                       cube_direction(rows.face, (x * n + i + 0.5) * step, (y * n + j + 0.5) * step));
             *red++ = static_cast<float>(weight * sum.x);
             *green++ = static_cast<float>(weight * sum.y);
             *blue++ = static_cast<float>(weight * sum.z);

@@ -25,13 +25,13 @@ public:
     const std::vector<std::string>& notes() const { return notes_; }
 
 private:
-    Vec3 sample(Vec3 sky_direction) const;   // any length
+    Vec3 sample(Vec3 sky_direction) const;  // any length
     Vec3 sample_band_and_caps(Vec3 sky_direction) const;
 
     SkyMapping mapping_ = SkyMapping::kEquirectangular;
-    Image<float> image_, north_, south_;     // the whole sphere, or the band and its caps
+    Image<float> image_, north_, south_;  // the whole sphere, or the band and its caps
     double band_latitude_ = 0.0, brightness_ = 1.0;
-    int samples_ = 1;                        // along each side of a texel
+    int samples_ = 1;  // along each side of a texel
     Mat3 sky_from_world_;
     std::vector<std::string> notes_;
 };

@@ -13,7 +13,8 @@ constexpr double kSun_K = 5772.0;
 
 // Points of equal solid angle on a spiral that turns by the golden angle.
 Vec3 spiral_place(int i, int count) {
-    const double z = 1.0 - (2.0 * i + 1.0) / count, rho = std::sqrt((1.0 - z) * (1.0 + z)), turn = 2.399963229728653 * i;
+    const double z = 1.0 - (2.0 * i + 1.0) / count, rho = std::sqrt((1.0 - z) * (1.0 + z)),
+                 turn = 2.399963229728653 * i;
     return {rho * std::cos(turn), rho * std::sin(turn), z};
 }
 
@@ -25,7 +26,8 @@ Result<std::vector<PointStar>> point_stars(const SkySpec& spec, const std::files
     const Mat3 world_from_sky = sky_rotation(spec);
     if (spec.even_stars > 0) {
         const double flux = spec.brightness * star_flux(spec.faintest);
-        for (int i = 0; i < spec.even_stars; ++i) stars.push_back({world_from_sky * spiral_place(i, spec.even_stars), flux, kSun_K});
+        for (int i = 0; i < spec.even_stars; ++i)
+            stars.push_back({world_from_sky * spiral_place(i, spec.even_stars), flux, kSun_K});
         return stars;
     }
     const Result<std::vector<Star>> catalogue = load_stars(assets / "sky" / "stars.bin");

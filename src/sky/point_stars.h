@@ -11,9 +11,10 @@
 namespace nullscope {
 
 struct PointStar {
-    Vec3 direction;          // world axes, unit
-    double flux;             // luminance times solid angle, in the unit of SkyCube's radiance times sr; SkySpec::brightness included
-    double temperature_K;    // of the black body of its colour
+    Vec3 direction;  // world axes, unit
+    double
+        flux;  // luminance times solid angle, in the unit of SkyCube's radiance times sr; SkySpec::brightness included
+    double temperature_K;  // of the black body of its colour
 };
 
 // How a point is drawn: the display's point spread, a Gaussian of this width sampled in the middles of pixels (their sum is 1 within

@@ -21,11 +21,12 @@ Result<SkyCube> build_sky(const SkySpec& spec, const std::filesystem::path& asse
 }
 
 SkyCube painted_sky(const SkyPainter& painter) {
-    constexpr int kRows = 16;   // a task's: the smallest face's all
+    constexpr int kRows = 16;  // a task's: the smallest face's all
     SkyCube sky;
     sky.size = painter.face_size();
     sky.notes = painter.notes();
-    tbb::parallel_for(std::size_t{0}, sky.faces.size(), [&](std::size_t face) { sky.faces[face] = Image<float>(sky.size, sky.size, 3); });
+    tbb::parallel_for(std::size_t{0}, sky.faces.size(),
+                      [&](std::size_t face) { sky.faces[face] = Image<float>(sky.size, sky.size, 3); });
     tbb::enumerable_thread_specific<SkyRows> scratch;
     const int tasks = sky.size / kRows;
     tbb::parallel_for(0, 6 * tasks, [&](int task) {

@@ -21,7 +21,7 @@ class SkyPainter;
 struct SkyCube {
     int size = 0;
     std::array<Image<float>, 6> faces;
-    std::vector<std::string> notes;   // what was done to images that are finer than the faces can show, a line each
+    std::vector<std::string> notes;  // what was done to images that are finer than the faces can show, a line each
 };
 
 // face_size: power of two, 16 ... 8192. Parallel; about 0.5 s for 2048 on two cores. Deterministic.

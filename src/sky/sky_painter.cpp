@@ -18,7 +18,8 @@ constexpr double kMilkyWayPeak = 0.12;
 
 }  // namespace
 
-Result<SkyPainter> SkyPainter::make(const SkySpec& spec, const std::filesystem::path& assets, int face_size, int border) {
+Result<SkyPainter> SkyPainter::make(const SkySpec& spec, const std::filesystem::path& assets, int face_size,
+                                    int border) {
     if (face_size < kMinFaceSize || face_size > kMaxFaceSize || !std::has_single_bit(static_cast<unsigned>(face_size)))
         return bad_input(
             fmt::format("sky: face size {} is not a power of two in [{}, {}]", face_size, kMinFaceSize, kMaxFaceSize));
@@ -32,7 +33,8 @@ Result<SkyPainter> SkyPainter::make(const SkySpec& spec, const std::filesystem::
         painter.stars_.emplace(*stars, world_from_sky, spec.brightness, face_size, border);
     }
     if (spec.kind == SkyKind::kStars || spec.kind == SkyKind::kPoints) {
-        auto haze = MilkyWay::load(assets / "sky" / "milky-way.png", world_from_sky, spec.brightness * kMilkyWayPeak, face_size, border);
+        auto haze = MilkyWay::load(assets / "sky" / "milky-way.png", world_from_sky, spec.brightness * kMilkyWayPeak,
+                                   face_size, border);
         if (!haze) return haze.error();
         painter.haze_ = std::move(*haze);
     }
@@ -46,10 +48,14 @@ Result<SkyPainter> SkyPainter::make(const SkySpec& spec, const std::filesystem::
 
 void SkyPainter::paint(int face, int first, int count, SkyRows& rows) const {
     rows.face = face, rows.size = size_, rows.border = border_, rows.first = first, rows.count = count;
-    for (std::vector<float>& plane : rows.planes) plane.resize(rows.texels());   // no page is touched anew for rows of the same size
-    if (haze_) haze_->paint(rows);
-    else if (image_) image_->paint(rows);
-    else for (std::vector<float>& plane : rows.planes) std::fill(plane.begin(), plane.end(), 0.0f);
+    for (std::vector<float>& plane : rows.planes)
+        plane.resize(rows.texels());  // no page is touched anew for rows of the same size
+    if (haze_)
+        haze_->paint(rows);
+    else if (image_)
+        image_->paint(rows);
+    else
+        for (std::vector<float>& plane : rows.planes) std::fill(plane.begin(), plane.end(), 0.0f);
     if (stars_) stars_->add(rows);
 }
 

@@ -13,7 +13,9 @@ struct SkyRows {
     std::array<std::vector<float>, 3> planes;
 
     int width() const { return size + 2 * border; }
-    float* row(std::size_t plane, int y) { return planes[plane].data() + static_cast<std::size_t>(y - first) * static_cast<std::size_t>(width()); }   // its leftmost texel
+    float* row(std::size_t plane, int y) {
+        return planes[plane].data() + static_cast<std::size_t>(y - first) * static_cast<std::size_t>(width());
+    }  // its leftmost texel
 
     std::size_t texels() const { return static_cast<std::size_t>(width()) * static_cast<std::size_t>(count); }
 };

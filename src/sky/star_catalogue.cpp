@@ -20,8 +20,8 @@ constexpr std::size_t kHeaderBytes = 16, kStarBytes = 8;
 constexpr std::uint64_t kVersion = 1;
 constexpr std::size_t kMaxBytes = 64u << 20;  // a hostile file's limit: 8 million stars
 
-constexpr double kAverageColour = 0.65;             // the Sun's, for stars without a measured B-V
-constexpr double kBluest = -0.4, kReddest = 2.0;    // range in which Ballesteros' formula is meant
+constexpr double kAverageColour = 0.65;           // the Sun's, for stars without a measured B-V
+constexpr double kBluest = -0.4, kReddest = 2.0;  // range in which Ballesteros' formula is meant
 
 std::uint64_t little_endian(std::string_view bytes) {
     std::uint64_t value = 0;

@@ -18,12 +18,13 @@ using Splat = StarPainter::Splat;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kTexelsPerSigma = 0.6;
-constexpr double kCoreReach = 4.0;                   // sigmas; exp(-8) = 0.03 % of the flux would lie outside
-constexpr int kBandRows = 32;                        // rows of a list of splats
-constexpr std::size_t kBlock = 2048;                 // stars a task
-constexpr std::size_t kMostKept = 512;               // texels of a splat whose profile is kept from its sum to its drawing
+constexpr double kCoreReach = 4.0;      // sigmas; exp(-8) = 0.03 % of the flux would lie outside
+constexpr int kBandRows = 32;           // rows of a list of splats
+constexpr std::size_t kBlock = 2048;    // stars a task
+constexpr std::size_t kMostKept = 512;  // texels of a splat whose profile is kept from its sum to its drawing
 constexpr double kCornerAngle = 0.9553166181245093;  // of a face, from its centre: atan(sqrt 2)
-constexpr double kWideCornerAngle = 0.984;           // of a face with a border of 1/kBorderOf of it on each side: atan(17/16 sqrt 2)
+constexpr double kWideCornerAngle =
+    0.984;  // of a face with a border of 1/kBorderOf of it on each side: atan(17/16 sqrt 2)
 // rad; the farthest a light reaches. kCornerAngle + 2 kMaxReach stays below pi/2, where the gnomonic image ends.
 constexpr double kMaxReach = 0.3;
 
@@ -33,13 +34,16 @@ constexpr double kHaloFraction = 0.25;              // of the star's flux: about
 constexpr double kHaloSigmas = 5.12;                // s in sigmas of the core: 10 arc minutes at kReferenceFace
 constexpr double kHaloFloor = 1.5e-4;  // radiance at which it is cut, smoothly: half a step of an 8-bit display
 
-constexpr std::size_t kRun = 64;   // texels of a row that are worked out together
+constexpr std::size_t kRun = 64;  // texels of a row that are worked out together
 using Run = std::array<double, kRun>;
 
 // exp of x in [-8, 0] to 1e-8, without a branch: 64 times the series of x/64.
 inline double exp_of(double x) {
     const double y = x * (1.0 / 64.0);
-    double e = 1.0 + y * (1.0 + y * (1.0 / 2.0) * (1.0 + y * (1.0 / 3.0) * (1.0 + y * (1.0 / 4.0) * (1.0 + y * (1.0 / 5.0) * (1.0 + y * (1.0 / 6.0))))));
+    double e =
+        1.0 + y * (1.0 + y * (1.0 / 2.0) *
+                             (1.0 + y * (1.0 / 3.0) *
+                                        (1.0 + y * (1.0 / 4.0) * (1.0 + y * (1.0 / 5.0) * (1.0 + y * (1.0 / 6.0))))));
     for (int i = 0; i < 6; ++i) e *= e;
     return e;
 }
@@ -48,7 +52,10 @@ inline double exp_of(double x) {
 class TexelRow {
 public:
     TexelRow(const FaceAxes& axes, int size, Vec3 light, int y)
-        : step_(2.0 / size), t_((y + 0.5) * step_ - 1.0), at_middle_(dot(light, axes.middle) + t_ * dot(light, axes.down)), along_(dot(light, axes.right)) {}
+        : step_(2.0 / size),
+          t_((y + 0.5) * step_ - 1.0),
+          at_middle_(dot(light, axes.middle) + t_ * dot(light, axes.down)),
+          along_(dot(light, axes.right)) {}
 
     // From x on: squares of the chords to the light (those of the angles to 0.8 % at kMaxReach), and the cubes of one over the
     // distances to the face's plane.
@@ -60,7 +67,7 @@ public:
             cubes[i] = inverse * inverse * inverse;
         }
     }
-    double solid_angle() const { return step_ * step_; }   // where the cube is 1
+    double solid_angle() const { return step_ * step_; }  // where the cube is 1
 
 private:
     double step_, t_, at_middle_, along_;
@@ -84,8 +91,10 @@ void halo_profile(double sigma, double reach, const Run& squares, std::size_t co
 
 // How far a light reaches, as splat_on needs it.
 struct Reach {
-    double tangent, least_depth;   // least_depth: cosine of the angle to a face's middle from which on it reaches nothing of the face
-    Reach(double angle, int border) : tangent(std::tan(angle)), least_depth(std::cos((border > 0 ? kWideCornerAngle : kCornerAngle) + angle)) {}
+    double tangent,
+        least_depth;  // least_depth: cosine of the angle to a face's middle from which on it reaches nothing of the face
+    Reach(double angle, int border)
+        : tangent(std::tan(angle)), least_depth(std::cos((border > 0 ? kWideCornerAngle : kCornerAngle) + angle)) {}
 };
 
 // The texels of a face and its border that a light can reach, from the gnomonic image of its cap: the cap's farthest point from the
@@ -94,14 +103,18 @@ std::optional<Splat> splat_on(Vec3 direction, const Reach& reach, const FaceAxes
     const double depth = dot(direction, axes.middle);
     if (depth <= reach.least_depth) return std::nullopt;
     const double s = dot(direction, axes.right) / depth, t = dot(direction, axes.down) / depth;
-    const double far = std::hypot(s, t), flat = 1.0 - far * reach.tangent;   // 0 where the cap meets the plane's infinity
-    constexpr double kFlattest = 0.01, kWhole = 4.0;                         // a half that covers the face from everywhere
+    const double far = std::hypot(s, t),
+                 flat = 1.0 - far * reach.tangent;    // 0 where the cap meets the plane's infinity
+    constexpr double kFlattest = 0.01, kWhole = 4.0;  // a half that covers the face from everywhere
     const double half = flat > kFlattest ? (far + reach.tangent) / flat - far : kWhole;
-    const auto texel = [&](double plane) { return std::clamp(static_cast<int>(std::floor(0.5 * (plane + 1.0) * size)), -border - 1, size + border); };
+    const auto texel = [&](double plane) {
+        return std::clamp(static_cast<int>(std::floor(0.5 * (plane + 1.0) * size)), -border - 1, size + border);
+    };
     const int x0 = std::max(texel(s - half), -border), x1 = std::min(texel(s + half), size + border - 1);
     const int y0 = std::max(texel(t - half), -border), y1 = std::min(texel(t + half), size + border - 1);
     if (x0 > x1 || y0 > y1) return std::nullopt;
-    return Splat{0, static_cast<std::int16_t>(x0), static_cast<std::int16_t>(x1), static_cast<std::int16_t>(y0), static_cast<std::int16_t>(y1)};
+    return Splat{0, static_cast<std::int16_t>(x0), static_cast<std::int16_t>(x1), static_cast<std::int16_t>(y0),
+                 static_cast<std::int16_t>(y1)};
 }
 
 double halo_reach(double flux, double scale) {
@@ -135,18 +148,21 @@ std::vector<std::array<float, 3>> colour_table() {
     std::vector<std::array<float, 3>> table(kColourCodes);
     tbb::parallel_for(0, kColourCodes, [&](int i) {
         const Vec3 c = star_colour(b_minus_v(i));
-        table[static_cast<std::size_t>(i)] = {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
+        table[static_cast<std::size_t>(i)] = {static_cast<float>(c.x), static_cast<float>(c.y),
+                                              static_cast<float>(c.z)};
     });
     return table;
 }
 
 const std::array<FaceAxes, 6>& all_axes() {
-    static const std::array<FaceAxes, 6> axes{face_axes(0), face_axes(1), face_axes(2), face_axes(3), face_axes(4), face_axes(5)};
+    static const std::array<FaceAxes, 6> axes{face_axes(0), face_axes(1), face_axes(2),
+                                              face_axes(3), face_axes(4), face_axes(5)};
     return axes;
 }
 
 // Adds amount times a profile of a row.
-void add_row(SkyRows& rows, int y, int x, const double* profile, std::size_t count, double amount, const std::array<float, 3>& colour) {
+void add_row(SkyRows& rows, int y, int x, const double* profile, std::size_t count, double amount,
+             const std::array<float, 3>& colour) {
     for (std::size_t plane = 0; plane < 3; ++plane) {
         float* out = rows.row(plane, y) + x + rows.border;
         const double light = amount * colour[plane];
@@ -163,22 +179,30 @@ double star_flux(double magnitude) {
     return kPeakOfMagnitude5 * 2.0 * kPi * reference * reference * std::pow(10.0, -0.4 * (magnitude - 5.0));
 }
 
-StarPainter::StarPainter(const std::vector<Star>& stars, const Mat3& world_from_sky, double brightness, int size, int border)
-    : size_(size), border_(border), bands_((size + 2 * border + kBandRows - 1) / kBandRows), sigma_(core_sigma(size)), colours_(colour_table()),
-      lights_(stars.size()), splats_(static_cast<std::size_t>(6 * bands_)) {
+StarPainter::StarPainter(const std::vector<Star>& stars, const Mat3& world_from_sky, double brightness, int size,
+                         int border)
+    : size_(size),
+      border_(border),
+      bands_((size + 2 * border + kBandRows - 1) / kBandRows),
+      sigma_(core_sigma(size)),
+      colours_(colour_table()),
+      lights_(stars.size()),
+      splats_(static_cast<std::size_t>(6 * bands_)) {
     const std::size_t blocks = (stars.size() + kBlock - 1) / kBlock;
     std::vector<std::vector<Placed>> placed(blocks);
     tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
         for (std::size_t i = block * kBlock; i < std::min((block + 1) * kBlock, stars.size()); ++i) {
-            Light& light = lights_[i] = {.direction = world_from_sky * stars[i].direction, .colour = stars[i].colour_code};
+            Light& light =
+                lights_[i] = {.direction = world_from_sky * stars[i].direction, .colour = stars[i].colour_code};
             place(light, static_cast<std::uint32_t>(i), stars[i].magnitude, brightness, placed[block]);
         }
     });
-    for (const auto& block : placed)   // in the catalogue's order
+    for (const auto& block : placed)  // in the catalogue's order
         for (const Placed& p : block) splats_[p.band].push_back(p.splat);
 }
 
-void StarPainter::place(Light& light, std::uint32_t number, double magnitude, double brightness, std::vector<Placed>& out) const {
+void StarPainter::place(Light& light, std::uint32_t number, double magnitude, double brightness,
+                        std::vector<Placed>& out) const {
     const double flux = brightness * star_flux(magnitude), scale = kHaloSigmas * sigma_;
     double fraction = kHaloFraction * std::clamp((kHaloNone - magnitude) / (kHaloNone - kHaloFull), 0.0, 1.0);
     if (2.0 * scale > kMaxReach) fraction = 0.0;  // a face so coarse (below 64 texels) shows no halo
@@ -193,14 +217,15 @@ void StarPainter::place(Light& light, std::uint32_t number, double magnitude, do
         for (int row = splat->y0 + border_; row / kBandRows <= (splat->y1 + border_) / kBandRows; row += kBandRows)
             out.push_back({static_cast<std::size_t>(face * bands_ + row / kBandRows), *splat});
     }
-    if (out.size() == before + 1 && fraction == 0.0 && is_whole(out.back().splat)) {   // most are so
+    if (out.size() == before + 1 && fraction == 0.0 && is_whole(out.back().splat)) {  // most are so
         light.core = flux;
         light.normalised = false;
         return;
     }
     Sums sums;
     for (const FaceAxes& axes : all_axes())
-        if (const auto splat = splat_on(light.direction, Reach(angle, 0), axes, size_, 0)) add_sums(light, sigma_, axes, size_, *splat, sums);
+        if (const auto splat = splat_on(light.direction, Reach(angle, 0), axes, size_, 0))
+            add_sums(light, sigma_, axes, size_, *splat, sums);
     light.core = (1.0 - fraction) * flux / sums.core;
     if (fraction > 0.0) light.halo = fraction * flux / sums.halo;
 }
@@ -208,7 +233,8 @@ void StarPainter::place(Light& light, std::uint32_t number, double magnitude, do
 // No other face has any of it, and its profile can be kept.
 bool StarPainter::is_whole(const Splat& splat) const {
     const auto texels = static_cast<std::size_t>((splat.x1 - splat.x0 + 1) * (splat.y1 - splat.y0 + 1));
-    return texels <= kMostKept && splat.x1 - splat.x0 < static_cast<int>(kRun) && splat.x0 > 0 && splat.x1 < size_ - 1 && splat.y0 > 0 && splat.y1 < size_ - 1;
+    return texels <= kMostKept && splat.x1 - splat.x0 < static_cast<int>(kRun) && splat.x0 > 0 &&
+           splat.x1 < size_ - 1 && splat.y0 > 0 && splat.y1 < size_ - 1;
 }
 
 void StarPainter::add(SkyRows& rows) const {
@@ -219,8 +245,10 @@ void StarPainter::add(SkyRows& rows) const {
             const int first = std::max({static_cast<int>(splat.y0), rows.first, band_first});
             const int end = std::min({static_cast<int>(splat.y1), last, band_first + kBandRows - 1}) + 1;
             const Light& light = lights_[splat.light];
-            if (light.normalised) add_light(rows, light, splat, first, end);
-            else add_whole(rows, light, splat, first, end);
+            if (light.normalised)
+                add_light(rows, light, splat, first, end);
+            else
+                add_whole(rows, light, splat, first, end);
         }
 }
 
@@ -255,7 +283,8 @@ void StarPainter::add_whole(SkyRows& rows, const Light& light, const Splat& spla
         solid_angle = row.solid_angle();
     }
     for (int y = first; y < end; ++y)
-        add_row(rows, y, splat.x0, profile.data() + static_cast<std::size_t>(y - splat.y0) * width, width, light.core / (solid_angle * sum), colours_[light.colour]);
+        add_row(rows, y, splat.x0, profile.data() + static_cast<std::size_t>(y - splat.y0) * width, width,
+                light.core / (solid_angle * sum), colours_[light.colour]);
 }
 
 }  // namespace nullscope

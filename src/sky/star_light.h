@@ -43,7 +43,8 @@ public:
         double halo = 0.0;        // radiance of the halo in the middle
         double halo_reach = 0.0;  // rad; 0: none
         unsigned colour = 0;      // code
-        bool normalised = true;   // if not, all of its texels lie in one splat of one band, and are summed when they are drawn
+        bool normalised =
+            true;  // if not, all of its texels lie in one splat of one band, and are summed when they are drawn
     };
     // A light's rectangle of texels in one face and its border, bounds inclusive.
     struct Splat {
@@ -63,9 +64,9 @@ private:
 
     int size_, border_, bands_;
     double sigma_;
-    std::vector<std::array<float, 3>> colours_;   // by code, luminance 1
+    std::vector<std::array<float, 3>> colours_;  // by code, luminance 1
     std::vector<Light> lights_;
-    std::vector<std::vector<Splat>> splats_;      // by face and band of rows
+    std::vector<std::vector<Splat>> splats_;  // by face and band of rows
 };
 
 }  // namespace nullscope

@@ -9,7 +9,7 @@ namespace {
 // d(ln E^2)/dzeta of circular orbits.
 double energy_slope(const Spacetime& spacetime, double zeta) {
     const double a = spacetime.lapse_squared(1.0 / zeta), w = spacetime.half_v_slope(zeta);
-    const double lapse_slope = 2.0 * (w / zeta - a) / zeta;   // dA/dzeta
+    const double lapse_slope = 2.0 * (w / zeta - a) / zeta;  // dA/dzeta
     return 2.0 * lapse_slope / a - spacetime.half_v_curvature(zeta) / w + 1.0 / zeta;
 }
 

@@ -11,10 +11,10 @@
 namespace nullscope {
 
 struct CircularOrbit {
-    double u_t;      // dt/dtau
-    double omega;    // dphi/dt, towards growing phi; in c/r_s
-    double energy;   // per rest mass
-    double momentum; // L per rest mass, r_s c
+    double u_t;       // dt/dtau
+    double omega;     // dphi/dt, towards growing phi; in c/r_s
+    double energy;    // per rest mass
+    double momentum;  // L per rest mass, r_s c
 };
 
 // Errors: nothing where there is no such geodesic (at and inside a photon sphere). Flat space: matter at rest.

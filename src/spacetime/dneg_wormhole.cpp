@@ -54,10 +54,10 @@ double DnegWormhole::x_of_chi(double chi) const {
     const double sine = std::sin(chi), cosine = std::cos(chi);
     const double y = throat_ / mass_ * cosine * cosine / (sine * (1.0 + sine));  // (R - rho)/M
     if (!(y > 0.0)) return 0.0;
-    double x = std::max(std::sqrt(2.0 * y), M_2_PI * y);   // f <= x^2/2 and f <= (pi/2) x
+    double x = std::max(std::sqrt(2.0 * y), M_2_PI * y);  // f <= x^2/2 and f <= (pi/2) x
     for (int i = 0; i < kMostSteps; ++i) {
         const double next = x - (growth(x) - y) / std::atan(x);
-        const bool done = std::fabs(next - x) <= 1e-9 * x;   // Newton's step squares what is off
+        const bool done = std::fabs(next - x) <= 1e-9 * x;  // Newton's step squares what is off
         x = next;
         if (done) break;
     }

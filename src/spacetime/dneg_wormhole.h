@@ -18,10 +18,10 @@ namespace nullscope {
 
 class DnegWormhole final : public Spacetime {
 public:
-    static constexpr double kWidthOverMass = 1.42953;             // W/M as the paper prints it
-    static constexpr double kLongest = 10.0;                      // 2 a, throat radii
-    static constexpr double kNarrowest = 0.02, kWidest = 2.0;     // W, throat radii: what the deflection table resolves
-    DnegWormhole(double throat, double length, double width);     // length, width in throat radii
+    static constexpr double kWidthOverMass = 1.42953;          // W/M as the paper prints it
+    static constexpr double kLongest = 10.0;                   // 2 a, throat radii
+    static constexpr double kNarrowest = 0.02, kWidest = 2.0;  // W, throat radii: what the deflection table resolves
+    DnegWormhole(double throat, double length, double width);  // length, width in throat radii
     std::string_view name() const override { return "dneg-wormhole"; }
     double lapse_squared(double) const override { return 1.0; }
     double areal_radius(double l) const override;
@@ -38,7 +38,7 @@ public:
     double tube_beyond(double l) const override;
     double length_unit() const override { return throat_; }
     double radius_slope(double l) const override;
-    double radius_curvature(double l) const override;   // jumps at the tube's rims
+    double radius_curvature(double l) const override;  // jumps at the tube's rims
     double logarithm_length() const override { return mass_; }
     bool has_orbit_equation() const override { return false; }
     double half_v_slope(double zeta) const override;

@@ -35,9 +35,7 @@ double JanisNewmanWinicour::rest(double r) const { return r < 2.0 * r_g_ ? (r - 
 double JanisNewmanWinicour::lapse_squared(double r) const { return std::pow(rest(r), g_); }
 double JanisNewmanWinicour::areal_radius(double r) const { return r * std::pow(rest(r), 0.5 * (1.0 - g_)); }
 
-double JanisNewmanWinicour::sine(double x, double y) const {
-    return x / x_c_ * std::pow(y / (1.0 - x_c_), g_ - 0.5);
-}
+double JanisNewmanWinicour::sine(double x, double y) const { return x / x_c_ * std::pow(y / (1.0 - x_c_), g_ - 0.5); }
 
 double JanisNewmanWinicour::cosine_over_gap(double x, double y) const {
     const double a = (x - x_c_) / x_c_, b = (x - x_c_) / (1.0 - x_c_);
@@ -46,7 +44,7 @@ double JanisNewmanWinicour::cosine_over_gap(double x, double y) const {
     const double rest_b = b > 0.5 ? std::log(y / (1.0 - x_c_)) + b : b * b * log_rest(-b);
     const double log_ratio = 2.0 * a * a * log_rest(a) + (2.0 * g_ - 1.0) * rest_b;  // ln(V/V_c) <= 0
     if (std::fabs(b) > 0.1) return std::sqrt(-std::expm1(log_ratio)) / std::fabs(a);
-    const double stretch = x_c_ / (1.0 - x_c_);  // b/a
+    const double stretch = x_c_ / (1.0 - x_c_);                                                    // b/a
     const double over = -2.0 * log_rest(a) - (2.0 * g_ - 1.0) * stretch * stretch * log_rest(-b);  // -L/a^2
     return std::sqrt(over * (log_ratio < 0.0 ? std::expm1(log_ratio) / log_ratio : 1.0));
 }
@@ -55,7 +53,9 @@ double JanisNewmanWinicour::chi_of(double x, double y) const {
     return std::atan2(sine(x, std::max(y, 0.0)), cosine_over_gap(x, y) * (x_c_ - x) / x_c_);
 }
 
-double JanisNewmanWinicour::density_at(double tau) const { return std::exp(-0.5 * tau) * cosine_over_gap(-std::expm1(-tau), std::exp(-tau)); }
+double JanisNewmanWinicour::density_at(double tau) const {
+    return std::exp(-0.5 * tau) * cosine_over_gap(-std::expm1(-tau), std::exp(-tau));
+}
 
 double JanisNewmanWinicour::chi_from_radius(double r) const {
     if (!(r >= r_g_)) {

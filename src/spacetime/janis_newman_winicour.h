@@ -24,7 +24,9 @@ public:
     double lapse_squared(double r) const override;
     double areal_radius(double r) const override;
     double radial_stretch2(double r) const override { return 1.0 / lapse_squared(r); }
-    std::optional<double> horizon_radius() const override { return r_g_; }  // the singular surface: light ends there as at a horizon
+    std::optional<double> horizon_radius() const override {
+        return r_g_;
+    }  // the singular surface: light ends there as at a horizon
     std::optional<PhotonSphere> photon_sphere() const override { return PhotonSphere{r_g_ / x_c_, q_crit_}; }
     bool bends_light() const override { return true; }
     double chi_from_radius(double r) const override;
@@ -39,7 +41,7 @@ private:
     double sine(double x, double y) const;
     double cosine_over_gap(double x, double y) const;  // cos(chi)/(1 - x/x_c), also where both vanish
     double chi_of(double x, double y) const;
-    double density_at(double tau) const;     // x = 1 - exp(-tau)
+    double density_at(double tau) const;  // x = 1 - exp(-tau)
     double tau_from_chi(double chi) const;
     double g_, r_g_, x_c_, q_crit_;
     InverseMap tau_of_;

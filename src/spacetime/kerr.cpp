@@ -26,7 +26,7 @@ Kerr::Kerr(double spin_over_mass)
     : a_(0.5 * spin_over_mass), outer_(0.5 * (1.0 + std::sqrt((1.0 - spin_over_mass) * (1.0 + spin_over_mass)))) {}
 
 double Kerr::lapse_squared(double r) const {
-    const double zeta = 1.0 / r, a2 = a_ * a_ * zeta * zeta;   // by zeta, for r = infinity too
+    const double zeta = 1.0 / r, a2 = a_ * a_ * zeta * zeta;  // by zeta, for r = infinity too
     return (1.0 - outer_ * zeta) * (1.0 - inner_horizon() * zeta) / (1.0 + a2 * (1.0 + zeta));
 }
 
@@ -42,7 +42,8 @@ Matrix4 Kerr::metric(double r, double theta) const {
 }
 
 Matrix4 Kerr::inverse_metric(double r, double theta) const {
-    const double sine2 = std::pow(std::sin(theta), 2), sigma = r * r + a_ * a_ * std::pow(std::cos(theta), 2), d = delta(r);
+    const double sine2 = std::pow(std::sin(theta), 2), sigma = r * r + a_ * a_ * std::pow(std::cos(theta), 2),
+                 d = delta(r);
     Matrix4 g{};
     g[0][0] = -(r * r + a_ * a_ + a_ * a_ * r * sine2 / sigma) / d;
     g[0][3] = g[3][0] = -a_ * r / (sigma * d);

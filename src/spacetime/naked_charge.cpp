@@ -8,7 +8,8 @@ namespace nullscope {
 namespace {
 
 [[noreturn]] void no_chi(const char* function, double argument) {
-    std::fprintf(stderr, "NakedCharge::%s(%.17g): V has no greatest value, hence there is no angle chi\n", function, argument);
+    std::fprintf(stderr, "NakedCharge::%s(%.17g): V has no greatest value, hence there is no angle chi\n", function,
+                 argument);
     std::abort();
 }
 
@@ -22,8 +23,10 @@ NakedCharge::NakedCharge(double charge) : kappa_(0.25 * charge * charge) {
 
 std::optional<Wall> NakedCharge::wall() const {
     const double z = zeta_d_;
-    return Wall{z, z * z * (1.0 + z * (kappa_ * z - 1.0)),
-                {traps_ ? 0.0 : z * (2.0 + z * (-3.0 + 4.0 * kappa_ * z)), 1.0 + z * (-3.0 + 6.0 * kappa_ * z), 4.0 * kappa_ * z - 1.0, kappa_}};
+    return Wall{z,
+                z * z * (1.0 + z * (kappa_ * z - 1.0)),
+                {traps_ ? 0.0 : z * (2.0 + z * (-3.0 + 4.0 * kappa_ * z)), 1.0 + z * (-3.0 + 6.0 * kappa_ * z),
+                 4.0 * kappa_ * z - 1.0, kappa_}};
 }
 
 double NakedCharge::chi_from_radius(double r) const { no_chi("chi_from_radius", r); }

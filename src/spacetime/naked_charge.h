@@ -11,8 +11,8 @@ namespace nullscope {
 
 class NakedCharge final : public Spacetime {
 public:
-    static constexpr double kMost = 3.0;        // Q/M
-    explicit NakedCharge(double charge);        // Q/M > 1
+    static constexpr double kMost = 3.0;  // Q/M
+    explicit NakedCharge(double charge);  // Q/M > 1
     std::string_view name() const override { return "reissner-nordstrom"; }
     double lapse_squared(double r) const override { return 1.0 + (kappa_ / r - 1.0) / r; }
     RadiusRange camera_range() const override { return {traps_ ? 1.0 / zeta_d_ : 0.0, kAnyRadius}; }

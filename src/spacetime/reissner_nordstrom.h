@@ -41,7 +41,8 @@ private:
     double density_at(double zeta) const;
     double zeta_from_chi(double chi) const;
     double kappa_, outer_, inner_, sphere_, zeta_c_, q_crit_, gap_;  // gap: r_o - r_u
-    double innermost_;  // within the inner horizon, where V = q_crit^2 once more (g = 0): below it no ray to the sky is critical
+    double
+        innermost_;  // within the inner horizon, where V = q_crit^2 once more (g = 0): below it no ray to the sky is critical
     InverseMap zeta_of_;
 };
 

@@ -18,7 +18,9 @@ namespace nullscope {
 class Schwarzschild final : public Spacetime {
 public:
     std::string_view name() const override { return "schwarzschild"; }
-    double lapse_squared(double r) const override { return r < 2.0 ? (r - 1.0) / r : 1.0 - 1.0 / r; }  // no digit lost at the horizon
+    double lapse_squared(double r) const override {
+        return r < 2.0 ? (r - 1.0) / r : 1.0 - 1.0 / r;
+    }  // no digit lost at the horizon
     RadiusRange falling_range() const override { return {0.0, kAnyRadius}; }
     std::optional<double> horizon_radius() const override { return 1.0; }
     std::optional<PhotonSphere> photon_sphere() const override;

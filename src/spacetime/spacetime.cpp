@@ -27,7 +27,8 @@ Matrix4 Spacetime::inverse_metric(double r, double theta) const {
 namespace {
 bool within(RadiusRange range, double r) { return r > range.low && r < range.high; }
 std::string in_words(RadiusRange range) {
-    return range.high < kAnyRadius ? fmt::format("{} < r < {}", range.low, range.high) : fmt::format("r > {}", range.low);
+    return range.high < kAnyRadius ? fmt::format("{} < r < {}", range.low, range.high)
+                                   : fmt::format("r > {}", range.low);
 }
 }  // namespace
 

@@ -57,7 +57,8 @@ public:
     virtual RadiusRange falling_range() const { return camera_range(); }
     // Outer horizon's radius; nothing if there is none.
     virtual std::optional<double> horizon_radius() const = 0;
-    virtual std::optional<PhotonSphere> photon_sphere() const = 0;  // the one that defines chi; nothing: light runs straight, or wall()
+    virtual std::optional<PhotonSphere> photon_sphere()
+        const = 0;  // the one that defines chi; nothing: light runs straight, or wall()
     virtual std::optional<Wall> wall() const { return std::nullopt; }
     virtual bool bends_light() const = 0;
     // Of metrics with R = r and A of this form, for which the shader knows how long light takes.
@@ -91,10 +92,12 @@ public:
     virtual double radius_curvature(double) const { return 0.0; }
     virtual double logarithm_length() const { return 0.0; }
     // In a longer tube rays wind so often that the rows of the orbit map, even in the angle, leave out what lies before and behind it.
-    static constexpr double kLongestHalfTube = 0.25;   // over the throat's radius
+    static constexpr double kLongestHalfTube = 0.25;  // over the throat's radius
     // Where rays that miss the sky end in a horizon the orbit map of objects can follow them; through a wormhole it follows them by l.
     bool can_have_disc() const { return has_orbit_equation() && inner_end() == InnerEnd::kHorizon; }
-    bool can_have_bodies() const { return can_have_disc() || (by_proper_length() && tube_beyond(0.0) <= kLongestHalfTube); }
+    bool can_have_bodies() const {
+        return can_have_disc() || (by_proper_length() && tube_beyond(0.0) <= kLongestHalfTube);
+    }
 
     // sqrt(V): q sin(alpha) of every ray through r, alpha its angle from the radial direction for a camera at rest.
     double root_v(double r) const;
@@ -105,7 +108,7 @@ public:
 
 // Can a camera be at rest at r? And where it can, as a message says it: "r > 1".
 bool camera_can_rest(const Spacetime& spacetime, double r);
-bool camera_can_be(const Spacetime& spacetime, double r);   // at rest or falling
+bool camera_can_be(const Spacetime& spacetime, double r);  // at rest or falling
 std::string allowed_radii(const Spacetime& spacetime);
 std::string allowed_falling_radii(const Spacetime& spacetime);
 

@@ -7,10 +7,18 @@ namespace nullscope {
 
 SpinPlace spin_place(const Spacetime& spacetime, double r, double theta) {
     const double a = spacetime.spin(), sine = std::sin(theta), cosine = std::cos(theta);
-    return {a, r, sine, cosine, (r - *spacetime.horizon_radius()) * (r - inner_horizon(spacetime)), r * r + a * a * cosine * cosine, r * r + a * a};
+    return {a,
+            r,
+            sine,
+            cosine,
+            (r - *spacetime.horizon_radius()) * (r - inner_horizon(spacetime)),
+            r * r + a * a * cosine * cosine,
+            r * r + a * a};
 }
 
-double inner_horizon(const Spacetime& spacetime) { return spacetime.spin() * spacetime.spin() / *spacetime.horizon_radius(); }
+double inner_horizon(const Spacetime& spacetime) {
+    return spacetime.spin() * spacetime.spin() / *spacetime.horizon_radius();
+}
 
 double azimuth_ahead(const Spacetime& spacetime, double r) {
     const double outer = *spacetime.horizon_radius(), inner = inner_horizon(spacetime);
@@ -28,7 +36,9 @@ double zamo_lapse2(const SpinPlace& p) {
 
 SpinFrame carter_frame(const SpinPlace& p) { return {frame_at_rest(p.delta / p.sigma), 0.0}; }
 
-SpinFrame zamo_frame(const SpinPlace& p) { return {frame_at_rest(p.delta / p.sigma), -p.a * p.sine * std::sqrt(p.delta) / p.across}; }
+SpinFrame zamo_frame(const SpinPlace& p) {
+    return {frame_at_rest(p.delta / p.sigma), -p.a * p.sine * std::sqrt(p.delta) / p.across};
+}
 
 std::optional<SpinFrame> static_frame(const SpinPlace& p) {
     const double swirl = -p.a * p.sine / std::sqrt(p.delta);
@@ -50,7 +60,7 @@ std::optional<SpinFrame> orbiting_frame(const SpinPlace& p, bool with_spin) {
 
 // Energy E, L = 0, K = a^2 cos^2 + W^2, W = -a E sin: in the frame that has the same radial motion what is left is W along e_3.
 SpinFrame falling_frame(const SpinPlace& p, double energy) {
-    const double x = energy * p.across, w = -p.a * energy * p.sine, mass2 = p.sigma + w * w;   // r^2 + K
+    const double x = energy * p.across, w = -p.a * energy * p.sine, mass2 = p.sigma + w * w;  // r^2 + K
     const double infall = std::sqrt(std::max(x * x - p.delta * mass2, 0.0));
     const double outward = (x + infall) / std::sqrt(p.sigma * mass2);
     return {{outward, p.delta / (p.sigma * outward)}, w / std::sqrt(mass2)};

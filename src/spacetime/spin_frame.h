@@ -25,7 +25,7 @@ struct SpinFrame {
 // What the formulas have of a place.
 struct SpinPlace {
     double a, r, sine, cosine;
-    double delta, sigma, across;   // Delta, a product; Sigma; r^2 + a^2
+    double delta, sigma, across;  // Delta, a product; Sigma; r^2 + a^2
 };
 SpinPlace spin_place(const Spacetime& spacetime, double r, double theta);
 
@@ -36,15 +36,16 @@ double azimuth_ahead(const Spacetime& spacetime, double r);
 double static_limit(const Spacetime& spacetime, double theta);
 
 // Outside the outer horizon:
-SpinFrame carter_frame(const SpinPlace& place);                 // sees both families of principal light straight outward and inward
-SpinFrame zamo_frame(const SpinPlace& place);                   // without angular momentum: goes round as space is dragged
-std::optional<SpinFrame> static_frame(const SpinPlace& place);  // at rest against the far sky; nothing in the ergosphere
+SpinFrame carter_frame(const SpinPlace& place);  // sees both families of principal light straight outward and inward
+SpinFrame zamo_frame(const SpinPlace& place);    // without angular momentum: goes round as space is dragged
+std::optional<SpinFrame> static_frame(
+    const SpinPlace& place);  // at rest against the far sky; nothing in the ergosphere
 // On the geodesic of constant r that is never further from the equatorial plane than here: a circle in it, its relatives elsewhere.
 // With the spin, or against it. Nothing at and inside the light's own such orbit.
 std::optional<SpinFrame> orbiting_frame(const SpinPlace& place, bool with_spin);
 // Anywhere outside the inner horizon: falling with this energy > 0 per rest mass, without angular momentum, along theta = constant for now
 // (energy 1: for ever). Where energy^2 is below lapse2(place) there is none.
 SpinFrame falling_frame(const SpinPlace& place, double energy);
-double zamo_lapse2(const SpinPlace& place);                     // energy^2 of the camera without angular momentum at rest; below 0 inside
+double zamo_lapse2(const SpinPlace& place);  // energy^2 of the camera without angular momentum at rest; below 0 inside
 
 }  // namespace nullscope

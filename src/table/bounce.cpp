@@ -10,8 +10,10 @@ constexpr double kTolerance = 1e-11;  // rad, of a panel
 constexpr int kDeepest = 40;
 
 // 10-point Gauss-Legendre rule on [-1, 1] (positive half; Abramowitz and Stegun, table 25.4).
-constexpr double kNode[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244, 0.8650633666889845, 0.9739065285171717};
-constexpr double kWeight[] = {0.2955242247147529, 0.2692667193099963, 0.2190863625159820, 0.1494513491505806, 0.0666713443086881};
+constexpr double kNode[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244, 0.8650633666889845,
+                            0.9739065285171717};
+constexpr double kWeight[] = {0.2955242247147529, 0.2692667193099963, 0.2190863625159820, 0.1494513491505806,
+                              0.0666713443086881};
 
 struct Rate {
     double e, q0, q1, q2, q3;
@@ -22,7 +24,8 @@ struct Rate {
     double panel(double low, double high) const {
         const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
         double sum = 0.0;
-        for (int i = 0; i < 5; ++i) sum += kWeight[i] * ((*this)(middle - half * kNode[i]) + (*this)(middle + half * kNode[i]));
+        for (int i = 0; i < 5; ++i)
+            sum += kWeight[i] * ((*this)(middle - half * kNode[i]) + (*this)(middle + half * kNode[i]));
         return half * sum;
     }
     double integral(double low, double high, double whole, int depth) const {
@@ -30,14 +33,18 @@ struct Rate {
         if (std::fabs(left + right - whole) <= kTolerance || depth >= kDeepest) return left + right;
         return integral(low, middle, left, depth + 1) + integral(middle, high, right, depth + 1);
     }
-    double integral(double low, double high) const { return high > low ? integral(low, high, panel(low, high), 0) : 0.0; }
+    double integral(double low, double high) const {
+        return high > low ? integral(low, high, panel(low, high), 0) : 0.0;
+    }
 };
 
 }  // namespace
 
 double Bounce::to_sky(double d, double inward) const {
     const auto [c1, c2, c3, c4] = wall_.c;
-    const auto p = [&, c1 = c1, c2 = c2, c3 = c3, c4 = c4](double x) { return d - x * (c1 + x * (c2 + x * (c3 + x * c4))); };
+    const auto p = [&, c1 = c1, c2 = c2, c3 = c3, c4 = c4](double x) {
+        return d - x * (c1 + x * (c2 + x * (c3 + x * c4)));
+    };
     // The turning point: below zeta_d where d < 0, above it elsewhere; |x| bracketed.
     const double side = d < 0.0 ? -1.0 : 1.0;
     double low = 0.0, high = side < 0.0 ? wall_.zeta : 1.0;

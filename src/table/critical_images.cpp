@@ -6,19 +6,24 @@
 namespace nullscope {
 namespace {
 
-constexpr double kDelta = 1e-7;   // of the critical angle
-constexpr double kNear = 0.3;     // chi from the photon sphere: from here on orbits wind as the limit does
+constexpr double kDelta = 1e-7;  // of the critical angle
+constexpr double kNear = 0.3;    // chi from the photon sphere: from here on orbits wind as the limit does
 
 }  // namespace
 
 CriticalImages critical_images(const RayFan& fan, double inner, double outer) {
     const Spacetime& spacetime = fan.spacetime();
-    const double least = spacetime.horizon_radius().value_or(spacetime.photon_sphere()->radius);   // discs: where there is a horizon
+    const double least =
+        spacetime.horizon_radius().value_or(spacetime.photon_sphere()->radius);  // discs: where there is a horizon
     const auto chi_of = [&](double r) { return spacetime.chi_from_radius(std::max(r, least)); };
     // Of a ray next to the critical one: what it sweeps between infinity and chi.
     constexpr double d2 = 1e-12;
-    const auto from_infinity = [&](double chi) { return fan.table().through_from_infinity(std::sqrt(1.0 + d2), d2, chi); };
-    const auto swept = [&](Segment segment, double part) { return fan.ray(segment, part * fan.critical_angle()).phi_end; };
+    const auto from_infinity = [&](double chi) {
+        return fan.table().through_from_infinity(std::sqrt(1.0 + d2), d2, chi);
+    };
+    const auto swept = [&](Segment segment, double part) {
+        return fan.ray(segment, part * fan.critical_angle()).phi_end;
+    };
     CriticalImages images;
     const double rate = (swept(Segment::kSky, kDelta) - swept(Segment::kSky, 10 * kDelta)) / std::log(10.0);
     images.per_angle = 1.0 / rate;
@@ -31,9 +36,11 @@ CriticalImages critical_images(const RayFan& fan, double inner, double outer) {
     };
     images.inner = place(inner);
     images.outer = place(outer);
-    const double past = fan.beyond() ? std::min(chi_of(inner), M_PI / 2 - kNear) : std::max(chi_of(outer), M_PI / 2 + kNear);
+    const double past =
+        fan.beyond() ? std::min(chi_of(inner), M_PI / 2 - kNear) : std::max(chi_of(outer), M_PI / 2 + kNear);
     if (fan.beyond() ? fan.chi0() < past : fan.chi0() > past)
-        images.from_angle = std::fabs(from_infinity(past) - from_infinity(fan.chi0())) + fan.swept_inside(spacetime.photon_sphere()->q_crit);
+        images.from_angle = std::fabs(from_infinity(past) - from_infinity(fan.chi0())) +
+                            fan.swept_inside(spacetime.photon_sphere()->q_crit);
     return images;
 }
 

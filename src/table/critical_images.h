@@ -10,9 +10,9 @@
 namespace nullscope {
 
 struct CriticalImages {
-    double inner = 0, outer = 0;   // C of the rims, rad; positive on the sky's side
-    double per_angle = 1;          // 1/a
-    double from_angle = 0;         // swept angle from which the critical ray is past the disc, close to the photon sphere
+    double inner = 0, outer = 0;  // C of the rims, rad; positive on the sky's side
+    double per_angle = 1;         // 1/a
+    double from_angle = 0;  // swept angle from which the critical ray is past the disc, close to the photon sphere
 };
 
 // Relative error some 1e-6: limits are taken at |delta| = 1e-7 of the critical angle.

@@ -29,7 +29,8 @@ std::array<double, 4> series_about_photon_sphere(const Spacetime& spacetime) {
         for (int i = 0; i < n; ++i) {
             const double angle = kPi * (i + 0.5) / n;
             const double chi = std::acos(radius * std::cos(angle));
-            chebyshev[j] += (j == 0 ? 1.0 : 2.0) / n * spacetime.bending_density(chi) / std::sin(chi) * std::cos(j * angle);
+            chebyshev[j] +=
+                (j == 0 ? 1.0 : 2.0) / n * spacetime.bending_density(chi) / std::sin(chi) * std::cos(j * angle);
         }
     }
     std::array<double, 4> a{};
@@ -48,7 +49,8 @@ std::array<double, 4> series_about_photon_sphere(const Spacetime& spacetime) {
 
 // J0..J3 of deflection_table.h, c in [-1, 1]; factored so that they keep their digits for d^2 -> infinity (radial rays).
 std::array<double, 4> through_integrals(double d2, double c) {
-    constexpr double kFar = 16.0;  // above it the 12-point rule is exact to rounding, below it J2 loses at most two digits
+    constexpr double kFar =
+        16.0;  // above it the 12-point rule is exact to rounding, below it J2 loses at most two digits
     const double root1 = std::sqrt(1.0 + d2), root = std::sqrt(c * c + d2);
     const double j0 = asinh_difference(1.0, c, d2);
     const double j1 = (1.0 - c) * (1.0 + c) / (root1 + root);
@@ -61,7 +63,7 @@ std::array<double, 4> through_integrals(double d2, double c) {
 // h(pi - chi) = h(chi), as wormholes have it: one sheet of turning rays serves both sides.
 bool same_on_both_sides(const Spacetime& spacetime) {
     constexpr int kSamples = 32;
-    constexpr double kSame = 1e-14;   // a few roundings of pi - chi
+    constexpr double kSame = 1e-14;  // a few roundings of pi - chi
     for (int i = 1; i < kSamples; ++i) {
         const double chi = 0.5 * kPi * i / kSamples, h = spacetime.bending_density(chi);
         if (!(std::fabs(spacetime.bending_density(kPi - chi) - h) <= kSame * h)) return false;
@@ -91,8 +93,10 @@ DeflectionTable::DeflectionTable(const Spacetime& spacetime, int size) : size_(s
     }
     const DensityFit density(spacetime);
     build_turning(density, false, series_, outer_);
-    if (same_on_both_sides(spacetime)) inner_.values = outer_.values;
-    else build_turning(density, true, series_, inner_);
+    if (same_on_both_sides(spacetime))
+        inner_.values = outer_.values;
+    else
+        build_turning(density, true, series_, inner_);
     build_through(density, through_);
 }
 
@@ -129,8 +133,7 @@ void DeflectionTable::build_through(const DensityFit& density, Sheet& sheet) {
         const double k = 1.0 + k1, d2 = k1 * (2.0 + k1);
         const auto integrand = [&](double chi) {
             const double s = std::sin(chi), c = std::cos(chi);
-            const double rest = density(chi) -
-                                s * (series_.a0 + c * (series_.a1 + c * (series_.a2 + c * series_.a3)));
+            const double rest = density(chi) - s * (series_.a0 + c * (series_.a1 + c * (series_.a2 + c * series_.a3)));
             return radial ? rest : rest * k / std::sqrt(d2 + c * c);
         };
         double sum = 0.0;
@@ -159,7 +162,8 @@ double place_of_graded_y(double y) {
     const double target = upper ? 1.0 - y : y;
     double v = std::min(std::cbrt(0.1 * target) * (1.0 + 0.25 * std::cbrt(target)), 0.5);
     for (int i = 0; i < 8 && v > 0.0; ++i) {
-        const double off = v * v * v * (10.0 - v * (15.0 - 6.0 * v)) - target, slope = 30.0 * v * v * (1.0 - v) * (1.0 - v);
+        const double off = v * v * v * (10.0 - v * (15.0 - 6.0 * v)) - target,
+                     slope = 30.0 * v * v * (1.0 - v) * (1.0 - v);
         const double step = off / slope;
         v -= step;
         if (std::fabs(step) <= 1e-9 * v) break;
@@ -222,7 +226,7 @@ double DeflectionTable::through_from_infinity(double k, double k2_minus_one, dou
 }
 
 double DeflectionTable::through_remainder(double x, double y) const {
-    const double last = 1.0 - 1e-6;   // k = 5e5: the radial limit is reached to 1e-12
+    const double last = 1.0 - 1e-6;  // k = 5e5: the radial limit is reached to 1e-12
     const double k1 = core64::through_k_minus_one_from_x(std::min(x, last));
     const double k = 1.0 + k1, d2 = std::max(k1 * (2.0 + k1), 1e-24);
     const auto j = through_integrals(d2, std::cos(core64::table_angle_from_y(y)));

@@ -24,7 +24,7 @@ namespace nullscope {
 
 class DeflectionTable {
 public:
-    static constexpr int kDefaultSize = 96;   // cells along x and along y
+    static constexpr int kDefaultSize = 96;  // cells along x and along y
 
     // spacetime must have a photon sphere. size >= 8.
     explicit DeflectionTable(const Spacetime& spacetime, int size = kDefaultSize);
@@ -37,14 +37,16 @@ public:
     // k > 1 with k2_minus_one = k^2 - 1: angle between infinity and the radius chi. chi in [0, pi].
     double through_from_infinity(double k, double k2_minus_one, double chi) const;
 
-    struct Series { double a0, a1, a2, a3; };  // of G about the photon sphere
+    struct Series {
+        double a0, a1, a2, a3;
+    };  // of G about the photon sphere
     const Series& series() const { return series_; }
     // What method kTable adds to its own closed forms, at table coordinates x, y in [0, 1]: R of the turning sheet outside the
     // photon sphere; k (phi - a0 J0 - a1 J1) of the through sheet, without the terms that cancel in float.
     double turning_remainder(double x, double y) const { return outer_.at(x, y); }
     double through_remainder(double x, double y) const;
     int size() const { return size_; }
-    std::size_t bytes() const;   // of the three sheets as double
+    std::size_t bytes() const;  // of the three sheets as double
 
 private:
     // Row-major values on a (size+1)^2 grid of nodes, x fastest... row = x index, column = y index.
@@ -55,7 +57,7 @@ private:
         std::vector<double> values;
         double node_x(int i) const;
         double node_y(int j) const;
-        double at(double x, double y) const;   // 6x6-point Lagrange interpolation; x, y in [0, 1]
+        double at(double x, double y) const;  // 6x6-point Lagrange interpolation; x, y in [0, 1]
     };
     void build_turning(const DensityFit& density, bool inner, const Series& series, Sheet& sheet);
     void build_through(const DensityFit& density, Sheet& sheet);

@@ -15,7 +15,8 @@ Lapse lapse_at(const Spacetime& spacetime, double zeta) {
     const double a = spacetime.lapse_squared(1.0 / zeta), half_slope = spacetime.half_v_slope(zeta);
     const double z2a1 = 2.0 * (half_slope - zeta * a), a1 = z2a1 / (zeta * zeta);
     const double z2a2 = 2.0 * (spacetime.half_v_curvature(zeta) - a - 2.0 * zeta * a1);
-    return {1.0 - a * (1.0 + zeta) - 0.5 * z2a1, -a1 * (1.0 + zeta) - a - zeta * a1 - 0.5 * z2a2, zeta * a1, a1 + z2a2 / zeta};
+    return {1.0 - a * (1.0 + zeta) - 0.5 * z2a1, -a1 * (1.0 + zeta) - a - zeta * a1 - 0.5 * z2a2, zeta * a1,
+            a1 + z2a2 / zeta};
 }
 
 // dD/dphi, and its derivatives by phi and, at fixed phi, by delta.
@@ -33,10 +34,11 @@ Rate rate_at(const Spacetime& spacetime, const Ray& ray, const OrbitState& s) {
     const double sum = ray.q + ray.sigma * s.slope;
     const double v = s.zeta > 0.0 ? s.zeta * s.zeta * spacetime.lapse_squared(1.0 / s.zeta) : 0.0;
     const double rest = ray.sigma * s.slope > 0.0 ? v / sum : ray.q - ray.sigma * s.slope;
-    if (!(rest > 0.0)) return {0.0, 0.0, 0.0};   // the sky itself, on a ray that has come from it
+    if (!(rest > 0.0)) return {0.0, 0.0, 0.0};  // the sky itself, on a ray that has come from it
     const double first = lapse.n / rest, bend = -spacetime.half_v_slope(s.zeta);
     const auto along = [&](double zeta, double slope, double q) {
-        return (lapse.n_slope * zeta - first * (q - ray.sigma * slope)) / rest - (lapse.za_slope * zeta - lapse.za * q / ray.q) / (2.0 * ray.q);
+        return (lapse.n_slope * zeta - first * (q - ray.sigma * slope)) / rest -
+               (lapse.za_slope * zeta - lapse.za * q / ray.q) / (2.0 * ray.q);
     };
     return {first - lapse.za / (2.0 * ray.q), along(s.slope, bend, 0.0), along(s.vary, s.vary_slope, ray.q_per_delta)};
 }
@@ -60,8 +62,8 @@ OrbitState between(const Spacetime& spacetime, const OrbitState& low, const Orbi
 
 }  // namespace
 
-std::vector<std::array<double, 4>> delay_column(const RayFan& fan, Segment segment, const FanRay& fan_ray, std::span<const OrbitState> orbit,
-                                                double end_per_delta) {
+std::vector<std::array<double, 4>> delay_column(const RayFan& fan, Segment segment, const FanRay& fan_ray,
+                                                std::span<const OrbitState> orbit, double end_per_delta) {
     const Spacetime& spacetime = fan.spacetime();
     const bool sky = segment == Segment::kSky;
     const Ray ray{fan_ray.q, -fan_ray.slope / fan_ray.sin_beta * (sky ? 1.0 : -1.0), sky ? 1.0 : -1.0};
@@ -74,8 +76,9 @@ std::vector<std::array<double, 4>> delay_column(const RayFan& fan, Segment segme
     Rate low = rate_at(spacetime, ray, orbit[0]);
     for (std::size_t i = 0;; ++i) {
         const double v = static_cast<double>(i) / static_cast<double>(rows), moved = v * end_per_delta;
-        column[i] = {sum, sum_delta + low.value * moved, low.value * cell,
-                     (low.by_delta + low.by_phi * moved) * cell + low.value * end_per_delta / static_cast<double>(rows)};
+        column[i] = {
+            sum, sum_delta + low.value * moved, low.value * cell,
+            (low.by_delta + low.by_phi * moved) * cell + low.value * end_per_delta / static_cast<double>(rows)};
         if (i == rows) return column;
         const Rate high = rate_at(spacetime, ray, orbit[i + 1]);
         const Rate a = rate_at(spacetime, ray, between(spacetime, orbit[i], orbit[i + 1], inner, cell));

@@ -23,7 +23,7 @@ struct OrbitState {
 
 // orbit: at equal steps of the swept angle from the camera to the ray's end. end_per_delta: d phi_end/d delta. Texels (D, D_d, D_v, D_dv),
 // v = angle over phi_end, as the orbit map's. Error: 1e-9 of D where D is not small.
-std::vector<std::array<double, 4>> delay_column(const RayFan& fan, Segment segment, const FanRay& ray, std::span<const OrbitState> orbit,
-                                                double end_per_delta);
+std::vector<std::array<double, 4>> delay_column(const RayFan& fan, Segment segment, const FanRay& ray,
+                                                std::span<const OrbitState> orbit, double end_per_delta);
 
 }  // namespace nullscope

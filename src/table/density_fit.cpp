@@ -13,7 +13,8 @@ std::array<double, n> powers_through_chebyshev(const F& f) {
     std::array<double, n> chebyshev{}, power{};
     for (std::size_t i = 0; i < n; ++i) {
         const double angle = kPi * (static_cast<double>(i) + 0.5) / n, value = f(std::cos(angle));
-        for (std::size_t j = 0; j < n; ++j) chebyshev[j] += (j == 0 ? 1.0 : 2.0) / n * value * std::cos(static_cast<double>(j) * angle);
+        for (std::size_t j = 0; j < n; ++j)
+            chebyshev[j] += (j == 0 ? 1.0 : 2.0) / n * value * std::cos(static_cast<double>(j) * angle);
     }
     std::array<double, n + 1> previous{1.0}, current{0.0, 1.0};  // power coefficients of T_0, T_1
     for (std::size_t j = 0; j < n; ++j) {
@@ -33,7 +34,8 @@ DensityFit::DensityFit(const Spacetime& spacetime) {
     constexpr double width = kPi / kPanels;
     const auto panel = [](double low, double high, const auto& h) {
         const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
-        return Panel{middle, 1.0 / half, powers_through_chebyshev<kTerms>([&](double t) { return h(middle + half * t); })};
+        return Panel{middle, 1.0 / half,
+                     powers_through_chebyshev<kTerms>([&](double t) { return h(middle + half * t); })};
     };
     const auto from_sky = [&](double chi) { return spacetime.bending_density(chi); };
     const auto from_end = [&](double rest) { return spacetime.bending_density(kPi - rest); };

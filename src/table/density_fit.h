@@ -20,7 +20,7 @@ public:
 private:
     static constexpr int kPanels = 64, kHalvings = 30, kTerms = 12;
     struct Panel {
-        double middle, per_half;  // t = (chi - middle) per_half in [-1, 1]
+        double middle, per_half;       // t = (chi - middle) per_half in [-1, 1]
         std::array<double, kTerms> c;  // of powers of t
     };
     // Inner panels, then those towards 0, then those towards pi (in pi - chi).

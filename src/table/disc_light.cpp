@@ -10,11 +10,11 @@
 namespace nullscope {
 namespace {
 
-constexpr double kDark = -64.0;   // log2: nothing of it is left in a float picture
+constexpr double kDark = -64.0;  // log2: nothing of it is left in a float picture
 
 // E and L of circular orbits have dE = Omega dL; with x = ln r both derivatives are taken of L alone.
 struct Ring {
-    double r, omega, gain;   // E - Omega L
+    double r, omega, gain;  // E - Omega L
     double momentum;
 };
 
@@ -57,7 +57,7 @@ std::vector<double> disc_flux(const Spacetime& spacetime, const std::vector<doub
     for (const std::size_t i : order) {
         const double r = radii[i];
         if (r <= *isco) continue;
-        while (from < r) {   // pieces of at most a tenth of r
+        while (from < r) {  // pieces of at most a tenth of r
             const double to = std::min(r, 1.1 * from);
             gained += gained_between(spacetime, from, to);
             from = to;
@@ -72,23 +72,27 @@ std::vector<double> disc_flux(const Spacetime& spacetime, const std::vector<doub
 FluxPeak disc_flux_peak(const Spacetime& spacetime) {
     const auto isco = innermost_stable_orbit(spacetime);
     if (!isco) return {1.0, 0.0};
-    double low = *isco, high = 4.0 * *isco;   // one maximum between them
+    double low = *isco, high = 4.0 * *isco;  // one maximum between them
     constexpr double kGolden = 0.6180339887498949;
     while (high - low > 1e-8 * high) {
         const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
         const std::vector<double> flux = disc_flux(spacetime, {a, b});
-        if (flux[0] < flux[1]) low = a;
-        else high = b;
+        if (flux[0] < flux[1])
+            low = a;
+        else
+            high = b;
     }
     const double r = 0.5 * (low + high);
     return {r, disc_flux(spacetime, {r}).front()};
 }
 
 double disc_temperature_K(double flux, double mass_suns, double rate_eddington) {
-    constexpr double kSun_m3_s2 = 1.32712440018e20, kLight_m_s = 299792458.0;             // GM
-    constexpr double kProton_kg = 1.67262192369e-27, kThomson_m2 = 6.6524587321e-29, kStefan = 5.670374419e-8;   // CODATA 2018
+    constexpr double kSun_m3_s2 = 1.32712440018e20, kLight_m_s = 299792458.0;  // GM
+    constexpr double kProton_kg = 1.67262192369e-27, kThomson_m2 = 6.6524587321e-29,
+                     kStefan = 5.670374419e-8;  // CODATA 2018
     const double gm = mass_suns * kSun_m3_s2, radius_m = 2.0 * gm / (kLight_m_s * kLight_m_s);
-    const double power_W = 10.0 * rate_eddington * 4.0 * M_PI * gm * kProton_kg * kLight_m_s / kThomson_m2;   // of the mass that falls in
+    const double power_W =
+        10.0 * rate_eddington * 4.0 * M_PI * gm * kProton_kg * kLight_m_s / kThomson_m2;  // of the mass that falls in
     return std::pow(flux * power_W / (radius_m * radius_m * kStefan), 0.25);
 }
 
@@ -96,15 +100,18 @@ TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, 
     const double horizon = spacetime.horizon_radius().value_or(0.0);
     const double from = std::max(inner, (1.0 + 1e-6) * horizon);
     std::vector<double> radii;
-    for (int i = 0; i <= kDiscFlowCells; ++i) radii.push_back(std::max(inner * std::pow(outer / inner, double(i) / kDiscFlowCells), from));
+    for (int i = 0; i <= kDiscFlowCells; ++i)
+        radii.push_back(std::max(inner * std::pow(outer / inner, double(i) / kDiscFlowCells), from));
     const std::vector<double> flux = disc_flux(spacetime, radii);
     const double peak = disc_flux_peak(spacetime).flux;
     TexelGrid row{kDiscFlowCells + 1, 1, {}};
     for (std::size_t i = 0; i < radii.size(); ++i) {
         const double a = spacetime.lapse_squared(radii[i]), lapse = std::sqrt(a), scale = parts.gravity ? 1.0 : lapse;
-        const MatterVelocity u = parts.doppler ? disc_matter(spacetime, radii[i]) : MatterVelocity{1.0 / lapse, 0.0, 0.0};
+        const MatterVelocity u =
+            parts.doppler ? disc_matter(spacetime, radii[i]) : MatterVelocity{1.0 / lapse, 0.0, 0.0};
         const double heat = flux[i] > 0.0 ? std::max(0.25 * std::log2(flux[i] / peak), kDark) : kDark;
-        for (const double value : {heat, scale * u.u_t, scale * u.u_phi / (parts.straight ? lapse : 1.0), scale * u.u_r * spacetime.radial_stretch2(radii[i])})
+        for (const double value : {heat, scale * u.u_t, scale * u.u_phi / (parts.straight ? lapse : 1.0),
+                                   scale * u.u_r * spacetime.radial_stretch2(radii[i])})
             row.texels.push_back(static_cast<float>(value));
     }
     return row;
@@ -115,7 +122,8 @@ TexelGrid black_body_row() {
     for (int i = 0; i <= kBlackBodyCells; ++i) {
         const Vec3 xyz = black_body_xyz(std::exp2(kColdest + (kHottest - kColdest) * i / kBlackBodyCells));
         const Vec3 rgb = rec709_from_xyz(xyz / xyz.y);
-        for (const double value : {rgb.x, rgb.y, rgb.z, std::log2(xyz.y)}) row.texels.push_back(static_cast<float>(value));
+        for (const double value : {rgb.x, rgb.y, rgb.z, std::log2(xyz.y)})
+            row.texels.push_back(static_cast<float>(value));
     }
     return row;
 }

@@ -14,7 +14,8 @@ struct Nystrom {
                                        {225437. / 1968750, -30073. / 281250, 65569. / 281250, -9367. / 984375},
                                        {151. / 2142, 5. / 116, 385. / 1368, 55. / 168, -6250. / 28101}};
     static constexpr std::array<double, 6> b{151. / 2142, 5. / 116, 385. / 1368, 55. / 168, -6250. / 28101, 0};
-    static constexpr std::array<double, 6> b_slope{151. / 2142, 25. / 522, 275. / 684, 275. / 252, -78125. / 112404, 1. / 12};
+    static constexpr std::array<double, 6> b_slope{151. / 2142, 25. / 522,        275. / 684,
+                                                   275. / 252,  -78125. / 112404, 1. / 12};
 };
 
 // A step of x'' = f(x) along with its derivative by a parameter. State: of x, x', dx/dp, dx'/dp, in this order. force(x, dx/dp): {f, df/dp}.

@@ -17,7 +17,7 @@ constexpr int kCellsPerOctave = 12;  // ORBIT_CELLS_PER_OCTAVE
 constexpr int kRows = kOrbitRows;
 constexpr double kLargestStep = 0.08;  // rad; local error 1e-12
 
-using State = OrbitState;   // its derivatives by delta follow the variational equation
+using State = OrbitState;  // its derivatives by delta follow the variational equation
 
 State step(const Spacetime& spacetime, const State& s, double h) {
     return nystrom_step(s, h, [&](double zeta, double vary) {
@@ -59,7 +59,7 @@ Column integrate(const RayFan& fan, Segment segment, const FanRay& ray, double& 
     y = back[kMiddle];
     const double y_curvature = -spacetime.half_v_slope(y.zeta);
     end_per_delta = ((f.vary - y.vary) * y.slope - (f.vary_slope + y.vary_slope) * y_curvature) /
-                (y.slope * y.slope + y_curvature * y_curvature);
+                    (y.slope * y.slope + y_curvature * y_curvature);
     for (int i = kMiddle + 1; i <= kRows; ++i) {
         const State& b = back[i];
         orbit[i] = {b.zeta, -b.slope, b.vary + b.slope * end_per_delta,
@@ -69,7 +69,8 @@ Column integrate(const RayFan& fan, Segment segment, const FanRay& ray, double& 
 }
 
 // One column: texels (Z, Z_d, Z_v, Z_dv) at v = 0 ... 1, derivatives by delta and by v.
-std::vector<std::array<double, 4>> places(const RayFan& fan, Segment segment, const FanRay& ray, const Column& orbit, double end_per_delta) {
+std::vector<std::array<double, 4>> places(const RayFan& fan, Segment segment, const FanRay& ray, const Column& orbit,
+                                          double end_per_delta) {
     const Spacetime& spacetime = fan.spacetime();
     std::vector<std::array<double, 4>> texels(kRows + 1);
     for (int i = 0; i <= kRows; ++i) {
@@ -136,7 +137,8 @@ TexelGrid side_by_side(const TexelGrid& places, const TexelGrid& delays) {
     constexpr std::ptrdiff_t kTexel = 4;
     TexelGrid both{2 * places.width, places.height, {}};
     both.texels.reserve(2 * places.texels.size());
-    for (auto a = places.texels.begin(), b = delays.texels.begin(); a != places.texels.end(); a += kTexel, b += kTexel) {
+    for (auto a = places.texels.begin(), b = delays.texels.begin(); a != places.texels.end();
+         a += kTexel, b += kTexel) {
         both.texels.insert(both.texels.end(), a, a + kTexel);
         both.texels.insert(both.texels.end(), b, b + kTexel);
     }

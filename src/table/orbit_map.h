@@ -9,8 +9,8 @@
 namespace nullscope {
 
 struct OrbitMap {
-    TexelGrid places;   // zeta
-    TexelGrid delays;   // D of table/delay_column.h in the same cells; empty where nothing asks how long light takes
+    TexelGrid places;  // zeta
+    TexelGrid delays;  // D of table/delay_column.h in the same cells; empty where nothing asks how long light takes
 };
 
 // Error of zeta: 1e-7 relative to the ray's conditioning. About 10 core-milliseconds, with delays twice that.

@@ -16,9 +16,14 @@ constexpr double kNoAngle = 1e-300;    // stands for the dividing ray itself
 double square(double x) { return x * x; }
 }  // namespace
 
-RayFan::RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r, RadialFrame frame,
-               double pixel)
-    : spacetime_(std::move(spacetime)), table_(std::move(table)), frame_(frame), r_(r), radius_(spacetime_->areal_radius(r)), zeta0_(1.0 / radius_) {
+RayFan::RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r,
+               RadialFrame frame, double pixel)
+    : spacetime_(std::move(spacetime)),
+      table_(std::move(table)),
+      frame_(frame),
+      r_(r),
+      radius_(spacetime_->areal_radius(r)),
+      zeta0_(1.0 / radius_) {
     const double lapse2 = spacetime_->lapse_squared(r), v0 = lapse2 * square(zeta0_);
     const auto horizon = spacetime_->horizon_radius();
     inside_ = horizon && r <= *horizon;
@@ -29,17 +34,19 @@ RayFan::RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const
         chi0_ = inside_ ? M_PI : spacetime_->chi_from_radius(r);
         q_crit_ = spacetime_->photon_sphere()->q_crit;
         const double v_over_q2 = v0 / square(q_crit_);
-        photon_ = divides_ = divider(q_crit_, inside_ ? -std::sqrt(std::max(1.0 - v_over_q2, 0.0)) : std::cos(chi0_), v_over_q2);
+        photon_ = divides_ =
+            divider(q_crit_, inside_ ? -std::sqrt(std::max(1.0 - v_over_q2, 0.0)) : std::cos(chi0_), v_over_q2);
     }
     tube_out_ = spacetime_->tube_beyond(r);
     tube_in_ = spacetime_->tube_beyond(-kAnyRadius) - tube_out_;
     if (const auto surface = spacetime_->surface_radius()) {
         chi_end_ = spacetime_->chi_from_radius(*surface);
-        grazes_ = chi_end_ < M_PI / 2;   // the surface hides the photon sphere: V(surface) is what divides
+        grazes_ = chi_end_ < M_PI / 2;  // the surface hides the photon sphere: V(surface) is what divides
         const double sine = std::sin(chi_end_);
         if (grazes_)
-            divides_ = divider(q_crit_ * sine, std::sqrt(std::sin(chi_end_ - chi0_) * std::sin(chi_end_ + chi0_)) / sine,
-                               v0 / square(q_crit_ * sine));
+            divides_ =
+                divider(q_crit_ * sine, std::sqrt(std::sin(chi_end_ - chi0_) * std::sin(chi_end_ + chi0_)) / sine,
+                        v0 / square(q_crit_ * sine));
     }
     c_ = divides_.c;
     from_inward_ = !(divides_.t < 1.0);
@@ -69,8 +76,10 @@ void RayFan::divide_at_wall(const Wall& wall) {
     wall_v_ = wall.v;
     over_wall_ = x * (wall.c[0] + x * (wall.c[1] + x * (wall.c[2] + x * wall.c[3])));
     q_crit_ = std::sqrt(wall.v);
-    if (x < 0.0) divides_ = divider(q_crit_, std::sqrt(std::max(-over_wall_, 0.0) / wall.v), square(lapse_ * zeta0_) / wall.v);
-    else divides_ = {q_crit_ * radius_, 0.0, INFINITY};
+    if (x < 0.0)
+        divides_ = divider(q_crit_, std::sqrt(std::max(-over_wall_, 0.0) / wall.v), square(lapse_ * zeta0_) / wall.v);
+    else
+        divides_ = {q_crit_ * radius_, 0.0, INFINITY};
     chi0_ = 2.0 * std::atan(1.0 / divides_.t);
 }
 
@@ -102,7 +111,8 @@ FanRay RayFan::tube_ray(Segment segment, double delta) const {
     FanRay ray{};
     ray.sin_beta = std::sin(place.theta);
     const double d2 = -one_minus_k2(divides_, place.t, place.t_minus);
-    if (d2 > 0.0) ray.in_tube = std::min((segment == Segment::kSky ? tube_out_ : tube_in_) / std::sqrt(d2), kMostInTube);
+    if (d2 > 0.0)
+        ray.in_tube = std::min((segment == Segment::kSky ? tube_out_ : tube_in_) / std::sqrt(d2), kMostInTube);
     return ray;
 }
 
@@ -135,8 +145,10 @@ FanRay RayFan::ray(Segment segment, double delta) const {
     const double d2 = std::max(-omk2, kNoAngle);
     if (inside_) {
         ray.phi_end = swept_inside(std::fabs(ray.q));
-        if (sky) ray.phi_end += table_->through_from_infinity(k, d2, M_PI);
-        else if (k > 0.0 && omk2 > 0.0 && ray.slope < 0.0) ray.phi_end += table_->turning_to_horizon(k, omk2, M_PI);   // out, and back
+        if (sky)
+            ray.phi_end += table_->through_from_infinity(k, d2, M_PI);
+        else if (k > 0.0 && omk2 > 0.0 && ray.slope < 0.0)
+            ray.phi_end += table_->turning_to_horizon(k, omk2, M_PI);  // out, and back
         return ray;
     }
     // The angle that a camera at rest here sees: from the outward and from the inward radial.
@@ -161,8 +173,10 @@ double RayFan::to_surface(double k, double one_minus_k2, double one_minus_kd2, d
         return table_->through_from_infinity(k, d2, chi_end_) - table_->through_from_infinity(k, d2, chi0_);
     }
     const double sine = std::sin(chi_end_) / k;
-    if (!grazes_) return table_->turning_to_horizon(k, one_minus_k2, beta) -
-                         table_->turning_to_horizon(k, one_minus_k2, std::atan2(sine, std::sqrt(std::max((1.0 - sine) * (1.0 + sine), 0.0))));
+    if (!grazes_)
+        return table_->turning_to_horizon(k, one_minus_k2, beta) -
+               table_->turning_to_horizon(k, one_minus_k2,
+                                          std::atan2(sine, std::sqrt(std::max((1.0 - sine) * (1.0 + sine), 0.0))));
     const double there = M_PI - std::atan2(1.0, std::sqrt(std::max(-one_minus_kd2, 0.0)));
     return table_->turning_to_sky(k, one_minus_k2, alpha) - table_->turning_to_sky(k, one_minus_k2, there);
 }

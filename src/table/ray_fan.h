@@ -24,27 +24,29 @@ namespace nullscope {
 enum class Segment { kSky = 0, kCaptured = 1 };
 
 struct FanRay {
-    double beta;          // angle from the inward radial, pi - alpha, (0, pi)
+    double beta;  // angle from the inward radial, pi - alpha, (0, pi)
     double sin_beta;
-    double q;             // below 0: light from no sky that ever was (inside the horizon)
-    double slope;         // d zeta / d phi at the camera
-    double phi_end;       // swept until infinity or until the horizon
-    double in_tube;       // what of it is swept in a wormhole's tube
-    double tube_slope;    // |dl/d phi| there over the throat's radius, sqrt((q/q_crit)^2 - 1); 0 of rays that do not pass
+    double q;           // below 0: light from no sky that ever was (inside the horizon)
+    double slope;       // d zeta / d phi at the camera
+    double phi_end;     // swept until infinity or until the horizon
+    double in_tube;     // what of it is swept in a wormhole's tube
+    double tube_slope;  // |dl/d phi| there over the throat's radius, sqrt((q/q_crit)^2 - 1); 0 of rays that do not pass
 };
 
 class RayFan {
 public:
     // frame: of a camera at radius r. The table must belong to the spacetime; nullptr where there is a wall. pixel: angle that the
     // frame's smallest pixel spans, rad: deep zooms get finer cells next to the critical ray.
-    RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r, RadialFrame frame,
-           double pixel = 1.0);
+    RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r,
+           RadialFrame frame, double pixel = 1.0);
 
-    bool beyond() const { return c_ > 0.0; }                // of where the dividing ray winds: outside the photon sphere
-    double critical_angle() const { return theta_c_; }      // from the nearer radial direction, (0, pi/2]
-    double critical_cosine() const { return from_inward_ ? -std::cos(theta_c_) : std::cos(theta_c_); }   // from the outward radial
+    bool beyond() const { return c_ > 0.0; }            // of where the dividing ray winds: outside the photon sphere
+    double critical_angle() const { return theta_c_; }  // from the nearer radial direction, (0, pi/2]
+    double critical_cosine() const {
+        return from_inward_ ? -std::cos(theta_c_) : std::cos(theta_c_);
+    }  // from the outward radial
     double critical_sine() const { return std::sin(theta_c_); }
-    double delta_limit(Segment segment) const;              // largest delta
+    double delta_limit(Segment segment) const;  // largest delta
     // delta_limit < delta is the ray beyond the radial one, the mirror image of 2 delta_limit - delta: what is even in the angle
     // from the radial direction stays smooth across it.
     double mirrored(Segment segment, double delta) const;
@@ -55,21 +57,21 @@ public:
     bool has_tube() const { return tube_out_ + tube_in_ > 0.0; }
 
     // The place u >= 1 in the cells of shaders/core/strip.glsl: u = 1 + w/w0, w = 2 tan(delta/2).
-    double w0() const { return w0_; }                       // innermost cell scale, rad
+    double w0() const { return w0_; }  // innermost cell scale, rad
     double delta_at(double u) const { return 2.0 * std::atan(0.5 * w0() * (u - 1.0)); }
-    double delta_slope(double u) const;                     // d delta / d u
-    int octaves(Segment segment) const;                     // of u, until delta_limit
+    double delta_slope(double u) const;  // d delta / d u
+    int octaves(Segment segment) const;  // of u, until delta_limit
 
-    double zeta0() const { return zeta0_; }                 // 1/R
+    double zeta0() const { return zeta0_; }  // 1/R
     double camera_r() const { return r_; }
-    double chi0() const { return chi0_; }                    // pi inside the horizon
+    double chi0() const { return chi0_; }  // pi inside the horizon
     const RadialFrame& frame() const { return frame_; }
     // Tangent of half the angle from the outward radial of the inward ray with this q, the last of larger q on that side: where a
     // sphere's edge is seen. Only outside the horizon and of rays that pass here.
     double half_tangent_inward(double q) const;
     // Swept on a ray of this q > 0 between the horizon and the camera; 0 outside the horizon.
     double swept_inside(double q) const;
-    const DeflectionTable& table() const { return *table_; }   // where there is one
+    const DeflectionTable& table() const { return *table_; }  // where there is one
     bool has_table() const { return table_ != nullptr; }
     const Spacetime& spacetime() const { return *spacetime_; }
 
@@ -80,7 +82,7 @@ public:
 
 private:
     struct Divider {
-        double reach, c, t;   // q_d R, c and t_d of above
+        double reach, c, t;  // q_d R, c and t_d of above
     };
     Divider divider(double q, double c, double v_over_q2) const;
     double one_minus_k2(const Divider& divider, double t, double t_minus) const;
@@ -92,15 +94,16 @@ private:
     std::shared_ptr<const DeflectionTable> table_;
     RadialFrame frame_;
     double r_, radius_, zeta0_, chi0_ = 0, q_crit_, theta_c_, c_, w0_;
-    double lapse_ = 0;                    // sqrt(A); 0 inside the horizon
-    bool inside_ = false, from_inward_;   // of the horizon; whether the inward radial is the nearer one
-    Divider divides_;                     // sky from the rest
-    std::optional<Bounce> bounce_;        // where there is a wall
-    double wall_v_ = 0, over_wall_ = 0;   // its V, and V(zeta0) minus that
-    double tube_out_ = 0, tube_in_ = 0;   // a wormhole's tube on the way to the sky and to the other one, over its radius
-    double chi_end_ = M_PI;   // where captured rays end: horizon, other sky, or the surface of a star,
-    bool grazes_ = false;     //   which outside the photon sphere has the critical direction to itself:
-    Divider photon_;          //   then of the photon sphere
+    double lapse_ = 0;                   // sqrt(A); 0 inside the horizon
+    bool inside_ = false, from_inward_;  // of the horizon; whether the inward radial is the nearer one
+    Divider divides_;                    // sky from the rest
+    std::optional<Bounce> bounce_;       // where there is a wall
+    double wall_v_ = 0, over_wall_ = 0;  // its V, and V(zeta0) minus that
+    double tube_out_ = 0,
+           tube_in_ = 0;     // a wormhole's tube on the way to the sky and to the other one, over its radius
+    double chi_end_ = M_PI;  // where captured rays end: horizon, other sky, or the surface of a star,
+    bool grazes_ = false;    //   which outside the photon sphere has the critical direction to itself:
+    Divider photon_;         //   then of the photon sphere
 };
 
 }  // namespace nullscope

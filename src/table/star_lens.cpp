@@ -13,7 +13,7 @@ constexpr double kLeastPhi = 1e-3;       // rad; T tan(Phi/2) is even in Phi: 1e
 constexpr double kLeastEinstein = 1e-9;  // of T, where nothing bends: any number serves
 
 struct FanSample {
-    double phi, tangent;   // tan(theta/2)
+    double phi, tangent;  // tan(theta/2)
 };
 
 // Rays of the fan from almost the outward radial to the last winding, phi growing.
@@ -42,7 +42,7 @@ struct Sample {
 };
 
 struct Place {
-    double y, slope, bend;   // y, dy/dx, d2y/dx2
+    double y, slope, bend;  // y, dy/dx, d2y/dx2
 };
 
 // The polynomial through six samples about x, and its derivatives (Lagrange's form, each factor by the product rule).

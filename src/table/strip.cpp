@@ -9,14 +9,15 @@
 namespace nullscope {
 namespace {
 
-constexpr int kCoarse = 16;    // ENDS_CELLS_PER_OCTAVE: cubics that follow the fan
-constexpr int kFine = 1024;    // STRIP_CELLS_PER_OCTAVE: straight lines that follow the cubics, one octave a row
+constexpr int kCoarse = 16;  // ENDS_CELLS_PER_OCTAVE: cubics that follow the fan
+constexpr int kFine = 1024;  // STRIP_CELLS_PER_OCTAVE: straight lines that follow the cubics, one octave a row
 
 using Cubic = std::array<double, 4>;
 double value(const Cubic& c, double f) { return c[0] + f * (c[1] + f * (c[2] + f * c[3])); }
 
 // The cubic through the four Chebyshev nodes of [0, 1], as coefficients of 1, f, f^2, f^3.
-constexpr std::array<double, 4> kNodes = {0.038060233744356625, 0.30865828381745514, 0.6913417161825449, 0.9619397662556434};
+constexpr std::array<double, 4> kNodes = {0.038060233744356625, 0.30865828381745514, 0.6913417161825449,
+                                          0.9619397662556434};
 Cubic cubic_through(const std::array<double, 4>& y) {
     // Newton's divided differences, then expanded to powers of f.
     std::array<double, 4> d = y;
@@ -43,7 +44,8 @@ Cell coarse_cell(const RayFan& fan, Segment segment, bool by_centre, int cell) {
     std::array<double, 4> cos_phi{}, ratio{}, end{}, bare_cos{}, bare_ratio{};
     for (int i = 0; i < 4; ++i) {
         const double u = u_octave * (1.0 + (cell % kCoarse + kNodes[i]) / kCoarse);
-        const double delta = by_centre ? std::max(fan.critical_angle() - fan.delta_at(u), 0.0) : fan.mirrored(segment, fan.delta_at(u));
+        const double delta =
+            by_centre ? std::max(fan.critical_angle() - fan.delta_at(u), 0.0) : fan.mirrored(segment, fan.delta_at(u));
         const FanRay ray = fan.ray(segment, delta);
         cos_phi[i] = std::cos(ray.phi_end);
         ratio[i] = std::sin(ray.phi_end) / ray.sin_beta;
@@ -51,11 +53,12 @@ Cell coarse_cell(const RayFan& fan, Segment segment, bool by_centre, int cell) {
         bare_cos[i] = std::cos(ray.phi_end - ray.in_tube);
         bare_ratio[i] = std::sin(ray.phi_end - ray.in_tube) / ray.sin_beta;
     }
-    return {cubic_through(cos_phi), cubic_through(ratio), cubic_through(end), cubic_through(bare_cos), cubic_through(bare_ratio)};
+    return {cubic_through(cos_phi), cubic_through(ratio), cubic_through(end), cubic_through(bare_cos),
+            cubic_through(bare_ratio)};
 }
 
 // The straight line that errs least, against 0 ... 1: through the Chebyshev nodes, where it has these values.
-constexpr double kNode = 0.14644660940672624;   // (1 - 1/sqrt 2)/2
+constexpr double kNode = 0.14644660940672624;  // (1 - 1/sqrt 2)/2
 std::array<float, 2> line_through(double low, double high) {
     const double slope = (high - low) / (1.0 - 2.0 * kNode);
     return {static_cast<float>(low - kNode * slope), static_cast<float>(slope)};
@@ -74,10 +77,11 @@ std::array<double, 2> at_place(const RayFan& fan, Segment segment, int at, const
 }  // namespace
 
 Strip build_strip(const RayFan& fan) {
-    const int sky_cells = fan.octaves(Segment::kSky) * kCoarse, captured_cells = fan.octaves(Segment::kCaptured) * kCoarse;
+    const int sky_cells = fan.octaves(Segment::kSky) * kCoarse,
+              captured_cells = fan.octaves(Segment::kCaptured) * kCoarse;
     constexpr int kPerCoarse = kFine / kCoarse;
     Strip strip;
-    const bool inner = fan.spacetime().inner_end() != InnerEnd::kHorizon;   // something to see there
+    const bool inner = fan.spacetime().inner_end() != InnerEnd::kHorizon;  // something to see there
     const bool back = fan.spacetime().inner_end() == InnerEnd::kSameSky;
     strip.sky = {kFine, (sky_cells + (inner ? captured_cells : 0) + (back ? captured_cells : 0)) / kCoarse, {}};
     strip.sky.texels.assign(static_cast<std::size_t>(strip.sky.width) * strip.sky.height * 4, 0.0f);
@@ -87,7 +91,7 @@ Strip build_strip(const RayFan& fan) {
         const bool sky = i < sky_cells, centre = i >= sky_cells + captured_cells;
         const int at = sky ? i : centre ? i - sky_cells - captured_cells : i - sky_cells;
         const Cell cell = coarse_cell(fan, sky ? Segment::kSky : Segment::kCaptured, centre, at);
-        const auto put = [&](int row, const Cubic& cubic) {   // ENDS_ROW_...
+        const auto put = [&](int row, const Cubic& cubic) {  // ENDS_ROW_...
             float* out = strip.ends.texels.data() + 4 * (static_cast<std::size_t>(row) * strip.ends.width + at);
             std::transform(cubic.begin(), cubic.end(), out, [](double c) { return static_cast<float>(c); });
         };

@@ -8,12 +8,14 @@
 namespace nullscope {
 namespace {
 
-constexpr double kNearSky = 1e-6;      // W below which the forces are their first terms: differences of large numbers lose 1e-16/W there, their slopes 1e-16/W^2
+constexpr double kNearSky =
+    1e-6;  // W below which the forces are their first terms: differences of large numbers lose 1e-16/W there, their slopes 1e-16/W^2
 constexpr double kLargestStep = 0.08;  // rad; of holes too (orbit_map.cpp)
-constexpr double kPartOfFlare = 0.2;   // of the distance to the singularities of R's course, which lie flare() off the rim
-constexpr double kFlares = 8.0;        // from the rim, beyond which steps are long again
-constexpr double kPartOfSky = 0.3, kFirstStep = 1e-4;   // of W next to a sky, where there is a logarithm
-constexpr double kAtRim = 1e-12;       // of W: taken as on the rim, and set this far beyond it
+constexpr double kPartOfFlare =
+    0.2;                         // of the distance to the singularities of R's course, which lie flare() off the rim
+constexpr double kFlares = 8.0;  // from the rim, beyond which steps are long again
+constexpr double kPartOfSky = 0.3, kFirstStep = 1e-4;  // of W next to a sky, where there is a logarithm
+constexpr double kAtRim = 1e-12;                       // of W: taken as on the rim, and set this far beyond it
 
 // W and its derivative by delta.
 struct State {
@@ -42,7 +44,7 @@ double longest_step(const Pull& pull, const State& s) {
         const double speed = std::fabs(s.slope * shape.length_slope(s.w));
         longest = std::min(longest, kPartOfFlare * (shape.flare() + off) / std::max(speed, 1e-300));
     }
-    if (shape.mu() > 0.0) {   // R = L + ln L: forces hold W ln W at the sky
+    if (shape.mu() > 0.0) {  // R = L + ln L: forces hold W ln W at the sky
         const double from_sky = std::min(s.w, M_PI - s.w);
         longest = std::min(longest, std::max(kPartOfSky * from_sky, kFirstStep) / std::max(std::fabs(s.slope), 1e-300));
     }
@@ -57,8 +59,10 @@ State over_rim(const Pull& pull, const State& s, double h, double rim) {
         part = i % 3 == 2 ? 0.5 * (low + high) : low + (high - low) * low_value / (low_value - high_value);
         const double value = step(pull, s, part).w - rim;
         if (std::fabs(value) < kAtRim) break;
-        if ((value > 0.0) == (low_value > 0.0)) low = part, low_value = value;
-        else high = part, high_value = value;
+        if ((value > 0.0) == (low_value > 0.0))
+            low = part, low_value = value;
+        else
+            high = part, high_value = value;
     }
     State there = step(pull, s, part);
     there.w = rim + std::copysign(kAtRim, there.slope);
@@ -71,7 +75,8 @@ State through_tube(const Pull& pull, const State& s, double& h) {
     const double length = shape.length(s.w), slope = shape.length_slope(s.w), bend = shape.length_bend(s.w);
     // Of a ray that passes (dL/dphi)^2 = q^2 - 1, known without what steps have lost.
     const bool known = pull.tube_slope > 0.0;
-    const double speed = known ? std::copysign(pull.tube_slope, s.slope * slope) : s.slope * slope, vary = s.vary * slope;
+    const double speed = known ? std::copysign(pull.tube_slope, s.slope * slope) : s.slope * slope,
+                 vary = s.vary * slope;
     const double vary_speed = known ? pull.q * pull.q_slope / speed : s.vary_slope * slope + s.slope * bend * s.vary;
     h = std::min(h, (shape.rim() - std::copysign(1.0, speed) * length) / std::fabs(speed) + kAtRim);
     const double w = shape.angle(length + h * speed), slope_there = shape.length_slope(w);
@@ -92,7 +97,9 @@ State advance(const Pull& pull, State s, double cell) {
         const double longest = longest_step(pull, s);
         const double h = longest < left ? left / std::ceil(left / longest) : left;
         const State next = step(pull, s, h);
-        const auto crosses = [&](double at) { return pull.shape.mu() > 0.0 && (s.w - at) * (next.w - at) < 0.0 && std::fabs(s.w - at) > 2.0 * kAtRim; };
+        const auto crosses = [&](double at) {
+            return pull.shape.mu() > 0.0 && (s.w - at) * (next.w - at) < 0.0 && std::fabs(s.w - at) > 2.0 * kAtRim;
+        };
         s = crosses(rim) ? over_rim(pull, s, h, rim) : crosses(M_PI - rim) ? over_rim(pull, s, h, M_PI - rim) : next;
         left = h < left ? left - h : 0.0;
     }
@@ -102,7 +109,10 @@ State advance(const Pull& pull, State s, double cell) {
 }  // namespace
 
 ThroatShape::ThroatShape(const Spacetime& spacetime)
-    : spacetime_(spacetime), throat_(spacetime.length_unit()), mu_(spacetime.logarithm_length() / throat_), rim_(spacetime.tube_beyond(0.0)),
+    : spacetime_(spacetime),
+      throat_(spacetime.length_unit()),
+      mu_(spacetime.logarithm_length() / throat_),
+      rim_(spacetime.tube_beyond(0.0)),
       flare_(mu_ > 0.0 ? M_PI_2 * mu_ : 1.0) {}
 
 double ThroatShape::length(double angle) const {
@@ -125,7 +135,8 @@ double ThroatShape::angle(double length) const {
     double m = length;
     for (int i = 0; i < 60 && mu_ > 0.0; ++i) {
         const double m2 = 1.0 + m * m, root = std::sqrt(m2), logarithm = 0.5 * std::log1p(m * m);
-        const double off = m + mu_ * logarithm * m / root - length, slope = 1.0 + mu_ * (m * m + logarithm) / (m2 * root);
+        const double off = m + mu_ * logarithm * m / root - length,
+                     slope = 1.0 + mu_ * (m * m + logarithm) / (m2 * root);
         m -= off / slope;
         if (std::fabs(off) <= 1e-16 * std::fabs(m)) break;
     }
@@ -133,20 +144,22 @@ double ThroatShape::angle(double length) const {
 }
 
 ThroatShape::Force ThroatShape::force(double angle) const {
-    const bool other = angle > M_PI_2;   // even about the throat
+    const bool other = angle > M_PI_2;  // even about the throat
     const double from_sky = std::max(other ? M_PI - angle : angle, 0.0), w = std::max(from_sky, kNearSky);
     const double s = std::sin(w), c = std::cos(w), s2 = s * s, log_s = mu_ > 0.0 ? std::log(s) : 0.0;
-    const double d = -1.0 / s2 + mu_ * (s * log_s - c * c / s);   // D and its derivatives by W
+    const double d = -1.0 / s2 + mu_ * (s * log_s - c * c / s);  // D and its derivatives by W
     const double d1 = 2.0 * c / (s2 * s) + mu_ * (c * log_s + 3.0 * c + c * c * c / s2);
-    const double d2 = -2.0 / s2 - 6.0 * c * c / (s2 * s2) - mu_ * (s * log_s + 3.0 * s + 2.0 * c * c / s + 2.0 * c * c * c * c / (s2 * s));
+    const double d2 = -2.0 / s2 - 6.0 * c * c / (s2 * s2) -
+                      mu_ * (s * log_s + 3.0 * s + 2.0 * c * c / s + 2.0 * c * c * c * c / (s2 * s));
     const double l = throat_ * length(w);
-    const double r = spacetime_.areal_radius(l) / throat_, r1 = spacetime_.radius_slope(l), r2 = throat_ * spacetime_.radius_curvature(l);
+    const double r = spacetime_.areal_radius(l) / throat_, r1 = spacetime_.radius_slope(l),
+                 r2 = throat_ * spacetime_.radius_curvature(l);
     const double turn = d1 / d, bend = d2 / d;
     const double p = r * r / d, q = r / d;
     const double p1 = 2.0 * r * r1 - p * turn, q1 = r1 - q * turn;
     const double p2 = 2.0 * d * (r1 * r1 + r * r2) - 2.0 * r * r1 * turn - p * bend + 2.0 * p * turn * turn;
     const double q2 = r2 * d - r1 * turn - q * bend + 2.0 * q * turn * turn;
-    const double near = from_sky / w;   // flat is odd in W next to the sky
+    const double near = from_sky / w;  // flat is odd in W next to the sky
     const double sign = other ? -1.0 : 1.0;
     return {sign * p * p1, sign * near * q * q1, p1 * p1 + p * p2, q1 * q1 + q * q2};
 }
@@ -156,14 +169,17 @@ ThroatShape::Force ThroatShape::force(double angle) const {
 OrbitColumn throat_column(const RayFan& fan, Segment segment, double delta) {
     const ThroatShape shape(fan.spacetime());
     const FanRay ray = fan.ray(segment, delta);
-    const double end = segment == Segment::kSky ? 1.0 : -1.0;   // of l towards the sky where the ray ends; beta grows with delta as that says
+    const double end = segment == Segment::kSky
+                           ? 1.0
+                           : -1.0;  // of l towards the sky where the ray ends; beta grows with delta as that says
     const double throat = shape.throat(), radius = 1.0 / (fan.zeta0() * throat);
     const Pull pull{shape, ray.q * throat, -end * ray.slope * throat / ray.sin_beta, ray.tube_slope};
     const double cell = ray.phi_end / kOrbitRows;
     constexpr int kMiddle = kOrbitRows / 2;
 
     std::array<State, kOrbitRows + 1> orbit{};
-    const double start = shape.angle(end * fan.camera_r() / throat), per_slope = -end * radius * radius * throat / shape.length_slope(start);
+    const double start = shape.angle(end * fan.camera_r() / throat),
+                 per_slope = -end * radius * radius * throat / shape.length_slope(start);
     orbit[0] = {start, per_slope * ray.slope, 0.0, per_slope * (-end * ray.q / ray.sin_beta)};
     for (int i = 1; i <= kMiddle; ++i) orbit[i] = advance(pull, orbit[i - 1], cell);
     State back{0.0, pull.q, 0.0, pull.q_slope};
@@ -172,10 +188,12 @@ OrbitColumn throat_column(const RayFan& fan, Segment segment, double delta) {
     for (int i = kOrbitRows - 1; i >= kMiddle; --i) behind[i] = back = advance(pull, back, cell);
     const State& f = orbit[kMiddle];
     const double bend = pull(back.w, 0.0)[0];
-    const double end_per_delta = ((f.vary - back.vary) * back.slope - (f.vary_slope + back.vary_slope) * bend) / (back.slope * back.slope + bend * bend);
+    const double end_per_delta = ((f.vary - back.vary) * back.slope - (f.vary_slope + back.vary_slope) * bend) /
+                                 (back.slope * back.slope + bend * bend);
     for (int i = kMiddle + 1; i <= kOrbitRows; ++i) {
         const State& b = behind[i];
-        orbit[i] = {b.w, -b.slope, b.vary + b.slope * end_per_delta, -(b.vary_slope + pull(b.w, 0.0)[0] * end_per_delta)};
+        orbit[i] = {b.w, -b.slope, b.vary + b.slope * end_per_delta,
+                    -(b.vary_slope + pull(b.w, 0.0)[0] * end_per_delta)};
     }
 
     OrbitColumn texels{};
@@ -184,12 +202,14 @@ OrbitColumn throat_column(const RayFan& fan, Segment segment, double delta) {
         const State& o = orbit[i];
         const double z = o.w / rest, z_d = (o.vary + o.slope * v * end_per_delta) / rest;
         const double w_v = o.slope * ray.phi_end;
-        const double w_dv = ray.phi_end * (o.vary_slope + pull(o.w, 0.0)[0] * v * end_per_delta) + o.slope * end_per_delta;
+        const double w_dv =
+            ray.phi_end * (o.vary_slope + pull(o.w, 0.0)[0] * v * end_per_delta) + o.slope * end_per_delta;
         texels[i] = {z, z_d, (w_v + z) / rest / kOrbitRows, (w_dv + z_d) / rest / kOrbitRows};
     }
     // The limits at v = 1: W = q phi' + W'' phi'^2/2 of the angle phi' from the sky.
     const double bent = pull(0.0, 0.0)[0], bent_slope = pull(0.0, 0.0)[1];
-    texels[kOrbitRows] = {pull.q * ray.phi_end, pull.q_slope * ray.phi_end + pull.q * end_per_delta, -0.5 * bent * ray.phi_end * ray.phi_end / kOrbitRows,
+    texels[kOrbitRows] = {pull.q * ray.phi_end, pull.q_slope * ray.phi_end + pull.q * end_per_delta,
+                          -0.5 * bent * ray.phi_end * ray.phi_end / kOrbitRows,
                           -0.5 * ray.phi_end * (bent_slope * ray.phi_end + 2.0 * bent * end_per_delta) / kOrbitRows};
     return texels;
 }

@@ -13,24 +13,27 @@
 
 namespace nullscope {
 
-inline constexpr int kOrbitRows = 128;   // ORBIT_ROWS
-using OrbitColumn = std::array<std::array<double, 4>, kOrbitRows + 1>;   // (Z, Z_d, Z_v, Z_dv) at v = 0 ... 1, by delta and by row
+inline constexpr int kOrbitRows = 128;  // ORBIT_ROWS
+using OrbitColumn =
+    std::array<std::array<double, 4>, kOrbitRows + 1>;  // (Z, Z_d, Z_v, Z_dv) at v = 0 ... 1, by delta and by row
 
 class ThroatShape {
 public:
     explicit ThroatShape(const Spacetime& spacetime);
     double throat() const { return throat_; }
     double mu() const { return mu_; }
-    double angle(double length) const;       // W of L
-    double length(double angle) const;       // and back
-    double length_slope(double angle) const; // D
-    double length_bend(double angle) const;  // dD/dW
+    double angle(double length) const;        // W of L
+    double length(double angle) const;        // and back
+    double length_slope(double angle) const;  // D
+    double length_bend(double angle) const;   // dD/dW
     struct Force {
         double steep, flat;              // W'' = q^2 steep - flat
         double steep_slope, flat_slope;  // and by W
     };
     Force force(double angle) const;
-    double rim() const { return rim_; }      // |L| of the ends of the tube, where the forces have a corner; 0 in Ellis' wormhole
+    double rim() const {
+        return rim_;
+    }  // |L| of the ends of the tube, where the forces have a corner; 0 in Ellis' wormhole
     double flare() const { return flare_; }  // |L| beyond that over which R changes its course
 
 private:

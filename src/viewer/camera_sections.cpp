@@ -24,7 +24,8 @@ double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::
 bool radius_rows(CameraSpec& camera, const FlightRange& range) {
     bool changed = false;
     if (range.throat > 0.0) {  // wormholes: through the throat, in equal steps of asinh(l/throat)
-        row("Distance", "Proper distance l from the throat: 0 in it, negative on the far side. The wheel changes it too.");
+        row("Distance",
+            "Proper distance l from the throat: 0 in it, negative on the far side. The wheel changes it too.");
         double place = std::asinh(camera.r / range.throat);
         const double end = std::asinh(kFarSlider);
         if (slide_as("##above", place, -end, end, 0, fmt::format("l = {:.4g}", camera.r))) {

@@ -12,7 +12,7 @@ namespace nullscope::viewer {
 
 // The camera's own time beside it: of one at rest sqrt(A) of the clocks at infinity.
 bool clock_section(ViewState& view) {
-    constexpr double kSpan = 1e4;   // r_s/c that the slider covers
+    constexpr double kSpan = 1e4;  // r_s/c that the slider covers
     Scene& scene = view.scene;
     bool changed = false;
     if (moving_parts(scene).empty()) {
@@ -31,16 +31,23 @@ bool clock_section(ViewState& view) {
     }
     tooltip("A tenth of a second of yours at this rate.");
     row("Rate", "r_s/c a second of yours.");
-    slide_as("##clock rate", view.clock_rate, 1e-2, 1e3, ImGuiSliderFlags_Logarithmic, fmt::format("{:.3g} r_s/c a second", view.clock_rate));
+    slide_as("##clock rate", view.clock_rate, 1e-2, 1e3, ImGuiSliderFlags_Logarithmic,
+             fmt::format("{:.3g} r_s/c a second", view.clock_rate));
     row("Time", "Slide to go there.");
-    if (slide_as("##time", scene.time, 0.0, kSpan, ImGuiSliderFlags_Logarithmic, fmt::format("{:.3f} r_s/c", scene.time))) {
+    if (slide_as("##time", scene.time, 0.0, kSpan, ImGuiSliderFlags_Logarithmic,
+                 fmt::format("{:.3f} r_s/c", scene.time))) {
         view.clock_runs = false;
         changed = true;
     }
-    changed = tick("Delay", scene.light.delay, "What moves is seen where it was when its light left; else where it is now.") || changed;
+    changed = tick("Delay", scene.light.delay,
+                   "What moves is seen where it was when its light left; else where it is now.") ||
+              changed;
     const auto spacetime = spacetime_of(scene);
-    if (spacetime != nullptr && scene.camera.observer == ObserverKind::kStatic && spacetime->lapse_squared(scene.camera.r) > 0.0)
-        paragraph(fmt::format("The camera's own clock shows {:.3f} r_s/c.", std::sqrt(spacetime->lapse_squared(scene.camera.r)) * scene.time), ImGuiCol_TextDisabled);
+    if (spacetime != nullptr && scene.camera.observer == ObserverKind::kStatic &&
+        spacetime->lapse_squared(scene.camera.r) > 0.0)
+        paragraph(fmt::format("The camera's own clock shows {:.3f} r_s/c.",
+                              std::sqrt(spacetime->lapse_squared(scene.camera.r)) * scene.time),
+                  ImGuiCol_TextDisabled);
     return changed;
 }
 

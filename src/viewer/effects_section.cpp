@@ -44,13 +44,18 @@ bool effects_section(ViewState& view, const EffectsPanel& panel) {
             ImGui::Unindent(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
         }
         tooltip(fmt::format("{}\nHere because of {}.\nCosts {}.", row.help, reason.reason, row.cost).c_str());
-        right_aligned(!on ? "off" : !drawn.contains(reason.effect) ? "not called for" : alone ? time_of(panel.times, reason.effect) : "");
+        right_aligned(!on                              ? "off"
+                      : !drawn.contains(reason.effect) ? "not called for"
+                      : alone                          ? time_of(panel.times, reason.effect)
+                                                       : "");
     }
-    const std::string picture = panel.times.picture_ms > 0.0 ? fmt::format("{:.1f} ms the whole picture; ", panel.times.picture_ms) : "";
-    paragraph(fmt::format("{}beside each effect what the picture takes more than without it. {} {} compiled in {:.0f} ms{}.",
-                          picture, panel.programs, panel.programs == 1 ? "program" : "programs", panel.compile_ms,
-                          panel.background ? "" : ", while the window waits"),
-              ImGuiCol_TextDisabled);
+    const std::string picture =
+        panel.times.picture_ms > 0.0 ? fmt::format("{:.1f} ms the whole picture; ", panel.times.picture_ms) : "";
+    paragraph(
+        fmt::format("{}beside each effect what the picture takes more than without it. {} {} compiled in {:.0f} ms{}.",
+                    picture, panel.programs, panel.programs == 1 ? "program" : "programs", panel.compile_ms,
+                    panel.background ? "" : ", while the window waits"),
+        ImGuiCol_TextDisabled);
     return changed;
 }
 

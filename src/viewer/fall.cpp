@@ -8,10 +8,11 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr double kLongest = 1e5;   // r_s/c: of an orbit, which does not end
+constexpr double kLongest = 1e5;  // r_s/c: of an orbit, which does not end
 
 auto place_of(const CameraSpec& c) {
-    return std::tuple(c.r, c.theta, c.phi, c.yaw, c.pitch, c.roll, c.velocity.x, c.velocity.y, c.velocity.z, c.observer);
+    return std::tuple(c.r, c.theta, c.phi, c.yaw, c.pitch, c.roll, c.velocity.x, c.velocity.y, c.velocity.z,
+                      c.observer);
 }
 
 }  // namespace
@@ -37,7 +38,7 @@ void Fall::seek(Scene& scene, double tau) {
     camera.yaw = there.yaw, camera.pitch = there.pitch, camera.roll = there.roll;
     camera.velocity = there.velocity, camera.observer = there.observer;
     shown_ = camera;
-    start_time_ += scene.time - shown_time_;   // who set the clock sets it for the whole fall
+    start_time_ += scene.time - shown_time_;  // who set the clock sets it for the whole fall
     scene.time = shown_time_ = start_time_ + line_->clock(tau_);
 }
 

@@ -15,9 +15,9 @@ public:
     bool active() const { return line_.has_value(); }
     bool runs() const { return runs_; }
     void run(bool on) { runs_ = on && active(); }
-    double rate = 1.0;                                   // proper time per second, r_s/c
+    double rate = 1.0;  // proper time per second, r_s/c
     double tau() const { return tau_; }
-    const Worldline& line() const { return *line_; }     // while active
+    const Worldline& line() const { return *line_; }  // while active
     // Puts the camera where it is at that proper time, and the scene's clock with it; lens and size stay.
     void seek(Scene& scene, double tau);
     // The clock goes on by dt_s seconds. A camera that a hand has turned or moved since falls on from there. True if it moved.
@@ -25,9 +25,9 @@ public:
 
 private:
     std::optional<Worldline> line_;
-    CameraSpec shown_;                                   // as it was written last
+    CameraSpec shown_;  // as it was written last
     double tau_ = 0.0;
-    double start_time_ = 0.0, shown_time_ = 0.0;         // Scene::time when let go; as it was written last
+    double start_time_ = 0.0, shown_time_ = 0.0;  // Scene::time when let go; as it was written last
     bool runs_ = false;
 };
 

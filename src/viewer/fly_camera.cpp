@@ -33,7 +33,8 @@ void fly_short(FlyCamera& camera, Vec3 step, const Spacetime& spacetime, const F
     const Vec3 along = camera.world_from_camera * step;
     const double outward = dot(along, camera.place);
     const Vec3 across = along - outward * camera.place;
-    const double lapse2 = spacetime.lapse_squared(camera.r), lapse = lapse2 > 0.0 ? std::sqrt(lapse2) : 1.0;   // inside a horizon nobody rests
+    const double lapse2 = spacetime.lapse_squared(camera.r),
+                 lapse = lapse2 > 0.0 ? std::sqrt(lapse2) : 1.0;  // inside a horizon nobody rests
     const double angle = length(across) * range.unit(camera.r) / (lapse * spacetime.areal_radius(camera.r));
     if (angle > 0.0) {
         const Vec3 next = normalized(std::cos(angle) * camera.place + std::sin(angle) * normalized(across));
@@ -80,7 +81,8 @@ FlightRange flight_range(const Spacetime& spacetime) {
 double FlightRange::unit(double r) const { return throat > 0.0 ? std::hypot(r, throat) : r - horizon; }
 
 double scaled_radius(double r, double change, const FlightRange& range) {
-    if (range.throat > 0.0) return kept_in_range(range.throat * std::sinh(std::asinh(r / range.throat) + change), r, range);
+    if (range.throat > 0.0)
+        return kept_in_range(range.throat * std::sinh(std::asinh(r / range.throat) + change), r, range);
     return kept_in_range(range.horizon + (r - range.horizon) * std::exp(change), r, range);
 }
 
@@ -96,7 +98,8 @@ double free_fall_speed(const Spacetime& spacetime, double r) {
 
 // v^2 = r A'/(2A); with d(A zeta^2)/dzeta / 2 = zeta A + zeta^2 (dA/dzeta)/2 it is 1 - half_v_slope/(zeta A).
 std::optional<double> circular_orbit_speed(const Spacetime& spacetime, double r) {
-    if (spacetime.spin() != 0.0) {   // in the direction of the spin, as a camera without angular momentum sees it: gamma = lapse u^t
+    if (spacetime.spin() !=
+        0.0) {  // in the direction of the spin, as a camera without angular momentum sees it: gamma = lapse u^t
         const auto orbit = circular_orbit(spacetime, r);
         if (!orbit) return std::nullopt;
         return std::sqrt(std::max(0.0, 1.0 - 1.0 / (spacetime.lapse_squared(r) * orbit->u_t * orbit->u_t)));

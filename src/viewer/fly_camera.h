@@ -32,7 +32,7 @@ Mat3 rolled(const Mat3& world_from_camera, double angle);
 struct FlightRange {
     double horizon, nearest, farthest;  // horizon: the metric's least radius, or 0
     double throat = 0.0;
-    double unit(double r) const;        // of flight at r: r - horizon, in a wormhole sqrt(r^2 + throat^2)
+    double unit(double r) const;  // of flight at r: r - horizon, in a wormhole sqrt(r^2 + throat^2)
 };
 FlightRange flight_range(const Spacetime& spacetime);
 

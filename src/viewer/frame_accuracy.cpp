@@ -34,7 +34,9 @@ std::vector<double> solids(const Scene& scene) {
     std::vector<double> numbers;
     if (const auto& s = scene.sphere) numbers.insert(numbers.end(), {s->radius, s->swing, s->period});
     if (const auto& c = scene.cylinder) numbers.insert(numbers.end(), {c->inner, c->outer, c->height});
-    if (const auto& b = scene.ball) numbers.insert(numbers.end(), {b->position.x, b->position.y, b->position.z, b->radius, static_cast<double>(b->motion), b->velocity.x, b->velocity.y, b->velocity.z});
+    if (const auto& b = scene.ball)
+        numbers.insert(numbers.end(), {b->position.x, b->position.y, b->position.z, b->radius,
+                                       static_cast<double>(b->motion), b->velocity.x, b->velocity.y, b->velocity.z});
     if (const auto& f = scene.surface) numbers.insert(numbers.end(), {f->bound, static_cast<double>(f->steps)});
     return numbers;
 }
@@ -43,7 +45,9 @@ std::vector<double> solids(const Scene& scene) {
 bool same_rays(const Scene& a, const Scene& b) {
     if (lens_and_place(a.camera) != lens_and_place(b.camera) || a.spacetime != b.spacetime) return false;
     if (effect_set(required_effects(a)) != effect_set(required_effects(b)) || solids(a) != solids(b)) return false;
-    if (a.light.aberration != b.light.aberration || a.light.doppler != b.light.doppler || a.light.gravity != b.light.gravity) return false;
+    if (a.light.aberration != b.light.aberration || a.light.doppler != b.light.doppler ||
+        a.light.gravity != b.light.gravity)
+        return false;
     if (a.surface && surface_shape(*a.surface) != surface_shape(*b.surface)) return false;
     if (!moving_parts(a).empty() && (a.time != b.time || a.light.delay != b.light.delay)) return false;
     if (a.disc.has_value() != b.disc.has_value()) return false;

@@ -27,11 +27,11 @@ public:
     void frame_is(const Scene& scene, const Method& method);
     // Starts, stops and takes over what was found. True if there is something new to draw.
     bool update(bool wanted, bool moving);
-    bool asks_for_rays() const { return asks_; }            // of the frame that rests; until they come
-    void take_rays(const Scene& scene, RayFrame rays);      // nothing if the frame is another by now
-    double wait() const;  // s until update() has something to do of its own; infinite: nothing
+    bool asks_for_rays() const { return asks_; }        // of the frame that rests; until they come
+    void take_rays(const Scene& scene, RayFrame rays);  // nothing if the frame is another by now
+    double wait() const;   // s until update() has something to do of its own; infinite: nothing
     bool at_work() const;  // there will be more to show, without a hand
-    void draw_overlay();  // between NewFrame and Render: below the panels
+    void draw_overlay();   // between NewFrame and Render: below the panels
     AccuracyFacts facts() const;
 
 private:

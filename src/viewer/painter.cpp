@@ -9,8 +9,8 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr int kTimedFrames = 9, kLeastTimed = 3;   // of each scene, in turn; their median counts
-constexpr double kLongestTiming = 4.0;             // s for an effect, unless its least frames take more
+constexpr int kTimedFrames = 9, kLeastTimed = 3;  // of each scene, in turn; their median counts
+constexpr double kLongestTiming = 4.0;            // s for an effect, unless its least frames take more
 
 double median(std::vector<double> values) {
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
@@ -87,7 +87,7 @@ void Painter::publish(Painting painting, bool last) {
 }
 
 void Painter::measure(const Scene& scene, const Method& method) {
-    if (own_ != nullptr) {   // there is no time to do it in without a hitch
+    if (own_ != nullptr) {  // there is no time to do it in without a hitch
         times_.complete = times_new_ = true;
         return;
     }
@@ -190,11 +190,11 @@ void Painter::do_measure(Workshop& workshop, const Order& order) {
     for (const Effect effect : effect_set(required_effects(order.scene)).list()) {
         const auto without = without_effect(order.scene, effect);
         if (!without) continue;
-        other.set_method(Method{});   // what remains may not know the scene's
+        other.set_method(Method{});  // what remains may not know the scene's
         if (has_method(renderer.tables().spacetime(), order.method) && without->spacetime == order.scene.spacetime)
             other.set_method(order.method);
         if (interrupted()) return;
-        if (!other.prepare(*without)) continue;   // the scene cannot be without it: a thermal disc in flat space
+        if (!other.prepare(*without)) continue;  // the scene cannot be without it: a thermal disc in flat space
         Pace other_pace;
         std::vector<double> whole, rest;
         const auto time_both = [&] {

@@ -45,7 +45,7 @@ public:
 
     // Measures what each effect of the scene costs, one after the other, until there is a new job.
     void measure(const Scene& scene, const Method& method);
-    std::optional<EffectTimes> take_times();   // if there is more than at the last call
+    std::optional<EffectTimes> take_times();  // if there is more than at the last call
 
 private:
     struct Order {
@@ -61,7 +61,7 @@ private:
     bool interrupted() const;
     bool stopped() const;
 
-    std::unique_ptr<SharedContext> context_;   // nullptr: jobs are done within ask()
+    std::unique_ptr<SharedContext> context_;  // nullptr: jobs are done within ask()
     std::function<void()> news_;
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;
@@ -76,8 +76,8 @@ private:
     bool times_new_ = false;
     std::exception_ptr failure_;
     int drawn_by_caller_ = 0;
-    std::unique_ptr<Workshop> own_;   // without a thread
-    std::jthread thread_;             // last: ends before what it uses
+    std::unique_ptr<Workshop> own_;  // without a thread
+    std::jthread thread_;            // last: ends before what it uses
 };
 
 }  // namespace nullscope::viewer

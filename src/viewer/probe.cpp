@@ -15,10 +15,12 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr int kPathPoints = 400;
-constexpr double kFarthest = 16.0;   // r_s that the inset shows at most
-constexpr double kWide = 1.25;       // of the camera's radius that it shows
+constexpr double kFarthest = 16.0;  // r_s that the inset shows at most
+constexpr double kWide = 1.25;      // of the camera's radius that it shows
 
-std::string number(double value, const char* unit = "") { return std::isfinite(value) ? fmt::format("{:.6g}{}", value, unit) : "none"; }
+std::string number(double value, const char* unit = "") {
+    return std::isfinite(value) ? fmt::format("{:.6g}{}", value, unit) : "none";
+}
 
 const char* words_of(const ProbeFacts& facts) {
     constexpr const char* kObjects[] = {"", "disc", "sphere", "cylinder", "ball", "surface", "the star's surface"};
@@ -35,7 +37,8 @@ const char* words_of(const ProbeFacts& facts) {
 
 // A tracer follows the whole scene; how matter moves, the spacetime and the disc alone.
 bool Probe::follow(const Scene& scene) {
-    const bool other_matter = !spacetime_ || !(scene.spacetime == scene_.spacetime) || scene.disc != scene_.disc || !(scene.light == scene_.light);
+    const bool other_matter = !spacetime_ || !(scene.spacetime == scene_.spacetime) || scene.disc != scene_.disc ||
+                              !(scene.light == scene_.light);
     auto made = reference::FrameTracer::make(scene);
     auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     if (!made || !spacetime) return false;
@@ -46,7 +49,7 @@ bool Probe::follow(const Scene& scene) {
         auto metric = reference::make_orbit_metric(scene.spacetime);
         if (!metric) return false;
         metric_ = std::move(*metric);
-        DiscSpec dark;   // its heat is not asked for
+        DiscSpec dark;  // its heat is not asked for
         dark.outer = 0.0;
         if (scene.disc && scene.disc->emission == DiscEmission::kThermal) matter_.emplace(*metric_, dark, scene.light);
     }
@@ -75,16 +78,20 @@ ProbeFacts Probe::facts_of(const reference::CameraRay& ray) const {
     facts.fate = ray.fate();
     facts.zeta0 = 1 / spacetime_->areal_radius(scene_.camera.r);
     facts.shift = ray.shift;
-    if (ray.spun) {   // no plane, no orbit, no q: what it meets, and g
+    if (ray.spun) {  // no plane, no orbit, no q: what it meets, and g
         const auto hits = tracer_->disc_hits(ray, 1);
         const auto body = tracer_->body_hit(ray);
-        if (!hits.empty() && !(body && body->along < hits.front().along)) meet_disc(ray, hits.front(), facts);
-        else if (body) facts.hit = body->object, facts.hit_r = length(body->place);
-        else if (facts.fate == Fate::kCaptured) facts.shift.reset();
+        if (!hits.empty() && !(body && body->along < hits.front().along))
+            meet_disc(ray, hits.front(), facts);
+        else if (body)
+            facts.hit = body->object, facts.hit_r = length(body->place);
+        else if (facts.fate == Fate::kCaptured)
+            facts.shift.reset();
         return facts;
     }
     facts.q = 1 / std::sqrt(ray.l2);
-    if (const auto sphere = spacetime_->photon_sphere()) facts.critical = -std::log(std::fabs(1 - facts.q / sphere->q_crit));
+    if (const auto sphere = spacetime_->photon_sphere())
+        facts.critical = -std::log(std::fabs(1 - facts.q / sphere->q_crit));
     if (std::isfinite(ray.orbit->turn())) facts.turn_r = radius(ray.orbit->turn());
     double end = ray.orbit->angle();
     const auto hits = tracer_->disc_hits(ray, 1);
@@ -96,7 +103,7 @@ ProbeFacts Probe::facts_of(const reference::CameraRay& ray) const {
         facts.hit = body->object;
         facts.hit_r = length(body->place);
         end = body->along;
-        facts.shift->gravity *= tracer_->metric().lapse(facts.hit_r);   // it rests
+        facts.shift->gravity *= tracer_->metric().lapse(facts.hit_r);  // it rests
     } else if (facts.fate == Fate::kHit) {
         facts.hit = Object::kStar;
         facts.shift->gravity *= tracer_->metric().lapse(1 / ray.orbit->zeta_at(end * (1 - 1e-12)));
@@ -111,7 +118,8 @@ ProbeFacts Probe::facts_of(const reference::CameraRay& ray) const {
         const double angle = end * i / kPathPoints, r = radius(ray.orbit->zeta_at(std::min(angle, end * (1 - 1e-9))));
         if (std::isfinite(r)) facts.path.push_back({r * std::cos(angle), r * std::sin(angle)});
     }
-    for (int k = 1; k <= 16 && ray.plane.crossing(k) <= end * (1 + 1e-9); ++k) facts.discs.push_back(ray.plane.crossing(k));
+    for (int k = 1; k <= 16 && ray.plane.crossing(k) <= end * (1 + 1e-9); ++k)
+        facts.discs.push_back(ray.plane.crossing(k));
     return facts;
 }
 
@@ -124,24 +132,33 @@ void draw_path(const ProbeFacts& facts, const Spacetime& spacetime, const Scene&
     const double camera = 1 / facts.zeta0, shown = std::min(kFarthest, kWide * camera);
     const float scale = 0.5f * side / static_cast<float>(shown);
     const ImVec2 middle{corner.x + 0.5f * side, corner.y + 0.5f * side};
-    const auto at = [&](double x, double y) { return ImVec2(middle.x + scale * static_cast<float>(x), middle.y - scale * static_cast<float>(y)); };
+    const auto at = [&](double x, double y) {
+        return ImVec2(middle.x + scale * static_cast<float>(x), middle.y - scale * static_cast<float>(y));
+    };
     const ImU32 quiet = ImGui::GetColorU32(ImGuiCol_TextDisabled), bright = ImGui::GetColorU32(ImGuiCol_Text);
     draw.AddRectFilled(corner, {corner.x + side, corner.y + side}, IM_COL32(6, 8, 14, 255));
     draw.PushClipRect(corner, {corner.x + side, corner.y + side}, true);
     if (const auto sphere = spacetime.photon_sphere())
         draw.AddCircle(middle, scale * static_cast<float>(spacetime.areal_radius(sphere->radius)), quiet, 64, 1.0f);
-    if (const auto horizon = spacetime.horizon_radius()) draw.AddCircleFilled(middle, scale * static_cast<float>(*horizon), IM_COL32(90, 96, 110, 255), 48);
-    if (scene.disc && !facts.discs.empty()) {   // the disc's plane cuts this one along a line
-        const double c = std::cos(facts.discs.front()), s = std::sin(facts.discs.front()), in = scene.disc->inner, out = scene.disc->outer;
-        for (const double way : {1.0, -1.0}) draw.AddLine(at(way * in * c, way * in * s), at(way * out * c, way * out * s), IM_COL32(255, 176, 96, 200), 2.0f);
+    if (const auto horizon = spacetime.horizon_radius())
+        draw.AddCircleFilled(middle, scale * static_cast<float>(*horizon), IM_COL32(90, 96, 110, 255), 48);
+    if (scene.disc && !facts.discs.empty()) {  // the disc's plane cuts this one along a line
+        const double c = std::cos(facts.discs.front()), s = std::sin(facts.discs.front()), in = scene.disc->inner,
+                     out = scene.disc->outer;
+        for (const double way : {1.0, -1.0})
+            draw.AddLine(at(way * in * c, way * in * s), at(way * out * c, way * out * s), IM_COL32(255, 176, 96, 200),
+                         2.0f);
     }
     for (std::size_t i = 1; i < facts.path.size(); ++i)
-        draw.AddLine(at(facts.path[i - 1][0], facts.path[i - 1][1]), at(facts.path[i][0], facts.path[i][1]), IM_COL32(120, 200, 255, 255), 1.5f);
+        draw.AddLine(at(facts.path[i - 1][0], facts.path[i - 1][1]), at(facts.path[i][0], facts.path[i][1]),
+                     IM_COL32(120, 200, 255, 255), 1.5f);
     if (!facts.path.empty() && std::isfinite(facts.turn_r)) {
-        const auto nearest = std::min_element(facts.path.begin(), facts.path.end(), [](const auto& a, const auto& b) { return std::hypot(a[0], a[1]) < std::hypot(b[0], b[1]); });
+        const auto nearest = std::min_element(facts.path.begin(), facts.path.end(), [](const auto& a, const auto& b) {
+            return std::hypot(a[0], a[1]) < std::hypot(b[0], b[1]);
+        });
         draw.AddCircle(at((*nearest)[0], (*nearest)[1]), 3.5f, bright);
     }
-    draw.AddCircleFilled(at(std::min(camera, shown), 0), 3.0f, bright);   // the camera, or the edge towards it
+    draw.AddCircleFilled(at(std::min(camera, shown), 0), 3.0f, bright);  // the camera, or the edge towards it
     draw.PopClipRect();
     ImGui::Dummy({side, side});
 }
@@ -159,9 +176,10 @@ void Probe::draw(float bottom) const {
     const float em = ImGui::GetFontSize(), margin = 0.6f * em;
     ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x - margin, bottom - margin}, ImGuiCond_Always, {1.0f, 1.0f});
     ImGui::SetNextWindowBgAlpha(0.92f);
-    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs;
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings |
+                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize |
+                                        ImGuiWindowFlags_NoInputs;
     if (ImGui::Begin("##probe", nullptr, kFlags)) {
         const ProbeFacts& f = *facts_;
         draw_path(f, *spacetime_, scene_, 15.0f * em);

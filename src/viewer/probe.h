@@ -14,16 +14,16 @@ namespace nullscope::viewer {
 
 struct ProbeFacts {
     Fate fate = Fate::kNoSky;
-    Object hit = Object::kNone;     // what it meets first
-    double hit_r = kNotANumber;     // and where, r_s
-    double q = kNotANumber, zeta0 = 0;   // E r_s/L (without spin); r_s/r of the camera
-    double critical = kNotANumber;  // Q: |1 - q/q_crit| = e^-Q
-    double turn_r = kNotANumber;    // turning point, r_s
-    double windings = 0;            // swept angle over a full turn
-    double delay = kNotANumber;     // r_s/c, of rays that reach the sky
-    std::optional<reference::Shift> shift;   // from what is seen to the camera; of captured rays there is none
-    std::vector<std::array<double, 2>> path; // in the ray's plane, r_s, the camera on the positive x axis
-    std::vector<double> discs;               // swept angles where the equatorial plane is met
+    Object hit = Object::kNone;               // what it meets first
+    double hit_r = kNotANumber;               // and where, r_s
+    double q = kNotANumber, zeta0 = 0;        // E r_s/L (without spin); r_s/r of the camera
+    double critical = kNotANumber;            // Q: |1 - q/q_crit| = e^-Q
+    double turn_r = kNotANumber;              // turning point, r_s
+    double windings = 0;                      // swept angle over a full turn
+    double delay = kNotANumber;               // r_s/c, of rays that reach the sky
+    std::optional<reference::Shift> shift;    // from what is seen to the camera; of captured rays there is none
+    std::vector<std::array<double, 2>> path;  // in the ray's plane, r_s, the camera on the positive x axis
+    std::vector<double> discs;                // swept angles where the equatorial plane is met
 };
 
 class Probe {
@@ -43,7 +43,7 @@ private:
     Scene scene_;
     std::optional<reference::FrameTracer> tracer_;
     std::unique_ptr<reference::OrbitMetric> metric_;
-    std::optional<reference::DiscLight> matter_;   // how it moves about metric_
+    std::optional<reference::DiscLight> matter_;  // how it moves about metric_
     std::shared_ptr<const Spacetime> spacetime_;
     std::optional<ProbeFacts> facts_;
 };

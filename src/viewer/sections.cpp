@@ -20,8 +20,8 @@ void parameters_of(const MetricEntry& entry, SpacetimeSpec& spec, bool& changed)
         const auto set = spec.parameters.find(name);
         double value = set != spec.parameters.end() ? set->second : parameter.fallback;
         if (slide(name.c_str(), value, parameter.low, parameter.high,
-                  parameter.low > 0.0 && parameter.high > 100.0 * parameter.low ? Scale::kLogarithmic : Scale::kLinear, When::kNow, "%.4g",
-                  help.c_str())) {
+                  parameter.low > 0.0 && parameter.high > 100.0 * parameter.low ? Scale::kLogarithmic : Scale::kLinear,
+                  When::kNow, "%.4g", help.c_str())) {
             spec.parameters[name] = value;
             changed = true;
         }
@@ -70,15 +70,19 @@ bool disc_section(ViewState& view) {
     any(drag_number("Outer", disc.outer, 0.05, disc.inner / kNarrow, std::max(kWidest, 2.0 * disc.inner), "%.2f r_s",
                     "Outer radius."));
     bool thermal = disc.emission == DiscEmission::kThermal;
-    if (tick("Thermal", thermal, "It glows by the heat that matter gains on its way in; an image then gives emissivities.")) {
+    if (tick("Thermal", thermal,
+             "It glows by the heat that matter gains on its way in; an image then gives emissivities.")) {
         disc.emission = thermal ? DiscEmission::kThermal : DiscEmission::kImage;
         changed = true;
     }
     if (thermal && disc.accretion) {
-        any(slide("Mass", disc.accretion->mass_suns, 1.0, 1e10, Scale::kLogarithmic, When::kNow, "%.3g suns", "Of the hole: with what falls in it gives the temperature."));
-        any(slide("Accretion", disc.accretion->rate_eddington, 1e-6, 100.0, Scale::kLogarithmic, When::kNow, "%.3g", "Rate over Eddington's at an efficiency of 0.1."));
+        any(slide("Mass", disc.accretion->mass_suns, 1.0, 1e10, Scale::kLogarithmic, When::kNow, "%.3g suns",
+                  "Of the hole: with what falls in it gives the temperature."));
+        any(slide("Accretion", disc.accretion->rate_eddington, 1e-6, 100.0, Scale::kLogarithmic, When::kNow, "%.3g",
+                  "Rate over Eddington's at an efficiency of 0.1."));
     } else if (thermal)
-        any(slide("Temperature", disc.temperature_K, 2000.0, 50000.0, Scale::kLogarithmic, When::kNow, "%.0f K", "Of the hottest ring, in its own frame."));
+        any(slide("Temperature", disc.temperature_K, 2000.0, 50000.0, Scale::kLogarithmic, When::kNow, "%.0f K",
+                  "Of the hottest ring, in its own frame."));
     any(slide("Opacity", disc.opacity, 0.01, 1.0, Scale::kLinear, When::kNow, "%.2f",
               "Below 1, what lies behind shines through."));
     any(slide("Edge", disc.edge, 0.0, 0.5, Scale::kLinear, When::kNow, "%.2f",
@@ -92,7 +96,9 @@ bool disc_section(ViewState& view) {
 bool sky_section(ViewState& view, bool escape) {
     SkySpec& sky = view.scene.sky;
     bool changed = false;
-    row("Kind", "What is seen at infinity: the stars and Milky Way that ship (as a picture, or the stars as points), the scene's image, nothing, or a pattern.");
+    row("Kind",
+        "What is seen at infinity: the stars and Milky Way that ship (as a picture, or the stars as points), the "
+        "scene's image, nothing, or a pattern.");
     if (begin_choice("##sky", kSkyKindNames[static_cast<int>(sky.kind)], escape)) {
         for (int i = 0; i < static_cast<int>(std::size(kSkyKindNames)); ++i) {
             const bool missing = i == static_cast<int>(SkyKind::kImage) && view.loaded.sky.image.empty();
@@ -150,12 +156,14 @@ bool spacetime_section(ViewState& view, bool escape) {
     bool changed = spacetime_rows(scene.spacetime, "Metric", "##metric", escape);
     bool split = scene.beside.has_value();
     if (tick("Split screen", split, "The right half of the picture shows the same in another spacetime.")) {
-        if (split) scene.beside = SpacetimeSpec{"minkowski", {}};
-        else scene.beside.reset();
+        if (split)
+            scene.beside = SpacetimeSpec{"minkowski", {}};
+        else
+            scene.beside.reset();
         changed = true;
     }
     if (scene.beside) {
-        ImGui::PushID("beside");   // its parameters may have the same names
+        ImGui::PushID("beside");  // its parameters may have the same names
         changed = spacetime_rows(*scene.beside, "Beside it", "##beside", escape) || changed;
         ImGui::PopID();
     }

@@ -11,7 +11,7 @@ bool boost_section(ViewState& view);
 bool fall_section(ViewState& view);
 bool clock_section(ViewState& view);
 inline constexpr double kClockStep_s = 0.1;
-bool step_clock(ViewState& view, double dt_s);   // the scene's clock goes on; true if anything moved
+bool step_clock(ViewState& view, double dt_s);  // the scene's clock goes on; true if anything moved
 bool lens_section(ViewState& view);
 bool disc_section(ViewState& view);
 bool sky_section(ViewState& view, bool escape);

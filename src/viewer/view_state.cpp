@@ -31,7 +31,7 @@ Status load_into(ViewState& view, const std::string& file_or_name) {
 
 Scene drawn_scene(const ViewState& view) {
     Scene scene = view.scene;
-    if (view.show_grid) {   // every 15 degrees; on the disc's radius 12 lines
+    if (view.show_grid) {  // every 15 degrees; on the disc's radius 12 lines
         scene.sky.kind = SkyKind::kGrid;
         scene.sky.look = SkySpec{}.look;
         if (scene.disc) scene.disc->look = BodyLook{.texture = TextureKind::kGrid};
@@ -61,7 +61,8 @@ void keep_outside_horizon(Scene& scene) {
     const auto spacetime = spacetime_of(scene);
     if (spacetime == nullptr) return;
     const FlightRange range = flight_range(*spacetime);
-    if (falls(scene.camera) ? !camera_can_be(*spacetime, scene.camera.r) : !camera_can_rest(*spacetime, scene.camera.r)) scene.camera.r = range.throat > 0.0 ? range.throat : range.nearest;
+    if (falls(scene.camera) ? !camera_can_be(*spacetime, scene.camera.r) : !camera_can_rest(*spacetime, scene.camera.r))
+        scene.camera.r = range.throat > 0.0 ? range.throat : range.nearest;
 }
 
 double fov_of(const CameraSpec& camera) { return 2.0 * std::atan2(0.5 * camera.plane_width, camera.focal_distance); }

@@ -29,9 +29,9 @@ struct ViewState {
     std::string error;  // of the last change, or nothing
     bool show_panels = true, show_keys = false;
     bool show_accuracy = false, show_effects = false;  // the section is open
-    bool show_errors = false;    // over the picture
-    bool show_grid = false;      // of coordinates, on sky and disc
-    bool show_probe = false;     // the ray of the pixel under the cursor
+    bool show_errors = false;                          // over the picture
+    bool show_grid = false;                            // of coordinates, on sky and disc
+    bool show_probe = false;                           // the ray of the pixel under the cursor
     MethodWish method;
     Fall fall;                       // of the camera, once it was let go
     bool clock_runs = false;         // the scene's own

@@ -21,21 +21,21 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr int kSettlingFrames = 3;       // panels answer an event a frame later, and take another to find their size
-constexpr int kNewsFrames = 2;           // a measured number may make its panel wider a frame later
-constexpr double kIdleWait = 1.0;        // s
-constexpr double kCaretWait = 0.1;       // s, while a text field shows a blinking caret
-constexpr double kAdaptingWait = 0.03;   // s, while exposure follows
-constexpr double kBusyWait = 0.05;       // s between frames while a picture is awaited: the processor is the painter's
-constexpr double kProgressWait = 0.1;    // s between looks at how far a picture is
-constexpr double kProgressAfter = 0.3;   // s that a picture takes before its progress is shown
-constexpr double kFirstStep = 1.0 / 60;  // s of motion that a key's first frame stands for
-constexpr double kLongestStep = 0.1;     // s: a hitch is no leap
-constexpr double kMessageTime = 6.0;     // s
-constexpr double kRestBeforeTimes = 0.5; // s without a change before effects are measured
-constexpr double kAdaptation = 0.4;      // s in which exposure goes all but 1/e of its way
-constexpr double kAdapted = 2e-3;        // of its way: what remains is not seen
-constexpr double kRateTime = 0.25;       // s between changes of the numbers in the status line
+constexpr int kSettlingFrames = 3;        // panels answer an event a frame later, and take another to find their size
+constexpr int kNewsFrames = 2;            // a measured number may make its panel wider a frame later
+constexpr double kIdleWait = 1.0;         // s
+constexpr double kCaretWait = 0.1;        // s, while a text field shows a blinking caret
+constexpr double kAdaptingWait = 0.03;    // s, while exposure follows
+constexpr double kBusyWait = 0.05;        // s between frames while a picture is awaited: the processor is the painter's
+constexpr double kProgressWait = 0.1;     // s between looks at how far a picture is
+constexpr double kProgressAfter = 0.3;    // s that a picture takes before its progress is shown
+constexpr double kFirstStep = 1.0 / 60;   // s of motion that a key's first frame stands for
+constexpr double kLongestStep = 0.1;      // s: a hitch is no leap
+constexpr double kMessageTime = 6.0;      // s
+constexpr double kRestBeforeTimes = 0.5;  // s without a change before effects are measured
+constexpr double kAdaptation = 0.4;       // s in which exposure goes all but 1/e of its way
+constexpr double kAdapted = 2e-3;         // of its way: what remains is not seen
+constexpr double kRateTime = 0.25;        // s between changes of the numbers in the status line
 
 // Without the painter's thread: a driver that compiles, a sky that is built and an image that is read cannot be
 // interrupted. Files are written by this thread, so that none is left half done.
@@ -162,8 +162,10 @@ bool Viewer::panels(const Input& input) {
     if (picture_.texture == 0) draw_first_wait(view_.scene.name, progress_);
     if (view_.show_errors && !picture_.job.scene.beside) accuracy_->draw_overlay();
     const AccuracyPanel accuracy{measured_, not_measured_, choice_, accuracy_->facts(), picture_ms_shown_};
-    const EffectsPanel effects{effect_times_, picture_.job.scene, painter_->in_background(), picture_.programs, picture_.compile_ms};
-    if (view_.show_probe) probe_.draw(ImGui::GetIO().DisplaySize.y - (view_.show_panels ? 2.0f * ImGui::GetFontSize() : 0.0f));
+    const EffectsPanel effects{effect_times_, picture_.job.scene, painter_->in_background(), picture_.programs,
+                               picture_.compile_ms};
+    if (view_.show_probe)
+        probe_.draw(ImGui::GetIO().DisplaySize.y - (view_.show_panels ? 2.0f * ImGui::GetFontSize() : 0.0f));
     return draw_panels(view_, facts(), accuracy, effects, message_, escape);
 }
 
@@ -186,7 +188,7 @@ void Viewer::follow_changes(bool changed) {
     } else if (adapting()) {
         picture_due_ = true;
     }
-    const bool whole = !picture_.job.scene.beside;   // errors are a single spacetime's
+    const bool whole = !picture_.job.scene.beside;  // errors are a single spacetime's
     const bool watched = whole && (view_.show_errors || (view_.show_panels && view_.show_accuracy));
     if (accuracy_->update(watched, moving_ || changed || picture_due_))
         frames_due_ = std::max(frames_due_, kNewsFrames);
@@ -241,7 +243,8 @@ double Viewer::wait_time() const {
     if (busy) return kProgressWait;
     if (adapting()) return kAdaptingWait;
     double idle = std::min(kIdleWait, accuracy_->wait());
-    if (view_.show_effects && !times_asked_) idle = std::min(idle, std::max(changed_at_ + kRestBeforeTimes - seconds(), 0.01));
+    if (view_.show_effects && !times_asked_)
+        idle = std::min(idle, std::max(changed_at_ + kRestBeforeTimes - seconds(), 0.01));
     return message_.empty() ? idle : std::clamp(message_until_ - seconds(), 0.01, idle);
 }
 
@@ -304,7 +307,9 @@ void Viewer::measure_effects(bool still) {
         frames_due_ = std::max(frames_due_, kNewsFrames);
     }
     const bool wanted = view_.show_panels && view_.show_effects;
-    if (!wanted || times_asked_ || !still || picture_due_ || painter_->busy() || seconds() - changed_at_ < kRestBeforeTimes) return;
+    if (!wanted || times_asked_ || !still || picture_due_ || painter_->busy() ||
+        seconds() - changed_at_ < kRestBeforeTimes)
+        return;
     times_asked_ = true;
     painter_->measure(picture_.job.scene, picture_.job.method);
 }

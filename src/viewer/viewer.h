@@ -37,22 +37,22 @@ public:
 
 private:
     explicit Viewer(const ViewerOptions& options) : options_(options) {}
-    static std::string title_of(const Scene& scene);   // of the window
+    static std::string title_of(const Scene& scene);  // of the window
     Status start();
     Status save_screenshot();
-    bool step();               // one turn of the loop: true if a frame was drawn
+    bool step();                               // one turn of the loop: true if a frame was drawn
     bool panels(const Input& input);           // true if they changed the scene
     bool move(const Input& input, double dt);  // by hands, fall and clock: true if something moved
     void follow_changes(bool changed);
-    void follow_times();          // messages that end, progress that goes on
-    bool shows_frame(bool news);  // what was begun with NewFrame, or not yet
-    double wait_time() const;  // for events; 0: do not wait
+    void follow_times();                                        // messages that end, progress that goes on
+    bool shows_frame(bool news);                                // what was begun with NewFrame, or not yet
+    double wait_time() const;                                   // for events; 0: do not wait
     bool patient() const { return options_.after_frames > 0; }  // every frame of such a run is of the scene as it is
     bool adapting() const;                                      // pictures are due until exposure has come to rest
     bool in_motion() const;                                     // without a hand: the next picture is due already
     bool settled() const;                                       // the picture is whole, and of the scene as it is
     bool at_rest() const;                                       // settled, and all of it shown
-    double elapsed();          // since the last step, for motion
+    double elapsed();                                           // since the last step, for motion
     bool handle_keys(const Input& input);
     bool fit_to_window();  // true if the picture's size changed
     void ask();            // for what is due: a picture of view_, ray data or the effects' times
@@ -61,7 +61,7 @@ private:
     void refuse(const Painting& painting);
     void measure_effects(bool still);
     void probe(const Input& input);
-    double adaptation(const Scene& scene);   // what share of its way exposure goes in the next picture
+    double adaptation(const Scene& scene);  // what share of its way exposure goes in the next picture
     void log_turn(double cpu_s);
     void log_rest();
     void draw(unsigned framebuffer);
@@ -78,14 +78,14 @@ private:
     std::unique_ptr<Window> window_;  // the context: outlives what is below
     std::unique_ptr<PanelSystem> panel_system_;
     std::unique_ptr<Painter> painter_;
-    Painting picture_;                 // that is shown
-    bool picture_due_ = true;          // view_ has changed since the last was asked for
-    bool coarse_wanted_ = true;        // a picture soon rather than a whole one: hands are at work
-    bool save_due_ = false;            // F12, while the picture was not whole
-    std::optional<Error> refusal_;     // of the first scene: there is nothing to show
+    Painting picture_;              // that is shown
+    bool picture_due_ = true;       // view_ has changed since the last was asked for
+    bool coarse_wanted_ = true;     // a picture soon rather than a whole one: hands are at work
+    bool save_due_ = false;         // F12, while the picture was not whole
+    std::optional<Error> refusal_;  // of the first scene: there is nothing to show
     gl::Info info_;
     EffectTimes effect_times_;
-    double changed_at_ = 0.0;          // what the effects' times depend on
+    double changed_at_ = 0.0;  // what the effects' times depend on
     bool times_asked_ = false;
     LoopLog log_;
     int last_key_ = 0;

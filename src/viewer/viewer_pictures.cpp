@@ -44,7 +44,8 @@ bool Viewer::take() {
 
 void Viewer::adopt(Painting painting) {
     if (asked_.scene.name != shown_.name) window_->set_title(title_of(asked_.scene));
-    if (painting.job.method != picture_.job.method || effects_of(painting.job.scene) != effects_of(picture_.job.scene) ||
+    if (painting.job.method != picture_.job.method ||
+        effects_of(painting.job.scene) != effects_of(picture_.job.scene) ||
         painting.job.scene.camera.width != picture_.job.scene.camera.width) {
         effect_times_ = {};
         times_asked_ = false;

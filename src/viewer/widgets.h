@@ -21,7 +21,7 @@ enum class When { kNow, kOnRelease };  // kOnRelease: for what takes a while to 
 bool slide(const char* name, double& value, double low, double high, Scale scale, When when, const char* format,
            const char* help);
 
-bool tick(const char* name, bool& value, const char* help = nullptr);   // a box to tick
+bool tick(const char* name, bool& value, const char* help = nullptr);  // a box to tick
 
 // The control of a row that was started: slides over a number whose own scale is not what is shown. flags: of ImGui's sliders.
 bool slide_as(const char* id, double& position, double low, double high, int flags, const std::string& text);

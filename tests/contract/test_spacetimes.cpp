@@ -42,8 +42,10 @@ std::vector<Case> cases() {
         }
     }
     const double divide = std::sqrt(1.125);  // above it V has no maximum
-    for (const double charge : {1.0, std::nextafter(1.0, 2.0), 1.03, std::nextafter(divide, 1.0), std::nextafter(divide, 2.0), 1.2})
-        all.push_back({"reissner-nordstrom charge = " + std::to_string(charge), *make_spacetime("reissner-nordstrom", {{"charge", charge}})});
+    for (const double charge :
+         {1.0, std::nextafter(1.0, 2.0), 1.03, std::nextafter(divide, 1.0), std::nextafter(divide, 2.0), 1.2})
+        all.push_back({"reissner-nordstrom charge = " + std::to_string(charge),
+                       *make_spacetime("reissner-nordstrom", {{"charge", charge}})});
     return all;
 }
 
@@ -137,15 +139,18 @@ TEST_CASE("metric: signature (-,+,+,+) outside the horizon, and the inverse is t
                 // Of a spinning hole only the inverse holds Delta, here g_theta theta / g_rr, which is a difference of terms of size r^2.
                 const double lost = s->spin() != 0.0 ? std::max(1.0, r * r * g[1][1] / g[2][2]) : 1.0;
                 for (int i = 0; i < 4; ++i) {
-                    if (s->spin() == 0.0) CHECK((i == 0 ? g[i][i] < 0.0 : g[i][i] > 0.0));   // a spinning hole has an ergosphere
+                    if (s->spin() == 0.0)
+                        CHECK((i == 0 ? g[i][i] < 0.0 : g[i][i] > 0.0));  // a spinning hole has an ergosphere
                     for (int j = 0; j < 4; ++j) {
-                        double product = 0.0, size = 0.0;   // of a spinning hole the terms next to the horizon are large and cancel
-                        for (int k = 0; k < 4; ++k) product += g[i][k] * inverse[k][j], size += std::fabs(g[i][k] * inverse[k][j]);
+                        double product = 0.0,
+                               size = 0.0;  // of a spinning hole the terms next to the horizon are large and cancel
+                        for (int k = 0; k < 4; ++k)
+                            product += g[i][k] * inverse[k][j], size += std::fabs(g[i][k] * inverse[k][j]);
                         CHECK(std::fabs(product - (i == j)) < kRounding * std::max(1.0, size) * lost);
                         CHECK(g[i][j] == g[j][i]);
                     }
                 }
-                if (s->spin() != 0.0) continue;   // not diagonal: tests/unit/test_kerr.cpp
+                if (s->spin() != 0.0) continue;  // not diagonal: tests/unit/test_kerr.cpp
                 const double across = s->areal_radius(r);
                 CHECK(g[0][0] == -s->lapse_squared(r));
                 CHECK(g[1][1] == s->radial_stretch2(r));
@@ -198,7 +203,8 @@ TEST_CASE("half_v_slope and half_v_curvature are the derivatives of V/2") {
         for (double zeta = 0.01; zeta < 3.0; zeta += 0.01) {
             const double first = slope([&](double z) { return 0.5 * potential(*s, z); }, zeta);
             const double second = slope([&](double z) { return s->half_v_slope(z); }, zeta);
-            const double size = 1.0 + zeta * zeta + std::fabs(potential(*s, zeta));  // V of a large charge grows as zeta^4
+            const double size =
+                1.0 + zeta * zeta + std::fabs(potential(*s, zeta));  // V of a large charge grows as zeta^4
             CHECK(std::fabs(s->half_v_slope(zeta) - first) < kDifference * size);
             CHECK(std::fabs(s->half_v_curvature(zeta) - second) < kDifference * size);
         }
@@ -395,27 +401,33 @@ TEST_CASE("reissner-nordstrom: photon sphere, critical impact parameter and stro
 }
 
 TEST_CASE("janis-newman-winicour: gamma = 1 is Schwarzschild; the photon sphere of others") {
-    const auto flat_field = *make_spacetime("janis-newman-winicour", {{"gamma", 1.0}}), hole = *make_spacetime("schwarzschild", {});
+    const auto flat_field = *make_spacetime("janis-newman-winicour", {{"gamma", 1.0}}),
+               hole = *make_spacetime("schwarzschild", {});
     for (const double r : radii(*hole)) {
         const double above = 1.0 - 1.0 / r;  // Schwarzschild forms it so: a rounding, over this
         CHECK(std::fabs(flat_field->lapse_squared(r) / hole->lapse_squared(r) - 1.0) < kRounding / above);
         CHECK(std::fabs(flat_field->chi_from_radius(r) - hole->chi_from_radius(r)) < kRounding / std::sqrt(above));
     }
-    for (double chi = 0.01; chi < kPi; chi += 0.01) CHECK(std::fabs(flat_field->bending_density(chi) - hole->bending_density(chi)) < 4 * kRounding + kRounding / (kPi - chi));
+    for (double chi = 0.01; chi < kPi; chi += 0.01)
+        CHECK(std::fabs(flat_field->bending_density(chi) - hole->bending_density(chi)) <
+              4 * kRounding + kRounding / (kPi - chi));
     for (const double gamma : {0.6, 0.75, 0.9}) {
         const auto s = *make_spacetime("janis-newman-winicour", {{"gamma", gamma}});
         CHECK(s->photon_sphere()->radius == doctest::Approx((1.0 + 2.0 * gamma) / (2.0 * gamma)).epsilon(kRounding));
         // dphi = dr/(R^2 sqrt(q^2 - V)): d chi/dr = -1/(q_crit R^2 h), by central differences.
         for (double r = 1.1 * *s->horizon_radius(); r < 20.0; r *= 1.05) {
             const double rate = slope([&](double x) { return s->chi_from_radius(x); }, r);
-            const double expected = -1.0 / (s->photon_sphere()->q_crit * std::pow(s->areal_radius(r), 2) * s->bending_density(s->chi_from_radius(r)));
+            const double expected = -1.0 / (s->photon_sphere()->q_crit * std::pow(s->areal_radius(r), 2) *
+                                            s->bending_density(s->chi_from_radius(r)));
             CHECK(std::fabs(rate / expected - 1.0) < 1e-7);
             CHECK(std::fabs(s->radius_from_chi(s->chi_from_radius(r)) / r - 1.0) < 1e-12);
         }
     }
 }
 
-TEST_CASE("wall: V about what divides is its polynomial, grows inward without bound, and has no slope there if there is a photon sphere") {
+TEST_CASE(
+    "wall: V about what divides is its polynomial, grows inward without bound, and has no slope there if there is a "
+    "photon sphere") {
     int walls = 0;
     for (const auto& one : cases()) {
         const std::string& label = one.label;
@@ -426,8 +438,10 @@ TEST_CASE("wall: V about what divides is its polynomial, grows inward without bo
         if (!wall) continue;
         ++walls;
         for (double zeta = 1e-3; zeta < 1e3; zeta *= 1.1) {
-            const double x = zeta - wall->zeta, v = wall->v + x * (wall->c[0] + x * (wall->c[1] + x * (wall->c[2] + x * wall->c[3])));
-            CHECK(std::fabs(v - potential(*s, zeta)) < 4 * kRounding * (wall->v + std::pow(x, 2) + std::pow(std::fabs(x), 4)));
+            const double x = zeta - wall->zeta,
+                         v = wall->v + x * (wall->c[0] + x * (wall->c[1] + x * (wall->c[2] + x * wall->c[3])));
+            CHECK(std::fabs(v - potential(*s, zeta)) <
+                  4 * kRounding * (wall->v + std::pow(x, 2) + std::pow(std::fabs(x), 4)));
         }
         CHECK(wall->c[3] > 0.0);
         const bool photons = s->camera_range().low > 0.0;

@@ -8,10 +8,15 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace nullscope;
     constexpr long long kMaxPixels = 1 << 20;  // small, so that an input costs milliseconds
-    {   // by rows, however small
-        const auto fitted = decode_fitted_image(fuzz::text_of(data, size), "picture", {.max_side = 64, .whole_pixels = 0, .max_pixels = kMaxPixels});
-        if (!fitted) fuzz::must_be_a_good_error(fitted.error());
-        else fuzz::must(fitted->image.width > 0 && fitted->image.height > 0 && std::max(fitted->image.width, fitted->image.height) <= 64, "fits");
+    {                                          // by rows, however small
+        const auto fitted = decode_fitted_image(fuzz::text_of(data, size), "picture",
+                                                {.max_side = 64, .whole_pixels = 0, .max_pixels = kMaxPixels});
+        if (!fitted)
+            fuzz::must_be_a_good_error(fitted.error());
+        else
+            fuzz::must(fitted->image.width > 0 && fitted->image.height > 0 &&
+                           std::max(fitted->image.width, fitted->image.height) <= 64,
+                       "fits");
     }
     const auto image = decode_image(fuzz::text_of(data, size), "picture", kMaxPixels);
     if (!image) {

@@ -18,8 +18,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         }
         for (const cli::RayRow& row : table->rows) {
             const RayQuery& query = row.query;
-            if (query.orbit) fuzz::must(query.orbit->q > 0 && query.orbit->zeta0 > 0, "an orbit within its ranges");
-            else fuzz::must(query.r > 0 && std::fabs(length(query.n) - 1) < 1e-12, "a place and a unit direction");
+            if (query.orbit)
+                fuzz::must(query.orbit->q > 0 && query.orbit->zeta0 > 0, "an orbit within its ranges");
+            else
+                fuzz::must(query.r > 0 && std::fabs(length(query.n) - 1) < 1e-12, "a place and a unit direction");
         }
         const std::string text = cli::rays_text(*table, {table->rows.size(), std::nullopt}, 1);
         const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));

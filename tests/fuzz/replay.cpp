@@ -10,9 +10,11 @@ int main(int argc, char** argv) {
     namespace fs = std::filesystem;
     std::vector<fs::path> files;
     for (int i = 1; i < argc; ++i) {
-        if (!fs::is_directory(argv[i])) files.emplace_back(argv[i]);
-        else for (const auto& entry : fs::recursive_directory_iterator(argv[i]))
-            if (entry.is_regular_file()) files.push_back(entry.path());
+        if (!fs::is_directory(argv[i]))
+            files.emplace_back(argv[i]);
+        else
+            for (const auto& entry : fs::recursive_directory_iterator(argv[i]))
+                if (entry.is_regular_file()) files.push_back(entry.path());
     }
     for (const fs::path& file : files) {
         const auto bytes = nullscope::read_text(file);

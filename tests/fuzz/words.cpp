@@ -15,8 +15,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         fuzz::must(again && *again == *method, "a method's name names it");
     }
     if (const auto wanted = cli::parse_size(text))
-        fuzz::must(wanted->width >= 1 && wanted->height >= 1 && wanted->width <= 65536 && wanted->height <= 65536, "size");
-    if (const auto frames = cli::parse_frames(text)) fuzz::must(0 <= frames->first && frames->first < frames->end, "frames");
+        fuzz::must(wanted->width >= 1 && wanted->height >= 1 && wanted->width <= 65536 && wanted->height <= 65536,
+                   "size");
+    if (const auto frames = cli::parse_frames(text))
+        fuzz::must(0 <= frames->first && frames->first < frames->end, "frames");
     if (const auto number = parse_number(text)) fuzz::must(std::isfinite(*number), "a number is finite");
     static_cast<void>(nearest_word(text, {"capture", "trace", "compare", ""}));
     return 0;

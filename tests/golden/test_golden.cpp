@@ -28,7 +28,7 @@ const std::vector<GoldenCase>& golden_cases() {
     return *cases;
 }
 
-const int kRowStep = by_depth(12, 3, 1);   // rows of which every pixel's ray is traced again
+const int kRowStep = by_depth(12, 3, 1);  // rows of which every pixel's ray is traced again
 
 // What was drawn on a context and what it should be.
 struct Outcome {
@@ -115,8 +115,8 @@ void fail(const GoldenCase& golden, GpuSession& session, const Outcome& outcome,
         const ExactPixel exact = exact_pixel(outcome.scene.camera, trace, p.x, p.y);
         report.pixels.push_back({p.x, p.y, outcome.measures.at(p.x, p.y), witnesses, verdict_of(witnesses, exact)});
     }
-    const std::filesystem::path file = reports_folder() /
-                                       fmt::format("{}-{}-{}.html", golden.name, session.context->kind(), kind);
+    const std::filesystem::path file =
+        reports_folder() / fmt::format("{}-{}-{}.html", golden.name, session.context->kind(), kind);
     const Status saved = save_report(file, report);
     std::string sentence =
         fmt::format("{}; see {}", outcome.failures.front(), saved ? file.string() : saved.error().message);
@@ -160,7 +160,7 @@ void run_case(const GoldenCase& golden, GpuSession& session, MeasuredOnce& measu
     judge_colours(golden, nullscope::display_values(*wanted), colours);
     if (!colours.failures.empty() && colours.measures.pixels.empty())
         colours.measures = measure_rays(colours.rays, colours.scene.camera, reference_trace(colours.scene));
-    if (split) colours.worst.clear();   // places in no single spacetime's picture
+    if (split) colours.worst.clear();  // places in no single spacetime's picture
     if (!colours.failures.empty()) fail(golden, session, colours, "colours", bytes_of(*wanted));
 }
 
@@ -172,7 +172,8 @@ TEST_CASE("every case is as the reference draws it") {
         for (const GoldenCase& golden : golden_cases()) {
             if (!selection.takes_next()) continue;
             CAPTURE(golden.name);
-            if (session.context->kind() == std::string("osmesa") && number++ % 3 != 0 && !everything_asked()) continue;   // that both draw the same bits has a test
+            if (session.context->kind() == std::string("osmesa") && number++ % 3 != 0 && !everything_asked())
+                continue;  // that both draw the same bits has a test
             run_case(golden, session, measured);
         }
     });

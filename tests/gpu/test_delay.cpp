@@ -5,15 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/gpu_session.h"
-#include "support/paired_cost.h"
 #include "reference/frame_tracer.h"
 #include "render/frame_tables.h"
 #include "scene/scene_file.h"
+#include "support/gpu_session.h"
+#include "support/paired_cost.h"
 
 using namespace nullscope;
 
-TEST_CASE("light time: the shader's text against the reference, on discs about holes with and without charge, near and far") {
+TEST_CASE(
+    "light time: the shader's text against the reference, on discs about holes with and without charge, near and far") {
     constexpr const char* kMetrics[] = {"schwarzschild", "reissner-nordstrom"};
     double worst = 0, worst_float = 0;
     std::string place;
@@ -23,7 +24,8 @@ TEST_CASE("light time: the shader's text against the reference, on discs about h
                 Scene scene;
                 scene.spacetime.metric = name;
                 if (scene.spacetime.metric == "reissner-nordstrom") scene.spacetime.parameters["charge"] = 1.0;
-                scene.camera.r = r, scene.camera.theta = theta * M_PI / 180, scene.camera.width = 48, scene.camera.height = 27;
+                scene.camera.r = r, scene.camera.theta = theta * M_PI / 180, scene.camera.width = 48,
+                scene.camera.height = 27;
                 scene.camera.plane_width = 2 * std::tan(std::min(1.2, 20 / r));
                 scene.disc.emplace();
                 scene.disc->inner = 1.6, scene.disc->outer = 12, scene.disc->flow = DiscFlowKind::kKepler;
@@ -35,15 +37,22 @@ TEST_CASE("light time: the shader's text against the reference, on discs about h
                     for (int x = 0; x < 48; ++x) {
                         const auto exact = tracer.pixel(x + 0.5, y + 0.5);
                         if (exact.fate != Fate::kHit) continue;
-                        const auto in_double = trace_core64(input, x - 23.5, 13 - y), in_float = trace_core32(input, x - 23.5, 13 - y);
-                        if (in_double.fate != Fate::kHit || in_float.fate != Fate::kHit || in_float.order != exact.order) continue;   // the rims
-                        const double scale = std::max(exact.delay, 5.0), off = std::fabs(in_float.delay - exact.delay) / scale;
+                        const auto in_double = trace_core64(input, x - 23.5, 13 - y),
+                                   in_float = trace_core32(input, x - 23.5, 13 - y);
+                        if (in_double.fate != Fate::kHit || in_float.fate != Fate::kHit ||
+                            in_float.order != exact.order)
+                            continue;  // the rims
+                        const double scale = std::max(exact.delay, 5.0),
+                                     off = std::fabs(in_float.delay - exact.delay) / scale;
                         worst = std::max(worst, std::fabs(in_double.delay - exact.delay) / scale);
-                        if (off > worst_float) place = fmt::format("{}, camera {} r_s, {} degrees, at {:.3f} r_s", name, r, theta, std::hypot(exact.u, exact.v));
+                        if (off > worst_float)
+                            place = fmt::format("{}, camera {} r_s, {} degrees, at {:.3f} r_s", name, r, theta,
+                                                std::hypot(exact.u, exact.v));
                         worst_float = std::max(worst_float, off);
                     }
             }
-    fmt::print("light time to the disc: core64 off by at most {:.2g}, core32 {:.2g} of it, or of 5 r_s ({})\n", worst, worst_float, place);
+    fmt::print("light time to the disc: core64 off by at most {:.2g}, core32 {:.2g} of it, or of 5 r_s ({})\n", worst,
+               worst_float, place);
     // The map's zeta is off by 1e-7, which far out is r^2 times that and next to the turning point the slope's error over zeta.
     constexpr double kMap = 1e-5, kFloat = 2e-5;
     CHECK(worst < kMap);
@@ -51,11 +60,13 @@ TEST_CASE("light time: the shader's text against the reference, on discs about h
 }
 
 TEST_CASE("light time: what the delay map costs of the frame that needs it") {
-    constexpr double kMost = 0.15;   // issue: "at most 15 % of the frame that needs it"
+    constexpr double kMost = 0.15;  // issue: "at most 15 % of the frame that needs it"
     constexpr int kWidth = 640, kHeight = 360;
     test::on_every_context([&](test::GpuSession& session) {
-        if (session.context->kind() != "egl") return;   // the same rasteriser
-        for (const auto& [name, pairs] : {std::pair{"hot-spot", test::by_depth(21, 61, 61)}, {"late-light", test::by_depth(5, 9, 9)}}) {   // the second takes its time, and is far from the bound
+        if (session.context->kind() != "egl") return;  // the same rasteriser
+        for (const auto& [name, pairs] :
+             {std::pair{"hot-spot", test::by_depth(21, 61, 61)},
+              {"late-light", test::by_depth(5, 9, 9)}}) {  // the second takes its time, and is far from the bound
             Scene late = *load_scene(name);
             late.camera.width = kWidth, late.camera.height = kHeight;
             Scene at_once = late;
@@ -63,15 +74,18 @@ TEST_CASE("light time: what the delay map costs of the frame that needs it") {
             Renderer& renderer = *session.renderer;
             const gl::Target target = gl::make_target(kWidth, kHeight, gl::Format::kRgba8);
             const auto draw = [&] { renderer.draw(target.framebuffer.id(), kWidth, kHeight, Output::kDisplay); };
-            const test::PairedCost cost = test::paired_cost(pairs, draw, draw, [&](bool first) { REQUIRE(renderer.prepare(first ? late : at_once)); });
+            const test::PairedCost cost = test::paired_cost(
+                pairs, draw, draw, [&](bool first) { REQUIRE(renderer.prepare(first ? late : at_once)); });
             const double share = 1 - 1 / cost.ratio;
-            fmt::print("{}: {:.4f} core-s, with light that takes no time {:.4f}: the delay map's share {:.3f}\n", name, cost.first_s, cost.second_s, share);
+            fmt::print("{}: {:.4f} core-s, with light that takes no time {:.4f}: the delay map's share {:.3f}\n", name,
+                       cost.first_s, cost.second_s, share);
             CHECK(share <= kMost);
         }
     });
 }
 
-TEST_CASE("what moves is met where the reference meets it, at every pixel, with and without the time that light takes") {
+TEST_CASE(
+    "what moves is met where the reference meets it, at every pixel, with and without the time that light takes") {
     constexpr double kScreenError_px = 0.05;
     struct Case {
         const char* name;
@@ -87,21 +101,41 @@ TEST_CASE("what moves is met where the reference meets it, at every pixel, with 
     const std::vector<Case> cases = {
         {"ball on an orbit", ball(BallMotion::kOrbit)},
         {"ball in free fall", ball(BallMotion::kGeodesic)},
-        {"ball in free fall, long ago, into the hole", [=](Scene& s) { ball(BallMotion::kGeodesic)(s), s.ball->velocity = {-0.3, 0.02, 0.1}, s.time = 60; }},
-        {"ball in free fall, before it was let go", [=](Scene& s) { ball(BallMotion::kGeodesic)(s), s.ball->velocity = {-0.3, 0.02, 0.1}, s.time = 3; }},
-        {"ball in free fall, flat", [=](Scene& s) { ball(BallMotion::kGeodesic)(s), s.spacetime.metric = "minkowski"; }},
-        {"ball in free fall, charged hole", [=](Scene& s) { ball(BallMotion::kGeodesic)(s), s.spacetime = {"reissner-nordstrom", {{"charge", 0.8}}}; }},
+        {"ball in free fall, long ago, into the hole",
+         [=](Scene& s) {
+             ball(BallMotion::kGeodesic)(s), s.ball->velocity = {-0.3, 0.02, 0.1}, s.time = 60;
+         }},
+        {"ball in free fall, before it was let go",
+         [=](Scene& s) {
+             ball(BallMotion::kGeodesic)(s), s.ball->velocity = {-0.3, 0.02, 0.1}, s.time = 3;
+         }},
+        {"ball in free fall, flat",
+         [=](Scene& s) { ball(BallMotion::kGeodesic)(s), s.spacetime.metric = "minkowski"; }},
+        {"ball in free fall, charged hole",
+         [=](Scene& s) {
+             ball(BallMotion::kGeodesic)(s), s.spacetime = {"reissner-nordstrom", {{"charge", 0.8}}};
+         }},
         {"ball on a given path", ball(BallMotion::kPath)},
         {"ball on a given path, flat", [=](Scene& s) { ball(BallMotion::kPath)(s), s.spacetime.metric = "minkowski"; }},
-        {"ball on an orbit, light without delay", [=](Scene& s) { ball(BallMotion::kOrbit)(s), s.light.delay = false; }},
+        {"ball on an orbit, light without delay",
+         [=](Scene& s) { ball(BallMotion::kOrbit)(s), s.light.delay = false; }},
         {"ball on an orbit, straight light", [=](Scene& s) { ball(BallMotion::kOrbit)(s), s.light.lensing = false; }},
-        {"ball on an orbit, extremal hole", [=](Scene& s) { ball(BallMotion::kOrbit)(s), s.spacetime = {"reissner-nordstrom", {{"charge", 1.0}}}; }},
-        {"ball on an orbit, a camera that falls", [=](Scene& s) { ball(BallMotion::kOrbit)(s), s.camera.observer = ObserverKind::kRain; }},
-        {"sphere that pulsates", [](Scene& s) { s.sphere.emplace().radius = 4, s.sphere->swing = 0.3, s.sphere->period = 12; }},
-        {"surface with t in it", [](Scene& s) { s.surface.emplace().shape = "length(x, y, z) - 4 - 0.6 * sin(0.5 * t + 3 * atan(y, x))", s.surface->bound = 6; }},
+        {"ball on an orbit, extremal hole",
+         [=](Scene& s) {
+             ball(BallMotion::kOrbit)(s), s.spacetime = {"reissner-nordstrom", {{"charge", 1.0}}};
+         }},
+        {"ball on an orbit, a camera that falls",
+         [=](Scene& s) { ball(BallMotion::kOrbit)(s), s.camera.observer = ObserverKind::kRain; }},
+        {"sphere that pulsates",
+         [](Scene& s) { s.sphere.emplace().radius = 4, s.sphere->swing = 0.3, s.sphere->period = 12; }},
+        {"surface with t in it",
+         [](Scene& s) {
+             s.surface.emplace().shape = "length(x, y, z) - 4 - 0.6 * sin(0.5 * t + 3 * atan(y, x))",
+             s.surface->bound = 6;
+         }},
     };
     test::on_every_context([&](test::GpuSession& session) {
-        if (session.context->kind() != "egl") return;   // the same rasteriser; the reference takes seconds a case
+        if (session.context->kind() != "egl") return;  // the same rasteriser; the reference takes seconds a case
         test::Selection selection(3);
         for (const Case& c : cases) {
             if (!selection.takes_next()) continue;
@@ -113,8 +147,8 @@ TEST_CASE("what moves is met where the reference meets it, at every pixel, with 
             c.set(scene);
             const RayFrame frame = test::gl_ray_data(session, scene);
             const RayMeasures m = measure_rays(frame, scene.camera, test::reference_trace(scene));
-            fmt::print("moving  {:<38} screen {:.1e}, place {:.1e}, swept {:.1e} px; fate errors {}, {} hits\n", c.name, m.sky_px.max, m.place_px.max, m.angle_px.max,
-                       m.fate_errors, m.place_px.count);
+            fmt::print("moving  {:<38} screen {:.1e}, place {:.1e}, swept {:.1e} px; fate errors {}, {} hits\n", c.name,
+                       m.sky_px.max, m.place_px.max, m.angle_px.max, m.fate_errors, m.place_px.count);
             CHECK(m.not_finite == 0);
             CHECK(m.fate_errors == 0);
             CHECK(m.place_px.count > 0);

@@ -25,14 +25,14 @@ Scene bolometric_scene(double r, double theta_deg) {
     scene.sky.kind = SkyKind::kBlack;
     DiscSpec& disc = scene.disc.emplace();
     disc.emission = DiscEmission::kThermal;
-    disc.inner = 1.4;   // matter falls inside of 3 r_s, and shines no more
+    disc.inner = 1.4;  // matter falls inside of 3 r_s, and shines no more
     disc.outer = 14;
     scene.light.bolometric = true;
     return scene;
 }
 
 TEST_CASE("disc: g as the GPU draws it is the reference's, whole and with a part of it or aberration left out") {
-    constexpr double kTolerance = 1e-5;   // what the project promises
+    constexpr double kTolerance = 1e-5;  // what the project promises
     on_every_context([&](GpuSession& session) {
         double worst = 0;
         int pixels = 0;
@@ -42,12 +42,19 @@ TEST_CASE("disc: g as the GPU draws it is the reference's, whole and with a part
         constexpr Switches kAll{true, true, true};
         std::vector<std::pair<double, Switches>> cases;
         for (const double theta : {5.0, 60.0, 80.0, 120.0}) cases.emplace_back(theta, kAll);
-        for (const Switches part : {Switches{false, true, true}, {true, false, true}, {true, true, false}, {true, false, false}, {true, true, true, false}, {true, false, false, false}}) cases.emplace_back(60.0, part);
+        for (const Switches part : {Switches{false, true, true},
+                                    {true, false, true},
+                                    {true, true, false},
+                                    {true, false, false},
+                                    {true, true, true, false},
+                                    {true, false, false, false}})
+            cases.emplace_back(60.0, part);
         for (const auto& [theta, part] : cases)
             for (const Vec3 velocity : {Vec3{0, 0, 0}, Vec3{0.2, 0.3, -0.1}}) {
                 Scene scene = bolometric_scene(40, theta);
                 scene.camera.velocity = velocity;
-                scene.light.doppler = part.doppler, scene.light.gravity = part.gravity, scene.light.aberration = part.aberration;
+                scene.light.doppler = part.doppler, scene.light.gravity = part.gravity,
+                scene.light.aberration = part.aberration;
                 scene.light.lensing = part.lensing;
                 CAPTURE(part.doppler);
                 CAPTURE(part.gravity);
@@ -69,19 +76,21 @@ TEST_CASE("disc: g as the GPU draws it is the reference's, whole and with a part
                     const auto hits = tracer->disc_hits(ray, 1);
                     if (hits.empty()) continue;
                     const double r = std::hypot(hits[0].x, hits[0].y);
-                    if (r < 3.05 || r > 13.9) continue;   // dark; the rim
+                    if (r < 3.05 || r > 13.9) continue;  // dark; the rim
                     bool whole = true;                   // no rim within the pixel
                     for (const auto& [dx, dy] : {std::pair{-1.5, 0.0}, {1.5, 0.0}, {0.0, -1.5}, {0.0, 1.5}}) {
                         const auto beside = tracer->disc_hits(tracer->ray(x + 0.5 + dx, y + 0.5 + dy), 1);
                         whole = whole && !beside.empty() && std::abs(beside[0].along - hits[0].along) < 0.3;
                     }
                     if (!whole) continue;
-                    const double expected = ray.g * light.shift({r, ray.l_z, hits[0].outward, ray.l2}).seen(scene.light);
+                    const double expected =
+                        ray.g * light.shift({r, ray.l_z, hits[0].outward, ray.l2}).seen(scene.light);
                     const auto brightness = [&](const Image<float>& image) {
                         const float* p = image.at(x, y);
                         return 0.2126390059 * p[0] + 0.7151686788 * p[1] + 0.0721923154 * p[2];
                     };
-                    const double found = std::pow(brightness(picture) / brightness(own), 0.25), error = std::abs(found / expected - 1);
+                    const double found = std::pow(brightness(picture) / brightness(own), 0.25),
+                                 error = std::abs(found / expected - 1);
                     CAPTURE(theta);
                     CAPTURE(r);
                     CAPTURE(x);
@@ -98,7 +107,8 @@ TEST_CASE("disc: g as the GPU draws it is the reference's, whole and with a part
 
 // The picture with a temperature of the sky over the one without it, against what the reference makes of the same g.
 TEST_CASE("sky: its light changes as a black body's by g, the same all over it or by direction, whole and in part") {
-    constexpr double kTolerance = 1e-3;   // the table of black bodies 2e-5, half floats of the sky's texture not at all: both have them
+    constexpr double kTolerance =
+        1e-3;  // the table of black bodies 2e-5, half floats of the sky's texture not at all: both have them
     on_every_context([&](GpuSession& session) {
         double worst = 0;
         int pixels = 0;
@@ -109,7 +119,8 @@ TEST_CASE("sky: its light changes as a black body's by g, the same all over it o
             scene.camera.height = 90;
             if (variant >= 1) scene.camera.velocity = {0.1, -0.2, 0.4};
             scene.light.shift = variant != 2, scene.light.beaming = variant != 3;
-            scene.light.doppler = variant != 4, scene.light.gravity = variant != 5, scene.light.aberration = variant != 6;
+            scene.light.doppler = variant != 4, scene.light.gravity = variant != 5,
+            scene.light.aberration = variant != 6;
             scene.light.bolometric = variant == 7;
             REQUIRE(session.renderer->prepare(scene));
             const Image<float> plain = session.renderer->picture();
@@ -139,7 +150,7 @@ TEST_CASE("sky: its light changes as a black body's by g, the same all over it o
         }
         fmt::print("light of the sky in {} pixels: within {:.2g} of the reference's\n", pixels, worst);
         CHECK(pixels > 1000);
-        Scene far;   // nothing to shift: nothing called for
+        Scene far;  // nothing to shift: nothing called for
         far.spacetime.metric = "minkowski";
         far.sky.temperature_K = 5000.0;
         CHECK_FALSE(effect_set(required_effects(far)).contains(Effect::kSkyShift));

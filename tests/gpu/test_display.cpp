@@ -23,7 +23,7 @@ int worst_step(const Image<unsigned char>& a, const Image<unsigned char>& b) {
 
 Scene bright_scene() {
     Scene scene;
-    scene.camera.width = 203;   // odd: halves round up
+    scene.camera.width = 203;  // odd: halves round up
     scene.camera.height = 118;
     scene.camera.r = 12.0;
     scene.disc.emplace().brightness = 12.0;
@@ -40,7 +40,8 @@ TEST_CASE("display: tone curves, bloom and automatic exposure are those of the h
                     scene.picture = {tone, bloom, automatic, false};
                     REQUIRE(session.renderer->prepare(scene));
                     const Image<float> linear = session.renderer->picture();
-                    const int worst = worst_step(session.renderer->picture8(), display_encoded(linear, scene.camera.exposure_ev, scene.picture));
+                    const int worst = worst_step(session.renderer->picture8(),
+                                                 display_encoded(linear, scene.camera.exposure_ev, scene.picture));
                     CAPTURE(static_cast<int>(tone));
                     CAPTURE(bloom);
                     CAPTURE(automatic);
@@ -55,7 +56,7 @@ TEST_CASE("display: bloom moves light and keeps its sum; linear output is withou
     const Image<float> spread = with_bloom(spot, 0.4);
     double sum = 0;
     for (const float v : spread.data) sum += v;
-    constexpr double kLost = 0.02;   // beyond the frame, and clamped at its edge
+    constexpr double kLost = 0.02;  // beyond the frame, and clamped at its edge
     CHECK(std::abs(sum / 1000 - 1) <= kLost);
     CHECK(spread.at(97, 61)[1] < 700.0f);
     CHECK(spread.at(107, 61)[1] > spread.at(137, 61)[1]);
@@ -85,7 +86,7 @@ TEST_CASE("display: dithering moves a value by at most a step, keeps means and l
             drift += noisy.data[i] - plain.data[i];
             if (plain.data[i] == 0) CHECK(noisy.data[i] <= 1);
         }
-        constexpr double kDrift = 0.01;   // steps, on average
+        constexpr double kDrift = 0.01;  // steps, on average
         CHECK(std::abs(drift / static_cast<double>(plain.data.size())) <= kDrift);
     });
 }

@@ -42,7 +42,8 @@ TEST_CASE("a lost context and a GPU without memory are told apart, and are no cr
         next_error = 0x0505;
         CHECK(what_is_thrown(*session.renderer) == "framebuffer: the GPU is out of memory");
         next_error = 0x0507;
-        CHECK(what_is_thrown(*session.renderer) == "framebuffer: the driver was reset and has lost its context; start again");
+        CHECK(what_is_thrown(*session.renderer) ==
+              "framebuffer: the driver was reset and has lost its context; start again");
         next_error = 0x0502;
         CHECK(what_is_thrown(*session.renderer) == "framebuffer: OpenGL error 0x0502");
         CHECK(session.renderer->picture8().data == picture.data);

@@ -14,7 +14,7 @@ using namespace nullscope::test;
 
 // Green light in the square of pixels about a place.
 double light_about(const Image<float>& picture, double x, double y) {
-    constexpr int kReach = 5;   // px: 7 sigma of the point spread
+    constexpr int kReach = 5;  // px: 7 sigma of the point spread
     double sum = 0;
     for (int row = static_cast<int>(y) - kReach; row <= static_cast<int>(y) + kReach; ++row)
         for (int column = static_cast<int>(x) - kReach; column <= static_cast<int>(x) + kReach; ++column)
@@ -23,8 +23,8 @@ double light_about(const Image<float>& picture, double x, double y) {
 }
 
 TEST_CASE("far star: both images are as bright as the reference has them, from 1e2 to 1e9 r_s") {
-    constexpr double kTolerance = 0.01;   // what the project promises; reached: see the line printed
-    constexpr double kLight = 2000;       // half floats end at 65504; the faintest image has 17
+    constexpr double kTolerance = 0.01;  // what the project promises; reached: see the line printed
+    constexpr double kLight = 2000;      // half floats end at 65504; the faintest image has 17
     on_every_context([&](GpuSession& session) {
         double worst_sum = 0, worst_image = 0;
         for (double r = 1e2; r < 2e9; r *= 10)
@@ -51,8 +51,8 @@ TEST_CASE("far star: both images are as bright as the reference has them, from 1
                 worst_sum = std::max(worst_sum, std::fabs(drawn / exact - 1));
             }
         CHECK(worst_image <= kTolerance);
-        fmt::print("far star: light of both images within {:.2g} of the reference's, of each within {:.2g}\n", worst_sum,
-                   worst_image);
+        fmt::print("far star: light of both images within {:.2g} of the reference's, of each within {:.2g}\n",
+                   worst_sum, worst_image);
     });
 }
 

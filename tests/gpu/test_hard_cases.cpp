@@ -13,22 +13,26 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-bool whole(const RayFrame& frame) {  // every channel finite, every fate one that there is, directions of length 1
-    constexpr double kUnit = 1e-5;   // a float normalisation, with room
-    constexpr double kHalfTurn = 1e-5;   // of a half turn: next to a whole number of them either order will do;
-    constexpr double kFloat = 2e-7;      // and so it will where a float no longer tells half turns apart, in a wormhole's long tube
+bool whole(const RayFrame& frame) {     // every channel finite, every fate one that there is, directions of length 1
+    constexpr double kUnit = 1e-5;      // a float normalisation, with room
+    constexpr double kHalfTurn = 1e-5;  // of a half turn: next to a whole number of them either order will do;
+    constexpr double kFloat =
+        2e-7;  // and so it will where a float no longer tells half turns apart, in a wormhole's long tube
     for (const RayPixel& p : frame.pixels) {
         if (!all_finite(p)) return false;
-        if (p.fate != Fate::kEscaped && p.fate != Fate::kCaptured && p.fate != Fate::kOtherSide && p.fate != Fate::kHit) return false;
+        if (p.fate != Fate::kEscaped && p.fate != Fate::kCaptured && p.fate != Fate::kOtherSide && p.fate != Fate::kHit)
+            return false;
         const double half_turns = p.angle / M_PI;
-        if (p.order != static_cast<int>(half_turns) && std::abs(half_turns - std::round(half_turns)) > kHalfTurn + kFloat * half_turns) return false;
+        if (p.order != static_cast<int>(half_turns) &&
+            std::abs(half_turns - std::round(half_turns)) > kHalfTurn + kFloat * half_turns)
+            return false;
         const bool on_a_sky = p.fate == Fate::kEscaped || p.fate == Fate::kOtherSide;
         if (std::abs(length(p.sky) - (on_a_sky ? 1.0 : 0.0)) > kUnit) return false;
     }
     return true;
 }
 
-constexpr double kRefineAbove_px = 1e-5;   // below every bound of the list but those of frames of a pixel or two
+constexpr double kRefineAbove_px = 1e-5;  // below every bound of the list but those of frames of a pixel or two
 
 // The reference's frame of a case.
 RayFrame exact_frame(const HardCase& c) {
@@ -73,10 +77,12 @@ TEST_CASE("hard cases: every one within its bound") {
             const RayFrame exact = exact_frame(c);
             const HardBound bound = hard_bound(c.scene, exact);
             const RayMeasures m = measure_rays(frame, c.scene.camera, traced_once(c.scene, exact), 1, kRefineAbove_px);
-            fmt::print("{:<7} {:<55} sky {:.1e} of {:.1e}, place {:.1e} of {:.1e}, swept {:.1e} of {:.1e}, g {:.1e} of {:.1e} px; fate errors {}, "
-                       "forgiven {}\n",
-                       session.context->kind(), c.name, m.sky_px.max, bound.sky, m.place_px.max, bound.place, m.angle_px.max, bound.swept,
-                       m.g_px.max, bound.g, m.fate_errors, m.forgiven);
+            fmt::print(
+                "{:<7} {:<55} sky {:.1e} of {:.1e}, place {:.1e} of {:.1e}, swept {:.1e} of {:.1e}, g {:.1e} of {:.1e} "
+                "px; fate errors {}, "
+                "forgiven {}\n",
+                session.context->kind(), c.name, m.sky_px.max, bound.sky, m.place_px.max, bound.place, m.angle_px.max,
+                bound.swept, m.g_px.max, bound.g, m.fate_errors, m.forgiven);
             CHECK(m.fate_errors == 0);
             CHECK(m.sky_px.max <= bound.sky);
             CHECK(m.place_px.max <= bound.place);

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "camera/spin_forms.h"
-#include "spacetime/registry.h"
 #include "reference/frame_tracer.h"
+#include "spacetime/registry.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -13,10 +13,10 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr double kEdge_px = 0.02;      // what is promised of the shadow's edge ...
-constexpr double kRays_px = 0.05;      // ... and of every ray
-constexpr double kFar = 1000.0;        // of the observer, r_s
-constexpr double kPixel_rad = 6.0 / kFar / 1080;   // the shadow, some 11 M wide, fills a 1080p frame
+constexpr double kEdge_px = 0.02;                 // what is promised of the shadow's edge ...
+constexpr double kRays_px = 0.05;                 // ... and of every ray
+constexpr double kFar = 1000.0;                   // of the observer, r_s
+constexpr double kPixel_rad = 6.0 / kFar / 1080;  // the shadow, some 11 M wide, fills a 1080p frame
 constexpr int kColumns = 401;
 
 Scene spinning(double spin) {
@@ -27,9 +27,9 @@ Scene spinning(double spin) {
 }
 
 struct Edge {
-    double lambda, eta;   // L/E in M and Carter's constant over E^2 in M^2, of the ray on the edge
-    bool vertical;        // the edge is crossed along a column of pixels
-    int outside;          // to the right or upwards: +1
+    double lambda, eta;  // L/E in M and Carter's constant over E^2 in M^2, of the ray on the edge
+    bool vertical;       // the edge is crossed along a column of pixels
+    int outside;         // to the right or upwards: +1
 };
 
 // A line of pixels across the edge, +-2 kEdge_px wide; returns how far from its middle the furthest pixel with the wrong fate is, px.
@@ -42,9 +42,10 @@ double edge_off_px(GpuSession& session, double spin, const Edge& edge, double sh
     const auto spacetime = *make_spacetime("kerr", scene.spacetime.parameters);
     const SpinPlace place = spin_place(*spacetime, camera.r, camera.theta);
     const SpinForms f = spin_forms(place, zamo_frame(place));
-    const double lambda = 0.5 * edge.lambda;   // r_s
-    const double n_phi = lambda * f.energy.constant / (f.across.around - lambda * f.energy.around), energy = f.energy.of(0, n_phi);
-    const double n_theta = 0.5 * std::sqrt(edge.eta) * energy / f.p_theta;   // energy < 0: northward, up
+    const double lambda = 0.5 * edge.lambda;  // r_s
+    const double n_phi = lambda * f.energy.constant / (f.across.around - lambda * f.energy.around),
+                 energy = f.energy.of(0, n_phi);
+    const double n_theta = 0.5 * std::sqrt(edge.eta) * energy / f.p_theta;  // energy < 0: northward, up
     const double n_r = -std::sqrt(1 - n_theta * n_theta - n_phi * n_phi);
     camera.yaw = std::atan2(n_phi, -n_r);
     camera.pitch = std::atan2(-n_theta, std::hypot(n_phi, n_r));
@@ -64,16 +65,17 @@ double edge_off_px(GpuSession& session, double spin, const Edge& edge, double sh
 }
 
 TEST_CASE("kerr: the shadow of an equatorial observer far away, to 0.02 px of a frame that it fills") {
-    const std::tuple<double, double, double> kShadows[] = {{0.5, 4.096266658713868, 6.13815572471545}, {0.998, 2.110887794552831, 6.996666271399961}};
+    const std::tuple<double, double, double> kShadows[] = {{0.5, 4.096266658713868, 6.13815572471545},
+                                                           {0.998, 2.110887794552831, 6.996666271399961}};
     on_every_context([&](GpuSession& session) {
         for (const auto& [spin, prograde, retrograde] : kShadows) {
             const Edge edges[] = {{prograde, 0, false, -1}, {-retrograde, 0, false, 1}, {-2 * spin, 27, true, 1}};
             for (const Edge& edge : edges) {
                 const double off = edge_off_px(session, spin, edge, 0);
-                fmt::print("{:<7} a = {:<5} lambda {:9.5f} eta {:2}: edge off by {:.5f} px at most\n", session.context->kind(), spin, edge.lambda,
-                           edge.eta, off);
+                fmt::print("{:<7} a = {:<5} lambda {:9.5f} eta {:2}: edge off by {:.5f} px at most\n",
+                           session.context->kind(), spin, edge.lambda, edge.eta, off);
                 CHECK(off <= kEdge_px);
-                CHECK(edge_off_px(session, spin, edge, 1.5 * kEdge_px) > kEdge_px);   // a shifted edge is seen
+                CHECK(edge_off_px(session, spin, edge, 1.5 * kEdge_px) > kEdge_px);  // a shifted edge is seen
             }
         }
     });
@@ -84,24 +86,28 @@ TEST_CASE("kerr: frames near and far are the reference's, disc and all") {
         double spin, r, theta, yaw, fov;
         Vec3 velocity;
     };
-    const View views[] = {{0.9, 5, 1.3, 0, 1.6, {}},       {0.998, 3, 1.5, 0.4, 1.6, {}}, {0.9999, 15, 1.4, 0, 0.8, {0.2, 0, 0.3}}, {0.5, 50, 0.4, 0, 0.3, {}},
-                          {0.998, 1.25, 1.2, 1.2, 1.9, {}}, {0.7, 8, 0, 0.2, 1.2, {}},    {0.9, 1.0, M_PI / 2, 2, 2, {}},           {0.95, 6, 3.0, 0, 1, {-0.6, 0, 0}}};
+    const View views[] = {
+        {0.9, 5, 1.3, 0, 1.6, {}},      {0.998, 3, 1.5, 0.4, 1.6, {}},     {0.9999, 15, 1.4, 0, 0.8, {0.2, 0, 0.3}},
+        {0.5, 50, 0.4, 0, 0.3, {}},     {0.998, 1.25, 1.2, 1.2, 1.9, {}},  {0.7, 8, 0, 0.2, 1.2, {}},
+        {0.9, 1.0, M_PI / 2, 2, 2, {}}, {0.95, 6, 3.0, 0, 1, {-0.6, 0, 0}}};
     on_every_context([&](GpuSession& session) {
-        if (session.context->kind() == std::string("osmesa")) return;   // the same driver; tests/golden draws on both
+        if (session.context->kind() == std::string("osmesa")) return;  // the same driver; tests/golden draws on both
         Selection selection(3);
         for (const View& view : views) {
             for (const bool disc : {false, true}) {
                 if (!selection.takes_next()) continue;
                 Scene scene = spinning(view.spin);
                 scene.camera.r = view.r, scene.camera.theta = view.theta, scene.camera.yaw = view.yaw;
-                scene.camera.plane_width = 2 * std::tan(view.fov / 2), scene.camera.width = 96, scene.camera.height = 54;
+                scene.camera.plane_width = 2 * std::tan(view.fov / 2), scene.camera.width = 96,
+                scene.camera.height = 54;
                 scene.camera.velocity = view.velocity;
                 if (disc) scene.disc = DiscSpec{}, scene.disc->inner = 1.0, scene.disc->outer = 7.0;
                 // Pixels of a 1080p frame: errors in those of this one are 20 times smaller.
                 const RayMeasures m = measure_rays(gl_ray_data(session, scene), scene.camera, reference_trace(scene));
                 const double finer = 1920.0 / scene.camera.width;
-                fmt::print("a = {:<6} r = {:<5} {:<5}: sky {:.4f}, disc {:.4f}, g {:.4f} px of 1080p; fate errors {}\n", view.spin, view.r,
-                           disc ? "disc" : "sky", m.sky_px.max * finer, m.place_px.max * finer, m.g_px.max * finer, m.fate_errors);
+                fmt::print("a = {:<6} r = {:<5} {:<5}: sky {:.4f}, disc {:.4f}, g {:.4f} px of 1080p; fate errors {}\n",
+                           view.spin, view.r, disc ? "disc" : "sky", m.sky_px.max * finer, m.place_px.max * finer,
+                           m.g_px.max * finer, m.fate_errors);
                 CHECK(m.sky_px.max * finer <= kRays_px);
                 CHECK(m.place_px.max * finer <= kRays_px);
                 CHECK(m.fate_errors == 0);
@@ -133,19 +139,23 @@ TEST_CASE("kerr: next to no spin is no spin, pixel for pixel within the errors o
             int fates = 0;
             for (int y = 1; y + 1 < frame.height; ++y)
                 for (int x = 1; x + 1 < frame.width; ++x) {
-                    const RayPixel &a = table.at(x, y), &b = frame.at(x, y), &right = table.at(x + 1, y), &down = table.at(x, y + 1);
+                    const RayPixel &a = table.at(x, y), &b = frame.at(x, y), &right = table.at(x + 1, y),
+                                   &down = table.at(x, y + 1);
                     fates += a.fate != b.fate;
-                    if (a.fate != Fate::kEscaped || b.fate != a.fate || right.fate != a.fate || down.fate != a.fate) continue;
-                    const double sway = std::max({length(right.sky - a.sky) / (12 * pixel), length(down.sky - a.sky) / (12 * pixel), 1.0});
+                    if (a.fate != Fate::kEscaped || b.fate != a.fate || right.fate != a.fate || down.fate != a.fate)
+                        continue;
+                    const double sway = std::max(
+                        {length(right.sky - a.sky) / (12 * pixel), length(down.sky - a.sky) / (12 * pixel), 1.0});
                     most = std::max(most, length(a.sky - b.sky) / sway / pixel);
                 }
             return std::pair{most, fates};
         };
         const auto [off, fates] = furthest(steps);
-        fmt::print("{:<7} spin 1e-9 against the table: {:.4f} px of 1080p, {} fates\n", session.context->kind(), off, fates);
+        fmt::print("{:<7} spin 1e-9 against the table: {:.4f} px of 1080p, {} fates\n", session.context->kind(), off,
+                   fates);
         CHECK(off <= kRays_px);
         CHECK(fates == 0);
-        CHECK(furthest(other).first > kRays_px);   // the check can fail
+        CHECK(furthest(other).first > kRays_px);  // the check can fail
     });
 }
 

@@ -24,13 +24,16 @@ Scene scene_at(double spin, double r, double theta, ObserverKind observer) {
     return scene;
 }
 
-TEST_CASE("kerr light time: a hole that hardly spins is Schwarzschild's, for cameras at rest and falling, to the sky and to a disc") {
-    constexpr double kPromised = 1e-6;   // r_s: what a spin of 1e-9 changes, and sums of 1e9 r_s
+TEST_CASE(
+    "kerr light time: a hole that hardly spins is Schwarzschild's, for cameras at rest and falling, to the sky and to "
+    "a disc") {
+    constexpr double kPromised = 1e-6;  // r_s: what a spin of 1e-9 changes, and sums of 1e9 r_s
     double worst = 0;
     int rays = 0;
     for (const ObserverKind observer : {ObserverKind::kStatic, ObserverKind::kRain})
         for (const double r : {1.5, 6.0, 200.0}) {
-            const auto spun = *reference::FrameTracer::make(scene_at(1e-9, r, 1.3, observer)), still = *reference::FrameTracer::make(scene_at(0, r, 1.3, observer));
+            const auto spun = *reference::FrameTracer::make(scene_at(1e-9, r, 1.3, observer)),
+                       still = *reference::FrameTracer::make(scene_at(0, r, 1.3, observer));
             for (int y = 0; y < 18; ++y)
                 for (int x = 0; x < 32; ++x) {
                     const auto a = spun.pixel(x + 0.5, y + 0.5), b = still.pixel(x + 0.5, y + 0.5);
@@ -63,20 +66,33 @@ TEST_CASE("kerr light time: the shader's text against the reference, to the sky 
                             const auto exact = tracer.pixel(x + 0.5, y + 0.5);
                             const double px = x - 15.5, py = 8.5 - y;
                             const auto a = trace_core64(input, px, py), b = trace_core32(input, px, py);
-                            if (exact.fate == Fate::kCaptured || exact.fate == Fate::kNoSky || a.fate != exact.fate || b.fate != exact.fate || a.hit != exact.hit) continue;
+                            if (exact.fate == Fate::kCaptured || exact.fate == Fate::kNoSky || a.fate != exact.fate ||
+                                b.fate != exact.fate || a.hit != exact.hit)
+                                continue;
                             // What a direction's last bit moves it by: next to the critical ray without end.
                             const auto beside = trace_core64(input, px + 1e-5, py + 1e-5);
-                            const double sway = std::fabs(beside.delay - a.delay) / 1e-5 * 2e-3, scale = std::max(1.0, exact.delay);   // a float's bit is some 1e-6 px
+                            const double sway = std::fabs(beside.delay - a.delay) / 1e-5 * 2e-3,
+                                         scale = std::max(1.0, exact.delay);  // a float's bit is some 1e-6 px
                             const auto look = [&](Worst& worst, double found, double tolerance_px) {
                                 const double off = std::fabs(found - exact.delay) / (scale + sway * tolerance_px);
-                                if (!(off <= worst.off)) worst = {off, fmt::format("a/M {} observer {} r {} theta {} pixel {} {}: {} for {}, fate {}", spin, static_cast<int>(observer), r, theta, x, y, found, exact.delay, static_cast<int>(exact.fate))};
+                                if (!(off <= worst.off))
+                                    worst = {
+                                        off,
+                                        fmt::format("a/M {} observer {} r {} theta {} pixel {} {}: {} for {}, fate {}",
+                                                    spin, static_cast<int>(observer), r, theta, x, y, found,
+                                                    exact.delay, static_cast<int>(exact.fate))};
                             };
                             look(in_double, a.delay, 1), look(in_float, b.delay, 1);
                             ++rays;
                         }
                 }
-    fmt::print("light times of {} rays about spinning holes: core64 off by at most {:.1e} of them or r_s ({}),\n  core32 {:.1e} ({})\n", rays, in_double.off, in_double.where, in_float.off, in_float.where);
-    constexpr double kSteps = 1e-4, kFloat = 3e-4;   // quadrature at the steps of the ray's own sixth order; and a float's bits of the logarithms
+    fmt::print(
+        "light times of {} rays about spinning holes: core64 off by at most {:.1e} of them or r_s ({}),\n  core32 "
+        "{:.1e} ({})\n",
+        rays, in_double.off, in_double.where, in_float.off, in_float.where);
+    constexpr double
+        kSteps = 1e-4,
+        kFloat = 3e-4;  // quadrature at the steps of the ray's own sixth order; and a float's bits of the logarithms
     CHECK(rays > 10000);
     CHECK(in_double.off < kSteps);
     CHECK(in_float.off < kFloat);

@@ -24,8 +24,8 @@ double edge(const Escapes& escapes, double inside, double outside) {
 }
 
 TEST_CASE("kerr edge: rays further than a microradian from it end as the reference's") {
-    constexpr double kInDouble = 1e-6;   // rad: what is promised
-    constexpr double kInFloat = 8e-6;    // what rounding of the ray's constants makes of it next to the greatest spin
+    constexpr double kInDouble = 1e-6;  // rad: what is promised
+    constexpr double kInFloat = 8e-6;   // what rounding of the ray's constants makes of it next to the greatest spin
     constexpr int kMostSteps = 64, kWidth = 1920, kHeight = 1080;
     double in_double = 0, in_float = 0;
     int edges = 0, steps = 0;
@@ -45,18 +45,29 @@ TEST_CASE("kerr edge: rays further than a microradian from it end as the referen
                 for (const double y : {540.0, 450.0, 380.0})
                     for (const double side : {-1.0, 1.0}) {
                         const auto true_one = [&](double x) { return tracer.ray(x, y).fate() == Fate::kEscaped; };
-                        const auto core = [&](auto trace) { return [&, trace](double x) { return trace(input, x - 0.5 * kWidth, 0.5 * kHeight - y).fate == Fate::kEscaped; }; };
+                        const auto core = [&](auto trace) {
+                            return [&, trace](double x) {
+                                return trace(input, x - 0.5 * kWidth, 0.5 * kHeight - y).fate == Fate::kEscaped;
+                            };
+                        };
                         const double inside = 0.5 * kWidth + side * 60, outside = 0.5 * kWidth + side * 955;
-                        if (true_one(inside) || !true_one(outside)) continue;   // the shadow is wider than the frame, or elsewhere
+                        if (true_one(inside) || !true_one(outside))
+                            continue;  // the shadow is wider than the frame, or elsewhere
                         const double at = edge(true_one, inside, outside);
-                        in_double = std::max(in_double, pixel * std::fabs(edge(core(trace_core64), inside, outside) - at));
-                        in_float = std::max(in_float, pixel * std::fabs(edge(core(trace_core32), inside, outside) - at));
+                        in_double =
+                            std::max(in_double, pixel * std::fabs(edge(core(trace_core64), inside, outside) - at));
+                        in_float =
+                            std::max(in_float, pixel * std::fabs(edge(core(trace_core32), inside, outside) - at));
                         for (const double further : {1e-6, 1e-5, 1e-4})
-                            steps = std::max(steps, trace_core64(input, at + side * further / pixel - 0.5 * kWidth, 0.5 * kHeight - y).steps);
+                            steps = std::max(steps, trace_core64(input, at + side * further / pixel - 0.5 * kWidth,
+                                                                 0.5 * kHeight - y)
+                                                        .steps);
                         ++edges;
                     }
             }
-    fmt::print("{} edges: core64 off by at most {:.1e} rad, core32 {:.1e} rad; next to them rays take at most {} steps\n", edges, in_double, in_float, steps);
+    fmt::print(
+        "{} edges: core64 off by at most {:.1e} rad, core32 {:.1e} rad; next to them rays take at most {} steps\n",
+        edges, in_double, in_float, steps);
     CHECK(edges > 60);
     CHECK(in_double <= kInDouble);
     CHECK(in_float <= kInFloat);

@@ -15,7 +15,7 @@ using namespace nullscope;
 constexpr double kInner = 1, kOuter = 30;
 
 struct Met {
-    int number = 0;   // of the ray's crossings, the first with the disc
+    int number = 0;  // of the ray's crossings, the first with the disc
     Vec3 place;
 };
 
@@ -30,7 +30,7 @@ Met met_by(const reference::FrameTracer& tracer, double x, double y) {
 TEST_CASE("kerr images: of any order") {
     constexpr double kMoves = 1e-3;     // of a pixel: where the image of a place may be
     constexpr double kFromEdge = 0.03;  // px, 1e-6 rad: closer to the shadow's edge 64 steps need not do
-    Scene scene;   // the side that turns towards the camera, where an image is not much thinner than the one before
+    Scene scene;  // the side that turns towards the camera, where an image is not much thinner than the one before
     scene.spacetime = {"kerr", {{"spin", 0.998}}};
     CameraSpec& camera = scene.camera;
     camera.r = 10, camera.theta = 1.536, camera.yaw = -0.1016, camera.observer = ObserverKind::kZamo;
@@ -42,18 +42,23 @@ TEST_CASE("kerr images: of any order") {
     const auto tracer = *reference::FrameTracer::make(scene);
     int late = 0, latest = 0, missed = 0;
     double worst = 0;
-    for (int i = 0; i < 4000; ++i) {   // across the edge, some hundredths of a pixel apart
+    for (int i = 0; i < 4000; ++i) {  // across the edge, some hundredths of a pixel apart
         const double x = 90 + 0.004 * i, y = 5.5;
         const Met met = met_by(tracer, x, y);
-        if (met.number < 5 || tracer.ray(x + kFromEdge, y).fate() == Fate::kCaptured || tracer.ray(x - kFromEdge, y).fate() == Fate::kCaptured) continue;
+        if (met.number < 5 || tracer.ray(x + kFromEdge, y).fate() == Fate::kCaptured ||
+            tracer.ray(x - kFromEdge, y).fate() == Fate::kCaptured)
+            continue;
         ++late, latest = std::max(latest, met.number);
-        const RayPixel drawn = trace_core64(input, x - 0.5 * camera.width, 0.5 * camera.height - y);   // from the centre, upward
+        const RayPixel drawn =
+            trace_core64(input, x - 0.5 * camera.width, 0.5 * camera.height - y);  // from the centre, upward
         missed += drawn.fate != Fate::kHit;
         const Met beside = met_by(tracer, x + 1e-6, y);
         if (beside.number != met.number) continue;
-        worst = std::max(worst, length(Vec3{drawn.u, drawn.v, drawn.w} - met.place) / (1e6 * length(beside.place - met.place)));
+        worst = std::max(
+            worst, length(Vec3{drawn.u, drawn.v, drawn.w} - met.place) / (1e6 * length(beside.place - met.place)));
     }
-    fmt::print("{} rays meet the disc at their fifth crossing or later, up to the {}th: {} missed, place {:.1e} px\n", late, latest, missed, worst);
+    fmt::print("{} rays meet the disc at their fifth crossing or later, up to the {}th: {} missed, place {:.1e} px\n",
+               late, latest, missed, worst);
     CHECK(missed == 0);
     CHECK(late > 50);
     CHECK(latest >= 5);

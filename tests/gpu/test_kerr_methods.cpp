@@ -9,8 +9,8 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr int kCap = 64;                 // SPIN_MOST_STEPS
-constexpr double kRefineAbove_px = 1e-5; // below every error here
+constexpr int kCap = 64;                  // SPIN_MOST_STEPS
+constexpr double kRefineAbove_px = 1e-5;  // below every error here
 
 Scene view(double r, double theta, double yaw) {
     Scene scene;
@@ -24,7 +24,9 @@ Scene view(double r, double theta, double yaw) {
 }
 
 Scene far_view() { return view(8, 1.4, 0); }
-Scene near_view() { return view(0.7323, 1.0, 2.4); }   // 1.02 radii of the horizon, outward: no view of sixth order is further above rounding
+Scene near_view() {
+    return view(0.7323, 1.0, 2.4);
+}  // 1.02 radii of the horizon, outward: no view of sixth order is further above rounding
 
 RayFrame rays_by(GpuSession& session, const Scene& scene, const char* name) {
     session.renderer->set_method(*parse_method(name));
@@ -34,31 +36,36 @@ RayFrame rays_by(GpuSession& session, const Scene& scene, const char* name) {
 struct Fall {
     const char *name, *half;
     bool near;
-    double p999, median;   // at least this many times smaller
+    double p999, median;  // at least this many times smaller
 };
 
-TEST_CASE("kerr methods: half the step lowers the errors by the order's power, and none of the default's rays reaches the cap") {
+TEST_CASE(
+    "kerr methods: half the step lowers the errors by the order's power, and none of the default's rays reaches the "
+    "cap") {
     // 2^4 = 16 where fourth order alone is at work, 15.0 measured; third would give 8. 2^6 = 64 of sixth, 52 measured in the median, fifth would
     // give 32; its 99.9th percentile meets float's rounding on the way, and falls 13 times.
     const Fall falls[] = {{"mino:4:0.6", "mino:4:0.3", false, 12, 12}, {"mino:6:0.9", "mino:6:0.45", true, 8, 36}};
     on_every_context([&](GpuSession& session) {
-        if (session.context->kind() == std::string("osmesa")) return;   // the same driver
+        if (session.context->kind() == std::string("osmesa")) return;  // the same driver
         for (const Fall& fall : falls) {
             const Scene scene = fall.near ? near_view() : far_view();
             const auto errors = [&](const char* name) {
-                const RayMeasures m = measure_rays(rays_by(session, scene, name), scene.camera, reference_trace(scene), 1, kRefineAbove_px);
+                const RayMeasures m = measure_rays(rays_by(session, scene, name), scene.camera, reference_trace(scene),
+                                                   1, kRefineAbove_px);
                 CHECK(m.fate_errors == 0);
                 CHECK(m.not_finite == 0);
                 return m.sky_px;
             };
             const Spread whole = errors(fall.name), half = errors(fall.half);
-            fmt::print("{} {} px, {} {} px: {:.1f} times at the 99.9th percentile, {:.1f} in the median\n", fall.name, spread_text(whole), fall.half, spread_text(half), whole.p999 / half.p999, whole.median / half.median);
+            fmt::print("{} {} px, {} {} px: {:.1f} times at the 99.9th percentile, {:.1f} in the median\n", fall.name,
+                       spread_text(whole), fall.half, spread_text(half), whole.p999 / half.p999,
+                       whole.median / half.median);
             CHECK(whole.p999 >= fall.p999 * half.p999);
             CHECK(whole.median >= fall.median * half.median);
         }
         for (const Scene& scene : {far_view(), near_view(), view(1000, 1.2, 0), view(2, 1.2, 0.7)}) {
             const RayFrame rays = rays_by(session, scene, "mino"), usual = rays_by(session, scene, "strip");
-            CHECK(mark_of(rays) == mark_of(usual));   // auto's
+            CHECK(mark_of(rays) == mark_of(usual));  // auto's
             int most = 0;
             for (const RayPixel& pixel : rays.pixels) most = std::max(most, pixel.steps);
             fmt::print("r = {}: {} steps at most\n", scene.camera.r, most);
@@ -81,7 +88,8 @@ TEST_CASE("kerr methods: what a scene cannot have is refused") {
         disc.disc.emplace(), ball.ball.emplace();
         for (const char* name : {"mino:4", "kerr-schild:0.1", "table", "strip:cubic"})
             for (const Scene& scene : {disc, ball}) refused(scene, name, "allowed: auto, mino");
-        for (const char* name : {"mino", "mino:4", "kerr-schild:0.1"}) refused(Scene{}, name, "for spinning holes only");
+        for (const char* name : {"mino", "mino:4", "kerr-schild:0.1"})
+            refused(Scene{}, name, "for spinning holes only");
         session.renderer->set_method(*parse_method("mino:6:0.5"));
         CHECK(session.renderer->prepare(disc));
     });

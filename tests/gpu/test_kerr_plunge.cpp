@@ -13,25 +13,26 @@ using namespace nullscope;
 using namespace nullscope::test;
 
 constexpr int kWidth = 24, kHeight = 14;
-constexpr double kWinds = 0.1;   // rad a step: rays that wind turn their sky by more, and nothing follows
+constexpr double kWinds = 0.1;  // rad a step: rays that wind turn their sky by more, and nothing follows
 // What a step may add to the reference's: twice the error of a direction, float and steps of a tenth of a pixel of 1080p at most, where the
 // sky turns ten times as fast as the pixel.
 constexpr double kJump = 2e-4;
-constexpr double kRays_px = 0.05;   // px of 1080p
+constexpr double kRays_px = 0.05;  // px of 1080p
 
 struct Jumps {
-    double most = 0;   // of OpenGL's directions in a step beyond the reference's, rad
+    double most = 0;  // of OpenGL's directions in a step beyond the reference's, rad
     int fates = 0, judged = 0, not_finite = 0;
 };
 
-void judge(const RayFrame& gl_before, const RayFrame& gl, const RayFrame& exact_before, const RayFrame& exact, Jumps& jumps) {
+void judge(const RayFrame& gl_before, const RayFrame& gl, const RayFrame& exact_before, const RayFrame& exact,
+           Jumps& jumps) {
     for (std::size_t i = 0; i < gl.pixels.size(); ++i) {
         const RayPixel& p = gl.pixels[i];
         jumps.not_finite += !std::isfinite(p.sky.x + p.sky.y + p.sky.z + p.g + p.u + p.v);
         jumps.fates += p.fate != exact.pixels[i].fate;
         if (gl_before.pixels.empty()) continue;
-        const bool sky = p.fate == Fate::kEscaped && exact.pixels[i].fate == Fate::kEscaped && gl_before.pixels[i].fate == Fate::kEscaped &&
-                         exact_before.pixels[i].fate == Fate::kEscaped;
+        const bool sky = p.fate == Fate::kEscaped && exact.pixels[i].fate == Fate::kEscaped &&
+                         gl_before.pixels[i].fate == Fate::kEscaped && exact_before.pixels[i].fate == Fate::kEscaped;
         if (!sky) continue;
         const double step = angle_between(exact.pixels[i].sky, exact_before.pixels[i].sky);
         if (step > kWinds) continue;
@@ -44,14 +45,17 @@ Scene plunging(bool disc) {
     Scene scene = *load_scene("kerr-plunge");
     scene.camera.width = kWidth, scene.camera.height = kHeight;
     scene.sky.kind = SkyKind::kBlack;
-    if (!disc) scene.disc.reset();
-    else scene.disc->opacity = 1, scene.disc->edge = 0;
+    if (!disc)
+        scene.disc.reset();
+    else
+        scene.disc->opacity = 1, scene.disc->edge = 0;
     return scene;
 }
 
-TEST_CASE("kerr plunge: round and through the horizon no ray jumps by more than the reference's, and none has another fate") {
+TEST_CASE(
+    "kerr plunge: round and through the horizon no ray jumps by more than the reference's, and none has another fate") {
     on_every_context([](GpuSession& session) {
-        if (session.context->kind() == std::string("osmesa")) return;   // the same driver
+        if (session.context->kind() == std::string("osmesa")) return;  // the same driver
         Scene scene = plunging(false);
         const auto path = CameraPath::make(scene);
         REQUIRE(path);
@@ -70,8 +74,10 @@ TEST_CASE("kerr plunge: round and through the horizon no ray jumps by more than 
                 judge(gl_before, gl, exact_before, exact, jumps);
                 gl_before = std::move(gl), exact_before = std::move(exact);
             }
-            fmt::print("frames {:.4f} to {:.4f}{}: {} directions, largest jump beyond the reference's {:.1e} rad, other fates {}\n", from, to, disc ? " with the disc" : "",
-                       jumps.judged, jumps.most, jumps.fates);
+            fmt::print(
+                "frames {:.4f} to {:.4f}{}: {} directions, largest jump beyond the reference's {:.1e} rad, other fates "
+                "{}\n",
+                from, to, disc ? " with the disc" : "", jumps.judged, jumps.most, jumps.fates);
             CHECK(jumps.fates == 0);
             CHECK(jumps.not_finite == 0);
             return jumps;
@@ -95,7 +101,7 @@ TEST_CASE("kerr plunge: round and through the horizon no ray jumps by more than 
 
 TEST_CASE("kerr plunge: stations outside, on and inside the horizon are the reference's, disc and all") {
     on_every_context([](GpuSession& session) {
-        if (session.context->kind() == std::string("osmesa")) return;   // the same driver
+        if (session.context->kind() == std::string("osmesa")) return;  // the same driver
         const auto path = CameraPath::make(*load_scene("kerr-plunge"));
         REQUIRE(path);
         for (const double frame : {0.0, 120.0, 300.0, 339.0, 341.0, 350.0, 357.0})
@@ -105,8 +111,11 @@ TEST_CASE("kerr plunge: stations outside, on and inside the horizon are the refe
                 scene.camera.width = 96, scene.camera.height = 54;
                 const double finer = 1920.0 / scene.camera.width;
                 const RayMeasures m = measure_rays(gl_ray_data(session, scene), scene.camera, reference_trace(scene));
-                fmt::print("frame {:<4} r = {:.5f} {:<5}: sky {:.4f}, disc {:.4f}, g {:.4f} px of 1080p; fate errors {}, skies {}\n", frame, scene.camera.r, disc ? "disc" : "sky",
-                           m.sky_px.max * finer, m.place_px.max * finer, m.g_px.max * finer, m.fate_errors, m.sky_px.count);
+                fmt::print(
+                    "frame {:<4} r = {:.5f} {:<5}: sky {:.4f}, disc {:.4f}, g {:.4f} px of 1080p; fate errors {}, "
+                    "skies {}\n",
+                    frame, scene.camera.r, disc ? "disc" : "sky", m.sky_px.max * finer, m.place_px.max * finer,
+                    m.g_px.max * finer, m.fate_errors, m.sky_px.count);
                 // With the disc a lone pixel of sky may have no neighbours that tell how fast it moves: directions are those without it.
                 if (!disc) CHECK(m.sky_px.max * finer <= kRays_px);
                 CHECK(m.place_px.max * finer <= kRays_px);

@@ -13,13 +13,15 @@ using namespace nullscope;
 using namespace nullscope::test;
 
 constexpr int kWidth = 256, kHeight = 144;
-constexpr double kRefineAbove_px = 1e-4;   // far below every bound here
+constexpr double kRefineAbove_px = 1e-4;  // far below every bound here
 
 Scene random_camera(std::mt19937& random) {
-    const auto uniform = [&](double low, double high) { return low + (high - low) * (static_cast<double>(random()) / 4294967296.0); };
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+    };
     Scene scene;
     scene.sky.kind = SkyKind::kBlack;
-    scene.camera.r = 1.0 + 0.01 * std::pow(1e5, uniform(0, 1));   // 1.01 to 1000
+    scene.camera.r = 1.0 + 0.01 * std::pow(1e5, uniform(0, 1));  // 1.01 to 1000
     scene.camera.theta = std::acos(uniform(-1, 1));
     scene.camera.yaw = uniform(-M_PI, M_PI);
     scene.camera.pitch = uniform(-1, 1);
@@ -38,15 +40,17 @@ Scene random_camera(std::mt19937& random) {
 
 double worst_error(GpuSession& session, const Scene& scene, const Method& method, long long& fate_errors) {
     session.renderer->set_method(method);
-    const RayMeasures m = measure_rays(gl_ray_data(session, scene), scene.camera, reference_trace(scene), 1, kRefineAbove_px);
+    const RayMeasures m =
+        measure_rays(gl_ray_data(session, scene), scene.camera, reference_trace(scene), 1, kRefineAbove_px);
     fate_errors += m.fate_errors + m.not_finite;
     return std::fmax(m.sky_px.max, m.place_px.max);
 }
 
-TEST_CASE("methods: auto keeps what it promises, for many cameras and 1, 0.1 and 0.02 px, with and without the default") {
+TEST_CASE(
+    "methods: auto keeps what it promises, for many cameras and 1, 0.1 and 0.02 px, with and without the default") {
     const auto measured = load_frontier(assets_directory() / "frontier.csv");
     REQUIRE(measured);
-    std::vector<MeasuredMethod> others;   // so that the choice is not always the same
+    std::vector<MeasuredMethod> others;  // so that the choice is not always the same
     for (const MeasuredMethod& m : *measured)
         if (m.method.kind != MethodKind::kStrip) others.push_back(m);
     auto session = open_gpu("egl");
@@ -100,7 +104,8 @@ TEST_CASE("methods: hardware filtering with weights of 8 bits, emulated") {
     const auto spacetime = *make_spacetime("schwarzschild", {});
     const DeflectionTable table(*spacetime);
     constexpr int kSize = 512;
-    constexpr double kBound_rad = 3e-5;   // measured 2.4e-5: half a 256th of the step of R between nodes, and the bilinear error
+    constexpr double kBound_rad =
+        3e-5;  // measured 2.4e-5: half a 256th of the step of R between nodes, and the bilinear error
     double worst = 0;
     std::mt19937 random(8);
     const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
@@ -110,10 +115,13 @@ TEST_CASE("methods: hardware filtering with weights of 8 bits, emulated") {
         const double f = std::round((x - ix) * 256) / 256, g = std::round((y - iy) * 256) / 256;
         for (const bool turning : {true, false}) {
             const auto at = [&](int a, int b) {
-                return turning ? table.turning_remainder(a / double(kSize), b / double(kSize)) : table.through_remainder(a / double(kSize), b / double(kSize));
+                return turning ? table.turning_remainder(a / double(kSize), b / double(kSize))
+                               : table.through_remainder(a / double(kSize), b / double(kSize));
             };
-            const double filtered = (1 - g) * ((1 - f) * at(ix, iy) + f * at(ix + 1, iy)) + g * ((1 - f) * at(ix, iy + 1) + f * at(ix + 1, iy + 1));
-            const double exact = turning ? table.turning_remainder(x / kSize, y / kSize) : table.through_remainder(x / kSize, y / kSize);
+            const double filtered = (1 - g) * ((1 - f) * at(ix, iy) + f * at(ix + 1, iy)) +
+                                    g * ((1 - f) * at(ix, iy + 1) + f * at(ix + 1, iy + 1));
+            const double exact =
+                turning ? table.turning_remainder(x / kSize, y / kSize) : table.through_remainder(x / kSize, y / kSize);
             worst = std::fmax(worst, std::fabs(filtered - exact));
         }
     }
@@ -132,7 +140,7 @@ TEST_CASE("methods: a bound that tells nothing is not told") {
     CHECK(reason_at(1.0).find("asked: 0.05") != std::string::npos);
     CHECK(reason_at(0.01).find("px are sure here, not the usual 0.05") != std::string::npos);
     scene.camera.r = 1e9;
-    const std::string deep = reason_at(2e-8);   // filled by the hole
+    const std::string deep = reason_at(2e-8);  // filled by the hole
     CHECK(deep.find("not measured for pixels as small as these (1.6e-11 rad)") != std::string::npos);
     CHECK(deep.find("px") == std::string::npos);
 }

@@ -105,7 +105,8 @@ TEST_CASE("an effect that is off has no texture, and gives it back when it goes 
                 const auto less = without_effect(full, effect);
                 if (!less) continue;
                 REQUIRE(session.renderer->prepare(*less));
-                CHECK(joined(textures_of(*session.renderer)) == joined(textures_for(effect_set(required_effects(*less)), *less)));
+                CHECK(joined(textures_of(*session.renderer)) ==
+                      joined(textures_for(effect_set(required_effects(*less)), *less)));
             }
         }
         CHECK(seen.size() == kEffectCount);
@@ -121,10 +122,11 @@ double ratio_to_lone_sky(GpuSession& session, Scene scene, bool& same) {
     REQUIRE(renderer.prepare(scene));
     const auto frozen = read_text(data_folder() / "gpu" / "lone_sky.frag");
     REQUIRE(frozen);
-    const ShaderSource source = shader_source(Stage::kPicture, {Effect::kLensing, Effect::kSky}, Output::kDisplay, {}, "schwarzschild", {});
+    const ShaderSource source =
+        shader_source(Stage::kPicture, {Effect::kLensing, Effect::kSky}, Output::kDisplay, {}, "schwarzschild", {});
     const gl::Program lone = gl::make_program(source.vertex, *frozen);
     gl::bind_uniform_block(lone, "FrameBlock", 0);
-    gl::bind_sampler(lone, "strip_texture", 0);   // Renderer's units
+    gl::bind_sampler(lone, "strip_texture", 0);  // Renderer's units
     gl::bind_sampler(lone, "sky_texture", 2);
     const gl::VertexArray empty = gl::make_vertex_array();
     const gl::Target target = gl::make_target(kWidth, kHeight, gl::Format::kRgba8);
@@ -137,15 +139,15 @@ double ratio_to_lone_sky(GpuSession& session, Scene scene, bool& same) {
     gl::read_rgba8(target, b.data());
     same = a == b;
     const test::PairedCost cost = test::paired_cost(pairs, with_renderer, with_frozen);
-    fmt::print("{}: {:.4f} core-s, the lone sky {:.4f}, means of {}: median ratio {:.4f}\n", session.context->kind(), cost.first_s, cost.second_s,
-               pairs, cost.ratio);
+    fmt::print("{}: {:.4f} core-s, the lone sky {:.4f}, means of {}: median ratio {:.4f}\n", session.context->kind(),
+               cost.first_s, cost.second_s, pairs, cost.ratio);
     return cost.ratio;
 }
 
 // lone_sky.frag is the shader of scene sky-only as a build would have it that never knew any other effect, written out once and kept.
 // Where the sky's own code changes it is written anew (nullscope capture sky-only --dump-shader, with a look at what came in).
 TEST_CASE("a sky alone costs what it costs where there is nothing else") {
-    static constexpr double kMost = 1.03;   // issue: "ratio at most 1.03 in one run"
+    static constexpr double kMost = 1.03;  // issue: "ratio at most 1.03 in one run"
     on_every_context([](GpuSession& session) {
         Scene sky;
         bool same = false;
@@ -153,7 +155,7 @@ TEST_CASE("a sky alone costs what it costs where there is nothing else") {
         CHECK_MESSAGE(same, "the frozen shader draws another picture: write it anew");
         CHECK(ratio <= kMost);
         CHECK(ratio >= 1 / kMost);
-        Scene more = sky;   // that the check can fail
+        Scene more = sky;  // that the check can fail
         more.disc.emplace();
         CHECK(ratio_to_lone_sky(session, more, same) > kMost);
     });

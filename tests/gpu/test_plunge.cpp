@@ -27,20 +27,23 @@ Scene falling_at(double r, bool disc) {
 }
 
 struct Jumps {
-    double most = 0;         // what OpenGL's directions change by in a step beyond what the reference's do, rad
-    int fates = 0;           // pixels of another fate
+    double most = 0;  // what OpenGL's directions change by in a step beyond what the reference's do, rad
+    int fates = 0;    // pixels of another fate
     int judged = 0, skies = 0;
 };
 
 // Rays that wind: a step of the camera turns their sky by more than this, and nothing follows.
 constexpr double kWinds = 0.1;
 
-void judge(const RayFrame& gl_before, const RayFrame& gl, const RayFrame& exact_before, const RayFrame& exact, Jumps& jumps) {
+void judge(const RayFrame& gl_before, const RayFrame& gl, const RayFrame& exact_before, const RayFrame& exact,
+           Jumps& jumps) {
     for (std::size_t i = 0; i < gl.pixels.size(); ++i) {
         jumps.fates += gl.pixels[i].fate != exact.pixels[i].fate;
         if (gl.pixels[i].fate != Fate::kEscaped || exact.pixels[i].fate != Fate::kEscaped) continue;
         ++jumps.skies;
-        if (gl_before.pixels.empty() || gl_before.pixels[i].fate != Fate::kEscaped || exact_before.pixels[i].fate != Fate::kEscaped) continue;
+        if (gl_before.pixels.empty() || gl_before.pixels[i].fate != Fate::kEscaped ||
+            exact_before.pixels[i].fate != Fate::kEscaped)
+            continue;
         const double step = angle_between(exact.pixels[i].sky, exact_before.pixels[i].sky);
         if (step > kWinds) continue;
         ++jumps.judged;
@@ -50,7 +53,7 @@ void judge(const RayFrame& gl_before, const RayFrame& gl, const RayFrame& exact_
 
 // What a step may add: twice the error of a direction, float and straight lines (docs/accuracy.md: 2e-6 rad), where the sky turns ten times
 // as fast as the pixel.
-constexpr double kJump = 4e-5;   // measured 1e-5
+constexpr double kJump = 4e-5;  // measured 1e-5
 
 TEST_CASE("plunge: from 3 r_s to 0.01 r_s no ray jumps by more than the reference's, and none has another fate") {
     on_every_context([](GpuSession& session) {
@@ -61,12 +64,13 @@ TEST_CASE("plunge: from 3 r_s to 0.01 r_s no ray jumps by more than the referenc
             for (int i = 0; i <= steps; i += disc ? 10 : 1) {
                 const Scene scene = falling_at(3.0 * std::pow(0.01 / 3.0, static_cast<double>(i) / steps), disc);
                 RayFrame gl = gl_ray_data(session, scene), exact = reference_frame(scene);
-                if (disc) gl_before.pixels.clear();   // ten steps at once: only fates
+                if (disc) gl_before.pixels.clear();  // ten steps at once: only fates
                 judge(gl_before, gl, exact_before, exact, jumps);
                 gl_before = std::move(gl), exact_before = std::move(exact);
             }
-            fmt::print("{:<7} {}{} steps: {} directions, largest jump beyond the reference's {:.1e} rad; other fates {}\n", session.context->kind(),
-                       disc ? "with a disc, " : "", steps, jumps.judged, jumps.most, jumps.fates);
+            fmt::print(
+                "{:<7} {}{} steps: {} directions, largest jump beyond the reference's {:.1e} rad; other fates {}\n",
+                session.context->kind(), disc ? "with a disc, " : "", steps, jumps.judged, jumps.most, jumps.fates);
             CHECK(jumps.most < kJump);
             CHECK(jumps.fates == 0);
             CHECK(jumps.skies > 50 * steps / (disc ? 20 : 1));
@@ -74,14 +78,15 @@ TEST_CASE("plunge: from 3 r_s to 0.01 r_s no ray jumps by more than the referenc
         // That it can fail: the frame of another radius.
         Jumps planted;
         const Scene here = falling_at(1.0, false), there = falling_at(1.001, false);
-        judge(gl_ray_data(session, there), gl_ray_data(session, here), reference_frame(here), reference_frame(here), planted);
+        judge(gl_ray_data(session, there), gl_ray_data(session, here), reference_frame(here), reference_frame(here),
+              planted);
         CHECK(planted.most > kJump);
     });
 }
 
 // The edge of the shadow on a row of pixels through the picture's middle, in px from it; the camera looks at where it should be.
 double edge_off_px(GpuSession& session, double r, double half_angle) {
-    constexpr double kPixel_rad = 60.0 / 3840 * M_PI / 180;   // 4K over 60 degrees
+    constexpr double kPixel_rad = 60.0 / 3840 * M_PI / 180;  // 4K over 60 degrees
     constexpr int kColumns = 401;
     constexpr double kWidth_px = 0.04;
     Scene scene;
@@ -103,9 +108,11 @@ double edge_off_px(GpuSession& session, double r, double half_angle) {
 TEST_CASE("plunge: the shadow of the rain observer to 0.01 px of a 4K frame") {
     static constexpr double kPromised_px = 0.01;
     on_every_context([](GpuSession& session) {
-        for (const auto& [r, degrees] : {std::pair{1.5, 35.2643896828}, {1.0, 42.1034488707}, {0.5, 53.2702658035}, {0.05, 77.3257155812}}) {
+        for (const auto& [r, degrees] :
+             {std::pair{1.5, 35.2643896828}, {1.0, 42.1034488707}, {0.5, 53.2702658035}, {0.05, 77.3257155812}}) {
             const double off = edge_off_px(session, r, degrees * M_PI / 180);
-            fmt::print("{:<7} r {:<5} half-angle {} deg, edge off by {:.5f} px at most\n", session.context->kind(), r, degrees, off);
+            fmt::print("{:<7} r {:<5} half-angle {} deg, edge off by {:.5f} px at most\n", session.context->kind(), r,
+                       degrees, off);
             CHECK(off <= kPromised_px);
         }
         CHECK(edge_off_px(session, 1.0, (42.1034488707 + 1e-5) * M_PI / 180) > kPromised_px * 0.05);

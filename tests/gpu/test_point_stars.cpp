@@ -35,12 +35,13 @@ Scene star_scene(double r, int stars, double magnitude, int width, int height, d
 double light_about(const Image<float>& picture, double x, double y, int reach) {
     double sum = 0;
     for (int row = static_cast<int>(y) - reach; row <= static_cast<int>(y) + reach; ++row)
-        for (int column = static_cast<int>(x) - reach; column <= static_cast<int>(x) + reach; ++column) sum += picture.at(column, row)[1];
+        for (int column = static_cast<int>(x) - reach; column <= static_cast<int>(x) + reach; ++column)
+            sum += picture.at(column, row)[1];
     return sum;
 }
 
 TEST_CASE("point stars: the light of 200 images is the reference's by the Jacobian of its rays") {
-    constexpr double kTolerance = 0.01;   // what the project promises; reached: see the line printed
+    constexpr double kTolerance = 0.01;  // what the project promises; reached: see the line printed
     constexpr int kReach = 5, kImages = 200;
     on_every_context([&](GpuSession& session) {
         std::mt19937 random(7);
@@ -53,8 +54,9 @@ TEST_CASE("point stars: the light of 200 images is the reference's by the Jacobi
             scene.camera.phi = 360 * kDegree * unit(random);
             scene.camera.yaw = 30 * kDegree * (unit(random) - 0.5);
             scene.sky.yaw = 6.0 * unit(random);
-            if (view % 2 == 1) scene.camera.velocity = {0.6 * unit(random) - 0.3, 0.5 * unit(random), -0.4 * unit(random)};
-            scene.light.aberration = view % 8 != 3;   // of those that move, some without a part
+            if (view % 2 == 1)
+                scene.camera.velocity = {0.6 * unit(random) - 0.3, 0.5 * unit(random), -0.4 * unit(random)};
+            scene.light.aberration = view % 8 != 3;  // of those that move, some without a part
             scene.light.doppler = view % 8 != 5;
             scene.light.gravity = view % 8 != 7;
             REQUIRE(session.renderer->prepare(scene));
@@ -76,9 +78,11 @@ TEST_CASE("point stars: the light of 200 images is the reference's by the Jacobi
             for (const Expected& one : all) {
                 const double x = one.image.x, y = one.image.y;
                 if (x < kReach + 1 || y < kReach + 1 || x > 320 - kReach - 1 || y > 240 - kReach - 1) continue;
-                bool alone = one.light > 0.5;   // bright enough that what is cut off is below the tolerance
+                bool alone = one.light > 0.5;  // bright enough that what is cut off is below the tolerance
                 for (const Expected& other : all)
-                    if (&other != &one) alone = alone && (std::abs(other.image.x - x) > 2 * kReach + 2 || std::abs(other.image.y - y) > 2 * kReach + 2);
+                    if (&other != &one)
+                        alone = alone && (std::abs(other.image.x - x) > 2 * kReach + 2 ||
+                                          std::abs(other.image.y - y) > 2 * kReach + 2);
                 // 0.1 px from the Einstein ring: there light grows as 1/distance, which half a pixel of the point spread does not show.
                 if (!alone || one.light > 1e5 || found >= kImages || (one.image.order == 0 && ++here > 8)) continue;
                 const double error = std::abs(light_about(picture, x, y, kReach) / one.light - 1);
@@ -95,7 +99,8 @@ TEST_CASE("point stars: the light of 200 images is the reference's by the Jacobi
         }
         CHECK(found == kImages);
         CHECK(indirect >= 20);
-        fmt::print("{} images, {} of them not the first, light within {:.2g} of the reference's\n", found, indirect, worst);
+        fmt::print("{} images, {} of them not the first, light within {:.2g} of the reference's\n", found, indirect,
+                   worst);
     });
 }
 
@@ -122,7 +127,7 @@ TEST_CASE("point stars: of a million stars all over the sky a hole leaves g^4 (1
     on_every_context([&](GpuSession& session) {
         Scene scene = star_scene(50.0, 1000000, 2.0, 512, 512, 90 * kDegree);
         scene.camera.theta = 80 * kDegree;
-        scene.light.shift = false;   // green light then is power by a fixed factor
+        scene.light.shift = false;  // green light then is power by a fixed factor
         scene.light.bolometric = true;
         const double curved = sky_light(*session.renderer, scene);
         scene.spacetime.metric = "minkowski";
@@ -145,7 +150,7 @@ TEST_CASE("point stars: no blinking in 60 frames of a slow pan") {
         double worst = 0;
         int followed = 0;
         for (int frame = 0; frame < 60; ++frame) {
-            scene.camera.yaw = 0.037 * kDegree * frame;   // a fifth of a pixel
+            scene.camera.yaw = 0.037 * kDegree * frame;  // a fifth of a pixel
             scene.camera.pitch = 0.011 * kDegree * frame;
             REQUIRE(session.renderer->prepare(scene));
             const Image<float> picture = session.renderer->picture();

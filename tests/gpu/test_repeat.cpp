@@ -99,7 +99,7 @@ TEST_CASE("repeat: a picture does not depend on what was drawn before it") {
         large.camera.width = 1920;
         large.camera.height = 1080;
         const Drawn before = draw(session, scene);
-        draw(session, large);   // calls for a finer sky
+        draw(session, large);  // calls for a finer sky
         check_same(before, draw(session, scene));
     });
 }

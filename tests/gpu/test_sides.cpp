@@ -17,32 +17,69 @@ struct Case {
     std::function<void(Scene&)> set;
 };
 
-void film(Scene& s, double length = 0.01, double width = 0.05) { s.spacetime = {"dneg-wormhole", {{"throat", 1.0}, {"length", length}, {"lensing_width", width}}}; }
+void film(Scene& s, double length = 0.01, double width = 0.05) {
+    s.spacetime = {"dneg-wormhole", {{"throat", 1.0}, {"length", length}, {"lensing_width", width}}};
+}
 void near_ball(Scene& s) { s.ball.emplace().position = {4, 2, -0.5}, s.ball->radius = 1; }
-void far_ball(Scene& s, Vec3 at = {-4, 1, 0.5}) { s.ball.emplace().position = at, s.ball->radius = 1.5, s.ball->far = true; }
-void far_ring(Scene& s) { s.cylinder.emplace().inner = 2, s.cylinder->outer = 4, s.cylinder->height = 0.3, s.cylinder->far = true; }
+void far_ball(Scene& s, Vec3 at = {-4, 1, 0.5}) {
+    s.ball.emplace().position = at, s.ball->radius = 1.5, s.ball->far = true;
+}
+void far_ring(Scene& s) {
+    s.cylinder.emplace().inner = 2, s.cylinder->outer = 4, s.cylinder->height = 0.3, s.cylinder->far = true;
+}
 
 const std::vector<Case>& cases() {
     static const std::vector<Case> all = {
         {"ellis: ball near", near_ball},
-        {"ellis: ball behind the throat, near", [](Scene& s) { s.ball.emplace().position = {-4, 0.3, 0}, s.ball->radius = 1.5; }},
+        {"ellis: ball behind the throat, near",
+         [](Scene& s) {
+             s.ball.emplace().position = {-4, 0.3, 0}, s.ball->radius = 1.5;
+         }},
         {"ellis: ball far, behind", [](Scene& s) { far_ball(s); }},
-        {"ellis: ball far, in front", [](Scene& s) { far_ball(s, {5, 1, 0}); }},
-        {"ellis: ball far, next to the throat", [](Scene& s) { far_ball(s, {-1.6, 0, 0.2}); }},
+        {"ellis: ball far, in front",
+         [](Scene& s) {
+             far_ball(s, {5, 1, 0});
+         }},
+        {"ellis: ball far, next to the throat",
+         [](Scene& s) {
+             far_ball(s, {-1.6, 0, 0.2});
+         }},
         {"ellis: ring far", far_ring},
-        {"ellis: ring near, ball far", [](Scene& s) { far_ball(s), s.cylinder.emplace().inner = 2, s.cylinder->outer = 3, s.cylinder->height = 0.2; }},
-        {"ellis: ball near, surface far", [](Scene& s) { near_ball(s), s.surface.emplace().shape = "length(x + 4, y, z) - 1.5", s.surface->bound = 6, s.surface->far = true; }},
+        {"ellis: ring near, ball far",
+         [](Scene& s) {
+             far_ball(s), s.cylinder.emplace().inner = 2, s.cylinder->outer = 3, s.cylinder->height = 0.2;
+         }},
+        {"ellis: ball near, surface far",
+         [](Scene& s) {
+             near_ball(s), s.surface.emplace().shape = "length(x + 4, y, z) - 1.5", s.surface->bound = 6,
+                           s.surface->far = true;
+         }},
         {"ellis: camera far, ball near", [](Scene& s) { near_ball(s), s.camera.r = -5, s.camera.yaw = M_PI; }},
-        {"ellis: camera in the throat, ball far", [](Scene& s) { far_ball(s, {5, 1, 0}), s.camera.r = 0; }},
+        {"ellis: camera in the throat, ball far",
+         [](Scene& s) {
+             far_ball(s, {5, 1, 0}), s.camera.r = 0;
+         }},
         {"ellis: camera in the throat, ball near", [](Scene& s) { near_ball(s), s.camera.r = 0, s.camera.yaw = M_PI; }},
-        {"ellis: ball far, fast camera", [](Scene& s) { far_ball(s), s.camera.velocity = {0.3, 0.2, 0.1}; }},
-        {"ellis: wide throat, ball far", [](Scene& s) { s.spacetime.parameters = {{"throat", 5.0}}, far_ball(s, {-12, 2, 1}), s.camera.r = 20; }},
+        {"ellis: ball far, fast camera",
+         [](Scene& s) {
+             far_ball(s), s.camera.velocity = {0.3, 0.2, 0.1};
+         }},
+        {"ellis: wide throat, ball far",
+         [](Scene& s) {
+             s.spacetime.parameters = {{"throat", 5.0}}, far_ball(s, {-12, 2, 1}), s.camera.r = 20;
+         }},
         {"film's: ball near", [](Scene& s) { film(s), near_ball(s); }},
         {"film's: ball far", [](Scene& s) { film(s), far_ball(s); }},
         {"film's: ring far, ball near", [](Scene& s) { film(s), near_ball(s), far_ring(s); }},
-        {"film's: camera in the tube, ball far", [](Scene& s) { film(s), far_ball(s, {5, 1, 0}), s.camera.r = 0.001; }},
+        {"film's: camera in the tube, ball far",
+         [](Scene& s) {
+             film(s), far_ball(s, {5, 1, 0}), s.camera.r = 0.001;
+         }},
         {"longest tube, widest lens: ball far", [](Scene& s) { film(s, 0.5, 2.0), far_ball(s); }},
-        {"no tube, narrowest lens: ball far", [](Scene& s) { film(s, 0, 0.02), far_ball(s, {5, 1, 0}), s.camera.r = 4; }},
+        {"no tube, narrowest lens: ball far",
+         [](Scene& s) {
+             film(s, 0, 0.02), far_ball(s, {5, 1, 0}), s.camera.r = 4;
+         }},
     };
     return all;
 }
@@ -62,12 +99,15 @@ TEST_CASE("sides: hits, places and fates are the reference's at every pixel") {
             scene.camera.width = 97;
             scene.camera.height = 55;
             c.set(scene);
-            if (scene.spacetime.metric != "ellis") scene.camera.width = 65, scene.camera.height = 37;   // the reference takes milliseconds a ray
+            if (scene.spacetime.metric != "ellis")
+                scene.camera.width = 65, scene.camera.height = 37;  // the reference takes milliseconds a ray
             const RayFrame frame = gl_ray_data(session, scene);
             if (measured.known(name, frame)) continue;
             const RayMeasures m = measure_rays(frame, scene.camera, reference_trace(scene));
-            fmt::print("{:<7} {:<40} screen {:.1e}, place {:.1e}, swept {:.1e} px; {} hits, fate errors {}, forgiven {}\n", session.context->kind(), c.name,
-                       m.sky_px.max, m.place_px.max, m.angle_px.max, m.place_px.count, m.fate_errors, m.forgiven);
+            fmt::print(
+                "{:<7} {:<40} screen {:.1e}, place {:.1e}, swept {:.1e} px; {} hits, fate errors {}, forgiven {}\n",
+                session.context->kind(), c.name, m.sky_px.max, m.place_px.max, m.angle_px.max, m.place_px.count,
+                m.fate_errors, m.forgiven);
             CHECK(m.not_finite == 0);
             CHECK(m.fate_errors == 0);
             CHECK(m.place_px.count > 0);

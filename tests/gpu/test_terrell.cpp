@@ -30,7 +30,7 @@ Scene passing_ball(Vec3 velocity) {
     scene.ball->position = {0, 2, 0.5};
     scene.ball->radius = 1.5;
     // The cone of the outline at rest, three of its directions as the camera sees them, and the axis of the cone through those.
-    const Vec3 to_ball = Vec3{0, 2, 0.5} - Vec3{6, 0, 0};   // world axes; at phi = 0: e_r = x, e_theta = -z, e_phi = y
+    const Vec3 to_ball = Vec3{0, 2, 0.5} - Vec3{6, 0, 0};  // world axes; at phi = 0: e_r = x, e_theta = -z, e_phi = y
     const Vec3 axis = normalized(Vec3{to_ball.x, -to_ball.z, to_ball.y});
     const double sine = scene.ball->radius / length(to_ball), cosine = std::sqrt(1 - sine * sine);
     const Vec3 u = normalized(cross(axis, {0, 0, 1})), w = cross(axis, u);
@@ -81,7 +81,8 @@ TEST_CASE("terrell: a ball passing at 0.9 c has a round outline, by the referenc
                     wrong += hit ? from > most + kPromised_px : from < least - kPromised_px;
                 }
             CHECK(wrong == 0);
-            CHECK(std::fabs(hits / (M_PI * least * least) - 1) < 1 / least);   // half a pixel on either side of the outline
+            CHECK(std::fabs(hits / (M_PI * least * least) - 1) <
+                  1 / least);  // half a pixel on either side of the outline
         });
     }
     // That it can fail: a camera that is no longer turned to the middle.

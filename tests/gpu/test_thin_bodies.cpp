@@ -11,7 +11,7 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr int kSamples = 3;       // a side and pixel, of the reference
+constexpr int kSamples = 3;  // a side and pixel, of the reference
 // Of the light: edges are softened half a pixel outward where a body has corners, and to both sides where it is round.
 constexpr double kTotal = 0.06;
 
@@ -22,7 +22,9 @@ struct Case {
 
 void kerr(Scene& s) { s.spacetime = {"kerr", {{"spin", 0.9}}}; }
 void flat(Scene& s) { s.spacetime.metric = "minkowski"; }
-void ring(Scene& s, double height) { s.cylinder.emplace().inner = 4, s.cylinder->outer = 8, s.cylinder->height = height; }
+void ring(Scene& s, double height) {
+    s.cylinder.emplace().inner = 4, s.cylinder->outer = 8, s.cylinder->height = height;
+}
 void ball(Scene& s, double radius) { s.ball.emplace().position = {6, 1, 0.5}, s.ball->radius = radius; }
 
 const std::vector<Case>& cases() {
@@ -35,7 +37,8 @@ const std::vector<Case>& cases() {
         {"ball of six pixels, flat", [](Scene& s) { flat(s), ball(s, 1.5); }},
         {"ball of six pixels", [](Scene& s) { ball(s, 1.5); }},
         {"ball of six pixels, spinning hole", [](Scene& s) { kerr(s), ball(s, 1.5); }},
-        {"torus of four pixels, flat", [](Scene& s) { flat(s), s.surface.emplace().shape = "(length(x, y) - 6)^2 + z^2 - 1", s.surface->bound = 8; }},
+        {"torus of four pixels, flat",
+         [](Scene& s) { flat(s), s.surface.emplace().shape = "(length(x, y) - 6)^2 + z^2 - 1", s.surface->bound = 8; }},
     };
     return all;
 }
@@ -70,7 +73,8 @@ TEST_CASE("thin bodies: as much light as the reference's") {
                 exact_light[name] = light(*exact);
             }
             const double drawn = light(session.renderer->picture()), all = exact_light[name];
-            fmt::print("{:<7} {:<35} light {:.4f} of the reference's {:.1f}\n", session.context->kind(), c.name, drawn / all, all);
+            fmt::print("{:<7} {:<35} light {:.4f} of the reference's {:.1f}\n", session.context->kind(), c.name,
+                       drawn / all, all);
             CHECK(all > 1);
             CHECK(std::abs(drawn / all - 1) <= kTotal);
         }

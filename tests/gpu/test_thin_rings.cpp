@@ -11,9 +11,11 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr int kSamples = 16;          // a side and pixel, of the reference
-constexpr double kTotal = 0.15;       // of the ring's light: one colour stands for its whole width, and the rows of a disc's image differ
-constexpr double kUneven = 0.25;      // of a column's light to its neighbours': what a line has that crosses pixels at an angle
+constexpr int kSamples = 16;  // a side and pixel, of the reference
+constexpr double kTotal =
+    0.15;  // of the ring's light: one colour stands for its whole width, and the rows of a disc's image differ
+constexpr double kUneven =
+    0.25;  // of a column's light to its neighbours': what a line has that crosses pixels at an angle
 
 // Light of each column, linear, summed over the rows and colours.
 std::vector<double> columns(const Image<float>& picture) {
@@ -66,8 +68,9 @@ TEST_CASE("thin rings: a line with the reference's light") {
                 REQUIRE(exact);
                 const std::vector<double> true_light = columns(*exact);
                 const double ratio = total(drawn) / total(true_light);
-                fmt::print("{:<7} r = {:<2}, scale {:.4f}: light {:.3f} of the reference's, uneven by {:.3f} ({:.3f})\n",
-                           session.context->kind(), r, scale, ratio, uneven(drawn), uneven(true_light));
+                fmt::print(
+                    "{:<7} r = {:<2}, scale {:.4f}: light {:.3f} of the reference's, uneven by {:.3f} ({:.3f})\n",
+                    session.context->kind(), r, scale, ratio, uneven(drawn), uneven(true_light));
                 CHECK(std::abs(ratio - 1) <= kTotal);
                 CHECK(uneven(drawn) <= uneven(true_light) + kUneven);
             }

@@ -16,7 +16,8 @@ using namespace nullscope::test;
 // d(phi)/dl = |tan(alpha)| over the throat's radius in it and less elsewhere, alpha from the radial direction. Rays within kRim of the
 // rim are left out, for the sky turns faster there than a frame shows: tan(alpha) is below 10; the rest is for two directions.
 constexpr double kRim = 0.1, kSteepest = 16.0;
-constexpr double kFloor = 2e-5;  // of two frames' directions: straight lines of the strip, 1.8e-6 rad, a few times, and float
+constexpr double kFloor =
+    2e-5;  // of two frames' directions: straight lines of the strip, 1.8e-6 rad, a few times, and float
 
 struct Shot {
     double l;
@@ -33,7 +34,7 @@ Scene looking_across(const std::string& metric, const std::map<std::string, doub
     scene.camera.width = 96, scene.camera.height = 54;
     scene.camera.plane_width = plane_width();
     scene.camera.r = l;
-    scene.camera.yaw = M_PI / 2;   // the rim in the middle: one sky on each side
+    scene.camera.yaw = M_PI / 2;  // the rim in the middle: one sky on each side
     return scene;
 }
 
@@ -43,7 +44,8 @@ double largest_change(const Shot& a, const Shot& b, int& judged) {
     double worst = 0;
     for (std::size_t i = 0; i < a.rays.pixels.size(); ++i) {
         const RayPixel &p = a.rays.pixels[i], &q = b.rays.pixels[i];
-        const double u = (static_cast<double>(i % 96) + 0.5 - 48) / 96 * plane_width(), v = (static_cast<double>(i / 96) + 0.5 - 27) / 96 * plane_width();
+        const double u = (static_cast<double>(i % 96) + 0.5 - 48) / 96 * plane_width(),
+                     v = (static_cast<double>(i / 96) + 0.5 - 27) / 96 * plane_width();
         if (std::fabs(u) < kRim * std::hypot(u, v, 1.0)) continue;
         ++judged;
         if (p.fate != q.fate) return INFINITY;
@@ -55,7 +57,10 @@ double largest_change(const Shot& a, const Shot& b, int& judged) {
 TEST_CASE("flight through the throat: rays go on changing as the way does, with both skies and no seam at l = 0") {
     const std::vector<double> way = {4e-3, 3e-3, 2e-3, 1e-3, 1e-6, 1e-9, 0.0, -1e-9, -1e-6, -1e-3, -2e-3, -3e-3, -4e-3};
     const std::vector<std::pair<std::string, std::map<std::string, double>>> holes = {
-        {"ellis", {}}, {"dneg-wormhole", {{"length", 0.0}}}, {"dneg-wormhole", {}}, {"dneg-wormhole", {{"length", 1.0}, {"lensing_width", 0.5}}}};
+        {"ellis", {}},
+        {"dneg-wormhole", {{"length", 0.0}}},
+        {"dneg-wormhole", {}},
+        {"dneg-wormhole", {{"length", 1.0}, {"lensing_width", 0.5}}}};
     on_every_context([&](GpuSession& session) {
         for (const auto& [metric, parameters] : holes) {
             CAPTURE(metric);
@@ -74,12 +79,13 @@ TEST_CASE("flight through the throat: rays go on changing as the way does, with 
             }
             const Shot& middle = shots[way.size() / 2];
             const auto of = [&](Fate fate) {
-                return std::count_if(middle.rays.pixels.begin(), middle.rays.pixels.end(), [&](const RayPixel& p) { return p.fate == fate; });
+                return std::count_if(middle.rays.pixels.begin(), middle.rays.pixels.end(),
+                                     [&](const RayPixel& p) { return p.fate == fate; });
             };
             CHECK(of(Fate::kEscaped) > 96 * 54 / 3);
             CHECK(of(Fate::kOtherSide) > 96 * 54 / 3);
-            fmt::print("{:<7} {:<14} largest change over what the way makes {:.2f}; near sky {}, far sky {} pixels\n", session.context->kind(),
-                       metric, worst, of(Fate::kEscaped), of(Fate::kOtherSide));
+            fmt::print("{:<7} {:<14} largest change over what the way makes {:.2f}; near sky {}, far sky {} pixels\n",
+                       session.context->kind(), metric, worst, of(Fate::kEscaped), of(Fate::kOtherSide));
             // The check can fail: half the way further on is no longer within what a billionth makes.
             Shot planted = shots[3];
             planted.l = middle.l + 1e-9;

@@ -26,14 +26,14 @@ Scene scene_of(unsigned bits) {
     scene.spacetime.metric = has(0) ? "schwarzschild" : "minkowski";
     if (has(1)) scene.camera.velocity = {0, 0, 0.5};
     if (has(2)) scene.disc.emplace().opacity = 0.5;
-    if (has(2) && has(0)) {   // not in flat space: both kinds of disc
+    if (has(2) && has(0)) {  // not in flat space: both kinds of disc
         scene.disc->emission = DiscEmission::kThermal;
         scene.disc->image = "emissivity.png";
     }
     scene.sky.kind = !has(3) ? SkyKind::kBlack : has(0) ? SkyKind::kPoints : SkyKind::kStars;
     if (has(1) && has(3)) scene.sky.temperature_K = 5000.0;
     scene.picture.bloom = has(7) ? 0.1 : 0.0;
-    if (has(2) && has(3) && !has(0)) scene.disc->look.texture = TextureKind::kGrid;   // in flat space both again
+    if (has(2) && has(3) && !has(0)) scene.disc->look.texture = TextureKind::kGrid;  // in flat space both again
     if (has(3) && has(8) && !has(0)) scene.sky.kind = SkyKind::kChecker;
     if (has(4)) scene.sphere.emplace().look.texture = TextureKind::kChecker;
     if (has(5)) scene.cylinder.emplace().look.texture = TextureKind::kNoise;
@@ -67,8 +67,10 @@ TEST_CASE("uniform block: the driver's offsets are those of the C++ struct") {
         for (std::size_t i = 0; i < members.size(); ++i) {
             CAPTURE(members[i]);
             // The last of the block, which no shader has together with those of plane orbits about one centre: see the next test.
-            if (members[i].starts_with("frame.spin_") || members[i] == "frame.throat") CHECK(i + 7 >= members.size());
-            else CHECK(driver[i] == static_cast<int>(offsets[i]));
+            if (members[i].starts_with("frame.spin_") || members[i] == "frame.throat")
+                CHECK(i + 7 >= members.size());
+            else
+                CHECK(driver[i] == static_cast<int>(offsets[i]));
         }
     });
 }
@@ -76,11 +78,12 @@ TEST_CASE("uniform block: the driver's offsets are those of the C++ struct") {
 TEST_CASE("uniform block: without an effect its members are gone and the others close up, for every combination") {
     const auto members = frame_members();
     on_every_context([&](GpuSession&) {
-        for (unsigned bits = 0; bits <= kEverything; bits += by_depth(67u, 11u, 1u)) {  // odd steps: every bit in both states
+        for (unsigned bits = 0; bits <= kEverything;
+             bits += by_depth(67u, 11u, 1u)) {  // odd steps: every bit in both states
             CAPTURE(bits);
             Scene scene = scene_of(bits);
             if (bits % 7 == 0) scene.spacetime.metric = "kerr";
-            if (bits % 7 == 1) {   // without what is not there in a wormhole
+            if (bits % 7 == 1) {  // without what is not there in a wormhole
                 scene.spacetime.metric = "ellis";
                 scene.disc.reset(), scene.sphere.reset();
                 if (scene.ball) scene.ball->motion = BallMotion::kStill;
@@ -88,8 +91,7 @@ TEST_CASE("uniform block: without an effect its members are gone and the others 
             std::vector<int> expected(members.size(), -1);
             int next = 0;
             const EffectSet effects = effect_set(required_effects(scene));
-            for (const int member : block_members(effects))
-                expected[static_cast<std::size_t>(member)] = 16 * next++;
+            for (const int member : block_members(effects)) expected[static_cast<std::size_t>(member)] = 16 * next++;
             CHECK(driver_offsets(scene, effects, members) == expected);
         }
     });

@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -34,13 +34,16 @@ constexpr int kMostCrossings = 14;
 // The pixel's look direction in the static frame, carried through the boost as a photon's momentum, in long double.
 struct StaticLook {
     LongVec n;
-    Long doppler;   // frequency in the camera over frequency in the static frame
+    Long doppler;  // frequency in the camera over frequency in the static frame
 };
 StaticLook static_look(const CameraSpec& camera, double x, double y) {
     const Vec3 pixel = pixel_direction(camera, x, y);
     const Mat3 axes = static_from_camera(camera);
-    const auto component = [&](double a, double b, double c) { return Long(pixel.x) * a + Long(pixel.y) * b + Long(pixel.z) * c; };
-    LongVec n{component(axes.a.x, axes.b.x, axes.c.x), component(axes.a.y, axes.b.y, axes.c.y), component(axes.a.z, axes.b.z, axes.c.z)};
+    const auto component = [&](double a, double b, double c) {
+        return Long(pixel.x) * a + Long(pixel.y) * b + Long(pixel.z) * c;
+    };
+    LongVec n{component(axes.a.x, axes.b.x, axes.c.x), component(axes.a.y, axes.b.y, axes.c.y),
+              component(axes.a.z, axes.b.z, axes.c.z)};
     const Long norm = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
     n = {n.x / norm, n.y / norm, n.z / norm};
     const Vec3 v = camera.velocity;
@@ -60,7 +63,7 @@ RayPixel taylor_pixel(const CameraSpec& camera, const LongVec& n) {
     const Real across = sqrt(Real(n.y) * n.y + Real(n.z) * n.z), norm = sqrt(across * across + Real(n.x) * n.x);
     const Real q = sqrt(depth / r) * norm / (r * across);
     RayPixel pixel;
-    if (across == 0) {   // radial: sweeps nothing
+    if (across == 0) {  // radial: sweeps nothing
         pixel.fate = n.x > 0 ? Fate::kEscaped : Fate::kCaptured;
         if (n.x > 0) pixel.sky = world_from_static(camera.theta, camera.phi).a;
         return pixel;
@@ -71,18 +74,21 @@ RayPixel taylor_pixel(const CameraSpec& camera, const LongVec& n) {
     pixel.angle = static_cast<double>(orbit.angle());
     if (orbit.captured()) return pixel;
     const Real side = sin(orbit.angle()) / across;
-    const Vec3 local{static_cast<double>(cos(orbit.angle())), static_cast<double>(side * n.y), static_cast<double>(side * n.z)};
+    const Vec3 local{static_cast<double>(cos(orbit.angle())), static_cast<double>(side * n.y),
+                     static_cast<double>(side * n.z)};
     pixel.sky = world_from_static(camera.theta, camera.phi) * local;
     return pixel;
 }
 
 RayPixel integrated_pixel(const Scene& scene, double x, double y) {
     const StaticLook look = static_look(scene.camera, x, y);
-    if (scene.spacetime.metric == "schwarzschild" && !scene.disc && scene.camera.r - 1 < kNearHorizon) return taylor_pixel(scene.camera, look.n);
+    if (scene.spacetime.metric == "schwarzschild" && !scene.disc && scene.camera.r - 1 < kNearHorizon)
+        return taylor_pixel(scene.camera, look.n);
     const auto metric = kerr_schild_metric(scene.spacetime);
     REQUIRE(metric);
     const IntegratedRay ray =
-        integrate(*metric, {Long(scene.camera.r) - 1, scene.camera.theta, scene.camera.phi, look.n}, scene.disc ? kMostCrossings : 0);
+        integrate(*metric, {Long(scene.camera.r) - 1, scene.camera.theta, scene.camera.phi, look.n},
+                  scene.disc ? kMostCrossings : 0);
     RayPixel pixel;
     pixel.fate = ray.fate;
     pixel.angle = static_cast<double>(ray.angle);
@@ -95,7 +101,8 @@ RayPixel integrated_pixel(const Scene& scene, double x, double y) {
             break;
         }
     if (pixel.fate == Fate::kEscaped)
-        pixel.sky = {static_cast<double>(ray.direction.x), static_cast<double>(ray.direction.y), static_cast<double>(ray.direction.z)};
+        pixel.sky = {static_cast<double>(ray.direction.x), static_cast<double>(ray.direction.y),
+                     static_cast<double>(ray.direction.z)};
     return pixel;
 }
 
@@ -125,11 +132,13 @@ Judged judge_pixel(const Scene& scene, int x, int y, const Scene& traced) {
     };
     const ExactPixel exact = exact_pixel(scene.camera, trace, x, y);
     const RayPixel second = integrated_pixel(traced, x + 0.5, y + 0.5);
-    const PixelErrors error = pixel_errors(second, exact), by_r = pixel_errors(moved_tracer->pixel(x + 0.5, y + 0.5), exact);
-    if (error.end == RayEnd::kDiffers) return {1e30, 1};   // px: a wrong end
-    const double squeezed = static_cast<double>(std::min(Long(1), 1 / static_look(scene.camera, x + 0.5, y + 0.5).doppler));
+    const PixelErrors error = pixel_errors(second, exact),
+                      by_r = pixel_errors(moved_tracer->pixel(x + 0.5, y + 0.5), exact);
+    if (error.end == RayEnd::kDiffers) return {1e30, 1};  // px: a wrong end
+    const double squeezed =
+        static_cast<double>(std::min(Long(1), 1 / static_look(scene.camera, x + 0.5, y + 0.5).doppler));
     const double direction = kDoubleBit / (exact.pixel_angle * squeezed);
-    const double bit_px = std::max(direction, 2 * kDoubleBit * (1 + x));   // at least the last bit of the pixel's place
+    const double bit_px = std::max(direction, 2 * kDoubleBit * (1 + x));  // at least the last bit of the pixel's place
     // Of a ray whose last bit decides how it ends, the neighbour that ends alike says how fast the answer moves.
     PixelErrors by_n = pixel_errors(tracer->pixel(x + 0.5 + bit_px, y + 0.5), exact);
     if (by_n.end == RayEnd::kDiffers) by_n = pixel_errors(tracer->pixel(x + 0.5 - bit_px, y + 0.5), exact);
@@ -148,13 +157,15 @@ TEST_CASE("hard cases: the reference agrees with the second formulation") {
     std::string lines;
     Judged most;
     int rays = 0;
-    int others = 0;   // stars and wormholes have no such chart, and a charged hole's horizon no Taylor series here: tests/vectors
+    int others =
+        0;  // stars and wormholes have no such chart, and a charged hole's horizon no Taylor series here: tests/vectors
     test::Selection selection(4);
     for (const HardCase& c : hard_cases()) {
         if (!selection.takes_next()) continue;
         const CameraSpec& camera = c.scene.camera;
         const auto spacetime = *make_spacetime(c.scene.spacetime.metric, c.scene.spacetime.parameters);
-        const bool near = c.scene.spacetime.metric != "schwarzschild" && camera.r - spacetime->horizon_radius().value_or(-1e300) < 0.05;
+        const bool near = c.scene.spacetime.metric != "schwarzschild" &&
+                          camera.r - spacetime->horizon_radius().value_or(-1e300) < 0.05;
         if (!kerr_schild_metric(c.scene.spacetime) || near) {
             ++others;
             continue;
@@ -168,7 +179,8 @@ TEST_CASE("hard cases: the reference agrees with the second formulation") {
             const LongVec n = static_look(camera, x + 0.5, y + 0.5).n;
             if (spacetime->inner_end() == InnerEnd::kSameSky && n.x < 0 && n.y * n.y + n.z * n.z < 1e-30L) continue;
             const Judged judged = judge_pixel(c.scene, x, y, c.scene);
-            const std::string where = fmt::format("{}, pixel ({}, {}): {:.2g} of {:.2g} px", c.name, x, y, judged.error_px, judged.bound_px);
+            const std::string where =
+                fmt::format("{}, pixel ({}, {}): {:.2g} of {:.2g} px", c.name, x, y, judged.error_px, judged.bound_px);
             CHECK_MESSAGE(judged.ratio() <= 1, where);
             keep(worst, judged.error_px, judged.bound_px);
             ++rays;
@@ -177,8 +189,10 @@ TEST_CASE("hard cases: the reference agrees with the second formulation") {
         lines += fmt::format("{}\t{:.3g}\t{:.3g}\n", c.name, worst.error_px, worst.bound_px);
     }
     std::ofstream(test::reports_folder() / "hard-reference.tsv") << lines;
-    fmt::print("{} views, {} rays, {} views of metrics without a second formulation left out; largest error over bound {:.2f}\n",
-               hard_cases().size(), rays, others, most.ratio());
+    fmt::print(
+        "{} views, {} rays, {} views of metrics without a second formulation left out; largest error over bound "
+        "{:.2f}\n",
+        hard_cases().size(), rays, others, most.ratio());
 }
 
 // The check above can fail: a camera turned by a rounding of a float is found.

@@ -191,11 +191,13 @@ TEST_CASE("second formulation: named hard rays") {
 TEST_CASE("second formulation: random rays in every metric") {
     Random random(seed());
     for (const MetricEntry& entry : metric_registry()) {
-        if (!kerr_schild_metric({std::string(entry.key), {}})) {   // stars and wormholes have no such chart: tests/vectors, tests/unit
+        if (!kerr_schild_metric(
+                {std::string(entry.key), {}})) {  // stars and wormholes have no such chart: tests/vectors, tests/unit
             fmt::print("random, {}: not of Kerr-Schild form\n", entry.key);
             // Nor has a radius that is not areal; and of a hole that spins the reference is this formulation.
             const auto spacetime = *make_spacetime(std::string(entry.key), {});
-            CHECK_FALSE((spacetime->inner_end() == InnerEnd::kHorizon && spacetime->has_orbit_equation() && spacetime->spin() == 0.0));
+            CHECK_FALSE((spacetime->inner_end() == InnerEnd::kHorizon && spacetime->has_orbit_equation() &&
+                         spacetime->spin() == 0.0));
             continue;
         }
         std::vector<Case> cases;
@@ -208,8 +210,9 @@ TEST_CASE("second formulation: random rays in every metric") {
             const double cosine = random.between(-1, 1), bearing = random.between(0, 2 * M_PI),
                          sine = std::sqrt(1 - cosine * cosine);
             c.query.frame = random.unit() < 0.25 ? LocalFrame::kRain : LocalFrame::kStatic;
-            c.query.r =
-                c.query.frame == LocalFrame::kRain ? random.log_between(entry.parameters.empty() ? 0.1 : 1.001, 100) : 1 + random.log_between(1e-3, 1e4);
+            c.query.r = c.query.frame == LocalFrame::kRain
+                            ? random.log_between(entry.parameters.empty() ? 0.1 : 1.001, 100)
+                            : 1 + random.log_between(1e-3, 1e4);
             // Nothing rains to where a charge repels: A above 1.
             const auto spacetime = *make_spacetime(std::string(entry.key), c.scene.spacetime.parameters);
             if (c.query.frame == LocalFrame::kRain && spacetime->lapse_squared(c.query.r) > 1) c.query.r += 100;

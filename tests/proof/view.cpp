@@ -30,14 +30,21 @@ std::string View::toml(const std::string& comment) const {
     std::string text = comment + "[spacetime]\n" + fmt::format("metric = \"{}\"\n", metric);
     for (const auto& [name, value] : parameters) text += fmt::format("{} = {}\n", name, toml_number(value));
     text += "\n[camera]\n";
-    if (metric == "kerr") text += "observer = \"zamo\"\n";   // at rest as near to the horizon as anywhere else
-    for (const auto& [name, value] : {std::pair{"r", r}, {"theta", theta}, {"phi", phi}, {"yaw", yaw}, {"pitch", pitch}, {"roll", roll}, {"fov", fov}})
+    if (metric == "kerr") text += "observer = \"zamo\"\n";  // at rest as near to the horizon as anywhere else
+    for (const auto& [name, value] : {std::pair{"r", r},
+                                      {"theta", theta},
+                                      {"phi", phi},
+                                      {"yaw", yaw},
+                                      {"pitch", pitch},
+                                      {"roll", roll},
+                                      {"fov", fov}})
         text += fmt::format("{} = {}\n", name, toml_number(value));
-    text += fmt::format("velocity = [{}, {}, {}]\nsize = [{}, {}]\n", toml_number(velocity[0]), toml_number(velocity[1]),
-                        toml_number(velocity[2]), width, height);
+    text += fmt::format("velocity = [{}, {}, {}]\nsize = [{}, {}]\n", toml_number(velocity[0]),
+                        toml_number(velocity[1]), toml_number(velocity[2]), width, height);
     text += "\n[sky]\nkind = \"black\"\n";
     if (has_disc)
-        text += fmt::format("\n[disc]\ninner = {}\nouter = {}\nopacity = {}\n", toml_number(inner), toml_number(outer), toml_number(opacity));
+        text += fmt::format("\n[disc]\ninner = {}\nouter = {}\nopacity = {}\n", toml_number(inner), toml_number(outer),
+                            toml_number(opacity));
     return text;
 }
 

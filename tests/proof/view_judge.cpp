@@ -43,8 +43,8 @@ bool ViewJudge::explained(const RayPixel& tested, const RayPixel& here, PixelPla
     for (const double ring : kRings)
         for (int k = 0; k < kBearings; ++k) {
             const double bearing = 2 * M_PI * k / kBearings, reach = ring * reach_px;
-            const RayPixel beside =
-                tracer_->pixel_without_delay(pixel.x + 0.5 + reach * std::cos(bearing), pixel.y + 0.5 + reach * std::sin(bearing));
+            const RayPixel beside = tracer_->pixel_without_delay(pixel.x + 0.5 + reach * std::cos(bearing),
+                                                                 pixel.y + 0.5 + reach * std::sin(bearing));
             if (!same_end(beside, tested)) continue;
             if (!same_end(here, tested) || off(beside) < 0.25 * off(here)) return true;
         }

@@ -14,7 +14,7 @@ namespace nullscope::test {
 enum class Depth { kQuick, kAll, kEverything };
 
 inline Depth depth() {
-    const auto word = [](const char* name) {   // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody sets it meanwhile
+    const auto word = [](const char* name) {  // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody sets it meanwhile
         const char* value = std::getenv(name);
         return std::string_view(value != nullptr ? value : "");
     };

@@ -76,8 +76,9 @@ inline RayFrame gl_ray_data(GpuSession& session, const Scene& scene, int row_ste
 inline std::uint64_t mark_of(const RayFrame& frame) {
     std::uint64_t mark = 14695981039346656037ull;
     for (const RayPixel& p : frame.pixels) {
-        const double numbers[] = {static_cast<double>(p.fate), p.sky.x, p.sky.y, p.sky.z, p.g, p.delay, p.angle,
-                                  static_cast<double>(p.order), static_cast<double>(p.hit), p.u, p.v, p.w};
+        const double numbers[] = {
+            static_cast<double>(p.fate), p.sky.x, p.sky.y, p.sky.z, p.g, p.delay, p.angle, static_cast<double>(p.order),
+            static_cast<double>(p.hit),  p.u,     p.v,     p.w};
         for (const double number : numbers) mark = (mark ^ std::bit_cast<std::uint64_t>(number)) * 1099511628211ull;
     }
     return mark;
@@ -97,7 +98,7 @@ public:
     int count() const { return count_; }
 
 private:
-    std::map<std::string, std::uint64_t> marks_;   // of the first context
+    std::map<std::string, std::uint64_t> marks_;  // of the first context
     int count_ = 0;
 };
 

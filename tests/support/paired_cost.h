@@ -9,8 +9,8 @@
 namespace nullscope::test {
 
 struct PairedCost {
-    double first_s, second_s;   // core-seconds, means
-    double ratio;               // of the first to the second, the median over pairs
+    double first_s, second_s;  // core-seconds, means
+    double ratio;              // of the first to the second, the median over pairs
 };
 
 template <class Draw>

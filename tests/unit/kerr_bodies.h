@@ -9,7 +9,7 @@
 
 namespace nullscope::test {
 
-constexpr double kOnSurface = 1e-10;   // of the body's size
+constexpr double kOnSurface = 1e-10;  // of the body's size
 
 inline Scene spinning(double spin) {
     Scene scene;
@@ -18,7 +18,9 @@ inline Scene spinning(double spin) {
     return scene;
 }
 
-inline std::unique_ptr<reference::OrbitMetric> metric_of(const Scene& scene) { return std::move(*reference::make_orbit_metric(scene.spacetime)); }
+inline std::unique_ptr<reference::OrbitMetric> metric_of(const Scene& scene) {
+    return std::move(*reference::make_orbit_metric(scene.spacetime));
+}
 
 struct Met {
     reference::KerrRay ray;

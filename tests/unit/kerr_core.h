@@ -15,14 +15,30 @@ namespace nullscope::test {
 
 struct KerrView {
     double r, theta;
-    Vec3 look;   // unit, along (e_r, e_theta, e_phi) of the camera at rest, or of the one that moves
+    Vec3 look;  // unit, along (e_r, e_theta, e_phi) of the camera at rest, or of the one that moves
 };
 
 // Members of FrameData (shaders/shared/frame_block.glsl), by number.
-enum Member { kImage = 0, kRay0 = 1, kShift = 10, kBoost = 14, kBoostColour = 15, kDiscX = 19, kDiscY = 20, kDiscLook = 22, kSpinHole = 60, kSpinEnergy, kSpinAcross, kSpinClimb, kSpinPlace, kSpinTurn };
+enum Member {
+    kImage = 0,
+    kRay0 = 1,
+    kShift = 10,
+    kBoost = 14,
+    kBoostColour = 15,
+    kDiscX = 19,
+    kDiscY = 20,
+    kDiscLook = 22,
+    kSpinHole = 60,
+    kSpinEnergy,
+    kSpinAcross,
+    kSpinClimb,
+    kSpinPlace,
+    kSpinTurn
+};
 
 // rims: of an opaque disc.
-inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float, std::optional<std::array<double, 2>> rims = {}, Vec3 velocity = {0, 0, 0}) {
+inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float,
+                          std::optional<std::array<double, 2>> rims = {}, Vec3 velocity = {0, 0, 0}) {
     const auto spacetime = *make_spacetime("kerr", {{"spin", spin}});
     const SpinPlace place = spin_place(*spacetime, view.r, view.theta);
     const SpinForms f = spin_forms(place, zamo_frame(place));
@@ -31,11 +47,13 @@ inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float, std:
         const std::array<double, 4> numbers{x, y, z, w};
         std::copy(numbers.begin(), numbers.end(), input.frame.begin() + 4 * member);
     };
-    const double a = spacetime->spin(), outer = *spacetime->horizon_radius(), cosine = std::cos(view.theta), speed = length(velocity);
+    const double a = spacetime->spin(), outer = *spacetime->horizon_radius(), cosine = std::cos(view.theta),
+                 speed = length(velocity);
     put(kImage, 1, 1, 1e-6, 1);
     put(kRay0, view.look.x, view.look.y, view.look.z, 0);
     put(kShift, 1, 1 / view.r, 0, 1);
-    if (speed > 0) put(kBoost, velocity.x / speed, velocity.y / speed, velocity.z / speed, std::sqrt((1 + speed) / (1 - speed)));
+    if (speed > 0)
+        put(kBoost, velocity.x / speed, velocity.y / speed, velocity.z / speed, std::sqrt((1 + speed) / (1 - speed)));
     put(kBoostColour, std::sqrt((1 + speed) / (1 - speed)), 0, 0, 0);
     put(kDiscX, 1, 0, 0, rims ? (*rims)[0] : 1e30);
     put(kDiscY, 0, 1, 0, rims ? (*rims)[1] : 0);

@@ -13,7 +13,7 @@ namespace {
 using namespace nullscope;
 
 TEST_CASE("ball motion: free fall, past the hole, into it and out of its past, is the reference's") {
-    constexpr double kPlace = 5e-6;   // r_s: the host stops 1e-6 of it short of a horizon or a star
+    constexpr double kPlace = 5e-6;  // r_s: the host stops 1e-6 of it short of a horizon or a star
     struct Case {
         const char* metric;
         std::map<std::string, double> parameters;

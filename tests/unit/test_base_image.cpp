@@ -320,7 +320,7 @@ TEST_CASE("hostile pictures are refused before a decoder allocates for them or r
         {"exr/attribute-sizes-at-odds", "its header is cut off or damaged"},
     };
     for (const auto& [file, says] : cases) {
-        const std::string named = file;   // clang 14 captures no structured binding
+        const std::string named = file;  // clang 14 captures no structured binding
         CAPTURE(named);
         const auto bytes = read_text(corpus / file);
         REQUIRE(bytes);

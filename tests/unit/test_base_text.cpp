@@ -39,5 +39,6 @@ TEST_CASE("split keeps empty parts, trim removes only the ends") {
 
 TEST_CASE("without_controls leaves one line that moves no cursor") {
     CHECK(without_controls("a\nb\x1b[2J\x7f\t") == "a?b?[2J??");
-    CHECK(without_controls("\xc2\x9b" "31m \xc2\xa0 \xc3\xa9 \xc2") == "??31m \xc2\xa0 \xc3\xa9 \xc2");  // C1 go, letters stay
+    CHECK(without_controls("\xc2\x9b"
+                           "31m \xc2\xa0 \xc3\xa9 \xc2") == "??31m \xc2\xa0 \xc3\xa9 \xc2");  // C1 go, letters stay
 }

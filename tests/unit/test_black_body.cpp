@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "reference/seen_light.h"
 #include "light/black_body.h"
 #include "light/cie_1931.h"
+#include "reference/seen_light.h"
 #include "shaderlib/shader_source.h"
 #include "table/disc_light.h"
 
@@ -27,10 +27,10 @@ TEST_CASE("light: chromaticity of black bodies: illuminant A, and the locus at 6
         const double sum = c.x + c.y + c.z;
         return Vec3{c.x / sum, c.y / sum, 0};
     };
-    const Vec3 a = chromaticity(2855.5);   // 2848 K of 1931 with today's second radiation constant
+    const Vec3 a = chromaticity(2855.5);  // 2848 K of 1931 with today's second radiation constant
     CHECK(std::fabs(a.x - 0.44757) < 1e-4);
     CHECK(std::fabs(a.y - 0.40745) < 1e-4);
-    const double t = 6504;   // cubic fit of the locus by Kim and others (2002), good to 1e-4 here
+    const double t = 6504;  // cubic fit of the locus by Kim and others (2002), good to 1e-4 here
     const double x = -3.0258469e9 / (t * t * t) + 2.1070379e6 / (t * t) + 0.2226347e3 / t + 0.24039;
     const double y = 3.0817580 * x * x * x - 5.87338670 * x * x + 3.75112997 * x - 0.37001483;
     const Vec3 d = chromaticity(t);
@@ -48,13 +48,15 @@ TEST_CASE("light: white is white, and a colour outside of the gamut keeps its lu
     CHECK(0.2126390059 * in.x + 0.7151686788 * in.y + 0.0721923154 * in.z == doctest::Approx(1));
 }
 
-TEST_CASE("light: the table's straight lines are within 2e-5 of the black body between its texels, and hue at gT is T's") {
+TEST_CASE(
+    "light: the table's straight lines are within 2e-5 of the black body between its texels, and hue at gT is T's") {
     const TexelGrid row = black_body_row();
     const auto at = [&](double t, int channel) {
         const double x = (std::log2(t) - kColdest) * kBlackBodyCells / (kHottest - kColdest);
         const auto i = static_cast<std::size_t>(x);
         return row.texels[4 * i + static_cast<std::size_t>(channel)] +
-               (x - static_cast<double>(i)) * (row.texels[4 * i + 4 + static_cast<std::size_t>(channel)] - row.texels[4 * i + static_cast<std::size_t>(channel)]);
+               (x - static_cast<double>(i)) * (row.texels[4 * i + 4 + static_cast<std::size_t>(channel)] -
+                                               row.texels[4 * i + static_cast<std::size_t>(channel)]);
     };
     for (double t = 1000; t < 400000; t *= 1.0137) {
         const Vec3 xyz = black_body_xyz(t), rgb = rec709_from_xyz(xyz / xyz.y);
@@ -77,7 +79,7 @@ TEST_CASE("light: a black body seen with its frequencies times g is one of gT") 
     MESSAGE("largest difference " << worst);
     CHECK(worst < kPromised);
     LightSpec unshifted;
-    unshifted.shift = false;   // that it can fail
+    unshifted.shift = false;  // that it can fail
     CHECK(length(reference::seen_black_body(6504, 0.5, unshifted) - reference::seen_black_body(3252, 1.0, {})) > 1e-3);
 }
 

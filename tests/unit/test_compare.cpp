@@ -9,9 +9,9 @@
 #include <doctest/doctest.h>
 
 #include "base/atomic_file.h"
-#include "compare/ray_channels.h"
 #include "compare/heat_map.h"
 #include "compare/image_metrics.h"
+#include "compare/ray_channels.h"
 #include "compare/ray_metrics.h"
 #include "compare/report.h"
 #include "unit/base_temporary_folder.h"
@@ -214,16 +214,17 @@ TEST_CASE("compare: every channel of the ray data holds what its name says, and 
     RayPixel pixel;
     pixel.fate = Fate::kHit;
     pixel.sky = {0.125, 0.25, 0.5};
-    pixel.g = 2, pixel.delay = 3, pixel.angle = 5, pixel.order = 1, pixel.hit = 7, pixel.u = 8, pixel.v = 9, pixel.w = 10;
-    const std::map<std::string, float> expected = {{"fate", 4.0f}, {"sky.x", 0.125f}, {"sky.y", 0.25f}, {"sky.z", 0.5f}, {"g", 2.0f}, {"delay", 3.0f},
-                                                   {"angle", 5.0f}, {"order", 1.0f},  {"hit", 7.0f},    {"u", 8.0f},     {"v", 9.0f},
-                                                   {"w", 10.0f}};
+    pixel.g = 2, pixel.delay = 3, pixel.angle = 5, pixel.order = 1, pixel.hit = 7, pixel.u = 8, pixel.v = 9,
+    pixel.w = 10;
+    const std::map<std::string, float> expected = {{"fate", 4.0f}, {"sky.x", 0.125f}, {"sky.y", 0.25f}, {"sky.z", 0.5f},
+                                                   {"g", 2.0f},    {"delay", 3.0f},   {"angle", 5.0f},  {"order", 1.0f},
+                                                   {"hit", 7.0f},  {"u", 8.0f},       {"v", 9.0f},      {"w", 10.0f}};
     ChannelImage image;
     image.width = image.height = 1;
     add_ray_channels({1, 1, {pixel}}, image);
     CHECK(image.channels.size() == expected.size());
     for (const auto& [key, value] : expected) {
-        const std::string name = key;   // clang 14 captures no structured binding
+        const std::string name = key;  // clang 14 captures no structured binding
         CAPTURE(name);
         REQUIRE(image.channels.count(name) == 1);
         CHECK(image.channels.at(name) == std::vector<float>{value});

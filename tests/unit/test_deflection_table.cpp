@@ -9,8 +9,8 @@
 #include "shadercore/core64.h"
 #include "spacetime/registry.h"
 #include "support/folders.h"
-#include "table/density_fit.h"
 #include "table/deflection_table.h"
+#include "table/density_fit.h"
 #include "table/orbit_map.h"
 #include "table/strip.h"
 #include "vector_file.h"
@@ -26,7 +26,7 @@ constexpr double kBuildMs = 100.0;
 // Lines over cells of at most pi/1024 rad, where the sky turns by 1 to 1.5 rad per rad: (pi/1024)^2/16 x 1.5^2 < 1.4e-6 in the
 // last cells before the radial ray, half of it on the mean, and float rounding.
 constexpr double kStripError = 1e-6;
-constexpr double kRoundTrip = 1e-15;   // a few roundings
+constexpr double kRoundTrip = 1e-15;  // a few roundings
 
 std::shared_ptr<const Spacetime> schwarzschild() { return *make_spacetime("schwarzschild", {}); }
 
@@ -42,7 +42,9 @@ TEST_CASE("table mapping: forward and inverse are each other's") {
         const double x = i / 1000.0;
         CHECK(std::fabs(core64::turning_x_from_one_minus_k(core64::turning_one_minus_k_from_x(x)) - x) <= kRoundTrip);
         CHECK(std::fabs(core64::table_y_from_angle(core64::table_angle_from_y(x)) - x) <= kRoundTrip);
-        if (i < 1000) CHECK(std::fabs(core64::through_x_from_k_minus_one(core64::through_k_minus_one_from_x(x)) - x) <= kRoundTrip);
+        if (i < 1000)
+            CHECK(std::fabs(core64::through_x_from_k_minus_one(core64::through_k_minus_one_from_x(x)) - x) <=
+                  kRoundTrip);
     }
 }
 
@@ -52,7 +54,7 @@ TEST_CASE("deflection table: swept angle of every escaping vector") {
     double worst = 0.0;
     int rows = 0;
     for (const VectorRow& row : load_vectors(test::data_folder() / "vectors/schwarzschild.csv")) {
-        const double zeta0 = number(row, "zeta0"), delta = number(row, "delta");   // delta = q/q_crit - 1 to all digits
+        const double zeta0 = number(row, "zeta0"), delta = number(row, "delta");  // delta = q/q_crit - 1 to all digits
         if (number(row, "status") != 0 || zeta0 >= 1.0) continue;
         const double k = number(row, "q") / q_crit, one_minus_k2 = -delta * (2.0 + delta);
         const double chi = spacetime->chi_from_radius(1.0 / zeta0);
@@ -88,7 +90,7 @@ TEST_CASE("deflection table: of every metric built within the time that is promi
     for (const MetricEntry& entry : metric_registry()) {
         const auto spacetime = *make_spacetime(std::string(entry.key), {});
         if (!spacetime->photon_sphere()) continue;
-        double best = 1e9;   // of a few tries: the first meets cold caches
+        double best = 1e9;  // of a few tries: the first meets cold caches
         for (int i = 0; i < 5 && !(best < 2 * kBuildMs); ++i)
             best = std::fmin(best, processor_ms([&] {
                                  const auto made = *make_spacetime(std::string(entry.key), {});
@@ -103,7 +105,7 @@ TEST_CASE("ray fan: continuous through k = 1 and through the photon sphere") {
     // Outgoing rays from outside pass k = 1 without anything happening: the two sheets must meet.
     for (const double r : {1.6, 2.0, 5.0, 50.0, 1e4}) {
         const RayFan fan(schwarzschild(), table(), r, frame_at_rest(schwarzschild()->lapse_squared(r)));
-        const double delta = M_PI - 2.0 * fan.critical_angle();   // beta = pi - chi0: k = 1 on the way out
+        const double delta = M_PI - 2.0 * fan.critical_angle();  // beta = pi - chi0: k = 1 on the way out
         const double before = fan.ray(Segment::kSky, delta * (1 - 1e-13)).phi_end;
         const double after = fan.ray(Segment::kSky, delta * (1 + 1e-13)).phi_end;
         CHECK(std::fabs(before - after) < 2 * kTableError);
@@ -112,20 +114,23 @@ TEST_CASE("ray fan: continuous through k = 1 and through the photon sphere") {
 
 TEST_CASE("density fit: h of every metric to 1e-12, also next to both ends") {
     constexpr double kFitError = 1e-12;  // degree 11 on panels of 1/64 of pi
-    constexpr double kOwnDigits = 1e-14; // next to a horizon a metric's own h has the last bit of zeta, over its distance from there
+    constexpr double kOwnDigits =
+        1e-14;  // next to a horizon a metric's own h has the last bit of zeta, over its distance from there
     for (const MetricEntry& entry : metric_registry()) {
         std::vector<std::map<std::string, double>> sets{{}};
         for (const MetricParameter& p : entry.parameters)
-            for (const double value : {p.low, p.high, 0.7 * p.low + 0.3 * p.high}) sets.push_back({{std::string(p.name), value}});
+            for (const double value : {p.low, p.high, 0.7 * p.low + 0.3 * p.high})
+                sets.push_back({{std::string(p.name), value}});
         if (entry.key == "reissner-nordstrom") sets.push_back({{"charge", 0.999}}), sets.push_back({{"charge", 1.0}});
         for (const auto& parameters : sets) {
             const auto spacetime = *make_spacetime(std::string(entry.key), parameters);
             if (!spacetime->photon_sphere()) continue;
             const DensityFit fit(*spacetime);
-            double worst = 0.0, where = 0.0;   // worst: over its bound
+            double worst = 0.0, where = 0.0;  // worst: over its bound
             const auto check = [&](double chi) {
                 const double exact = spacetime->bending_density(chi);
-                const double bound = kFitError * std::fmax(exact, 1.0) + (spacetime->horizon_radius() ? kOwnDigits / (M_PI - chi) : 0.0);
+                const double bound =
+                    kFitError * std::fmax(exact, 1.0) + (spacetime->horizon_radius() ? kOwnDigits / (M_PI - chi) : 0.0);
                 const double error = std::fabs(fit(chi) - exact) / bound;
                 if (!(error <= worst)) worst = error, where = chi;
             };
@@ -140,16 +145,18 @@ TEST_CASE("density fit: h of every metric to 1e-12, also next to both ends") {
     }
 }
 
-constexpr RadialFrame kAtRest{1.0, 1.0};   // in wormholes without gravity
+constexpr RadialFrame kAtRest{1.0, 1.0};  // in wormholes without gravity
 
 // Largest step of the swept angle over what one of l makes, for a camera that passes l = middle in steps of 1e-7.
 // tan(angle) up to steepest: outside of a tube V changes, and what is swept in the tube changes by the cube of the tangent.
-double step_of_sweep(const std::string& metric, const std::map<std::string, double>& parameters, double middle, double steepest = 1e9) {
+double step_of_sweep(const std::string& metric, const std::map<std::string, double>& parameters, double middle,
+                     double steepest = 1e9) {
     constexpr double kStep = 1e-7;
     const auto spacetime = *make_spacetime(metric, parameters);
     const auto made = std::make_shared<const DeflectionTable>(*spacetime);
     double worst = 0.0;
-    for (const double angle : {0.2, 0.9, 1.5, 1.57, 1.5708, 1.6, 2.2, 3.0}) {   // from the direction of growing l, tilted off the rim
+    for (const double angle :
+         {0.2, 0.9, 1.5, 1.57, 1.5708, 1.6, 2.2, 3.0}) {  // from the direction of growing l, tilted off the rim
         double before = 0.0;
         if (std::fabs(std::tan(angle)) > steepest) continue;
         for (int i = -3; i <= 3; ++i) {
@@ -170,8 +177,9 @@ double step_of_sweep(const std::string& metric, const std::map<std::string, doub
 TEST_CASE("ray fan: nothing happens to rays as a camera passes the throat of a wormhole, or the mouths of its tube") {
     const std::map<std::string, double> tube{{"length", 1.0}};
     for (const double worst :
-         {step_of_sweep("ellis", {}, 0.0), step_of_sweep("ellis", {{"throat", 1.5}}, 0.0), step_of_sweep("dneg-wormhole", {{"length", 0.0}}, 0.0),
-          step_of_sweep("dneg-wormhole", tube, 0.0), step_of_sweep("dneg-wormhole", tube, 0.5, 1e3), step_of_sweep("dneg-wormhole", tube, -0.5, 1e3)}) {
+         {step_of_sweep("ellis", {}, 0.0), step_of_sweep("ellis", {{"throat", 1.5}}, 0.0),
+          step_of_sweep("dneg-wormhole", {{"length", 0.0}}, 0.0), step_of_sweep("dneg-wormhole", tube, 0.0),
+          step_of_sweep("dneg-wormhole", tube, 0.5, 1e3), step_of_sweep("dneg-wormhole", tube, -0.5, 1e3)}) {
         MESSAGE("largest step over what one of l makes: " << worst);
         CHECK(worst < 1.5);
     }
@@ -190,7 +198,9 @@ TEST_CASE("ray fan: wormholes of every width as seen from afar, against the refe
             double worst = 0.0;
             for (double delta = 0.1 * fan.critical_angle(); delta < fan.delta_limit(Segment::kSky); delta *= 1.03) {
                 const FanRay ray = fan.ray(Segment::kSky, delta);
-                worst = std::fmax(worst, std::fabs(ray.phi_end - (*metric)->from_static({r, -std::cos(ray.beta), ray.sin_beta})->angle()));
+                worst = std::fmax(
+                    worst,
+                    std::fabs(ray.phi_end - (*metric)->from_static({r, -std::cos(ray.beta), ray.sin_beta})->angle()));
             }
             MESSAGE("width " << width << ", r = " << r << ": " << worst << " rad");
             CHECK(worst < kGradedError);
@@ -206,7 +216,8 @@ TEST_CASE("strip: lines reproduce the fan") {
             const double u = 1.0 + 2.0 * std::tan(0.5 * delta) / fan.w0();
             const int octave = std::ilogb(u);
             const double position = (std::ldexp(u, -octave) - 1.0) * 1024.0;
-            const float* line = strip.texels.data() + 4 * (static_cast<std::size_t>(octave) * 1024 + static_cast<std::size_t>(position));
+            const float* line = strip.texels.data() +
+                                4 * (static_cast<std::size_t>(octave) * 1024 + static_cast<std::size_t>(position));
             const double f = position - std::floor(position);
             const FanRay ray = fan.ray(Segment::kSky, delta);
             worst = std::fmax(worst, std::fabs(line[0] + f * line[1] - std::cos(ray.phi_end)));

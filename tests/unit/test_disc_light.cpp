@@ -35,8 +35,9 @@ TEST_CASE_FIXTURE(Fixture, "disc light: the innermost stable orbit is at 6 M") {
     CHECK(light.innermost() == doctest::Approx(3.0).epsilon(1e-9));
 }
 
-TEST_CASE_FIXTURE(Fixture, "disc light: flux is Luminet's closed form, largest at 9.55092807794387 M with 1.36781108198e-5") {
-    const double kMostRelative = 1e-8;   // of differences taken for derivatives
+TEST_CASE_FIXTURE(Fixture,
+                  "disc light: flux is Luminet's closed form, largest at 9.55092807794387 M with 1.36781108198e-5") {
+    const double kMostRelative = 1e-8;  // of differences taken for derivatives
     for (const double m : {6.5, 7.0, 9.0, 12.0, 30.0, 200.0}) {
         CAPTURE(m);
         CHECK(std::fabs(disc_flux(*spacetime, {m / 2}).front() / 4 / luminet_flux(m) - 1) < kMostRelative);
@@ -59,7 +60,8 @@ TEST_CASE_FIXTURE(Fixture, "disc light: face on, g = sqrt(1 - 3M/r), by both") {
 }
 
 // v^2 = M/(r - 2M) in the static frame; across the line of sight what is left of it is 1/gamma.
-TEST_CASE_FIXTURE(Fixture, "disc light: gravity's part of g is that of matter at rest, Doppler's that of its motion there") {
+TEST_CASE_FIXTURE(Fixture,
+                  "disc light: gravity's part of g is that of matter at rest, Doppler's that of its motion there") {
     for (const double r : {3.0, 5.0, 40.0}) {
         const double rest = std::sqrt(1 - 1 / r), v2 = 0.5 / (r - 1);
         const reference::Shift shift = light.shift({r, 0, true, 1});
@@ -94,17 +96,19 @@ TEST_CASE_FIXTURE(Fixture, "disc light: gravity's part of g is that of matter at
 // Frank, King and Raine, Accretion Power in Astrophysics (2002), eq. 5.43: sigma T*^4 = 3 G M Mdot/(8 pi R^3), T* = 1.3e7 K for
 // 1e17 g/s onto a solar mass at 1e6 cm. Far out the relativistic flux is that, but for what the inner rim takes.
 TEST_CASE_FIXTURE(Fixture, "disc light: accretion in physical units gives the textbook's temperature") {
-    constexpr double kSun_cm = 2.953250077e5, kPrinted = 0.05;   // r_s; the book's figure has two digits
+    constexpr double kSun_cm = 2.953250077e5, kPrinted = 0.05;  // r_s; the book's figure has two digits
     constexpr double kEddington_g_s = 1.25707e38 / 0.1 / (2.99792458e10 * 2.99792458e10);
     const double r = 1e4, flux = disc_flux(*spacetime, {r}).front(), rate = 1e17 / kEddington_g_s;
     const double star = 1.3e7 * std::pow(r * kSun_cm / 1e6, -0.75);
     const double rim = std::pow(luminet_flux(2 * r) * 8 * M_PI * std::pow(2 * r, 3) / 3, 0.25);
     CHECK(disc_temperature_K(flux, 1, rate) == doctest::Approx(star * rim).epsilon(kPrinted));
-    const double exact = std::pow(3 * 1.32712440018e26 * 1e17 / (8 * M_PI * std::pow(r * kSun_cm, 3) * 5.670374419e-5), 0.25);
+    const double exact =
+        std::pow(3 * 1.32712440018e26 * 1e17 / (8 * M_PI * std::pow(r * kSun_cm, 3) * 5.670374419e-5), 0.25);
     CHECK(disc_temperature_K(flux, 1, rate) == doctest::Approx(exact * rim).epsilon(1e-3));
     // T ~ (rate/mass)^(1/4); the reference has the same hottest ring.
     const double peak = disc_flux_peak(*spacetime).flux;
-    CHECK(disc_temperature_K(peak, 1.6e9, 0.1) == doctest::Approx(0.5 * disc_temperature_K(peak, 1e8, 0.1)).epsilon(1e-12));
+    CHECK(disc_temperature_K(peak, 1.6e9, 0.1) ==
+          doctest::Approx(0.5 * disc_temperature_K(peak, 1e8, 0.1)).epsilon(1e-12));
     DiscSpec heated = disc;
     heated.accretion = AccretionSpec{1e8, 0.1};
     const reference::DiscLight other{*metric, heated, {}};
@@ -150,7 +154,7 @@ TEST_CASE("disc light: 1 + z on the ring of 6 M seen from 60 degrees at infinity
         least = std::min(least, z);
         most = std::max(most, z);
     }
-    constexpr double kBetween = 4e-7;   // extremes between two of the 7200 points: (pi/7200)^2 of the curvature
+    constexpr double kBetween = 4e-7;  // extremes between two of the 7200 points: (pi/7200)^2 of the curvature
     CHECK(std::fabs(least - 0.8166661528) <= kBetween + kTolerance);
     CHECK(std::fabs(most - 2.0117609719) <= kBetween + kTolerance);
     fmt::print("1 + z on the ring of 6 M from 60 degrees: {:.10f} to {:.10f}\n", least, most);

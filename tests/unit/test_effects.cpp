@@ -14,7 +14,7 @@ using namespace nullscope;
 
 namespace {
 
-using Bits = unsigned long long;   // one an effect
+using Bits = unsigned long long;  // one an effect
 
 EffectSet subset(Bits bits) {
     EffectSet set;
@@ -31,7 +31,7 @@ std::vector<Bits> subsets() {
     for (std::size_t i = 0; i <= kEffectCount; ++i)
         for (std::size_t j = 0; j <= kEffectCount; ++j)
             for (std::size_t k = 0; k <= kEffectCount; ++k) {
-                const Bits bits = (Bits{1} << i | Bits{1} << j | Bits{1} << k) & kAll;   // kEffectCount: none
+                const Bits bits = (Bits{1} << i | Bits{1} << j | Bits{1} << k) & kAll;  // kEffectCount: none
                 found.insert(bits);
                 found.insert(kAll & ~bits);
             }
@@ -88,10 +88,10 @@ TEST_CASE("a scene calls for exactly the effects of what is in it") {
     discs[3]->edge = 0.1;
     discs[4] = discs[2];
     discs[4]->edge = 0.1;
-    discs[5] = DiscSpec{};   // with an image that glows
+    discs[5] = DiscSpec{};  // with an image that glows
     discs[5]->emission = DiscEmission::kThermal;
     discs[5]->image = "glow.png";
-    discs[6] = discs[7] = discs[4];   // that glows without one; a switch off each
+    discs[6] = discs[7] = discs[4];  // that glows without one; a switch off each
     discs[6]->emission = discs[7]->emission = DiscEmission::kThermal;
 
     for (const std::string& metric : metrics) {
@@ -133,8 +133,9 @@ TEST_CASE("a scene calls for exactly the effects of what is in it") {
 }
 
 TEST_CASE("bodies and their looks call for exactly their effects: every combination") {
-    const std::vector<TextureKind> textures = {TextureKind::kPlain, TextureKind::kChecker, TextureKind::kGrid, TextureKind::kStripes,
-                                               TextureKind::kNoise, TextureKind::kFormula, TextureKind::kImage};
+    const std::vector<TextureKind> textures = {TextureKind::kPlain,   TextureKind::kChecker, TextureKind::kGrid,
+                                               TextureKind::kStripes, TextureKind::kNoise,   TextureKind::kFormula,
+                                               TextureKind::kImage};
     const auto look_effect = [](TextureKind kind) -> std::optional<Effect> {
         if (kind == TextureKind::kPlain) return {};
         if (kind == TextureKind::kNoise) return Effect::kNoise;
@@ -172,9 +173,10 @@ TEST_CASE("bodies and their looks call for exactly their effects: every combinat
 }
 
 TEST_CASE("textures of disc and sky call for exactly their effects: every combination") {
-    const std::vector<TextureKind> textures = {TextureKind::kPlain, TextureKind::kChecker, TextureKind::kGrid, TextureKind::kStripes,
-                                               TextureKind::kNoise, TextureKind::kFormula, TextureKind::kImage};
-    const std::vector<SkyKind> skies = {SkyKind::kBlack, SkyKind::kPlain, SkyKind::kChecker, SkyKind::kGrid,
+    const std::vector<TextureKind> textures = {TextureKind::kPlain,   TextureKind::kChecker, TextureKind::kGrid,
+                                               TextureKind::kStripes, TextureKind::kNoise,   TextureKind::kFormula,
+                                               TextureKind::kImage};
+    const std::vector<SkyKind> skies = {SkyKind::kBlack,   SkyKind::kPlain, SkyKind::kChecker, SkyKind::kGrid,
                                         SkyKind::kStripes, SkyKind::kNoise, SkyKind::kFormula};
     for (const TextureKind texture : textures) {
         for (const SkyKind sky : skies) {
@@ -227,7 +229,7 @@ TEST_CASE("what is done to a picture calls for exactly its effects: every combin
         scene.picture.bloom = has(0, Effect::kBloom) ? 0.01 : 0.0;
         scene.picture.auto_exposure = has(1, Effect::kAutoExposure);
         scene.picture.dither = has(2, Effect::kDither);
-        if ((bits >> 3 & 3u) == 3) continue;   // one curve
+        if ((bits >> 3 & 3u) == 3) continue;  // one curve
         if (has(3, Effect::kToneFilm)) scene.picture.tone = ToneCurve::kFilm;
         if (has(4, Effect::kToneNeutral)) scene.picture.tone = ToneCurve::kNeutral;
         CHECK(effect_set(required_effects(scene)) == expected);
@@ -265,17 +267,20 @@ TEST_CASE("a scene without one of its effects calls for no more than the others"
             CAPTURE(info.name);
             CAPTURE(effect_row(effect).key);
             const auto less = without_effect(*scene, effect);
-            const bool bound = effect == Effect::kInner || effect == Effect::kBounce || effect == Effect::kStar || effect == Effect::kDiscImage || effect == Effect::kDiscPattern || effect == Effect::kThermalDisc;
+            const bool bound = effect == Effect::kInner || effect == Effect::kBounce || effect == Effect::kStar ||
+                               effect == Effect::kDiscImage || effect == Effect::kDiscPattern ||
+                               effect == Effect::kThermalDisc;
             CHECK((less.has_value() || bound));
             if (!less) continue;
             const EffectSet left = effect_set(required_effects(*less));
             CHECK_FALSE(left.contains(effect));
             // A hole that does not spin any more has the table of one that never did.
-            for (const Effect other : left.list()) CHECK((whole.contains(other) || (effect == Effect::kSpin && other == Effect::kLensing)));
+            for (const Effect other : left.list())
+                CHECK((whole.contains(other) || (effect == Effect::kSpin && other == Effect::kLensing)));
             gone.insert(effect);
         }
     }
-    CHECK(gone.size() >= 8);   // the scenes that ship have most of them
+    CHECK(gone.size() >= 8);  // the scenes that ship have most of them
 }
 
 TEST_CASE("effect sets are ordered by all their bits, those beyond 32 too") {
@@ -286,7 +291,8 @@ TEST_CASE("effect sets are ordered by all their bits, those beyond 32 too") {
             CAPTURE(j);
             CHECK((of(i) < of(j)) == (i < j));
         }
-    std::set<EffectSet> keys;   // as the renderer's cache of programs has them
-    for (std::size_t i = 0; i + 1 < kEffectCount; ++i) keys.insert({static_cast<Effect>(i), static_cast<Effect>(i + 1)});
+    std::set<EffectSet> keys;  // as the renderer's cache of programs has them
+    for (std::size_t i = 0; i + 1 < kEffectCount; ++i)
+        keys.insert({static_cast<Effect>(i), static_cast<Effect>(i + 1)});
     CHECK(keys.size() == kEffectCount - 1);
 }

@@ -22,7 +22,7 @@ Scene scene_from(double theta_deg) {
     return scene;
 }
 
-constexpr double kTolerance = 1e-9;   // of the ring's radius: TOMS 748 stops at 48 of 53 bits of the angle
+constexpr double kTolerance = 1e-9;  // of the ring's radius: TOMS 748 stops at 48 of 53 bits of the angle
 
 TEST_CASE("isoradials meet their rings") {
     for (const double theta : {80.0, 45.0, 100.0}) {

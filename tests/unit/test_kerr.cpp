@@ -23,7 +23,7 @@ using namespace nullscope;
 using namespace nullscope::test;
 using reference::KerrRay;
 
-constexpr double kPixel_rad = M_PI / 3 / 1920;   // of a 1080p frame over 60 degrees
+constexpr double kPixel_rad = M_PI / 3 / 1920;  // of a 1080p frame over 60 degrees
 
 std::shared_ptr<const Spacetime> kerr(double spin) { return *make_spacetime("kerr", {{"spin", spin}}); }
 
@@ -73,13 +73,14 @@ TEST_CASE("kerr: the camera's tetrad is orthonormal and has no angular momentum"
 }
 
 TEST_CASE("kerr: last stable orbit and efficiency, published figures, by both") {
-    for (const auto& [spin, isco, efficiency] : {std::tuple{0.5, 4.233002529530826, 0.082117993339224}, {0.998, 1.236970655175184, 0.3209941656162}}) {
+    for (const auto& [spin, isco, efficiency] :
+         {std::tuple{0.5, 4.233002529530826, 0.082117993339224}, {0.998, 1.236970655175184, 0.3209941656162}}) {
         const auto spacetime = kerr(spin);
         const double r = *innermost_stable_orbit(*spacetime);
         CHECK(std::fabs(2 * r / isco - 1) < 1e-13);
         CHECK(std::fabs(circular_orbit(*spacetime, r)->energy - (1 - efficiency)) < 1e-12);
         const auto metric = std::move(*reference::make_orbit_metric({"kerr", {{"spin", spin}}}));
-        CHECK(std::fabs(2 * reference::DiscLight(*metric, {}, {}).innermost() / isco - 1) < 1e-7);   // a flat minimum
+        CHECK(std::fabs(2 * reference::DiscLight(*metric, {}, {}).innermost() / isco - 1) < 1e-7);  // a flat minimum
     }
 }
 
@@ -110,12 +111,15 @@ TEST_CASE("kerr: matter on circles and in the fall has unit velocity, and both w
             CAPTURE(r);
             const MatterVelocity u = disc_matter(*spacetime, r);
             const Matrix4 g = spacetime->metric(r, M_PI / 2);
-            const double norm = g[0][0] * u.u_t * u.u_t + 2 * g[0][3] * u.u_t * u.u_phi + g[3][3] * u.u_phi * u.u_phi + g[1][1] * u.u_r * u.u_r;
+            const double norm = g[0][0] * u.u_t * u.u_t + 2 * g[0][3] * u.u_t * u.u_phi + g[3][3] * u.u_phi * u.u_phi +
+                                g[1][1] * u.u_r * u.u_r;
             CHECK(std::fabs(norm + 1) < 1e-12 * u.u_t * u.u_t);
             for (const double l_z : {-2.0, 0.5, 0.9})
                 for (const double radial : {-1.2, 0.7}) {
                     const double g_infinity = light.g_infinity({r, l_z, radial > 0, 0, radial});
-                    CHECK(1 / g_infinity == doctest::Approx(u.u_t - l_z * u.u_phi - radial * u.u_r).epsilon(1e-7));   // the reference's ISCO
+                    CHECK(
+                        1 / g_infinity ==
+                        doctest::Approx(u.u_t - l_z * u.u_phi - radial * u.u_r).epsilon(1e-7));  // the reference's ISCO
                 }
         }
     }
@@ -147,7 +151,7 @@ TEST_CASE("kerr: the shader core meets the vectors in float and in double, every
             CAPTURE(row.at("id"));
             const double r0 = 0.5 * number(row, "r0"), theta = number(row, "theta0");
             const Vec3 n = normalized(Vec3{number(row, "n_r"), number(row, "n_th"), number(row, "n_ph")});
-            const bool edge = row.at("group") == "near_critical";   // offsets of 1e-9 to 1e-3 of the critical ray
+            const bool edge = row.at("group") == "near_critical";  // offsets of 1e-9 to 1e-3 of the critical ray
             const RayPixel pixel = kerr_core(0.9, {r0, theta, n}, in_float);
             most = std::max(most, pixel.steps);
             ++rays;
@@ -155,15 +159,18 @@ TEST_CASE("kerr: the shader core meets the vectors in float and in double, every
             const bool right = (pixel.fate == Fate::kCaptured) == (number(row, "status") == 1);
             if (!edge) CHECK(right);
             // A nudge of 1e-6 rad that turns the fate over says that the ray is within 1e-6 of the edge.
-            else if (!right) CHECK(kerr_edge_within(0.9, {r0, theta, n}, 1e-6));
+            else if (!right)
+                CHECK(kerr_edge_within(0.9, {r0, theta, n}, 1e-6));
             if (right && pixel.fate == Fate::kEscaped) {
                 const double t = number(row, "th_inf"), p = number(row, "dphi_inf");
-                const double error = length(pixel.sky - Vec3{std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t)});
+                const double error =
+                    length(pixel.sky - Vec3{std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t)});
                 sky_px = std::max(sky_px, error / sway / kPixel_rad);
                 CHECK(std::fabs(pixel.g / number(row, "g") - 1) < (in_float ? 1e-6 : 1e-13));
             }
             for (const int k : {1, 2}) {
-                const double r = 0.5 * number(row, k == 1 ? "r_1" : "r_2"), p = number(row, k == 1 ? "dphi_1" : "dphi_2");
+                const double r = 0.5 * number(row, k == 1 ? "r_1" : "r_2"),
+                             p = number(row, k == 1 ? "dphi_1" : "dphi_2");
                 const double other = 0.5 * number(row, k == 1 ? "r_2" : "r_1");
                 // Amplitudes of 1e-6 about the plane, and crossings that a window of radii cannot tell apart.
                 if (std::isnan(r) || row.at("group") == "equatorial" || std::fabs(other / r - 1) < 0.1) continue;
@@ -174,8 +181,9 @@ TEST_CASE("kerr: the shader core meets the vectors in float and in double, every
                 ++places;
             }
         }
-        fmt::print("kerr_a0.9.csv, core in {}: {} rays, at most {} steps, sky off by {:.4f} px, {} crossings by {:.4f} px\n",
-                   in_float ? "float" : "double", rays, most, sky_px, places, place_px);
+        fmt::print(
+            "kerr_a0.9.csv, core in {}: {} rays, at most {} steps, sky off by {:.4f} px, {} crossings by {:.4f} px\n",
+            in_float ? "float" : "double", rays, most, sky_px, places, place_px);
         CHECK(rays == 172);
         CHECK(places > 80);
         CHECK(most <= 64);
@@ -190,16 +198,22 @@ TEST_CASE("kerr: rays take some 8 steps, none as many as 64") {
     };
     double sum = 0;
     int rays = 0, most = 0, at_cap = 0;
-    for (const Camera& camera : {Camera{0.9, 5, 1.3}, {0.998, 3, 1.5}, {0.998, 15, 1.4}, {0.5, 50, 0.4}, {1e-6, 5, 1.2}, {0.9999, 1.25, 1.2}}) {
+    for (const Camera& camera : {Camera{0.9, 5, 1.3},
+                                 {0.998, 3, 1.5},
+                                 {0.998, 15, 1.4},
+                                 {0.5, 50, 0.4},
+                                 {1e-6, 5, 1.2},
+                                 {0.9999, 1.25, 1.2}}) {
         int own = 0;
         double own_sum = 0;
         for (int y = 0; y < 90; ++y)
-            for (int x = 0; x < 160; ++x) {   // every twelfth pixel of a 1080p frame of 90 degrees
+            for (int x = 0; x < 160; ++x) {  // every twelfth pixel of a 1080p frame of 90 degrees
                 const Vec3 look = normalized(Vec3{-1, (45.5 - y) / 80, (x - 79.5) / 80});
                 const int steps = kerr_core(camera.spin, {camera.r, camera.theta, look}, true).steps;
                 own_sum += steps, own = std::max(own, steps), at_cap += steps >= 64, ++rays;
             }
-        fmt::print("a = {:<6} r = {:<5}: {:.2f} steps on average, {} at most\n", camera.spin, camera.r, own_sum / 14400, own);
+        fmt::print("a = {:<6} r = {:<5}: {:.2f} steps on average, {} at most\n", camera.spin, camera.r, own_sum / 14400,
+                   own);
         sum += own_sum, most = std::max(most, own);
     }
     CHECK(at_cap == 0);
@@ -211,15 +225,18 @@ TEST_CASE("kerr: 58.8 % of what an isotropic source on the last stable orbit sen
     constexpr int kRays = 100000;
     const auto spacetime = kerr(0.998);
     const double r = *innermost_stable_orbit(*spacetime), u_t = circular_orbit(*spacetime, r)->u_t;
-    const double speed = std::sqrt(1 - 1 / (spacetime->lapse_squared(r) * u_t * u_t));   // of the circle in the frame without L
+    const double speed =
+        std::sqrt(1 - 1 / (spacetime->lapse_squared(r) * u_t * u_t));  // of the circle in the frame without L
     int escaped = 0, still = 0;
-    for (int i = 0; i < kRays; ++i) {   // evenly over the sphere: the golden angle
-        const double z = 1 - (2.0 * i + 1) / kRays, around = i * M_PI * (3 - std::sqrt(5.0)), flat = std::sqrt(1 - z * z);
+    for (int i = 0; i < kRays; ++i) {  // evenly over the sphere: the golden angle
+        const double z = 1 - (2.0 * i + 1) / kRays, around = i * M_PI * (3 - std::sqrt(5.0)),
+                     flat = std::sqrt(1 - z * z);
         const KerrView view{r, M_PI / 2, {flat * std::cos(around), z, flat * std::sin(around)}};
         escaped += kerr_core(0.998, view, false, {}, {0, 0, speed}).fate == Fate::kEscaped;
         still += kerr_core(0.998, view, false).fate == Fate::kEscaped;
     }
-    fmt::print("isotropic source on the ISCO, a = 0.998: {:.5f} escapes (without its motion {:.5f})\n", double(escaped) / kRays, double(still) / kRays);
+    fmt::print("isotropic source on the ISCO, a = 0.998: {:.5f} escapes (without its motion {:.5f})\n",
+               double(escaped) / kRays, double(still) / kRays);
     CHECK(std::fabs(double(escaped) / kRays - 0.5880) < 0.0005);
-    CHECK(std::fabs(double(still) / kRays - 0.5880) > 0.01);   // the check can fail
+    CHECK(std::fabs(double(still) / kRays - 0.5880) > 0.01);  // the check can fail
 }

@@ -26,22 +26,39 @@ using namespace nullscope::test;
 using reference::KerrStart;
 using reference::KerrStep;
 
-constexpr double kAlmostNone = 1e-9;   // spin
+constexpr double kAlmostNone = 1e-9;  // spin
 
 struct Kind {
     const char* name;
     void (*add)(Scene&);
-    double size;   // of it
+    double size;  // of it
 };
 const Kind kKinds[] = {
     {"sphere", [](Scene& s) { s.sphere = SphereSpec{}; }, 3},
     {"pulsating sphere", [](Scene& s) { s.sphere = SphereSpec{}, s.sphere->swing = 0.2, s.sphere->period = 15; }, 3},
     {"thick disc", [](Scene& s) { s.cylinder = CylinderSpec{}; }, 8},
-    {"still ball", [](Scene& s) { s.ball = BallSpec{}, s.ball->position = {-5, 2, 1}; }, 2},
-    {"orbiting ball", [](Scene& s) { s.ball = BallSpec{}, s.ball->position = {3, 5, 0}, s.ball->motion = BallMotion::kOrbit; }, 2},
-    {"ball on a path", [](Scene& s) { s.ball = BallSpec{}, s.ball->motion = BallMotion::kPath, s.ball->x = "6*sin(0.1*t)", s.ball->y = "5 + 0*t", s.ball->z = "3*cos(0.1*t)"; }, 2},
+    {"still ball",
+     [](Scene& s) {
+         s.ball = BallSpec{}, s.ball->position = {-5, 2, 1};
+     },
+     2},
+    {"orbiting ball",
+     [](Scene& s) {
+         s.ball = BallSpec{}, s.ball->position = {3, 5, 0}, s.ball->motion = BallMotion::kOrbit;
+     },
+     2},
+    {"ball on a path",
+     [](Scene& s) {
+         s.ball = BallSpec{}, s.ball->motion = BallMotion::kPath, s.ball->x = "6*sin(0.1*t)", s.ball->y = "5 + 0*t",
+         s.ball->z = "3*cos(0.1*t)";
+     },
+     2},
     {"ring", [](Scene& s) { s.surface = SurfaceSpec{}; }, 6},
-    {"gyroid", [](Scene& s) { s.surface = SurfaceSpec{}, s.surface->kind = SurfaceKind::kGyroid, s.surface->size = 3, s.surface->bound = 8; }, 3},
+    {"gyroid",
+     [](Scene& s) {
+         s.surface = SurfaceSpec{}, s.surface->kind = SurfaceKind::kGyroid, s.surface->size = 3, s.surface->bound = 8;
+     },
+     3},
 };
 
 bool reaches_horizon(const Kind& kind) { return std::string(kind.name) == "gyroid"; }
@@ -52,10 +69,14 @@ struct Camera {
     ObserverKind observer;
     double r, phi, yaw, width;
 };
-const Camera kCameras[] = {{"at rest", ObserverKind::kStatic, 15, 0.2, 0, 1.2}, {"falling", ObserverKind::kRain, 11, 0.2, 0, 1.6}, {"from inside", ObserverKind::kRain, 0.6, 1.8, M_PI, 6}, {"from inside, elsewhere", ObserverKind::kRain, 0.6, 0.2, M_PI, 6}};
+const Camera kCameras[] = {{"at rest", ObserverKind::kStatic, 15, 0.2, 0, 1.2},
+                           {"falling", ObserverKind::kRain, 11, 0.2, 0, 1.6},
+                           {"from inside", ObserverKind::kRain, 0.6, 1.8, M_PI, 6},
+                           {"from inside, elsewhere", ObserverKind::kRain, 0.6, 0.2, M_PI, 6}};
 
 void seen_by(Scene& scene, const Camera& camera) {
-    scene.camera.observer = camera.observer, scene.camera.r = camera.r, scene.camera.phi = camera.phi, scene.camera.yaw = camera.yaw, scene.camera.plane_width = camera.width;
+    scene.camera.observer = camera.observer, scene.camera.r = camera.r, scene.camera.phi = camera.phi,
+    scene.camera.yaw = camera.yaw, scene.camera.plane_width = camera.width;
 }
 // Whether one of two cameras inside the horizon can see it: not the sphere that they are in. What reaches the horizon is met there, after
 // windings without end, or is not.
@@ -67,21 +88,26 @@ bool seen_from_inside(const Kind& kind) {
 
 // Of the one body of a scene, once more.
 double value_of(const Scene& scene, const reference::OrbitMetric& metric, Vec3 x, double t) {
-    if (scene.sphere) return length(x) - scene.sphere->radius * (1 + scene.sphere->swing * std::sin(2 * M_PI * t / scene.sphere->period));
+    if (scene.sphere)
+        return length(x) -
+               scene.sphere->radius * (1 + scene.sphere->swing * std::sin(2 * M_PI * t / scene.sphere->period));
     if (scene.ball) return length(x - reference::ball_way(metric, *scene.ball)(t)) - scene.ball->radius;
     if (scene.surface) {
         const double place[] = {x.x, x.y, x.z, t};
-        return std::max(expr::Formula::parse(surface_shape(*scene.surface), {"x", "y", "z", "t"})->value(place), length(x) - scene.surface->bound);
+        return std::max(expr::Formula::parse(surface_shape(*scene.surface), {"x", "y", "z", "t"})->value(place),
+                        length(x) - scene.surface->bound);
     }
     const double rho = std::hypot(x.x, x.y);
-    return std::max({rho - scene.cylinder->outer, scene.cylinder->inner - rho, std::fabs(x.z) - scene.cylinder->height});
+    return std::max(
+        {rho - scene.cylinder->outer, scene.cylinder->inner - rho, std::fabs(x.z) - scene.cylinder->height});
 }
 
 }  // namespace
 
 TEST_CASE("kerr bodies: with almost no spin they are where the spinless reference has them") {
-    constexpr double kPlace = 3e-7;    // what the spin itself makes: 1e-9 r_s, on grazing rays some 200 times that; a tenth of it with a tenth of the spin
-    constexpr double kCosine = 1e-6;   // the spinless one is a difference over 1e-6 rad
+    constexpr double kPlace =
+        3e-7;  // what the spin itself makes: 1e-9 r_s, on grazing rays some 200 times that; a tenth of it with a tenth of the spin
+    constexpr double kCosine = 1e-6;  // the spinless one is a difference over 1e-6 rad
     for (const Kind& kind : kKinds) {
         CAPTURE(std::string(kind.name));
         int from_inside = 0;
@@ -99,7 +125,8 @@ TEST_CASE("kerr bodies: with almost no spin they are where the spinless referenc
             REQUIRE(other);
             double place = 0, cosine = 0, delay = 0;
             int hits = 0, misses = 0;
-            const int stride = moving_parts(slow).empty() ? (camera.r > 11 ? 1 : 3) : 5;   // the spinless clock takes milliseconds
+            const int stride =
+                moving_parts(slow).empty() ? (camera.r > 11 ? 1 : 3) : 5;  // the spinless clock takes milliseconds
             for (int y = 0; y < slow.camera.height; y += stride)
                 for (int x = 0; x < slow.camera.width; x += stride) {
                     const RayPixel a = tracer->pixel(x + 0.5, y + 0.5), b = other->pixel(x + 0.5, y + 0.5);
@@ -111,12 +138,16 @@ TEST_CASE("kerr bodies: with almost no spin they are where the spinless referenc
                     if (a.fate != Fate::kHit || b.fate != Fate::kHit) continue;
                     place = std::max(place, length(Vec3{a.u - b.u, a.v - b.v, a.w - b.w}));
                     delay = std::max(delay, std::fabs(a.delay - b.delay));
-                    const auto seen = tracer->body_hit(tracer->ray(x + 0.5, y + 0.5)), known = other->body_hit(other->ray(x + 0.5, y + 0.5));
+                    const auto seen = tracer->body_hit(tracer->ray(x + 0.5, y + 0.5)),
+                               known = other->body_hit(other->ray(x + 0.5, y + 0.5));
                     cosine = std::max(cosine, std::fabs(seen->cosine - known->cosine));
                 }
-            fmt::print("spin 1e-9, {}, {}: {} hits, {} others, places by {:.2e}, cosines by {:.2e}, delays by {:.2e}\n", kind.name, camera.name, hits, misses, place, cosine, delay);
-            if (camera.r < 1) from_inside += hits;
-            else CHECK(hits > 0);
+            fmt::print("spin 1e-9, {}, {}: {} hits, {} others, places by {:.2e}, cosines by {:.2e}, delays by {:.2e}\n",
+                       kind.name, camera.name, hits, misses, place, cosine, delay);
+            if (camera.r < 1)
+                from_inside += hits;
+            else
+                CHECK(hits > 0);
             CHECK(misses > 0);
             CHECK(place < kPlace);
             CHECK(delay < kPlace);
@@ -127,15 +158,20 @@ TEST_CASE("kerr bodies: with almost no spin they are where the spinless referenc
 }
 
 TEST_CASE("kerr bodies: what is traced outward and turns back meets the same as its mirror image") {
-    constexpr double kSameRay = 1e-9;   // of rays within 1e-12 r_s, by directions that rounding turns by 1e-16, near the critical one
+    constexpr double kSameRay =
+        1e-9;  // of rays within 1e-12 r_s, by directions that rounding turns by 1e-16, near the critical one
     int hits = 0, back = 0;
     double place = 0, along = 0, late = 0;
-    const auto apart = [](double a, double b) { return std::fabs(a - b) / std::max(1.0, std::fabs(b)); };   // along: 0 abreast of the hole
+    const auto apart = [](double a, double b) {
+        return std::fabs(a - b) / std::max(1.0, std::fabs(b));
+    };  // along: 0 abreast of the hole
     for (const double r : {1.1, 1.5, 1.8}) {
         Scene scene = spinning(0.9);
-        scene.camera.observer = ObserverKind::kZamo, scene.camera.r = r, scene.camera.theta = 1.4, scene.camera.plane_width = 2, scene.camera.width = 12, scene.camera.height = 9;
+        scene.camera.observer = ObserverKind::kZamo, scene.camera.r = r, scene.camera.theta = 1.4,
+        scene.camera.plane_width = 2, scene.camera.width = 12, scene.camera.height = 9;
         scene.disc = DiscSpec{}, scene.disc->inner = 0.8, scene.disc->outer = 3;
-        scene.cylinder = CylinderSpec{}, scene.cylinder->inner = 0.73, scene.cylinder->outer = 0.95, scene.cylinder->height = 0.3;
+        scene.cylinder = CylinderSpec{}, scene.cylinder->inner = 0.73, scene.cylinder->outer = 0.95,
+        scene.cylinder->height = 0.3;
         scene.ball = BallSpec{}, scene.ball->position = {-1.4, 0.1, 0.2}, scene.ball->radius = 0.15;
         const auto metric = metric_of(scene);
         for (const double yaw : {1.2, 1.9, -1.2, -1.9}) {
@@ -144,7 +180,8 @@ TEST_CASE("kerr bodies: what is traced outward and turns back meets the same as 
             REQUIRE(tracer);
             for (int y = 0; y < scene.camera.height; ++y)
                 for (int x = 0; x < scene.camera.width; ++x) {
-                    const Vec3 n = static_from_camera(scene.camera) * normalized(pixel_direction(scene.camera, x + 0.5, y + 0.5));
+                    const Vec3 n =
+                        static_from_camera(scene.camera) * normalized(pixel_direction(scene.camera, x + 0.5, y + 0.5));
                     const auto traced = tracer->ray(x + 0.5, y + 0.5);
                     const auto hit = tracer->body_hit(traced);
                     const Met other = met(scene, *metric, {r, scene.camera.theta, scene.camera.phi, n});
@@ -154,7 +191,8 @@ TEST_CASE("kerr bodies: what is traced outward and turns back meets the same as 
                     CAPTURE(y);
                     REQUIRE(hit.has_value() == other.hit.has_value());
                     REQUIRE(traced.spun->crossings.size() == other.ray.crossings.size());
-                    for (std::size_t k = 0; k < other.ray.crossings.size(); ++k) along = std::max(along, apart(traced.spun->crossings[k].along, other.ray.crossings[k].along));
+                    for (std::size_t k = 0; k < other.ray.crossings.size(); ++k)
+                        along = std::max(along, apart(traced.spun->crossings[k].along, other.ray.crossings[k].along));
                     if (!hit) continue;
                     ++hits, back += n.x > 0 && traced.fate() == Fate::kCaptured;
                     CHECK(hit->object == other.hit->object);
@@ -164,7 +202,8 @@ TEST_CASE("kerr bodies: what is traced outward and turns back meets the same as 
                 }
         }
     }
-    fmt::print("mirrored: {} hits, {} of rays that turn back; places by {:.2e}, the way by {:.2e}, times by {:.2e}\n", hits, back, place, along, late);
+    fmt::print("mirrored: {} hits, {} of rays that turn back; places by {:.2e}, the way by {:.2e}, times by {:.2e}\n",
+               hits, back, place, along, late);
     CHECK(back > 20);
     CHECK(place < kSameRay);
     CHECK(along < kSameRay);
@@ -172,8 +211,8 @@ TEST_CASE("kerr bodies: what is traced outward and turns back meets the same as 
 }
 
 TEST_CASE("kerr bodies: hits lie on the surface, and a fine march meets nothing before") {
-    constexpr int kParts = 24;   // of a step
-    constexpr double kNearer = 1e-5;   // of the affine parameter: what a march may come before
+    constexpr int kParts = 24;        // of a step
+    constexpr double kNearer = 1e-5;  // of the affine parameter: what a march may come before
     for (const double spin : {0.9, 0.998})
         for (const Kind& kind : kKinds) {
             CAPTURE(spin);
@@ -186,7 +225,7 @@ TEST_CASE("kerr bodies: hits lie on the surface, and a fine march meets nothing 
                 kind.add(scene);
                 scene.time = 3, scene.camera.width = 12, scene.camera.height = 9;
                 seen_by(scene, camera);
-                if (camera.r < 1) scene.camera.r = spin < 0.95 ? 0.6 : 0.51;   // between its horizons
+                if (camera.r < 1) scene.camera.r = spin < 0.95 ? 0.6 : 0.51;  // between its horizons
                 const auto tracer = reference::FrameTracer::make(scene);
                 REQUIRE(tracer);
                 const auto metric = metric_of(scene);
@@ -197,16 +236,24 @@ TEST_CASE("kerr bodies: hits lie on the surface, and a fine march meets nothing 
                         const auto hit = tracer->body_hit(tracer->ray(x + 0.5, y + 0.5));
                         if (!hit) continue;
                         ++hits;
-                        off = std::max(off, std::fabs(value_of(scene, *metric, hit->place, scene.time - hit->late)) / kind.size);
+                        off = std::max(
+                            off, std::fabs(value_of(scene, *metric, hit->place, scene.time - hit->late)) / kind.size);
                     }
-                fmt::print("spin {}, {}, {}: {} hits, off by {:.2e} of its size\n", spin, kind.name, camera.name, hits, off);
-                if (camera.r < 1) from_inside += hits;
-                else CHECK(hits > 0);
+                fmt::print("spin {}, {}, {}: {} hits, off by {:.2e} of its size\n", spin, kind.name, camera.name, hits,
+                           off);
+                if (camera.r < 1)
+                    from_inside += hits;
+                else
+                    CHECK(hits > 0);
                 CHECK(off < kOnSurface);
                 if (camera.observer != ObserverKind::kStatic) continue;
                 for (int i = 0; i < 12; ++i) {
-                    const double beta = 0.04 * i, around = 2.4 * i;   // a spiral about the hole
-                    const KerrStart start{15, 1.3, 0.2, {-std::cos(beta), std::sin(beta) * std::cos(around), std::sin(beta) * std::sin(around)}};
+                    const double beta = 0.04 * i, around = 2.4 * i;  // a spiral about the hole
+                    const KerrStart start{
+                        15,
+                        1.3,
+                        0.2,
+                        {-std::cos(beta), std::sin(beta) * std::cos(around), std::sin(beta) * std::sin(around)}};
                     const Met found = met(scene, *metric, start);
                     double first = INFINITY;
                     reference::trace_kerr(spin, start, 0, [&](const KerrStep& step) {
@@ -214,11 +261,13 @@ TEST_CASE("kerr bodies: hits lie on the surface, and a fine march meets nothing 
                         for (int k = 0; k <= kParts; ++k) {
                             const double along = step.from + (step.to - step.from) * k / kParts;
                             const reference::KerrPlace place = step.at(along);
-                            if (value_of(scene, *metric, place.flat(), scene.time - place.late) < 0) first = std::min(first, along);
+                            if (value_of(scene, *metric, place.flat(), scene.time - place.late) < 0)
+                                first = std::min(first, along);
                         }
                     });
                     CHECK((found.hit ? found.hit->along - kNearer : INFINITY) <= first);
-                    if (found.hit && first == INFINITY) CHECK(found.hit->cosine < 0.3);   // grazed between two looks of the march
+                    if (found.hit && first == INFINITY)
+                        CHECK(found.hit->cosine < 0.3);  // grazed between two looks of the march
                 }
             }
             CHECK((from_inside > 0) == seen_from_inside(kind));
@@ -233,14 +282,23 @@ TEST_CASE("kerr bodies: the face of a very thin thick disc is where rays cross t
     int faces = 0, inward = 0;
     for (const double spin : {0.9, 0.998}) {
         Scene scene = spinning(spin);
-        scene.cylinder = CylinderSpec{}, scene.cylinder->inner = 2, scene.cylinder->outer = 9, scene.cylinder->height = kHeight;
+        scene.cylinder = CylinderSpec{}, scene.cylinder->inner = 2, scene.cylinder->outer = 9,
+        scene.cylinder->height = kHeight;
         const auto metric = metric_of(scene);
         for (int i = 0; i < 120; ++i) {
-            const double beta = 0.7 * std::sqrt(even(random)), around = 2 * M_PI * even(random), out = i % 3 == 0 ? 1 : -1;
-            const KerrStart start{out > 0 ? 4.0 : 15.0, 0.5 + 0.8 * even(random), 0.3, {out * std::cos(beta), std::sin(beta) * std::cos(around), std::sin(beta) * std::sin(around)}};
+            const double beta = 0.7 * std::sqrt(even(random)), around = 2 * M_PI * even(random),
+                         out = i % 3 == 0 ? 1 : -1;
+            const KerrStart start{
+                out > 0 ? 4.0 : 15.0,
+                0.5 + 0.8 * even(random),
+                0.3,
+                {out * std::cos(beta), std::sin(beta) * std::cos(around), std::sin(beta) * std::sin(around)}};
             const Met found = met(scene, *metric, start);
-            const auto crossed = std::find_if(found.ray.crossings.begin(), found.ray.crossings.end(), [](const auto& c) { return c.r > 2.001 && c.r < 8.999; });
-            const bool rim = std::any_of(found.ray.crossings.begin(), found.ray.crossings.end(), [](const auto& c) { return std::fabs(c.r - 2) <= 1e-3 || std::fabs(c.r - 9) <= 1e-3; });
+            const auto crossed = std::find_if(found.ray.crossings.begin(), found.ray.crossings.end(),
+                                              [](const auto& c) { return c.r > 2.001 && c.r < 8.999; });
+            const bool rim = std::any_of(found.ray.crossings.begin(), found.ray.crossings.end(), [](const auto& c) {
+                return std::fabs(c.r - 2) <= 1e-3 || std::fabs(c.r - 9) <= 1e-3;
+            });
             CAPTURE(spin);
             CAPTURE(i);
             if (rim) continue;
@@ -252,10 +310,12 @@ TEST_CASE("kerr bodies: the face of a very thin thick disc is where rays cross t
             const double cosine = found.hit->cosine;
             if (cosine < 0.05) continue;
             ++faces, inward += out < 0;
-            worst = std::max(worst, std::fabs(length(found.hit->place - place) * cosine / kHeight - 1));   // a straight way through half of it
+            worst = std::max(worst, std::fabs(length(found.hit->place - place) * cosine / kHeight -
+                                              1));  // a straight way through half of it
         }
     }
-    fmt::print("thin thick disc: {} hits on its faces, the way to the plane is height/cosine but for {:.2e} of it\n", faces, worst);
+    fmt::print("thin thick disc: {} hits on its faces, the way to the plane is height/cosine but for {:.2e} of it\n",
+               faces, worst);
     CHECK(faces > 60);
     CHECK(inward > 30);
     CHECK(inward < faces);
@@ -273,12 +333,14 @@ TEST_CASE("kerr bodies: discs before and behind a ball") {
             Scene disc = with, ball = with;
             disc.disc->opacity = 1;
             disc.ball.reset(), ball.disc.reset();
-            const auto all = reference::trace_frame(with), discs = reference::trace_frame(disc), balls = reference::trace_frame(ball);
+            const auto all = reference::trace_frame(with), discs = reference::trace_frame(disc),
+                       balls = reference::trace_frame(ball);
             REQUIRE(all);
             for (std::size_t i = 0; i < all->pixels.size(); ++i) {
                 const RayPixel &a = all->pixels[i], &d = discs->pixels[i], &b = balls->pixels[i];
                 const bool meets_disc = d.fate == Fate::kHit, meets_ball = b.fate == Fate::kHit;
-                const bool disc_is_first = meets_disc && !(meets_ball && b.delay < d.delay);   // light from nearer by is younger
+                const bool disc_is_first =
+                    meets_disc && !(meets_ball && b.delay < d.delay);  // light from nearer by is younger
                 CHECK(a.hit == (disc_is_first ? kDiscHit : b.hit));
                 CHECK(a.u == (disc_is_first ? d.u : b.u));
                 const bool ends_on_disc = disc_is_first && opacity == 1;
@@ -312,7 +374,8 @@ TEST_CASE("kerr bodies: a ray's record ends on the body, with the crossings befo
         }
         CHECK(record->hit == Object::kBall);
         CHECK(std::isnan(record->delay));
-        dropped += static_cast<int>(free->crossings.size() - record->crossings.size()), kept += static_cast<int>(record->crossings.size());
+        dropped += static_cast<int>(free->crossings.size() - record->crossings.size()),
+            kept += static_cast<int>(record->crossings.size());
     }
     CHECK(dropped > 0);
     CHECK(kept > 0);
@@ -321,9 +384,12 @@ TEST_CASE("kerr bodies: a ray's record ends on the body, with the crossings befo
 TEST_CASE("kerr bodies: pictures with almost no spin are the spinless ones") {
     Scene slow = spinning(kAlmostNone);
     slow.sky.kind = SkyKind::kChecker;
-    slow.disc = DiscSpec{}, slow.disc->opacity = 0.6, slow.disc->outer = 8, slow.disc->look.texture = TextureKind::kPlain;
-    slow.ball = BallSpec{}, slow.ball->position = {5, 3, 0}, slow.ball->motion = BallMotion::kOrbit, slow.ball->look.limb = 0.7, slow.ball->look.texture = TextureKind::kStripes;
-    slow.cylinder = CylinderSpec{}, slow.cylinder->inner = 9, slow.cylinder->outer = 11, slow.cylinder->look.texture = TextureKind::kGrid;
+    slow.disc = DiscSpec{}, slow.disc->opacity = 0.6, slow.disc->outer = 8,
+    slow.disc->look.texture = TextureKind::kPlain;
+    slow.ball = BallSpec{}, slow.ball->position = {5, 3, 0}, slow.ball->motion = BallMotion::kOrbit,
+    slow.ball->look.limb = 0.7, slow.ball->look.texture = TextureKind::kStripes;
+    slow.cylinder = CylinderSpec{}, slow.cylinder->inner = 9, slow.cylinder->outer = 11,
+    slow.cylinder->look.texture = TextureKind::kGrid;
     Scene none = slow;
     none.spacetime = {"schwarzschild", {}};
     const auto a = reference::render_frame(slow, {}, {}, 1), b = reference::render_frame(none, {}, {}, 1);
@@ -353,11 +419,12 @@ TEST_CASE("kerr bodies: ways of a ball that are not followed are refused") {
 TEST_CASE("kerr bodies: what looking for them costs") {
     const auto took = [](const Scene& scene) {
         const auto tracer = reference::FrameTracer::make(scene);
-        std::vector<double> rows;   // the median of 10
+        std::vector<double> rows;  // the median of 10
         for (int y = 0; y < 10; ++y) {
             const auto from = std::chrono::steady_clock::now();
             for (int x = 0; x < 20; ++x) (void)tracer->pixel(2 * x + 0.5, 3 * y + 0.5);
-            rows.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - from).count() / 20);
+            rows.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - from).count() /
+                           20);
         }
         std::nth_element(rows.begin(), rows.begin() + 5, rows.end());
         return rows[5];

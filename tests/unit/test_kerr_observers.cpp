@@ -16,7 +16,7 @@ using namespace nullscope;
 using enum ObserverKind;
 using Components = std::array<long double, 4>;
 
-constexpr double kPromised = 1e-12;   // of products of a tetrad, and of constants of motion
+constexpr double kPromised = 1e-12;  // of products of a tetrad, and of constants of motion
 constexpr ObserverKind kAll[] = {kStatic, kZamo, kCarter, kOrbit, kCounterOrbit, kRain, kFall, kThrow};
 
 std::shared_ptr<const Spacetime> kerr(double spin) { return *make_spacetime("kerr", {{"spin", spin}}); }
@@ -65,13 +65,16 @@ TEST_CASE("kerr observers: orthonormal outside, on and inside the horizon, and o
                         CAPTURE(spin);
                         CAPTURE(camera.r);
                         CAPTURE(std::string(observer_name(kind)));
-                        double size = 1;   // what is summed: next to the horizon those who stay there have large components
+                        double size =
+                            1;  // what is summed: next to the horizon those who stay there have large components
                         for (std::size_t i = 0; i < 4; ++i)
                             for (const double x : tetrad->high[i]) size = std::max(size, x * x);
                         for (std::size_t i = 0; i < 4; ++i)
                             for (std::size_t j = 0; j < 4; ++j)
-                                CHECK(std::fabs(static_cast<double>(product(g, row(*tetrad, i), row(*tetrad, j))) - (i != j ? 0.0 : i == 0 ? -1.0 : 1.0)) <
-                                      kPromised * std::max(1.0, 1e-2 * size));
+                                CHECK(std::fabs(static_cast<double>(product(g, row(*tetrad, i), row(*tetrad, j))) -
+                                                (i != j   ? 0.0
+                                                 : i == 0 ? -1.0
+                                                          : 1.0)) < kPromised * std::max(1.0, 1e-2 * size));
                     }
 }
 
@@ -91,19 +94,27 @@ TEST_CASE("kerr observers: each has the constants of motion that define it") {
                     const Constants c = constants(*spacetime, camera, u);
                     const double a = spacetime->spin(), scale = kPromised * (1 + std::fabs(c.energy) * r);
                     CHECK(std::fabs(c.p_theta) < scale);
-                    if (kind == kStatic) CHECK(std::fabs(static_cast<double>(u[3])) + std::fabs(static_cast<double>(u[1])) < kPromised);
+                    if (kind == kStatic)
+                        CHECK(std::fabs(static_cast<double>(u[3])) + std::fabs(static_cast<double>(u[1])) < kPromised);
                     if (kind == kCarter) CHECK(std::fabs(c.across - a * c.energy * std::sin(theta)) < scale);
                     if (kind == kZamo || falls(camera)) CHECK(std::fabs(c.across) < scale);
                     if (kind == kRain) CHECK(std::fabs(c.energy - 1) < kPromised);
                     if (kind == kThrow) CHECK(std::fabs(c.energy - 1.7) < kPromised);
-                    if (kind == kFall) CHECK(std::fabs(c.energy - std::sqrt(-1 / spacetime->inverse_metric(8, theta)[0][0])) < kPromised);
+                    if (kind == kFall)
+                        CHECK(std::fabs(c.energy - std::sqrt(-1 / spacetime->inverse_metric(8, theta)[0][0])) <
+                              kPromised);
                     if (falls(camera)) CHECK(u[1] < 0);
-                    if (kind == kOrbit || kind == kCounterOrbit) {   // r' = r'' = 0 of the radial potential, by differences of it
+                    if (kind == kOrbit ||
+                        kind == kCounterOrbit) {  // r' = r'' = 0 of the radial potential, by differences of it
                         CHECK(std::fabs(static_cast<double>(u[1])) < kPromised);
-                        const double w = c.across - a * c.energy * std::sin(theta), k = a * a * std::pow(std::cos(theta), 2) + w * w, l = c.across * std::sin(theta);
-                        const auto potential = [&](double x) { return std::pow(c.energy * (x * x + a * a) - a * l, 2) - (x * x - x + a * a) * (x * x + k); };
+                        const double w = c.across - a * c.energy * std::sin(theta),
+                                     k = a * a * std::pow(std::cos(theta), 2) + w * w, l = c.across * std::sin(theta);
+                        const auto potential = [&](double x) {
+                            return std::pow(c.energy * (x * x + a * a) - a * l, 2) - (x * x - x + a * a) * (x * x + k);
+                        };
                         const double h = 1e-4 * r;
-                        CHECK(std::fabs(potential(r + h) - potential(r - h)) / (2 * h) < 1e-6 * r * r * r * c.energy * c.energy);
+                        CHECK(std::fabs(potential(r + h) - potential(r - h)) / (2 * h) <
+                              1e-6 * r * r * r * c.energy * c.energy);
                         if (theta == M_PI / 2 && kind == kOrbit) {
                             const CircularOrbit circle = *circular_orbit(*spacetime, r);
                             CHECK(c.energy == doctest::Approx(circle.energy).epsilon(1e-11));
@@ -121,7 +132,7 @@ TEST_CASE("kerr observers: the forms of a look direction are the photon of the t
                 for (const ObserverKind kind : kAll) {
                     const auto spacetime = kerr(spin);
                     CameraSpec camera = camera_at(*spacetime->horizon_radius() + above, theta, kind);
-                    camera.yaw = camera.pitch = camera.roll = 0;   // right e_phi, up -e_theta, backward e_r
+                    camera.yaw = camera.pitch = camera.roll = 0;  // right e_phi, up -e_theta, backward e_r
                     const auto observer = observer_of(*spacetime, camera);
                     const auto tetrad = ingoing_hat_pair(*spacetime, camera);
                     if (!observer || !tetrad) continue;
@@ -132,7 +143,8 @@ TEST_CASE("kerr observers: the forms of a look direction are the photon of the t
                     const SpinForms f = spin_forms(place, {observer->frame, observer->swirl});
                     const Vec3 n = normalized(Vec3{0.4, -0.5, 0.3});
                     Components p = row(*tetrad, 0);
-                    for (std::size_t mu = 0; mu < 4; ++mu) p[mu] += -n.z * row(*tetrad, 1)[mu] + n.y * row(*tetrad, 2)[mu] - n.x * row(*tetrad, 3)[mu];
+                    for (std::size_t mu = 0; mu < 4; ++mu)
+                        p[mu] += -n.z * row(*tetrad, 1)[mu] + n.y * row(*tetrad, 2)[mu] - n.x * row(*tetrad, 3)[mu];
                     const Constants c = constants(*spacetime, camera, p);
                     double size = 1;
                     for (const long double x : p) size = std::max(size, std::fabs(static_cast<double>(x)));
@@ -140,8 +152,10 @@ TEST_CASE("kerr observers: the forms of a look direction are the photon of the t
                     CHECK(std::fabs(f.energy.of(n.x, n.z) + c.energy) < bound);
                     CHECK(std::fabs(f.across.of(n.x, n.z) + c.across) < bound);
                     CHECK(std::fabs(f.p_theta * n.y + c.p_theta) < bound);
-                    CHECK(std::fabs(f.carter + f.carter_slope * n.z + c.across - place.a * place.sine * c.energy) < bound);
-                    CHECK(std::fabs(f.climb.of(n.x, n.z) - place.sigma * static_cast<double>(p[1]) / (camera.r * camera.r)) < bound);
+                    CHECK(std::fabs(f.carter + f.carter_slope * n.z + c.across - place.a * place.sine * c.energy) <
+                          bound);
+                    CHECK(std::fabs(f.climb.of(n.x, n.z) -
+                                    place.sigma * static_cast<double>(p[1]) / (camera.r * camera.r)) < bound);
                 }
 }
 
@@ -157,7 +171,8 @@ TEST_CASE("kerr observers: without spin the frames are those of the radial obser
             if (!a || !b) continue;
             for (std::size_t i = 0; i < 4; ++i)
                 for (std::size_t mu = 0; mu < 4; ++mu)
-                    CHECK(std::fabs(static_cast<double>(row(*a, i)[mu] - row(*b, i)[mu])) < 1e-10 * std::max(1.0, std::fabs(static_cast<double>(row(*b, i)[mu]))));
+                    CHECK(std::fabs(static_cast<double>(row(*a, i)[mu] - row(*b, i)[mu])) <
+                          1e-10 * std::max(1.0, std::fabs(static_cast<double>(row(*b, i)[mu]))));
         }
 }
 
@@ -169,16 +184,17 @@ TEST_CASE("kerr observers: where there are none one line says what is allowed") 
         const auto observer = observer_of(*spacetime, camera);
         return observer ? "" : observer.error().message;
     };
-    CHECK(refused(0.95, M_PI / 2, kStatic).find("ergosphere; allowed: r > 1 at this theta, or observer = \"zamo\"") != std::string::npos);
+    CHECK(refused(0.95, M_PI / 2, kStatic).find("ergosphere; allowed: r > 1 at this theta, or observer = \"zamo\"") !=
+          std::string::npos);
     CHECK(refused(0.95, M_PI / 2, kZamo).empty());
-    CHECK(refused(0.95, 0.1, kStatic).empty());   // the ergosphere ends at the horizon on the axis
+    CHECK(refused(0.95, 0.1, kStatic).empty());  // the ergosphere ends at the horizon on the axis
     CHECK(refused(0.7, 1, kZamo).find("allowed: r > 0.717") != std::string::npos);
     CHECK(refused(0.7, 1, kRain).empty());
-    CHECK(refused(0.25, 1, kRain).find("allowed: r > 0.282") != std::string::npos);   // the inner horizon
+    CHECK(refused(0.25, 1, kRain).find("allowed: r > 0.282") != std::string::npos);  // the inner horizon
     CHECK(refused(0.75, M_PI / 2, kOrbit).find("no orbit of this sense") != std::string::npos);
-    CHECK(refused(0.80, M_PI / 2, kOrbit).empty());            // light's own, with the spin: 0.7789
+    CHECK(refused(0.80, M_PI / 2, kOrbit).empty());  // light's own, with the spin: 0.7789
     CHECK(refused(1.90, M_PI / 2, kCounterOrbit).find("no orbit of this sense") != std::string::npos);
-    CHECK(refused(1.97, M_PI / 2, kCounterOrbit).empty());     // against it: 1.9551
+    CHECK(refused(1.97, M_PI / 2, kCounterOrbit).empty());  // against it: 1.9551
     CHECK(refused(9.0, 1, kFall).find("fall_from >= camera.r") != std::string::npos);
     CHECK(refused(3.0, 1, kThrow).find("does not come this far in") != std::string::npos);
     CHECK(refused(0.9, 1, kThrow).empty());
@@ -187,5 +203,6 @@ TEST_CASE("kerr observers: where there are none one line says what is allowed") 
 TEST_CASE("kerr observers: both have the same azimuth of what falls in") {
     for (const double spin : {0.1, 0.9, 0.9999})
         for (const double r : {*kerr(spin)->horizon_radius() * (1 + 1e-6), 1.5, 40.0})
-            CHECK(azimuth_ahead(*kerr(spin), r) == doctest::Approx(reference::kerr_azimuth_ahead(spin, r)).epsilon(1e-9));
+            CHECK(azimuth_ahead(*kerr(spin), r) ==
+                  doctest::Approx(reference::kerr_azimuth_ahead(spin, r)).epsilon(1e-9));
 }

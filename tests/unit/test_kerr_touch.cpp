@@ -20,16 +20,18 @@ double horizon_of(double spin) { return 0.5 * (1 + std::sqrt((1 - spin) * (1 + s
 
 // Carter's constants of a ray that the camera without angular momentum sees from `look`.
 struct Carter {
-    double a, e, l, k;   // k = Q + (L - a E)^2
+    double a, e, l, k;  // k = Q + (L - a E)^2
     Carter(double spin, const KerrStart& start) : a(0.5 * spin) {
         const double sine = std::sin(start.theta), cosine = std::cos(start.theta), r = start.r;
-        const double sigma = r * r + a * a * cosine * cosine, delta = r * r - r + a * a, area = (r * r + a * a) * (r * r + a * a) - delta * a * a * sine * sine;
+        const double sigma = r * r + a * a * cosine * cosine, delta = r * r - r + a * a,
+                     area = (r * r + a * a) * (r * r + a * a) - delta * a * a * sine * sine;
         l = -std::sqrt(area / sigma) * sine * start.look.z, e = std::sqrt(delta * sigma / area) + a * r / area * l;
         k = sigma * start.look.y * start.look.y + std::pow(l / sine - a * e * sine, 2);
     }
     // The largest cos(theta)^2 that a ray can come to: Q + u (a^2 E^2 - Q - L^2) - a^2 E^2 u^2 = 0.
     double highest() const {
-        const double q = k - std::pow(l - a * e, 2), b = a * a * e * e - q - l * l, root = std::sqrt(b * b + 4 * a * a * e * e * q);
+        const double q = k - std::pow(l - a * e, 2), b = a * a * e * e - q - l * l,
+                     root = std::sqrt(b * b + 4 * a * a * e * e * q);
         return b < 0 ? 2 * q / (root - b) : (root + b) / (2 * a * a * e * e);
     }
 };
@@ -38,12 +40,16 @@ struct Carter {
 double least_radius(double spin, const KerrStart& start) {
     const Carter c(spin, start);
     const double a = c.a, r0 = start.r;
-    const auto potential = [&](double r) { return std::pow(c.e * (r * r + a * a) - a * c.l, 2) - (r * r - r + a * a) * c.k; };
+    const auto potential = [&](double r) {
+        return std::pow(c.e * (r * r + a * a) - a * c.l, 2) - (r * r - r + a * a) * c.k;
+    };
     if (start.look.x >= 0) return r0;
     const double horizon = horizon_of(spin);
     constexpr int kLooks = 4000;
     for (int i = 1; i <= kLooks; ++i) {
-        const auto at = [&](int j) { return horizon + (r0 - horizon) * std::pow(1 - static_cast<double>(j) / kLooks, 3); };   // they crowd where light can go round
+        const auto at = [&](int j) {
+            return horizon + (r0 - horizon) * std::pow(1 - static_cast<double>(j) / kLooks, 3);
+        };  // they crowd where light can go round
         if (potential(at(i)) >= 0) continue;
         double high = at(i - 1), low = at(i);
         for (int j = 0; j < 60; ++j) (potential(0.5 * (low + high)) >= 0 ? high : low) = 0.5 * (low + high);
@@ -54,7 +60,8 @@ double least_radius(double spin, const KerrStart& start) {
 // The angle to straight inward at which a ray touches a sphere.
 double touching_angle(double spin, const std::function<KerrStart(double)>& start, double radius) {
     double low = 0, high = 0.5 * M_PI;
-    for (int j = 0; j < 50; ++j) (least_radius(spin, start(0.5 * (low + high))) < radius ? low : high) = 0.5 * (low + high);
+    for (int j = 0; j < 50; ++j)
+        (least_radius(spin, start(0.5 * (low + high))) < radius ? low : high) = 0.5 * (low + high);
     return low;
 }
 
@@ -69,11 +76,18 @@ TEST_CASE("kerr bodies: a ray meets a sphere exactly if Carter's potential lets 
         for (const double radius : {1.0001 * horizon_of(spin), 1.2, 3.0, 8.0}) {
             Scene sphere = spinning(spin), formula = sphere;
             sphere.sphere = SphereSpec{}, sphere.sphere->radius = radius;
-            formula.surface = SurfaceSpec{}, formula.surface->bound = 1.01 * radius, formula.surface->shape = fmt::format("length(x, y, z) - {}", radius);
+            formula.surface = SurfaceSpec{}, formula.surface->bound = 1.01 * radius,
+            formula.surface->shape = fmt::format("length(x, y, z) - {}", radius);
             const auto metric = metric_of(sphere);
             for (int i = 0; i < 12; ++i) {
                 const double theta = 0.3 + 2.5 * even(random), around = 2 * M_PI * even(random);
-                const auto start = [&](double beta) { return KerrStart{12, theta, 0, {-std::cos(beta), std::sin(beta) * std::cos(around), std::sin(beta) * std::sin(around)}}; };
+                const auto start = [&](double beta) {
+                    return KerrStart{
+                        12,
+                        theta,
+                        0,
+                        {-std::cos(beta), std::sin(beta) * std::cos(around), std::sin(beta) * std::sin(around)}};
+                };
                 const double touching = touching_angle(spin, start, radius);
                 for (const double by : {-0.5, -1e-2, -1e-4, -1e-6, 1e-6, 1e-4, 1e-2, 0.5}) {
                     const double beta = by == -0.5 ? 0.5 * touching : touching + by;
@@ -99,17 +113,21 @@ TEST_CASE("kerr bodies: a ray meets a sphere exactly if Carter's potential lets 
 }
 
 TEST_CASE("kerr bodies: no place on a ray is higher than Carter's potential lets it, and the highest is") {
-    constexpr double kFlat = 1e-3;   // what looks a sixteenth of a step apart leave of a maximum
+    constexpr double kFlat = 1e-3;  // what looks a sixteenth of a step apart leave of a maximum
     std::mt19937 random(5);
     std::uniform_real_distribution<double> even(0, 1);
     int turned = 0;
     for (const double spin : {0.9, 0.998})
         for (int i = 0; i < 30; ++i) {
             const double around = 2 * M_PI * even(random), beta = 0.35 * even(random);
-            const KerrStart start{8, 1.0 + 1.1 * even(random), 0, {-std::cos(beta), std::sin(beta) * std::cos(around), std::sin(beta) * std::sin(around)}};
+            const KerrStart start{
+                8,
+                1.0 + 1.1 * even(random),
+                0,
+                {-std::cos(beta), std::sin(beta) * std::cos(around), std::sin(beta) * std::sin(around)}};
             const double highest = Carter(spin, start).highest();
             double most = 0;
-            bool within = false;   // of the ray, and near the hole, where the chart's theta is another
+            bool within = false;  // of the ray, and near the hole, where the chart's theta is another
             reference::trace_kerr(spin, start, 0, [&](const KerrStep& step) {
                 for (int k = 0; k <= 16; ++k) {
                     const reference::KerrPlace place = step.at(step.from + (step.to - step.from) * k / 16);
@@ -126,13 +144,16 @@ TEST_CASE("kerr bodies: no place on a ray is higher than Carter's potential lets
 }
 
 TEST_CASE("kerr bodies: a sphere that is just touched comes before what stands right behind") {
-    constexpr double kSpin = 0.9, kRadius = 6, kBehind = 0.15;   // of the affine parameter, which is nearly r_s here
+    constexpr double kSpin = 0.9, kRadius = 6, kBehind = 0.15;  // of the affine parameter, which is nearly r_s here
     Scene alone = spinning(kSpin);
     alone.sphere = SphereSpec{}, alone.sphere->radius = kRadius;
     const auto metric = metric_of(alone);
     for (int i = 0; i < 40; ++i) {
-        const double around = 0.1 * i, r0 = 10 + 0.2 * i;   // where steps begin differs
-        const auto start = [&](double beta) { return KerrStart{r0, 1.2, 0, {-std::cos(beta), std::sin(beta) * std::cos(around), std::sin(beta) * std::sin(around)}}; };
+        const double around = 0.1 * i, r0 = 10 + 0.2 * i;  // where steps begin differs
+        const auto start = [&](double beta) {
+            return KerrStart{
+                r0, 1.2, 0, {-std::cos(beta), std::sin(beta) * std::cos(around), std::sin(beta) * std::sin(around)}};
+        };
         const KerrStart touching = start(touching_angle(kSpin, start, kRadius) - 1e-7);
         const Met first = met(alone, *metric, touching);
         REQUIRE(first.hit);

@@ -17,13 +17,14 @@ using reference::KerrRay;
 using reference::KerrStart;
 
 constexpr double kSpin = 0.9;
-constexpr double kTolerance = 1e-10;   // times the condition number: what the project promises for this witness
-constexpr double kNudge = 1e-10;       // of the inputs, for the condition number: halfway between rounding and the nearest critical ray
+constexpr double kTolerance = 1e-10;  // times the condition number: what the project promises for this witness
+constexpr double kNudge =
+    1e-10;  // of the inputs, for the condition number: halfway between rounding and the nearest critical ray
 constexpr int kCrossings = 2;
 
 struct Column {
     const char* name;
-    bool angle;   // compared modulo a turn
+    bool angle;  // compared modulo a turn
     double (*value)(const KerrRay&);
 };
 const Column kColumns[] = {
@@ -55,7 +56,8 @@ double condition_number(const KerrStart& start, const Column& column, double her
             if (input == 1) moved.theta *= 1 + h;
             if (input == 2) moved.look = normalized(moved.look + h * Vec3{0, 1, 0});
             if (input == 3) moved.look = normalized(moved.look + h * Vec3{0, 0, 1});
-            const double change = apart(column, column.value(reference::trace_kerr(kSpin, moved, kCrossings)), here) / kNudge;
+            const double change =
+                apart(column, column.value(reference::trace_kerr(kSpin, moved, kCrossings)), here) / kNudge;
             if (std::isfinite(change)) worst = std::max(worst, change);
         }
         sum += worst;
@@ -84,7 +86,7 @@ Worst compare(double bias) {
         }
         for (const Column& column : kColumns) {
             const bool at_end = &column < &kColumns[2];
-            if (at_end && ray.fate == Fate::kCaptured) continue;   // the file gives theta at the horizon there
+            if (at_end && ray.fate == Fate::kCaptured) continue;  // the file gives theta at the horizon there
             const double expected = number(row, column.name), found = column.value(ray);
             if (bias == 0) {
                 CAPTURE(row.at("id"));
@@ -117,7 +119,8 @@ TEST_CASE("a look direction off by 1e-8 is found by the Kerr vectors") { CHECK(c
 
 TEST_CASE("without spin the integrated rays are Schwarzschild's") {
     Scene scene;
-    for (const Vec3 n : {Vec3{-0.95, 0.2, 0.24}, Vec3{-0.2, -0.5, 0.8}, Vec3{0.3, 0.1, -0.9}, Vec3{-0.999, 0.01, 0.02}}) {
+    for (const Vec3 n :
+         {Vec3{-0.95, 0.2, 0.24}, Vec3{-0.2, -0.5, 0.8}, Vec3{0.3, 0.1, -0.9}, Vec3{-0.999, 0.01, 0.02}}) {
         RayQuery query;
         query.r = 7, query.theta = 1.1, query.phi = 0.4, query.n = normalized(n);
         const auto exact = reference::trace_ray(scene, query, 1);
@@ -127,6 +130,7 @@ TEST_CASE("without spin the integrated rays are Schwarzschild's") {
         CHECK(std::abs(exact->g * ray.energy - 1) < 1e-14);
         if (ray.fate == Fate::kEscaped) CHECK(length(exact->sky - ray.sky) < 1e-11);
         REQUIRE(exact->crossings.size() == ray.crossings.size());
-        if (!ray.crossings.empty()) CHECK(std::abs(exact->crossings[0].r - ray.crossings[0].r) < 1e-11 * ray.crossings[0].r);
+        if (!ray.crossings.empty())
+            CHECK(std::abs(exact->crossings[0].r - ray.crossings[0].r) < 1e-11 * ray.crossings[0].r);
     }
 }

@@ -17,18 +17,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr float kRounding = 2e-6f;   // sums of up to some hundred floats of at most 1
+constexpr float kRounding = 2e-6f;  // sums of up to some hundred floats of at most 1
 
 Image<unsigned char> speckled(int width, int height, int channels) {
     Image<unsigned char> image(width, height, channels);
     unsigned state = 1;
-    for (unsigned char& value : image.data) value = static_cast<unsigned char>((state = state * 1664525u + 1013904223u) >> 24);
+    for (unsigned char& value : image.data)
+        value = static_cast<unsigned char>((state = state * 1664525u + 1013904223u) >> 24);
     return image;
 }
 
 double mean_of(const Image<float>& image, int channel) {
     double sum = 0.0;
-    for (std::size_t i = static_cast<std::size_t>(channel); i < image.data.size(); i += static_cast<std::size_t>(image.channels)) sum += image.data[i];
+    for (std::size_t i = static_cast<std::size_t>(channel); i < image.data.size();
+         i += static_cast<std::size_t>(image.channels))
+        sum += image.data[i];
     return sum * image.channels / static_cast<double>(image.data.size());
 }
 
@@ -47,8 +50,9 @@ TEST_CASE("rows of a PNG are those of the whole PNG") {
         REQUIRE(rows->image.data.size() == whole->data.size());
         float worst = 0.0f;
         for (std::size_t i = 0; i < whole->data.size(); ++i)
-            if (channels == 3 || whole->data[i | 3] > 0.0f) worst = std::max(worst, std::fabs(whole->data[i] - rows->image.data[i]));
-        CHECK(worst <= 1e-7f);   // colours are multiplied by alpha and divided again
+            if (channels == 3 || whole->data[i | 3] > 0.0f)
+                worst = std::max(worst, std::fabs(whole->data[i] - rows->image.data[i]));
+        CHECK(worst <= 1e-7f);  // colours are multiplied by alpha and divided again
     }
 }
 
@@ -60,16 +64,18 @@ TEST_CASE("a smaller picture has the mean of the areas that its pixels stand for
         for (int x = 0; x < 64; ++x)
             for (int c = 0; c < 3; ++c) board.at(x, y)[c] = (x + y) % 2 == 0 ? 255 : 0;
     REQUIRE(save_png(file, board));
-    for (const long long whole_pixels : {0LL, 1LL << 30}) {   // by rows and at once
+    for (const long long whole_pixels : {0LL, 1LL << 30}) {  // by rows and at once
         const auto half = load_fitted_image(file, {.max_side = 32, .whole_pixels = whole_pixels});
         REQUIRE(half);
         CHECK(half->reduced());
         CHECK((half->image.width == 32 && half->image.height == 16));
-        for (const float value : half->image.data) CHECK(std::fabs(value - 0.5f) <= kRounding);   // not 0.5 of the code values: 0.21
+        for (const float value : half->image.data)
+            CHECK(std::fabs(value - 0.5f) <= kRounding);  // not 0.5 of the code values: 0.21
         CHECK(reduction_words("a.png", *half, "so") == "'a.png': 64x32 px, read as 32x16 px: so");
     }
     REQUIRE(save_png(file, speckled(331, 127, 3)));
-    const auto whole = load_image(file), odd = Result<Image<float>>(load_fitted_image(file, {.max_side = 100, .whole_pixels = 0})->image);
+    const auto whole = load_image(file),
+               odd = Result<Image<float>>(load_fitted_image(file, {.max_side = 100, .whole_pixels = 0})->image);
     REQUIRE(odd);
     CHECK((odd->width == 100 && odd->height == 38));
     for (int c = 0; c < 3; ++c) CHECK(std::fabs(mean_of(*whole, c) - mean_of(*odd, c)) <= kRounding);
@@ -86,7 +92,7 @@ TEST_CASE("a smaller picture has the mean of the areas that its pixels stand for
 
 TEST_CASE("colours behind nothing do not bleed into a smaller picture") {
     AreaFilter filter(2, 1, 4, 1, 1);
-    const float row[8] = {1, 0, 0, 1, 0, 1, 0, 0};   // red, and a green that is not to be seen
+    const float row[8] = {1, 0, 0, 1, 0, 1, 0, 0};  // red, and a green that is not to be seen
     filter.add_row(row);
     const Image<float> one = filter.take();
     CHECK(one.data == std::vector<float>{1, 0, 0, 0.5f});

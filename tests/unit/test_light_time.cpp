@@ -24,7 +24,7 @@ double there_and_back(double b, double r) {
     return clock.late(2 * orbit->turn_angle());
 }
 
-constexpr double kM = 0.5;   // the mass in r_s
+constexpr double kM = 0.5;  // the mass in r_s
 
 }  // namespace
 
@@ -32,7 +32,7 @@ TEST_CASE("light time: from 1000 M through the periapsis to 1000 M") {
     for (const auto& [b, exact] : {std::pair{6.0, 2034.71014050567}, {10.0, 2026.465430162}, {100.0, 2004.192088803}}) {
         const double found = there_and_back(b * kM, 1000 * kM) / kM;
         fmt::print("light time, b = {} M: {:.11f} M, exact {} M\n", b, found, exact);
-        CHECK(std::fabs(found / exact - 1) < 1e-12);   // as many digits as the exact ones are known to
+        CHECK(std::fabs(found / exact - 1) < 1e-12);  // as many digits as the exact ones are known to
     }
 }
 
@@ -47,7 +47,9 @@ TEST_CASE("light time: what T and t say is one thing") {
         REQUIRE(orbit->fate() == Fate::kEscaped);
         reference::LightClock clock(*metric, *orbit, q, r, false);
         const double at = orbit->angle() * (1 - 1e-4), far = 1 / orbit->zeta_at(at);
-        const double t = clock.late(at) + r + reference::tortoise_excess(*metric, r) - far - reference::tortoise_excess(*metric, far) + 1 / (2 * q * q * far);   // and what T gains from there on
+        const double t = clock.late(at) + r + reference::tortoise_excess(*metric, r) - far -
+                         reference::tortoise_excess(*metric, far) +
+                         1 / (2 * q * q * far);  // and what T gains from there on
         CHECK(std::fabs(t - orbit->delay()) < 1e-7 * orbit->delay());
     }
 }
@@ -57,10 +59,10 @@ TEST_CASE("light time: past a mass, from 1e3 to 1e9 r_s away") {
     struct Case {
         double impact, from, to, time;
     };
-    constexpr Case kCases[] = {{3, 1e7, 1e7, 20000037.18404842500679},      {5, 1e7, 1e7, 20000033.09369273960004},
-                               {1000, 1e7, 3e6, 13000019.39223369641915},   {2.6, 1e5, 1e7, 10100046.15970669979708},
-                               {1e5, 1e9, 1e8, 1099999963.504436394234},    {5, 500, 500, 1013.23271508099915129}};
-    constexpr double kRoundings = 4;   // of the time itself: 1.5e-8 r_s/c of 2e7
+    constexpr Case kCases[] = {{3, 1e7, 1e7, 20000037.18404842500679},    {5, 1e7, 1e7, 20000033.09369273960004},
+                               {1000, 1e7, 3e6, 13000019.39223369641915}, {2.6, 1e5, 1e7, 10100046.15970669979708},
+                               {1e5, 1e9, 1e8, 1099999963.504436394234},  {5, 500, 500, 1013.23271508099915129}};
+    constexpr double kRoundings = 4;  // of the time itself: 1.5e-8 r_s/c of 2e7
     auto made = reference::make_orbit_metric({"schwarzschild", {}});
     double worst = 0;
     for (const Case& c : kCases) {

@@ -164,7 +164,8 @@ TEST_CASE("the reference meets every row of the vectors of James, von Tunzelmann
     int rows = 0;
     for (const VectorRow& row : load_vectors(test::data_folder() / "vectors/dneg.csv")) {
         Scene scene;
-        scene.spacetime = {"dneg-wormhole", {{"length", number(row, "length")}, {"lensing_width", number(row, "width")}}};
+        scene.spacetime = {"dneg-wormhole",
+                           {{"length", number(row, "length")}, {"lensing_width", number(row, "width")}}};
         const double h = number(row, "h"), l0 = number(row, "l0");
         const int s = static_cast<int>(number(row, "s"));
         const Trace trace = [&](double q_, double l_, std::optional<double> at) {
@@ -189,7 +190,8 @@ TEST_CASE("the reference meets every row of the vectors of James, von Tunzelmann
             const double at = part * record->angle, l = trace(1 / h, l0, at)->at;
             CAPTURE(part);
             CAPTURE(l);
-            const double forward = std::isfinite(record->turn) ? (l < 0 ? -1 : 1) * (at < record->angle / 2 ? 0 : 1) : s;
+            const double forward =
+                std::isfinite(record->turn) ? (l < 0 ? -1 : 1) * (at < record->angle / 2 ? 0 : 1) : s;
             if (forward == 0) continue;  // before or after the turn: not told by l alone
             RayQuery query;
             query.orbit = ReducedRay{1 / h, l, static_cast<int>(l >= 0 ? -forward : forward)};

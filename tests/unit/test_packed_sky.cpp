@@ -19,17 +19,21 @@ const std::filesystem::path kAssets = test::source_folder() / "assets";
 
 // By the definition of OpenGL 3.3 core, 2.1.3 and 2.1.4: five bits of exponent, bias 15, and the rest mantissa.
 double unpacked(std::uint32_t bits, int mantissa_bits) {
-    const auto exponent = static_cast<int>(bits >> mantissa_bits), mantissa = static_cast<int>(bits & ((1u << mantissa_bits) - 1));
+    const auto exponent = static_cast<int>(bits >> mantissa_bits),
+               mantissa = static_cast<int>(bits & ((1u << mantissa_bits) - 1));
     const double fraction = std::ldexp(mantissa, -mantissa_bits);
     return exponent == 0 ? std::ldexp(fraction, -14) : std::ldexp(1.0 + fraction, exponent - 15);
 }
-Vec3 unpacked(std::uint32_t texel) { return {unpacked(texel & 0x7ff, 6), unpacked(texel >> 11 & 0x7ff, 6), unpacked(texel >> 22, 5)}; }
+Vec3 unpacked(std::uint32_t texel) {
+    return {unpacked(texel & 0x7ff, 6), unpacked(texel >> 11 & 0x7ff, 6), unpacked(texel >> 22, 5)};
+}
 
 using Level = std::vector<std::uint32_t>;
 
 // By face and level; checks that every row comes once, in its order.
 std::vector<std::vector<Level>> levels_of(const SkyPainter& painter, bool bordered) {
-    const int levels = sky_levels(painter.face_size(), bordered), side = bordered ? bordered_size(painter.face_size()) : painter.face_size();
+    const int levels = sky_levels(painter.face_size(), bordered),
+              side = bordered ? bordered_size(painter.face_size()) : painter.face_size();
     std::vector<std::vector<Level>> all(6, std::vector<Level>(static_cast<std::size_t>(levels)));
     pack_sky(painter, [&](const PackedRows& rows) {
         REQUIRE(rows.level < levels);
@@ -40,7 +44,8 @@ std::vector<std::vector<Level>> levels_of(const SkyPainter& painter, bool border
     });
     for (const auto& face : all)
         for (int level = 0; level < levels; ++level)
-            REQUIRE(face[static_cast<std::size_t>(level)].size() == static_cast<std::size_t>((side >> level) * (side >> level)));
+            REQUIRE(face[static_cast<std::size_t>(level)].size() ==
+                    static_cast<std::size_t>((side >> level) * (side >> level)));
     return all;
 }
 
@@ -50,14 +55,16 @@ TEST_CASE("packed_light: cut off after six and five bits, never more than it was
     for (double value = std::ldexp(1.0, -20); value < 65000.0; value *= 1.137) {
         const auto v = static_cast<float>(value);
         const Vec3 kept = unpacked(packed_light(v, v, v));
-        const double step6 = std::max(std::ldexp(1.0, -20), std::ldexp(value, -6)), step5 = std::max(std::ldexp(1.0, -19), std::ldexp(value, -5));
+        const double step6 = std::max(std::ldexp(1.0, -20), std::ldexp(value, -6)),
+                     step5 = std::max(std::ldexp(1.0, -19), std::ldexp(value, -5));
         CAPTURE(value);
         CHECK(kept.x <= v);
         CHECK(kept.x > v - step6);
         CHECK(kept.y == kept.x);
         CHECK(kept.z <= v);
         CHECK(kept.z > v - step5);
-        CHECK(packed_light(static_cast<float>(kept.x), static_cast<float>(kept.y), static_cast<float>(kept.z)) == packed_light(v, v, v));
+        CHECK(packed_light(static_cast<float>(kept.x), static_cast<float>(kept.y), static_cast<float>(kept.z)) ==
+              packed_light(v, v, v));
     }
     constexpr float kInfinity = std::numeric_limits<float>::infinity(), kNan = std::numeric_limits<float>::quiet_NaN();
     CHECK(packed_light(0, -1, -kInfinity) == 0);
@@ -69,7 +76,8 @@ TEST_CASE("packed_light: cut off after six and five bits, never more than it was
 }
 
 TEST_CASE("halve_packed: the mean of two by two") {
-    const Level four = {packed_light(1, 0, 3e-5f), packed_light(2, 8, 0), packed_light(3, 8, 3e-5f), packed_light(4, 0, 0)};
+    const Level four = {packed_light(1, 0, 3e-5f), packed_light(2, 8, 0), packed_light(3, 8, 3e-5f),
+                        packed_light(4, 0, 0)};
     std::uint32_t one = 0;
     halve_packed(four.data(), 2, 2, &one);
     CHECK(unpacked(one).x == 2.5);
@@ -89,7 +97,8 @@ TEST_CASE("pack_sky: the texels of build_sky, and each level the halved one befo
     for (std::size_t face = 0; face < 6; ++face) {
         Level wanted;
         const std::vector<float>& data = floats->faces[face].data;
-        for (std::size_t i = 0; i < data.size(); i += 3) wanted.push_back(packed_light(data[i], data[i + 1], data[i + 2]));
+        for (std::size_t i = 0; i < data.size(); i += 3)
+            wanted.push_back(packed_light(data[i], data[i + 1], data[i + 2]));
         CHECK(all[face][0] == wanted);
         for (std::size_t level = 1; level < all[face].size(); ++level) {
             const int width = kFace >> (level - 1);
@@ -107,7 +116,8 @@ TEST_CASE("a face with a border goes on into its neighbours, and its own texels 
     const auto plain = SkyPainter::make({}, kAssets, kFace, 0), wide = SkyPainter::make({}, kAssets, kFace, kBorder);
     REQUIRE(plain);
     REQUIRE(wide);
-    CHECK((bordered_size(kFace) >> (sky_levels(kFace, true) - 1)) == 17);   // 16 texels of the face and half a texel on each side
+    CHECK((bordered_size(kFace) >> (sky_levels(kFace, true) - 1)) ==
+          17);  // 16 texels of the face and half a texel on each side
     const auto faces = levels_of(*plain, false), bordered = levels_of(*wide, true);
     for (std::size_t face = 0; face < 6; ++face)
         for (int y = 0; y < kFace; ++y) {
@@ -117,16 +127,17 @@ TEST_CASE("a face with a border goes on into its neighbours, and its own texels 
     // Beyond an edge: light by the angle to the star alone, as on the face that the star is on.
     const Vec3 star = normalized({1.0, 0.995, 0.3});
     const StarPainter painter({{star, 6.0, 90}}, Mat3{}, 1.0, kFace, kBorder);
-    SkyRows rows{2, kFace, kBorder, -kBorder, kWide, {}};   // +y: the star lies in +x, next to its edge
+    SkyRows rows{2, kFace, kBorder, -kBorder, kWide, {}};  // +y: the star lies in +x, next to its edge
     for (auto& plane : rows.planes) plane.assign(rows.texels(), 0.0f);
     painter.add(rows);
     const double sigma = core_sigma(kFace), peak = star_flux(6.0) / (2.0 * M_PI * sigma * sigma);
-    constexpr double kNormalisation = 0.02;   // of the peak: sums over texels differ from the integral by up to 1.2 %
+    constexpr double kNormalisation = 0.02;  // of the peak: sums over texels differ from the integral by up to 1.2 %
     double worst = 0.0, brightest_beyond = 0.0;
     for (int y = -kBorder; y < kFace + kBorder; ++y)
         for (int x = -kBorder; x < kFace + kBorder; ++x) {
             const auto at = static_cast<std::size_t>((y + kBorder) * kWide + x + kBorder);
-            const double light = 0.2126 * rows.planes[0][at] + 0.7152 * rows.planes[1][at] + 0.0722 * rows.planes[2][at];
+            const double light =
+                0.2126 * rows.planes[0][at] + 0.7152 * rows.planes[1][at] + 0.0722 * rows.planes[2][at];
             const double angle = angle_between(star, cube_direction(2, (x + 0.5) / kFace, (y + 0.5) / kFace)) / sigma;
             worst = std::max(worst, std::fabs(light - peak * std::exp(-0.5 * angle * angle)));
             if (x >= kFace) brightest_beyond = std::max(brightest_beyond, light);

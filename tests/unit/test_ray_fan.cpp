@@ -35,7 +35,11 @@ RayFan rain_fan(const World& world, double r) {
 TEST_CASE("ray fan: the shadow of the rain observer") {
     // Half-angles about the inward direction (physics: Part B.2), r in r_s.
     const World world = world_of("schwarzschild");
-    for (const auto& [r, half_angle] : {std::pair{5.0, 17.3241986566}, {1.5, 35.2643896828}, {1.0, 42.1034488707}, {0.5, 53.2702658035}, {0.05, 77.3257155812}})
+    for (const auto& [r, half_angle] : {std::pair{5.0, 17.3241986566},
+                                        {1.5, 35.2643896828},
+                                        {1.0, 42.1034488707},
+                                        {0.5, 53.2702658035},
+                                        {0.05, 77.3257155812}})
         CHECK(std::fabs(std::acos(-rain_fan(world, r).critical_cosine()) / kDegree - half_angle) < 1e-10);
 }
 
@@ -48,10 +52,12 @@ double worst_sweep(const World& world, double r) {
         for (double delta = 1e-6; delta < 0.999 * fan.delta_limit(segment); delta *= 1.3) {
             const FanRay ray = fan.ray(segment, delta);
             const auto [orbit, g] = world.reference->from_rain({r, -std::cos(ray.beta), ray.sin_beta});
-            if (!(orbit->angle() >= 0)) continue;   // no end: light from nowhere
+            if (!(orbit->angle() >= 0)) continue;  // no end: light from nowhere
             // Within an inner horizon, of dark rays that turn next to the camera, the reference knows 4e-5 rad only (r = 0.4185, q = 0.46549 of
             // the extremal hole: exactly 7.5574483880, which the fan has).
-            if (world.spacetime->lapse_squared(r) > 0 && r < *world.spacetime->horizon_radius() && std::fabs(ray.slope) < 0.05) continue;
+            if (world.spacetime->lapse_squared(r) > 0 && r < *world.spacetime->horizon_radius() &&
+                std::fabs(ray.slope) < 0.05)
+                continue;
             CHECK((orbit->fate() == Fate::kEscaped) == (segment == Segment::kSky));
             const double slope = fan.ray(segment, 1.001 * delta).phi_end - ray.phi_end;
             worst = std::fmax(worst, std::fabs(ray.phi_end - orbit->angle()) / (1.0 + 1e3 * std::fabs(slope)));
@@ -60,11 +66,12 @@ double worst_sweep(const World& world, double r) {
 }
 
 TEST_CASE("ray fan: swept angles of rain observers are the reference's, through the horizon") {
-    constexpr double kSweep = 4e-9;   // rad; of a camera at rest 2e-9 (test_deflection_table.cpp); measured here 1.1e-9
-    for (const World& world : {world_of("schwarzschild"), world_of("reissner-nordstrom", {{"charge", 0.8}}), world_of("reissner-nordstrom", {{"charge", 1.0}})}) {
+    constexpr double kSweep = 4e-9;  // rad; of a camera at rest 2e-9 (test_deflection_table.cpp); measured here 1.1e-9
+    for (const World& world : {world_of("schwarzschild"), world_of("reissner-nordstrom", {{"charge", 0.8}}),
+                               world_of("reissner-nordstrom", {{"charge", 1.0}})}) {
         const double horizon = *world.spacetime->horizon_radius(), low = world.spacetime->falling_range().low;
-        for (const double r : {50.0, 5.0, 1.5, 1.2, horizon * (1 + 1e-9), horizon, horizon * (1 - 1e-9), 0.9 * horizon, 0.5 * (horizon + low) + 1e-3,
-                               low + 0.05 * (horizon - low), 0.1, 0.05, 0.01}) {
+        for (const double r : {50.0, 5.0, 1.5, 1.2, horizon * (1 + 1e-9), horizon, horizon * (1 - 1e-9), 0.9 * horizon,
+                               0.5 * (horizon + low) + 1e-3, low + 0.05 * (horizon - low), 0.1, 0.05, 0.01}) {
             if (!(r > 1.01 * low)) continue;
             const double worst = worst_sweep(world, r);
             MESSAGE(world.spacetime->name() << " r = " << r << ": " << worst << " rad");
@@ -81,7 +88,8 @@ TEST_CASE("ray fan: nothing happens to rays as a camera falls through the horizo
         const RayFan fan = rain_fan(world, 1.0 - i * kStep);
         for (int j = 1; j < 40; ++j) {
             const double alpha = M_PI * j / 40, critical = std::acos(fan.critical_cosine());
-            const double phi = fan.ray(alpha < critical ? Segment::kSky : Segment::kCaptured, std::fabs(alpha - critical)).phi_end;
+            const double phi =
+                fan.ray(alpha < critical ? Segment::kSky : Segment::kCaptured, std::fabs(alpha - critical)).phi_end;
             if (i > -3) CHECK(std::fabs(phi - before[j]) < 20 * kStep);
             before[j] = phi;
         }

@@ -63,7 +63,8 @@ TEST_CASE("reference: frames from inside a horizon are finite, and light of no p
             for (const double r : {0.3, 0.6, 0.87}) {
                 Scene scene = small_scene();
                 scene.spacetime.metric = metric;
-                if (metric == std::string("kerr")) scene.spacetime.parameters["spin"] = 0.5;   // between 0.067 and 0.933 r_s
+                if (metric == std::string("kerr"))
+                    scene.spacetime.parameters["spin"] = 0.5;  // between 0.067 and 0.933 r_s
                 scene.camera.width = 24, scene.camera.height = 18, scene.camera.plane_width = 6;
                 scene.camera.observer = observer, scene.camera.r = r, scene.camera.theta = 1.2;
                 scene.camera.fall_from = 5, scene.camera.energy = 0.4;

@@ -238,7 +238,9 @@ TEST_CASE("files that cannot be read are errors that say why") {
     CHECK(parse(std::string(kLargestSceneFile, ' ')));
     const fs::path broken = folder.path() / "broken.toml";
     std::ofstream(broken) << "\n[camera]\nr = -1\n";
-    CHECK(message(broken.string()).starts_with(broken.string() + ":3: camera.r: a static camera cannot be at -1, on or inside the horizon; allowed: r > 1"));
+    CHECK(message(broken.string())
+              .starts_with(broken.string() +
+                           ":3: camera.r: a static camera cannot be at -1, on or inside the horizon; allowed: r > 1"));
     std::ofstream(folder.path() / "good.toml") << "[sky]\nkind = 'image'\nimage = 'a.png'\n";
     CHECK(load_scene((folder.path() / "good.toml").string())->sky.image == folder.path() / "a.png");
 }

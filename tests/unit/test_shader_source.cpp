@@ -16,7 +16,8 @@ namespace {
 // Scenes over every combination of what they can contain; the effects follow.
 std::vector<Scene> all_scenes() {
     std::vector<Scene> scenes;
-    constexpr TextureKind kKinds[] = {TextureKind::kPlain, TextureKind::kChecker, TextureKind::kNoise, TextureKind::kFormula, TextureKind::kImage};
+    constexpr TextureKind kKinds[] = {TextureKind::kPlain, TextureKind::kChecker, TextureKind::kNoise,
+                                      TextureKind::kFormula, TextureKind::kImage};
     for (unsigned bits = 0; bits < 1024; ++bits)
         for (const TextureKind kind : kKinds) {
             const auto has = [&](unsigned bit) { return (bits >> bit & 1u) != 0; };
@@ -27,7 +28,7 @@ std::vector<Scene> all_scenes() {
             if (has(2) && has(3)) scene.disc->opacity = 0.5;
             if (has(2) && has(9)) {
                 scene.disc->emission = DiscEmission::kThermal;
-                scene.light.shift = !has(5);   // any bits: switches off in some scenes
+                scene.light.shift = !has(5);  // any bits: switches off in some scenes
                 scene.light.beaming = !has(6);
                 scene.light.bolometric = has(7);
             }
@@ -37,14 +38,16 @@ std::vector<Scene> all_scenes() {
             scene.picture.dither = has(9) && !has(2);
             scene.picture.bloom = has(8) && has(0) ? 0.1 : 0.0;
             if (has(2) && has(9) && has(8)) scene.sky.kind = SkyKind::kPoints;
-            if (has(1) && has(3) && has(7)) scene.sky.kind = static_cast<SkyKind>(static_cast<int>(SkyKind::kPlain) + static_cast<int>(bits % 6));
+            if (has(1) && has(3) && has(7))
+                scene.sky.kind = static_cast<SkyKind>(static_cast<int>(SkyKind::kPlain) + static_cast<int>(bits % 6));
             if (has(2) && has(1) && has(6)) scene.disc->look.texture = kind, scene.disc->look.formula = "v"s;
             scene.sky.look.formula = "u"s;
             if (has(5)) scene.sphere.emplace().look.texture = kind;
             if (has(6)) scene.cylinder.emplace().look.texture = kind;
             if (has(7)) scene.ball.emplace().look.texture = kind;
             if (has(8)) scene.surface.emplace().look.texture = kind;
-            for (BodyLook* look : {scene.sphere ? &scene.sphere->look : nullptr, scene.ball ? &scene.ball->look : nullptr})
+            for (BodyLook* look :
+                 {scene.sphere ? &scene.sphere->look : nullptr, scene.ball ? &scene.ball->look : nullptr})
                 if (look != nullptr && kind == TextureKind::kFormula) look->formula = "sin(u)";
             if (has(2) && has(4) && !has(9)) scene.disc->flow = DiscFlowKind::kKepler;
             if (has(2) && has(7) && has(9)) scene.spot.emplace();
@@ -58,9 +61,13 @@ std::vector<Scene> all_scenes() {
 }
 
 // Identifiers that belong to one effect.
-struct Mark { Effect effect; std::vector<std::string> words; };
+struct Mark {
+    Effect effect;
+    std::vector<std::string> words;
+};
 const std::vector<Mark> kMarks = {
-    {Effect::kLensing, {"strip_locate", "strip_texture", "StripRay", "sweep_to_sky", "vec4 strip;", "vec4 orbit;", "vec4 series;"}},
+    {Effect::kLensing,
+     {"strip_locate", "strip_texture", "StripRay", "sweep_to_sky", "vec4 strip;", "vec4 orbit;", "vec4 series;"}},
     {Effect::kSpin, {"spin_step", "spin_ray", "SpinState", "vec4 spin_hole;", "vec4 spin_place;"}},
     {Effect::kSpinFall, {"ingoing", "INGOING_DELTA"}},
     {Effect::kAberration, {"aberrate", "Aberration", "vec4 boost;", "vec4 boost_colour;"}},
@@ -88,7 +95,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kBounce, {"by_centre"}},
     {Effect::kFarSky, {"other_side"}},
     {Effect::kBloom, {"vec4 bloom;"}},
-    {Effect::kAutoExposure, {}},   // not in the picture's shader: see tests/cli/test_shader_text.py
+    {Effect::kAutoExposure, {}},  // not in the picture's shader: see tests/cli/test_shader_text.py
     {Effect::kToneFilm, {"tone_film"}},
     {Effect::kToneNeutral, {"tone_neutral"}},
     {Effect::kDither, {"dither_noise"}},
@@ -102,19 +109,23 @@ const std::vector<Mark> kMarks = {
 };
 
 std::string picture_of(const Scene& scene) {
-    return shader_source(Stage::kPicture, effect_set(required_effects(scene)), Output::kDisplay, {}, scene.spacetime.metric, body_text(scene)).fragment;
+    return shader_source(Stage::kPicture, effect_set(required_effects(scene)), Output::kDisplay, {},
+                         scene.spacetime.metric, body_text(scene))
+        .fragment;
 }
 
 }  // namespace
 
-TEST_CASE("shader source: an effect that is off leaves nothing in the picture's shader, one that is on leaves its marks") {
+TEST_CASE(
+    "shader source: an effect that is off leaves nothing in the picture's shader, one that is on leaves its marks") {
     for (const Scene& scene : all_scenes()) {
         const EffectSet set = effect_set(required_effects(scene));
         const std::string text = picture_of(scene);
         for (const Mark& mark : kMarks)
             for (const std::string& word : mark.words)
                 CHECK_MESSAGE((text.find(word) != std::string::npos) == set.contains(mark.effect), word);
-        for (const char* left : {"EFFECT_", "BLOCK", "BODY", "TEXTURE_", "MAPPING_", "__cplusplus", "//"}) CHECK(text.find(left) == std::string::npos);
+        for (const char* left : {"EFFECT_", "BLOCK", "BODY", "TEXTURE_", "MAPPING_", "__cplusplus", "//"})
+            CHECK(text.find(left) == std::string::npos);
     }
 }
 
@@ -124,11 +135,15 @@ TEST_CASE("shader source: about a spinning hole nothing of plane orbits, without
         scene.spacetime = {"kerr", {{"spin", spin}}};
         scene.disc.emplace();
         const std::string text = picture_of(scene);
-        for (const char* word : {"spin_step", "SpinState", "spin_disc_cross", "spin_hole"}) CHECK((text.find(word) != std::string::npos) == (spin > 0));
-        for (const char* word : {"strip_locate", "orbit_point", "plane_meet", "disc_reachable", "vec4 strip;"}) CHECK((text.find(word) != std::string::npos) == (spin == 0));
+        for (const char* word : {"spin_step", "SpinState", "spin_disc_cross", "spin_hole"})
+            CHECK((text.find(word) != std::string::npos) == (spin > 0));
+        for (const char* word : {"strip_locate", "orbit_point", "plane_meet", "disc_reachable", "vec4 strip;"})
+            CHECK((text.find(word) != std::string::npos) == (spin == 0));
         scene.sky.kind = SkyKind::kPoints;
-        const std::string stars = shader_source(Stage::kStars, effect_set(required_effects(scene)), Output::kLinear, {}, "kerr", {}).vertex;
-        for (const char* word : {"image_of_star", "star_lens_fetch", "image_order"}) CHECK((stars.find(word) != std::string::npos) == (spin == 0));
+        const std::string stars =
+            shader_source(Stage::kStars, effect_set(required_effects(scene)), Output::kLinear, {}, "kerr", {}).vertex;
+        for (const char* word : {"image_of_star", "star_lens_fetch", "image_order"})
+            CHECK((stars.find(word) != std::string::npos) == (spin == 0));
     }
 }
 
@@ -138,10 +153,12 @@ TEST_CASE("shader source: of a wormhole with bodies, on either side") {
     scene.ball.emplace();
     scene.surface.emplace().far = true;
     const std::string text = picture_of(scene);
-    for (const char* word : {"value_by_side", "vec4 throat;", "off = place.side <= 0.0", "off = place.side >= 0.0"}) CHECK(text.find(word) != std::string::npos);
+    for (const char* word : {"value_by_side", "vec4 throat;", "off = place.side <= 0.0", "off = place.side >= 0.0"})
+        CHECK(text.find(word) != std::string::npos);
     scene.spacetime.metric = "schwarzschild";
     scene.surface->far = false;
-    for (const char* word : {"by_side", "throat", "place.side"}) CHECK(picture_of(scene).find(word) == std::string::npos);
+    for (const char* word : {"by_side", "throat", "place.side"})
+        CHECK(picture_of(scene).find(word) == std::string::npos);
 }
 
 TEST_CASE("shader source: the block's members are those of the effects that are on") {

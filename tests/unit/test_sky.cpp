@@ -194,8 +194,9 @@ TEST_CASE("a star's radiance depends on the angle to it only") {
 }
 
 TEST_CASE("star colours: blue, white, red, of luminance 1") {
-    constexpr double kRounded = 1e-4;   // Rec. 709's luminance has four digits here
-    for (const double bv : {-0.3, 0.0, 0.65, 1.8, 5.0}) CHECK(luminance(star_colour(bv)) == doctest::Approx(1.0).epsilon(kRounded));
+    constexpr double kRounded = 1e-4;  // Rec. 709's luminance has four digits here
+    for (const double bv : {-0.3, 0.0, 0.65, 1.8, 5.0})
+        CHECK(luminance(star_colour(bv)) == doctest::Approx(1.0).epsilon(kRounded));
     const Vec3 hot = star_colour(-0.2), sun = star_colour(0.65), cool = star_colour(1.85);
     CHECK(hot.z > 1.3 * hot.x);
     CHECK(sun.x == doctest::Approx(sun.z).epsilon(0.25));

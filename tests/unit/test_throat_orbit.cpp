@@ -35,7 +35,7 @@ std::vector<World> worlds() {
 }
 RayFan fan_at(const World& world, double r) { return {world.spacetime, world.table, r, frame_at_rest(1.0)}; }
 
-constexpr double kNearest = 1e-4;   // rad from the critical ray: a tenth of a pixel of 60 degrees on 1080 rows
+constexpr double kNearest = 1e-4;    // rad from the critical ray: a tenth of a pixel of 60 degrees on 1080 rows
 constexpr double kMostSwept = 30.0;  // rad; rays that wind more often in a tube lie in a line thinner than that
 constexpr double kThroatRadii[] = {20.0, 3.0, 0.4, 0.0, -0.003, -2.0, -50.0};
 
@@ -56,7 +56,8 @@ double worst_place(const World& world, double r) {
                 const double v = static_cast<double>(i) / kOrbitRows, w = column[i][0] * (1.0 - v);
                 const double l = end * shape.throat() * shape.length(w), exact = orbit->zeta_at(v * orbit->angle());
                 const double slope = shape.throat() * shape.length_slope(w);
-                const double moved = std::fabs(slope * (1.0 - v)) * (std::fabs(column[i][1]) * delta + std::fabs(column[i][2]) * kOrbitRows);
+                const double moved = std::fabs(slope * (1.0 - v)) *
+                                     (std::fabs(column[i][1]) * delta + std::fabs(column[i][2]) * kOrbitRows);
                 worst = std::fmax(worst, std::fabs(l - exact) / (shape.throat() + std::fabs(exact) + moved));
             }
         }
@@ -64,7 +65,7 @@ double worst_place(const World& world, double r) {
 }
 
 TEST_CASE("orbit map through a throat: l is the reference's on every row") {
-    constexpr double kPlace = 1e-6;   // measured 3.5e-7; Ellis' 1e-9
+    constexpr double kPlace = 1e-6;  // measured 3.5e-7; Ellis' 1e-9
     for (const World& world : worlds())
         for (const double r : kThroatRadii) {
             const double worst = worst_place(world, r * world.spacetime->length_unit());

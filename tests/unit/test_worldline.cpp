@@ -13,9 +13,10 @@ namespace {
 
 using namespace nullscope;
 
-constexpr double kMass = 0.5;   // in r_s: proper times of the literature are in M
+constexpr double kMass = 0.5;  // in r_s: proper times of the literature are in M
 
-std::shared_ptr<const Spacetime> spacetime_of(const std::string& metric, const std::map<std::string, double>& parameters = {}) {
+std::shared_ptr<const Spacetime> spacetime_of(const std::string& metric,
+                                              const std::map<std::string, double>& parameters = {}) {
     return *make_spacetime(metric, parameters);
 }
 CameraSpec camera_at(double r, ObserverKind observer, Vec3 velocity = {}) {
@@ -26,7 +27,7 @@ CameraSpec camera_at(double r, ObserverKind observer, Vec3 velocity = {}) {
 }
 
 TEST_CASE("worldline: proper times of falls") {
-    constexpr double kPromised = 1e-10;   // M
+    constexpr double kPromised = 1e-10;  // M
     const auto hole = spacetime_of("schwarzschild");
     const auto rain = Worldline::make(hole, camera_at(1.0, ObserverKind::kRain), 100);
     REQUIRE(rain);
@@ -35,7 +36,8 @@ TEST_CASE("worldline: proper times of falls") {
     const auto drop = Worldline::make(hole, camera_at(5.0, ObserverKind::kStatic), 100);
     REQUIRE(drop);
     REQUIRE(drop->horizon_time());
-    MESSAGE("from rest at 10 M: horizon after " << *drop->horizon_time() / kMass << " M, end after " << drop->end_time() / kMass << " M");
+    MESSAGE("from rest at 10 M: horizon after " << *drop->horizon_time() / kMass << " M, end after "
+                                                << drop->end_time() / kMass << " M");
     CHECK(std::fabs(*drop->horizon_time() / kMass - 33.7008698518923) < kPromised);
     CHECK(std::fabs(drop->end_time() / kMass - 35.1240736552036) < kPromised);
     const auto long_rain = Worldline::make(hole, camera_at(5.0, ObserverKind::kRain), 100);
@@ -44,12 +46,12 @@ TEST_CASE("worldline: proper times of falls") {
 }
 
 TEST_CASE("worldline: the clock of what falls is v - r, through the horizon, and of what was at rest t before") {
-    constexpr double kPromised = 1e-10;   // r_s/c
+    constexpr double kPromised = 1e-10;  // r_s/c
     const auto hole = spacetime_of("schwarzschild");
     const auto rain = Worldline::make(hole, camera_at(5.0, ObserverKind::kRain), 100);
     REQUIRE(rain);
     const auto wound = [](double r) { return 2 * (std::sqrt(r) - std::log1p(std::sqrt(r))); };
-    for (const double part : {0.0, 0.3, 0.9, 0.99, 0.9999}) {   // the horizon is passed at 0.91
+    for (const double part : {0.0, 0.3, 0.9, 0.99, 0.9999}) {  // the horizon is passed at 0.91
         const double tau = part * rain->last(), r = rain->at(tau).r;
         CHECK(std::fabs(rain->clock(tau) - (tau + wound(5.0) - wound(r))) < kPromised);
     }
@@ -58,7 +60,8 @@ TEST_CASE("worldline: the clock of what falls is v - r, through the horizon, and
     REQUIRE(orbit);
     CHECK(std::fabs(orbit->clock(80) - (std::log(4.0) + 80 / std::sqrt(1 - 1.5 / 5))) < kPromised);
     // Without a horizon time is t.
-    const auto flat = Worldline::make(spacetime_of("minkowski"), camera_at(5.0, ObserverKind::kStatic, {0.6, 0, 0}), 100);
+    const auto flat =
+        Worldline::make(spacetime_of("minkowski"), camera_at(5.0, ObserverKind::kStatic, {0.6, 0, 0}), 100);
     REQUIRE(flat);
     CHECK(std::fabs(flat->clock(80) - 100) < kPromised);
     // About a hole that spins: u^t of a circle in the equator's plane (Bardeen, Press and Teukolsky 1972), M = 1/2.
@@ -68,8 +71,10 @@ TEST_CASE("worldline: the clock of what falls is v - r, through the horizon, and
     const auto spun = spacetime_of("kerr", {{"spin", 0.9}});
     const auto round = Worldline::make(spun, turning, 100);
     REQUIRE(round);
-    CHECK(std::fabs(round->clock(80) - round->clock(0) - 80 * (1 + drag) / std::sqrt(1 - 1.5 / r + 2 * drag)) < 10 * kPromised);
-    const auto slow = Worldline::make(spacetime_of("kerr", {{"spin", 1e-9}}), camera_at(5.0, ObserverKind::kStatic), 100);
+    CHECK(std::fabs(round->clock(80) - round->clock(0) - 80 * (1 + drag) / std::sqrt(1 - 1.5 / r + 2 * drag)) <
+          10 * kPromised);
+    const auto slow =
+        Worldline::make(spacetime_of("kerr", {{"spin", 1e-9}}), camera_at(5.0, ObserverKind::kStatic), 100);
     const auto still = Worldline::make(hole, camera_at(5.0, ObserverKind::kStatic), 100);
     REQUIRE((slow && still));
     for (const double tau : {0.0, 5.0, 16.0}) CHECK(std::fabs(slow->clock(tau) - still->clock(tau)) < 100 * kPromised);
@@ -86,7 +91,8 @@ double orthonormality(const Spacetime& spacetime, const CameraSpec& camera) {
             long double product = 0;
             for (int mu = 0; mu < 4; ++mu)
                 for (int nu = 0; nu < 4; ++nu)
-                    product += static_cast<long double>(g[mu][nu]) * (static_cast<long double>(tetrad->high[i][mu]) + tetrad->low[i][mu]) *
+                    product += static_cast<long double>(g[mu][nu]) *
+                               (static_cast<long double>(tetrad->high[i][mu]) + tetrad->low[i][mu]) *
                                (static_cast<long double>(tetrad->high[j][nu]) + tetrad->low[j][nu]);
             const long double wanted = i != j ? 0 : i == 0 ? -1 : 1;
             worst = std::fmax(worst, static_cast<double>(std::fabs(product - wanted)));
@@ -96,14 +102,17 @@ double orthonormality(const Spacetime& spacetime, const CameraSpec& camera) {
 
 TEST_CASE("observers: orthonormal outside, on and inside the horizon") {
     constexpr double kPromised = 1e-12;
-    for (const auto& spacetime : {spacetime_of("schwarzschild"), spacetime_of("reissner-nordstrom", {{"charge", 0.8}}), spacetime_of("reissner-nordstrom", {{"charge", 1.0}})})
+    for (const auto& spacetime : {spacetime_of("schwarzschild"), spacetime_of("reissner-nordstrom", {{"charge", 0.8}}),
+                                  spacetime_of("reissner-nordstrom", {{"charge", 1.0}})})
         for (const double r : {100.0, 6.0, 3.0, 1.6, 1.0 + 1e-9, 1.0, 1.0 - 1e-9, 0.7, 0.45, 0.05, 0.001})
-            for (const ObserverKind kind : {ObserverKind::kStatic, ObserverKind::kRain, ObserverKind::kFall, ObserverKind::kThrow, ObserverKind::kOrbit})
+            for (const ObserverKind kind : {ObserverKind::kStatic, ObserverKind::kRain, ObserverKind::kFall,
+                                            ObserverKind::kThrow, ObserverKind::kOrbit})
                 for (const Vec3 v : {Vec3{}, Vec3{0.3, -0.5, 0.6}, Vec3{-0.9, 0.1, 0.2}}) {
                     CameraSpec camera = camera_at(r, kind, v);
                     camera.fall_from = std::fmax(r, 8.0), camera.energy = 1.7;
                     const auto observer = observer_of(*spacetime, camera);
-                    if (!observer || length(observer->velocity) > 0.999999) continue;   // an orbit next to the photon sphere
+                    if (!observer || length(observer->velocity) > 0.999999)
+                        continue;  // an orbit next to the photon sphere
                     CAPTURE(r);
                     CAPTURE(std::string(observer_name(kind)));
                     CHECK(orthonormality(*spacetime, camera) < kPromised);
@@ -114,7 +123,8 @@ TEST_CASE("observers: a static frame and a rain frame that fall back by their re
     constexpr double kPromised = 1e-12;
     const auto hole = spacetime_of("schwarzschild");
     for (const double r : {1.01, 1.5, 5.0, 100.0}) {
-        const CameraSpec rest = camera_at(r, ObserverKind::kStatic), rain = camera_at(r, ObserverKind::kRain, {std::sqrt(1 / r), 0, 0});
+        const CameraSpec rest = camera_at(r, ObserverKind::kStatic),
+                         rain = camera_at(r, ObserverKind::kRain, {std::sqrt(1 / r), 0, 0});
         const auto a = ingoing_tetrad_pair(*hole, rest), b = ingoing_tetrad_pair(*hole, rain);
         REQUIRE(a);
         REQUIRE(b);
@@ -127,12 +137,14 @@ TEST_CASE("observers: a static frame and a rain frame that fall back by their re
 }
 
 TEST_CASE("worldline: nothing is lost on the way") {
-    for (const auto& spacetime : {spacetime_of("schwarzschild"), spacetime_of("reissner-nordstrom", {{"charge", 0.9}})}) {
+    for (const auto& spacetime :
+         {spacetime_of("schwarzschild"), spacetime_of("reissner-nordstrom", {{"charge", 0.9}})}) {
         const auto line = Worldline::make(spacetime, camera_at(6.0, ObserverKind::kStatic, {-0.2, 0.15, 0.25}), 300);
         REQUIRE(line);
         for (int i = 0; i <= 50; ++i) {
             const CameraSpec camera = line->at(line->last() * i / 50);
-            const double gamma2 = 1 / (1 - dot(camera.velocity, camera.velocity));   // large next to the singularity, in the rain frame
+            const double gamma2 =
+                1 / (1 - dot(camera.velocity, camera.velocity));  // large next to the singularity, in the rain frame
             CHECK(orthonormality(*spacetime, camera) < 1e-12 * std::fmax(1, 1e-3 * gamma2));
             // E of the 4-velocity that the camera has now.
             const auto tetrad = ingoing_tetrad_pair(*spacetime, camera);
@@ -146,7 +158,8 @@ TEST_CASE("worldline: a gyroscope on a circular orbit turns by de Sitter's angle
     const auto hole = spacetime_of("schwarzschild");
     CameraSpec camera = camera_at(5.0, ObserverKind::kOrbit);
     camera.theta = M_PI / 2, camera.yaw = camera.pitch = camera.roll = 0;
-    const double period = 2 * M_PI * std::sqrt(2.0 * 125.0) * std::sqrt(1 - 1.5 / 5.0);   // proper: 2 pi r^(3/2)/sqrt(M) sqrt(1 - 3M/r)
+    const double period =
+        2 * M_PI * std::sqrt(2.0 * 125.0) * std::sqrt(1 - 1.5 / 5.0);  // proper: 2 pi r^(3/2)/sqrt(M) sqrt(1 - 3M/r)
     const auto line = Worldline::make(hole, camera, 2 * period);
     REQUIRE(line);
     CHECK(line->end() == WorldlineEnd::kOpen);
@@ -166,7 +179,8 @@ TEST_CASE("worldline: a gyroscope on a circular orbit turns by de Sitter's angle
             for (int nu = 0; nu < 4; ++nu) sum += g[mu][nu] * gyroscope->high[i][mu] * orbiting->high[j][nu];
         return sum;
     };
-    const double turned = std::fabs(std::atan2(product(3, 1), product(3, 3))), sitter = 2 * M_PI * (1 - std::sqrt(1 - 1.5 / 5.0));
+    const double turned = std::fabs(std::atan2(product(3, 1), product(3, 3))),
+                 sitter = 2 * M_PI * (1 - std::sqrt(1 - 1.5 / 5.0));
     MESSAGE("turned by " << turned << " rad, de Sitter: " << sitter);
     CHECK(std::fabs(turned - sitter) < 1e-9);
 }
@@ -184,7 +198,8 @@ TEST_CASE("paths: keys are met, and the way between them is smooth") {
     const auto path = CameraPath::make(scene);
     REQUIRE(path);
     for (const PathKey& key : scene.path->keys) CHECK(std::fabs(path->at(key.frame).r - key.camera.r) < 1e-12);
-    const double left = (path->at(10).r - path->at(10 - 1e-5).r) / 1e-5, right = (path->at(10 + 1e-5).r - path->at(10).r) / 1e-5;
+    const double left = (path->at(10).r - path->at(10 - 1e-5).r) / 1e-5,
+                 right = (path->at(10 + 1e-5).r - path->at(10).r) / 1e-5;
     CHECK(std::fabs(left - right) < 1e-4);
     CHECK(path->at(-5).r == path->at(0).r);
     CHECK(path->at(99).r == path->at(30).r);

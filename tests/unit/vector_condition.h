@@ -17,8 +17,8 @@ using VectorOutput = std::function<double(const RayRecord&)>;
 // the factor by which a relative change of the inputs comes back as a relative change of y. The derivatives are one-sided
 // differences of the traced function, the larger side counts; the step stays below `room`, how far, relatively, the critical ray
 // and the turning point are, where y is singular.
-inline double condition_number(const VectorTrace& trace, double q, double zeta0, double room, const VectorOutput& output,
-                               std::optional<double> at) {
+inline double condition_number(const VectorTrace& trace, double q, double zeta0, double room,
+                               const VectorOutput& output, std::optional<double> at) {
     const auto here = trace(q, zeta0, at);
     const double y = output(*here), step = std::max(1e-5 * std::min(1.0, room), 1e-15);
     double sum = 0;

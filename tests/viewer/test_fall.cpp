@@ -35,7 +35,7 @@ TEST_CASE("fall: a clock that runs, stops, is turned back, and ends") {
     fall.run(true);
     for (int i = 0; i < 100 && fall.runs(); ++i) fall.step(scene, 1.0);
     CHECK_FALSE(fall.runs());
-    CHECK(scene.camera.r < 0.01);   // 35.124 M = 17.562 r_s/c from rest at 10 M
+    CHECK(scene.camera.r < 0.01);  // 35.124 M = 17.562 r_s/c from rest at 10 M
     CHECK(fall.tau() == doctest::Approx(17.562).epsilon(1e-3));
 }
 
@@ -75,8 +75,8 @@ TEST_CASE("fall: about a hole that spins the clock runs through the horizon and 
     CHECK(fall.step(scene, 1.0));
     CHECK_FALSE(fall.runs());
     CHECK(scene.camera.observer == ObserverKind::kRain);
-    CHECK(scene.camera.r < 0.7179);   // the outer horizon
-    CHECK(scene.camera.r > 0.2821);   // the inner one
+    CHECK(scene.camera.r < 0.7179);  // the outer horizon
+    CHECK(scene.camera.r > 0.2821);  // the inner one
 }
 
 }  // namespace
