@@ -117,6 +117,11 @@ std::optional<Splat> splat_on(Vec3 direction, const Reach& reach, const FaceAxes
                  static_cast<std::int16_t>(y1)};
 }
 
+bool can_be_kept(const Splat& splat) {
+    const int columns = splat.x1 - splat.x0 + 1, rows = splat.y1 - splat.y0 + 1;
+    return columns <= static_cast<int>(kRun) && static_cast<std::size_t>(columns * rows) <= kMostKept;
+}
+
 double halo_reach(double flux, double scale) {
     const double centre = flux / (kPi * scale * scale);  // of the profile without a cut
     const double ratio = std::sqrt(std::max(centre / kHaloFloor, 1.0)) - 1.0;
@@ -217,7 +222,8 @@ void StarPainter::place(Light& light, std::uint32_t number, double magnitude, do
         for (int row = splat->y0 + border_; row / kBandRows <= (splat->y1 + border_) / kBandRows; row += kBandRows)
             out.push_back({static_cast<std::size_t>(face * bands_ + row / kBandRows), *splat});
     }
-    if (out.size() == before + 1 && fraction == 0.0 && is_whole(out.back().splat)) {  // most are so
+    if (out.size() == before + 1 && fraction == 0.0 &&
+        can_be_kept(out.back().splat)) {  // no other face has any of it: most are so
         light.core = flux;
         light.normalised = false;
         return;
@@ -228,13 +234,6 @@ void StarPainter::place(Light& light, std::uint32_t number, double magnitude, do
             add_sums(light, sigma_, axes, size_, *splat, sums);
     light.core = (1.0 - fraction) * flux / sums.core;
     if (fraction > 0.0) light.halo = fraction * flux / sums.halo;
-}
-
-// No other face has any of it, and its profile can be kept.
-bool StarPainter::is_whole(const Splat& splat) const {
-    const auto texels = static_cast<std::size_t>((splat.x1 - splat.x0 + 1) * (splat.y1 - splat.y0 + 1));
-    return texels <= kMostKept && splat.x1 - splat.x0 < static_cast<int>(kRun) && splat.x0 > 0 &&
-           splat.x1 < size_ - 1 && splat.y0 > 0 && splat.y1 < size_ - 1;
 }
 
 void StarPainter::add(SkyRows& rows) const {

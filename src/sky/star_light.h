@@ -58,7 +58,6 @@ private:
         Splat splat;
     };
     void place(Light& light, std::uint32_t number, double magnitude, double brightness, std::vector<Placed>& out) const;
-    bool is_whole(const Splat& splat) const;
     void add_light(SkyRows& rows, const Light& light, const Splat& splat, int first, int end) const;
     void add_whole(SkyRows& rows, const Light& light, const Splat& splat, int first, int end) const;
 
