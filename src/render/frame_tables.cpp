@@ -179,24 +179,6 @@ Fate inner_fate(InnerEnd end) {
 }  // namespace
 
 Status FrameTables::update(const Scene& scene) {
-    if (Status rows = update_rows(scene); !rows) return rows;
-    update_images(scene);
-    return Done{};
-}
-
-// They change with the camera's radius and the disc's, not as the camera turns or goes round.
-void FrameTables::update_images(const Scene& scene) {
-    if (!scene.disc || !fan_) {
-        images_.reset();
-        return;
-    }
-    const double inner = scene.disc->inner, outer = scene.disc->outer;
-    if (images_ && images_->revision == revision_ && images_->inner == inner && images_->outer == outer) return;
-    images_ = {revision_, inner, outer, nullscope::critical_images(*fan_, inner, outer)};
-    ++images_made_;
-}
-
-Status FrameTables::update_rows(const Scene& scene) {
     bool rows_stale = false;
     if (spacetime_ == nullptr || !(spec_ == scene.spacetime) || lensing_ != scene.light.lensing) {
         auto made = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
@@ -290,8 +272,7 @@ CoreInput FrameTables::core_input(const Scene& scene) const {
 }
 
 FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan,
-                           const TextureFacts& textures, const Spacetime* other_matter, const BallPath* ball_path,
-                           const CriticalImages* known_images) {
+                           const TextureFacts& textures, const Spacetime* other_matter, const BallPath* ball_path) {
     const Spacetime& matter = other_matter != nullptr ? *other_matter : spacetime;
     const CameraSpec& camera = scene.camera;
     const Mat3 world = world_from_static(camera.theta, camera.phi);
@@ -358,9 +339,8 @@ FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const
     block.put(std::cos(disc.rotation) / (2 * disc.outer), std::sin(disc.rotation) / (2 * disc.outer),
               textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1)));
     block.put(disc.opacity, disc.edge, disc.brightness, disc.passed);
-    const CriticalImages images = known_images != nullptr        ? *known_images
-                                  : fan != nullptr && scene.disc ? critical_images(*fan, disc.inner, disc.outer)
-                                                                 : CriticalImages{};
+    const CriticalImages images =
+        fan != nullptr && scene.disc ? critical_images(*fan, disc.inner, disc.outer) : CriticalImages{};
     block.put(images.inner, images.outer, images.per_angle * M_LOG2E, images.from_angle);
     if (disc.emission == DiscEmission::kThermal)
         block.put(1.0 / disc.inner, kDiscFlowCells / std::log(disc.outer / disc.inner), std::log2(disc.temperature_K),

@@ -11,7 +11,6 @@
 #include "scene/scene.h"
 #include "shadercore/core_trace.h"
 #include "spacetime/registry.h"
-#include "table/critical_images.h"
 #include "table/deflection_table.h"
 #include "table/orbit_map.h"
 #include "table/ray_fan.h"
@@ -39,13 +38,9 @@ public:
     }                                                           // of a ball that moves; made anew by every update
     void want_delays(bool wanted) { delays_wanted_ = wanted; }  // for ray data, whatever the scene
     const TexelGrid& star_lens() const { return star_lens_; }   // empty without point stars
-    const CriticalImages* critical_images() const {
-        return images_ ? &images_->images : nullptr;
-    }  // of the disc, where there is one
-    int critical_images_made() const { return images_made_; }
-    int revision() const { return revision_; }     // grows whenever strip or orbit map change
-    double table_ms() const { return table_ms_; }  // time of the last deflection table
-    double rows_ms() const { return rows_ms_; }    // time of the last strip and orbit map
+    int revision() const { return revision_; }                  // grows whenever strip or orbit map change
+    double table_ms() const { return table_ms_; }               // time of the last deflection table
+    double rows_ms() const { return rows_ms_; }                 // time of the last strip and orbit map
 
     // For the shader core as C++; views into this object.
     CoreInput core_input(const Scene& scene) const;
@@ -65,15 +60,6 @@ private:
     TexelGrid star_lens_;
     std::optional<BallPath> ball_path_;
     bool delays_wanted_ = false;
-    struct DiscImages {  // what they are of
-        int revision;
-        double inner, outer;
-        CriticalImages images;
-    };
-    Status update_rows(const Scene& scene);
-    void update_images(const Scene& scene);
-    std::optional<DiscImages> images_;
-    int images_made_ = 0;
     int revision_ = 0;
     double table_ms_ = 0.0, rows_ms_ = 0.0;
 };
@@ -85,9 +71,9 @@ struct TextureFacts {
 };
 
 // The uniform block of shaders/shared/frame_block.glsl for this scene, in double. spacetime: the rays'. matter: what shifts light, if
-// it is another. images: of the disc in this fan; without them they are worked out, some 4 ms. The scene's observer must exist.
+// it is another. The scene's observer must exist.
 FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan,
                            const TextureFacts& textures, const Spacetime* matter = nullptr,
-                           const BallPath* ball_path = nullptr, const CriticalImages* images = nullptr);
+                           const BallPath* ball_path = nullptr);
 
 }  // namespace nullscope
