@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "base/assets.h"
 #include "base/progress.h"
@@ -99,6 +100,14 @@ Status check_options(const CaptureOptions& options, bool exr) {
     if (options.raydata && !exr) return bad_input("--raydata goes into an .exr; give -o FILE.exr");
     if (options.samples && options.renderer != "reference")
         return bad_input("--samples: the shader takes one ray a pixel; allowed: with --renderer reference");
+    if (options.renderer == "reference")
+        for (const auto& [option, given] : {std::pair{"--method", options.method != "auto"},
+                                            {"--max-error", options.max_error.has_value()},
+                                            {"--context", options.context != CaptureOptions{}.context},
+                                            {"--largest-texture", options.largest_texture.has_value()}})
+            if (given)
+                return bad_input(
+                    fmt::format("{}: the reference has no shader and no GL; allowed: with --renderer gl", option));
     return Done{};
 }
 

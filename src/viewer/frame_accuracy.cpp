@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -32,12 +33,15 @@ auto lens_and_place(const CameraSpec& c) {
 // The numbers of the solid bodies' forms.
 std::vector<double> solids(const Scene& scene) {
     std::vector<double> numbers;
-    if (const auto& s = scene.sphere) numbers.insert(numbers.end(), {s->radius, s->swing, s->period});
-    if (const auto& c = scene.cylinder) numbers.insert(numbers.end(), {c->inner, c->outer, c->height});
+    const auto add = [&](std::initializer_list<double> row) {
+        for (const double value : row) numbers.push_back(value);
+    };
+    if (const auto& s = scene.sphere) add({s->radius, s->swing, s->period});
+    if (const auto& c = scene.cylinder) add({c->inner, c->outer, c->height});
     if (const auto& b = scene.ball)
-        numbers.insert(numbers.end(), {b->position.x, b->position.y, b->position.z, b->radius,
-                                       static_cast<double>(b->motion), b->velocity.x, b->velocity.y, b->velocity.z});
-    if (const auto& f = scene.surface) numbers.insert(numbers.end(), {f->bound, static_cast<double>(f->steps)});
+        add({b->position.x, b->position.y, b->position.z, b->radius, static_cast<double>(b->motion), b->velocity.x,
+             b->velocity.y, b->velocity.z});
+    if (const auto& f = scene.surface) add({f->bound, static_cast<double>(f->steps)});
     return numbers;
 }
 

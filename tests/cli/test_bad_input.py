@@ -35,6 +35,8 @@ class Usage(support.CliTest):
 
     def test_options_that_change_nothing(self):
         self.refused("capture", "flat", "--size", "16x9", "--samples", "2", says=["--samples", "--renderer reference"])
+        for option, value in ("--method", "strip"), ("--max-error", "1"), ("--context", "egl"), ("--largest-texture", "64"):
+            self.refused("capture", "flat", "--size", "16x9", "--renderer", "reference", option, value, says=[option, "--renderer gl"])
         self.refused("lightcurve", "hot-spot", "--size", "16x9", "--samples", "2", says=["--samples", "--renderer reference"])
 
     def test_names_of_a_sequence(self):
