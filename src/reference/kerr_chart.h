@@ -12,7 +12,7 @@ struct KerrChart {
     double a;
 
     double radius(const Vec3& x) const {
-        const double flat = dot(x, x) - a * a, az = a * x.z, root = std::hypot(flat, 2 * az);
+        const double flat = dot(x, x) - a * a, az = a * x.z, root = std::sqrt(flat * flat + 4 * az * az);
         // The larger root of r^4 - flat r^2 - a^2 z^2 = 0, without a difference.
         return std::sqrt(flat > 0 ? 0.5 * (flat + root) : 2 * az * az / (root - flat));
     }

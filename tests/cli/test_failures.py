@@ -50,8 +50,8 @@ class Memory(support.CliTest):
         def little():
             resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))
 
-        for context in self.contexts():
-            for output in ("a.png", "a.exr"):
+        for context in self.contexts()[:1 if support.QUICK else None]:   # seconds each
+            for output in ("a.exr",) if support.QUICK else ("a.png", "a.exr"):
                 self.refused("capture", "flat", "--size", "16384x16384", "--context", context, "-o", output, status=1,
                              says=["out of memory"], before=little)
         self.refused("capture", "flat", "--size", "65536x65536", "--renderer", "reference", "-o", "a.exr", status=1,

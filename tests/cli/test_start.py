@@ -3,7 +3,7 @@
 The promise is one second of wall time on two quiet cores, with a software driver and without its shader cache. A wall clock cannot be
 bounded on a machine that others use as well, processor time nearly: a start that uses more than its bound cannot be over in a second,
 because of two cores' two seconds the share that compiles shaders, opens the context and writes the file, half of the whole, has one core
-only. The least of three runs counts: whoever else runs only adds. docs/command-line.md has measured times; measure_start.py measures.
+only. The least of up to three runs counts: whoever else runs only adds. docs/command-line.md has measured times; measure_start.py measures.
 """
 import os
 import resource
@@ -34,8 +34,10 @@ def cost(folder, scene):
 
 class Start(CliTest):
     def check(self, scene, most_resident_kb=None):
-        runs = [cost(self.folder, scene) for _ in range(RUNS)]
-        seconds, faults, resident = (min(values) for values in zip(*runs))
+        runs = []
+        while not runs or (len(runs) < RUNS and seconds > MOST_CPU_S):
+            runs.append(cost(self.folder, scene))
+            seconds, faults, resident = (min(values) for values in zip(*runs))
         line = f"{scene}: {seconds:.2f} s of processor time, {faults} page faults, {resident / 1024:.0f} MB"
         print(line)
         self.assertLessEqual(seconds, MOST_CPU_S, line)

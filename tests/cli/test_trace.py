@@ -287,7 +287,7 @@ class ShaderText(TraceTest):
                 yield "crossing", abs(1 / number(row[r]) - 1 / number(exact[r])) / slope
 
     def test_random_rays(self):
-        text, turned, step = self.random_rays(400)
+        text, turned, step = self.random_rays(90 if support.QUICK else 400)
         reference = self.trace(text, "--crossings", "2")
         beside = self.trace(turned)
         angles = [(number(a["angle"]), number(b["angle"])) for a, b in zip(reference, beside)]
@@ -316,7 +316,7 @@ class ShaderText(TraceTest):
             self.report(f"{tracer}: random rays: " + ", ".join(f"{k} {v:.3g}" for k, v in worst.items()))
 
     def test_disc_stops_rays(self):
-        text, _, _ = self.random_rays(200)
+        text, _, _ = self.random_rays(100 if support.QUICK else 200)
         scene = self.write("disc.toml", "[disc]\ninner = 3\nouter = 12\n")
         reference = self.trace(text, scene=scene)
         self.assertGreater(sum(r["fate"] == "hit:disc" for r in reference), 10)

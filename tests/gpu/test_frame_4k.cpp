@@ -51,8 +51,8 @@ void check_camera(double r, double yaw_deg, int row_step) {
     });
 }
 
-const int kEveryRow = by_depth(61, 23, 1);
-const int kTurnedRowStep = by_depth(181, 45, 3);  // the edge and its rings once more, aside of the picture's middle
+const int kEveryRow = by_depth(121, 23, 1);
+const int kTurnedRowStep = by_depth(241, 45, 3);  // the edge and its rings once more, aside of the picture's middle
 const int kSmoothRowStep =
     by_depth(181, 40, 8);  // views without the shadow's edge or its rings have no place for an error to hide in
 

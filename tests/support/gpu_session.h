@@ -19,7 +19,9 @@
 #include "gl/gl.h"
 #include "reference/reference.h"
 #include "render/renderer.h"
+#include "scene/scene_text.h"
 #include "support/depth.h"
+#include "support/reference_memory.h"
 
 namespace nullscope::test {
 
@@ -103,13 +105,20 @@ private:
 };
 
 inline ExactTrace reference_trace(const Scene& scene) {
-    return [scene](const std::vector<std::array<double, 2>>& positions) {
-        auto pixels = reference::trace_pixels(scene, positions);
-        if (!pixels) {
-            std::fprintf(stderr, "reference_trace: %s\n", pixels.error().message.c_str());
-            std::abort();
-        }
-        return std::move(*pixels);
+    std::string question = "trace_pixels\n";
+    for (const SceneLine& line : scene_lines(scene))
+        question += line.name + " = " + line.value + " " + line.file.string() + "\n";
+    return [scene, question](const std::vector<std::array<double, 2>>& positions) {
+        const std::string places(reinterpret_cast<const char*>(positions.data()),
+                                 positions.size() * sizeof(positions[0]));
+        return ReferenceMemory::of_this_run().answer(question + places, [&] {
+            auto pixels = reference::trace_pixels(scene, positions);
+            if (!pixels) {
+                std::fprintf(stderr, "reference_trace: %s\n", pixels.error().message.c_str());
+                std::abort();
+            }
+            return std::move(*pixels);
+        });
     };
 }
 

@@ -7,6 +7,7 @@
 #include "scene/effects.h"
 #include "shaderlib/embedded.h"
 #include "shaderlib/shader_source.h"
+#include "support/depth.h"
 
 using namespace nullscope;
 using namespace std::string_literals;
@@ -18,7 +19,7 @@ std::vector<Scene> all_scenes() {
     std::vector<Scene> scenes;
     constexpr TextureKind kKinds[] = {TextureKind::kPlain, TextureKind::kChecker, TextureKind::kNoise,
                                       TextureKind::kFormula, TextureKind::kImage};
-    for (unsigned bits = 0; bits < 1024; ++bits)
+    for (unsigned bits = 0; bits < 1024; bits += test::by_depth(3u, 1u, 1u))
         for (const TextureKind kind : kKinds) {
             const auto has = [&](unsigned bit) { return (bits >> bit & 1u) != 0; };
             Scene scene;
