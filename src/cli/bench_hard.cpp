@@ -209,6 +209,7 @@ int run(const Options& options) {
     print_table(rows);
     if (!options.json.empty()) {
         std::vector<JsonObject> objects;
+        objects.reserve(rows.size());
         for (const Row& row : rows) objects.push_back(json_of(row));
         if (Status written = write_text_atomically(options.json, json_list(objects)); !written)
             return report(written.error());

@@ -55,7 +55,7 @@ Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) 
     if (is_film(options) && !have_ffmpeg())
         return failed("ffmpeg is not installed, it makes the film; without it: -o NAME%05d.png and --frames");
     if (options.frames.empty()) return is_film(options) ? Frames{0, path->frames()} : Frames{};
-    const auto frames = parse_frames(options.frames);
+    auto frames = parse_frames(options.frames);
     if (frames && path != nullptr && frames->end > path->frames())
         return bad_input(fmt::format("--frames {}: the path has {} frames; allowed: 0:{}", options.frames,
                                      path->frames(), path->frames()));

@@ -16,6 +16,7 @@ namespace {
 // The program's exit status, -1 if it could not be started. No shell: names are passed as they are.
 int run_quietly(std::vector<std::string> words) {
     std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     posix_spawn_file_actions_t actions;

@@ -65,7 +65,7 @@ FrameStore::~FrameStore() {
 }
 
 // The descriptor is inherited by ffmpeg on purpose: an encoder that outlives a killed run keeps the pictures locked.
-Result<FrameStore> FrameStore::lock(FrameNames names, const std::string& stamp_file, const std::string& what) {
+Result<FrameStore> FrameStore::lock(const FrameNames& names, const std::string& stamp_file, const std::string& what) {
     for (;;) {
         const int descriptor = ::open(stamp_file.c_str(), O_RDWR | O_CREAT, 0666);
         if (descriptor < 0) return system_error(stamp_file, errno);

@@ -33,7 +33,7 @@ public:
 
 private:
     FrameStore(FrameNames names, std::string stamp_file, int descriptor);
-    static Result<FrameStore> lock(FrameNames names, const std::string& stamp_file, const std::string& what);
+    static Result<FrameStore> lock(const FrameNames& names, const std::string& stamp_file, const std::string& what);
     Result<std::string> read() const;
     Status write(const std::string& stamp) const;
 

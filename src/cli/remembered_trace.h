@@ -18,6 +18,7 @@ inline ExactTrace remembered_trace(const Scene& scene) {
         const auto pixels = reference::trace_pixels(scene, wanted);
         for (std::size_t i = 0; i < wanted.size(); ++i) (*known)[wanted[i]] = pixels ? (*pixels)[i] : RayPixel();
         std::vector<RayPixel> result;
+        result.reserve(positions.size());
         for (const auto& at : positions) result.push_back(known->at(at));
         return result;
     };

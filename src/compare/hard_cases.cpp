@@ -188,7 +188,8 @@ void discs(List& list) {
 void motions(List& list) {
     for (const double speed : {0.9, 0.999999})
         for (int i = 0; i < 27; ++i) {
-            const Vec3 d{i / 9 - 1.0, i / 3 % 3 - 1.0, i % 3 - 1.0};
+            const int a = i / 9, b = i / 3 % 3, c = i % 3;
+            const Vec3 d{a - 1.0, b - 1.0, c - 1.0};
             if (length(d) == 0) continue;
             list.add(fmt::format("{} c towards ({:.0f}, {:.0f}, {:.0f})", speed, d.x, d.y, d.z),
                      "aberration squeezes most of the sky into a few pixels", [&](Scene& s) {

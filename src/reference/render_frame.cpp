@@ -198,7 +198,8 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
             for (int x = 0; x < image.width; ++x) {
                 Vec3 sum{0, 0, 0};
                 for (int i = 0; i < samples * samples; ++i) {
-                    const double dx = (i % samples + 0.5) / samples, dy = (i / samples + 0.5) / samples;
+                    const int row = i / samples;
+                    const double dx = (i % samples + 0.5) / samples, dy = (row + 0.5) / samples;
                     sum = sum + ray_colour(*tracer, scene, looks, x + dx, y + dy);
                 }
                 sum = sum / (static_cast<double>(samples) * samples);

@@ -41,7 +41,8 @@ StarGrid::Level StarGrid::level_of(const std::vector<PointStar>& stars, const in
         const int row = std::clamp(static_cast<int>(0.5 * (v.z + 1) * level.rows), 0, level.rows - 1);
         const int column = std::clamp(static_cast<int>((std::atan2(v.y, v.x) / (2 * M_PI) + 0.5) * level.columns), 0,
                                       level.columns - 1);
-        return static_cast<std::size_t>(row * level.columns + column);
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(level.columns) +
+               static_cast<std::size_t>(column);
     };
     level.first.assign(static_cast<std::size_t>(level.rows * level.columns) + 1, 0);
     for (const int* i = begin; i != end; ++i) ++level.first[cell_of(stars[static_cast<std::size_t>(*i)].direction) + 1];

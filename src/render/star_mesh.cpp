@@ -93,7 +93,10 @@ public:
 private:
     double x_of(int i) const { return i * pitch_ - across_; }
     double y_of(int j) const { return j * pitch_ - up_; }
-    std::size_t number(int i, int j) const { return static_cast<std::size_t>((j + 1) * (columns_ + 3) + i + 1); }
+    std::size_t number(int i, int j) const {
+        return static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(columns_ + 3) +
+               static_cast<std::size_t>(i + 1);
+    }
     const Node& node(int i, int j) const { return nodes_[number(i, j)]; }
 
     Node traced(double x, double y) const {

@@ -119,7 +119,7 @@ std::optional<Splat> splat_on(Vec3 direction, const Reach& reach, const FaceAxes
 
 bool can_be_kept(const Splat& splat) {
     const int columns = splat.x1 - splat.x0 + 1, rows = splat.y1 - splat.y0 + 1;
-    return columns <= static_cast<int>(kRun) && static_cast<std::size_t>(columns * rows) <= kMostKept;
+    return columns <= static_cast<int>(kRun) && columns * rows <= static_cast<int>(kMostKept);
 }
 
 double halo_reach(double flux, double scale) {
@@ -239,7 +239,8 @@ void StarPainter::place(Light& light, std::uint32_t number, double magnitude, do
 void StarPainter::add(SkyRows& rows) const {
     const int last = rows.first + rows.count - 1;
     for (int band = (rows.first + border_) / kBandRows; band <= (last + border_) / kBandRows; ++band)
-        for (const Splat& splat : splats_[static_cast<std::size_t>(rows.face * bands_ + band)]) {
+        for (const Splat& splat : splats_[static_cast<std::size_t>(rows.face) * static_cast<std::size_t>(bands_) +
+                                          static_cast<std::size_t>(band)]) {
             const int band_first = band * kBandRows - border_;
             const int first = std::max({static_cast<int>(splat.y0), rows.first, band_first});
             const int end = std::min({static_cast<int>(splat.y1), last, band_first + kBandRows - 1}) + 1;
@@ -272,7 +273,7 @@ void StarPainter::add_whole(SkyRows& rows, const Light& light, const Splat& spla
     Run squares, cubes;
     std::array<double, kMostKept> profile;
     double sum = 0.0, solid_angle = 0.0;
-    const auto width = static_cast<std::size_t>(splat.x1 - splat.x0 + 1);
+    const auto width = static_cast<std::size_t>(splat.x1 - splat.x0) + 1;
     double* out = profile.data();
     for (int y = splat.y0; y <= splat.y1; ++y, out += width) {
         const TexelRow row(all_axes()[static_cast<std::size_t>(rows.face)], size_, light.direction, y);

@@ -23,12 +23,12 @@ double asinh_difference(double a, double b, double d2) {
 // First four Taylor coefficients of G(c) = h(chi)/sin(chi), chi = acos(c), by Chebyshev interpolation on |c| <= 1/4.
 std::array<double, 4> series_about_photon_sphere(const Spacetime& spacetime) {
     constexpr int n = 24;
-    constexpr double radius = 0.25;
+    constexpr double kRadius = 0.25;
     std::array<double, n> chebyshev{};
     for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
             const double angle = kPi * (i + 0.5) / n;
-            const double chi = std::acos(radius * std::cos(angle));
+            const double chi = std::acos(kRadius * std::cos(angle));
             chebyshev[j] +=
                 (j == 0 ? 1.0 : 2.0) / n * spacetime.bending_density(chi) / std::sin(chi) * std::cos(j * angle);
         }
@@ -43,7 +43,7 @@ std::array<double, 4> series_about_photon_sphere(const Spacetime& spacetime) {
         previous = current;
         current = next;
     }
-    for (int p = 1; p < 4; ++p) a[p] /= std::pow(radius, p);
+    for (int p = 1; p < 4; ++p) a[p] /= std::pow(kRadius, p);
     return a;
 }
 
@@ -175,14 +175,14 @@ double place_of_graded_y(double y) {
 double DeflectionTable::Sheet::at(double x, double y) const {
     if (graded_x) x = std::cbrt(std::max(x, 0.0));
     if (graded_y) y = place_of_graded_y(std::clamp(y, 0.0, 1.0));
-    constexpr int points = 6;
+    constexpr int kPoints = 6;
     const auto weights = [this](double position, int& first) {
         const double p = std::clamp(position, 0.0, 1.0) * size;
-        first = std::clamp(static_cast<int>(p) - points / 2 + 1, 0, size + 1 - points);
-        std::array<double, points> w{};
-        for (int a = 0; a < points; ++a) {
+        first = std::clamp(static_cast<int>(p) - kPoints / 2 + 1, 0, size + 1 - kPoints);
+        std::array<double, kPoints> w{};
+        for (int a = 0; a < kPoints; ++a) {
             double product = 1.0;
-            for (int b = 0; b < points; ++b)
+            for (int b = 0; b < kPoints; ++b)
                 if (b != a) product *= (p - first - b) / (a - b);
             w[a] = product;
         }
@@ -192,10 +192,10 @@ double DeflectionTable::Sheet::at(double x, double y) const {
     const auto wx = weights(x, ix);
     const auto wy = weights(y, iy);
     double sum = 0.0;
-    for (int a = 0; a < points; ++a) {
+    for (int a = 0; a < kPoints; ++a) {
         const double* row = values.data() + static_cast<std::size_t>(ix + a) * (size + 1) + iy;
         double line = 0.0;
-        for (int b = 0; b < points; ++b) line += wy[b] * row[b];
+        for (int b = 0; b < kPoints; ++b) line += wy[b] * row[b];
         sum += wx[a] * line;
     }
     return sum;
