@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Builds the tree in other ways, runs what that can show, and reads the sources. scripts/test.sh --all ends with it.
 #
-#   scripts/check.sh           sanitize, headless and format
+#   scripts/check.sh           all of them
 #   scripts/check.sh NAME...   only these:
 #     sanitize   clang, address and undefined-behaviour sanitizers, no precompiled headers: both programs, unit and contract
 #                tests, replay of the fuzz corpora
 #     headless   without a window system: nullscope is built and draws a picture
 #     format     scripts/format.sh --check
-#     tidy       clang-tidy on src/: not among the first, for it is not clean yet
+#     tidy       clang-tidy on src/, by the commands of the sanitizers' build
 #
 # NULLSCOPE_TIMES=FILE adds what each took to FILE (tests/measured.py).
 set -euo pipefail
@@ -15,7 +15,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 times=${NULLSCOPE_TIMES:-$root/build/check-times.tsv}
 case "${1-}" in -h | --help) sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}"; exit 0 ;; esac
-[[ $# -gt 0 ]] || set -- sanitize headless format
+[[ $# -gt 0 ]] || set -- sanitize headless format tidy
 
 sanitize() { "$root/scripts/sanitize.sh" --build-programs; }
 
@@ -34,6 +34,7 @@ tidy() {
     [[ -e build/sanitize/compile_commands.json ]] || cmake --preset sanitize >/dev/null
     cmake --build build/sanitize --target nullscope_shaderlib >&2   # makes the embedded shaders
     run-clang-tidy -quiet -p build/sanitize "$root/src/.*" 2>/dev/null | sed 's/\x1b\[[0-9;]*m//g' >build/tidy.log || true
+    [[ -s build/tidy.log ]] || { echo "check: clang-tidy said nothing at all" >&2; return 1; }   # not even what it looks at
     ! grep -E '(warning|error):' build/tidy.log | sort -u >&2
 }
 

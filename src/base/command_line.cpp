@@ -65,7 +65,7 @@ std::string number_text(const Option& option, double number) {
 std::string type_text(const Option& option) {
     if (!option.words.empty()) return fmt::format("TEXT:{{{}}}", fmt::join(option.words, ","));
     if (kind_of(option) == Kind::kText) return "TEXT";
-    const std::string type = kind_of(option) == Kind::kReal ? "FLOAT" : "INT";
+    std::string type = kind_of(option) == Kind::kReal ? "FLOAT" : "INT";
     if (!option.range) return type;
     return fmt::format("{} in [{} - {}]", type, number_text(option, option.range->first),
                        number_text(option, option.range->second));
@@ -73,7 +73,7 @@ std::string type_text(const Option& option) {
 
 std::string allowed_text(const Option& option) {
     if (!option.words.empty()) return fmt::format("{}", fmt::join(option.words, ", "));
-    const std::string type = kind_of(option) == Kind::kReal ? "numbers" : "whole numbers";
+    std::string type = kind_of(option) == Kind::kReal ? "numbers" : "whole numbers";
     if (!option.range) return type;
     return fmt::format("{} from {} to {}", type, number_text(option, option.range->first),
                        number_text(option, option.range->second));

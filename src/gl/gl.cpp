@@ -165,8 +165,10 @@ namespace {
 std::vector<float> halved(const float* from, int width, int height, int channels) {
     const int to_width = std::max(width / 2, 1), to_height = std::max(height / 2, 1);
     const std::size_t across = width > 1 ? static_cast<std::size_t>(channels) : 0,
-                      row = static_cast<std::size_t>(width * channels), down = height > 1 ? row : 0;
-    std::vector<float> to(static_cast<std::size_t>(to_width) * static_cast<std::size_t>(to_height * channels));
+                      row = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels),
+                      down = height > 1 ? row : 0;
+    std::vector<float> to(static_cast<std::size_t>(to_width) * static_cast<std::size_t>(to_height) *
+                          static_cast<std::size_t>(channels));
     float* out = to.data();
     for (int y = 0; y < to_height; ++y)
         for (int x = 0; x < to_width; ++x) {

@@ -46,9 +46,9 @@ public:
                   right = std::min(static_cast<int>(std::floor(at + wide)), left + level.columns - 1);
         for (int row = row_of(low); row <= row_of(high); ++row)
             for (int column = left; column <= right; ++column) {
-                const auto columns = static_cast<std::size_t>(level.columns),
-                           cell = static_cast<std::size_t>(row) * columns +
-                                  static_cast<std::size_t>(column + level.columns) % columns;
+                const int turned = (column + level.columns) % level.columns;
+                const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(level.columns) +
+                                  static_cast<std::size_t>(turned);
                 for (int i = level.first[cell]; i < level.first[cell + 1]; ++i)
                     visit(level.stars[static_cast<std::size_t>(i)]);
             }

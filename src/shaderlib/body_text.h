@@ -14,7 +14,7 @@ struct BodyText {
     std::string hit;    // solid_hit: the first body on the ray; about a spinning hole the tracer finds it
     std::string light;  // solid_light: and its light
     std::string coats;  // disc_coat_paint, dome_paint: what a disc and a sky without images are painted with
-    friend auto operator<=>(const BodyText&, const BodyText&) = default;
+    friend auto operator<=>(const BodyText&, const BodyText&) = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
 // Empty for a scene without bodies whose disc and sky are not painted. Formulas must be valid (scene files are checked).

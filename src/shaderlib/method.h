@@ -26,8 +26,8 @@ struct Method {
     int order = 6;                     // kIntegrate: 1, 4 or 6; kMino: 6 or, for skies alone, 4
     double step =
         0.6;  // kIntegrate: rad / sqrt(1 + 3 zeta); kMino: over the fastest rate; kKerrSchild: over the radius
-    int most_steps = 64;  // kIntegrate, kMino
-    friend auto operator<=>(const Method&, const Method&) = default;
+    int most_steps = 64;                                              // kIntegrate, kMino
+    friend auto operator<=>(const Method&, const Method&) = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
 // "strip", "strip:cubic", "table", "table:128:cubic", "closed-form", "integrate", "integrate:4:0.1", "euler:300" (300 steps over 5/2 pi rad), "mino", "mino:4:0.3",

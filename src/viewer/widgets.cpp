@@ -71,7 +71,9 @@ void paragraph(const std::string& text, int colour) {
     const float width = ImGui::GetContentRegionAvail().x;
     std::string line, lines;
     for (const std::string& word : split(text, ' ')) {
-        const std::string longer = line.empty() ? word : line + " " + word;
+        std::string longer = line;
+        if (!line.empty()) longer += " ";
+        longer += word;
         const bool fits = line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= width;
         if (!fits) lines += line + "\n";
         line = fits ? longer : word;
