@@ -135,6 +135,7 @@ void bind_sampler(const Program& program, const char* sampler, int unit) { set_i
 
 std::vector<int> uniform_offsets(const Program& program, const std::vector<std::string>& members) {
     std::vector<const char*> names;
+    names.reserve(members.size());
     for (const std::string& member : members) names.push_back(member.c_str());
     std::vector<GLuint> indices(members.size(), GL_INVALID_INDEX);
     glGetUniformIndices(program.id(), static_cast<GLsizei>(names.size()), names.data(), indices.data());
