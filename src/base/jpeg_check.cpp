@@ -66,7 +66,7 @@ Status Check::run() {
             ++at;
             continue;
         }
-        if (marker == kEnd) break;
+        if (marker == kEnd) return Done{};
         const std::size_t value = at + 4, end = at + 2 + std::max(byte(at + 2) << 8 | byte(at + 3), 2u);
         if (marker == kProgressive) progressive_ = true;
         if (marker == kHuffmanTables && !read_tables(value, end))
@@ -75,7 +75,7 @@ Status Check::run() {
         if (marker == kScan && ++scans_ > kMostScans) return bad_input("too many scans");
         at = end;
     }
-    return Done{};
+    return bad_input("the file is too short, it ends before its picture does");
 }
 
 }  // namespace
