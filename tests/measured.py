@@ -4,8 +4,9 @@
 Usage: measured.py [--failures-first] FILE NAME COMMAND...
 
 Exit status: the command's. Processor seconds are those of the command and of everything it started and waited for, user and
-system, so they hardly depend on what else the machine does. With --failures-first what the command prints comes when it has ended, and
-what failed in it (doctest's ERROR, unittest's FAIL and ERROR, FAILED) before all else: who reads the beginning of a log sees it.
+system, so they hardly depend on what else the machine does. With --failures-first what the command prints comes when it
+has ended, and what failed in it (doctest's ERROR, unittest's FAIL and ERROR, FAILED) before all else: who reads the
+beginning of a log sees it.
 """
 import os
 import re

@@ -1,5 +1,5 @@
-// The list of hard cases on every context, each within its bound. Depth quick draws and measures every fourteenth and two more, depth all draws all and
-// measures every fifth, depth everything measures all.
+// The list of hard cases on every context, each within its bound. Depth quick draws and measures every fourteenth and
+// those that shows_a_breach names, depth all draws all and measures these and every fifth, depth everything all.
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -1,19 +1,16 @@
 #include "support/reference_memory.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string_view>
 #include <type_traits>
 
+#include "base/atomic_file.h"
 #include "support/depth.h"
 
 namespace nullscope::test {
@@ -32,48 +29,33 @@ std::uint64_t fnv1a(std::string_view text, std::uint64_t start) {
 // Of 128 bits: two hashes with different starts.
 std::string name_of(std::string_view text) {
     std::string name;
-    for (const std::uint64_t start : {14695981039346656037ull, 0x9e3779b97f4a7c15ull}) {
+    for (const std::uint64_t start : {14695981039346656037ull, 0x9e3779b97f4a7c15ull})
         name += fmt::format("{:016x}", fnv1a(text, start));
-    }
     return name;
-}
-
-std::string read_all(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 // A file: the answers' bytes, then their name_of.
 std::optional<std::vector<RayPixel>> read(const std::filesystem::path& path) {
-    const std::string text = read_all(path);
-    if (text.size() < 32 || (text.size() - 32) % sizeof(RayPixel) != 0) return {};
-    const std::string_view all = text, bytes = all.substr(0, all.size() - 32);
+    const auto text = read_text(path);
+    if (!text || text->size() < 32 || (text->size() - 32) % sizeof(RayPixel) != 0) return {};
+    const std::string_view all = *text, bytes = all.substr(0, all.size() - 32);
     if (name_of(bytes) != all.substr(bytes.size())) return {};
     std::vector<RayPixel> pixels(bytes.size() / sizeof(RayPixel));
     std::memcpy(static_cast<void*>(pixels.data()), bytes.data(), bytes.size());
     return pixels;
 }
 
+// What cannot be kept is computed again: no error.
 void write(const std::filesystem::path& path, const std::vector<RayPixel>& pixels) {
-    static std::atomic<int> count{0};
     const std::string bytes(reinterpret_cast<const char*>(pixels.data()), pixels.size() * sizeof(RayPixel));
-    auto part = path;
-    part += fmt::format(".{}-{}", getpid(), ++count);
-    std::error_code failed;
-    {
-        std::ofstream out(part, std::ios::binary);
-        out << bytes << name_of(bytes) << std::flush;
-        if (!out) failed = std::make_error_code(std::errc::io_error);
-    }
-    if (!failed) std::filesystem::rename(part, path, failed);
-    if (failed) std::filesystem::remove(part, failed);
+    static_cast<void>(write_text_atomically(path, bytes + name_of(bytes)));
 }
 
 std::filesystem::path folder_of_this_run() {
     const char *folder = std::getenv("NULLSCOPE_REFERENCE_MEMORY"), *mark = std::getenv("NULLSCOPE_REFERENCE_MARK");
     if (folder == nullptr || mark == nullptr || depth() != Depth::kQuick) return {};
-    const std::string code = read_all(mark);
-    return code.empty() ? std::filesystem::path() : std::filesystem::path(folder) / name_of(code);
+    const auto code = read_text(mark);
+    return code ? std::filesystem::path(folder) / name_of(*code) : std::filesystem::path();
 }
 
 }  // namespace
