@@ -43,7 +43,7 @@ class CliTest(unittest.TestCase):
         """before: called in the new process, to set its limits. environment: variables to add."""
         done = subprocess.run([BINARY, *map(str, arguments)], capture_output=True, timeout=LONGEST_S, cwd=self.folder,
                               preexec_fn=before,
-                              env={**os.environ, "MESA_SHADER_CACHE_DISABLE": "true", **(environment or {})})
+                              env={**os.environ, **(environment or {})})
         ran = Ran(done)
         self.assertEqual(ran.status, status, f"nullscope {' '.join(map(str, arguments))}\n{ran}")
         return ran

@@ -38,7 +38,7 @@ class FilmTest(support.CliTest):
         folder.mkdir()
         (folder / "ffmpeg").write_text(FAKE_FFMPEG)
         (folder / "ffmpeg").chmod(0o755)
-        self.environment = {**os.environ, "MESA_SHADER_CACHE_DISABLE": "true", "PATH": f"{folder}:{os.environ['PATH']}"}
+        self.environment = {**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"}
         self.write("scene.toml", SCENE)
 
     def capture(self, *words, status=0):

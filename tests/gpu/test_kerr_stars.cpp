@@ -64,6 +64,25 @@ struct Both {
     std::vector<MeshImage> mesh;
 };
 
+// By star.
+std::vector<std::vector<reference::StarImage>> exact_images(const reference::FrameTracer& tracer, const Scene& scene,
+                                                            const std::vector<PointStar>& stars) {
+    struct Found {
+        std::size_t star;
+        reference::StarImage image;
+    };
+    const auto found = ReferenceMemory::of_this_run().answer<Found>(question_of("images of stars", scene), [&] {
+        std::vector<Found> all;
+        const auto images = reference::images_of(tracer, scene);
+        for (std::size_t i = 0; i < stars.size(); ++i)
+            for (const auto& image : images(stars[i].direction)) all.push_back({i, image});
+        return all;
+    });
+    std::vector<std::vector<reference::StarImage>> images(stars.size());
+    for (const Found& one : found) images[one.star].push_back(one.image);
+    return images;
+}
+
 Both both_of(const Scene& scene) {
     Both both;
     const auto stars = point_stars(scene.sky, assets_directory());
@@ -72,8 +91,7 @@ Both both_of(const Scene& scene) {
     auto tracer = reference::FrameTracer::make(scene);
     REQUIRE(tracer);
     both.tracer = std::move(*tracer);
-    const auto images = reference::images_of(*both.tracer, scene);
-    for (const PointStar& star : both.stars) both.exact.push_back(images(star.direction));
+    both.exact = exact_images(*both.tracer, scene, both.stars);
     FrameTables tables;
     REQUIRE(tables.update(scene));
     const StarMesh mesh(both.stars, false);

@@ -104,14 +104,19 @@ private:
     int count_ = 0;
 };
 
-inline ExactTrace reference_trace(const Scene& scene) {
-    std::string question = "trace_pixels\n";
+// What is asked of the reference, word for word.
+inline std::string question_of(const char* what, const Scene& scene) {
+    std::string question = std::string(what) + "\n";
     for (const SceneLine& line : scene_lines(scene))
         question += line.name + " = " + line.value + " " + line.file.string() + "\n";
-    return [scene, question](const std::vector<std::array<double, 2>>& positions) {
+    return question;
+}
+
+inline ExactTrace reference_trace(const Scene& scene) {
+    return [scene, question = question_of("trace_pixels", scene)](const std::vector<std::array<double, 2>>& positions) {
         const std::string places(reinterpret_cast<const char*>(positions.data()),
                                  positions.size() * sizeof(positions[0]));
-        return ReferenceMemory::of_this_run().answer(question + places, [&] {
+        return ReferenceMemory::of_this_run().answer<RayPixel>(question + places, [&] {
             auto pixels = reference::trace_pixels(scene, positions);
             if (!pixels) {
                 std::fprintf(stderr, "reference_trace: %s\n", pixels.error().message.c_str());

@@ -5,10 +5,8 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <optional>
 #include <string_view>
-#include <type_traits>
 
 #include "base/atomic_file.h"
 #include "support/depth.h"
@@ -16,10 +14,9 @@
 namespace nullscope::test {
 namespace {
 
-// A pixel: less is read no faster than it is computed. (Closed forms take 1e-6, steps about rotating holes 1e-4.)
-constexpr double kWorthKeeping_s = 5e-6;
-
-static_assert(std::is_trivially_copyable_v<RayPixel>);
+// A byte: less is read no faster than it is computed. (A pixel of some 100 bytes takes 1e-6 s by closed forms, 1e-4 s
+// by steps about rotating holes.)
+constexpr double kWorthKeeping_s = 5e-8;
 
 std::uint64_t fnv1a(std::string_view text, std::uint64_t start) {
     for (const char c : text) start = (start ^ static_cast<unsigned char>(c)) * 1099511628211ull;
@@ -35,20 +32,13 @@ std::string name_of(std::string_view text) {
 }
 
 // A file: the answers' bytes, then their name_of.
-std::optional<std::vector<RayPixel>> read(const std::filesystem::path& path) {
-    const auto text = read_text(path);
-    if (!text || text->size() < 32 || (text->size() - 32) % sizeof(RayPixel) != 0) return {};
+std::optional<std::string> read(const std::filesystem::path& path, std::size_t size) {
+    auto text = read_text(path);
+    if (!text || text->size() < 32 || (text->size() - 32) % size != 0) return {};
     const std::string_view all = *text, bytes = all.substr(0, all.size() - 32);
     if (name_of(bytes) != all.substr(bytes.size())) return {};
-    std::vector<RayPixel> pixels(bytes.size() / sizeof(RayPixel));
-    std::memcpy(static_cast<void*>(pixels.data()), bytes.data(), bytes.size());
-    return pixels;
-}
-
-// What cannot be kept is computed again: no error.
-void write(const std::filesystem::path& path, const std::vector<RayPixel>& pixels) {
-    const std::string bytes(reinterpret_cast<const char*>(pixels.data()), pixels.size() * sizeof(RayPixel));
-    static_cast<void>(write_text_atomically(path, bytes + name_of(bytes)));
+    text->resize(bytes.size());
+    return std::move(*text);
 }
 
 std::filesystem::path folder_of_this_run() {
@@ -73,16 +63,18 @@ const ReferenceMemory& ReferenceMemory::of_this_run() {
     return memory;
 }
 
-std::vector<RayPixel> ReferenceMemory::answer(const std::string& question,
-                                              const std::function<std::vector<RayPixel>()>& compute) const {
+std::string ReferenceMemory::bytes_of(const std::string& question, std::size_t size,
+                                      const std::function<std::string()>& compute) const {
     if (folder_.empty()) return compute();
     const std::filesystem::path path = folder_ / name_of(question);
-    if (auto kept = read(path)) return std::move(*kept);
+    if (auto kept = read(path, size)) return std::move(*kept);
     const auto start = std::chrono::steady_clock::now();
-    std::vector<RayPixel> pixels = compute();
+    std::string bytes = compute();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    if (took.count() >= kWorthKeeping_s * static_cast<double>(pixels.size())) write(path, pixels);
-    return pixels;
+    // What cannot be kept is computed again: no error.
+    if (took.count() >= kWorthKeeping_s * static_cast<double>(bytes.size()))
+        static_cast<void>(write_text_atomically(path, bytes + name_of(bytes)));
+    return bytes;
 }
 
 }  // namespace nullscope::test

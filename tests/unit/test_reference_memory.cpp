@@ -6,6 +6,7 @@
 #include <fstream>
 #include <thread>
 
+#include "scene/ray.h"
 #include "support/folders.h"
 #include "support/reference_memory.h"
 
@@ -23,7 +24,7 @@ TEST_CASE("reference memory: kept by question and code, never from a damaged fil
         return pixels;
     };
     const auto ask = [&](const char* code, const std::string& question) {
-        return ReferenceMemory(top / code).answer(question, compute)[1].g;
+        return ReferenceMemory(top / code).answer<RayPixel>(question, compute)[1].g;
     };
     CHECK(ask("a", "one") == 1);
     CHECK(ask("a", "one") == 1);
@@ -42,6 +43,6 @@ TEST_CASE("reference memory: kept by question and code, never from a damaged fil
     CHECK(ask("a", "one") == 4);
     CHECK(ask("b", "one") == 5);  // other code, and what the first said is gone
     CHECK_FALSE(std::filesystem::exists(top / "a"));
-    CHECK(ReferenceMemory({}).answer("one", compute)[1].g == 6);  // nothing is kept
+    CHECK(ReferenceMemory({}).answer<RayPixel>("one", compute)[1].g == 6);  // nothing is kept
     std::filesystem::remove_all(top);
 }
