@@ -13,8 +13,9 @@ float delay_rest(bool escapes, float u, float phi, float phi_end) {
     return orbit_value(edges, cell.along);
 }
 
+#ifdef EFFECT_INNER_HORIZON
 // What an inner horizon adds to r_*: y^2 ln((1 - y zeta)/(1 - x zeta))/(x - y); equal roots are its limit.
-float delay_inner(float zeta) {
+float inner_horizon_time(float zeta) {
     float outer = frame.delay.x;
     float inner = frame.delay.y;
     float without = 1.0 - inner * zeta;
@@ -24,6 +25,7 @@ float delay_inner(float zeta) {
     float exact = -log(max(1.0 - by, 1.0e-7)) / max(outer - inner, 1.0e-12);
     return inner * inner * (by < 0.05 ? series : exact);
 }
+#endif
 
 // Of the camera: energy (1 - W) and energy (1 + W), W = -(b + a c)/(a + b c); products, without a difference where one is small.
 vec2 delay_at_camera(Trace trace) {
@@ -41,14 +43,21 @@ float light_time(Trace trace, float phi, float r, float zeta_along) {
     float near = max((1.0 - frame.delay.x * zeta), 1.0e-7);
     float per_q = trace.s / q_sine(trace.c);
     float slope = zeta_along * per_q;
-    float fall = zeta * zeta * near * max(1.0 - frame.delay.y * zeta, 0.0) * per_q * per_q;   // V/q^2 = 1 - W^2
+    float fall = zeta * zeta * near * per_q * per_q;   // V/q^2 = 1 - W^2
+#ifdef EFFECT_INNER_HORIZON
+    fall *= max(1.0 - frame.delay.y * zeta, 0.0);
+#endif
     float root = sqrt(max(1.0 - fall, 0.0));
     float w = fall < 0.97 ? (slope < 0.0 ? -root : root) : clamp(slope, -1.0, 1.0);
     float larger = 1.0 + abs(w);
     float one_minus = sigma * w > 0.0 ? fall / larger : larger;
     float ratio = max(one_minus, 1.0e-30) * near * energy * r / max(trace.escapes ? sides.x : sides.y, 1.0e-30);   // both roots add up to 1
     float start = -(frame.shift.z + frame.shift.x * trace.c) / (energy * frame.shift.y);   // W/zeta
-    return start - w * r + sigma * (log(ratio) - delay_inner(zeta)) - (trace.escapes ? frame.delay.z : frame.delay.w) +
+    float logarithm = log(ratio);
+#ifdef EFFECT_INNER_HORIZON
+    logarithm -= inner_horizon_time(zeta);
+#endif
+    return start - w * r + sigma * logarithm - (trace.escapes ? frame.delay.z : frame.delay.w) +
            delay_rest(trace.escapes, trace.ray.u, phi, trace.phi_end);
 }
 

@@ -119,6 +119,10 @@ const std::vector<Added>& additions() {
          [](Scene& s) { s.ball->motion = BallMotion::kOrbit; }},
         {Effect::kPulse, [=](Scene& s) { sphere(s), s.light.delay = false; }, [](Scene& s) { s.sphere->swing = 0.1; }},
         {Effect::kSides, dark_wormhole, [](Scene& s) { s.ball.emplace(); }},
+        {Effect::kInnerHorizon, [=](Scene& s) { moving_disc(s), s.light.delay = true; },
+         [](Scene& s) {
+             s.spacetime = {"reissner-nordstrom", {{"charge", 0.8}}};
+         }},
     };
     return all;
 }

@@ -209,6 +209,8 @@ Status FrameTables::update(const Scene& scene) {
                known = straight || spacetime_->spin() != 0.0 || spacetime_->lapse_roots();
     if (delays_wanted_ && known) wanted.insert(Effect::kDelay);
     if (wanted.contains(Effect::kDelay) && !known) wanted.erase(Effect::kDelay);
+    if (wanted.contains(Effect::kDelay) && !straight && spacetime_->has_inner_horizon())
+        wanted.insert(Effect::kInnerHorizon);
     const auto orbits_of = [](const EffectSet& effects) {
         return meets_objects(effects) || effects.contains(Effect::kDelay);
     };

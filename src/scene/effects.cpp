@@ -204,6 +204,8 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     if (scene.ball && scene.ball->motion != BallMotion::kStill) reasons.push_back({Effect::kBallPath, "ball.motion"});
     if (scene.sphere && scene.sphere->swing > 0.0)
         reasons.push_back({Effect::kPulse, fmt::format("sphere.swing = {}", scene.sphere->swing)});
+    if (lensing && effect_set(reasons).contains(Effect::kDelay) && (*spacetime)->has_inner_horizon())
+        reasons.push_back({Effect::kInnerHorizon, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     return reasons;
 }
 
@@ -308,7 +310,8 @@ std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
         case Effect::kSpinFall:
         case Effect::kInner:
         case Effect::kBounce:
-        case Effect::kStar: break;
+        case Effect::kStar:
+        case Effect::kInnerHorizon: break;
     }
     return std::nullopt;
 }

@@ -56,9 +56,10 @@ enum class Effect {
     kDiscFlow,
     kSpot,
     kBallPath,
-    kPulse
+    kPulse,
+    kInnerHorizon
 };
-inline constexpr std::size_t kEffectCount = 39;
+inline constexpr std::size_t kEffectCount = 40;
 
 struct EffectRow {
     Effect effect;
@@ -168,6 +169,9 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
      "the ball's way; two fetches a stride"},
     {Effect::kPulse, "pulse", "EFFECT_PULSE", "The sphere pulsates.", "sphere.swing is above 0",
      "strides of four fetches"},
+    {Effect::kInnerHorizon, "inner-horizon", "EFFECT_INNER_HORIZON",
+     "The time that light takes is that of a hole with an inner horizon.",
+     "light takes time about a hole with spacetime.charge", "a logarithm a crossing or a look at a body"},
 }};
 
 constexpr const EffectRow& effect_row(Effect effect) { return kEffectTable[static_cast<std::size_t>(effect)]; }

@@ -25,6 +25,7 @@
 #define EFFECT_BOUNCE
 #define EFFECT_STAR
 #define EFFECT_DELAY
+#define EFFECT_INNER_HORIZON
 #define NEEDS_ZETA_SLOPE
 namespace lensed {
 #define EFFECT_DISC

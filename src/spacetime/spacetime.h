@@ -63,6 +63,7 @@ public:
     virtual bool bends_light() const = 0;
     // Of metrics with R = r and A of this form, for which the shader knows how long light takes.
     virtual std::optional<LapseRoots> lapse_roots() const { return std::nullopt; }
+    bool has_inner_horizon() const { return lapse_roots().value_or(LapseRoots{0, 0}).inner > 0.0; }
     // a, the hole's angular momentum over its mass, r_s: where it is not 0 the metric is symmetric about the axis only, no ray stays in a
     // plane, and what is said here of V, chi and orbits does not hold (spacetime/kerr.h).
     virtual double spin() const { return 0.0; }

@@ -48,6 +48,7 @@ WORDS = {
     "spot": [r"spot_\w+"],
     "ball-path": [r"ball_path\w*"],
     "pulse": [r"sphere_room"],
+    "inner-horizon": [r"inner_horizon\w*"],
     "sides": [r"\w+_by_side", r"throat", r"end_side"],
 }
 SCENES = {
@@ -94,6 +95,7 @@ SCENES = {
     "spin, points": '[spacetime]\nmetric = "kerr"\n[camera]\nvelocity = [0.1, 0.2, 0.3]\n[sky]\nkind = "points"\neven_stars = 10\n',
     "star": '[spacetime]\nmetric = "neutron-star"\n',
     "delay, flow, spot": '[sky]\nkind = "black"\n[disc]\ntexture = "noise"\nflow = "kepler"\n[spot]\n',
+    "inner horizon": '[spacetime]\nmetric = "reissner-nordstrom"\ncharge = 0.8\n[sky]\nkind = "black"\n[disc]\nflow = "kepler"\n',
     "flow without delay": '[disc]\nflow = "kepler"\n[light]\ndelay = "off"\n',
     "delay, ball, sphere, surface": '[sky]\nkind = "black"\n[ball]\nmotion = "orbit"\n[sphere]\nswing = 0.1\n[surface]\nshape = "x^2 + y^2 + z^2 - 9 - sin(t)"\n',
     "flat and moving": '[spacetime]\nmetric = "minkowski"\n[ball]\nmotion = "path"\nx = "5"\ny = "t"\nz = "0"\n[disc]\n[spot]\n',

@@ -79,6 +79,7 @@ std::vector<Scene> full_scenes() {
     scenes[4].disc.emplace().look.texture = TextureKind::kNoise;
     scenes[4].disc->emission = DiscEmission::kThermal;
     scenes[5].spacetime = {"reissner-nordstrom", {{"charge", 1.2}}};
+    scenes[4].spacetime = {"reissner-nordstrom", {{"charge", 0.8}}};
     scenes[4].disc->flow = DiscFlowKind::kKepler;
     scenes[4].spot.emplace();
     scenes[4].ball.emplace().motion = BallMotion::kOrbit;

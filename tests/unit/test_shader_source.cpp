@@ -24,6 +24,7 @@ std::vector<Scene> all_scenes() {
             const auto has = [&](unsigned bit) { return (bits >> bit & 1u) != 0; };
             Scene scene;
             scene.spacetime.metric = has(0) ? "schwarzschild" : "minkowski";
+            if (has(0) && has(4)) scene.spacetime = {"reissner-nordstrom", {{"charge", 0.8}}};
             if (has(1)) scene.camera.velocity = {0, 0, 0.5};
             if (has(2)) scene.disc.emplace();
             if (has(2) && has(3)) scene.disc->opacity = 0.5;
@@ -107,6 +108,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kSpot, {"spot_light(", "vec4 spot;", "vec4 spot_motion;"}},
     {Effect::kBallPath, {"ball_path_fetch", "vec4 ball_path;"}},
     {Effect::kPulse, {"sphere_room"}},
+    {Effect::kInnerHorizon, {"inner_horizon_time("}},
 };
 
 std::string picture_of(const Scene& scene) {
