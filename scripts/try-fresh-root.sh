@@ -33,10 +33,10 @@ command -v debootstrap >/dev/null || fail "debootstrap is not installed (apt-get
 case $suite in
     bookworm | trixie | forky | sid)
         mirror=${MIRROR:-http://deb.debian.org/debian}
-        options=() ;;
+        options=() scheme=sid ;;
     *)
         mirror=${MIRROR:-http://archive.ubuntu.com/ubuntu}
-        options=(--components=main,universe --keyring=/usr/share/keyrings/ubuntu-archive-keyring.gpg) ;;
+        options=(--components=main,universe --keyring=/usr/share/keyrings/ubuntu-archive-keyring.gpg) scheme=gutsy ;;
 esac
 
 git -C "$repository" rev-parse --quiet --verify HEAD >/dev/null || fail "there is no commit yet that could be tried"
@@ -66,7 +66,9 @@ timed() {
 }
 
 bootstrap() {
-    debootstrap --variant=minbase --include=git ${options[@]+"${options[@]}"} "$suite" "$fresh" "$mirror" \
+    local scripts=()    # a suite younger than debootstrap is made as those before it
+    [[ -e /usr/share/debootstrap/scripts/$suite ]] || scripts=("$scheme")
+    debootstrap --variant=minbase --include=git ${options[@]+"${options[@]}"} "$suite" "$fresh" "$mirror" ${scripts[@]+"${scripts[@]}"} \
         >"$fresh.log" 2>&1 || { tail -n 20 "$fresh.log" >&2; return 1; }
     rm -f "$fresh.log"
 }
