@@ -133,6 +133,10 @@ TEST_CASE("help of a command line lists commands, options, defaults and ranges")
     CHECK(program.error({"help", "drow"}) ==
           "drow: no such command; allowed: draw, list (nearest: draw) (see: prog --help)");
     for (const char* word : {"A program.", "draw", "Draws.", "list"}) CHECK(all->text.find(word) != std::string::npos);
-    for (const char* word : {"-k,--kind", "{red,blue}=red", "INT in [1 - 20]=3", "[a,b]", "only with --quick"})
-        CHECK(one->text.find(word) != std::string::npos);
+    const auto has = [&](const std::string& word) { return one->text.find(word) != std::string::npos; };
+    for (const char* word : {"-k,--kind", "{red,blue}", "INT in [1 - 20]", "[a,b]", "only with --quick"})
+        CHECK(has(word));
+    // Defaults: as CLI11 2.2 writes them, or 2.4.
+    CHECK((has("{red,blue}=red") || has("{red,blue} [red]")));
+    CHECK((has("[1 - 20]=3") || has("[1 - 20] [3]")));
 }

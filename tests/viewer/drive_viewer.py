@@ -46,7 +46,7 @@ def main():
     words = sys.argv[2:] or ["window", "apart"]
     groups = {"window": cases_window.CASES, "apart": cases_apart.CASES}
     chosen = lambda group: [t for t in groups[group] if group in words or t.__name__.removeprefix("test_") in words]
-    os.environ.update(LIBGL_ALWAYS_SOFTWARE="1")
+    os.environ.update(LIBGL_ALWAYS_SOFTWARE="1", MESA_SHADER_CACHE_DISABLE="true")
     screen, folder, good = Screen(WIDTH + 100, HEIGHT + 100), Path(tempfile.mkdtemp(prefix="nullscope-drive.")), True
     viewers = []
     try:
