@@ -16,7 +16,7 @@ case "${1-}" in -h | --help) sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "${BASH_SOU
 
 # A build folder remembers where its sources were: one that came along with a moved or copied tree starts afresh.
 if [[ ! -e $build/build.ninja ]] || ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
-    echo "build: configuring in build/release" >&2
+    echo "build: configuring in build/release; the first build takes minutes, and one that is stopped goes on with the next call" >&2
     mkdir -p "$build"
     if ! (cd "$root" && cmake --fresh --preset release) >"$build/configure.log" 2>&1; then
         tail -n 30 "$build/configure.log" >&2
