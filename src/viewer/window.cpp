@@ -119,11 +119,20 @@ void on_wheel(GLFWwindow* window, double x, double y) {
     input.wheel_sideways += x;
 }
 
+// Where there is a display of X11 alone, GLFW 3.4 would ask for one of Wayland first, whose library complains.
+void prefer_x11_where_alone() {
+#ifdef GLFW_PLATFORM
+    if (std::getenv("DISPLAY") != nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr)
+        glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+}
+
 }  // namespace
 
 double seconds() { return glfwGetTime(); }
 
 Result<std::unique_ptr<Window>> Window::open(const WindowSpec& spec) {
+    prefer_x11_where_alone();
     if (glfwInit() != GLFW_TRUE) return failed(no_display());
     std::unique_ptr<Window> window(new Window);  // from here on its end is GLFW's
     const PixelSize size = spec.fit_to_screen ? fitted(spec.size) : spec.size;
