@@ -64,16 +64,4 @@ private:
     double table_ms_ = 0.0, rows_ms_ = 0.0;
 };
 
-// What textures tell the uniform block.
-struct TextureFacts {
-    int sky_size = 0, disc_width = 0;
-    bool two_skies = false;  // in one texture, with borders
-};
-
-// The uniform block of shaders/shared/frame_block.glsl for this scene, in double. spacetime: the rays'. matter: what shifts light, if
-// it is another. The scene's observer must exist.
-FrameNumbers frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan,
-                           const TextureFacts& textures, const Spacetime* matter = nullptr,
-                           const BallPath* ball_path = nullptr);
-
 }  // namespace nullscope

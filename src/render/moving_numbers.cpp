@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kCopies = 4096.0;  // DISC_COPIES of shaders/object/disc_flow.glsl
 
-std::array<double, 4> delay_row(const Scene& scene, const Spacetime& spacetime) {
+FrameVector delay_numbers(const Scene& scene, const Spacetime& spacetime) {
     // About a spinning hole r_* of the camera, or r where its clock is v - r: what T less r_* of a place is late by.
     if (spacetime.spin() != 0.0)
         return {0, 0, scene.camera.r + (falls(scene.camera) ? 0.0 : time_ahead(spacetime, scene.camera.r)), 0};
@@ -27,33 +27,33 @@ std::array<double, 4> delay_row(const Scene& scene, const Spacetime& spacetime) 
 
 }  // namespace
 
-std::array<std::array<double, 4>, kMovingRows> moving_numbers(const Scene& scene, const Spacetime& spacetime,
-                                                              const Spacetime& matter, const BallPath* ball_path) {
-    std::array<std::array<double, 4>, kMovingRows> rows{};
-    rows[0] = delay_row(scene, spacetime);
+void put_moving(FrameData& frame, const Scene& scene, const Spacetime& spacetime, const Spacetime& matter,
+                const BallPath* ball_path) {
+    frame.delay = delay_numbers(scene, spacetime);
     if (scene.disc && scene.disc->flow == DiscFlowKind::kKepler) {
         // Omega^2 = A'/(2 r) = zeta^3 ((x + y)/2 - x y zeta); in flat space matter rests.
         const LapseRoots roots = matter.lapse_roots().value_or(LapseRoots{0, 0});
         const double lives = scene.time / scene.disc->flow_life;
-        rows[1] = {lives - kCopies * std::floor(lives / kCopies), 1.0 / scene.disc->flow_life,
-                   0.5 * (roots.outer + roots.inner), roots.outer * roots.inner};
+        frame.disc_winding = {lives - kCopies * std::floor(lives / kCopies), 1.0 / scene.disc->flow_life,
+                              0.5 * (roots.outer + roots.inner), roots.outer * roots.inner};
     }
     if (scene.disc && scene.spot) {
         const SpotSpec& spot = *scene.spot;
         const auto orbit = circular_orbit(matter, spot.r);
         const double omega = orbit ? orbit->omega : 0.0, lapse = std::sqrt(matter.lapse_squared(spot.r));
-        rows[2] = {spot.r, std::remainder(spot.phase + omega * scene.time, 2.0 * M_PI), omega, 2.0 * M_PI / spot.count};
-        rows[3] = {spot.size * spot.size, spot.brightness, std::log2(spot.temperature_K),
-                   log2_brightness(spot.temperature_K, scene.light.bolometric)};
+        frame.spot = {spot.r, std::remainder(spot.phase + omega * scene.time, 2.0 * M_PI), omega,
+                      2.0 * M_PI / spot.count};
+        frame.spot_look = {spot.size * spot.size, spot.brightness, std::log2(spot.temperature_K),
+                           log2_brightness(spot.temperature_K, scene.light.bolometric)};
         // As disc_flow_row: g's two parts, and rays of flat space.
         double u_t = orbit ? orbit->u_t : 1.0 / lapse, u_phi = u_t * omega;
         if (!scene.light.doppler) u_t = 1.0 / lapse, u_phi = 0.0;
         if (!scene.light.gravity) u_t *= lapse, u_phi *= lapse;
         if (!scene.light.lensing) u_phi /= lapse;
-        rows[4] = {u_t, u_phi, 0, 0};
+        frame.spot_motion = {u_t, u_phi, 0, 0};
     }
-    if (ball_path != nullptr) rows[5] = {ball_path->from, 1.0 / ball_path->step, kBallPathCells, ball_path->speed};
-    return rows;
+    if (ball_path != nullptr)
+        frame.ball_path = {ball_path->from, 1.0 / ball_path->step, kBallPathCells, ball_path->speed};
 }
 
 }  // namespace nullscope

@@ -165,13 +165,14 @@ void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
         block_effects_ = tables_.effects();
         block_members_ = block_members(*block_effects_);
     }
-    const FrameNumbers numbers =
-        frame_numbers(scene, tables_.spacetime(), tables_.fan(), facts, &tables_.matter(), tables_.ball_path());
+    const FrameVectors numbers = vectors_of(
+        frame_numbers(scene, tables_.spacetime(), tables_.fan(), facts, &tables_.matter(), tables_.ball_path()));
     std::array<float, 4 * kFrameVectors> block{};
     std::size_t next = 0;
-    for (const int member : block_members_)
-        for (std::size_t i = 0; i < 4; ++i)
-            block[next++] = static_cast<float>(numbers[4 * static_cast<std::size_t>(member) + i]);
+    for (const int member : block_members_) {
+        const FrameVector& v = numbers[static_cast<std::size_t>(member)];
+        for (const double value : {v.x, v.y, v.z, v.w}) block[next++] = static_cast<float>(value);
+    }
     gl::upload_uniforms(uniforms_, block.data(), sizeof(block));
 }
 

@@ -15,6 +15,7 @@
 #include "gl/gl.h"
 #include "render/bloom.h"
 #include "render/body_images.h"
+#include "render/frame_numbers.h"
 #include "render/frame_tables.h"
 #include "render/sky_textures.h"
 #include "render/star_field.h"

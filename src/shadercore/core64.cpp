@@ -1,4 +1,7 @@
 // The shader core in double.
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <glm/glm.hpp>
 

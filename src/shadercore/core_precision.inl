@@ -1,26 +1,5 @@
 // The combinations of effects in one precision (Real) and their dispatch. The disc's code is always compiled, and that of rays that
 // pass the critical direction: where they end in a horizon they fetch nothing (core_variant.inl).
-#define BLOCK_LENSING
-#define BLOCK_ABERRATION
-#define BLOCK_SKY
-#define BLOCK_SKY_SHIFT
-#define BLOCK_DISC
-#define BLOCK_THERMAL_DISC
-#define BLOCK_POINT_STARS
-#define BLOCK_BLOOM
-#define BLOCK_SPHERE
-#define BLOCK_CYLINDER
-#define BLOCK_BALL
-#define BLOCK_SURFACE
-#define BLOCK_MARCH
-#define BLOCK_DISC_PATTERN
-#define BLOCK_SKY_PATTERN
-#define BLOCK_SPIN
-#define BLOCK_DELAY
-#define BLOCK_DISC_FLOW
-#define BLOCK_SPOT
-#define BLOCK_BALL_PATH
-#define BLOCK_SIDES
 #define EFFECT_INNER
 #define EFFECT_BOUNCE
 #define EFFECT_STAR

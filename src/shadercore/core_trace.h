@@ -2,10 +2,8 @@
 // table. Three witnesses tell where an error comes from: reference - core64 is table error, core64 - core32 float error,
 // core32 - GL driver error.
 #pragma once
-#include <array>
-#include <cstddef>
-
 #include "scene/ray.h"
+#include "shadercore/frame_data.h"
 
 namespace nullscope {
 
@@ -15,12 +13,8 @@ struct TexelView {
     int width = 0, height = 0;
 };
 
-// FrameData of shaders/shared/frame_block.glsl as numbers, four a member, in the order of its members.
-inline constexpr std::size_t kFrameVectors = 67;
-using FrameNumbers = std::array<double, 4 * kFrameVectors>;
-
 struct CoreInput {
-    FrameNumbers frame{};
+    FrameData frame;
     TexelView strip, ends, orbit, delay;  // delay: empty where nothing asks for light times
     bool cubic = false;                   // the strip's cubics instead of its lines (method strip:cubic)
     bool lensing = true, aberration = false, spin = false, spin_fall = false,
@@ -30,8 +24,5 @@ struct CoreInput {
 // Ray data of the pixel at (x, y) px from the image centre, y up. Same result for the same input; thread-safe.
 RayPixel trace_core64(const CoreInput& input, double x, double y);
 RayPixel trace_core32(const CoreInput& input, double x, double y);
-
-// Byte offsets of the members of the float FrameData, for the test against the driver's.
-std::array<std::size_t, kFrameVectors> frame_offsets();
 
 }  // namespace nullscope

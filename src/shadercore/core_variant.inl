@@ -2,11 +2,9 @@
 #define NEEDS_PHI_END
 #include "shadercore/core_types.inl"
 #define float Real  // NOLINT: GLSL's float is this precision
-#include "shared/frame_block.glsl"
-static_assert(sizeof(FrameData) == kFrameVectors * 4 * sizeof(Real));
 
 struct Inputs {
-    FrameData frame;
+    FrameBlock<vec4>::FrameData frame;
     TexelView strip, ends, orbit, delay;
 };
 thread_local Inputs inputs;
@@ -52,8 +50,10 @@ vec4 delay_fetch(int x, int y) { return fetch(inputs.delay, x, y); }
 #undef float
 
 RayPixel trace_one(const CoreInput& input, double x, double y) {
-    for (std::size_t i = 0; i < input.frame.size(); ++i)
-        reinterpret_cast<Real*>(&inputs.frame)[i] = static_cast<Real>(input.frame[i]);
+    std::array<vec4, kFrameVectors> members;
+    std::ranges::transform(vectors_of(input.frame), members.begin(),
+                           [](const FrameVector& v) { return vec4(v.x, v.y, v.z, v.w); });
+    inputs.frame = std::bit_cast<FrameBlock<vec4>::FrameData>(members);
     inputs.strip = input.strip;
     inputs.ends = input.ends;
     inputs.orbit = input.orbit;

@@ -1,5 +1,5 @@
 // The driver's layout of the uniform block is that of the C++ struct.
-#include "shadercore/core_trace.h"
+#include "shadercore/frame_data.h"
 #include "shaderlib/shader_source.h"
 #include "support/gpu_session.h"
 
@@ -53,8 +53,7 @@ std::vector<int> driver_offsets(const Scene& scene, const EffectSet& effects, co
 
 TEST_CASE("uniform block: the driver's offsets are those of the C++ struct") {
     const auto members = frame_members();
-    const auto offsets = frame_offsets();
-    REQUIRE(members.size() == offsets.size());
+    REQUIRE(members.size() == kFrameVectors);
     REQUIRE(members.front() == "frame.image");
     on_every_context([&](GpuSession&) {
         // No scene has both a disc's image and a texture of it, or two kinds of sky; a block can.
@@ -70,7 +69,7 @@ TEST_CASE("uniform block: the driver's offsets are those of the C++ struct") {
             if (members[i].starts_with("frame.spin_") || members[i] == "frame.throat")
                 CHECK(i + 7 >= members.size());
             else
-                CHECK(driver[i] == static_cast<int>(offsets[i]));
+                CHECK(driver[i] == static_cast<int>(16 * i));
         }
     });
 }

@@ -18,24 +18,6 @@ struct KerrView {
     Vec3 look;  // unit, along (e_r, e_theta, e_phi) of the camera at rest, or of the one that moves
 };
 
-// Members of FrameData (shaders/shared/frame_block.glsl), by number.
-enum Member {
-    kImage = 0,
-    kRay0 = 1,
-    kShift = 10,
-    kBoost = 14,
-    kBoostColour = 15,
-    kDiscX = 19,
-    kDiscY = 20,
-    kDiscLook = 22,
-    kSpinHole = 60,
-    kSpinEnergy,
-    kSpinAcross,
-    kSpinClimb,
-    kSpinPlace,
-    kSpinTurn
-};
-
 // rims: of an opaque disc.
 inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float,
                           std::optional<std::array<double, 2>> rims = {}, Vec3 velocity = {0, 0, 0}) {
@@ -43,27 +25,25 @@ inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float,
     const SpinPlace place = spin_place(*spacetime, view.r, view.theta);
     const SpinForms f = spin_forms(place, zamo_frame(place));
     CoreInput input;
-    const auto put = [&](Member member, double x, double y, double z, double w) {
-        const std::array<double, 4> numbers{x, y, z, w};
-        std::copy(numbers.begin(), numbers.end(), input.frame.begin() + 4 * member);
-    };
+    FrameData& frame = input.frame;
     const double a = spacetime->spin(), outer = *spacetime->horizon_radius(), cosine = std::cos(view.theta),
                  speed = length(velocity);
-    put(kImage, 1, 1, 1e-6, 1);
-    put(kRay0, view.look.x, view.look.y, view.look.z, 0);
-    put(kShift, 1, 1 / view.r, 0, 1);
+    frame.image = {1, 1, 1e-6, 1};
+    frame.ray_0 = {view.look.x, view.look.y, view.look.z, 0};
+    frame.shift = {1, 1 / view.r, 0, 1};
     if (speed > 0)
-        put(kBoost, velocity.x / speed, velocity.y / speed, velocity.z / speed, std::sqrt((1 + speed) / (1 - speed)));
-    put(kBoostColour, std::sqrt((1 + speed) / (1 - speed)), 0, 0, 0);
-    put(kDiscX, 1, 0, 0, rims ? (*rims)[0] : 1e30);
-    put(kDiscY, 0, 1, 0, rims ? (*rims)[1] : 0);
-    put(kDiscLook, 1, 0, 1, 0);
-    put(kSpinHole, a, a * a, outer, a * a / outer);
-    put(kSpinEnergy, f.energy.constant, f.energy.radial, f.energy.around, f.p_theta);
-    put(kSpinAcross, f.across.constant, f.across.radial, f.across.around, f.carter);
-    put(kSpinClimb, f.climb.constant, f.climb.radial, f.climb.around, f.carter_slope);
-    put(kSpinPlace, std::sin(view.theta), std::fabs(cosine) < 1e-12 ? 0.0 : cosine, 1, 0);
-    put(kSpinTurn, azimuth_ahead(*spacetime, view.r), a / (outer - inner_horizon(*spacetime)), 0, 0);
+        frame.boost = {velocity.x / speed, velocity.y / speed, velocity.z / speed,
+                       std::sqrt((1 + speed) / (1 - speed))};
+    frame.boost_colour = {std::sqrt((1 + speed) / (1 - speed)), 0, 0, 0};
+    frame.disc_x = {1, 0, 0, rims ? (*rims)[0] : 1e30};
+    frame.disc_y = {0, 1, 0, rims ? (*rims)[1] : 0};
+    frame.disc_look = {1, 0, 1, 0};
+    frame.spin_hole = {a, a * a, outer, a * a / outer};
+    frame.spin_energy = {f.energy.constant, f.energy.radial, f.energy.around, f.p_theta};
+    frame.spin_across = {f.across.constant, f.across.radial, f.across.around, f.carter};
+    frame.spin_climb = {f.climb.constant, f.climb.radial, f.climb.around, f.carter_slope};
+    frame.spin_place = {std::sin(view.theta), std::fabs(cosine) < 1e-12 ? 0.0 : cosine, 1, 0};
+    frame.spin_turn = {azimuth_ahead(*spacetime, view.r), a / (outer - inner_horizon(*spacetime)), 0, 0};
     input.lensing = false, input.spin = true, input.aberration = speed > 0;
     return in_float ? trace_core32(input, 0, 0) : trace_core64(input, 0, 0);
 }

@@ -1,0 +1,174 @@
+#include "render/frame_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "camera/pose.h"
+#include "camera/spin_forms.h"
+#include "light/black_body.h"
+#include "render/body_numbers.h"
+#include "render/moving_numbers.h"
+#include "scene/effects.h"
+#include "scene/observer.h"
+#include "scene/ray.h"
+#include "sky/packed_sky.h"
+#include "sky/point_stars.h"
+#include "table/critical_images.h"
+#include "table/disc_light.h"
+#include "table/star_lens.h"
+
+namespace nullscope {
+namespace {
+
+// |cos theta| below which a camera stands in the disc's plane (interfaces: rays out)
+constexpr double kInPlane = 1e-12;
+
+double plane_height(const CameraSpec& camera) {
+    const double height = std::cos(camera.theta);
+    return std::fabs(height) < kInPlane ? 0.0 : height;
+}
+
+// Factor on the light of a sky of this temperature, where g is the same over all of it; for a moving camera one over the colour that
+// it has without any shift, of luminance 1.
+Vec3 sky_light(const LightSpec& light, double temperature_K, double g, bool moves) {
+    const auto colour = [](double hue_K) {
+        const Vec3 xyz = black_body_xyz(hue_K);
+        return into_gamut(rec709_from_xyz(xyz / xyz.y));
+    };
+    const Vec3 own = colour(temperature_K),
+               seen = moves ? Vec3{1, 1, 1} : colour(light.shift ? g * temperature_K : temperature_K);
+    const double glow_K = light.beaming && !moves ? g * temperature_K : temperature_K;
+    const double brighter =
+        std::exp2(log2_brightness(glow_K, light.bolometric) - log2_brightness(temperature_K, light.bolometric));
+    const auto factor = [&](double a, double b) { return b > 0.0 ? brighter * a / b : 0.0; };
+    return {factor(seen.x, own.x), factor(seen.y, own.y), factor(seen.z, own.z)};
+}
+
+Fate inner_fate(InnerEnd end) {
+    switch (end) {
+        case InnerEnd::kOtherSky: return Fate::kOtherSide;
+        case InnerEnd::kSurface: return Fate::kHit;
+        case InnerEnd::kSameSky: return Fate::kEscaped;
+        case InnerEnd::kHorizon: break;
+    }
+    return Fate::kCaptured;
+}
+
+// Directions of view, in world axes (shown) and in those of the ray's plane.
+void put_view(FrameData& frame, const Scene& scene, const Observer& observer, const Mat3& shown, const Mat3& world,
+              const RayFan* fan, double g_factor) {
+    const CameraSpec& camera = scene.camera;
+    const Mat3 axes = observer.turn * static_from_camera(camera);
+    const double pixel = camera.plane_width / camera.width / camera.focal_distance;
+    const Vec3 ahead = -axes.c, right = pixel * axes.a, up = pixel * axes.b;  // the last two: a pixel
+    frame.image = {static_cast<double>(camera.width), static_cast<double>(camera.height), pixel,
+                   std::exp2(camera.exposure_ev)};
+    frame.ray_0 = {shown * ahead, 0};
+    frame.ray_x = {shown * right, 0};
+    frame.ray_y = {shown * up, 0};
+    const double off_axis = std::hypot(ahead.y, ahead.z);
+    const Vec3 meridian = off_axis > 0.0 ? Vec3{0, ahead.y, ahead.z} / off_axis : Vec3{0, 1, 0}, radial{1, 0, 0};
+    const Vec3 transverse = cross(radial, meridian);
+    const double critical_cosine = fan != nullptr ? fan->critical_cosine() : -1.0;
+    const double critical_sine = fan != nullptr ? fan->critical_sine() : 0.0;
+    const auto polar = [&](Vec3 v) -> FrameVector {
+        return {dot(v, meridian), dot(v, transverse), v.x, critical_sine * v.x - critical_cosine * dot(v, meridian)};
+    };
+    frame.polar_0 = polar(ahead);
+    frame.polar_x = polar(right);
+    frame.polar_y = polar(up);
+    frame.radial = {world * radial, g_factor};
+    frame.meridian = {world * meridian, 0};
+    frame.transverse = {world * transverse, 0};
+}
+
+void put_fan(FrameData& frame, const RayFan& fan, bool comes_back) {
+    const auto series = fan.has_table() ? fan.table().series() : DeflectionTable::Series{};
+    const int sky = fan.octaves(Segment::kSky), captured = sky + fan.octaves(Segment::kCaptured);
+    frame.strip = {fan.critical_cosine(), fan.critical_sine(), 1.0 / fan.w0(), static_cast<double>(sky)};
+    frame.orbit = {std::sin(fan.critical_angle()), std::cos(fan.chi0()), series.a0, series.a1};
+    frame.series = {series.a2, fan.chi0(), static_cast<double>(comes_back ? captured : 0),
+                    comes_back ? std::tan(0.25 * fan.critical_angle()) : 0};
+}
+
+void put_sky(FrameData& frame, const TextureFacts& textures) {
+    const int size = std::max(textures.sky_size, 1);
+    if (textures.two_skies)
+        frame.sky = {0.5 * size, sky_levels(size, true) - 1.0, 1.0, 0.5 * size / bordered_size(size)};
+    else
+        frame.sky = {0.5 * textures.sky_size, std::log2(size), 1.0, 0};
+    frame.point_stars = {point_peak(), 2.0 * kPointSigma_px * kPointSigma_px * M_LN2, 1.0 / kFaintestPoint,
+                         kPointMargin_px};
+    frame.point_spread = {M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0};
+}
+
+void put_disc(FrameData& frame, const Scene& scene, const RayFan* fan, const TextureFacts& textures) {
+    const DiscSpec disc = scene.disc.value_or(DiscSpec{});
+    frame.disc_normal = {{0, 0, 1}, plane_height(scene.camera)};
+    frame.disc_x = {{1, 0, 0}, scene.disc ? disc.inner : 1e30};  // no disc: no radius is on it
+    frame.disc_y = {{0, 1, 0}, scene.disc ? disc.outer : 0.0};
+    if (!scene.disc) return;
+    frame.disc_map = {std::cos(disc.rotation) / (2 * disc.outer), std::sin(disc.rotation) / (2 * disc.outer),
+                      textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1))};
+    frame.disc_look = {disc.opacity, disc.edge, disc.brightness, static_cast<double>(disc.passed)};
+    const CriticalImages images = fan != nullptr ? critical_images(*fan, disc.inner, disc.outer) : CriticalImages{};
+    frame.critical = {images.inner, images.outer, images.per_angle * M_LOG2E, images.from_angle};
+    if (disc.emission == DiscEmission::kThermal)
+        frame.disc_heat = {1.0 / disc.inner, kDiscFlowCells / std::log(disc.outer / disc.inner),
+                           std::log2(disc.temperature_K), log2_brightness(disc.temperature_K, scene.light.bolometric)};
+}
+
+void put_spin(FrameData& frame, const CameraSpec& camera, const Spacetime& spacetime, const Observer& observer) {
+    const SpinForms forms = spin_forms(spin_place(spacetime, camera.r, camera.theta), {observer.frame, observer.swirl});
+    const double a = spacetime.spin(), outer = *spacetime.horizon_radius(), inner = inner_horizon(spacetime);
+    frame.spin_hole = {a, a * a, outer, inner};
+    frame.spin_energy = {forms.energy.constant, forms.energy.radial, forms.energy.around, forms.p_theta};
+    frame.spin_across = {forms.across.constant, forms.across.radial, forms.across.around, forms.carter};
+    frame.spin_climb = {forms.climb.constant, forms.climb.radial, forms.climb.around, forms.carter_slope};
+    frame.spin_place = {std::sin(camera.theta), plane_height(camera), std::cos(camera.phi), std::sin(camera.phi)};
+    frame.spin_turn = {camera.r > outer ? azimuth_ahead(spacetime, camera.r) : 0.0, a / (outer - inner), 0, 0};
+}
+
+}  // namespace
+
+FrameData frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures,
+                        const Spacetime* other_matter, const BallPath* ball_path) {
+    const Spacetime& matter = other_matter != nullptr ? *other_matter : spacetime;
+    const CameraSpec& camera = scene.camera;
+    const Mat3 world = world_from_static(camera.theta, camera.phi);
+    const Observer observer = *observer_of(matter, camera);
+    // Where light goes straight its frame is at rest and A = 1. What g then lacks, or has too much without gravity's part, is a factor.
+    const bool straight = &matter != &spacetime, spins = spacetime.spin() != 0.0;
+    const RadialFrame radial = straight || spins ? RadialFrame{} : observer.frame;
+    const double g_gravity =
+        scene.light.gravity ? 1.0 / observer.frame.energy() : 1.0;  // switched off with observers at rest only
+    const double g_factor = straight || !scene.light.gravity ? g_gravity * radial.energy() : 1.0;
+    const Mat3 shown = spins ? Mat3{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : world;  // axes of view directions and of motion
+    FrameData frame;
+    put_view(frame, scene, observer, shown, world, fan, g_factor);
+    const auto horizon = spacetime.horizon_radius();
+    const Fate lost = horizon && camera.r <= *horizon ? Fate::kNoSky : inner_fate(spacetime.inner_end());
+    frame.shift = {radial.energy(), 1.0 / matter.areal_radius(camera.r), radial.infall(), static_cast<double>(lost)};
+    if (fan != nullptr) put_fan(frame, *fan, spacetime.inner_end() == InnerEnd::kSameSky);
+    const auto sky_K = scene.sky.temperature_K;
+    const double speed = length(observer.velocity), stretch = std::sqrt((1.0 + speed) / (1.0 - speed));
+    frame.boost = {speed > 0.0 ? shown * (observer.velocity / speed) : Vec3{1, 0, 0},
+                   scene.light.aberration ? stretch : 1.0};
+    frame.boost_colour = {scene.light.doppler ? stretch : 1.0,
+                          sky_K ? log2_brightness(*sky_K, scene.light.bolometric) : 0.0, 0, 0};
+    frame.sky_light = {1, 1, 1, 0};
+    if (sky_K)
+        frame.sky_light = {sky_light(scene.light, *sky_K, g_gravity, motion_is_seen(matter, scene)), std::log2(*sky_K)};
+    put_sky(frame, textures);
+    put_disc(frame, scene, fan, textures);
+    frame.bloom = {scene.picture.bloom, 0, 0, 0};
+    put_bodies(frame, scene, spacetime, fan, ball_path);
+    put_patterns(frame, scene);
+    put_moving(frame, scene, spacetime, matter, ball_path);
+    if (spins) put_spin(frame, camera, spacetime, observer);
+    if (spacetime.by_proper_length())
+        frame.throat = {spacetime.length_unit(), spacetime.logarithm_length() / spacetime.length_unit(), 0, 0};
+    return frame;
+}
+
+}  // namespace nullscope
