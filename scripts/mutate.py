@@ -54,7 +54,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("float-fan", "float for double: the camera's place in the table", "src/table/ray_fan.cpp",
      "chi0_ = inside_ ? M_PI : spacetime_->chi_from_radius(r);",
      "chi0_ = static_cast<float>(inside_ ? M_PI : spacetime_->chi_from_radius(r));", ("unit_tests", "ray fan*")),
-    ("float-frame", "float for double: the boost's stretch", "src/render/frame_tables.cpp",
+    ("float-frame", "float for double: the boost's stretch", "src/render/frame_numbers.cpp",
      "std::sqrt((1.0 + speed) / (1.0 - speed))",
      "std::sqrt((1.0f + static_cast<float>(speed)) / (1.0f - static_cast<float>(speed)))", HARD),
     ("orders", "dropped image orders: two crossings and no more", "shaders/object/disc.glsl",
@@ -80,20 +80,20 @@ MUTANTS = [Mutant(*row) for row in [
      ("unit_tests", "kerr bodies*")),
     ("thin-rings", "thin rings met by the pixel's middle only", "shaders/object/disc_thin.glsl",
      "ring.thin = phi > frame.critical.w", "ring.thin = phi < 0.0", ("gpu_tests", "thin rings*")),
-    ("handedness", "a left-handed frame", "src/render/frame_tables.cpp",
+    ("handedness", "a left-handed frame", "src/render/frame_numbers.cpp",
      "cross(radial, meridian)", "cross(meridian, radial)", HARD),
     ("through", "light behind a translucent disc not dimmed", "shaders/stage/trace.frag",
      "through -= over.a;\n        ++k;\n        more = disc_reachable", "++k;\n        more = disc_reachable", GOLDEN),
     ("display", "a missing square root in the display's curve", "shaders/effect/display.glsl",
      "vec3 s1 = sqrt(c);", "vec3 s1 = c;", GOLDEN),
     ("stale", "tables kept when the camera moves", "src/render/frame_tables.cpp",
-     "radius_ != scene.camera.r || !(frame_ == observer->frame) || (orbits && !had_orbits) ||\n"
-     "                 (delays && !had_delays) || (points && !had_points) ||\n"
-     "                 (fan_ && fan_->w0() != fan_for(scene, *observer).w0());",
-     "(orbits && !had_orbits) || (delays && !had_delays) || (points && !had_points);",
+     "before.scene.camera.r != scene.camera.r || !(before.observer.frame == plan_.observer.frame) ||\n"
+     "            (wanted.orbits && !had.orbits) || (wanted.delays && !had.delays) || (wanted.points && !had.points) ||\n"
+     "            (fan_ && fan_->w0() != camera_fan().w0());",
+     "(wanted.orbits && !had.orbits) || (wanted.delays && !had.delays) || (wanted.points && !had.points);",
      HARD),   # the radius alone is an equivalent mutant: another radius is another w0
     ("stale-zoom", "tables kept when the view narrows", "src/render/frame_tables.cpp",
-     "(fan_ && fan_->w0() != fan_for(scene, *observer).w0());", "false;", HARD),
+     "(fan_ && fan_->w0() != camera_fan().w0());", "false;", HARD),
     ("nystrom", "a wrong coefficient of the integrator", "src/table/nystrom.h",
      "25. / 522", "25. / 525", HARD),
     ("cube", "a mirrored face of the sky", "src/sky/cube.cpp",

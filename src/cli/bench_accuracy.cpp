@@ -17,6 +17,7 @@
 #include "reference/reference.h"
 #include "render/frontier.h"
 #include "scene/scene_file.h"
+#include "spacetime/registry.h"
 
 namespace nullscope::cli {
 namespace {

@@ -88,7 +88,7 @@ Status measure_on_cpu(std::vector<Row>& rows) {
         if (!exact) return exact.error();
         row.exact = std::move(*exact);
         if (Status ready = tables.update(scene); !ready) return ready;
-        const CoreInput input = tables.core_input(scene);
+        const CoreInput input = tables.core_input();
         row.witness[0] = measured(row, core_frame(scene, input, trace_core64), kDoubleBit);
         row.witness[1] = measured(row, core_frame(scene, input, trace_core32), kFloatBit);
         progress.advance();

@@ -15,6 +15,7 @@
 #include "cli/json.h"
 #include "cli/session.h"
 #include "scene/scene_file.h"
+#include "spacetime/registry.h"
 
 namespace nullscope::cli {
 namespace {

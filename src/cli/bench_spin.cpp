@@ -61,7 +61,7 @@ struct Steps {
 Result<Steps> steps_of(const Scene& scene) {
     FrameTables tables;
     if (Status ready = tables.update(scene); !ready) return ready.error();
-    const CoreInput input = tables.core_input(scene);
+    const CoreInput input = tables.core_input();
     Steps steps;
     double sum = 0;
     for (int y = 0; y < scene.camera.height; y += 2)

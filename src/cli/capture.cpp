@@ -114,7 +114,7 @@ Status check_options(const CaptureOptions& options, bool exr) {
 int dump_shader(const Scene& scene) {
     const EffectSet effects = effect_set(required_effects(scene));
     for (const Pass& pass : passes(effects, Output::kDisplay))
-        fmt::print("{}", pass_text(pass, effects, {}, scene.spacetime.metric, body_text(scene)));
+        fmt::print("{}", pass_text(pass, effects, {}, scene.spacetime.metric, body_text(scene, effects)));
     return 0;
 }
 

@@ -123,14 +123,14 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Li
 }
 
 Result<Plan> make_plan(const Scene& scene) {
-    Plan plan{scene, required_effects(scene), {}, 0, 0, {}};
     FrameTables tables;
     if (Status made = tables.update(scene); !made) return made.error();
+    Plan plan{scene, tables.plan().reasons, {}, 0, 0, {}};
     add_tables(tables, scene, plan.tables);
     if (Status added = add_pictures(tables.effects(), scene, plan.tables); !added) return added.error();
     std::string shader;
     for (const Pass& pass : passes(tables.effects(), Output::kDisplay))
-        shader += pass_text(pass, tables.effects(), {}, scene.spacetime.metric, body_text(scene));
+        shader += pass_text(pass, tables.effects(), {}, scene.spacetime.metric, body_text(scene, tables.effects()));
     plan.shader_bytes = bytes_of(shader.size());
     plan.shader_lines = std::count(shader.begin(), shader.end(), '\n');
     return plan;

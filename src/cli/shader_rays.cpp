@@ -131,7 +131,7 @@ public:
         std::vector<RayPixel> pixels;
         for (const Scene& view : views) {
             if (Status ready = tables_.update(view); !ready) return ready.error();
-            const CoreInput input = tables_.core_input(view);
+            const CoreInput input = tables_.core_input();
             pixels.push_back(kind_ == ShaderTracer::kCore64 ? trace_core64(input, 0, 0) : trace_core32(input, 0, 0));
         }
         return pixels;

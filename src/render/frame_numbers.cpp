@@ -8,8 +8,6 @@
 #include "light/black_body.h"
 #include "render/body_numbers.h"
 #include "render/moving_numbers.h"
-#include "scene/effects.h"
-#include "scene/observer.h"
 #include "scene/ray.h"
 #include "sky/packed_sky.h"
 #include "sky/point_stars.h"
@@ -113,9 +111,10 @@ void put_disc(FrameData& frame, const Scene& scene, const RayFan* fan, const Tex
     frame.disc_look = {disc.opacity, disc.edge, disc.brightness, static_cast<double>(disc.passed)};
     const CriticalImages images = fan != nullptr ? critical_images(*fan, disc.inner, disc.outer) : CriticalImages{};
     frame.critical = {images.inner, images.outer, images.per_angle * M_LOG2E, images.from_angle};
+    const double hottest_K = textures.disc_temperature_K.value_or(disc.temperature_K);
     if (disc.emission == DiscEmission::kThermal)
-        frame.disc_heat = {1.0 / disc.inner, kDiscFlowCells / std::log(disc.outer / disc.inner),
-                           std::log2(disc.temperature_K), log2_brightness(disc.temperature_K, scene.light.bolometric)};
+        frame.disc_heat = {1.0 / disc.inner, kDiscFlowCells / std::log(disc.outer / disc.inner), std::log2(hottest_K),
+                           log2_brightness(hottest_K, scene.light.bolometric)};
 }
 
 void put_spin(FrameData& frame, const CameraSpec& camera, const Spacetime& spacetime, const Observer& observer) {
@@ -131,14 +130,15 @@ void put_spin(FrameData& frame, const CameraSpec& camera, const Spacetime& space
 
 }  // namespace
 
-FrameData frame_numbers(const Scene& scene, const Spacetime& spacetime, const RayFan* fan, const TextureFacts& textures,
-                        const Spacetime* other_matter, const BallPath* ball_path) {
-    const Spacetime& matter = other_matter != nullptr ? *other_matter : spacetime;
+FrameData frame_numbers(const FramePlan& plan, const RayFan* fan, const TextureFacts& textures,
+                        const BallPath* ball_path) {
+    const Scene& scene = plan.scene;
+    const Spacetime &spacetime = *plan.light, &matter = *plan.matter;
+    const Observer& observer = plan.observer;
     const CameraSpec& camera = scene.camera;
     const Mat3 world = world_from_static(camera.theta, camera.phi);
-    const Observer observer = *observer_of(matter, camera);
     // Where light goes straight its frame is at rest and A = 1. What g then lacks, or has too much without gravity's part, is a factor.
-    const bool straight = &matter != &spacetime, spins = spacetime.spin() != 0.0;
+    const bool straight = plan.straight(), spins = spacetime.spin() != 0.0;
     const RadialFrame radial = straight || spins ? RadialFrame{} : observer.frame;
     const double g_gravity =
         scene.light.gravity ? 1.0 / observer.frame.energy() : 1.0;  // switched off with observers at rest only
@@ -158,13 +158,14 @@ FrameData frame_numbers(const Scene& scene, const Spacetime& spacetime, const Ra
                           sky_K ? log2_brightness(*sky_K, scene.light.bolometric) : 0.0, 0, 0};
     frame.sky_light = {1, 1, 1, 0};
     if (sky_K)
-        frame.sky_light = {sky_light(scene.light, *sky_K, g_gravity, motion_is_seen(matter, scene)), std::log2(*sky_K)};
+        frame.sky_light = {sky_light(scene.light, *sky_K, g_gravity, motion_is_seen(matter, observer, scene)),
+                           std::log2(*sky_K)};
     put_sky(frame, textures);
     put_disc(frame, scene, fan, textures);
     frame.bloom = {scene.picture.bloom, 0, 0, 0};
     put_bodies(frame, scene, spacetime, fan, ball_path);
     put_patterns(frame, scene);
-    put_moving(frame, scene, spacetime, matter, ball_path);
+    put_moving(frame, plan, ball_path);
     if (spins) put_spin(frame, camera, spacetime, observer);
     if (spacetime.by_proper_length())
         frame.throat = {spacetime.length_unit(), spacetime.logarithm_length() / spacetime.length_unit(), 0, 0};

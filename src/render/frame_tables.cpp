@@ -1,14 +1,11 @@
 #include "render/frame_tables.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "render/frame_numbers.h"
 #include "scene/pixel_angle.h"
-#include "scene/sides.h"
 #include "table/star_lens.h"
 
 namespace nullscope {
@@ -18,100 +15,91 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
+// What of the rows an effect set asks for.
+struct Rows {
+    bool orbits, delays, points;
+};
+Rows rows_of(const EffectSet& effects) {
+    const bool delays = effects.contains(Effect::kDelay);
+    return {meets_objects(effects) || delays, delays, effects.contains(Effect::kPointStars)};
+}
+
 }  // namespace
 
 Status FrameTables::update(const Scene& scene) {
-    bool rows_stale = false;
-    if (spacetime_ == nullptr || !(spec_ == scene.spacetime) || lensing_ != scene.light.lensing) {
-        auto made = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+    auto planned = plan_frame(scene, delays_wanted_, plan_.light != nullptr ? &plan_ : nullptr);
+    if (!planned) return planned.error();
+    std::optional<BallPath> path;
+    if (planned->effects.contains(Effect::kBallPath)) {
+        auto made = nullscope::ball_path(*planned->matter, scene);
         if (!made) return made.error();
-        matter_ = *made;
-        spacetime_ = scene.light.lensing ? matter_ : *make_spacetime("minkowski", {});
-        spec_ = scene.spacetime;
-        lensing_ = scene.light.lensing;
+        path = std::move(*made);
+    }
+    ball_path_ = std::move(path);
+    const FramePlan before = std::exchange(plan_, std::move(*planned));
+    bool stale = before.light != plan_.light;
+    if (stale) {
         table_.reset();
-        if (spacetime_->photon_sphere()) {
+        if (plan_.light->photon_sphere()) {
             const auto start = std::chrono::steady_clock::now();
-            table_ = std::make_shared<DeflectionTable>(*spacetime_);
+            table_ = std::make_shared<DeflectionTable>(*plan_.light);
             table_ms_ = milliseconds_since(start);
         }
-        rows_stale = true;
     }
-    const auto observer = observer_of(*matter_, scene.camera);
-    if (!observer) return observer.error();
-    if (Status parts = check_light_parts(*matter_, scene); !parts) return parts.error();
-    EffectSet wanted = effect_set(required_effects(scene));
-    if (Status bodies = check_sides(*matter_, scene); !bodies) return bodies.error();
-    if ((wanted.contains(Effect::kDisc) && !matter_->can_have_disc()) ||
-        (has_solids(wanted) && !matter_->can_have_bodies()))
-        return bad_input(fmt::format("metric \"{}\" has neither discs nor bodies; allowed: a scene without them",
-                                     scene.spacetime.metric));
-    // Ray data have delays wherever the shader can tell them.
-    const bool straight = !wanted.contains(Effect::kLensing) && !wanted.contains(Effect::kSpin),
-               known = straight || spacetime_->spin() != 0.0 || spacetime_->lapse_roots();
-    if (delays_wanted_ && known) wanted.insert(Effect::kDelay);
-    if (wanted.contains(Effect::kDelay) && !known) wanted.erase(Effect::kDelay);
-    if (wanted.contains(Effect::kDelay) && !straight && spacetime_->has_inner_horizon())
-        wanted.insert(Effect::kInnerHorizon);
-    const auto orbits_of = [](const EffectSet& effects) {
-        return meets_objects(effects) || effects.contains(Effect::kDelay);
-    };
-    const bool orbits = orbits_of(wanted), had_orbits = orbits_of(effects_);
-    const bool delays = wanted.contains(Effect::kDelay), had_delays = effects_.contains(Effect::kDelay);
-    const bool points = wanted.contains(Effect::kPointStars), had_points = effects_.contains(Effect::kPointStars);
-    rows_stale = rows_stale || radius_ != scene.camera.r || !(frame_ == observer->frame) || (orbits && !had_orbits) ||
-                 (delays && !had_delays) || (points && !had_points) ||
-                 (fan_ && fan_->w0() != fan_for(scene, *observer).w0());
-    effects_ = wanted;
-    ball_path_.reset();
-    if (wanted.contains(Effect::kBallPath)) {
-        auto path = nullscope::ball_path(*matter_, scene);
-        if (!path) return path.error();
-        ball_path_ = std::move(*path);
+    const Rows wanted = rows_of(plan_.effects), had = rows_of(before.effects);
+    stale = stale || before.scene.camera.r != scene.camera.r || !(before.observer.frame == plan_.observer.frame) ||
+            (wanted.orbits && !had.orbits) || (wanted.delays && !had.delays) || (wanted.points && !had.points) ||
+            (fan_ && fan_->w0() != camera_fan().w0());
+    if (stale) {
+        build_rows();
+        return Done{};
     }
-    if (((!orbits && had_orbits) || (!delays && had_delays) || (!points && had_points)) &&
-        !rows_stale) {  // what nothing calls for any more goes, the strip stays
-        if (!orbits) orbit_map_ = {};
-        if (!delays) orbit_map_.delays = {};
-        if (!points) star_lens_ = {};
+    // What nothing calls for any more goes, the strip stays.
+    if ((!wanted.orbits && had.orbits) || (!wanted.delays && had.delays) || (!wanted.points && had.points)) {
+        if (!wanted.orbits) orbit_map_ = {};
+        if (!wanted.delays) orbit_map_.delays = {};
+        if (!wanted.points) star_lens_ = {};
         ++revision_;
     }
-    if (!rows_stale) return Done{};
-    radius_ = scene.camera.r;
-    frame_ = observer->frame;
+    return Done{};
+}
+
+void FrameTables::build_rows() {
     fan_.reset();
     strip_ = {};
     orbit_map_ = {};
     star_lens_ = {};
     ++revision_;
-    if (!effects_.contains(Effect::kLensing)) return Done{};
+    if (!plan_.effects.contains(Effect::kLensing)) return;
+    const Rows wanted = rows_of(plan_.effects);
     const auto start = std::chrono::steady_clock::now();
-    fan_ = fan_for(scene, *observer);
+    fan_ = camera_fan();
     strip_ = build_strip(*fan_);
-    if (orbits) orbit_map_ = build_orbit_map(*fan_, delays);
-    if (points) star_lens_ = star_lens_row(*fan_);
+    if (wanted.orbits) orbit_map_ = build_orbit_map(*fan_, wanted.delays);
+    if (wanted.points) star_lens_ = star_lens_row(*fan_);
     rows_ms_ = milliseconds_since(start);
-    return Done{};
 }
 
-RayFan FrameTables::fan_for(const Scene& scene, const Observer& observer) const {
-    const double speed = scene.light.aberration ? length(observer.velocity) : 0.0,
+RayFan FrameTables::camera_fan() const {
+    const CameraSpec& camera = plan_.scene.camera;
+    const double speed = plan_.scene.light.aberration ? length(plan_.observer.velocity) : 0.0,
                  squeeze = std::sqrt((1.0 - speed) / (1.0 + speed));
-    return {spacetime_, table_, scene.camera.r, observer.frame, squeeze * smallest_pixel_angle(scene.camera)};
+    return {plan_.light, table_, camera.r, plan_.observer.frame, squeeze * smallest_pixel_angle(camera)};
 }
 
-CoreInput FrameTables::core_input(const Scene& scene) const {
+CoreInput FrameTables::core_input() const {
+    const EffectSet& effects = plan_.effects;
     CoreInput input;
-    input.frame = frame_numbers(scene, *spacetime_, fan(), {}, &*matter_, ball_path());
+    input.frame = frame_numbers(plan_, fan(), {}, ball_path());
     input.strip = strip_.sky.view();
     input.ends = strip_.ends.view();
     input.orbit = orbit_map_.places.view();
     input.delay = orbit_map_.delays.view();
-    input.lensing = effects_.contains(Effect::kLensing);
-    input.spin = effects_.contains(Effect::kSpin);
-    input.spin_fall = effects_.contains(Effect::kSpinFall);
-    input.spin_delay = input.spin && effects_.contains(Effect::kDelay);
-    input.aberration = effects_.contains(Effect::kAberration);
+    input.lensing = effects.contains(Effect::kLensing);
+    input.spin = effects.contains(Effect::kSpin);
+    input.spin_fall = effects.contains(Effect::kSpinFall);
+    input.spin_delay = input.spin && effects.contains(Effect::kDelay);
+    input.aberration = effects.contains(Effect::kAberration);
     return input;
 }
 

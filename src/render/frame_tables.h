@@ -6,11 +6,8 @@
 
 #include "base/result.h"
 #include "render/ball_path.h"
-#include "scene/effects.h"
-#include "scene/observer.h"
-#include "scene/scene.h"
+#include "scene/frame_plan.h"
 #include "shadercore/core_trace.h"
-#include "spacetime/registry.h"
 #include "table/deflection_table.h"
 #include "table/orbit_map.h"
 #include "table/ray_fan.h"
@@ -21,12 +18,13 @@ namespace nullscope {
 // Keeps what can be kept from frame to frame.
 class FrameTables {
 public:
-    // Errors: unknown metric, no such observer at camera.r.
+    // Errors: those of plan_frame and of ball_path; the frame before is still there then.
     Status update(const Scene& scene);
 
-    const EffectSet& effects() const { return effects_; }
-    const Spacetime& spacetime() const { return *spacetime_; }  // of the rays
-    const Spacetime& matter() const { return *matter_; }        // of what they meet: another where light goes straight
+    const FramePlan& plan() const { return plan_; }  // of the last update
+    const EffectSet& effects() const { return plan_.effects; }
+    const Spacetime& spacetime() const { return *plan_.light; }  // of the rays
+    const Spacetime& matter() const { return *plan_.matter; }    // of what they meet: another where light goes straight
     const DeflectionTable* table() const { return table_.get(); }  // nullptr in flat space
     const RayFan* fan() const { return fan_ ? &*fan_ : nullptr; }
     const TexelGrid& strip() const { return strip_.sky; }
@@ -43,18 +41,15 @@ public:
     double rows_ms() const { return rows_ms_; }                 // time of the last strip and orbit map
 
     // For the shader core as C++; views into this object.
-    CoreInput core_input(const Scene& scene) const;
+    CoreInput core_input() const;
 
 private:
-    SpacetimeSpec spec_;  // of matter_
-    bool lensing_ = true;
-    std::shared_ptr<const Spacetime> spacetime_, matter_;
+    RayFan camera_fan() const;
+    void build_rows();
+
+    FramePlan plan_;
     std::shared_ptr<const DeflectionTable> table_;
     std::optional<RayFan> fan_;
-    double radius_ = 0.0;
-    RadialFrame frame_;
-    RayFan fan_for(const Scene& scene, const Observer& observer) const;
-    EffectSet effects_;
     Strip strip_;
     OrbitMap orbit_map_;
     TexelGrid star_lens_;

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "light/black_body.h"
-#include "scene/observer.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/tortoise.h"
 
@@ -27,9 +26,10 @@ FrameVector delay_numbers(const Scene& scene, const Spacetime& spacetime) {
 
 }  // namespace
 
-void put_moving(FrameData& frame, const Scene& scene, const Spacetime& spacetime, const Spacetime& matter,
-                const BallPath* ball_path) {
-    frame.delay = delay_numbers(scene, spacetime);
+void put_moving(FrameData& frame, const FramePlan& plan, const BallPath* ball_path) {
+    const Scene& scene = plan.scene;
+    const Spacetime& matter = *plan.matter;
+    frame.delay = delay_numbers(scene, *plan.light);
     if (scene.disc && scene.disc->flow == DiscFlowKind::kKepler) {
         // Omega^2 = A'/(2 r) = zeta^3 ((x + y)/2 - x y zeta); in flat space matter rests.
         const LapseRoots roots = matter.lapse_roots().value_or(LapseRoots{0, 0});

@@ -124,18 +124,17 @@ Status Renderer::prepare(const Scene& scene) {
             fmt::format("camera.observer = \"{}\" with another method than the strip; allowed: --method strip or auto, "
                         "or a static observer",
                         observer_name(scene.camera.observer)));
-    begin_skies(scene);  // they get ready while the rest is loaded
-    if (Status status = load_disc(scene); !status) return status;
-    if (Status status = load_bodies(scene); !status) return status;
-    if (Status status = load_table(scene); !status) return status;
-    load_heat(scene);
+    begin_skies();  // they get ready while the rest is loaded
+    if (Status status = load_disc(); !status) return status;
+    if (Status status = load_bodies(); !status) return status;
+    if (Status status = load_table(); !status) return status;
+    load_heat();
     load_black_body();
     if (Status status = stars_.update(scene, tables_); !status) return status;
     if (Status status = skies_.finish(notes_); !status) return status;
-    scene_ = scene;
-    if (scene_.disc && hottest_.by) scene_.disc->temperature_K = hottest_.temperature_K;
     upload_tables();
-    upload_block(scene_, {skies_.size(), disc_width_, skies_.both()});
+    upload_block({skies_.size(), disc_width_, skies_.both(),
+                  hottest_.by ? std::optional(hottest_.temperature_K) : std::nullopt});
     return Done{};
 }
 
@@ -160,13 +159,12 @@ void Renderer::upload_ends() {
     if (!ends_) ends_ = texture_of(tables_.ends());
 }
 
-void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
+void Renderer::upload_block(const TextureFacts& facts) {
     if (block_effects_ != tables_.effects()) {
         block_effects_ = tables_.effects();
         block_members_ = block_members(*block_effects_);
     }
-    const FrameVectors numbers = vectors_of(
-        frame_numbers(scene, tables_.spacetime(), tables_.fan(), facts, &tables_.matter(), tables_.ball_path()));
+    const FrameVectors numbers = vectors_of(frame_numbers(tables_.plan(), tables_.fan(), facts, tables_.ball_path()));
     std::array<float, 4 * kFrameVectors> block{};
     std::size_t next = 0;
     for (const int member : block_members_) {
@@ -176,7 +174,8 @@ void Renderer::upload_block(const Scene& scene, const TextureFacts& facts) {
     gl::upload_uniforms(uniforms_, block.data(), sizeof(block));
 }
 
-void Renderer::begin_skies(const Scene& scene) {
+void Renderer::begin_skies() {
+    const Scene& scene = tables_.plan().scene;
     const EffectSet& effects = tables_.effects();
     const auto near = effects.contains(Effect::kSky) ? std::optional(scene.sky) : std::nullopt;
     const auto far = effects.contains(Effect::kFarSky) ? std::optional(scene.far_sky) : std::nullopt;
@@ -184,7 +183,8 @@ void Renderer::begin_skies(const Scene& scene) {
     skies_.begin(near, far, keep_finer_sky_ && wanted > 0 ? std::max(wanted, skies_.size()) : wanted);
 }
 
-Status Renderer::load_disc(const Scene& scene) {
+Status Renderer::load_disc() {
+    const Scene& scene = tables_.plan().scene;
     if (!tables_.effects().contains(Effect::kDiscImage)) {
         disc_ = {};
         disc_file_.reset();
@@ -205,12 +205,14 @@ Status Renderer::load_disc(const Scene& scene) {
     return Done{};
 }
 
-Status Renderer::load_bodies(const Scene& scene) {
-    body_text_ = body_text(scene);
+Status Renderer::load_bodies() {
+    const Scene& scene = tables_.plan().scene;
+    body_text_ = body_text(scene, tables_.effects());
     return body_images_.update(scene, largest_picture_, notes_);
 }
 
-void Renderer::load_heat(const Scene& scene) {
+void Renderer::load_heat() {
+    const Scene& scene = tables_.plan().scene;
     if (!tables_.effects().contains(Effect::kThermalDisc)) {
         disc_flow_ = {};
         flow_key_.reset();
@@ -240,7 +242,8 @@ void Renderer::load_black_body() {
         black_body_ = texture_of(black_body_row());
 }
 
-Status Renderer::load_table(const Scene& scene) {
+Status Renderer::load_table() {
+    const Scene& scene = tables_.plan().scene;
     const bool lensing = tables_.effects().contains(Effect::kLensing);
     const EffectSet& effects = tables_.effects();
     const bool spin = effects.contains(Effect::kSpin);
@@ -371,7 +374,7 @@ void Renderer::draw_bare_fetch(unsigned framebuffer, int width, int height) {
 }
 
 Image<unsigned char> Renderer::picture8() {
-    const int w = scene_.camera.width, h = scene_.camera.height;
+    const int w = tables_.plan().scene.camera.width, h = tables_.plan().scene.camera.height;
     const gl::Target target = gl::make_target(w, h, gl::Format::kRgba8);
     draw(target.framebuffer.id(), w, h, Output::kDisplay);
     std::vector<unsigned char> pixels(static_cast<std::size_t>(w) * h * 4);
@@ -380,7 +383,7 @@ Image<unsigned char> Renderer::picture8() {
 }
 
 Image<float> Renderer::picture() {
-    const int w = scene_.camera.width, h = scene_.camera.height;
+    const int w = tables_.plan().scene.camera.width, h = tables_.plan().scene.camera.height;
     const gl::Target target = gl::make_target(w, h, gl::Format::kRgba32F);
     draw(target.framebuffer.id(), w, h, Output::kLinear);
     std::vector<float> pixels(static_cast<std::size_t>(w) * h * 4);
@@ -389,7 +392,9 @@ Image<float> Renderer::picture() {
 }
 
 RayFrame Renderer::ray_data(int row_step) {
-    return draw_rays(gl::make_target(scene_.camera.width, scene_.camera.height, gl::Format::kRgba32F, 3), row_step);
+    return draw_rays(
+        gl::make_target(tables_.plan().scene.camera.width, tables_.plan().scene.camera.height, gl::Format::kRgba32F, 3),
+        row_step);
 }
 
 Result<std::vector<RayPixel>> Renderer::trace_middles(const std::vector<Scene>& views) {
@@ -399,10 +404,10 @@ Result<std::vector<RayPixel>> Renderer::trace_middles(const std::vector<Scene>& 
         view.camera.plane_width /= view.camera.width;
         view.camera.width = view.camera.height = 1;
         if (Status status = tables_.update(view); !status) return status.error();
-        if (Status status = load_table(view); !status) return status.error();
-        body_text_ = body_text(view);
+        if (Status status = load_table(); !status) return status.error();
+        body_text_ = body_text(view, tables_.effects());
         upload_tables();
-        upload_block(view, {});
+        upload_block({});
         rays.push_back(draw_rays(target, 1).at(0, 0));
     }
     return rays;

@@ -92,13 +92,13 @@ private:
     void draw_pass(const Pass& pass, unsigned framebuffer, int width, int height);
     void upload_tables();
     void upload_ends();
-    void upload_block(const Scene& scene, const TextureFacts& facts);
+    void upload_block(const TextureFacts& facts);
     RayFrame draw_rays(const gl::Target& target, int row_step);
-    void begin_skies(const Scene& scene);
-    Status load_disc(const Scene& scene);
-    Status load_bodies(const Scene& scene);
-    Status load_table(const Scene& scene);
-    void load_heat(const Scene& scene);
+    void begin_skies();
+    Status load_disc();
+    Status load_bodies();
+    Status load_table();
+    void load_heat();
     void load_black_body();
 
     gl::Info info_;
@@ -109,7 +109,6 @@ private:
     std::map<std::tuple<Stage, Output, EffectSet, Method, std::string, BodyText>, gl::Program> programs_;
     Method method_;
     FrameTables tables_;
-    Scene scene_;
     int rows_revision_ = -1;
     std::optional<EffectSet> block_effects_;
     std::vector<int> block_members_;  // of the uniform block with these effects

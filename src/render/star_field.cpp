@@ -40,10 +40,9 @@ Status StarField::update(const Scene& scene, const FrameTables& tables) {
 void StarField::find_images(const Scene& scene, const FrameTables& tables) {
     const View view{scene.spacetime, scene.camera, scene.light};
     if (view_ == view) return;
-    Scene bare;  // rays to the sky, whatever is in their way
-    bare.spacetime = scene.spacetime, bare.camera = scene.camera, bare.light = scene.light, bare.sky = scene.sky;
     const double faintest = std::log2(kFaintestPoint / point_peak()) - scene.camera.exposure_ev;
-    CoreInput input = tables.core_input(bare);
+    CoreInput input = tables.core_input();  // rays to the sky, whatever is in their way
+    input.frame.disc_x.w = 1e30, input.frame.disc_y.w = 0.0;
     input.spin_delay = false;
     std::vector<float> values;
     for (const MeshImage& image : mesh_->images(input, scene.camera.width, scene.camera.height, kPointMargin_px,

@@ -96,22 +96,27 @@ void add_bodies(const Scene& scene, std::vector<EffectReason>& reasons) {
 
 }  // namespace
 
-bool motion_is_seen(const Spacetime& spacetime, const Scene& scene) {
+bool motion_is_seen(const Spacetime& spacetime, const Observer& observer, const Scene& scene) {
     if (!scene.light.aberration && !scene.light.doppler) return false;
-    const auto observer = observer_of(spacetime, scene.camera);
     // What falls, or is about a spinning hole, sees the sky's light shifted differently all over the sky, as what is boosted does.
     const bool shifted = (falls(scene.camera) || spacetime.spin() != 0.0) && scene.sky.temperature_K &&
                          (scene.light.shift || scene.light.beaming);
-    return observer && (!(observer->velocity == Vec3{}) || shifted);
+    return !(observer.velocity == Vec3{}) || shifted;
 }
 
 std::vector<EffectReason> required_effects(const Scene& scene) {
-    std::vector<EffectReason> reasons;
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
-    const bool spins = spacetime && (*spacetime)->spin() != 0.0,
-               lensing = spacetime && !spins && (*spacetime)->bends_light() && scene.light.lensing;
+    if (!spacetime) return required_effects(scene, nullptr, nullptr);
+    const auto observer = observer_of(**spacetime, scene.camera);
+    return required_effects(scene, &**spacetime, observer ? &*observer : nullptr);
+}
+
+std::vector<EffectReason> required_effects(const Scene& scene, const Spacetime* spacetime, const Observer* observer) {
+    std::vector<EffectReason> reasons;
+    const bool spins = spacetime != nullptr && spacetime->spin() != 0.0,
+               lensing = spacetime != nullptr && !spins && spacetime->bends_light() && scene.light.lensing;
     if (spins) {
-        reasons.push_back({Effect::kSpin, fmt::format("spacetime.spin = {}", 2.0 * (*spacetime)->spin())});
+        reasons.push_back({Effect::kSpin, fmt::format("spacetime.spin = {}", 2.0 * spacetime->spin())});
         if (falls(scene.camera))
             reasons.push_back(
                 {Effect::kSpinFall, fmt::format("camera.observer = \"{}\"", observer_name(scene.camera.observer))});
@@ -119,7 +124,7 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
         reasons.push_back({Effect::kLensing, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     }
     const LightSpec& light = scene.light;
-    const bool moves = spacetime && motion_is_seen(**spacetime, scene);
+    const bool moves = observer != nullptr && motion_is_seen(*spacetime, *observer, scene);
     if (moves) {
         const Vec3 v = scene.camera.velocity;
         const char* part = !light.aberration ? ", light.aberration = \"off\": frequencies alone"
@@ -152,8 +157,8 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     }
     const bool points = scene.sky.kind == SkyKind::kPoints, spot = scene.disc && scene.spot;
     const bool sky_light = !has_look(scene.sky.kind) && scene.sky.kind != SkyKind::kBlack && scene.sky.even_stars == 0;
-    const bool other_g =
-        (moves && light.doppler) || (light.gravity && spacetime && (*spacetime)->lapse_squared(scene.camera.r) != 1.0);
+    const bool other_g = (moves && light.doppler) ||
+                         (light.gravity && spacetime != nullptr && spacetime->lapse_squared(scene.camera.r) != 1.0);
     const bool sky_shift = sky_light && scene.sky.temperature_K && other_g && (light.shift || light.beaming);
     if (points || thermal || spot || sky_shift) {
         const char* heat = spot      ? "[spot]"
@@ -177,16 +182,16 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
                                            moves && light.doppler ? "camera.velocity"
                                                                   : fmt::format("camera.r = {}", scene.camera.r))});
     }
-    if (lensing && (*spacetime)->inner_end() != InnerEnd::kHorizon)
+    if (lensing && spacetime->inner_end() != InnerEnd::kHorizon)
         reasons.push_back({Effect::kInner, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
-    if (lensing && (*spacetime)->inner_end() == InnerEnd::kSameSky)
+    if (lensing && spacetime->inner_end() == InnerEnd::kSameSky)
         reasons.push_back(
             {Effect::kBounce, fmt::format("spacetime.metric = \"{}\" without horizon", scene.spacetime.metric)});
-    if (lensing && (*spacetime)->inner_end() == InnerEnd::kOtherSky && scene.far_sky.kind != SkyKind::kBlack) {
+    if (lensing && spacetime->inner_end() == InnerEnd::kOtherSky && scene.far_sky.kind != SkyKind::kBlack) {
         reasons.push_back({Effect::kFarSky, fmt::format("spacetime.metric = \"{}\", far_sky.kind = \"{}\"",
                                                         scene.spacetime.metric, name_of(scene.far_sky.kind))});
     }
-    if (lensing && (*spacetime)->inner_end() == InnerEnd::kSurface)
+    if (lensing && spacetime->inner_end() == InnerEnd::kSurface)
         reasons.push_back({Effect::kStar, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     const PictureSpec& picture = scene.picture;
     if (picture.bloom > 0.0) reasons.push_back({Effect::kBloom, fmt::format("picture.bloom = {}", picture.bloom)});
@@ -194,7 +199,7 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     if (picture.tone == ToneCurve::kFilm) reasons.push_back({Effect::kToneFilm, "picture.tone = \"film\""});
     if (picture.tone == ToneCurve::kNeutral) reasons.push_back({Effect::kToneNeutral, "picture.tone = \"neutral\""});
     if (picture.dither) reasons.push_back({Effect::kDither, "picture.dither = \"on\""});
-    if (lensing && (*spacetime)->by_proper_length() && has_marched(effect_set(reasons)))
+    if (lensing && spacetime->by_proper_length() && has_marched(effect_set(reasons)))
         reasons.push_back({Effect::kSides, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     if (const auto moving = moving_parts(scene); !moving.empty() && light.delay)
         reasons.push_back({Effect::kDelay, fmt::format("{}", fmt::join(moving, ", "))});
@@ -204,7 +209,7 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
     if (scene.ball && scene.ball->motion != BallMotion::kStill) reasons.push_back({Effect::kBallPath, "ball.motion"});
     if (scene.sphere && scene.sphere->swing > 0.0)
         reasons.push_back({Effect::kPulse, fmt::format("sphere.swing = {}", scene.sphere->swing)});
-    if (lensing && effect_set(reasons).contains(Effect::kDelay) && (*spacetime)->has_inner_horizon())
+    if (lensing && effect_set(reasons).contains(Effect::kDelay) && spacetime->has_inner_horizon())
         reasons.push_back({Effect::kInnerHorizon, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     return reasons;
 }

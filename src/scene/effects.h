@@ -16,6 +16,7 @@
 namespace nullscope {
 
 class Spacetime;
+struct Observer;
 
 enum class Effect {
     kLensing,
@@ -211,12 +212,14 @@ struct EffectReason {
     std::string reason;  // what in this scene calls for it, with the value: "camera.velocity = [0, 0, 0.5]"
 };
 
-// Whether the camera's velocity changes anything.
-bool motion_is_seen(const Spacetime& spacetime, const Scene& scene);
+// Whether the camera's motion changes anything. observer: the scene's.
+bool motion_is_seen(const Spacetime& spacetime, const Observer& observer, const Scene& scene);
 
 // Pure: no file is opened. In the order of the enumerators, each effect at most once. The scene must be valid (an
 // unknown metric calls for no lensing).
 std::vector<EffectReason> required_effects(const Scene& scene);
+// The same, of what is made already: the scene's spacetime and observer, nullptr where there is none.
+std::vector<EffectReason> required_effects(const Scene& scene, const Spacetime* spacetime, const Observer* observer);
 EffectSet effect_set(const std::vector<EffectReason>& reasons);
 
 // The scene as it is without one of its effects, which then calls for all others but those that need this one. nullopt: the effect

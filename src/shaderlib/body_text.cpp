@@ -176,8 +176,7 @@ std::string hit_of(const std::vector<Body>& bodies) {
 
 }  // namespace
 
-BodyText body_text(const Scene& scene) {
-    const EffectSet effects = effect_set(required_effects(scene));
+BodyText body_text(const Scene& scene, const EffectSet& effects) {
     const bool spins = effects.contains(Effect::kSpin);
     const std::vector<Body> bodies = bodies_of(scene, spins);
     BodyText text;

@@ -17,7 +17,7 @@ struct BodyText {
     friend auto operator<=>(const BodyText&, const BodyText&) = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
-// Empty for a scene without bodies whose disc and sky are not painted. Formulas must be valid (scene files are checked).
-BodyText body_text(const Scene& scene);
+// effects: what the scene calls for. Empty for a scene without bodies whose disc and sky are not painted. Formulas must be valid (scene files are checked).
+BodyText body_text(const Scene& scene, const EffectSet& effects);
 
 }  // namespace nullscope

@@ -187,7 +187,7 @@ void Painter::do_measure(Workshop& workshop, const Order& order) {
     if (!renderer.prepare(order.scene)) return;
     Renderer& other = workshop.other();
     const gl::Target target = gl::make_target(order.scene.camera.width, order.scene.camera.height, gl::Format::kRgba8);
-    for (const Effect effect : effect_set(required_effects(order.scene)).list()) {
+    for (const Effect effect : renderer.tables().effects().list()) {
         const auto without = without_effect(order.scene, effect);
         if (!without) continue;
         other.set_method(Method{});  // what remains may not know the scene's

@@ -99,7 +99,7 @@ std::optional<Painting> Workshop::picture(const PaintJob& job, int coarseness, c
     watch.tell({PaintProgress::Stage::kPreparing, 0, painting.height});
     painting.ready = prepare(scene, job);
     if (painting.ready) {
-        const EffectSet effects = effect_set(required_effects(scene));
+        const EffectSet effects = renderer_.tables().effects();
         if (effects != effects_ || job.method != method_) pace_ = {}, half_paces_ = {};
         effects_ = effects, method_ = job.method;
         const gl::Target& drawn = target(painting.width, painting.height, avoid);

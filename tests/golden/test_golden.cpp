@@ -103,7 +103,7 @@ void judge_colours(const GoldenCase& golden, const Image<float>& wanted, Outcome
 void fail(const GoldenCase& golden, GpuSession& session, const Outcome& outcome, const std::string& kind,
           const Image<unsigned char>& wanted) {
     const ExactTrace trace = reference_trace(outcome.scene);
-    const CoreInput input = session.renderer->tables().core_input(outcome.scene);
+    const CoreInput input = session.renderer->tables().core_input();
     FailureReport report;
     report.title = fmt::format("{}: {} on {}", golden.name, kind, session.context->kind());
     report.reasons = outcome.failures;

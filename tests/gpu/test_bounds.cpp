@@ -53,7 +53,7 @@ TEST_CASE("bounds: no ray reads outside of strip and ends, near the hole and far
             scene.camera.yaw = yaw;
             FrameTables tables;
             REQUIRE(tables.update(scene));
-            CoreInput input = tables.core_input(scene);
+            CoreInput input = tables.core_input();
             const Guarded strip(input.strip), ends(input.ends);
             input.strip = strip.view();
             input.ends = ends.view();

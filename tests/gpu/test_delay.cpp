@@ -31,7 +31,7 @@ TEST_CASE(
                 scene.disc->inner = 1.6, scene.disc->outer = 12, scene.disc->flow = DiscFlowKind::kKepler;
                 FrameTables tables;
                 REQUIRE(tables.update(scene));
-                const CoreInput input = tables.core_input(scene);
+                const CoreInput input = tables.core_input();
                 auto tracer = *reference::FrameTracer::make(scene);
                 const int step = test::by_depth(2, 1, 1);
                 for (int y = 0; y < 27; y += step)

@@ -59,7 +59,7 @@ TEST_CASE("kerr light time: the shader's text against the reference, to the sky 
                     const Scene scene = scene_at(spin, r, theta, observer);
                     FrameTables tables;
                     if (!tables.update(scene)) continue;
-                    const CoreInput input = tables.core_input(scene);
+                    const CoreInput input = tables.core_input();
                     const auto tracer = *reference::FrameTracer::make(scene);
                     for (int y = 0; y < 18; ++y)
                         for (int x = 0; x < 32; ++x) {

@@ -42,7 +42,7 @@ TEST_CASE("kerr edge: rays further than a microradian from it end as the referen
                 camera.width = kWidth, camera.height = kHeight, camera.plane_width = 9 / r * camera.focal_distance;
                 FrameTables tables;
                 REQUIRE(tables.update(scene));
-                const CoreInput input = tables.core_input(scene);
+                const CoreInput input = tables.core_input();
                 const auto tracer = *reference::FrameTracer::make(scene);
                 const double pixel = 9 / r / kWidth;
                 for (const double y :

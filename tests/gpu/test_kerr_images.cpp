@@ -40,7 +40,7 @@ TEST_CASE("kerr images: of any order") {
     scene.disc.emplace().inner = kInner, scene.disc->outer = kOuter;
     FrameTables tables;
     REQUIRE(tables.update(scene));
-    const CoreInput input = tables.core_input(scene);
+    const CoreInput input = tables.core_input();
     const auto tracer = *reference::FrameTracer::make(scene);
     int late = 0, latest = 0, missed = 0;
     double worst = 0;

@@ -95,8 +95,8 @@ Both both_of(const Scene& scene) {
     FrameTables tables;
     REQUIRE(tables.update(scene));
     const StarMesh mesh(both.stars, false);
-    both.mesh = mesh.images(tables.core_input(scene), scene.camera.width, scene.camera.height, kPointMargin_px,
-                            {true, true, -1e9});
+    both.mesh =
+        mesh.images(tables.core_input(), scene.camera.width, scene.camera.height, kPointMargin_px, {true, true, -1e9});
     return both;
 }
 
@@ -294,7 +294,7 @@ TEST_CASE("kerr point stars: the whole catalogue's images, the same every time")
     REQUIRE(stars);
     FrameTables tables;
     REQUIRE(tables.update(scene));
-    const CoreInput input = tables.core_input(scene);
+    const CoreInput input = tables.core_input();
     const StarMesh mesh(*stars, false);
     const StarMesh::Seeing seeing{true, true, std::log2(kFaintestPoint / point_peak())};
     const auto start = std::chrono::steady_clock::now();

@@ -5,6 +5,7 @@
 
 #include "base/assets.h"
 #include "render/frontier.h"
+#include "spacetime/registry.h"
 #include "support/gpu_session.h"
 
 namespace {

@@ -46,8 +46,8 @@ Scene scene_of(unsigned bits) {
 constexpr unsigned kEverything = 511;
 
 std::vector<int> driver_offsets(const Scene& scene, const EffectSet& effects, const std::vector<std::string>& members) {
-    const ShaderSource source =
-        shader_source(Stage::kPicture, effects, Output::kDisplay, {}, scene.spacetime.metric, body_text(scene));
+    const ShaderSource source = shader_source(Stage::kPicture, effects, Output::kDisplay, {}, scene.spacetime.metric,
+                                              body_text(scene, effects));
     return gl::uniform_offsets(gl::make_program(source.vertex, source.fragment), members);
 }
 

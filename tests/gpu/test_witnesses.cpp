@@ -44,7 +44,7 @@ TEST_CASE("witnesses: table, float and driver errors each stay within their own 
             REQUIRE(scene);
             scene->sky.kind = SkyKind::kBlack;
             const RayFrame frame = gl_ray_data(session, *scene);
-            const CoreInput input = session.renderer->tables().core_input(*scene);
+            const CoreInput input = session.renderer->tables().core_input();
             const ExactTrace trace = reference_trace(*scene);
             Steps steps;
             int pixels = 0;

@@ -33,7 +33,7 @@ ViewJudge::ViewJudge(FrameTables& tables, const Scene& scene) : scene_(scene) {
     REQUIRE(tracer);
     REQUIRE(ready);
     tracer_.emplace(std::move(*tracer));
-    input_ = tables.core_input(scene_);
+    input_ = tables.core_input();
     lapse_ = std::sqrt(tables.spacetime().lapse_squared(scene_.camera.r));
 }
 

@@ -112,8 +112,9 @@ const std::vector<Mark> kMarks = {
 };
 
 std::string picture_of(const Scene& scene) {
-    return shader_source(Stage::kPicture, effect_set(required_effects(scene)), Output::kDisplay, {},
-                         scene.spacetime.metric, body_text(scene))
+    const EffectSet effects = effect_set(required_effects(scene));
+    return shader_source(Stage::kPicture, effects, Output::kDisplay, {}, scene.spacetime.metric,
+                         body_text(scene, effects))
         .fragment;
 }
 
