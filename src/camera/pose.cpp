@@ -124,14 +124,14 @@ Result<TetradPair> camera_tetrad_pair(const Spacetime& spacetime, const CameraSp
 Matrix4 ingoing_hat_metric(const Spacetime& spacetime, double r, double theta) {
     Matrix4 g{};
     g[0][1] = g[1][0] = 1.0;
-    if (spacetime.spin() != 0.0) {
-        const SpinPlace p = spin_place(spacetime, r, theta);
-        const double drag = p.a * p.sine;
-        g[0][0] = r / p.sigma - 1.0;
-        g[0][3] = g[3][0] = -drag * r / p.sigma;
+    if (const AxialMetric* metric = spacetime.axial()) {
+        const SpinPlace p = spin_place(*metric, r, theta);
+        const double drag = p.a * p.sine, pull = p.two_mass * r / p.sigma;
+        g[0][0] = pull - 1.0;
+        g[0][3] = g[3][0] = -drag * pull;
         g[1][3] = g[3][1] = -drag;
         g[2][2] = p.sigma;
-        g[3][3] = p.across + drag * drag * r / p.sigma;
+        g[3][3] = p.across + drag * drag * pull;
         return g;
     }
     const double across = spacetime.areal_radius(r);
@@ -162,8 +162,8 @@ Result<TetradPair> ingoing_tetrad_pair(const Spacetime& spacetime, const CameraS
 namespace {
 
 // e_0 to e_3 of spacetime/spin_frame.h, moved along e_3 by the swirl.
-TetradPair spinning_hat_pair(const Spacetime& spacetime, const CameraSpec& camera, const Observer& observer) {
-    const SpinPlace p = spin_place(spacetime, camera.r, camera.theta);
+TetradPair axial_hat_pair(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer) {
+    const SpinPlace p = spin_place(metric, camera.r, camera.theta);
     const long double out = observer.frame.outward, in = p.delta / (p.sigma * out), v = observer.swirl;
     const long double root = std::sqrt(static_cast<long double>(p.sigma)),
                       gamma = 1.0L / std::sqrt((1.0L - v) * (1.0L + v)), drag = static_cast<long double>(p.a) * p.sine;
@@ -184,7 +184,7 @@ Result<TetradPair> ingoing_hat_pair(const Spacetime& spacetime, const CameraSpec
     if (Result<Done> ok = check_speed(camera); !ok) return ok.error();
     const auto observer = observer_of(spacetime, camera);
     if (!observer) return observer.error();
-    if (spacetime.spin() != 0.0) return spinning_hat_pair(spacetime, camera, *observer);
+    if (const AxialMetric* metric = spacetime.axial()) return axial_hat_pair(*metric, camera, *observer);
     const long double o = observer->frame.outward, i = static_cast<long double>(spacetime.lapse_squared(camera.r)) / o;
     const long double across = spacetime.areal_radius(camera.r);
     LongRows rows = rows_along_frame(observer->turn * static_from_camera(camera), observer->velocity);

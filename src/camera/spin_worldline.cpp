@@ -29,17 +29,18 @@ struct KerrSchildField {
     std::array<double, 3> df;
     std::array<std::array<double, 3>, 4> dl;  // dl[mu][k]
 
-    KerrSchildField(double a, double x, double y, double z) {
+    KerrSchildField(const AxialMetric& metric, double x, double y, double z) {
+        const double a = metric.a(), c = metric.charge2();
         const double flat = x * x + y * y + z * z - a * a, root = std::hypot(flat, 2 * a * z);
         r = std::sqrt(flat > 0 ? 0.5 * (flat + root) : 2 * a * a * z * z / (root - flat));
         const double r2 = r * r, across = r2 + a * a, sum = r2 * r2 + a * a * z * z;
-        f = r2 * r / sum;
+        f = (r - c) * r2 / sum;
         l = {1, (r * x + a * y) / across, (r * y - a * x) / across, z / r};
         dl[0] = {0, 0, 0};
         const std::array<double, 3> place{x, y, z};
         for (std::size_t k = 0; k < 3; ++k) {
             const double dr = k == 2 ? z * r * across / sum : place[k] * r2 * r / sum;
-            df[k] = f * (3 * dr / r - (4 * r2 * r * dr + (k == 2 ? 2 * a * a * z : 0)) / sum);
+            df[k] = ((3 * r - 2 * c) * r * dr - f * (4 * r2 * r * dr + (k == 2 ? 2 * a * a * z : 0))) / sum;
             dl[1][k] = (dr * x + (k == 0 ? r : k == 1 ? a : 0) - l[1] * 2 * r * dr) / across;
             dl[2][k] = (dr * y + (k == 1 ? r : k == 0 ? -a : 0) - l[2] * 2 * r * dr) / across;
             dl[3][k] = ((k == 2 ? 1 : 0) - l[3] * dr) / r;
@@ -79,8 +80,9 @@ struct KerrSchildField {
 struct Place {
     double r, theta, phi;
 };
-Place place_of(double a, double x, double y, double z) {
-    const KerrSchildField field(a, x, y, z);
+Place place_of(const AxialMetric& metric, double x, double y, double z) {
+    const KerrSchildField field(metric, x, y, z);
+    const double a = metric.a();
     return {field.r, std::atan2(std::hypot(x, y) / std::sqrt(field.r * field.r + a * a), z / field.r),
             std::atan2(y, x) - std::atan2(a, field.r)};
 }
@@ -104,10 +106,11 @@ Result<SpinWorldline> SpinWorldline::make(std::shared_ptr<const Spacetime> space
                                           double duration) {
     const auto tetrad = ingoing_hat_pair(*spacetime, start);
     if (!tetrad) return tetrad.error();
+    const AxialMetric& metric = *spacetime->axial();
     SpinWorldline line;
     line.start_ = start;
-    const double a = spacetime->spin();
-    const Place place{start.r, start.theta, start.phi + (falls(start) ? 0.0 : azimuth_ahead(*spacetime, start.r))};
+    const double a = metric.a();
+    const Place place{start.r, start.theta, start.phi + (falls(start) ? 0.0 : azimuth_ahead(metric, start.r))};
     const double st = std::sin(place.theta), c = std::cos(place.phi), s = std::sin(place.phi);
     State state{(place.r * c - a * s) * st, (place.r * s + a * c) * st, place.r * std::cos(place.theta)};
     for (std::size_t i = 0; i < kVectors; ++i) {
@@ -124,8 +127,8 @@ Result<SpinWorldline> SpinWorldline::make(std::shared_ptr<const Spacetime> space
 namespace {
 
 template <class State>
-State slope_of(double a, const State& state) {
-    const KerrSchildField field(a, state[0], state[1], state[2]);
+State slope_of(const AxialMetric& metric, const State& state) {
+    const KerrSchildField field(metric, state[0], state[1], state[2]);
     const Vec4 u = vector_of(state, 0);
     State d{};
     d[0] = u[1], d[1] = u[2], d[2] = u[3], d.back() = u[0];
@@ -139,11 +142,12 @@ State slope_of(double a, const State& state) {
 }  // namespace
 
 void SpinWorldline::run(double duration) {
-    const double a = spacetime_->spin(), outer = *spacetime_->horizon_radius(), inner = inner_horizon(*spacetime_),
+    const AxialMetric& metric = *spacetime_->axial();
+    const double outer = metric.outer_horizon(), inner = metric.inner_horizon(),
                  low = inner + kShortOfInner * (outer - inner);
-    const auto slope = [a](const State& s) { return slope_of(a, s); };
-    const auto azimuth_of = [a](const State& s) { return place_of(a, s[0], s[1], s[2]).phi; };
-    const auto radius_of = [a](const State& s) { return KerrSchildField(a, s[0], s[1], s[2]).r; };
+    const auto slope = [&](const State& s) { return slope_of(metric, s); };
+    const auto azimuth_of = [&](const State& s) { return place_of(metric, s[0], s[1], s[2]).phi; };
+    const auto radius_of = [&](const State& s) { return KerrSchildField(metric, s[0], s[1], s[2]).r; };
     double h = 1e-3 * std::min(duration, start_.r);
     while (nodes_.size() < kMostNodes && nodes_.back().tau < duration && !ends_) {
         const Node now = nodes_.back();
@@ -186,12 +190,12 @@ SpinWorldline::Node SpinWorldline::node_at(double tau) const {
     const auto after =
         std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, when, [](double t, const Node& n) { return t < n.tau; });
     const Node& before = *(after - 1);
-    const double a = spacetime_->spin();
+    const AxialMetric& metric = *spacetime_->axial();
     State wrong{};
     const State there = dormand_prince(
-        before.state, when - before.tau, [a](const State& s) { return slope_of(a, s); }, wrong);
-    const double turned = place_of(a, there[0], there[1], there[2]).phi -
-                          place_of(a, before.state[0], before.state[1], before.state[2]).phi;
+        before.state, when - before.tau, [&](const State& s) { return slope_of(metric, s); }, wrong);
+    const double turned = place_of(metric, there[0], there[1], there[2]).phi -
+                          place_of(metric, before.state[0], before.state[1], before.state[2]).phi;
     return {when, there, before.azimuth + std::remainder(turned, 2 * M_PI)};
 }
 
@@ -201,10 +205,11 @@ double SpinWorldline::azimuth(double tau) const { return node_at(tau).azimuth; }
 
 SpinWorldline::Constants SpinWorldline::constants(double tau) const {
     const State s = node_at(tau).state;
-    const double a = spacetime_->spin();
-    const KerrSchildField field(a, s[0], s[1], s[2]);
+    const AxialMetric& metric = *spacetime_->axial();
+    const double a = metric.a();
+    const KerrSchildField field(metric, s[0], s[1], s[2]);
     const Vec4 u = vector_of(s, 0);
-    const Place place = place_of(a, s[0], s[1], s[2]);
+    const Place place = place_of(metric, s[0], s[1], s[2]);
     const double st = std::sin(place.theta), energy = -field.product({1, 0, 0, 0}, u),
                  across = field.product(cartesian(a, place, {0, 0, 0, 1}), u);
     const double p_theta = field.product(cartesian(a, place, {0, 0, 1, 0}), u), w = across - a * energy * st;
@@ -214,9 +219,10 @@ SpinWorldline::Constants SpinWorldline::constants(double tau) const {
 
 CameraSpec SpinWorldline::at(double tau) const {
     const State s = node_at(tau).state;
-    const double a = spacetime_->spin();
-    const KerrSchildField field(a, s[0], s[1], s[2]);
-    const Place place = place_of(a, s[0], s[1], s[2]);
+    const AxialMetric& metric = *spacetime_->axial();
+    const double a = metric.a();
+    const KerrSchildField field(metric, s[0], s[1], s[2]);
+    const Place place = place_of(metric, s[0], s[1], s[2]);
     CameraSpec camera = start_;
     camera.observer = ObserverKind::kRain;
     camera.velocity = {};

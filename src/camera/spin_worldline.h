@@ -1,6 +1,6 @@
-// The worldline of a camera that is let go about a spinning hole: a geodesic in proper time with its axes carried along parallel, in
+// The worldline of a camera in free fall about a rotating hole: a geodesic in proper time with its axes carried along parallel, in
 // Cartesian Kerr-Schild coordinates, x + iy = (r + ia) sin(theta) e^{i phi~}, z = r cos(theta), t = v - r:
-//     g = eta + f l l,  f = r^3/(r^4 + a^2 z^2),  l = (1, (r x + a y)/(r^2 + a^2), (r y - a x)/(r^2 + a^2), z/r).
+//     g = eta + f l l,  f = 2 m(r) r^3/(r^4 + a^2 z^2),  l = (1, (r x + a y)/(r^2 + a^2), (r y - a x)/(r^2 + a^2), z/r).
 // Regular on the outer horizon and on the axis; nothing of it is separated, so that E, L and Carter's constant check it
 // (tests/unit/test_spin_worldline.cpp).
 #pragma once

@@ -7,6 +7,7 @@
 #include "base/lorentz.h"
 #include "camera/pose.h"
 #include "scene/observer.h"
+#include "spacetime/spherical_metric.h"
 #include "spacetime/tortoise.h"
 
 namespace nullscope {
@@ -28,17 +29,17 @@ double slope_of(const F& f, double r) {
     return (4 * central(0.5 * h) - central(h)) / 3;
 }
 
-// dA/dr: with V = A zeta^2, dA/dzeta = 2 (w/zeta - A)/zeta, w = V'/2.
+// dA/dr.
 double lapse_slope(const Spacetime& spacetime, double r) {
     if (!spacetime.bends_light() || spacetime.by_proper_length()) return 0.0;
-    if (!spacetime.has_orbit_equation()) return slope_of([&](double x) { return spacetime.lapse_squared(x); }, r);
-    const double zeta = 1.0 / r;
-    return -2.0 * zeta * (spacetime.half_v_slope(zeta) / zeta - spacetime.lapse_squared(r));
+    const OrbitEquation* orbit = spacetime.orbit_equation();
+    if (orbit == nullptr) return slope_of([&](double x) { return spacetime.lapse_squared(x); }, r);
+    return -orbit->lapse_slope(1.0 / r) / (r * r);
 }
 
 // dR/dr.
 double areal_slope(const Spacetime& spacetime, double r) {
-    if (spacetime.has_orbit_equation() || !spacetime.bends_light()) return 1.0;
+    if (spacetime.orbit_equation() != nullptr) return 1.0;
     return slope_of([&](double x) { return spacetime.areal_radius(x); }, r);
 }
 
@@ -91,7 +92,7 @@ Worldline::State Worldline::step(const State& s, double h, double& error) const 
 
 Result<Worldline> Worldline::make(std::shared_ptr<const Spacetime> spacetime, const CameraSpec& start,
                                   double duration) {
-    if (spacetime->spin() != 0.0) {
+    if (spacetime->axial() != nullptr) {
         auto spun = SpinWorldline::make(std::move(spacetime), start, duration);
         if (!spun) return spun.error();
         Worldline line;

@@ -147,7 +147,7 @@ bool is_default(const Method& method) { return method == Method{} || method == M
 // Each camera sees the whole sky, and then a disc that covers as much of it as a disc can; about a spinning hole the sky alone, which every method draws.
 std::vector<Scene> views(const SpacetimeSpec& spec, const Spacetime& spacetime) {
     std::vector<Scene> list;
-    const bool spins = spacetime.spin() != 0.0;
+    const bool spins = !spacetime.planar_rays();
     for (const bool disc : {false, true})
         for (const CameraSpec& camera : spins ? spin_cameras(*spacetime.horizon_radius()) : cameras()) {
             if (spins && disc) continue;

@@ -8,6 +8,7 @@
 
 #include "base/atomic_file.h"
 #include "base/text.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope::cli {
 namespace {
@@ -140,8 +141,9 @@ private:
 void read_reduced(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
     ReducedRay ray;
     ray.q = row.number(kQ, kLeastQ, kLargestQ, "q from 1e-30 to 1e30");
-    if (spacetime.spin() != 0.0)
-        row.report(kQ, "a ray about a spinning hole needs more than these", "r, theta, phi, n_r, n_theta, n_phi");
+    const SphericalMetric* planar = spacetime.spherical();
+    if (planar == nullptr)
+        row.report(kQ, "a ray about a rotating hole needs more than these", "r, theta, phi, n_r, n_theta, n_phi");
     const bool by_length = spacetime.by_proper_length();  // wormholes: l0 instead
     ray.zeta0 = by_length ? row.number(kZeta0, -kLargestRadius, kLargestRadius, "l0 from -1e30 to 1e30")
                           : row.number(kZeta0, 1 / kLargestRadius, kLargestRadius, "zeta0 from 1e-30 to 1e30");
@@ -151,7 +153,7 @@ void read_reduced(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
     ray.s = s > 0.0 ? 1 : -1;
     const double given_q = ray.q;
     if (by_length) ray.zeta0 *= spacetime.length_unit(), ray.q /= spacetime.length_unit();
-    const double least = std::pow(spacetime.root_v(by_length ? ray.zeta0 : 1.0 / ray.zeta0), 2);
+    const double least = std::pow(planar == nullptr ? 0.0 : planar->root_v(by_length ? ray.zeta0 : 1.0 / ray.zeta0), 2);
     if (ray.q * ray.q < least * (1 - kTurningSlack))
         row.report(
             kQ, fmt::format("{} is too small: no such ray passes through zeta0 = {}", shown(row.field(kQ)), ray.zeta0),
@@ -180,8 +182,8 @@ void read_general(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
         if (frame != "rain" && frame != "static")
             row.report(kFrame, shown(frame) + " is no frame", "static, rain or nothing");
     }
-    if (query.frame == LocalFrame::kRain && spacetime.spin() != 0.0)
-        row.report(kFrame, "rain: not about a spinning hole", "static or nothing");
+    if (query.frame == LocalFrame::kRain && !spacetime.planar_rays())
+        row.report(kFrame, "rain: not about a rotating hole", "static or nothing");
     if (query.frame == LocalFrame::kStatic && !camera_can_rest(spacetime, query.r))
         row.report(kR, fmt::format("{} is not outside the horizon, where the static frame is", shown(row.field(kR))),
                    fmt::format("{}, or frame = rain", allowed_radii(spacetime)));

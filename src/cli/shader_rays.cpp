@@ -8,6 +8,7 @@
 #include "reference/ray_plane.h"
 #include "render/frame_tables.h"
 #include "scene/observer.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope::cli {
 namespace {
@@ -37,7 +38,7 @@ std::optional<Start> start_of(const RayQuery& query, const Spacetime& spacetime)
     if (std::fabs(r) > kFarthestCamera) return std::nullopt;
     const bool rests = camera_can_rest(spacetime, r), falls = query.orbit ? !rests : query.frame == LocalFrame::kRain;
     const ObserverKind rest =
-        spacetime.spin() != 0.0 ? ObserverKind::kZamo : ObserverKind::kStatic;  // as the reference has it
+        spacetime.planar_rays() ? ObserverKind::kStatic : ObserverKind::kZamo;  // as the reference has it
     const ObserverKind observer = falls ? ObserverKind::kRain : rest;
     CameraSpec there;
     there.r = r, there.observer = observer;
@@ -48,7 +49,7 @@ std::optional<Start> start_of(const RayQuery& query, const Spacetime& spacetime)
         return Start{r, M_PI / 2, 0.0, rain_direction(spacetime, r, query.orbit->q), observer};
     }
     if (query.orbit) {  // sin(alpha) = sqrt(V)/q; its cosine as a product
-        const double v = spacetime.root_v(r), q = std::max(query.orbit->q, v),
+        const double v = spacetime.spherical()->root_v(r), q = std::max(query.orbit->q, v),
                      inward = by_length && r < 0 ? -query.orbit->s : query.orbit->s;
         return Start{r, M_PI / 2, 0.0, {-inward * std::sqrt((q - v) / q * ((q + v) / q)), 0.0, v / q}};
     }
@@ -158,8 +159,8 @@ public:
           plane_(with_disc_from(scene, kPlane)),
           bare_plane_(plane_),
           crossings_(crossings),
-          planes_(spacetime.spin() == 0.0),
-          delays_(spacetime.lapse_roots() || spacetime.spin() != 0.0 || !spacetime.bends_light()) {
+          planes_(spacetime.planar_rays()),
+          delays_(spacetime.knows_light_time()) {
         bare_plane_.sphere.reset(), bare_plane_.cylinder.reset(), bare_plane_.ball.reset(), bare_plane_.surface.reset();
         if (scene_.disc && scene_.disc->opacity < 1.0) scene_.disc.reset();  // it ends no ray
         if (probes && !scene_.disc) scene_ = with_disc_from(scene, kOutOfReach);
@@ -220,7 +221,7 @@ Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& sce
     if (!trace) return trace.error();
     std::vector<Job> jobs;
     const bool plane = spacetime.can_have_disc();          // the plane is found by a disc in it
-    const bool angles = plane && spacetime.spin() == 0.0;  // of orbits that stay in a plane
+    const bool angles = plane && spacetime.planar_rays();  // of orbits that stay in a plane
     bool places = false;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         const RayQuery& query = table.rows[row].query;

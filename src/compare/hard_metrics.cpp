@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "spacetime/registry.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 namespace {
@@ -46,7 +47,7 @@ double dividing_angle(const Place& p, double r) {
     const auto root_v = [&](double x) {
         if (p.metric == "ellis") return 1 / std::hypot(x, 1.0);
         if (const auto spacetime = make_spacetime(p.metric, p.parameters); p.metric == "dneg-wormhole")
-            return (*spacetime)->root_v(x);
+            return (*spacetime)->spherical()->root_v(x);
         const double charge = p.parameters.contains("charge") ? p.parameters.at("charge") : 0.0;
         return std::sqrt(1 - 1 / x + 0.25 * charge * charge / (x * x)) / x;
     };

@@ -38,7 +38,7 @@ using Tetrad = std::array<std::array<long double, 4>, 4>;  // rows e_0, right, u
 // e_0 = (1/(1+w), -w), e_1 = (1/(1+w), 1) of (v, r), or the static one (1/s, 0), (1/s, s), s = sqrt(A), the metric
 // -A dv^2 + 2 dv dr gives those of (p^v, p^r).
 Result<Tetrad> local_tetrad(const Spacetime& spacetime, CameraSpec camera, bool from_rain) {
-    const bool spins = spacetime.spin() != 0;
+    const bool spins = !spacetime.planar_rays();
     if (!spins) camera.theta = M_PI / 2;
     const bool rests = camera.observer == ObserverKind::kStatic;
     const auto pair = spins   ? ingoing_hat_pair(spacetime, camera)

@@ -11,6 +11,7 @@
 #include "scene/ray.h"
 #include "sky/packed_sky.h"
 #include "sky/point_stars.h"
+#include "spacetime/spherical_metric.h"
 #include "table/critical_images.h"
 #include "table/disc_light.h"
 #include "table/star_lens.h"
@@ -117,15 +118,15 @@ void put_disc(FrameData& frame, const Scene& scene, const RayFan* fan, const Tex
                            log2_brightness(hottest_K, scene.light.bolometric)};
 }
 
-void put_spin(FrameData& frame, const CameraSpec& camera, const Spacetime& spacetime, const Observer& observer) {
-    const SpinForms forms = spin_forms(spin_place(spacetime, camera.r, camera.theta), {observer.frame, observer.swirl});
-    const double a = spacetime.spin(), outer = *spacetime.horizon_radius(), inner = inner_horizon(spacetime);
+void put_spin(FrameData& frame, const CameraSpec& camera, const AxialMetric& metric, const Observer& observer) {
+    const SpinForms forms = spin_forms(spin_place(metric, camera.r, camera.theta), {observer.frame, observer.swirl});
+    const double a = metric.a(), outer = metric.outer_horizon(), inner = metric.inner_horizon();
     frame.spin_hole = {a, a * a, outer, inner};
     frame.spin_energy = {forms.energy.constant, forms.energy.radial, forms.energy.around, forms.p_theta};
     frame.spin_across = {forms.across.constant, forms.across.radial, forms.across.around, forms.carter};
     frame.spin_climb = {forms.climb.constant, forms.climb.radial, forms.climb.around, forms.carter_slope};
     frame.spin_place = {std::sin(camera.theta), plane_height(camera), std::cos(camera.phi), std::sin(camera.phi)};
-    frame.spin_turn = {camera.r > outer ? azimuth_ahead(spacetime, camera.r) : 0.0, a / (outer - inner), 0, 0};
+    frame.spin_turn = {camera.r > outer ? azimuth_ahead(metric, camera.r) : 0.0, a / (outer - inner), 0, 0};
 }
 
 }  // namespace
@@ -138,7 +139,7 @@ FrameData frame_numbers(const FramePlan& plan, const RayFan* fan, const TextureF
     const CameraSpec& camera = scene.camera;
     const Mat3 world = world_from_static(camera.theta, camera.phi);
     // Where light goes straight its frame is at rest and A = 1. What g then lacks, or has too much without gravity's part, is a factor.
-    const bool straight = plan.straight(), spins = spacetime.spin() != 0.0;
+    const bool straight = plan.straight(), spins = !spacetime.planar_rays();
     const RadialFrame radial = straight || spins ? RadialFrame{} : observer.frame;
     const double g_gravity =
         scene.light.gravity ? 1.0 / observer.frame.energy() : 1.0;  // switched off with observers at rest only
@@ -166,9 +167,10 @@ FrameData frame_numbers(const FramePlan& plan, const RayFan* fan, const TextureF
     put_bodies(frame, scene, spacetime, fan, ball_path);
     put_patterns(frame, scene);
     put_moving(frame, plan, ball_path);
-    if (spins) put_spin(frame, camera, spacetime, observer);
+    if (const AxialMetric* metric = spacetime.axial()) put_spin(frame, camera, *metric, observer);
     if (spacetime.by_proper_length())
-        frame.throat = {spacetime.length_unit(), spacetime.logarithm_length() / spacetime.length_unit(), 0, 0};
+        frame.throat = {spacetime.length_unit(), spacetime.spherical()->logarithm_length() / spacetime.length_unit(), 0,
+                        0};
     return frame;
 }
 

@@ -42,7 +42,7 @@ Status FrameTables::update(const Scene& scene) {
         table_.reset();
         if (plan_.light->photon_sphere()) {
             const auto start = std::chrono::steady_clock::now();
-            table_ = std::make_shared<DeflectionTable>(*plan_.light);
+            table_ = std::make_shared<DeflectionTable>(*plan_.light->spherical());
             table_ms_ = milliseconds_since(start);
         }
     }
@@ -84,7 +84,11 @@ RayFan FrameTables::camera_fan() const {
     const CameraSpec& camera = plan_.scene.camera;
     const double speed = plan_.scene.light.aberration ? length(plan_.observer.velocity) : 0.0,
                  squeeze = std::sqrt((1.0 - speed) / (1.0 + speed));
-    return {plan_.light, table_, camera.r, plan_.observer.frame, squeeze * smallest_pixel_angle(camera)};
+    return {{plan_.light, plan_.light->spherical()},
+            table_,
+            camera.r,
+            plan_.observer.frame,
+            squeeze * smallest_pixel_angle(camera)};
 }
 
 CoreInput FrameTables::core_input() const {

@@ -4,6 +4,7 @@
 
 #include "light/black_body.h"
 #include "spacetime/circular_orbit.h"
+#include "spacetime/spherical_metric.h"
 #include "spacetime/tortoise.h"
 
 namespace nullscope {
@@ -12,11 +13,12 @@ namespace {
 constexpr double kCopies = 4096.0;  // DISC_COPIES of shaders/object/disc_flow.glsl
 
 FrameVector delay_numbers(const Scene& scene, const Spacetime& spacetime) {
-    // About a spinning hole r_* of the camera, or r where its clock is v - r: what T less r_* of a place is late by.
-    if (spacetime.spin() != 0.0)
+    // About a rotating hole r_* of the camera, or r where its clock is v - r: what T less r_* of a place is late by.
+    if (!spacetime.planar_rays())
         return {0, 0, scene.camera.r + (falls(scene.camera) ? 0.0 : time_ahead(spacetime, scene.camera.r)), 0};
-    if (!spacetime.lapse_roots()) return {0, 0, 0, 0};
-    const LapseRoots roots = *spacetime.lapse_roots();
+    const auto known = spacetime.spherical()->lapse_roots();
+    if (!known) return {0, 0, 0, 0};
+    const LapseRoots roots = *known;
     if (scene.camera.r <= roots.outer)
         return {roots.outer, roots.inner, 0, 0};  // nothing but the sky's light is seen inside
     const double camera = time_ahead(spacetime, scene.camera.r);
@@ -32,7 +34,9 @@ void put_moving(FrameData& frame, const FramePlan& plan, const BallPath* ball_pa
     frame.delay = delay_numbers(scene, *plan.light);
     if (scene.disc && scene.disc->flow == DiscFlowKind::kKepler) {
         // Omega^2 = A'/(2 r) = zeta^3 ((x + y)/2 - x y zeta); in flat space matter rests.
-        const LapseRoots roots = matter.lapse_roots().value_or(LapseRoots{0, 0});
+        const LapseRoots roots = matter.spherical() != nullptr
+                                     ? matter.spherical()->lapse_roots().value_or(LapseRoots{0, 0})
+                                     : LapseRoots{0, 0};
         const double lives = scene.time / scene.disc->flow_life;
         frame.disc_winding = {lives - kCopies * std::floor(lives / kCopies), 1.0 / scene.disc->flow_life,
                               0.5 * (roots.outer + roots.inner), roots.outer * roots.inner};

@@ -66,7 +66,7 @@ Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
 }  // namespace
 
 bool has_method(const Spacetime& spacetime, const Method& method) {
-    if (spacetime.spin() != 0.0) return counts_steps(method);       // no table: nothing else
+    if (!spacetime.planar_rays()) return counts_steps(method);      // no table: nothing else
     const bool seen = spacetime.inner_end() == InnerEnd::kHorizon;  // others have rays to the inside to follow too
     switch (method.kind) {
         case MethodKind::kStrip: return true;

@@ -10,6 +10,7 @@
 #include "base/dormand_prince.h"
 #include "expr/formula.h"
 #include "spacetime/circular_orbit.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 namespace {
@@ -64,8 +65,8 @@ public:
 private:
     static constexpr double kFirstStep = 1e-2, kReached = 1e-7;
     State slope(const State& s) const {
-        const double zeta = 1.0 / s[1], a = spacetime_.lapse_squared(s[1]), half_slope = spacetime_.half_v_slope(zeta);
-        const double a_r = -2.0 * (half_slope - zeta * a);  // dA/dr = -zeta^2 dA/dzeta
+        const double zeta = 1.0 / s[1], a = spacetime_.lapse_squared(s[1]);
+        const double a_r = -zeta * zeta * spacetime_.orbit_equation()->lapse_slope(zeta);  // dA/dr
         const double l2 = momentum_ * momentum_;
         return {energy_ / a, s[2], -0.5 * a_r * (1.0 + l2 * zeta * zeta) + a * l2 * zeta * zeta * zeta,
                 momentum_ * zeta * zeta};
@@ -80,11 +81,10 @@ private:
 Result<BallMotionAt> ball_motion(const Spacetime& spacetime, const BallSpec& ball) {
     const double r = length(ball.position);
     const Vec3 outward = ball.position / r, east = eastward(outward);
-    const bool spins = spacetime.spin() != 0.0;
     if (ball.motion == BallMotion::kOrbit) {
-        if (spins && ball.position.z != 0.0)
+        if (!spacetime.planar_rays() && ball.position.z != 0.0)
             return bad_input(
-                fmt::format("ball.position: no circular orbit at z = {} about a spinning hole; allowed: z = 0, in the "
+                fmt::format("ball.position: no circular orbit at z = {} about a rotating hole; allowed: z = 0, in the "
                             "equatorial plane",
                             ball.position.z));
         const auto orbit = circular_orbit(spacetime, r);
@@ -95,7 +95,7 @@ Result<BallMotionAt> ball_motion(const Spacetime& spacetime, const BallSpec& bal
             [=, omega = orbit->omega](double t) { return in_plane(outward, east, r, omega * t, 0, omega); });
     }
     if (ball.motion == BallMotion::kGeodesic) {
-        if (spins || (spacetime.bends_light() && !spacetime.has_orbit_equation()))
+        if (spacetime.orbit_equation() == nullptr)
             return bad_input(fmt::format("ball.motion: falls are not followed in metric \"{}\"; allowed: still, path",
                                          spacetime.name()));
         if (!camera_can_rest(spacetime, r))

@@ -9,7 +9,9 @@
 #include "scene/moving.h"
 #include "scene/named_surface.h"
 #include "scene/observer.h"
+#include "spacetime/axial_metric.h"
 #include "spacetime/registry.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 namespace {
@@ -98,8 +100,8 @@ void add_bodies(const Scene& scene, std::vector<EffectReason>& reasons) {
 
 bool motion_is_seen(const Spacetime& spacetime, const Observer& observer, const Scene& scene) {
     if (!scene.light.aberration && !scene.light.doppler) return false;
-    // What falls, or is about a spinning hole, sees the sky's light shifted differently all over the sky, as what is boosted does.
-    const bool shifted = (falls(scene.camera) || spacetime.spin() != 0.0) && scene.sky.temperature_K &&
+    // What falls, or is about a rotating hole, sees the sky's light shifted differently all over the sky, as what is boosted does.
+    const bool shifted = (falls(scene.camera) || !spacetime.planar_rays()) && scene.sky.temperature_K &&
                          (scene.light.shift || scene.light.beaming);
     return !(observer.velocity == Vec3{}) || shifted;
 }
@@ -113,10 +115,10 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
 
 std::vector<EffectReason> required_effects(const Scene& scene, const Spacetime* spacetime, const Observer* observer) {
     std::vector<EffectReason> reasons;
-    const bool spins = spacetime != nullptr && spacetime->spin() != 0.0,
+    const bool spins = spacetime != nullptr && !spacetime->planar_rays(),
                lensing = spacetime != nullptr && !spins && spacetime->bends_light() && scene.light.lensing;
     if (spins) {
-        reasons.push_back({Effect::kSpin, fmt::format("spacetime.spin = {}", 2.0 * spacetime->spin())});
+        reasons.push_back({Effect::kSpin, fmt::format("spacetime.spin = {}", 2.0 * spacetime->axial()->a())});
         if (falls(scene.camera))
             reasons.push_back(
                 {Effect::kSpinFall, fmt::format("camera.observer = \"{}\"", observer_name(scene.camera.observer))});
@@ -209,7 +211,7 @@ std::vector<EffectReason> required_effects(const Scene& scene, const Spacetime* 
     if (scene.ball && scene.ball->motion != BallMotion::kStill) reasons.push_back({Effect::kBallPath, "ball.motion"});
     if (scene.sphere && scene.sphere->swing > 0.0)
         reasons.push_back({Effect::kPulse, fmt::format("sphere.swing = {}", scene.sphere->swing)});
-    if (lensing && effect_set(reasons).contains(Effect::kDelay) && spacetime->has_inner_horizon())
+    if (lensing && effect_set(reasons).contains(Effect::kDelay) && spacetime->spherical()->has_inner_horizon())
         reasons.push_back({Effect::kInnerHorizon, fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     return reasons;
 }

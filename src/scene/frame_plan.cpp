@@ -4,6 +4,7 @@
 
 #include "scene/sides.h"
 #include "spacetime/registry.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 namespace {
@@ -19,11 +20,10 @@ Status check_objects(const FramePlan& plan) {
 
 // Light times where they are wished for, as far as the shader can tell them.
 void settle_delays(FramePlan& plan, bool delays) {
-    const bool planar = plan.effects.contains(Effect::kLensing),
-               known = !planar || plan.light->lapse_roots().has_value();
-    if (delays && known) plan.effects.insert(Effect::kDelay);
-    if (!known) plan.effects.erase(Effect::kDelay);
-    if (plan.effects.contains(Effect::kDelay) && planar && plan.light->has_inner_horizon())
+    if (delays) plan.effects.insert(Effect::kDelay);
+    if (!plan.light->knows_light_time()) plan.effects.erase(Effect::kDelay);
+    if (plan.effects.contains(Effect::kDelay) && plan.effects.contains(Effect::kLensing) &&
+        plan.light->spherical()->has_inner_horizon())
         plan.effects.insert(Effect::kInnerHorizon);
 }
 

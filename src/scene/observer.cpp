@@ -34,9 +34,9 @@ Result<Observer> falling(const Spacetime& spacetime, double lapse2, double energ
     return Observer{frame, 0.0, velocity, {}};
 }
 
-// About a spinning hole; of its place what does not depend on the spin is checked.
-Result<Observer> spinning_observer(const Spacetime& spacetime, const CameraSpec& camera) {
-    const SpinPlace place = spin_place(spacetime, camera.r, camera.theta);
+// About a rotating hole; of its place what does not depend on the spin is checked.
+Result<Observer> axial_observer(const AxialMetric& metric, const CameraSpec& camera) {
+    const SpinPlace place = spin_place(metric, camera.r, camera.theta);
     const auto observer = [&](const SpinFrame& frame) {
         return Observer{frame.radial, frame.swirl, camera.velocity, {}};
     };
@@ -46,7 +46,7 @@ Result<Observer> spinning_observer(const Spacetime& spacetime, const CameraSpec&
             return bad_input(
                 fmt::format("nobody is at rest at camera.r = {}, in the ergosphere; allowed: r > {} at this theta, or "
                             "observer = \"zamo\"",
-                            camera.r, static_limit(spacetime, camera.theta)));
+                            camera.r, static_limit(metric, camera.theta)));
         case ObserverKind::kZamo: return observer(zamo_frame(place));
         case ObserverKind::kCarter: return observer(carter_frame(place));
         case ObserverKind::kOrbit:
@@ -63,7 +63,7 @@ Result<Observer> spinning_observer(const Spacetime& spacetime, const CameraSpec&
     const double lapse2 = zamo_lapse2(place);
     double energy = camera.observer == ObserverKind::kThrow ? camera.energy : 1.0;
     if (camera.observer == ObserverKind::kFall)
-        energy = std::sqrt(std::max(zamo_lapse2(spin_place(spacetime, camera.fall_from, camera.theta)), lapse2));
+        energy = std::sqrt(std::max(zamo_lapse2(spin_place(metric, camera.fall_from, camera.theta)), lapse2));
     if (!(energy * energy >= lapse2)) return comes_no_further(observer_name(camera.observer), energy, lapse2);
     return observer(falling_frame(place, energy));
 }
@@ -80,7 +80,7 @@ Result<Observer> observer_of(const Spacetime& spacetime, const CameraSpec& camer
         return bad_input(fmt::format(
             "no camera falls from camera.fall_from = {} to camera.r = {}; allowed: fall_from >= camera.r and {}",
             camera.fall_from, camera.r, allowed_radii(spacetime)));
-    if (spacetime.spin() != 0.0) return spinning_observer(spacetime, camera);
+    if (const AxialMetric* metric = spacetime.axial()) return axial_observer(*metric, camera);
     const double lapse2 = spacetime.lapse_squared(camera.r);
     switch (camera.observer) {
         case ObserverKind::kRain: return falling(spacetime, lapse2, 1.0, camera.velocity, "rain");
@@ -90,7 +90,7 @@ Result<Observer> observer_of(const Spacetime& spacetime, const CameraSpec& camer
                            camera.velocity, "fall");
         case ObserverKind::kOrbit:
         case ObserverKind::kCounterOrbit: {
-            const auto orbit = spacetime.has_orbit_equation() ? circular_orbit(spacetime, camera.r) : std::nullopt;
+            const auto orbit = circular_orbit(spacetime, camera.r);
             if (!orbit)
                 return bad_input(
                     fmt::format("no circular orbit at camera.r = {}; allowed: outside of the photon sphere", camera.r));
@@ -107,10 +107,10 @@ Result<Observer> observer_of(const Spacetime& spacetime, const CameraSpec& camer
 
 Status check_light_parts(const Spacetime& spacetime, const Scene& scene) {
     const LightSpec& light = scene.light;
-    if ((!falls(scene.camera) && spacetime.spin() == 0.0) ||
+    if ((!falls(scene.camera) && spacetime.planar_rays()) ||
         (light.lensing && light.doppler && light.gravity && light.aberration))
         return Done{};
-    if (spacetime.spin() != 0.0)
+    if (!spacetime.planar_rays())
         return bad_input(
             "a part of light is off about a hole that spins; allowed: light.lensing, doppler, gravity and aberration "
             "on, or spin = 0");

@@ -343,7 +343,7 @@ void SceneReader::check_motion(const SpacetimeSpec& spec, bool delay) {
     const auto moving = moving_parts(scene_);
     if (!spacetime || moving.empty()) return;
     const Spacetime& world = **spacetime;
-    if (delay && world.bends_light() && world.spin() == 0.0 && !world.lapse_roots())
+    if (delay && !world.knows_light_time())
         report(1, moving.front(), fmt::format("how long light takes is not known in metric \"{}\"", spec.metric),
                "light.delay = \"off\", or another metric");
     if (scene_.spot && scene_.disc && !circular_orbit(world, scene_.spot->r))

@@ -4,7 +4,7 @@
 
 #include "expr/formula.h"
 #include "scene/named_surface.h"
-#include "spacetime/spacetime.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 namespace {
@@ -37,10 +37,10 @@ std::vector<SideFault> side_faults(const Spacetime& spacetime, const Scene& scen
             {"sphere", "about the throat it would reach across it", "a [ball], [cylinder] or [surface] on one side"});
     if (!scene.cylinder && !scene.ball && !scene.surface) return faults;
     if (!spacetime.can_have_bodies())
-        faults.push_back(
-            {"spacetime.length",
-             fmt::format("{} is too long for bodies: rays wind in the tube", 2.0 * spacetime.tube_beyond(0.0)),
-             fmt::format("[0, {}] with bodies", 2.0 * Spacetime::kLongestHalfTube)});
+        faults.push_back({"spacetime.length",
+                          fmt::format("{} is too long for bodies: rays wind in the tube",
+                                      2.0 * spacetime.spherical()->tube_beyond(0.0)),
+                          fmt::format("[0, {}] with bodies", 2.0 * SphericalMetric::kLongestHalfTube)});
     if (!scene.light.lensing)
         faults.push_back({"light.lensing", "off, but straight light passes no throat", "on with bodies in a wormhole"});
     if (scene.surface) {

@@ -6,66 +6,49 @@
 namespace nullscope {
 namespace {
 
-// d(ln E^2)/dzeta of circular orbits.
-double energy_slope(const Spacetime& spacetime, double zeta) {
-    const double a = spacetime.lapse_squared(1.0 / zeta), w = spacetime.half_v_slope(zeta);
-    const double lapse_slope = 2.0 * (w / zeta - a) / zeta;  // dA/dzeta
-    return 2.0 * lapse_slope / a - spacetime.half_v_curvature(zeta) / w + 1.0 / zeta;
+constexpr double kFarthestStable = 1e6;  // r_s: from here inward the last stable orbit is looked for
+constexpr double kLight = 1e-15;         // of g_tt: what is left of 1/(u^t)^2 on light's own orbit, roundings
+constexpr int kHalvings = 200;           // at most: the search ends where two radii are neighbours
+
+std::optional<CircularOrbit> orbit_in(const Equator& e) {
+    const double speed = std::sqrt(std::max(e.slope.tphi * e.slope.tphi - e.slope.tt * e.slope.phiphi, 0.0));
+    const double omega = (speed - e.slope.tphi) / e.slope.phiphi;
+    const double rest2 = -e.g.tt - (2.0 * e.g.tphi + e.g.phiphi * omega) * omega;
+    if (!(rest2 > kLight * std::fabs(e.g.tt) && e.across2 > 0.0)) return std::nullopt;
+    const double u_t = 1.0 / std::sqrt(rest2);
+    return CircularOrbit{u_t, omega, -u_t * (e.g.tt + e.g.tphi * omega), u_t * (e.g.tphi + e.g.phiphi * omega)};
 }
 
-// Of a spinning hole, in the direction of its spin (Bardeen, Press and Teukolsky 1972, eqs. 2.12 to 2.16, M = 1/2).
-std::optional<CircularOrbit> spinning_orbit(double a, double r) {
-    const double swirl = a * M_SQRT1_2 / (r * std::sqrt(r)), root2 = 1.0 - 1.5 / r + 2.0 * swirl;
-    if (!(root2 > 0.0)) return std::nullopt;
-    const double root = std::sqrt(root2);
-    CircularOrbit orbit;
-    orbit.u_t = (1.0 + swirl) / root;
-    orbit.omega = M_SQRT1_2 / (r * std::sqrt(r) * (1.0 + swirl));
-    orbit.energy = (1.0 - 1.0 / r + swirl) / root;
-    orbit.momentum = std::sqrt(0.5 * r) * (1.0 - 2.0 * swirl + a * a / (r * r)) / root;
-    return orbit;
-}
-
-// The same, eq. 2.21.
-double spinning_stable_orbit(double spin) {
-    const double z1 = 1.0 + std::cbrt((1.0 - spin) * (1.0 + spin)) * (std::cbrt(1.0 + spin) + std::cbrt(1.0 - spin));
-    const double z2 = std::sqrt(3.0 * spin * spin + z1 * z1);
-    return 0.5 * (3.0 + z2 - std::sqrt((3.0 - z1) * (3.0 + z1 + 2.0 * z2)));
-}
-
-// Falling with constants e and l in the equatorial plane of a spinning hole.
-MatterVelocity spinning_fall(const Spacetime& spacetime, double e, double l, double r) {
-    const double a = spacetime.spin(), delta = r * r / spacetime.radial_stretch2(r), x = e * (r * r + a * a) - a * l;
-    const double radial2 = x * x - delta * (r * r + (l - a * e) * (l - a * e));
-    return {((r * r + a * a + a * a / r) * e - a * l / r) / delta, -std::sqrt(std::max(radial2, 0.0)) / (r * r),
-            ((1.0 - 1.0 / r) * l + a * e / r) / delta};
+bool stable(const Equator& e) {
+    const auto orbit = orbit_in(e);
+    if (!orbit) return false;
+    const double energy = orbit->energy, momentum = orbit->momentum;
+    const auto &g = e.g, &first = e.slope, &second = e.curvature;
+    const double bend = energy * energy * second.phiphi + 2.0 * energy * momentum * second.tphi +
+                        momentum * momentum * second.tt,
+                 across2 = 2.0 * (first.tphi * first.tphi + g.tphi * second.tphi - first.tt * first.phiphi) -
+                           second.tt * g.phiphi - g.tt * second.phiphi;
+    return bend < across2;
 }
 
 }  // namespace
 
 std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r) {
-    if (spacetime.spin() != 0.0) return spinning_orbit(spacetime.spin(), r);
-    const double zeta = 1.0 / r, a = spacetime.lapse_squared(r), w = spacetime.half_v_slope(zeta);
-    if (!(a > 0.0 && w > 0.0)) return std::nullopt;
-    CircularOrbit orbit;
-    orbit.u_t = std::sqrt(zeta / w);
-    orbit.omega = zeta * std::sqrt(std::max(a - w / zeta, 0.0));
-    orbit.energy = a * orbit.u_t;
-    orbit.momentum = r * r * orbit.omega * orbit.u_t;
-    return orbit;
+    const auto equator = spacetime.equator(r);
+    return equator ? orbit_in(*equator) : std::nullopt;
 }
 
 std::optional<double> innermost_stable_orbit(const Spacetime& spacetime) {
-    if (spacetime.spin() != 0.0) return spinning_stable_orbit(2.0 * spacetime.spin());
     const auto sphere = spacetime.photon_sphere();
-    if (!sphere) return std::nullopt;
-    double stable = 1e-6 / sphere->radius, unstable = (1.0 - 1e-9) / sphere->radius;
-    while (unstable - stable > 1e-15 * unstable) {
-        const double middle = 0.5 * (stable + unstable);
-        if (middle <= stable || middle >= unstable) break;
-        (energy_slope(spacetime, middle) < 0.0 ? stable : unstable) = middle;
+    const auto least = sphere ? sphere->radius : spacetime.horizon_radius();
+    if (!least || !spacetime.equator(*least)) return std::nullopt;
+    double outside = 1.0 / kFarthestStable, inside = 1.0 / *least;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = 0.5 * (outside + inside);
+        if (middle <= outside || middle >= inside) break;
+        (stable(*spacetime.equator(1.0 / middle)) ? outside : inside) = middle;
     }
-    return 2.0 / (stable + unstable);
+    return 2.0 / (outside + inside);
 }
 
 MatterVelocity disc_matter(const Spacetime& spacetime, double r) {
@@ -75,10 +58,11 @@ MatterVelocity disc_matter(const Spacetime& spacetime, double r) {
         return {orbit->u_t, 0.0, orbit->u_t * orbit->omega};
     }
     const CircularOrbit last = *circular_orbit(spacetime, *isco);
-    if (spacetime.spin() != 0.0) return spinning_fall(spacetime, last.energy, last.momentum, r);
-    const double zeta = 1.0 / r, a = spacetime.lapse_squared(r), across = last.momentum * zeta;
-    const double radial2 = last.energy * last.energy - a * (1.0 + across * across);
-    return {last.energy / a, -std::sqrt(std::max(radial2, 0.0)), across * zeta};
+    const double energy = last.energy, momentum = last.momentum;
+    const Equator e = *spacetime.equator(r);
+    const double n = energy * energy * e.g.phiphi + 2.0 * energy * momentum * e.g.tphi + momentum * momentum * e.g.tt;
+    return {(energy * e.g.phiphi + momentum * e.g.tphi) / e.across2,
+            -std::sqrt(std::max(n - e.across2, 0.0) / e.radial), -(energy * e.g.tphi + momentum * e.g.tt) / e.across2};
 }
 
 }  // namespace nullscope

@@ -1,8 +1,10 @@
-// Matter in the equatorial plane: circular geodesics, and inside the innermost stable one the fall that keeps its constants.
+// Matter in the equatorial plane: circular geodesics, and inside the innermost stable one the fall that keeps its
+// constants. From the equatorial metric alone, the same for every spacetime; towards growing phi, which about a rotating
+// hole is the direction of its rotation.
 //
-// With V = A zeta^2 and w = V'/2 (Spacetime::half_v_slope): u^t = sqrt(zeta/w), Omega^2 = zeta^2 (A - w/zeta), so that
-// E = A u^t and L = r^2 Omega u^t. Stable where E falls inward: d(ln E^2)/dzeta = 2 A'/A - w'/w + 1/zeta < 0.
-// About a spinning hole: in the direction of its spin, by closed forms.
+// Omega = (sqrt(g_tphi'^2 - g_tt' g_phiphi') - g_tphi')/g_phiphi', u^t = 1/sqrt(-g_tt - (2 g_tphi + g_phiphi Omega) Omega),
+// E = -u_t, L = u_phi (Bardeen, Press and Teukolsky 1972). With D = g_tphi^2 - g_tt g_phiphi and
+// N = E^2 g_phiphi + 2 E L g_tphi + L^2 g_tt, D g_rr (u^r)^2 = N - D: the orbit is stable where N'' < D''.
 #pragma once
 #include <optional>
 
@@ -17,15 +19,16 @@ struct CircularOrbit {
     double momentum;  // L per rest mass, r_s c
 };
 
-// Errors: nothing where there is no such geodesic (at and inside a photon sphere). Flat space: matter at rest.
+// Nothing where there is no such geodesic: at and inside light's own circular orbit, and where the spacetime has no
+// Equator. Flat space: matter at rest.
 std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r);
 
 // Radius in r_s of the innermost stable circular orbit; nothing where light runs straight.
 std::optional<double> innermost_stable_orbit(const Spacetime& spacetime);
 
-// Contravariant four-velocity (u^t, u^r, u^phi) of the disc's matter at r outside the horizon: circular down to the innermost
-// stable orbit, falling with that orbit's energy and angular momentum inside. Continuous, with a continuous first derivative
-// but for u^r, which begins as (r_isco - r)^(3/2).
+// Contravariant four-velocity (u^t, u^r, u^phi) of the disc's matter at r outside the horizon: circular down to the
+// innermost stable orbit, falling with that orbit's energy and angular momentum inside. Continuous, with a continuous
+// first derivative but for u^r, which begins as (r_isco - r)^(3/2). The spacetime must have an Equator.
 struct MatterVelocity {
     double u_t, u_r, u_phi;
 };

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace nullscope {
 namespace {
@@ -16,11 +14,6 @@ double growth(double x) {
     double sum = 0.0, power = x2;
     for (int n = 0; n < 16; ++n, power *= -x2) sum += power / ((2 * n + 1) * (2 * n + 2));
     return sum;
-}
-
-[[noreturn]] void no_zeta() {
-    std::fprintf(stderr, "DnegWormhole: there is no orbit equation in zeta, which is the same on both sides\n");
-    std::abort();
 }
 
 }  // namespace
@@ -78,9 +71,6 @@ double DnegWormhole::bending_density(double chi) const {
 double DnegWormhole::tube_beyond(double l) const {
     return (half_length_ - std::clamp(l, -half_length_, half_length_)) / throat_;
 }
-
-double DnegWormhole::half_v_slope(double) const { no_zeta(); }
-double DnegWormhole::half_v_curvature(double) const { no_zeta(); }
 
 std::unique_ptr<Spacetime> make_dneg_wormhole(const std::map<std::string, double>& parameters) {
     return std::make_unique<DnegWormhole>(parameters.at("throat"), parameters.at("length"),

@@ -12,11 +12,11 @@
 #include <memory>
 #include <string>
 
-#include "spacetime/spacetime.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 
-class DnegWormhole final : public Spacetime {
+class DnegWormhole final : public SphericalMetric, public ChiMap {
 public:
     static constexpr double kWidthOverMass = 1.42953;          // W/M as the paper prints it
     static constexpr double kLongest = 10.0;                   // 2 a, throat radii
@@ -27,9 +27,8 @@ public:
     double areal_radius(double l) const override;
     double radial_stretch2(double) const override { return 1.0; }
     RadiusRange camera_range() const override { return {-kAnyRadius, kAnyRadius}; }
-    std::optional<double> horizon_radius() const override { return std::nullopt; }
     std::optional<PhotonSphere> photon_sphere() const override { return PhotonSphere{0.0, 1.0 / throat_}; }
-    bool bends_light() const override { return true; }
+    const ChiMap* chi() const override { return this; }
     InnerEnd inner_end() const override { return InnerEnd::kOtherSky; }
     double chi_from_radius(double l) const override;
     double radius_from_chi(double chi) const override;  // in the tube, chi = pi/2: its mouth at l = a
@@ -40,9 +39,6 @@ public:
     double radius_slope(double l) const override;
     double radius_curvature(double l) const override;  // jumps at the tube's rims
     double logarithm_length() const override { return mass_; }
-    bool has_orbit_equation() const override { return false; }
-    double half_v_slope(double zeta) const override;
-    double half_v_curvature(double zeta) const override;
 
 private:
     double x_of_chi(double chi) const;  // >= 0

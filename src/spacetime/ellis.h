@@ -7,11 +7,11 @@
 #include <memory>
 #include <string>
 
-#include "spacetime/spacetime.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 
-class Ellis final : public Spacetime {
+class Ellis final : public SphericalMetric, public ChiMap {
 public:
     explicit Ellis(double throat) : throat_(throat) {}
     std::string_view name() const override { return "ellis"; }
@@ -19,16 +19,12 @@ public:
     double areal_radius(double l) const override;
     double radial_stretch2(double) const override { return 1.0; }
     RadiusRange camera_range() const override { return {-kAnyRadius, kAnyRadius}; }
-    std::optional<double> horizon_radius() const override { return std::nullopt; }
     std::optional<PhotonSphere> photon_sphere() const override { return PhotonSphere{0.0, 1.0 / throat_}; }
-    bool bends_light() const override { return true; }
+    const ChiMap* chi() const override { return this; }
     InnerEnd inner_end() const override { return InnerEnd::kOtherSky; }
     double chi_from_radius(double l) const override;
     double radius_from_chi(double chi) const override;
     double bending_density(double) const override { return 1.0; }
-    bool has_orbit_equation() const override { return false; }
-    double half_v_slope(double) const override;
-    double half_v_curvature(double) const override;
     double length_unit() const override { return throat_; }
     double radius_slope(double l) const override;
     double radius_curvature(double l) const override;

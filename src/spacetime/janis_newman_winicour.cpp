@@ -16,11 +16,6 @@ double log_rest(double t) {
     return sum;
 }
 
-[[noreturn]] void no_zeta() {
-    std::fprintf(stderr, "JanisNewmanWinicour: the areal radius is not r, so there is no orbit equation in 1/r\n");
-    std::abort();
-}
-
 }  // namespace
 
 JanisNewmanWinicour::JanisNewmanWinicour(double g) : g_(g), r_g_(1.0 / g), x_c_(2.0 / (1.0 + 2.0 * g)) {
@@ -73,8 +68,6 @@ double JanisNewmanWinicour::tau_from_chi(double chi) const {
 
 double JanisNewmanWinicour::radius_from_chi(double chi) const { return r_g_ / -std::expm1(-tau_from_chi(chi)); }
 double JanisNewmanWinicour::bending_density(double chi) const { return density_at(tau_from_chi(chi)); }
-double JanisNewmanWinicour::half_v_slope(double) const { no_zeta(); }
-double JanisNewmanWinicour::half_v_curvature(double) const { no_zeta(); }
 
 std::unique_ptr<Spacetime> make_janis_newman_winicour(const std::map<std::string, double>& parameters) {
     return std::make_unique<JanisNewmanWinicour>(parameters.at("gamma"));

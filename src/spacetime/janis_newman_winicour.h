@@ -12,11 +12,11 @@
 #include <string>
 
 #include "spacetime/inverse_map.h"
-#include "spacetime/spacetime.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 
-class JanisNewmanWinicour final : public Spacetime {
+class JanisNewmanWinicour final : public SphericalMetric, public ChiMap {
 public:
     static constexpr double kLeast = 0.6;  // of g: at 1/2 the photon sphere meets the singular surface
     explicit JanisNewmanWinicour(double g);
@@ -28,13 +28,10 @@ public:
         return r_g_;
     }  // the singular surface: light ends there as at a horizon
     std::optional<PhotonSphere> photon_sphere() const override { return PhotonSphere{r_g_ / x_c_, q_crit_}; }
-    bool bends_light() const override { return true; }
+    const ChiMap* chi() const override { return this; }
     double chi_from_radius(double r) const override;
     double radius_from_chi(double chi) const override;
     double bending_density(double chi) const override;
-    bool has_orbit_equation() const override { return false; }  // R is not r
-    double half_v_slope(double zeta) const override;
-    double half_v_curvature(double zeta) const override;
 
 private:
     double rest(double r) const;

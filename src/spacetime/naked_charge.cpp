@@ -1,20 +1,8 @@
 #include "spacetime/naked_charge.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace nullscope {
-namespace {
-
-[[noreturn]] void no_chi(const char* function, double argument) {
-    std::fprintf(stderr, "NakedCharge::%s(%.17g): V has no greatest value, hence there is no angle chi\n", function,
-                 argument);
-    std::abort();
-}
-
-}  // namespace
-
 NakedCharge::NakedCharge(double charge) : kappa_(0.25 * charge * charge) {
     const double inside = 1.0 + 8.0 * (1.0 - charge) * (1.0 + charge);  // 9 - 32 kappa
     traps_ = inside >= 0.0;
@@ -28,9 +16,5 @@ std::optional<Wall> NakedCharge::wall() const {
                 {traps_ ? 0.0 : z * (2.0 + z * (-3.0 + 4.0 * kappa_ * z)), 1.0 + z * (-3.0 + 6.0 * kappa_ * z),
                  4.0 * kappa_ * z - 1.0, kappa_}};
 }
-
-double NakedCharge::chi_from_radius(double r) const { no_chi("chi_from_radius", r); }
-double NakedCharge::radius_from_chi(double chi) const { no_chi("radius_from_chi", chi); }
-double NakedCharge::bending_density(double chi) const { no_chi("bending_density", chi); }
 
 }  // namespace nullscope

@@ -5,27 +5,24 @@
 // which rays are trapped: cameras stand outside. Beyond, zeta_d = 3/(8 kappa), where V' is least, is where neighbouring rays come apart
 // fastest. About zeta_d V is the polynomial of wall().
 #pragma once
-#include "spacetime/spacetime.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 
-class NakedCharge final : public Spacetime {
+class NakedCharge final : public SphericalMetric, public OrbitEquation {
 public:
     static constexpr double kMost = 3.0;  // Q/M
     explicit NakedCharge(double charge);  // Q/M > 1
     std::string_view name() const override { return "reissner-nordstrom"; }
     double lapse_squared(double r) const override { return 1.0 + (kappa_ / r - 1.0) / r; }
     RadiusRange camera_range() const override { return {traps_ ? 1.0 / zeta_d_ : 0.0, kAnyRadius}; }
-    std::optional<double> horizon_radius() const override { return std::nullopt; }
-    std::optional<PhotonSphere> photon_sphere() const override { return std::nullopt; }
-    bool bends_light() const override { return true; }
     InnerEnd inner_end() const override { return InnerEnd::kSameSky; }
     std::optional<Wall> wall() const override;
-    double chi_from_radius(double r) const override;
-    double radius_from_chi(double chi) const override;
-    double bending_density(double chi) const override;
+    const OrbitEquation* orbit_equation() const override { return this; }
     double half_v_slope(double zeta) const override { return zeta * (1.0 + zeta * (-1.5 + 2.0 * kappa_ * zeta)); }
     double half_v_curvature(double zeta) const override { return 1.0 + zeta * (-3.0 + 6.0 * kappa_ * zeta); }
+    double lapse_slope(double zeta) const override { return 2.0 * kappa_ * zeta - 1.0; }
+    double lapse_curvature() const override { return 2.0 * kappa_; }
 
 private:
     double kappa_, zeta_d_;

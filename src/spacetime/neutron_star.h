@@ -11,7 +11,7 @@
 
 namespace nullscope {
 
-class NeutronStar final : public Spacetime {
+class NeutronStar final : public SphericalMetric {
 public:
     static constexpr double kLeastRadius = 1.125, kLargestRadius = 1000.0;
     // Nearer than this, of the radius, a horizon of light lies within a few cells of the strip around the transverse direction.
@@ -20,16 +20,11 @@ public:
     std::string_view name() const override { return "neutron-star"; }
     double lapse_squared(double r) const override { return exterior_.lapse_squared(r); }
     RadiusRange camera_range() const override { return {radius_ * (1.0 + kStandoff), kAnyRadius}; }
-    std::optional<double> horizon_radius() const override { return std::nullopt; }
     std::optional<PhotonSphere> photon_sphere() const override { return exterior_.photon_sphere(); }
-    bool bends_light() const override { return true; }
     InnerEnd inner_end() const override { return InnerEnd::kSurface; }
     std::optional<double> surface_radius() const override { return radius_; }
-    double chi_from_radius(double r) const override { return exterior_.chi_from_radius(r); }
-    double radius_from_chi(double chi) const override { return exterior_.radius_from_chi(chi); }
-    double bending_density(double chi) const override { return exterior_.bending_density(chi); }
-    double half_v_slope(double zeta) const override { return exterior_.half_v_slope(zeta); }
-    double half_v_curvature(double zeta) const override { return exterior_.half_v_curvature(zeta); }
+    const ChiMap* chi() const override { return &exterior_; }
+    const OrbitEquation* orbit_equation() const override { return &exterior_; }
 
 private:
     Schwarzschild exterior_;

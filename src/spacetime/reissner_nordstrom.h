@@ -15,11 +15,11 @@
 #include <string>
 
 #include "spacetime/inverse_map.h"
-#include "spacetime/spacetime.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 
-class ReissnerNordstrom final : public Spacetime {
+class ReissnerNordstrom final : public SphericalMetric, public ChiMap, public OrbitEquation {
 public:
     explicit ReissnerNordstrom(double charge);  // Q/M, [0, 1]
     std::string_view name() const override { return "reissner-nordstrom"; }
@@ -27,13 +27,16 @@ public:
     RadiusRange falling_range() const override { return {innermost_, kAnyRadius}; }
     std::optional<double> horizon_radius() const override { return outer_; }
     std::optional<PhotonSphere> photon_sphere() const override { return PhotonSphere{sphere_, q_crit_}; }
-    bool bends_light() const override { return true; }
+    const ChiMap* chi() const override { return this; }
+    const OrbitEquation* orbit_equation() const override { return this; }
     std::optional<LapseRoots> lapse_roots() const override { return LapseRoots{outer_, inner_}; }
     double chi_from_radius(double r) const override;  // r >= horizon; aborts elsewhere
     double radius_from_chi(double chi) const override;
     double bending_density(double chi) const override;
     double half_v_slope(double zeta) const override { return zeta * (1.0 + zeta * (-1.5 + 2.0 * kappa_ * zeta)); }
     double half_v_curvature(double zeta) const override { return 1.0 + zeta * (-3.0 + 6.0 * kappa_ * zeta); }
+    double lapse_slope(double zeta) const override { return 2.0 * kappa_ * zeta - 1.0; }
+    double lapse_curvature() const override { return 2.0 * kappa_; }
 
 private:
     double outside(double zeta) const;

@@ -11,11 +11,11 @@
 #include <memory>
 #include <string>
 
-#include "spacetime/spacetime.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 
-class Schwarzschild final : public Spacetime {
+class Schwarzschild final : public SphericalMetric, public ChiMap, public OrbitEquation {
 public:
     std::string_view name() const override { return "schwarzschild"; }
     double lapse_squared(double r) const override {
@@ -24,13 +24,16 @@ public:
     RadiusRange falling_range() const override { return {0.0, kAnyRadius}; }
     std::optional<double> horizon_radius() const override { return 1.0; }
     std::optional<PhotonSphere> photon_sphere() const override;
-    bool bends_light() const override { return true; }
+    const ChiMap* chi() const override { return this; }
+    const OrbitEquation* orbit_equation() const override { return this; }
     std::optional<LapseRoots> lapse_roots() const override { return LapseRoots{1.0, 0.0}; }
     double chi_from_radius(double r) const override;  // r >= 1; aborts elsewhere
     double radius_from_chi(double chi) const override;
     double bending_density(double chi) const override;
     double half_v_slope(double zeta) const override { return 0.5 * zeta * (2.0 - 3.0 * zeta); }
     double half_v_curvature(double zeta) const override { return 1.0 - 3.0 * zeta; }
+    double lapse_slope(double) const override { return -1.0; }
+    double lapse_curvature() const override { return 0.0; }
 };
 
 std::unique_ptr<Spacetime> make_schwarzschild(const std::map<std::string, double>& parameters);

@@ -5,29 +5,20 @@
 
 namespace nullscope {
 
-SpinPlace spin_place(const Spacetime& spacetime, double r, double theta) {
-    const double a = spacetime.spin(), sine = std::sin(theta), cosine = std::cos(theta);
-    return {a,
-            r,
-            sine,
-            cosine,
-            (r - *spacetime.horizon_radius()) * (r - inner_horizon(spacetime)),
-            r * r + a * a * cosine * cosine,
-            r * r + a * a};
+SpinPlace spin_place(const AxialMetric& metric, double r, double theta) {
+    const double a = metric.a(), sine = std::sin(theta), cosine = std::cos(theta);
+    return {a, r, sine, cosine, metric.delta(r), r * r + a * a * cosine * cosine, r * r + a * a, metric.two_mass(r)};
 }
 
-double inner_horizon(const Spacetime& spacetime) {
-    return spacetime.spin() * spacetime.spin() / *spacetime.horizon_radius();
+double azimuth_ahead(const AxialMetric& metric, double r) {
+    const double gap = metric.outer_horizon() - metric.inner_horizon();
+    return metric.a() / gap * std::log1p(-gap / (r - metric.inner_horizon()));
 }
 
-double azimuth_ahead(const Spacetime& spacetime, double r) {
-    const double outer = *spacetime.horizon_radius(), inner = inner_horizon(spacetime);
-    return spacetime.spin() / (outer - inner) * std::log1p(-(outer - inner) / (r - inner));
-}
-
-double static_limit(const Spacetime& spacetime, double theta) {
-    const double part = 2.0 * spacetime.spin() * std::cos(theta);
-    return 0.5 * (1.0 + std::sqrt((1.0 - part) * (1.0 + part)));
+// Where Delta = a^2 sin^2(theta).
+double static_limit(const AxialMetric& metric, double theta) {
+    const double part = 2.0 * metric.a() * std::cos(theta);
+    return 0.5 * (1.0 + std::sqrt((1.0 - part) * (1.0 + part) - 4.0 * metric.charge2()));
 }
 
 double zamo_lapse2(const SpinPlace& p) {
@@ -46,7 +37,7 @@ std::optional<SpinFrame> static_frame(const SpinPlace& p) {
     return SpinFrame{frame_at_rest(p.delta / p.sigma), swirl};
 }
 
-// In Carter's frame, without motion along theta, r stays where 2 r Delta (1 + v^2) + 4 r a sin(theta) sqrt(Delta) v = (2 r - 1) Sigma: the
+// In Carter's frame, without motion along theta, r stays where 2 r Delta (1 + v^2) + 4 r a sin(theta) sqrt(Delta) v = (2 r - 1) Sigma, 2 r - 1 = Delta': the
 // derivative of (E (r^2 + a^2) - a L)^2 - Delta (r^2 + K) with K = a^2 cos^2 + (L/sin - a E sin)^2, over gamma^2.
 std::optional<SpinFrame> orbiting_frame(const SpinPlace& p, bool with_spin) {
     if (!(p.delta > 0.0)) return std::nullopt;

@@ -1,4 +1,4 @@
-// Frames of observers about a spinning hole, regular where they are.
+// Frames of observers about a rotating hole, regular where they are.
 //
 // With the null vectors of the ingoing coordinates (v, r, theta, phi~), n = -d_r and l = (2 (r^2 + a^2) d_v + 2 a d_phi~ + Delta d_r)/Sigma,
 //     e_0 = (outward n + l/outward)/2,   e_1 = (l/outward - outward n)/2,   e_2 = d_theta/sqrt(Sigma),
@@ -12,8 +12,8 @@
 #pragma once
 #include <optional>
 
+#include "spacetime/axial_metric.h"
 #include "spacetime/radial_frame.h"
-#include "spacetime/spacetime.h"
 
 namespace nullscope {
 
@@ -26,14 +26,14 @@ struct SpinFrame {
 struct SpinPlace {
     double a, r, sine, cosine;
     double delta, sigma, across;  // Delta, a product; Sigma; r^2 + a^2
+    double two_mass;              // 2 m(r)
 };
-SpinPlace spin_place(const Spacetime& spacetime, double r, double theta);
+SpinPlace spin_place(const AxialMetric& metric, double r, double theta);
 
-double inner_horizon(const Spacetime& spacetime);
 // phi~ - phi; r outside the outer horizon.
-double azimuth_ahead(const Spacetime& spacetime, double r);
+double azimuth_ahead(const AxialMetric& metric, double r);
 // Where the ergosphere ends at this theta, r_s.
-double static_limit(const Spacetime& spacetime, double theta);
+double static_limit(const AxialMetric& metric, double theta);
 
 // Outside the outer horizon:
 SpinFrame carter_frame(const SpinPlace& place);  // sees both families of principal light straight outward and inward

@@ -2,17 +2,19 @@
 
 #include <cmath>
 
-#include "spacetime/spin_frame.h"
+#include "spacetime/axial_metric.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 
 double time_ahead(const Spacetime& spacetime, double r) {
     const double zeta = 1.0 / r;
-    if (spacetime.spin() != 0.0) {
-        const double outer = *spacetime.horizon_radius(), inner = inner_horizon(spacetime);
-        return std::log(r) + (outer * std::log1p(-outer * zeta) - inner * std::log1p(-inner * zeta)) / (outer - inner);
+    if (const AxialMetric* metric = spacetime.axial()) {
+        const double outer = metric->outer_horizon(), inner = metric->inner_horizon(), c = metric->charge2();
+        return std::log(r) +
+               ((outer - c) * std::log1p(-outer * zeta) - (inner - c) * std::log1p(-inner * zeta)) / (outer - inner);
     }
-    const auto roots = spacetime.lapse_roots();
+    const auto roots = spacetime.spherical()->lapse_roots();
     if (!roots) return 0.0;
     const double gap = roots->outer - roots->inner, without = 1.0 - roots->inner * zeta, by = gap * zeta / without;
     const double ratio =

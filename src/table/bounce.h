@@ -4,7 +4,7 @@
 // least root above the camera, P = (e - x) Q(x), Q a cubic by division whose constant is d/e; x = e - s^2 leaves dphi = 2 ds/sqrt(Q),
 // taken by Gauss panels that are halved until halving changes nothing: they crowd about the photon sphere by themselves.
 #pragma once
-#include "spacetime/spacetime.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 

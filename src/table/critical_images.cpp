@@ -12,10 +12,10 @@ constexpr double kNear = 0.3;    // chi from the photon sphere: from here on orb
 }  // namespace
 
 CriticalImages critical_images(const RayFan& fan, double inner, double outer) {
-    const Spacetime& spacetime = fan.spacetime();
+    const SphericalMetric& spacetime = fan.spacetime();
     const double least =
         spacetime.horizon_radius().value_or(spacetime.photon_sphere()->radius);  // discs: where there is a horizon
-    const auto chi_of = [&](double r) { return spacetime.chi_from_radius(std::max(r, least)); };
+    const auto chi_of = [&](double r) { return spacetime.chi()->chi_from_radius(std::max(r, least)); };
     // Of a ray next to the critical one: what it sweeps between infinity and chi.
     constexpr double d2 = 1e-12;
     const auto from_infinity = [&](double chi) {

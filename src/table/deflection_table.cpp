@@ -21,7 +21,7 @@ double asinh_difference(double a, double b, double d2) {
 }
 
 // First four Taylor coefficients of G(c) = h(chi)/sin(chi), chi = acos(c), by Chebyshev interpolation on |c| <= 1/4.
-std::array<double, 4> series_about_photon_sphere(const Spacetime& spacetime) {
+std::array<double, 4> series_about_photon_sphere(const SphericalMetric& spacetime) {
     constexpr int n = 24;
     constexpr double kRadius = 0.25;
     std::array<double, n> chebyshev{};
@@ -30,7 +30,7 @@ std::array<double, 4> series_about_photon_sphere(const Spacetime& spacetime) {
             const double angle = kPi * (i + 0.5) / n;
             const double chi = std::acos(kRadius * std::cos(angle));
             chebyshev[j] +=
-                (j == 0 ? 1.0 : 2.0) / n * spacetime.bending_density(chi) / std::sin(chi) * std::cos(j * angle);
+                (j == 0 ? 1.0 : 2.0) / n * spacetime.chi()->bending_density(chi) / std::sin(chi) * std::cos(j * angle);
         }
     }
     std::array<double, 4> a{};
@@ -61,12 +61,12 @@ std::array<double, 4> through_integrals(double d2, double c) {
 }
 
 // h(pi - chi) = h(chi), as wormholes have it: one sheet of turning rays serves both sides.
-bool same_on_both_sides(const Spacetime& spacetime) {
+bool same_on_both_sides(const SphericalMetric& spacetime) {
     constexpr int kSamples = 32;
     constexpr double kSame = 1e-14;  // a few roundings of pi - chi
     for (int i = 1; i < kSamples; ++i) {
-        const double chi = 0.5 * kPi * i / kSamples, h = spacetime.bending_density(chi);
-        if (!(std::fabs(spacetime.bending_density(kPi - chi) - h) <= kSame * h)) return false;
+        const double chi = 0.5 * kPi * i / kSamples, h = spacetime.chi()->bending_density(chi);
+        if (!(std::fabs(spacetime.chi()->bending_density(kPi - chi) - h) <= kSame * h)) return false;
     }
     return true;
 }
@@ -80,8 +80,8 @@ double cell_integral(const Sheet& sheet, int j, F&& f) {
 
 }  // namespace
 
-DeflectionTable::DeflectionTable(const Spacetime& spacetime, int size) : size_(size) {
-    const bool graded = spacetime.logarithm_at_sky();
+DeflectionTable::DeflectionTable(const SphericalMetric& spacetime, int size) : size_(size) {
+    const bool graded = spacetime.chi()->logarithm_at_sky();
     if (graded) size_ = size *= 2;
     const auto a = series_about_photon_sphere(spacetime);
     series_ = {a[0], a[1], a[2], a[3]};

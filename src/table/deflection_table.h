@@ -17,7 +17,7 @@
 #include <memory>
 #include <vector>
 
-#include "spacetime/spacetime.h"
+#include "spacetime/spherical_metric.h"
 #include "table/density_fit.h"
 
 namespace nullscope {
@@ -27,7 +27,7 @@ public:
     static constexpr int kDefaultSize = 96;  // cells along x and along y
 
     // spacetime must have a photon sphere. size >= 8.
-    explicit DeflectionTable(const Spacetime& spacetime, int size = kDefaultSize);
+    explicit DeflectionTable(const SphericalMetric& spacetime, int size = kDefaultSize);
 
     // k = q/q_crit < 1 with one_minus_k2 = 1 - k^2 formed without cancellation; camera outside the photon sphere looking at
     // the angle alpha from the outward radial: angle swept until infinity. alpha in [0, pi].

@@ -10,11 +10,11 @@ struct Lapse {
     double n, n_slope, za, za_slope;
 };
 
-Lapse lapse_at(const Spacetime& spacetime, double zeta) {
+Lapse lapse_at(const SphericalMetric& spacetime, double zeta) {
     if (!(zeta > 0.0)) return {0.0, 0.0, 0.0, 0.0};
-    const double a = spacetime.lapse_squared(1.0 / zeta), half_slope = spacetime.half_v_slope(zeta);
+    const double a = spacetime.lapse_squared(1.0 / zeta), half_slope = spacetime.orbit_equation()->half_v_slope(zeta);
     const double z2a1 = 2.0 * (half_slope - zeta * a), a1 = z2a1 / (zeta * zeta);
-    const double z2a2 = 2.0 * (spacetime.half_v_curvature(zeta) - a - 2.0 * zeta * a1);
+    const double z2a2 = 2.0 * (spacetime.orbit_equation()->half_v_curvature(zeta) - a - 2.0 * zeta * a1);
     return {1.0 - a * (1.0 + zeta) - 0.5 * z2a1, -a1 * (1.0 + zeta) - a - zeta * a1 - 0.5 * z2a2, zeta * a1,
             a1 + z2a2 / zeta};
 }
@@ -28,14 +28,14 @@ struct Ray {
     double q, q_per_delta, sigma;
 };
 
-Rate rate_at(const Spacetime& spacetime, const Ray& ray, const OrbitState& s) {
+Rate rate_at(const SphericalMetric& spacetime, const Ray& ray, const OrbitState& s) {
     const Lapse lapse = lapse_at(spacetime, s.zeta);
     // q - sigma zeta': where it is small, V over the sum.
     const double sum = ray.q + ray.sigma * s.slope;
     const double v = s.zeta > 0.0 ? s.zeta * s.zeta * spacetime.lapse_squared(1.0 / s.zeta) : 0.0;
     const double rest = ray.sigma * s.slope > 0.0 ? v / sum : ray.q - ray.sigma * s.slope;
     if (!(rest > 0.0)) return {0.0, 0.0, 0.0};  // the sky itself, on a ray that has come from it
-    const double first = lapse.n / rest, bend = -spacetime.half_v_slope(s.zeta);
+    const double first = lapse.n / rest, bend = -spacetime.orbit_equation()->half_v_slope(s.zeta);
     const auto along = [&](double zeta, double slope, double q) {
         return (lapse.n_slope * zeta - first * (q - ray.sigma * slope)) / rest -
                (lapse.za_slope * zeta - lapse.za * q / ray.q) / (2.0 * ray.q);
@@ -52,9 +52,12 @@ std::array<double, 2> quintic(double f, double h, std::array<double, 3> low, std
             (b1 + f * (c1 + f * (3 * k3 + f * (4 * k4 + f * 5 * k5)))) / h};
 }
 
-OrbitState between(const Spacetime& spacetime, const OrbitState& low, const OrbitState& high, double f, double h) {
-    const auto bend = [&](const OrbitState& s) { return -spacetime.half_v_slope(s.zeta); };
-    const auto vary = [&](const OrbitState& s) { return -spacetime.half_v_curvature(s.zeta) * s.vary; };
+OrbitState between(const SphericalMetric& spacetime, const OrbitState& low, const OrbitState& high, double f,
+                   double h) {
+    const auto bend = [&](const OrbitState& s) { return -spacetime.orbit_equation()->half_v_slope(s.zeta); };
+    const auto vary = [&](const OrbitState& s) {
+        return -spacetime.orbit_equation()->half_v_curvature(s.zeta) * s.vary;
+    };
     const auto place = quintic(f, h, {low.zeta, low.slope, bend(low)}, {high.zeta, high.slope, bend(high)});
     const auto moved = quintic(f, h, {low.vary, low.vary_slope, vary(low)}, {high.vary, high.vary_slope, vary(high)});
     return {place[0], place[1], moved[0], moved[1]};
@@ -64,7 +67,7 @@ OrbitState between(const Spacetime& spacetime, const OrbitState& low, const Orbi
 
 std::vector<std::array<double, 4>> delay_column(const RayFan& fan, Segment segment, const FanRay& fan_ray,
                                                 std::span<const OrbitState> orbit, double end_per_delta) {
-    const Spacetime& spacetime = fan.spacetime();
+    const SphericalMetric& spacetime = fan.spacetime();
     const bool sky = segment == Segment::kSky;
     const Ray ray{fan_ray.q, -fan_ray.slope / fan_ray.sin_beta * (sky ? 1.0 : -1.0), sky ? 1.0 : -1.0};
     const std::size_t rows = orbit.size() - 1;

@@ -30,15 +30,15 @@ std::array<double, n> powers_through_chebyshev(const F& f) {
 
 }  // namespace
 
-DensityFit::DensityFit(const Spacetime& spacetime) {
+DensityFit::DensityFit(const SphericalMetric& spacetime) {
     constexpr double kWidth = kPi / kPanels;
     const auto panel = [](double low, double high, const auto& h) {
         const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
         return Panel{middle, 1.0 / half,
                      powers_through_chebyshev<kTerms>([&](double t) { return h(middle + half * t); })};
     };
-    const auto from_sky = [&](double chi) { return spacetime.bending_density(chi); };
-    const auto from_end = [&](double rest) { return spacetime.bending_density(kPi - rest); };
+    const auto from_sky = [&](double chi) { return spacetime.chi()->bending_density(chi); };
+    const auto from_end = [&](double rest) { return spacetime.chi()->bending_density(kPi - rest); };
     for (int i = 0; i < kPanels; ++i) inner_.push_back(panel(i * kWidth, (i + 1) * kWidth, from_sky));
     for (int k = 0; k <= kHalvings; ++k) {
         const double high = std::ldexp(kWidth, -k), low = k == kHalvings ? 0.0 : 0.5 * high;

@@ -8,13 +8,13 @@
 #include <array>
 #include <vector>
 
-#include "spacetime/spacetime.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 
 class DensityFit {
 public:
-    explicit DensityFit(const Spacetime& spacetime);
+    explicit DensityFit(const SphericalMetric& spacetime);
     double operator()(double chi) const;  // chi in [0, pi]
 
 private:

@@ -109,9 +109,11 @@ TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, 
         const double a = spacetime.lapse_squared(radii[i]), lapse = std::sqrt(a), scale = parts.gravity ? 1.0 : lapse;
         const MatterVelocity u =
             parts.doppler ? disc_matter(spacetime, radii[i]) : MatterVelocity{1.0 / lapse, 0.0, 0.0};
+        const Equator equator = *spacetime.equator(radii[i]);
+        const double g_rr = equator.radial / equator.across2;
         const double heat = flux[i] > 0.0 ? std::max(0.25 * std::log2(flux[i] / peak), kDark) : kDark;
-        for (const double value : {heat, scale * u.u_t, scale * u.u_phi / (parts.straight ? lapse : 1.0),
-                                   scale * u.u_r * spacetime.radial_stretch2(radii[i])})
+        for (const double value :
+             {heat, scale * u.u_t, scale * u.u_phi / (parts.straight ? lapse : 1.0), scale * u.u_r * g_rr})
             row.texels.push_back(static_cast<float>(value));
     }
     return row;

@@ -19,9 +19,9 @@ constexpr double kLargestStep = 0.08;  // rad; local error 1e-12
 
 using State = OrbitState;  // its derivatives by delta follow the variational equation
 
-State step(const Spacetime& spacetime, const State& s, double h) {
+State step(const OrbitEquation& equation, const State& s, double h) {
     return nystrom_step(s, h, [&](double zeta, double vary) {
-        return std::array{-spacetime.half_v_slope(zeta), -spacetime.half_v_curvature(zeta) * vary};
+        return std::array{-equation.half_v_slope(zeta), -equation.half_v_curvature(zeta) * vary};
     });
 }
 
@@ -31,16 +31,17 @@ using Column = std::array<State, kRows + 1>;
 // so the first half is integrated from the camera and the second half backward from the end, and d(phi_end)/d(delta) is what makes
 // their derivatives meet in the middle. Amplification of the local error: at most exp(phi_end / 2).
 Column integrate(const RayFan& fan, Segment segment, const FanRay& ray, double& end_per_delta) {
-    const Spacetime& spacetime = fan.spacetime();
+    const SphericalMetric& spacetime = fan.spacetime();
+    const OrbitEquation& equation = *spacetime.orbit_equation();
     const bool sky = segment == Segment::kSky;
     const double q = ray.q;
     const double beta_per_delta = sky ? 1.0 : -1.0;  // beta grows away from the shadow's middle
     const double cell = ray.phi_end / kRows;
     const auto advance = [&](State s) {
         // Deep inside the horizon orbits bend faster.
-        const double pace = std::sqrt(std::max(1.0, 0.5 * std::fabs(spacetime.half_v_curvature(s.zeta))));
+        const double pace = std::sqrt(std::max(1.0, 0.5 * std::fabs(equation.half_v_curvature(s.zeta))));
         const int substeps = std::max(1, static_cast<int>(std::ceil(pace * cell / kLargestStep)));
-        for (int j = 0; j < substeps; ++j) s = step(spacetime, s, cell / substeps);
+        for (int j = 0; j < substeps; ++j) s = step(equation, s, cell / substeps);
         return s;
     };
     constexpr int kMiddle = kRows / 2;
@@ -57,13 +58,13 @@ Column integrate(const RayFan& fan, Segment segment, const FanRay& ray, double& 
     for (int i = kRows - 1; i >= kMiddle; --i) back[i] = advance(back[i + 1]);
     const State& f = orbit[kMiddle];
     y = back[kMiddle];
-    const double y_curvature = -spacetime.half_v_slope(y.zeta);
+    const double y_curvature = -equation.half_v_slope(y.zeta);
     end_per_delta = ((f.vary - y.vary) * y.slope - (f.vary_slope + y.vary_slope) * y_curvature) /
                     (y.slope * y.slope + y_curvature * y_curvature);
     for (int i = kMiddle + 1; i <= kRows; ++i) {
         const State& b = back[i];
         orbit[i] = {b.zeta, -b.slope, b.vary + b.slope * end_per_delta,
-                    -(b.vary_slope - spacetime.half_v_slope(b.zeta) * end_per_delta)};
+                    -(b.vary_slope - equation.half_v_slope(b.zeta) * end_per_delta)};
     }
     return orbit;
 }
@@ -71,12 +72,12 @@ Column integrate(const RayFan& fan, Segment segment, const FanRay& ray, double& 
 // One column: texels (Z, Z_d, Z_v, Z_dv) at v = 0 ... 1, derivatives by delta and by v.
 std::vector<std::array<double, 4>> places(const RayFan& fan, Segment segment, const FanRay& ray, const Column& orbit,
                                           double end_per_delta) {
-    const Spacetime& spacetime = fan.spacetime();
+    const OrbitEquation& equation = *fan.spacetime().orbit_equation();
     std::vector<std::array<double, 4>> texels(kRows + 1);
     for (int i = 0; i <= kRows; ++i) {
         const double v = static_cast<double>(i) / kRows;
         const State& o = orbit[i];
-        const double curvature = -spacetime.half_v_slope(o.zeta);
+        const double curvature = -equation.half_v_slope(o.zeta);
         double z = o.zeta, z_v = o.slope * ray.phi_end;
         double z_d = o.vary + o.slope * v * end_per_delta;
         double z_dv = ray.phi_end * (o.vary_slope + curvature * v * end_per_delta) + o.slope * end_per_delta;

@@ -16,7 +16,7 @@ constexpr double kNoAngle = 1e-300;    // stands for the dividing ray itself
 double square(double x) { return x * x; }
 }  // namespace
 
-RayFan::RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r,
+RayFan::RayFan(std::shared_ptr<const SphericalMetric> spacetime, std::shared_ptr<const DeflectionTable> table, double r,
                RadialFrame frame, double pixel)
     : spacetime_(std::move(spacetime)),
       table_(std::move(table)),
@@ -31,7 +31,7 @@ RayFan::RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const
     if (const auto wall = spacetime_->wall()) {
         divide_at_wall(*wall);
     } else {
-        chi0_ = inside_ ? M_PI : spacetime_->chi_from_radius(r);
+        chi0_ = inside_ ? M_PI : spacetime_->chi()->chi_from_radius(r);
         q_crit_ = spacetime_->photon_sphere()->q_crit;
         const double v_over_q2 = v0 / square(q_crit_);
         photon_ = divides_ =
@@ -40,7 +40,7 @@ RayFan::RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const
     tube_out_ = spacetime_->tube_beyond(r);
     tube_in_ = spacetime_->tube_beyond(-kAnyRadius) - tube_out_;
     if (const auto surface = spacetime_->surface_radius()) {
-        chi_end_ = spacetime_->chi_from_radius(*surface);
+        chi_end_ = spacetime_->chi()->chi_from_radius(*surface);
         grazes_ = chi_end_ < M_PI / 2;  // the surface hides the photon sphere: V(surface) is what divides
         const double sine = std::sin(chi_end_);
         if (grazes_)

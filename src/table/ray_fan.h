@@ -15,7 +15,7 @@
 #include <optional>
 
 #include "spacetime/radial_frame.h"
-#include "spacetime/spacetime.h"
+#include "spacetime/spherical_metric.h"
 #include "table/bounce.h"
 #include "table/deflection_table.h"
 
@@ -37,7 +37,7 @@ class RayFan {
 public:
     // frame: of a camera at radius r. The table must belong to the spacetime; nullptr where there is a wall. pixel: angle that the
     // frame's smallest pixel spans, rad: deep zooms get finer cells next to the critical ray.
-    RayFan(std::shared_ptr<const Spacetime> spacetime, std::shared_ptr<const DeflectionTable> table, double r,
+    RayFan(std::shared_ptr<const SphericalMetric> spacetime, std::shared_ptr<const DeflectionTable> table, double r,
            RadialFrame frame, double pixel = 1.0);
 
     bool beyond() const { return c_ > 0.0; }            // of where the dividing ray winds: outside the photon sphere
@@ -73,7 +73,7 @@ public:
     double swept_inside(double q) const;
     const DeflectionTable& table() const { return *table_; }  // where there is one
     bool has_table() const { return table_ != nullptr; }
-    const Spacetime& spacetime() const { return *spacetime_; }
+    const SphericalMetric& spacetime() const { return *spacetime_; }
 
     // Distance from the critical direction, relative to its angle, below which windings are no longer told apart: 1e-6 of the
     // shadow's radius is 0.004 px for a shadow that fills a 4K screen. Less for pixels of less than 1/kPixelPart of that, in steps
@@ -90,7 +90,7 @@ private:
     Place place_at(Segment segment, double delta) const;
     void divide_at_wall(const Wall& wall);
     double to_surface(double k, double one_minus_k2, double one_minus_kd2, double alpha, double beta) const;
-    std::shared_ptr<const Spacetime> spacetime_;
+    std::shared_ptr<const SphericalMetric> spacetime_;
     std::shared_ptr<const DeflectionTable> table_;
     RadialFrame frame_;
     double r_, radius_, zeta0_, chi0_ = 0, q_crit_, theta_c_, c_, w0_;

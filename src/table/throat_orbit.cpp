@@ -108,7 +108,7 @@ State advance(const Pull& pull, State s, double cell) {
 
 }  // namespace
 
-ThroatShape::ThroatShape(const Spacetime& spacetime)
+ThroatShape::ThroatShape(const SphericalMetric& spacetime)
     : spacetime_(spacetime),
       throat_(spacetime.length_unit()),
       mu_(spacetime.logarithm_length() / throat_),

@@ -19,7 +19,7 @@ using OrbitColumn =
 
 class ThroatShape {
 public:
-    explicit ThroatShape(const Spacetime& spacetime);
+    explicit ThroatShape(const SphericalMetric& spacetime);
     double throat() const { return throat_; }
     double mu() const { return mu_; }
     double angle(double length) const;        // W of L
@@ -37,7 +37,7 @@ public:
     double flare() const { return flare_; }  // |L| beyond that over which R changes its course
 
 private:
-    const Spacetime& spacetime_;
+    const SphericalMetric& spacetime_;
     double throat_, mu_, rim_, flare_;
 };
 

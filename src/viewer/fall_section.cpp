@@ -19,15 +19,15 @@ bool hold(ViewState& view, ObserverKind observer, const Spacetime& spacetime) {
     held.observer = observer;
     held.velocity = {};
     // In an ergosphere nobody is at rest; without angular momentum one can stay there.
-    if (observer == ObserverKind::kStatic && spacetime.spin() != 0.0 && !observer_of(spacetime, held))
+    if (observer == ObserverKind::kStatic && !spacetime.planar_rays() && !observer_of(spacetime, held))
         held.observer = ObserverKind::kZamo;
     if (const auto possible = observer_of(spacetime, held); !possible) {
         view.error = possible.error().message;
         return false;
     }
     if (falls(view.scene.camera)) view.scene.time -= time_ahead(spacetime, held.r);  // t again
-    if (spacetime.spin() != 0.0 && falls(view.scene.camera))
-        held.phi -= azimuth_ahead(spacetime, held.r);  // where the far sky has it
+    if (spacetime.axial() != nullptr && falls(view.scene.camera))
+        held.phi -= azimuth_ahead(*spacetime.axial(), held.r);  // where the far sky has it
     view.scene.camera = held;
     view.fall.stop();
     return true;

@@ -96,19 +96,11 @@ double free_fall_speed(const Spacetime& spacetime, double r) {
     return std::sqrt(std::max(0.0, 1.0 - spacetime.lapse_squared(r)));
 }
 
-// v^2 = r A'/(2A); with d(A zeta^2)/dzeta / 2 = zeta A + zeta^2 (dA/dzeta)/2 it is 1 - half_v_slope/(zeta A).
+// As a camera without angular momentum sees it: its gamma v is L over the circumference's radius.
 std::optional<double> circular_orbit_speed(const Spacetime& spacetime, double r) {
-    if (spacetime.spin() !=
-        0.0) {  // in the direction of the spin, as a camera without angular momentum sees it: gamma = lapse u^t
-        const auto orbit = circular_orbit(spacetime, r);
-        if (!orbit) return std::nullopt;
-        return std::sqrt(std::max(0.0, 1.0 - 1.0 / (spacetime.lapse_squared(r) * orbit->u_t * orbit->u_t)));
-    }
-    if (!spacetime.has_orbit_equation()) return std::nullopt;  // wormholes: nothing is drawn to them
-    const double zeta = 1.0 / r;
-    const double v2 = 1.0 - spacetime.half_v_slope(zeta) / (zeta * spacetime.lapse_squared(r));
-    if (!(v2 > 0.0 && v2 < 1.0)) return std::nullopt;
-    return std::sqrt(v2);
+    const auto orbit = circular_orbit(spacetime, r);
+    if (!orbit || !(orbit->momentum > 0.0)) return std::nullopt;  // wormholes, flat space: nothing is drawn anywhere
+    return orbit->momentum / (orbit->u_t * std::sqrt(spacetime.equator(r)->across2));
 }
 
 }  // namespace nullscope::viewer

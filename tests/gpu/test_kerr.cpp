@@ -5,8 +5,8 @@
 
 #include "camera/spin_forms.h"
 #include "reference/frame_tracer.h"
-#include "spacetime/registry.h"
 #include "support/gpu_session.h"
+#include "support/metrics.h"
 
 namespace {
 
@@ -39,7 +39,7 @@ double edge_off_px(GpuSession& session, double spin, const Edge& edge, double sh
     CameraSpec& camera = scene.camera;
     camera.r = kFar;
     camera.theta = M_PI / 2;
-    const auto spacetime = *make_spacetime("kerr", scene.spacetime.parameters);
+    const auto spacetime = axial(*make_spacetime("kerr", scene.spacetime.parameters));
     const SpinPlace place = spin_place(*spacetime, camera.r, camera.theta);
     const SpinForms f = spin_forms(place, zamo_frame(place));
     const double lambda = 0.5 * edge.lambda;  // r_s

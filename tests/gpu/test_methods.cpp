@@ -5,8 +5,8 @@
 
 #include "base/assets.h"
 #include "render/frontier.h"
-#include "spacetime/registry.h"
 #include "support/gpu_session.h"
+#include "support/metrics.h"
 
 namespace {
 
@@ -102,7 +102,7 @@ TEST_CASE("methods: a tolerance that nothing meets is refused with the smallest 
 
 // The filter of many GPUs has weights of 8 bits: the remainder R is flat enough that this costs no more than its bound.
 TEST_CASE("methods: hardware filtering with weights of 8 bits, emulated") {
-    const auto spacetime = *make_spacetime("schwarzschild", {});
+    const auto spacetime = spherical("schwarzschild");
     const DeflectionTable table(*spacetime);
     constexpr int kSize = 512;
     constexpr double kBound_rad =

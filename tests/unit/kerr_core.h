@@ -9,7 +9,7 @@
 #include "camera/spin_forms.h"
 #include "reference/kerr_ray.h"
 #include "shadercore/core_trace.h"
-#include "spacetime/registry.h"
+#include "support/metrics.h"
 
 namespace nullscope::test {
 
@@ -21,12 +21,12 @@ struct KerrView {
 // rims: of an opaque disc.
 inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float,
                           std::optional<std::array<double, 2>> rims = {}, Vec3 velocity = {0, 0, 0}) {
-    const auto spacetime = *make_spacetime("kerr", {{"spin", spin}});
+    const auto spacetime = kerr(spin);
     const SpinPlace place = spin_place(*spacetime, view.r, view.theta);
     const SpinForms f = spin_forms(place, zamo_frame(place));
     CoreInput input;
     FrameData& frame = input.frame;
-    const double a = spacetime->spin(), outer = *spacetime->horizon_radius(), cosine = std::cos(view.theta),
+    const double a = spacetime->a(), outer = spacetime->outer_horizon(), cosine = std::cos(view.theta),
                  speed = length(velocity);
     frame.image = {1, 1, 1e-6, 1};
     frame.ray_0 = {view.look.x, view.look.y, view.look.z, 0};
@@ -43,7 +43,7 @@ inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float,
     frame.spin_across = {f.across.constant, f.across.radial, f.across.around, f.carter};
     frame.spin_climb = {f.climb.constant, f.climb.radial, f.climb.around, f.carter_slope};
     frame.spin_place = {std::sin(view.theta), std::fabs(cosine) < 1e-12 ? 0.0 : cosine, 1, 0};
-    frame.spin_turn = {azimuth_ahead(*spacetime, view.r), a / (outer - inner_horizon(*spacetime)), 0, 0};
+    frame.spin_turn = {azimuth_ahead(*spacetime, view.r), a / (outer - spacetime->inner_horizon()), 0, 0};
     input.lensing = false, input.spin = true, input.aberration = speed > 0;
     return in_float ? trace_core32(input, 0, 0) : trace_core64(input, 0, 0);
 }

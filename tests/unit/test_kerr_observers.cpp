@@ -9,17 +9,17 @@
 #include "scene/observer.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
+#include "support/metrics.h"
 
 namespace {
 
 using namespace nullscope;
+using test::kerr;
 using enum ObserverKind;
 using Components = std::array<long double, 4>;
 
 constexpr double kPromised = 1e-12;  // of products of a tetrad, and of constants of motion
 constexpr ObserverKind kAll[] = {kStatic, kZamo, kCarter, kOrbit, kCounterOrbit, kRain, kFall, kThrow};
-
-std::shared_ptr<const Spacetime> kerr(double spin) { return *make_spacetime("kerr", {{"spin", spin}}); }
 
 CameraSpec camera_at(double r, double theta, ObserverKind observer, Vec3 velocity = {}) {
     CameraSpec camera;
@@ -92,7 +92,7 @@ TEST_CASE("kerr observers: each has the constants of motion that define it") {
                     CAPTURE(std::string(observer_name(kind)));
                     const Components u = row(*tetrad, 0);
                     const Constants c = constants(*spacetime, camera, u);
-                    const double a = spacetime->spin(), scale = kPromised * (1 + std::fabs(c.energy) * r);
+                    const double a = spacetime->a(), scale = kPromised * (1 + std::fabs(c.energy) * r);
                     CHECK(std::fabs(c.p_theta) < scale);
                     if (kind == kStatic)
                         CHECK(std::fabs(static_cast<double>(u[3])) + std::fabs(static_cast<double>(u[1])) < kPromised);
@@ -160,7 +160,7 @@ TEST_CASE("kerr observers: the forms of a look direction are the photon of the t
 }
 
 TEST_CASE("kerr observers: without spin the frames are those of the radial observers") {
-    const auto slow = kerr(1e-12), none = kerr(0);
+    const std::shared_ptr<const Spacetime> slow = kerr(1e-12), none = *make_spacetime("kerr", {{"spin", 0.0}});
     for (const double r : {0.2, 0.7, 1.3, 2.0, 5.0, 7.9})
         for (const ObserverKind kind : kAll) {
             const CameraSpec camera = camera_at(r, 1.1, kind, {0.1, 0.2, -0.3});

@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "reference/orbit.h"
-#include "spacetime/registry.h"
+#include "support/metrics.h"
 #include "table/ray_fan.h"
 
 namespace {
@@ -15,13 +15,13 @@ using namespace nullscope;
 constexpr double kDegree = M_PI / 180.0;
 
 struct World {
-    std::shared_ptr<const Spacetime> spacetime;
+    std::shared_ptr<const SphericalMetric> spacetime;
     std::shared_ptr<const DeflectionTable> table;
     std::shared_ptr<reference::OrbitMetric> reference;
 };
 World world_of(const std::string& metric, const std::map<std::string, double>& parameters = {}) {
     World world;
-    world.spacetime = *make_spacetime(metric, parameters);
+    world.spacetime = test::spherical(metric, parameters);
     world.table = std::make_shared<const DeflectionTable>(*world.spacetime);
     auto orbits = reference::make_orbit_metric({metric, parameters});
     REQUIRE(orbits);

@@ -14,14 +14,14 @@
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
 #include "spacetime/spin_frame.h"
+#include "support/metrics.h"
 
 namespace {
 
 using namespace nullscope;
+using test::kerr;
 
 constexpr double kConserved = 1e-10;  // what is promised of E, L, K and u . u
-
-std::shared_ptr<const Spacetime> kerr(double spin) { return *make_spacetime("kerr", {{"spin", spin}}); }
 
 CameraSpec camera_at(double r, double theta, ObserverKind observer, Vec3 velocity = {}) {
     CameraSpec camera;
@@ -114,7 +114,7 @@ TEST_CASE(
 TEST_CASE("spin worldline: a camera without spin is the plane orbit's, axes and all") {
     const CameraSpec start = camera_at(4, 1.1, ObserverKind::kStatic, {-0.2, 0.15, 0.25});
     const auto spun = SpinWorldline::make(kerr(1e-9), start, 12);
-    const auto plane = Worldline::make(kerr(0), start, 12);
+    const auto plane = Worldline::make(*make_spacetime("kerr", {{"spin", 0.0}}), start, 12);
     REQUIRE(spun);
     REQUIRE(plane);
     CHECK(spun->reaches_inner_horizon());

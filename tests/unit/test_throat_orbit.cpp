@@ -8,7 +8,7 @@
 
 #include "reference/orbit.h"
 #include "spacetime/radial_frame.h"
-#include "spacetime/registry.h"
+#include "support/metrics.h"
 #include "table/throat_orbit.h"
 
 namespace {
@@ -16,13 +16,13 @@ namespace {
 using namespace nullscope;
 
 struct World {
-    std::shared_ptr<const Spacetime> spacetime;
+    std::shared_ptr<const SphericalMetric> spacetime;
     std::shared_ptr<const DeflectionTable> table;
     std::shared_ptr<reference::OrbitMetric> reference;
 };
 World world_of(const std::string& metric, const std::map<std::string, double>& parameters) {
     World world;
-    world.spacetime = *make_spacetime(metric, parameters);
+    world.spacetime = test::spherical(metric, parameters);
     world.table = std::make_shared<const DeflectionTable>(*world.spacetime);
     world.reference = std::move(*reference::make_orbit_metric({metric, parameters}));
     return world;

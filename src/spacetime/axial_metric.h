@@ -1,0 +1,42 @@
+// What a rotating metric of Kerr's form has beyond Spacetime, in Boyer and Lindquist's coordinates:
+//     Delta = r^2 - 2 m(r) r + a^2,   Sigma = r^2 + a^2 cos^2(theta),   2 m(r) = 1 - charge2/r  (units r_s = 1, M = 1/2),
+//     ds^2 = -(1 - 2 m r/Sigma) dt^2 - (4 m a r sin^2/Sigma) dt dphi + Sigma/Delta dr^2 + Sigma dtheta^2
+//            + (r^2 + a^2 + 2 m a^2 r sin^2/Sigma) sin^2 dphi^2.
+// charge2 = (Q/2M)^2 is 0 for Kerr (1963) and above 0 for Kerr and Newman (1965). a: angular momentum per mass, r_s.
+//
+// No ray stays in a plane and there is no photon sphere; light is traced by shaders/core/kerr.glsl. Who can hold a
+// camera: spin_frame.h.
+#pragma once
+#include "spacetime/spacetime.h"
+
+namespace nullscope {
+
+class AxialMetric : public Spacetime {
+public:
+    const AxialMetric* axial() const final { return this; }
+    double a() const { return a_; }
+    double charge2() const { return charge2_; }
+    double outer_horizon() const { return outer_; }
+    double inner_horizon() const { return inner_; }
+    double delta(double r) const { return (r - outer_) * (r - inner_); }  // a product: exact next to a horizon
+    double two_mass(double r) const { return 1.0 - charge2_ / r; }        // 2 m(r)
+
+    double lapse_squared(double r) const final;
+    std::optional<double> horizon_radius() const final { return outer_; }
+    RadiusRange falling_range() const final { return {inner_, kAnyRadius}; }
+    bool knows_light_time() const final { return true; }
+    bool can_have_disc() const final { return true; }
+    bool can_have_bodies() const final { return true; }
+    Matrix4 metric(double r, double theta) const final;
+    Matrix4 inverse_metric(double r, double theta) const final;
+    std::optional<Equator> equator(double r) const final;
+
+protected:
+    // Of M: a/M in (0, 1), Q/M >= 0 with (a/M)^2 + (Q/M)^2 < 1.
+    AxialMetric(double spin_over_mass, double charge_over_mass);
+
+private:
+    double a_, charge2_, outer_, inner_;
+};
+
+}  // namespace nullscope
