@@ -220,9 +220,10 @@ Status measure_costs(Session& session, Scene scene, int frames, std::vector<Row>
             session.renderer->set_method(row.method);
             if (Status ready = session.renderer->prepare(scene); !ready) return ready;
             if (frame < 0) {
-                row.build_ms = session.renderer->tables().table_ms() +
-                               (row.method.kind == MethodKind::kTable ? session.renderer->gpu_table_ms() : 0.0) +
-                               (row.method.kind == MethodKind::kStrip ? session.renderer->tables().rows_ms() : 0.0);
+                row.build_ms =
+                    session.renderer->tables().path().table_ms +
+                    (row.method.kind == MethodKind::kTable ? session.renderer->gpu_table_ms() : 0.0) +
+                    (row.method.kind == MethodKind::kStrip ? session.renderer->tables().path().rows_ms : 0.0);
                 for (const auto& line : session.renderer->textures())
                     if (line.name == (row.method.kind == MethodKind::kStrip ? "strip" : "deflection table"))
                         row.bytes = line.bytes;

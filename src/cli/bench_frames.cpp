@@ -71,14 +71,14 @@ Result<JsonObject> measure(Bench& bench, const Scene& scene, int frames) {
     row.add("width", w).add("height", h).add("frames", frames);
     row.add("median_ms", median(picture.wall_ms)).add("min_ms", *low).add("max_ms", *high);
     row.add("core_seconds", core).add("compile_ms", first_ms);
-    row.add("table_ms", renderer.tables().table_ms() + renderer.tables().rows_ms());
+    row.add("table_ms", renderer.tables().path().table_ms + renderer.tables().path().rows_ms);
     row.add("floor_ratio", core / median(floor.core_s)).add("fetch_ratio", core / median(fetch.core_s));
     row.add("floor_core_seconds", median(floor.core_s));
     fmt::print(
         "{:<18} {:7.2f} ms ({:.2f} to {:.2f})  {:.4f} core-s  {:5.2f} x floor  {:5.2f} x fetch  first frame {:.0f} ms, "
         "tables {:.1f} ms\n",
         scene.name, median(picture.wall_ms), *low, *high, core, core / median(floor.core_s),
-        core / median(fetch.core_s), first_ms, renderer.tables().table_ms() + renderer.tables().rows_ms());
+        core / median(fetch.core_s), first_ms, renderer.tables().path().table_ms + renderer.tables().path().rows_ms);
     return row;
 }
 

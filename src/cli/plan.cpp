@@ -1,5 +1,6 @@
 // nullscope plan: the chain from a scene to its picture, with what in the scene calls for each link. Needs no OpenGL but to measure.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -44,33 +45,27 @@ struct Plan {
 
 long long bytes_of(std::size_t bytes) { return static_cast<long long>(bytes); }
 
+// What calls for a table of the light's path, by its name.
+std::string reason_of(std::string_view name, const Scene& scene) {
+    if (name == "delay map") return fmt::format("{}", fmt::join(moving_parts(scene), ", "));
+    if (name != "orbit map") return fmt::format("camera.r = {}", scene.camera.r);
+    std::vector<std::string> objects;
+    if (scene.disc) objects.emplace_back("[disc]");
+    if (scene.sphere) objects.emplace_back("[sphere]");
+    if (scene.cylinder) objects.emplace_back("[cylinder]");
+    if (scene.ball) objects.emplace_back("[ball]");
+    if (scene.surface) objects.emplace_back("[surface]");
+    return fmt::format("{}", fmt::join(objects, ", "));
+}
+
 void add_tables(const FrameTables& tables, const Scene& scene, std::vector<Line>& lines) {
-    const DeflectionTable* table = tables.table();
-    if (tables.fan() == nullptr) return;
-    const std::string metric = fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric);
-    const TexelGrid &strip = tables.strip(), &ends = tables.ends(), &map = tables.orbit_map();
-    if (table != nullptr)
-        lines.push_back(
-            {"deflection table", 3, table->size() + 1, table->size() + 1, bytes_of(table->bytes()), "host", metric});
-    const std::string radius = fmt::format("camera.r = {}", scene.camera.r);
-    lines.push_back({"strip", 1, strip.width, strip.height, bytes_of(strip.bytes()), "GPU", radius});
-    if (ends.width > 0)
-        lines.push_back({"ray ends", 1, ends.width, ends.height, bytes_of(ends.bytes()),
-                         meets_objects(tables.effects()) ? "GPU" : "host", radius});
-    const char* objects[] = {scene.disc ? "[disc]" : "", scene.sphere ? "[sphere]" : "",
-                             scene.cylinder ? "[cylinder]" : "", scene.ball ? "[ball]" : "",
-                             scene.surface ? "[surface]" : ""};
-    std::string reason;
-    for (const std::string object : objects)
-        if (!object.empty()) reason += (reason.empty() ? "" : ", ") + object;
-    const TexelGrid& lens = tables.star_lens();
-    if (lens.width > 0)
-        lines.push_back({"star lens", 1, lens.width, lens.height, bytes_of(lens.bytes()), "GPU", radius});
-    if (map.width > 0) lines.push_back({"orbit map", 1, map.width, map.height, bytes_of(map.bytes()), "GPU", reason});
-    const std::string moving = fmt::format("{}", fmt::join(moving_parts(scene), ", "));
-    const TexelGrid& delays = tables.delay_map();
-    if (delays.width > 0)
-        lines.push_back({"delay map", 1, delays.width, delays.height, bytes_of(delays.bytes()), "GPU", moving});
+    if (const DeflectionTable* table = tables.path().table())
+        lines.push_back({"deflection table", 3, table->size() + 1, table->size() + 1, bytes_of(table->bytes()), "host",
+                         fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
+    for (const auto& [name, texels] : tables.path().tables())
+        lines.push_back({std::string(name), 1, texels->width, texels->height, bytes_of(texels->bytes()),
+                         name == "ray ends" && !meets_objects(tables.effects()) ? "host" : "GPU",
+                         reason_of(name, scene)});
     if (const BallPath* path = tables.ball_path())
         lines.push_back(
             {"ball's way", 1, path->row.width, path->row.height, bytes_of(path->row.bytes()), "GPU", "ball.motion"});

@@ -4,15 +4,12 @@
 #include <cmath>
 
 #include "camera/pose.h"
-#include "camera/spin_forms.h"
 #include "light/black_body.h"
 #include "render/body_numbers.h"
 #include "render/moving_numbers.h"
 #include "scene/ray.h"
 #include "sky/packed_sky.h"
 #include "sky/point_stars.h"
-#include "spacetime/spherical_metric.h"
-#include "table/critical_images.h"
 #include "table/disc_light.h"
 #include "table/star_lens.h"
 
@@ -21,11 +18,6 @@ namespace {
 
 // |cos theta| below which a camera stands in the disc's plane (interfaces: rays out)
 constexpr double kInPlane = 1e-12;
-
-double plane_height(const CameraSpec& camera) {
-    const double height = std::cos(camera.theta);
-    return std::fabs(height) < kInPlane ? 0.0 : height;
-}
 
 // Factor on the light of a sky of this temperature, where g is the same over all of it; for a moving camera one over the colour that
 // it has without any shift, of luminance 1.
@@ -81,15 +73,6 @@ void put_view(FrameData& frame, const Scene& scene, const Observer& observer, co
     frame.transverse = {world * transverse, 0};
 }
 
-void put_fan(FrameData& frame, const RayFan& fan, bool comes_back) {
-    const auto series = fan.has_table() ? fan.table().series() : DeflectionTable::Series{};
-    const int sky = fan.octaves(Segment::kSky), captured = sky + fan.octaves(Segment::kCaptured);
-    frame.strip = {fan.critical_cosine(), fan.critical_sine(), 1.0 / fan.w0(), static_cast<double>(sky)};
-    frame.orbit = {std::sin(fan.critical_angle()), std::cos(fan.chi0()), series.a0, series.a1};
-    frame.series = {series.a2, fan.chi0(), static_cast<double>(comes_back ? captured : 0),
-                    comes_back ? std::tan(0.25 * fan.critical_angle()) : 0};
-}
-
 void put_sky(FrameData& frame, const TextureFacts& textures) {
     const int size = std::max(textures.sky_size, 1);
     if (textures.two_skies)
@@ -101,7 +84,7 @@ void put_sky(FrameData& frame, const TextureFacts& textures) {
     frame.point_spread = {M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0};
 }
 
-void put_disc(FrameData& frame, const Scene& scene, const RayFan* fan, const TextureFacts& textures) {
+void put_disc(FrameData& frame, const Scene& scene, const TextureFacts& textures) {
     const DiscSpec disc = scene.disc.value_or(DiscSpec{});
     frame.disc_normal = {{0, 0, 1}, plane_height(scene.camera)};
     frame.disc_x = {{1, 0, 0}, scene.disc ? disc.inner : 1e30};  // no disc: no radius is on it
@@ -110,28 +93,20 @@ void put_disc(FrameData& frame, const Scene& scene, const RayFan* fan, const Tex
     frame.disc_map = {std::cos(disc.rotation) / (2 * disc.outer), std::sin(disc.rotation) / (2 * disc.outer),
                       textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1))};
     frame.disc_look = {disc.opacity, disc.edge, disc.brightness, static_cast<double>(disc.passed)};
-    const CriticalImages images = fan != nullptr ? critical_images(*fan, disc.inner, disc.outer) : CriticalImages{};
-    frame.critical = {images.inner, images.outer, images.per_angle * M_LOG2E, images.from_angle};
     const double hottest_K = textures.disc_temperature_K.value_or(disc.temperature_K);
     if (disc.emission == DiscEmission::kThermal)
         frame.disc_heat = {1.0 / disc.inner, kDiscFlowCells / std::log(disc.outer / disc.inner), std::log2(hottest_K),
                            log2_brightness(hottest_K, scene.light.bolometric)};
 }
 
-void put_spin(FrameData& frame, const CameraSpec& camera, const AxialMetric& metric, const Observer& observer) {
-    const SpinForms forms = spin_forms(spin_place(metric, camera.r, camera.theta), {observer.frame, observer.swirl});
-    const double a = metric.a(), outer = metric.outer_horizon(), inner = metric.inner_horizon();
-    frame.spin_hole = {a, a * a, outer, inner};
-    frame.spin_energy = {forms.energy.constant, forms.energy.radial, forms.energy.around, forms.p_theta};
-    frame.spin_across = {forms.across.constant, forms.across.radial, forms.across.around, forms.carter};
-    frame.spin_climb = {forms.climb.constant, forms.climb.radial, forms.climb.around, forms.carter_slope};
-    frame.spin_place = {std::sin(camera.theta), plane_height(camera), std::cos(camera.phi), std::sin(camera.phi)};
-    frame.spin_turn = {camera.r > outer ? azimuth_ahead(metric, camera.r) : 0.0, a / (outer - inner), 0, 0};
-}
-
 }  // namespace
 
-FrameData frame_numbers(const FramePlan& plan, const RayFan* fan, const TextureFacts& textures,
+double plane_height(const CameraSpec& camera) {
+    const double height = std::cos(camera.theta);
+    return std::fabs(height) < kInPlane ? 0.0 : height;
+}
+
+FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,
                         const BallPath* ball_path) {
     const Scene& scene = plan.scene;
     const Spacetime &spacetime = *plan.light, &matter = *plan.matter;
@@ -139,21 +114,18 @@ FrameData frame_numbers(const FramePlan& plan, const RayFan* fan, const TextureF
     const CameraSpec& camera = scene.camera;
     const Mat3 world = world_from_static(camera.theta, camera.phi);
     // Where light goes straight its frame is at rest and A = 1. What g then lacks, or has too much without gravity's part, is a factor.
-    const bool straight = plan.straight(), spins = !spacetime.planar_rays();
-    const RadialFrame radial = straight || spins ? RadialFrame{} : observer.frame;
+    const auto [axes, radial] = path.start(plan, world);
     const double g_gravity =
         scene.light.gravity ? 1.0 / observer.frame.energy() : 1.0;  // switched off with observers at rest only
-    const double g_factor = straight || !scene.light.gravity ? g_gravity * radial.energy() : 1.0;
-    const Mat3 shown = spins ? Mat3{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : world;  // axes of view directions and of motion
+    const double g_factor = plan.straight() || !scene.light.gravity ? g_gravity * radial.energy() : 1.0;
     FrameData frame;
-    put_view(frame, scene, observer, shown, world, fan, g_factor);
+    put_view(frame, scene, observer, axes, world, path.fan(), g_factor);
     const auto horizon = spacetime.horizon_radius();
     const Fate lost = horizon && camera.r <= *horizon ? Fate::kNoSky : inner_fate(spacetime.inner_end());
     frame.shift = {radial.energy(), 1.0 / matter.areal_radius(camera.r), radial.infall(), static_cast<double>(lost)};
-    if (fan != nullptr) put_fan(frame, *fan, spacetime.inner_end() == InnerEnd::kSameSky);
     const auto sky_K = scene.sky.temperature_K;
     const double speed = length(observer.velocity), stretch = std::sqrt((1.0 + speed) / (1.0 - speed));
-    frame.boost = {speed > 0.0 ? shown * (observer.velocity / speed) : Vec3{1, 0, 0},
+    frame.boost = {speed > 0.0 ? axes * (observer.velocity / speed) : Vec3{1, 0, 0},
                    scene.light.aberration ? stretch : 1.0};
     frame.boost_colour = {scene.light.doppler ? stretch : 1.0,
                           sky_K ? log2_brightness(*sky_K, scene.light.bolometric) : 0.0, 0, 0};
@@ -162,15 +134,12 @@ FrameData frame_numbers(const FramePlan& plan, const RayFan* fan, const TextureF
         frame.sky_light = {sky_light(scene.light, *sky_K, g_gravity, motion_is_seen(matter, observer, scene)),
                            std::log2(*sky_K)};
     put_sky(frame, textures);
-    put_disc(frame, scene, fan, textures);
+    put_disc(frame, scene, textures);
     frame.bloom = {scene.picture.bloom, 0, 0, 0};
-    put_bodies(frame, scene, spacetime, fan, ball_path);
+    put_bodies(frame, scene, spacetime, path.fan(), ball_path);
     put_patterns(frame, scene);
     put_moving(frame, plan, ball_path);
-    if (const AxialMetric* metric = spacetime.axial()) put_spin(frame, camera, *metric, observer);
-    if (spacetime.by_proper_length())
-        frame.throat = {spacetime.length_unit(), spacetime.spherical()->logarithm_length() / spacetime.length_unit(), 0,
-                        0};
+    path.write(plan, frame);
     return frame;
 }
 

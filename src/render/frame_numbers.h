@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "render/ball_path.h"
+#include "render/light_path.h"
 #include "scene/frame_plan.h"
 #include "shadercore/frame_data.h"
-#include "table/ray_fan.h"
 
 namespace nullscope {
 
@@ -16,8 +16,11 @@ struct TextureFacts {
     std::optional<double> disc_temperature_K;  // of the hottest ring; without one the scene's
 };
 
-// fan: of the camera's rays, nullptr where they are no family of a radius. ball_path: of a ball that moves, else nullptr.
-FrameData frame_numbers(const FramePlan& plan, const RayFan* fan, const TextureFacts& textures,
+// ball_path: of a ball that moves, else nullptr.
+FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,
                         const BallPath* ball_path);
+
+// cos(theta) of the camera, exactly 0 in the equatorial plane.
+double plane_height(const CameraSpec& camera);
 
 }  // namespace nullscope

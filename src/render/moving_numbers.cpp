@@ -5,33 +5,17 @@
 #include "light/black_body.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/spherical_metric.h"
-#include "spacetime/tortoise.h"
 
 namespace nullscope {
 namespace {
 
 constexpr double kCopies = 4096.0;  // DISC_COPIES of shaders/object/disc_flow.glsl
 
-FrameVector delay_numbers(const Scene& scene, const Spacetime& spacetime) {
-    // About a rotating hole r_* of the camera, or r where its clock is v - r: what T less r_* of a place is late by.
-    if (!spacetime.planar_rays())
-        return {0, 0, scene.camera.r + (falls(scene.camera) ? 0.0 : time_ahead(spacetime, scene.camera.r)), 0};
-    const auto known = spacetime.spherical()->lapse_roots();
-    if (!known) return {0, 0, 0, 0};
-    const LapseRoots roots = *known;
-    if (scene.camera.r <= roots.outer)
-        return {roots.outer, roots.inner, 0, 0};  // nothing but the sky's light is seen inside
-    const double camera = time_ahead(spacetime, scene.camera.r);
-    const bool by_fall = falls(scene.camera);  // Scene::time is then v - r
-    return {roots.outer, roots.inner, by_fall ? 0.0 : camera, by_fall ? -2.0 * camera : -camera};
-}
-
 }  // namespace
 
 void put_moving(FrameData& frame, const FramePlan& plan, const BallPath* ball_path) {
     const Scene& scene = plan.scene;
     const Spacetime& matter = *plan.matter;
-    frame.delay = delay_numbers(scene, *plan.light);
     if (scene.disc && scene.disc->flow == DiscFlowKind::kKepler) {
         // Omega^2 = A'/(2 r) = zeta^3 ((x + y)/2 - x y zeta); in flat space matter rests.
         const LapseRoots roots = matter.spherical() != nullptr

@@ -1,4 +1,4 @@
-// What changes with time, and how long light takes: its part of the uniform block (shaders/shared/frame_block.glsl).
+// What changes with time: its part of the uniform block (shaders/shared/frame_block.glsl).
 #pragma once
 #include "render/ball_path.h"
 #include "scene/frame_plan.h"

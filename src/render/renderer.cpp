@@ -13,6 +13,7 @@
 #include "shaderlib/passes.h"
 #include "sky/packed_sky.h"
 #include "table/disc_light.h"
+#include "table/orbit_map.h"
 #include "table/star_lens.h"
 #include "table/table_grid.h"
 
@@ -48,10 +49,10 @@ constexpr std::pair<const char*, int> kSamplers[] = {
     {"source_texture", kSourceUnit},        {"bloom_texture", kHaloUnit},
     {"meter_texture", kMeterUnit}};
 
-// Nothing of a grid that is empty.
 gl::Texture texture_of(const TexelGrid& grid) {
-    return grid.width > 0 ? gl::make_float_texture(grid.width, grid.height, grid.texels.data()) : gl::Texture();
+    return gl::make_float_texture(grid.width, grid.height, grid.texels.data());
 }
+gl::Texture texture_of(const TexelGrid* grid) { return grid != nullptr ? texture_of(*grid) : gl::Texture(); }
 
 template <class T>
 Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
@@ -64,29 +65,6 @@ Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
 }
 
 }  // namespace
-
-bool has_method(const Spacetime& spacetime, const Method& method) {
-    if (!spacetime.planar_rays()) return counts_steps(method);      // no table: nothing else
-    const bool seen = spacetime.inner_end() == InnerEnd::kHorizon;  // others have rays to the inside to follow too
-    switch (method.kind) {
-        case MethodKind::kStrip: return true;
-        case MethodKind::kTable: return seen;
-        case MethodKind::kClosedForm: return has_shader("method/closed_form", spacetime.name());
-        case MethodKind::kIntegrate: return seen && has_shader("spacetime", spacetime.name());
-        case MethodKind::kMino:
-        case MethodKind::kKerrSchild: return false;
-    }
-    return false;
-}
-
-std::string methods_of(const Spacetime& spacetime) {
-    std::string list = "strip, strip:cubic";
-    for (const auto& [kind, name] : {std::pair{MethodKind::kTable, "table"},
-                                     {MethodKind::kIntegrate, "integrate"},
-                                     {MethodKind::kClosedForm, "closed-form"}})
-        if (has_method(spacetime, Method{.kind = kind})) list += fmt::format(", {}", name);
-    return list;
-}
 
 int sky_face_size(const CameraSpec& camera, int max_cube_size) {
     const double pixel = camera.plane_width / camera.width / camera.focal_distance;
@@ -118,16 +96,11 @@ Status Renderer::prepare(const Scene& scene) {
         return bad_input(fmt::format("size {}x{} is beyond what this driver can draw; allowed: 1x1 to {}x{}",
                                      scene.camera.width, scene.camera.height, limit, limit));
     if (Status status = tables_.update(scene); !status) return status;
-    if (const auto* fan = tables_.fan();
-        fan != nullptr && fan->frame().infall() > 0.0 && method_.kind != MethodKind::kStrip)
-        return bad_input(
-            fmt::format("camera.observer = \"{}\" with another method than the strip; allowed: --method strip or auto, "
-                        "or a static observer",
-                        observer_name(scene.camera.observer)));
+    if (Status able = tables_.path().check(method_, tables_.plan()); !able) return able;
     begin_skies();  // they get ready while the rest is loaded
     if (Status status = load_disc(); !status) return status;
     if (Status status = load_bodies(); !status) return status;
-    if (Status status = load_table(); !status) return status;
+    load_table();
     load_heat();
     load_black_body();
     if (Status status = stars_.update(scene, tables_); !status) return status;
@@ -143,10 +116,10 @@ void Renderer::upload_tables() {
     if (rows_revision_ != tables_.revision()) {
         rows_revision_ = tables_.revision();
         ends_ = {};
-        strip_ = texture_of(tables_.strip());
-        orbit_map_ = texture_of(tables_.delay_map().width > 0 ? side_by_side(tables_.orbit_map(), tables_.delay_map())
-                                                              : tables_.orbit_map());
-        star_lens_ = texture_of(tables_.star_lens());
+        strip_ = texture_of(tables_.texels("strip"));
+        const TexelGrid *places = tables_.texels("orbit map"), *delays = tables_.texels("delay map");
+        orbit_map_ = delays != nullptr ? texture_of(side_by_side(*places, *delays)) : texture_of(places);
+        star_lens_ = texture_of(tables_.texels("star lens"));
     }
     // A picture of the sky alone does not look where along the ray it is.
     if (meets_objects(tables_.effects()) || tables_.effects().contains(Effect::kDelay) || method_.cubic)
@@ -156,7 +129,7 @@ void Renderer::upload_tables() {
 }
 
 void Renderer::upload_ends() {
-    if (!ends_) ends_ = texture_of(tables_.ends());
+    if (!ends_) ends_ = texture_of(tables_.texels("ray ends"));
 }
 
 void Renderer::upload_block(const TextureFacts& facts) {
@@ -164,7 +137,7 @@ void Renderer::upload_block(const TextureFacts& facts) {
         block_effects_ = tables_.effects();
         block_members_ = block_members(*block_effects_);
     }
-    const FrameVectors numbers = vectors_of(frame_numbers(tables_.plan(), tables_.fan(), facts, tables_.ball_path()));
+    const FrameVectors numbers = vectors_of(frame_numbers(tables_.plan(), tables_.path(), facts, tables_.ball_path()));
     std::array<float, 4 * kFrameVectors> block{};
     std::size_t next = 0;
     for (const int member : block_members_) {
@@ -242,43 +215,24 @@ void Renderer::load_black_body() {
         black_body_ = texture_of(black_body_row());
 }
 
-Status Renderer::load_table() {
+void Renderer::load_table() {
     const Scene& scene = tables_.plan().scene;
-    const bool lensing = tables_.effects().contains(Effect::kLensing);
-    const EffectSet& effects = tables_.effects();
-    const bool spin = effects.contains(Effect::kSpin);
-    const bool sky_alone = !effects.contains(Effect::kSpinFall) && !effects.contains(Effect::kDisc) &&
-                           !effects.contains(Effect::kDelay) && !has_solids(effects);
-    const bool whole = method_ == Method{} || (method_.kind == MethodKind::kMino && method_.order == 6);
-    if (spin && !whole && !(counts_steps(method_) && sky_alone))
-        return bad_input(
-            fmt::format("method {} is not there for this scene of a spinning hole; allowed: auto, mino[:6[:STEP]], or "
-                        "without [disc], bodies, delays and falling cameras "
-                        "mino:4[:STEP] and kerr-schild:STEP",
-                        method_name(method_)));
-    if (!spin && counts_steps(method_))
-        return bad_input(
-            fmt::format("method {} is there for spinning holes only; allowed: auto", method_name(method_)));
-    if (lensing && !has_method(tables_.spacetime(), method_))
-        return bad_input(fmt::format("method {} is not there for metric \"{}\"; allowed: {}", method_name(method_),
-                                     scene.spacetime.metric, methods_of(tables_.spacetime())));
-    if (!lensing || method_.kind != MethodKind::kTable) {
+    if (tables_.path().table() == nullptr || method_.kind != MethodKind::kTable) {
         table_ = {};
         table_key_.reset();
         table_bytes_ = 0;
-        return Done{};
+        return;
     }
     const auto key = std::make_pair(scene.spacetime, method_);
-    if (table_key_ == key) return Done{};
+    if (table_key_ == key) return;
     const auto start = std::chrono::steady_clock::now();
     const bool hermite = method_.lookup == Lookup::kHermite;
-    const TableGrid grid = build_table_grid(*tables_.table(), method_.size, hermite);
+    const TableGrid grid = build_table_grid(*tables_.path().table(), method_.size, hermite);
     table_ = gl::make_number_texture(grid.width, grid.height, grid.channels, grid.values.data(),
                                      method_.lookup == Lookup::kHardware);
     table_bytes_ = grid.values.size() * sizeof(float);
     table_key_ = key;
     gpu_table_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    return Done{};
 }
 
 const gl::Program& Renderer::program(Stage stage, Output output) {
@@ -404,7 +358,8 @@ Result<std::vector<RayPixel>> Renderer::trace_middles(const std::vector<Scene>& 
         view.camera.plane_width /= view.camera.width;
         view.camera.width = view.camera.height = 1;
         if (Status status = tables_.update(view); !status) return status.error();
-        if (Status status = load_table(); !status) return status.error();
+        if (Status able = tables_.path().check(method_, tables_.plan()); !able) return able.error();
+        load_table();
         body_text_ = body_text(view, tables_.effects());
         upload_tables();
         upload_block({});
@@ -451,13 +406,10 @@ RayFrame Renderer::draw_rays(const gl::Target& target, int row_step) {
 
 std::vector<Renderer::TextureLine> Renderer::textures() const {
     std::vector<TextureLine> lines;
-    const TexelGrid &strip = tables_.strip(), &ends = tables_.ends(), &map = tables_.orbit_map();
-    if (strip.width > 0) lines.push_back({"strip", strip.width, strip.height, strip.bytes()});
-    if (ends_) lines.push_back({"ray ends", ends.width, ends.height, ends.bytes()});
+    for (const auto& [name, texels] : tables_.path().tables())
+        if (name != "ray ends" || ends_)
+            lines.push_back({std::string(name), texels->width, texels->height, texels->bytes()});
     if (table_bytes_ > 0) lines.push_back({"deflection table", method_.size + 1, 2 * (method_.size + 1), table_bytes_});
-    if (map.width > 0) lines.push_back({"orbit map", map.width, map.height, map.bytes()});
-    if (const TexelGrid& delays = tables_.delay_map(); delays.width > 0)
-        lines.push_back({"delay map", delays.width, delays.height, delays.bytes()});
     if (ball_path_) lines.push_back({"ball's way", kBallPathCells + 1, 2, tables_.ball_path()->row.bytes()});
     const int face = skies_.both() ? bordered_size(skies_.size()) : skies_.size();
     const std::size_t sky_bytes =
@@ -475,7 +427,6 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
         lines.push_back({"disc flow", kDiscFlowCells + 1, 1, static_cast<std::size_t>(kDiscFlowCells + 1) * 16});
     if (black_body_)
         lines.push_back({"black body", kBlackBodyCells + 1, 1, static_cast<std::size_t>(kBlackBodyCells + 1) * 16});
-    if (star_lens_) lines.push_back({"star lens", tables_.star_lens().width, 1, tables_.star_lens().bytes()});
     if (stars_.count() > 0) lines.push_back({"stars", stars_.count(), 1, stars_.bytes()});
     if (linear_.width > 0)
         lines.push_back({"linear picture", linear_.width, linear_.height,

@@ -97,7 +97,7 @@ private:
     void begin_skies();
     Status load_disc();
     Status load_bodies();
-    Status load_table();
+    void load_table();
     void load_heat();
     void load_black_body();
 
@@ -134,10 +134,6 @@ private:
     } hottest_;
     int disc_width_ = 0, disc_height_ = 0;
 };
-
-// What a metric can be traced by: some methods need a shader of its own (shaders/method/closed_form, shaders/spacetime).
-bool has_method(const Spacetime& spacetime, const Method& method);
-std::string methods_of(const Spacetime& spacetime);  // "strip, strip:cubic, ..."
 
 // Face size of the sky's cube map that matches a camera's pixels: a power of two, 256 ... 2048 and what the driver allows.
 int sky_face_size(const CameraSpec& camera, int max_cube_size);

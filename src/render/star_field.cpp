@@ -13,7 +13,7 @@ Status StarField::update(const Scene& scene, const FrameTables& tables) {
         *this = {};
         return Done{};
     }
-    const Sky sky{scene.sky, scene.light.bolometric, tables.effects().contains(Effect::kSpin)};
+    const Sky sky{scene.sky, scene.light.bolometric, tables.path().finds_star_images()};
     if (sky_ != sky) {
         const auto stars = point_stars(scene.sky, assets_directory());
         if (!stars) return stars.error();

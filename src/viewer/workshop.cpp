@@ -127,8 +127,8 @@ void Workshop::add_facts(Painting& painting) {
     painting.notes = renderer_.take_notes();
     painting.programs = renderer_.picture_programs();
     painting.compile_ms = compile_ms_;
-    painting.table_ms = renderer_.tables().table_ms();
-    painting.rows_ms = renderer_.tables().rows_ms();
+    painting.table_ms = renderer_.tables().path().table_ms;
+    painting.rows_ms = renderer_.tables().path().rows_ms;
 }
 
 const gl::Target& Workshop::target(int width, int height, const std::array<unsigned, 2>& avoid) {

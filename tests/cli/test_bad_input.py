@@ -122,7 +122,7 @@ class Scenes(support.CliTest):
 
     def test_methods_of_spinning_holes(self):
         for scene, method, says in (("kerr", "strip", ["strip", "allowed: auto, mino"]), ("kerr", "mino:4", ["mino:4:0.6", "allowed: auto, mino"]),
-                                    ("kerr", "mino:5", ["mino:5", "ORDER 4 or 6"]), ("sky-only", "mino", ["mino:6:0.6", "spinning holes only"])):
+                                    ("kerr", "mino:5", ["mino:5", "ORDER 4 or 6"]), ("sky-only", "mino", ["mino:6:0.6", "rotating holes only"])):
             self.refused("capture", scene, "--size", "16x9", "--method", method, "-o", "a.png", says=says)
 
     def test_images_that_are_none(self):

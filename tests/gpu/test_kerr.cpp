@@ -123,12 +123,12 @@ TEST_CASE("kerr: next to no spin is no spin, pixel for pixel within the errors o
         still.camera.r = 9, still.camera.width = 160, still.camera.height = 90;
         still.disc = DiscSpec{};
         const RayFrame table = gl_ray_data(session, still);
-        CHECK(session.renderer->tables().fan() != nullptr);
+        CHECK(session.renderer->tables().path().fan() != nullptr);
         CHECK(session.renderer->tables().effects().contains(Effect::kLensing));
         Scene slow = still;
         slow.spacetime.parameters["spin"] = 1e-9;
         const RayFrame steps = gl_ray_data(session, slow);
-        CHECK(session.renderer->tables().fan() == nullptr);
+        CHECK(session.renderer->tables().path().fan() == nullptr);
         CHECK_FALSE(session.renderer->tables().effects().contains(Effect::kLensing));
         Scene fast = still;
         fast.spacetime.parameters["spin"] = 0.1;

@@ -89,7 +89,7 @@ TEST_CASE("kerr methods: what a scene cannot have is refused") {
         for (const char* name : {"mino:4", "kerr-schild:0.1", "table", "strip:cubic"})
             for (const Scene& scene : {disc, ball}) refused(scene, name, "allowed: auto, mino");
         for (const char* name : {"mino", "mino:4", "kerr-schild:0.1"})
-            refused(Scene{}, name, "for spinning holes only");
+            refused(Scene{}, name, "for rotating holes only");
         session.renderer->set_method(*parse_method("mino:6:0.5"));
         CHECK(session.renderer->prepare(disc));
     });

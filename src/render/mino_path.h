@@ -1,0 +1,24 @@
+// Rays about a rotating hole, which every pixel traces step by step in Mino's time (shaders/core/kerr.glsl): nothing is built for
+// them, the camera's frame is told as linear forms of the view direction.
+#pragma once
+#include "render/light_path.h"
+#include "spacetime/axial_metric.h"
+
+namespace nullscope {
+
+class MinoPath final : public LightPath {
+public:
+    explicit MinoPath(std::shared_ptr<const AxialMetric> metric) : metric_(std::move(metric)) {}
+    bool update(const FramePlan& plan) override;
+    Start start(const FramePlan& plan, const Mat3& world) const override;
+    void write(const FramePlan& plan, FrameData& frame) const override;
+    void give(CoreInput& input) const override;
+    bool finds_star_images() const override { return true; }
+    Status check(const Method& method, const FramePlan& plan) const override;
+
+private:
+    std::shared_ptr<const AxialMetric> metric_;
+    bool falls_ = false, delays_ = false;
+};
+
+}  // namespace nullscope
