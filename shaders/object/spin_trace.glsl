@@ -1,4 +1,4 @@
-// One pixel's ray about a spinning hole, from the camera to its end (core/kerr.glsl). In place of core/trace.glsl, where rays stay in planes:
+// One pixel's ray about a rotating hole, from the camera to its end (core/kerr.glsl). In place of core/trace.glsl, where rays stay in planes:
 // the same Trace as far as a sky asks for it. Reads the global `frame` (FrameData).
 //
 // Inside the horizon every ray is traced outward, and none whose energy is not above 0 has come from our sky. Of the others those with
