@@ -32,7 +32,7 @@ format() { "$root/scripts/format.sh" --check; }
 tidy() {
     cd "$root"
     [[ -e build/sanitize/compile_commands.json ]] || cmake --preset sanitize >/dev/null
-    cmake --build build/sanitize --target nullscope_shaderlib >&2   # makes the embedded shaders
+    cmake --build build/sanitize --target nullscope_shaderlib nullscope_core_texts >&2   # makes the embedded shaders and the core's text
     run-clang-tidy -quiet -p build/sanitize "$root/src/.*" 2>/dev/null | sed 's/\x1b\[[0-9;]*m//g' >build/tidy.log || true
     [[ -s build/tidy.log ]] || { echo "check: clang-tidy said nothing at all" >&2; return 1; }   # not even what it looks at
     ! grep -E '(warning|error):' build/tidy.log | sort -u >&2

@@ -45,7 +45,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("half-angle", "the half-angle formula that cancels", "shaders/core/strip.glsl",
      "float over = cosine > 0.0 ? a : b;\n    float under = cosine > 0.0 ? b : max(a, 1.0e-30);",
      "float over = a;\n    float under = max((1.0 + cosine) * factor, 1.0e-30);", HARD),
-    ("axes-disc", "swapped texture axes: the disc's image", "shaders/object/disc_colour.glsl",
+    ("axes-disc", "swapped texture axes: the disc's image", "shaders/object/disc_cover.glsl",
      "vec2(0.5 + turned.x, 0.5 - turned.y)", "vec2(0.5 - turned.y, 0.5 + turned.x)", GOLDEN),
     ("axes-orbit", "swapped table axes: the orbit map", "shaders/core/orbit.glsl",
      "vec4 t10 = orbit_fetch(cell.column + 1, cell.row);\n    vec4 t01 = orbit_fetch(cell.column, cell.row + 1);",
@@ -70,7 +70,7 @@ MUTANTS = [Mutant(*row) for row in [
      ("unit_tests", "kerr: the shader core*")),
     ("mino", "half of the mass in the orbit of 1/r about a rotating hole", "shaders/core/kerr.glsl",
      "1.5 * ray.k - 2.0", "0.75 * ray.k - 2.0", ("gpu_tests", "kerr: the shadow*")),
-    ("sixth-order", "one weight of the sixth-order step about a rotating hole", "shaders/core/kerr.glsl",
+    ("sixth-order", "one weight of the sixth-order step about a rotating hole", "shaders/core/spin_step.glsl",
      "f3 * (275.0 / 252.0) -", "f3 * (276.0 / 252.0) -", ("gpu_tests", "kerr methods: half*")),
     ("spin-dips", "bodies about a rotating hole that a ray just touches, missed", "src/reference/spin_bodies.cpp",
      "if (dip <= 0) return", "if (dip <= -1) return", ("unit_tests", "kerr bodies*")),
@@ -87,8 +87,11 @@ MUTANTS = [Mutant(*row) for row in [
     ("display", "a missing square root in the display's curve", "shaders/effect/display.glsl",
      "vec3 s1 = sqrt(c);", "vec3 s1 = c;", GOLDEN),
     ("stale", "tables kept when the camera moves", "src/render/planar_path.cpp",
-     "!fan_ || fan_->camera_r() != camera.r || !(fan_->frame() == plan.observer.frame) ||", "!fan_ ||",
-     HARD),   # w0 alone, of the next mutant, sees most moves but not all
+     "fan_->camera_r() != camera.r || !(fan_->frame() == plan.observer.frame) ||\n"
+     "                       (wanted.orbits && !had.orbits) || (wanted.delays && !had.delays) ||\n"
+     "                       (wanted.points && !had.points) || fan_->w0() != camera_fan(plan).w0();",
+     "(wanted.orbits && !had.orbits) || (wanted.delays && !had.delays) || (wanted.points && !had.points);",
+     HARD),   # the radius alone is an equivalent mutant: another radius is another w0
     ("stale-zoom", "tables kept when the view narrows", "src/render/planar_path.cpp",
      "fan_->w0() != camera_fan(plan).w0();", "false;", HARD),
     ("nystrom", "a wrong coefficient of the integrator", "src/table/nystrom.h",

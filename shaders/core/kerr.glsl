@@ -13,18 +13,7 @@
 // zeta'^2 = X^2 - Delta zeta^4 K
 //     psi~' = -a (E + K zeta^2 / (X - zeta')),   zeta' < 0,
 // until the horizon is some way behind, or the ray slows down to turn, where zeta' by a root would lose its digits.
-
-// A ray that winds for long is one whose end moves fast with its direction: its errors weigh less, and its steps may grow.
-#ifndef METHOD_MINO
-#define SPIN_STEP 0.6          // of a step, times the fastest rate at work there: twice the error at 0.7, half at 0.55
-#define SPIN_MOST_STEPS 64
-#define SPIN_GROW_AFTER 20
-#define SPIN_GROWTH 0.07
-#else                          // SPIN_STEP and SPIN_MOST_STEPS by the method; all steps of a ray in the same proportion
-#define SPIN_SHARE (SPIN_STEP / 0.6)
-#define SPIN_GROW_AFTER int(20.0 / SPIN_SHARE + 0.5)
-#define SPIN_GROWTH (0.07 * SPIN_SHARE)
-#endif
+#include "shared/frame.glsl"
 
 struct SpinRay {
     float a;
@@ -156,91 +145,3 @@ float lag_jump(SpinRay ray, bool keeps, vec2 from, vec2 to) {
     return keeps ? 2.0 * radii : radii + (from.y / low - to.y / high) / energy;
 }
 #endif
-
-#ifdef METHOD_MINO_4
-SpinState spin_step(SpinRay ray, SpinState from, float h);   // method/mino_4.glsl
-#else
-// One step of RKN6(4)6FM (Dormand, El-Mikkawy and Prince 1987): five new forces, the sixth is the next step's first.
-SpinState spin_step(SpinRay ray, SpinState from, float h) {
-    float hh = h * h;
-    vec4 v = h * from.v;
-    vec4 f0 = hh * from.f;
-    vec4 y1 = from.y + 0.1 * v + f0 * (1.0 / 200.0);
-    vec4 f1 = hh * spin_force(ray, y1);
-    vec4 y2 = from.y + 0.3 * v - f0 * (1.0 / 2200.0) + f1 * (1.0 / 22.0);
-    vec4 f2 = hh * spin_force(ray, y2);
-    vec4 y3 = from.y + 0.7 * v + f0 * (637.0 / 6600.0) - f1 * (7.0 / 110.0) + f2 * (7.0 / 33.0);
-    vec4 f3 = hh * spin_force(ray, y3);
-    vec4 y4 = from.y + 0.68 * v + f0 * (225437.0 / 1968750.0) - f1 * (30073.0 / 281250.0) + f2 * (65569.0 / 281250.0) -
-              f3 * (9367.0 / 984375.0);
-    vec4 f4 = hh * spin_force(ray, y4);
-    SpinState to;
-    to.y = from.y + v + f0 * (151.0 / 2142.0) + f1 * (5.0 / 116.0) + f2 * (385.0 / 1368.0) + f3 * (55.0 / 168.0) -
-           f4 * (6250.0 / 28101.0);
-    to.f = spin_force(ray, to.y);
-    to.v = from.v + (f0 * (151.0 / 2142.0) + f1 * (25.0 / 522.0) + f2 * (275.0 / 684.0) + f3 * (275.0 / 252.0) -
-                     f4 * (78125.0 / 112404.0) + (hh / 12.0) * to.f) / h;
-#ifdef EFFECT_SPIN_FALL
-    to.ingoing = from.ingoing;
-    // Rounding of a large zeta' deep inside is much, relative to what is left of it where rays wind: by the root while that is exact.
-    float x = spin_x(ray, to.y.w);
-    float speed2 = ingoing_speed2(ray, to.y.w, x);
-    to.v.w = from.ingoing && to.v.w < 0.0 && speed2 > INGOING_SLOW * x * x ? -sqrt(speed2) : to.v.w;
-#endif
-    to.drag = spin_turning_at(ray, to);
-#ifdef EFFECT_DELAY
-    bool keeps = lag_keeps(ray, from, to.y, to.v.w);
-    to.lag = from.lag + lag_jump(ray, keeps, vec2(from.y.w, from.v.w), vec2(to.y.w, to.v.w)) +
-             h * (lag_rate(ray, keeps, from.y) * (151.0 / 2142.0) + lag_rate(ray, keeps, y1) * (25.0 / 522.0) + lag_rate(ray, keeps, y2) * (275.0 / 684.0) +
-                  lag_rate(ray, keeps, y3) * (275.0 / 252.0) - lag_rate(ray, keeps, y4) * (78125.0 / 112404.0) + lag_rate(ray, keeps, to.y) * (1.0 / 12.0));
-#endif
-    to.psi = from.psi + h * (from.drag * (151.0 / 2142.0) + spin_turning(ray, from, y1.w) * (25.0 / 522.0) +
-                             spin_turning(ray, from, y2.w) * (275.0 / 684.0) + spin_turning(ray, from, y3.w) * (275.0 / 252.0) -
-                             spin_turning(ray, from, y4.w) * (78125.0 / 112404.0) + to.drag * (1.0 / 12.0));
-#ifdef EFFECT_SPIN_FALL
-    to.ingoing = from.ingoing && ingoing_stays(ray, to.y.w, to.v.w);
-    if (from.ingoing && !to.ingoing) {
-        to.psi += spin_winding(ray, to.y.w);
-        to.drag = spin_drag(ray, to.y.w);
-    }
-#endif
-    return to;
-}
-#endif
-
-// SPIN_STEP over the fastest rate: the sphere's, the radius' and how fast Delta changes next to the horizon (more on the way out, where
-// the dragging is of use; on the way in a step must be able to pass the horizon). On its way out a ray ends its last step a little
-// beyond the sky at zeta = 0.
-float spin_stride(SpinRay ray, SpinState at, int left) {
-    float zeta = at.y.w;
-    float slope = at.v.w;
-#ifdef EFFECT_SPIN_FALL
-    float fall = at.ingoing ? 0.0 : slope * (0.5 - ray.a * ray.a * zeta) / spin_delta(ray, zeta);
-#else
-    float fall = slope * (0.5 - ray.a * ray.a * zeta) / spin_delta(ray, zeta);
-#endif
-    float rate2 = abs(ray.j2) + ray.a2e2 + 0.125 * ray.energy * ray.energy + 1.5 * ray.k * zeta + (slope < 0.0 ? 3.0 : 1.0 + 3.0 * min(2.0 * spin_delta(ray, zeta), 1.0)) * fall * fall;
-#ifdef EFFECT_SPIN_FALL
-    rate2 += INGOING_DEEP * ray.k * zeta * clamp(ray.outer * zeta - 1.0, 0.0, 1.0);   // inside, where zeta changes by its own size
-#endif
-#ifdef METHOD_MINO
-    if (slope > 0.0 && SPIN_SHARE < 1.0) rate2 -= (1.0 - SPIN_SHARE * SPIN_SHARE) * fall * fall;   // short steps pass the horizon too
-#endif
-    float h = SPIN_STEP * (1.0 + SPIN_GROWTH * max(float(SPIN_MOST_STEPS - SPIN_GROW_AFTER - left), 0.0)) * inversesqrt(rate2);
-    return slope < 0.0 ? min(h, -1.05 * zeta / slope) : h;
-}
-
-// What is left to zeta = 0 after the step that passed it: zeta is nearly a harmonic oscillator there. The time by three terms of its
-// arctangent, one step back by that, and the rest by the second order.
-SpinState spin_to_sky(SpinRay ray, SpinState beyond) {
-    float x = beyond.y.w / min(beyond.v.w, -1.0e-20);
-    float w = (ray.j2 - ray.a2e2) * x * x;
-    SpinState at = spin_step(ray, beyond, -x * (1.0 - w * (1.0 / 3.0 - 0.2 * w)) - 1.0e-20);
-    float rest = -at.y.w / min(at.v.w, -1.0e-20);
-    at.y += rest * (at.v + 0.5 * rest * at.f);
-    at.psi += rest * at.drag;
-#ifdef EFFECT_DELAY
-    at.lag += rest * lag_rate(ray, true, at.y);
-#endif
-    return at;
-}

@@ -4,6 +4,18 @@
 // Texels: (Z, dZ/dx, dZ/dv, d2Z/dxdv), derivatives per cell. Z = zeta for captured rays, zeta/(1-v) for rays to the sky, so that
 // a distant disc keeps its relative accuracy. Segments below each other: sky first. Through a wormhole Z is W/(1-v) of all rays
 // (table/throat_orbit.h), and zeta is W.
+#include "core/strip.glsl"
+
+#ifndef __cplusplus
+// With delays the map's texels lie beside theirs (table/orbit_map.h).
+uniform highp sampler2D orbit_texture;
+#ifdef EFFECT_DELAY
+vec4 orbit_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(2 * x, y), 0); }
+vec4 delay_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(2 * x + 1, y), 0); }
+#else
+vec4 orbit_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(x, y), 0); }
+#endif
+#endif
 
 #define ORBIT_CELLS_PER_OCTAVE 12
 #define ORBIT_ROWS 128

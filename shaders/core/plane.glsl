@@ -1,4 +1,5 @@
 // Where a ray's orbital plane meets a plane through the centre (the disc's): the swept angles phi_1, phi_1 + pi, ...
+#include "core/trig.glsl"
 
 struct PlaneMeeting {
     float phi;        // first crossing after leaving the camera, (0, pi]; pi for a camera in the plane

@@ -1,4 +1,6 @@
 // Where a ray about a spinning hole (core/kerr.glsl) is within a step, by the fraction s of it.
+#include "core/kerr.glsl"
+#include "shared/frame.glsl"
 
 // Over a step, as a polynomial of the fraction s of it: the quintic with the values, slopes and curvatures of both ends.
 struct SpinArc {

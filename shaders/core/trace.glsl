@@ -1,5 +1,21 @@
 // One pixel's ray from the camera to its end: set-up, aberration, lookup of the strip. Stage shaders and the C++ core share it.
 // Reads the globals `frame` (FrameData) and strip_fetch / orbit_fetch.
+#include "shared/frame.glsl"
+#ifdef EFFECT_ABERRATION
+#include "core/aberration.glsl"
+#endif
+#ifdef EFFECT_LENSING
+#include "core/strip.glsl"
+#include "core/sweep.glsl"
+#include "generated/method"
+#ifdef NEEDS_PHI_END
+#include "core/ends.glsl"
+#endif
+#else
+#ifdef NEEDS_PHI_END
+#include "core/trig.glsl"
+#endif
+#endif
 
 struct Trace {
     float doppler;        // frequency in the camera over frequency in the radial frame

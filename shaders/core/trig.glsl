@@ -1,5 +1,5 @@
 // Inverse trigonometry to float rounding on every driver. (Built-in acos, asin and atan of software drivers are off by
-// 1.6e-4, 3.9e-4 and 3.4e-6 rad; asin and acos are banned in shaders/core.)
+// 1.6e-4, 3.9e-4 and 3.4e-6 rad; asin and acos are banned in shaders.)
 
 // atan(t)/t as a polynomial in t^2 on [0, 1]: minimax fit of scripts/fit_arctangent.py, error 1.3e-8 rad.
 float arc_tangent_unit(float t) {

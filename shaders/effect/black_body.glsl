@@ -1,6 +1,9 @@
 // Light of a black body by the logarithm of its temperature: black_body_texture holds (colour of unit luminance, log2 of the
 // luminance) at equal steps of log2 T.
 
+uniform highp sampler2D black_body_texture;
+vec4 black_body_fetch(int i) { return texelFetch(black_body_texture, ivec2(i, 0), 0); }
+
 #define PLANCK_CELLS 1024
 #define PLANCK_COLDEST 9.0
 #define PLANCK_PER_OCTAVE 102.4

@@ -1,4 +1,5 @@
 // Texture coordinates of directions from a body's middle: u to the right, v from the top, both 0 ... 1.
+#include "core/trig.glsl"
 
 // turn: cosine and sine of the look's rotation about the polar axis.
 vec3 mapping_turned(vec3 d, vec2 turn) { return vec3(turn.x * d.x + turn.y * d.y, turn.x * d.y - turn.y * d.x, d.z); }

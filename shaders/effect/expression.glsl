@@ -1,4 +1,5 @@
 // Operations of formulas (src/expr/formula.h): a value for every input, so that no NaN and no infinity comes out.
+#include "core/trig.glsl"
 
 float expression_bounded(float x) { return clamp(x, -1.0e30, 1.0e30); }
 

@@ -1,5 +1,7 @@
 // Noise on a body: four octaves of value noise in space, so that nothing meets at a seam. p: place in grains; wide: the pixel's
 // size in grains. Octaves finer than a pixel are at their mean.
+#include "effect/expression.glsl"
+
 float grain_noise(vec3 p, float wide) {
     float sum = 0.0;
     float weight = 0.5;

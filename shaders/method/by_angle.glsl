@@ -1,4 +1,11 @@
 // For methods that deliver phi itself: trigonometry, and the stretch from the neighbouring pixels.
+#include "shared/frame.glsl"
+#include "core/strip.glsl"
+#include "core/sweep.glsl"
+#ifdef NEEDS_FOOTPRINT
+#include "core/trig.glsl"
+#endif
+
 Sweep sweep_by_angle(float phi, float s, float c) {
     Sweep sweep;
     sweep.cos_phi = cos(phi);

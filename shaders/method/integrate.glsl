@@ -1,6 +1,9 @@
 // Method integrate: the orbit equation zeta'' = -V'(zeta)/2 step by step in phi, until zeta falls to 0. STEP_ORDER 1 (Euler, the
 // yardstick: what most viewers do), 4 (Runge and Kutta) or 6 (RKN6(4)6FM of Dormand, El-Mikkawy and Prince 1987).
 // Step: STEP_ANGLE / sqrt(1 + 3 zeta), at most STEP_MOST of them. The verdict escaped or captured is the critical angle's.
+#include "generated/metric"
+#include "method/by_angle.glsl"
+#include "shared/frame.glsl"
 
 vec2 orbit_slope(vec2 y) { return vec2(y.y, -half_v_slope(y.x)); }
 

@@ -1,6 +1,9 @@
 // The yardstick for core/kerr.glsl: Hamilton's equations in Cartesian Kerr-Schild coordinates, the classic fourth-order Runge-Kutta step by
 // step, as most renderers of spinning holes do it. A sky alone. What is traced is the ray's mirror image under (t, phi) -> (-t, -phi), which
 // falls in where the chart is regular. KERR_SCHILD_STEP: of a step, times the radius.
+#include "core/spin_ray.glsl"
+#include "shared/frame.glsl"
+
 #define KERR_SCHILD_MOST 20000
 #define KERR_SCHILD_SKY 2000.0    // radius, r_s, where a ray's motion is taken for its direction: 3e-6 rad are left at an impact parameter of 10
 #define KERR_SCHILD_FAR 16.0      // radius from which on steps outward grow as its square

@@ -1,4 +1,13 @@
 // Method strip: one fetch and two straight lines, no trigonometry (core/strip.glsl).
+#include "shared/frame.glsl"
+#include "core/strip.glsl"
+#include "core/sweep.glsl"
+
+#ifndef __cplusplus
+uniform highp sampler2D strip_texture;
+vec4 strip_fetch(int x, int y) { return texelFetch(strip_texture, ivec2(x, y), 0); }
+#endif
+
 Sweep sweep_to_sky(StripRay ray, float s, float c) {
     Octave octave = octave_cell(ray.u, STRIP_CELLS_PER_OCTAVE);
     int row = octave.cell / STRIP_CELLS_PER_OCTAVE;

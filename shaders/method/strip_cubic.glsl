@@ -1,4 +1,8 @@
 // Method strip:cubic: the strip's cubics instead of its straight lines. Two fetches; for frames so deep that a line's error shows.
+#include "core/ends.glsl"
+#include "core/strip.glsl"
+#include "core/sweep.glsl"
+
 Sweep sweep_to_sky(StripRay ray, float s, float c) {
     Octave octave = octave_cell(ray.u, ENDS_CELLS_PER_OCTAVE);
     int row = 0;

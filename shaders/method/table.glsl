@@ -3,6 +3,12 @@
 // whose integrals do not cancel in float.
 //
 // The texture holds TABLE_SIZE + 1 nodes a side, the through sheet below the turning one.
+#include "core/table_mapping.glsl"
+#include "core/trig.glsl"
+#include "method/by_angle.glsl"
+#include "shared/frame.glsl"
+
+uniform highp sampler2D table_texture;
 
 #ifdef TABLE_HERMITE
 // Texels (R, dR/dx, dR/dy, d2R/dxdy) per cell: bicubic Hermite from four fetches.

@@ -1,6 +1,11 @@
 // A sphere anywhere.
+#include "object/ray_place.glsl"
+#include "shared/frame.glsl"
 
 #ifdef EFFECT_BALL_PATH
+uniform highp sampler2D ball_path_texture;
+vec4 ball_path_fetch(int x, int y) { return texelFetch(ball_path_texture, ivec2(x, y), 0); }
+
 // Its middle when the light left: cubic between the nodes of ball_path_texture (row 0 places, row 1 steps), far away where there are none.
 vec3 ball_middle(RayPlace place) {
     float x = (place.late - frame.ball_path.x) * frame.ball_path.y;

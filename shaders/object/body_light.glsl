@@ -1,4 +1,6 @@
 // The light of one body: this text is written once for each of a scene's bodies, with BODY its name.
+#include "object/solid.glsl"
+#include "shared/frame.glsl"
 
 // at: about the body's middle.
 vec3 BODY_light(Trace trace, RayPlace place, vec3 at, vec3 normal) {

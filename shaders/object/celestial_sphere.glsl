@@ -4,6 +4,15 @@
 // times d(phi)/d(alpha) along the ray's plane and sin(phi)/sin(alpha) across it; the level lies between the two: three fifths of
 // the longer side at least (a trilinear tap spans two texels, so nothing is left out and points do not flicker), and their
 // geometric mean where they are alike.
+#include "effect/footprint.glsl"
+#ifdef EFFECT_SKY_SHIFT
+#ifdef EFFECT_ABERRATION
+#include "effect/black_body.glsl"
+#endif
+#endif
+#include "object/tracer.glsl"
+#include "shared/frame.glsl"
+
 float sky_level(Trace trace) {
     float along = abs(trace.stretch_along);
     float across = abs(trace.stretch_across);
@@ -27,6 +36,8 @@ vec3 sky_shift(Trace trace) {
 
 #ifdef EFFECT_SKY
 #ifdef EFFECT_FAR_SKY
+uniform highp sampler2DArray sky_texture;
+
 // The skies of both ends of a wormhole as layers of one texture: every ray fetches once, whichever sky it ends on. (Software drivers run
 // both sides of a branch: two cube maps would be two fetches a pixel.) Faces as OpenGL's cube maps have them, with a border of the
 // faces beside them, src/sky/sky.h.
@@ -46,6 +57,8 @@ vec3 celestial_sphere(Trace trace, float level) {
     return light;
 }
 #else
+uniform samplerCube sky_texture;
+
 vec3 celestial_sphere(Trace trace, float level) {
     vec3 light = textureLod(sky_texture, trace.sky, level).rgb * frame.sky.z;
 #ifdef EFFECT_SKY_SHIFT

@@ -1,5 +1,8 @@
 // A disc of finite thickness about the polar axis: |z| <= height, inner <= rho <= outer. Distance to it from outside, at least
 // (exact beside its faces); below 0 inside.
+#include "object/ray_place.glsl"
+#include "shared/frame.glsl"
+
 float cylinder_value(vec3 at) {
     float rho = sqrt(at.x * at.x + at.y * at.y);
     float wall = max(rho - frame.cylinder_form.y, frame.cylinder_form.x - rho);

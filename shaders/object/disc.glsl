@@ -1,4 +1,10 @@
 // The disc: a plane through the centre between two radii. Every crossing of the ray with it, in order along the ray.
+#ifdef EFFECT_LENSING
+#include "core/orbit.glsl"
+#endif
+#include "core/plane.glsl"
+#include "core/trace.glsl"
+#include "shared/frame.glsl"
 
 #define DISC_MOST_CROSSINGS 12   // tables resolve windings down to 1e-13 of the critical angle: phi_end < 12 pi
 

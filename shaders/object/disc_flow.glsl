@@ -1,6 +1,9 @@
 // A pattern that every ring carries round with its own speed. Wound up for ever it would be shredded: two copies of it, each of which
 // starts half a life back and is wound until half a life ahead of where it is drawn, half a life apart; each fades in and out, and
 // comes back turned. DISC_COPIES of them until they repeat.
+#include "object/disc_cover.glsl"
+#include "object/disc_crossing.glsl"
+#include "shared/frame.glsl"
 
 #define DISC_COPIES 4096.0
 #define DISC_GOLDEN 0.61803398875

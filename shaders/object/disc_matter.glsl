@@ -1,4 +1,11 @@
 // How the disc's matter moves and how hot it is: disc_matter_texture, cells of equal ln r.
+#include "effect/black_body.glsl"
+#include "object/disc_crossing.glsl"
+#include "object/tracer.glsl"
+#include "shared/frame.glsl"
+
+uniform highp sampler2D disc_matter_texture;
+vec4 disc_matter_fetch(int i) { return texelFetch(disc_matter_texture, ivec2(i, 0), 0); }
 
 #define DISC_MATTER_CELLS 1024
 
@@ -34,4 +41,9 @@ DiscMatter disc_matter(Trace trace, DiscCrossing crossing) {
     result.g = g_of(trace) / max(matter.y - momentum * matter.z - radial * matter.w, 1.0e-6);
     return result;
 #endif
+}
+
+// What the heat of the disc looks like from here, linear light.
+vec3 thermal_light(DiscMatter matter) {
+    return seen_black_body(frame.disc_heat.z + matter.heat, matter.g, frame.disc_heat.w);
 }

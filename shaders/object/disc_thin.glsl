@@ -4,6 +4,8 @@
 //
 //   signed angle from the critical direction:   ----|==|-----|=======|-------------->  to the sky
 //                                          rings k+1 and k         [----pixel----]
+#include "object/disc.glsl"
+#include "shared/frame.glsl"
 
 #ifdef EFFECT_SPOT
 #define DISC_THIN_PX 0.5      // what differs along a ring's width and in time is looked for as long as there are pixels to show it

@@ -1,5 +1,9 @@
 // A sky that is painted: the direction at infinity in its own axes, and the pixel's box there (object/celestial_sphere.glsl says what
 // its sides are). Boxes wider than the sphere are all of it.
+#include "generated/coats"
+#include "object/tracer.glsl"
+#include "shared/frame.glsl"
+
 #define DOME_WIDEST 4.0
 
 vec3 dome_axes(vec3 d) { return vec3(dot(frame.dome_x.xyz, d), dot(frame.dome_y.xyz, d), dot(frame.dome_z.xyz, d)); }

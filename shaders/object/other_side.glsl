@@ -1,2 +1,6 @@
 // The sky at the other end of a wormhole where the near one is dark or painted (both: object/celestial_sphere.glsl).
+#include "object/tracer.glsl"
+
+uniform samplerCube other_side_texture;
+
 vec3 other_side(Trace trace, float level) { return textureLod(other_side_texture, trace.sky, level).rgb; }

@@ -1,6 +1,29 @@
 // What covers something, a body, the disc or the sky: this text is written once for each, with BODY its name. At a place on it: how a
 // pixel lies there, the texture averaged over it.
+#include "effect/body_mapping.glsl"
+#include "shared/frame.glsl"
+#ifdef TEXTURE_CHECKER
+#include "effect/pattern.glsl"
+#endif
+#ifdef TEXTURE_GRID
+#include "effect/pattern.glsl"
+#endif
+#ifdef TEXTURE_STRIPES
+#include "effect/pattern.glsl"
+#endif
+#ifdef TEXTURE_NOISE
+#include "effect/grain.glsl"
+#endif
+#ifdef TEXTURE_FORMULA
+#include "effect/expression.glsl"
+#endif
 #ifdef TEXTURE_IMAGE
+#include "effect/footprint.glsl"
+#endif
+
+#ifdef TEXTURE_IMAGE
+uniform sampler2D BODY_texture;
+
 vec3 BODY_image(vec2 uv, vec2 a, vec2 b) {
     vec2 texels = vec2(textureSize(BODY_texture, 0));
     vec2 wide = a * texels;

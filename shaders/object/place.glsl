@@ -1,4 +1,12 @@
 // Where a ray is after a swept angle, in flat coordinates about the centre: for solid bodies. Of a wormhole, those of one side.
+#ifdef EFFECT_DELAY
+#include "core/delay.glsl"
+#endif
+#ifdef EFFECT_LENSING
+#include "core/orbit.glsl"
+#endif
+#include "core/trace.glsl"
+#include "shared/frame.glsl"
 
 struct RayPlace {
     vec3 at;          // r_s, world axes

@@ -1,4 +1,9 @@
 // Solid bodies along an orbit (object/march.glsl).
+#include "core/trig.glsl"
+#include "object/march.glsl"
+#include "object/place.glsl"
+#include "object/solid_hit.glsl"
+#include "shared/frame.glsl"
 
 // Swept angle after `length` more along the ray, taken as straight.
 float march_angle(RayPlace place, float length) {

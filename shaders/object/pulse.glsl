@@ -1,4 +1,7 @@
 // A sphere about the centre that pulsates: sphere_form holds its mean radius, the swing, the phase now and its rate.
+#include "object/ray_place.glsl"
+#include "shared/frame.glsl"
+
 float sphere_value(RayPlace place) {
     return place.r - frame.sphere_form.x * (1.0 + frame.sphere_form.y * sin(frame.sphere_form.z - frame.sphere_form.w * place.late));
 }

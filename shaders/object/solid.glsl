@@ -1,4 +1,6 @@
 // How a solid body's light reaches the pixel: the footprint on its surface, and the darkening towards the limb.
+#include "object/ray_place.glsl"
+#include "object/tracer.glsl"
 
 struct SolidSpot {
     vec3 at;        // r_s

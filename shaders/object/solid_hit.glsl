@@ -1,4 +1,6 @@
 // What a solid body's hit is known by.
+#include "object/ray_place.glsl"
+
 struct SolidHit {
     int object;      // its number (scene/ray.h), 0 for none
     float phi;       // swept angle there, about a spinning hole Mino's time; how far the ray goes at least for none

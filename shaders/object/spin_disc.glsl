@@ -1,5 +1,7 @@
-// The disc about a spinning hole: what of the ray's crossings of the equatorial plane (core/spin_trace.glsl) lies between its radii.
+// The disc about a rotating hole: what of the ray's crossings of the equatorial plane (object/spin_trace.glsl) lies between its radii.
 // In place of disc.glsl and disc_thin.glsl.
+#include "object/spin_trace.glsl"
+#include "shared/frame.glsl"
 
 struct DiscCrossing {
     bool hit;

@@ -1,4 +1,9 @@
 // Solid bodies along a ray about a spinning hole, step by step of its tracer (object/march.glsl).
+#include "core/trig.glsl"
+#include "object/march.glsl"
+#include "object/solid_hit.glsl"
+#include "object/spin_place.glsl"
+#include "shared/frame.glsl"
 
 #define MARCH_LONGEST 0.5    // of a step; a dip between two steps is looked for on the second's polynomials, as far before its start
 

@@ -1,5 +1,7 @@
 // Where a ray about a spinning hole is within a step (core/spin_leg.glsl), in flat coordinates about the centre: for solid bodies. In place of
 // place.glsl, for rays that stay in planes.
+#include "core/spin_leg.glsl"
+#include "shared/frame.glsl"
 
 struct RayPlace {
     vec3 at;          // r_s, world axes; azimuth of Boyer and Lindquist

@@ -1,4 +1,9 @@
 // Hot spots on one circular orbit in the disc: what shines of the one that is nearest.
+#include "core/trig.glsl"
+#include "effect/black_body.glsl"
+#include "object/disc_crossing.glsl"
+#include "object/tracer.glsl"
+#include "shared/frame.glsl"
 
 // Its Gaussian, averaged over the pixel's footprint: the covariances of both add.
 float spot_profile(vec2 off, vec2 along, vec2 across) {

@@ -1,6 +1,9 @@
 // Image number `image_order` of a star, src/table/star_lens.h.
+#include "shared/frame.glsl"
 
 #ifdef EFFECT_LENSING
+uniform highp sampler2D star_lens_texture;
+uniform int image_order;
 #define STAR_LENS_CELLS 1024
 
 vec4 star_lens_fetch(int i) { return texelFetch(star_lens_texture, ivec2(i, 0), 0); }

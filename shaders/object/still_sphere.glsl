@@ -1,4 +1,7 @@
 // A sphere about the centre that keeps its size, where rays are marched along.
+#include "object/ray_place.glsl"
+#include "shared/frame.glsl"
+
 float sphere_value(RayPlace place) { return place.r - frame.sphere_form.x; }
 
 // A ray that skims it comes closer only as fast as it is steep, and as light bends: by SPHERE_BEND/r^2 at most.

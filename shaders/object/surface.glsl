@@ -1,7 +1,11 @@
 // A solid given by a formula, f(x, y, z) < 0, as far as a sphere about the centre. What is marched along is f over the length of its
 // gradient: a distance close to the surface, with the sign of f everywhere.
+#include "generated/surface"
+#include "object/ray_place.glsl"
+#include "shared/frame.glsl"
 
-// SURFACE_T and SURFACE_AT_T: the time among the parameters, where the formula asks for it (SURFACE_MOVES; shaderlib/body_text.cpp).
+// SURFACE_T and SURFACE_AT_T, of generated/surface (shaderlib/body_text.cpp): the time among the parameters, where the
+// formula asks for it.
 
 float surface_inside(vec3 at SURFACE_T) {   // below 0 inside
     float f = surface_formula(at SURFACE_AT_T);

@@ -103,7 +103,7 @@ struct FrameData {
     vec4 ball_path;    // how long ago light left at the first node, 1/step, number of cells, largest speed
 #endif
 #ifdef BLOCK_SPIN
-    // Of a spinning hole (core/spin_trace.glsl): look directions, motion and ray_0, ray_x, ray_y are then along (e_r, e_theta, e_phi) of
+    // Of a spinning hole (object/spin_trace.glsl): look directions, motion and ray_0, ray_x, ray_y are then along (e_r, e_theta, e_phi) of
     // the observer's own frame. Forms of the tangent of the ray traced backward, for unit frequency in that frame; n: look direction.
     vec4 spin_hole;    // a, a^2, radii of the outer and of the inner horizon
     vec4 spin_energy;  // E = x + y n_r + z n_phi; p_theta = w n_theta

@@ -1,4 +1,6 @@
 // A yardstick of cost: one cube-map fetch a pixel and nothing else.
+#include "shared/frame.glsl"
+
 uniform samplerCube sky_texture;
 out vec4 colour;
 

@@ -1,4 +1,5 @@
 // Half the size, rounded up: each texel the mean of the 4x4 around it, so that every texel of an even source counts the same.
+uniform highp sampler2D source_texture;
 out vec4 colour;
 
 void main() {

@@ -1,5 +1,7 @@
 // One level of the halo and half as much light as it of all coarser ones: light outside of a radius falls as one over it, as
 // behind an aperture (a point spread of r^-3).
+uniform highp sampler2D source_texture;
+uniform highp sampler2D bloom_texture;
 out vec4 colour;
 
 void main() {

@@ -1,4 +1,17 @@
 // From the picture in linear light to the display.
+#include "effect/display.glsl"
+#ifdef EFFECT_AUTO_EXPOSURE
+#include "generated/constants"
+#endif
+#include "shared/frame.glsl"
+
+uniform highp sampler2D picture_texture;
+#ifdef EFFECT_BLOOM
+uniform highp sampler2D bloom_texture;
+#endif
+#ifdef EFFECT_AUTO_EXPOSURE
+uniform highp sampler2D meter_texture;
+#endif
 out vec4 colour;
 
 void main() {

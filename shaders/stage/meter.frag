@@ -1,4 +1,5 @@
 // The picture's mean luminance, from its coarsest level.
+uniform highp sampler2D source_texture;
 out vec4 colour;
 
 void main() {

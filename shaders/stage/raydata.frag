@@ -1,4 +1,7 @@
 // The ray data of a frame: what is known of each pixel's ray before any colour (docs/ray-data.md).
+#include "stage/pixel_data.glsl"
+#include "shared/frame.glsl"
+
 layout(location = 0) out vec4 fate_sky;          // fate, sky direction
 layout(location = 1) out vec4 g_delay_angle_order;
 layout(location = 2) out vec4 hit_place;         // object number, place

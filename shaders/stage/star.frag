@@ -1,4 +1,6 @@
 // A star's light in one pixel: the display's point spread, a Gaussian.
+#include "shared/frame.glsl"
+
 flat in vec3 star_peak;
 flat in vec2 star_middle;
 out vec4 colour;

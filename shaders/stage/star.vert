@@ -1,4 +1,13 @@
 // One image of one star: where in the picture it is, and the light that its pixels share.
+#include "effect/black_body.glsl"
+#ifndef EFFECT_SPIN
+#ifdef EFFECT_ABERRATION
+#include "core/aberration.glsl"
+#endif
+#include "object/star_image.glsl"
+#endif
+#include "shared/frame.glsl"
+
 #ifdef EFFECT_SPIN
 layout(location = 0) in vec3 star_place;   // of an image (src/render/star_mesh.h): px from the picture's middle, y up; g
 #else

@@ -1,4 +1,35 @@
 // The picture: what each pixel's ray meets, front to back.
+#ifdef DISPLAY_ENCODE
+#include "effect/display.glsl"
+#endif
+#ifdef NEEDS_PLACE
+#include "generated/bodies_hit"
+#include "generated/bodies_light"
+#endif
+#ifdef EFFECT_DISC
+#include "object/disc_colour.glsl"
+#include "object/disc_crossing.glsl"
+#ifdef EFFECT_LENSING
+#include "object/disc_thin.glsl"
+#endif
+#endif
+#ifdef EFFECT_SKY
+#include "object/celestial_sphere.glsl"
+#else
+#ifdef EFFECT_FAR_SKY
+#include "object/celestial_sphere.glsl"
+#include "object/other_side.glsl"
+#endif
+#endif
+#ifdef EFFECT_SKY_PATTERN
+#include "object/dome.glsl"
+#endif
+#ifdef EFFECT_STAR
+#include "object/star.glsl"
+#endif
+#include "object/tracer.glsl"
+#include "shared/frame.glsl"
+
 out vec4 colour;
 
 void main() {
@@ -15,7 +46,7 @@ void main() {
     DiscFeet feet = spin_feet(trace);
     int k = 0;
     bool more = spin_disc_more(trace, k);
-    do {   // tested at the end, see disc_colour
+    do {   // tested at the end, see disc_cover
         DiscCrossing crossing = spin_disc_cross(trace, k, spin_foot_of(feet, k));
 #ifdef NEEDS_PLACE
         if (crossing.phi > solid.phi) {
@@ -41,7 +72,7 @@ void main() {
     DiscThin ring = disc_thin(trace, meeting, k);
     more = ring.thin ? ring.more : more;
 #endif
-    do {   // tested at the end, see disc_colour
+    do {   // tested at the end, see disc_cover
         DiscCrossing crossing = disc_cross(trace, meeting, k, 0.5);
 #ifdef EFFECT_LENSING
         if (ring.thin) crossing = disc_thin_crossing(meeting, k);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdio>
+#include <map>
 #include <sstream>
 
 namespace nullscope::gl {
@@ -25,14 +27,6 @@ std::string text_of(GLenum name) {
     return text == nullptr ? "" : reinterpret_cast<const char*>(text);
 }
 
-// The source with line numbers, so that a driver's "0:123" can be read.
-std::string numbered(const std::string& source) {
-    std::istringstream in(source);
-    std::string out, line;
-    for (int number = 1; std::getline(in, line); ++number) out += fmt::format("{:4} {}\n", number, line);
-    return out;
-}
-
 GLuint compile(GLenum kind, const std::string& source) {
     const GLuint shader = glCreateShader(kind);
     const char* text = source.c_str();
@@ -46,7 +40,7 @@ GLuint compile(GLenum kind, const std::string& source) {
     std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
     glGetShaderInfoLog(shader, length, nullptr, log.data());
     glDeleteShader(shader);
-    throw GlError("the driver refuses a shader: " + log + "\n" + numbered(source));
+    throw GlError("the driver refuses a shader: " + explained_log(log.c_str(), source));
 }
 
 void set_sampling(GLenum target, GLint minify, GLint magnify) {
@@ -99,6 +93,34 @@ void check(const char* where) {
     if (error == kContextLost)
         throw GlError(fmt::format("{}: the driver was reset and has lost its context; start again", where));
     throw GlError(fmt::format("{}: OpenGL error 0x{:04x}", where, error));
+}
+
+std::string explained_log(const std::string& log, const std::string& source) {
+    constexpr int kLinesAFile = 10000;  // shaderlib/preprocess.h
+    std::map<int, std::string> files, lines;
+    std::istringstream in(source);
+    std::string line, name, out;
+    for (int number = 1; std::getline(in, line);) {
+        if (line.starts_with("// ")) name = line.substr(3);
+        if (std::sscanf(line.c_str(), "#line %d", &number) == 1)
+            files.emplace(number / kLinesAFile, name);
+        else
+            lines[number++] = line;
+    }
+    in = std::istringstream(log);
+    while (std::getline(in, line)) {
+        // "0:123", "ERROR: 0:123:", "0(123) :"
+        int number = 0, from = 0, to = 0;
+        const std::size_t at = std::min(line.find_first_of("0123456789"), line.size());
+        const bool placed = std::sscanf(line.c_str() + at, "%*d%*1[:(]%n%d%n", &from, &number, &to) == 1;
+        if (const auto file = files.find(number / kLinesAFile); placed && file != files.end())
+            line.replace(
+                at, static_cast<std::size_t>(to),
+                file->second + line[at + static_cast<std::size_t>(from) - 1] + std::to_string(number % kLinesAFile));
+        out += line + "\n";
+        if (placed) out += "    " + lines[number] + "\n";
+    }
+    return out;
 }
 
 void delete_program(unsigned id) { glDeleteProgram(id); }

@@ -60,8 +60,12 @@ using Buffer = Name<delete_buffer>;
 using Framebuffer = Name<delete_framebuffer>;
 using VertexArray = Name<delete_vertex_array>;
 
-// throws GlError with the driver's log and the numbered lines it complains of.
+// throws GlError with the driver's log, explained.
 Program make_program(const std::string& vertex, const std::string& fragment);
+// A driver's log of a shader with files and lines as they are written ("0:70012(3): error" becomes "core/trig.glsl:12(3):
+// error"), and behind each line the line of the source that it is about. The source has lines from 10000 F on for its file
+// F, and a comment "// NAME" before the first "#line" of each.
+std::string explained_log(const std::string& log, const std::string& source);
 void bind_uniform_block(const Program& program, const char* block, unsigned binding);
 void bind_sampler(const Program& program, const char* sampler, int unit);  // silent if the program has no such sampler
 // Byte offsets of the members of a uniform block, in the order of `members`; -1 for one that the compiler dropped.

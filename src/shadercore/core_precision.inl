@@ -1,55 +1,45 @@
-// The combinations of effects in one precision (Real) and their dispatch. The disc's code is always compiled, and that of rays that
-// pass the critical direction: where they end in a horizon they fetch nothing (core_variant.inl).
-#define EFFECT_INNER
-#define EFFECT_BOUNCE
-#define EFFECT_STAR
-#define EFFECT_DELAY
-#define EFFECT_INNER_HORIZON
-#define NEEDS_ZETA_SLOPE
-namespace lensed {
-#define EFFECT_DISC
-#define EFFECT_LENSING
-#include "shadercore/core_variant.inl"
-}  // namespace lensed
-namespace lensed_moving {
-#define EFFECT_ABERRATION
-#include "shadercore/core_variant.inl"
-}  // namespace lensed_moving
-#define STRIP_CUBIC
-namespace cubic_moving {
-#include "shadercore/core_variant.inl"
-}  // namespace cubic_moving
-#undef EFFECT_ABERRATION
-namespace cubic {
-#include "shadercore/core_variant.inl"
-}  // namespace cubic
-#undef STRIP_CUBIC
-#undef EFFECT_LENSING
-#define EFFECT_ABERRATION
-namespace flat_moving {
-#include "shadercore/core_variant.inl"
-}  // namespace flat_moving
-#undef EFFECT_ABERRATION
-namespace flat {
-#include "shadercore/core_variant.inl"
-}  // namespace flat
-#undef EFFECT_INNER
-#undef EFFECT_STAR
-#undef NEEDS_ZETA_SLOPE
-#define EFFECT_SPIN
-namespace spinning_delayed {
-#include "shadercore/core_spinning.inl"
-}  // namespace spinning_delayed
-#undef EFFECT_DELAY
-namespace spinning {
-#include "shadercore/core_spinning.inl"
-}  // namespace spinning
-#undef EFFECT_SPIN
-#undef EFFECT_DISC
+// The combinations of effects in one precision (Real) and their dispatch.
+#include "shadercore/core_types.inl"
+
+struct Texels {
+    TexelView strip, ends, orbit, delay;
+};
+thread_local Texels texels;
+
+// Nothing where there is no texel: a captured ray fetches from the strip of the sky too, which near the hole has fewer
+// octaves than captured rays take, and does not use what it gets. (In GL such a fetch gives some value; 0 where access
+// is robust.)
+vec4 fetch(const TexelView& view, int x, int y) {
+    if (x < 0 || x >= view.width || y < 0 || y >= view.height) return vec4(0);
+    const auto* texel = view.data + 4 * (static_cast<std::size_t>(y) * view.width + x);
+    return vec4(texel[0], texel[1], texel[2], texel[3]);
+}
+vec4 strip_fetch(int x, int y) { return fetch(texels.strip, x, y); }
+vec4 ends_fetch(int x, int y) { return fetch(texels.ends, x, y); }
+vec4 orbit_fetch(int x, int y) { return fetch(texels.orbit, x, y); }
+vec4 delay_fetch(int x, int y) { return fetch(texels.delay, x, y); }
+
+// 0 of those that take none.
+template <class Data>
+int steps_of(const Data& data) {
+    if constexpr (requires { data.steps; }) return static_cast<int>(data.steps);
+    else return 0;
+}
+
+#define float Real  // NOLINT: GLSL's float is this precision
+#include "shadercore/core_texts.inl"
+#undef float
 
 RayPixel dispatch(const CoreInput& input, double x, double y) {
-    if (input.spin) return (input.spin_delay ? spinning_delayed::dispatch : spinning::dispatch)(input, x, y);
-    if (input.lensing && input.cubic) return (input.aberration ? cubic_moving::trace_one : cubic::trace_one)(input, x, y);
-    if (input.lensing) return (input.aberration ? lensed_moving::trace_one : lensed::trace_one)(input, x, y);
-    return (input.aberration ? flat_moving::trace_one : flat::trace_one)(input, x, y);
+    using TraceOne = RayPixel (*)(const CoreInput&, double, double);
+    static constexpr TraceOne kRotating[2][2][2] = {   // falling, delayed, moving
+        {{rotating::trace_one, rotating_moving::trace_one},
+         {rotating_delayed::trace_one, rotating_delayed_moving::trace_one}},
+        {{rotating_falling::trace_one, rotating_falling_moving::trace_one},
+         {rotating_falling_delayed::trace_one, rotating_falling_delayed_moving::trace_one}}};
+    static constexpr TraceOne kPlane[3][2] = {{flat::trace_one, flat_moving::trace_one},
+                                              {lensed::trace_one, lensed_moving::trace_one},
+                                              {cubic::trace_one, cubic_moving::trace_one}};
+    if (input.spin) return kRotating[input.spin_fall][input.spin_delay][input.aberration](input, x, y);
+    return kPlane[!input.lensing ? 0 : input.cubic ? 2 : 1][input.aberration](input, x, y);
 }

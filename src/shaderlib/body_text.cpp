@@ -16,7 +16,8 @@ namespace {
 
 struct Body {
     std::string name;
-    int number;  // Object
+    int number;        // Object
+    const char* file;  // shaders/object/FILE.glsl
     const BodyLook* look;
     std::string size;               // GLSL: the length that grains are counted over
     std::string middle, normal;     // GLSL: at the place `place`
@@ -28,16 +29,20 @@ struct Body {
 std::vector<Body> bodies_of(const Scene& scene, bool spins) {
     std::vector<Body> bodies;
     if (scene.sphere)
-        bodies.push_back({"sphere", 2, &scene.sphere->look, "frame.sphere_form.x", "vec3(0.0)", "place.outward",
-                          nullptr, spins || scene.sphere->swing > 0.0});
+        bodies.push_back({"sphere", 2,
+                          scene.sphere->swing > 0.0 ? "pulse"
+                          : spins                   ? "still_sphere"
+                                                    : "sphere",
+                          &scene.sphere->look, "frame.sphere_form.x", "vec3(0.0)", "place.outward", nullptr,
+                          spins || scene.sphere->swing > 0.0});
     if (scene.cylinder)
-        bodies.push_back({"cylinder", 3, &scene.cylinder->look, "frame.cylinder_form.y", "vec3(0.0)",
+        bodies.push_back({"cylinder", 3, "cylinder", &scene.cylinder->look, "frame.cylinder_form.y", "vec3(0.0)",
                           "cylinder_normal(place.at)", "MAPPING_PLANE", true, scene.cylinder->far});
     if (scene.ball)
-        bodies.push_back({"ball", 4, &scene.ball->look, "frame.ball_form.w", "ball_middle(place)",
+        bodies.push_back({"ball", 4, "ball", &scene.ball->look, "frame.ball_form.w", "ball_middle(place)",
                           "ball_offset(place) / frame.ball_form.w", nullptr, true, scene.ball->far});
     if (scene.surface)
-        bodies.push_back({"surface", 5, &scene.surface->look, "frame.surface_form.x", "vec3(0.0)",
+        bodies.push_back({"surface", 5, "surface", &scene.surface->look, "frame.surface_form.x", "vec3(0.0)",
                           "surface_normal(place)", nullptr, true, scene.surface->far});
     return bodies;
 }
@@ -48,16 +53,18 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
     return text;
 }
 
-// The formula, and shaders/object/surface.glsl with or without the time.
+std::string file_of(const Body& body) { return include_line(fmt::format("object/{}.glsl", body.file)); }
+
+// For shaders/object/surface.glsl: the formula, with or without the time.
 std::string shape_of(const SurfaceSpec& surface) {
     const auto formula = expr::Formula::parse(surface_shape(surface), {"x", "y", "z", "t"});
-    const bool moves = surface_moves(surface);
-    std::string text =
-        "float surface_formula(vec3 at SURFACE_T) {\n    float x = at.x;\n    float y = at.y;\n    float z = at.z;\n" +
-        (formula ? formula->glsl("value") : "    float value = 1.0;\n") + "    return value;\n}\n" +
-        std::string(shader_file("object/surface.glsl"));
-    text = replaced(std::move(text), " SURFACE_AT_T", moves ? ", t" : "");
-    return replaced(std::move(text), " SURFACE_T", moves ? ", float t" : "");
+    const std::string time = surface_moves(surface)
+                                 ? "#define SURFACE_MOVES\n#define SURFACE_T , float t\n#define SURFACE_AT_T , t\n"
+                                 : "#define SURFACE_T\n#define SURFACE_AT_T\n";
+    return include_line("effect/expression.glsl") + time +
+           "float surface_formula(vec3 at SURFACE_T) {\n    float x = at.x;\n    float y = at.y;\n    float z = "
+           "at.z;\n" +
+           (formula ? formula->glsl("value") : "    float value = 1.0;\n") + "    return value;\n}\n";
 }
 
 std::string statements(const BodyLook& look) {
@@ -75,21 +82,19 @@ std::string light_of(const Body& body, bool solid) {
         kTextures[static_cast<int>(look.texture)],
         body.mapping != nullptr ? body.mapping : kMappings[static_cast<int>(look.mapping)]};
     if (solid) defines.emplace_back("MAPPING_OUTSIDE");
-    std::string text = resolved_branches(std::string(shader_file("object/paint.glsl")), defines);
+    std::string text = resolved_branches(shader_file("object/paint.glsl"), defines);
     if (solid) text += shader_file("object/body_light.glsl");
     if (look.texture == TextureKind::kFormula) text = replaced(std::move(text), "BODY_STATEMENTS\n", statements(look));
     text = replaced(std::move(text), "frame.BODY_size", body.size);
-    text = replaced(std::move(text), "BODY", body.name);
-    return (look.texture == TextureKind::kImage ? fmt::format("uniform sampler2D {}_texture;\n", body.name) : "") +
-           text;
+    return replaced(std::move(text), "BODY", body.name);
 }
 
 std::string coats_of(const Scene& scene) {
     std::string text;
     if (scene.disc && scene.disc->look.texture != TextureKind::kImage)
-        text += light_of({"disc_coat", 0, &scene.disc->look, "frame.disc_y.w", "", "", "MAPPING_POLAR"}, false);
+        text += light_of({"disc_coat", 0, "", &scene.disc->look, "frame.disc_y.w", "", "", "MAPPING_POLAR"}, false);
     const BodyLook sky = sky_look(scene.sky);
-    if (has_look(scene.sky.kind)) text += light_of({"dome", 0, &sky, "1.0", "", "", "MAPPING_INSIDE"}, false);
+    if (has_look(scene.sky.kind)) text += light_of({"dome", 0, "", &sky, "1.0", "", "", "MAPPING_INSIDE"}, false);
     return text;
 }
 
@@ -114,6 +119,7 @@ std::string march_of(const std::vector<Body>& bodies, const Scene& scene, const 
     std::string value, object, room, helpers;
     for (const Body& body : bodies) {
         if (!body.marched) continue;
+        helpers += file_of(body);
         if (sides) {
             helpers += value_by_side(body);
             value += fmt::format("    value = min(value, {}_value_by_side(place));\n", body.name);
@@ -141,7 +147,7 @@ std::string march_of(const std::vector<Body>& bodies, const Scene& scene, const 
     // Strides of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent.
     const int steps = (sides ? 256 : 128) + (scene.surface ? 2 * scene.surface->steps : 0);
     const std::string graze = scene.surface ? "1.0e30" : "2.0 * angle * place_speed(place)";
-    return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) + stop + helpers +
+    return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) + helpers + stop +
            "float march_value(RayPlace place) {\n    float value = 1.0e30;\n" + value +
            "    return value;\n}\n"
            "float march_room(RayPlace place) {\n    float room = 1.0e30;\n" +
@@ -158,6 +164,7 @@ std::string hit_of(const std::vector<Body>& bodies) {
     const bool sphere = !bodies.front().marched,
                march = bodies.back().marched;  // only a sphere that keeps its size is not
     const std::string text =
+        (sphere ? file_of(bodies.front()) : "") + (march ? include_line("object/plane_march.glsl") : "") +
         "SolidHit solid_hit(Trace trace, float blur) {\n    vec3 tangent = place_tangent(trace);\n    SolidHit hit = ";
     const std::string placed =
         "    if (hit.object != 0) hit.place = place_seen(trace, tangent, hit.phi);\n    return hit;\n}\n";
@@ -187,7 +194,7 @@ BodyText body_text(const Scene& scene, const EffectSet& effects) {
     if (!spins) text.hit = hit_of(bodies);
     std::string choice;
     for (const Body& body : bodies) {
-        text.light += light_of(body, true);
+        text.light += file_of(body) + light_of(body, true);
         choice += fmt::format("    if (hit.object == {}) return {}_light(trace, place, place.at - {}, {});\n",
                               body.number, body.name, body.middle, body.normal);
     }

@@ -7,9 +7,10 @@
 
 namespace nullscope {
 
+// What generated/surface, bodies_march, bodies_hit, bodies_light and coats stand for where a shader includes them.
 // Compared as a whole: two scenes with equal texts and equal effects have one program.
 struct BodyText {
-    std::string shape;  // surface_formula
+    std::string shape;  // surface_formula, and whether it knows the time
     std::string march;  // march_value, march_room, march_object, MARCH_MOST_STEPS
     std::string hit;    // solid_hit: the first body on the ray; about a spinning hole the tracer finds it
     std::string light;  // solid_light: and its light

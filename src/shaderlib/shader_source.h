@@ -1,4 +1,4 @@
-// Final GLSL text: version line, defines from the EffectSet, and only the files that these call for. No GL in it.
+// Final GLSL text: a file of shaders/stage with what it includes, as far as the EffectSet calls for it. No GL in it.
 #pragma once
 #include <string>
 #include <string_view>
@@ -37,6 +37,9 @@ std::vector<int> block_members(const EffectSet& effects);
 
 // Is there shaders/FOLDER/METRIC.glsl in this build?
 bool has_shader(std::string_view folder, std::string_view metric);
+
+// #include "PATH", as generated texts have it.
+std::string include_line(std::string_view path);
 
 // One embedded file of shaders/ by its path there; aborts if there is none (a broken build).
 std::string_view shader_file(std::string_view path);

@@ -6,6 +6,7 @@
 
 #include "base/assets.h"
 #include "expr/formula.h"
+#include "shaderlib/preprocess.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -179,8 +180,7 @@ TEST_CASE("formulas: the driver computes what C++ does") {
             CAPTURE(text);
             const auto formula = expr::Formula::parse(text, {"x", "y", "z"});
             REQUIRE(formula);
-            std::string fragment = "#version 330 core\n" + std::string(shader_file("core/trig.glsl")) +
-                                   std::string(shader_file("effect/expression.glsl")) +
+            std::string fragment = "#version 330 core\n" + resolved_text("effect/expression.glsl", {}, shader_file) +
                                    "out vec4 colour;\nvoid main() {\n    float x = (gl_FragCoord.x - 15.75) / 16.0;\n"
                                    "    float y = (gl_FragCoord.y - 15.75) / 16.0;\n    float z = 0.25;\n" +
                                    formula->glsl("value") + "    colour = vec4(value);\n}\n";

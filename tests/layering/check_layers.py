@@ -26,10 +26,13 @@ WITNESS, WITNESS_AVOIDS = "reference", {"shadercore", "table", "gl", "shaderlib"
 # Shader files may be seen by C++ in these modules only.
 SHADER_READERS = {"shared": {"shadercore", "gl", "render"}, "*": {"shadercore"}}
 # asin and acos of Mesa's software driver are off by up to 3.9e-4 rad: use atan(sqrt((1 - x) * (1 + x)), x).
-BANNED_FOLDERS = ("core", "spacetime")
 BANNED_BUILT_IN = re.compile(r"\b(asin|acos)\s*\(")
 
 SOURCE_SUFFIXES = {".h", ".hpp", ".cpp", ".c", ".inl"}
+# What a shader file defines: a function, whose uses have a bracket behind them; a struct, macro or uniform.
+GLSL_FUNCTION = re.compile(r"^\w[\w ]* (\w+\()[^;{}]*\) *\{", re.M)
+GLSL_NAME = re.compile(r"^(?:struct|#define|uniform [\w ]+) (\w+)", re.M)
+GLSL_WORD = re.compile(r"\w+\(?")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"\n]+)"|<([^>\n]+)>)', re.M)
 # What must not be read as code: raw strings, comments; ordinary strings are matched so that "//" in one starts no comment.
 # The names of #include "..." are kept by the function that uses this.
@@ -56,16 +59,20 @@ def read(path):
 
 
 def read_layers(path):
-    """({module: layer}, {module: set of modules it may include})."""
-    layer_of, allowed, layer = {}, {}, None
+    """({module: layer}, {module: set of modules it may include}, the same of folders of shaders)."""
+    layer_of, allowed, of_shaders, layer = {}, {}, {}, None
     for number, line in enumerate(read(path).splitlines(), 1):
         line = line.split("#")[0].strip()
         if not line:
             continue
         heading = re.fullmatch(r"layer (\d+)", line)
-        edge = re.fullmatch(r"(\w+):((?: +\w+)*)", line)
+        edge = re.fullmatch(r"([\w/]+):((?: +[\w/]+)*)", line)
         if heading:
             layer = int(heading[1])
+        elif line == "shaders":
+            layer = line
+        elif edge and layer == "shaders" and edge[1] not in of_shaders:
+            of_shaders[edge[1]] = set(edge[2].split())
         elif edge and layer is not None and edge[1] not in allowed:
             layer_of[edge[1]] = layer
             allowed[edge[1]] = set(edge[2].split())
@@ -73,7 +80,7 @@ def read_layers(path):
             raise ListError(f"{path}:{number}: expected 'layer N' or one new 'module: others', found '{line}'")
     if not allowed:
         raise ListError(f"{path}: no module is listed")
-    return layer_of, allowed
+    return layer_of, allowed, of_shaders
 
 
 def reachable(allowed, start):
@@ -137,12 +144,12 @@ def check_cmake(root, allowed):
             more, less = " ".join(sorted(links - allowed[name])), " ".join(sorted(allowed[name] - links))
             yield (f"src/CMakeLists.txt:{line}: {name} links other modules than layers.txt allows"
                    + (f"; too many: {more}" if more else "") + (f"; missing: {less}" if less else ""))
-    programs = {"nullscope": "cli", "nullscope-viewer": "viewer"}
+    programs = {"nullscope": "cli", "nullscope-viewer": "viewer", "nullscope_coretexts": "coretexts"}
     for line, words in cmake_commands(text, "target_link_libraries"):
         module = programs.get(words[0]) or re.sub(r"^nullscope_", "", words[0]).split("_")[0]
         if module not in allowed:
             continue
-        if module in ("cli", "viewer"):
+        if module in programs.values():
             seen.add(module)
         for word in words[1:]:
             linked = re.fullmatch(r"nullscope_([a-z]+)(?:_\w+)?", word)
@@ -192,26 +199,61 @@ def check_includes(root, allowed):
                 yield f"src/{where}:{code.count(chr(10), 0, match.start()) + 1}: #include {target}: {reason}"
 
 
-def check_shaders(root):
-    for folder in BANNED_FOLDERS:
-        for path in sorted((root / "shaders" / folder).rglob("*")):
-            if not path.is_file():
-                continue
-            code = without_comments(read(path))
-            for match in BANNED_BUILT_IN.finditer(code):
+def check_shader_includes(codes, allowed):
+    """Every #include names a file that is there and allowed, none leads back, and a file reaches what it uses."""
+    includes = {name: {f"shaders/{match[1] or match[2]}" for match in INCLUDE.finditer(code)}
+                for name, code in codes.items()}
+    for name, code in codes.items():
+        folder = name.split("/")[1]
+        for match in INCLUDE.finditer(code):
+            target = match[1] or match[2]
+            where = f"{name}:{code.count(chr(10), 0, match.start()) + 1}: #include {target}"
+            home = target if target.startswith("generated/") else target.split("/")[0]
+            if home != target and "shaders/" + target not in codes:
+                yield f"{where}: no such file in shaders/"
+            elif home not in allowed.get(folder, ()):
+                yield f"{where}: layers.txt does not let shaders/{folder} include {home}"
+        if name in reachable(includes, name):
+            yield f"{name}: includes itself, by way of others"
+    # A generated text may name every file of its folders.
+    for part in (part for part in allowed if part.startswith("generated/")):
+        includes["shaders/" + part] = {name for name in codes if name.split("/")[1] in allowed[part]}
+    homes = {}   # of what is defined: files
+    for file, code in codes.items():
+        for name in GLSL_FUNCTION.findall(code) + GLSL_NAME.findall(code):
+            if not name.startswith("BODY"):   # of templates
+                homes.setdefault(name, set()).add(file)
+    for file, code in codes.items():
+        seen = reachable(includes, file) | {file}
+        for match in GLSL_WORD.finditer(code):
+            name = match[0] if match[0] in homes else match[0].rstrip("(")
+            if name in homes and not homes[name] & seen:
                 line = code.count("\n", 0, match.start()) + 1
-                yield (f"{path.relative_to(root).as_posix()}:{line}: {match[1]}() is banned here;"
-                       " use atan(sqrt((1 - x) * (1 + x)), x)")
+                yield f"{file}:{line}: uses {name} of {', '.join(sorted(homes[name]))} and includes none of it"
+
+
+def check_shaders(root, allowed):
+    codes = {path.relative_to(root).as_posix(): without_comments(read(path))
+             for path in sorted((root / "shaders").rglob("*")) if path.is_file()}
+    for other in sorted(set().union(*allowed.values()) - set(allowed)):
+        yield f"layers.txt names {other}, which is neither a folder of shaders/ nor a generated text"
+    for folder in sorted({name.split("/")[1] for name in codes} - set(allowed)):
+        yield f"shaders/{folder}: a folder that layers.txt does not list"
+    yield from check_shader_includes(codes, allowed)
+    for name, code in codes.items():
+        for match in BANNED_BUILT_IN.finditer(code):
+            line = code.count("\n", 0, match.start()) + 1
+            yield f"{name}:{line}: {match[1]}() is banned here; use atan(sqrt((1 - x) * (1 + x)), x)"
 
 
 def check(root):
     """All violations in the tree at root, as a list of lines."""
-    layer_of, allowed = read_layers(root / "tests" / "layering" / "layers.txt")
+    layer_of, allowed, of_shaders = read_layers(root / "tests" / "layering" / "layers.txt")
     found = list(check_list(layer_of, allowed))
     found += check_folders(root, allowed)
     found += check_cmake(root, allowed)
     found += check_includes(root, allowed)
-    found += check_shaders(root)
+    found += check_shaders(root, of_shaders)
     return found
 
 

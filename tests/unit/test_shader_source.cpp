@@ -1,11 +1,14 @@
 // The text that goes to the driver: nothing of an effect that is off is in it.
 #include <doctest/doctest.h>
 
+#include <cstdio>
+#include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "scene/effects.h"
-#include "shaderlib/embedded.h"
+#include "shaderlib/preprocess.h"
 #include "shaderlib/shader_source.h"
 #include "support/depth.h"
 
@@ -111,6 +114,42 @@ const std::vector<Mark> kMarks = {
     {Effect::kInnerHorizon, {"inner_horizon_time("}},
 };
 
+// Every line of a shader stands where #line says: in its file there is the same, but for a comment.
+void check_places(const std::string& shader) {
+    std::istringstream in(shader);
+    std::map<int, std::string> files;
+    std::string line, comment, all_of_file;
+    std::vector<std::string> lines;  // of the file
+    int known = 0, file = 0, number = 1;
+    while (std::getline(in, line)) {
+        if (line.starts_with("// ")) {
+            comment = line.substr(3);
+            ++number;
+            continue;
+        }
+        if (std::sscanf(line.c_str(), "#line %d", &number) == 1) {
+            file = number / 10000;
+            number %= 10000;
+            known += files.emplace(file, comment).second ? 1 : 0;
+            CHECK(file <= known);
+            lines.clear();
+            if (files[file].starts_with("generated/")) continue;
+            std::istringstream text{std::string(shader_file(files[file]))};
+            for (std::string one; std::getline(text, one);) lines.push_back(one.substr(0, one.find("//")));
+            continue;
+        }
+        const bool in_a_file = file > 0 && !files[file].starts_with("generated/");
+        if (in_a_file && !line.empty()) {
+            REQUIRE(static_cast<std::size_t>(number) <= lines.size());
+            std::string there = lines[static_cast<std::size_t>(number - 1)];
+            there.resize(there.find_last_not_of(' ') + 1);
+            if (there != line) CHECK_MESSAGE(there == line, files[file], " line ", number);
+        }
+        ++number;
+    }
+    CHECK(known > 0);
+}
+
 std::string picture_of(const Scene& scene) {
     const EffectSet effects = effect_set(required_effects(scene));
     return shader_source(Stage::kPicture, effects, Output::kDisplay, {}, scene.spacetime.metric,
@@ -128,9 +167,31 @@ TEST_CASE(
         for (const Mark& mark : kMarks)
             for (const std::string& word : mark.words)
                 CHECK_MESSAGE((text.find(word) != std::string::npos) == set.contains(mark.effect), word);
-        for (const char* left : {"EFFECT_", "BLOCK", "BODY", "TEXTURE_", "MAPPING_", "__cplusplus", "//"})
+        for (const char* left : {"EFFECT_", "BLOCK", "BODY", "TEXTURE_", "MAPPING_", "__cplusplus", "#if", "#include"})
             CHECK(text.find(left) == std::string::npos);
+        check_places(text);
     }
+}
+
+TEST_CASE("shader source: an include is resolved once, and in branches that are kept alone") {
+    const std::map<std::string, std::string, std::less<>> files = {
+        {"root",
+         "// A comment.\n#include \"b\"\n#include \"a\"\n#ifdef OFF\n#include \"c\"\n#endif\nint root;   // x\n"},
+        {"a", "int a;\n#define ON 1\n"},
+        {"b", "#include \"a\"\n\n#ifdef ON\nint b;\n#else\nint no;\n#endif\n#ifndef ON\nint no;\n#endif\n"},
+        {"c", "int c;\n"}};
+    std::vector<std::string> read;
+    const ShaderReader reader = [&](std::string_view name) -> std::string_view {
+        read.emplace_back(name);
+        return files.find(name)->second;
+    };
+    CHECK(resolved_text("root", {}, reader) ==
+          "// a\n#line 10001\nint a;\n#define ON 1\n// b\n#line 20004\nint b;\n// root\n#line 30007\nint root;\n");
+    CHECK(read == std::vector<std::string>{"root", "b", "a"});
+    CHECK(resolved_text("c", {"__cplusplus"}, reader) == "#line 1 \"c\"\nint c;\n");
+    CHECK(resolved_text("root", {"OFF"}, reader).find("int c;") != std::string::npos);
+    CHECK(resolved_branches("#ifdef X\n#include \"x\"\n#else\n#include \"y\"  // y\n#endif\n", {}) ==
+          "#include \"y\"  // y\n");
 }
 
 TEST_CASE("shader source: about a spinning hole nothing of plane orbits, without spin nothing of one that spins") {

@@ -2,6 +2,9 @@
 //
 // e1 < 0 the negative root, m = 2/3 - e1, S = (q^2 - q_crit^2)(3m + 1)/(4 m^2): the other two are (1 - e1)/2 +- sqrt(-S).
 // The value of a difference is never formed from rounded roots: e2 - zeta0 = P(zeta0) / ((zeta0 - e1)(e3 - zeta0)).
+#include "core/trig.glsl"
+#include "method/by_angle.glsl"
+#include "shared/frame.glsl"
 
 #define LANDEN_STEPS 5   // kc from 1e-3 up: the mean has converged to float rounding
 

@@ -1,8 +1,23 @@
-// One pixel's ray about a spinning hole, from the camera to its end (core/kerr.glsl). In place of trace.glsl, where rays stay in planes:
+// One pixel's ray about a rotating hole, from the camera to its end (core/kerr.glsl). In place of core/trace.glsl, where rays stay in planes:
 // the same Trace as far as a sky asks for it. Reads the global `frame` (FrameData).
 //
 // Inside the horizon every ray is traced outward, and none whose energy is not above 0 has come from our sky. Of the others those with
 // E (r_+^2 + a^2) <= a L have crossed another horizon than the one that the camera fell through: they meet nothing of ours.
+#ifdef EFFECT_ABERRATION
+#include "core/aberration.glsl"
+#endif
+#ifdef EFFECT_DISC
+#include "core/spin_leg.glsl"
+#endif
+#include "core/spin_ray.glsl"
+#include "core/spin_step.glsl"
+#ifdef METHOD_KERR_SCHILD
+#include "generated/method"
+#endif
+#ifdef NEEDS_PLACE
+#include "object/spin_march.glsl"
+#endif
+#include "shared/frame.glsl"
 
 #define SPIN_CROSSINGS 4   // of the disc that are kept: layers of a translucent one
 #define SPIN_RIM 0.125     // of the disc's width, and of its inner radius: by no more is it widened for rims that cover a pixel in part
@@ -52,10 +67,6 @@ float g_of(Trace trace) { return trace.doppler / max(trace.energy, 1.0e-6); }
 
 // A ray ends at the sky, and at the horizon once it has been outside of it.
 bool spin_goes(float zeta, float end, int left, bool outside) { return zeta > 0.0 && (zeta < end || !outside) && left > 0; }
-
-#ifdef METHOD_KERR_SCHILD
-vec4 kerr_schild_march(SpinRay ray, vec3 n);   // method/kerr_schild.glsl
-#endif
 
 // pixel: px from the image centre, x to the right, y up.
 Trace trace_pixel(vec2 pixel) {
@@ -125,7 +136,7 @@ Trace trace_pixel(vec2 pixel) {
     float begun = 0.0;
     float number = 0.0;
     float rim = SPIN_RIM * min(frame.disc_y.w - frame.disc_x.w, frame.disc_x.w);
-    do {   // from one crossing of the plane to the next; loops are tested at the end, see disc_colour.glsl
+    do {   // from one crossing of the plane to the next; loops are tested at the end, see disc_cover.glsl
         bool crossed = false;
         do {
             SpinState before = now;

@@ -1,4 +1,15 @@
 // What is known of a pixel's ray before any colour: written by raydata.frag, compared by the tests, printed by `trace`.
+#ifdef EFFECT_STAR
+#include "core/trig.glsl"
+#endif
+#ifdef NEEDS_PLACE
+#include "generated/bodies_hit"
+#endif
+#ifdef EFFECT_DISC
+#include "object/disc_crossing.glsl"
+#endif
+#include "object/tracer.glsl"
+#include "shared/frame.glsl"
 
 struct PixelData {
     float fate;     // 0 escaped, 1 captured, 2 other side, 4 hit (scene/ray.h)

@@ -1,0 +1,94 @@
+// Writes the shader core's text, C++: shaders/stage/pixel_data.glsl with all that it includes, once for each combination
+// of effects, each in a namespace (src/shadercore/core_precision.inl). A program of the build alone.
+//
+//     nullscope_coretexts SHADERS OUTPUT
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scene/effects.h"
+#include "shaderlib/preprocess.h"
+
+namespace {
+
+using namespace nullscope;
+
+struct Variant {
+    std::string name;
+    std::vector<std::string> defines;
+};
+
+// The disc's code is always compiled, and that of rays that pass the critical direction: where they end in a horizon
+// they fetch nothing.
+std::vector<Variant> variants() {
+    std::vector<std::string> always = {"__cplusplus", "EFFECT_DISC", "BLOCK_MARCH"};
+    for (const EffectRow& row : kEffectTable)  // FrameData has all members
+        always.push_back("BLOCK_" + std::string(row.define.substr(std::string_view("EFFECT_").size())));
+    std::vector<Variant> all;
+    for (const char* name : {"flat", "lensed", "cubic"}) {
+        Variant plane{name, always};
+        for (const char* define : {"EFFECT_DELAY", "EFFECT_INNER", "EFFECT_INNER_HORIZON", "EFFECT_BOUNCE",
+                                   "EFFECT_STAR", "NEEDS_PHI_END", "NEEDS_ZETA_SLOPE"})
+            plane.defines.emplace_back(define);
+        if (plane.name != "flat") plane.defines.emplace_back("EFFECT_LENSING");
+        all.push_back(plane);
+    }
+    for (const bool falling : {false, true}) {
+        all.push_back({falling ? "rotating_falling" : "rotating", always});
+        all.back().defines.emplace_back("EFFECT_SPIN");
+        if (falling) all.back().defines.emplace_back("EFFECT_SPIN_FALL");
+        all.push_back(all.back());
+        all.back().name += "_delayed";
+        all.back().defines.emplace_back("EFFECT_DELAY");
+    }
+    for (std::size_t i = all.size(); i-- > 0;) {
+        Variant moving = all[i];
+        moving.name += "_moving";
+        moving.defines.emplace_back("EFFECT_ABERRATION");
+        all.push_back(moving);
+    }
+    return all;
+}
+
+// Macros know no namespace: #undef of every #define.
+std::string undefs(const std::string& text) {
+    constexpr std::string_view kDefine = "\n#define ";
+    std::string lines;
+    for (std::size_t at = text.find(kDefine); at != std::string::npos; at = text.find(kDefine, at + 1)) {
+        const std::size_t name = at + kDefine.size();
+        lines += "#undef " + text.substr(name, text.find_first_of(" (\n", name) - name) + "\n";
+    }
+    return lines;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 3) return 2;
+    const std::filesystem::path shaders = argv[1];
+    std::map<std::string, std::string, std::less<>> files;
+    const ShaderReader read = [&](std::string_view name) -> std::string_view {
+        std::string& text = files[std::string(name)];
+        std::ifstream file(shaders / name);
+        if (text.empty()) text.assign(std::istreambuf_iterator<char>(file), {});
+        if (!text.empty()) return text;
+        std::fprintf(stderr, "core texts: no shaders/%s\n", std::string(name).c_str());
+        std::exit(1);
+    };
+    std::string all;
+    for (const Variant& variant : variants()) {
+        const std::string method = variant.name.starts_with("cubic") ? "strip_cubic" : "strip";
+        files["generated/method"] = "#include \"method/" + method + ".glsl\"\n";
+        const std::string text = resolved_text("stage/pixel_data.glsl", variant.defines, read);
+        all += "namespace " + variant.name + " {\n" + text + "#include \"shadercore/core_variant.inl\"\n}\n" +
+               undefs(text);
+    }
+    std::ofstream output(argv[2]);
+    output << all;
+    return output.flush() ? 0 : 1;
+}
