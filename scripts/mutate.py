@@ -66,7 +66,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("doppler", "the frequency without the motion's part", "shaders/core/trace.glsl",
      "frame.radial.w * trace.doppler / energy_at", "frame.radial.w / energy_at", HARD),
     ("dragging", "frame dragging with the wrong sign of L", "shaders/core/kerr.glsl",
-     "(ray.energy - ray.a * ray.momentum * zeta)", "(ray.energy + ray.a * ray.momentum * zeta)",
+     "(ray.energy - ray.pull * zeta)", "(ray.energy + ray.pull * zeta)",
      ("unit_tests", "kerr: the shader core*")),
     ("mino", "half of the mass in the orbit of 1/r about a rotating hole", "shaders/core/kerr.glsl",
      "1.5 * ray.k - 2.0", "0.75 * ray.k - 2.0", ("gpu_tests", "kerr: the shadow*")),

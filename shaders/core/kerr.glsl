@@ -3,9 +3,10 @@
 // In Mino's time tau (d lambda = Sigma d tau) radius and polar angle part, and with a unit vector n on the sphere instead of polar
 // angle and azimuth every right side is a polynomial: no turning point, no pole, no sign to choose. For the tangent of a ray traced
 // backward, with energy E, L_z = L, Carter's K and Q, J^2 = Q + L^2 (E and L those of the photon, negated):
-//     zeta'' = (a^2 E^2 - J^2) zeta + (3/2) K zeta^2 - 2 a^2 Q zeta^3
+//     zeta'' = (a^2 E^2 - J^2) zeta + (3/2) K zeta^2 - 2 (a^2 Q + c K) zeta^3
 //     n''    = -(J^2 + 2 a^2 E^2 n_z^2) n + a^2 E^2 n_z e_z            (a Neumann oscillator: |n| = 1 stays)
-//     psi'   = a zeta (E - a L zeta) / ((1 - r_+ zeta)(1 - r_- zeta))  (dragging; 0 far away)
+//     psi'   = a zeta (E - (a L + c E) zeta) / ((1 - r_+ zeta)(1 - r_- zeta))  (frame dragging; 0 far away)
+// with c = (charge/2M)^2, 0 for Kerr: 2 m(r) = 1 - c zeta, and r_+ r_- = a^2 + c.
 // The azimuth of Boyer and Lindquist is that of n and psi added up. Without spin n turns at the rate J, as on every plane orbit.
 //
 // Where a camera falls, rays that are traced outward from it come through the horizon, where that azimuth winds without end. There psi
@@ -20,7 +21,9 @@ struct SpinRay {
     float a2e2;       // a^2 E^2
     float j2;         // J^2; below 0 for rays that stay about the axis
     float k;          // K >= 0
-    float a2q;        // a^2 Q
+    float cubic;      // a^2 Q + c K
+    float pull;       // a L + c E
+    float a2c;        // a^2 + c
     float energy;     // of the tangent: minus the photon's
     float momentum;   // L, the same
     float outer;      // radii of the horizons
@@ -45,14 +48,14 @@ struct SpinState {
 vec4 spin_force(SpinRay ray, vec4 y) {
     float across = -(ray.j2 + 2.0 * ray.a2e2 * y.z * y.z);
     return vec4(across * y.x, across * y.y, (across + ray.a2e2) * y.z,
-                y.w * (ray.a2e2 - ray.j2 + y.w * (1.5 * ray.k - 2.0 * ray.a2q * y.w)));
+                y.w * (ray.a2e2 - ray.j2 + y.w * (1.5 * ray.k - 2.0 * ray.cubic * y.w)));
 }
 
 // Delta zeta^2, a product: exact next to the horizon.
 float spin_delta(SpinRay ray, float zeta) { return (1.0 - ray.outer * zeta) * (1.0 - ray.inner * zeta); }
 
 float spin_drag(SpinRay ray, float zeta) {
-    return ray.a * zeta * (ray.energy - ray.a * ray.momentum * zeta) / spin_delta(ray, zeta);
+    return ray.a * zeta * (ray.energy - ray.pull * zeta) / spin_delta(ray, zeta);
 }
 
 // X of the photon: E (r^2 + a^2) - a L over r^2; above 0 on this side of the horizons.
@@ -102,14 +105,14 @@ float spin_turning_at(SpinRay ray, SpinState at) { return spin_drag(ray, at.y.w)
 //     D' = (1 + a^2 zeta^2) K/(X + |zeta'|) + a (L - a E (1 - n_z^2))
 // outward, and inward by 2 (r_* - r_*') more: regular at the horizon and at the sky. Where the ray turns |zeta'| has a kink; there, with
 // -zeta'/(E zeta) taken off, which is all of it for straight light,
-//     t' = (-zeta'/(E zeta))' + X (X (1/zeta - a^2) + a L)/(E delta) + delta K/E + zeta''/(E zeta) + a (L - a E (1 - n_z^2)).
+//     t' = (-zeta'/(E zeta))' + X (X (1/zeta - a^2 - c) + a L)/(E delta) + delta K/E + zeta''/(E zeta) + a (L - a E (1 - n_z^2)).
 #define LAG_SLOW 0.1         // |zeta'|^2 over X^2 below which a ray may be about to turn
 #define LAG_LEAST_ENERGY 1.0e-3
 
 // r_*
 float spin_tortoise(SpinRay ray, float zeta) {
     float split = frame.spin_turn.y / ray.a;   // 1/(r_+ - r_-)
-    return 1.0 / zeta - log(zeta) + split * (ray.outer * log(max(1.0 - ray.outer * zeta, 1.0e-7)) - ray.inner * log(max(1.0 - ray.inner * zeta, 1.0e-7)));
+    return 1.0 / zeta - log(zeta) + split * ((ray.outer - frame.spin_turn.z) * log(max(1.0 - ray.outer * zeta, 1.0e-7)) - (ray.inner - frame.spin_turn.z) * log(max(1.0 - ray.inner * zeta, 1.0e-7)));
 }
 
 bool lag_is_level(SpinRay ray, float zeta, float slope) {
@@ -131,7 +134,7 @@ float lag_rate(SpinRay ray, bool keeps, vec4 y) {
     float level = (1.0 + ray.a * ray.a * zeta * zeta) * ray.k / max(x + speed, 1.0e-12);
     float energy = max(-ray.energy, LAG_LEAST_ENERGY);
     float inverse = 1.0 / max(zeta, 1.0e-12);
-    float turning = x * (x * (inverse - ray.a * ray.a) - ray.a * ray.momentum) / (energy * max(delta, 1.0e-7)) + delta * ray.k / energy + spin_force(ray, y).w * inverse / energy;
+    float turning = x * (x * (inverse - ray.a2c) - ray.a * ray.momentum) / (energy * max(delta, 1.0e-7)) + delta * ray.k / energy + spin_force(ray, y).w * inverse / energy;
     return round + (keeps ? level : turning);
 }
 

@@ -20,7 +20,10 @@ SpinRay spin_ray(vec3 n) {
     ray.k = p_theta * p_theta + w * w;
     ray.j2 = p_theta * p_theta + across * across - ray.a2e2 * frame.spin_place.y * frame.spin_place.y;
     // Q = p_theta^2 + cos^2 (L^2/sin^2 - a^2 E^2), not J^2 - L^2.
-    ray.a2q = frame.spin_hole.y * (p_theta * p_theta + frame.spin_place.y * frame.spin_place.y * (across * across - ray.a2e2));
+    float a2q = frame.spin_hole.y * (p_theta * p_theta + frame.spin_place.y * frame.spin_place.y * (across * across - ray.a2e2));
+    ray.cubic = a2q + frame.spin_turn.z * ray.k;
+    ray.pull = ray.a * ray.momentum + frame.spin_turn.z * ray.energy;
+    ray.a2c = ray.a * ray.a + frame.spin_turn.z;
     return ray;
 }
 

@@ -70,9 +70,9 @@ float spin_stride(SpinRay ray, SpinState at, int left) {
     float zeta = at.y.w;
     float slope = at.v.w;
 #ifdef EFFECT_SPIN_FALL
-    float fall = at.ingoing ? 0.0 : slope * (0.5 - ray.a * ray.a * zeta) / spin_delta(ray, zeta);
+    float fall = at.ingoing ? 0.0 : slope * (0.5 - ray.a2c * zeta) / spin_delta(ray, zeta);
 #else
-    float fall = slope * (0.5 - ray.a * ray.a * zeta) / spin_delta(ray, zeta);
+    float fall = slope * (0.5 - ray.a2c * zeta) / spin_delta(ray, zeta);
 #endif
     float rate2 = abs(ray.j2) + ray.a2e2 + 0.125 * ray.energy * ray.energy + 1.5 * ray.k * zeta + (slope < 0.0 ? 3.0 : 1.0 + 3.0 * min(2.0 * spin_delta(ray, zeta), 1.0)) * fall * fall;
 #ifdef EFFECT_SPIN_FALL

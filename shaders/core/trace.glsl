@@ -36,6 +36,8 @@ struct Trace {
 #endif
 };
 
+float path_spin() { return 0.0; }   // a of a rotating hole, r_s
+
 vec3 radial_direction() { return vec3(frame.radial.x, frame.radial.y, frame.radial.z); }
 
 // Across the radial direction, in world axes.

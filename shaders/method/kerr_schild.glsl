@@ -21,12 +21,12 @@ float kerr_schild_radius(float a, vec3 at) {
 }
 
 // d/dlambda of both, of H = (eta^{mu nu} p p - f (l p)^2)/2 with p_t = -1.
-KerrSchildState kerr_schild_slope(float a, KerrSchildState s) {
+KerrSchildState kerr_schild_slope(float a, float c, KerrSchildState s) {
     float r = kerr_schild_radius(a, s.at);
     float r2 = r * r;
     float across = r2 + a * a;
     float sum = 1.0 / (r2 * r2 + a * a * s.at.z * s.at.z);
-    float f = r2 * r * sum;
+    float f = r2 * (r - c) * sum;   // 2 m(r) r^3/(r^4 + a^2 z^2)
     float by_across = 1.0 / across;
     float by_r = 1.0 / r;
     vec3 l = vec3((r * s.at.x + a * s.at.y) * by_across, (r * s.at.y - a * s.at.x) * by_across, s.at.z * by_r);
@@ -34,7 +34,7 @@ KerrSchildState kerr_schild_slope(float a, KerrSchildState s) {
     KerrSchildState d;
     d.at = s.p - (f * lp) * l;
     vec3 dr = vec3(s.at.x * r2 * r, s.at.y * r2 * r, s.at.z * r * across) * sum;
-    vec3 df = f * (3.0 * by_r * dr - sum * (4.0 * r2 * r * dr + vec3(0.0, 0.0, 2.0 * a * a * s.at.z)));
+    vec3 df = f * ((3.0 + c / (r - c)) * by_r * dr - sum * (4.0 * r2 * r * dr + vec3(0.0, 0.0, 2.0 * a * a * s.at.z)));
     // sum over i of p_i dl_i/dx_k.
     vec3 pl = ((s.at.x * s.p.x + s.at.y * s.p.y - 2.0 * r * (l.x * s.p.x + l.y * s.p.y)) * by_across - l.z * s.p.z * by_r) * dr +
               vec3(r * s.p.x - a * s.p.y, a * s.p.x + r * s.p.y, 0.0) * by_across + vec3(0.0, 0.0, s.p.z * by_r);
@@ -45,6 +45,7 @@ KerrSchildState kerr_schild_slope(float a, KerrSchildState s) {
 // The sky's direction, and the number of steps: below 0 for a ray that ends at the horizon.
 vec4 kerr_schild_march(SpinRay ray, vec3 n) {
     float a = ray.a;
+    float c = frame.spin_turn.z;
     float r = 1.0 / frame.shift.y;
     float sine = frame.spin_place.x;
     float cosine = frame.spin_place.y;
@@ -65,21 +66,21 @@ vec4 kerr_schild_march(SpinRay ray, vec3 n) {
     float steps = 0.0;
     do {
         r = kerr_schild_radius(a, s.at);
-        KerrSchildState k1 = kerr_schild_slope(a, s);
+        KerrSchildState k1 = kerr_schild_slope(a, c, s);
         float h = KERR_SCHILD_STEP * r * (dot(s.at, k1.at) > 0.0 ? max(1.0, r * (1.0 / KERR_SCHILD_FAR)) : 1.0);
-        KerrSchildState k2 = kerr_schild_slope(a, KerrSchildState(s.at + 0.5 * h * k1.at, s.p + 0.5 * h * k1.p));
-        KerrSchildState k3 = kerr_schild_slope(a, KerrSchildState(s.at + 0.5 * h * k2.at, s.p + 0.5 * h * k2.p));
-        KerrSchildState k4 = kerr_schild_slope(a, KerrSchildState(s.at + h * k3.at, s.p + h * k3.p));
+        KerrSchildState k2 = kerr_schild_slope(a, c, KerrSchildState(s.at + 0.5 * h * k1.at, s.p + 0.5 * h * k1.p));
+        KerrSchildState k3 = kerr_schild_slope(a, c, KerrSchildState(s.at + 0.5 * h * k2.at, s.p + 0.5 * h * k2.p));
+        KerrSchildState k4 = kerr_schild_slope(a, c, KerrSchildState(s.at + h * k3.at, s.p + h * k3.p));
         s.at += (h / 6.0) * (k1.at + 2.0 * (k2.at + k3.at) + k4.at);
         s.p += (h / 6.0) * (k1.p + 2.0 * (k2.p + k3.p) + k4.p);
         r = kerr_schild_radius(a, s.at);
         steps += 1.0;
     } while (r > ray.outer && r < KERR_SCHILD_SKY && steps < float(KERR_SCHILD_MOST));
     // Azimuths turned over again, from the camera's: phi = phi_camera - (phi~ + int a/Delta dr at the camera).
-    vec3 motion = normalize(kerr_schild_slope(a, s).at);
-    float c = cos(frame.spin_turn.x);
-    float t = sin(frame.spin_turn.x);
-    vec2 turned = vec2(c * motion.x - t * motion.y, -(t * motion.x + c * motion.y));
+    vec3 motion = normalize(kerr_schild_slope(a, c, s).at);
+    float co = cos(frame.spin_turn.x);
+    float si = sin(frame.spin_turn.x);
+    vec2 turned = vec2(co * motion.x - si * motion.y, -(si * motion.x + co * motion.y));
     vec2 place = vec2(frame.spin_place.z * turned.x - frame.spin_place.w * turned.y, frame.spin_place.w * turned.x + frame.spin_place.z * turned.y);
     return vec4(place, motion.z, r >= KERR_SCHILD_SKY ? steps : -steps);
 }

@@ -3,6 +3,7 @@
 // comes back turned. DISC_COPIES of them until they repeat.
 #include "object/disc_cover.glsl"
 #include "object/disc_crossing.glsl"
+#include "object/tracer.glsl"
 #include "shared/frame.glsl"
 
 #define DISC_COPIES 4096.0
@@ -13,14 +14,12 @@ vec2 disc_turned(vec2 v, float c, float s) { return vec2(c * v.x + s * v.y, c * 
 // late: how long ago the light left that arrives now.
 vec4 disc_flow(DiscCrossing crossing, float late) {
     float zeta = 1.0 / crossing.r;
-#ifdef EFFECT_SPIN
-    float root = sqrt(crossing.r);
-    float omega = 1.0 / (1.41421356237 * crossing.r * root + frame.spin_hole.x);   // with the spin
-    float omega_slope = -2.12132034356 * root * omega * omega;
-#else
-    float omega = sqrt(max(zeta * zeta * zeta * (frame.disc_winding.z - frame.disc_winding.w * zeta), 0.0));
-    float omega_slope = -0.5 * zeta * zeta * zeta * zeta * (3.0 * frame.disc_winding.z - 4.0 * frame.disc_winding.w * zeta) / max(omega, 1.0e-20);
-#endif
+    // Of circular orbits, Omega = w/(1 + a w), w^2 = zeta^3 (z - w zeta) of disc_winding: about a rotating hole with its rotation.
+    float w = sqrt(max(zeta * zeta * zeta * (frame.disc_winding.z - frame.disc_winding.w * zeta), 0.0));
+    float w_slope = -0.5 * zeta * zeta * zeta * zeta * (3.0 * frame.disc_winding.z - 4.0 * frame.disc_winding.w * zeta) / max(w, 1.0e-20);
+    float dragged = 1.0 / (1.0 + path_spin() * w);
+    float omega = w * dragged;
+    float omega_slope = w_slope * dragged * dragged;
     vec2 outward = crossing.place * zeta;
     vec2 around = vec2(-outward.y, outward.x);
     vec4 sum = vec4(0.0);

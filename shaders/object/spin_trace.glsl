@@ -62,6 +62,8 @@ struct Trace {
 SolidHit solid_hit(Trace trace, float blur) { return trace.solid; }
 #endif
 
+float path_spin() { return frame.spin_hole.x; }   // a, r_s
+
 // g: the camera's frequency over that at infinity.
 float g_of(Trace trace) { return trace.doppler / max(trace.energy, 1.0e-6); }
 

@@ -110,7 +110,7 @@ struct FrameData {
     vec4 spin_across;  // L/sin(theta) = x + y n_r + z n_phi; of L/sin(theta) - a E sin(theta) = w + (spin_climb.w) n_phi
     vec4 spin_climb;   // d zeta/d tau = x + y n_r + z n_phi
     vec4 spin_place;   // sin(theta), cos(theta) (exactly 0 in the equatorial plane), cos(phi), sin(phi)
-    vec4 spin_turn;    // ingoing azimuth less Boyer and Lindquist's at the camera (0 inside the horizon), a over the horizons' distance; 0, 0
+    vec4 spin_turn;    // ingoing azimuth less Boyer and Lindquist's at the camera (0 inside the horizon), a over the horizons' distance; (charge/2M)^2, 0
 #endif
 #ifdef BLOCK_SIDES
     vec4 throat;       // radius of a wormhole's throat, mu of table/throat_orbit.h, 0, 0

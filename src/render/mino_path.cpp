@@ -29,7 +29,8 @@ void MinoPath::write(const FramePlan& plan, FrameData& frame) const {
     frame.spin_across = {forms.across.constant, forms.across.radial, forms.across.around, forms.carter};
     frame.spin_climb = {forms.climb.constant, forms.climb.radial, forms.climb.around, forms.carter_slope};
     frame.spin_place = {std::sin(camera.theta), plane_height(camera), std::cos(camera.phi), std::sin(camera.phi)};
-    frame.spin_turn = {camera.r > outer ? azimuth_ahead(*metric_, camera.r) : 0.0, a / (outer - inner), 0, 0};
+    frame.spin_turn = {camera.r > outer ? azimuth_ahead(*metric_, camera.r) : 0.0, a / (outer - inner),
+                       metric_->charge2(), 0};
     // r_* of the camera, or r where its clock is v - r: what T less r_* of a place is late by.
     frame.delay = {0, 0, camera.r + (falls(camera) ? 0.0 : time_ahead(*metric_, camera.r)), 0};
 }

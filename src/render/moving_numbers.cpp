@@ -1,8 +1,10 @@
 #include "render/moving_numbers.h"
 
+#include <array>
 #include <cmath>
 
 #include "light/black_body.h"
+#include "spacetime/axial_metric.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/spherical_metric.h"
 
@@ -11,19 +13,24 @@ namespace {
 
 constexpr double kCopies = 4096.0;  // DISC_COPIES of shaders/object/disc_flow.glsl
 
+// Of A = (1 - x zeta)(1 - y zeta), by which matter goes round with w^2 = A'/(2 r) = zeta^3 ((x + y)/2 - x y zeta); about a rotating
+// hole A = 1 - zeta + charge2 zeta^2 takes its place. In flat space matter rests.
+std::array<double, 2> winding(const Spacetime& matter) {
+    if (const AxialMetric* axial = matter.axial()) return {0.5, axial->charge2()};
+    const LapseRoots roots = matter.spherical()->lapse_roots().value_or(LapseRoots{0, 0});
+    return {0.5 * (roots.outer + roots.inner), roots.outer * roots.inner};
+}
+
 }  // namespace
 
 void put_moving(FrameData& frame, const FramePlan& plan, const BallPath* ball_path) {
     const Scene& scene = plan.scene;
     const Spacetime& matter = *plan.matter;
     if (scene.disc && scene.disc->flow == DiscFlowKind::kKepler) {
-        // Omega^2 = A'/(2 r) = zeta^3 ((x + y)/2 - x y zeta); in flat space matter rests.
-        const LapseRoots roots = matter.spherical() != nullptr
-                                     ? matter.spherical()->lapse_roots().value_or(LapseRoots{0, 0})
-                                     : LapseRoots{0, 0};
+        const auto [first, second] = winding(matter);
         const double lives = scene.time / scene.disc->flow_life;
-        frame.disc_winding = {lives - kCopies * std::floor(lives / kCopies), 1.0 / scene.disc->flow_life,
-                              0.5 * (roots.outer + roots.inner), roots.outer * roots.inner};
+        frame.disc_winding = {lives - kCopies * std::floor(lives / kCopies), 1.0 / scene.disc->flow_life, first,
+                              second};
     }
     if (scene.disc && scene.spot) {
         const SpotSpec& spot = *scene.spot;
