@@ -1,5 +1,5 @@
 // A sphere anywhere.
-#include "object/ray_place.glsl"
+#include "path/place"
 #include "shared/frame.glsl"
 
 #ifdef EFFECT_BALL_PATH
@@ -35,15 +35,4 @@ float ball_value(RayPlace place) {
 float ball_room(RayPlace place) { return ball_value(place) / (1.0 + frame.ball_path.w * place_slowness(place)); }
 #else
 float ball_room(RayPlace place) { return ball_value(place); }
-#endif
-
-#ifndef EFFECT_SPIN
-// A ray stays in a plane through the centre: where that passes the ball by, with a pixel's width to spare, there is nothing to march
-// for. tangent: place_tangent.
-bool ball_beside(Trace trace, vec3 tangent) {
-    vec3 middle = vec3(frame.ball_form.x, frame.ball_form.y, frame.ball_form.z);
-    float reach = sqrt(dot(middle, middle)) + frame.ball_form.w;
-    float pixel = reach * trace.pixel_angle / max(trace.s, 1.0e-9);
-    return abs(dot(cross(radial_direction(), tangent), middle)) > frame.ball_form.w + pixel;
-}
 #endif

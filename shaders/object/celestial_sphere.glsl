@@ -10,7 +10,7 @@
 #include "effect/black_body.glsl"
 #endif
 #endif
-#include "object/tracer.glsl"
+#include "path/trace"
 #include "shared/frame.glsl"
 
 float sky_level(Trace trace) {

@@ -1,6 +1,6 @@
 // A disc of finite thickness about the polar axis: |z| <= height, inner <= rho <= outer. Distance to it from outside, at least
 // (exact beside its faces); below 0 inside.
-#include "object/ray_place.glsl"
+#include "path/place"
 #include "shared/frame.glsl"
 
 float cylinder_value(vec3 at) {

@@ -1,6 +1,6 @@
 // The disc's look: its light, and how much of the pixel it covers.
 #include "object/disc_cover.glsl"
-#include "object/disc_crossing.glsl"
+#include "path/disc"
 #ifdef EFFECT_DISC_FLOW
 #include "object/disc_flow.glsl"
 #endif
@@ -10,7 +10,7 @@
 #ifdef EFFECT_SPOT
 #include "object/spot.glsl"
 #endif
-#include "object/tracer.glsl"
+#include "path/trace"
 #include "shared/frame.glsl"
 
 // Premultiplied colour and coverage.
@@ -20,11 +20,7 @@ vec4 disc_colour(Trace trace, DiscCrossing crossing) {
 #ifdef NEEDS_LATE
     float late = 0.0;
 #ifdef EFFECT_DELAY
-#ifdef EFFECT_SPIN
-    late = crossing.late;
-#else
-    late = light_time(trace, crossing.phi, crossing.r, crossing.zeta_slope);
-#endif
+    late = disc_late(trace, crossing);
 #endif
 #endif
 #ifdef EFFECT_DISC_FLOW

@@ -2,8 +2,8 @@
 // starts half a life back and is wound until half a life ahead of where it is drawn, half a life apart; each fades in and out, and
 // comes back turned. DISC_COPIES of them until they repeat.
 #include "object/disc_cover.glsl"
-#include "object/disc_crossing.glsl"
-#include "object/tracer.glsl"
+#include "path/disc"
+#include "path/trace"
 #include "shared/frame.glsl"
 
 #define DISC_COPIES 4096.0

@@ -5,15 +5,11 @@
 // A body that the ray only grazes lies between two strides: where three values fall and rise again, the least between them is
 // looked for too.
 //
-// MarchWay, way_place, way_value and way_pixel: the way that is marched along by a growing number (object/plane_march.glsl: the swept angle of an orbit;
-// object/spin_march.glsl: the fraction of a step about a spinning hole), the place there, the value, and how wide a pixel is.
+// MarchWay, way_place, way_value and way_pixel: the way that is marched along by a growing number (planar/march.glsl: the swept angle of an orbit;
+// mino/march.glsl: the fraction of a step about a spinning hole), the place there, the value, and how wide a pixel is.
 #include "generated/bodies_march"
-#include "object/ray_place.glsl"
-#ifdef EFFECT_SPIN
-#include "object/spin_way.glsl"
-#else
-#include "object/plane_way.glsl"
-#endif
+#include "path/place"
+#include "path/way"
 #include "shared/frame.glsl"
 
 #define MARCH_GOLDEN 0.61803398875

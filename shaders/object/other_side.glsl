@@ -1,5 +1,5 @@
 // The sky at the other end of a wormhole where the near one is dark or painted (both: object/celestial_sphere.glsl).
-#include "object/tracer.glsl"
+#include "path/trace"
 
 uniform samplerCube other_side_texture;
 

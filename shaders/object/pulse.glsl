@@ -1,5 +1,5 @@
 // A sphere about the centre that pulsates: sphere_form holds its mean radius, the swing, the phase now and its rate.
-#include "object/ray_place.glsl"
+#include "path/place"
 #include "shared/frame.glsl"
 
 float sphere_value(RayPlace place) {

@@ -1,6 +1,6 @@
 // How a solid body's light reaches the pixel: the footprint on its surface, and the darkening towards the limb.
-#include "object/ray_place.glsl"
-#include "object/tracer.glsl"
+#include "path/place"
+#include "path/trace"
 
 struct SolidSpot {
     vec3 at;        // r_s
@@ -15,18 +15,11 @@ SolidSpot solid_spot(Trace trace, RayPlace place, vec3 normal) {
     SolidSpot spot;
     spot.at = place.at;
     spot.cosine = clamp(-dot(normal, velocity) / speed, 0.0, 1.0);
-#ifdef EFFECT_SPIN
-    vec3 within = trace.solid_right;
-    vec3 round = trace.solid_up;
-#else
-    // The pixel moved by an angle within the plane, and turned about the radial direction.
-    vec3 within = place.r_across * trace.pixel_angle * place.outward;
-    vec3 round = cross(radial_direction(), place.at) * (trace.pixel_angle / max(trace.s, 1.0e-6));
-#endif
+    SolidSides sides = solid_sides(trace, place);
     // Slid along the ray back to the surface.
     float slide = 1.0 / (speed * max(spot.cosine, 0.03));
-    spot.along = within + velocity * (dot(normal, within) * slide);
-    spot.across = round + velocity * (dot(normal, round) * slide);
+    spot.along = sides.within + velocity * (dot(normal, sides.within) * slide);
+    spot.across = sides.round + velocity * (dot(normal, sides.round) * slide);
     return spot;
 }
 

@@ -1,5 +1,5 @@
 // What a solid body's hit is known by.
-#include "object/ray_place.glsl"
+#include "path/place"
 
 struct SolidHit {
     int object;      // its number (scene/ray.h), 0 for none

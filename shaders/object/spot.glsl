@@ -1,8 +1,8 @@
 // Hot spots on one circular orbit in the disc: what shines of the one that is nearest.
 #include "core/trig.glsl"
 #include "effect/black_body.glsl"
-#include "object/disc_crossing.glsl"
-#include "object/tracer.glsl"
+#include "path/disc"
+#include "path/trace"
 #include "shared/frame.glsl"
 
 // Its Gaussian, averaged over the pixel's footprint: the covariances of both add.
@@ -26,12 +26,6 @@ vec3 spot_light(Trace trace, DiscCrossing crossing, float late) {
     vec2 middle = frame.spot.x * vec2(outward.x * cos(angle) + outward.y * sin(angle), outward.y * cos(angle) - outward.x * sin(angle));
     float profile = spot_profile(crossing.place - middle, crossing.along, crossing.across);
     if (profile < 1.0e-6) return vec3(0.0);
-#ifdef EFFECT_SPIN
-    float g = trace.doppler / max(trace.energy * frame.spot_motion.x - trace.momentum * frame.spot_motion.y, 1.0e-6);
-#else
-    vec3 normal = vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z);
-    float momentum = dot(crossed_direction(trace), normal) / q_sine(trace.c);
-    float g = g_of(trace) / max(frame.spot_motion.x - momentum * frame.spot_motion.y, 1.0e-6);
-#endif
+    float g = disc_g(trace, crossing, vec3(frame.spot_motion.x, frame.spot_motion.y, 0.0));
     return seen_black_body(frame.spot_look.z, g, frame.spot_look.w) * (frame.spot_look.y * profile);
 }

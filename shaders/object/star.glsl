@@ -1,6 +1,6 @@
 // A star's surface: cells of equal area, 24 in longitude by 12 rings of equal height, filtered by the footprint. Two colours, so that
 // the images of both poles tell themselves apart.
-#include "object/tracer.glsl"
+#include "path/trace"
 
 // 1 and -1 by turns from one whole number to the next; averaged over a width, given as 1/width.
 float star_square(float place, float per_width) {

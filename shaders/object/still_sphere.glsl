@@ -1,5 +1,5 @@
 // A sphere about the centre that keeps its size, where rays are marched along.
-#include "object/ray_place.glsl"
+#include "path/place"
 #include "shared/frame.glsl"
 
 float sphere_value(RayPlace place) { return place.r - frame.sphere_form.x; }

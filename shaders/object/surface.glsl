@@ -1,7 +1,7 @@
 // A solid given by a formula, f(x, y, z) < 0, as far as a sphere about the centre. What is marched along is f over the length of its
 // gradient: a distance close to the surface, with the sign of f everywhere.
 #include "generated/surface"
-#include "object/ray_place.glsl"
+#include "path/place"
 #include "shared/frame.glsl"
 
 // SURFACE_T and SURFACE_AT_T, of generated/surface (shaderlib/body_text.cpp): the time among the parameters, where the

@@ -89,7 +89,7 @@ struct FrameData {
     vec4 dome_second;
 #endif
 #ifdef BLOCK_DELAY
-    vec4 delay;        // x, y of A = (1 - x zeta)(1 - y zeta); the camera's part of light times, of rays to the sky and of others (core/delay.glsl)
+    vec4 delay;        // x, y of A = (1 - x zeta)(1 - y zeta); the camera's part of light times, of rays to the sky and of others (planar/delay.glsl)
 #endif
 #ifdef BLOCK_DISC_FLOW
     vec4 disc_winding; // scene time over the life of a copy, modulo 4096; 1/life; Omega^2 = zeta^3 (z - w zeta)
@@ -103,7 +103,7 @@ struct FrameData {
     vec4 ball_path;    // how long ago light left at the first node, 1/step, number of cells, largest speed
 #endif
 #ifdef BLOCK_SPIN
-    // Of a spinning hole (object/spin_trace.glsl): look directions, motion and ray_0, ray_x, ray_y are then along (e_r, e_theta, e_phi) of
+    // Of a spinning hole (mino/trace.glsl): look directions, motion and ray_0, ray_x, ray_y are then along (e_r, e_theta, e_phi) of
     // the observer's own frame. Forms of the tangent of the ray traced backward, for unit frequency in that frame; n: look direction.
     vec4 spin_hole;    // a, a^2, radii of the outer and of the inner horizon
     vec4 spin_energy;  // E = x + y n_r + z n_phi; p_theta = w n_theta

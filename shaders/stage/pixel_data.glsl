@@ -6,9 +6,12 @@
 #include "generated/bodies_hit"
 #endif
 #ifdef EFFECT_DISC
-#include "object/disc_crossing.glsl"
+#include "path/disc"
 #endif
-#include "object/tracer.glsl"
+#ifdef EFFECT_DELAY
+#include "path/delay"
+#endif
+#include "path/trace"
 #include "shared/frame.glsl"
 
 struct PixelData {
@@ -19,71 +22,40 @@ struct PixelData {
     float angle;    // swept from the camera to the end
     float hit;      // number of the first object met, 0 for none
     vec3 place;     // of that meeting: x, y, z in r_s; of methods that count their steps, where nothing is met, x is their number
-#ifdef EFFECT_SPIN
-    float steps;    // that the tracer took
-#endif
+    float steps;    // that the tracer took; 0 of planar rays
 };
 
 PixelData pixel_data(vec2 pixel) {
     Trace trace = trace_pixel(pixel);
     PixelData data;
     data.fate = trace.escapes ? 0.0 : frame.shift.w;
-#ifdef EFFECT_SPIN
-    data.angle = 0.0;   // of plane orbits only
-    data.steps = float(trace.steps);
-#else
-    data.angle = trace.phi_end;
-#endif
+    data.angle = path_angle(trace);
+    data.steps = path_steps(trace);
     data.hit = 0.0;
     data.place = vec3(0.0, 0.0, 0.0);
     data.delay = 0.0;
 #ifdef NEEDS_PLACE
     SolidHit solid = solid_hit(trace, 0.0);
-#ifndef EFFECT_SPIN
-    if (solid.object != 0) data.angle = solid.phi;
+    if (solid.object != 0) data.angle = swept_angle(solid.phi);
 #endif
-#endif
-#ifdef EFFECT_SPIN
 #ifdef EFFECT_DISC
-    for (int k = 0; k < SPIN_CROSSINGS && data.hit == 0.0; ++k) {
-        DiscCrossing crossing = spin_disc_cross(trace, k, vec4(0.0, 0.0, 0.0, 0.0));
+    for (DiscWalk walk = disc_walk(trace); walk.more && data.hit == 0.0; walk = disc_walk_on(trace, walk)) {
+        DiscCrossing crossing = disc_walk_crossing(trace, walk);
 #ifdef NEEDS_PLACE
         if (crossing.phi > solid.phi) break;
 #endif
         if (crossing.hit) {
             data.hit = 1.0;
             data.place = vec3(crossing.place.x, crossing.place.y, 0.0);
-            data.fate = frame.disc_look.x >= 1.0 ? 4.0 : data.fate;
-#ifdef EFFECT_DELAY
-            data.delay = data.fate == 4.0 ? crossing.late : 0.0;
-#endif
-        }
-    }
-#endif
-#else
-#ifdef EFFECT_DISC
-    PlaneMeeting meeting = disc_meeting(trace);
-    int passed = int(frame.disc_look.w);
-    int first = disc_first(trace, meeting);
-    for (int k = passed > first ? passed : first; k < DISC_MOST_CROSSINGS && disc_reachable(trace, meeting, k); ++k) {
-        DiscCrossing crossing = disc_cross(trace, meeting, k, 0.0);
-#ifdef NEEDS_PLACE
-        if (crossing.phi > solid.phi) break;
-#endif
-        if (crossing.hit && data.hit == 0.0) {
-            data.hit = 1.0;
-            data.place = vec3(crossing.place.x, crossing.place.y, 0.0);
             if (frame.disc_look.x >= 1.0) {   // opaque: the ray ends here
                 data.fate = 4.0;
-                data.angle = crossing.phi;
+                data.angle = swept_angle(crossing.phi);
 #ifdef EFFECT_DELAY
-                data.delay = light_time(trace, crossing.phi, crossing.r, crossing.zeta_slope);
+                data.delay = disc_late(trace, crossing);
 #endif
-                break;
             }
         }
     }
-#endif
 #endif
 #ifdef NEEDS_PLACE
     if (solid.object != 0 && data.fate != 4.0) {
@@ -108,11 +80,7 @@ PixelData pixel_data(vec2 pixel) {
 #endif
     bool sky = data.fate == 0.0 || data.fate == 2.0;
 #ifdef EFFECT_DELAY
-#ifdef EFFECT_SPIN
-    if (data.fate == 0.0) data.delay = trace.lag;
-#else
     if (data.fate == 0.0) data.delay = sky_delay(trace);
-#endif
 #endif
     data.sky = sky ? normalize(trace.sky) : vec3(0.0, 0.0, 0.0);
     data.g = sky ? g_of(trace) : 0.0;

@@ -8,10 +8,7 @@
 #endif
 #ifdef EFFECT_DISC
 #include "object/disc_colour.glsl"
-#include "object/disc_crossing.glsl"
-#ifdef EFFECT_LENSING
-#include "object/disc_thin.glsl"
-#endif
+#include "path/disc"
 #endif
 #ifdef EFFECT_SKY
 #include "object/celestial_sphere.glsl"
@@ -27,7 +24,7 @@
 #ifdef EFFECT_STAR
 #include "object/star.glsl"
 #endif
-#include "object/tracer.glsl"
+#include "path/trace"
 #include "shared/frame.glsl"
 
 out vec4 colour;
@@ -41,13 +38,10 @@ void main() {
     SolidHit solid = solid_hit(trace, 1.0);
     vec4 body = solid.object == 0 ? vec4(0.0) : vec4(solid_light(trace, solid), 1.0) * solid.covered;
 #endif
-#ifdef EFFECT_SPIN
 #ifdef EFFECT_DISC
-    DiscFeet feet = spin_feet(trace);
-    int k = 0;
-    bool more = spin_disc_more(trace, k);
+    DiscWalk walk = disc_walk(trace);
     do {   // tested at the end, see disc_cover
-        DiscCrossing crossing = spin_disc_cross(trace, k, spin_foot_of(feet, k));
+        DiscCrossing crossing = disc_walk_crossing(trace, walk);
 #ifdef NEEDS_PLACE
         if (crossing.phi > solid.phi) {
             light += through * body.rgb;
@@ -55,51 +49,12 @@ void main() {
             body = vec4(0.0);
         }
 #endif
-        vec4 over = disc_colour(trace, crossing);
-        over = more && crossing.hit ? over * through : vec4(0.0);
+        vec4 over = disc_colour(trace, crossing) * walk.covered;
+        over = walk.more && crossing.hit ? over * through : vec4(0.0);
         light += over.rgb;
         through -= over.a;
-        ++k;
-        more = more && through > 0.002 && spin_disc_more(trace, k);
-    } while (more);
-#endif
-#else
-#ifdef EFFECT_DISC
-    PlaneMeeting meeting = disc_meeting(trace);
-    int k = disc_first(trace, meeting);
-    bool more = disc_reachable(trace, meeting, k);
-#ifdef EFFECT_LENSING
-    DiscThin ring = disc_thin(trace, meeting, k);
-    more = ring.thin ? ring.more : more;
-#endif
-    do {   // tested at the end, see disc_cover
-        DiscCrossing crossing = disc_cross(trace, meeting, k, 0.5);
-#ifdef EFFECT_LENSING
-        if (ring.thin) crossing = disc_thin_crossing(meeting, k);
-#endif
-#ifdef NEEDS_PLACE
-        if (crossing.phi > solid.phi) {
-            light += through * body.rgb;
-            through -= through * body.a;
-            body = vec4(0.0);
-        }
-#endif
-        vec4 over = disc_colour(trace, crossing);
-#ifdef EFFECT_LENSING
-        over *= ring.thin ? ring.covered : 1.0;
-#endif
-        over = more && crossing.hit ? over * through : vec4(0.0);
-        light += over.rgb;
-        through -= over.a;
-        ++k;
-        more = disc_reachable(trace, meeting, k);
-#ifdef EFFECT_LENSING
-        ring = disc_thin(trace, meeting, k);
-        more = ring.thin ? ring.more : more;
-#endif
-        more = more && through > 0.002 && k < DISC_MOST_CROSSINGS;
-    } while (more);
-#endif
+        walk = disc_walk_on(trace, walk);
+    } while (walk.more && through > 0.002);
 #endif
 #ifdef NEEDS_PLACE
     light += through * body.rgb;

@@ -1,4 +1,4 @@
-// nullscope bench spin: the shader of a spinning hole against a march in Kerr-Schild coordinates (shaders/method/kerr_schild.glsl). First the
+// nullscope bench spin: the shader of a spinning hole against a march in Kerr-Schild coordinates (shaders/mino/kerr_schild.glsl). First the
 // screen errors of both against the reference; then, with the march's steps as long as ours allows at the 99.9th percentile, what a frame of
 // each costs, drawn in turn; and how many steps our rays take.
 #include <fmt/format.h>

@@ -21,6 +21,7 @@ using namespace nullscope;
 struct Variant {
     std::string name;
     std::vector<std::string> defines;
+    const char* path;  // folder of shaders/
 };
 
 // The disc's code is always compiled, and that of rays that pass the critical direction: where they end in a horizon
@@ -31,7 +32,7 @@ std::vector<Variant> variants() {
         always.push_back("BLOCK_" + std::string(row.define.substr(std::string_view("EFFECT_").size())));
     std::vector<Variant> all;
     for (const char* name : {"flat", "lensed", "cubic"}) {
-        Variant plane{name, always};
+        Variant plane{name, always, "planar"};
         for (const char* define : {"EFFECT_DELAY", "EFFECT_INNER", "EFFECT_INNER_HORIZON", "EFFECT_BOUNCE",
                                    "EFFECT_STAR", "NEEDS_PHI_END", "NEEDS_ZETA_SLOPE"})
             plane.defines.emplace_back(define);
@@ -39,8 +40,7 @@ std::vector<Variant> variants() {
         all.push_back(plane);
     }
     for (const bool falling : {false, true}) {
-        all.push_back({falling ? "rotating_falling" : "rotating", always});
-        all.back().defines.emplace_back("EFFECT_SPIN");
+        all.push_back({falling ? "rotating_falling" : "rotating", always, "mino"});
         if (falling) all.back().defines.emplace_back("EFFECT_SPIN_FALL");
         all.push_back(all.back());
         all.back().name += "_delayed";
@@ -72,8 +72,10 @@ int main(int argc, char** argv) {
     if (argc != 3) return 2;
     const std::filesystem::path shaders = argv[1];
     std::map<std::string, std::string, std::less<>> files;
+    const char* path = "";
     const ShaderReader read = [&](std::string_view name) -> std::string_view {
         std::string& text = files[std::string(name)];
+        if (name.starts_with(kPathPrefix)) return text = path_line(path, name);
         std::ifstream file(shaders / name);
         if (text.empty()) text.assign(std::istreambuf_iterator<char>(file), {});
         if (!text.empty()) return text;
@@ -82,6 +84,7 @@ int main(int argc, char** argv) {
     };
     std::string all;
     for (const Variant& variant : variants()) {
+        path = variant.path;
         const std::string method = variant.name.starts_with("cubic") ? "strip_cubic" : "strip";
         files["generated/method"] = "#include \"method/" + method + ".glsl\"\n";
         const std::string text = resolved_text("stage/pixel_data.glsl", variant.defines, read);

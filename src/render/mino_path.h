@@ -1,4 +1,4 @@
-// Rays about a rotating hole, which every pixel traces step by step in Mino's time (shaders/core/kerr.glsl): nothing is built for
+// Rays about a rotating hole, which every pixel traces step by step in Mino's time (shaders/mino/kerr.glsl): nothing is built for
 // them, the camera's frame is told as linear forms of the view direction.
 #pragma once
 #include "render/light_path.h"

@@ -22,7 +22,7 @@ PlanarPath::Rows rows_of(const EffectSet& effects) {
     return {meets_objects(effects) || delays, delays, effects.contains(Effect::kPointStars)};
 }
 
-// Roots of A, and the camera's part of light times, of rays to the sky and of others (core/delay.glsl).
+// Roots of A, and the camera's part of light times, of rays to the sky and of others (planar/delay.glsl).
 FrameVector delay_numbers(const CameraSpec& camera, const SphericalMetric& metric) {
     const auto roots = metric.lapse_roots();
     if (!roots) return {0, 0, 0, 0};

@@ -19,13 +19,6 @@ vec4 ends_fetch(int x, int y) { return fetch(texels.ends, x, y); }
 vec4 orbit_fetch(int x, int y) { return fetch(texels.orbit, x, y); }
 vec4 delay_fetch(int x, int y) { return fetch(texels.delay, x, y); }
 
-// 0 of those that take none.
-template <class Data>
-int steps_of(const Data& data) {
-    if constexpr (requires { data.steps; }) return static_cast<int>(data.steps);
-    else return 0;
-}
-
 #define float Real  // NOLINT: GLSL's float is this precision
 #include "shadercore/core_texts.inl"
 #undef float

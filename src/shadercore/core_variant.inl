@@ -14,7 +14,7 @@ RayPixel trace_one(const CoreInput& input, double x, double y) {
     pixel.angle = data.angle;
     pixel.order = static_cast<int>(std::floor(pixel.angle / M_PI));
     pixel.hit = static_cast<int>(data.hit);
-    pixel.steps = steps_of(data);
+    pixel.steps = static_cast<int>(data.steps);
     pixel.u = data.place.x;
     pixel.v = data.place.y;
     pixel.w = data.place.z;

@@ -17,7 +17,7 @@ namespace {
 struct Body {
     std::string name;
     int number;        // Object
-    const char* file;  // shaders/object/FILE.glsl
+    const char* file;  // of shaders/
     const BodyLook* look;
     std::string size;               // GLSL: the length that grains are counted over
     std::string middle, normal;     // GLSL: at the place `place`
@@ -30,20 +30,20 @@ std::vector<Body> bodies_of(const Scene& scene, bool spins) {
     std::vector<Body> bodies;
     if (scene.sphere)
         bodies.push_back({"sphere", 2,
-                          scene.sphere->swing > 0.0 ? "pulse"
-                          : spins                   ? "still_sphere"
-                                                    : "sphere",
+                          scene.sphere->swing > 0.0 ? "object/pulse.glsl"
+                          : spins                   ? "object/still_sphere.glsl"
+                                                    : "planar/sphere.glsl",
                           &scene.sphere->look, "frame.sphere_form.x", "vec3(0.0)", "place.outward", nullptr,
                           spins || scene.sphere->swing > 0.0});
     if (scene.cylinder)
-        bodies.push_back({"cylinder", 3, "cylinder", &scene.cylinder->look, "frame.cylinder_form.y", "vec3(0.0)",
-                          "cylinder_normal(place.at)", "MAPPING_PLANE", true, scene.cylinder->far});
+        bodies.push_back({"cylinder", 3, "object/cylinder.glsl", &scene.cylinder->look, "frame.cylinder_form.y",
+                          "vec3(0.0)", "cylinder_normal(place.at)", "MAPPING_PLANE", true, scene.cylinder->far});
     if (scene.ball)
-        bodies.push_back({"ball", 4, "ball", &scene.ball->look, "frame.ball_form.w", "ball_middle(place)",
+        bodies.push_back({"ball", 4, "object/ball.glsl", &scene.ball->look, "frame.ball_form.w", "ball_middle(place)",
                           "ball_offset(place) / frame.ball_form.w", nullptr, true, scene.ball->far});
     if (scene.surface)
-        bodies.push_back({"surface", 5, "surface", &scene.surface->look, "frame.surface_form.x", "vec3(0.0)",
-                          "surface_normal(place)", nullptr, true, scene.surface->far});
+        bodies.push_back({"surface", 5, "object/surface.glsl", &scene.surface->look, "frame.surface_form.x",
+                          "vec3(0.0)", "surface_normal(place)", nullptr, true, scene.surface->far});
     return bodies;
 }
 
@@ -53,7 +53,7 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
     return text;
 }
 
-std::string file_of(const Body& body) { return include_line(fmt::format("object/{}.glsl", body.file)); }
+std::string file_of(const Body& body) { return include_line(body.file); }
 
 // For shaders/object/surface.glsl: the formula, with or without the time.
 std::string shape_of(const SurfaceSpec& surface) {
@@ -141,7 +141,8 @@ std::string march_of(const std::vector<Body>& bodies, const Scene& scene, const 
     const bool ball_alone = bodies.back().name == "ball" && scene.ball->motion == BallMotion::kStill &&
                             std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return b.marched; }) == 1;
     const std::string stop = spins ? ""
-                                   : "float march_stop(Trace trace, vec3 tangent, float phi) { return " +
+                                   : std::string(ball_alone ? include_line("planar/ball_beside.glsl") : "") +
+                                         "float march_stop(Trace trace, vec3 tangent, float phi) { return " +
                                          std::string(ball_alone ? "ball_beside(trace, tangent) ? 1.0e-9 : " : "") +
                                          "max(phi, 1.0e-9); }\n";
     // Strides of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent.
@@ -164,7 +165,7 @@ std::string hit_of(const std::vector<Body>& bodies) {
     const bool sphere = !bodies.front().marched,
                march = bodies.back().marched;  // only a sphere that keeps its size is not
     const std::string text =
-        (sphere ? file_of(bodies.front()) : "") + (march ? include_line("object/plane_march.glsl") : "") +
+        (sphere ? file_of(bodies.front()) : "") + (march ? include_line("planar/march.glsl") : "") +
         "SolidHit solid_hit(Trace trace, float blur) {\n    vec3 tangent = place_tangent(trace);\n    SolidHit hit = ";
     const std::string placed =
         "    if (hit.object != 0) hit.place = place_seen(trace, tangent, hit.phi);\n    return hit;\n}\n";

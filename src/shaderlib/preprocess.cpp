@@ -101,6 +101,10 @@ private:
 
 }  // namespace
 
+std::string path_line(std::string_view kind, std::string_view name) {
+    return "#include \"" + std::string(kind) + "/" + std::string(name.substr(kPathPrefix.size())) + ".glsl\"\n";
+}
+
 std::string resolved_branches(std::string_view text, const std::vector<std::string>& defines) {
     Branches branches(defines);
     std::string out;

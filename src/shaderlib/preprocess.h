@@ -11,6 +11,10 @@ namespace nullscope {
 // ("generated/..."). What it views must outlive the call that is given the reader.
 using ShaderReader = std::function<std::string_view(std::string_view name)>;
 
+// What #include "path/NAME" stands for: NAME of the kind of path that a frame's light takes, folder `kind` of shaders/.
+inline constexpr std::string_view kPathPrefix = "path/";
+std::string path_line(std::string_view kind, std::string_view name);
+
 // Keeps or drops the branches of #ifdef / #ifndef / #else / #endif, so that nothing of an effect that is off is left in
 // the text. A name is defined if it is among `defines`, or by a line #define before. Nothing else is changed.
 std::string resolved_branches(std::string_view text, const std::vector<std::string>& defines);

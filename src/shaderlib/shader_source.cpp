@@ -29,10 +29,10 @@ std::string method_text(const Method& method, std::string_view metric) {
         case MethodKind::kMino:
             return fmt::format("#define SPIN_STEP {:.9f}\n#define SPIN_MOST_STEPS {}\n", method.step,
                                method.most_steps) +
-                   (method.order == 4 ? include_line("method/mino_4.glsl") : "");
+                   (method.order == 4 ? include_line("mino/fourth_order.glsl") : "");
         case MethodKind::kKerrSchild:
             return fmt::format("#define KERR_SCHILD_STEP {:.9f}\n", method.step) +
-                   include_line("method/kerr_schild.glsl");
+                   include_line("mino/kerr_schild.glsl");
     }
     return "";
 }
@@ -148,9 +148,12 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
         {"generated/bodies_hit", bodies.hit},
         {"generated/bodies_light", bodies.light},
         {"generated/coats", bodies.coats}};
-    const ShaderReader read = [&](std::string_view name) {
-        const auto part = generated.find(name);
-        return part == generated.end() ? shader_file(name) : part->second;
+    const char* path = effects.contains(Effect::kSpin) ? "mino" : "planar";
+    std::map<std::string, std::string, std::less<>> chosen;  // "path/trace": the file of the kind of path
+    const ShaderReader read = [&](std::string_view name) -> std::string_view {
+        if (const auto part = generated.find(name); part != generated.end()) return part->second;
+        if (!name.starts_with(kPathPrefix)) return shader_file(name);
+        return chosen[std::string(name)] = path_line(path, name);
     };
     const StageFiles files = files_of(stage);
     return {kHead + resolved_text(files.vertex, defines, read), kHead + resolved_text(files.fragment, defines, read)};

@@ -4,7 +4,7 @@
 //            + (r^2 + a^2 + 2 m a^2 r sin^2/Sigma) sin^2 dphi^2.
 // charge2 = (Q/2M)^2 is 0 for Kerr (1963) and above 0 for Kerr and Newman (1965). a: angular momentum per mass, r_s.
 //
-// No ray stays in a plane and there is no photon sphere; light is traced by shaders/core/kerr.glsl. Who can hold a
+// No ray stays in a plane and there is no photon sphere; light is traced by shaders/mino/kerr.glsl. Who can hold a
 // camera: spin_frame.h.
 #pragma once
 #include "spacetime/spacetime.h"

@@ -1,4 +1,4 @@
-// Where the images of a disc of high order lie, in the limit of many windings: shaders/object/disc_thin.glsl draws them by it.
+// Where the images of a disc of high order lie, in the limit of many windings: shaders/planar/disc_thin.glsl draws them by it.
 //
 // A ray at the angle delta from the critical direction winds until phi = -a ln |delta| + B. So the radius r is met at the swept angle
 // phi by the ray at delta = C(r) exp(-phi / a), C = +-exp((B - T(r)) / a), with T(r) what the ray still sweeps behind r: to the sky

@@ -1,4 +1,4 @@
-// How long light has been on its way, along one column of the orbit map (shaders/core/delay.glsl): what is left of it once the part
+// How long light has been on its way, along one column of the orbit map (shaders/planar/delay.glsl): what is left of it once the part
 // that grows without bound, far out and at the horizon, is taken off.
 //
 // Traced backward, t falls along the ray by dt/dphi = q/V. With W = zeta'/q, V = zeta^2 A = q^2 (1 - W^2), r_* the tortoise radius and

@@ -3,7 +3,7 @@
 // Lengths over the throat's radius, L = l towards the sky where the ray ends. W, from 0 at that sky to pi at the other, is what texels
 // hold in place of zeta:
 //     L = cos W (1/sin W - mu ln sin W),   mu = M/rho where R = |L| - mu ln |L| + const far out (0 of Ellis' wormhole: L = cot W),
-// so that W is as smooth in the swept angle as 1/R is, at either end, and l is a formula of W (shaders/object/place.glsl). With
+// so that W is as smooth in the swept angle as 1/R is, at either end, and l is a formula of W (shaders/planar/place.glsl). With
 // D = dL/dW and q the inverse impact parameter,
 //     (W')^2 = q^2 P^2 - Q^2,   P = R^2/D,   Q = R/D;   W'' = q^2 P P_W - Q Q_W:   regular at turning points, in throat and tube.
 #pragma once

@@ -388,9 +388,9 @@ class ShaderText(TraceTest):
                 if right["fate"] == "escaped":
                     self.assertLess(angle_between(direction(row), direction(right)), 1e-5)   # truncation, six steps of 0.6 rad
         self.write("rain.csv", "r,theta,phi,n_r,n_theta,n_phi,frame\n5,1,0,-1,0,0,rain\n")
-        self.refused("trace", scene, "--rays", "rain.csv", says=["frame", "spinning"])
+        self.refused("trace", scene, "--rays", "rain.csv", says=["frame", "rotating"])
         self.write("q.csv", "q,zeta0,s\n0.5,0.1,1\n")
-        self.refused("trace", scene, "--rays", "q.csv", says=["q", "spinning"])
+        self.refused("trace", scene, "--rays", "q.csv", says=["q", "rotating"])
 
     def test_what_needs_gl_says_so(self):
         self.write("r.csv", "q,zeta0,s\n1,0.1,1\n")

@@ -203,13 +203,18 @@ def check_shader_includes(codes, allowed):
     """Every #include names a file that is there and allowed, none leads back, and a file reaches what it uses."""
     includes = {name: {f"shaders/{match[1] or match[2]}" for match in INCLUDE.finditer(code)}
                 for name, code in codes.items()}
+    # "path/NAME" is NAME of the kind of path that a frame's light takes.
+    paths = {target for targets in includes.values() for target in targets if target.startswith("shaders/path/")}
+    for target in paths:
+        includes[target] = {target.replace("/path/", f"/{kind}/") + ".glsl" for kind in allowed.get("path", ())}
     for name, code in codes.items():
         folder = name.split("/")[1]
         for match in INCLUDE.finditer(code):
             target = match[1] or match[2]
             where = f"{name}:{code.count(chr(10), 0, match.start()) + 1}: #include {target}"
             home = target if target.startswith("generated/") else target.split("/")[0]
-            if home != target and "shaders/" + target not in codes:
+            lacking = includes.get("shaders/" + target, set()) - set(codes) if home == "path" else set()
+            if lacking or (home not in (target, "path") and "shaders/" + target not in codes):
                 yield f"{where}: no such file in shaders/"
             elif home not in allowed.get(folder, ()):
                 yield f"{where}: layers.txt does not let shaders/{folder} include {home}"

@@ -49,7 +49,7 @@ FORBIDDEN = [
     ("shaders/core/planted.glsl", '#include "core/nowhere.glsl"', "no such file"),
     ("shaders/core/planted.glsl", '#include "core/planted.glsl"', "includes itself"),
     ("shaders/core/planted.glsl", "float f(float x) { return arc_tangent_unit(x); }", "uses arc_tangent_unit( of"),
-    ("shaders/effect/planted.glsl", "float f(Trace trace) { return 1.0; }", "uses Trace of shaders/core/trace.glsl"),
+    ("shaders/effect/planted.glsl", "float f(Trace trace) { return 1.0; }", "uses Trace of shaders/planar/trace.glsl"),
     ("shaders/effect/planted.glsl", "float f() { return float(PLANCK_CELLS); }", "uses PLANCK_CELLS of"),
     ("shaders/effect/planted.glsl", "ivec2 f() { return textureSize(table_texture, 0); }", "uses table_texture of"),
     ("shaders/planted/planted.glsl", "", "shaders/planted: a folder that layers.txt does not list"),
@@ -66,7 +66,7 @@ CHANGED = [
     ("tests/layering/layers.txt", "context:", " nothing", "no module of the list"),
     ("tests/layering/layers.txt", "shadercore:", " table", "cyclic"),
     ("tests/layering/layers.txt", "camera:", " table", "reference reaches table"),
-    ("shaders/core/sweep.glsl", "struct Sweep", ' {};\n#include "core/trace.glsl"\nstruct Other', "by way of others"),
+    ("shaders/core/sweep.glsl", "struct Sweep", ' {};\n#include "planar/trace.glsl"\nstruct Other', "by way of others"),
     ("tests/layering/layers.txt", "core:", " nothing", "layers.txt names nothing"),
     ("src/CMakeLists.txt", "nullscope_module(gl NO_HOT_LOOPS DEPENDS", " scene", "too many: scene"),
 ]

@@ -1,5 +1,5 @@
-// Where a ray about a spinning hole (core/kerr.glsl) is within a step, by the fraction s of it.
-#include "core/kerr.glsl"
+// Where a ray about a spinning hole (mino/kerr.glsl) is within a step, by the fraction s of it.
+#include "mino/kerr.glsl"
 #include "shared/frame.glsl"
 
 // Over a step, as a polynomial of the fraction s of it: the quintic with the values, slopes and curvatures of both ends.

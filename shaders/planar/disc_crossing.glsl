@@ -3,7 +3,7 @@
 #include "core/orbit.glsl"
 #endif
 #include "core/plane.glsl"
-#include "core/trace.glsl"
+#include "planar/trace.glsl"
 #include "shared/frame.glsl"
 
 #define DISC_MOST_CROSSINGS 12   // tables resolve windings down to 1e-13 of the critical angle: phi_end < 12 pi

@@ -3,7 +3,7 @@
 // Seen from outside, zeta grows from zeta0 until the ray turns or ends. Which rays reach the sphere is a question of their
 // direction alone: sine and cosine of the silhouette's, frame.sphere_form.zw, are formed in double. Below the photon sphere's
 // zeta the orbit is concave (zeta'' = -V'/2 < 0), so Newton's steps from the camera never overshoot; beyond it a bracket holds them.
-#include "object/place.glsl"
+#include "planar/place.glsl"
 #include "object/solid_hit.glsl"
 #include "shared/frame.glsl"
 

@@ -1,7 +1,7 @@
 // Solid bodies along an orbit (object/march.glsl).
 #include "core/trig.glsl"
 #include "object/march.glsl"
-#include "object/place.glsl"
+#include "planar/place.glsl"
 #include "object/solid_hit.glsl"
 #include "shared/frame.glsl"
 

@@ -36,7 +36,13 @@ struct Trace {
 #endif
 };
 
-float path_spin() { return 0.0; }   // a of a rotating hole, r_s
+// What every kind of path says of its rays.
+float path_spin() { return 0.0; }                 // a of a rotating hole, r_s
+float path_steps(Trace trace) { return 0.0; }     // that the tracer took
+float swept_angle(float along) { return along; }  // of a place on the ray, by what tells the order of places
+#ifdef NEEDS_PHI_END
+float path_angle(Trace trace) { return trace.phi_end; }   // swept to the end
+#endif
 
 vec3 radial_direction() { return vec3(frame.radial.x, frame.radial.y, frame.radial.z); }
 
@@ -124,3 +130,20 @@ Trace trace_pixel(vec2 pixel) {
 #endif
     return trace;
 }
+
+#ifdef EFFECT_SKY_PATTERN
+// Sides of the pixel's box on the sky, within the ray's plane and across it.
+#define SKY_WIDEST 4.0   // boxes wider than the sphere are all of it
+struct SkySides {
+    vec3 along;
+    vec3 across;
+};
+SkySides sky_sides(Trace trace) {
+    vec3 across = crossed_direction(trace) / max(trace.s, 1.0e-30);   // 0 for an exactly radial ray: no box
+    vec3 along = cross(across, trace.sky);
+    SkySides sides;
+    sides.along = along * clamp(trace.stretch_along * trace.pixel_angle, -SKY_WIDEST, SKY_WIDEST);
+    sides.across = across * clamp(trace.stretch_across * trace.pixel_angle, -SKY_WIDEST, SKY_WIDEST);
+    return sides;
+}
+#endif

@@ -3,7 +3,7 @@
 //     t = part(place) - part(camera) + D,   part = -W/zeta + sigma (ln((1 - sigma W)/zeta) + rho),
 // W = zeta'/q, sigma = 1 for rays that end in the sky, -1 for others. A = (1 - x zeta)(1 - y zeta), x, y = frame.delay.xy. The camera's
 // ln(1/zeta0) + rho is formed on the host: frame.delay.z, and .w for rays that end in the horizon.
-#include "core/trace.glsl"
+#include "planar/trace.glsl"
 #ifdef EFFECT_LENSING
 #include "core/orbit.glsl"
 #endif

@@ -1,11 +1,11 @@
 // Where a ray is after a swept angle, in flat coordinates about the centre: for solid bodies. Of a wormhole, those of one side.
 #ifdef EFFECT_DELAY
-#include "core/delay.glsl"
+#include "planar/delay.glsl"
 #endif
 #ifdef EFFECT_LENSING
 #include "core/orbit.glsl"
 #endif
-#include "core/trace.glsl"
+#include "planar/trace.glsl"
 #include "shared/frame.glsl"
 
 struct RayPlace {
@@ -137,3 +137,15 @@ float place_slowness(RayPlace place) {
     return 1.0;
 }
 #endif
+
+// How a place moves with the pixel: by an angle within the plane, and turned about the radial direction.
+struct SolidSides {
+    vec3 within;
+    vec3 round;
+};
+SolidSides solid_sides(Trace trace, RayPlace place) {
+    SolidSides sides;
+    sides.within = place.r_across * trace.pixel_angle * place.outward;
+    sides.round = cross(radial_direction(), place.at) * (trace.pixel_angle / max(trace.s, 1.0e-6));
+    return sides;
+}

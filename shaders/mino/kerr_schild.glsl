@@ -1,7 +1,7 @@
-// The yardstick for core/kerr.glsl: Hamilton's equations in Cartesian Kerr-Schild coordinates, the classic fourth-order Runge-Kutta step by
+// The yardstick for mino/kerr.glsl: Hamilton's equations in Cartesian Kerr-Schild coordinates, the classic fourth-order Runge-Kutta step by
 // step, as most renderers of spinning holes do it. A sky alone. What is traced is the ray's mirror image under (t, phi) -> (-t, -phi), which
 // falls in where the chart is regular. KERR_SCHILD_STEP: of a step, times the radius.
-#include "core/spin_ray.glsl"
+#include "mino/ray.glsl"
 #include "shared/frame.glsl"
 
 #define KERR_SCHILD_MOST 20000

@@ -1,4 +1,4 @@
-// One pixel's ray about a rotating hole, from the camera to its end (core/kerr.glsl). In place of core/trace.glsl, where rays stay in planes:
+// One pixel's ray about a rotating hole, from the camera to its end (mino/kerr.glsl). In place of planar/trace.glsl, where rays stay in planes:
 // the same Trace as far as a sky asks for it. Reads the global `frame` (FrameData).
 //
 // Inside the horizon every ray is traced outward, and none whose energy is not above 0 has come from our sky. Of the others those with
@@ -7,15 +7,15 @@
 #include "core/aberration.glsl"
 #endif
 #ifdef EFFECT_DISC
-#include "core/spin_leg.glsl"
+#include "mino/leg.glsl"
 #endif
-#include "core/spin_ray.glsl"
-#include "core/spin_step.glsl"
+#include "mino/ray.glsl"
+#include "mino/step.glsl"
 #ifdef METHOD_KERR_SCHILD
 #include "generated/method"
 #endif
 #ifdef NEEDS_PLACE
-#include "object/spin_march.glsl"
+#include "mino/march.glsl"
 #endif
 #include "shared/frame.glsl"
 
@@ -62,7 +62,11 @@ struct Trace {
 SolidHit solid_hit(Trace trace, float blur) { return trace.solid; }
 #endif
 
-float path_spin() { return frame.spin_hole.x; }   // a, r_s
+// What every kind of path says of its rays (planar/trace.glsl).
+float path_spin() { return frame.spin_hole.x; }
+float path_steps(Trace trace) { return float(trace.steps); }
+float swept_angle(float along) { return 0.0; }   // Mino's time is none
+float path_angle(Trace trace) { return 0.0; }
 
 // g: the camera's frequency over that at infinity.
 float g_of(Trace trace) { return trace.doppler / max(trace.energy, 1.0e-6); }
@@ -238,3 +242,33 @@ Trace trace_pixel(vec2 pixel) {
 #endif
     return trace;
 }
+
+#ifdef EFFECT_SKY_PATTERN
+// Sides of the pixel's box on the sky, to the right and upward.
+struct SkySides {
+    vec3 along;
+    vec3 across;
+};
+SkySides sky_sides(Trace trace) {
+    SkySides sides;
+    sides.along = trace.sky_right;
+    sides.across = trace.sky_up;
+    return sides;
+}
+#endif
+
+#ifdef NEEDS_PLACE
+#ifdef NEEDS_FOOTPRINT
+// How the place of the body that is met moves with the pixel, to the right and upward.
+struct SolidSides {
+    vec3 within;
+    vec3 round;
+};
+SolidSides solid_sides(Trace trace, RayPlace place) {
+    SolidSides sides;
+    sides.within = trace.solid_right;
+    sides.round = trace.solid_up;
+    return sides;
+}
+#endif
+#endif

@@ -1,6 +1,6 @@
-// The disc about a rotating hole: what of the ray's crossings of the equatorial plane (object/spin_trace.glsl) lies between its radii.
-// In place of disc.glsl and disc_thin.glsl.
-#include "object/spin_trace.glsl"
+// The disc about a rotating hole: what of the ray's crossings of the equatorial plane (mino/trace.glsl) lies between its radii.
+// As planar/disc.glsl.
+#include "mino/trace.glsl"
 #include "shared/frame.glsl"
 
 struct DiscCrossing {
@@ -79,3 +79,47 @@ vec4 spin_foot_of(DiscFeet feet, int k) {
     return foot;
 }
 #endif
+
+struct DiscWalk {
+    bool more;            // is there this crossing?
+    int number;
+    float covered;        // part of the pixel
+#ifdef NEEDS_FOOTPRINT
+    DiscFeet feet;
+#endif
+};
+
+DiscWalk disc_walk(Trace trace) {
+    DiscWalk walk;
+    walk.number = 0;
+    walk.more = spin_disc_more(trace, 0);
+    walk.covered = 1.0;
+#ifdef NEEDS_FOOTPRINT
+    walk.feet = spin_feet(trace);
+#endif
+    return walk;
+}
+
+DiscWalk disc_walk_on(Trace trace, DiscWalk walk) {
+    walk.number += 1;
+    walk.more = walk.more && spin_disc_more(trace, walk.number);
+    return walk;
+}
+
+DiscCrossing disc_walk_crossing(Trace trace, DiscWalk walk) {
+#ifdef NEEDS_FOOTPRINT
+    return spin_disc_cross(trace, walk.number, spin_foot_of(walk.feet, walk.number));
+#else
+    return spin_disc_cross(trace, walk.number, vec4(0.0, 0.0, 0.0, 0.0));
+#endif
+}
+
+#ifdef EFFECT_DELAY
+float disc_late(Trace trace, DiscCrossing crossing) { return crossing.late; }
+#endif
+
+// k_r/E = (d zeta / d tau) g_rr / E (mino/kerr.glsl). By frequencies, not by ratios to E: light may reach a camera in the hole with an
+// energy below 0.
+float disc_g(Trace trace, DiscCrossing crossing, vec3 u) {
+    return trace.doppler / max(trace.energy * u.x - trace.momentum * u.y - crossing.climb * u.z, 1.0e-6);
+}

@@ -1,6 +1,6 @@
 // The way that is marched along: a step of a ray about a spinning hole, by the fraction of it (object/march.glsl).
 #include "generated/bodies_march"
-#include "object/spin_place.glsl"
+#include "mino/place.glsl"
 
 struct MarchWay {
     SpinRay ray;

@@ -2,7 +2,7 @@
 #include "core/trig.glsl"
 #include "object/march.glsl"
 #include "object/solid_hit.glsl"
-#include "object/spin_place.glsl"
+#include "mino/place.glsl"
 #include "shared/frame.glsl"
 
 #define MARCH_LONGEST 0.5    // of a step; a dip between two steps is looked for on the second's polynomials, as far before its start

@@ -4,7 +4,7 @@
 //
 //   signed angle from the critical direction:   ----|==|-----|=======|-------------->  to the sky
 //                                          rings k+1 and k         [----pixel----]
-#include "object/disc.glsl"
+#include "planar/disc_crossing.glsl"
 #include "shared/frame.glsl"
 
 #ifdef EFFECT_SPOT

@@ -1,6 +1,6 @@
-// How a ray about a spinning hole starts at the camera (core/kerr.glsl). Look directions are along (e_r, e_theta, e_phi) of the observer's own
+// How a ray about a spinning hole starts at the camera (mino/kerr.glsl). Look directions are along (e_r, e_theta, e_phi) of the observer's own
 // frame (spacetime/spin_frame.h).
-#include "core/kerr.glsl"
+#include "mino/kerr.glsl"
 #include "shared/frame.glsl"
 
 float spin_form(vec4 form, vec3 n) { return form.x + form.y * n.x + form.z * n.z; }

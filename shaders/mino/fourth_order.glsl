@@ -1,6 +1,6 @@
-// The fourth-order alternative to the step of core/spin_step.glsl, for skies alone: Nystroem's step (1925), the classic Runge-Kutta weights for y'' = f(y),
+// The fourth-order alternative to the step of mino/step.glsl, for skies alone: Nystroem's step (1925), the classic Runge-Kutta weights for y'' = f(y),
 // three new forces. The dragging takes the weights and the places of the speed, and so the same order.
-#include "core/kerr.glsl"
+#include "mino/kerr.glsl"
 
 SpinState spin_step(SpinRay ray, SpinState from, float h) {
     float hh = h * h;

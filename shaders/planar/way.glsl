@@ -1,6 +1,6 @@
 // The way that is marched along: an orbit by its swept angle (object/march.glsl).
 #include "generated/bodies_march"
-#include "object/place.glsl"
+#include "planar/place.glsl"
 
 struct MarchWay {
     Trace trace;

@@ -1,5 +1,5 @@
-// The steps of a ray about a rotating hole (core/kerr.glsl): how long, one of them, and the last one to the sky.
-#include "core/kerr.glsl"
+// The steps of a ray about a rotating hole (mino/kerr.glsl): how long, one of them, and the last one to the sky.
+#include "mino/kerr.glsl"
 
 // A ray that winds for long is one whose end moves fast with its direction: its errors weigh less, and its steps may grow.
 #ifndef METHOD_MINO

@@ -1,0 +1,82 @@
+// The disc, as every kind of path meets it: its crossings one after another, how late their light is, and what frequency it has.
+#ifdef EFFECT_DELAY
+#include "planar/delay.glsl"
+#endif
+#include "planar/disc_crossing.glsl"
+#ifdef EFFECT_LENSING
+#ifdef NEEDS_FOOTPRINT
+#include "planar/disc_thin.glsl"
+#define DISC_IS_THIN
+#endif
+#endif
+#include "planar/trace.glsl"
+#include "shared/frame.glsl"
+
+#ifdef NEEDS_FOOTPRINT
+#define DISC_MARGIN 0.5   // px by which rims are widened, for pixels that are covered in part
+#else
+#define DISC_MARGIN 0.0
+#endif
+
+struct DiscWalk {
+    bool more;            // is there this crossing?
+    int number;
+    float covered;        // part of the pixel
+    PlaneMeeting meeting;
+#ifdef DISC_IS_THIN
+    bool thin;
+#endif
+};
+
+DiscWalk disc_walk_at(Trace trace, DiscWalk walk) {
+    walk.more = disc_reachable(trace, walk.meeting, walk.number);
+    walk.covered = 1.0;
+#ifdef DISC_IS_THIN
+    DiscThin ring = disc_thin(trace, walk.meeting, walk.number);
+    walk.thin = ring.thin;
+    walk.more = ring.thin ? ring.more : walk.more;
+    walk.covered = ring.thin ? ring.covered : 1.0;
+#endif
+    walk.more = walk.more && walk.number < DISC_MOST_CROSSINGS;
+    return walk;
+}
+
+DiscWalk disc_walk(Trace trace) {
+    DiscWalk walk;
+    walk.meeting = disc_meeting(trace);
+    int passed = int(frame.disc_look.w);
+    int first = disc_first(trace, walk.meeting);
+    walk.number = passed > first ? passed : first;
+    return disc_walk_at(trace, walk);
+}
+
+DiscWalk disc_walk_on(Trace trace, DiscWalk walk) {
+    walk.number += 1;
+    return disc_walk_at(trace, walk);
+}
+
+DiscCrossing disc_walk_crossing(Trace trace, DiscWalk walk) {
+    DiscCrossing crossing = disc_cross(trace, walk.meeting, walk.number, DISC_MARGIN);
+#ifdef DISC_IS_THIN
+    if (walk.thin) crossing = disc_thin_crossing(walk.meeting, walk.number);
+#endif
+    return crossing;
+}
+
+#ifdef EFFECT_DELAY
+// How long ago, by the camera's clock, the light left.
+float disc_late(Trace trace, DiscCrossing crossing) { return light_time(trace, crossing.phi, crossing.r, crossing.zeta_slope); }
+#endif
+
+// Frequency in the camera over that in matter of velocity (u^t, u^phi, u^r g_rr): of a photon with energy 1 there it is
+// u^t - (L_z/E) u^phi - (k_r/E) u^r, L_z/E = (n x e) . normal / (q s), k_r/E = (1/q) (d zeta / d phi) / A.
+float disc_g(Trace trace, DiscCrossing crossing, vec3 u) {
+    vec3 normal = vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z);
+    float inverse_v = 1.0 / q_sine(trace.c);
+    float momentum = dot(crossed_direction(trace), normal) * inverse_v;
+    float frequency = u.x - momentum * u.y;
+#ifdef NEEDS_ZETA_SLOPE
+    frequency -= trace.s * inverse_v * crossing.zeta_slope * u.z;
+#endif
+    return g_of(trace) / max(frequency, 1.0e-6);
+}

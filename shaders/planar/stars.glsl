@@ -1,0 +1,43 @@
+// One image of one star (planar/star_image.glsl): where in the picture it is, and its light.
+#ifdef EFFECT_ABERRATION
+#include "core/aberration.glsl"
+#endif
+#include "effect/black_body.glsl"
+#include "planar/star_image.glsl"
+#include "shared/frame.glsl"
+
+struct StarPoint {
+    vec2 pixel;    // px from the picture's middle, y up
+    float ahead;   // above 0 before the camera
+    vec3 peak;     // light in the pixel that it is in the middle of
+};
+
+// place: on the sky, world axes, unit. make: log2 of flux over a black body's brightness at its temperature, log2 of that, K.
+StarPoint star_point(vec3 place, vec2 make) {
+    StarPoint point;
+    StarImage image = image_of_star(place);
+    vec3 d = image.direction;
+    float g = frame.radial.w / (frame.shift.x + frame.shift.z * d.z);
+    float squeeze = 1.0;
+#ifdef EFFECT_ABERRATION
+    vec3 motion = vec3(frame.boost.x, frame.boost.y, frame.boost.z);
+    d = d.x * frame.meridian.xyz + d.y * frame.transverse.xyz + d.z * frame.radial.xyz;
+    g *= aberrate(d, motion, 1.0, frame.boost_colour.x).doppler;
+    Aberration seen = aberrate(d, motion, 1.0 / frame.boost.w, 1.0);   // back to the camera
+    d = seen.direction;
+    squeeze = seen.squeeze;
+    float ahead = dot(d, frame.ray_0.xyz);
+    vec2 at = vec2(dot(d, frame.ray_x.xyz), dot(d, frame.ray_y.xyz));
+#else
+    // Along the axes through the hole: keeps its digits at a hole of a few microradians.
+    float ahead = dot(d, frame.polar_0.xyz);
+    vec2 at = vec2(dot(d, frame.polar_x.xyz), dot(d, frame.polar_y.xyz));
+#endif
+    vec3 light = seen_black_body(make.y, g, -make.x);
+    point.pixel = at / (max(ahead, 1.0e-6) * frame.image.z * frame.image.z);
+    // A pixel spans image.z^2 cos^3 of solid angle; the spread squeezed by aberration.
+    float pixels = frame.image.z * frame.image.z * ahead * ahead * ahead;
+    point.peak = light * (image.spread * squeeze * squeeze / max(pixels, 1.0e-30) * frame.point_stars.x);
+    point.ahead = ahead;
+    return point;
+}
