@@ -4,15 +4,12 @@
 #pragma once
 #include <functional>
 
-#include "reference/orbit.h"
+#include "reference/metric.h"
 #include "scene/scene.h"
 
 namespace nullscope::reference {
 
-// metric: outlives what is returned, which any number of threads may ask. Free fall: 1e-10 of its radius a turn.
-std::function<Vec3(double t)> ball_way(const OrbitMetric& metric, const BallSpec& ball);
-
-// Omega of a circular geodesic at r, with the spin: g_tt' + 2 g_tphi' Omega + g_phiphi' Omega^2 = 0.
-double kepler_rate(const OrbitMetric& metric, double r);
+// Free fall: of metrics whose rays stay in a plane (check_bodies). metric: outlives what is returned, which any number of threads may ask. Free fall: 1e-10 of its radius a turn.
+std::function<Vec3(double t)> ball_way(const Metric& metric, const BallSpec& ball);
 
 }  // namespace nullscope::reference

@@ -13,7 +13,7 @@ namespace nullscope::reference {
 
 struct StarImage {
     double x, y;         // px: column, row from the top
-    int order;           // 0: the direct one; -1 about a spinning hole (spin_star_images.h)
+    int order;           // 0: the direct one; -1 where rays stay in no plane (mesh_star_images.h)
     double solid_angle;  // of sky that a pixel's area at (x, y) covers, sr/px^2
     double g;            // frequency in the camera over frequency at infinity
     double alpha;        // angle from the outward radial in the static frame, rad
@@ -21,7 +21,7 @@ struct StarImage {
 
 class StarImages {
 public:
-    // Images 0 ... orders - 1. Some milliseconds. tracer: outlives this.
+    // Images 0 ... orders - 1. Some milliseconds. tracer: of rays that stay in planes; outlives this.
     StarImages(const FrameTracer& tracer, const Scene& scene, int orders);
     // Those in the frame or at most margin px beside it, by order; some 30 microseconds a star.
     std::vector<StarImage> of(Vec3 direction, double margin_px) const;

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/bodies.h"
 #include "reference/first_change.h"
+#include "reference/plane_bodies.h"
 
 namespace nullscope::reference {
 namespace {
@@ -18,13 +18,15 @@ constexpr int kMostLooks = 200'000;
 
 // Looks at most a stride apart in the coordinates of the sides, in which the throat is the origin of both: a turn is halved until it is
 // no longer than that, and the next one starts with its double.
-std::optional<double> Bodies::first_angle_by_length(const Orbit& orbit, const RayPlane& plane, double camera_l,
-                                                    const Part& part) const {
+std::optional<double> entry_by_length(const PlaneRay& ray, const BodyPart& part, double time) {
+    const Orbit& orbit = ray.orbit();
+    const RayPlane& plane = ray.plane();
+    const double camera_l = ray.photon().r;
     const double own = part.far ? -1 : 1, ends = orbit.fate() == Fate::kOtherSide ? -1 : 1, end = orbit.angle();
     if (!(end > 0) || ((camera_l < 0 ? -1 : 1) != own && ends != own)) return std::nullopt;  // never on that side
-    const double throat = part.value({0, 0, 0}, time_);
+    const double throat = part.value({0, 0, 0}, time);
     const auto value_at = [&](double angle, double l) {
-        return l * own > 0 ? part.value(plane.direction(angle) * std::abs(l), time_) : throat + std::abs(l);
+        return l * own > 0 ? part.value(plane.direction(angle) * std::abs(l), time) : throat + std::abs(l);
     };
     const auto value = [&](double angle) { return value_at(angle, orbit.zeta_at(angle)); };
     const double fine = kPartOfThinnest * part.thinnest, rim = part.reach + 3 * fine;

@@ -1,4 +1,4 @@
-// All images of a point star about a spinning hole: the pixels' grid of the reference's rays, divided along the shadow's edge, says in
+// All images of a point star, whatever the metric: the pixels' grid of the reference's rays, divided along the shadow's edge, says in
 // which triangles of directions a star lies; from there Newton's steps on traced rays, until nothing moves any more.
 #pragma once
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace nullscope::reference {
 
-class SpinStarImages {
+class MeshStarImages {
 public:
-    // Some 0.3 ms a pixel of the picture with its margin, on all cores. tracer: outlives this.
-    SpinStarImages(const FrameTracer& tracer, const Scene& scene, double margin_px);
+    // A ray a pixel of the picture with its margin and more along the edge (about a rotating hole 0.3 ms a pixel), on all cores. tracer: outlives this.
+    MeshStarImages(const FrameTracer& tracer, const Scene& scene, double margin_px);
     // Those within the margin; some 5 ms an image. order is -1: no ray stays in a plane. Images closer to the shadow's edge than
     // 1/8 px are not found.
     std::vector<StarImage> of(Vec3 direction) const;

@@ -1,4 +1,4 @@
-#include "reference/spin_star_images.h"
+#include "reference/mesh_star_images.h"
 
 #include <tbb/parallel_for.h>
 
@@ -25,12 +25,12 @@ std::array<double, 3> shares(Vec3 star, Vec3 a, Vec3 b, Vec3 c) {
 
 }  // namespace
 
-SpinStarImages::Ray SpinStarImages::ray(double x, double y) const {
-    const CameraRay ray = tracer_.ray(x, y);
-    return {ray.spun->sky, ray.fate() == Fate::kEscaped};
+MeshStarImages::Ray MeshStarImages::ray(double x, double y) const {
+    const RayPtr ray = tracer_.ray(x, y);
+    return {ray->end_direction(), ray->fate() == Fate::kEscaped};
 }
 
-SpinStarImages::SpinStarImages(const FrameTracer& tracer, const Scene& scene, double margin_px)
+MeshStarImages::MeshStarImages(const FrameTracer& tracer, const Scene& scene, double margin_px)
     : tracer_(tracer),
       left_(-margin_px),
       top_(-margin_px),
@@ -53,7 +53,7 @@ SpinStarImages::SpinStarImages(const FrameTracer& tracer, const Scene& scene, do
     for (const auto& row : found) cells_.insert(cells_.end(), row.begin(), row.end());
 }
 
-void SpinStarImages::add(const Cell& cell, std::vector<Cell>& cells) const {
+void MeshStarImages::add(const Cell& cell, std::vector<Cell>& cells) const {
     const auto& c = cell.corners;
     const auto escaped = std::count_if(c.begin(), c.end(), [](const Ray& r) { return r.escaped; });
     if (escaped == 0) return;
@@ -74,19 +74,19 @@ void SpinStarImages::add(const Cell& cell, std::vector<Cell>& cells) const {
     add({x, y + half, half, {left, middle, bottom, c[3]}}, cells);
 }
 
-bool SpinStarImages::settle(Vec3 direction, StarImage& image) const {
+bool MeshStarImages::settle(Vec3 direction, StarImage& image) const {
     const double from_x = image.x, from_y = image.y;
     for (int step = 0; step < kMostSteps; ++step) {
         const double x = image.x, y = image.y;
-        const CameraRay here = tracer_.ray(x, y);
+        const RayPtr here = tracer_.ray(x, y);
         const Ray w = ray(x - kStep_px, y), e = ray(x + kStep_px, y), n = ray(x, y - kStep_px),
                   s = ray(x, y + kStep_px);
-        if (here.fate() != Fate::kEscaped || !w.escaped || !e.escaped || !n.escaped || !s.escaped) return false;
+        if (here->fate() != Fate::kEscaped || !w.escaped || !e.escaped || !n.escaped || !s.escaped) return false;
         const Vec3 by_x = (e.sky - w.sky) / (2 * kStep_px), by_y = (s.sky - n.sky) / (2 * kStep_px),
                    normal = cross(by_x, by_y);
         const double area2 = dot(normal, normal);
         if (!(area2 > 0)) return false;
-        const Vec3 off = direction - here.spun->sky;  // off = dx by_x + dy by_y + something along the normal
+        const Vec3 off = direction - here->end_direction();  // off = dx by_x + dy by_y + something along the normal
         double dx = dot(normal, cross(off, by_y)) / area2, dy = dot(normal, cross(by_x, off)) / area2;
         const double most = std::max(std::abs(dx), std::abs(dy));
         if (most > 0.5) dx *= 0.5 / most, dy *= 0.5 / most;
@@ -94,13 +94,13 @@ bool SpinStarImages::settle(Vec3 direction, StarImage& image) const {
         if (std::hypot(image.x - from_x, image.y - from_y) > kStray_px) return false;
         if (most > kSettled_px) continue;
         image.solid_angle = std::sqrt(area2);
-        image.g = here.g;
+        image.g = here->g;
         return true;
     }
     return false;
 }
 
-std::vector<StarImage> SpinStarImages::of(Vec3 direction) const {
+std::vector<StarImage> MeshStarImages::of(Vec3 direction) const {
     constexpr std::array<std::array<std::size_t, 3>, 2> kTriangles = {{{0, 1, 2}, {0, 2, 3}}};
     constexpr std::array<double, 4> kRight{0, 1, 1, 0}, kDown{0, 0, 1, 1};
     std::vector<StarImage> images;

@@ -1,4 +1,4 @@
-#include "reference/spin_bodies.h"
+#include "reference/kerr_bodies.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,52 @@
+// What the reference knows of a metric, whatever its symmetry: what matter in the equatorial plane feels, and how its rays are made.
+//
+// Two kinds of metric follow: those whose rays stay in a plane (orbit.h), and rotating holes (kerr_metric.h).
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "base/result.h"
+#include "reference/traced_ray.h"
+#include "scene/ray.h"
+#include "scene/scene.h"
+#include "spacetime/spacetime.h"
+
+namespace nullscope::reference {
+
+class OrbitMetric;
+
+// In (t, r, phi) at theta = pi/2.
+struct EquatorialMetric {
+    double g_tt, g_tphi, g_phiphi, g_rr;
+    double lapse2() const { return g_tphi * g_tphi / g_phiphi - g_tt; }  // -1/g^tt, of who has no angular momentum
+};
+
+class Metric {
+public:
+    virtual ~Metric() = default;
+    virtual EquatorialMetric equator(double r) const = 0;
+    virtual std::optional<double> horizon_radius() const = 0;  // of the outer horizon, r_s
+    // Omega of the circular geodesic at r that goes round with the hole: g_tt' + 2 g_tphi' Omega + g_phiphi' Omega^2 = 0.
+    virtual double kepler_rate(double r) const;
+    // A radius within the last stable circle, r_s, from which on circles have an energy or none: where the search for it begins.
+    virtual double within_last_circle() const = 0;
+    // sqrt(-g_tt) where a ratio of frequencies is split into parts by observers at rest; 1 where it is not split (rotating holes).
+    virtual double rest_lapse(double r) const = 0;
+    // Of a metric whose rays stay in a plane; elsewhere null.
+    virtual const OrbitMetric* orbits() const { return nullptr; }
+
+    // The rays of scene.camera. spacetime: this metric as cameras know it. This and task.bodies outlive them. Errors: no such observer.
+    virtual Result<std::unique_ptr<RayFamily>> rays(const Scene& scene, const Spacetime& spacetime,
+                                                    const RayTask& task) const = 0;
+    // One ray; query.n is a unit vector. g is that of a camera at rest in query.frame. This and task.bodies outlive it.
+    // Errors: query outside the metric's domain, a form or frame that does not exist there.
+    virtual Result<RayPtr> ray(const RayQuery& query, const RayTask& task) const = 0;
+};
+
+// Errors: a metric the reference does not know.
+Result<std::unique_ptr<Metric>> make_metric(const SpacetimeSpec& spec);
+
+inline constexpr double kLargestRadius =
+    1e60;  // of a query: the squares of the equations of motion stay within a double
+
+}  // namespace nullscope::reference
