@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "expr/formula.h"
-#include "reference/ball_way.h"
 #include "scene/moving.h"
 #include "scene/named_surface.h"
 
@@ -42,30 +41,21 @@ Bodies::Bodies(const Scene& scene, const Metric& matter) : time_(scene.time) {
                          [](const std::string& key) { return !key.starts_with("disc") && !key.starts_with("spot"); });
     if (scene.sphere) {
         const SphereSpec s = *scene.sphere;
-        parts_.push_back(
-            {Object::kSphere,
-             s.radius * (1 - s.swing),
-             s.radius * (1 + s.swing),
-             [s](Vec3 x, double t) { return length(x) - s.radius * (1 + s.swing * std::sin(2 * M_PI * t / s.period)); },
-             false,
-             s.swing > 0,
-             {},
-             s.swing == 0});
+        BodyPart part{Object::kSphere, s.radius * (1 - s.swing), s.radius * (1 + s.swing), [s](Vec3 x, double t) {
+                          return length(x) - s.radius * (1 + s.swing * std::sin(2 * M_PI * t / s.period));
+                      }};
+        part.moves = s.swing > 0, part.clear = s.swing == 0;
+        parts_.push_back(part);
     }
     if (scene.cylinder) {
         const CylinderSpec c = *scene.cylinder;
         const double thinnest = std::min(2 * c.height, c.outer - c.inner);
-        parts_.push_back({Object::kCylinder,
-                          thinnest,
-                          std::hypot(c.outer, c.height),
-                          [c](Vec3 x, double) {
-                              const double rho = std::hypot(x.x, x.y);
-                              return std::max({rho - c.outer, c.inner - rho, std::abs(x.z) - c.height});
-                          },
-                          c.far,
-                          false,
-                          {},
-                          true});
+        BodyPart part{Object::kCylinder, thinnest, std::hypot(c.outer, c.height), [c](Vec3 x, double) {
+                          const double rho = std::hypot(x.x, x.y);
+                          return std::max({rho - c.outer, c.inner - rho, std::abs(x.z) - c.height});
+                      }};
+        part.far = c.far, part.clear = true;
+        parts_.push_back(part);
     }
     if (scene.ball) {
         const BallSpec b = *scene.ball;

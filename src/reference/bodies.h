@@ -39,6 +39,10 @@ private:
     std::vector<BodyPart> parts_;
 };
 
+// Where a ball is at a time t, found another way than scene/ball_motion.h.
+// Free fall: of metrics whose rays stay in a plane (check_bodies). metric: outlives what is returned, which any number of threads may ask. Free fall: 1e-10 of its radius a turn.
+std::function<Vec3(double t)> ball_way(const Metric& metric, const BallSpec& ball);
+
 // Error: a ball on a trajectory that is not followed about a rotating hole.
 Status check_bodies(const Scene& scene, const Metric& matter);
 

@@ -20,13 +20,11 @@ constexpr int kMostCrossings = 16;
 double finite_or_zero(double value) { return std::isfinite(value) ? value : 0.0; }
 
 Status check_disc(const DiscSpec& disc) {
-    if (!(disc.inner > 0 && disc.inner < disc.outer && std::isfinite(disc.outer))) {
+    if (!(disc.inner > 0 && disc.inner < disc.outer && std::isfinite(disc.outer)))
         return bad_input(
             fmt::format("disc: 0 < inner < outer is required, not inner = {}, outer = {}", disc.inner, disc.outer));
-    }
-    if (!(disc.opacity >= 0 && disc.opacity <= 1)) {
+    if (!(disc.opacity >= 0 && disc.opacity <= 1))
         return bad_input(fmt::format("disc: opacity = {} must lie in [0, 1]", disc.opacity));
-    }
     return Done{};
 }
 
@@ -37,16 +35,12 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
     tracer.camera_ = scene.camera;
     tracer.disc_ = scene.disc;
     const CameraSpec& camera = scene.camera;
-    if (camera.width < 1 || camera.height < 1) {
+    if (camera.width < 1 || camera.height < 1)
         return bad_input(fmt::format("camera: size {}x{} must be at least 1x1", camera.width, camera.height));
-    }
-    if (!(camera.theta >= 0 && camera.theta <= M_PI && std::isfinite(camera.phi))) {
+    if (!(camera.theta >= 0 && camera.theta <= M_PI && std::isfinite(camera.phi)))
         return bad_input(
             fmt::format("camera: theta = {} must lie in [0, pi] and phi = {} be finite", camera.theta, camera.phi));
-    }
-    if (scene.disc) {
-        if (Status ok = check_disc(*scene.disc); !ok) return ok.error();
-    }
+    if (Status ok = scene.disc ? check_disc(*scene.disc) : Done{}; !ok) return ok.error();
     auto metric = make_metric(scene.spacetime);
     if (!metric) return metric.error();
     auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);

@@ -1,5 +1,4 @@
-#include "reference/kerr_metric.h"
-
+// A rotating hole: its rays are integrated (kerr_ray.h), and no camera and no matter is at rest by itself.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -7,7 +6,8 @@
 #include "reference/kerr_bodies.h"
 #include "reference/kerr_hole.h"
 #include "reference/kerr_ray.h"
-#include "reference/schwarzschild_orbit.h"
+#include "reference/metric.h"
+#include "reference/plane_metrics.h"
 #include "scene/observer.h"
 
 namespace nullscope::reference {
@@ -116,8 +116,7 @@ private:
 }  // namespace
 
 std::unique_ptr<Metric> make_kerr_metric(const SpacetimeSpec& spec) {
-    const auto found = spec.parameters.find("spin");
-    const double spin = found == spec.parameters.end() ? 0.9 : found->second;
+    const double spin = parameter_of(spec, "spin", 0.9);
     if (spin == 0) return make_schwarzschild_orbits(spec);
     return std::make_unique<KerrMetric>(spin);
 }

@@ -5,14 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "reference/dneg_orbit.h"
-#include "reference/ellis_orbit.h"
-#include "reference/janis_newman_winicour_orbit.h"
-#include "reference/kerr_metric.h"
-#include "reference/minkowski_orbit.h"
-#include "reference/reissner_nordstrom_orbit.h"
-#include "reference/schwarzschild_orbit.h"
-#include "reference/star_orbit.h"
+#include "reference/plane_metrics.h"
 
 namespace nullscope::reference {
 namespace {

@@ -1,9 +1,10 @@
 // What the reference knows of a metric, whatever its symmetry: what matter in the equatorial plane feels, and how its rays are made.
 //
-// Two kinds of metric follow: those whose rays stay in a plane (orbit.h), and rotating holes (kerr_metric.h).
+// Two kinds of metric follow: those whose rays stay in a plane (orbit.h), and rotating holes (kerr_metric.cpp).
 #pragma once
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "base/result.h"
 #include "reference/traced_ray.h"
@@ -25,7 +26,7 @@ class Metric {
 public:
     virtual ~Metric() = default;
     virtual EquatorialMetric equator(double r) const = 0;
-    virtual std::optional<double> horizon_radius() const = 0;  // of the outer horizon, r_s
+    virtual std::optional<double> horizon_radius() const { return {}; }  // of the outer horizon, r_s
     // Omega of the circular geodesic at r that goes round with the hole: g_tt' + 2 g_tphi' Omega + g_phiphi' Omega^2 = 0.
     virtual double kepler_rate(double r) const;
     // A radius within the last stable circle, r_s, from which on circles have an energy or none: where the search for it begins.
@@ -43,8 +44,14 @@ public:
     virtual Result<RayPtr> ray(const RayQuery& query, const RayTask& task) const = 0;
 };
 
+inline double parameter_of(const SpacetimeSpec& spec, const std::string& name, double fallback) {
+    const auto found = spec.parameters.find(name);
+    return found == spec.parameters.end() ? fallback : found->second;
+}
+
 // Errors: a metric the reference does not know.
 Result<std::unique_ptr<Metric>> make_metric(const SpacetimeSpec& spec);
+std::unique_ptr<Metric> make_kerr_metric(const SpacetimeSpec& spec);  // without spin, Schwarzschild's orbits
 
 inline constexpr double kLargestRadius =
     1e60;  // of a query: the squares of the equations of motion stay within a double

@@ -1,6 +1,6 @@
 // The plane orbit of a light ray in a static, spherically symmetric metric, traced backward in time from the camera.
 //
-// A metric is added by one file pair (..._orbit.h, .cpp) and one line in metric.cpp. It formulates its orbits in its own
+// A metric is added by one file NAME_orbit.cpp and a line in plane_metrics.h and in metric.cpp. It formulates its orbits in its own
 // terms; nothing here is shared with the deflection table or the shader core.
 #pragma once
 #include <memory>
@@ -21,9 +21,7 @@ public:
     Fate fate() const { return fate_; }      // kEscaped, kOtherSide, kCaptured, kHit (a star) or kNoSky
     double angle() const { return angle_; }  // to the sky or the inward crossing of the horizon; NaN: no such end
     double turn() const { return turn_; }    // zeta at the turning point on the traced part; NaN: there is none
-    double turn_angle() const {
-        return turn_angle_;
-    }  // swept to the turning point on the traced part; NaN: there is none
+    double turn_angle() const { return turn_angle_; }  // swept to it; NaN: there is none
     // zeta after a swept angle >= 0; NaN if the ray has ended before or there. A few elliptic functions.
     virtual double zeta_at(double angle) const = 0;
     // T = v_cam - v_inf in r_s/c of an escaped ray, NaN for others. Some microseconds.
@@ -55,7 +53,8 @@ public:
     // Errors: no ray with this q passes through zeta0 (q^2 < V(zeta0) by more than rounding). Infinite q: radial.
     virtual Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay& ray) const = 0;
     virtual std::unique_ptr<Orbit> from_static(const LocalRay& ray) const = 0;  // r outside the horizon
-    virtual RainOrbit from_rain(const LocalRay& ray) const = 0;                 // r > 0
+    // r > 0. Where nothing falls the rain is at rest.
+    virtual RainOrbit from_rain(const LocalRay& ray) const { return {from_static(ray), 1.0}; }
 
     double lapse2(double r) const {
         const double l = lapse(r);

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "reference/plane_bodies.h"
-
 namespace nullscope::reference {
 
 std::vector<PlaneCrossing> PlaneRay::crossings(int most, double inner, double outer) const {

@@ -66,12 +66,19 @@ private:
     RayTask task_;
 };
 
+// The swept angle at which the ray enters a body. time_at: the body's time for what is seen after a swept angle; asked in nearly
+// growing order. A few hundred positions along the orbit, some 50 microseconds.
+std::optional<double> entry(const PlaneRay& ray, const BodyPart& part, const std::function<double(double)>& time_at);
+// In a wormhole, where orbits give l, of either sign, and a body stands on one side.
+std::optional<double> entry_by_length(const PlaneRay& ray, const BodyPart& part, double time);
+
 class PlaneRays final : public RayFamily {
 public:
-    // metric: outlives this. Its tetrad has components along the static frame or, of cameras that fall, the rain frame. Without
-    // lensing the rays are those of flat space.
-    static Result<std::unique_ptr<RayFamily>> make(const OrbitMetric& metric, const Scene& scene,
-                                                   const Spacetime& spacetime, const RayTask& task);
+    // metric: outlives this. tetrads: the one that directions are of, and the camera's own, which moves where that rests without
+    // aberration; components along the static frame or, of cameras that fall, the rain frame. Without lensing the rays are those of
+    // flat space.
+    PlaneRays(const OrbitMetric& metric, const Scene& scene, const Spacetime& spacetime, const RayTask& task,
+              const Tetrad& seen, const Tetrad& moving);
     // The orbit of a unit view direction (r, theta, phi) of the local frame.
     std::unique_ptr<Orbit> orbit_of(Vec3 view) const;
     // Its pixel position; nothing for one behind the camera.
@@ -79,8 +86,6 @@ public:
     const PlaneRays* in_plane() const override { return this; }
 
 private:
-    PlaneRays(const OrbitMetric& metric, const Scene& scene, const Spacetime& spacetime, const Tetrad& tetrad,
-              const Photon& velocity, const RayTask& task);
     RayPtr trace(const Photon& p) const override;
 
     std::shared_ptr<const OrbitMetric> flat_;  // without lensing

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "reference/minkowski_orbit.h"
+#include "reference/plane_metrics.h"
 #include "reference/plane_ray.h"
 #include "scene/observer.h"
 
@@ -87,11 +87,6 @@ Result<RayPtr> OrbitMetric::ray(const RayQuery& query, const RayTask& task) cons
 
 Result<std::unique_ptr<RayFamily>> OrbitMetric::rays(const Scene& scene, const Spacetime& spacetime,
                                                      const RayTask& task) const {
-    return PlaneRays::make(*this, scene, spacetime, task);
-}
-
-Result<std::unique_ptr<RayFamily>> PlaneRays::make(const OrbitMetric& metric, const Scene& scene,
-                                                   const Spacetime& spacetime, const RayTask& task) {
     auto moving = local_tetrad(spacetime, scene.camera, in_rain_frame(spacetime, scene.camera));
     if (!moving) return moving.error();
     Tetrad seen = *moving;
@@ -103,12 +98,12 @@ Result<std::unique_ptr<RayFamily>> PlaneRays::make(const OrbitMetric& metric, co
         if (!at_rest) return at_rest.error();
         seen = *at_rest;
     }
-    return std::unique_ptr<RayFamily>(new PlaneRays(metric, scene, spacetime, seen, moving->front(), task));
+    return std::unique_ptr<RayFamily>(std::make_unique<PlaneRays>(*this, scene, spacetime, task, seen, *moving));
 }
 
-PlaneRays::PlaneRays(const OrbitMetric& metric, const Scene& scene, const Spacetime& spacetime, const Tetrad& tetrad,
-                     const Photon& velocity, const RayTask& task)
-    : RayFamily(tetrad),
+PlaneRays::PlaneRays(const OrbitMetric& metric, const Scene& scene, const Spacetime& spacetime, const RayTask& task,
+                     const Tetrad& seen, const Tetrad& moving)
+    : RayFamily(seen),
       flat_(scene.light.lensing ? nullptr : make_minkowski_orbits({})),
       metric_(flat_ ? *flat_ : metric),
       camera_(scene.camera),
@@ -116,7 +111,7 @@ PlaneRays::PlaneRays(const OrbitMetric& metric, const Scene& scene, const Spacet
       task_(task),
       lapse_(metric.lapse(scene.camera.r)),
       from_rain_(in_rain_frame(spacetime, scene.camera)),
-      velocity_(velocity) {
+      velocity_(moving.front()) {
     if (flat_) camera_.r = spacetime.areal_radius(camera_.r);
 }
 

@@ -9,7 +9,6 @@
 
 #include "camera/pose.h"
 #include "light/black_body.h"
-#include "reference/mesh_star_images.h"
 #include "reference/seen_light.h"
 
 namespace nullscope::reference {
@@ -89,9 +88,7 @@ std::function<std::vector<StarImage>(Vec3)> images_of(const FrameTracer& tracer,
         return [images = std::make_shared<StarImages>(tracer, scene, kOrders)](Vec3 star) {
             return images->of(star, kPointMargin_px);
         };
-    return [images = std::make_shared<MeshStarImages>(tracer, scene, kPointMargin_px)](Vec3 star) {
-        return images->of(star);
-    };
+    return images_by_mesh(tracer, scene, kPointMargin_px);
 }
 
 void add_point_stars(const FrameTracer& tracer, const Scene& scene, const std::vector<PointStar>& stars,

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include "reference/ball_way.h"
+#include "reference/bodies.h"
 #include "scene/ball_motion.h"
 #include "spacetime/registry.h"
 

@@ -11,7 +11,7 @@
 #include "camera/pose.h"
 #include "expr/formula.h"
 #include "kerr_bodies.h"
-#include "reference/ball_way.h"
+#include "reference/bodies.h"
 #include "reference/frame_tracer.h"
 #include "reference/kerr_bodies.h"
 #include "reference/kerr_ray.h"
