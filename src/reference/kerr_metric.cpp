@@ -15,8 +15,8 @@ namespace {
 
 class TracedKerrRay final : public TracedRay {
 public:
-    TracedKerrRay(KerrRay ray, const std::optional<BodyHit>& hit)
-        : TracedRay({1, 1 / ray.energy}, 1 / ray.energy, ray.l_z), ray_(std::move(ray)), hit_(hit) {}
+    TracedKerrRay(KerrRay ray, const std::optional<BodyHit>& hit, bool late)
+        : TracedRay({1, 1 / ray.energy}, 1 / ray.energy, ray.l_z), ray_(std::move(ray)), hit_(hit), late_(late) {}
     Fate fate() const override { return ray_.fate; }
     double end() const override { return kNotANumber; }
     Vec3 end_direction() const override { return ray_.sky; }
@@ -26,7 +26,8 @@ public:
     std::vector<PlaneCrossing> crossings(int most, double inner, double outer) const override {
         std::vector<PlaneCrossing> list;
         for (const PlaneCrossing& c : ray_.crossings)
-            if (c.r >= inner && c.r <= outer && static_cast<int>(list.size()) < most) list.push_back(c);
+            if (c.r >= inner && c.r <= outer && static_cast<int>(list.size()) < most)
+                list.push_back(c), list.back().late = late_ ? c.late : 0.0;
         return list;
     }
     std::optional<BodyHit> first_hit() const override { return hit_; }
@@ -40,6 +41,7 @@ public:
 private:
     KerrRay ray_;
     std::optional<BodyHit> hit_;
+    bool late_;  // of crossings
 };
 
 // trace(watch): a KerrRay, its steps shown to `watch`.
@@ -47,7 +49,7 @@ template <class Trace>
 RayPtr meeting_bodies(const RayTask& task, const Trace& trace) {
     BodyWatch watch(*task.bodies, task.late_bodies);
     KerrRay ray = trace(watch.watch());
-    return std::make_unique<TracedKerrRay>(std::move(ray), watch.hit());
+    return std::make_unique<TracedKerrRay>(std::move(ray), watch.hit(), task.late_disc);
 }
 
 class KerrRays final : public RayFamily {

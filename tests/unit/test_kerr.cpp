@@ -9,6 +9,7 @@
 #include "camera/spin_forms.h"
 #include "kerr_core.h"
 #include "reference/disc_light.h"
+#include "reference/frame_tracer.h"
 #include "reference/kerr_ray.h"
 #include "reference/reference.h"
 #include "spacetime/circular_orbit.h"
@@ -98,6 +99,24 @@ TEST_CASE("kerr: the disc's flux is Page and Thorne's closed form, largest at 3.
     const FluxPeak peak = disc_flux_peak(*spacetime);
     CHECK(std::fabs(2 * peak.r - 3.44184336236) < 1e-6);
     CHECK(std::fabs(peak.flux / 4 / 3.39228624923e-4 - 1) < 1e-9);
+}
+
+TEST_CASE("kerr: the disc's light is late where it takes time and something moves, else not") {
+    for (const bool delay : {true, false})
+        for (const bool moves : {true, false}) {
+            Scene scene;
+            scene.spacetime = {"kerr", {{"spin", 0.9}}};
+            scene.camera.observer = ObserverKind::kZamo, scene.camera.r = 15, scene.camera.theta = 1.2;
+            scene.light.delay = delay;
+            scene.disc.emplace().inner = 2, scene.disc->outer = 8;
+            if (moves) scene.spot.emplace().r = 4;
+            const auto tracer = reference::FrameTracer::make(scene);
+            REQUIRE(tracer);
+            const auto hits = tracer->disc_hits(*tracer->ray(0.5 * scene.camera.width, 0.65 * scene.camera.height), 1);
+            REQUIRE(hits.size() == 1);
+            CHECK((hits[0].late > 5) == (delay && moves));
+            if (!delay || !moves) CHECK(hits[0].late == 0);
+        }
 }
 
 TEST_CASE("kerr: matter on circles and in the fall has unit velocity, and both ways give one g") {
