@@ -1,4 +1,5 @@
-// The solid bodies of a scene, as functions of place and time; and their light. Where a ray enters one: plane_bodies.h, kerr_bodies.h.
+// The solid bodies of a scene, as functions of place and time, and their light. Rays enter them in plane_ray.h and
+// kerr_bodies.h.
 #pragma once
 #include <functional>
 #include <vector>
@@ -40,7 +41,8 @@ private:
 };
 
 // Where a ball is at a time t, found another way than scene/ball_motion.h.
-// Free fall: of metrics whose rays stay in a plane (check_bodies). metric: outlives what is returned, which any number of threads may ask. Free fall: 1e-10 of its radius a turn.
+// Free fall, in metrics whose rays stay in a plane (check_bodies): 1e-10 of its radius a turn. metric: outlives what is
+// returned, which any number of threads may ask.
 std::function<Vec3(double t)> ball_way(const Metric& metric, const BallSpec& ball);
 
 // Error: a ball on a trajectory that is not followed about a rotating hole.
@@ -49,8 +51,8 @@ Status check_bodies(const Scene& scene, const Metric& matter);
 // Linear light of a body's texture at a place. image: of texture kind image.
 Vec3 body_light(const Scene& scene, const BodyHit& hit, const Image<float>* image);
 
-// The same of what is no body, and the look's brightness is not in it. u, v: texture coordinates; at: the place, turned: with the
-// texture; size: the length that grains are counted over.
+// The same of what is no body, and the look's brightness is not in it. u, v: texture coordinates; at: the place,
+// turned: with the texture; size: the length that grains are counted over.
 Vec3 look_light(const BodyLook& look, double u, double v, Vec3 at, Vec3 turned, double size);
 // Of a painted disc at (x, y), without brightness; of a painted sky in a direction.
 Vec3 disc_coat(const DiscSpec& disc, double x, double y);

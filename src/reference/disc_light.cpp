@@ -20,7 +20,7 @@ double derivative(Function f, double r) {  // eighth order: some 1e-12 relative
     return (d(1) * 4.0 / 5 - d(2) / 5 + d(3) * 4.0 / 105 - d(4) / 280) / (h * r);
 }
 
-// sigma T^4 = flux Mdot c^2 / r_s^2. Of a hole of one solar mass: Eddington's luminosity, and r_s by the Sun's 2953.25 m.
+// sigma T^4 = flux Mdot c^2 / r_s^2. Of a hole of one solar mass: Eddington's luminosity, and r_s in m.
 double accretion_temperature_K(const AccretionSpec& accretion, double flux) {
     constexpr double kEddington_W = 1.25707e31, kSun_m = 2953.250077, kStefan_W_m2_K4 = 5.670374419e-8,
                      kEfficiency = 0.1;
@@ -97,8 +97,9 @@ double DiscLight::flux(double r) const {
     return -derivative([&](double at) { return circle(at).omega; }, r) * sum / (4 * M_PI * r * gain * gain);
 }
 
-// Within the last circle matter falls with its constants: -1/(p . u) by who has no angular momentum, N^2 = -1/g^tt, omega = -g_tphi/g_phiphi,
-//     -N^2 (p . u) = (E - omega L)(1 - omega l_z) - N^2 L l_z/g_phiphi + climb fall,  fall^2 = (E - omega L)^2 - N^2 (1 + L^2/g_phiphi).
+// Within the last circle matter falls with its constants. By who has no angular momentum, N^2 = -1/g^tt and
+// omega = -g_tphi/g_phiphi:  -N^2 (p . u) = (E - omega L)(1 - omega l_z) - N^2 L l_z/g_phiphi + climb fall,
+// fall^2 = (E - omega L)^2 - N^2 (1 + L^2/g_phiphi).
 double DiscLight::g_infinity(const PhotonAtDisc& photon) const {
     if (photon.r >= isco_) {
         const Circle c = circle(photon.r);

@@ -1,5 +1,6 @@
-// The light of a thermal disc, found another way than the tables do: the metric's derivatives by r from Richardson's differences,
-// Kepler's law g_phiphi' Omega^2 + 2 g_tphi' Omega + g_tt' = 0, the flux by adaptive quadrature, the shift from conserved E and L_z alone.
+// The light of a thermal disc, found another way than the tables do: the metric's derivatives by r from Richardson's
+// differences, Kepler's law g_phiphi' Omega^2 + 2 g_tphi' Omega + g_tt' = 0, the flux by adaptive quadrature, the shift
+// from conserved E and L_z alone.
 #pragma once
 #include <vector>
 
@@ -29,7 +30,7 @@ public:
     double hottest_K() const { return disc_.temperature_K; }
     double innermost() const { return isco_; }   // stable circular orbit, r_s
     double hottest() const { return hottest_; }  // radius of the largest flux, r_s
-    // Linear Rec. 709 of unit emissivity, over the luminance of the hottest ring in its own frame. g: camera over matter.
+    // Linear Rec. 709 of unit emissivity, over the luminance of the hottest ring in its own frame. g: camera/matter.
     Vec3 colour(double r, double g) const;
 
 private:

@@ -14,7 +14,7 @@
 namespace nullscope::reference {
 namespace {
 
-// Of a ray that is integrated: each half turn nearer to the critical ray brings one more, down to what a double can tell.
+// Of a ray that is integrated: each half turn nearer to the critical ray brings one more.
 constexpr int kMostCrossings = 16;
 
 double finite_or_zero(double value) { return std::isfinite(value) ? value : 0.0; }

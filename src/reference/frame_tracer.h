@@ -1,7 +1,7 @@
 // The rays of a scene's camera: from a pixel position to a traced ray and what it meets, for ray data and rendering.
 //
-// The direction is carried through the camera's tetrad as a photon momentum, p = e_0 - n^i e_i for the photon that arrives from
-// n with unit frequency (traced_ray.h). On purpose not the product form of camera/pose.h.
+// The direction is carried through the camera's tetrad as a photon momentum, p = e_0 - n^i e_i for the photon that
+// arrives from n with unit frequency (traced_ray.h). On purpose not the product form of camera/pose.h.
 #pragma once
 #include <memory>
 #include <vector>
@@ -16,7 +16,7 @@
 
 namespace nullscope::reference {
 
-// A place where a ray meets the disc, in world axes: x = r cos(phi), y = r sin(phi), lengths in r_s. The rest as PlaneCrossing.
+// A place where a ray meets the disc, in world axes: x = r cos(phi), y = r sin(phi), in r_s. The rest: PlaneCrossing.
 struct DiscHit {
     double along, x, y, climb, late;
 };
@@ -25,8 +25,8 @@ class FrameTracer {
 public:
     // Errors: unknown metric, no such observer at the camera, a camera or disc out of range.
     static Result<FrameTracer> make(const Scene& scene);
-    // Pixel position: column, row from the top, centres at +0.5. In a plane about a microsecond, else 0.2 ms and its looks at
-    // bodies. The tracer outlives it.
+    // Pixel position: column, row from the top, centres at +0.5. In a plane about a microsecond, else 0.2 ms and its
+    // looks at bodies. The tracer outlives it.
     RayPtr ray(double x, double y) const;
     // Where the ray meets the disc, in its order; empty if the scene has none. At most max_hits.
     std::vector<DiscHit> disc_hits(const TracedRay& ray, int max_hits) const;

@@ -1,5 +1,5 @@
-// The numbers of a rotating hole in units of r_s = 2 M = 1: Delta = r^2 + a^2 - 2 m(r) r, with m(r) = M = 1/2 and r_+ + r_- = 1.
-// All that a charge would change (m = 1/2 - Q^2/(2 r)) is here.
+// The numbers of a rotating hole, r_s = 2 M = 1: Delta = r^2 + a^2 - 2 m(r) r, m(r) = M, r_+ + r_- = 1. All that a charge
+// would change, m = 1/2 - Q^2/(2 r), is here.
 #pragma once
 #include <cmath>
 

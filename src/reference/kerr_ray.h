@@ -48,8 +48,7 @@ struct KerrRay {
     double phi_inf = kNotANumber;                     // its azimuth, windings kept
     double energy = 0;                                // of the photon, at infinity
     double l_z = 0;                                   // its angular momentum about the axis over its energy, r_s
-    // of the equatorial plane after the camera, before the end; along: affine parameter, 0 abreast of the hole, were the ray
-    // straight; late as KerrPlace
+    // of the equatorial plane, before the end; along: 0 abreast of the hole, were the ray straight; late as KerrPlace
     std::vector<PlaneCrossing> crossings;
     // T = v at the camera less v at the sky, v = t + r_*; escaped rays. To 1e-8 r_s/c and some roundings of r
     double delay = kNotANumber;

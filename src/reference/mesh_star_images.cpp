@@ -1,5 +1,6 @@
-// All images of a point star, whatever the metric: the pixels' grid of the reference's rays, divided along the shadow's edge, says in
-// which triangles of directions a star lies; from there Newton's steps on traced rays, until nothing moves any more.
+// All images of a point star, whatever the metric: the pixels' grid of the reference's rays, divided along the shadow's
+// edge, says in which triangles of directions a star lies; from there Newton's steps on traced rays, until nothing
+// moves any more.
 #include <tbb/parallel_for.h>
 
 #include <algorithm>

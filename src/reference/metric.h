@@ -1,4 +1,4 @@
-// What the reference knows of a metric, whatever its symmetry: what matter in the equatorial plane feels, and how its rays are made.
+// What the reference knows of any metric: what matter in the equatorial plane feels, and how its rays are made.
 //
 // Two kinds of metric follow: those whose rays stay in a plane (orbit.h), and rotating holes (kerr_metric.cpp).
 #pragma once
@@ -27,16 +27,16 @@ public:
     virtual ~Metric() = default;
     virtual EquatorialMetric equator(double r) const = 0;
     virtual std::optional<double> horizon_radius() const { return {}; }  // of the outer horizon, r_s
-    // Omega of the circular geodesic at r that goes round with the hole: g_tt' + 2 g_tphi' Omega + g_phiphi' Omega^2 = 0.
+    // Omega of the circular geodesic at r, with the rotation: g_tt' + 2 g_tphi' Omega + g_phiphi' Omega^2 = 0.
     virtual double kepler_rate(double r) const;
-    // A radius within the last stable circle, r_s, from which on circles have an energy or none: where the search for it begins.
+    // A radius within the last stable circle, r_s, where the search for that begins.
     virtual double within_last_circle() const = 0;
-    // sqrt(-g_tt) where a ratio of frequencies is split into parts by observers at rest; 1 where it is not split (rotating holes).
+    // sqrt(-g_tt) where observers at rest split g into parts; 1 where it is not split (rotating holes).
     virtual double rest_lapse(double r) const = 0;
     // Of a metric whose rays stay in a plane; elsewhere null.
     virtual const OrbitMetric* orbits() const { return nullptr; }
 
-    // The rays of scene.camera. spacetime: this metric as cameras know it. This and task.bodies outlive them. Errors: no such observer.
+    // The rays of scene.camera. spacetime: of this metric. This and task.bodies outlive them. Errors: no such observer.
     virtual Result<std::unique_ptr<RayFamily>> rays(const Scene& scene, const Spacetime& spacetime,
                                                     const RayTask& task) const = 0;
     // One ray; query.n is a unit vector. g is that of a camera at rest in query.frame. This and task.bodies outlive it.

@@ -1,7 +1,7 @@
 // The plane orbit of a light ray in a static, spherically symmetric metric, traced backward in time from the camera.
 //
-// A metric is added by one file NAME_orbit.cpp and a line in plane_metrics.h and in metric.cpp. It formulates its orbits in its own
-// terms; nothing here is shared with the deflection table or the shader core.
+// A metric is added by one file NAME_orbit.cpp and a line in plane_metrics.h and in metric.cpp. It formulates its
+// orbits in its own terms; nothing here is shared with the deflection table or the shader core.
 #pragma once
 #include <memory>
 #include <optional>
@@ -13,8 +13,8 @@
 
 namespace nullscope::reference {
 
-// Swept angles are counted from the camera, in rad, with windings; zeta = r_s / r; q = E r_s / L. In wormholes q is 1 over the
-// impact parameter and l, the proper distance from the throat, stands wherever zeta is written.
+// Swept angles are counted from the camera, in rad, with windings; zeta = r_s / r; q = E r_s / L. In wormholes q is 1
+// over the impact parameter and l, the proper distance from the throat, stands wherever zeta is written.
 class Orbit {
 public:
     virtual ~Orbit() = default;

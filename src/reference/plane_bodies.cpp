@@ -22,8 +22,8 @@ bool can_reach(const Orbit& orbit, double camera_r, double reach) {
 
 }  // namespace
 
-// Equal looks along the path, fine where the body can be met; a change of sign is narrowed down by TOMS 748, a dip between three
-// looks by Brent's minimisation.
+// Equal looks along the path, fine where the body can be met; a change of sign is narrowed down by TOMS 748, a dip
+// between three looks by Brent's minimisation.
 std::optional<double> entry(const PlaneRay& ray, const BodyPart& part, const std::function<double(double)>& time_at) {
     const Orbit& orbit = ray.orbit();
     if (!can_reach(orbit, ray.photon().r, part.reach * 1.001)) return std::nullopt;
@@ -61,8 +61,8 @@ std::optional<double> entry(const PlaneRay& ray, const BodyPart& part, const std
     return std::nullopt;
 }
 
-// Looks at most a step apart in the coordinates of the sides, in which the throat is the origin of both: a turn is halved until it is
-// no longer than that, and the next one starts with its double.
+// Looks at most a step apart in the coordinates of the sides, in which the throat is the origin of both: a turn is
+// halved until it is no longer than that, and the next one starts with its double.
 std::optional<double> entry_by_length(const PlaneRay& ray, const BodyPart& part, double time) {
     const Orbit& orbit = ray.orbit();
     const RayPlane& plane = ray.plane();

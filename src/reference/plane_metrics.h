@@ -45,8 +45,8 @@ private:
     bool radial_;
 };
 
-// The frame of what falls from rest at infinity, w = sqrt(1 - A): E = 1 + w n_r, and dr along the traced ray goes as w + n_r. Where
-// n_r < 0 both are sums of 1 + n_r = n_t^2/(1 - n_r) and of -depth = 1 - w = A/(1 + w).
+// The frame of what falls from rest at infinity, w = sqrt(1 - A): E = 1 + w n_r, and dr along the traced ray goes as w
+// + n_r. Where n_r < 0 both are sums of 1 + n_r = n_t^2/(1 - n_r) and of -depth = 1 - w = A/(1 + w).
 template <class Real>
 struct RainStart {
     Real energy, outward;

@@ -1,4 +1,4 @@
-// A traced ray that stays in a plane: an orbit in closed form, and the plane. `along` is the swept angle. And a camera's family of them.
+// Traced rays that stay in a plane: an orbit in closed form, and the plane. `along` is the swept angle.
 #pragma once
 #include <array>
 #include <memory>
@@ -66,17 +66,17 @@ private:
     RayTask task_;
 };
 
-// The swept angle at which the ray enters a body. time_at: the body's time for what is seen after a swept angle; asked in nearly
-// growing order. A few hundred positions along the orbit, some 50 microseconds.
+// The swept angle at which the ray enters a body. time_at: the body's time for what is seen after a swept angle; asked
+// in nearly growing order. A few hundred positions along the orbit, some 50 microseconds.
 std::optional<double> entry(const PlaneRay& ray, const BodyPart& part, const std::function<double(double)>& time_at);
 // In a wormhole, where orbits give l, of either sign, and a body stands on one side.
 std::optional<double> entry_by_length(const PlaneRay& ray, const BodyPart& part, double time);
 
 class PlaneRays final : public RayFamily {
 public:
-    // metric: outlives this. tetrads: the one that directions are of, and the camera's own, which moves where that rests without
-    // aberration; components along the static frame or, of cameras that fall, the rain frame. Without lensing the rays are those of
-    // flat space.
+    // metric: outlives this. tetrads: the one that directions are of, and the camera's own, which moves where that
+    // rests without aberration; components along the static frame or, of cameras that fall, the rain frame. Without
+    // lensing the rays are those of flat space.
     PlaneRays(const OrbitMetric& metric, const Scene& scene, const Spacetime& spacetime, const RayTask& task,
               const Tetrad& seen, const Tetrad& moving);
     // The orbit of a unit view direction (r, theta, phi) of the local frame.

@@ -13,10 +13,10 @@ namespace {
 // Outside of this and kLargestRadius the squares of the orbit equation would leave the range of a double.
 constexpr double kLeastRadius = 1e-30;
 
-// Components along the local frame: of a static camera they are known; others go through the metric. By spherical symmetry they do
-// not depend on theta: taken at the equator, where the coordinates are regular, they hold on the axis too. Along the rain frame
-// e_0 = (1/(1+w), -w), e_1 = (1/(1+w), 1) of (v, r), or the static one (1/s, 0), (1/s, s), s = sqrt(A), the metric
-// -A dv^2 + 2 dv dr gives those of (p^v, p^r).
+// Components along the local frame: of a static camera they are known; others go through the metric. By spherical
+// symmetry they do not depend on theta: taken at the equator, where the coordinates are regular, they hold on the axis
+// too. Along the rain frame e_0 = (1/(1+w), -w), e_1 = (1/(1+w), 1) of (v, r), or the static one (1/s, 0), (1/s, s),
+// s = sqrt(A), the metric -A dv^2 + 2 dv dr gives those of (p^v, p^r).
 Result<Tetrad> local_tetrad(const Spacetime& spacetime, CameraSpec camera, bool from_rain) {
     camera.theta = M_PI / 2;
     const bool rests = camera.observer == ObserverKind::kStatic;
@@ -123,9 +123,9 @@ RayPtr PlaneRays::trace(const Photon& p) const {
     const Vec3 direction{local.n_r, static_cast<double>(-p[2] / frequency), static_cast<double>(-p[3] / frequency)};
     RainOrbit start = from_rain_ ? metric_.from_rain(local)
                                  : RainOrbit{metric_.from_static(local), 1 / (light_.lensing ? lapse_ : 1)};
-    // The photon moves along p: L_phi = r p^phi in the local tetrad, L_z = L_phi sin(theta), all over E = frequency / start.g.
+    // The photon moves along p: L_phi = r p^phi in the local tetrad, L_z = L_phi sin(theta), over E = frequency/start.g.
     const double scale = camera_.r * start.g / static_cast<double>(frequency);
-    // The camera's frequency over the local frame's is 1/frequency; without aberration that of the camera's true motion for this ray.
+    // The camera's frequency over the local frame's is 1/frequency; without aberration that of its true motion.
     const auto& u = velocity_;
     const long double doppler =
         light_.aberration ? 1 / frequency : (u[0] * frequency - u[1] * p[1] - u[2] * p[2] - u[3] * p[3]) / frequency;
@@ -146,7 +146,7 @@ std::unique_ptr<Orbit> PlaneRays::orbit_of(Vec3 view) const {
 }
 
 std::optional<std::array<double, 2>> PlaneRays::position(Vec3 view) const {
-    // The photon p = (1, -view) in the local tetrad is omega (e_0 - n^i e_i): n_i = (p . e_i) / (p . e_0), as e_0 . e_0 = -1.
+    // The photon p = (1, -view) in the local tetrad is omega (e_0 - n^i e_i): n_i = (p . e_i) / (p . e_0).
     const auto product = [&](std::size_t i) {
         const auto& e = tetrad()[i];
         return -e[0] - view.x * e[1] - view.y * e[2] - view.z * e[3];

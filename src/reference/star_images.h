@@ -1,5 +1,5 @@
-// All images of a point star in a frame, found another way than the renderer does: the angle of each ray by bracketing the
-// reference's own orbits, its light by the Jacobian of the frame's ray map, differenced numerically.
+// All images of a point star in a frame, found another way than the renderer does: the angle of each ray by bracketing
+// the reference's own orbits, its light by the Jacobian of the frame's ray map, differenced numerically.
 #pragma once
 #include <functional>
 #include <vector>
@@ -41,17 +41,17 @@ private:
 // Linear Rec. 709 times sr: what an image adds to the picture, before its point spread.
 Vec3 star_light(const PointStar& star, double g, const LightSpec& light);
 
-// What finds them whatever the metric, by a mesh of rays: within the margin, order -1. A ray a pixel of the picture with its margin, and
-// more along the shadow's edge, on all cores (about a rotating hole 0.3 ms a ray); then some 5 ms an image. Images closer to that
-// edge than 1/8 px are not found. tracer: outlives it.
+// What finds them whatever the metric, by a mesh of rays: within the margin, order -1. A ray a pixel of the picture
+// with its margin, more along the shadow's edge (about a rotating hole 0.3 ms each); then some 5 ms an image. Images
+// closer to that edge than 1/8 px are not found. tracer: outlives it.
 std::function<std::vector<StarImage>(Vec3)> images_by_mesh(const FrameTracer& tracer, const Scene& scene,
                                                            double margin_px);
 
 // What finds a star's images that a picture can show, whatever the metric: from its direction. tracer: outlives it.
 std::function<std::vector<StarImage>(Vec3)> images_of(const FrameTracer& tracer, const Scene& scene);
 
-// Adds the stars, spread as sky/point_stars.h says, to a picture in linear light. transmission: what of a point behind the pixel
-// position (column, row) shines through.
+// Adds the stars, spread as sky/point_stars.h says, to a picture in linear light. transmission: what of a point behind
+// the pixel position (column, row) shines through.
 void add_point_stars(const FrameTracer& tracer, const Scene& scene, const std::vector<PointStar>& stars,
                      const std::function<double(double x, double y)>& transmission, Image<float>& picture);
 

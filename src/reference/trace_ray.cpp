@@ -26,9 +26,8 @@ Result<Vec3> unit_direction(Vec3 n) {
 Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int crossings, const DiscLight* matter) {
     const auto metric = make_metric(scene.spacetime);
     if (!metric) return metric.error();
-    if (query.at_angle && !(*query.at_angle >= 0 && std::isfinite(*query.at_angle))) {
+    if (query.at_angle && !(*query.at_angle >= 0 && std::isfinite(*query.at_angle)))
         return bad_input(fmt::format("at_angle = {} must be finite and not negative", *query.at_angle));
-    }
     RayQuery asked = query;
     if (!query.orbit) {
         const auto n = unit_direction(query.n);

@@ -1,8 +1,8 @@
-// A light ray of whatever metric, traced backward in time from where it is seen: what ray data and shading ask of it. And the rays
-// of a camera, which makes one of a photon.
+// A light ray of whatever metric, traced backward in time from where it is seen: what ray data and shading ask of it.
+// And the rays of a camera, which makes one of a photon.
 //
-// `along` is the ray's own parameter: it grows away from the camera and orders what a ray meets. Of a ray in a plane (plane_ray.h) it
-// is the swept angle, rad; of one that is integrated (kerr_ray.h) the affine parameter.
+// `along` is the ray's own parameter: it grows away from the camera and orders what a ray meets. Of a ray in a plane
+// (plane_ray.h) it is the swept angle, rad; of one that is integrated (kerr_ray.h) the affine parameter.
 #pragma once
 #include <array>
 #include <cmath>
@@ -25,8 +25,8 @@ class PlaneRays;
 // A place where a ray meets the equatorial plane.
 struct PlaneCrossing {
     double along, r, phi;  // r_s, rad; phi with its windings
-    // Of the photon, over its energy: the radial part of its momentum, as who has no angular momentum there measures it, times the
-    // lapse; > 0: it really moves outward. Without rotation the cosine of its angle from the outward radial. Outside the horizon.
+    // Of the photon, over its energy: the radial part of its momentum, as who has no angular momentum measures it,
+    // times the lapse; > 0: it really moves outward. Without rotation a cosine. Outside the horizon.
     double climb;
     double late = 0;  // how long ago, by the camera's clock, the light left, r_s/c; 0 where nobody asks (RayTask)
 };
@@ -53,9 +53,6 @@ class TracedRay {
 public:
     TracedRay(const Shift& split, double g_seen, double momentum) : shift(split), g(g_seen), l_z(momentum) {}
     virtual ~TracedRay() = default;
-    TracedRay(const TracedRay&) = delete;
-    TracedRay& operator=(const TracedRay&) = delete;
-
     const Shift shift;  // camera frequency over frequency at infinity
     const double
         g;  // the same, as far as the switches of the scene's light let it; not positive: no frequency at infinity
@@ -68,21 +65,20 @@ public:
     virtual double end_azimuth() const = 0;        // its azimuth, windings kept
     virtual double swept(double along) const = 0;  // rad, windings kept; NaN where the ray is in no plane
     virtual double delay() const = 0;              // T = v_cam - v_inf, r_s/c; escaped rays. May take some microseconds
-    // Of the equatorial plane after the camera, before the end, in order: those with inner <= r <= outer, at most `most`, and not
-    // more than the task said. With `late` a millisecond each where rays are closed forms.
+    // Of the equatorial plane after the camera, before the end, in order: those with inner <= r <= outer, at most
+    // `most`, and not more than the task said. With `late` a millisecond each where rays are closed forms.
     virtual std::vector<PlaneCrossing> crossings(int most, double inner = -std::numeric_limits<double>::infinity(),
                                                  double outer = std::numeric_limits<double>::infinity()) const = 0;
-    // The first of the task's bodies that it enters. Closed forms: some 50 microseconds; late ones that move, milliseconds.
+    // The first of the task's bodies that it enters. Closed forms: 50 microseconds; late ones that move, milliseconds.
     virtual std::optional<BodyHit> first_hit() const = 0;
-    // How long ago, by the camera's clock, light left the place of a crossing or of first_hit(), r_s/c; NaN where there is no clock
-    // (wormholes).
+    // How long ago, by the camera's clock, light left a crossing or first_hit(), r_s/c; NaN in wormholes.
     virtual double late(double along) const = 0;
     virtual const PlaneRay* in_plane() const { return nullptr; }  // the ray, if it stays in a plane
 };
 using RayPtr = std::unique_ptr<const TracedRay>;
 
-// Rows: a camera's e_0, right, up, backward. In long double because ahead of a camera with gamma = 700 the sum e_0 - n^i e_i leaves
-// 1/gamma^2 of its terms.
+// Rows: a camera's e_0, right, up, backward. In long double because ahead of a camera with gamma = 700 e_0 - n^i e_i
+// leaves 1/gamma^2 of its terms.
 using Tetrad = std::array<std::array<long double, 4>, 4>;
 inline Tetrad long_tetrad(const TetradPair& pair) {
     Tetrad tetrad;
