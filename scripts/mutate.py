@@ -72,7 +72,7 @@ MUTANTS = [Mutant(*row) for row in [
      "1.5 * ray.k - 2.0", "0.75 * ray.k - 2.0", ("gpu_tests", "kerr: the shadow*")),
     ("sixth-order", "one weight of the sixth-order step about a rotating hole", "shaders/mino/step.glsl",
      "f3 * (275.0 / 252.0) -", "f3 * (276.0 / 252.0) -", ("gpu_tests", "kerr methods: half*")),
-    ("spin-dips", "bodies about a rotating hole that a ray just touches, missed", "src/reference/spin_bodies.cpp",
+    ("spin-dips", "bodies about a rotating hole that a ray just touches, missed", "src/reference/kerr_bodies.cpp",
      "if (dip <= 0) return", "if (dip <= -1) return", ("unit_tests", "kerr bodies*")),
     ("spin-azimuth", "Kerr-Schild azimuth where Boyer-Lindquist is meant", "src/reference/kerr_ray.cpp",
      "boyer_lindquist(from.azimuth + turned(from.azimuth, from.x, x, from.velocity), r);",

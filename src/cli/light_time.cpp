@@ -32,9 +32,9 @@ int run(const Options& options) {
     if (!(impact > kCritical))
         return report(bad_input(fmt::format("--impact {}: light that near falls into the hole; allowed: above {:.6g}",
                                             options.impact, kCritical / scale)));
-    const auto made = reference::make_orbit_metric({"schwarzschild", {}});
+    const auto made = reference::make_metric({"schwarzschild", {}});
     if (!made) return report(made.error());
-    const auto passage = reference::light_past(**made, from, to, impact);
+    const auto passage = reference::light_past(*(*made)->orbits(), from, to, impact);
     if (!passage)
         return report(
             bad_input(fmt::format("--from {} --to {} --impact {}: the closest approach is farther out than that; "

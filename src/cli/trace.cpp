@@ -52,7 +52,7 @@ void stop_at_disc(const DiscSpec& disc, const RayQuery& query, RayRecord& record
 Result<Records> trace_with_reference(const Scene& scene, const Spacetime& spacetime, const RayTable& table,
                                      int crossings, Progress& progress) {
     const bool opaque = scene.disc && scene.disc->opacity >= 1.0;
-    const auto metric = reference::make_orbit_metric(scene.spacetime);
+    const auto metric = reference::make_metric(scene.spacetime);
     if (!metric) return metric.error();
     std::optional<reference::DiscLight> matter;
     if (crossings > 0 && has_matter(scene, spacetime)) matter.emplace(**metric, *scene.disc, scene.light);

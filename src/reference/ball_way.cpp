@@ -1,5 +1,7 @@
-#include "reference/ball_way.h"
-
+// Where the ball of a scene is at a time t, found another way than scene/ball_motion.h: orbits by Kepler's law from
+// differences of the metric, free fall by Hamilton's equations in t, with the momentum of the tortoise radius:
+//     H = sqrt(P^2 + A (1 + L^2/r^2)),  dr/dt = A P/H,  dP/dt = -A (A (1 + L^2/r^2))'/(2 H),  dphi/dt = A L/(r^2 H).
+// Nothing grows at the horizon, and no step is refused.
 #include <algorithm>
 #include <array>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
@@ -9,21 +11,11 @@
 #include <vector>
 
 #include "expr/formula.h"
+#include "reference/bodies.h"
+#include "reference/orbit.h"
 
 namespace nullscope::reference {
 namespace {
-
-double lapse2(const OrbitMetric& metric, double r) {
-    const double lapse = metric.lapse(r);
-    return lapse * lapse;
-}
-
-double slope_of(const OrbitMetric& metric, double r) {                                 // of A; eighth order
-    double h = std::min(0.01 * r, 0.1 * (r - metric.horizon_radius().value_or(0.0)));  // all of it outside
-    while (h > 1e-12 * r && !std::isfinite(metric.lapse(r - 4 * h))) h /= 2;           // of a star
-    const auto d = [&](int n) { return lapse2(metric, r + n * h) - lapse2(metric, r - n * h); };
-    return (d(1) * 4.0 / 5 - d(2) / 5 + d(3) * 4.0 / 105 - d(4) / 280) / h;
-}
 
 // A ball in free fall in its plane, forward and back from t = 0: what it went through is kept.
 class Fall {
@@ -63,11 +55,11 @@ private:
         const double r = s[0];
         d = {0, 0, 0};
         if (!(r > metric_.horizon_radius().value_or(0.0) * (1 + kThere))) return;
-        const double a = lapse2(metric_, r);
+        const double a = metric_.lapse2(r);
         if (!(a > 0)) return;  // on a star's ground
         const double across = momentum_ / r, energy = std::sqrt(s[1] * s[1] + a * (1 + across * across));
         d[0] = a * s[1] / energy;
-        d[1] = -a * (slope_of(metric_, r) * (1 + across * across) - 2 * a * across * across / r) / (2 * energy);
+        d[1] = -a * (metric_.lapse2_slope(r) * (1 + across * across) - 2 * a * across * across / r) / (2 * energy);
         d[2] = a * across / (r * energy);
     }
     const OrbitMetric& metric_;
@@ -78,19 +70,7 @@ private:
 
 }  // namespace
 
-double kepler_rate(const OrbitMetric& metric, double r) {
-    if (metric.spin() == 0) return std::sqrt(std::fmax(slope_of(metric, r), 0) / (2 * r));
-    const double h = 1e-3 * r;  // fourth order
-    const auto slope = [&](double EquatorialMetric::*part) {
-        const auto d = [&](double by) { return metric.equator(r + by).*part - metric.equator(r - by).*part; };
-        return (8 * d(h) - d(2 * h)) / (12 * h);
-    };
-    const double tt = slope(&EquatorialMetric::g_tt), tp = slope(&EquatorialMetric::g_tphi),
-                 pp = slope(&EquatorialMetric::g_phiphi);
-    return (std::sqrt(std::fmax(tp * tp - tt * pp, 0)) - tp) / pp;
-}
-
-std::function<Vec3(double t)> ball_way(const OrbitMetric& metric, const BallSpec& ball) {
+std::function<Vec3(double t)> ball_way(const Metric& metric, const BallSpec& ball) {
     const Vec3 start = ball.position;
     const double r = length(start), azimuth = std::atan2(start.y, start.x);
     const Vec3 e_r = start / r, e_phi{-std::sin(azimuth), std::cos(azimuth), 0};
@@ -100,14 +80,15 @@ std::function<Vec3(double t)> ball_way(const OrbitMetric& metric, const BallSpec
     switch (ball.motion) {
         case BallMotion::kStill: break;
         case BallMotion::kOrbit:
-            return [=, omega = kepler_rate(metric, r)](double t) { return turned(e_phi, r, omega * t); };
+            return [=, omega = metric.kepler_rate(r)](double t) { return turned(e_phi, r, omega * t); };
         case BallMotion::kGeodesic: {
             // velocity: (e_r, e_theta, e_phi) of one at rest there; E = gamma sqrt(A), P = A p_r = gamma v_r sqrt(A).
             const Vec3 v = ball.velocity, e_theta = cross(e_phi, e_r), across = v.y * e_theta + v.z * e_phi;
-            if (metric.lapse(1e6) == 1) return [=, v = v.x * e_r + across](double t) { return start + t * v; };  // flat
+            const OrbitMetric& round = *metric.orbits();
+            if (round.lapse(1e6) == 1) return [=, v = v.x * e_r + across](double t) { return start + t * v; };  // flat
             const double gamma = 1 / std::sqrt(1 - dot(v, v)), speed = length(across);
             const auto fall =
-                std::make_shared<Fall>(metric, Fall::State{r, gamma * v.x * metric.lapse(r), 0}, gamma * speed * r);
+                std::make_shared<Fall>(round, Fall::State{r, gamma * v.x * round.lapse(r), 0}, gamma * speed * r);
             return [=, onward = speed > 0 ? across / speed : e_phi](double t) {
                 const Fall::State s = fall->at(t);
                 return turned(onward, s[0], s[2]);

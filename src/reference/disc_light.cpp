@@ -20,7 +20,7 @@ double derivative(Function f, double r) {  // eighth order: some 1e-12 relative
     return (d(1) * 4.0 / 5 - d(2) / 5 + d(3) * 4.0 / 105 - d(4) / 280) / (h * r);
 }
 
-// sigma T^4 = flux Mdot c^2 / r_s^2. Of a hole of one solar mass: Eddington's luminosity, and r_s by the Sun's 2953.25 m.
+// sigma T^4 = flux Mdot c^2 / r_s^2. Of a hole of one solar mass: Eddington's luminosity, and r_s in m.
 double accretion_temperature_K(const AccretionSpec& accretion, double flux) {
     constexpr double kEddington_W = 1.25707e31, kSun_m = 2953.250077, kStefan_W_m2_K4 = 5.670374419e-8,
                      kEfficiency = 0.1;
@@ -31,7 +31,7 @@ double accretion_temperature_K(const AccretionSpec& accretion, double flux) {
 
 }  // namespace
 
-DiscLight::DiscLight(const OrbitMetric& metric, const DiscSpec& disc, const LightSpec& light)
+DiscLight::DiscLight(const Metric& metric, const DiscSpec& disc, const LightSpec& light)
     : metric_(metric), disc_(disc), light_(light) {
     const auto hottest_is = [&](double temperature_K) {
         disc_.temperature_K = temperature_K;
@@ -42,7 +42,7 @@ DiscLight::DiscLight(const OrbitMetric& metric, const DiscSpec& disc, const Ligh
     if (horizon == 0.0) return;
     // The least energy of all circles: Boost's Brent gives half of the digits, a bisection of its slope the rest.
     const auto slope = [&](double r) { return derivative([&](double at) { return circle(at).energy; }, r); };
-    double low = (metric.spin() == 0 ? 1.75 : 1.001) * horizon, high = 100 * horizon;
+    double low = metric.within_last_circle(), high = 100 * horizon;
     const auto energy_or_more = [&](double r) {
         const double e = circle(r).energy;
         return std::isfinite(e) ? e : 2.0;
@@ -72,11 +72,6 @@ double DiscLight::heat(double r) const {
                     0.0);
 }
 
-double DiscLight::lapse2(double r) const {
-    const double lapse = metric_.lapse(r);
-    return lapse * lapse;
-}
-
 DiscLight::Circle DiscLight::circle(double r) const {
     const EquatorialMetric g = metric_.equator(r);
     const double tt = derivative([&](double at) { return metric_.equator(at).g_tt; }, r);
@@ -102,36 +97,26 @@ double DiscLight::flux(double r) const {
     return -derivative([&](double at) { return circle(at).omega; }, r) * sum / (4 * M_PI * r * gain * gain);
 }
 
+// Within the last circle matter falls with its constants. By who has no angular momentum, N^2 = -1/g^tt and
+// omega = -g_tphi/g_phiphi:  -N^2 (p . u) = (E - omega L)(1 - omega l_z) - N^2 L l_z/g_phiphi + climb fall,
+// fall^2 = (E - omega L)^2 - N^2 (1 + L^2/g_phiphi).
 double DiscLight::g_infinity(const PhotonAtDisc& photon) const {
-    const double r = photon.r;
-    if (r >= isco_) {
-        const Circle c = circle(r);
+    if (photon.r >= isco_) {
+        const Circle c = circle(photon.r);
         return 1 / (c.u_t * (1 - c.omega * photon.l_z));
     }
-    const Circle last = circle(isco_);
-    if (metric_.spin() != 0) return fallen_g(photon, last);
-    const double a = lapse2(r);
-    const double fall =
-        std::sqrt(std::max(last.energy * last.energy - a * (1 + last.momentum * last.momentum / (r * r)), 0.0));
-    const double climb = std::sqrt(std::max(1 - a * photon.l2 / (r * r), 0.0)) * (photon.outward ? 1 : -1);
-    return a / (last.energy - a * last.momentum * photon.l_z / (r * r) + climb * fall);
-}
-
-// -1/(p . u) of matter that falls with the last circle's constants: both momenta through the inverse metric.
-double DiscLight::fallen_g(const PhotonAtDisc& photon, const Circle& last) const {
     const EquatorialMetric g = metric_.equator(photon.r);
-    const double det = g.g_tt * g.g_phiphi - g.g_tphi * g.g_tphi;
-    const double tt = g.g_phiphi / det, tp = -g.g_tphi / det, pp = g.g_tt / det, e = last.energy, l = last.momentum;
-    const double fall = std::sqrt(std::max(-(1 + tt * e * e - 2 * tp * e * l + pp * l * l) / g.g_rr, 0.0));  // -u^r
-    return -1 / (tt * e - tp * (l + e * photon.l_z) + pp * l * photon.l_z - photon.radial * fall);
+    const Circle last = circle(isco_);
+    const double n2 = g.lapse2(), omega = -g.g_tphi / g.g_phiphi, l = last.momentum, e = last.energy - omega * l;
+    const double fall = std::sqrt(std::max(e * e - n2 * (1 + l * l / g.g_phiphi), 0.0));
+    return n2 / (e * (1 - omega * photon.l_z) - n2 * l * photon.l_z / g.g_phiphi + photon.climb * fall);
 }
 
 Shift DiscLight::shift(const PhotonAtDisc& photon) const {
-    if (metric_.spin() != 0) return {1, g_infinity(photon)};  // nobody is at rest there
-    const double rest = metric_.lapse(photon.r);              // of matter at rest there
+    const double rest = metric_.rest_lapse(photon.r);  // of matter at rest there
     if (light_.lensing) return {rest, g_infinity(photon) / rest};
     // A straight ray that comes by a direction of sine L/r is what a geodesic of L/lapse is to matter at rest there.
-    return {rest, g_infinity({photon.r, photon.l_z / rest, photon.outward, photon.l2 / (rest * rest)}) / rest};
+    return {rest, g_infinity({photon.r, photon.l_z / rest, photon.climb}) / rest};
 }
 
 Vec3 DiscLight::colour(double r, double g) const {

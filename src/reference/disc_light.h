@@ -1,10 +1,11 @@
-// The light of a thermal disc, found another way than the tables do: the metric's derivatives by r from Richardson's differences,
-// Kepler's law g_phiphi' Omega^2 + 2 g_tphi' Omega + g_tt' = 0, the flux by adaptive quadrature, the shift from conserved E and L_z alone.
+// The light of a thermal disc, found another way than the tables do: the metric's derivatives by r from Richardson's
+// differences, Kepler's law g_phiphi' Omega^2 + 2 g_tphi' Omega + g_tt' = 0, the flux by adaptive quadrature, the shift
+// from conserved E and L_z alone.
 #pragma once
 #include <vector>
 
 #include "base/vec.h"
-#include "reference/orbit.h"
+#include "reference/metric.h"
 #include "reference/seen_light.h"
 #include "scene/scene.h"
 
@@ -12,17 +13,15 @@ namespace nullscope::reference {
 
 // What a photon brings to a ring: per unit of its energy at infinity.
 struct PhotonAtDisc {
-    double r;           // r_s
-    double l_z;         // angular momentum about the polar axis over energy, r_s
-    bool outward;       // whether it really moves outward there
-    double l2;          // all of its angular momentum over energy, squared; without spin
-    double radial = 0;  // p_r over energy; of a spinning hole
+    double r;      // r_s
+    double l_z;    // angular momentum about the polar axis over energy, r_s
+    double climb;  // as PlaneCrossing
 };
 
 class DiscLight {
 public:
     // metric: outlives this. Some milliseconds.
-    DiscLight(const OrbitMetric& metric, const DiscSpec& disc, const LightSpec& light);
+    DiscLight(const Metric& metric, const DiscSpec& disc, const LightSpec& light);
     // Frequency at infinity over frequency in the matter, and its parts.
     double g_infinity(const PhotonAtDisc& photon) const;
     Shift shift(const PhotonAtDisc& photon) const;
@@ -31,19 +30,17 @@ public:
     double hottest_K() const { return disc_.temperature_K; }
     double innermost() const { return isco_; }   // stable circular orbit, r_s
     double hottest() const { return hottest_; }  // radius of the largest flux, r_s
-    // Linear Rec. 709 of unit emissivity, over the luminance of the hottest ring in its own frame. g: camera over matter.
+    // Linear Rec. 709 of unit emissivity, over the luminance of the hottest ring in its own frame. g: camera/matter.
     Vec3 colour(double r, double g) const;
 
 private:
     struct Circle {
         double u_t, omega, energy, momentum;
     };
-    double fallen_g(const PhotonAtDisc& photon, const Circle& last) const;
-    double lapse2(double r) const;
     Circle circle(double r) const;
     double heat(double r) const;  // flux over the largest, from a table: 1e-9 of the largest
 
-    const OrbitMetric& metric_;
+    const Metric& metric_;
     DiscSpec disc_;
     LightSpec light_;
     double isco_ = 0, hottest_ = 0, luminance_ = 1;

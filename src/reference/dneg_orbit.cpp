@@ -1,19 +1,20 @@
-#include "reference/dneg_orbit.h"
-
-#include <fmt/format.h>
-
+// Orbits in the wormhole of James, von Tunzelmann, Franklin and Thorne (2015), integrated over the proper length l as the metric
+// gives it: dphi = b dl/(R sqrt(R^2 - b^2)), R = rho + M f(x), x = 2 (|l| - a)/(pi M), f = x atan x - ln(1 + x^2)/2.
+//
+// b > rho: the ray turns where R(x_t) = b; x = x_t cosh(w). b < rho: it passes; x = e sinh(w), e^2 = (rho^2 - b^2)/(rho M), at most 1
+// (atan has its singularities at x = +-i). In w the rate is smooth, with its singularities at |Im w| = pi/2. All that nearly vanishes
+// (R - b, rho - b, x - x_t) is formed on its own, in long double.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "reference/plane_metrics.h"
 #include "reference/smooth_leg.h"
 
 namespace nullscope::reference {
 namespace {
 
-using Long = long double;
-constexpr double kRadialImpact = 1e-60;  // of the throat; below it a ray is radial
-constexpr double kTurningSlack = 16 * std::numeric_limits<double>::epsilon();
+constexpr double kRadialImpact = 1e-60;     // of the throat; below it a ray is radial
 constexpr double kWidthOverMass = 1.42953;  // as the paper prints it
 constexpr double kEnd = 1e10;  // R, of the largest length in the problem: what is left of a sweep is b/R to 1e-19
 
@@ -205,23 +206,9 @@ private:
     bool in_tube_ = false, leaves_ = false;
 };
 
-class Straight : public Orbit {  // radial rays, and the circles in the tube
-public:
-    Straight(double l, Fate fate) : l_(l) {
-        fate_ = fate;
-        if (fate != Fate::kNoSky) angle_ = 0;
-    }
-    double zeta_at(double angle) const override { return angle == 0 || fate_ == Fate::kNoSky ? l_ : kNotANumber; }
-    double delay() const override { return fate_ == Fate::kNoSky ? kNotANumber : 0; }
-
-private:
-    double l_;
-};
-
 class Dneg : public OrbitMetric {
 public:
     explicit Dneg(const Throat& m) : m_(m) {}
-    std::optional<double> horizon_radius() const override { return {}; }
     bool by_proper_length() const override { return true; }
     double lapse(double) const override { return 1; }
     Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay& ray) const override {
@@ -229,8 +216,7 @@ public:
         if (std::isinf(ray.q)) return orbit({ray.zeta0, 0, outward, -1, 1});
         const Long b = 1 / Long(ray.q), more = m_.mass * Throat::growth<Long>(0, m_.x_of(ray.zeta0));
         const Long turn2 = (b - m_.rho) * (b + m_.rho), away2 = more * (more + 2 * m_.rho) - turn2;
-        if (away2 < -kTurningSlack * b * b)
-            return bad_input(fmt::format("no ray with q = {:.17g} passes through l0 = {:.17g}", ray.q, ray.zeta0));
+        if (away2 < -kTurningSlack * b * b) return no_such_ray(ray, "l0");
         return orbit({ray.zeta0, b, outward, turn2, std::max(away2, Long(0))});
     }
     std::unique_ptr<Orbit> from_static(const LocalRay& ray) const override {
@@ -238,15 +224,14 @@ public:
         const Long across = std::sqrt(more * (more + 2 * m_.rho)), along = radius * std::abs(Long(ray.n_r));
         return orbit({ray.r, radius * ray.n_t, ray.n_r > 0, (across - along) * (across + along), along * along});
     }
-    RainOrbit from_rain(const LocalRay& ray) const override { return {from_static(ray), 1.0}; }  // nothing falls here
 
 private:
     std::unique_ptr<Orbit> orbit(Start start) const {
         if (start.b < kRadialImpact * m_.rho)
-            return std::make_unique<Straight>(static_cast<double>(start.l),
-                                              start.outward ? Fate::kEscaped : Fate::kOtherSide);
+            return std::make_unique<StandingOrbit>(static_cast<double>(start.l),
+                                                   start.outward ? Fate::kEscaped : Fate::kOtherSide);
         if (start.turn2 == 0 && start.away2 == 0)
-            return std::make_unique<Straight>(static_cast<double>(start.l), Fate::kNoSky);
+            return std::make_unique<StandingOrbit>(static_cast<double>(start.l), Fate::kNoSky, false);
         // The critical ray itself never ends; its neighbour, closer than any double comes, does.
         if (start.turn2 == 0) start.turn2 = -std::pow(m_.rho * Long(std::numeric_limits<double>::epsilon()), 2);
         return std::make_unique<Swept>(m_, start);
@@ -256,11 +241,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<OrbitMetric> make_dneg_orbits(const SpacetimeSpec& spec) {
-    const auto given = [&](const char* name, double fallback) {
-        const auto found = spec.parameters.find(name);
-        return found == spec.parameters.end() ? fallback : found->second;
-    };
+OrbitMetricPtr make_dneg_orbits(const SpacetimeSpec& spec) {
+    const auto given = [&](const char* name, double fallback) { return parameter_of(spec, name, fallback); };
     return std::make_unique<Dneg>(Throat(given("throat", 1.0), given("length", 0.01), given("lensing_width", 0.05)));
 }
 

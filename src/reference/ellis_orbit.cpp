@@ -1,21 +1,23 @@
-#include "reference/ellis_orbit.h"
-
-#include <fmt/format.h>
-
+// Ellis wormhole orbits in closed form: (dl/dphi)^2 = (l^2 + 1)(l^2 + 1 - b^2)/b^2, lengths in throat radii (scaled by the throat's
+// radius where that is not 1), q = 1/b.
+//
+// b > 1: the ray turns. With alpha the angle from the outward radial direction on its own side, sin(alpha) = b/sqrt(l^2 + 1):
+//     phi = F(alpha | 1/b^2) counted from that side's sky, 2 K(1/b^2) in all.
+// b < 1: it passes the throat. With sin(psi) = 1/sqrt(l^2 + 1), psi from 0 (l = +infinity) to pi (l = -infinity):
+//     phi = b F(psi | b^2), 2 b K(b^2) in all.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "reference/elliptic.h"
+#include "reference/plane_metrics.h"
 #include "reference/smooth_leg.h"
 
 namespace nullscope::reference {
 namespace {
 
-using Long = long double;
 constexpr double kRadialImpact = 1e-60;  // below it a ray is radial
-constexpr double kTurningSlack = 16 * std::numeric_limits<double>::epsilon();
 
 // At the camera. turn2 = b^2 - 1 and away2 = R^2 - b^2 >= 0 do not follow from l and b in double. outward: towards growing l.
 struct Start {
@@ -115,19 +117,6 @@ private:
     double m1_, quarter_;
 };
 
-class Straight : public Orbit {  // radial rays, and the circle at the throat
-public:
-    Straight(double l, Fate fate) : l_(l) {
-        fate_ = fate;
-        if (fate != Fate::kNoSky) angle_ = 0;
-    }
-    double zeta_at(double angle) const override { return angle == 0 || fate_ == Fate::kNoSky ? l_ : kNotANumber; }
-    double delay() const override { return fate_ == Fate::kNoSky ? kNotANumber : 0; }
-
-private:
-    double l_;
-};
-
 // The same orbit with another unit of length.
 class Scaled : public Orbit {
 public:
@@ -148,15 +137,13 @@ private:
 class Ellis : public OrbitMetric {
 public:
     explicit Ellis(double throat) : throat_(throat) {}
-    std::optional<double> horizon_radius() const override { return {}; }
     bool by_proper_length() const override { return true; }
     double lapse(double) const override { return 1; }
     Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay& ray) const override {
         const double l0 = ray.zeta0 / throat_;
         if (std::isinf(ray.q)) return scaled({l0, 0, outward(ray), -1, 1});
         const Long b = 1 / (Long(ray.q) * throat_), l = Long(ray.zeta0) / throat_, away2 = (l * l + (1 - b) * (1 + b));
-        if (away2 < -kTurningSlack * b * b)
-            return bad_input(fmt::format("no ray with q = {:.17g} passes through l0 = {:.17g}", ray.q, ray.zeta0));
+        if (away2 < -kTurningSlack * b * b) return no_such_ray(ray, "l0");
         return scaled({l0, static_cast<double>(b), outward(ray), (b - 1) * (b + 1), std::max(away2, Long(0))});
     }
     std::unique_ptr<Orbit> from_static(const LocalRay& ray) const override {
@@ -164,7 +151,6 @@ public:
         return scaled({static_cast<double>(l), static_cast<double>(std::sqrt(r2) * n_t), ray.n_r > 0,
                        (std::abs(l) * n_t - std::abs(n_r)) * (std::abs(l) * n_t + std::abs(n_r)), r2 * n_r * n_r});
     }
-    RainOrbit from_rain(const LocalRay& ray) const override { return {from_static(ray), 1.0}; }  // nothing falls here
 
 private:
     static bool outward(const ReducedRay& ray) {
@@ -175,8 +161,8 @@ private:
     }
     static std::unique_ptr<Orbit> orbit(Start start) {
         if (start.b < kRadialImpact)
-            return std::make_unique<Straight>(start.l, start.outward ? Fate::kEscaped : Fate::kOtherSide);
-        if (start.turn2 == 0 && start.away2 == 0) return std::make_unique<Straight>(start.l, Fate::kNoSky);
+            return std::make_unique<StandingOrbit>(start.l, start.outward ? Fate::kEscaped : Fate::kOtherSide);
+        if (start.turn2 == 0 && start.away2 == 0) return std::make_unique<StandingOrbit>(start.l, Fate::kNoSky, false);
         if (start.turn2 == 0) start.turn2 = -std::pow(Long(std::numeric_limits<double>::epsilon()), 2);
         if (start.turn2 > 0) return std::make_unique<Turning>(start);
         return std::make_unique<Passing>(start);
@@ -186,9 +172,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<OrbitMetric> make_ellis_orbits(const SpacetimeSpec& spec) {
-    const auto throat = spec.parameters.find("throat");
-    return std::make_unique<Ellis>(throat == spec.parameters.end() ? 1.0 : throat->second);
+OrbitMetricPtr make_ellis_orbits(const SpacetimeSpec& spec) {
+    return std::make_unique<Ellis>(parameter_of(spec, "throat", 1.0));
 }
 
 }  // namespace nullscope::reference

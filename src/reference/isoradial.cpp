@@ -10,8 +10,8 @@ namespace nullscope::reference {
 Result<std::vector<std::array<double, 2>>> isoradial(const Scene& scene, double r, int k, int points) {
     const auto tracer = FrameTracer::make(scene);
     if (!tracer) return tracer.error();
-    if (tracer->metric().spin() != 0)
-        return bad_input("no isoradials about a spinning hole; allowed: a metric without spin");
+    const PlaneRays* rays = tracer->plane_rays();
+    if (!rays) return bad_input("no isoradials about a spinning hole; allowed: a metric without spin");
     const CameraSpec& camera = scene.camera;
     std::vector<std::array<double, 2>> curve;
     for (int i = 0; i < points; ++i) {
@@ -21,7 +21,7 @@ Result<std::vector<std::array<double, 2>>> isoradial(const Scene& scene, double 
         };
         // 1/r of the crossing less that of the ring; a ray that ends before it is too far in, or has reached the sky.
         const auto outside = [&](double beta) {
-            const auto orbit = tracer->orbit_of(look(beta));
+            const auto orbit = rays->orbit_of(look(beta));
             const double angle = RayPlane(camera.theta, camera.phi, look(beta)).crossing(k);
             if (!(angle < orbit->angle())) return orbit->fate() == Fate::kEscaped ? 1 / r : -1e3;
             return 1 / r - orbit->zeta_at(angle);
@@ -32,7 +32,7 @@ Result<std::vector<std::array<double, 2>>> isoradial(const Scene& scene, double 
         const auto found =
             boost::math::tools::toms748_solve(outside, low, high, boost::math::tools::eps_tolerance<double>(48), most);
         const double beta = 0.5 * (found.first + found.second);
-        if (const auto position = tracer->position(look(beta))) curve.push_back(*position);
+        if (const auto position = rays->position(look(beta))) curve.push_back(*position);
     }
     return curve;
 }

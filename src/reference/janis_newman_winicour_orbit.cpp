@@ -1,5 +1,6 @@
-#include "reference/janis_newman_winicour_orbit.h"
-
+// Orbits about Janis, Newman and Winicour's mass: with x = r_g/r, y = 1 - x, qg = q r_g, (dx/dphi)^2 = y^(2 - 2g) P, P = qg^2 - W,
+// W = x^2 y^(2g - 1). Integrals over x itself, or over s with x = x_t -+ s^2 about a turning point, or over ln(y) on the way into the
+// singular surface, by Gauss-Kronrod panels halved until nothing changes, in long double.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,12 +9,12 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/plane_metrics.h"
+
 namespace nullscope::reference {
 namespace {
 
-using Long = long double;
 constexpr double kRadialQ = 1e30, kLeastQ = 1e-60;
-constexpr double kTurningSlack = 16 * std::numeric_limits<double>::epsilon();
 // Of the first estimate of the whole, as the 10-point rule's error in a panel; the 21-point rule, which is taken, has a rounding.
 constexpr Long kTolerance = 1e-13L;
 constexpr int kDeepest = 40;
@@ -208,20 +209,6 @@ private:
     Long turn_x_ = 0, camera_t_ = 0, rest_ = 0;
 };
 
-class Standing : public Orbit {  // radial rays, and the circular one
-public:
-    Standing(double zeta0, Fate fate, bool radial) : zeta0_(zeta0), radial_(radial) {
-        fate_ = fate;
-        if (radial && fate != Fate::kNoSky) angle_ = 0;
-    }
-    double zeta_at(double angle) const override { return angle == 0 || !radial_ ? zeta0_ : kNotANumber; }
-    double delay() const override { return fate_ == Fate::kEscaped ? 0 : kNotANumber; }
-
-private:
-    double zeta0_;
-    bool radial_;
-};
-
 class Jnw : public OrbitMetric {
 public:
     explicit Jnw(double gamma) : m_(gamma) {}
@@ -231,9 +218,7 @@ public:
         const Long q = std::max(ray.q, kLeastQ) * m_.r_g, x = ray.zeta0 * m_.r_g, y = 1 - x;
         if (!(y > 0)) return bad_input(fmt::format("zeta0 = {} lies on or within the singular surface", ray.zeta0));
         const Long root = std::sqrt(m_.w(x, y)), p = ray.q < kRadialQ ? (q - root) * (q + root) : 0;
-        if (p < -kTurningSlack * q * q)
-            return bad_input(fmt::format("no ray with q = {:.17g} passes through zeta0 = {:.17g}: q^2 < V(zeta0)",
-                                         ray.q, ray.zeta0));
+        if (p < -kTurningSlack * q * q) return no_such_ray(ray, "zeta0", ": q^2 < V(zeta0)");
         return orbit(
             {q, x, y, ray.s, std::sqrt(std::max(p, Long(0))), (q - std::sqrt(m_.w_c)) * (q + std::sqrt(m_.w_c))});
     }
@@ -242,7 +227,7 @@ public:
         return local(ray.r, q, q * std::abs(ray.n_r), ray.n_r <= 0 ? 1 : -1);
     }
     RainOrbit from_rain(const LocalRay& ray) const override {  // E = 1 + w n_r, dr ~ w + n_r, w = sqrt(1 - A)
-        if (!(ray.r > m_.r_g)) return {std::make_unique<Standing>(1 / ray.r, Fate::kNoSky, true), kNotANumber};
+        if (!(ray.r > m_.r_g)) return {std::make_unique<StandingOrbit>(1 / ray.r, Fate::kNoSky), kNotANumber};
         const Long w = std::sqrt(1 - m_.lapse2(ray.r)), energy = 1 + w * ray.n_r, outward = w + ray.n_r,
                    across = m_.area(ray.r) * ray.n_t;
         return {local(ray.r, energy / across, std::abs(outward) / across, outward > 0 ? -1 : 1),
@@ -261,9 +246,9 @@ private:
     std::unique_ptr<Orbit> orbit(Start start) const {
         const double zeta0 = static_cast<double>(start.x / m_.r_g);
         if (!(start.q < kRadialQ))
-            return std::make_unique<Standing>(zeta0, start.s < 0 ? Fate::kEscaped : Fate::kCaptured, true);
+            return std::make_unique<StandingOrbit>(zeta0, start.s < 0 ? Fate::kEscaped : Fate::kCaptured, true);
         if (start.delta2 == 0) {
-            if (start.root_p == 0) return std::make_unique<Standing>(zeta0, Fate::kNoSky, false);
+            if (start.root_p == 0) return std::make_unique<StandingOrbit>(zeta0, Fate::kNoSky, false);
             start.delta2 = std::pow(Long(std::numeric_limits<double>::epsilon()), 2);
         }
         return std::make_unique<Ray>(m_, start);
@@ -273,9 +258,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<OrbitMetric> make_janis_newman_winicour_orbits(const SpacetimeSpec& spec) {
-    const auto gamma = spec.parameters.find("gamma");
-    return std::make_unique<Jnw>(gamma == spec.parameters.end() ? 0.8 : gamma->second);
+OrbitMetricPtr make_janis_newman_winicour_orbits(const SpacetimeSpec& spec) {
+    return std::make_unique<Jnw>(parameter_of(spec, "gamma", 0.8));
 }
 
 }  // namespace nullscope::reference

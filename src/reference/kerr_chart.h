@@ -1,16 +1,15 @@
 // Cartesian Kerr-Schild coordinates, g = eta + 2 H l l with l = (1, lx, ly, lz), regular where matter falls in:
-//     x + iy = (r + ia) sin(theta) e^{i phi~},  z = r cos(theta),  2 H = r^3/(r^4 + a^2 z^2),
+//     x + iy = (r + ia) sin(theta) e^{i phi~},  z = r cos(theta),  2 H = 2 m r^3/(r^4 + a^2 z^2),
 //     l = (1, (r x + a y)/(r^2 + a^2), (r y - a x)/(r^2 + a^2), z/r).
 #pragma once
 #include <cmath>
 
 #include "base/vec.h"
+#include "reference/kerr_hole.h"
 
 namespace nullscope::reference {
 
-struct KerrChart {
-    double a;
-
+struct KerrChart : KerrHole {
     double radius(const Vec3& x) const {
         const double flat = dot(x, x) - a * a, az = a * x.z, root = std::sqrt(flat * flat + 4 * az * az);
         // The larger root of r^4 - flat r^2 - a^2 z^2 = 0, without a difference.
@@ -30,7 +29,8 @@ struct KerrChart {
     };
     Pull pull(double energy, const Vec3& x, const Vec3& p) const {
         const double r = radius(x), r2 = r * r, across = r2 + a * a;
-        const double sum = r2 * r2 + a * a * x.z * x.z, h = 0.5 * r2 * r / sum;
+        const double sum = r2 * r2 + a * a * x.z * x.z, h = 0.5 * twice_mass(r) * r2 * r / sum,
+                     power = 3 + mass_log_slope(r);
         const double lx = (r * x.x + a * x.y) / across, ly = (r * x.y - a * x.x) / across, lz = x.z / r;
         const double lp = energy + lx * p.x + ly * p.y + lz * p.z, part = 2 * h * lp;
         const double place[3]{x.x, x.y, x.z};
@@ -38,7 +38,7 @@ struct KerrChart {
         for (int i = 0; i < 3; ++i) {
             const double dr = i == 2 ? x.z * r * across / sum : place[i] * r2 * r / sum;
             const double dsum = 4 * r2 * r * dr + (i == 2 ? 2 * a * a * x.z : 0.0);
-            const double dh = h * (3 * dr / r - dsum / sum);
+            const double dh = h * (power * dr / r - dsum / sum);
             const double dlx = ((dr * x.x + (i == 0 ? r : i == 1 ? a : 0.0)) - lx * 2 * r * dr) / across;
             const double dly = ((dr * x.y + (i == 1 ? r : i == 0 ? -a : 0.0)) - ly * 2 * r * dr) / across;
             const double dlz = ((i == 2 ? 1.0 : 0.0) - lz * dr) / r;
@@ -50,16 +50,14 @@ struct KerrChart {
     // What the azimuth of x + iy = (r + ia) sin(theta) e^{i phi~} is ahead of Boyer and Lindquist's, which it meets at
     // infinity.
     double ahead(double r) const {
-        const double root = horizons_apart(), inner = 0.5 * (1 - root);
-        return std::atan2(a, r) + (root > 0 ? a / root * std::log1p(-root / (r - inner)) : -a / (r - 0.5));
+        const double root = horizons_apart();
+        return std::atan2(a, r) + (root > 0 ? a / root * std::log1p(-root / (r - inner())) : -a / (r - inner()));
     }
     double tortoise_ahead(double r) const {  // r_* - r
-        const double root = horizons_apart(), inner = 0.5 * (1 - root);
-        return std::log(r) + (outer() * std::log1p(-outer() / r) - inner * std::log1p(-inner / r)) / root;
+        const double in = inner(), out = outer();
+        return std::log(r) +
+               (horizon_area(out) * std::log1p(-out / r) - horizon_area(in) * std::log1p(-in / r)) / horizons_apart();
     }
-    double horizons_apart() const { return std::sqrt((1 - 2 * a) * (1 + 2 * a)); }
-    double outer() const { return 0.5 * (1 + horizons_apart()); }
-    double delta(double r) const { return (r - outer()) * (r - 0.5 * (1 - horizons_apart())); }
 };
 
 }  // namespace nullscope::reference

@@ -18,11 +18,12 @@ double mirror_p_r(const KerrChart& chart, double r, double sine, const KerrLaunc
 KerrLaunch kerr_launch(const KerrChart& chart, const KerrStart& start) {
     const double a = chart.a, r = start.r, sine = std::sin(start.theta), cosine = std::cos(start.theta);
     const double sigma = r * r + a * a * cosine * cosine, across = r * r + a * a, delta = chart.delta(r);
-    const double area = across * sigma + a * a * r * sine * sine;  // (r^2 + a^2)^2 - Delta a^2 sin^2
-    const double lapse = std::sqrt(delta * sigma / area), drag = a * r / area, girth = std::sqrt(area / sigma);
+    const double mass_r = chart.twice_mass(r) * r,
+                 area = across * sigma + a * a * mass_r * sine * sine;  // (r^2 + a^2)^2 - Delta a^2 sin^2
+    const double lapse = std::sqrt(delta * sigma / area), drag = a * mass_r / area, girth = std::sqrt(area / sigma);
     KerrLaunch l{};
     l.r = r, l.theta = start.theta, l.phi = start.phi, l.falls = false;
-    l.l_over_sine = -girth * start.look.z;  // the photon runs against the look direction
+    l.l_over_sine = -girth * start.look.z;  // the photon runs against the view direction
     l.energy = lapse * length(start.look) + drag * l.l_over_sine * sine;
     l.p_theta = std::sqrt(sigma) * start.look.y, l.climb = std::sqrt(sigma * delta) * start.look.x;
     l.p_r = mirror_p_r(chart, r, sine, l);
@@ -33,7 +34,7 @@ KerrLaunch kerr_launch(const KerrChart& chart, const KerrStart& start) {
 KerrLaunch kerr_launch(const KerrChart& chart, const KerrPhoton& photon) {
     const long double a = chart.a, r = photon.r, sine = std::sin(photon.theta), cosine = std::cos(photon.theta),
                       drag = a * sine;
-    const long double sigma = r * r + a * a * cosine * cosine, hole = r / sigma;
+    const long double sigma = r * r + a * a * cosine * cosine, hole = chart.twice_mass(photon.r) * r / sigma;
     const auto& [v, radial, theta, phi] = photon.p;
     KerrLaunch l{};
     l.r = photon.r, l.theta = photon.theta, l.phi = photon.phi;

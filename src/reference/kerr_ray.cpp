@@ -7,7 +7,6 @@
 
 #include "reference/kerr_launch.h"
 #include "reference/kerr_step.h"
-#include "reference/schwarzschild_orbit.h"
 
 namespace nullscope::reference {
 namespace {
@@ -219,9 +218,9 @@ void Path::add_crossing(double taken, KerrRay& ray) const {
     if (!(r > outer_)) return;
     const Vec3 motion = velocity(there);
     const double phi = boyer_lindquist(here_.azimuth + turned(here_.azimuth, here_.x, there.x, motion), r);
-    // Sigma dr/dlambda = Delta p_r of what is traced; the photon's own has the other sign.
-    const double radial = -chart_.rising(there.x, motion) * r * r / (chart_.delta(r) * energy_);
-    ray.crossings.push_back({r, phi, radial, static_cast<double>(here_.along + at), late(here_, state, at, r)});
+    // p^r = dr/dlambda of what is traced, with N sqrt(g_rr) = r/sqrt(g_phiphi); the photon's own has the other sign.
+    const double climb = -chart_.rising(there.x, motion) * r / (energy_ * std::sqrt(chart_.g_phiphi(r)));
+    ray.crossings.push_back({static_cast<double>(here_.along + at), r, phi, climb, late(here_, state, at, r)});
 }
 
 // Of a photon that was traced as it is and has turned, on its way to the past horizon now.
@@ -254,7 +253,7 @@ KerrRay Path::trace(int most_crossings, const KerrWatch& watch) {
     bool outside = r > outer_;
     ray.fate = outside ? Fate::kCaptured : Fate::kNoSky;
     // From inside, what does not come out through this horizon: E (r_+^2 + a^2) <= a L.
-    if (!outside && !(energy_ * outer_ > chart_.a * momentum_)) return ray;
+    if (!outside && !(energy_ * chart_.horizon_area(outer_) > chart_.a * momentum_)) return ray;
     const double sky = std::max(kSky, 1e6 * scale_);
     double length = 0.01 * scale_;
     for (int i = 0; i < kMostSteps; ++i) {
@@ -296,13 +295,13 @@ double way_between(const KerrPlace& from, const KerrPlace& to) {
 }
 
 KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings, const KerrWatch& watch) {
-    const KerrChart chart{0.5 * spin};
+    const KerrChart chart{{0.5 * spin}};
     const long double ahead = chart.tortoise_ahead(start.r);
     return Path(chart, kerr_launch(chart, start), {ahead, start.r + ahead}).trace(most_crossings, watch);
 }
 
 KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings, bool falls, const KerrWatch& watch) {
-    const KerrChart chart{0.5 * spin};
+    const KerrChart chart{{0.5 * spin}};
     const KerrLaunch launch = kerr_launch(chart, photon);
     // late = 0 at the camera, or r_* - r; inside the horizon what is traced fell in, and r_* is not asked for.
     const long double sense = launch.sense(), ahead = falls && launch.falls ? 0 : chart.tortoise_ahead(photon.r);
@@ -311,43 +310,8 @@ KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings, bo
 }
 
 double kerr_azimuth_ahead(double spin, double r) {
-    const KerrChart chart{0.5 * spin};
+    const KerrChart chart{{0.5 * spin}};
     return chart.ahead(r) - std::atan2(chart.a, r);
-}
-
-namespace {
-
-class KerrMetric final : public OrbitMetric {
-public:
-    explicit KerrMetric(double spin) : spin_(spin) {}
-    double spin() const override { return spin_; }
-    std::optional<double> horizon_radius() const override { return 0.5 * (1 + std::sqrt((1 - spin_) * (1 + spin_))); }
-    EquatorialMetric equator(double r) const override {
-        const double a = 0.5 * spin_;
-        return {-(1 - 1 / r), -a / r, r * r + a * a + a * a / r, r * r / (r * r - r + a * a)};
-    }
-    double lapse(double r) const override {
-        const EquatorialMetric g = equator(r);
-        return std::sqrt(g.g_tphi * g.g_tphi / g.g_phiphi - g.g_tt);
-    }
-    Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay&) const override {
-        return bad_input(
-            "no ray of a spinning hole is given by q, zeta0 and s; allowed: r, theta, phi, n_r, n_theta, n_phi");
-    }
-    std::unique_ptr<Orbit> from_static(const LocalRay&) const override { return nullptr; }
-    RainOrbit from_rain(const LocalRay&) const override { return {nullptr, kNotANumber}; }
-
-private:
-    double spin_;
-};
-
-}  // namespace
-
-std::unique_ptr<OrbitMetric> make_kerr_metric(const SpacetimeSpec& spec) {
-    const auto found = spec.parameters.find("spin");
-    const double spin = found == spec.parameters.end() ? 0.9 : found->second;
-    if (spin == 0) return make_schwarzschild_orbits(spec);
-    return std::make_unique<KerrMetric>(spin);
 }
 
 }  // namespace nullscope::reference

@@ -17,11 +17,10 @@
 #pragma once
 #include <array>
 #include <functional>
-#include <memory>
 #include <vector>
 
 #include "base/vec.h"
-#include "reference/orbit.h"
+#include "reference/traced_ray.h"
 #include "scene/ray.h"
 
 namespace nullscope::reference {
@@ -49,13 +48,8 @@ struct KerrRay {
     double phi_inf = kNotANumber;                     // its azimuth, windings kept
     double energy = 0;                                // of the photon, at infinity
     double l_z = 0;                                   // its angular momentum about the axis over its energy, r_s
-    struct Crossing {
-        double r, phi;
-        double radial;  // p_r of the photon over its energy: above 0 it really moves outward
-        double along;   // affine parameter, growing; 0 abreast of the hole, were the way straight
-        double late;    // as KerrPlace
-    };
-    std::vector<Crossing> crossings;  // of the equatorial plane after the camera, before the end
+    // of the equatorial plane, before the end; along: 0 abreast of the hole, were the ray straight; late as KerrPlace
+    std::vector<PlaneCrossing> crossings;
     // T = v at the camera less v at the sky, v = t + r_*; escaped rays. To 1e-8 r_s/c and some roundings of r
     double delay = kNotANumber;
 };
@@ -85,8 +79,5 @@ KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings, cons
 // falls: the camera's clock is v - r.
 KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings, bool falls = false,
                    const KerrWatch& watch = {});
-
-// What else the tracer asks of the metric; without spin, Schwarzschild's orbits.
-std::unique_ptr<OrbitMetric> make_kerr_metric(const SpacetimeSpec& spec);
 
 }  // namespace nullscope::reference

@@ -17,18 +17,13 @@ constexpr int kDeepest = 12;
 constexpr double kTolerance = 1e-12;
 using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
 
-double lapse2(const OrbitMetric& metric, double r) {
-    const double lapse = metric.lapse(r);
-    return lapse * lapse;
-}
-
 }  // namespace
 
 // In x = 1/r: 1/A - 1 - x is O(x^2) and is divided by it.
 double tortoise_excess(const OrbitMetric& metric, double r) {
     const auto rest = [&](double x) {
         if (!(x > 1e-5)) return 1.0;  // its limit is (1 - kappa) or 1: times 1e-5 of the range
-        const double a = lapse2(metric, 1 / x);
+        const double a = metric.lapse2(1 / x);
         return (1 / a - 1 - x) / (x * x);
     };
     if (metric.lapse(1e6) == 1) return 0;  // flat
@@ -46,7 +41,7 @@ LightClock::LightClock(const OrbitMetric& metric, const Orbit& orbit, double q, 
 double LightClock::lag(double from, double to) const {
     const auto rate = [this](double angle) {
         const double zeta = orbit_.zeta_at(angle);
-        if (!by_v_) return q_ / (zeta * zeta * lapse2(metric_, 1 / zeta));
+        if (!by_v_) return q_ / (zeta * zeta * metric_.lapse2(1 / zeta));
         // Outward without a turning point: 1/(q + sqrt(q^2 - V)); V = zeta^2 A < 0 inside.
         const double step = 1e-6,
                      slope = (orbit_.zeta_at(angle + step) - (angle > step ? orbit_.zeta_at(angle - step) : zeta)) /
@@ -67,7 +62,7 @@ double LightClock::lag(double from, double to) const {
 
 double LightClock::late(double angle) {
     const double r = 1 / orbit_.zeta_at(angle);
-    if (!std::isfinite(r) || !(lapse2(metric_, r) > 0)) return kNotANumber;
+    if (!std::isfinite(r) || !(metric_.lapse2(r) > 0)) return kNotANumber;
     if (!(q_ < kRadial))
         return by_v_ ? r + tortoise_excess(metric_, r) - r0_
                      : start_ + std::fabs(r + tortoise_excess(metric_, r) - r0_ - tortoise_excess(metric_, r0_));

@@ -1,17 +1,13 @@
-#include "reference/minkowski_orbit.h"
-
+// Straight lines, zeta = q sin(phi - phi_infinity): the flat case of the orbit interface.
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
+#include "reference/plane_metrics.h"
 
 namespace nullscope::reference {
 namespace {
 
-// How far below zero q^2 - zeta0^2 may lie, relative to q^2, and still be a turning point whose inputs were rounded.
-constexpr double kTurningSlack = 16 * 2.220446049250313e-16;
-
-// A straight line seen from the centre. The camera's look direction makes the angle alpha with the outward radius; the
+// A straight line seen from the centre. The camera's view direction makes the angle alpha with the outward radius; the
 // swept angle to infinity is alpha, and zeta = zeta0 sin(alpha - phi) / sin(alpha).
 class StraightLine : public Orbit {
 public:
@@ -33,13 +29,10 @@ private:
 
 class Minkowski : public OrbitMetric {
 public:
-    std::optional<double> horizon_radius() const override { return {}; }
     double lapse(double) const override { return 1; }
     Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay& ray) const override {
         const double sine = ray.zeta0 / ray.q;  // 0 for the radial ray, q infinite
-        if (sine > 1 + kTurningSlack) {
-            return bad_input(fmt::format("no ray with q = {:.17g} passes through zeta0 = {:.17g}", ray.q, ray.zeta0));
-        }
+        if (sine > 1 + kTurningSlack) return no_such_ray(ray, "zeta0");
         const double cosine = std::sqrt(std::max(0.0, (ray.q - ray.zeta0) / ray.q * (1 + sine)));
         const bool radial = std::isinf(ray.q);
         return std::unique_ptr<Orbit>(
@@ -48,11 +41,10 @@ public:
     std::unique_ptr<Orbit> from_static(const LocalRay& ray) const override {
         return std::make_unique<StraightLine>(1 / ray.r, ray.n_r, ray.n_t);
     }
-    RainOrbit from_rain(const LocalRay& ray) const override { return {from_static(ray), 1.0}; }  // nothing falls here
 };
 
 }  // namespace
 
-std::unique_ptr<OrbitMetric> make_minkowski_orbits(const SpacetimeSpec&) { return std::make_unique<Minkowski>(); }
+OrbitMetricPtr make_minkowski_orbits(const SpacetimeSpec&) { return std::make_unique<Minkowski>(); }
 
 }  // namespace nullscope::reference

@@ -1,21 +1,22 @@
-#include "reference/naked_orbit.h"
-
-#include <fmt/format.h>
-
+// Orbits about a Reissner-Nordstrom charge without horizon, Q/M > 1: (dzeta/dphi)^2 = P = q^2 - zeta^2 (1 - zeta + kappa zeta^2).
+//
+// V grows without bound inward, so every ray from the sky turns, at the least root e of P that it meets, and comes back. From there
+// zeta = e - s^2, P = s^2 (c1 + c2 s^2 + c3 s^4 + c4 s^6), and with the root s = sigma + i mu of the bracket that is nearest to the path
+// s = sigma + mu sinh(w): in w the rate is smooth, however close to the photon sphere a ray comes. Between the two photon spheres of
+// 1 < Q/M <= sqrt(9/8) rays can be trapped: they have no sky.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
 
+#include "reference/plane_metrics.h"
 #include "reference/smooth_leg.h"
 
 namespace nullscope::reference {
 namespace {
 
-using Long = long double;
 constexpr double kRadialQ = 1e30, kLeastQ = 1e-60;  // beyond: radial; below: the regular limit
-constexpr double kTurningSlack = 16 * std::numeric_limits<double>::epsilon();
 
 struct Charge {
     Long kappa, sphere, q_crit;  // sphere: zeta of the outer photon sphere, or where dV/dzeta is least
@@ -216,24 +217,9 @@ private:
     double mu_ = 1, camera_ = 0, zero_ = 0, sky_ = 0, out_ = 0;
 };
 
-class Standing : public Orbit {  // radial rays, and circular ones
-public:
-    Standing(double zeta0, Fate fate, bool radial) : zeta0_(zeta0), radial_(radial) {
-        fate_ = fate;
-        if (radial && fate != Fate::kNoSky) angle_ = 0;
-    }
-    double zeta_at(double angle) const override { return angle == 0 || !radial_ ? zeta0_ : kNotANumber; }
-    double delay() const override { return fate_ == Fate::kEscaped ? 0 : kNotANumber; }
-
-private:
-    double zeta0_;
-    bool radial_;
-};
-
 class Naked : public OrbitMetric {
 public:
     explicit Naked(double charge) : m_(charge) {}
-    std::optional<double> horizon_radius() const override { return {}; }
     double lapse(double r) const override { return std::sqrt(static_cast<double>(m_.lapse2(r))); }
     Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay& ray) const override {
         const Long q = std::max(ray.q, kLeastQ), zeta0 = ray.zeta0;
@@ -241,9 +227,7 @@ public:
         if (ray.q < kRadialQ) {
             p = (q - zeta0) * (q + zeta0) + zeta0 * zeta0 * zeta0 * (1 - m_.kappa * zeta0);
             delta2 = (q - m_.q_crit) * (q + m_.q_crit);
-            if (p < -kTurningSlack * q * q)
-                return bad_input(fmt::format("no ray with q = {:.17g} passes through zeta0 = {:.17g}: q^2 < V(zeta0)",
-                                             ray.q, ray.zeta0));
+            if (p < -kTurningSlack * q * q) return no_such_ray(ray, "zeta0", ": q^2 < V(zeta0)");
         }
         return orbit({q, zeta0, ray.s, std::sqrt(std::max(p, Long(0))), delta2});
     }
@@ -251,18 +235,13 @@ public:
         const Long q = std::sqrt(m_.lapse2(ray.r)) / ray.r / ray.n_t;
         return local(ray.r, q, q * std::abs(ray.n_r), ray.n_r <= 0 ? 1 : -1);
     }
-    // Raindrop frame, w = sqrt(1 - A): E = 1 + w n_r, dr ~ w + n_r. Nothing falls from infinity below r = kappa.
+    // w = sqrt(1 - A) = sqrt((r - kappa)/r^2): nothing falls from infinity below r = kappa.
     RainOrbit from_rain(const LocalRay& ray) const override {
-        const Long r = ray.r, n_r = ray.n_r;
-        if (!(r >= m_.kappa)) return {std::make_unique<Standing>(1 / ray.r, Fate::kNoSky, true), kNotANumber};
+        const Long r = ray.r;
+        if (!(r >= m_.kappa)) return {std::make_unique<StandingOrbit>(1 / ray.r, Fate::kNoSky), kNotANumber};
         const Long w = std::sqrt(r - m_.kappa) / r;
-        Long energy = 1 + w * n_r, outward = w + n_r;
-        if (n_r < 0) {
-            const Long tilt = Long(ray.n_t) * ray.n_t / (1 - n_r), depth = -m_.lapse2(r) / (1 + w);
-            energy = tilt - n_r * -depth;
-            outward = tilt + depth;
-        }
-        if (!(energy > 0)) return {std::make_unique<Standing>(1 / ray.r, Fate::kNoSky, true), kNotANumber};
+        const auto [energy, outward] = RainStart<Long>(ray, w, -m_.lapse2(r) / (1 + w));
+        if (!(energy > 0)) return {std::make_unique<StandingOrbit>(1 / ray.r, Fate::kNoSky), kNotANumber};
         return {local(r, energy / (r * ray.n_t), std::abs(outward) / (r * ray.n_t), outward > 0 ? -1 : 1),
                 static_cast<double>(1 / energy)};
     }
@@ -277,9 +256,9 @@ private:
     std::unique_ptr<Orbit> orbit(Start start) const {
         const double zeta0 = static_cast<double>(start.zeta0);
         if (!(start.q < kRadialQ))
-            return std::make_unique<Standing>(zeta0, Fate::kEscaped, true);  // in, and back the same way
+            return std::make_unique<StandingOrbit>(zeta0, Fate::kEscaped, true);  // in, and back the same way
         if (m_.traps && start.delta2 == 0) {
-            if (start.root_p == 0) return std::make_unique<Standing>(zeta0, Fate::kNoSky, false);
+            if (start.root_p == 0) return std::make_unique<StandingOrbit>(zeta0, Fate::kNoSky, false);
             start.delta2 = std::pow(Long(std::numeric_limits<double>::epsilon()), 2);
         }
         return std::make_unique<Bounce>(m_, start);
@@ -289,6 +268,6 @@ private:
 
 }  // namespace
 
-std::unique_ptr<OrbitMetric> make_naked_orbits(double charge) { return std::make_unique<Naked>(charge); }
+OrbitMetricPtr make_naked_orbits(double charge) { return std::make_unique<Naked>(charge); }
 
 }  // namespace nullscope::reference

@@ -1,44 +1,15 @@
 #include "reference/orbit.h"
 
-#include <array>
-
-#include "reference/dneg_orbit.h"
-#include "reference/ellis_orbit.h"
-#include "reference/janis_newman_winicour_orbit.h"
-#include "reference/kerr_ray.h"
-#include "reference/minkowski_orbit.h"
-#include "reference/reissner_nordstrom_orbit.h"
-#include "reference/schwarzschild_orbit.h"
-#include "reference/star_orbit.h"
+#include <algorithm>
+#include <cmath>
 
 namespace nullscope::reference {
-namespace {
 
-struct Entry {
-    const char* key;
-    std::unique_ptr<OrbitMetric> (*make)(const SpacetimeSpec& spec);
-};
-constexpr std::array kMetrics{
-    Entry{"schwarzschild", make_schwarzschild_orbits},
-    Entry{"reissner-nordstrom", make_reissner_nordstrom_orbits},
-    Entry{"neutron-star", make_star_orbits},
-    Entry{"ellis", make_ellis_orbits},
-    Entry{"kerr", make_kerr_metric},
-    Entry{"dneg-wormhole", make_dneg_orbits},
-    Entry{"janis-newman-winicour", make_janis_newman_winicour_orbits},
-    Entry{"minkowski", make_minkowski_orbits},
-};
-
-}  // namespace
-
-Result<std::unique_ptr<OrbitMetric>> make_orbit_metric(const SpacetimeSpec& spec) {
-    std::string known;
-    for (const Entry& entry : kMetrics) {
-        if (spec.metric == entry.key) return entry.make(spec);
-        known += known.empty() ? entry.key : std::string(", ") + entry.key;
-    }
-    return bad_input("the reference tracer has no orbits for the metric '" + spec.metric + "' (it knows: " + known +
-                     ")");
+double OrbitMetric::lapse2_slope(double r) const {
+    double h = std::min(0.01 * r, 0.1 * (r - horizon_radius().value_or(0.0)));  // all of it outside
+    while (h > 1e-12 * r && !std::isfinite(lapse(r - 4 * h))) h /= 2;           // of a star
+    const auto d = [&](int n) { return lapse2(r + n * h) - lapse2(r - n * h); };
+    return (d(1) * 4.0 / 5 - d(2) / 5 + d(3) * 4.0 / 105 - d(4) / 280) / h;
 }
 
 }  // namespace nullscope::reference

@@ -6,7 +6,7 @@ namespace nullscope::reference {
 
 class RayPlane {
 public:
-    // The camera's polar angle and azimuth, the look direction (n_r, n_theta, n_phi) in the static or rain frame.
+    // The camera's polar angle and azimuth, the view direction (n_r, n_theta, n_phi) in the static or rain frame.
     // An exactly radial direction has no plane: the meridian's is taken.
     RayPlane(double theta, double phi, Vec3 n);
     // Unit vector, world axes, of the ray's place after a swept angle.

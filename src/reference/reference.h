@@ -1,4 +1,4 @@
-// The witness: an independent double-precision tracer. It shares no geodesic code with the shader core or the table.
+// The reference: an independent double-precision tracer. It shares no geodesic code with the shader core or the table.
 //
 // Orbits are closed forms (Carlson's integrals, Jacobi's functions) of quantities formed without cancellation: angles,
 // delays and positions along the ray are good to about 1e-15 relative, times the conditioning of the question.

@@ -1,19 +1,20 @@
-#include "reference/reissner_nordstrom_orbit.h"
-
+// Reissner-Nordstrom orbits by quadrature: (dzeta/dphi)^2 = P(zeta) = q^2 - zeta^2 + zeta^3 - kappa zeta^4, kappa = (Q/2M)^2.
+//
+// Every orbit is one or two monotone legs, each in a variable w in which its integrand is smooth:
+//   from a turning point e, zeta = e -+ gamma sinh^2(w): P is expanded about e, so that nothing cancels there, and gamma is the
+//       distance to the neighbouring root, so that nothing is steep next to the critical ray;
+//   over the photon sphere, zeta = zeta_c + epsilon sinh(w): P = delta2 + (zeta - zeta_c)^2 g(zeta).
+// Legs are cut into panels of 1/2 with 20 Gauss nodes. Roots are found in long double.
 #include <array>
 #include <limits>
 
-#include <fmt/format.h>
-
-#include "reference/naked_orbit.h"
+#include "reference/plane_metrics.h"
 #include "reference/smooth_leg.h"
 
 namespace nullscope::reference {
 namespace {
 
-using Long = long double;
 constexpr double kRadialQ = 1e60, kLeastQ = 1e-60;  // beyond: radial; below: the regular limit
-constexpr double kTurningSlack = 16 * std::numeric_limits<double>::epsilon();
 
 struct Charged {
     Long kappa, outer, inner;  // horizons, r
@@ -264,20 +265,6 @@ private:
     double panel_, camera_ = 0, end_ = 0;
 };
 
-class Standing : public Orbit {  // radial rays, and the circular one
-public:
-    Standing(double zeta0, Fate fate, bool radial) : zeta0_(zeta0), radial_(radial) {
-        fate_ = fate;
-        if (radial && fate != Fate::kNoSky) angle_ = 0;
-    }
-    double zeta_at(double angle) const override { return angle == 0 || !radial_ ? zeta0_ : kNotANumber; }
-    double delay() const override { return fate_ == Fate::kEscaped ? 0 : kNotANumber; }
-
-private:
-    double zeta0_;
-    bool radial_;
-};
-
 class ReissnerNordstrom : public OrbitMetric {
 public:
     explicit ReissnerNordstrom(double charge) : m_(charge) {}
@@ -289,9 +276,7 @@ public:
         if (ray.q < kRadialQ) {
             p = (q - zeta0) * (q + zeta0) + zeta0 * zeta0 * (zeta0 - m_.kappa * zeta0 * zeta0);
             delta2 = (q - m_.q_crit) * (q + m_.q_crit);
-            if (p < -kTurningSlack * q * q)
-                return bad_input(fmt::format("no ray with q = {:.17g} passes through zeta0 = {:.17g}: q^2 < V(zeta0)",
-                                             ray.q, ray.zeta0));
+            if (p < -kTurningSlack * q * q) return no_such_ray(ray, "zeta0", ": q^2 < V(zeta0)");
         }
         return orbit({q, zeta0, ray.s, std::sqrt(std::max(p, Long(0))), delta2, zeta0 - m_.sphere});
     }
@@ -299,19 +284,13 @@ public:
         const Long root_v = std::sqrt(m_.lapse2(ray.r)) / ray.r;
         return local(ray.r, root_v / ray.n_t, root_v / ray.n_t * std::abs(ray.n_r), ray.n_r <= 0 ? 1 : -1);
     }
-    // Raindrop frame, w = sqrt(1 - A) = sqrt((r - kappa)/r^2): E = 1 + w n_r, dr ~ w + n_r; where n_r < 0 both from 1 + n_r =
-    // n_t^2/(1 - n_r) and 1 - w = A/(1 + w). Nothing falls from infinity below r = kappa, where the charge repels.
+    // w = sqrt(1 - A) = sqrt((r - kappa)/r^2): nothing falls from infinity below r = kappa, where the charge repels.
     RainOrbit from_rain(const LocalRay& ray) const override {
-        const Long r = ray.r, n_r = ray.n_r;
-        if (!(r >= m_.kappa)) return {std::make_unique<Standing>(1 / ray.r, Fate::kNoSky, true), kNotANumber};
+        const Long r = ray.r;
+        if (!(r >= m_.kappa)) return {std::make_unique<StandingOrbit>(1 / ray.r, Fate::kNoSky), kNotANumber};
         const Long w = std::sqrt(r - m_.kappa) / r;
-        Long energy = 1 + w * n_r, outward = w + n_r;
-        if (n_r < 0) {
-            const Long tilt = Long(ray.n_t) * ray.n_t / (1 - n_r), depth = -m_.lapse2(r) / (1 + w);
-            energy = tilt + n_r * depth;
-            outward = tilt + depth;
-        }
-        if (!(energy > 0)) return {std::make_unique<Standing>(1 / ray.r, Fate::kNoSky, true), kNotANumber};
+        const auto [energy, outward] = RainStart<Long>(ray, w, -m_.lapse2(r) / (1 + w));
+        if (!(energy > 0)) return {std::make_unique<StandingOrbit>(1 / ray.r, Fate::kNoSky), kNotANumber};
         return {local(r, energy / (r * ray.n_t), std::abs(outward) / (r * ray.n_t), outward > 0 ? -1 : 1),
                 static_cast<double>(1 / energy)};
     }
@@ -327,13 +306,13 @@ private:
     std::unique_ptr<Orbit> orbit(Start start) const {
         const bool inside = start.zeta0 * m_.outer >= 1;
         if (!(start.q < kRadialQ))
-            return std::make_unique<Standing>(static_cast<double>(start.zeta0),
-                                              start.s < 0 ? Fate::kEscaped
-                                              : inside    ? Fate::kNoSky
-                                                          : Fate::kCaptured,
-                                              true);
+            return std::make_unique<StandingOrbit>(static_cast<double>(start.zeta0),
+                                                   start.s < 0 ? Fate::kEscaped
+                                                   : inside    ? Fate::kNoSky
+                                                               : Fate::kCaptured,
+                                                   true);
         if (start.delta2 == 0 && start.root_p == 0)
-            return std::make_unique<Standing>(static_cast<double>(start.zeta0), Fate::kNoSky, false);
+            return std::make_unique<StandingOrbit>(static_cast<double>(start.zeta0), Fate::kNoSky, false);
         // The critical ray itself never ends; its neighbour, closer than any double q comes, does.
         if (start.delta2 == 0) start.delta2 = std::pow(Long(std::numeric_limits<double>::epsilon()), 2);
         if (start.delta2 > 0) return std::make_unique<Passing>(m_, start);
@@ -344,9 +323,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<OrbitMetric> make_reissner_nordstrom_orbits(const SpacetimeSpec& spec) {
-    const auto given = spec.parameters.find("charge");
-    const double charge = given == spec.parameters.end() ? 0.5 : given->second;
+OrbitMetricPtr make_reissner_nordstrom_orbits(const SpacetimeSpec& spec) {
+    const double charge = parameter_of(spec, "charge", 0.5);
     if (charge > 1.0) return make_naked_orbits(charge);
     return std::make_unique<ReissnerNordstrom>(charge);
 }

@@ -7,7 +7,6 @@
 #include <tbb/parallel_for.h>
 
 #include "light/black_body.h"
-#include "reference/ball_way.h"
 #include "reference/disc_light.h"
 #include "reference/frame_tracer.h"
 #include "reference/reference.h"
@@ -112,25 +111,24 @@ Vec3 shifted(Vec3 light, const Scene& scene, double g) {
 
 Paint paint_at(const FrameTracer& tracer, const Scene& scene, const Looks& looks, const DiscHit& hit) {
     if (scene.disc->flow == DiscFlowKind::kStill) return disc_paint(*scene.disc, looks.pictures.disc, hit.x, hit.y);
-    return flowing_paint(*scene.disc, looks.pictures.disc, kepler_rate(tracer.matter(), std::hypot(hit.x, hit.y)),
+    return flowing_paint(*scene.disc, looks.pictures.disc, tracer.matter().kepler_rate(std::hypot(hit.x, hit.y)),
                          scene.time - hit.late, hit.x, hit.y);
 }
 
 // A spot is a Gaussian about its middle, which moves on a circle: its frequency there is p . u, u = u^t (1, 0, 0, Omega).
-Vec3 spot_colour(const FrameTracer& tracer, const Scene& scene, const CameraRay& ray, const DiscHit& hit) {
+Vec3 spot_colour(const FrameTracer& tracer, const Scene& scene, const TracedRay& ray, const DiscHit& hit) {
     const SpotSpec& spot = *scene.spot;
-    const double rate = kepler_rate(tracer.matter(), spot.r), t = scene.time - hit.late,
-                 lapse = tracer.matter().lapse(spot.r);
+    const double rate = tracer.matter().kepler_rate(spot.r), t = scene.time - hit.late,
+                 rest = tracer.matter().rest_lapse(spot.r);
     double least = INFINITY;
     for (int i = 0; i < spot.count; ++i) {
         const double at = spot.phase + rate * t + 2 * M_PI * i / spot.count;
         least = std::min(least, std::hypot(hit.x - spot.r * std::cos(at), hit.y - spot.r * std::sin(at)));
     }
-    const double l_z = scene.light.lensing ? ray.l_z : ray.l_z / lapse;
+    const double l_z = scene.light.lensing ? ray.l_z : ray.l_z / rest;
     const EquatorialMetric g = tracer.matter().equator(spot.r);
     const double u_t = 1 / std::sqrt(-g.g_tt - rate * (2 * g.g_tphi + rate * g.g_phiphi)),
                  all = 1 / (u_t * (1 - rate * l_z));
-    const double rest = tracer.matter().spin() == 0 ? lapse : 1;  // nobody is at rest about a spinning hole
     const Shift shift{ray.shift.gravity * rest, ray.shift.doppler * all / rest};
     const Vec3 light = seen_black_body(spot.temperature_K, shift.seen(scene.light), scene.light);
     return spot.brightness / std::exp2(log2_brightness(spot.temperature_K, scene.light.bolometric)) *
@@ -138,17 +136,18 @@ Vec3 spot_colour(const FrameTracer& tracer, const Scene& scene, const CameraRay&
 }
 
 Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& looks, double x, double y) {
-    const CameraRay ray = tracer.ray(x, y);
+    const RayPtr traced = tracer.ray(x, y);
+    const TracedRay& ray = *traced;
     Vec3 colour{0, 0, 0};
     double through = 1;
-    const std::optional<BodyHit> body = tracer.body_hit(ray);
+    const std::optional<BodyHit> body = ray.first_hit();
     for (const DiscHit& hit : tracer.disc_hits(ray, kMostHits)) {
         if (body && body->along < hit.along) break;
         Paint paint = paint_at(tracer, scene, looks, hit);
         if (looks.heat != nullptr) {
             const double r = std::hypot(hit.x, hit.y);
-            const Vec3 light = looks.heat->colour(
-                r, ray.g * looks.heat->shift({r, ray.l_z, hit.outward, ray.l2, hit.radial}).seen(scene.light));
+            const Vec3 light =
+                looks.heat->colour(r, ray.g * looks.heat->shift({r, ray.l_z, hit.climb}).seen(scene.light));
             paint.colour = {paint.colour.x * light.x, paint.colour.y * light.y, paint.colour.z * light.z};
         }
         colour = colour + through * paint.alpha * paint.colour;
@@ -157,22 +156,22 @@ Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& look
     }
     if (body) return colour + through * body_light(scene, *body, looks.pictures.of(body->object));
     if (ray.fate() == Fate::kEscaped && through > 0) {
-        const Vec3 at = ray.end();
+        const Vec3 at = ray.end_direction();
         colour = colour + through * (has_look(scene.sky.kind) ? sky_coat(scene.sky, at)
                                                               : shifted(sample_sky(looks.sky, at), scene, ray.g));
     }
-    if (ray.fate() == Fate::kHit) colour = colour + through * star_colour(ray.end());
+    if (ray.fate() == Fate::kHit) colour = colour + through * star_colour(ray.end_direction());
     if (ray.fate() == Fate::kOtherSide && looks.far_sky != nullptr)
-        colour = colour + through * sample_sky(*looks.far_sky, ray.end());
+        colour = colour + through * sample_sky(*looks.far_sky, ray.end_direction());
     return colour;
 }
 
 // What of a point behind shines through.
 double transmission(const FrameTracer& tracer, const Scene& scene, const Looks& looks, double x, double y) {
-    const CameraRay ray = tracer.ray(x, y);
-    if (tracer.body_hit(ray)) return 0;
+    const RayPtr ray = tracer.ray(x, y);
+    if (ray->first_hit()) return 0;
     double through = 1;
-    for (const DiscHit& hit : tracer.disc_hits(ray, kMostHits))
+    for (const DiscHit& hit : tracer.disc_hits(*ray, kMostHits))
         through *= 1 - paint_at(tracer, scene, looks, hit).alpha;
     return through;
 }

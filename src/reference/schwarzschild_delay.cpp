@@ -2,7 +2,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-#include "reference/schwarzschild_orbit.h"
+#include "reference/schwarzschild_delay.h"
 
 namespace nullscope::reference {
 namespace {

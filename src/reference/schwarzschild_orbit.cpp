@@ -1,12 +1,18 @@
-#include "reference/schwarzschild_orbit.h"
-
+// Schwarzschild orbits in closed form: (dzeta/dphi)^2 = P(zeta) = q^2 - zeta^2 + zeta^3.
+//
+// With D = zeta - 2/3: P = delta2 + D^2 (zeta + 1/3), delta2 = q^2 - q_crit^2, which is formed
+// without rounding of q_crit = 2/(3 sqrt 3). The roots of P follow from Viete: with zeta = 1/3 + (2/3) cos(t),
+// P = q^2 - q_crit^2 sin^2(3t/2). All differences of roots are products of sines (hyperbolic for q > q_crit).
+//
+// Four kinds of orbit: flyby (q < q_crit outside the photon sphere), inner (q < q_crit inside it), passing (q > q_crit,
+// monotone from infinity to the singularity or back) and radial (q infinite).
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
 #include "reference/elliptic.h"
+#include "reference/plane_metrics.h"
+#include "reference/schwarzschild_delay.h"
 
 namespace nullscope::reference {
 namespace {
@@ -17,8 +23,14 @@ constexpr double kTwoThirds = 2.0 / 3.0, kTwoThirdsRest = 3.7007434154171886e-17
 // Beyond this q a ray is radial: its swept angle, about zeta0 / q, is below everything (and q^2 must not overflow).
 constexpr double kRadialQ = 1e60;
 constexpr double kLeastQ = 1e-60;  // the limit q -> 0 is regular: this stands for smaller q
-// How far below zero P may lie, relative to q^2, and still be a turning point whose inputs were rounded.
-constexpr double kTurningSlack = 16 * std::numeric_limits<double>::epsilon();
+
+// A ray at its camera. root_p = sqrt(P(zeta0)) >= 0, beyond = zeta0 - 2/3 and lapse2 = 1 - zeta0 are given apart
+// because they cannot be recomputed from zeta0 and q near the turning point, the photon sphere and the horizon.
+struct SchwarzschildStart {
+    double q, zeta0;
+    int s;  // +1: towards the hole
+    double root_p, delta2, beyond, lapse2;
+};
 
 double square(double x) { return x * x; }
 
@@ -249,38 +261,20 @@ private:
 };
 
 // L = 0, and the circular orbit on the photon sphere, which never ends: no angle sweeps, or zeta stays.
-class Radial : public Orbit {
-public:
-    Radial(double zeta0, double lapse2, int s) : zeta0_(zeta0) {
-        fate_ = s < 0 ? Fate::kEscaped : lapse2 > 0 ? Fate::kCaptured : Fate::kNoSky;
-        if (fate_ != Fate::kNoSky) angle_ = 0;
-    }
-    double zeta_at(double angle) const override { return angle == 0 ? zeta0_ : kNotANumber; }
-    double delay() const override { return fate_ == Fate::kEscaped ? 0 : kNotANumber; }
-
-private:
-    double zeta0_;
-};
-class Circular : public Orbit {
-public:
-    double zeta_at(double) const override { return kTwoThirds; }
-    double delay() const override { return kNotANumber; }
-};
-
-}  // namespace
 
 std::unique_ptr<Orbit> make_schwarzschild_orbit(const SchwarzschildStart& given) {
     SchwarzschildStart start = given;
-    if (!(start.q < kRadialQ)) return std::make_unique<Radial>(start.zeta0, start.lapse2, start.s);
-    if (start.delta2 == 0 && start.root_p == 0) return std::make_unique<Circular>();
+    if (!(start.q < kRadialQ))
+        return std::make_unique<StandingOrbit>(start.zeta0, start.s < 0        ? Fate::kEscaped
+                                                            : start.lapse2 > 0 ? Fate::kCaptured
+                                                                               : Fate::kNoSky);
+    if (start.delta2 == 0 && start.root_p == 0) return std::make_unique<StandingOrbit>(kTwoThirds, Fate::kNoSky, false);
     // The critical ray itself never ends; its neighbour, closer than any double q comes, does.
     if (start.delta2 == 0) start.delta2 = square(std::numeric_limits<double>::epsilon());
     if (start.delta2 > 0) return std::make_unique<Passing>(start);
     if (start.beyond < 0) return std::make_unique<Flyby>(start);
     return std::make_unique<Inner>(start);
 }
-
-namespace {
 
 double delta2_of(double q) { return ((q - kCritical) - kCriticalRest) * (q + kCritical); }
 
@@ -314,8 +308,7 @@ public:
             p = orbit_polynomial(q, zeta0);
             delta2 = delta2_of(q);
             if (p < -kTurningSlack * q * q) {
-                return bad_input(fmt::format(
-                    "no ray with q = {:.17g} passes through zeta0 = {:.17g}: q^2 < zeta0^2 (1 - zeta0)", ray.q, zeta0));
+                return no_such_ray(ray, "zeta0", ": q^2 < zeta0^2 (1 - zeta0)");
             }
         }
         const double beyond = (zeta0 - kTwoThirds) - kTwoThirdsRest;
@@ -326,17 +319,11 @@ public:
         const double q = std::max(lapse(ray.r) / (ray.r * ray.n_t), kLeastQ);
         return make_schwarzschild_orbit(start_at(ray.r, q, q * std::abs(ray.n_r), ray.n_r <= 0 ? 1 : -1));
     }
-    // Raindrop frame, w = sqrt(1/r): E = 1 + w n_r, L = r n_t, and dr along the traced ray goes as w + n_r.
-    // Where n_r < 0 both are sums of 1 + n_r = n_t^2/(1 - n_r) and of w - 1 = (1 - r)/(r (1 + w)).
     RainOrbit from_rain(const LocalRay& ray) const override {
-        const double w = std::sqrt(1 / ray.r), n_r = ray.n_r;
-        double energy = 1 + w * n_r, outward = w + n_r;
-        if (n_r < 0) {
-            const double tilt = square(ray.n_t) / (1 - n_r), depth = (1 - ray.r) / (ray.r * (1 + w));
-            energy = tilt + n_r * depth;
-            outward = tilt + depth;
-        }
-        if (!(energy > 0)) return {std::make_unique<Radial>(1 / ray.r, -1.0, 1), kNotANumber};  // never came from a sky
+        const double w = std::sqrt(1 / ray.r);
+        const auto [energy, outward] = RainStart<double>(ray, w, (1 - ray.r) / (ray.r * (1 + w)));
+        if (!(energy > 0))
+            return {std::make_unique<StandingOrbit>(1 / ray.r, Fate::kNoSky), kNotANumber};  // never came from a sky
         const double q = std::max(energy / (ray.r * ray.n_t), kLeastQ), root_p = std::abs(outward) / (ray.r * ray.n_t);
         return {make_schwarzschild_orbit(start_at(ray.r, q, root_p, outward > 0 ? -1 : 1)), 1 / energy};
     }
@@ -344,8 +331,6 @@ public:
 
 }  // namespace
 
-std::unique_ptr<OrbitMetric> make_schwarzschild_orbits(const SpacetimeSpec&) {
-    return std::make_unique<Schwarzschild>();
-}
+OrbitMetricPtr make_schwarzschild_orbits(const SpacetimeSpec&) { return std::make_unique<Schwarzschild>(); }
 
 }  // namespace nullscope::reference

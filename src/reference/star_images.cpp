@@ -10,7 +10,6 @@
 #include "camera/pose.h"
 #include "light/black_body.h"
 #include "reference/seen_light.h"
-#include "reference/spin_star_images.h"
 
 namespace nullscope::reference {
 namespace {
@@ -22,7 +21,7 @@ constexpr int kSamples = 400;
 }  // namespace
 
 double StarImages::swept(double alpha) const {
-    const auto orbit = tracer_.orbit_of({std::cos(alpha), std::sin(alpha), 0});
+    const auto orbit = tracer_.plane_rays()->orbit_of({std::cos(alpha), std::sin(alpha), 0});
     return orbit->fate() == Fate::kEscaped ? orbit->angle() : std::nan("");
 }
 
@@ -62,20 +61,19 @@ std::vector<StarImage> StarImages::of(Vec3 direction, double margin_px) const {
                                               next->alpha, boost::math::tools::eps_tolerance<double>(50), most);
         const double alpha = 0.5 * (bracket.first + bracket.second),
                      side = (odd ? -1 : 1) * std::sin(alpha) / std::max(across, 1e-300);
-        const auto position = tracer_.position({std::cos(alpha), side * local.y, side * local.z});
+        const auto position = tracer_.plane_rays()->position({std::cos(alpha), side * local.y, side * local.z});
         if (!position) continue;
         const auto [x, y] = *position;
         if (!(x > -margin_px && x < camera_.width + margin_px && y > -margin_px && y < camera_.height + margin_px))
             continue;
         const auto sky = [&, x = x, y = y](double dx, double dy) {
-            const CameraRay ray = tracer_.ray(x + dx, y + dy);
-            return ray.plane.direction(ray.orbit->angle());
+            return tracer_.ray(x + dx, y + dy)->end_direction();
         };
         const Vec3 by_x = (sky(kStep_px, 0) - sky(-kStep_px, 0)) / (2 * kStep_px),
                    by_y = (sky(0, kStep_px) - sky(0, -kStep_px)) / (2 * kStep_px);
         const double solid_angle = length(cross(by_x, by_y));
         if (std::isfinite(solid_angle) && solid_angle > 0)
-            images.push_back({x, y, order, solid_angle, tracer_.ray(x, y).g, alpha});
+            images.push_back({x, y, order, solid_angle, tracer_.ray(x, y)->g, alpha});
     }
     return images;
 }
@@ -86,13 +84,11 @@ Vec3 star_light(const PointStar& star, double g, const LightSpec& light) {
 }
 
 std::function<std::vector<StarImage>(Vec3)> images_of(const FrameTracer& tracer, const Scene& scene) {
-    if (tracer.metric().spin() != 0)
-        return [images = std::make_shared<SpinStarImages>(tracer, scene, kPointMargin_px)](Vec3 star) {
-            return images->of(star);
+    if (tracer.plane_rays())
+        return [images = std::make_shared<StarImages>(tracer, scene, kOrders)](Vec3 star) {
+            return images->of(star, kPointMargin_px);
         };
-    return [images = std::make_shared<StarImages>(tracer, scene, kOrders)](Vec3 star) {
-        return images->of(star, kPointMargin_px);
-    };
+    return images_by_mesh(tracer, scene, kPointMargin_px);
 }
 
 void add_point_stars(const FrameTracer& tracer, const Scene& scene, const std::vector<PointStar>& stars,

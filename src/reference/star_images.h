@@ -1,5 +1,5 @@
-// All images of a point star in a frame, found another way than the renderer does: the angle of each ray by bracketing the
-// reference's own orbits, its light by the Jacobian of the frame's ray map, differenced numerically.
+// All images of a point star in a frame, found another way than the renderer does: the angle of each ray by bracketing
+// the reference's own orbits, its light by the Jacobian of the frame's ray map, differenced numerically.
 #pragma once
 #include <functional>
 #include <vector>
@@ -13,7 +13,7 @@ namespace nullscope::reference {
 
 struct StarImage {
     double x, y;         // px: column, row from the top
-    int order;           // 0: the direct one; -1 about a spinning hole (spin_star_images.h)
+    int order;           // 0: the direct one; -1 where rays stay in no plane (images_by_mesh)
     double solid_angle;  // of sky that a pixel's area at (x, y) covers, sr/px^2
     double g;            // frequency in the camera over frequency at infinity
     double alpha;        // angle from the outward radial in the static frame, rad
@@ -21,7 +21,7 @@ struct StarImage {
 
 class StarImages {
 public:
-    // Images 0 ... orders - 1. Some milliseconds. tracer: outlives this.
+    // Images 0 ... orders - 1. Some milliseconds. tracer: of rays that stay in planes; outlives this.
     StarImages(const FrameTracer& tracer, const Scene& scene, int orders);
     // Those in the frame or at most margin px beside it, by order; some 30 microseconds a star.
     std::vector<StarImage> of(Vec3 direction, double margin_px) const;
@@ -41,11 +41,17 @@ private:
 // Linear Rec. 709 times sr: what an image adds to the picture, before its point spread.
 Vec3 star_light(const PointStar& star, double g, const LightSpec& light);
 
+// What finds them whatever the metric, by a mesh of rays: within the margin, order -1. A ray a pixel of the picture
+// with its margin, more along the shadow's edge (about a rotating hole 0.3 ms each); then some 5 ms an image. Images
+// closer to that edge than 1/8 px are not found. tracer: outlives it.
+std::function<std::vector<StarImage>(Vec3)> images_by_mesh(const FrameTracer& tracer, const Scene& scene,
+                                                           double margin_px);
+
 // What finds a star's images that a picture can show, whatever the metric: from its direction. tracer: outlives it.
 std::function<std::vector<StarImage>(Vec3)> images_of(const FrameTracer& tracer, const Scene& scene);
 
-// Adds the stars, spread as sky/point_stars.h says, to a picture in linear light. transmission: what of a point behind the pixel
-// position (column, row) shines through.
+// Adds the stars, spread as sky/point_stars.h says, to a picture in linear light. transmission: what of a point behind
+// the pixel position (column, row) shines through.
 void add_point_stars(const FrameTracer& tracer, const Scene& scene, const std::vector<PointStar>& stars,
                      const std::function<double(double x, double y)>& transmission, Image<float>& picture);
 

@@ -1,10 +1,9 @@
-#include "reference/star_orbit.h"
-
+// A star's orbits: those of the Schwarzschild exterior until they meet the surface, found by bracketing zeta_at(angle) = 1/radius.
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <utility>
 
-#include "reference/schwarzschild_orbit.h"
+#include "reference/plane_metrics.h"
 
 namespace nullscope::reference {
 namespace {
@@ -50,7 +49,6 @@ private:
 class Star : public OrbitMetric {
 public:
     explicit Star(double radius) : radius_(radius), exterior_(make_schwarzschild_orbits({})) {}
-    std::optional<double> horizon_radius() const override { return {}; }
     double lapse(double r) const override { return r >= radius_ ? exterior_->lapse(r) : kNotANumber; }
     Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay& ray) const override {
         if (ray.zeta0 * radius_ > 1) return bad_input("the camera is inside the star");
@@ -76,9 +74,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<OrbitMetric> make_star_orbits(const SpacetimeSpec& spec) {
-    const auto radius = spec.parameters.find("radius");
-    return std::make_unique<Star>(radius == spec.parameters.end() ? 2.5 : radius->second);
+OrbitMetricPtr make_star_orbits(const SpacetimeSpec& spec) {
+    return std::make_unique<Star>(parameter_of(spec, "radius", 2.5));
 }
 
 }  // namespace nullscope::reference

@@ -46,7 +46,7 @@ bool Probe::follow(const Scene& scene) {
     spacetime_ = *spacetime;
     if (other_matter) {
         matter_.reset();
-        auto metric = reference::make_orbit_metric(scene.spacetime);
+        auto metric = reference::make_metric(scene.spacetime);
         if (!metric) return false;
         metric_ = std::move(*metric);
         DiscSpec dark;  // its heat is not asked for
@@ -60,42 +60,26 @@ bool Probe::follow(const Scene& scene) {
 void Probe::look(const Scene& scene, double x, double y) {
     facts_.reset();
     if (x < 0 || y < 0 || x >= scene.camera.width || y >= scene.camera.height || !follow(scene)) return;
-    facts_ = facts_of(tracer_->ray(x, y));
+    facts_ = facts_of(*tracer_->ray(x, y));
 }
 
-void Probe::meet_disc(const reference::CameraRay& ray, const reference::DiscHit& hit, ProbeFacts& facts) const {
+void Probe::meet_disc(const reference::TracedRay& ray, const reference::DiscHit& hit, ProbeFacts& facts) const {
     facts.hit = Object::kDisc;
     facts.hit_r = std::hypot(hit.x, hit.y);
     if (!matter_) return;
-    const reference::Shift matter = matter_->shift({facts.hit_r, ray.l_z, hit.outward, ray.l2, hit.radial});
+    const reference::Shift matter = matter_->shift({facts.hit_r, ray.l_z, hit.climb});
     facts.shift = reference::Shift{ray.shift.gravity * matter.gravity, ray.shift.doppler * matter.doppler};
 }
 
-ProbeFacts Probe::facts_of(const reference::CameraRay& ray) const {
+ProbeFacts Probe::facts_of(const reference::TracedRay& ray) const {
     ProbeFacts facts;
-    const bool lengths = tracer_->metric().by_proper_length();
-    const auto radius = [&](double zeta) { return lengths ? spacetime_->areal_radius(zeta) : 1 / zeta; };
     facts.fate = ray.fate();
     facts.zeta0 = 1 / spacetime_->areal_radius(scene_.camera.r);
     facts.shift = ray.shift;
-    if (ray.spun) {  // no plane, no orbit, no q: what it meets, and g
-        const auto hits = tracer_->disc_hits(ray, 1);
-        const auto body = tracer_->body_hit(ray);
-        if (!hits.empty() && !(body && body->along < hits.front().along))
-            meet_disc(ray, hits.front(), facts);
-        else if (body)
-            facts.hit = body->object, facts.hit_r = length(body->place);
-        else if (facts.fate == Fate::kCaptured)
-            facts.shift.reset();
-        return facts;
-    }
-    facts.q = 1 / std::sqrt(ray.l2);
-    if (const auto sphere = spacetime_->photon_sphere())
-        facts.critical = -std::log(std::fabs(1 - facts.q / sphere->q_crit));
-    if (std::isfinite(ray.orbit->turn())) facts.turn_r = radius(ray.orbit->turn());
-    double end = ray.orbit->angle();
+    const reference::PlaneRay* plane = ray.in_plane();
+    double end = ray.end();
     const auto hits = tracer_->disc_hits(ray, 1);
-    const auto body = tracer_->body_hit(ray);
+    const auto body = ray.first_hit();
     if (!hits.empty() && !(body && body->along < hits.front().along)) {
         meet_disc(ray, hits.front(), facts);
         if (scene_.disc->opacity == 1) end = hits.front().along;
@@ -103,23 +87,32 @@ ProbeFacts Probe::facts_of(const reference::CameraRay& ray) const {
         facts.hit = body->object;
         facts.hit_r = length(body->place);
         end = body->along;
-        facts.shift->gravity *= tracer_->metric().lapse(facts.hit_r);  // it rests
+        if (plane) facts.shift->gravity *= plane->metric().lapse(facts.hit_r);  // it rests
     } else if (facts.fate == Fate::kHit) {
         facts.hit = Object::kStar;
-        facts.shift->gravity *= tracer_->metric().lapse(1 / ray.orbit->zeta_at(end * (1 - 1e-12)));
+        facts.shift->gravity *= plane->metric().lapse(plane->radius_at(end * (1 - 1e-12)));
     } else if (facts.fate == Fate::kCaptured) {
         facts.shift.reset();
     } else {
-        facts.delay = ray.orbit->delay();
+        facts.delay = ray.delay();
     }
+    if (!plane) return facts;  // no orbit, no q
+    const reference::Orbit& orbit = plane->orbit();
+    const auto radius = [&](double zeta) {
+        return plane->metric().by_proper_length() ? spacetime_->areal_radius(zeta) : 1 / zeta;
+    };
+    facts.q = std::fabs(plane->photon().q);
+    if (const auto sphere = spacetime_->photon_sphere())
+        facts.critical = -std::log(std::fabs(1 - facts.q / sphere->q_crit));
+    if (std::isfinite(orbit.turn())) facts.turn_r = radius(orbit.turn());
     if (!std::isfinite(end)) return facts;
     facts.windings = end / (2 * M_PI);
     for (int i = 0; i <= kPathPoints; ++i) {
-        const double angle = end * i / kPathPoints, r = radius(ray.orbit->zeta_at(std::min(angle, end * (1 - 1e-9))));
+        const double angle = end * i / kPathPoints, r = radius(orbit.zeta_at(std::min(angle, end * (1 - 1e-9))));
         if (std::isfinite(r)) facts.path.push_back({r * std::cos(angle), r * std::sin(angle)});
     }
-    for (int k = 1; k <= 16 && ray.plane.crossing(k) <= end * (1 + 1e-9); ++k)
-        facts.discs.push_back(ray.plane.crossing(k));
+    for (int k = 1; k <= 16 && plane->plane().crossing(k) <= end * (1 + 1e-9); ++k)
+        facts.discs.push_back(plane->plane().crossing(k));
     return facts;
 }
 

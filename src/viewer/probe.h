@@ -7,6 +7,7 @@
 
 #include "reference/disc_light.h"
 #include "reference/frame_tracer.h"
+#include "reference/traced_ray.h"
 #include "scene/scene.h"
 #include "spacetime/spacetime.h"
 
@@ -37,12 +38,12 @@ public:
 
 private:
     bool follow(const Scene& scene);
-    void meet_disc(const reference::CameraRay& ray, const reference::DiscHit& hit, ProbeFacts& facts) const;
-    ProbeFacts facts_of(const reference::CameraRay& ray) const;
+    void meet_disc(const reference::TracedRay& ray, const reference::DiscHit& hit, ProbeFacts& facts) const;
+    ProbeFacts facts_of(const reference::TracedRay& ray) const;
 
     Scene scene_;
     std::optional<reference::FrameTracer> tracer_;
-    std::unique_ptr<reference::OrbitMetric> metric_;
+    std::unique_ptr<reference::Metric> metric_;
     std::optional<reference::DiscLight> matter_;  // how it moves about metric_
     std::shared_ptr<const Spacetime> spacetime_;
     std::optional<ProbeFacts> facts_;

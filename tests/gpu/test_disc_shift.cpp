@@ -74,19 +74,18 @@ TEST_CASE("disc: g as the GPU draws it is the reference's, whole and with a part
                 std::mt19937 random(3);
                 for (int i = 0; i < by_depth(500, 1500, 1500); ++i) {
                     const int x = static_cast<int>(random() % 640), y = static_cast<int>(random() % 360);
-                    const reference::CameraRay ray = tracer->ray(x + 0.5, y + 0.5);
-                    const auto hits = tracer->disc_hits(ray, 1);
+                    const reference::RayPtr ray = tracer->ray(x + 0.5, y + 0.5);
+                    const auto hits = tracer->disc_hits(*ray, 1);
                     if (hits.empty()) continue;
                     const double r = std::hypot(hits[0].x, hits[0].y);
                     if (r < 3.05 || r > 13.9) continue;  // dark; the rim
                     bool whole = true;                   // no rim within the pixel
                     for (const auto& [dx, dy] : {std::pair{-1.5, 0.0}, {1.5, 0.0}, {0.0, -1.5}, {0.0, 1.5}}) {
-                        const auto beside = tracer->disc_hits(tracer->ray(x + 0.5 + dx, y + 0.5 + dy), 1);
+                        const auto beside = tracer->disc_hits(*tracer->ray(x + 0.5 + dx, y + 0.5 + dy), 1);
                         whole = whole && !beside.empty() && std::abs(beside[0].along - hits[0].along) < 0.3;
                     }
                     if (!whole) continue;
-                    const double expected =
-                        ray.g * light.shift({r, ray.l_z, hits[0].outward, ray.l2}).seen(scene.light);
+                    const double expected = ray->g * light.shift({r, ray->l_z, hits[0].climb}).seen(scene.light);
                     const auto brightness = [&](const Image<float>& image) {
                         const float* p = image.at(x, y);
                         return 0.2126390059 * p[0] + 0.7151686788 * p[1] + 0.0721923154 * p[2];
@@ -135,9 +134,9 @@ TEST_CASE("sky: its light changes as a black body's by g, the same all over it o
             const Vec3 own = reference::seen_black_body(5000.0, 1.0, scene.light);
             for (int y = 0; y < 90; y += 2)
                 for (int x = 0; x < 160; x += 2) {
-                    const reference::CameraRay ray = tracer->ray(x + 0.5, y + 0.5);
-                    if (ray.orbit->fate() != Fate::kEscaped || plain.at(x, y)[1] < 1e-4) continue;
-                    const Vec3 seen = reference::seen_black_body(5000.0, ray.g, scene.light);
+                    const reference::RayPtr ray = tracer->ray(x + 0.5, y + 0.5);
+                    if (ray->fate() != Fate::kEscaped || plain.at(x, y)[1] < 1e-4) continue;
+                    const Vec3 seen = reference::seen_black_body(5000.0, ray->g, scene.light);
                     const double expected[] = {seen.x / own.x, seen.y / own.y, seen.z / own.z};
                     CAPTURE(variant);
                     CAPTURE(x);

@@ -48,7 +48,7 @@ TEST_CASE("kerr edge: rays further than a microradian from it end as the referen
                 for (const double y :
                      by_depth(std::vector{380.0}, std::vector{540.0, 450.0, 380.0}, {540.0, 450.0, 380.0}))
                     for (const double side : {-1.0, 1.0}) {
-                        const auto true_one = [&](double x) { return tracer.ray(x, y).fate() == Fate::kEscaped; };
+                        const auto true_one = [&](double x) { return tracer.ray(x, y)->fate() == Fate::kEscaped; };
                         const auto core = [&](auto trace) {
                             return [&, trace](double x) {
                                 return trace(input, x - 0.5 * kWidth, 0.5 * kHeight - y).fate == Fate::kEscaped;

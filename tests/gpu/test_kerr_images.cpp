@@ -24,7 +24,7 @@ struct Met {
 Met met_by(const reference::FrameTracer& tracer, double x, double y) {
     const auto ray = tracer.ray(x, y);
     int k = 0;
-    for (const auto& c : ray.spun->crossings)
+    for (const auto& c : ray->crossings(16))
         if (++k; c.r >= kInner && c.r <= kOuter) return {k, c.r * Vec3{std::cos(c.phi), std::sin(c.phi), 0}};
     return {};
 }
@@ -47,8 +47,8 @@ TEST_CASE("kerr images: of any order") {
     for (int i = 0; i < 4000; i += by_depth(4, 1, 1)) {  // across the edge, some hundredths of a pixel apart
         const double x = 90 + 0.004 * i, y = 5.5;
         const Met met = met_by(tracer, x, y);
-        if (met.number < 5 || tracer.ray(x + kFromEdge, y).fate() == Fate::kCaptured ||
-            tracer.ray(x - kFromEdge, y).fate() == Fate::kCaptured)
+        if (met.number < 5 || tracer.ray(x + kFromEdge, y)->fate() == Fate::kCaptured ||
+            tracer.ray(x - kFromEdge, y)->fate() == Fate::kCaptured)
             continue;
         ++late, latest = std::max(latest, met.number);
         const RayPixel drawn =

@@ -155,8 +155,8 @@ TEST_CASE("kerr point stars: every image worth a thousandth of its star is the r
             if (off <= kPlace_px || own_area(scene, image.x, image.y) / image.area < kWorthIt) continue;
             // The reference has not looked so close to the shadow: is its ray there the star's?
             const auto ray = both.tracer->ray(middle_x + image.x, middle_y - image.y);
-            if (ray.fate() == Fate::kEscaped &&
-                length(ray.end() - both.stars[static_cast<std::size_t>(image.star)].direction) <=
+            if (ray->fate() == Fate::kEscaped &&
+                length(ray->end_direction() - both.stars[static_cast<std::size_t>(image.star)].direction) <=
                     kPlace_px * std::sqrt(image.area))
                 ++closer;
             else

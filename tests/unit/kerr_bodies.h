@@ -3,9 +3,9 @@
 #include <memory>
 #include <optional>
 
+#include "reference/kerr_bodies.h"
 #include "reference/kerr_ray.h"
-#include "reference/orbit.h"
-#include "reference/spin_bodies.h"
+#include "reference/metric.h"
 
 namespace nullscope::test {
 
@@ -18,18 +18,18 @@ inline Scene spinning(double spin) {
     return scene;
 }
 
-inline std::unique_ptr<reference::OrbitMetric> metric_of(const Scene& scene) {
-    return std::move(*reference::make_orbit_metric(scene.spacetime));
+inline std::unique_ptr<reference::Metric> metric_of(const Scene& scene) {
+    return std::move(*reference::make_metric(scene.spacetime));
 }
 
 struct Met {
     reference::KerrRay ray;
     std::optional<reference::BodyHit> hit;
 };
-inline Met met(const Scene& scene, const reference::OrbitMetric& metric, const reference::KerrStart& start) {
+inline Met met(const Scene& scene, const reference::Metric& metric, const reference::KerrStart& start) {
     const reference::Bodies bodies(scene, metric);
     reference::BodyWatch watch(bodies, scene.light.delay);
-    Met found{reference::trace_kerr(metric.spin(), start, 16, watch.watch()), {}};
+    Met found{reference::trace_kerr(scene.spacetime.parameters.at("spin"), start, 16, watch.watch()), {}};
     found.hit = watch.hit();
     return found;
 }

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include "reference/ball_way.h"
+#include "reference/bodies.h"
 #include "scene/ball_motion.h"
 #include "spacetime/registry.h"
 
@@ -30,7 +30,7 @@ TEST_CASE("ball motion: free fall, past the hole, into it and out of its past, i
         BallSpec ball;
         ball.motion = BallMotion::kGeodesic, ball.position = c.position, ball.velocity = c.velocity;
         const auto spacetime = *make_spacetime(c.metric, c.parameters);
-        const auto metric = std::move(*reference::make_orbit_metric({c.metric, c.parameters}));
+        const auto metric = std::move(*reference::make_metric({c.metric, c.parameters}));
         const auto exact = reference::ball_way(*metric, ball);
         const auto motion = ball_motion(*spacetime, ball);
         REQUIRE(motion);

@@ -194,14 +194,15 @@ TEST_CASE("ray fan: wormholes of every width as seen from afar, against the refe
             const std::map<std::string, double> parameters{{"length", 0.5}, {"lensing_width", width}};
             const auto spacetime = test::spherical("dneg-wormhole", parameters);
             const RayFan fan(spacetime, std::make_shared<const DeflectionTable>(*spacetime), r, kAtRest);
-            const auto metric = reference::make_orbit_metric({"dneg-wormhole", parameters});
+            const auto metric = reference::make_metric({"dneg-wormhole", parameters});
             REQUIRE(metric);
             double worst = 0.0;
             for (double delta = 0.1 * fan.critical_angle(); delta < fan.delta_limit(Segment::kSky); delta *= 1.03) {
                 const FanRay ray = fan.ray(Segment::kSky, delta);
                 worst = std::fmax(
                     worst,
-                    std::fabs(ray.phi_end - (*metric)->from_static({r, -std::cos(ray.beta), ray.sin_beta})->angle()));
+                    std::fabs(ray.phi_end -
+                              (*metric)->orbits()->from_static({r, -std::cos(ray.beta), ray.sin_beta})->angle()));
             }
             MESSAGE("width " << width << ", r = " << r << ": " << worst << " rad");
             CHECK(worst < kGradedError);

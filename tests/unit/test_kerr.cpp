@@ -9,6 +9,7 @@
 #include "camera/spin_forms.h"
 #include "kerr_core.h"
 #include "reference/disc_light.h"
+#include "reference/frame_tracer.h"
 #include "reference/kerr_ray.h"
 #include "reference/reference.h"
 #include "spacetime/circular_orbit.h"
@@ -79,14 +80,14 @@ TEST_CASE("kerr: last stable orbit and efficiency, published figures, by both") 
         const double r = *innermost_stable_orbit(*spacetime);
         CHECK(std::fabs(2 * r / isco - 1) < 1e-13);
         CHECK(std::fabs(circular_orbit(*spacetime, r)->energy - (1 - efficiency)) < 1e-12);
-        const auto metric = std::move(*reference::make_orbit_metric({"kerr", {{"spin", spin}}}));
+        const auto metric = std::move(*reference::make_metric({"kerr", {{"spin", spin}}}));
         CHECK(std::fabs(2 * reference::DiscLight(*metric, {}, {}).innermost() / isco - 1) < 1e-7);  // a flat minimum
     }
 }
 
 TEST_CASE("kerr: the disc's flux is Page and Thorne's closed form, largest at 3.44184336236 M with 3.39228624923e-4") {
     const auto spacetime = kerr(0.9);
-    const auto metric = std::move(*reference::make_orbit_metric({"kerr", {{"spin", 0.9}}}));
+    const auto metric = std::move(*reference::make_metric({"kerr", {{"spin", 0.9}}}));
     const reference::DiscLight light(*metric, {}, {});
     const double isco = 2 * *innermost_stable_orbit(*spacetime);
     for (const double m : {2.5, 3.0, 5.0, 20.0, 100.0}) {
@@ -100,10 +101,28 @@ TEST_CASE("kerr: the disc's flux is Page and Thorne's closed form, largest at 3.
     CHECK(std::fabs(peak.flux / 4 / 3.39228624923e-4 - 1) < 1e-9);
 }
 
+TEST_CASE("kerr: the disc's light is late where it takes time and something moves, else not") {
+    for (const bool delay : {true, false})
+        for (const bool moves : {true, false}) {
+            Scene scene;
+            scene.spacetime = {"kerr", {{"spin", 0.9}}};
+            scene.camera.observer = ObserverKind::kZamo, scene.camera.r = 15, scene.camera.theta = 1.2;
+            scene.light.delay = delay;
+            scene.disc.emplace().inner = 2, scene.disc->outer = 8;
+            if (moves) scene.spot.emplace().r = 4;
+            const auto tracer = reference::FrameTracer::make(scene);
+            REQUIRE(tracer);
+            const auto hits = tracer->disc_hits(*tracer->ray(0.5 * scene.camera.width, 0.65 * scene.camera.height), 1);
+            REQUIRE(hits.size() == 1);
+            CHECK((hits[0].late > 5) == (delay && moves));
+            if (!delay || !moves) CHECK(hits[0].late == 0);
+        }
+}
+
 TEST_CASE("kerr: matter on circles and in the fall has unit velocity, and both ways give one g") {
     for (const double spin : {0.3, 0.9, 0.998}) {
         const auto spacetime = kerr(spin);
-        const auto metric = std::move(*reference::make_orbit_metric({"kerr", {{"spin", spin}}}));
+        const auto metric = std::move(*reference::make_metric({"kerr", {{"spin", spin}}}));
         const reference::DiscLight light(*metric, {}, {});
         const double isco = *innermost_stable_orbit(*spacetime), horizon = *spacetime->horizon_radius();
         for (const double r : {30.0, 6.0, 1.001 * isco, 0.5 * (isco + horizon), 0.9 * horizon + 0.1 * isco}) {
@@ -116,7 +135,8 @@ TEST_CASE("kerr: matter on circles and in the fall has unit velocity, and both w
             CHECK(std::fabs(norm + 1) < 1e-12 * u.u_t * u.u_t);
             for (const double l_z : {-2.0, 0.5, 0.9})
                 for (const double radial : {-1.2, 0.7}) {
-                    const double g_infinity = light.g_infinity({r, l_z, radial > 0, 0, radial});
+                    const double climb = radial * std::sqrt(zamo_lapse2(spin_place(*spacetime, r, M_PI / 2)) / g[1][1]);
+                    const double g_infinity = light.g_infinity({r, l_z, climb});
                     CHECK(
                         1 / g_infinity ==
                         doctest::Approx(u.u_t - l_z * u.u_phi - radial * u.u_r).epsilon(1e-7));  // the reference's ISCO

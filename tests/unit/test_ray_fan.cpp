@@ -17,13 +17,13 @@ constexpr double kDegree = M_PI / 180.0;
 struct World {
     std::shared_ptr<const SphericalMetric> spacetime;
     std::shared_ptr<const DeflectionTable> table;
-    std::shared_ptr<reference::OrbitMetric> reference;
+    std::shared_ptr<reference::Metric> reference;
 };
 World world_of(const std::string& metric, const std::map<std::string, double>& parameters = {}) {
     World world;
     world.spacetime = test::spherical(metric, parameters);
     world.table = std::make_shared<const DeflectionTable>(*world.spacetime);
-    auto orbits = reference::make_orbit_metric({metric, parameters});
+    auto orbits = reference::make_metric({metric, parameters});
     REQUIRE(orbits);
     world.reference = std::move(*orbits);
     return world;
@@ -51,7 +51,7 @@ double worst_sweep(const World& world, double r) {
     for (const Segment segment : {Segment::kSky, Segment::kCaptured})
         for (double delta = 1e-6; delta < 0.999 * fan.delta_limit(segment); delta *= 1.3) {
             const FanRay ray = fan.ray(segment, delta);
-            const auto [orbit, g] = world.reference->from_rain({r, -std::cos(ray.beta), ray.sin_beta});
+            const auto [orbit, g] = world.reference->orbits()->from_rain({r, -std::cos(ray.beta), ray.sin_beta});
             if (!(orbit->angle() >= 0)) continue;  // no end: light from nowhere
             // Within an inner horizon, of dark rays that turn next to the camera, the reference knows 4e-5 rad only (r = 0.4185, q = 0.46549 of
             // the extremal hole: exactly 7.5574483880, which the fan has).

@@ -18,13 +18,13 @@ using namespace nullscope;
 struct World {
     std::shared_ptr<const SphericalMetric> spacetime;
     std::shared_ptr<const DeflectionTable> table;
-    std::shared_ptr<reference::OrbitMetric> reference;
+    std::shared_ptr<reference::Metric> reference;
 };
 World world_of(const std::string& metric, const std::map<std::string, double>& parameters) {
     World world;
     world.spacetime = test::spherical(metric, parameters);
     world.table = std::make_shared<const DeflectionTable>(*world.spacetime);
-    world.reference = std::move(*reference::make_orbit_metric({metric, parameters}));
+    world.reference = std::move(*reference::make_metric({metric, parameters}));
     return world;
 }
 std::vector<World> worlds() {
@@ -49,7 +49,7 @@ double worst_place(const World& world, double r) {
         for (double delta = kNearest; delta < 0.999 * fan.delta_limit(segment); delta *= 1.7) {
             const FanRay ray = fan.ray(segment, delta);
             if (ray.phi_end > kMostSwept) continue;
-            const auto orbit = world.reference->from_static({r, -std::cos(ray.beta), ray.sin_beta});
+            const auto orbit = world.reference->orbits()->from_static({r, -std::cos(ray.beta), ray.sin_beta});
             const OrbitColumn column = throat_column(fan, segment, delta);
             const double end = segment == Segment::kSky ? 1.0 : -1.0;
             for (int i = 1; i < kOrbitRows; ++i) {

@@ -1,4 +1,4 @@
-#include "reference/spin_bodies.h"
+#include "reference/kerr_bodies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 constexpr double kPartOfThinnest = 0.2;  // of a body's smallest extent between two looks, where it can be met
 constexpr double kPartOfWay = 0.5;       // of the way to where it can be met, elsewhere
 constexpr double kArc = 1.1;             // of way_between: no step's arc is longer
-constexpr double kAim = 0.9;             // of the longest stride: what the last one says of the next is so good
+constexpr double kAim = 0.9;             // of the longest step: what the last one says of the next is so good
 constexpr double kBack = 1e-4;           // of a radius: over which the ray's direction is taken, to second order
 constexpr int kMostLooks = 200'000;      // a ray
 
@@ -47,23 +47,23 @@ void BodyWatch::follow(Track& track, const KerrStep& step) {
         return;
     }
     if (!track.here) track.here = Look{step.from, value_of(part, step.begin), step.begin};
-    double turn = step.to - step.from, went = way(part, step.begin, step.end);  // what the next stride is aimed by
+    double turn = step.to - step.from, went = way(part, step.begin, step.end);  // what the next step is aimed by
     while (track.here->along < step.to && track.looks < kMostLooks) {
         if (hit_ && track.before && hit_->along < track.before->along) return;
         const Look& here = *track.here;
         const double clear = part.clear ? here.value : kPartOfWay * (here.place.r - part.reach),
-                     stride = std::max(fine, clear);
-        if (went > kAim * stride)
-            turn *= kAim * stride / went;
+                     longest = std::max(fine, clear);
+        if (went > kAim * longest)
+            turn *= kAim * longest / went;
         else
-            turn = std::min(2 * turn, turn * kAim * stride / std::max(went, 1e-3 * stride));
+            turn = std::min(2 * turn, turn * kAim * longest / std::max(went, 1e-3 * longest));
         const double next = here.along + turn < step.to ? here.along + turn : step.to;
         turn = next - here.along;
         if (!(turn > 0)) break;
         const KerrPlace place = next == step.to ? step.end : step.at(next);
         ++track.looks;
         went = way(part, here.place, place);
-        if (went > stride && here.along + 0.5 * turn > here.along) continue;
+        if (went > longest && here.along + 0.5 * turn > here.along) continue;
         const Look there{next, value_of(part, place), place};
         if (const auto along = entry(track, there, step)) meet(part, *along, step);
         track.before = track.here, track.here = there;

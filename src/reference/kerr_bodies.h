@@ -1,4 +1,4 @@
-// Where a ray about a spinning hole meets the solid bodies: shown the ray's steps one by one, it looks along them.
+// Where a ray about a rotating hole meets the solid bodies: shown the ray's steps one by one, it looks along them.
 #pragma once
 #include <optional>
 #include <vector>

@@ -1,0 +1,126 @@
+// A rotating hole: its rays are integrated (kerr_ray.h), and no camera and no matter is at rest by itself.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reference/kerr_bodies.h"
+#include "reference/kerr_hole.h"
+#include "reference/kerr_ray.h"
+#include "reference/metric.h"
+#include "reference/plane_metrics.h"
+#include "scene/observer.h"
+
+namespace nullscope::reference {
+namespace {
+
+class TracedKerrRay final : public TracedRay {
+public:
+    TracedKerrRay(KerrRay ray, const std::optional<BodyHit>& hit, bool late)
+        : TracedRay({1, 1 / ray.energy}, 1 / ray.energy, ray.l_z), ray_(std::move(ray)), hit_(hit), late_(late) {}
+    Fate fate() const override { return ray_.fate; }
+    double end() const override { return kNotANumber; }
+    Vec3 end_direction() const override { return ray_.sky; }
+    double end_azimuth() const override { return ray_.phi_inf; }
+    double swept(double) const override { return kNotANumber; }
+    double delay() const override { return ray_.fate == Fate::kEscaped ? ray_.delay : kNotANumber; }
+    std::vector<PlaneCrossing> crossings(int most, double inner, double outer) const override {
+        std::vector<PlaneCrossing> list;
+        for (const PlaneCrossing& c : ray_.crossings)
+            if (c.r >= inner && c.r <= outer && static_cast<int>(list.size()) < most)
+                list.push_back(c), list.back().late = late_ ? c.late : 0.0;
+        return list;
+    }
+    std::optional<BodyHit> first_hit() const override { return hit_; }
+    double late(double along) const override {
+        if (hit_ && hit_->along == along) return hit_->late;
+        for (const PlaneCrossing& c : ray_.crossings)
+            if (c.along == along) return c.late;
+        return kNotANumber;
+    }
+
+private:
+    KerrRay ray_;
+    std::optional<BodyHit> hit_;
+    bool late_;  // of crossings
+};
+
+// trace(watch): a KerrRay, its steps shown to `watch`.
+template <class Trace>
+RayPtr meeting_bodies(const RayTask& task, const Trace& trace) {
+    BodyWatch watch(*task.bodies, task.late_bodies);
+    KerrRay ray = trace(watch.watch());
+    return std::make_unique<TracedKerrRay>(std::move(ray), watch.hit(), task.late_disc);
+}
+
+class KerrRays final : public RayFamily {
+public:
+    KerrRays(double spin, const CameraSpec& camera, const Tetrad& tetrad, const RayTask& task)
+        : RayFamily(tetrad),
+          spin_(spin),
+          camera_(camera),
+          azimuth_(camera.phi + (falls(camera) ? 0 : kerr_azimuth_ahead(spin, camera.r))),
+          task_(task) {}
+
+private:
+    RayPtr trace(const Photon& p) const override {
+        return meeting_bodies(task_, [&](const KerrWatch& watch) {
+            return trace_kerr(spin_, KerrPhoton{camera_.r, camera_.theta, azimuth_, p}, task_.crossings, falls(camera_),
+                              watch);
+        });
+    }
+    double spin_;
+    CameraSpec camera_;
+    double azimuth_;  // of ingoing coordinates
+    RayTask task_;
+};
+
+class KerrMetric final : public Metric {
+public:
+    explicit KerrMetric(double spin) : spin_(spin), hole_{0.5 * spin} {}
+    std::optional<double> horizon_radius() const override { return hole_.outer(); }
+    EquatorialMetric equator(double r) const override {
+        const double a = hole_.a, mass = hole_.twice_mass(r);
+        return {-(1 - mass / r), -a * mass / r, hole_.g_phiphi(r), r * r / (r * r - mass * r + a * a)};
+    }
+    double within_last_circle() const override { return 1.001 * *horizon_radius(); }
+    double rest_lapse(double) const override { return 1; }
+
+    // Along d_v, d_r, d_theta, d_phi/sin(theta) of ingoing coordinates.
+    Result<std::unique_ptr<RayFamily>> rays(const Scene& scene, const Spacetime& spacetime,
+                                            const RayTask& task) const override {
+        const auto pair = ingoing_hat_pair(spacetime, scene.camera);
+        if (!pair) return pair.error();
+        return std::unique_ptr<RayFamily>(std::make_unique<KerrRays>(spin_, scene.camera, long_tetrad(*pair), task));
+    }
+    Result<RayPtr> ray(const RayQuery& query, const RayTask& task) const override {
+        if (query.orbit)
+            return bad_input(
+                "no ray of a spinning hole is given by q, zeta0 and s; allowed: r, theta, phi, n_r, n_theta, n_phi");
+        if (query.frame == LocalFrame::kRain)
+            return bad_input("no frame = rain about a spinning hole; allowed: static");
+        const double horizon = *horizon_radius();
+        if (!(query.r > horizon && query.r <= kLargestRadius))
+            return bad_input(
+                fmt::format("r = {} must lie in ({}, {}], outside the horizon", query.r, horizon, kLargestRadius));
+        if (!(query.theta >= 0 && query.theta <= M_PI && std::isfinite(query.phi)))
+            return bad_input(
+                fmt::format("theta = {} must lie in [0, pi] and phi = {} be finite", query.theta, query.phi));
+        return meeting_bodies(task, [&](const KerrWatch& watch) {
+            return trace_kerr(spin_, KerrStart{query.r, query.theta, query.phi, query.n}, task.crossings, watch);
+        });
+    }
+
+private:
+    double spin_;
+    KerrHole hole_;
+};
+
+}  // namespace
+
+std::unique_ptr<Metric> make_kerr_metric(const SpacetimeSpec& spec) {
+    const double spin = parameter_of(spec, "spin", 0.9);
+    if (spin == 0) return make_schwarzschild_orbits(spec);
+    return std::make_unique<KerrMetric>(spin);
+}
+
+}  // namespace nullscope::reference

@@ -1,0 +1,55 @@
+#include "reference/metric.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "reference/plane_metrics.h"
+
+namespace nullscope::reference {
+namespace {
+
+struct Entry {
+    const char* key;
+    std::unique_ptr<Metric> (*make)(const SpacetimeSpec& spec);
+};
+template <auto make>
+std::unique_ptr<Metric> made(const SpacetimeSpec& spec) {
+    return make(spec);
+}
+constexpr std::array kMetrics{
+    Entry{"schwarzschild", made<make_schwarzschild_orbits>},
+    Entry{"reissner-nordstrom", made<make_reissner_nordstrom_orbits>},
+    Entry{"neutron-star", made<make_star_orbits>},
+    Entry{"ellis", made<make_ellis_orbits>},
+    Entry{"kerr", made<make_kerr_metric>},
+    Entry{"dneg-wormhole", made<make_dneg_orbits>},
+    Entry{"janis-newman-winicour", made<make_janis_newman_winicour_orbits>},
+    Entry{"minkowski", made<make_minkowski_orbits>},
+};
+
+}  // namespace
+
+double Metric::kepler_rate(double r) const {
+    const double h = 1e-3 * r;  // fourth order
+    const auto slope = [&](double EquatorialMetric::*part) {
+        const auto d = [&](double by) { return equator(r + by).*part - equator(r - by).*part; };
+        return (8 * d(h) - d(2 * h)) / (12 * h);
+    };
+    const double tt = slope(&EquatorialMetric::g_tt), tp = slope(&EquatorialMetric::g_tphi),
+                 pp = slope(&EquatorialMetric::g_phiphi);
+    return (std::sqrt(std::fmax(tp * tp - tt * pp, 0)) - tp) / pp;
+}
+
+Result<std::unique_ptr<Metric>> make_metric(const SpacetimeSpec& spec) {
+    std::string known;
+    for (const Entry& entry : kMetrics) {
+        if (spec.metric == entry.key) return entry.make(spec);
+        known += known.empty() ? entry.key : std::string(", ") + entry.key;
+    }
+    return bad_input("the reference tracer has no orbits for the metric '" + spec.metric + "' (it knows: " + known +
+                     ")");
+}
+
+}  // namespace nullscope::reference

@@ -1,0 +1,59 @@
+// What the reference knows of any metric: what matter in the equatorial plane feels, and how its rays are made.
+//
+// Two kinds of metric follow: those whose rays stay in a plane (orbit.h), and rotating holes (kerr_metric.cpp).
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/result.h"
+#include "reference/traced_ray.h"
+#include "scene/ray.h"
+#include "scene/scene.h"
+#include "spacetime/spacetime.h"
+
+namespace nullscope::reference {
+
+class OrbitMetric;
+
+// In (t, r, phi) at theta = pi/2.
+struct EquatorialMetric {
+    double g_tt, g_tphi, g_phiphi, g_rr;
+    double lapse2() const { return g_tphi * g_tphi / g_phiphi - g_tt; }  // -1/g^tt, of who has no angular momentum
+};
+
+class Metric {
+public:
+    virtual ~Metric() = default;
+    virtual EquatorialMetric equator(double r) const = 0;
+    virtual std::optional<double> horizon_radius() const { return {}; }  // of the outer horizon, r_s
+    // Omega of the circular geodesic at r, with the rotation: g_tt' + 2 g_tphi' Omega + g_phiphi' Omega^2 = 0.
+    virtual double kepler_rate(double r) const;
+    // A radius within the last stable circle, r_s, where the search for that begins.
+    virtual double within_last_circle() const = 0;
+    // sqrt(-g_tt) where observers at rest split g into parts; 1 where it is not split (rotating holes).
+    virtual double rest_lapse(double r) const = 0;
+    // Of a metric whose rays stay in a plane; elsewhere null.
+    virtual const OrbitMetric* orbits() const { return nullptr; }
+
+    // The rays of scene.camera. spacetime: of this metric. This and task.bodies outlive them. Errors: no such observer.
+    virtual Result<std::unique_ptr<RayFamily>> rays(const Scene& scene, const Spacetime& spacetime,
+                                                    const RayTask& task) const = 0;
+    // One ray; query.n is a unit vector. g is that of a camera at rest in query.frame. This and task.bodies outlive it.
+    // Errors: query outside the metric's domain, a form or frame that does not exist there.
+    virtual Result<RayPtr> ray(const RayQuery& query, const RayTask& task) const = 0;
+};
+
+inline double parameter_of(const SpacetimeSpec& spec, const std::string& name, double fallback) {
+    const auto found = spec.parameters.find(name);
+    return found == spec.parameters.end() ? fallback : found->second;
+}
+
+// Errors: a metric the reference does not know.
+Result<std::unique_ptr<Metric>> make_metric(const SpacetimeSpec& spec);
+std::unique_ptr<Metric> make_kerr_metric(const SpacetimeSpec& spec);  // without spin, Schwarzschild's orbits
+
+inline constexpr double kLargestRadius =
+    1e60;  // of a query: the squares of the equations of motion stay within a double
+
+}  // namespace nullscope::reference

@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reference/plane_metrics.h"
+#include "reference/plane_ray.h"
+#include "scene/observer.h"
+
+namespace nullscope::reference {
+namespace {
+
+// Outside of this and kLargestRadius the squares of the orbit equation would leave the range of a double.
+constexpr double kLeastRadius = 1e-30;
+
+// Components along the local frame: of a static camera they are known; others go through the metric. By spherical
+// symmetry they do not depend on theta: taken at the equator, where the coordinates are regular, they hold on the axis
+// too. Along the rain frame e_0 = (1/(1+w), -w), e_1 = (1/(1+w), 1) of (v, r), or the static one (1/s, 0), (1/s, s),
+// s = sqrt(A), the metric -A dv^2 + 2 dv dr gives those of (p^v, p^r).
+Result<Tetrad> local_tetrad(const Spacetime& spacetime, CameraSpec camera, bool from_rain) {
+    camera.theta = M_PI / 2;
+    const bool rests = camera.observer == ObserverKind::kStatic;
+    const auto pair = rests ? camera_rows_pair(camera) : ingoing_tetrad_pair(spacetime, camera);
+    if (!pair) return pair.error();
+    Tetrad tetrad = long_tetrad(*pair);
+    if (rests) return tetrad;
+    const double lapse2 = spacetime.lapse_squared(camera.r), radius = spacetime.areal_radius(camera.r);
+    const long double w = std::sqrt(static_cast<long double>(std::fmax(1 - lapse2, 0))),
+                      s = std::sqrt(static_cast<long double>(std::fmax(lapse2, 0)));
+    for (auto& row : tetrad) {
+        const long double v = row[0], r = row[1];
+        if (from_rain)
+            row[0] = v - r / (1 + w), row[1] = w * v + r / (1 + w);
+        else
+            row[0] = s * v - r / s, row[1] = r / s;
+        row[2] *= radius, row[3] *= radius;
+    }
+    return tetrad;
+}
+
+bool in_rain_frame(const Spacetime& spacetime, const CameraSpec& camera) {
+    return falls(camera) && spacetime.lapse_squared(camera.r) <= 1;
+}
+
+// In the equatorial plane from the azimuth 0, towards growing azimuths: it meets that plane nowhere.
+Result<RayPtr> reduced_ray(const OrbitMetric& metric, const ReducedRay& ray, const RayTask& task) {
+    if (!(ray.q > 0)) return bad_input(fmt::format("q = {} must be positive (infinite for a radial ray)", ray.q));
+    const bool by_length = metric.by_proper_length();
+    if (by_length && !(std::abs(ray.zeta0) <= kLargestRadius))
+        return bad_input(fmt::format("l0 = {} must lie in [{}, {}]", ray.zeta0, -kLargestRadius, kLargestRadius));
+    if (!by_length && !(ray.zeta0 >= 1 / kLargestRadius && ray.zeta0 <= 1 / kLeastRadius))
+        return bad_input(
+            fmt::format("zeta0 = {} must lie in [{}, {}]", ray.zeta0, 1 / kLargestRadius, 1 / kLeastRadius));
+    if (ray.s != 1 && ray.s != -1) return bad_input(fmt::format("s = {} must be 1 (towards the hole) or -1", ray.s));
+    auto orbit = metric.from_reduced(ray);
+    if (!orbit) return orbit.error();
+    const double r = by_length ? ray.zeta0 : 1 / ray.zeta0, lapse = metric.lapse(r),
+                 g = lapse > 0 ? 1 / lapse : kNotANumber, l = 1 / ray.q;
+    return RayPtr(std::make_unique<PlaneRay>(metric, std::move(*orbit), RayPlane(M_PI / 2, 0, {0, 0, 1}),
+                                             PlanePhoton{r, ray.q, l, -l, Shift{g, 1}, g, false}, task));
+}
+
+}  // namespace
+
+Result<RayPtr> OrbitMetric::ray(const RayQuery& query, const RayTask& task) const {
+    if (query.orbit) return reduced_ray(*this, *query.orbit, task);
+    const double least = by_proper_length() ? -kLargestRadius : kLeastRadius;
+    if (!(query.r >= least && query.r <= kLargestRadius))
+        return bad_input(fmt::format("r = {} must lie in [{}, {}]", query.r, least, kLargestRadius));
+    if (!(query.theta >= 0 && query.theta <= M_PI))
+        return bad_input(fmt::format("theta = {} must lie in [0, pi]", query.theta));
+    if (!std::isfinite(query.phi)) return bad_input("phi must be finite");
+    const Vec3 n = query.n;
+    const LocalRay local{query.r, n.x, std::hypot(n.y, n.z)};
+    const bool rain = query.frame == LocalFrame::kRain;
+    if (!rain && horizon_radius() && !(query.r > *horizon_radius()))
+        return bad_input(
+            fmt::format("no static frame at r = {}: it needs r > {}, the horizon (use frame = rain inside)", query.r,
+                        *horizon_radius()));
+    RainOrbit start = rain ? from_rain(local) : RainOrbit{from_static(local), 1 / lapse(query.r)};
+    // The photon moves against n: L over E is -g r n_phi about the camera's place, and on to the axis.
+    const double scale = start.g * query.r, l = scale * local.n_t, l_z = -scale * n.z * std::sin(query.theta);
+    return RayPtr(std::make_unique<PlaneRay>(*this, std::move(start.orbit), RayPlane(query.theta, query.phi, n),
+                                             PlanePhoton{query.r, 1 / l, l, l_z, Shift{start.g, 1}, start.g, rain},
+                                             task));
+}
+
+Result<std::unique_ptr<RayFamily>> OrbitMetric::rays(const Scene& scene, const Spacetime& spacetime,
+                                                     const RayTask& task) const {
+    auto moving = local_tetrad(spacetime, scene.camera, in_rain_frame(spacetime, scene.camera));
+    if (!moving) return moving.error();
+    Tetrad seen = *moving;
+    if (!scene.light.aberration) {
+        CameraSpec still = scene.camera;
+        still.velocity = {0, 0, 0};
+        still.observer = ObserverKind::kStatic;
+        const auto at_rest = local_tetrad(spacetime, still, false);
+        if (!at_rest) return at_rest.error();
+        seen = *at_rest;
+    }
+    return std::unique_ptr<RayFamily>(std::make_unique<PlaneRays>(*this, scene, spacetime, task, seen, *moving));
+}
+
+PlaneRays::PlaneRays(const OrbitMetric& metric, const Scene& scene, const Spacetime& spacetime, const RayTask& task,
+                     const Tetrad& seen, const Tetrad& moving)
+    : RayFamily(seen),
+      flat_(scene.light.lensing ? nullptr : make_minkowski_orbits({})),
+      metric_(flat_ ? *flat_ : metric),
+      camera_(scene.camera),
+      light_(scene.light),
+      task_(task),
+      lapse_(metric.lapse(scene.camera.r)),
+      from_rain_(in_rain_frame(spacetime, scene.camera)),
+      velocity_(moving.front()) {
+    if (flat_) camera_.r = spacetime.areal_radius(camera_.r);
+}
+
+RayPtr PlaneRays::trace(const Photon& p) const {
+    // The photon is null: its frequency in the local frame is the length of its spatial part.
+    const long double across = std::sqrt(p[2] * p[2] + p[3] * p[3]),
+                      frequency = std::sqrt(p[1] * p[1] + across * across);
+    const LocalRay local{camera_.r, static_cast<double>(-p[1] / frequency), static_cast<double>(across / frequency)};
+    const Vec3 direction{local.n_r, static_cast<double>(-p[2] / frequency), static_cast<double>(-p[3] / frequency)};
+    RainOrbit start = from_rain_ ? metric_.from_rain(local)
+                                 : RainOrbit{metric_.from_static(local), 1 / (light_.lensing ? lapse_ : 1)};
+    // The photon moves along p: L_phi = r p^phi in the local tetrad, L_z = L_phi sin(theta), over E = frequency/start.g.
+    const double scale = camera_.r * start.g / static_cast<double>(frequency);
+    // The camera's frequency over the local frame's is 1/frequency; without aberration that of its true motion.
+    const auto& u = velocity_;
+    const long double doppler =
+        light_.aberration ? 1 / frequency : (u[0] * frequency - u[1] * p[1] - u[2] * p[2] - u[3] * p[3]) / frequency;
+    // Where nobody is at rest there are no two parts: all of g counts as motion's.
+    const double rest = lapse_ > 0 ? lapse_ : 1;
+    const Shift shift = from_rain_ ? Shift{1 / rest, static_cast<double>(doppler) * start.g * rest}
+                                   : Shift{1 / lapse_, static_cast<double>(doppler)};
+    const double l_phi = scale * static_cast<double>(p[3]), l = scale * static_cast<double>(across);
+    return std::make_unique<PlaneRay>(metric_, std::move(start.orbit), RayPlane(camera_.theta, camera_.phi, direction),
+                                      PlanePhoton{camera_.r, 1 / std::abs(l), l, l_phi * std::sin(camera_.theta), shift,
+                                                  shift.seen(light_), falls(camera_)},
+                                      task_);
+}
+
+std::unique_ptr<Orbit> PlaneRays::orbit_of(Vec3 view) const {
+    const LocalRay local{camera_.r, view.x, std::hypot(view.y, view.z)};
+    return from_rain_ ? metric_.from_rain(local).orbit : metric_.from_static(local);
+}
+
+std::optional<std::array<double, 2>> PlaneRays::position(Vec3 view) const {
+    // The photon p = (1, -view) in the local tetrad is omega (e_0 - n^i e_i): n_i = (p . e_i) / (p . e_0).
+    const auto product = [&](std::size_t i) {
+        const auto& e = tetrad()[i];
+        return -e[0] - view.x * e[1] - view.y * e[2] - view.z * e[3];
+    };
+    const long double ahead = -product(3) / product(0);  // the third axis points backward
+    if (!(ahead > 0)) return std::nullopt;
+    const long double pixel = camera_.plane_width / camera_.width / camera_.focal_distance;
+    const long double x = product(1) / product(0) / (ahead * pixel), y = product(2) / product(0) / (ahead * pixel);
+    return std::array{0.5 * camera_.width + static_cast<double>(x), 0.5 * camera_.height - static_cast<double>(y)};
+}
+
+}  // namespace nullscope::reference

@@ -1,0 +1,118 @@
+// A light ray of whatever metric, traced backward in time from where it is seen: what ray data and shading ask of it.
+// And the rays of a camera, which makes one of a photon.
+//
+// `along` is the ray's own parameter: it grows away from the camera and orders what a ray meets. Of a ray in a plane
+// (plane_ray.h) it is the swept angle, rad; of one that is integrated (kerr_ray.h) the affine parameter.
+#pragma once
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/vec.h"
+#include "camera/pose.h"
+#include "reference/seen_light.h"
+#include "scene/ray.h"
+
+namespace nullscope::reference {
+
+class Bodies;
+class PlaneRay;
+class PlaneRays;
+
+// A place where a ray meets the equatorial plane.
+struct PlaneCrossing {
+    double along, r, phi;  // r_s, rad; phi with its windings
+    // Of the photon, over its energy: the radial part of its momentum, as who has no angular momentum measures it,
+    // times the lapse; > 0: it really moves outward. Without rotation a cosine. Outside the horizon.
+    double climb;
+    double late = 0;  // how long ago, by the camera's clock, the light left, r_s/c; 0 where nobody asks (RayTask)
+};
+
+// Where a ray enters a solid body.
+struct BodyHit {
+    double along;
+    Vec3 place;  // r_s, world axes
+    Object object;
+    double cosine;              // between the ray and the surface's normal, in flat coordinates
+    Vec3 middle{0, 0, 0};       // of the body, when the light left
+    double late = kNotANumber;  // of a ray that is integrated: how long ago, by the camera's clock, the light left
+};
+
+// What rays may be asked, said before they are traced: one that is integrated is looked along meanwhile.
+struct RayTask {
+    const Bodies* bodies = nullptr;  // that end rays; outlives them
+    bool late_bodies = false;        // those that move are seen where they were when the light left
+    bool late_disc = false;          // crossings have their `late`
+    int crossings = 0;               // of the plane, most of one ray
+};
+
+class TracedRay {
+public:
+    TracedRay(const Shift& split, double g_seen, double momentum) : shift(split), g(g_seen), l_z(momentum) {}
+    virtual ~TracedRay() = default;
+    const Shift shift;  // camera frequency over frequency at infinity
+    const double
+        g;  // the same, as far as the switches of the scene's light let it; not positive: no frequency at infinity
+    const double l_z;  // the photon's angular momentum about the polar axis over its energy, r_s
+
+    // As if there were no bodies: kEscaped, kOtherSide, kCaptured, kHit (a star) or kNoSky.
+    virtual Fate fate() const = 0;
+    virtual double end() const = 0;                // along, where it ends; NaN: no such place, or not known
+    virtual Vec3 end_direction() const = 0;        // of the sky, or of the place on what it ends on: unit, world axes
+    virtual double end_azimuth() const = 0;        // its azimuth, windings kept
+    virtual double swept(double along) const = 0;  // rad, windings kept; NaN where the ray is in no plane
+    virtual double delay() const = 0;              // T = v_cam - v_inf, r_s/c; escaped rays. May take some microseconds
+    // Of the equatorial plane after the camera, before the end, in order: those with inner <= r <= outer, at most
+    // `most`, and not more than the task said. With `late` a millisecond each where rays are closed forms.
+    virtual std::vector<PlaneCrossing> crossings(int most, double inner = -std::numeric_limits<double>::infinity(),
+                                                 double outer = std::numeric_limits<double>::infinity()) const = 0;
+    // The first of the task's bodies that it enters. Closed forms: 50 microseconds; late ones that move, milliseconds.
+    virtual std::optional<BodyHit> first_hit() const = 0;
+    // How long ago, by the camera's clock, light left a crossing or first_hit(), r_s/c; NaN in wormholes.
+    virtual double late(double along) const = 0;
+    virtual const PlaneRay* in_plane() const { return nullptr; }  // the ray, if it stays in a plane
+};
+using RayPtr = std::unique_ptr<const TracedRay>;
+
+// Rows: a camera's e_0, right, up, backward. In long double because ahead of a camera with gamma = 700 e_0 - n^i e_i
+// leaves 1/gamma^2 of its terms.
+using Tetrad = std::array<std::array<long double, 4>, 4>;
+inline Tetrad long_tetrad(const TetradPair& pair) {
+    Tetrad tetrad;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t mu = 0; mu < 4; ++mu)
+            tetrad[i][mu] = static_cast<long double>(pair.high[i][mu]) + pair.low[i][mu];
+    return tetrad;
+}
+
+// The rays of one camera. The metric that made it outlives it, and it outlives its rays.
+class RayFamily {
+public:
+    explicit RayFamily(const Tetrad& tetrad) : tetrad_(tetrad) {}
+    virtual ~RayFamily() = default;
+    // look: where the photon comes from, along the camera's right, up and backward; of any length.
+    RayPtr ray(Vec3 look) const {
+        const long double norm =
+            std::sqrt(static_cast<long double>(look.x) * look.x + static_cast<long double>(look.y) * look.y +
+                      static_cast<long double>(look.z) * look.z);
+        const std::array<long double, 3> n{look.x / norm, look.y / norm, look.z / norm};
+        Photon p = tetrad_[0];
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t mu = 0; mu < 4; ++mu) p[mu] -= n[i] * tetrad_[i + 1][mu];
+        return trace(p);
+    }
+    virtual const PlaneRays* in_plane() const { return nullptr; }  // the family, if its rays stay in planes
+
+protected:
+    using Photon = std::array<long double, 4>;  // its momentum p = e_0 - n^i e_i, of unit frequency in the camera
+    const Tetrad& tetrad() const { return tetrad_; }
+
+private:
+    virtual RayPtr trace(const Photon& p) const = 0;
+    Tetrad tetrad_;
+};
+
+}  // namespace nullscope::reference
