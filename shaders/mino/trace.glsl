@@ -105,7 +105,7 @@ Trace trace_pixel(vec2 pixel) {
     bool going = true;
 #ifdef EFFECT_SPIN_FALL
     bool outside = frame.shift.y * ray.outer < 1.0;
-    bool ours = outside || ray.a * ray.momentum > ray.energy * ray.outer;   // of the photon: E (r_+^2 + a^2) > a L
+    bool ours = outside || ray.a * ray.momentum > ray.energy * (ray.outer - frame.spin_turn.z);   // of the photon: E (r_+^2 + a^2) > a L
 #else
     bool outside = true;
 #endif

@@ -54,21 +54,21 @@ RayPtr meeting_bodies(const RayTask& task, const Trace& trace) {
 
 class KerrRays final : public RayFamily {
 public:
-    KerrRays(double spin, const CameraSpec& camera, const Tetrad& tetrad, const RayTask& task)
+    KerrRays(const KerrHole& hole, const CameraSpec& camera, const Tetrad& tetrad, const RayTask& task)
         : RayFamily(tetrad),
-          spin_(spin),
+          hole_(hole),
           camera_(camera),
-          azimuth_(camera.phi + (falls(camera) ? 0 : kerr_azimuth_ahead(spin, camera.r))),
+          azimuth_(camera.phi + (falls(camera) ? 0 : kerr_azimuth_ahead(hole, camera.r))),
           task_(task) {}
 
 private:
     RayPtr trace(const Photon& p) const override {
         return meeting_bodies(task_, [&](const KerrWatch& watch) {
-            return trace_kerr(spin_, KerrPhoton{camera_.r, camera_.theta, azimuth_, p}, task_.crossings, falls(camera_),
+            return trace_kerr(hole_, KerrPhoton{camera_.r, camera_.theta, azimuth_, p}, task_.crossings, falls(camera_),
                               watch);
         });
     }
-    double spin_;
+    KerrHole hole_;
     CameraSpec camera_;
     double azimuth_;  // of ingoing coordinates
     RayTask task_;
@@ -76,7 +76,7 @@ private:
 
 class KerrMetric final : public Metric {
 public:
-    explicit KerrMetric(double spin) : spin_(spin), hole_{0.5 * spin} {}
+    explicit KerrMetric(const KerrHole& hole) : hole_(hole) {}
     std::optional<double> horizon_radius() const override { return hole_.outer(); }
     EquatorialMetric equator(double r) const override {
         const double a = hole_.a, mass = hole_.twice_mass(r);
@@ -90,14 +90,14 @@ public:
                                             const RayTask& task) const override {
         const auto pair = ingoing_hat_pair(spacetime, scene.camera);
         if (!pair) return pair.error();
-        return std::unique_ptr<RayFamily>(std::make_unique<KerrRays>(spin_, scene.camera, long_tetrad(*pair), task));
+        return std::unique_ptr<RayFamily>(std::make_unique<KerrRays>(hole_, scene.camera, long_tetrad(*pair), task));
     }
     Result<RayPtr> ray(const RayQuery& query, const RayTask& task) const override {
         if (query.orbit)
             return bad_input(
-                "no ray of a spinning hole is given by q, zeta0 and s; allowed: r, theta, phi, n_r, n_theta, n_phi");
+                "no ray of a rotating hole is given by q, zeta0 and s; allowed: r, theta, phi, n_r, n_theta, n_phi");
         if (query.frame == LocalFrame::kRain)
-            return bad_input("no frame = rain about a spinning hole; allowed: static");
+            return bad_input("no frame = rain about a rotating hole; allowed: static");
         const double horizon = *horizon_radius();
         if (!(query.r > horizon && query.r <= kLargestRadius))
             return bad_input(
@@ -106,12 +106,11 @@ public:
             return bad_input(
                 fmt::format("theta = {} must lie in [0, pi] and phi = {} be finite", query.theta, query.phi));
         return meeting_bodies(task, [&](const KerrWatch& watch) {
-            return trace_kerr(spin_, KerrStart{query.r, query.theta, query.phi, query.n}, task.crossings, watch);
+            return trace_kerr(hole_, KerrStart{query.r, query.theta, query.phi, query.n}, task.crossings, watch);
         });
     }
 
 private:
-    double spin_;
     KerrHole hole_;
 };
 
@@ -120,7 +119,7 @@ private:
 std::unique_ptr<Metric> make_kerr_metric(const SpacetimeSpec& spec) {
     const double spin = parameter_of(spec, "spin", 0.9);
     if (spin == 0) return make_schwarzschild_orbits(spec);
-    return std::make_unique<KerrMetric>(spin);
+    return std::make_unique<KerrMetric>(KerrHole(spin));
 }
 
 }  // namespace nullscope::reference

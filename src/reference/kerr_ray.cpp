@@ -294,14 +294,15 @@ double way_between(const KerrPlace& from, const KerrPlace& to) {
                       std::max(from.r, to.r) * std::hypot(to.theta - from.theta, sine * (to.phi - from.phi)));
 }
 
-KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings, const KerrWatch& watch) {
-    const KerrChart chart{{0.5 * spin}};
+KerrRay trace_kerr(const KerrHole& hole, const KerrStart& start, int most_crossings, const KerrWatch& watch) {
+    const KerrChart chart{hole};
     const long double ahead = chart.tortoise_ahead(start.r);
     return Path(chart, kerr_launch(chart, start), {ahead, start.r + ahead}).trace(most_crossings, watch);
 }
 
-KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings, bool falls, const KerrWatch& watch) {
-    const KerrChart chart{{0.5 * spin}};
+KerrRay trace_kerr(const KerrHole& hole, const KerrPhoton& photon, int most_crossings, bool falls,
+                   const KerrWatch& watch) {
+    const KerrChart chart{hole};
     const KerrLaunch launch = kerr_launch(chart, photon);
     // late = 0 at the camera, or r_* - r; inside the horizon what is traced fell in, and r_* is not asked for.
     const long double sense = launch.sense(), ahead = falls && launch.falls ? 0 : chart.tortoise_ahead(photon.r);
@@ -309,8 +310,8 @@ KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings, bo
         .trace(most_crossings, watch);
 }
 
-double kerr_azimuth_ahead(double spin, double r) {
-    const KerrChart chart{{0.5 * spin}};
+double kerr_azimuth_ahead(const KerrHole& hole, double r) {
+    const KerrChart chart{hole};
     return chart.ahead(r) - std::atan2(chart.a, r);
 }
 

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "reference/kerr_hole.h"
 #include "reference/traced_ray.h"
 #include "scene/ray.h"
 
@@ -40,7 +41,7 @@ struct KerrPhoton {
     std::array<long double, 4> p;
 };
 // The same, less Boyer and Lindquist's; r outside the horizon.
-double kerr_azimuth_ahead(double spin, double r);
+double kerr_azimuth_ahead(const KerrHole& hole, double r);
 
 struct KerrRay {
     Fate fate = Fate::kNoSky;
@@ -73,11 +74,11 @@ struct KerrStep {
 // Is shown every step, in order.
 using KerrWatch = std::function<void(const KerrStep& step)>;
 
-// spin: a/M, [0, 1). Directions within 4e-13 rad and places within 4e-12 r, or what the ray makes of 4e-13 r_s of its
+// hole: a/M in [0, 1), or that and Q/M. Directions within 4e-13 rad and places within 4e-12 r, or what the ray makes of 4e-13 r_s of its
 // impact parameter. About 0.2 ms.
-KerrRay trace_kerr(double spin, const KerrStart& start, int most_crossings, const KerrWatch& watch = {});
+KerrRay trace_kerr(const KerrHole& hole, const KerrStart& start, int most_crossings, const KerrWatch& watch = {});
 // falls: the camera's clock is v - r.
-KerrRay trace_kerr(double spin, const KerrPhoton& photon, int most_crossings, bool falls = false,
+KerrRay trace_kerr(const KerrHole& hole, const KerrPhoton& photon, int most_crossings, bool falls = false,
                    const KerrWatch& watch = {});
 
 }  // namespace nullscope::reference

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "spacetime/axial_metric.h"
+#include "spacetime/circular_orbit.h"
 
 namespace nullscope {
 namespace {
@@ -29,12 +29,10 @@ Silhouette silhouette(const Spacetime& spacetime, const RayFan* fan, double came
     return {2.0 * by, (1.0 / t - t) * by};
 }
 
-// Of a hole with a = spin, r_s: light that is on its way in there does not turn any more (Bardeen, Press and Teukolsky 1972).
-double innermost_photon_orbit(double spin) { return 1.0 + std::cos(2.0 / 3.0 * std::acos(-2.0 * std::fabs(spin))); }
-
 // Radii about the centre between which all bodies lie that are found by strides, and the shortest stride: a thirtieth of the thinnest.
-void put_march(FrameData& frame, const Scene& scene, const AxialMetric* axial, const BallPath* ball_path) {
+void put_march(FrameData& frame, const Scene& scene, const Spacetime& spacetime, const BallPath* ball_path) {
     constexpr double kStride = 1.0 / 32;
+    const bool planar = spacetime.planar_rays();
     double reaches[2] = {0.0, 0.0}, thinnest = 1e30, ground = 1e30;  // near, far
     const auto holds = [&](bool far, double radius, double from) {
         reaches[far] = std::max(reaches[far], radius), ground = std::min(ground, from);
@@ -48,7 +46,7 @@ void put_march(FrameData& frame, const Scene& scene, const AxialMetric* axial, c
               ball_path != nullptr ? std::max(ball_path->ground, 0.0) : length(b->position) - b->radius);
         thinnest = std::min(thinnest, b->radius);
     }
-    if (scene.sphere && (axial != nullptr || scene.sphere->swing > 0.0)) {
+    if (scene.sphere && (!planar || scene.sphere->swing > 0.0)) {
         holds(false, scene.sphere->radius * (1.0 + scene.sphere->swing),
               scene.sphere->radius * (1.0 - scene.sphere->swing));
         thinnest = std::min(thinnest, scene.sphere->radius * (1.0 - scene.sphere->swing));
@@ -59,8 +57,8 @@ void put_march(FrameData& frame, const Scene& scene, const AxialMetric* axial, c
     }
     const auto with_margin = [&](double reach) { return 1.001 * reach + 4 * kStride * thinnest; };
     const double least = 0.999 * ground;
-    frame.march = {with_margin(reaches[0]), kStride * thinnest, axial != nullptr ? least : with_margin(reaches[1]),
-                   std::min(least, axial != nullptr ? innermost_photon_orbit(axial->a()) : kAnyRadius)};
+    frame.march = {with_margin(reaches[0]), kStride * thinnest, planar ? with_margin(reaches[1]) : least,
+                   std::min(least, planar ? kAnyRadius : light_orbit(spacetime))};
 }
 
 FrameVector sphere_form(const SphereSpec& sphere, const Scene& scene, const Spacetime& spacetime, const RayFan* fan) {
@@ -94,7 +92,7 @@ void put_bodies(FrameData& frame, const Scene& scene, const Spacetime& spacetime
                               scene.time};
         put_look(frame.surface_map, frame.surface_colour, frame.surface_second, surface->look);
     }
-    put_march(frame, scene, spacetime.axial(), ball_path);
+    put_march(frame, scene, spacetime, ball_path);
 }
 
 void put_patterns(FrameData& frame, const Scene& scene) {

@@ -1,6 +1,7 @@
 #include "spacetime/circular_orbit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace nullscope {
@@ -38,16 +39,32 @@ std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r
     return equator ? orbit_in(*equator) : std::nullopt;
 }
 
+namespace {
+
+// Halves (inside, outside) in 1/r; is(r): is it outside?
+template <class Is>
+std::array<double, 2> divided(double inside_r, const Is& is) {
+    double outside = 1.0 / kFarthestStable, inside = 1.0 / inside_r;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = 0.5 * (outside + inside);
+        if (middle <= outside || middle >= inside) break;
+        (is(1.0 / middle) ? outside : inside) = middle;
+    }
+    return {outside, inside};
+}
+
+}  // namespace
+
+double light_orbit(const Spacetime& spacetime) {
+    return 1.0 /
+           divided(*spacetime.horizon_radius(), [&](double r) { return circular_orbit(spacetime, r).has_value(); })[1];
+}
+
 std::optional<double> innermost_stable_orbit(const Spacetime& spacetime) {
     const auto sphere = spacetime.photon_sphere();
     const auto least = sphere ? sphere->radius : spacetime.horizon_radius();
     if (!least || !spacetime.equator(*least)) return std::nullopt;
-    double outside = 1.0 / kFarthestStable, inside = 1.0 / *least;
-    for (int i = 0; i < kHalvings; ++i) {
-        const double middle = 0.5 * (outside + inside);
-        if (middle <= outside || middle >= inside) break;
-        (stable(*spacetime.equator(1.0 / middle)) ? outside : inside) = middle;
-    }
+    const auto [outside, inside] = divided(*least, [&](double r) { return stable(*spacetime.equator(r)); });
     return 2.0 / (outside + inside);
 }
 

@@ -23,6 +23,10 @@ struct CircularOrbit {
 // Equator. Flat space: matter at rest.
 std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r);
 
+// Radius in r_s, a rounding inward, of light's own circular orbit towards growing phi, the innermost of all circular
+// orbits: light that is on its way in there does not turn any more. The spacetime must have an Equator and a horizon.
+double light_orbit(const Spacetime& spacetime);
+
 // Radius in r_s of the innermost stable circular orbit; nothing where light runs straight.
 std::optional<double> innermost_stable_orbit(const Spacetime& spacetime);
 
