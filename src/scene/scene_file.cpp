@@ -188,7 +188,11 @@ void SceneReader::check_camera(int key_line) {
 
 void SceneReader::check_place(std::string_view section, const SpacetimeSpec& spec, int key_line) {
     const auto spacetime = make_spacetime(spec.metric, spec.parameters);
-    if (!spacetime) return;
+    if (!spacetime) {  // its parameters, each within its range, do not go together
+        const int at = line(std::string(section) + ".metric");
+        reports_.emplace(at, fmt::format("{}:{}: {}.{}", label_, at, section, spacetime.error().message));
+        return;
+    }
     if (scene_.camera.observer == ObserverKind::kStatic && !camera_can_rest(**spacetime, scene_.camera.r)) {
         report(key_line > 0 ? key_line
                             : line(given("camera.r") ? std::string("camera.r") : std::string(section) + ".metric"),

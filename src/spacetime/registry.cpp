@@ -55,7 +55,7 @@ std::span<const MetricEntry> metric_registry() {
            "Charge Q/M: 0 is Schwarzschild, 1 the extremal hole; above there is no horizon, and above 1.06066 no "
            "photon sphere."}},
          make_reissner_nordstrom},
-        {"kerr", "A black hole that spins.", {{"spin", 0.9, 0.0, 0.9999, "Spin a/M: 0 is Schwarzschild."}}, make_kerr},
+        {"kerr", "A rotating black hole.", {{"spin", 0.9, 0.0, 0.9999, "Spin a/M: 0 is Schwarzschild."}}, make_kerr},
         {"neutron-star",
          "A star without spin or charge, with a patterned surface.",
          {{"radius", 2.5, NeutronStar::kLeastRadius, NeutronStar::kLargestRadius,
@@ -104,6 +104,8 @@ Result<std::shared_ptr<const Spacetime>> make_spacetime(const std::string& metri
         }
         complete[name] = value;
     }
+    if (entry->fault != nullptr)
+        if (const auto fault = entry->fault(complete)) return bad_input(*fault);
     return std::shared_ptr<const Spacetime>(entry->make(complete));
 }
 

@@ -65,9 +65,11 @@ View random_view(Random& random) {
     const MetricEntry& entry =
         metrics[static_cast<std::size_t>(random.below(static_cast<int>(metrics.size() * 4))) % metrics.size()];
     view.metric = random.unit() < 0.75 ? "schwarzschild" : std::string(entry.key);
-    if (view.metric == entry.key)
-        for (const MetricParameter& p : entry.parameters)
-            view.parameters[std::string(p.name)] = random.between(p.low, p.high);
+    do {  // until they go together
+        if (view.metric == entry.key)
+            for (const MetricParameter& p : entry.parameters)
+                view.parameters[std::string(p.name)] = random.between(p.low, p.high);
+    } while (!make_spacetime(view.metric, view.parameters));
     const auto spacetime = *make_spacetime(view.metric, view.parameters);
     const double horizon = std::max(spacetime->camera_range().low, 0.0);
     view.r = std::min(horizon + random.log_between(1e-4, 1e9), 1e9);
