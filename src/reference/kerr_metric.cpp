@@ -122,4 +122,10 @@ std::unique_ptr<Metric> make_kerr_metric(const SpacetimeSpec& spec) {
     return std::make_unique<KerrMetric>(KerrHole(spin));
 }
 
+std::unique_ptr<Metric> make_kerr_newman_metric(const SpacetimeSpec& spec) {
+    const double spin = parameter_of(spec, "spin", 0.6), charge = parameter_of(spec, "charge", 0.6);
+    if (spin != 0) return std::make_unique<KerrMetric>(KerrHole(spin, charge));
+    return make_reissner_nordstrom_orbits({"reissner-nordstrom", {{"charge", charge}}});
+}
+
 }  // namespace nullscope::reference

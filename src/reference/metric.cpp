@@ -24,6 +24,7 @@ constexpr std::array kMetrics{
     Entry{"neutron-star", made<make_star_orbits>},
     Entry{"ellis", made<make_ellis_orbits>},
     Entry{"kerr", made<make_kerr_metric>},
+    Entry{"kerr-newman", made<make_kerr_newman_metric>},
     Entry{"dneg-wormhole", made<make_dneg_orbits>},
     Entry{"janis-newman-winicour", made<make_janis_newman_winicour_orbits>},
     Entry{"minkowski", made<make_minkowski_orbits>},

@@ -51,7 +51,8 @@ inline double parameter_of(const SpacetimeSpec& spec, const std::string& name, d
 
 // Errors: a metric the reference does not know.
 Result<std::unique_ptr<Metric>> make_metric(const SpacetimeSpec& spec);
-std::unique_ptr<Metric> make_kerr_metric(const SpacetimeSpec& spec);  // without spin, Schwarzschild's orbits
+std::unique_ptr<Metric> make_kerr_metric(const SpacetimeSpec& spec);         // without spin, Schwarzschild's orbits
+std::unique_ptr<Metric> make_kerr_newman_metric(const SpacetimeSpec& spec);  // ... Reissner and Nordstrom's
 
 inline constexpr double kLargestRadius =
     1e60;  // of a query: the squares of the equations of motion stay within a double

@@ -7,6 +7,7 @@
 #include "spacetime/ellis.h"
 #include "spacetime/janis_newman_winicour.h"
 #include "spacetime/kerr.h"
+#include "spacetime/kerr_newman.h"
 #include "spacetime/minkowski.h"
 #include "spacetime/naked_charge.h"
 #include "spacetime/neutron_star.h"
@@ -56,6 +57,12 @@ std::span<const MetricEntry> metric_registry() {
            "photon sphere."}},
          make_reissner_nordstrom},
         {"kerr", "A rotating black hole.", {{"spin", 0.9, 0.0, 0.9999, "Spin a/M: 0 is Schwarzschild."}}, make_kerr},
+        {"kerr-newman",
+         "A rotating black hole with electric charge.",
+         {{"spin", 0.6, 0.0, 0.9999, "Spin a/M: 0 is Reissner-Nordstrom."},
+          {"charge", 0.6, 0.0, 0.9999, "Charge Q/M: 0 is Kerr. spin^2 + charge^2 stays below 1."}},
+         make_kerr_newman,
+         kerr_newman_fault},
         {"neutron-star",
          "A star without spin or charge, with a patterned surface.",
          {{"radius", 2.5, NeutronStar::kLeastRadius, NeutronStar::kLargestRadius,

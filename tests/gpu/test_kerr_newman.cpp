@@ -1,0 +1,156 @@
+// A rotating hole with charge as the driver draws it: the shadow's edge by the spherical photon orbits, and frames with everything
+// that a rotating hole can have against the reference.
+#include <cmath>
+
+#include "camera/spin_forms.h"
+#include "support/gpu_session.h"
+#include "support/metrics.h"
+
+namespace {
+
+using namespace nullscope;
+using namespace nullscope::test;
+
+constexpr double kEdge_px = 0.02;                 // what is promised of the shadow's edge ...
+constexpr double kRays_px = 0.05;                 // ... and of every ray
+constexpr double kFar = 1000.0;                   // of the observer, r_s
+constexpr double kPixel_rad = 6.0 / kFar / 1080;  // the shadow, some 11 M wide, fills a 1080p frame
+constexpr double kSpin = 0.6, kCharge = 0.6;
+
+Scene charged() {
+    Scene scene;
+    scene.spacetime = {"kerr-newman", {{"spin", kSpin}, {"charge", kCharge}}};
+    scene.camera.observer = ObserverKind::kZamo;
+    return scene;
+}
+
+struct Constants {
+    double lambda, eta;  // L/E and Q/E^2 of the photon orbit at constant r, M = 1
+};
+// With X = r^2 + a^2 - a lambda: X^2 = Delta K and 4 r X = Delta' K, so X = 4 r Delta/Delta' and K = 16 r^2 Delta/Delta'^2.
+Constants spherical_orbit(double r) {
+    const double delta = r * r - 2 * r + kSpin * kSpin + kCharge * kCharge, slope = 2 * r - 2;
+    const double lambda = (r * r + kSpin * kSpin - 4 * r * delta / slope) / kSpin,
+                 k = 16 * r * r * delta / (slope * slope);
+    return {lambda, k - (lambda - kSpin) * (lambda - kSpin)};
+}
+
+// Where eta vanishes between two radii.
+double equatorial(double low, double high) {
+    const bool sign = spherical_orbit(low).eta > 0;
+    for (int i = 0; i < 200; ++i) {
+        const double middle = 0.5 * (low + high);
+        ((spherical_orbit(middle).eta > 0) == sign ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+struct Edge {
+    Constants of;
+    bool vertical;  // the edge is crossed along a column of pixels
+    int outside;    // to the right or upwards: +1
+};
+
+// A line of pixels across the edge, +-2 kEdge_px wide; how far from its middle the furthest pixel with the wrong fate is, px.
+double edge_off_px(GpuSession& session, const Edge& edge, double shift_px) {
+    Scene scene = charged();
+    scene.sky.kind = SkyKind::kBlack;
+    CameraSpec& camera = scene.camera;
+    camera.r = kFar;
+    camera.theta = M_PI / 2;
+    const auto metric = axial(*make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
+    const SpinPlace place = spin_place(*metric, camera.r, camera.theta);
+    const SpinForms f = spin_forms(place, zamo_frame(place));
+    const double lambda = 0.5 * edge.of.lambda;  // r_s
+    const double n_phi = lambda * f.energy.constant / (f.across.around - lambda * f.energy.around),
+                 energy = f.energy.of(0, n_phi);
+    const double n_theta = 0.5 * std::sqrt(std::max(edge.of.eta, 0.0)) * energy / f.p_theta;
+    const double n_r = -std::sqrt(1 - n_theta * n_theta - n_phi * n_phi);
+    camera.yaw = std::atan2(n_phi, -n_r);
+    camera.pitch = std::atan2(-n_theta, std::hypot(n_phi, n_r));
+    (edge.vertical ? camera.pitch : camera.yaw) += shift_px * kPixel_rad;
+    constexpr int kColumns = 401;
+    camera.width = edge.vertical ? 1 : kColumns;
+    camera.height = edge.vertical ? kColumns : 1;
+    const double step = 4 * kEdge_px / kColumns;
+    camera.plane_width = step * kPixel_rad * camera.width;
+    const RayFrame frame = gl_ray_data(session, scene);
+    double worst = 0;
+    for (int i = 0; i < kColumns; ++i) {
+        const double from = (i - kColumns / 2) * step * edge.outside;
+        const RayPixel& pixel = edge.vertical ? frame.at(0, kColumns - 1 - i) : frame.at(i, 0);
+        if ((pixel.fate == Fate::kEscaped) != (from > 0)) worst = std::max(worst, std::abs(from));
+    }
+    return worst;
+}
+
+TEST_CASE(
+    "kerr-newman: the shadow's edge is the critical curve of the spherical photon orbits, a = Q = 0.6 M, to 0.02 px") {
+    const double prograde = equatorial(1.6, 2.8), retrograde = equatorial(2.8, 4);
+    REQUIRE(std::abs(spherical_orbit(prograde).eta) < 1e-9);
+    REQUIRE(std::abs(spherical_orbit(retrograde).eta) < 1e-9);
+    on_every_context([&](GpuSession& session) {
+        for (const Edge& edge :
+             {Edge{spherical_orbit(prograde), false, -1}, Edge{spherical_orbit(retrograde), false, 1},
+              Edge{spherical_orbit(0.5 * (prograde + retrograde)), true, 1},
+              Edge{spherical_orbit(0.7 * prograde + 0.3 * retrograde), true, 1}}) {
+            const double off = edge_off_px(session, edge, 0);
+            fmt::print("{:<7} kerr-newman: lambda {:8.5f} M, eta {:8.5f} M^2: edge off by {:.5f} px at most\n",
+                       session.context->kind(), edge.of.lambda, edge.of.eta, off);
+            CHECK(off <= kEdge_px);
+            CHECK(edge_off_px(session, edge, 1.5 * kEdge_px) > kEdge_px);  // a shifted edge is seen
+        }
+    });
+}
+
+TEST_CASE("kerr-newman: frames with disc, bodies, light times and falling cameras are the reference's") {
+    struct View {
+        const char* name;
+        void (*set)(Scene&);
+    };
+    const View views[] = {
+        {"sky", [](Scene&) {}},
+        {"disc", [](Scene& s) { s.disc = DiscSpec{}, s.disc->inner = 1.0, s.disc->outer = 7.0; }},
+        {"disc, light times",
+         [](Scene& s) { s.disc = DiscSpec{}, s.disc->inner = 1.0, s.disc->flow = DiscFlowKind::kKepler; }},
+        {"ball and cylinder",
+         [](Scene& s) {
+             s.ball.emplace().position = {3, 2, 0.5}, s.ball->radius = 0.8;
+             s.cylinder.emplace().inner = 2, s.cylinder->outer = 5, s.cylinder->height = 0.2;
+         }},
+        {"planet",
+         [](Scene& s) {
+             s.ball.emplace().position = {4, 0, 0}, s.ball->radius = 0.7;
+             s.ball->motion = BallMotion::kOrbit, s.time = 20;
+         }},
+        {"rain outside", [](Scene& s) { s.camera.observer = ObserverKind::kRain, s.camera.r = 2.0; }},
+        {"rain inside",
+         [](Scene& s) {
+             s.camera.observer = ObserverKind::kRain, s.camera.r = 0.6;  // horizons at 0.765 and 0.235 r_s
+             s.disc = DiscSpec{}, s.disc->inner = 1.2;
+         }},
+        {"moving", [](Scene& s) {
+             s.camera.velocity = {0.3, 0.2, -0.4};
+         }}};
+    on_every_context([&](GpuSession& session) {
+        if (session.context->kind() == std::string("osmesa")) return;  // the same driver
+        for (const View& view : views) {
+            CAPTURE(view.name);
+            Scene scene = charged();
+            scene.sky.kind = SkyKind::kBlack;
+            scene.camera.r = 8, scene.camera.theta = 1.3, scene.camera.yaw = 0.1;
+            scene.camera.plane_width = 1.4, scene.camera.width = 64, scene.camera.height = 36;
+            view.set(scene);
+            const RayMeasures m = measure_rays(gl_ray_data(session, scene), scene.camera, reference_trace(scene));
+            const double finer = 1920.0 / scene.camera.width;
+            fmt::print("kerr-newman, {:<18}: sky {:.4f}, places {:.4f}, g {:.4f} px of 1080p; fate errors {}\n",
+                       view.name, m.sky_px.max * finer, m.place_px.max * finer, m.g_px.max * finer, m.fate_errors);
+            CHECK(m.sky_px.max * finer <= kRays_px);
+            CHECK(m.place_px.max * finer <= kRays_px);
+            CHECK(m.fate_errors == 0);
+            CHECK(m.not_finite == 0);
+        }
+    });
+}
+
+}  // namespace
