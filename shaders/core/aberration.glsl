@@ -2,12 +2,12 @@
 // of motion divided by the stretch S = sqrt((1+v)/(1-v)) (Penrose 1959). Exact to rounding for rays along and against it.
 
 struct Aberration {
-    vec3 direction;   // unit look direction as the static observer sees it
+    vec3 direction;   // unit view direction as the static observer sees it
     float squeeze;    // angles in the static frame over angles in the camera's
     float doppler;    // frequency in the camera over frequency in the static frame
 };
 
-// n: unit look direction in the camera's rest frame (world axes); motion: unit. stretch >= 1: of directions, colour: of frequencies.
+// n: unit view direction in the camera's rest frame (world axes); motion: unit. stretch >= 1: of directions, colour: of frequencies.
 // They are the same, but where one of both is left out: 1.
 Aberration aberrate(vec3 n, vec3 motion, float stretch, float colour) {
     vec3 minus = n - motion;

@@ -22,7 +22,7 @@ vec4 orbit_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(x, y), 0
 
 struct OrbitPoint {
     float zeta;         // r_s / r
-    float along;        // d zeta / d phi at fixed look direction
+    float along;        // d zeta / d phi at fixed view direction
     float across;       // d zeta / d |delta| at fixed phi
 };
 

@@ -6,7 +6,7 @@ struct PlaneMeeting {
     vec3 direction;   // unit vector from the centre to it (crossing k: times (-1)^k)
 };
 
-// crossed = n x e of the unit look direction n and the outward radial e, s = |crossed|; normal of the plane, height = normal . e
+// crossed = n x e of the unit view direction n and the outward radial e, s = |crossed|; normal of the plane, height = normal . e
 // (exactly 0 in the plane). The meeting lies along normal x crossed: formed from crossed, not from n, it keeps its digits for a
 // camera so far away that all rays of interest are nearly radial.
 PlaneMeeting plane_meet(vec3 crossed, vec3 e, float s, vec3 normal, float height) {

@@ -2,7 +2,7 @@
 //
 // The slides' indices (q, zeta0) enter as k = q / q_crit and as the angle of the camera on the ray:
 //   V(zeta) = A zeta^2 = q_crit^2 sin^2(chi)   (chi: 0 at infinity, pi/2 on the photon sphere, pi at the horizon)
-//   V(zeta0) = q^2 sin^2(alpha)                (alpha: static-frame angle between look direction and outward radial)
+//   V(zeta0) = q^2 sin^2(alpha)                (alpha: static-frame angle between view direction and outward radial)
 //
 // Sheets: TURNING (k < 1: the ray turns at sin(alpha) = 1; one sheet for each side of the photon sphere), coordinates
 //   x = 1 - sqrt(1 - k), y = alpha / pi;

@@ -1,5 +1,5 @@
 // Method integrate: the orbit equation zeta'' = -V'(zeta)/2 step by step in phi, until zeta falls to 0. STEP_ORDER 1 (Euler, the
-// yardstick: what most viewers do), 4 (Runge and Kutta) or 6 (RKN6(4)6FM of Dormand, El-Mikkawy and Prince 1987).
+// baseline: what most viewers do), 4 (Runge and Kutta) or 6 (RKN6(4)6FM of Dormand, El-Mikkawy and Prince 1987).
 // Step: STEP_ANGLE / sqrt(1 + 3 zeta), at most STEP_MOST of them. The verdict escaped or captured is the critical angle's.
 #include "generated/metric"
 #include "method/by_angle.glsl"

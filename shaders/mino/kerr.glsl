@@ -1,4 +1,4 @@
-// Light about a spinning hole, step by step. Units r_s = 1 (M = 1/2); a: angular momentum over mass; zeta = 1/r.
+// Light about a rotating hole, step by step. Units r_s = 1 (M = 1/2); a: angular momentum over mass; zeta = 1/r.
 //
 // In Mino's time tau (d lambda = Sigma d tau) radius and polar angle part, and with a unit vector n on the sphere instead of polar
 // angle and azimuth every right side is a polynomial: no turning point, no pole, no sign to choose. For the tangent of a ray traced

@@ -1,5 +1,5 @@
-// The yardstick for mino/kerr.glsl: Hamilton's equations in Cartesian Kerr-Schild coordinates, the classic fourth-order Runge-Kutta step by
-// step, as most renderers of spinning holes do it. A sky alone. What is traced is the ray's mirror image under (t, phi) -> (-t, -phi), which
+// The baseline for mino/kerr.glsl: Hamilton's equations in Cartesian Kerr-Schild coordinates, the classic fourth-order Runge-Kutta step by
+// step, as most renderers of rotating holes do it. A sky alone. What is traced is the ray's mirror image under (t, phi) -> (-t, -phi), which
 // falls in where the chart is regular. KERR_SCHILD_STEP: of a step, times the radius.
 #include "mino/ray.glsl"
 #include "shared/frame.glsl"

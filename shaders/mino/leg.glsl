@@ -1,4 +1,4 @@
-// Where a ray about a spinning hole (mino/kerr.glsl) is within a step, by the fraction s of it.
+// Where a ray about a rotating hole (mino/kerr.glsl) is within a step, by the fraction s of it.
 #include "mino/kerr.glsl"
 #include "shared/frame.glsl"
 

@@ -1,4 +1,4 @@
-// Solid bodies along a ray about a spinning hole, step by step of its tracer (object/march.glsl).
+// Solid bodies along a ray about a rotating hole, step by step of its tracer (object/march.glsl).
 #include "core/trig.glsl"
 #include "object/march.glsl"
 #include "object/solid_hit.glsl"

@@ -1,4 +1,4 @@
-// Where a ray about a spinning hole is within a step (mino/leg.glsl), in flat coordinates about the centre: for solid bodies. In place of
+// Where a ray about a rotating hole is within a step (mino/leg.glsl), in flat coordinates about the centre: for solid bodies. In place of
 // place.glsl, for rays that stay in planes.
 #include "mino/leg.glsl"
 #include "shared/frame.glsl"

@@ -1,11 +1,11 @@
-// How a ray about a spinning hole starts at the camera (mino/kerr.glsl). Look directions are along (e_r, e_theta, e_phi) of the observer's own
+// How a ray about a rotating hole starts at the camera (mino/kerr.glsl). View directions are along (e_r, e_theta, e_phi) of the observer's own
 // frame (spacetime/spin_frame.h).
 #include "mino/kerr.glsl"
 #include "shared/frame.glsl"
 
 float spin_form(vec4 form, vec3 n) { return form.x + form.y * n.x + form.z * n.z; }
 
-// n: unit look direction along (e_r, e_theta, e_phi). Every constant is a product or a sum that keeps its digits.
+// n: unit view direction along (e_r, e_theta, e_phi). Every constant is a product or a sum that keeps its digits.
 SpinRay spin_ray(vec3 n) {
     SpinRay ray;
     ray.a = frame.spin_hole.x;

@@ -1,4 +1,4 @@
-// The way that is marched along: a step of a ray about a spinning hole, by the fraction of it (object/march.glsl).
+// The way that is marched along: a step of a ray about a rotating hole, by the fraction of it (object/march.glsl).
 #include "generated/bodies_march"
 #include "mino/place.glsl"
 

@@ -6,7 +6,7 @@
 // looked for too.
 //
 // MarchWay, way_place, way_value and way_pixel: the way that is marched along by a growing number (planar/march.glsl: the swept angle of an orbit;
-// mino/march.glsl: the fraction of a step about a spinning hole), the place there, the value, and how wide a pixel is.
+// mino/march.glsl: the fraction of a step about a rotating hole), the place there, the value, and how wide a pixel is.
 #include "generated/bodies_march"
 #include "path/place"
 #include "path/way"

@@ -20,7 +20,7 @@
 struct Trace {
     float doppler;        // frequency in the camera over frequency in the radial frame
     float pixel_angle;    // angle that one pixel spans here, rad, in the radial frame
-    vec2 side;            // components of the unit look direction n along frame.meridian and frame.transverse
+    vec2 side;            // components of the unit view direction n along frame.meridian and frame.transverse
     float s;              // |n x e| = |side|
     float c;              // n . e
     bool escapes;

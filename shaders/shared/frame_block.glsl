@@ -3,7 +3,7 @@
 // Members of an effect that is off are not in the block; C++ has them all.
 struct FrameData {
     vec4 image;        // width, height in px, pixel's angle at the image centre (rad), exposure factor
-    vec4 ray_0;        // look direction of pixel (x, y), not normalised: ray_0 + x ray_x + y ray_y, world axes, .w = 0;
+    vec4 ray_0;        // view direction of pixel (x, y), not normalised: ray_0 + x ray_x + y ray_y, world axes, .w = 0;
     vec4 ray_x;        //   x, y in px from the image centre, y up
     vec4 ray_y;
     vec4 polar_0;      // the same direction along `meridian`, `transverse`, `radial` and (.w) along the critical direction's
@@ -73,7 +73,7 @@ struct FrameData {
     vec4 surface_second;
 #endif
 #ifdef BLOCK_MARCH
-    vec4 march;          // radius about the centre that holds all bodies (of a wormhole those on the near side), shortest stride, that on the far side, about a spinning hole the least radius of a body; there the radius within which no ray on its way in meets one
+    vec4 march;          // radius about the centre that holds all bodies (of a wormhole those on the near side), shortest stride, that on the far side, about a rotating hole the least radius of a body; there the radius within which no ray on its way in meets one
 #endif
 #ifdef BLOCK_DISC_PATTERN
     vec4 disc_coat_map;     // as a body's: rotation, columns, rows; colours
@@ -103,8 +103,8 @@ struct FrameData {
     vec4 ball_path;    // how long ago light left at the first node, 1/step, number of cells, largest speed
 #endif
 #ifdef BLOCK_SPIN
-    // Of a spinning hole (mino/trace.glsl): look directions, motion and ray_0, ray_x, ray_y are then along (e_r, e_theta, e_phi) of
-    // the observer's own frame. Forms of the tangent of the ray traced backward, for unit frequency in that frame; n: look direction.
+    // Of a rotating hole (mino/trace.glsl): view directions, motion and ray_0, ray_x, ray_y are then along (e_r, e_theta, e_phi) of
+    // the observer's own frame. Forms of the tangent of the ray traced backward, for unit frequency in that frame; n: view direction.
     vec4 spin_hole;    // a, a^2, radii of the outer and of the inner horizon
     vec4 spin_energy;  // E = x + y n_r + z n_phi; p_theta = w n_theta
     vec4 spin_across;  // L/sin(theta) = x + y n_r + z n_phi; of L/sin(theta) - a E sin(theta) = w + (spin_climb.w) n_phi

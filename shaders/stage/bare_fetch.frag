@@ -1,4 +1,4 @@
-// A yardstick of cost: one cube-map fetch a pixel and nothing else.
+// A baseline of cost: one cube-map fetch a pixel and nothing else.
 #include "shared/frame.glsl"
 
 uniform samplerCube sky_texture;

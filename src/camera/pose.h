@@ -28,7 +28,7 @@ void set_axes(CameraSpec& camera, const Mat3& axes);
 //   camera_tetrad       rounded to double: within 1e-15 gamma^2 (measured: 5.0e-16 gamma^2);
 //   camera_tetrad_pair  each component as an unevaluated sum high + low of two doubles: within 1e-12 absolute for all
 //                       speeds to 0.999999 c (measured: 1.7e-13). Needs a long double of 64 bits or more.
-// Both against Spacetime::metric as it is rounded to double. Of a static camera (about a spinning hole: without angular momentum); observer is not looked at. Errors: r at or below the horizon,
+// Both against Spacetime::metric as it is rounded to double. Of a static camera (about a rotating hole: without angular momentum); observer is not looked at. Errors: r at or below the horizon,
 // |velocity| >= 1, theta outside [0, pi], or on the axis, where the coordinate phi gives no direction
 // (world_from_static and static_from_camera have no such exception).
 struct TetradPair {
@@ -41,7 +41,7 @@ Result<Matrix4> camera_tetrad(const Spacetime& spacetime, const CameraSpec& came
 
 // The same of any observer (scene/observer.h), also on and inside the horizon, in ingoing coordinates (v, r, theta, phi), v = t + r_*:
 //     ds^2 = -A dv^2 + 2 dv dr + R^2 dOmega^2,
-// which every metric here has (B = 1/A); about a spinning hole those of spacetime/spin_frame.h. Orthonormal within 1e-12 for velocities to
+// which every metric here has (B = 1/A); about a rotating hole those of spacetime/spin_frame.h. Orthonormal within 1e-12 for velocities to
 // 0.999999 c in the observer's frame.
 Matrix4 ingoing_metric(const Spacetime& spacetime, double r, double theta);
 Result<TetradPair> ingoing_tetrad_pair(const Spacetime& spacetime, const CameraSpec& camera);
@@ -49,11 +49,11 @@ Result<TetradPair> ingoing_tetrad_pair(const Spacetime& spacetime, const CameraS
 Result<TetradPair> ingoing_hat_pair(const Spacetime& spacetime, const CameraSpec& camera);
 Matrix4 ingoing_hat_metric(const Spacetime& spacetime, double r, double theta);
 
-// Pixel position on the projection plane: column x, row y from the top, pixel centres at +0.5. Look direction in camera
+// Pixel position on the projection plane: column x, row y from the top, pixel centres at +0.5. View direction in camera
 // axes (right, up, backward), not normalised: (X, Y, -1).
 Vec3 pixel_direction(const CameraSpec& camera, double x, double y);
 
-// A unit look direction seen in the camera's rest frame, as the static observer at the same place sees it, and the
+// A unit view direction seen in the camera's rest frame, as the static observer at the same place sees it, and the
 // ratio D = (frequency in the camera) / (frequency in the static frame) = gamma (1 + v . n_static). n_camera along the
 // static axes (already rotated by static_from_camera). The motion bunches the sky forward: the static angle from the
 // motion is larger, tan(theta_static / 2) = sqrt((1 + v)/(1 - v)) tan(theta_camera / 2). Product form: exact to

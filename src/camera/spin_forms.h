@@ -1,4 +1,4 @@
-// The camera about a spinning hole: what a look direction n along its frame's (e_r, e_theta, e_phi) gives for the tangent of the ray traced
+// The camera about a rotating hole: what a view direction n along its frame's (e_r, e_theta, e_phi) gives for the tangent of the ray traced
 // backward, per unit of frequency there. Every one is a linear form of n, formed here in double (the photon's have the other sign):
 //     E, L/sin(theta) and d(1/r)/d tau (tau: Mino's time) = constant + radial n_r + around n_phi,
 //     L/sin(theta) - a E sin(theta) = carter + carter_slope n_phi,   p_theta = p_theta n_theta.

@@ -5,7 +5,7 @@
 // A vector X has M = X^v, N = A X^v - 2 X^r, Phi and n across, along the motion and along the plane's normal; parallel transport is
 //     dM = -(A'/2) v' M + (L R'/R^2) Phi,  dN = (A'/2) v' N - A (L R'/R^2) Phi,  dPhi = -(L R'/R^2) (A M - N)/2,  dn = 0:
 // regular at the horizon. In a radial frame (spacetime/radial_frame.h) X^t + X^r = outward M and X^t - X^r = N/outward.
-// About a spinning hole: spin_worldline.h.
+// About a rotating hole: spin_worldline.h.
 #pragma once
 #include <array>
 #include <memory>
@@ -24,7 +24,7 @@ enum class WorldlineEnd {
     kOpen,
     kSingularity,
     kSurface
-};  // kSurface: of a star; or as far inside a charged hole as there is a picture, or a spinning one
+};  // kSurface: of a star; or as far inside a charged hole as there is a picture, or a rotating one
 
 class Worldline {
 public:
@@ -71,7 +71,7 @@ private:
     std::vector<Node> nodes_;
     WorldlineEnd end_ = WorldlineEnd::kOpen;
     std::optional<double> horizon_time_;
-    std::shared_ptr<const SpinWorldline> spun_;  // about a spinning hole: instead of all but what is said of it
+    std::shared_ptr<const SpinWorldline> spun_;  // about a rotating hole: instead of all but what is said of it
 };
 
 }  // namespace nullscope

@@ -1,4 +1,4 @@
-// nullscope bench accuracy: error and cost of every method and table size, about a spinning hole of every step and order, in one run, costs drawn in turn.
+// nullscope bench accuracy: error and cost of every method and table size, about a rotating hole of every step and order, in one run, costs drawn in turn.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,9 +31,9 @@ struct Options {
 constexpr double k4kWidth = 3840;
 constexpr int kErrorWidth = 384, kErrorHeight = 216;  // a 4K frame of 90 degrees, every tenth pixel each way
 constexpr int kSpinErrorWidth = 160,
-              kSpinErrorHeight = 90;      // the same, every 24th: the reference takes steps about a spinning hole
+              kSpinErrorHeight = 90;      // the same, every 24th: the reference takes steps about a rotating hole
 constexpr double kRefineAbove_px = 5e-5;  // of this frame: 0.0005 px of the 4K frame
-constexpr double kNear = 1.5;             // horizon radii: nearer cameras about a spinning hole are reported apart
+constexpr double kNear = 1.5;             // horizon radii: nearer cameras about a rotating hole are reported apart
 constexpr int kTimeWidth = 1280, kTimeHeight = 720;
 
 const std::vector<std::string>& methods() {
@@ -144,7 +144,7 @@ struct Row {
 
 bool is_default(const Method& method) { return method == Method{} || method == Method{.kind = MethodKind::kMino}; }
 
-// Each camera sees the whole sky, and then a disc that covers as much of it as a disc can; about a spinning hole the sky alone, which every method draws.
+// Each camera sees the whole sky, and then a disc that covers as much of it as a disc can; about a rotating hole the sky alone, which every method draws.
 std::vector<Scene> views(const SpacetimeSpec& spec, const Spacetime& spacetime) {
     std::vector<Scene> list;
     const bool spins = !spacetime.planar_rays();
@@ -173,7 +173,7 @@ Status measure_errors(Session& session, const std::vector<Scene>& scenes, double
             auto pixels = reference::trace_pixels(scene, positions);
             return pixels ? std::move(*pixels) : std::vector<RayPixel>(positions.size());
         };
-        // A spinless hole's exact ray costs less than to look it up.
+        // A non-rotating hole's exact ray costs less than to look it up.
         const ExactTrace trace =
             effect_set(required_effects(scene)).contains(Effect::kSpin) ? remembered_trace(scene) : plain;
         const bool near = scene.camera.r < near_radius;
@@ -316,7 +316,7 @@ void print_table(const std::vector<Row>& rows, double floor_core) {
     }
 }
 
-// About a spinning hole: no tables, no discs, but steps.
+// About a rotating hole: no tables, no discs, but steps.
 void print_spin_table(const std::vector<Row>& rows, double floor_core) {
     const auto own = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return is_default(row.method); });
     fmt::print(
@@ -334,7 +334,7 @@ void print_spin_table(const std::vector<Row>& rows, double floor_core) {
     }
 }
 
-// What every method for spinning holes draws: the sky, and no time to pass.
+// What every method for rotating holes draws: the sky, and no time to pass.
 Scene sky_alone(const Scene& scene) {
     Scene alone;
     alone.name = scene.name, alone.spacetime = scene.spacetime, alone.camera = scene.camera, alone.sky = scene.sky;
@@ -410,7 +410,7 @@ int run(const Options& options) {
 void add_bench_accuracy(Command& bench) {
     auto options = std::make_shared<Options>();
     Command& command = bench.add_command("accuracy",
-                                         "Error and cost of every way of tracing, about a spinning hole of its steps "
+                                         "Error and cost of every way of tracing, about a rotating hole of its steps "
                                          "and orders, as a table, a diagram and JSON; some minutes");
     command.add_option("scenes", &options->scenes, "Scenes whose spacetime and sky are used").show_default();
     context_option(command, options->context);

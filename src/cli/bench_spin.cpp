@@ -1,4 +1,4 @@
-// nullscope bench spin: the shader of a spinning hole against a march in Kerr-Schild coordinates (shaders/mino/kerr_schild.glsl). First the
+// nullscope bench spin: the shader of a rotating hole against a march in Kerr-Schild coordinates (shaders/mino/kerr_schild.glsl). First the
 // screen errors of both against the reference; then, with the march's steps as long as ours allows at the 99.9th percentile, what a frame of
 // each costs, drawn in turn; and how many steps our rays take.
 #include <fmt/format.h>
@@ -157,7 +157,7 @@ int run(const Options& options) {
 void add_bench_spin(Command& bench) {
     auto options = std::make_shared<Options>();
     Command& command = bench.add_command(
-        "spin", "A spinning hole's rays against a march in Kerr-Schild coordinates: errors, then cost");
+        "spin", "A rotating hole's rays against a march in Kerr-Schild coordinates: errors, then cost");
     command.add_option("--size", &options->size, "Frame size, WIDTHxHEIGHT").show_default();
     context_option(command, options->context);
     command.add_option("--frames", &options->frames, "Frames of each kind").in_range(3, 10000).show_default();

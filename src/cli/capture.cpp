@@ -32,7 +32,7 @@ Result<Method> chosen_method(const CaptureOptions& options, const Scene& scene) 
         // The renderer takes the default for auto.
         if (method && *method == Method{} && effect_set(required_effects(scene)).contains(Effect::kSpin))
             return bad_input(
-                "method strip is not there for a spinning hole; allowed: auto, mino[:ORDER[:STEP]], kerr-schild:STEP");
+                "method strip is not there for a rotating hole; allowed: auto, mino[:ORDER[:STEP]], kerr-schild:STEP");
         return method;
     }
     const auto measured = load_frontier(assets_directory() / "frontier.csv");
@@ -281,7 +281,7 @@ void add_capture(Command& parent) {
     command
         .add_option("--method", &options->method,
                     "How the shader traces: auto (see --max-error), strip, table[:SIZE[:LOOKUP]], closed-form, "
-                    "integrate[:ORDER[:STEP]], euler:STEPS; of a spinning hole mino[:ORDER[:STEP]], of its sky alone "
+                    "integrate[:ORDER[:STEP]], euler:STEPS; of a rotating hole mino[:ORDER[:STEP]], of its sky alone "
                     "also mino:4 and kerr-schild:STEP")
         .show_default();
     command

@@ -168,14 +168,14 @@ void read_general(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
     query.theta = row.number(kTheta, 0, M_PI, "theta in [0, pi]");
     query.phi = row.number(kPhi, -1e6, 1e6, "phi in [-1e6, 1e6] rad");
     const auto component = [&](Column c) {
-        return row.number(c, -1e300, 1e300, "a component of the look direction, [-1e300, 1e300]");
+        return row.number(c, -1e300, 1e300, "a component of the view direction, [-1e300, 1e300]");
     };
     const Vec3 n{component(kNr), component(kNtheta), component(kNphi)};
     const double largest = std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)});
     if (largest > 0.0)
         query.n = normalized(n / largest);
     else
-        row.report(kNr, "the look direction is zero", "n_r, n_theta, n_phi not all zero");
+        row.report(kNr, "the view direction is zero", "n_r, n_theta, n_phi not all zero");
     if (row.given(kFrame)) {
         const std::string& frame = row.field(kFrame);
         query.frame = frame == "rain" ? LocalFrame::kRain : LocalFrame::kStatic;

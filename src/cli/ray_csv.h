@@ -17,7 +17,7 @@ inline constexpr std::size_t kLargestRayFile = std::size_t{1} << 30;  // bytes
 struct RayRow {
     int line = 0;      // in the file, from 1
     std::string text;  // as it stands there: the output repeats it
-    RayQuery query;    // look direction normalised
+    RayQuery query;    // view direction normalised
 };
 
 struct RayTable {

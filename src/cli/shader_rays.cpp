@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kBatch = 1024;  // rays traced between two reports of progress; bounds what is held of views
 
-// A ray as the shader core takes it: an observer and a look direction.
+// A ray as the shader core takes it: an observer and a view direction.
 struct Start {
     double r, theta, phi;
     Vec3 n;
@@ -45,7 +45,7 @@ std::optional<Start> start_of(const RayQuery& query, const Spacetime& spacetime)
     if (!observer_of(spacetime, there)) return std::nullopt;
     if (query.orbit && falls) {
         if (query.orbit->s > 0)
-            return std::nullopt;  // no look direction of anybody inside: it would have come from the hole
+            return std::nullopt;  // no view direction of anybody inside: it would have come from the hole
         return Start{r, M_PI / 2, 0.0, rain_direction(spacetime, r, query.orbit->q), observer};
     }
     if (query.orbit) {  // sin(alpha) = sqrt(V)/q; its cosine as a product

@@ -23,7 +23,7 @@ struct ShaderRun {
 
 // In the order of the table's rows; nothing for a ray whose camera cannot stand in a static frame outside the horizon
 // (or lies beyond kFarthestCamera). Of a record these stay empty: delay and turn; g unless escaped; `at` beyond half a
-// turn; crossings from the 13th on, and about a spinning hole their windings. done(n): n more rows are traced.
+// turn; crossings from the 13th on, and about a rotating hole their windings. done(n): n more rows are traced.
 Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& scene, const Spacetime& spacetime,
                                                                 const RayTable& table, const ShaderRun& run,
                                                                 const std::function<void(long long)>& done);

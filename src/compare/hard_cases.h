@@ -17,7 +17,7 @@ struct HardCase {
 
 const std::vector<HardCase>& hard_cases();
 
-// What a frame may err by, px: the last bit of the input (a look direction in float, of order 1) times the condition number of the
+// What a frame may err by, px: the last bit of the input (a view direction in float, of order 1) times the condition number of the
 // question, times a small factor for the roundings between them; and the interpolation error of the tables over the same angle.
 // The condition number is 1 / pixel angle, for the screen error has divided out how far the answer moves; a swept angle of many
 // half turns has as much more; and a place on the disc close to the camera is stored with the last bit of its own coordinates.

@@ -19,10 +19,10 @@ Status check_bodies(const Scene& scene, const Metric& matter) {
     if (matter.orbits() || !scene.ball) return Done{};
     const BallSpec& ball = *scene.ball;
     if (ball.motion == BallMotion::kGeodesic)
-        return bad_input("ball.motion: falls are not followed about a spinning hole; allowed: still, orbit, path");
+        return bad_input("ball.motion: falls are not followed about a rotating hole; allowed: still, orbit, path");
     if (ball.motion == BallMotion::kOrbit && std::abs(ball.position.z) > kInPlane * length(ball.position))
         return bad_input(
-            "ball.position: orbits about a spinning hole that leave its equatorial plane are not followed; allowed: z "
+            "ball.position: orbits about a rotating hole that leave its equatorial plane are not followed; allowed: z "
             "= 0");
     return Done{};
 }

@@ -11,7 +11,7 @@ Result<std::vector<std::array<double, 2>>> isoradial(const Scene& scene, double 
     const auto tracer = FrameTracer::make(scene);
     if (!tracer) return tracer.error();
     const PlaneRays* rays = tracer->plane_rays();
-    if (!rays) return bad_input("no isoradials about a spinning hole; allowed: a metric without spin");
+    if (!rays) return bad_input("no isoradials about a rotating hole; allowed: a metric without spin");
     const CameraSpec& camera = scene.camera;
     std::vector<std::array<double, 2>> curve;
     for (int i = 0; i < points; ++i) {

@@ -16,8 +16,8 @@ namespace {
 Result<Vec3> unit_direction(Vec3 n) {
     const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
     if (!std::isfinite(n.x) || !std::isfinite(n.y) || !std::isfinite(n.z))
-        return bad_input("the look direction must be finite");
-    if (largest == 0) return bad_input("the look direction must not be zero");
+        return bad_input("the view direction must be finite");
+    if (largest == 0) return bad_input("the view direction must not be zero");
     return normalized(n / largest);
 }
 

@@ -1,4 +1,4 @@
-// Point stars on the GPU: the vertices of a sky, and their drawing, one pass an image (table/star_lens.h). About a spinning hole the
+// Point stars on the GPU: the vertices of a sky, and their drawing, one pass an image (table/star_lens.h). About a rotating hole the
 // vertices are images, found on the host for every camera (render/star_mesh.h), and one pass draws them.
 #pragma once
 #include <optional>
@@ -15,7 +15,7 @@ class FrameTables;
 class StarField {
 public:
     // Loads what the scene's sky calls for unless it is loaded; where no effect wants stars it drops them. Errors: the catalogue cannot
-    // be read. Some 30 ms for the catalogue, 100 ms for a million stars; about a spinning hole half a second of two cores for every new view (docs/light.md).
+    // be read. Some 30 ms for the catalogue, 100 ms for a million stars; about a rotating hole half a second of two cores for every new view (docs/light.md).
     Status update(const Scene& scene, const FrameTables& tables);
     // Adds the stars to a picture in linear light whose alpha says what shines through. images: how many of each star.
     void draw(const gl::Program& program, unsigned framebuffer, int width, int height, int images) const;

@@ -1,4 +1,4 @@
-// Where the images of stars are about a spinning hole, where the lens has two dimensions and no table: a mesh of rays is laid over the
+// Where the images of stars are about a rotating hole, where the lens has two dimensions and no table: a mesh of rays is laid over the
 // picture, traced by the shader core in double; the triangles of sky that its cells cover say which stars have an image there.
 #pragma once
 #include <vector>

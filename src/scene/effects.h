@@ -74,13 +74,13 @@ struct EffectRow {
 // In the order of the enumerators.
 inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
     {Effect::kLensing, "lensing", "EFFECT_LENSING", "Light follows the null geodesics of the metric.",
-     "spacetime.metric is one that bends light and does not spin, and light.lensing is not \"off\"",
+     "spacetime.metric is one that bends light and does not rotate, and light.lensing is not \"off\"",
      "deflection table, strip; one fetch and two straight lines a pixel"},
-    {Effect::kSpin, "spin", "EFFECT_SPIN", "Light follows the null geodesics of a spinning hole.",
-     "spacetime.metric is kerr and spin is above 0", "some 8 steps of five forces a pixel, at most 64"},
+    {Effect::kSpin, "spin", "EFFECT_SPIN", "Light follows the null geodesics of a rotating hole.",
+     "spacetime.metric is kerr or kerr-newman, and spin is above 0", "some 8 steps of five forces a pixel, at most 64"},
     {Effect::kSpinFall, "spin-fall", "EFFECT_SPIN_FALL",
-     "Rays cross the horizon of a spinning hole to a camera that falls.",
-     "the hole spins, and camera.observer is \"rain\", \"fall\" or \"throw\"", "a square root a force"},
+     "Rays cross the horizon of a rotating hole to a camera that falls.",
+     "the hole rotates, and camera.observer is \"rain\", \"fall\" or \"throw\"", "a square root a force"},
     {Effect::kAberration, "aberration", "EFFECT_ABERRATION",
      "Directions and frequencies are those of a camera that moves in its observer's frame.",
      "camera.velocity is not zero, or camera.observer is \"orbit\", and light.aberration or light.doppler is not "
@@ -127,7 +127,7 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
      "a body's texture is an image", "a picture with mip levels; one fetch where the body is seen"},
     {Effect::kPointStars, "point-stars", "EFFECT_POINT_STARS", "Stars are points, each with all its images.",
      "sky.kind is \"points\"",
-     "a pass of its own: a vertex a star and image; star lens, black body; about a spinning hole a mesh of rays on the "
+     "a pass of its own: a vertex a star and image; star lens, black body; about a rotating hole a mesh of rays on the "
      "host"},
     {Effect::kSky, "sky", "EFFECT_SKY", "Escaped rays show the celestial sphere.",
      "sky.kind is stars, image or points, and there are no sky.even_stars", "a cube map; one fetch a pixel"},
@@ -160,7 +160,7 @@ inline constexpr std::array<EffectRow, kEffectCount> kEffectTable = {{
      "spacetime.metric is a wormhole and there is a body", "a logarithm and a root a stride"},
     {Effect::kDelay, "delay", "EFFECT_DELAY", "Light takes time: what moves is seen where it was when its light left.",
      "something changes with time and light.delay is not \"off\"",
-     "delay map; four fetches and a logarithm a crossing or a look at a body; about a spinning hole a root a force"},
+     "delay map; four fetches and a logarithm a crossing or a look at a body; about a rotating hole a root a force"},
     {Effect::kDiscFlow, "disc-flow", "EFFECT_DISC_FLOW",
      "Every ring of the disc's pattern moves with the matter's speed.", "disc.flow is \"kepler\"",
      "the pattern twice a crossing"},
@@ -201,7 +201,7 @@ private:
 };
 
 bool has_marched(
-    const EffectSet& effects);  // bodies that are found by strides: all but the sphere, and that about a spinning hole
+    const EffectSet& effects);  // bodies that are found by strides: all but the sphere, and that about a rotating hole
 bool has_solids(const EffectSet& effects);     // any solid body
 bool shades_heat(const EffectSet& effects);    // black bodies in the picture's shader: the table of their light
 bool meets_objects(const EffectSet& effects);  // anything that needs positions along rays: ray ends, orbit map

@@ -112,7 +112,7 @@ Status check_light_parts(const Spacetime& spacetime, const Scene& scene) {
         return Done{};
     if (!spacetime.planar_rays())
         return bad_input(
-            "a part of light is off about a hole that spins; allowed: light.lensing, doppler, gravity and aberration "
+            "a part of light is off about a rotating hole; allowed: light.lensing, doppler, gravity and aberration "
             "on, or spin = 0");
     return bad_input(
         fmt::format("camera.observer = \"{}\" while a part of light is off; allowed: static or orbit with "

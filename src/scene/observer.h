@@ -4,7 +4,7 @@
 // is on a circular geodesic towards growing phi, kCounterOrbit towards falling phi. `velocity` is a boost on top, along the axes of the
 // observer's own frame.
 //
-// About a spinning hole (spacetime/spin_frame.h) kStatic rests against the far sky, kZamo has no angular momentum, kCarter sees the
+// About a rotating hole (spacetime/spin_frame.h) kStatic rests against the far sky, kZamo has no angular momentum, kCarter sees the
 // principal light straight outward and inward; the first two are one without spin, and so is the third. What falls has no angular
 // momentum, kFall the energy of kZamo at fall_from.
 #pragma once

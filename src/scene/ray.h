@@ -19,7 +19,7 @@ enum class Fate { kEscaped = 0, kCaptured = 1, kOtherSide = 2, kNoSky = 3, kHit 
 enum class Object { kNone = 0, kDisc = 1, kSphere = 2, kCylinder = 3, kBall = 4, kSurface = 5, kStar = 6 };
 
 // A ray traced backward in time from a camera.
-// General form: position (r, theta, phi) and unit look direction n = (n_r, n_theta, n_phi) in the local static frame.
+// General form: position (r, theta, phi) and unit view direction n = (n_r, n_theta, n_phi) in the local static frame.
 // In wormholes r is the proper distance l from the throat, negative on the far side.
 // Reduced form (orbit set): q = E r_s / L, zeta0 = r_s / r, s = +1 towards the hole, -1 away; the orbital plane is then the
 // equatorial plane, the camera at phi = 0 and the ray moves towards growing phi. Wormholes: q = 1 over impact parameter, zeta0

@@ -25,7 +25,7 @@ enum class ObserverKind { kStatic, kRain, kFall, kThrow, kOrbit, kZamo, kCarter,
 struct CameraSpec {
     double r = 15.0;      // > 0, outside the horizon for a static camera
     double theta = 1.48;  // polar angle, [0, pi]
-    double phi = 0.0;  // azimuth; about a spinning hole, of an observer that falls, the one of spacetime/spin_frame.h
+    double phi = 0.0;  // azimuth; about a rotating hole, of an observer that falls, the one of spacetime/spin_frame.h
     double yaw = 0.0, pitch = 0.0, roll = 0.0;
     ObserverKind observer = ObserverKind::kStatic;
     double fall_from = 1e6;  // kFall: radius of rest, r_s

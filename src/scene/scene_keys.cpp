@@ -69,7 +69,7 @@ constexpr SceneKey kKeys[] = {
      "Polar angle: 0 above the north pole, 90 in the disc's plane.",
      [](Scene& s, const KeyValue& v) { s.camera.theta = v.number; }},
     {"camera", "phi", KeyType::kNumber, "deg", "0", kAnyAngle, "",
-     "Azimuth; about a spinning hole, where the observer falls, of the ingoing coordinates.",
+     "Azimuth; about a rotating hole, where the observer falls, of the ingoing coordinates.",
      [](Scene& s, const KeyValue& v) { s.camera.phi = v.number; }},
     {"camera", "yaw", KeyType::kNumber, "deg", "0", kAnyAngle, "",
      "Turn to the right, away from the centre, which the camera looks at.",

@@ -12,7 +12,7 @@ namespace nullscope {
 struct BodyText {
     std::string shape;  // surface_formula, and whether it knows the time
     std::string march;  // march_value, march_room, march_object, MARCH_MOST_STEPS
-    std::string hit;    // solid_hit: the first body on the ray; about a spinning hole the tracer finds it
+    std::string hit;    // solid_hit: the first body on the ray; about a rotating hole the tracer finds it
     std::string light;  // solid_light: and its light
     std::string coats;  // disc_coat_paint, dome_paint: what a disc and a sky without images are painted with
     friend auto operator<=>(const BodyText&, const BodyText&) = default;  // NOLINT(modernize-use-nullptr): no pointer

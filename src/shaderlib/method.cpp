@@ -20,7 +20,7 @@ constexpr double kEulerSpan = 2.5 * M_PI;  // rad: what a march of N equal steps
 constexpr int kStepsPerSpan = 12;          // the cap of the high orders, in spans of 1 rad per step size
 
 int most_steps(MethodKind kind, int order, double step) {
-    const Method usual;  // auto's, of a spinning hole
+    const Method usual;  // auto's, of a rotating hole
     if (kind == MethodKind::kMino)
         return std::max(usual.most_steps, static_cast<int>(std::ceil(usual.most_steps * usual.step / step)));
     return order == 1 ? static_cast<int>(std::lround(kEulerSpan / step))

@@ -13,8 +13,8 @@ enum class MethodKind {
     kTable,       // the two-dimensional deflection table on the GPU
     kClosedForm,  // elliptic integrals, no table; Schwarzschild only
     kIntegrate,   // the orbit equation step by step
-    kMino,        // a spinning hole's rays in Mino's time, as auto traces them there, by another step or order
-    kKerrSchild,  // a spinning hole's rays in Cartesian Kerr-Schild coordinates step by step: a yardstick, of skies alone
+    kMino,        // a rotating hole's rays in Mino's time, as auto traces them there, by another step or order
+    kKerrSchild,  // a rotating hole's rays in Cartesian Kerr-Schild coordinates step by step: a baseline, of skies alone
 };
 enum class Lookup { kHardware, kBilinear, kCubic, kHermite };  // of kTable
 
@@ -35,7 +35,7 @@ struct Method {
 Result<Method> parse_method(const std::string& text);
 std::string method_name(const Method& method);  // parse_method(method_name(m)) == m
 
-// Of those for spinning holes: ray data of a sky alone know how many steps each ray took (RayPixel::steps).
+// Of those for rotating holes: ray data of a sky alone know how many steps each ray took (RayPixel::steps).
 inline bool counts_steps(const Method& method) {
     return method.kind == MethodKind::kMino || method.kind == MethodKind::kKerrSchild;
 }

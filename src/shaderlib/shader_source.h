@@ -12,7 +12,7 @@ namespace nullscope {
 
 // kStars: points added to the picture. kBloomDown, kBloomUp, kMeter: of the picture in
 // linear light. kDevelop: from it to the display. kBareFetch: one cube-map fetch a pixel,
-// a yardstick of cost.
+// a baseline of cost.
 enum class Stage { kPicture, kStars, kBloomDown, kBloomUp, kMeter, kDevelop, kRayData, kBareFetch };
 // Whether a stage's text depends on the scene at all; else one program serves every scene.
 constexpr bool knows_scene(Stage stage) {

@@ -1,6 +1,6 @@
 // The orbit map of shaders/core/orbit.glsl: where every ray of the fan is after a swept angle. Needed by objects, not by the sky.
 //
-// Each column is one orbit zeta(phi) with its derivative by the look direction, integrated from the camera with the sixth-order
+// Each column is one orbit zeta(phi) with its derivative by the view direction, integrated from the camera with the sixth-order
 // Nystrom method RKN6(4)6FM (Dormand, El-Mikkawy, Prince 1987): zeta'' = -V'(zeta)/2, regular at turning points.
 #pragma once
 #include "table/ray_fan.h"

@@ -21,7 +21,7 @@ FlyCamera fly_camera(const CameraSpec& spec);
 // comes back within 1e-15 for every input, also where the angles themselves are not unique.
 void write_spec(const FlyCamera& camera, CameraSpec& spec);
 
-// The orientation in which the look direction `grabbed` of this one is seen along `now` (both in camera axes, any
+// The orientation in which the view direction `grabbed` of this one is seen along `now` (both in camera axes, any
 // length, less than a half turn apart): what was grabbed follows the hand.
 Mat3 dragged(const Mat3& world_from_camera, Vec3 grabbed, Vec3 now);
 // Turned about the line of sight: the camera's top goes to its right.

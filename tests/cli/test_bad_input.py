@@ -168,7 +168,7 @@ class Rays(support.CliTest):
             "1e400,1.5,0,-1,0,0": ["r: \"1e400\" is not a finite number"],
             "-5,1.5,0,-1,0,0": ["r: \"-5\" is out of range"],
             "0.5,1.5,0,-1,0,0": ["r: \"0.5\" is not outside the horizon", "allowed: r > 1, or frame = rain"],
-            "10,1.5,0,0,0,0": ["n_r: the look direction is zero", "not all zero"],
+            "10,1.5,0,0,0,0": ["n_r: the view direction is zero", "not all zero"],
             "10,4,0,-1,0,0": ["theta: \"4\" is out of range", "[0, pi]"],
             "10,1.5,zero,-1,0,0": ["phi: \"zero\" is not a finite number"],
             "10,1.5,0,-1,0,": ["n_phi: \"\" is not a finite number"],

@@ -173,7 +173,7 @@ class Reference(TraceTest):
 class ShaderText(TraceTest):
     def slopes(self, rows, vectors, scene):
         """max(1, |d phi / d alpha|) of rays in the reduced form: differences of the reference, the larger of two sides.
-        alpha is the angle between look direction and radius: d alpha = -tan(alpha) d ln(q)."""
+        alpha is the angle between view direction and radius: d alpha = -tan(alpha) d ln(q)."""
         by_q, by_alpha = [], []
         for row in rows:
             q, s = number(row["q"]), int(row["s"])

@@ -1,4 +1,4 @@
-// A hole that spins, as the driver draws it: the shadow's edge where Bardeen (1973) has it, rays against the reference, and without
+// A rotating hole, as the driver draws it: the shadow's edge where Bardeen (1973) has it, rays against the reference, and without
 // spin the same picture as the table's.
 #include <algorithm>
 #include <cmath>

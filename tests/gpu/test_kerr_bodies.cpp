@@ -1,4 +1,4 @@
-// Solid bodies about a spinning hole: every pixel of many small frames against the reference, which looks for them along its own rays.
+// Solid bodies about a rotating hole: every pixel of many small frames against the reference, which looks for them along its own rays.
 #include <cmath>
 #include <functional>
 #include <vector>

@@ -1,4 +1,4 @@
-// How long light takes about a spinning hole: the reference's Kerr-Schild time against metrics without spin, the shader's text against it.
+// How long light takes about a rotating hole: the reference's Kerr-Schild time against metrics without spin, the shader's text against it.
 #include <algorithm>
 #include <cmath>
 
@@ -87,7 +87,7 @@ TEST_CASE("kerr light time: the shader's text against the reference, to the sky 
                         }
                 }
     fmt::print(
-        "light times of {} rays about spinning holes: core64 off by at most {:.1e} of them or r_s ({}),\n  core32 "
+        "light times of {} rays about rotating holes: core64 off by at most {:.1e} of them or r_s ({}),\n  core32 "
         "{:.1e} ({})\n",
         rays, in_double.off, in_double.where, in_float.off, in_float.where);
     constexpr double

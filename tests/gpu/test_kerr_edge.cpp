@@ -1,4 +1,4 @@
-// The edge of a spinning hole's shadow: which rays come out, to a microradian, for every spin up to the greatest.
+// The edge of a rotating hole's shadow: which rays come out, to a microradian, for every spin up to the greatest.
 #include <algorithm>
 #include <cmath>
 #include <vector>

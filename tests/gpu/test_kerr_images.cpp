@@ -1,4 +1,4 @@
-// Images of the disc of high order about a spinning hole, where rays wind long before they reach it: the shader's text in double.
+// Images of the disc of high order about a rotating hole, where rays wind long before they reach it: the shader's text in double.
 #include <cmath>
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// The tracer of spinning holes by other steps and orders (--method mino): the default is auto's, errors fall with the step as the order has it, and
+// The tracer of rotating holes by other steps and orders (--method mino): the default is auto's, errors fall with the step as the order has it, and
 // what a scene cannot have is refused.
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// Cameras about a spinning hole that do more than rest, outside its horizon, on it and inside: rays against the reference, and next to
+// Cameras about a rotating hole that do more than rest, outside its horizon, on it and inside: rays against the reference, and next to
 // no spin the pictures of the table.
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// The scene kerr-plunge as OpenGL draws it: round a hole that spins and through its horizon, without a seam or a jump.
+// The scene kerr-plunge as OpenGL draws it: round a rotating hole and through its horizon, without a seam or a jump.
 #include <algorithm>
 #include <cmath>
 

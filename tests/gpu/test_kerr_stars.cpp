@@ -1,4 +1,4 @@
-// Point stars about a spinning hole: the images that the mesh of rays finds, and their light in the picture, against the reference's,
+// Point stars about a rotating hole: the images that the mesh of rays finds, and their light in the picture, against the reference's,
 // which Newton's steps on its own rays settle; next to no spin against the images of a hole without.
 #include <fmt/format.h>
 

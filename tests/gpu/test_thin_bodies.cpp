@@ -31,12 +31,12 @@ const std::vector<Case>& cases() {
     static const std::vector<Case> all = {
         {"thin ring, flat", [](Scene& s) { flat(s), ring(s, 0.05); }},
         {"thin ring", [](Scene& s) { ring(s, 0.05); }},
-        {"thin ring, spinning hole", [](Scene& s) { kerr(s), ring(s, 0.05); }},
+        {"thin ring, rotating hole", [](Scene& s) { kerr(s), ring(s, 0.05); }},
         {"thick ring, flat", [](Scene& s) { flat(s), ring(s, 1.5); }},
-        {"thick ring, spinning hole", [](Scene& s) { kerr(s), ring(s, 1.5); }},
+        {"thick ring, rotating hole", [](Scene& s) { kerr(s), ring(s, 1.5); }},
         {"ball of six pixels, flat", [](Scene& s) { flat(s), ball(s, 1.5); }},
         {"ball of six pixels", [](Scene& s) { ball(s, 1.5); }},
-        {"ball of six pixels, spinning hole", [](Scene& s) { kerr(s), ball(s, 1.5); }},
+        {"ball of six pixels, rotating hole", [](Scene& s) { kerr(s), ball(s, 1.5); }},
         {"torus of four pixels, flat",
          [](Scene& s) { flat(s), s.surface.emplace().shape = "(length(x, y) - 6)^2 + z^2 - 1", s.surface->bound = 8; }},
     };

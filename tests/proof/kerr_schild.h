@@ -32,7 +32,7 @@ struct IntegratedRay {
     int steps = 0;
 };
 
-// A camera's look direction in its static or raindrop frame, not normalised; r - 1 apart, because a small change of it is lost
+// A camera's view direction in its static or raindrop frame, not normalised; r - 1 apart, because a small change of it is lost
 // in r.
 struct LongQuery {
     Long r_minus_1, theta, phi;

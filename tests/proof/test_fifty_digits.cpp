@@ -48,7 +48,7 @@ Case local(std::string name, double r, double n_r, double n_t, LocalFrame frame 
     return c;
 }
 
-// The orbit of a case with its inputs changed by these relative amounts: q and zeta0, or r - 1 and the look direction's tangent.
+// The orbit of a case with its inputs changed by these relative amounts: q and zeta0, or r - 1 and the view direction's tangent.
 Orbit50 exact_orbit(const Case& c, const Real& first, const Real& second, bool with_delay) {
     if (c.query.orbit) {
         const Real q = Real(c.query.orbit->q) * (1 + first), zeta0 = Real(c.query.orbit->zeta0) * (1 + second);

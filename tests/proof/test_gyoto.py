@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Discs about holes that spin, ray by ray, against gyoto: F. H. Vincent, T. Paumard, E. Gourgoulhon, G. Perrin, Class. Quantum Grav. 28,
+"""Discs about rotating holes, ray by ray, against gyoto: F. H. Vincent, T. Paumard, E. Gourgoulhon, G. Perrin, Class. Quantum Grav. 28,
 225011 (2011).
 
 Usage: test_gyoto.py PATH-OF-NULLSCOPE. Ends with 77 where there is no gyoto.
@@ -49,7 +49,7 @@ class View:
         self.name = f"a = {a}, camera at r = {r} M, theta = {degrees} degrees"
 
     def rays(self):
-        """Look directions along (e_r, e_theta, e_phi), in the order of gyoto's pixels: rows from below, columns against phi."""
+        """View directions along (e_r, e_theta, e_phi), in the order of gyoto's pixels: rows from below, columns against phi."""
         step, middle = 2 * math.tan(self.across / 2) / PIXELS, (PIXELS - 1) / 2
         for row in range(PIXELS):
             for column in range(PIXELS):

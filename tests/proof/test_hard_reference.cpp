@@ -27,11 +27,11 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::proof;
 
-// Roundings of the look direction and of the camera's radius that the reference may make, as in test_second_formulation.cpp.
+// Roundings of the view direction and of the camera's radius that the reference may make, as in test_second_formulation.cpp.
 constexpr double kReferenceRoundings = 16;
 constexpr int kMostCrossings = 14;
 
-// The pixel's look direction in the static frame, carried through the boost as a photon's momentum, in long double.
+// The pixel's view direction in the static frame, carried through the boost as a photon's momentum, in long double.
 struct StaticLook {
     LongVec n;
     Long doppler;  // frequency in the camera over frequency in the static frame
@@ -117,7 +117,7 @@ void keep(Judged& worst, double error, double bound) {
 // Panels instead of closed forms (src/reference/naked_orbit.cpp) leave more roundings. Measured: 4.1 times those of closed forms.
 constexpr double kPanelRoundings = 8;
 
-// The last bit of the look direction times what the pixel makes of it, and what the last bit of the camera's radius moves.
+// The last bit of the view direction times what the pixel makes of it, and what the last bit of the camera's radius moves.
 // traced: the scene that the second formulation is asked about, `scene` but in the test of this check.
 Judged judge_pixel(const Scene& scene, int x, int y, const Scene& traced) {
     Scene moved = scene;

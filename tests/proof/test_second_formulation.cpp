@@ -30,7 +30,7 @@ struct Case {
     RayQuery query;
 };
 
-// How much an answer changes by a relative change of its inputs r and n_t (the tangent of the look direction), by differences
+// How much an answer changes by a relative change of its inputs r and n_t (the tangent of the view direction), by differences
 // of the second formulation.
 struct Bundle {
     Bundle(const KerrSchildMetric& metric, const RayQuery& asked) {

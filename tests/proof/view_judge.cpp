@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr int kBearings = 16;
-// About a spinning hole rays go by steps, not by tables: what is promised of them, 0.05 px of a 1080p frame over 60 degrees.
+// About a rotating hole rays go by steps, not by tables: what is promised of them, 0.05 px of a 1080p frame over 60 degrees.
 constexpr double kStepped_rad = 0.05 * M_PI / 3 / 1920;
 constexpr double kRings[] = {0.03, 0.1, 0.3, 1.0};
 

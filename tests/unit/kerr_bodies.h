@@ -1,4 +1,4 @@
-// What tests of bodies about a spinning hole share.
+// What tests of bodies about a rotating hole share.
 #pragma once
 #include <memory>
 #include <optional>

@@ -1,4 +1,4 @@
-// One ray about a spinning hole through the shader core, and how far its answers move when its direction does.
+// One ray about a rotating hole through the shader core, and how far its answers move when its direction does.
 #pragma once
 #include <algorithm>
 #include <array>

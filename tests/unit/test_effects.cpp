@@ -274,7 +274,7 @@ TEST_CASE("a scene without one of its effects calls for no more than the others"
             if (!less) continue;
             const EffectSet left = effect_set(required_effects(*less));
             CHECK_FALSE(left.contains(effect));
-            // A hole that does not spin any more has the table of one that never did.
+            // A hole that no longer rotates has the table of one that never did.
             for (const Effect other : left.list())
                 CHECK((whole.contains(other) || (effect == Effect::kSpin && other == Effect::kLensing)));
             gone.insert(effect);

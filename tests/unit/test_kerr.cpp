@@ -1,4 +1,4 @@
-// A hole that spins, in parts: the metric and its circles, the disc's flux, the forms of a look direction, the shader core.
+// A rotating hole, in parts: the metric and its circles, the disc's flux, the forms of a view direction, the shader core.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -145,7 +145,7 @@ TEST_CASE("kerr: matter on circles and in the fall has unit velocity, and both w
     }
 }
 
-TEST_CASE("kerr: the forms of a look direction give the reference's energy and angular momentum") {
+TEST_CASE("kerr: the forms of a view direction give the reference's energy and angular momentum") {
     for (const double spin : {0.2, 0.9, 0.9999})
         for (const double theta : {0.0, 0.4, M_PI / 2, 2.9})
             for (const double r : {0.9, 1.3, 8.0, 4000.0})

@@ -1,4 +1,4 @@
-// Solid bodies about a spinning hole, by the reference: against the spinless reference, crossings of the plane, its own mirror images and
+// Solid bodies about a rotating hole, by the reference: against the planar reference, crossings of the plane, its own mirror images and
 // a fine march. Against Carter's potentials: test_kerr_touch.cpp.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -105,10 +105,10 @@ double value_of(const Scene& scene, const reference::Metric& metric, Vec3 x, dou
 
 }  // namespace
 
-TEST_CASE("kerr bodies: with almost no spin they are where the spinless reference has them") {
+TEST_CASE("kerr bodies: with almost no spin they are where the planar reference has them") {
     constexpr double kPlace =
         3e-7;  // what the spin itself makes: 1e-9 r_s, on grazing rays some 200 times that; a tenth of it with a tenth of the spin
-    constexpr double kCosine = 1e-6;  // the spinless one is a difference over 1e-6 rad
+    constexpr double kCosine = 1e-6;  // the planar one is a difference over 1e-6 rad
     for (const Kind& kind : kKinds) {
         CAPTURE(std::string(kind.name));
         int from_inside = 0;
@@ -127,7 +127,7 @@ TEST_CASE("kerr bodies: with almost no spin they are where the spinless referenc
             double place = 0, cosine = 0, delay = 0;
             int hits = 0, misses = 0;
             const int stride = moving_parts(slow).empty() ? (camera.r > 11 ? by_depth(2, 1, 1) : 3)
-                                                          : 5;  // the spinless clock takes milliseconds
+                                                          : 5;  // the planar clock takes milliseconds
             for (int y = 0; y < slow.camera.height; y += stride)
                 for (int x = 0; x < slow.camera.width; x += stride) {
                     const RayPixel a = tracer->pixel(x + 0.5, y + 0.5), b = other->pixel(x + 0.5, y + 0.5);
@@ -383,7 +383,7 @@ TEST_CASE("kerr bodies: a ray's record ends on the body, with the crossings befo
     CHECK(kept > 0);
 }
 
-TEST_CASE("kerr bodies: pictures with almost no spin are the spinless ones") {
+TEST_CASE("kerr bodies: pictures with almost no spin are the planar ones") {
     Scene slow = spinning(kAlmostNone);
     slow.sky.kind = SkyKind::kChecker;
     slow.disc = DiscSpec{}, slow.disc->opacity = 0.6, slow.disc->outer = 8,

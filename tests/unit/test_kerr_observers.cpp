@@ -1,4 +1,4 @@
-// Who can hold a camera about a spinning hole: tetrads, constants of motion, and where nobody can.
+// Who can hold a camera about a rotating hole: tetrads, constants of motion, and where nobody can.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -125,7 +125,7 @@ TEST_CASE("kerr observers: each has the constants of motion that define it") {
                 }
 }
 
-TEST_CASE("kerr observers: the forms of a look direction are the photon of the tetrad, on the horizon and inside too") {
+TEST_CASE("kerr observers: the forms of a view direction are the photon of the tetrad, on the horizon and inside too") {
     for (const double spin : {0.3, 0.9, 0.9999})
         for (const double above : {3.0, 0.2, 1e-6, 0.0, -1e-6, -0.2})
             for (const double theta : {0.0, 0.7, M_PI / 2})

@@ -1,4 +1,4 @@
-// Bodies about a spinning hole against Carter's potentials of r and theta: how far in and how high a ray comes.
+// Bodies about a rotating hole against Carter's potentials of r and theta: how far in and how high a ray comes.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 

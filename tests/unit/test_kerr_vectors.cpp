@@ -1,4 +1,4 @@
-// The reference against 50-digit vectors of a spinning hole, a/M = 0.9: every row. The file's unit of length is M, ours 2 M.
+// The reference against 50-digit vectors of a rotating hole, a/M = 0.9: every row. The file's unit of length is M, ours 2 M.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -45,7 +45,7 @@ double apart(const Column& column, double a, double b) {
     return std::abs(column.angle ? std::remainder(a - b, 2 * M_PI) : a - b);
 }
 
-// How much a relative change of r, theta and of the look direction comes back multiplied by, relative to max(1, |value|).
+// How much a relative change of r, theta and of the view direction comes back multiplied by, relative to max(1, |value|).
 double condition_number(const KerrStart& start, const Column& column, double here) {
     double sum = 0;
     for (int input = 0; input < 4; ++input) {
@@ -70,7 +70,7 @@ struct Worst {
     int rows = 0, fates = 0;
 };
 
-// bias: added to every look direction, to see the check fail.
+// bias: added to every view direction, to see the check fail.
 Worst compare(double bias) {
     Worst worst;
     for (const VectorRow& row : load_vectors(test::data_folder() / "vectors/kerr_a0.9.csv")) {
@@ -115,7 +115,7 @@ TEST_CASE("the reference meets every row of the Kerr vectors") {
     CHECK(worst.error <= kTolerance);
 }
 
-TEST_CASE("a look direction off by 1e-8 is found by the Kerr vectors") { CHECK(compare(1e-8).error > kTolerance); }
+TEST_CASE("a view direction off by 1e-8 is found by the Kerr vectors") { CHECK(compare(1e-8).error > kTolerance); }
 
 TEST_CASE("without spin the integrated rays are Schwarzschild's") {
     Scene scene;

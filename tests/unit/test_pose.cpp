@@ -85,7 +85,7 @@ double rotation_error(const Mat3& m) {
                      distance(cross(m.a, m.b), m.c)});
 }
 
-// The Lorentz transformation of the photon's momentum (1, -n), written out: static energy and static look direction. In
+// The Lorentz transformation of the photon's momentum (1, -n), written out: static energy and static view direction. In
 // 113 bits: the differences lose gamma^2 = 5e5 twice, which leaves 1e-13 of a long double (measured: 2.3e-13).
 using Quad3 = std::array<Quad, 3>;
 struct Direct {

@@ -107,7 +107,7 @@ TEST_CASE("reference: pixels agree with single rays, also at 0.999999 c") {
                 REQUIRE(record);
                 const RayPixel& pixel = frame->at(x, y);
                 CHECK(pixel.fate == record->fate);
-                // Rounding of the look direction, 2e-16, grows by gamma = 700 ahead or astern, and by the deflection
+                // Rounding of the view direction, 2e-16, grows by gamma = 700 ahead or astern, and by the deflection
                 // near the hole.
                 const double gamma = 1 / std::sqrt((1 - speed) * (1 + speed)), steep = 1 + std::exp(record->angle);
                 CHECK(pixel.g == doctest::Approx(record->g * seen.doppler).epsilon(kRounding * gamma));
@@ -155,7 +155,7 @@ TEST_CASE("reference: opaque and translucent disc hits") {
             const double r = std::hypot(solid.u, solid.v);
             CHECK(r >= DiscSpec{}.inner);
             CHECK(r <= DiscSpec{}.outer);
-            // Position from a rounded look direction: 1e-13 covers the stretch of grazing and wound rays of this frame.
+            // Position from a rounded view direction: 1e-13 covers the stretch of grazing and wound rays of this frame.
             CHECK(r * record->at == doctest::Approx(1).epsilon(10 * kRounding * std::exp(solid.angle)));
             CHECK(thin.u == solid.u);
             CHECK(thin.v == solid.v);

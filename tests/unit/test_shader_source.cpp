@@ -194,7 +194,7 @@ TEST_CASE("shader source: an include is resolved once, and in branches that are 
           "#include \"y\"  // y\n");
 }
 
-TEST_CASE("shader source: about a spinning hole nothing of plane orbits, without spin nothing of one that spins") {
+TEST_CASE("shader source: about a rotating hole nothing of plane orbits, without spin nothing of one that spins") {
     for (const double spin : {0.0, 0.9}) {
         Scene scene;
         scene.spacetime = {"kerr", {{"spin", spin}}};

@@ -1,4 +1,4 @@
-// Cameras that are let go about a spinning hole: constants of motion, parallel axes, proper times, and what Schwarzschild has of it.
+// Cameras that are let go about a rotating hole: constants of motion, parallel axes, proper times, and what Schwarzschild has of it.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 

@@ -40,7 +40,7 @@ constexpr double kMostSwept = 30.0;  // rad; rays that wind more often in a tube
 constexpr double kThroatRadii[] = {20.0, 3.0, 0.4, 0.0, -0.003, -2.0, -50.0};
 
 // Largest difference of l on the rows, over the distance from the throat (1 at least) and over how far l moves with the last digits of the
-// look direction and of the swept angle: 1 for both together.
+// view direction and of the swept angle: 1 for both together.
 double worst_place(const World& world, double r) {
     const RayFan fan = fan_at(world, r);
     const ThroatShape shape(*world.spacetime);

@@ -64,7 +64,7 @@ TEST_CASE("worldline: the clock of what falls is v - r, through the horizon, and
         Worldline::make(spacetime_of("minkowski"), camera_at(5.0, ObserverKind::kStatic, {0.6, 0, 0}), 100);
     REQUIRE(flat);
     CHECK(std::fabs(flat->clock(80) - 100) < kPromised);
-    // About a hole that spins: u^t of a circle in the equator's plane (Bardeen, Press and Teukolsky 1972), M = 1/2.
+    // About a rotating hole: u^t of a circle in the equator's plane (Bardeen, Press and Teukolsky 1972), M = 1/2.
     const double a = 0.45, r = 3, drag = a * std::sqrt(0.5) / std::pow(r, 1.5);
     CameraSpec turning = camera_at(r, ObserverKind::kOrbit);
     turning.theta = M_PI / 2;

@@ -63,7 +63,7 @@ TEST_CASE("fall: an orbit stays an orbit") {
     CHECK(std::fabs(scene.camera.r - 6.0) < 1e-6);
 }
 
-TEST_CASE("fall: about a hole that spins the clock runs through the horizon and ends short of the inner one") {
+TEST_CASE("fall: about a rotating hole the clock runs through the horizon and ends short of the inner one") {
     Scene scene = scene_at(2.0, ObserverKind::kZamo);
     scene.spacetime = {"kerr", {{"spin", 0.9}}};
     scene.camera.velocity = {-0.2, 0, 0};
