@@ -174,8 +174,9 @@ Status measure_errors(Session& session, const std::vector<Scene>& scenes, double
             return pixels ? std::move(*pixels) : std::vector<RayPixel>(positions.size());
         };
         // A non-rotating hole's exact ray costs less than to look it up.
-        const ExactTrace trace =
-            effect_set(required_effects(scene)).contains(Effect::kSpin) ? remembered_trace(scene) : plain;
+        const ExactTrace trace = light_path_kind(effect_set(required_effects(scene))) == LightPathKind::kMino
+                                     ? remembered_trace(scene)
+                                     : plain;
         const bool near = scene.camera.r < near_radius;
         const auto to_4k = static_cast<float>(k4kWidth / scene.camera.width);
         for (Row& row : rows) {
@@ -350,7 +351,7 @@ int run(const Options& options) {
         auto scene = load_scene(name);
         if (!scene) return report(scene.error());
         const EffectSet effects = effect_set(required_effects(*scene));
-        const bool spins = effects.contains(Effect::kSpin);
+        const bool spins = light_path_kind(effects) == LightPathKind::kMino;
         if (!effects.contains(Effect::kLensing) && !spins)
             return report(bad_input(fmt::format("scene {}: light runs straight in {}, there is nothing to compare",
                                                 name, scene->spacetime.metric)));

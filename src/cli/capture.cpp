@@ -30,7 +30,8 @@ Result<Method> chosen_method(const CaptureOptions& options, const Scene& scene) 
     if (options.method != "auto") {
         auto method = parse_method(options.method);
         // The renderer takes the default for auto.
-        if (method && *method == Method{} && effect_set(required_effects(scene)).contains(Effect::kSpin))
+        if (method && *method == Method{} &&
+            light_path_kind(effect_set(required_effects(scene))) == LightPathKind::kMino)
             return bad_input(
                 "method strip is not there for a rotating hole; allowed: auto, mino[:ORDER[:STEP]], kerr-schild:STEP");
         return method;

@@ -42,10 +42,14 @@ std::vector<std::string_view> EffectSet::keys() const {
     return keys;
 }
 
+LightPathKind light_path_kind(const EffectSet& effects) {
+    return effects.contains(Effect::kSpin) ? LightPathKind::kMino : LightPathKind::kPlanar;
+}
+
 bool has_marched(const EffectSet& effects) {
     return effects.contains(Effect::kCylinder) || effects.contains(Effect::kBall) ||
            effects.contains(Effect::kSurface) || effects.contains(Effect::kPulse) ||
-           (effects.contains(Effect::kSphere) && effects.contains(Effect::kSpin));
+           (effects.contains(Effect::kSphere) && light_path_kind(effects) == LightPathKind::kMino);
 }
 bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
 bool shades_heat(const EffectSet& effects) {

@@ -200,6 +200,9 @@ private:
     std::bitset<kEffectCount> bits_;
 };
 
+// The kind of path that a frame's light takes: orbits in planes, which straight light is drawn as too, or steps in Mino's time.
+enum class LightPathKind { kPlanar, kMino };
+LightPathKind light_path_kind(const EffectSet& effects);
 bool has_marched(
     const EffectSet& effects);  // bodies that are found by strides: all but the sphere, and that about a rotating hole
 bool has_solids(const EffectSet& effects);     // any solid body

@@ -26,15 +26,15 @@ struct Body {
     bool far = false;
 };
 
-std::vector<Body> bodies_of(const Scene& scene, bool spins) {
+std::vector<Body> bodies_of(const Scene& scene, bool mino) {
     std::vector<Body> bodies;
     if (scene.sphere)
         bodies.push_back({"sphere", 2,
                           scene.sphere->swing > 0.0 ? "object/pulse.glsl"
-                          : spins                   ? "object/still_sphere.glsl"
+                          : mino                    ? "object/still_sphere.glsl"
                                                     : "planar/sphere.glsl",
                           &scene.sphere->look, "frame.sphere_form.x", "vec3(0.0)", "place.outward", nullptr,
-                          spins || scene.sphere->swing > 0.0});
+                          mino || scene.sphere->swing > 0.0});
     if (scene.cylinder)
         bodies.push_back({"cylinder", 3, "object/cylinder.glsl", &scene.cylinder->look, "frame.cylinder_form.y",
                           "vec3(0.0)", "cylinder_normal(place.at)", "MAPPING_PLANE", true, scene.cylinder->far});
@@ -115,7 +115,7 @@ std::string value_by_side(const Body& body) {
 }
 
 std::string march_of(const std::vector<Body>& bodies, const Scene& scene, const EffectSet& effects) {
-    const bool sides = effects.contains(Effect::kSides), spins = effects.contains(Effect::kSpin);
+    const bool sides = effects.contains(Effect::kSides), mino = light_path_kind(effects) == LightPathKind::kMino;
     std::string value, object, room, helpers;
     for (const Body& body : bodies) {
         if (!body.marched) continue;
@@ -140,11 +140,11 @@ std::string march_of(const std::vector<Body>& bodies, const Scene& scene, const 
     if (value.empty()) return "";
     const bool ball_alone = bodies.back().name == "ball" && scene.ball->motion == BallMotion::kStill &&
                             std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return b.marched; }) == 1;
-    const std::string stop = spins ? ""
-                                   : std::string(ball_alone ? include_line("planar/ball_beside.glsl") : "") +
-                                         "float march_stop(Trace trace, vec3 tangent, float phi) { return " +
-                                         std::string(ball_alone ? "ball_beside(trace, tangent) ? 1.0e-9 : " : "") +
-                                         "max(phi, 1.0e-9); }\n";
+    const std::string stop = mino ? ""
+                                  : std::string(ball_alone ? include_line("planar/ball_beside.glsl") : "") +
+                                        "float march_stop(Trace trace, vec3 tangent, float phi) { return " +
+                                        std::string(ball_alone ? "ball_beside(trace, tangent) ? 1.0e-9 : " : "") +
+                                        "max(phi, 1.0e-9); }\n";
     // Strides of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent.
     const int steps = (sides ? 256 : 128) + (scene.surface ? 2 * scene.surface->steps : 0);
     const std::string graze = scene.surface ? "1.0e30" : "2.0 * angle * place_speed(place)";
@@ -185,14 +185,14 @@ std::string hit_of(const std::vector<Body>& bodies) {
 }  // namespace
 
 BodyText body_text(const Scene& scene, const EffectSet& effects) {
-    const bool spins = effects.contains(Effect::kSpin);
-    const std::vector<Body> bodies = bodies_of(scene, spins);
+    const bool mino = light_path_kind(effects) == LightPathKind::kMino;
+    const std::vector<Body> bodies = bodies_of(scene, mino);
     BodyText text;
     text.coats = coats_of(scene);
     if (bodies.empty()) return text;
     if (scene.surface) text.shape = shape_of(*scene.surface);
     text.march = march_of(bodies, scene, effects);
-    if (!spins) text.hit = hit_of(bodies);
+    if (!mino) text.hit = hit_of(bodies);
     std::string choice;
     for (const Body& body : bodies) {
         text.light += file_of(body) + light_of(body, true);

@@ -148,7 +148,7 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
         {"generated/bodies_hit", bodies.hit},
         {"generated/bodies_light", bodies.light},
         {"generated/coats", bodies.coats}};
-    const char* path = effects.contains(Effect::kSpin) ? "mino" : "planar";
+    const char* path = light_path_kind(effects) == LightPathKind::kMino ? "mino" : "planar";
     std::map<std::string, std::string, std::less<>> chosen;  // "path/trace": the file of the kind of path
     const ShaderReader read = [&](std::string_view name) -> std::string_view {
         if (const auto part = generated.find(name); part != generated.end()) return part->second;
