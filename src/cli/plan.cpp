@@ -134,8 +134,8 @@ Result<Plan> make_plan(const Scene& scene) {
 std::vector<const EffectRow*> left_out(const Plan& plan) {
     const EffectSet effects = effect_set(plan.effects);
     std::vector<const EffectRow*> rows;
-    for (const EffectRow& row : kEffectTable)
-        if (!effects.contains(row.effect)) rows.push_back(&row);
+    for (const EffectRow* row : effect_rows())
+        if (!effects.contains(row->effect)) rows.push_back(row);
     return rows;
 }
 

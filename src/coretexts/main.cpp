@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "scene/effects.h"
 #include "shaderlib/preprocess.h"
 
 namespace {
@@ -24,12 +23,20 @@ struct Variant {
     const char* path;  // folder of shaders/
 };
 
+// BLOCK_... of every #ifdef.
+std::vector<std::string> block_names(const std::string& block) {
+    constexpr std::string_view kIf = "\n#ifdef ";
+    std::vector<std::string> names;
+    for (std::size_t at = block.find(kIf); at != std::string::npos; at = block.find(kIf, at + 1))
+        names.push_back(block.substr(at + kIf.size(), block.find('\n', at + 1) - at - kIf.size()));
+    return names;
+}
+
 // The disc's code is always compiled, and that of rays that pass the critical direction: where they end in a horizon
 // they fetch nothing.
-std::vector<Variant> variants() {
-    std::vector<std::string> always = {"__cplusplus", "EFFECT_DISC", "BLOCK_MARCH"};
-    for (const EffectRow& row : kEffectTable)  // FrameData has all members
-        always.push_back("BLOCK_" + std::string(row.define.substr(std::string_view("EFFECT_").size())));
+std::vector<Variant> variants(const std::string& block) {
+    std::vector<std::string> always = {"__cplusplus", "EFFECT_DISC"};
+    for (std::string& name : block_names(block)) always.push_back(std::move(name));  // FrameData has all members
     std::vector<Variant> all;
     for (const char* name : {"flat", "lensed", "cubic"}) {
         Variant plane{name, always, "planar"};
@@ -83,7 +90,7 @@ int main(int argc, char** argv) {
         std::exit(1);
     };
     std::string all;
-    for (const Variant& variant : variants()) {
+    for (const Variant& variant : variants(std::string(read("shared/frame_block.glsl")))) {
         path = variant.path;
         const std::string method = variant.name.starts_with("cubic") ? "strip_cubic" : "strip";
         files["generated/method"] = "#include \"method/" + method + ".glsl\"\n";

@@ -18,8 +18,8 @@ using Bits = unsigned long long;  // one an effect
 
 EffectSet subset(Bits bits) {
     EffectSet set;
-    for (const EffectRow& row : kEffectTable) {
-        if (bits >> static_cast<unsigned>(row.effect) & 1u) set.insert(row.effect);
+    for (const EffectRow* row : effect_rows()) {
+        if (bits >> static_cast<unsigned>(row->effect) & 1u) set.insert(row->effect);
     }
     return set;
 }
@@ -43,7 +43,7 @@ std::vector<Bits> subsets() {
 TEST_CASE("the effect table names every effect once, with define, help and need") {
     std::set<std::string_view> keys, defines;
     for (std::size_t i = 0; i < kEffectCount; ++i) {
-        const EffectRow& row = kEffectTable[i];
+        const EffectRow& row = *effect_rows()[i];
         CHECK(static_cast<std::size_t>(row.effect) == i);
         CHECK(&effect_row(row.effect) == &row);
         CHECK(keys.insert(row.key).second);
@@ -65,8 +65,8 @@ TEST_CASE("an effect set is its content: subsets as map keys") {
         CHECK(set.list().size() == set.size());
         CHECK(set.keys().size() == set.size());
         CHECK(set.empty() == (bits == 0));
-        for (const EffectRow& row : kEffectTable) {
-            CHECK(set.contains(row.effect) == ((bits >> static_cast<unsigned>(row.effect) & 1u) != 0));
+        for (const EffectRow* row : effect_rows()) {
+            CHECK(set.contains(row->effect) == ((bits >> static_cast<unsigned>(row->effect) & 1u) != 0));
         }
         CHECK(seen.emplace(set, bits).second);
     }
