@@ -176,6 +176,9 @@ class Viewer:
 
 
 def row_of(effect, called_for=("lensing", "disc", "disc-image", "sphere", "ball")):
-    """Which row of the panel is an effect's: the table's order, of those that SCENE + BODIES calls for."""
-    table = (Path(__file__).resolve().parents[2] / "src" / "scene" / "effects.h").read_text()
-    return [key for key in re.findall(r'\{Effect::k\w+, "([\w-]+)"', table) if key in called_for].index(effect)
+    """Which row of the panel is an effect's: in the order of the enumerators, of those that SCENE + BODIES calls for."""
+    folder = Path(__file__).resolve().parents[2] / "src" / "scene"
+    order = re.findall(r"^    (k\w+),?$", (folder / "effects.h").read_text(), re.MULTILINE)
+    features = "".join(path.read_text() for path in sorted(folder.glob("*_features.cpp")))
+    keys = dict(re.findall(r'\{Effect::(k\w+), "([\w-]+)"', features))
+    return [keys[name] for name in order if keys[name] in called_for].index(effect)
