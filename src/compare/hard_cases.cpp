@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "compare/hard_metrics.h"
+#include "compare/hard_rotating.h"
 #include "compare/ray_metrics.h"
 #include "spacetime/registry.h"
 
@@ -268,6 +269,7 @@ std::vector<HardCase> make_cases() {
     flat(list);
     std::vector<HardCase> all = list.take();
     for (HardCase& c : hard_metric_cases()) all.push_back(std::move(c));
+    for (HardCase& c : hard_rotating_cases()) all.push_back(std::move(c));
     return all;
 }
 
@@ -280,7 +282,8 @@ const std::vector<HardCase>& hard_cases() {
 
 bool hard_cubic(const Scene& scene) {
     constexpr double kCubicBelow = 2e-5;  // rad a pixel
-    return smallest_pixel_angle(scene.camera) < kCubicBelow;
+    const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+    return smallest_pixel_angle(scene.camera) < kCubicBelow && (!spacetime || (*spacetime)->planar_rays());
 }
 
 // |d ln(lapse) / d ln r|, by a difference over a thousandth of the way to where the lapse ends: 1 / (2 (r - 1)) of Schwarzschild's r.
@@ -306,12 +309,19 @@ HardBound hard_bound(const Scene& scene, const RayFrame& exact, double bit) {
     const double texel = bit < kFloatBit ? kTexel / pixel : 0;
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     const bool inner = spacetime && (*spacetime)->inner_end() != InnerEnd::kHorizon;
-    const double table = (hard_cubic(scene) ? kStripCubic : inner ? kStripLineInner : kStripLine) / pixel + texel;
+    const bool steps = spacetime && !(*spacetime)->planar_rays();
+    const double step = kMinoStep * std::min(1.0, kMinoFar / scene.camera.r);
+    const double table = steps ? step / pixel
+                               : (hard_cubic(scene) ? kStripCubic
+                                  : inner           ? kStripLineInner
+                                                    : kStripLine) /
+                                         pixel +
+                                     texel;
     const double speed = length(scene.camera.velocity), gamma2 = 1 / ((1 - speed) * (1 + speed));
     const double radius = spacetime ? std::max(lapse_condition(**spacetime, scene.camera.r), 0.5) : 0.5;
     const double inputs = kRoundings * kDoubleBit / pixel * (radius + gamma2);
     const double swept = (direction + table) * angle;
-    const double place = (direction + texel) * (1 + nearness) + kOrbitMap / pixel;
+    const double place = (direction + texel) * (1 + nearness) + (steps ? step : kOrbitMap) / pixel;
     return {direction + table, star ? std::max(place, swept) : place, swept, direction + inputs};
 }
 

@@ -29,8 +29,11 @@ inline constexpr double kStripLine = 1.5e-6;                // rad: table/strip.
 inline constexpr double kStripLineInner =
     1.8e-6;  // rad: the same where inward rays end in sight (wormhole, star), where the strip
              // curves more: 1.62e-6 measured at Ellis' throat, in double and float alike
-inline constexpr double kStripCubic = 1e-7;                   // rad
-inline constexpr double kOrbitMap = 4e-6;                     // rad: place on a disc over the distance to it
+inline constexpr double kStripCubic = 1e-7;  // rad
+inline constexpr double kOrbitMap = 4e-6;    // rad: place on a disc over the distance to it
+// rad, 1.1e-5 measured: rays about rotating holes are stepped (docs/accuracy.md); from further away than kMinoFar, r_s, what
+// the steps err by is a part of the hole's angular size.
+inline constexpr double kMinoStep = 2e-5, kMinoFar = 10;
 inline constexpr double kDoubleBit = 1.1102230246251565e-16;  // 2^-53
 inline constexpr double kTexel = 2 * kFloatBit;               // rad: tables hold floats, whoever reads them in double
 

@@ -20,7 +20,8 @@ bool whole(const RayFrame& frame) {     // every channel finite, every fate one 
         2e-7;  // and so it will where a float no longer tells half turns apart, in a wormhole's long tube
     for (const RayPixel& p : frame.pixels) {
         if (!all_finite(p)) return false;
-        if (p.fate != Fate::kEscaped && p.fate != Fate::kCaptured && p.fate != Fate::kOtherSide && p.fate != Fate::kHit)
+        if (p.fate != Fate::kEscaped && p.fate != Fate::kCaptured && p.fate != Fate::kOtherSide &&
+            p.fate != Fate::kHit && p.fate != Fate::kNoSky)
             return false;
         const double half_turns = p.angle / M_PI;
         if (p.order != static_cast<int>(half_turns) &&
