@@ -17,7 +17,7 @@ float march_part(RayPlace place, float length) {
 }
 
 // How far to the next look, as a part of the step: within the least radius of a body only the way out counts, not how light winds.
-float march_stride(RayPlace place, float reach) {
+float march_step_length(RayPlace place, float reach) {
     float outward = abs(dot(place.velocity, place.outward));
     float below = 0.9 * (frame.march.z - place.r) / max(outward, 1.0e-20);
     return min(max(march_part(place, march_length(place, reach)), below), MARCH_LONGEST);
@@ -87,7 +87,7 @@ SolidSearch leg_search(SpinRay ray, SpinLeg leg, float tau, float pixel_angle, f
     bool grows_to = spin_slope_at(leg.arc, 1.0).w > 0.0;
     bool on = true;
     do {
-        float next = min(s + march_stride(place, reach), 1.0);
+        float next = min(s + march_step_length(place, reach), 1.0);
         RayPlace there = way_place(way, next);
         vec3 chord = there.at - place.at;
         way.length += sqrt(dot(chord, chord));

@@ -66,7 +66,7 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
 // SPIN_STEP over the fastest rate: the sphere's, the radius' and how fast Delta changes next to the horizon (more on the way out, where
 // the dragging is of use; on the way in a step must be able to pass the horizon). On its way out a ray ends its last step a little
 // beyond the sky at zeta = 0.
-float spin_stride(SpinRay ray, SpinState at, int left) {
+float spin_step_length(SpinRay ray, SpinState at, int left) {
     float zeta = at.y.w;
     float slope = at.v.w;
 #ifdef EFFECT_SPIN_FALL

@@ -146,7 +146,7 @@ Trace trace_pixel(vec2 pixel) {
         bool crossed = false;
         do {
             SpinState before = now;
-            float h = spin_stride(ray, now, left);
+            float h = spin_step_length(ray, now, left);
             now = spin_step(ray, now, h);
             --left;
 #ifdef NEEDS_PLACE
@@ -187,13 +187,13 @@ Trace trace_pixel(vec2 pixel) {
     do {
 #ifdef NEEDS_PLACE
         SpinState before = now;
-        float h = spin_stride(ray, before, left);
+        float h = spin_step_length(ray, before, left);
         now = spin_step(ray, before, h);
         search = step_search(ray, before, now, h, tau, trace.pixel_angle, blur, search);
         now.psi = search.psi;
         tau += h;
 #else
-        now = spin_step(ray, now, spin_stride(ray, now, left));
+        now = spin_step(ray, now, spin_step_length(ray, now, left));
 #endif
         --left;
 #ifdef EFFECT_SPIN_FALL

@@ -1,8 +1,8 @@
-// Solid bodies anywhere: along the ray in strides no longer than the distance to the nearest of them, then between two places
+// Solid bodies anywhere: along the ray in steps no longer than the distance to the nearest of them, then between two places
 // on either side of its surface. march_value (written for the scene): below 0 inside of a body; march_room: how far along
 // the ray the nearest is at least; march_object: which one.
 //
-// A body that the ray only grazes lies between two strides: where three values fall and rise again, the least between them is
+// A body that the ray only grazes lies between two steps: where three values fall and rise again, the least between them is
 // looked for too.
 //
 // MarchWay, way_place, way_value and way_pixel: the way that is marched along by a growing number (planar/march.glsl: the swept angle of an orbit;
@@ -13,9 +13,9 @@
 #include "shared/frame.glsl"
 
 #define MARCH_GOLDEN 0.61803398875
-#define MARCH_SEARCHES 9     // 0.618^9: a stride to 1/76
+#define MARCH_SEARCHES 9     // 0.618^9: a step to 1/76
 #define MARCH_REFINEMENTS 24
-#define MARCH_FAR 16.0       // shortest strides: half the thinnest body
+#define MARCH_FAR 16.0       // shortest steps: half the thinnest body
 
 // Between `low` (outside) and `high` (inside): regula falsi, the end that stays halved (Illinois); every third step halves the
 // interval, for values with a corner in them.
@@ -74,8 +74,8 @@ float march_cover(float depth, float thickness) {
     return depth > thickness ? 1.0 : clamp(0.5 + depth, 0.0, min(thickness, 1.0));
 }
 
-#define MARCH_THINNEST 32.0  // shortest strides: the thinnest body
-#define MARCH_PROBE 4.0      // shortest strides
+#define MARCH_THINNEST 32.0  // shortest steps: the thinnest body
+#define MARCH_PROBE 4.0      // shortest steps
 
 // The same of a ray that enters a body there: how deep it will come by slope and curvature of the value along it.
 float march_entry_cover(MarchWay way, float at) {

@@ -37,7 +37,7 @@ float surface_value(RayPlace place) {
     return surface_inside(place.at SURFACE_AT_T) / max(sqrt(dot(slope, slope)), 1.0e-12);
 }
 
-// How far a stride may go: not by f, which need not be a distance.
+// How far a step may go: not by f, which need not be a distance.
 float surface_room(RayPlace place) { return max(sqrt(dot(place.at, place.at)) - frame.surface_form.x, frame.surface_form.y); }
 
 vec3 surface_normal(RayPlace place) {

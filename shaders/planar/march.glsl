@@ -45,7 +45,7 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
     do {
 #ifdef NEEDS_PLACE_LATE
 #ifdef EFFECT_DELAY
-        // Far from every body the time need not be exact: strides without the delay map as long as they end there.
+        // Far from every body the time need not be exact: steps without the delay map as long as they end there.
         bool far = true;
         do {
             float onward = min(phi + march_angle(place, march_length(place, reach)), phi_stop);

@@ -96,7 +96,7 @@ RayPlace place_seen(Trace trace, vec3 tangent, float phi) {
 
 #ifdef NEEDS_PLACE_LATE
 #ifdef EFFECT_DELAY
-// A stride on from a place, its time without the delay map: that of the straight way and about what gravity adds.
+// A step on from a place, its time without the delay map: that of the straight way and about what gravity adds.
 RayPlace place_roughly(Trace trace, vec3 tangent, float phi, RayPlace from) {
     RayPlace place = place_of(trace, tangent, phi);
     vec3 way = place.at - from.at;

@@ -67,13 +67,13 @@ struct FrameData {
     vec4 ball_second;
 #endif
 #ifdef BLOCK_SURFACE
-    vec4 surface_form;   // bound, stride, step of differences, time
+    vec4 surface_form;   // bound, step, step of differences, time
     vec4 surface_map;
     vec4 surface_colour;
     vec4 surface_second;
 #endif
 #ifdef BLOCK_MARCH
-    vec4 march;          // radius about the centre that holds all bodies (of a wormhole those on the near side), shortest stride, that on the far side, about a rotating hole the least radius of a body; there the radius within which no ray on its way in meets one
+    vec4 march;          // radius about the centre that holds all bodies (of a wormhole those on the near side), shortest step, that on the far side, about a rotating hole the least radius of a body; there the radius within which no ray on its way in meets one
 #endif
 #ifdef BLOCK_DISC_PATTERN
     vec4 disc_coat_map;     // as a body's: rotation, columns, rows; colours

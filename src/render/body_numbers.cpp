@@ -29,9 +29,9 @@ Silhouette silhouette(const Spacetime& spacetime, const RayFan* fan, double came
     return {2.0 * by, (1.0 / t - t) * by};
 }
 
-// Radii about the centre between which all bodies lie that are found by strides, and the shortest stride: a thirtieth of the thinnest.
+// Radii about the centre between which all bodies lie that are found by steps, and the shortest step: a thirtieth of the thinnest.
 void put_march(FrameData& frame, const Scene& scene, const Spacetime& spacetime, const BallPath* ball_path) {
-    constexpr double kStride = 1.0 / 32;
+    constexpr double kMarchStep = 1.0 / 32;
     const bool planar = spacetime.planar_rays();
     double reaches[2] = {0.0, 0.0}, thinnest = 1e30, ground = 1e30;  // near, far
     const auto holds = [&](bool far, double radius, double from) {
@@ -53,11 +53,11 @@ void put_march(FrameData& frame, const Scene& scene, const Spacetime& spacetime,
     }
     if (const auto& f = scene.surface) {
         holds(f->far, f->bound, 0.0);
-        thinnest = std::min(thinnest, 2 * f->bound / f->steps / kStride);
+        thinnest = std::min(thinnest, 2 * f->bound / f->steps / kMarchStep);
     }
-    const auto with_margin = [&](double reach) { return 1.001 * reach + 4 * kStride * thinnest; };
+    const auto with_margin = [&](double reach) { return 1.001 * reach + 4 * kMarchStep * thinnest; };
     const double least = 0.999 * ground;
-    frame.march = {with_margin(reaches[0]), kStride * thinnest, planar ? with_margin(reaches[1]) : least,
+    frame.march = {with_margin(reaches[0]), kMarchStep * thinnest, planar ? with_margin(reaches[1]) : least,
                    std::min(least, planar ? kAnyRadius : light_orbit(spacetime))};
 }
 

@@ -64,7 +64,7 @@ std::span<const Feature> bodies_features() {
          nothing,
          ball_of_four},
         {{Effect::kCylinder, "cylinder", "EFFECT_CYLINDER", "A solid disc of finite thickness ends rays.",
-          "there is a [cylinder]", "ray ends, orbit map; strides of four fetches, at most 128"},
+          "there is a [cylinder]", "ray ends, orbit map; steps of four fetches, at most 128"},
          [](const FrameFacts& f) -> Reason {
              const auto& c = f.scene.cylinder;
              if (!c) return kNot;
@@ -74,7 +74,7 @@ std::span<const Feature> bodies_features() {
          nothing,
          [](Scene& s) { s.cylinder.emplace(); }},
         {{Effect::kBall, "ball", "EFFECT_BALL", "A solid sphere anywhere ends rays.", "there is a [ball]",
-          "ray ends, orbit map; strides of four fetches, at most 128, shared with other bodies"},
+          "ray ends, orbit map; steps of four fetches, at most 128, shared with other bodies"},
          [](const FrameFacts& f) -> Reason {
              const auto& b = f.scene.ball;
              if (!b) return kNot;
@@ -85,7 +85,7 @@ std::span<const Feature> bodies_features() {
          nothing,
          [](Scene& s) { s.ball.emplace(); }},
         {{Effect::kSurface, "surface", "EFFECT_SURFACE", "A solid given by a formula ends rays.",
-          "there is a [surface]", "ray ends, orbit map; equal strides of four fetches and seven times the formula"},
+          "there is a [surface]", "ray ends, orbit map; equal steps of four fetches and seven times the formula"},
          [](const FrameFacts& f) -> Reason {
              const auto& s = f.scene.surface;
              if (!s) return kNot;
@@ -142,7 +142,7 @@ std::span<const Feature> bodies_features() {
              s.sphere->look.image = example_image();
          }},
         {{Effect::kBallPath, "ball-path", "EFFECT_BALL_PATH", "The ball moves.", "ball.motion is not \"still\"",
-          "the ball's way; two fetches a stride"},
+          "the ball's way; two fetches a step"},
          [](const FrameFacts& f) -> Reason {
              return !f.scene.ball || f.scene.ball->motion == BallMotion::kStill ? kNot : Reason("ball.motion");
          },
@@ -154,7 +154,7 @@ std::span<const Feature> bodies_features() {
          },
          [](Scene& s) { s.ball->motion = BallMotion::kOrbit; }},
         {{Effect::kPulse, "pulse", "EFFECT_PULSE", "The sphere pulsates.", "sphere.swing is above 0",
-          "strides of four fetches"},
+          "steps of four fetches"},
          [](const FrameFacts& f) -> Reason {
              return !f.scene.sphere || !(f.scene.sphere->swing > 0.0)
                         ? kNot

@@ -161,7 +161,7 @@ const SceneKey kForms[] = {
      "Radius about the centre beyond which there is nothing of it.",
      [](Scene& s, const KeyValue& v) { s.surface->bound = v.number; }},
     {"surface", "steps", KeyType::kWhole, "", "64", kSteps, "",
-     "Strides across the bounding sphere; what is thinner than one may be missed.",
+     "Steps across the bounding sphere; what is thinner than one may be missed.",
      [](Scene& s, const KeyValue& v) { s.surface->steps = v.width; }},
 };
 

@@ -101,7 +101,7 @@ private:
 enum class LightPathKind { kPlanar, kMino };
 LightPathKind light_path_kind(const EffectSet& effects);
 bool has_marched(
-    const EffectSet& effects);  // bodies that are found by strides: all but the sphere, and that about a rotating hole
+    const EffectSet& effects);  // bodies that are found by steps: all but the sphere, and that about a rotating hole
 bool has_solids(const EffectSet& effects);     // any solid body
 bool shades_heat(const EffectSet& effects);    // black bodies in the picture's shader: the table of their light
 bool meets_objects(const EffectSet& effects);  // anything that needs positions along rays: ray ends, orbit map

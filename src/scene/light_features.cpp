@@ -145,7 +145,7 @@ std::span<const Feature> light_features() {
          hole,
          [](Scene& s) { s.spacetime.metric = "neutron-star"; }},
         {{Effect::kSides, "sides", "EFFECT_SIDES", "Bodies stand on either side of a wormhole's throat.",
-          "spacetime.metric is a wormhole and there is a body", "a logarithm and a root a stride"},
+          "spacetime.metric is a wormhole and there is a body", "a logarithm and a root a step"},
          [](const FrameFacts& f) -> Reason {
              return !f.bends() || !f.spacetime->by_proper_length() || !has_marched(f.so_far) ? kNot
                                                                                              : Reason(metric_of(f));

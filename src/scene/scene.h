@@ -182,7 +182,7 @@ struct SurfaceSpec {  // the solid f(x, y, z, t) < 0, as far as `bound` from the
     double size = 6.0;                                     // of a named surface
     std::string shape = "(length(x, y) - 6)^2 + z^2 - 2";  // f: docs/expressions.md
     double bound = 10.0;
-    int steps = 64;  // strides across the bounding sphere: what is thinner than one may be missed
+    int steps = 64;  // steps across the bounding sphere: what is thinner than one may be missed
     bool far = false;
     BodyLook look;
     friend bool operator==(const SurfaceSpec&, const SurfaceSpec&) = default;

@@ -145,7 +145,7 @@ std::string march_of(const std::vector<Body>& bodies, const Scene& scene, const 
                                         "float march_stop(Trace trace, vec3 tangent, float phi) { return " +
                                         std::string(ball_alone ? "ball_beside(trace, tangent) ? 1.0e-9 : " : "") +
                                         "max(phi, 1.0e-9); }\n";
-    // Strides of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent.
+    // Steps of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent.
     const int steps = (sides ? 256 : 128) + (scene.surface ? 2 * scene.surface->steps : 0);
     const std::string graze = scene.surface ? "1.0e30" : "2.0 * angle * place_speed(place)";
     return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) + helpers + stop +
