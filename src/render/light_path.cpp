@@ -23,7 +23,7 @@ public:
 
 }  // namespace
 
-std::unique_ptr<LightPath> make_light_path(std::shared_ptr<const Spacetime> light) {
+std::unique_ptr<LightPath> make_light_path(const std::shared_ptr<const Spacetime>& light) {
     if (!light->bends_light()) return std::make_unique<StraightPath>();
     if (const AxialMetric* axial = light->axial())
         return std::make_unique<MinoPath>(std::shared_ptr<const AxialMetric>(light, axial));

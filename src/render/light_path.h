@@ -48,7 +48,7 @@ public:
 };
 
 // Of the light of this spacetime.
-std::unique_ptr<LightPath> make_light_path(std::shared_ptr<const Spacetime> light);
+std::unique_ptr<LightPath> make_light_path(const std::shared_ptr<const Spacetime>& light);
 
 // What a metric can be traced by: some methods need a shader of its own (shaders/method/closed_form, shaders/spacetime).
 bool has_method(const Spacetime& spacetime, const Method& method);

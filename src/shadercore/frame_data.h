@@ -61,8 +61,9 @@ struct FrameBlock {
 struct FrameVector {
     double x = 0, y = 0, z = 0, w = 0;
     constexpr FrameVector() = default;
-    constexpr FrameVector(double x_, double y_, double z_, double w_) : x(x_), y(y_), z(z_), w(w_) {}
-    constexpr FrameVector(Vec3 v, double w_) : x(v.x), y(v.y), z(v.z), w(w_) {}
+    constexpr FrameVector(double first, double second, double third, double fourth)
+        : x(first), y(second), z(third), w(fourth) {}
+    constexpr FrameVector(Vec3 v, double fourth) : x(v.x), y(v.y), z(v.z), w(fourth) {}
 };
 
 // What the host works out for a frame: in double, all members, 0 where nothing was put.
