@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/spin_forms.h"
 #include "reference/frame_tracer.h"
+#include "shadow_edge.h"
 #include "support/gpu_session.h"
 #include "support/metrics.h"
 
@@ -13,55 +13,13 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr double kEdge_px = 0.02;                 // what is promised of the shadow's edge ...
-constexpr double kRays_px = 0.05;                 // ... and of every ray
-constexpr double kFar = 1000.0;                   // of the observer, r_s
-constexpr double kPixel_rad = 6.0 / kFar / 1080;  // the shadow, some 11 M wide, fills a 1080p frame
-constexpr int kColumns = 401;
+constexpr double kRays_px = 0.05;  // what is promised of every ray
 
 Scene spinning(double spin) {
     Scene scene;
     scene.spacetime = {"kerr", {{"spin", spin}}};
     scene.camera.observer = ObserverKind::kZamo;
     return scene;
-}
-
-struct Edge {
-    double lambda, eta;  // L/E in M and Carter's constant over E^2 in M^2, of the ray on the edge
-    bool vertical;       // the edge is crossed along a column of pixels
-    int outside;         // to the right or upwards: +1
-};
-
-// A line of pixels across the edge, +-2 kEdge_px wide; returns how far from its middle the furthest pixel with the wrong fate is, px.
-double edge_off_px(GpuSession& session, double spin, const Edge& edge, double shift_px) {
-    Scene scene = spinning(spin);
-    scene.sky.kind = SkyKind::kBlack;
-    CameraSpec& camera = scene.camera;
-    camera.r = kFar;
-    camera.theta = M_PI / 2;
-    const auto spacetime = axial(*make_spacetime("kerr", scene.spacetime.parameters));
-    const SpinPlace place = spin_place(*spacetime, camera.r, camera.theta);
-    const SpinForms f = spin_forms(place, zamo_frame(place));
-    const double lambda = 0.5 * edge.lambda;  // r_s
-    const double n_phi = lambda * f.energy.constant / (f.across.around - lambda * f.energy.around),
-                 energy = f.energy.of(0, n_phi);
-    const double n_theta = 0.5 * std::sqrt(edge.eta) * energy / f.p_theta;  // energy < 0: northward, up
-    const double n_r = -std::sqrt(1 - n_theta * n_theta - n_phi * n_phi);
-    camera.yaw = std::atan2(n_phi, -n_r);
-    camera.pitch = std::atan2(-n_theta, std::hypot(n_phi, n_r));
-    (edge.vertical ? camera.pitch : camera.yaw) += shift_px * kPixel_rad;
-    camera.width = edge.vertical ? 1 : kColumns;
-    camera.height = edge.vertical ? kColumns : 1;
-    const double step = 4 * kEdge_px / kColumns;
-    camera.plane_width = step * kPixel_rad * camera.width;
-    const RayFrame frame = gl_ray_data(session, scene);
-    double worst = 0;
-    for (int i = 0; i < kColumns; ++i) {
-        const double from = (i - kColumns / 2) * step * edge.outside;
-        const RayPixel& pixel = edge.vertical ? frame.at(0, kColumns - 1 - i) : frame.at(i, 0);
-        if ((pixel.fate == Fate::kEscaped) != (from > 0)) worst = std::max(worst, std::abs(from));
-    }
-    return worst;
 }
 
 TEST_CASE("kerr: the shadow of an equatorial observer far away, to 0.02 px of a frame that it fills") {
@@ -71,11 +29,11 @@ TEST_CASE("kerr: the shadow of an equatorial observer far away, to 0.02 px of a 
         for (const auto& [spin, prograde, retrograde] : kShadows) {
             const Edge edges[] = {{prograde, 0, false, -1}, {-retrograde, 0, false, 1}, {-2 * spin, 27, true, 1}};
             for (const Edge& edge : edges) {
-                const double off = edge_off_px(session, spin, edge, 0);
+                const double off = edge_off_px(session, spinning(spin), edge, 0);
                 fmt::print("{:<7} a = {:<5} lambda {:9.5f} eta {:2}: edge off by {:.5f} px at most\n",
                            session.context->kind(), spin, edge.lambda, edge.eta, off);
                 CHECK(off <= kEdge_px);
-                CHECK(edge_off_px(session, spin, edge, 1.5 * kEdge_px) > kEdge_px);  // a shifted edge is seen
+                CHECK(edge_off_px(session, spinning(spin), edge, 1.5 * kEdge_px) > kEdge_px);  // a shifted edge is seen
             }
         }
     });
