@@ -4,8 +4,8 @@
 # The package lists live here and nowhere else; third_party/versions.md says what each is for.
 set -euo pipefail
 
-build=(g++ cmake ninja-build pkg-config python3 python3-glad libglfw3-dev libglm-dev libimgui-dev libstb-dev libegl-dev
-       libgl-dev libtomlplusplus-dev libcli11-dev libfmt-dev libtbb-dev libboost-dev libopenexr-dev
+build=(g++ cmake ninja-build pkg-config python3 python3-glad libglfw3-dev libglm-dev libimgui-dev libegl-dev
+       libgl-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libtbb-dev libboost-dev libopenexr-dev
        libpng-dev libjpeg-dev doctest-dev)
 run=(libegl1 libgl1 libgl1-mesa-dri fonts-dejavu-core)
 test=(xvfb xauth xdotool)

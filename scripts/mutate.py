@@ -26,6 +26,7 @@ ROOT = Path(__file__).resolve().parent.parent
 
 HARD = ("gpu_tests", "hard cases*")
 GOLDEN = ("golden_tests", "every case is*")
+LIMB = ("gpu_tests", "limb darkening*")
 
 
 class Mutant(NamedTuple):
@@ -47,13 +48,13 @@ MUTANTS = [Mutant(*row) for row in [
      "float over = a;\n    float under = max((1.0 + cosine) * factor, 1.0e-30);", HARD),
     ("axes-disc", "swapped texture axes: the disc's image", "shaders/object/disc_cover.glsl",
      "vec2(0.5 + turned.x, 0.5 - turned.y)", "vec2(0.5 - turned.y, 0.5 + turned.x)", GOLDEN),
-    ("axes-orbit", "swapped table axes: the orbit map", "shaders/core/orbit.glsl",
+    ("axes-orbit", "swapped table axes: the orbit table", "shaders/core/orbit.glsl",
      "vec4 t10 = orbit_fetch(cell.column + 1, cell.row);\n    vec4 t01 = orbit_fetch(cell.column, cell.row + 1);",
      "vec4 t01 = orbit_fetch(cell.column + 1, cell.row);\n    vec4 t10 = orbit_fetch(cell.column, cell.row + 1);",
      HARD),
-    ("float-fan", "float for double: the camera's place in the table", "src/table/ray_fan.cpp",
+    ("float-family", "float for double: the camera's place in the table", "src/table/ray_family.cpp",
      "chi0_ = inside_ ? M_PI : spacetime_->chi()->chi_from_radius(r);",
-     "chi0_ = static_cast<float>(inside_ ? M_PI : spacetime_->chi()->chi_from_radius(r));", ("unit_tests", "ray fan*")),
+     "chi0_ = static_cast<float>(inside_ ? M_PI : spacetime_->chi()->chi_from_radius(r));", ("unit_tests", "ray family*")),
     ("float-frame", "float for double: the boost's stretch", "src/render/frame_numbers.cpp",
      "std::sqrt((1.0 + speed) / (1.0 - speed))",
      "std::sqrt((1.0f + static_cast<float>(speed)) / (1.0f - static_cast<float>(speed)))", HARD),
@@ -72,8 +73,8 @@ MUTANTS = [Mutant(*row) for row in [
      "1.5 * ray.k - 2.0", "0.75 * ray.k - 2.0", ("gpu_tests", "kerr: the shadow*")),
     ("sixth-order", "one weight of the sixth-order step about a rotating hole", "shaders/mino/step.glsl",
      "f3 * (275.0 / 252.0) -", "f3 * (276.0 / 252.0) -", ("gpu_tests", "kerr methods: half*")),
-    ("spin-dips", "bodies about a rotating hole that a ray just touches, missed", "src/reference/kerr_bodies.cpp",
-     "if (dip <= 0) return", "if (dip <= -1) return", ("unit_tests", "kerr bodies*")),
+    ("spin-dips", "bodies about a rotating hole that a ray just touches, missed", "src/reference/first_change.h",
+     "if (dip <= 0) return first_change", "if (dip <= -1) return first_change", ("unit_tests", "kerr bodies*")),
     ("spin-azimuth", "Kerr-Schild azimuth where Boyer-Lindquist is meant", "src/reference/kerr_ray.cpp",
      "boyer_lindquist(from.azimuth + turned(from.azimuth, from.x, x, from.velocity), r);",
      "phi_ - sense_ * (from.azimuth + turned(from.azimuth, from.x, x, from.velocity) - std::atan2(chart_.a, r));",
@@ -87,18 +88,18 @@ MUTANTS = [Mutant(*row) for row in [
     ("display", "a missing square root in the display's curve", "shaders/effect/display.glsl",
      "vec3 s1 = sqrt(c);", "vec3 s1 = c;", GOLDEN),
     ("stale", "tables kept when the camera moves", "src/render/planar_path.cpp",
-     "fan_->camera_r() != camera.r || !(fan_->frame() == plan.observer.frame) ||\n"
+     "family_->camera_r() != camera.r || !(family_->frame() == plan.observer.frame) ||\n"
      "                       (wanted.orbits && !had.orbits) || (wanted.delays && !had.delays) ||\n"
-     "                       (wanted.points && !had.points) || fan_->w0() != camera_fan(plan).w0();",
+     "                       (wanted.points && !had.points) || family_->w0() != camera_family(plan).w0();",
      "(wanted.orbits && !had.orbits) || (wanted.delays && !had.delays) || (wanted.points && !had.points);",
      HARD),   # the radius alone is an equivalent mutant: another radius is another w0
     ("stale-zoom", "tables kept when the view narrows", "src/render/planar_path.cpp",
-     "fan_->w0() != camera_fan(plan).w0();", "false;", HARD),
-    ("nystrom", "a wrong coefficient of the integrator", "src/table/nystrom.h",
+     "family_->w0() != camera_family(plan).w0();", "false;", HARD),
+    ("nystrom", "a wrong coefficient of the integrator", "src/numeric/nystrom.h",
      "25. / 522", "25. / 525", HARD),
     ("cube", "a mirrored face of the sky", "src/sky/cube.cpp",
      "case 2: return {s, 1, t};", "case 2: return {-s, 1, t};", ("unit_tests", "cube_direction*")),
-    ("roll", "a camera that rolls the wrong way", "src/camera/pose.cpp",
+    ("roll", "a camera that rolls the wrong way", "src/observer/pose.cpp",
      "{{cr, -sr, 0}, {sr, cr, 0}, {0, 0, 1}}", "{{cr, sr, 0}, {-sr, cr, 0}, {0, 0, 1}}", ("unit_tests", "yaw turns*")),
     ("float-reference", "float for double: the reference's roots", "src/reference/schwarzschild_orbit.cpp",
      "const double psi = std::atan2(q, std::sqrt(-delta2));",
@@ -108,12 +109,18 @@ MUTANTS = [Mutant(*row) for row in [
      "sinh_third(std::sqrt(start.delta2) / kCritical)", "sinh_third(start.delta2 / kCritical)",
      ("unit_tests", "the reference meets every row*")),
     ("channels", "two channels of the ray data exchanged", "src/compare/ray_channels.cpp",
-     '{"sky.x", [](const RayPixel& p) { return p.sky.x; }', '{"sky.x", [](const RayPixel& p) { return p.sky.y; }',
+     "all(p.fate, p.sky.x, p.sky.y,", "all(p.fate, p.sky.y, p.sky.x,",
      ("unit_tests", "compare: every channel*")),
     ("einstein", "the star lens of another Einstein angle", "shaders/planar/star_image.glsl",
      "0.25 * b * b + scale.x * scale.x);", "0.25 * b * b + 1.01 * scale.x * scale.x);", ("gpu_tests", "far star*")),
     ("past-a-mass", "a term of second order lost in the light time past a mass", "src/reference/light_time.cpp",
      "((2 - 1 / at) / at + a * a", "(2 / at + a * a", ("unit_tests", "light time: past*")),
+    ("limb-motion", "the matter's motion left out of the light's angle to the disc", "shaders/planar/disc.glsl",
+     "1.0e-20) * (g / g_of(trace));", "1.0e-20);", LIMB),
+    ("limb-camera", "the camera's motion in the light's angle to a rotating hole's disc", "shaders/mino/disc.glsl",
+     "crossing.rise / crossing.r * (g / trace.doppler)", "crossing.rise / crossing.r * g", LIMB),
+    ("limb-parts", "a part of light that is off, in the light's angle to the disc", "shaders/object/disc_matter.glsl",
+     "disc_cosine(trace, crossing, result.g) * parts", "disc_cosine(trace, crossing, result.g)", LIMB),
 ]]
 
 

@@ -11,16 +11,16 @@ usage() {
 Usage: scripts/run.sh [SCENE] [VIEWER OPTION...]
 
 Installs the packages that are missing (apt), builds nullscope and shows SCENE.
-SCENE is the name of a scene that ships or a scene file; without it: first-light.
+SCENE is a scene file or the name of a built-in scene (default: first-light).
 
 With a display a window opens. Without one the picture is written to out/SCENE.png in the source tree.
 
-  scripts/run.sh                                the first picture
-  scripts/run.sh my-scene.toml                  a scene of your own; the least one is two lines:
+  scripts/run.sh                                the default scene
+  scripts/run.sh my-scene.toml                  a scene of your own; the shortest has two lines:
                                                     [spacetime]
                                                     metric = "schwarzschild"
   scripts/run.sh first-light --size 1920x1080   viewer options follow the scene
-  build/release/bin/nullscope scenes            lists the scenes that ship
+  build/release/bin/nullscope scenes            lists the built-in scenes
   build/release/bin/nullscope-viewer --help     lists the viewer's options
 
 The first call takes minutes, for the packages and the compiler; later calls take seconds.

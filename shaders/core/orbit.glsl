@@ -1,13 +1,14 @@
-// The orbit map: where a ray is after a swept angle, for every ray of this frame's zeta0. Bicubic Hermite patches over
+// The orbit table: where a ray is after a swept angle, for every ray of this frame's zeta0. Bicubic Hermite patches over
 //   across: octave cells of u as in strip.glsl, 12 an octave (each octave has 13 columns, its own copy of both ends),
 //   along:  v = swept angle / phi_end, kOrbitRows cells.
 // Texels: (Z, dZ/dx, dZ/dv, d2Z/dxdv), derivatives per cell. Z = zeta for captured rays, zeta/(1-v) for rays to the sky, so that
 // a distant disc keeps its relative accuracy. Segments below each other: sky first. Through a wormhole Z is W/(1-v) of all rays
 // (table/throat_orbit.h), and zeta is W.
+#include "core/patch.glsl"
 #include "core/strip.glsl"
 
 #ifndef __cplusplus
-// With delays the map's texels lie beside theirs (table/orbit_map.h).
+// With delays the map's texels lie beside theirs (table/orbit_table.h).
 uniform highp sampler2D orbit_texture;
 #ifdef EFFECT_DELAY
 vec4 orbit_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(2 * x, y), 0); }
@@ -48,20 +49,6 @@ OrbitCell orbit_cell(bool escapes, float u, float phi, float phi_end) {
     return cell;
 }
 
-// Hermite across: value and slope along v at the lower and the upper edge, where the patch is entered and left. The corners: (value, d/dx,
-// d/dv, d2/dxdv), per cell.
-vec4 orbit_edges(float f, vec4 t00, vec4 t10, vec4 t01, vec4 t11) {
-    float h1 = f * f * (3.0 - 2.0 * f);
-    float h2 = f * (1.0 - f) * (1.0 - f);
-    float h3 = f * f * (f - 1.0);
-    return vec4(t00.x + h1 * (t10.x - t00.x) + h2 * t00.y + h3 * t10.y, t00.z + h1 * (t10.z - t00.z) + h2 * t00.w + h3 * t10.w,
-                t01.x + h1 * (t11.x - t01.x) + h2 * t01.y + h3 * t11.y, t01.z + h1 * (t11.z - t01.z) + h2 * t01.w + h3 * t11.w);
-}
-
-float orbit_value(vec4 edges, float g) {
-    return edges.x + g * g * (3.0 - 2.0 * g) * (edges.z - edges.x) + g * (1.0 - g) * (1.0 - g) * edges.y + g * g * (g - 1.0) * edges.w;
-}
-
 // u, u_slope: as in StripRay. phi: swept angle < phi_end; phi_end_slope: d phi_end / d |delta|.
 OrbitPoint orbit_point(bool escapes, float u, float u_slope, float phi, float phi_end, float phi_end_slope) {
     phi_end = max(phi_end, 1.0e-9);   // a radial ray sweeps nothing
@@ -74,13 +61,13 @@ OrbitPoint orbit_point(bool escapes, float u, float u_slope, float phi, float ph
     vec4 t01 = orbit_fetch(cell.column, cell.row + 1);
     vec4 t11 = orbit_fetch(cell.column + 1, cell.row + 1);
 
-    vec4 edges = orbit_edges(f, t00, t10, t01, t11);
+    vec4 edges = patch_edges(f, t00, t10, t01, t11);
     float d1 = 6.0 * f * (1.0 - f);
     float d2 = 1.0 + f * (3.0 * f - 4.0);
     float d3 = f * (3.0 * f - 2.0);
     float low_x = d1 * (t10.x - t00.x) + d2 * t00.y + d3 * t10.y;
     float high_x = d1 * (t11.x - t01.x) + d2 * t01.y + d3 * t11.y;
-    float value = orbit_value(edges, g);
+    float value = patch_value(edges, g);
     float slope_v = 6.0 * g * (1.0 - g) * (edges.z - edges.x) + (1.0 + g * (3.0 * g - 4.0)) * edges.y + g * (3.0 * g - 2.0) * edges.w;
     slope_v *= float(ORBIT_ROWS);
     float slope_x = low_x + g * g * (3.0 - 2.0 * g) * (high_x - low_x);   // slopes of slopes left out: for footprints only

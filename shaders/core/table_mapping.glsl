@@ -4,7 +4,7 @@
 //   V(zeta) = A zeta^2 = q_crit^2 sin^2(chi)   (chi: 0 at infinity, pi/2 on the photon sphere, pi at the horizon)
 //   V(zeta0) = q^2 sin^2(alpha)                (alpha: static-frame angle between view direction and outward radial)
 //
-// Sheets: TURNING (k < 1: the ray turns at sin(alpha) = 1; one sheet for each side of the photon sphere), coordinates
+// Branches: TURNING (k < 1: the ray turns at sin(alpha) = 1; one branch for each side of the photon sphere), coordinates
 //   x = 1 - sqrt(1 - k), y = alpha / pi;
 // THROUGH (k > 1: the ray passes the photon sphere), coordinates x = sqrt(1 - 1/k), y = chi / pi.
 //

@@ -24,12 +24,10 @@ vec3 black_body(float log2_hue, float log2_glow, float scale) {
     float all_wavelengths = 4.0 * log2_glow;
     float luminance = all_wavelengths;
 #else
+    if (at < 0.0) return vec3(0.0);
     float l0 = black_body_fetch(j).w;
     float l1 = black_body_fetch(j + 1).w;
     float luminance = l0 + (glow - float(j)) * (l1 - l0) + max(at - float(PLANCK_CELLS), 0.0) / PLANCK_PER_OCTAVE;
-#endif
-#ifndef EFFECT_BOLOMETRIC
-    if (at < 0.0) return vec3(0.0);
 #endif
     return colour * exp2(min(luminance - scale, 60.0));
 }

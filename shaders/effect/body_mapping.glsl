@@ -1,7 +1,7 @@
 // Texture coordinates of directions from a body's middle: u to the right, v from the top, both 0 ... 1.
 #include "core/trig.glsl"
 
-// turn: cosine and sine of the look's rotation about the polar axis.
+// turn: cosine and sine of the texture's rotation about the polar axis.
 vec3 mapping_turned(vec3 d, vec2 turn) { return vec3(turn.x * d.x + turn.y * d.y, turn.x * d.y - turn.y * d.x, d.z); }
 
 float mapping_azimuth(vec3 d) {
@@ -41,8 +41,7 @@ vec2 mapping_cube(vec3 d) {
         face = vec2(d.z < 0.0 ? 1.0 : 2.0, 1.0);
         place = vec2(d.y, d.z < 0.0 ? -d.x : d.x) / max(a.z, 1.0e-20);
     }
-    vec2 uv = (face + 0.5 + 0.5 * place) * vec2(0.33333333333, 0.5);
-    return uv;
+    return (face + 0.5 + 0.5 * place) * vec2(0.33333333333, 0.5);
 }
 
 // The sky, seen from inside: columns grow to the left of azimuth, as an equirectangular image's.

@@ -1,8 +1,11 @@
 // Method table: the deflection table itself on the GPU, indexed by (q, zeta0) through core/table_mapping.glsl. Closed-form
-// logarithm plus the remainder R (table/deflection_table.h); the sheet for rays through the photon sphere keeps a0 and a1 only,
+// logarithm plus the remainder R (table/deflection_table.h); the branch for rays through the photon sphere keeps a0 and a1 only,
 // whose integrals do not cancel in float.
 //
-// The texture holds TABLE_SIZE + 1 nodes a side, the through sheet below the turning one.
+// The texture holds TABLE_SIZE + 1 nodes a side, the through branch below the turning one.
+#ifdef TABLE_HERMITE
+#include "core/patch.glsl"
+#endif
 #include "core/table_mapping.glsl"
 #include "core/trig.glsl"
 #include "method/by_angle.glsl"
@@ -10,28 +13,6 @@
 
 uniform highp sampler2D table_texture;
 
-#ifdef TABLE_HERMITE
-// Texels (R, dR/dx, dR/dy, d2R/dxdy) per cell: bicubic Hermite from four fetches.
-float table_remainder(float x, float y, int sheet) {
-    float px = min(x * float(TABLE_SIZE), float(TABLE_SIZE) - 0.001);
-    float py = min(y * float(TABLE_SIZE), float(TABLE_SIZE) - 0.001);
-    int ix = int(px);
-    int iy = int(py);
-    float f = px - float(ix);
-    float g = py - float(iy);
-    int row = iy + sheet * (TABLE_SIZE + 1);
-    vec4 t00 = texelFetch(table_texture, ivec2(ix, row), 0);
-    vec4 t10 = texelFetch(table_texture, ivec2(ix + 1, row), 0);
-    vec4 t01 = texelFetch(table_texture, ivec2(ix, row + 1), 0);
-    vec4 t11 = texelFetch(table_texture, ivec2(ix + 1, row + 1), 0);
-    float h1 = f * f * (3.0 - 2.0 * f);
-    float h2 = f * (1.0 - f) * (1.0 - f);
-    float h3 = f * f * (f - 1.0);
-    vec2 low = t00.xz + h1 * (t10.xz - t00.xz) + h2 * t00.yw + h3 * t10.yw;
-    vec2 high = t01.xz + h1 * (t11.xz - t01.xz) + h2 * t01.yw + h3 * t11.yw;
-    return low.x + g * g * (3.0 - 2.0 * g) * (high.x - low.x) + g * (1.0 - g) * (1.0 - g) * low.y + g * g * (g - 1.0) * high.y;
-}
-#endif
 #ifdef TABLE_CUBIC
 vec4 lagrange_weights(float f) {   // nodes -1, 0, 1, 2
     float a = f + 1.0;
@@ -40,7 +21,7 @@ vec4 lagrange_weights(float f) {   // nodes -1, 0, 1, 2
     return vec4(-f * b * c / 6.0, a * b * c * 0.5, -a * f * c * 0.5, a * f * b / 6.0);
 }
 
-float table_remainder(float x, float y, int sheet) {
+float table_remainder(float x, float y, int branch) {
     float px = x * float(TABLE_SIZE);
     float py = y * float(TABLE_SIZE);
     int ix = clamp(int(px) - 1, 0, TABLE_SIZE - 3);
@@ -49,38 +30,45 @@ float table_remainder(float x, float y, int sheet) {
     vec4 wy = lagrange_weights(py - float(iy + 1));
     float sum = 0.0;
     for (int j = 0; j < 4; ++j) {
-        int row = iy + j + sheet * (TABLE_SIZE + 1);
+        int row = iy + j + branch * (TABLE_SIZE + 1);
         vec4 line = vec4(texelFetch(table_texture, ivec2(ix, row), 0).x, texelFetch(table_texture, ivec2(ix + 1, row), 0).x,
                          texelFetch(table_texture, ivec2(ix + 2, row), 0).x, texelFetch(table_texture, ivec2(ix + 3, row), 0).x);
         sum += wy[j] * dot(wx, line);
     }
     return sum;
 }
-#endif
-#ifdef TABLE_BILINEAR
-float table_remainder(float x, float y, int sheet) {
+#else
+#ifdef TABLE_HARDWARE
+float table_remainder(float x, float y, int branch) {
+    vec2 place = vec2(x * float(TABLE_SIZE) + 0.5, y * float(TABLE_SIZE) + 0.5 + float(branch * (TABLE_SIZE + 1)));
+    return textureLod(table_texture, place / vec2(float(TABLE_SIZE + 1), float(2 * (TABLE_SIZE + 1))), 0.0).x;
+}
+#else
+// By the four nodes about a place. TABLE_HERMITE: texels (R, dR/dx, dR/dy, d2R/dxdy) per cell.
+float table_remainder(float x, float y, int branch) {
     float px = min(x * float(TABLE_SIZE), float(TABLE_SIZE) - 0.001);
     float py = min(y * float(TABLE_SIZE), float(TABLE_SIZE) - 0.001);
     int ix = int(px);
     int iy = int(py);
-    int row = iy + sheet * (TABLE_SIZE + 1);
     float f = px - float(ix);
-    float low = mix(texelFetch(table_texture, ivec2(ix, row), 0).x, texelFetch(table_texture, ivec2(ix + 1, row), 0).x, f);
-    float high = mix(texelFetch(table_texture, ivec2(ix, row + 1), 0).x, texelFetch(table_texture, ivec2(ix + 1, row + 1), 0).x, f);
-    return mix(low, high, py - float(iy));
+    float g = py - float(iy);
+    int row = iy + branch * (TABLE_SIZE + 1);
+    vec4 t00 = texelFetch(table_texture, ivec2(ix, row), 0);
+    vec4 t10 = texelFetch(table_texture, ivec2(ix + 1, row), 0);
+    vec4 t01 = texelFetch(table_texture, ivec2(ix, row + 1), 0);
+    vec4 t11 = texelFetch(table_texture, ivec2(ix + 1, row + 1), 0);
+#ifdef TABLE_HERMITE
+    return patch_value(patch_edges(f, t00, t10, t01, t11), g);
+#else
+    return mix(mix(t00.x, t10.x, f), mix(t01.x, t11.x, f), g);
+#endif
 }
 #endif
-#ifdef TABLE_HARDWARE
-float table_remainder(float x, float y, int sheet) {
-    vec2 place = vec2(x * float(TABLE_SIZE) + 0.5, y * float(TABLE_SIZE) + 0.5 + float(sheet * (TABLE_SIZE + 1)));
-    return textureLod(table_texture, place / vec2(float(TABLE_SIZE + 1), float(2 * (TABLE_SIZE + 1))), 0.0).x;
-}
 #endif
 
 Sweep sweep_to_sky(StripRay ray, float s, float c) {
     float omk2 = one_minus_k2_of(ray, s, c);
     float k = frame.orbit.x / max(s, 1.0e-30);
-    float phi;
     bool turning = omk2 > 0.0;
     float kp2 = max(omk2, 1.0e-12);
     float t = k * c;
@@ -95,6 +83,5 @@ Sweep sweep_to_sky(StripRay ray, float s, float c) {
     float x = turning ? turning_x_from_one_minus_k(kp2 / (1.0 + k)) : through_x_from_k_minus_one(d2 / (1.0 + k));
     float y = table_y_from_angle(turning ? arc_tangent2(s, c) : frame.series.y);
     float rest = table_remainder(clamp(x, 0.0, 1.0), y, turning ? 0 : 1);
-    phi = turning ? turning_part + rest : through_part + rest / k;
-    return sweep_by_angle(phi, s, c);
+    return sweep_by_angle(turning ? turning_part + rest : through_part + rest / k, s, c);
 }

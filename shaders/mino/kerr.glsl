@@ -10,7 +10,7 @@
 // The azimuth of Boyer and Lindquist is that of n and psi added up. Without spin n turns at the rate J, as on every plane orbit.
 //
 // Where a camera falls, rays that are traced outward from it come through the horizon, where that azimuth winds without end. There psi
-// belongs to the ingoing one, phi~ = phi + int a/Delta dr (spacetime/spin_frame.h): with X = a L zeta^2 - E (1 + a^2 zeta^2) > 0 and
+// belongs to the ingoing one, phi~ = phi + int a/Delta dr (observer/spin_frame.h): with X = a L zeta^2 - E (1 + a^2 zeta^2) > 0 and
 // zeta'^2 = X^2 - Delta zeta^4 K
 //     psi~' = -a (E + K zeta^2 / (X - zeta')),   zeta' < 0,
 // until the horizon is some way behind, or the ray slows down to turn, where zeta' by a root would lose its digits.
@@ -38,7 +38,7 @@ struct SpinState {
     float psi;
     float drag;
 #ifdef EFFECT_DELAY
-    float lag;        // T: v at the camera less v here
+    float travel_time;        // T: v at the camera less v here
 #endif
 #ifdef EFFECT_SPIN_FALL
     bool ingoing;     // psi belongs to phi~
@@ -115,17 +115,17 @@ float spin_tortoise(SpinRay ray, float zeta) {
     return 1.0 / zeta - log(zeta) + split * ((ray.outer - frame.spin_turn.z) * log(max(1.0 - ray.outer * zeta, 1.0e-7)) - (ray.inner - frame.spin_turn.z) * log(max(1.0 - ray.inner * zeta, 1.0e-7)));
 }
 
-bool lag_is_level(SpinRay ray, float zeta, float slope) {
+bool travel_time_is_level(SpinRay ray, float zeta, float slope) {
     float x = spin_x(ray, zeta);
     return slope * slope > LAG_SLOW * x * x;
 }
 
 // Of a step between two states: does the ray keep on inward or outward, clear of a turn?
-bool lag_keeps(SpinRay ray, SpinState from, vec4 to_y, float to_slope) {
-    return from.v.w * to_slope > 0.0 && lag_is_level(ray, from.y.w, from.v.w) && lag_is_level(ray, to_y.w, to_slope);
+bool travel_time_keeps(SpinRay ray, SpinState from, vec4 to_y, float to_slope) {
+    return from.v.w * to_slope > 0.0 && travel_time_is_level(ray, from.y.w, from.v.w) && travel_time_is_level(ray, to_y.w, to_slope);
 }
 
-float lag_rate(SpinRay ray, bool keeps, vec4 y) {
+float travel_time_rate(SpinRay ray, bool keeps, vec4 y) {
     float zeta = y.w;
     float x = spin_x(ray, zeta);
     float delta = spin_delta(ray, zeta);
@@ -138,8 +138,8 @@ float lag_rate(SpinRay ray, bool keeps, vec4 y) {
     return round + (keeps ? level : turning);
 }
 
-// What T grows by beside the integral of lag_rate, from (zeta, zeta') to (zeta, zeta').
-float lag_jump(SpinRay ray, bool keeps, vec2 from, vec2 to) {
+// What T grows by beside the integral of travel_time_rate, from (zeta, zeta') to (zeta, zeta').
+float travel_time_jump(SpinRay ray, bool keeps, vec2 from, vec2 to) {
     bool outward = from.y < 0.0;
     float low = max(from.x, 1.0e-12);
     float high = max(to.x, 1.0e-12);

@@ -16,21 +16,22 @@ float march_part(RayPlace place, float length) {
     return arc_tangent2(length * round, max(place.r + length * outward, 1.0e-6)) * place.r / (speed * round);
 }
 
-// How far to the next look, as a part of the step: within the least radius of a body only the way out counts, not how light winds.
-float march_step_length(RayPlace place, float reach) {
+// How far to the next sample, as a part of the step: within the least radius of a body only the way out counts, not how light winds.
+float march_step_length(RayPlace place, float length) {
     float outward = abs(dot(place.velocity, place.outward));
-    float below = 0.9 * (frame.march.z - place.r) / max(outward, 1.0e-20);
-    return min(max(march_part(place, march_length(place, reach)), below), MARCH_LONGEST);
+    float below = 0.9 * (frame.march_shell.y - place.r) / max(outward, 1.0e-20);
+    return min(max(march_part(place, length), below), MARCH_LONGEST);
 }
 
 // What a search has come to.
 struct SolidSearch {
     bool going;
     int left;             // looks
-    float before;         // the last look within a step, how long ago by Mino's time, and the value there
+    float before;         // the last sample within a step, how long ago by Mino's time, and the value there
     float before_value;
     float length;         // of the way
     float psi;            // at the end of the step that was looked along
+    float until;          // Mino's time there
     bool entered;         // hit is a body that the ray enters
     SolidHit hit;         // as far as it is known: covered > 0
 };
@@ -43,6 +44,7 @@ SolidSearch solid_search() {
     search.before_value = 1.0e30;
     search.length = 0.0;
     search.psi = 0.0;
+    search.until = 0.0;
     search.entered = false;
     search.hit.object = 0;
     search.hit.phi = 1.0e30;
@@ -66,80 +68,122 @@ SolidSearch solid_met(SolidSearch search, RayPlace place, float tau, float cover
 }
 
 // May a step come as close to the centre as a body does?
-bool leg_reaches(SpinState from, SpinState to, float h) {
+bool segment_reaches(SpinState from, SpinState to, float h) {
     float more = 0.25 * h * max(abs(from.v.w), abs(to.v.w));   // where zeta turns within it
     return (max(from.y.w, to.y.w) + more) * frame.march.x >= 1.0;
 }
 
 // Along a step that begins at Mino's time tau.
-SolidSearch leg_search(SpinRay ray, SpinLeg leg, float tau, float pixel_angle, float blur, SolidSearch search) {
+SolidSearch segment_search(SpinRay ray, SpinSegment segment, float tau, float pixel_angle, float blur, SolidSearch search) {
     float reach = frame.march.x;
     MarchWay way;
     way.ray = ray;
-    way.leg = leg;
+    way.segment = segment;
     way.pixel_angle = pixel_angle;
     float s = 0.0;
     RayPlace place = way_place(way, s);
     way.length = max(search.length, abs(1.0 / frame.shift.y - place.r));   // steps that no body is near to are left out
     float value = way_value(way, place);
-    float before = max(1.0 - search.before / leg.h, -MARCH_LONGEST);
+    float before = max(1.0 - search.before / segment.h, -MARCH_LONGEST);
     float before_value = search.before_value;
-    bool grows_to = spin_slope_at(leg.arc, 1.0).w > 0.0;
+    bool grows_to = spin_slope_at(segment.arc, 1.0).w > 0.0;
     bool on = true;
-    do {
-        float next = min(s + march_step_length(place, reach), 1.0);
-        RayPlace there = way_place(way, next);
-        vec3 chord = there.at - place.at;
-        way.length += sqrt(dot(chord, chord));
-        float value_there = way_value(way, there);
-        float inside = value <= 0.0 ? s : next;
-        float inside_value = value <= 0.0 ? value : value_there;
-        float outside = value <= 0.0 ? before : s;
-        float outside_value = value <= 0.0 ? before_value : value;
-        if (value > 0.0 && value_there > 0.0 && value < before_value && value <= value_there && value < march_graze(next - before, there)) {
-            vec2 dip = march_dip(way, before, next);
-            if (dip.y <= 0.0) {
-                inside = dip.x;
-                inside_value = dip.y;
-                outside = before;
-                outside_value = before_value;
-            } else if (blur > 0.0) {
-                float pixel = max(way_pixel(way, there, dip.x), 1.0e-20);
-                search = solid_met(search, way_place(way, dip.x), tau + dip.x * leg.h, march_cover(-dip.y / pixel, MARCH_THINNEST * frame.march.y / pixel), false);
+    do {   // from one place that may be on a body to the next, as planar/march.glsl
+        MarchSpan span = march_span(s, value);
+        do {
+            float length = march_length(place, reach);
+            float next = min(s + march_step_length(place, length), 1.0);
+            RayPlace there = way_place(way, next);
+            vec3 chord = there.at - place.at;
+            way.length += sqrt(dot(chord, chord));
+            float value_there = way_value(way, there);
+            if (value <= 0.0 ? before_value > 0.0 : value_there <= 0.0) {
+                span.enters = true;
+                span.inside = value <= 0.0 ? s : next;
+                span.inside_value = value <= 0.0 ? value : value_there;
+                span.outside = value <= 0.0 ? before : s;
+                span.outside_value = value <= 0.0 ? before_value : value;
             }
-        }
-        if (inside_value <= 0.0 && outside_value > 0.0) {
-            float at = march_refined(way, outside, inside, outside_value, inside_value);
-            search = solid_met(search, way_place(way, at), tau + at * leg.h, blur > 0.0 ? march_entry_cover(way, at) : 1.0, true);
-        }
-        before = s;
-        before_value = value;
-        s = next;
-        value = value_there;
-        place = there;
-        // On its way out beyond every body; what it does in later steps they tell. On its way in close to the hole nothing is left.
-        bool outward = dot(place.velocity, place.outward) > 0.0;
-        search.going = search.going && (outward || place.r > frame.march.w);
-        on = search.going && next < 1.0 && (place.r < reach || !outward || grows_to);
-        search.left -= 1;
+            if (value > 0.0 && value_there > 0.0 && value < before_value && value <= value_there &&
+                march_grazes(length, value, way_pixel(way, there, next))) {
+                span.grazes = true;
+                span.inside = next;
+                span.outside = before;
+                span.outside_value = before_value;
+            }
+            before = s;
+            before_value = value;
+            s = next;
+            value = value_there;
+            place = there;
+            // On its way out beyond every body; what it does in later steps they tell. On its way in close to the hole nothing is left.
+            bool outward = dot(place.velocity, place.outward) > 0.0;
+            search.going = search.going && (outward || place.r > frame.march_shell.z);
+            on = search.going && next < 1.0 && (place.r < reach || !outward || grows_to);
+            search.left -= 1;
+        } while (on && !span.enters && !span.grazes && search.left > 0);
+        MarchContact contact = march_contact(way, span, blur);
+        if (span.enters || span.grazes)
+            search = solid_met(search, contact.place, tau + contact.at * segment.h, contact.covered, contact.enters);
+        on = on && search.going;
     } while (on && search.left > 0);
     bool whole = s >= 1.0;
-    search.before = (1.0 - (whole ? before : s)) * leg.h;
+    search.before = (1.0 - (whole ? before : s)) * segment.h;
     search.before_value = whole ? before_value : value;
     search.length = way.length;
     search.going = search.going && search.left > 0;
     return search;
 }
 
-// Along the step between two states that begins at Mino's time tau, if it comes near to a body.
+// Does what is this large at the start, in the middle and at the end of a step stay above 0? Between them a parabola is off its chords by an
+// eighth of the second difference; twice as much is left.
+bool stays_above(float start, float middle, float end) {
+    return min(min(start, middle), end) > 0.25 * abs(start - 2.0 * middle + end);
+}
+
+// May a body be on a step that comes as close as bodies do? Not where all of it is higher, or lower, than any: |z| > H where |n_z| > H zeta;
+// nor where all of it is closer to the centre.
+bool step_meets(SpinState from, SpinState to, float h) {
+    vec4 middle = spin_at(spin_arc(from, to, h), 0.5);
+    float high = frame.march_shell.x;
+    float least = frame.march_shell.y;
+    bool above = stays_above(from.y.z - high * from.y.w, middle.z - high * middle.w, to.y.z - high * to.y.w);
+    bool below = stays_above(-from.y.z - high * from.y.w, -middle.z - high * middle.w, -to.y.z - high * to.y.w);
+    bool closer = stays_above(least * from.y.w - 1.0, least * middle.w - 1.0, least * to.y.w - 1.0);
+    return !above && !below && !closer;
+}
+
+#define MARCH_ARC 1.1   // a half of a step over its chord, at most
+
+// May a body be as near to the middle of the step as its ends are?
+bool step_touches(SpinRay ray, SpinState from, SpinState to, float h) {
+    SpinSegment segment = spin_segment(ray, from, to, h);
+    RayPlace middle = segment_place(ray, segment, 0.5);
+    vec3 before = middle.at - segment_place(ray, segment, 0.0).at;
+    vec3 behind = segment_place(ray, segment, 1.0).at - middle.at;
+    float half_length = MARCH_ARC * sqrt(max(dot(before, before), dot(behind, behind)));
+    return !(march_length(middle, frame.march.x) > max(half_length, frame.march.y));
+}
+
+// The length of the way behind a step that no body is on, by its chord.
+float length_behind(SolidSearch search, SpinState from, SpinState to) {
+    float r = 1.0 / max(from.y.w, 1.0e-10);
+    float r_to = 1.0 / max(to.y.w, 1.0e-10);
+    vec3 chord = r_to * vec3(to.y.x, to.y.y, to.y.z) - r * vec3(from.y.x, from.y.y, from.y.z);
+    return max(search.length, abs(1.0 / frame.shift.y - r)) + sqrt(dot(chord, chord));
+}
+
+// Along the step between two states that begins at Mino's time tau.
 SolidSearch step_search(SpinRay ray, SpinState from, SpinState to, float h, float tau, float pixel_angle, float blur, SolidSearch search) {
-    search.before += h;
-    search.psi = to.psi;
-    if (search.going && leg_reaches(from, to, h)) {
-        SpinLeg leg = spin_leg(ray, from, to, h);
-        search = leg_search(ray, leg, tau, pixel_angle, blur, search);
-        search.psi = leg_psi(ray, leg, to);
+    if (tau > search.until) {   // no body is near to the steps between
+        search.before = 0.0;
+        search.before_value = 1.0e30;
     }
+    search.before += h;
+    search.until = tau + h;
+    SpinSegment segment = spin_segment(ray, from, to, h);
+    search = segment_search(ray, segment, tau, pixel_angle, blur, search);
+    search.psi = segment_psi(ray, segment, to);
     return search;
 }
 

@@ -1,6 +1,6 @@
-// Where a ray about a rotating hole is within a step (mino/leg.glsl), in flat coordinates about the centre: for solid bodies. In place of
+// Where a ray about a rotating hole is within a step (mino/segment.glsl), in flat coordinates about the centre: for solid bodies. In place of
 // place.glsl, for rays that stay in planes.
-#include "mino/leg.glsl"
+#include "mino/segment.glsl"
 #include "shared/frame.glsl"
 
 struct RayPlace {
@@ -9,32 +9,32 @@ struct RayPlace {
     vec3 velocity;    // d(at)/ds, s the fraction of the step
     float r;
 #ifdef NEEDS_PLACE_LATE
-    float late;       // how long ago the light left that arrives now
+    float delay;       // how long ago the light left that arrives now
 #endif
 };
 
 vec3 place_turned(vec3 v, float c, float s) { return vec3(c * v.x - s * v.y, s * v.x + c * v.y, v.z); }
 
 // s: 0 ... 1, and a little before: the end of the step before.
-RayPlace leg_place(SpinRay ray, SpinLeg leg, float s) {
-    vec4 y = spin_at(leg.arc, s);
-    vec4 slope = spin_slope_at(leg.arc, s);
+RayPlace segment_place(SpinRay ray, SpinSegment segment, float s) {
+    vec4 y = spin_at(segment.arc, s);
+    vec4 slope = spin_slope_at(segment.arc, s);
     float zeta = max(y.w, 1.0e-10);
-    float psi = leg_turned(ray, leg, s, y);
+    float psi = segment_turned(ray, segment, s, y);
     float c = cos(psi);
     float t = sin(psi);
     RayPlace place;
     place.r = 1.0 / zeta;
     place.outward = place_turned(vec3(y.x, y.y, y.z), c, t);
     place.at = place.r * place.outward;
-    float turning = ray.outer * zeta < 1.0 ? spin_drag(ray, zeta) * leg.h : 0.0;
+    float turning = ray.outer * zeta < 1.0 ? spin_drag(ray, zeta) * segment.h : 0.0;
     place.velocity = place.r * (place_turned(vec3(slope.x, slope.y, slope.z), c, t) + turning * vec3(-place.outward.y, place.outward.x, 0.0) -
                                 (slope.w * place.r) * place.outward);
 #ifdef NEEDS_PLACE_LATE
 #ifdef EFFECT_DELAY
-    place.late = leg_late(ray, leg, s, vec4(y.x, y.y, y.z, zeta));
+    place.delay = segment_delay(ray, segment, s, vec4(y.x, y.y, y.z, zeta));
 #else
-    place.late = 0.0;
+    place.delay = 0.0;
 #endif
 #endif
     return place;

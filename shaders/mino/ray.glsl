@@ -1,5 +1,5 @@
 // How a ray about a rotating hole starts at the camera (mino/kerr.glsl). View directions are along (e_r, e_theta, e_phi) of the observer's own
-// frame (spacetime/spin_frame.h).
+// frame (observer/spin_frame.h).
 #include "mino/kerr.glsl"
 #include "shared/frame.glsl"
 
@@ -40,7 +40,7 @@ SpinState spin_start(SpinRay ray, vec3 n) {
     at.f = spin_force(ray, at.y);
     at.psi = 0.0;
 #ifdef EFFECT_DELAY
-    at.lag = 0.0;
+    at.travel_time = 0.0;
 #endif
 #ifdef EFFECT_SPIN_FALL
     at.ingoing = ingoing_stays(ray, at.y.w, at.v.w);

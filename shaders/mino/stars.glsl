@@ -1,12 +1,7 @@
 // An image of a star that the host has found (src/render/star_mesh.h).
 #include "effect/black_body.glsl"
+#include "effect/star_point.glsl"
 #include "shared/frame.glsl"
-
-struct StarPoint {
-    vec2 pixel;    // px from the picture's middle, y up
-    float ahead;   // above 0 before the camera
-    vec3 peak;     // light in the pixel that it is in the middle of
-};
 
 // place: px from the picture's middle, y up; g. make: as planar/stars.glsl, the first for an image over the sky in a pixel.
 StarPoint star_point(vec3 place, vec2 make) {

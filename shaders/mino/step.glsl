@@ -44,10 +44,10 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
 #endif
     to.drag = spin_turning_at(ray, to);
 #ifdef EFFECT_DELAY
-    bool keeps = lag_keeps(ray, from, to.y, to.v.w);
-    to.lag = from.lag + lag_jump(ray, keeps, vec2(from.y.w, from.v.w), vec2(to.y.w, to.v.w)) +
-             h * (lag_rate(ray, keeps, from.y) * (151.0 / 2142.0) + lag_rate(ray, keeps, y1) * (25.0 / 522.0) + lag_rate(ray, keeps, y2) * (275.0 / 684.0) +
-                  lag_rate(ray, keeps, y3) * (275.0 / 252.0) - lag_rate(ray, keeps, y4) * (78125.0 / 112404.0) + lag_rate(ray, keeps, to.y) * (1.0 / 12.0));
+    bool keeps = travel_time_keeps(ray, from, to.y, to.v.w);
+    to.travel_time = from.travel_time + travel_time_jump(ray, keeps, vec2(from.y.w, from.v.w), vec2(to.y.w, to.v.w)) +
+             h * (travel_time_rate(ray, keeps, from.y) * (151.0 / 2142.0) + travel_time_rate(ray, keeps, y1) * (25.0 / 522.0) + travel_time_rate(ray, keeps, y2) * (275.0 / 684.0) +
+                  travel_time_rate(ray, keeps, y3) * (275.0 / 252.0) - travel_time_rate(ray, keeps, y4) * (78125.0 / 112404.0) + travel_time_rate(ray, keeps, to.y) * (1.0 / 12.0));
 #endif
     to.psi = from.psi + h * (from.drag * (151.0 / 2142.0) + spin_turning(ray, from, y1.w) * (25.0 / 522.0) +
                              spin_turning(ray, from, y2.w) * (275.0 / 684.0) + spin_turning(ray, from, y3.w) * (275.0 / 252.0) -
@@ -95,7 +95,7 @@ SpinState spin_to_sky(SpinRay ray, SpinState beyond) {
     at.y += rest * (at.v + 0.5 * rest * at.f);
     at.psi += rest * at.drag;
 #ifdef EFFECT_DELAY
-    at.lag += rest * lag_rate(ray, true, at.y);
+    at.travel_time += rest * travel_time_rate(ray, true, at.y);
 #endif
     return at;
 }

@@ -6,8 +6,11 @@
 #ifdef EFFECT_ABERRATION
 #include "core/aberration.glsl"
 #endif
+#ifdef NEEDS_FOOTPRINT
+#include "core/pixel_sides.glsl"
+#endif
 #ifdef EFFECT_DISC
-#include "mino/leg.glsl"
+#include "mino/segment.glsl"
 #endif
 #include "mino/ray.glsl"
 #include "mino/step.glsl"
@@ -24,36 +27,39 @@
 
 #define SPIN_FARTHEST 1.0e10   // a crossing beyond it lies behind the sky
 
+#ifdef EFFECT_DISC
+#define TRACE_STOPS   // at steps that meet something, which is then looked at once for all of the driver's rays
+#endif
+#ifdef NEEDS_PLACE
+#define TRACE_STOPS
+#endif
 struct Trace {
     float doppler;        // frequency in the camera over that in the observer's frame
     float pixel_angle;    // angle that one pixel spans here, rad, in the observer's frame
     bool escapes;
-    bool lost;            // neither here nor there after SPIN_MOST_STEPS
     vec3 sky;             // direction on the celestial sphere, world axes, unit to rounding; of use if escapes
     float stretch_along;  // how fast the sky direction moves: of the footprint's sides the longer ...
     float stretch_across; // ... and the area over it
 #ifdef NEEDS_FOOTPRINT
-    vec3 sky_right;       // and the same to the right and upward
-    vec3 sky_up;
+    PixelSides sky_sides; // and the same to the right and upward
 #endif
     int steps;
 #ifdef EFFECT_DELAY
-    float lag;            // T, of a ray that escapes
+    float travel_time;            // T, of a ray that escapes
 #endif
     float momentum;       // of the photon over its frequency in the observer's frame
     float energy;
 #ifdef EFFECT_DISC
     int crossings;        // of the disc, or close to its rims: how many of these there are
-    SpinCrossing crossing_0;
-    SpinCrossing crossing_1;
-    SpinCrossing crossing_2;
-    SpinCrossing crossing_3;
+    DiscCrossing crossing_0;
+    DiscCrossing crossing_1;
+    DiscCrossing crossing_2;
+    DiscCrossing crossing_3;
 #endif
 #ifdef NEEDS_PLACE
     SolidHit solid;       // the first body
 #ifdef NEEDS_FOOTPRINT
-    vec3 solid_right;     // how it moves from pixel to pixel
-    vec3 solid_up;
+    PixelSides solid_sides;   // how it moves from pixel to pixel, to the right and upward
 #endif
 #endif
 };
@@ -71,6 +77,25 @@ float path_angle(Trace trace) { return 0.0; }
 // g: the camera's frequency over that at infinity.
 float g_of(Trace trace) { return trace.doppler / max(trace.energy, 1.0e-6); }
 
+#ifdef EFFECT_DISC
+bool spin_disc_more(Trace trace, int k) { return k < min(trace.crossings, SPIN_CROSSINGS); }
+
+#ifdef NEEDS_FOOTPRINT
+// Crossing k with its footprint. Where a neighbour has none of this number: as if the disc were looked at from here,
+// straight.
+DiscCrossing spin_footprint(Trace trace, int k, DiscCrossing crossing) {
+    float there = spin_disc_more(trace, k) ? crossing.number : 0.0;
+    float edge = abs(dFdx(there)) + abs(dFdy(there));
+    float side = trace.pixel_angle * (crossing.r + 1.0 / frame.shift.y);
+    vec2 along = dFdx(crossing.place);
+    vec2 across = dFdy(crossing.place);
+    crossing.along = edge == 0.0 ? along : vec2(side, 0.0);
+    crossing.across = edge == 0.0 ? across : vec2(0.0, side);
+    return crossing;
+}
+#endif
+#endif
+
 // A ray ends at the sky, and at the horizon once it has been outside of it.
 bool spin_goes(float zeta, float end, int left, bool outside) { return zeta > 0.0 && (zeta < end || !outside) && left > 0; }
 
@@ -78,8 +103,8 @@ bool spin_goes(float zeta, float end, int left, bool outside) { return zeta > 0.
 Trace trace_pixel(vec2 pixel) {
     Trace trace;
     float inverse_length = inversesqrt(1.0 + dot(pixel, pixel) * (frame.image.z * frame.image.z));
-    vec4 look = (frame.ray_0 + pixel.x * frame.ray_x + pixel.y * frame.ray_y) * inverse_length;
-    vec3 n = vec3(look.x, look.y, look.z);
+    vec4 view = (frame.ray_0 + pixel.x * frame.ray_x + pixel.y * frame.ray_y) * inverse_length;
+    vec3 n = vec3(view.x, view.y, view.z);
     trace.pixel_angle = frame.image.z * inverse_length * sqrt(inverse_length);
     float doppler = 1.0;
 #ifdef EFFECT_ABERRATION
@@ -96,7 +121,6 @@ Trace trace_pixel(vec2 pixel) {
     vec4 marched = kerr_schild_march(ray, n);
     trace.steps = int(abs(marched.w));
     trace.escapes = marched.w > 0.0;
-    trace.lost = false;
     trace.sky = trace.escapes ? vec3(marched.x, marched.y, marched.z) : -n;
 #else
     SpinState now = spin_start(ray, n);
@@ -123,83 +147,92 @@ Trace trace_pixel(vec2 pixel) {
 #endif
 #ifdef EFFECT_DISC
     trace.crossings = 0;
-    SpinCrossing none;
-    none.number = 0.0;
-    none.along = 0.0;
-    none.r = 0.0;
-    none.place = vec2(0.0, 0.0);
-    none.climb = 0.0;
-#ifdef EFFECT_DELAY
-    none.late = 0.0;
-#endif
+    DiscCrossing none = no_crossing();
     trace.crossing_0 = none;
     trace.crossing_1 = none;
     trace.crossing_2 = none;
     trace.crossing_3 = none;
+    float number = 0.0;
+    float rim = SPIN_RIM * min(frame.disc_y.w - frame.disc_x.w, frame.disc_x.w);
+#endif
+    bool crossed = false;   // the disc's plane
+    bool near = false;      // the band that bodies keep to
+#ifdef TRACE_STOPS
     SpinState from = now;
     SpinState to = now;
     float taken = 1.0;
     float begun = 0.0;
-    float number = 0.0;
-    float rim = SPIN_RIM * min(frame.disc_y.w - frame.disc_x.w, frame.disc_x.w);
-    do {   // from one crossing of the plane to the next; loops are tested at the end, see disc_cover.glsl
-        bool crossed = false;
+    do {   // from one step that meets something to the next; loops are tested at the end, see disc_cover.glsl
+        crossed = false;
+#ifdef NEEDS_PLACE
+        do {   // and from one that may to the next
+#endif
+        near = false;
+#endif
         do {
             SpinState before = now;
-            float h = spin_step_length(ray, now, left);
-            now = spin_step(ray, now, h);
+            float h = spin_step_length(ray, before, left);
+            now = spin_step(ray, before, h);
             --left;
+#ifdef TRACE_STOPS
+            bool crosses = false;
+            bool meets = false;
+#ifdef EFFECT_DISC
+            crosses = before.y.z * now.y.z < 0.0 || (now.y.z == 0.0 && before.y.z != 0.0);
+#endif
 #ifdef NEEDS_PLACE
-            search = step_search(ray, before, now, h, tau, trace.pixel_angle, blur, search);
-            now.psi = search.psi;
+            if (segment_reaches(before, now, h)) {
+                meets = search.going && step_meets(before, now, h);
+                if (!meets) search.length = length_behind(search, before, now);
+            }
 #endif
             // What is used after the loop is kept in a branch: Mesa 22's software driver gives a ray that has left a loop what later rounds
             // of the others make of variables that no round takes over from the one before.
-            if (before.y.z * now.y.z < 0.0 || (now.y.z == 0.0 && before.y.z != 0.0)) {
+            if (crosses || meets) {
                 from = before;
                 to = now;
                 taken = h;
                 begun = tau;
-                crossed = true;
+                crossed = crosses;
+                near = meets;
             }
+#endif
             tau += h;
 #ifdef EFFECT_SPIN_FALL
             outside = outside || now.y.w < end;
 #endif
             going = spin_goes(now.y.w, end, left, outside);
-        } while (going && !crossed);
+        } while (going && !crossed && !near);
+#ifdef TRACE_STOPS
         going = spin_goes(now.y.w, end, left, outside);
-        SpinCrossing crossing = spin_crossing(ray, from, to, taken, begun);
+#endif
+#ifdef NEEDS_PLACE
+            if (near && !step_touches(ray, from, to, taken)) {
+                near = false;
+                search.length = length_behind(search, from, to);
+            }
+        } while (going && !crossed && !near);
+        if (near) {
+            search = step_search(ray, from, to, taken, begun, trace.pixel_angle, blur, search);
+            now.psi = search.psi;
+        }
+#endif
+#ifdef EFFECT_DISC
+        DiscCrossing crossing = spin_crossing(ray, from, to, taken, begun);
 #ifdef EFFECT_SPIN_FALL
         crossed = crossed && ours;
 #endif
         number += crossed ? 1.0 : 0.0;
         crossing.number = number;
-        if (crossed && number > frame.disc_look.w && crossing.r > max(ray.outer, frame.disc_x.w - rim) && crossing.r < min(SPIN_FARTHEST, frame.disc_y.w + rim)) {
+        if (crossed && number > frame.disc_surface.w && crossing.r > max(ray.outer, frame.disc_x.w - rim) && crossing.r < min(SPIN_FARTHEST, frame.disc_y.w + rim)) {
             if (trace.crossings == 0) trace.crossing_0 = crossing;
             if (trace.crossings == 1) trace.crossing_1 = crossing;
             if (trace.crossings == 2) trace.crossing_2 = crossing;
             if (trace.crossings == 3) trace.crossing_3 = crossing;
             ++trace.crossings;
         }
-    } while (going);
-#else
-    do {
-#ifdef NEEDS_PLACE
-        SpinState before = now;
-        float h = spin_step_length(ray, before, left);
-        now = spin_step(ray, before, h);
-        search = step_search(ray, before, now, h, tau, trace.pixel_angle, blur, search);
-        now.psi = search.psi;
-        tau += h;
-#else
-        now = spin_step(ray, now, spin_step_length(ray, now, left));
 #endif
-        --left;
-#ifdef EFFECT_SPIN_FALL
-        outside = outside || now.y.w < end;
-#endif
-        going = spin_goes(now.y.w, end, left, outside);
+#ifdef TRACE_STOPS
     } while (going);
 #endif
 #ifdef NEEDS_PLACE
@@ -207,10 +240,9 @@ Trace trace_pixel(vec2 pixel) {
 #endif
     trace.steps = SPIN_MOST_STEPS - left;
     trace.escapes = now.y.w <= 0.0 && trace.energy > 0.0;
-    trace.lost = now.y.w > 0.0 && now.y.w < end;
     SpinState sky = spin_to_sky(ray, now);
 #ifdef EFFECT_DELAY
-    trace.lag = sky.lag;
+    trace.travel_time = sky.travel_time;
 #endif
     float c = cos(sky.psi);
     float s = sin(sky.psi);
@@ -219,21 +251,27 @@ Trace trace_pixel(vec2 pixel) {
 #ifdef NEEDS_FOOTPRINT
     vec3 right = dFdx(trace.sky);
     vec3 up = dFdy(trace.sky);
-    trace.sky_right = right;
-    trace.sky_up = up;
+    trace.sky_sides.along = right;
+    trace.sky_sides.across = up;
     float longer = max(sqrt(max(dot(right, right), dot(up, up))), 1.0e-20);
     vec3 area = cross(right, up);
     trace.stretch_along = longer / trace.pixel_angle;
     trace.stretch_across = sqrt(dot(area, area)) / (longer * trace.pixel_angle);
+#ifdef EFFECT_DISC
+    trace.crossing_0 = spin_footprint(trace, 0, trace.crossing_0);
+    trace.crossing_1 = spin_footprint(trace, 1, trace.crossing_1);
+    trace.crossing_2 = spin_footprint(trace, 2, trace.crossing_2);
+    trace.crossing_3 = spin_footprint(trace, 3, trace.crossing_3);
+#endif
 #ifdef NEEDS_PLACE
-    trace.solid_right = dFdx(trace.solid.place.at);
-    trace.solid_up = dFdy(trace.solid.place.at);
+    trace.solid_sides.along = dFdx(trace.solid.place.at);
+    trace.solid_sides.across = dFdy(trace.solid.place.at);
     float met = float(trace.solid.object);
     float side = trace.pixel_angle * search.length;
     if (abs(dFdx(met)) + abs(dFdy(met)) > 0.0) {   // straight light, across it
         vec3 ahead = normalize(trace.solid.place.velocity);
-        trace.solid_right = side * normalize(cross(ahead, abs(ahead.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
-        trace.solid_up = cross(trace.solid_right, ahead);
+        trace.solid_sides.along = side * normalize(cross(ahead, abs(ahead.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
+        trace.solid_sides.across = cross(trace.solid_sides.along, ahead);
     }
 #endif
 #else
@@ -243,32 +281,11 @@ Trace trace_pixel(vec2 pixel) {
     return trace;
 }
 
-#ifdef EFFECT_SKY_PATTERN
-// Sides of the pixel's box on the sky, to the right and upward.
-struct SkySides {
-    vec3 along;
-    vec3 across;
-};
-SkySides sky_sides(Trace trace) {
-    SkySides sides;
-    sides.along = trace.sky_right;
-    sides.across = trace.sky_up;
-    return sides;
-}
-#endif
-
-#ifdef NEEDS_PLACE
 #ifdef NEEDS_FOOTPRINT
-// How the place of the body that is met moves with the pixel, to the right and upward.
-struct SolidSides {
-    vec3 within;
-    vec3 round;
-};
-SolidSides solid_sides(Trace trace, RayPlace place) {
-    SolidSides sides;
-    sides.within = trace.solid_right;
-    sides.round = trace.solid_up;
-    return sides;
-}
+#ifdef EFFECT_SKY_PATTERN
+PixelSides sky_sides(Trace trace) { return trace.sky_sides; }
+#endif
+#ifdef NEEDS_PLACE
+PixelSides solid_sides(Trace trace, RayPlace place) { return trace.solid_sides; }
 #endif
 #endif

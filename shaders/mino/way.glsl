@@ -4,12 +4,12 @@
 
 struct MarchWay {
     SpinRay ray;
-    SpinLeg leg;
+    SpinSegment segment;
     float pixel_angle;
     float length;     // of the way from the camera, r_s
 };
 
-RayPlace way_place(MarchWay way, float s) { return leg_place(way.ray, way.leg, s); }
+RayPlace way_place(MarchWay way, float s) { return segment_place(way.ray, way.segment, s); }
 // Outside of everything within the horizon.
 float way_value(MarchWay way, RayPlace place) { return place.r > way.ray.outer ? march_value(place) : 1.0e30; }
 // As if light went straight.

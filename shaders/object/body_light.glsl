@@ -1,9 +1,10 @@
-// The light of one body: this text is written once for each of a scene's bodies, with BODY its name.
+// The light of bodies that have one kind and one texture: this text is written once for each such group, with BODY its name, KIND its kind's.
+#include "object/material.glsl"
 #include "object/solid.glsl"
-#include "shared/frame.glsl"
+#include "shared/objects.glsl"
 
-// at: about the body's middle.
-vec3 BODY_light(Trace trace, RayPlace place, vec3 at, vec3 normal) {
-    SolidSpot spot = solid_spot(trace, place, normal);
-    return BODY_paint(at, spot.along, spot.across) * solid_limb(frame.BODY_colour.w, spot.cosine);
+vec3 BODY_light(int i, Trace trace, RayPlace place) {
+    Material material = Material(objects[4 * i + 1], objects[4 * i + 2], objects[4 * i + 3], KIND_size(i));
+    SolidSpot spot = solid_spot(trace, place, KIND_normal(i, place));
+    return BODY_pattern(material, place.at - KIND_middle(i, place), spot.along, spot.across) * solid_limb(material.colour.w, spot.cosine);
 }

@@ -4,7 +4,8 @@
 #include "effect/footprint.glsl"
 #endif
 #ifdef EFFECT_DISC_PATTERN
-#include "generated/coats"
+#include "generated/materials"
+#include "object/material.glsl"
 #endif
 
 #ifdef EFFECT_DISC_IMAGE
@@ -46,7 +47,8 @@ vec4 disc_cover(vec2 place, vec2 a, vec2 b) {
     return disc_filtered(place, a, b);
 #endif
 #ifdef EFFECT_DISC_PATTERN
-    return vec4(disc_coat_paint(vec3(place, 0.0), vec3(a, 0.0), vec3(b, 0.0)), 1.0);
+    Material material = Material(frame.disc_material_map, frame.disc_material_colour, frame.disc_material_second, frame.disc_y.w);
+    return vec4(disc_material_pattern(material, vec3(place, 0.0), vec3(a, 0.0), vec3(b, 0.0)), 1.0);
 #endif
     return vec4(1.0);
 }

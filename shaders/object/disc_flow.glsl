@@ -11,8 +11,8 @@
 
 vec2 disc_turned(vec2 v, float c, float s) { return vec2(c * v.x + s * v.y, c * v.y - s * v.x); }   // back by an angle
 
-// late: how long ago the light left that arrives now.
-vec4 disc_flow(DiscCrossing crossing, float late) {
+// delay: how long ago the light left that arrives now.
+vec4 disc_flow(DiscCrossing crossing, float delay) {
     float zeta = 1.0 / crossing.r;
     // Of circular orbits, Omega = w/(1 + a w), w^2 = zeta^3 (z - w zeta) of disc_winding: about a rotating hole with its rotation.
     float w = sqrt(max(zeta * zeta * zeta * (frame.disc_winding.z - frame.disc_winding.w * zeta), 0.0));
@@ -24,7 +24,7 @@ vec4 disc_flow(DiscCrossing crossing, float late) {
     vec2 around = vec2(-outward.y, outward.x);
     vec4 sum = vec4(0.0);
     for (int i = 0; i < 2; ++i) {
-        float phase = frame.disc_winding.x - late * frame.disc_winding.y + 0.5 * float(i);
+        float phase = frame.disc_winding.x - delay * frame.disc_winding.y + 0.5 * float(i);
         float copy = floor(phase);
         float part = phase - copy;
         float age = (part - 0.5) / frame.disc_winding.y;

@@ -1,12 +1,12 @@
 // Solid bodies anywhere: along the ray in steps no longer than the distance to the nearest of them, then between two places
-// on either side of its surface. march_value (written for the scene): below 0 inside of a body; march_room: how far along
-// the ray the nearest is at least; march_object: which one.
+// on either side of its surface. march_value (written for the scene): below 0 inside of a body; march_slope: by how much more it changes than
+// the distance does; march_room: how far along the ray the nearest is at least; march_object: which one.
 //
 // A body that the ray only grazes lies between two steps: where three values fall and rise again, the least between them is
-// looked for too.
+// looked for too, if march_grazes says that a body may be met there or cover a part of the pixel.
 //
-// MarchWay, way_place, way_value and way_pixel: the way that is marched along by a growing number (planar/march.glsl: the swept angle of an orbit;
-// mino/march.glsl: the fraction of a step about a rotating hole), the place there, the value, and how wide a pixel is.
+// MarchWay, way_place, way_value and way_pixel: the way that is marched along by a growing number (planar/march.glsl: the swept angle of an
+// orbit; mino/march.glsl: the fraction of a step about a rotating hole), the place there, the value, and how wide a pixel is.
 #include "generated/bodies_march"
 #include "path/place"
 #include "path/way"
@@ -15,58 +15,36 @@
 #define MARCH_GOLDEN 0.61803398875
 #define MARCH_SEARCHES 9     // 0.618^9: a step to 1/76
 #define MARCH_REFINEMENTS 24
-#define MARCH_FAR 16.0       // shortest steps: half the thinnest body
 
-// Between `low` (outside) and `high` (inside): regula falsi, the end that stays halved (Illinois); every third step halves the
-// interval, for values with a corner in them.
-float march_refined(MarchWay way, float low, float high, float low_value, float high_value) {
-    float at = high;
-    int left = MARCH_REFINEMENTS;
-    do {
-        float width = high - low;
-        float part = left % 3 == 0 ? 0.5 : clamp(low_value / max(low_value - high_value, 1.0e-30), 0.01, 0.99);
-        at = low + width * part;
-        float value = way_value(way, way_place(way, at));
-        if (value > 0.0) {
-            low = at;
-            low_value = value;
-            high_value *= 0.5;
-        } else {
-            high = at;
-            high_value = value;
-            low_value *= 0.5;
-        }
-    } while (--left > 0 && high - low > 1.0e-7 * abs(high));
-    return high;
+// A part of the way, between two samples or three, on which a ray enters a body (outside, inside: before and behind its surface) or comes
+// close to one and leaves it again (a graze).
+struct MarchSpan {
+    bool enters;
+    bool grazes;
+    float outside;
+    float outside_value;
+    float inside;
+    float inside_value;
+};
+
+MarchSpan march_span(float at, float value) {
+    MarchSpan span;
+    span.enters = false;
+    span.grazes = false;
+    span.outside = at;
+    span.outside_value = value;
+    span.inside = at;
+    span.inside_value = value;
+    return span;
 }
 
-// The least in (a, b) by golden section: where, and the value; the first below 0.
-vec2 march_dip(MarchWay way, float a, float b) {
-    float x = b - MARCH_GOLDEN * (b - a);
-    float y = a + MARCH_GOLDEN * (b - a);
-    float fx = way_value(way, way_place(way, x));
-    float fy = way_value(way, way_place(way, y));
-    int searches = MARCH_SEARCHES;
-    do {
-        bool lower = fx < fy;
-        if (lower) {
-            b = y;
-            y = x;
-            fy = fx;
-            x = b - MARCH_GOLDEN * (b - a);
-        } else {
-            a = x;
-            x = y;
-            fx = fy;
-            y = a + MARCH_GOLDEN * (b - a);
-        }
-        float probe = lower ? x : y;
-        float value_there = way_value(way, way_place(way, probe));
-        if (lower) fx = value_there;
-        else fy = value_there;
-    } while (--searches > 0 && min(fx, fy) > 0.0);
-    return fx < fy ? vec2(x, fx) : vec2(y, fy);
-}
+// Where on a span, and how much of the pixel is covered there.
+struct MarchContact {
+    float at;
+    RayPlace place;
+    float covered;
+    bool enters;
+};
 
 // How much of a pixel is covered whose ray comes `depth` deep into a body, below 0 by as much beside it; in pixels. thickness: the thinnest
 // body's. Where a ray would come deeper than that the body is flat.
@@ -77,21 +55,128 @@ float march_cover(float depth, float thickness) {
 #define MARCH_THINNEST 32.0  // shortest steps: the thinnest body
 #define MARCH_PROBE 4.0      // shortest steps
 
-// The same of a ray that enters a body there: how deep it will come by slope and curvature of the value along it.
-float march_entry_cover(MarchWay way, float at) {
-    RayPlace place = way_place(way, at);
-    float pixel = max(way_pixel(way, place, at), 1.0e-20);
-    float probe = min(MARCH_PROBE * frame.march.y / max(place_speed(place), 1.0e-20), way_left(way, at));
-    float before = way_value(way, way_place(way, at - probe));
-    float after = way_value(way, way_place(way, at + probe));
-    float slope = 0.5 * (before - after);
-    float bend = before + after - 2.0 * way_value(way, place);
+// What the search on a span asks for next.
+#define SPAN_FIRST 0         // the golden section's two inner places
+#define SPAN_SECOND 1
+#define SPAN_DIP 2           // the next of them: the least value
+#define SPAN_ROOT 3          // between outside and inside: the surface
+#define SPAN_BEFORE 4        // a little before it and behind it
+#define SPAN_BEHIND 5
+#define SPAN_DONE 6
+
+// The least value on a graze by golden section, the first below 0; the surface by regula falsi, the end that stays halved (Illinois), every
+// third step half of the interval, for values with a corner in them; and how deep the ray will come by slope and curvature of the value
+// along it. blur: bodies have soft edges. One value a round: software drivers run all of a loop for all of their rays.
+MarchContact march_contact(MarchWay way, MarchSpan span, float blur) {
+    MarchContact contact;
+    contact.at = span.inside;
+    contact.covered = 0.0;
+    contact.enters = span.enters;
+    float low = span.outside;
+    float high = span.inside;
+    float low_value = span.outside_value;
+    float high_value = span.inside_value;
+    float x = high - MARCH_GOLDEN * (high - low);
+    float y = low + MARCH_GOLDEN * (high - low);
+    float x_value = 0.0;
+    float y_value = 0.0;
+    float value_there = span.inside_value;   // at contact.at
+    float value_before = 0.0;
+    float value_behind = 0.0;
+    float probe = 0.0;
+    int left = MARCH_SEARCHES;
+    int next = span.enters ? SPAN_ROOT : (span.grazes ? SPAN_FIRST : SPAN_DONE);
+    float at = x;
+    if (span.enters) {
+        left = MARCH_REFINEMENTS;
+        at = low + (high - low) * clamp(low_value / max(low_value - high_value, 1.0e-30), 0.01, 0.99);
+    }
+    do {
+        RayPlace place = way_place(way, at);
+        float value = way_value(way, place);
+        if (next == SPAN_FIRST) {
+            x_value = value;
+            at = y;
+            next = SPAN_SECOND;
+        } else if (next <= SPAN_DIP) {
+            if (next == SPAN_DIP && at == x) x_value = value;
+            else y_value = value;
+            bool lower = x_value < y_value;
+            if (left == 0 || min(x_value, y_value) <= 0.0) {
+                contact.at = lower ? x : y;
+                value_there = min(x_value, y_value);
+                next = SPAN_DONE;
+                if (value_there <= 0.0) {
+                    contact.enters = true;
+                    low = span.outside;
+                    low_value = span.outside_value;
+                    high = contact.at;
+                    high_value = value_there;
+                    left = MARCH_REFINEMENTS;
+                    at = low + (high - low) * clamp(low_value / max(low_value - high_value, 1.0e-30), 0.01, 0.99);
+                    next = SPAN_ROOT;
+                }
+            } else {
+                if (lower) {
+                    high = y;
+                    y = x;
+                    y_value = x_value;
+                    x = high - MARCH_GOLDEN * (high - low);
+                    at = x;
+                } else {
+                    low = x;
+                    x = y;
+                    x_value = y_value;
+                    y = low + MARCH_GOLDEN * (high - low);
+                    at = y;
+                }
+                --left;
+                next = SPAN_DIP;
+            }
+        } else if (next == SPAN_ROOT) {
+            if (value > 0.0) {
+                low = at;
+                low_value = value;
+                high_value *= 0.5;
+            } else {
+                high = at;
+                high_value = value;
+                low_value *= 0.5;
+                value_there = value;
+            }
+            --left;
+            float part = left % 3 == 0 ? 0.5 : clamp(low_value / max(low_value - high_value, 1.0e-30), 0.01, 0.99);
+            at = low + (high - low) * part;
+            if (left <= 0 || high - low <= 1.0e-7 * abs(high)) {
+                contact.at = high;
+                probe = min(MARCH_PROBE * frame.march.y / max(place_speed(place), 1.0e-20), way_left(way, high));
+                at = high - probe;
+                next = SPAN_BEFORE;
+            }
+        } else if (next == SPAN_BEFORE) {
+            value_before = value;
+            at = contact.at + probe;
+            next = SPAN_BEHIND;
+        } else {
+            value_behind = value;
+            next = SPAN_DONE;
+        }
+    } while (next < SPAN_DONE);
+    RayPlace place = way_place(way, contact.at);
+    contact.place = place;
+    float slope = 0.5 * (value_before - value_behind);
+    float bend = value_before + value_behind - 2.0 * value_there;
     float depth = bend > 1.0e-4 * abs(slope) ? 0.5 * slope * slope / bend : 1.0e30;
-    return march_cover(depth / pixel, MARCH_THINNEST * frame.march.y / pixel);
+    if (!contact.enters) depth = -way_value(way, place);
+    float pixel = max(way_pixel(way, place, contact.at), 1.0e-20);
+    float cover = march_cover(depth / (march_slope(place) * pixel), MARCH_THINNEST * frame.march.y / pixel);
+    if (contact.enters) contact.covered = blur > 0.0 ? cover : 1.0;
+    else if (span.grazes && blur > 0.0) contact.covered = cover;
+    return contact;
 }
 
 #ifndef EFFECT_SIDES
-// How far to the next look at a body. Where light is slow, next to a horizon, what moves would pass unseen between two looks at places.
+// How far to the next sample of a body. Next to a horizon, where light is slow, a moving body could pass unnoticed between two samples.
 float march_length(RayPlace place, float reach) {
     if (place.r > 2.0 * reach) return place.r - 1.5 * reach;
     float room = min(0.8 * march_room(place), 0.4 * place.r);

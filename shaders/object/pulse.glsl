@@ -1,10 +1,19 @@
-// A sphere about the centre that pulsates: sphere_form holds its mean radius, the swing, the phase now and its rate.
+// A sphere about the centre that pulsates. Its form: mean radius, the amplitude, the phase now and its rate.
 #include "path/place"
-#include "shared/frame.glsl"
+#include "object/sphere.glsl"
+#include "shared/objects.glsl"
 
-float sphere_value(RayPlace place) {
-    return place.r - frame.sphere_form.x * (1.0 + frame.sphere_form.y * sin(frame.sphere_form.z - frame.sphere_form.w * place.late));
+float pulse_value(int i, RayPlace place) {
+    vec4 form = body_form(i);
+    return place.r - form.x * (1.0 + form.y * sin(form.z - form.w * place.delay));
 }
 
 // It comes to meet the ray: both move.
-float sphere_room(RayPlace place) { return sphere_value(place) / (1.0 + frame.sphere_form.x * frame.sphere_form.y * frame.sphere_form.w * place_slowness(place)); }
+float pulse_room(int i, RayPlace place) {
+    vec4 form = body_form(i);
+    return pulse_value(i, place) / (1.0 + form.x * form.y * form.w * place_slowness(place));
+}
+
+float pulse_size(int i) { return sphere_size(i); }
+vec3 pulse_middle(int i, RayPlace place) { return sphere_middle(i, place); }
+vec3 pulse_normal(int i, RayPlace place) { return sphere_normal(i, place); }

@@ -1,9 +1,9 @@
 // How a solid body's light reaches the pixel: the footprint on its surface, and the darkening towards the limb.
+#include "core/pixel_sides.glsl"
 #include "path/place"
 #include "path/trace"
 
 struct SolidSpot {
-    vec3 at;        // r_s
     vec3 along;     // footprint of one pixel on the surface, r_s: image of one side of it
     vec3 across;    // ... and of the other
     float cosine;   // between the ray and the normal, in flat coordinates
@@ -13,13 +13,12 @@ SolidSpot solid_spot(Trace trace, RayPlace place, vec3 normal) {
     vec3 velocity = place_velocity(place);
     float speed = max(sqrt(dot(velocity, velocity)), 1.0e-20);
     SolidSpot spot;
-    spot.at = place.at;
     spot.cosine = clamp(-dot(normal, velocity) / speed, 0.0, 1.0);
-    SolidSides sides = solid_sides(trace, place);
+    PixelSides sides = solid_sides(trace, place);
     // Slid along the ray back to the surface.
     float slide = 1.0 / (speed * max(spot.cosine, 0.03));
-    spot.along = sides.within + velocity * (dot(normal, sides.within) * slide);
-    spot.across = sides.round + velocity * (dot(normal, sides.round) * slide);
+    spot.along = sides.along + velocity * (dot(normal, sides.along) * slide);
+    spot.across = sides.across + velocity * (dot(normal, sides.across) * slide);
     return spot;
 }
 

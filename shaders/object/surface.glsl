@@ -1,49 +1,63 @@
-// A solid given by a formula, f(x, y, z) < 0, as far as a sphere about the centre. What is marched along is f over the length of its
-// gradient: a distance close to the surface, with the sign of f everywhere.
-#include "generated/surface"
+// A solid given by a formula, f(x, y, z) < 0, as far as a sphere about the centre. Marched along is f itself; its distance, close to the
+// surface, is f over the length of its gradient. This text is written once for each of a scene's formulas, with BODY its name; BODY_MOVES:
+// the formula asks for the time t. Its form: bound, step, the first of its cells in the clearance texture or -1, time.
+#include "effect/expression.glsl"
+#include "object/clearance.glsl"
 #include "path/place"
-#include "shared/frame.glsl"
+#include "shared/objects.glsl"
 
-// SURFACE_T and SURFACE_AT_T, of generated/surface (shaderlib/body_text.cpp): the time among the parameters, where the
-// formula asks for it.
+#define BODY_DIFFERENCE 1.0e-3   // of the bound: gradients by differences keep half of a float's digits
 
-float surface_inside(vec3 at SURFACE_T) {   // below 0 inside
-    float f = surface_formula(at SURFACE_AT_T);
-    return max(f, sqrt(dot(at, at)) - frame.surface_form.x);
+float BODY_inside(int i, vec3 at, float t) {   // below 0 inside
+    float x = at.x;
+    float y = at.y;
+    float z = at.z;
+BODY_STATEMENTS
+    return max(value, sqrt(dot(at, at)) - body_form(i).x);
 }
 
-vec3 surface_gradient(vec3 at SURFACE_T) {
-    float h = frame.surface_form.z;
-    return vec3(surface_inside(at + vec3(h, 0.0, 0.0) SURFACE_AT_T) - surface_inside(at - vec3(h, 0.0, 0.0) SURFACE_AT_T),
-                surface_inside(at + vec3(0.0, h, 0.0) SURFACE_AT_T) - surface_inside(at - vec3(0.0, h, 0.0) SURFACE_AT_T),
-                surface_inside(at + vec3(0.0, 0.0, h) SURFACE_AT_T) - surface_inside(at - vec3(0.0, 0.0, h) SURFACE_AT_T)) * (0.5 / h);
+vec3 BODY_gradient(int i, vec3 at, float t) {
+    float h = BODY_DIFFERENCE * body_form(i).x;
+    return vec3(BODY_inside(i, at + vec3(h, 0.0, 0.0), t) - BODY_inside(i, at - vec3(h, 0.0, 0.0), t),
+                BODY_inside(i, at + vec3(0.0, h, 0.0), t) - BODY_inside(i, at - vec3(0.0, h, 0.0), t),
+                BODY_inside(i, at + vec3(0.0, 0.0, h), t) - BODY_inside(i, at - vec3(0.0, 0.0, h), t)) * (0.5 / h);
 }
 
-#ifdef SURFACE_MOVES
-float surface_time(RayPlace place) {
+float BODY_time(int i, RayPlace place) {
+#ifdef BODY_MOVES
 #ifdef NEEDS_PLACE_LATE
-    return frame.surface_form.w - place.late;
+    return body_form(i).w - place.delay;
 #else
-    return frame.surface_form.w;
+    return body_form(i).w;
+#endif
+#else
+    return 0.0;
 #endif
 }
-#endif
 
-float surface_value(RayPlace place) {
-#ifdef SURFACE_MOVES
-    float t = surface_time(place);
-#endif
-    vec3 slope = clamp(surface_gradient(place.at SURFACE_AT_T), vec3(-1.0e15), vec3(1.0e15));
-    return surface_inside(place.at SURFACE_AT_T) / max(sqrt(dot(slope, slope)), 1.0e-12);
+vec3 BODY_slope(int i, RayPlace place) {
+    return clamp(BODY_gradient(i, place.at, BODY_time(i, place)), vec3(-1.0e15), vec3(1.0e15));
 }
 
-// How far a step may go: not by f, which need not be a distance.
-float surface_room(RayPlace place) { return max(sqrt(dot(place.at, place.at)) - frame.surface_form.x, frame.surface_form.y); }
+float BODY_value(int i, RayPlace place) { return BODY_inside(i, place.at, BODY_time(i, place)); }
 
-vec3 surface_normal(RayPlace place) {
-#ifdef SURFACE_MOVES
-    float t = surface_time(place);
-#endif
-    vec3 slope = clamp(surface_gradient(place.at SURFACE_AT_T), vec3(-1.0e15), vec3(1.0e15));
+// By how much more it changes than the distance.
+float BODY_steepness(int i, RayPlace place) {
+    vec3 slope = BODY_slope(i, place);
+    return max(sqrt(dot(slope, slope)), 1.0e-12);
+}
+float BODY_distance(int i, RayPlace place) { return BODY_value(i, place) / BODY_steepness(i, place); }
+
+// How far a step may go: to the bounding sphere, and as far as the cells about the place are empty; close to the solid not by f, which need
+// not be a distance.
+float BODY_room(int i, RayPlace place) {
+    vec4 form = body_form(i);
+    return max(max(sqrt(dot(place.at, place.at)) - form.x, clearance(place.at, form.x, form.z)), form.y);
+}
+
+float BODY_size(int i) { return body_form(i).x; }
+vec3 BODY_middle(int i, RayPlace place) { return vec3(0.0); }
+vec3 BODY_normal(int i, RayPlace place) {
+    vec3 slope = BODY_slope(i, place);
     return slope / max(sqrt(dot(slope, slope)), 1.0e-12);
 }

@@ -1,11 +1,12 @@
 // How long light was on its way from a place on the ray to the camera: a closed form that holds all that grows without bound, and the
-// rest D from the delay map, in the cells of the orbit map (table/delay_column.h has the formulas).
+// rest D from the light-time table, in the cells of the orbit table (table/delay_column.h has the formulas).
 //     t = part(place) - part(camera) + D,   part = -W/zeta + sigma (ln((1 - sigma W)/zeta) + rho),
 // W = zeta'/q, sigma = 1 for rays that end in the sky, -1 for others. A = (1 - x zeta)(1 - y zeta), x, y = frame.delay.xy. The camera's
 // ln(1/zeta0) + rho is formed on the host: frame.delay.z, and .w for rays that end in the horizon.
 #include "planar/trace.glsl"
 #ifdef EFFECT_LENSING
 #include "core/orbit.glsl"
+#include "core/patch.glsl"
 #endif
 #include "shared/frame.glsl"
 
@@ -13,9 +14,9 @@
 // D after the swept angle phi.
 float delay_rest(bool escapes, float u, float phi, float phi_end) {
     OrbitCell cell = orbit_cell(escapes, u, phi, phi_end);
-    vec4 edges = orbit_edges(cell.across, delay_fetch(cell.column, cell.row), delay_fetch(cell.column + 1, cell.row),
+    vec4 edges = patch_edges(cell.across, delay_fetch(cell.column, cell.row), delay_fetch(cell.column + 1, cell.row),
                              delay_fetch(cell.column, cell.row + 1), delay_fetch(cell.column + 1, cell.row + 1));
-    return orbit_value(edges, cell.along);
+    return patch_value(edges, cell.along);
 }
 
 #ifdef EFFECT_INNER_HORIZON

@@ -1,4 +1,4 @@
-// The disc, as every kind of path meets it: its crossings one after another, how late their light is, and what frequency it has.
+// The disc, as every kind of path meets it: its crossings one after another, the delay of their light, and what frequency it has.
 #ifdef EFFECT_DELAY
 #include "planar/delay.glsl"
 #endif
@@ -44,7 +44,7 @@ DiscWalk disc_walk_at(Trace trace, DiscWalk walk) {
 DiscWalk disc_walk(Trace trace) {
     DiscWalk walk;
     walk.meeting = disc_meeting(trace);
-    int passed = int(frame.disc_look.w);
+    int passed = int(frame.disc_surface.w);
     int first = disc_first(trace, walk.meeting);
     walk.number = passed > first ? passed : first;
     return disc_walk_at(trace, walk);
@@ -65,18 +65,26 @@ DiscCrossing disc_walk_crossing(Trace trace, DiscWalk walk) {
 
 #ifdef EFFECT_DELAY
 // How long ago, by the camera's clock, the light left.
-float disc_late(Trace trace, DiscCrossing crossing) { return light_time(trace, crossing.phi, crossing.r, crossing.zeta_slope); }
+float disc_delay(Trace trace, DiscCrossing crossing) { return light_time(trace, crossing.phi, crossing.r, crossing.zeta_slope); }
 #endif
 
 // Frequency in the camera over that in matter of velocity (u^t, u^phi, u^r g_rr): of a photon with energy 1 there it is
 // u^t - (L_z/E) u^phi - (k_r/E) u^r, L_z/E = (n x e) . normal / (q s), k_r/E = (1/q) (d zeta / d phi) / A.
 float disc_g(Trace trace, DiscCrossing crossing, vec3 u) {
-    vec3 normal = vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z);
     float inverse_v = 1.0 / q_sine(trace.c);
-    float momentum = dot(crossed_direction(trace), normal) * inverse_v;
+    float momentum = dot(crossed_direction(trace), disc_axis()) * inverse_v;
     float frequency = u.x - momentum * u.y;
 #ifdef NEEDS_ZETA_SLOPE
     frequency -= trace.s * inverse_v * crossing.zeta_slope * u.z;
 #endif
     return g_of(trace) / max(frequency, 1.0e-6);
 }
+
+#ifdef SLOT_DISC_LIGHT
+// Of matter that moves within the disc's plane, between its light and the plane's normal: the photon's momentum across the plane, which
+// that motion leaves as it is, over its frequency there. Per unit of energy the one is |L x normal|/r, the other g_of/g.
+float disc_cosine(Trace trace, DiscCrossing crossing, float g) {
+    vec3 across = cross(crossed_direction(trace), disc_axis());
+    return sqrt(dot(across, across)) / max(q_sine(trace.c) * crossing.r, 1.0e-20) * (g / g_of(trace));
+}
+#endif

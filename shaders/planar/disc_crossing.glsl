@@ -20,10 +20,17 @@ struct DiscCrossing {
 #endif
 };
 
+vec3 disc_axis() { return vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z); }
+
 // The first crossing of the plane; crossing k lies k half turns further and on alternating sides.
 PlaneMeeting disc_meeting(Trace trace) {
-    vec3 normal = vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z);
-    return plane_meet(crossed_direction(trace), radial_direction(), trace.s, normal, frame.disc_normal.w);
+    return plane_meet(crossed_direction(trace), radial_direction(), trace.s, disc_axis(), frame.disc_normal.w);
+}
+
+// Unit vector from the centre to crossing `number`, disc (x, y).
+vec2 disc_outward(PlaneMeeting meeting, int number) {
+    vec3 m = (number & 1) == 0 ? meeting.direction : -meeting.direction;
+    return vec2(dot(m, vec3(frame.disc_x.x, frame.disc_x.y, frame.disc_x.z)), dot(m, vec3(frame.disc_y.x, frame.disc_y.y, frame.disc_y.z)));
 }
 
 // Two bounds that cost nothing. |d zeta / d phi| <= q outside the horizon, so zeta grows from zeta0 and falls to
@@ -70,9 +77,8 @@ DiscCrossing disc_cross(Trace trace, PlaneMeeting meeting, int number, float mar
 #endif
     // Moving the pixel by d(chi) about the radial axis: the crossing moves along the ray and round the disc by
     // d phi_1 = height hN / rho^2, d lambda = height / rho^2 with hN = orbital normal . disc normal, rho^2 = 1 - hN^2.
-    vec3 normal = vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z);
     float inverse_s = 1.0 / max(trace.s, 1.0e-6);
-    float orbital = -dot(crossed_direction(trace), normal) * inverse_s;
+    float orbital = -dot(crossed_direction(trace), disc_axis()) * inverse_s;
     float turn = frame.disc_normal.w / max((1.0 - orbital) * (1.0 + orbital), 1.0e-6) * inverse_s * trace.pixel_angle;
     float across_r = r_along * orbital * turn;
     float across_t = r * turn;
@@ -82,11 +88,7 @@ DiscCrossing disc_cross(Trace trace, PlaneMeeting meeting, int number, float mar
     float reach = min(margin * sqrt(along_r * along_r + across_r * across_r), 0.125 * (outer - inner));   // DISC_WIDENED
     crossing.r = r;
     crossing.hit = r >= inner - reach && r <= outer + reach;
-    float sign_k = (number & 1) == 0 ? 1.0 : -1.0;
-    vec3 m = sign_k * meeting.direction;
-    vec3 x_axis = vec3(frame.disc_x.x, frame.disc_x.y, frame.disc_x.z);
-    vec3 y_axis = vec3(frame.disc_y.x, frame.disc_y.y, frame.disc_y.z);
-    vec2 outward = vec2(dot(m, x_axis), dot(m, y_axis));
+    vec2 outward = disc_outward(meeting, number);
     vec2 around = vec2(-outward.y, outward.x);
     crossing.place = r * outward;
     crossing.along = along_r * outward;

@@ -42,10 +42,7 @@ DiscThin disc_thin(Trace trace, PlaneMeeting meeting, int number) {
 DiscCrossing disc_thin_crossing(PlaneMeeting meeting, int number) {
     float inner = frame.disc_x.w;
     float outer = frame.disc_y.w;
-    vec3 m = (number & 1) == 0 ? meeting.direction : -meeting.direction;
-    vec3 x_axis = vec3(frame.disc_x.x, frame.disc_x.y, frame.disc_x.z);
-    vec3 y_axis = vec3(frame.disc_y.x, frame.disc_y.y, frame.disc_y.z);
-    vec2 outward = vec2(dot(m, x_axis), dot(m, y_axis));
+    vec2 outward = disc_outward(meeting, number);
     DiscCrossing crossing;
     crossing.hit = true;
     crossing.phi = meeting.phi + 3.14159265358979323846 * float(number);

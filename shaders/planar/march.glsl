@@ -5,6 +5,8 @@
 #include "object/solid_hit.glsl"
 #include "shared/frame.glsl"
 
+#define MARCH_DOUBT 8.0   // a moving body may be off by an eighth of its distance where the time is not exact: steps are 0.8 of that
+
 // Swept angle after `length` more along the ray, taken as straight.
 float march_angle(RayPlace place, float length) {
 #ifdef EFFECT_SIDES
@@ -18,109 +20,156 @@ float march_angle(RayPlace place, float length) {
 #endif
 }
 
-SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
+// How far to the next sample.
+float march_step(RayPlace place, float reach) {
+#ifdef EFFECT_SIDES
+    return max(min(0.8 * march_room(place), 0.4 * place.radius), frame.march.y);
+#else
+    return max(march_length(place, reach), 0.8 * (frame.march_shell.y - place.r));   // far from the innermost body
+#endif
+}
+
+// Not on its way out beyond every body, nor on its way into the hole below them.
+bool march_goes(bool escapes, RayPlace place, float reach) {
+#ifdef EFFECT_SIDES
+    float end_side = escapes ? 1.0 : -1.0;   // of the throat, where the ray ends
+    return !(place.side == end_side && place.r_along > 0.0 && place.r > reach);
+#else
+    return place.r_along < 0.0 ? escapes || place.r > frame.march_shell.y : place.r < reach;
+#endif
+}
+
+// What a search along an orbit has come to.
+struct Search {
     MarchWay way;
-    way.trace = trace;
-    way.tangent = tangent;
+    float phi_stop;
+    float reach;         // radius about the centre beyond which no body lies
+    RayPlace place;      // the last sample, at phi
+    float phi;
+    float value;
+    float length;        // to the next one
+    float before_phi;    // the one before
+    float before_value;
+    int left;            // samples
+    MarchSpan span;      // where something may be met
+    bool going;          // there are more samples, or a span
+    bool entered;        // hit is a body which the ray enters, though close to its silhouette
     SolidHit hit;
-    hit.object = 0;
-    hit.phi = trace.phi_end;
-    hit.covered = 0.0;
-#ifdef EFFECT_SIDES
-    float end_side = trace.escapes ? 1.0 : -1.0;
-    float reach = trace.escapes ? frame.march.x : frame.march.z;   // on the side where the ray ends
-#else
-    float reach = frame.march.x;
-#endif
-    float part = 0.0;         // of the pixel, of what is met in part only
-    float part_phi = 0.0;
-    bool entered = false;     // that is a body which the ray enters, though close to its silhouette
-    RayPlace place = place_seen(trace, tangent, 0.0);
-    float phi = 0.0;
-    float value = march_value(place);
-    float before_phi = 0.0;
-    float before_value = value;
-    int left = MARCH_MOST_STEPS;
-    bool going = true;
+};
+
+// Is there more to sample?
+bool search_goes(Search search) {
+    return search.left > 0 && search.phi < search.phi_stop && march_goes(search.way.trace.escapes, search.place, search.reach);
+}
+
+// To the next span, or to the end.
+Search search_samples(Search search) {
+    bool ends = !search.going;
+    bool stops = false;
+    search.span = march_span(search.phi, search.value);
     do {
-#ifdef NEEDS_PLACE_LATE
-#ifdef EFFECT_DELAY
-        // Far from every body the time need not be exact: steps without the delay map as long as they end there.
-        bool far = true;
-        do {
-            float onward = min(phi + march_angle(place, march_length(place, reach)), phi_stop);
-            RayPlace there = place_roughly(trace, tangent, onward, place);
-            float distance = march_value(there);
-            far = distance > MARCH_FAR * frame.march.y && onward < phi_stop && (there.r < reach || there.r_along < 0.0);
-            if (far) {
-                before_phi = phi;
-                before_value = value;
-                phi = onward;
-                value = distance;
-                place = there;
-            }
-        } while (far && --left > 0);
-#endif
-#endif
-#ifdef EFFECT_SIDES
-        float room = max(min(0.8 * march_room(place), 0.4 * place.radius), frame.march.y);
+        float next = min(search.phi + march_angle(search.place, search.length), search.phi_stop);
+#ifdef WAY_BETWEEN
+        search.place = place_beside(search.way.trace, search.way.tangent, next, search.place, search.phi);
+        float slack = MARCH_DOUBT * frame.march.w * search.place.doubt;   // bodies move meanwhile
 #else
-        float room = march_length(place, reach);
+        search.place = place_of(search.way.trace, search.way.tangent, next);
+        float slack = 0.0;
 #endif
-        float next = min(phi + march_angle(place, room), phi_stop);
-        place = place_seen(trace, tangent, next);
-        float there = march_value(place);
-        float a = before_phi;
-        float b = next;
-        float inside_phi = next;
-        float inside_value = there;
-        float outside_phi = phi;
-        float outside_value = value;
-        if (there > 0.0 && value > 0.0 && value < before_value && value <= there && value < march_graze(b - a, place)) {
-            vec2 least = march_dip(way, a, b);
-            float dip = least.y;
-            float dip_phi = least.x;
-            if (dip <= 0.0) {
-                inside_phi = dip_phi;
-                inside_value = dip;
-                outside_phi = before_phi;
-                outside_value = before_value;
-            } else if (blur > 0.0) {
-                float pixel = max(place_pixel(trace, place_seen(trace, tangent, dip_phi), dip_phi), 1.0e-20);
-                float cover = march_cover(-dip / pixel, MARCH_THINNEST * frame.march.y / pixel);
-                if (cover > part && !entered) {
-                    part = cover;
-                    part_phi = dip_phi;
-                }
-            }
+        float there = march_value(search.place);
+        float from_length = search.length;
+        search.length = march_step(search.place, search.reach);   // here: what it asks of the bodies has just been asked
+        bool enters = search.value > 0.0 && there <= slack;
+        bool grazes = there > slack && search.value > 0.0 && search.value < search.before_value && search.value <= there &&
+                      march_grazes(from_length, search.value, place_pixel(search.way.trace, search.place, next));
+        // In branches: see mino/trace.glsl.
+        if (enters || grazes) {
+            search.span.enters = enters;
+            search.span.grazes = grazes;
+            search.span.inside = next;
+            search.span.inside_value = there;
+            search.span.outside = enters ? search.phi : search.before_phi;
+            search.span.outside_value = enters ? search.value : search.before_value;
+            stops = true;
         }
-        if (inside_value <= 0.0 && outside_value > 0.0) {
-            float entry = march_refined(way, outside_phi, inside_phi, outside_value, inside_value);
-            float cover = blur > 0.0 ? march_entry_cover(way, entry) : 1.0;
-            if (!entered) {
-                part = cover;
-                part_phi = entry;
-            }
-            entered = true;
-            if (cover >= 1.0) {   // not on to the sky: all of it is what is entered first
-                part = 1.0;
-                going = false;
-            }
-        }
-        before_phi = phi;
-        before_value = value;
-        phi = next;
-        value = there;
-#ifdef EFFECT_SIDES
-        going = going && next < phi_stop && !(place.side == end_side && place.r_along > 0.0 && place.r > reach);
-#else
-        going = going && next < phi_stop && (place.r < reach || place.r_along < 0.0);
+        search.before_phi = search.phi;
+        search.before_value = search.value;
+        search.phi = next;
+        search.value = there;
+        --search.left;
+    } while (search_goes(search) && !stops);
+    search.going = !ends && search.left > 0 && (stops || search_goes(search));
+    return search;
+}
+
+#ifdef WAY_BETWEEN
+// The last sample with its time by the light-time table: whether the ray is in a body there is sure now.
+Search search_sure(Search search) {
+    search.place = place_seen(search.way.trace, search.way.tangent, search.phi);
+    search.value = march_value(search.place);
+    search.length = march_step(search.place, search.reach);
+    search.way.known = search.place;
+    search.way.known_phi = search.phi;
+    bool inside = search.value <= 0.0;
+    search.span.inside_value = search.value;
+    search.span.enters = (search.span.enters || search.span.grazes) && inside;
+    search.span.grazes = search.span.grazes && !inside;
+    return search;
+}
 #endif
-    } while (going && --left > 0);
-    if (part > 0.0) {
-        hit.phi = part_phi;
-        hit.object = march_object(place_seen(trace, tangent, part_phi));
-        hit.covered = part;
+
+// What is on the span.
+Search search_contact(Search search, float blur) {
+    MarchContact contact = march_contact(search.way, search.span, blur);
+    if (!search.entered && (contact.enters || contact.covered > search.hit.covered)) {
+        search.hit.phi = contact.at;
+        search.hit.place = contact.place;
+        search.hit.covered = contact.covered;
     }
-    return hit;
+    search.entered = search.entered || contact.enters;
+    if (contact.enters && contact.covered >= 1.0) {   // not on to the sky: all of it is what is entered first
+        search.hit.covered = 1.0;
+        search.going = false;
+    }
+    return search;
+}
+
+SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
+    Search search;
+    search.way.trace = trace;
+    search.way.tangent = tangent;
+    search.phi_stop = phi_stop;
+#ifdef EFFECT_SIDES
+    search.reach = trace.escapes ? frame.march.x : frame.march.z;   // on the side where the ray ends
+#else
+    search.reach = frame.march.x;
+#endif
+    search.place = place_of(trace, tangent, 0.0);
+    search.phi = 0.0;
+    search.left = MARCH_MOST_STEPS;
+    search.going = true;
+    search.entered = false;
+    search.hit.object = 0;
+    search.hit.phi = trace.phi_end;
+    search.hit.covered = 0.0;
+    search.hit.place = search.place;
+    search.before_phi = 0.0;
+    search.before_value = 0.0;   // none: nothing is left behind
+    // From one place that may be on a body to the next: what is done there is outside of the loop of samples, for all rays at once.
+#ifdef WAY_BETWEEN
+    if (search.place.r > 2.0 * search.reach) search.phi = min(march_angle(search.place, march_length(search.place, search.reach)), phi_stop);
+    search.before_phi = search.phi;
+    search.span = march_span(search.phi, 1.0e30);
+    do {
+        search = search_contact(search_sure(search), blur);
+        search = search_samples(search);
+    } while (search.going);
+#else
+    search.value = march_value(search.place);
+    search.length = march_step(search.place, search.reach);
+    do search = search_contact(search_samples(search), blur);
+    while (search.going);
+#endif
+    if (search.hit.covered > 0.0) search.hit.object = march_object(search.hit.place);
+    return search.hit;
 }

@@ -5,6 +5,7 @@
 #ifdef EFFECT_LENSING
 #include "core/orbit.glsl"
 #endif
+#include "core/pixel_sides.glsl"
 #include "planar/trace.glsl"
 #include "shared/frame.glsl"
 
@@ -16,7 +17,11 @@ struct RayPlace {
     float r_along;    // d r / d phi
     float r_across;   // d r / d |delta| at fixed phi (core/strip.glsl)
 #ifdef NEEDS_PLACE_LATE
-    float late;       // how long ago the light left that arrives now; of place_seen and place_roughly
+    float delay;       // how long ago the light left that arrives now; not of place_of
+#ifdef EFFECT_DELAY
+    vec2 time_slope;   // place_time_slope; as that
+    float doubt;       // how far from the light-time table's that may be
+#endif
 #endif
 #ifdef EFFECT_SIDES
     float side;       // of the throat: 1 near, -1 far; r is |l|
@@ -78,37 +83,67 @@ RayPlace place_of(Trace trace, vec3 tangent, float phi) {
     place.onward = cos_phi * tangent - sin_phi * e;
     place.at = place.r * place.outward;
 #ifdef NEEDS_PLACE_LATE
-    place.late = 0.0;
+    place.delay = 0.0;
+#ifdef EFFECT_DELAY
+    place.time_slope = vec2(0.0);
+    place.doubt = 0.0;
+#endif
 #endif
     return place;
 }
 
-// The same with its time.
+#ifdef NEEDS_PLACE_LATE
+// 1/A, the most that light needs for a length there: what moves goes that much further while it comes along.
+#define PLACE_SLOWEST 1.0e6
+float place_slowness(RayPlace place) {
+#ifdef EFFECT_DELAY
+#ifdef EFFECT_LENSING
+    float zeta = 1.0 / place.r;
+    return 1.0 / max((1.0 - frame.delay.x * zeta) * (1.0 - frame.delay.y * zeta), 1.0 / PLACE_SLOWEST);
+#endif
+#endif
+    return 1.0;
+}
+
+#ifdef EFFECT_DELAY
+// Coordinate time of light for a swept angle, dt/dphi = r^2 q/A, and how that changes with the angle.
+vec2 place_time_slope(Trace trace, RayPlace place) {
+    float slowness = place_slowness(place);
+    float rate = place.r * place.r * q_sine(trace.c) / max(trace.s, 1.0e-9) * slowness;
+    float change = 2.0 / place.r;
+#ifdef EFFECT_LENSING
+    float zeta = 1.0 / place.r;
+    change -= zeta * zeta * (frame.delay.x + frame.delay.y - 2.0 * frame.delay.x * frame.delay.y * zeta) * slowness;   // A'/A
+#endif
+    return vec2(rate, rate * change * place.r_along);
+}
+
+#define PLACE_DOUBT 1.0   // of the correction: what the next terms may be
+
+// A place whose time follows from one close by, without the light-time table: the trapezoid with the ends' slopes (Euler and Maclaurin).
+RayPlace place_beside(Trace trace, vec3 tangent, float phi, RayPlace from, float from_phi) {
+    RayPlace place = place_of(trace, tangent, phi);
+    float way = phi - from_phi;
+    place.time_slope = place_time_slope(trace, place);
+    float correction = way * way * (1.0 / 12.0) * (from.time_slope.y - place.time_slope.y);
+    place.delay = from.delay + 0.5 * way * (from.time_slope.x + place.time_slope.x) + correction;
+    place.doubt = from.doubt + PLACE_DOUBT * abs(correction);
+    return place;
+}
+#endif
+#endif
+
+// place_of with its time.
 RayPlace place_seen(Trace trace, vec3 tangent, float phi) {
     RayPlace place = place_of(trace, tangent, phi);
 #ifdef NEEDS_PLACE_LATE
 #ifdef EFFECT_DELAY
-    place.late = light_time(trace, phi, place.r, -place.r_along / (place.r * place.r));
+    place.delay = light_time(trace, phi, place.r, -place.r_along / (place.r * place.r));
+    place.time_slope = place_time_slope(trace, place);
 #endif
 #endif
     return place;
 }
-
-#ifdef NEEDS_PLACE_LATE
-#ifdef EFFECT_DELAY
-// A step on from a place, its time without the delay map: that of the straight way and about what gravity adds.
-RayPlace place_roughly(Trace trace, vec3 tangent, float phi, RayPlace from) {
-    RayPlace place = place_of(trace, tangent, phi);
-    vec3 way = place.at - from.at;
-#ifdef EFFECT_LENSING
-    place.late = from.late + sqrt(dot(way, way)) * (1.0 + 2.0 / (from.r + place.r));
-#else
-    place.late = from.late + sqrt(dot(way, way));
-#endif
-    return place;
-}
-#endif
-#endif
 
 // r_s by rad.
 float place_speed(RayPlace place) { return sqrt(place.r_along * place.r_along + place.r * place.r); }
@@ -124,28 +159,10 @@ float place_pixel(Trace trace, RayPlace place, float phi) {
     return 0.5 * trace.pixel_angle * (along + across);
 }
 
-#ifdef NEEDS_PLACE_LATE
-// 1/A, the most that light needs for a length there: what moves goes that much further while it comes along.
-#define PLACE_SLOWEST 1.0e6
-float place_slowness(RayPlace place) {
-#ifdef EFFECT_DELAY
-#ifdef EFFECT_LENSING
-    float zeta = 1.0 / place.r;
-    return 1.0 / max((1.0 - frame.delay.x * zeta) * (1.0 - frame.delay.y * zeta), 1.0 / PLACE_SLOWEST);
-#endif
-#endif
-    return 1.0;
-}
-#endif
-
 // How a place moves with the pixel: by an angle within the plane, and turned about the radial direction.
-struct SolidSides {
-    vec3 within;
-    vec3 round;
-};
-SolidSides solid_sides(Trace trace, RayPlace place) {
-    SolidSides sides;
-    sides.within = place.r_across * trace.pixel_angle * place.outward;
-    sides.round = cross(radial_direction(), place.at) * (trace.pixel_angle / max(trace.s, 1.0e-6));
+PixelSides solid_sides(Trace trace, RayPlace place) {
+    PixelSides sides;
+    sides.along = place.r_across * trace.pixel_angle * place.outward;
+    sides.across = cross(radial_direction(), place.at) * (trace.pixel_angle / max(trace.s, 1.0e-6));
     return sides;
 }

@@ -1,32 +1,34 @@
-// A sphere about the centre: the first swept angle with zeta = 1/R.
+// A sphere about the centre that keeps its size; its form: radius, 1/radius, sine and cosine of the silhouette's angle from the outward radial
+// (sine below 0: the critical ray). The first swept angle with zeta = 1/R.
 //
 // Seen from outside, zeta grows from zeta0 until the ray turns or ends. Which rays reach the sphere is a question of their
-// direction alone: sine and cosine of the silhouette's, frame.sphere_form.zw, are formed in double. Below the photon sphere's
+// direction alone: sine and cosine of the silhouette's, z and w of its form, are formed in double. Below the photon sphere's
 // zeta the orbit is concave (zeta'' = -V'/2 < 0), so Newton's steps from the camera never overshoot; beyond it a bracket holds them.
 #include "planar/place.glsl"
 #include "object/solid_hit.glsl"
-#include "shared/frame.glsl"
+#include "object/sphere.glsl"
+#include "shared/objects.glsl"
 
 #define SPHERE_MOST_STEPS 16
 
 // Half a pixel's share of rays on either side of the silhouette: 0 ... 1. blur: pixels, 0 for a sharp edge.
-float sphere_cover(Trace trace, float blur) {
-    float sine = frame.sphere_form.z;
+float sphere_cover(int i, Trace trace, float blur) {
+    float sine = body_form(i).z;
     if (sine < 0.0) {   // the silhouette is the critical ray itself
         return trace.escapes ? 0.0 : 1.0;
     }
     if (!trace.escapes) return 1.0;
-    float inside = (trace.s * frame.sphere_form.w - trace.c * sine) / trace.pixel_angle;   // sine of the angle beyond the silhouette's
+    float inside = (trace.s * body_form(i).w - trace.c * sine) / trace.pixel_angle;   // sine of the angle beyond the silhouette's
     return blur > 0.0 ? clamp(0.5 + inside / blur, 0.0, 1.0) : (inside > 0.0 ? 1.0 : 0.0);
 }
 
-SolidHit sphere_hit(Trace trace, vec3 tangent, float blur) {
+SolidHit sphere_hit(int i, Trace trace, vec3 tangent, float blur) {
     SolidHit hit;
     hit.object = 0;
     hit.phi = trace.phi_end;
-    hit.covered = sphere_cover(trace, blur);
+    hit.covered = sphere_cover(i, trace, blur);
     if (hit.covered <= 0.0) return hit;
-    float target = frame.sphere_form.y;   // 1/R
+    float target = body_form(i).y;   // 1/R
     float low = 0.0;
     float high = max(trace.phi_end, 1.0e-9);
     float phi = 0.0;
@@ -45,7 +47,7 @@ SolidHit sphere_hit(Trace trace, vec3 tangent, float blur) {
         phi = next > low && next < high ? next : 0.5 * (low + high);
         if (rest == 0.0) phi = before;
     } while (--left > 0 && abs(phi - before) > 1.0e-7 * phi);
-    hit.object = 2;
+    hit.object = BODIES_FROM + i;
     hit.phi = phi;
     return hit;
 }

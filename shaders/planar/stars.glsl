@@ -3,14 +3,9 @@
 #include "core/aberration.glsl"
 #endif
 #include "effect/black_body.glsl"
+#include "effect/star_point.glsl"
 #include "planar/star_image.glsl"
 #include "shared/frame.glsl"
-
-struct StarPoint {
-    vec2 pixel;    // px from the picture's middle, y up
-    float ahead;   // above 0 before the camera
-    vec3 peak;     // light in the pixel that it is in the middle of
-};
 
 // place: on the sky, world axes, unit. make: log2 of flux over a black body's brightness at its temperature, log2 of that, K.
 StarPoint star_point(vec3 place, vec2 make) {

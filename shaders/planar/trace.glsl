@@ -4,6 +4,9 @@
 #ifdef EFFECT_ABERRATION
 #include "core/aberration.glsl"
 #endif
+#ifdef EFFECT_SKY_PATTERN
+#include "core/pixel_sides.glsl"
+#endif
 #ifdef EFFECT_LENSING
 #include "core/strip.glsl"
 #include "core/sweep.glsl"
@@ -134,14 +137,10 @@ Trace trace_pixel(vec2 pixel) {
 #ifdef EFFECT_SKY_PATTERN
 // Sides of the pixel's box on the sky, within the ray's plane and across it.
 #define SKY_WIDEST 4.0   // boxes wider than the sphere are all of it
-struct SkySides {
-    vec3 along;
-    vec3 across;
-};
-SkySides sky_sides(Trace trace) {
+PixelSides sky_sides(Trace trace) {
     vec3 across = crossed_direction(trace) / max(trace.s, 1.0e-30);   // 0 for an exactly radial ray: no box
     vec3 along = cross(across, trace.sky);
-    SkySides sides;
+    PixelSides sides;
     sides.along = along * clamp(trace.stretch_along * trace.pixel_angle, -SKY_WIDEST, SKY_WIDEST);
     sides.across = across * clamp(trace.stretch_across * trace.pixel_angle, -SKY_WIDEST, SKY_WIDEST);
     return sides;

@@ -2,12 +2,28 @@
 #include "generated/bodies_march"
 #include "planar/place.glsl"
 
+#ifdef NEEDS_PLACE_LATE
+#ifdef EFFECT_DELAY
+#define WAY_BETWEEN   // the time of a place follows from a known one close by
+#endif
+#endif
+
 struct MarchWay {
     Trace trace;
-    vec3 tangent;   // place_tangent
+    vec3 tangent;     // place_tangent
+#ifdef WAY_BETWEEN
+    RayPlace known;   // a place on the span that is searched, with its time from the light-time table
+    float known_phi;
+#endif
 };
 
-RayPlace way_place(MarchWay way, float phi) { return place_seen(way.trace, way.tangent, phi); }
+RayPlace way_place(MarchWay way, float phi) {
+#ifdef WAY_BETWEEN
+    return place_beside(way.trace, way.tangent, phi, way.known, way.known_phi);
+#else
+    return place_of(way.trace, way.tangent, phi);
+#endif
+}
 float way_value(MarchWay way, RayPlace place) { return march_value(place); }
 float way_pixel(MarchWay way, RayPlace place, float phi) { return place_pixel(way.trace, place, phi); }
 // How far there is a way before and after.

@@ -1,4 +1,4 @@
-// What one frame tells every pixel: the only uniform block. vec4 members only, so that std140 and C++ agree without padding;
+// What one frame tells every pixel: the uniform block (bodies and hot spots: shared/objects.glsl). vec4 members only, so that std140 and C++ agree without padding;
 // a test compares the driver's offsets with offsetof. Everything that would cancel in float is formed in double on the host.
 // Members of an effect that is off are not in the block; C++ has them all.
 struct FrameData {
@@ -33,74 +33,41 @@ struct FrameData {
     vec4 disc_x;       // disc's x axis, .w = inner radius (r_s)
     vec4 disc_y;       // disc's y axis, .w = outer radius (r_s)
     vec4 disc_map;     // cos and sin of the image's rotation, each over 2 outer; texels per r_s; highest level
-    vec4 disc_look;    // opacity, rim fade (fraction of the width, 0 = none), brightness; how many of a ray's crossings it is not met by
+    vec4 disc_surface;    // opacity, rim fade (fraction of the width, 0 = none), brightness; how many of a ray's crossings it is not met by
     vec4 critical;     // images of the disc next to the critical direction: C of its rims, log2(e)/a, first angle
 #endif
 #ifdef BLOCK_THERMAL_DISC
     vec4 disc_heat;    // 1/inner, flow cells per unit of ln r, log2 of the hottest ring's temperature (K) and of its luminance
 #endif
 #ifdef BLOCK_POINT_STARS
-    vec4 point_stars;  // peak of the point spread (1/px^2); for a star's reach: 2 sigma^2 ln 2 (px^2), 1/faintest light; margin (px)
+    vec4 point_stars;  // peak of the point spread (1/px^2); for a star's reach: 2 sigma^2 ln 2 (px^2), 1/magnitude_limit light; margin (px)
     vec4 point_spread; // log2(e)/(2 sigma^2) (1/px^2), 0, 0, 0
 #endif
 #ifdef BLOCK_BLOOM
     vec4 bloom;        // share of the light that is scattered, 0, 0, 0
 #endif
-    // A body's form, then its look: _map cosine and sine of the rotation, columns, rows; _colour the first colour, limb;
-    // _second the second colour, latitude of the band.
-#ifdef BLOCK_SPHERE
-    vec4 sphere_form;    // radius, 1/radius, sine and cosine of the silhouette's angle from the outward radial (sine below 0: the critical ray)
-    vec4 sphere_map;
-    vec4 sphere_colour;
-    vec4 sphere_second;
-#endif
-#ifdef BLOCK_CYLINDER
-    vec4 cylinder_form;  // inner, outer, half thickness, 0
-    vec4 cylinder_map;
-    vec4 cylinder_colour;
-    vec4 cylinder_second;
-#endif
-#ifdef BLOCK_BALL
-    vec4 ball_form;      // middle, radius
-    vec4 ball_map;
-    vec4 ball_colour;
-    vec4 ball_second;
-#endif
-#ifdef BLOCK_SURFACE
-    vec4 surface_form;   // bound, step, step of differences, time
-    vec4 surface_map;
-    vec4 surface_colour;
-    vec4 surface_second;
-#endif
 #ifdef BLOCK_MARCH
-    vec4 march;          // radius about the centre that holds all bodies (of a wormhole those on the near side), shortest step, that on the far side, about a rotating hole the least radius of a body; there the radius within which no ray on its way in meets one
+    vec4 march;          // radius about the centre that holds all bodies (of a wormhole those on the near side), shortest step, the radius on the far side, the largest speed of a body
+    vec4 march_shell;    // largest |z| and least radius of all bodies, wherever they move; of a hole the radius within which no ray on its way in meets one; 0
 #endif
 #ifdef BLOCK_DISC_PATTERN
-    vec4 disc_coat_map;     // as a body's: rotation, columns, rows; colours
-    vec4 disc_coat_colour;
-    vec4 disc_coat_second;
+    vec4 disc_material_map;     // as object/material.glsl has them
+    vec4 disc_material_colour;
+    vec4 disc_material_second;
 #endif
 #ifdef BLOCK_SKY_PATTERN
-    vec4 dome_x;            // axes of the sky in world axes, .w = 0
-    vec4 dome_y;
-    vec4 dome_z;
-    vec4 dome_map;          // as a body's, not turned
-    vec4 dome_colour;
-    vec4 dome_second;
+    vec4 sky_pattern_x;            // axes of the sky in world axes, .w = 0
+    vec4 sky_pattern_y;
+    vec4 sky_pattern_z;
+    vec4 sky_pattern_map;          // as object/material.glsl has them, not turned
+    vec4 sky_pattern_colour;
+    vec4 sky_pattern_second;
 #endif
 #ifdef BLOCK_DELAY
     vec4 delay;        // x, y of A = (1 - x zeta)(1 - y zeta); the camera's part of light times, of rays to the sky and of others (planar/delay.glsl)
 #endif
 #ifdef BLOCK_DISC_FLOW
     vec4 disc_winding; // scene time over the life of a copy, modulo 4096; 1/life; Omega^2 = zeta^3 (z - w zeta)
-#endif
-#ifdef BLOCK_SPOT
-    vec4 spot;         // radius, angle now, Omega, angle between two
-    vec4 spot_look;    // size^2, brightness, log2 of the temperature (K) and of its luminance
-    vec4 spot_motion;  // u^t, u^phi as disc_flow_row has them, 0, 0
-#endif
-#ifdef BLOCK_BALL_PATH
-    vec4 ball_path;    // how long ago light left at the first node, 1/step, number of cells, largest speed
 #endif
 #ifdef BLOCK_SPIN
     // Of a rotating hole (mino/trace.glsl): view directions, motion and ray_0, ray_x, ray_y are then along (e_r, e_theta, e_phi) of

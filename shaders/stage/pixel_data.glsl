@@ -47,11 +47,11 @@ PixelData pixel_data(vec2 pixel) {
         if (crossing.hit) {
             data.hit = 1.0;
             data.place = vec3(crossing.place.x, crossing.place.y, 0.0);
-            if (frame.disc_look.x >= 1.0) {   // opaque: the ray ends here
+            if (frame.disc_surface.x >= 1.0) {   // opaque: the ray ends here
                 data.fate = 4.0;
                 data.angle = swept_angle(crossing.phi);
 #ifdef EFFECT_DELAY
-                data.delay = disc_late(trace, crossing);
+                data.delay = disc_delay(trace, crossing);
 #endif
             }
         }
@@ -61,7 +61,7 @@ PixelData pixel_data(vec2 pixel) {
     if (solid.object != 0 && data.fate != 4.0) {
         data.fate = 4.0;
 #ifdef EFFECT_DELAY
-        data.delay = solid.place.late;
+        data.delay = solid.place.delay;
 #endif
         if (data.hit == 0.0) {
             data.hit = float(solid.object);

@@ -19,7 +19,7 @@
 #endif
 #endif
 #ifdef EFFECT_SKY_PATTERN
-#include "object/dome.glsl"
+#include "object/sky_pattern.glsl"
 #endif
 #ifdef EFFECT_STAR
 #include "object/star.glsl"
@@ -73,9 +73,9 @@ void main() {
 #endif
 #ifdef EFFECT_SKY_PATTERN
 #ifdef EFFECT_BOUNCE
-    if (through > 0.002) light += through * dome_light(trace);
+    if (through > 0.002) light += through * sky_pattern_light(trace);
 #else
-    if (trace.escapes && through > 0.002) light += through * dome_light(trace);
+    if (trace.escapes && through > 0.002) light += through * sky_pattern_light(trace);
 #endif
 #endif
 #ifdef EFFECT_STAR

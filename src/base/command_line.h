@@ -63,7 +63,14 @@ public:
     void add_flag(std::string names, bool* target, std::string help) {
         add_option(std::move(names), target, std::move(help));
     }
-    void on_run(std::function<int()> run) { run_ = std::move(run); }
+    // What it runs: the exit status, or the error that is reported.
+    void on_run(std::function<Result<int>()> run) { run_ = std::move(run); }
+    void on_run(std::function<Status()> run) {  // status 0 where there is no error
+        run_ = [run = std::move(run)] {
+            const Status done = run();
+            return done ? Result<int>(0) : done.error();
+        };
+    }
     void set_footer(std::string text) { footer_ = std::move(text); }    // of the help text
     void set_version(std::string text) { version_ = std::move(text); }  // adds --version
 
@@ -71,13 +78,13 @@ public:
     const std::string& help() const { return help_; }
     const std::string& footer() const { return footer_; }
     const std::string& version() const { return version_; }
-    const std::function<int()>& run() const { return run_; }
+    const std::function<Result<int>()>& run() const { return run_; }
     const std::vector<std::unique_ptr<Command>>& commands() const { return commands_; }
     const std::vector<std::unique_ptr<Option>>& options() const { return options_; }
 
 private:
     std::string name_, help_, footer_, version_;
-    std::function<int()> run_;
+    std::function<Result<int>()> run_;
     std::vector<std::unique_ptr<Command>> commands_;  // a command that has commands needs one of them
     std::vector<std::unique_ptr<Option>> options_;    // pointers: add_* give out references
 };
@@ -85,7 +92,7 @@ private:
 // What the words ask for: a text to print (help, version), or the run of the command that was named.
 struct Asked {
     std::string text;
-    std::function<int()> run;  // where there is no text; nothing if that command has none
+    std::function<Result<int>()> run;  // where there is no text; nothing if that command has none
 };
 
 // A program with commands takes "help [COMMAND...]" too, and alone it prints its help.

@@ -15,26 +15,19 @@ constexpr double kTerminalSeconds = 0.1;  // fast enough to look alive
 constexpr double kPlainSeconds = 3.0;     // slow enough not to fill a log
 constexpr int kBarWidth = 30;             // columns; label, bar and times fit 80
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 Progress::Progress(std::string label, long long total)
-    : label_(std::move(label)),
-      total_(std::max(total, 1LL)),
-      start_(std::chrono::steady_clock::now()),
-      terminal_(::isatty(STDERR_FILENO) == 1) {}
+    : label_(std::move(label)), total_(std::max(total, 1LL)), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     const std::lock_guard lock(mutex_);
-    if (printed_) print(seconds_since(start_), true);
+    if (printed_) print(watch_.seconds(), true);
 }
 
 void Progress::advance(long long units) {
     done_ += units;
-    const double elapsed_s = seconds_since(start_);
+    const double elapsed_s = watch_.seconds();
     if (elapsed_s < kQuietSeconds) return;
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock || elapsed_s - last_print_s_ < (terminal_ ? kTerminalSeconds : kPlainSeconds)) return;

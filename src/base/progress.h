@@ -1,9 +1,10 @@
 // Progress of long work on standard error: a bar on a terminal, one plain line every few seconds elsewhere.
 #pragma once
 #include <atomic>
-#include <chrono>
 #include <mutex>
 #include <string>
+
+#include "base/stopwatch.h"
 
 namespace nullscope {
 
@@ -21,7 +22,7 @@ private:
     std::string label_;
     long long total_;
     std::atomic<long long> done_{0};
-    std::chrono::steady_clock::time_point start_;
+    Stopwatch watch_;
     std::mutex mutex_;
     double last_print_s_ = 0.0;
     bool terminal_ = false;

@@ -9,13 +9,29 @@ namespace nullscope {
 // Who can mend it: kBadInput (exit status 2: usage or scene) or kFailed (exit status 1: it could not be done).
 enum class ErrorKind { kFailed = 1, kBadInput = 2 };
 
+// What is known of it, part by part; all but `what` may be empty.
 struct Error {
     ErrorKind kind = ErrorKind::kFailed;
-    std::string message;  // one line: file, line, key and allowed range where they exist
+    std::string what;       // is wrong: "5 is out of range"
+    std::string allowed{};  // instead: "[0, 1]"
+    std::string key{};      // of a scene file, column of a table, option: "camera.r"
+    std::string file{};
+    int line = 0;                 // in the file, from 1; 0: of the whole file
+    std::string message() const;  // one line, "FILE:LINE: KEY: WHAT; allowed: ALLOWED" of the parts that are there
 };
 
-inline Error bad_input(std::string message) { return {ErrorKind::kBadInput, std::move(message)}; }
-inline Error failed(std::string message) { return {ErrorKind::kFailed, std::move(message)}; }
+inline Error failed(std::string what) { return {ErrorKind::kFailed, std::move(what)}; }
+inline Error bad_input(std::string what, std::string allowed = {}) {
+    return {ErrorKind::kBadInput, std::move(what), std::move(allowed)};
+}
+inline Error bad_key(std::string key, std::string what, std::string allowed) {
+    return {ErrorKind::kBadInput, std::move(what), std::move(allowed), std::move(key)};
+}
+// The error of a key of a section: "radius" of "ball[2]".
+inline Error within(const std::string& section, Error error) {
+    error.key = error.key.empty() ? section : section + "." + error.key;
+    return error;
+}
 
 template <class T>
 class [[nodiscard]] Result {
@@ -35,5 +51,10 @@ private:
 
 struct Done {};
 using Status = Result<Done>;
+
+// Declares `name`, the Result of an expression; where that is an error, the function returns it.
+#define TRY(name, ...)       \
+    auto name = __VA_ARGS__; \
+    if (!name) return name.error()
 
 }  // namespace nullscope

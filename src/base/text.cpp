@@ -68,6 +68,17 @@ std::optional<double> parse_number(std::string_view text) {
     return value;
 }
 
+std::optional<std::pair<int, int>> two_whole_numbers(std::string_view text, char separator, double least, double most) {
+    const auto parts = split(text, separator);
+    if (parts.size() != 2) return std::nullopt;
+    const auto a = parse_number(parts[0]), b = parse_number(parts[1]);
+    const auto good = [&](const std::optional<double>& n) {
+        return n && *n >= least && *n <= most && *n == static_cast<int>(*n);
+    };
+    if (!good(a) || !good(b)) return std::nullopt;
+    return std::pair(static_cast<int>(*a), static_cast<int>(*b));
+}
+
 std::vector<std::string> split(std::string_view text, char separator) {
     std::vector<std::string> parts;
     while (true) {

@@ -1,6 +1,5 @@
 // Vec3 and Mat3 in double for the host: cameras, tetrads, the reference. (The shader core has its own types.)
 #pragma once
-#include <array>
 #include <cmath>
 
 namespace nullscope {

@@ -3,10 +3,10 @@
 #include <optional>
 #include <string>
 
-#include "base/image.h"
 #include "base/result.h"
-#include "cli/capture_options.h"
-#include "cli/session.h"
+#include "cli/frame_store.h"
+#include "command/session.h"
+#include "image/image.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
 
@@ -19,9 +19,10 @@ struct Captured {
     std::string made_by;
 };
 
-// session: what the shader draws on; null: the reference draws. exr: linear light is asked for.
-Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options, bool exr);
+// session: what the shader draws on; null: the reference draws.
+Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options);
 
-Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured, bool exr);
+// In the format that the name says, .exr or .png.
+Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured);
 
 }  // namespace nullscope::cli

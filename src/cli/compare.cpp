@@ -2,17 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
 #include <optional>
 
-#include "base/image_file.h"
 #include "cli/command.h"
 #include "compare/heat_map.h"
 #include "compare/image_metrics.h"
 #include "compare/ray_channels.h"
 #include "compare/ray_metrics.h"
-#include "scene/scene_file.h"
+#include "image/image_file.h"
+#include "scenefile/scene_file.h"
 
 namespace nullscope::cli {
 namespace {
@@ -29,11 +27,10 @@ bool is_exr(const std::string& name) { return name.ends_with(".exr"); }
 // Ray data if the file is an EXR that has it.
 Result<std::optional<RayFrame>> load_rays(const std::string& name) {
     if (!is_exr(name)) return std::optional<RayFrame>();
-    auto file = load_exr(name);
-    if (!file) return file.error();
+    TRY(file, load_exr(name));
     if (!file->channels.contains("fate")) return std::optional<RayFrame>();
     auto frame = ray_frame_from(*file);
-    if (!frame) return Error{frame.error().kind, fmt::format("{}: {}", name, frame.error().message)};
+    if (!frame) return Error{frame.error().kind, fmt::format("{}: {}", name, frame.error().message())};
     return std::optional<RayFrame>(std::move(*frame));
 }
 
@@ -48,14 +45,13 @@ void print_spread(const char* name, const Spread& spread, const char* unit) {
                spread.median, unit, spread.count);
 }
 
-int compare_rays(const Options& options, const RayFrame& a, const RayFrame& b) {
+Status compare_rays(const Options& options, const RayFrame& a, const RayFrame& b) {
     if (a.width != b.width || a.height != b.height)
-        return report(bad_input(fmt::format("sizes differ: {} is {}x{}, {} is {}x{}", options.a, a.width, a.height,
-                                            options.b, b.width, b.height)));
+        return bad_input(fmt::format("sizes differ: {} is {}x{}, {} is {}x{}", options.a, a.width, a.height, options.b,
+                                     b.width, b.height));
     std::optional<Scene> scene;
     if (!options.scene.empty()) {
-        auto loaded = load_scene(options.scene);
-        if (!loaded) return report(loaded.error());
+        TRY(loaded, load_scene(options.scene));
         scene = std::move(*loaded);
         scene->camera.width = a.width;
         scene->camera.height = a.height;
@@ -65,31 +61,28 @@ int compare_rays(const Options& options, const RayFrame& a, const RayFrame& b) {
     const RayMeasures m = measure_ray_frames(a, b, angle_of, scene ? camera_place(scene->camera) : Vec3{});
     if (!scene)
         fmt::print(
-            "a pixel is taken as {:.4g} rad, the median motion of {}'s sky; --scene SCENE gives the exact angle\n",
+            "pixel angle assumed {:.4g} rad, the median over the sky of {}; --scene SCENE gives the exact angle\n",
             estimate, options.b);
     print_spread("forward error", m.forward_rad, "rad");
     print_spread("screen error", m.sky_px, "px");
     print_spread("place on disc", m.place_px, "px");
     print_spread("swept angle", m.angle_px, "px");
     print_spread("g", m.g_px, "px");
-    fmt::print("{:<15} {} of {} pixels (no band: nothing is traced here)\n", "fate differs", m.fate_errors,
+    fmt::print("{:<15} {} of {} pixels (all, also at edges: nothing is traced here)\n", "fate differs", m.fate_errors,
                m.pixels.size());
     fmt::print("{:<15} {} pixels of {}\n", "not finite", m.not_finite, options.a);
     Image<float> values(m.width, m.height, 1);
-    std::transform(m.pixels.begin(), m.pixels.end(), values.data.begin(),
-                   [](const PixelErrors& e) { return e.worst_px(); });
-    if (Status saved = save_heat_map(options, values, kPixelHeat); !saved) return report(saved.error());
-    return 0;
+    std::ranges::transform(m.pixels, values.data.begin(), &PixelErrors::worst_px);
+    return save_heat_map(options, values, kPixelHeat);
 }
 
-int compare_pictures(const Options& options) {
-    Result<Image<float>> a = load_image(options.a), b = load_image(options.b);
-    if (!a) return report(a.error());
-    if (!b) return report(b.error());
+Status compare_pictures(const Options& options) {
+    TRY(a, load_image(options.a));
+    TRY(b, load_image(options.b));
     const bool linear = is_exr(options.a) && is_exr(options.b);
     if (!linear) *a = display_values(*a), *b = display_values(*b);
     const auto m = measure_images(*a, *b, kPictureThreshold);
-    if (!m) return report(bad_input(fmt::format("{}, {}: {}", options.a, options.b, m.error().message)));
+    if (!m) return bad_input(fmt::format("{}, {}: {}", options.a, options.b, m.error().message()));
     fmt::print("values          {}\n", linear ? "linear light" : "display-encoded, 0 to 1");
     fmt::print("difference      max {:.4g}  99.9 % {:.4g}  median {:.4g} (largest of a pixel's colours)\n", m->max,
                m->p999, m->median);
@@ -97,39 +90,34 @@ int compare_pictures(const Options& options) {
     fmt::print("PSNR            {:.2f} dB\n", m->psnr_db);
     fmt::print("above {:.4f}    {:.4f} % of {} pixels\n", kPictureThreshold, 100 * m->fraction_above,
                m->difference.data.size());
-    if (Status saved = save_heat_map(options, m->difference, kPictureScale); !saved) return report(saved.error());
-    return 0;
+    return save_heat_map(options, m->difference, kPictureScale);
 }
 
-int run(const Options& options) {
+Status run(const Options& options) {
     if (!options.heat_map.empty() && !options.heat_map.ends_with(".png"))
-        return report(bad_input(
-            fmt::format("--heatmap {}: unknown kind of file; allowed: names that end in .png", options.heat_map)));
-    const auto a = load_rays(options.a), b = load_rays(options.b);
-    if (!a) return report(a.error());
-    if (!b) return report(b.error());
+        return bad_input(fmt::format("--heatmap {}: unknown kind of file", options.heat_map), "names that end in .png");
+    TRY(a, load_rays(options.a));
+    TRY(b, load_rays(options.b));
     if (a->has_value() != b->has_value())
-        return report(
-            bad_input(fmt::format("{} has ray data and {} has none (no channel \"fate\"); make it with: nullscope "
-                                  "capture SCENE --raydata -o FILE.exr",
-                                  a->has_value() ? options.a : options.b, a->has_value() ? options.b : options.a)));
+        return bad_input(
+            fmt::format("{} has ray data and {} has none (no channel \"fate\"); make it with: nullscope "
+                        "capture SCENE --raydata -o FILE.exr",
+                        a->has_value() ? options.a : options.b, a->has_value() ? options.b : options.a));
     return a->has_value() ? compare_rays(options, **a, **b) : compare_pictures(options);
 }
 
 }  // namespace
 
 void add_compare(Command& parent) {
-    auto options = std::make_shared<Options>();
-    Command& command = parent.add_command(
-        "compare", "Differences between two pictures, or between the ray data of two frames (A against the exact B)");
-    command.add_option("a", &options->a, "PNG, JPEG, HDR or EXR; or an EXR with ray data (nullscope capture --raydata)")
-        .required();
-    command.add_option("b", &options->b, "The same kind of file: what A should be").required();
-    command.add_option("--heatmap", &options->heat_map,
-                       "PNG to write: each pixel's difference by colour, with a legend");
-    command.add_option("--scene", &options->scene,
-                       "Ray data: the scene of both, whose camera says what angle a pixel spans");
-    command.on_run([options] { return run(*options); });
+    auto [command, options] = add_command<Options>(
+        parent, "compare", "Compare two pictures, or the ray data of two frames; B is taken as exact", run);
+    required_option(command, "a", options.a,
+                    "PNG, JPEG, HDR or EXR; or an EXR with ray data (nullscope capture --raydata)");
+    required_option(command, "b", options.b, "The exact picture or ray data, in the same kind of file");
+    command.add_option("--heatmap", &options.heat_map,
+                       "PNG to write: the difference at each pixel as a colour, with a legend");
+    command.add_option("--scene", &options.scene,
+                       "For ray data: the scene of both; its camera gives the angle of a pixel");
 }
 
 }  // namespace nullscope::cli

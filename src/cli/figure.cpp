@@ -1,31 +1,30 @@
 // nullscope figure: the slides' figures and Luminet's isoradials, drawn from the reference tracer as SVG.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
-#include <memory>
 #include <vector>
 
 #include "base/atomic_file.h"
 #include "cli/command.h"
-#include "cli/isoradials.h"
+#include "command/svg.h"
+#include "reference/isoradial.h"
 #include "reference/reference.h"
-#include "scene/scene_file.h"
+#include "scenefile/scene_file.h"
 
 namespace nullscope::cli {
 namespace {
 
-constexpr double kCriticalQ = 0.38490017945975050967;  // 2/(3 sqrt 3)
-constexpr double kEdge = 7.0;                          // half a panel, r_s
-constexpr double kPanel = 360;                         // px
+constexpr double kCriticalQ = 0.38490017945975050967;       // 2/(3 sqrt 3)
+constexpr double kEdge = 7.0;                               // half a panel, r_s
+constexpr double kPanel = 360, kUnit = kPanel / 2 / kEdge;  // px; of r_s
 
-struct Point {
-    double x, y;
-};
+using Points = std::vector<std::array<double, 2>>;
 
 // The part of a light ray with r <= 1.5 kEdge: from radius r0 with q and direction s, until it ends.
-std::vector<Point> path(double q, double r0, int s) {
+Points path(double q, double r0, int s) {
     constexpr double kStep = 0.01;  // rad
-    std::vector<Point> points{{r0, 0}};
+    Points points{{r0, 0}};
     Scene scene;
     for (int i = 1; i < 4000; ++i) {
         RayQuery query;
@@ -38,18 +37,13 @@ std::vector<Point> path(double q, double r0, int s) {
     return points;
 }
 
-std::string line(const std::vector<Point>& points, double turn, const char* colour) {
-    std::string out = "<polyline fill=\"none\" stroke-width=\"1.6\" stroke=\"" + std::string(colour) + "\" points=\"";
-    for (const Point& p : points) {
-        const double x = std::cos(turn) * p.x - std::sin(turn) * p.y, y = std::sin(turn) * p.x + std::cos(turn) * p.y;
-        out += fmt::format("{:.2f},{:.2f} ", x / kEdge * kPanel / 2, -y / kEdge * kPanel / 2);
-    }
-    return out + "\"/>\n";
+std::string line(Points points) {  // NOLINT(performance-unnecessary-value-param): scaled in place
+    for (auto& [x, y] : points) x *= kUnit, y *= -kUnit;
+    return svg_curve("polyline", points, 1.6, "#c2410c");
 }
 
 // A panel with the horizon (black), the photon sphere (dashed) and what is drawn into it.
 std::string panel(int column, int row, const std::string& title, const std::string& inside) {
-    const double unit = kPanel / 2 / kEdge;
     return fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} {}\">\n",
                        column * (kPanel + 10), row * (kPanel + 10), kPanel, kPanel, -kPanel / 2, -kPanel / 2, kPanel,
                        kPanel) +
@@ -58,18 +52,12 @@ std::string panel(int column, int row, const std::string& title, const std::stri
            fmt::format(
                "<circle r=\"{:.2f}\" fill=\"#18181b\"/><circle r=\"{:.2f}\" fill=\"none\" stroke=\"#a1a1aa\" "
                "stroke-dasharray=\"4 3\"/>\n",
-               unit, 1.5 * unit) +
-           inside +
-           fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"14\" fill=\"#18181b\">{}</text>\n</svg>\n",
-                       -kPanel / 2 + 10, -kPanel / 2 + 22, title);
+               kUnit, 1.5 * kUnit) +
+           inside + svg_text(-kPanel / 2 + 10, -kPanel / 2 + 22, title, 14) + "</svg>\n";
 }
 
 std::string document(int columns, int rows, const std::string& panels) {
-    return fmt::format(
-               "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-               "font-family=\"sans-serif\">\n",
-               columns * (kPanel + 10) - 10, rows * (kPanel + 10) - 10) +
-           panels + "</svg>\n";
+    return svg_document(columns * (kPanel + 10) - 10, rows * (kPanel + 10) - 10, panels);
 }
 
 // "Bending of light rays for Q = 1.85, 6.75, 9.85 and 14.3, where q = q_crit (1 - exp(-Q))": each ray is drawn from its turning
@@ -85,7 +73,7 @@ std::string bending() {
         const auto ray = reference::trace_ray({}, query);
         const double bent = ray ? ray->angle : 0.0;
         panels += panel(i % 2, i / 2, fmt::format("Q = {:g}: swept {:.1f} degrees", big_q, bent * 180 / M_PI),
-                        line(path(q, start, 1), 0, "#c2410c"));
+                        line(path(q, start, 1)));
         ++i;
     }
     return document(2, 2, panels);
@@ -109,31 +97,45 @@ std::string ray_types() {
     std::string panels;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const Kind& kind = kinds[i];
-        const double unit = kPanel / 2 / kEdge;
-        const std::string start = fmt::format("<circle cx=\"{:.1f}\" r=\"4\" fill=\"#1d4ed8\"/>\n", kind.r * unit);
+        const std::string start = fmt::format("<circle cx=\"{:.1f}\" r=\"4\" fill=\"#1d4ed8\"/>\n", kind.r * kUnit);
         panels += panel(static_cast<int>(i % 4), static_cast<int>(i / 4), kind.title,
-                        line(path(kind.k * kCriticalQ, kind.r, kind.s), 0, "#c2410c") + start);
+                        line(path(kind.k * kCriticalQ, kind.r, kind.s)) + start);
     }
     return document(4, 2, panels);
 }
 
+// Isoradials of a scene's camera: the direct images of rings of 3, 5, 10 and 15 r_s (6, 10, 20 and 30 M, as in
+// Luminet's figure of 1979) and the next ones, by the reference. Errors: as reference::isoradial.
 Result<std::string> isoradials(const std::string& name) {
-    const auto scene = load_scene(name);
-    if (!scene) return scene.error();
-    return isoradials_svg(*scene);
+    constexpr int kPoints = 720;
+    TRY(scene, load_scene(name));
+    const CameraSpec& camera = scene->camera;
+    std::string out(kSvgWhite);
+    for (const int image : {1, 2})
+        for (const double r : {3.0, 5.0, 10.0, 15.0}) {
+            TRY(curve, reference::isoradial(*scene, r, image, kPoints));
+            if (curve->empty()) continue;
+            out += svg_curve("polygon", *curve, image == 1 ? 1.8 : 1.0, image == 1 ? "#c2410c" : "#1d4ed8");
+            const auto& label = (*curve)[3 * curve->size() / 4];
+            if (image == 1) out += svg_text(label[0] + 4, label[1] - 4, fmt::format("{:g} M", 2 * r), 13);
+        }
+    out += svg_text(16, 28,
+                    fmt::format("Isoradials seen from {:.0f} degrees: direct images (red), second images (blue)",
+                                camera.theta * 180 / M_PI),
+                    16);
+    return svg_document(camera.width, camera.height, out);
 }
 
 struct Options {
     std::string name, output, scene = "luminet";
 };
 
-int run(const Options& options) {
+Result<int> run(const Options& options) {
     const std::string file = options.output.empty() ? options.name + ".svg" : options.output;
-    Result<std::string> svg = options.name == "bending"     ? bending()
-                              : options.name == "ray-types" ? ray_types()
-                                                            : isoradials(options.scene);
-    if (!svg) return report(svg.error());
-    if (Status written = write_text_atomically(file, *svg); !written) return report(written.error());
+    TRY(svg, options.name == "bending"     ? bending()
+             : options.name == "ray-types" ? ray_types()
+                                           : isoradials(options.scene));
+    TRY(written, write_text_atomically(file, *svg));
     fmt::print("{}\n", file);
     return 0;
 }
@@ -141,16 +143,15 @@ int run(const Options& options) {
 }  // namespace
 
 void add_figure(Command& parent) {
-    auto options = std::make_shared<Options>();
-    Command& command = parent.add_command(
-        "figure",
-        "Draw as SVG: light rays near the critical one, the types of rays, isoradials (images of rings of the disc)");
-    command.add_option("name", &options->name, "bending, ray-types or isoradials")
+    auto [command, options] = add_command<Options>(
+        parent, "figure",
+        "Draw a figure as SVG: rays near the critical one, types of rays, or isoradials (images of rings of the disc)",
+        run);
+    command.add_option("name", &options.name, "bending, ray-types or isoradials")
         .required()
         .one_of({"bending", "ray-types", "isoradials"});
-    command.add_option("--scene", &options->scene, "isoradials: scene whose camera looks").show_default();
-    command.add_option("-o,--output", &options->output, "File to write (default NAME.svg)");
-    command.on_run([options] { return run(*options); });
+    text_option(command, "--scene", options.scene, "For isoradials: the scene whose camera is used");
+    command.add_option("-o,--output", &options.output, "File to write (default NAME.svg)");
 }
 
 }  // namespace nullscope::cli

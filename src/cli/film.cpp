@@ -1,4 +1,4 @@
-#include "cli/film.h"
+#include "cli/frame_store.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -7,6 +7,8 @@
 
 #include <filesystem>
 #include <vector>
+
+#include "base/text.h"
 
 extern char** environ;
 
@@ -45,30 +47,17 @@ bool have_ffmpeg() { return run_quietly({"ffmpeg", "-loglevel", "quiet", "-versi
 
 Status encode_film(const std::string& folder, int first, int count, double rate, const std::string& output) {
     const std::string part = output + ".part.mp4";
+    std::vector<std::string> words =
+        split(fmt::format("ffmpeg -y -loglevel error -framerate {} -start_number {} -i", rate, first), ' ');
+    words.push_back(percent_doubled(folder) + "/%05d.png");
     // Sides are made even: 4:2:0 halves them.
-    const int status = run_quietly({"ffmpeg",
-                                    "-y",
-                                    "-loglevel",
-                                    "error",
-                                    "-framerate",
-                                    fmt::format("{}", rate),
-                                    "-start_number",
-                                    fmt::format("{}", first),
-                                    "-i",
-                                    percent_doubled(folder) + "/%05d.png",
-                                    "-frames:v",
-                                    fmt::format("{}", count),
-                                    "-vf",
-                                    "crop=trunc(iw/2)*2:trunc(ih/2)*2",
-                                    "-c:v",
-                                    "libx264",
-                                    "-crf",
-                                    "16",
-                                    "-pix_fmt",
-                                    "yuv420p",
-                                    "-movflags",
-                                    "+faststart",
-                                    part});
+    for (const std::string& word : split(fmt::format("-frames:v {} -vf crop=trunc(iw/2)*2:trunc(ih/2)*2 -c:v libx264 "
+                                                     "-crf 16 -pix_fmt yuv420p -movflags +faststart",
+                                                     count),
+                                         ' '))
+        words.push_back(word);
+    words.push_back(part);
+    const int status = run_quietly(std::move(words));
     std::error_code error;
     if (status == 0) std::filesystem::rename(part, output, error);
     if (status == 0 && !error) return Done{};

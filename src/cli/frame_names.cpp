@@ -1,9 +1,9 @@
-#include "cli/frame_names.h"
+#include "cli/frame_store.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <cstdlib>
 
 namespace nullscope::cli {
 namespace {
@@ -16,16 +16,12 @@ struct Place {
 };
 
 Place next_place(const std::string& text, std::size_t from) {
-    for (std::size_t at = from; at < text.size(); ++at) {
-        if (text[at] == '#') {
-            const std::size_t end = std::min(text.find_first_not_of('#', at), text.size());
-            return {at, end - at, end - at};
-        }
-        if (text[at] != '%') continue;
-        std::size_t end = at + 1, digits = 0;
-        for (; end < text.size() && std::isdigit(static_cast<unsigned char>(text[end])) && digits <= kMostDigits; ++end)
-            digits = 10 * digits + static_cast<std::size_t>(text[end] - '0');
-        if (end < text.size() && text[end] == 'd') return {at, end + 1 - at, std::max<std::size_t>(digits, 1)};
+    for (std::size_t at = text.find_first_of("#%", from); at < text.size(); at = text.find_first_of("#%", at + 1)) {
+        const bool hashes = text[at] == '#';
+        const std::size_t end = std::min(text.find_first_not_of(hashes ? "#" : "0123456789", at + 1), text.size());
+        if (hashes) return {at, end - at, end - at};
+        if (end == text.size() || text[end] != 'd') continue;
+        return {at, end + 1 - at, std::max(std::strtoul(text.c_str() + at + 1, nullptr, 10), 1ul)};
     }
     return {};
 }
@@ -40,22 +36,11 @@ Result<FrameNames> FrameNames::parse(const std::string& pattern) {
             fmt::format("-o {}: a sequence needs one place for the frame's number; "
                         "allowed: names with one of %05d, %d or ##### (up to {} digits)",
                         pattern, kMostDigits));
-    FrameNames names;
-    names.pattern_ = pattern;
-    names.before_ = pattern.substr(0, place.at);
-    names.after_ = pattern.substr(place.at + place.length);
-    names.digits_ = static_cast<int>(place.digits);
-    return names;
+    return FrameNames(pattern, pattern.substr(0, place.at), pattern.substr(place.at + place.length),
+                      static_cast<int>(place.digits));
 }
 
-FrameNames FrameNames::in_folder(const std::string& folder) {
-    FrameNames names;
-    names.pattern_ = folder + "/%05d.png";
-    names.before_ = folder + "/";
-    names.after_ = ".png";
-    names.digits_ = 5;
-    return names;
-}
+FrameNames FrameNames::in_folder(const std::string& folder) { return {folder + "/%05d.png", folder + "/", ".png", 5}; }
 
 std::string FrameNames::stamp_file() const {
     const bool bare = before_.empty() || before_.ends_with('/');  // "%05d.png": a dot in front would hide it

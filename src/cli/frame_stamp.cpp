@@ -1,4 +1,4 @@
-#include "cli/frame_stamp.h"
+#include "cli/frame_store.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,21 +10,19 @@
 #include <vector>
 
 #include "base/text.h"
-#include "scene/scene_text.h"
+#include "scenefile/scene_text.h"
 
 namespace nullscope::cli {
 namespace {
 
 // Size and FNV-1a hash of a file's bytes: pictures depend on what is in an image, not on where it lies.
 std::string contents_of(const std::filesystem::path& file) {
-    constexpr std::uint64_t kOffset = 0xcbf29ce484222325u, kPrime = 0x100000001b3u;
     std::ifstream in(file, std::ios::binary);
     if (!in) return "unreadable";
-    std::uint64_t hash = kOffset, size = 0;
+    std::uint64_t hash = fnv1a(""), size = 0;
     std::vector<char> bytes(1u << 20);
     while (in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())), in.gcount() > 0) {
-        const auto end = bytes.begin() + in.gcount();
-        for (auto byte = bytes.begin(); byte != end; ++byte) hash = (hash ^ static_cast<unsigned char>(*byte)) * kPrime;
+        hash = fnv1a({bytes.data(), static_cast<std::size_t>(in.gcount())}, hash);
         size += static_cast<std::uint64_t>(in.gcount());
     }
     return fmt::format("{} bytes, {:016x}", size, hash);
@@ -63,21 +61,21 @@ std::string frame_stamp(const StampInput& input) {
     }
     text += fmt::format("--time-step = {:.17g}\ntime of frame 0 = {:.17g}\n", options.time_step, input.first_time);
     append_scene(text, "", input.scene);
-    if (input.beside != nullptr) append_scene(text, "--beside ", *input.beside);
+    if (input.split != nullptr) append_scene(text, "--split ", *input.split);
     return text;
 }
 
 std::string stamp_difference(const std::string& before, const std::string& now) {
     constexpr std::size_t kMostNames = 3;
-    if (before.empty()) return "nothing says what they show";
+    if (before.empty()) return "they have no stamp";
     std::vector<std::string> names;
     add_names(now, before, names);
     add_names(before, now, names);
-    if (names.empty()) return "another order of their lines";
+    if (names.empty()) return "their lines are in another order";
     const std::size_t shown = std::min(names.size(), kMostNames);
     const std::string more = names.size() > shown ? fmt::format(" and {} more", names.size() - shown) : "";
     names.resize(shown);
-    return fmt::format("another {}{}", fmt::join(names, ", "), more);
+    return fmt::format("different {}{}", fmt::join(names, ", "), more);
 }
 
 }  // namespace nullscope::cli

@@ -6,14 +6,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
-#include <utility>
 
 #include "base/atomic_file.h"
-#include "cli/frame_stamp.h"
 
 namespace nullscope::cli {
 namespace {
@@ -52,12 +50,6 @@ Result<int> remove_pictures(const std::string& folder) {
 FrameStore::FrameStore(FrameNames names, std::string stamp_file, int descriptor)
     : names_(std::move(names)), stamp_file_(std::move(stamp_file)), descriptor_(descriptor) {}
 
-FrameStore::FrameStore(FrameStore&& other) noexcept
-    : names_(std::move(other.names_)),
-      stamp_file_(std::move(other.stamp_file_)),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      new_(other.new_) {}
-
 FrameStore::~FrameStore() {
     if (descriptor_ < 0) return;
     if (new_ && is_named(descriptor_, stamp_file_)) ::unlink(stamp_file_.c_str());
@@ -65,70 +57,61 @@ FrameStore::~FrameStore() {
 }
 
 // The descriptor is inherited by ffmpeg on purpose: an encoder that outlives a killed run keeps the pictures locked.
-Result<FrameStore> FrameStore::lock(const FrameNames& names, const std::string& stamp_file, const std::string& what) {
+Result<std::unique_ptr<FrameStore>> FrameStore::lock(const FrameNames& names, const std::string& stamp_file,
+                                                     const std::string& what) {
     for (;;) {
         const int descriptor = ::open(stamp_file.c_str(), O_RDWR | O_CREAT, 0666);
         if (descriptor < 0) return system_error(stamp_file, errno);
-        FrameStore store(names, stamp_file, descriptor);
+        std::unique_ptr<FrameStore> store(new FrameStore(names, stamp_file, descriptor));
         if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
             if (errno == EWOULDBLOCK)
-                return failed(fmt::format("{}: another run is drawing it; wait for that, or choose another -o", what));
+                return failed(
+                    fmt::format("{}: another run is drawing it; wait for it to end, or choose another -o", what));
             return failed(fmt::format("{}: cannot be locked: {}", stamp_file, std::generic_category().message(errno)));
         }
         if (is_named(descriptor, stamp_file)) return store;
     }
 }
 
-Result<std::string> FrameStore::read() const { return read_text(stamp_file_); }
-
+// Into the file that is locked: no other takes its name.
 Status FrameStore::write(const std::string& stamp) const {
-    if (::ftruncate(descriptor_, 0) != 0) return system_error(stamp_file_, errno);
-    for (std::size_t done = 0; done < stamp.size();) {
-        const ssize_t n = ::pwrite(descriptor_, stamp.data() + done, stamp.size() - done, static_cast<off_t>(done));
-        if (n < 0 && errno == EINTR) continue;
-        if (n <= 0) return system_error(stamp_file_, errno);
-        done += static_cast<std::size_t>(n);
-    }
-    return Done{};
+    std::ofstream file(stamp_file_, std::ios::binary | std::ios::trunc);
+    if (file << stamp << std::flush) return Done{};
+    return system_error(stamp_file_, errno);
 }
 
-Result<FrameStore> FrameStore::open_film(const std::string& folder, const std::string& stamp) {
+Result<std::unique_ptr<FrameStore>> FrameStore::open_film(const std::string& folder, const std::string& stamp) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) return failed(fmt::format("{}: {}", folder, error.message()));
     auto store = lock(FrameNames::in_folder(folder), folder + "/stamp", folder);
     if (!store) return store;
-    const auto before = store->read();
-    if (!before) return before.error();
+    TRY(before, read_text(folder + "/stamp"));
     if (*before == stamp) return store;
-    const auto removed = remove_pictures(folder);
-    if (!removed) return removed.error();
+    TRY(removed, remove_pictures(folder));
     if (*removed > 0)
-        fmt::print(stderr, "{}: drawn anew, {} pictures of a stopped run do not fit: {}\n", folder, *removed,
+        fmt::print(stderr, "{}: starting over, {} pictures of an interrupted run do not match: {}\n", folder, *removed,
                    stamp_difference(*before, stamp));
-    store->new_ = before->empty();
-    if (Status written = store->write(stamp); !written) return written.error();
+    (*store)->new_ = before->empty();
+    TRY(written, (*store)->write(stamp));
     return store;
 }
 
-Result<FrameStore> FrameStore::open_sequence(const FrameNames& names, Frames frames, const std::string& stamp,
-                                             bool resume) {
+Result<std::unique_ptr<FrameStore>> FrameStore::open_sequence(const FrameNames& names, Frames frames,
+                                                              const std::string& stamp, bool resume) {
     const std::string stamp_file = names.stamp_file();
     auto store = lock(names, stamp_file, names.pattern());
     if (!store) return store;
-    const auto before = store->read();
-    if (!before) return before.error();
+    TRY(before, read_text(stamp_file));
     if (resume && *before == stamp) return store;
+    (*store)->new_ = before->empty();
     int there = 0;
     for (int frame = frames.first; resume && frame < frames.end; ++frame) there += fs::exists(names.of(frame));
-    if (there > 0) {
-        store->new_ = before->empty();
+    if (there > 0)
         return bad_input(fmt::format(
-            "--resume: {} pictures of {} do not fit: {}; start afresh without --resume, or choose another -o", there,
+            "--resume: {} pictures of {} do not match: {}; start over without --resume, or choose another -o", there,
             names.pattern(), stamp_difference(*before, stamp)));
-    }
-    store->new_ = before->empty();
-    if (Status written = store->write(stamp); !written) return written.error();
+    TRY(written, (*store)->write(stamp));
     return store;
 }
 

@@ -1,29 +1,79 @@
-// The pictures of a film or a sequence on disk, and the stamp file with them: the text that frame_stamp.h makes. Pictures
-// are kept from one run to the next only under an equal stamp. The stamp file is locked while a run draws; the kernel frees
-// it when the process ends, however it ends.
+// The pictures of a film or a sequence on disk: their names, what they depend on, and which of them are there.
 #pragma once
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "base/result.h"
-#include "cli/arguments.h"
-#include "cli/frame_names.h"
+#include "command/arguments.h"
+#include "scene/scene.h"
 
 namespace nullscope::cli {
 
+// The names of a sequence's files: a file name with one place for the frame's number.
+class FrameNames {
+public:
+    // pattern: holds one of %d, %5d, %05d (up to 9 digits) or #####. Errors: no such place, or more than one.
+    static Result<FrameNames> parse(const std::string& pattern);
+    static FrameNames in_folder(const std::string& folder);  // folder/00000.png ...
+    std::string of(int frame) const;                         // with zeros in front, as many digits as there are places
+    const std::string& pattern() const { return pattern_; }
+    std::string stamp_file() const;  // NAME.png.stamp for NAME%05d.png
+
+private:
+    FrameNames(std::string pattern, std::string before, std::string after, int digits)
+        : pattern_(std::move(pattern)), before_(std::move(before)), after_(std::move(after)), digits_(digits) {}
+    std::string pattern_, before_, after_;
+    int digits_;
+};
+
+// What nullscope capture was asked for.
+struct CaptureOptions {
+    std::string scene, split, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
+    std::optional<int> samples;  // reference: a side of a pixel; else kSamples
+    std::optional<double> time;
+    double time_step = 0;
+    std::optional<double> max_error;
+    std::optional<int> largest_texture;
+    bool raydata = false, dump_shader = false, resume = false;
+
+    bool to_exr() const { return output.ends_with(".exr"); }  // linear light
+    bool to_film() const { return output.ends_with(".mp4"); }
+};
+inline constexpr int kSamples = 3;
+
+// What the pictures depend on, as text: pictures of two runs may stand in one film only if it is equal.
+struct StampInput {
+    const Scene& scene;  // with the size and the time that are drawn
+    const Scene* split;  // of the right half; null where the picture is one scene's, or the scene names it
+    const CaptureOptions& options;
+    std::string method;   // that auto chose
+    double first_time;    // of frame 0
+    std::string version;  // of the program
+};
+
+// One line for everything: options, every member of the scenes, the contents of the image files that they name.
+std::string frame_stamp(const StampInput& input);
+
+// The names of the lines that differ between two stamps, as a message says it: "camera.r, sky.kind and 2 more".
+std::string stamp_difference(const std::string& before, const std::string& now);
+
+// The pictures, and the stamp file with them: the text that frame_stamp() makes. Pictures are kept from one run to the
+// next only under an equal stamp. The stamp file is locked while a run draws; the kernel frees it when the process
+// ends, however it ends.
 class FrameStore {
 public:
     // A folder of the film's own, made if it is missing. Under another stamp its pictures are removed, and one line on
     // standard error says so. Errors: another run draws there (1), what the system says.
-    static Result<FrameStore> open_film(const std::string& folder, const std::string& stamp);
+    static Result<std::unique_ptr<FrameStore>> open_film(const std::string& folder, const std::string& stamp);
     // The stamp file is NAME.png.stamp for NAME%05d.png. resume: pictures that are there stay. Errors: as above; pictures
     // of another stamp, or of none (bad input).
-    static Result<FrameStore> open_sequence(const FrameNames& names, Frames frames, const std::string& stamp,
-                                            bool resume);
+    static Result<std::unique_ptr<FrameStore>> open_sequence(const FrameNames& names, Frames frames,
+                                                             const std::string& stamp, bool resume);
 
-    FrameStore(FrameStore&& other) noexcept;
     FrameStore(const FrameStore&) = delete;
     FrameStore& operator=(const FrameStore&) = delete;
-    FrameStore& operator=(FrameStore&&) = delete;
     ~FrameStore();  // a stamp without pictures goes with it
 
     std::string file(int frame) const { return names_.of(frame); }
@@ -33,8 +83,8 @@ public:
 
 private:
     FrameStore(FrameNames names, std::string stamp_file, int descriptor);
-    static Result<FrameStore> lock(const FrameNames& names, const std::string& stamp_file, const std::string& what);
-    Result<std::string> read() const;
+    static Result<std::unique_ptr<FrameStore>> lock(const FrameNames& names, const std::string& stamp_file,
+                                                    const std::string& what);
     Status write(const std::string& stamp) const;
 
     FrameNames names_;
@@ -42,5 +92,11 @@ private:
     int descriptor_;
     bool new_ = false;  // the stamp is this run's, and there is no picture yet
 };
+
+// A film from numbered pictures, by the ffmpeg program where that is installed.
+bool have_ffmpeg();
+// The `count` pictures folder/00000.png ... from number `first` on to an H.264 film; under its name only when complete.
+// Errors: ffmpeg is missing or fails.
+Status encode_film(const std::string& folder, int first, int count, double rate, const std::string& output);
 
 }  // namespace nullscope::cli

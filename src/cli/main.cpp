@@ -9,13 +9,14 @@
 
 #include "base/atomic_file.h"
 #include "base/text.h"
+#include "bench/bench.h"
 #include "cli/command.h"
 
 namespace nullscope::cli {
 
 int report(const Error& error) {
     const bool input = error.kind == ErrorKind::kBadInput;  // a driver's log may have lines
-    fmt::print(stderr, "nullscope: {}\n", input ? without_controls(error.message) : error.message);
+    fmt::print(stderr, "nullscope: {}\n", input ? without_controls(error.message()) : error.message());
     return static_cast<int>(error.kind);
 }
 
@@ -33,19 +34,20 @@ int report_unwritable_output() {
 int main(int argc, char** argv) {
     nullscope::clean_up_on_signals();
     using namespace nullscope::cli;
-    nullscope::Command program("nullscope",
-                               "nullscope: accurate real-time pictures of curved spacetimes, without a window.\n"
-                               "Try: nullscope capture first-light -o first-light.png");
+    nullscope::Command program(
+        "nullscope",
+        "nullscope: draw, trace and measure black holes and other curved spacetimes, without a window.\n"
+        "Try: nullscope capture first-light -o first-light.png");
     program.set_version(NULLSCOPE_VERSION);
     for (const auto add : {add_capture, add_trace, add_compare, add_bench, add_plan, add_scenes, add_info, add_figure,
                            add_lightcurve, add_light_time})
         add(program);
-    program.set_footer(
-        "\nnullscope help COMMAND says what a command takes. The window is a program of its own: nullscope-viewer.");
+    program.set_footer("\nnullscope help COMMAND lists the options of a command. For a window, run nullscope-viewer.");
     const auto asked = nullscope::parse_command_line(program, argc, argv);
     if (!asked) return report(asked.error());
     try {
-        const int status = asked->run ? asked->run() : (fmt::print("{}", asked->text), 0);
+        const nullscope::Result<int> ran = asked->run ? asked->run() : (fmt::print("{}", asked->text), 0);
+        const int status = ran ? *ran : report(ran.error());
         if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
         return status != 0 ? status : report_unwritable_output();
     } catch (const std::bad_alloc&) {

@@ -3,16 +3,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "base/assets.h"
-#include "base/large_image.h"
-#include "cli/bench_effects.h"
+#include "bench/bench.h"
 #include "cli/command.h"
-#include "cli/json.h"
+#include "command/json.h"
+#include "image/large_image.h"
+#include "plan/moving.h"
 #include "render/renderer.h"
-#include "scene/moving.h"
-#include "scene/scene_file.h"
+#include "scene/bodies.h"
+#include "scenefile/scene_file.h"
 #include "shaderlib/passes.h"
 #include "sky/point_stars.h"
 #include "table/disc_light.h"
@@ -43,32 +43,32 @@ struct Plan {
     std::vector<EffectCost> costs;  // where they were measured
 };
 
-long long bytes_of(std::size_t bytes) { return static_cast<long long>(bytes); }
-
 // What calls for a table of the light's path, by its name.
 std::string reason_of(std::string_view name, const Scene& scene) {
-    if (name == "delay map") return fmt::format("{}", fmt::join(moving_parts(scene), ", "));
-    if (name != "orbit map") return fmt::format("camera.r = {}", scene.camera.r);
+    if (name == "light-time table") return moving_words(scene);
+    if (name != "orbit table") return fmt::format("camera.r = {}", scene.camera.r);
     std::vector<std::string> objects;
     if (scene.disc) objects.emplace_back("[disc]");
-    if (scene.sphere) objects.emplace_back("[sphere]");
-    if (scene.cylinder) objects.emplace_back("[cylinder]");
-    if (scene.ball) objects.emplace_back("[ball]");
-    if (scene.surface) objects.emplace_back("[surface]");
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        objects.push_back(fmt::format("[{}]", body_section(scene, i)));
     return fmt::format("{}", fmt::join(objects, ", "));
 }
 
 void add_tables(const FrameTables& tables, const Scene& scene, std::vector<Line>& lines) {
     if (const DeflectionTable* table = tables.path().table())
-        lines.push_back({"deflection table", 3, table->size() + 1, table->size() + 1, bytes_of(table->bytes()), "host",
+        lines.push_back({"deflection table", 3, table->size() + 1, table->size() + 1,
+                         static_cast<long long>(table->bytes()), "host",
                          fmt::format("spacetime.metric = \"{}\"", scene.spacetime.metric)});
     for (const auto& [name, texels] : tables.path().tables())
-        lines.push_back({std::string(name), 1, texels->width, texels->height, bytes_of(texels->bytes()),
+        lines.push_back({std::string(name), 1, texels->width, texels->height, static_cast<long long>(texels->bytes()),
                          name == "ray ends" && !meets_objects(tables.effects()) ? "host" : "GPU",
                          reason_of(name, scene)});
-    if (const BallPath* path = tables.ball_path())
-        lines.push_back(
-            {"ball's way", 1, path->row.width, path->row.height, bytes_of(path->row.bytes()), "GPU", "ball.motion"});
+    if (const BallPaths& paths = tables.ball_paths(); !paths.balls.empty())
+        lines.push_back({"ball paths", static_cast<long long>(paths.balls.size()), paths.rows.width, 2,
+                         static_cast<long long>(paths.rows.bytes()), "GPU", "ball.motion"});
+    if (const SurfaceClearances& clearances = tables.clearances(); clearances.rows() > 0)
+        lines.push_back({"surface clearance", 1, kClearanceWidth, clearances.rows(),
+                         4LL * kClearanceWidth * clearances.rows(), "GPU", "surface.shape and surface.bound"});
 }
 
 // As Renderer::textures() counts them, once made.
@@ -78,17 +78,16 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Li
         lines.push_back({"sky", 6, size, size, 32 * size * size, "GPU",
                          "camera.fov and camera.size: a texel a pixel"});  // 4 B, mip levels
     }
-    if (effects.contains(Effect::kThermalDisc)) {
-        lines.push_back({"disc flow", 1, kDiscFlowCells + 1, 1, 16 * (kDiscFlowCells + 1), "GPU", "disc.emission"});
-    }
+    if (effects.contains(Effect::kThermalDisc))
+        lines.push_back({"disc flow", 1, kDiscFlowCells + 1, kDiscFlowRows, 16 * (kDiscFlowCells + 1) * kDiscFlowRows,
+                         "GPU", "disc.emission"});
     if (shades_heat(effects) || effects.contains(Effect::kPointStars))
         lines.push_back({"black body", 1, kBlackBodyCells + 1, 1, 16 * (kBlackBodyCells + 1), "GPU",
                          "disc.emission, sky.kind, sky.temperature"});
     if (effects.contains(Effect::kPointStars)) {
-        const auto stars = point_stars(scene.sky, assets_directory());
-        if (!stars) return stars.error();
+        TRY(stars, point_stars(scene.sky, assets_directory()));
         const long long count = static_cast<long long>(stars->size());
-        lines.push_back({"stars", 1, count, 1, 20 * count, "GPU", "sky.kind, sky.faintest"});
+        lines.push_back({"stars", 1, count, 1, 20 * count, "GPU", "sky.kind, sky.magnitude_limit"});
     }
     if (keeps_light(passes(effects, Output::kDisplay))) {
         const long long w = scene.camera.width, h = scene.camera.height;
@@ -98,44 +97,41 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Li
             lines.push_back(
                 {"bloom", 2, (w + 1) / 2, (h + 1) / 2, 16 * w * h / 3, "GPU", "picture.bloom, picture.auto_exposure"});
     }
+    const auto add_image = [&](const std::string& section, const Image<float>& image) {
+        const long long w = image.width, h = image.height;
+        lines.push_back({section + " image", 1, w, h, w * h * 32 / 3, "GPU", section + ".image"});  // 8 B, mip levels
+    };
     if (effects.contains(Effect::kDiscImage)) {
-        const auto image = load_disc_image(*scene.disc);
-        if (!image) return image.error();
-        const long long w = image->image.width, h = image->image.height;
-        lines.push_back({"disc image", 1, w, h, w * h * 32 / 3, "GPU", "disc.image"});  // 8 B, mip levels
+        TRY(image, load_disc_image(*scene.disc));
+        add_image("disc", image->image);
     }
-    constexpr const char* kBodies[kBodyCount] = {"sphere", "cylinder", "ball", "surface"};
-    for (int body = 0; body < kBodyCount; ++body) {
-        const auto file = body_image_file(scene, body);
-        if (!file) continue;
-        const auto image = load_fitted_image(*file);
-        if (!image) return image.error();
-        const long long w = image->image.width, h = image->image.height;
-        lines.push_back({fmt::format("{} image", kBodies[body]), 1, w, h, w * h * 32 / 3, "GPU",
-                         fmt::format("{}.image", kBodies[body])});
+    for (const auto& file : body_images(scene)) {
+        TRY(image, load_fitted_image(file));
+        std::size_t body = 0;
+        while (scene.bodies[body].material.image != file) ++body;
+        add_image(body_section(scene, body), image->image);
     }
     return Done{};
 }
 
 Result<Plan> make_plan(const Scene& scene) {
     FrameTables tables;
-    if (Status made = tables.update(scene); !made) return made.error();
+    TRY(made, tables.update(scene));
     Plan plan{scene, tables.plan().reasons, {}, 0, 0, {}};
     add_tables(tables, scene, plan.tables);
-    if (Status added = add_pictures(tables.effects(), scene, plan.tables); !added) return added.error();
+    TRY(added, add_pictures(tables.effects(), scene, plan.tables));
     std::string shader;
     for (const Pass& pass : passes(tables.effects(), Output::kDisplay))
         shader += pass_text(pass, tables.effects(), {}, scene.spacetime.metric, body_text(scene, tables.effects()));
-    plan.shader_bytes = bytes_of(shader.size());
-    plan.shader_lines = std::count(shader.begin(), shader.end(), '\n');
+    plan.shader_bytes = static_cast<long long>(shader.size());
+    plan.shader_lines = std::ranges::count(shader, '\n');
     return plan;
 }
 
 std::vector<const EffectRow*> left_out(const Plan& plan) {
     const EffectSet effects = effect_set(plan.effects);
-    std::vector<const EffectRow*> rows;
-    for (const EffectRow* row : effect_rows())
-        if (!effects.contains(row->effect)) rows.push_back(row);
+    std::vector<const EffectRow*> rows = effect_rows();
+    std::erase_if(rows, [&](const EffectRow* row) { return effects.contains(row->effect); });
     return rows;
 }
 
@@ -161,7 +157,7 @@ void print_text(const Plan& plan) {
                        "", cost->with_s - cost->without_s, cost->with_s,
                        100.0 * (cost->with_s - cost->without_s) / cost->with_s, cost->over_floor(), cost->floor_s);
         else if (!plan.costs.empty())
-            fmt::print("  {:<18}measured: not, it cannot go alone\n", "");
+            fmt::print("  {:<18}measured: no, it cannot be removed by itself\n", "");
     }
     if (plan.effects.empty()) fmt::print("  none\n");
     fmt::print("Left out: not compiled, not built, not run\n");
@@ -178,62 +174,46 @@ void print_text(const Plan& plan) {
                plan.shader_lines);
 }
 
-std::string json_of(const Plan& plan) {
-    std::vector<JsonObject> effects, off, tables;
+Json json_of(const Plan& plan) {
+    Json effects = Json::array(), off = effects, tables = effects, drawn = effects;
     for (const EffectReason& e : plan.effects) {
         const EffectRow& row = effect_row(e.effect);
-        effects.push_back(JsonObject()
-                              .add("effect", row.key)
-                              .add("reason", e.reason)
-                              .add("define", row.define)
-                              .add("cost", row.cost));
+        Json o{{"effect", row.key}, {"reason", e.reason}, {"define", row.define}, {"cost", row.cost}};
         if (const EffectCost* cost = cost_of(plan, e.effect))
-            effects.back()
-                .add("core_seconds", cost->with_s)
-                .add("without_core_seconds", cost->without_s)
-                .add("empty_core_seconds", cost->floor_s);
+            o["core_seconds"] = cost->with_s, o["without_core_seconds"] = cost->without_s,
+            o["empty_core_seconds"] = cost->floor_s;
+        effects.push_back(std::move(o));
     }
-    for (const EffectRow* row : left_out(plan))
-        off.push_back(JsonObject().add("effect", row->key).add("needs", row->needs));
+    for (const EffectRow* row : left_out(plan)) off.push_back({{"effect", row->key}, {"needs", row->needs}});
     long long total = 0;
     for (const Line& t : plan.tables) {
-        tables.push_back(JsonObject()
-                             .add("name", t.name)
-                             .add("layers", t.layers)
-                             .add("width", t.width)
-                             .add("height", t.height)
-                             .add("bytes", t.bytes)
-                             .add("place", t.place)
-                             .add("reason", t.reason));
+        tables.push_back({{"name", t.name},
+                          {"layers", t.layers},
+                          {"width", t.width},
+                          {"height", t.height},
+                          {"bytes", t.bytes},
+                          {"place", t.place},
+                          {"reason", t.reason}});
         total += t.bytes;
     }
-    std::vector<JsonObject> drawn;
+    const CameraSpec& camera = plan.scene.camera;
     for (const Pass& pass : passes(effect_set(plan.effects), Output::kDisplay))
-        drawn.push_back(JsonObject()
-                            .add("name", pass.name)
-                            .add("width", plan.scene.camera.width)
-                            .add("height", plan.scene.camera.height)
-                            .add("what", pass.what));
-    const auto shader = JsonObject().add("bytes", plan.shader_bytes).add("lines", plan.shader_lines);
-    JsonObject all;
-    all.add("scene", plan.scene.name).add("metric", plan.scene.spacetime.metric);
-    all.raw("effects", json_array(effects)).raw("left_out", json_array(off)).raw("tables", json_array(tables));
-    all.add("table_bytes", total).raw("passes", json_array(drawn)).raw("shader", shader.text());
-    return all.text() + "\n";
+        drawn.push_back({{"name", pass.name}, {"width", camera.width}, {"height", camera.height}, {"what", pass.what}});
+    return Json{{"scene", plan.scene.name}, {"metric", plan.scene.spacetime.metric},
+                {"effects", effects},       {"left_out", off},
+                {"tables", tables},         {"table_bytes", total},
+                {"passes", drawn},          {"shader", {{"bytes", plan.shader_bytes}, {"lines", plan.shader_lines}}}};
 }
 
-int run(const Options& options) {
-    const auto scene = load_scene(options.scene);
-    if (!scene) return report(scene.error());
-    auto plan = make_plan(*scene);
-    if (!plan) return report(plan.error());
+Result<int> run(const Options& options) {
+    TRY(scene, load_scene(options.scene));
+    TRY(plan, make_plan(*scene));
     if (options.measure) {
-        auto costs = effect_costs(*scene, "auto", options.frames);
-        if (!costs) return report(costs.error());
+        TRY(costs, effect_costs(*scene, "auto", options.frames));
         plan->costs = std::move(*costs);
     }
     if (options.json)
-        fmt::print("{}", json_of(*plan));
+        fmt::print("{}", json_text(json_of(*plan)));
     else
         print_text(*plan);
     return 0;
@@ -242,19 +222,14 @@ int run(const Options& options) {
 }  // namespace
 
 void add_plan(Command& parent) {
-    auto options = std::make_shared<Options>();
-    Command& command =
-        parent.add_command("plan", "Say what a scene calls for: effects, tables, textures, passes, shader; and why");
-    command.add_option("scene", &options->scene, "Scene file, or the name of one that ships (see: nullscope scenes)")
-        .required();
-    command.add_flag("--json", &options->json, "Print one JSON object");
-    command.add_flag("--measure", &options->measure,
-                     "Draw the scene with and without each effect, and say what it takes");
-    command.add_option("--frames", &options->frames, "Frames of each kind")
-        .in_range(3, 1000)
-        .show_default()
-        .needs("--measure");
-    command.on_run([options] { return run(*options); });
+    auto [command, options] = add_command<Options>(
+        parent, "plan", "Show what drawing a scene needs, and why: effects, tables, textures, passes, shader", run);
+    required_option(command, "scene", options.scene,
+                    "Scene file, or the name of a built-in scene (see: nullscope scenes)");
+    command.add_flag("--json", &options.json, "Print one JSON object");
+    command.add_flag("--measure", &options.measure,
+                     "Draw the scene with and without each effect, and show what the effect costs");
+    number_option(command, "--frames", options.frames, 3, 1000, "Frames of each kind").needs("--measure");
 }
 
 }  // namespace nullscope::cli

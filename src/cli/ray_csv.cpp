@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "base/atomic_file.h"
+#include "base/csv.h"
 #include "base/text.h"
+#include "scene/bodies.h"
 #include "spacetime/spherical_metric.h"
 
 namespace nullscope::cli {
@@ -35,38 +37,7 @@ std::string shown(std::string_view text) {
 
 Error fault(const std::string& file, int line, std::string_view column, std::string_view what,
             std::string_view allowed) {
-    return bad_input(fmt::format("{}:{}: {}: {}; allowed: {}", file, line, column, what, allowed));
-}
-
-// The fields of a line without their quotes; nothing if a quote is not closed or something follows a closed one.
-std::optional<std::vector<std::string>> fields_of(std::string_view line) {
-    std::vector<std::string> fields;
-    std::size_t at = 0;
-    while (true) {
-        std::string field;
-        const std::size_t first = std::min(line.find_first_not_of(" \t", at), line.size());
-        if (first < line.size() && line[first] == '"') {
-            at = first + 1;
-            while (true) {
-                const std::size_t quote = line.find('"', at);
-                if (quote == std::string_view::npos) return std::nullopt;
-                field += line.substr(at, quote - at);
-                at = quote + 1;
-                if (at >= line.size() || line[at] != '"') break;
-                field += '"';  // "" stands for one
-                ++at;
-            }
-            at = std::min(line.find_first_not_of(" \t", at), line.size());
-            if (at < line.size() && line[at] != ',') return std::nullopt;
-        } else {
-            const std::size_t comma = std::min(line.find(',', at), line.size());
-            field = trim(line.substr(at, comma - at));
-            at = comma;
-        }
-        fields.push_back(std::move(field));
-        if (at == line.size()) return fields;
-        ++at;
-    }
+    return Error{ErrorKind::kBadInput, std::string(what), std::string(allowed), std::string(column), file, line};
 }
 
 struct Header {
@@ -85,14 +56,13 @@ std::string missing(const Header& header, Column first, Column last) {
 
 // by_length: wormholes, where l0 is the column's name.
 Result<Header> read_header(const std::string& file, int line, std::string_view text, bool by_length) {
-    const auto fields = fields_of(text);
+    const auto fields = csv_fields(text);
     if (!fields) return fault(file, line, "header", "a quote is not closed, or something follows it", kForms);
     Header header;
     header.line = line;
     header.fields = fields->size();
     for (std::size_t i = 0; i < fields->size(); ++i) {
-        const auto known =
-            std::find(kNames.begin(), kNames.end(), by_length && (*fields)[i] == "l0" ? "zeta0" : (*fields)[i]);
+        const auto known = std::ranges::find(kNames, by_length && (*fields)[i] == "l0" ? "zeta0" : (*fields)[i]);
         if (known == kNames.end()) continue;
         auto& place = header.at[static_cast<std::size_t>(known - kNames.begin())];
         if (place) return fault(file, line, *known, "this column is there twice", "once");
@@ -110,13 +80,15 @@ Result<Header> read_header(const std::string& file, int line, std::string_view t
 }
 
 // One row's fields, looked up by column and checked; the first fault is kept.
-class RowReader {
-public:
-    RowReader(const std::string& file, int line, const Header& header, const std::vector<std::string>& fields)
-        : file_(file), line_(line), header_(header), fields_(fields) {}
+struct RowReader {
+    const std::string& file;
+    int line;
+    const Header& header;
+    const std::vector<std::string>& fields;
+    std::optional<Error> error{};
 
-    bool given(Column column) const { return header_.at[column] && !field(column).empty(); }
-    const std::string& field(Column column) const { return fields_[*header_.at[column]]; }
+    bool given(Column column) const { return header.at[column] && !field(column).empty(); }
+    const std::string& field(Column column) const { return fields[*header.at[column]]; }
     // Empty fields are faults like any other.
     double number(Column column, double low, double high, std::string_view allowed) {
         const auto value = parse_number(field(column));
@@ -126,16 +98,8 @@ public:
         return low;
     }
     void report(Column column, const std::string& what, std::string_view allowed) {
-        if (!error_) error_ = fault(file_, line_, kNames[column], what, allowed);
+        if (!error) error = fault(file, line, kNames[column], what, allowed);
     }
-    const std::optional<Error>& error() const { return error_; }
-
-private:
-    const std::string& file_;
-    int line_;
-    const Header& header_;
-    const std::vector<std::string>& fields_;
-    std::optional<Error> error_;
 };
 
 void read_reduced(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
@@ -191,14 +155,14 @@ void read_general(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
 
 Result<RayRow> read_row(const std::string& file, int line, std::string_view text, const Header& header,
                         const Spacetime& spacetime) {
-    const auto fields = fields_of(text);
+    const auto fields = csv_fields(text);
     if (!fields)
         return fault(file, line, "row", "a quote is not closed, or something follows it",
                      "\"...\" around whole fields");
     if (fields->size() != header.fields)
         return fault(file, line, "row", fmt::format("{} fields", fields->size()),
                      fmt::format("{}, as many as the header of line {} names", header.fields, header.line));
-    RowReader reader(file, line, header, *fields);
+    RowReader reader{file, line, header, *fields};
     RayRow row{line, std::string(text), {}};
     if (header.reduced)
         read_reduced(reader, spacetime, row.query);
@@ -206,16 +170,14 @@ Result<RayRow> read_row(const std::string& file, int line, std::string_view text
         read_general(reader, spacetime, row.query);
     if (reader.given(kAtAngle))
         row.query.at_angle = reader.number(kAtAngle, 0, 1e6, "an angle in [0, 1e6] rad, or nothing");
-    if (reader.error()) return *reader.error();
+    if (reader.error) return *reader.error;
     return row;
 }
 
-std::string_view fate_name(const RayRecord& record) {
+std::string fate_name(const RayRecord& record, const Scene& scene) {
     constexpr std::array<std::string_view, 4> kFates = {"escaped", "captured", "other_side", "no_sky"};
-    constexpr std::array<std::string_view, 7> kHits = {"no_sky",   "hit:disc",    "hit:sphere", "hit:cylinder",
-                                                       "hit:ball", "hit:surface", "hit:star"};
-    return record.fate == Fate::kHit ? kHits[static_cast<std::size_t>(record.hit)]
-                                     : kFates[static_cast<std::size_t>(record.fate)];
+    if (record.fate != Fate::kHit) return std::string(kFates[static_cast<std::size_t>(record.fate)]);
+    return record.hit == 0 ? "no_sky" : "hit:" + object_name(scene, record.hit);
 }
 
 void append(std::string& line, double value) {
@@ -230,26 +192,16 @@ Error ray_error(const RayTable& table, const RayRow& row, const std::string& wha
 }
 
 Result<RayTable> parse_rays(std::string_view text, const std::string& file, const Spacetime& spacetime) {
-    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     RayTable table{file, {}, {}};
     std::optional<Header> header;
-    for (int line = 1; !text.empty(); ++line) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view content = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        if (content.ends_with('\r')) content.remove_suffix(1);
-        const std::size_t first = content.find_first_not_of(" \t");
-        if (first == std::string_view::npos || content[first] == '#') continue;
+    for (CsvLines csv(text); csv.next();) {
         if (!header) {
-            const auto read = read_header(file, line, content, spacetime.by_proper_length());
-            if (!read) return read.error();
+            TRY(read, read_header(file, csv.number, csv.line, spacetime.by_proper_length()));
             header = *read;
-            table.header = content;
+            table.header = csv.line;
             continue;
         }
-        auto row = read_row(file, line, content, *header, spacetime);
-        if (!row) return row.error();
+        TRY(row, read_row(file, csv.number, csv.line, *header, spacetime));
         table.rows.push_back(std::move(*row));
     }
     if (!header) return fault(file, 1, "header", "there is none", kForms);
@@ -257,12 +209,11 @@ Result<RayTable> parse_rays(std::string_view text, const std::string& file, cons
 }
 
 Result<RayTable> read_rays(const std::string& path, const Spacetime& spacetime) {
-    const auto text = read_text(path, kLargestRayFile);
-    if (!text) return text.error();
+    TRY(text, read_text(path, kLargestRayFile));
     return parse_rays(*text, path, spacetime);
 }
 
-std::string rays_text(const RayTable& table, const std::vector<std::optional<RayRecord>>& records, int crossings,
+std::string rays_text(const RayTable& table, const Scene& scene, const RayRecords& records, int crossings,
                       double length_unit, bool shifts) {
     std::string text = table.header + ",fate,theta_inf,phi_inf,angle,delay,g,turn,at";
     for (int k = 1; k <= crossings; ++k) {
@@ -278,8 +229,7 @@ std::string rays_text(const RayTable& table, const std::vector<std::optional<Ray
             continue;
         }
         const RayRecord& ray = *records[i];
-        text += ',';
-        text += fate_name(ray);
+        text += ',' + fate_name(ray, scene);
         for (const double value : {ray.theta_inf, ray.phi_inf, ray.angle, ray.delay / length_unit, ray.g,
                                    ray.turn / length_unit, ray.at / length_unit})
             append(text, value);

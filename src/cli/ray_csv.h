@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "scene/ray.h"
+#include "scene/scene.h"
 #include "spacetime/spacetime.h"
 
 namespace nullscope::cli {
@@ -26,6 +27,8 @@ struct RayTable {
     std::vector<RayRow> rows;
 };
 
+using RayRecords = std::vector<std::optional<RayRecord>>;  // of the rows; nothing: it could not be traced
+
 // One header line names the columns, in any order; others than those known are passed through. Lines that start with #
 // and empty lines are skipped. Fields may stand in double quotes; lines end with LF or CR LF.
 // Errors: one line "FILE:LINE: COLUMN: what is wrong; allowed: ..." for the first fault.
@@ -37,8 +40,8 @@ Error ray_error(const RayTable& table, const RayRow& row, const std::string& wha
 
 // The rays' own columns, then what was found: fate, ..., r_1, phi_1, ..., with shifts g_1 after these. A row without a record gets
 // empty fields.
-// Lengths are divided by length_unit (Spacetime::length_unit), by which reading has multiplied them.
-std::string rays_text(const RayTable& table, const std::vector<std::optional<RayRecord>>& records, int crossings,
+// scene: gives the names of bodies. Lengths are divided by length_unit (Spacetime::length_unit), by which reading has multiplied them.
+std::string rays_text(const RayTable& table, const Scene& scene, const RayRecords& records, int crossings,
                       double length_unit = 1.0, bool shifts = false);
 
 }  // namespace nullscope::cli

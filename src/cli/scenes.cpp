@@ -4,16 +4,16 @@
 #include <algorithm>
 
 #include "cli/command.h"
-#include "cli/session.h"
-#include "scene/scene_file.h"
+#include "command/session.h"
+#include "scenefile/scene_file.h"
 
 namespace nullscope::cli {
 
 void add_scenes(Command& parent) {
-    Command& command = parent.add_command("scenes", "List the scenes that ship: name and one sentence");
-    command.on_run([] {
+    Command& command = parent.add_command("scenes", "List the built-in scenes, with one sentence each");
+    command.on_run([]() -> Result<int> {
         const auto scenes = shipped_scenes();
-        if (scenes.empty()) return report(failed("no scenes found; set NULLSCOPE_ASSETS to the folder assets/"));
+        if (scenes.empty()) return failed("no scenes found; set NULLSCOPE_ASSETS to the folder assets/");
         std::size_t widest = 0;
         for (const SceneInfo& scene : scenes) widest = std::max(widest, scene.name.size());
         for (const SceneInfo& scene : scenes) fmt::print("{:<{}}  {}\n", scene.name, widest, scene.description);
@@ -23,13 +23,13 @@ void add_scenes(Command& parent) {
 
 void add_info(Command& parent) {
     Command& command =
-        parent.add_command("info", "Say which OpenGL contexts work here, with driver, version and limits");
-    command.on_run([] {
+        parent.add_command("info", "Show which OpenGL contexts work here, with driver, version and limits");
+    command.on_run([]() -> Result<int> {
         int working = 0;
         for (const char* kind : {"egl", "osmesa"}) {
             auto session = open_session(kind);
             if (!session) {
-                fmt::print("{}: not here: {}\n", kind, session.error().message);
+                fmt::print("{}: not here: {}\n", kind, session.error().message());
                 continue;
             }
             ++working;

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <span>
 
-#include "cli/session.h"
+#include "command/session.h"
+#include "observer/observer.h"
 #include "reference/ray_plane.h"
 #include "render/frame_tables.h"
-#include "scene/observer.h"
 #include "spacetime/spherical_metric.h"
 
 namespace nullscope::cli {
@@ -23,7 +23,7 @@ struct Start {
 };
 
 // The direction in the rain frame of the ray with this q that is traced outward: t = tan(alpha/2) = outward/(R (q + sqrt(q^2 - V)))
-// (table/ray_fan.h).
+// (table/ray_family.h).
 Vec3 rain_direction(const Spacetime& spacetime, double r, double q) {
     const double lapse2 = spacetime.lapse_squared(r), areal = spacetime.areal_radius(r);
     const double o = falling_frame(lapse2, 1.0).outward,
@@ -37,8 +37,8 @@ std::optional<Start> start_of(const RayQuery& query, const Spacetime& spacetime)
     const double r = query.orbit ? (by_length ? query.orbit->zeta0 : 1.0 / query.orbit->zeta0) : query.r;
     if (std::fabs(r) > kFarthestCamera) return std::nullopt;
     const bool rests = camera_can_rest(spacetime, r), falls = query.orbit ? !rests : query.frame == LocalFrame::kRain;
-    const ObserverKind rest =
-        spacetime.planar_rays() ? ObserverKind::kStatic : ObserverKind::kZamo;  // as the reference has it
+    // As the reference has it.
+    const ObserverKind rest = spacetime.planar_rays() ? ObserverKind::kStatic : ObserverKind::kZamo;
     const ObserverKind observer = falls ? ObserverKind::kRain : rest;
     CameraSpec there;
     there.r = r, there.observer = observer;
@@ -59,11 +59,7 @@ std::optional<Start> start_of(const RayQuery& query, const Spacetime& spacetime)
 // The camera at the start that looks along n; roll is free. Unrotated it looks along -e_r, up is -e_theta, right e_phi.
 Scene view_along(Scene scene, const Start& start) {
     CameraSpec& camera = scene.camera;
-    camera = {};
-    camera.r = start.r;
-    camera.theta = start.theta;
-    camera.phi = start.phi;
-    camera.observer = start.observer;
+    camera = {.r = start.r, .theta = start.theta, .phi = start.phi, .observer = start.observer};
     camera.yaw = std::atan2(start.n.z, -start.n.x);
     camera.pitch = std::atan2(-start.n.y, std::hypot(start.n.x, start.n.z));
     camera.width = camera.height = 1;
@@ -75,8 +71,7 @@ Scene view_along(Scene scene, const Start& start) {
 // kOutOfReach no ray meets it: all views of a camera then share their effects, hence their tables.
 Scene with_disc_from(Scene scene, double inner) {
     scene.disc = DiscSpec{};
-    scene.disc->inner = inner;
-    scene.disc->outer = 1e30;
+    scene.disc->inner = inner, scene.disc->outer = 1e30;
     return scene;
 }
 constexpr double kPlane = 1e-30, kOutOfReach = 1e29;
@@ -101,7 +96,7 @@ double unwrapped_azimuth(const Start& start, double angle, double x, double y) {
 RayRecord record_of(const Start& start, const RayPixel& pixel, bool delays) {
     RayRecord record;
     record.fate = pixel.fate;
-    if (pixel.fate == Fate::kHit) record.hit = static_cast<Object>(pixel.hit);
+    if (pixel.fate == Fate::kHit) record.hit = pixel.hit;
     record.angle = pixel.angle;
     if (pixel.fate != Fate::kEscaped && pixel.fate != Fate::kOtherSide) return record;
     record.sky = pixel.sky;
@@ -111,38 +106,6 @@ RayRecord record_of(const Start& start, const RayPixel& pixel, bool delays) {
     record.phi_inf = unwrapped_azimuth(start, pixel.angle, pixel.sky.x, pixel.sky.y);
     return record;
 }
-
-// The middle pixel of every view: in C++ or on the GPU.
-class MiddleTracer {
-public:
-    static Result<MiddleTracer> make(const ShaderRun& run) {
-        MiddleTracer tracer;
-        tracer.kind_ = run.tracer;
-        tracer.tables_.want_delays(true);
-        if (run.tracer != ShaderTracer::kGl) return tracer;
-        auto session = open_session(run.context);
-        if (!session) return session.error();
-        tracer.session_ = std::move(*session);
-        tracer.session_->renderer->set_method(run.method);
-        tracer.session_->renderer->want_delays(true);
-        return tracer;
-    }
-    Result<std::vector<RayPixel>> operator()(const std::vector<Scene>& views) {
-        if (kind_ == ShaderTracer::kGl) return session_->renderer->trace_middles(views);
-        std::vector<RayPixel> pixels;
-        for (const Scene& view : views) {
-            if (Status ready = tables_.update(view); !ready) return ready.error();
-            const CoreInput input = tables_.core_input();
-            pixels.push_back(kind_ == ShaderTracer::kCore64 ? trace_core64(input, 0, 0) : trace_core32(input, 0, 0));
-        }
-        return pixels;
-    }
-
-private:
-    ShaderTracer kind_ = ShaderTracer::kCore64;
-    std::optional<Session> session_;
-    FrameTables tables_;
-};
 
 struct Job {
     std::size_t row;
@@ -161,7 +124,7 @@ public:
           crossings_(crossings),
           planes_(spacetime.planar_rays()),
           delays_(spacetime.knows_light_time()) {
-        bare_plane_.sphere.reset(), bare_plane_.cylinder.reset(), bare_plane_.ball.reset(), bare_plane_.surface.reset();
+        bare_plane_.bodies.clear();
         if (scene_.disc && scene_.disc->opacity < 1.0) scene_.disc.reset();  // it ends no ray
         if (probes && !scene_.disc) scene_ = with_disc_from(scene, kOutOfReach);
     }
@@ -181,8 +144,7 @@ public:
     }
 
     // The views' pixels, in their order.
-    void write(std::span<const Job> jobs, const std::vector<RayPixel>& pixels,
-               std::vector<std::optional<RayRecord>>& records) const {
+    void write(std::span<const Job> jobs, const std::vector<RayPixel>& pixels, RayRecords& records) const {
         auto next = pixels.begin();
         for (const Job& job : jobs) {
             RayRecord record = record_of(job.start, *next++, delays_);
@@ -211,14 +173,30 @@ private:
 
 }  // namespace
 
-Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& scene, const Spacetime& spacetime,
-                                                                const RayTable& table, const ShaderRun& run,
-                                                                const std::function<void(long long)>& done) {
-    if (run.tracer != ShaderTracer::kGl && has_solids(effect_set(required_effects(scene))))
-        return bad_input(
-            "--with core64 and core32 know no solid bodies; allowed: reference or gl, or a scene without bodies");
-    auto trace = MiddleTracer::make(run);
-    if (!trace) return trace.error();
+Result<RayRecords> trace_with_shader(const Scene& scene, const Spacetime& spacetime, const RayTable& table,
+                                     const ShaderRun& run, const std::function<void(long long)>& done) {
+    if (run.tracer != "gl" && has_solids(effect_set(required_effects(scene))))
+        return bad_input("--with core64 and core32 know no solid bodies", "reference or gl, or a scene without bodies");
+    std::optional<Session> session;  // of gl
+    FrameTables tables;
+    tables.want_delays(true);
+    if (run.tracer == "gl") {
+        TRY(opened, open_session(run.context));
+        session = std::move(*opened);
+        session->renderer->set_method(run.method);
+        session->renderer->want_delays(true);
+    }
+    // The middle pixel of every view.
+    const auto trace = [&](const std::vector<Scene>& views) -> Result<std::vector<RayPixel>> {
+        if (session) return session->renderer->trace_middles(views);
+        std::vector<RayPixel> pixels;
+        for (const Scene& view : views) {
+            TRY(ready, tables.update(view));
+            const CoreInput input = tables.core_input();
+            pixels.push_back((run.tracer == "core64" ? trace_core64 : trace_core32)(input, 0, 0));
+        }
+        return pixels;
+    };
     std::vector<Job> jobs;
     const bool plane = spacetime.can_have_disc();          // the plane is found by a disc in it
     const bool angles = plane && spacetime.planar_rays();  // of orbits that stay in a plane
@@ -229,16 +207,15 @@ Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& sce
             jobs.push_back({row, *start, angles ? query.at_angle : std::nullopt});
         places = places || (angles && query.at_angle);
     }
-    // Rows of one radius share strip and orbit map.
-    std::stable_sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) { return a.start.r < b.start.r; });
+    // Rows of one radius share strip and orbit table.
+    std::ranges::stable_sort(jobs, {}, [](const Job& job) { return job.start.r; });
     constexpr int kMostCrossings = 12;  // that the shader looks for (DISC_MOST_CROSSINGS)
     const int crossings = plane ? std::min(run.crossings, kMostCrossings) : 0;
     const Batch batch(scene, spacetime, crossings, crossings > 0 || places);
-    std::vector<std::optional<RayRecord>> records(table.rows.size());
+    RayRecords records(table.rows.size());
     for (std::span<const Job> rest = jobs; !rest.empty();) {
         const auto now = rest.first(std::min(kBatch, rest.size()));
-        const auto pixels = (*trace)(batch.views(now));
-        if (!pixels) return pixels.error();
+        TRY(pixels, trace(batch.views(now)));
         batch.write(now, *pixels, records);
         done(static_cast<long long>(now.size()));
         rest = rest.subspan(now.size());

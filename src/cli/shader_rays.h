@@ -12,21 +12,18 @@
 
 namespace nullscope::cli {
 
-enum class ShaderTracer { kCore64, kCore32, kGl };
-
 struct ShaderRun {
-    ShaderTracer tracer = ShaderTracer::kCore64;
-    Method method;                 // of kGl; the C++ core has the strip only
-    std::string context = "auto";  // of kGl, as in open_session
+    std::string tracer;            // core64, core32 or gl
+    Method method;                 // of gl; the C++ core has the strip only
+    std::string context = "auto";  // of gl, as in open_session
     int crossings = 0;             // of the equatorial plane, to find
 };
 
 // In the order of the table's rows; nothing for a ray whose camera cannot stand in a static frame outside the horizon
 // (or lies beyond kFarthestCamera). Of a record these stay empty: delay and turn; g unless escaped; `at` beyond half a
 // turn; crossings from the 13th on, and about a rotating hole their windings. done(n): n more rows are traced.
-Result<std::vector<std::optional<RayRecord>>> trace_with_shader(const Scene& scene, const Spacetime& spacetime,
-                                                                const RayTable& table, const ShaderRun& run,
-                                                                const std::function<void(long long)>& done);
+Result<RayRecords> trace_with_shader(const Scene& scene, const Spacetime& spacetime, const RayTable& table,
+                                     const ShaderRun& run, const std::function<void(long long)>& done);
 
 inline constexpr double kFarthestCamera = 1e9;  // r_s, as in scene files: the shader's floats hold 1/r and its square
 

@@ -10,10 +10,11 @@
 #include "cli/command.h"
 #include "cli/ray_csv.h"
 #include "cli/shader_rays.h"
+#include "command/session.h"
 #include "reference/disc_light.h"
 #include "reference/ray_plane.h"
 #include "reference/reference.h"
-#include "scene/scene_file.h"
+#include "scenefile/scene_file.h"
 #include "spacetime/registry.h"
 
 namespace nullscope::cli {
@@ -23,7 +24,6 @@ struct Options {
     std::string scene, rays, output, with = "reference", method = "auto", context = "auto";
     int crossings = 0;
 };
-using Records = std::vector<std::optional<RayRecord>>;
 
 // Windings before double precision cannot tell the ray from the critical one: about 12 half turns.
 constexpr int kAllCrossings = 40;
@@ -41,7 +41,7 @@ void stop_at_disc(const DiscSpec& disc, const RayQuery& query, RayRecord& record
         const double r = record.crossings[k].r;
         if (!(r >= disc.inner && r <= disc.outer)) continue;
         record.fate = Fate::kHit;
-        record.hit = Object::kDisc;
+        record.hit = kDiscHit;
         if (std::isfinite(record.angle))
             record.angle = plane.crossing(static_cast<int>(k) + 1);  // of a ray that stays in a plane
         record.theta_inf = record.phi_inf = record.delay = kNotANumber;
@@ -49,18 +49,17 @@ void stop_at_disc(const DiscSpec& disc, const RayQuery& query, RayRecord& record
     }
 }
 
-Result<Records> trace_with_reference(const Scene& scene, const Spacetime& spacetime, const RayTable& table,
-                                     int crossings, Progress& progress) {
+Result<RayRecords> trace_with_reference(const Scene& scene, const Spacetime& spacetime, const RayTable& table,
+                                        int crossings, Progress& progress) {
     const bool opaque = scene.disc && scene.disc->opacity >= 1.0;
-    const auto metric = reference::make_metric(scene.spacetime);
-    if (!metric) return metric.error();
+    TRY(metric, reference::make_metric(scene.spacetime));
     std::optional<reference::DiscLight> matter;
     if (crossings > 0 && has_matter(scene, spacetime)) matter.emplace(**metric, *scene.disc, scene.light);
-    Records records;
+    RayRecords records;
     for (const RayRow& row : table.rows) {
         const int listed = opaque ? std::max(crossings, kAllCrossings) : crossings;
         auto record = reference::trace_ray(scene, row.query, listed, matter ? &*matter : nullptr);
-        if (!record) return ray_error(table, row, record.error().message);
+        if (!record) return ray_error(table, row, record.error().message());
         if (opaque) stop_at_disc(*scene.disc, row.query, *record);
         records.emplace_back(std::move(*record));
         progress.advance();
@@ -71,95 +70,71 @@ Result<Records> trace_with_reference(const Scene& scene, const Spacetime& spacet
 Result<Method> method_of(const Options& options) {
     if (options.method == "auto") return Method{};
     auto method = parse_method(options.method);
-    if (!method) return bad_input("--method: " + method.error().message);
+    if (!method) return bad_input("--method: " + method.error().message());
     if (options.with == "gl" || method->kind == MethodKind::kStrip || options.method == "table") return method;
-    return bad_input(fmt::format("--method {}: not with --with {}; allowed: auto, strip and table, or --with gl",
-                                 options.method, options.with));
+    return bad_input(fmt::format("--method {}: not with --with {}", options.method, options.with),
+                     "auto, strip and table, or --with gl");
 }
 
-Result<Records> trace_rows(const Scene& scene, const RayTable& table, const Spacetime& spacetime,
-                           const Options& options) {
-    const auto method = method_of(options);
-    if (!method) return method.error();
+Result<RayRecords> trace_rows(const Scene& scene, const RayTable& table, const Spacetime& spacetime,
+                              const Options& options) {
+    TRY(method, method_of(options));
     Progress progress("rays", static_cast<long long>(table.rows.size()));
     if (options.with == "reference") return trace_with_reference(scene, spacetime, table, options.crossings, progress);
-    const ShaderTracer tracer = options.with == "gl"       ? ShaderTracer::kGl
-                                : options.with == "core32" ? ShaderTracer::kCore32
-                                                           : ShaderTracer::kCore64;
-    return trace_with_shader(scene, spacetime, table, {tracer, *method, options.context, options.crossings},
-                             [&](long long n) { progress.advance(n); });
+    const ShaderRun run{options.with, *method, options.context, options.crossings};
+    return trace_with_shader(scene, spacetime, table, run, [&](long long n) { progress.advance(n); });
 }
 
-int run(const Options& options) {
-    const auto scene = load_scene(options.scene);
-    if (!scene) return report(scene.error());
-    const auto spacetime = make_spacetime(scene->spacetime.metric, scene->spacetime.parameters);
-    if (!spacetime) return report(spacetime.error());
-    const auto table = read_rays(options.rays, **spacetime);
-    if (!table) return report(table.error());
-    const auto records = trace_rows(*scene, *table, **spacetime, options);
-    if (!records) return report(records.error());
-    if (const auto left_out = std::count(records->begin(), records->end(), std::nullopt); left_out > 0)
+Status run(const Options& options) {
+    TRY(scene, load_scene(options.scene));
+    TRY(spacetime, make_spacetime(scene->spacetime.metric, scene->spacetime.parameters));
+    TRY(table, read_rays(options.rays, **spacetime));
+    TRY(records, trace_rows(*scene, *table, **spacetime, options));
+    if (const auto left_out = std::ranges::count(*records, false, &std::optional<RayRecord>::has_value); left_out > 0)
         fmt::print(stderr,
-                   "nullscope: {} of {} rays left empty: --with {} needs a ray that somebody can look along, static or "
-                   "rain, with r up to {:g}\n",
+                   "nullscope: {} of {} rays left empty: --with {} needs rays of a static or rain observer with r up "
+                   "to {:g}\n",
                    left_out, records->size(), options.with, kFarthestCamera);
-    const bool asks_plane =
-        options.crossings > 0 || std::any_of(table->rows.begin(), table->rows.end(),
-                                             [](const RayRow& row) { return row.query.at_angle.has_value(); });
+    const auto asks_place = [](const RayRow& row) { return row.query.at_angle.has_value(); };
+    const bool asks_plane = options.crossings > 0 || std::ranges::any_of(table->rows, asks_place);
     if (asks_plane && options.with != "reference" && !(*spacetime)->can_have_disc())
         fmt::print(stderr,
-                   "nullscope: crossings and at left empty: --with {} does not find them in metric {}; "
-                   "allowed: --with reference\n",
+                   "nullscope: crossings and at left empty: --with {} does not compute them in metric {}; allowed: "
+                   "--with reference\n",
                    options.with, scene->spacetime.metric);
-    const std::string text =
-        rays_text(*table, *records, options.crossings, (*spacetime)->length_unit(), has_matter(*scene, **spacetime));
+    const std::string text = rays_text(*table, *scene, *records, options.crossings, (*spacetime)->length_unit(),
+                                       has_matter(*scene, **spacetime));
     if (options.output.empty()) {
         std::fwrite(text.data(), 1, text.size(), stdout);
-        return 0;
+        return Done{};
     }
-    if (Status written = write_text_atomically(options.output, text); !written) return report(written.error());
-    return 0;
+    return write_text_atomically(options.output, text);
 }
 
 }  // namespace
 
 void add_trace(Command& parent) {
-    auto options = std::make_shared<Options>();
-    Command& command = parent.add_command("trace", "Trace a list of rays: CSV in, CSV out (columns: docs/ray-data.md)");
-    command
-        .add_option("scene", &options->scene,
-                    "Scene file, or the name of one that ships; its metric and disc count, its camera does not")
-        .required();
-    command
-        .add_option("--rays", &options->rays,
-                    "CSV with the columns r,theta,phi,n_r,n_theta,n_phi[,frame] or q,zeta0,s; optional at_angle; "
-                    "others pass through")
-        .required();
-    command.add_option("-o,--output", &options->output, "File to write (default: standard output)");
-    command
-        .add_option(
-            "--with", &options->with,
-            "reference: double precision, every column. core64, core32: the shader's text as C++ in double and float; "
-            "gl: on the GPU. These three leave turn empty, delay where the shader does not know it, g unless escaped, "
-            "at beyond half a turn, and "
-            "every crossing but the first")
-        .one_of({"reference", "core64", "core32", "gl"})
-        .show_default();
-    command
-        .add_option("--method", &options->method,
-                    "How --with gl traces: auto (= strip), strip, table[:SIZE[:LOOKUP]], closed-form, "
-                    "integrate[:ORDER[:STEP]]; "
-                    "core64 and core32 have the strip, the reference its own")
-        .show_default();
-    command
-        .add_option("--crossings", &options->crossings,
-                    "List this many crossings of the equatorial plane: r_1, phi_1, ...; of a scene with a thermal disc "
-                    "g_1, ... too")
-        .in_range(0, 1000)
-        .show_default();
-    context_option(command, options->context, "OpenGL context of --with gl: auto, egl, osmesa");
-    command.on_run([options] { return run(*options); });
+    auto [command, options] =
+        add_command<Options>(parent, "trace", "Trace a list of rays: CSV in, CSV out (columns: docs/ray-data.md)", run);
+    required_option(command, "scene", options.scene,
+                    "Scene file, or the name of a built-in scene; its metric and disc are used, its camera is not");
+    required_option(command, "--rays", options.rays,
+                    "CSV with the columns r,theta,phi,n_r,n_theta,n_phi[,frame] or q,zeta0,s; optional at_angle; other "
+                    "columns are copied");
+    command.add_option("-o,--output", &options.output, "File to write (default: standard output)");
+    text_option(
+        command, "--with", options.with,
+        "reference: double precision, every column. core64, core32: the shader's code compiled as C++ in double "
+        "and float; gl: the shader on the GPU. These three leave turn empty, delay where the shader does not "
+        "compute it, g of rays that do not escape, at beyond half a turn, and crossings from the 13th on",
+        {"reference", "core64", "core32", "gl"});
+    text_option(command, "--method", options.method,
+                "How --with gl traces rays: auto (= strip), strip, table[:SIZE[:LOOKUP]], closed-form, "
+                "integrate[:ORDER[:STEP]], euler:STEPS; core64 and core32 use strip, reference its own method");
+    number_option(
+        command, "--crossings", options.crossings, 0, 1000,
+        "Number of crossings of the equatorial plane to list: r_1, phi_1, ...; with a thermal disc also g_1, ...");
+    context_option(command, options.context, "OpenGL context of --with gl: auto, egl, osmesa");
 }
 
 }  // namespace nullscope::cli

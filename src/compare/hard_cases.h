@@ -26,11 +26,10 @@ const std::vector<HardCase>& hard_cases();
 inline constexpr double kFloatBit = 5.9604644775390625e-8;  // 2^-24
 inline constexpr double kRoundings = 12;                    // of a direction, from its rows to the stored channel
 inline constexpr double kStripLine = 1.5e-6;                // rad: table/strip.h for cosine and sine at once
-inline constexpr double kStripLineInner =
-    1.8e-6;  // rad: the same where inward rays end in sight (wormhole, star), where the strip
-             // curves more: 1.62e-6 measured at Ellis' throat, in double and float alike
+// rad: the same where inward rays end in sight (wormhole, star), where the strip curves more: 1.62e-6 measured at Ellis' throat, in double and float alike.
+inline constexpr double kStripLineInner = 1.8e-6;
 inline constexpr double kStripCubic = 1e-7;  // rad
-inline constexpr double kOrbitMap = 4e-6;    // rad: place on a disc over the distance to it
+inline constexpr double kOrbitTable = 4e-6;  // rad: place on a disc over the distance to it
 // rad, 1.1e-5 measured: rays about rotating holes are stepped (docs/accuracy.md); from further away than kMinoFar, r_s, what
 // the steps err by is a part of the hole's angular size.
 inline constexpr double kMinoStep = 2e-5, kMinoFar = 10;

@@ -1,10 +1,7 @@
-#include "compare/hard_metrics.h"
-
-#include <fmt/format.h>
+#include "compare/hard_parts.h"
 
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "spacetime/registry.h"
 #include "spacetime/spherical_metric.h"
@@ -12,12 +9,10 @@
 namespace nullscope {
 namespace {
 
-constexpr double kDegree = M_PI / 180;
 constexpr double kStandoff = 1 + 1e-5;  // least radius of a camera over that of a star (spacetime/neutron_star.h)
 // In a tube the ray along the rim winds without end, and next to merging photon spheres 1e3 rad, all of that within 1e-9 rad of the
 // rim: no pixel's middle on it, for a screen error is a difference of rays 1e-6 rad apart (docs/hard-cases.md).
 constexpr double kAside = 2e-3;
-constexpr std::pair<const char*, double> kLooks[] = {{"inwards", 0.0}, {"across", M_PI / 2}, {"outwards", M_PI}};
 
 // A metric, and where rays divide in it, for the directions of cases.
 struct Place {
@@ -30,16 +25,7 @@ struct Place {
 };
 
 Scene frame_of(const Place& place, double r, double yaw, double fov) {
-    Scene scene;
-    scene.spacetime = {place.metric, place.parameters};
-    scene.sky.kind = SkyKind::kBlack;
-    scene.far_sky.kind = SkyKind::kBlack;
-    scene.camera.width = 97;
-    scene.camera.height = 55;
-    scene.camera.r = r;
-    scene.camera.yaw = yaw;
-    scene.camera.plane_width = 2 * std::tan(0.5 * fov);
-    return scene;
+    return hard_view(hard_frame({place.metric, place.parameters}), r, yaw, fov);
 }
 
 // Half-angle of what rays from the sky do not reach, from the inward radial direction, seen at r outside: sin^2 = V(r)/V(dividing).
@@ -54,19 +40,15 @@ double dividing_angle(const Place& p, double r) {
     return std::asin(root_v(r) / root_v(p.photon_r));
 }
 
-void add(std::vector<HardCase>& list, const Place& p, const std::string& what, const std::string& why, Scene scene) {
-    scene.name = fmt::format("{}, {}", p.label, what);
-    list.push_back({scene.name, why, scene});
-}
-
 void critical(std::vector<HardCase>& list, const Place& p) {
     constexpr double r = 20;
     const double angle = dividing_angle(p, r);
     for (const int k : {1, 3, 5, 7})
         for (const int side : {1, -1}) {
             const double off = std::pow(10.0, -k) * std::tan(angle);
-            add(list, p, fmt::format("1e-{} {} the dividing ray", k, side > 0 ? "outside" : "inside"),
-                "the ray winds as often as digits allow, or grazes", frame_of(p, r, angle + side * off, off));
+            add_case(list, p.label, fmt::format("1e-{} {} the dividing ray", k, side > 0 ? "outside" : "inside"),
+                     "the ray winds as often as float precision allows, or grazes",
+                     frame_of(p, r, angle + side * off, off));
         }
 }
 
@@ -77,73 +59,63 @@ void dividing_sphere(std::vector<HardCase>& list, const Place& p) {
                                      {"1e-3 above", 1e-3},
                                      {"1e-3 below", -1e-3}}) {
         if (p.photon_r + off <= p.least) continue;
-        for (const auto& [look, yaw] : kLooks)
-            add(list, p, fmt::format("camera {} the {}, {}", where, p.least < 0 ? "throat" : "photon sphere", look),
-                "both kinds of rays meet, and chi0 = pi/2",
-                frame_of(p, p.photon_r + off, yaw + p.aside, 100 * kDegree));
+        for (const auto& [view, yaw] : kViews)
+            add_case(list, p.label,
+                     fmt::format("camera {} the {}, {}", where, p.least < 0 ? "throat" : "photon sphere", view),
+                     "both kinds of rays meet, and chi0 = pi/2",
+                     frame_of(p, p.photon_r + off, yaw + p.aside, 100 * kDegree));
     }
 }
 
 void extremes(std::vector<HardCase>& list, const Place& p) {
     for (const int k : {2, 4, 6})
-        for (const auto& [look, yaw] : kLooks) {
+        for (const auto& [view, yaw] : kViews) {
             if (p.least > 0)
-                add(list, p,
+                add_case(
+                    list, p.label,
                     fmt::format("1e-{} above the {}, {}", k,
                                 p.metric == "neutron-star"                                         ? "surface"
                                 : p.parameters.contains("charge") && p.parameters.at("charge") > 1 ? "innermost camera"
                                                                                                    : "horizon",
-                                look),
+                                view),
                     "the sky closes to a cone, or the surface fills half of it",
                     frame_of(p, p.least * (1 + std::pow(10.0, -k)), yaw + p.aside, 100 * kDegree));
             else
                 for (const int side : {1, -1})
-                    add(list, p, fmt::format("l = {}1e{}, {}", side > 0 ? "" : "-", k, look), "far on either side",
-                        frame_of(p, side * std::pow(10.0, k), yaw, 60 * kDegree));
+                    add_case(list, p.label, fmt::format("l = {}1e{}, {}", side > 0 ? "" : "-", k, view),
+                             "far on either side", frame_of(p, side * std::pow(10.0, k), yaw, 60 * kDegree));
         }
-    add(list, p, "zeta0 = 1e-6, at its edge", "rays of interest are nearly radial",
-        frame_of(p, 1e6, 0, 6 * dividing_angle(p, 1e6)));
-    for (const Vec3 v : {Vec3{-0.9, 0, 0}, {0, 0.3, 0.9}, {0.999, 0, 0}}) {
-        Scene scene = frame_of(p, 6, 0, 90 * kDegree);
-        scene.camera.velocity = v;
-        add(list, p, fmt::format("moving at ({}, {}, {}) c", v.x, v.y, v.z), "aberration on top", scene);
-    }
+    add_case(list, p.label, "zeta0 = 1e-6, at its edge", "rays of interest are nearly radial",
+             frame_of(p, 1e6, 0, 6 * dividing_angle(p, 1e6)));
+    add_motions(list, p.label, frame_of(p, 6, 0, 90 * kDegree), {{-0.9, 0, 0}, {0, 0.3, 0.9}, {0.999, 0, 0}});
     if (!p.disc) return;
     for (const double inner : {p.photon_r, 1.02 * p.least}) {
         Scene scene = frame_of(p, 20, 0, 30 * kDegree);
         scene.camera.theta = 1.4;
-        scene.disc = DiscSpec{};
-        scene.disc->inner = inner, scene.disc->outer = 6;
-        add(list, p, fmt::format("disc from {:.4g}", inner), "its images pile up at the critical ray", scene);
+        scene.disc = ring(inner, 6);
+        add_case(list, p.label, fmt::format("disc from {:.4g}", inner), "its images pile up at the critical ray",
+                 scene);
     }
 }
 
 }  // namespace
 
 std::vector<HardCase> hard_metric_cases() {
-    const double s = std::sqrt(0.75);  // of Q/M = 0.5
+    const std::string charged = "reissner-nordstrom";
+    const double s = std::sqrt(0.75), sphere = 0.25 * (3 + std::sqrt(1 + 8 * s * s)),  // of Q/M = 0.5
+        naked_sphere = 0.25 * (3 + std::sqrt(1 - 8 * 0.002001));
     const std::vector<Place> places = {
-        {"reissner-nordstrom",
-         "charge 0.5",
-         {{"charge", 0.5}},
-         0.25 * (3 + std::sqrt(1 + 8 * s * s)),
-         0.5 * (1 + s),
-         true},
-        {"reissner-nordstrom", "extremal hole", {{"charge", 1.0}}, 1.0, 0.5, true},
-        {"reissner-nordstrom",
-         "charge just naked",
-         {{"charge", 1.001}},
-         0.25 * (3 + std::sqrt(1 - 8 * 0.002001)),
-         0.25 * (3 + std::sqrt(1 - 8 * 0.002001)),
-         false},
-        {"reissner-nordstrom",
+        {charged, "charge 0.5", {{"charge", 0.5}}, sphere, 0.5 * (1 + s), true},
+        {charged, "extremal hole", {{"charge", 1.0}}, 1.0, 0.5, true},
+        {charged, "charge just naked", {{"charge", 1.001}}, naked_sphere, naked_sphere, false},
+        {charged,
          "charge where photon spheres merge",
          {{"charge", std::sqrt(1.125)}},
          0.75,
          0.75 * (1 + 1e-7),
          false,
          kAside},
-        {"reissner-nordstrom", "naked charge of 1.2", {{"charge", 1.2}}, 0.96, 0.1, false},
+        {charged, "naked charge of 1.2", {{"charge", 1.2}}, 0.96, 0.1, false},
         {"neutron-star", "star of 1.2 r_s", {{"radius", 1.2}}, 1.5, 1.2 * kStandoff, false},
         {"neutron-star", "star of 2.5 r_s", {{"radius", 2.5}}, 2.5, 2.5 * kStandoff, false},
         {"ellis", "Ellis throat", {}, 0.0, -1e300, false},

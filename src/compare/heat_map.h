@@ -2,7 +2,7 @@
 #pragma once
 #include <array>
 
-#include "base/image.h"
+#include "image/image.h"
 
 namespace nullscope {
 

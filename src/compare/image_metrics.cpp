@@ -6,8 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/image_file.h"
-#include "compare/ray_errors.h"
+#include "image/image_file.h"
 
 namespace nullscope {
 
@@ -33,10 +32,7 @@ Result<ImageMeasures> measure_images(const Image<float>& a, const Image<float>& 
         above += largest > threshold;
     }
     const auto pixels = static_cast<double>(std::max<std::size_t>(m.difference.data.size(), 1));
-    const Spread spread = spread_of(m.difference.data);
-    m.max = spread.max;
-    m.p999 = spread.p999;
-    m.median = spread.median;
+    static_cast<Spread&>(m) = spread_of(m.difference.data);
     m.mean = sum / (3 * pixels);
     m.psnr_db = -10 * std::log10(squares / (3 * pixels));
     m.fraction_above = above / pixels;

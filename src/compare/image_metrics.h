@@ -1,17 +1,17 @@
 // Measures between two pictures of one size.
 #pragma once
-#include "base/image.h"
 #include "base/result.h"
+#include "compare/ray_errors.h"
+#include "image/image.h"
 
 namespace nullscope {
 
 // Over all pixels and the three colours; alpha is ignored. A difference with a NaN counts as infinite.
-struct ImageMeasures {
-    double max = 0, mean = 0;     // of the absolute difference
-    double psnr_db = 0;           // with 1 as the peak; infinite for equal pictures
-    double p999 = 0, median = 0;  // of a pixel's largest absolute difference
-    double fraction_above = 0;    // of pixels whose largest absolute difference is above the threshold
-    Image<float> difference;      // one channel: a pixel's largest absolute difference
+struct ImageMeasures : Spread {  // of a pixel's largest absolute difference
+    double mean = 0;             // of the absolute difference
+    double psnr_db = 0;          // with 1 as the peak; infinite for equal pictures
+    double fraction_above = 0;   // of pixels whose largest absolute difference is above the threshold
+    Image<float> difference;     // one channel: a pixel's largest absolute difference
 };
 
 // Errors: sizes differ, fewer than three channels.

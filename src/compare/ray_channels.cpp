@@ -8,51 +8,42 @@
 namespace nullscope {
 namespace {
 
-struct Channel {
-    const char* name;
-    double (*get)(const RayPixel&);
-    void (*set)(RayPixel&, double);
-};
+constexpr std::array<const char*, 12> kNames = {"fate",  "sky.x", "sky.y", "sky.z", "g", "delay",
+                                                "angle", "order", "hit",   "u",     "v", "w"};
 
-constexpr std::array<Channel, 12> kChannels = {{
-    {"fate", [](const RayPixel& p) { return static_cast<double>(p.fate); },
-     [](RayPixel& p, double v) { p.fate = static_cast<Fate>(static_cast<int>(v)); }},
-    {"sky.x", [](const RayPixel& p) { return p.sky.x; }, [](RayPixel& p, double v) { p.sky.x = v; }},
-    {"sky.y", [](const RayPixel& p) { return p.sky.y; }, [](RayPixel& p, double v) { p.sky.y = v; }},
-    {"sky.z", [](const RayPixel& p) { return p.sky.z; }, [](RayPixel& p, double v) { p.sky.z = v; }},
-    {"g", [](const RayPixel& p) { return p.g; }, [](RayPixel& p, double v) { p.g = v; }},
-    {"delay", [](const RayPixel& p) { return p.delay; }, [](RayPixel& p, double v) { p.delay = v; }},
-    {"angle", [](const RayPixel& p) { return p.angle; }, [](RayPixel& p, double v) { p.angle = v; }},
-    {"order", [](const RayPixel& p) { return static_cast<double>(p.order); },
-     [](RayPixel& p, double v) { p.order = static_cast<int>(v); }},
-    {"hit", [](const RayPixel& p) { return static_cast<double>(p.hit); },
-     [](RayPixel& p, double v) { p.hit = static_cast<int>(v); }},
-    {"u", [](const RayPixel& p) { return p.u; }, [](RayPixel& p, double v) { p.u = v; }},
-    {"v", [](const RayPixel& p) { return p.v; }, [](RayPixel& p, double v) { p.v = v; }},
-    {"w", [](const RayPixel& p) { return p.w; }, [](RayPixel& p, double v) { p.w = v; }},
-}};
+// work(channel, member), in the order of the names.
+template <class Pixel, class Work>
+void each_channel(Pixel& p, const Work& work) {
+    std::size_t channel = 0;
+    const auto all = [&](auto&... members) { (work(channel++, members), ...); };
+    all(p.fate, p.sky.x, p.sky.y, p.sky.z, p.g, p.delay, p.angle, p.order, p.hit, p.u, p.v, p.w);
+}
 
 }  // namespace
 
 void add_ray_channels(const RayFrame& frame, ChannelImage& image) {
-    for (const Channel& channel : kChannels) {
-        auto& values = image.channels[channel.name];
-        values.reserve(frame.pixels.size());
-        for (const RayPixel& pixel : frame.pixels) values.push_back(static_cast<float>(channel.get(pixel)));
-    }
+    std::array<std::vector<float>*, kNames.size()> values;
+    for (std::size_t c = 0; c < kNames.size(); ++c) values[c] = &image.channels[kNames[c]];
+    for (auto* channel : values) channel->reserve(frame.pixels.size());
+    for (const RayPixel& pixel : frame.pixels)
+        each_channel(pixel, [&](std::size_t c, auto member) { values[c]->push_back(static_cast<float>(member)); });
 }
 
 Result<RayFrame> ray_frame_from(const ChannelImage& image) {
     RayFrame frame{image.width, image.height,
                    std::vector<RayPixel>(static_cast<std::size_t>(image.width) * image.height)};
-    for (const Channel& channel : kChannels) {
-        const auto found = image.channels.find(channel.name);
-        if (found == image.channels.end() && channel.name == std::string_view("w"))
-            continue;  // older files know discs only
-        if (found == image.channels.end())
-            return bad_input(fmt::format("no ray data: channel \"{}\" is missing", channel.name));
-        for (std::size_t i = 0; i < frame.pixels.size(); ++i) channel.set(frame.pixels[i], found->second[i]);
+    std::array<const std::vector<float>*, kNames.size()> values{};
+    for (std::size_t c = 0; c < kNames.size(); ++c) {
+        const auto found = image.channels.find(kNames[c]);
+        if (found != image.channels.end())
+            values[c] = &found->second;
+        else if (kNames[c] != std::string_view("w"))  // older files know discs only
+            return bad_input(fmt::format("no ray data: channel \"{}\" is missing", kNames[c]));
     }
+    for (std::size_t i = 0; i < frame.pixels.size(); ++i)
+        each_channel(frame.pixels[i], [&]<class T>(std::size_t c, T& member) {
+            if (values[c]) member = static_cast<T>((*values[c])[i]);
+        });
     return frame;
 }
 

@@ -1,7 +1,7 @@
 // The ray data of a frame as EXR channels: fate, sky.x sky.y sky.z, g, delay, angle, order, hit, u, v (docs/ray-data.md).
 #pragma once
-#include "base/image_file.h"
 #include "base/result.h"
+#include "image/image_file.h"
 #include "scene/ray.h"
 
 namespace nullscope {

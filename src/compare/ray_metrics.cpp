@@ -1,11 +1,10 @@
 #include "compare/ray_metrics.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <numeric>
-#include <thread>
 #include <utility>
+
+#include <tbb/parallel_for.h>
 
 namespace nullscope {
 namespace {
@@ -14,18 +13,6 @@ constexpr int kBandRows = 64;      // exact rows held at a time
 constexpr double kStep_px = 1e-4;  // of displaced rays: small against any feature, 1e7 roundings of a 4K position
 constexpr float kJump_px = 1.0f;   // a place on the disc this far off is another image of the disc, beyond a rim
 constexpr int kBearings = 16;      // of displaced rays round a pixel: 0.98 of the band is covered in every direction
-
-void in_parallel(int first, int end, const std::function<void(int)>& work) {
-    const int count = std::max(1, std::min(static_cast<int>(std::thread::hardware_concurrency()), end - first));
-    std::atomic<int> next{first};
-    std::vector<std::thread> threads;
-    const auto run = [&] {
-        for (int y; (y = next++) < end;) work(y);
-    };
-    for (int i = 1; i < count; ++i) threads.emplace_back(run);
-    run();
-    for (std::thread& thread : threads) thread.join();
-}
 
 // Exact pixels of a rectangle.
 struct Band {
@@ -106,43 +93,43 @@ ExactPixel with_displaced(const CameraSpec& camera, int x, int y, const RayPixel
     return exact;
 }
 
-struct Doubt {
-    int x, y;
-};
-
 // Pixels of one frame against an exact trace.
 class Judge {
 public:
     Judge(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, double refine_above_px)
         : tested_(tested), camera_(camera), trace_(trace), refine_above_px_(refine_above_px) {}
 
-    // Compares the pixels of a rectangle. rows(first, end, work): calls work(y) for all of them, on threads as it likes.
-    template <class Rows>
-    TileErrors tile(const PixelRect& rect, Rows&& rows) {
+    // Compares the pixels of a rectangle; on all cores, or on the calling thread alone.
+    TileErrors tile(const PixelRect& rect, bool parallel) {
         const auto cells = static_cast<std::size_t>(rect.right - rect.left) * (rect.bottom - rect.top);
         tile_ = {rect, std::vector<PixelErrors>(cells)};
         const PixelRect around{std::max(0, rect.left - 1), std::max(0, rect.top - 1),
                                std::min(tested_.width, rect.right + 1), std::min(tested_.height, rect.bottom + 1)};
         const std::vector<RayPixel> pixels = exact_around(trace_, rect, around);
         const Band band{pixels.data(), around};
-        rows(rect.top, rect.bottom, [&](int y) {
+        const auto judge_row = [&](int y) {
             for (int x = rect.left; x < rect.right; ++x) {
                 ExactPixel exact = with_neighbours(band, x, y);
                 set_camera(exact, camera_, x, y);
-                errors_at(x, y) = pixel_errors(tested_.at(x, y), exact);
+                tile_.at(x, y) = pixel_errors(tested_.at(x, y), exact);
             }
-        });
+        };
+        if (parallel)
+            tbb::parallel_for(rect.top, rect.bottom, judge_row);
+        else
+            for (int y = rect.top; y < rect.bottom; ++y) judge_row(y);
         std::vector<Doubt> doubts;
         for (int y = rect.top; y < rect.bottom; ++y)
             for (int x = rect.left; x < rect.right; ++x)
-                if (errors_at(x, y).worst_px() > refine_above_px_) doubts.push_back({x, y});
+                if (tile_.at(x, y).worst_px() > refine_above_px_) doubts.push_back({x, y});
         if (!doubts.empty()) refine(band, doubts), judge_edges(band, doubts);
         return std::move(tile_);
     }
 
 private:
-    PixelErrors& errors_at(int x, int y) { return tile_.at(x, y); }
-
+    struct Doubt {
+        int x, y;
+    };
     void refine(const Band& band, const std::vector<Doubt>& doubts) {
         std::vector<std::array<double, 2>> positions;
         for (const Doubt d : doubts)
@@ -150,9 +137,9 @@ private:
         const std::vector<RayPixel> moved = trace_(positions);
         for (std::size_t i = 0; i < doubts.size(); ++i) {
             const Doubt d = doubts[i];
-            if (errors_at(d.x, d.y).end == RayEnd::kDiffers) continue;
+            if (tile_.at(d.x, d.y).end == RayEnd::kDiffers) continue;
             const ExactPixel exact = with_displaced(camera_, d.x, d.y, band.at(d.x, d.y), moved.data() + 4 * i);
-            errors_at(d.x, d.y) = pixel_errors(tested_.at(d.x, d.y), exact);
+            tile_.at(d.x, d.y) = pixel_errors(tested_.at(d.x, d.y), exact);
         }
     }
 
@@ -161,7 +148,7 @@ private:
         std::vector<Doubt> edges;
         std::vector<std::array<double, 2>> positions;
         for (const Doubt d : doubts) {
-            const PixelErrors& errors = errors_at(d.x, d.y);
+            const PixelErrors& errors = tile_.at(d.x, d.y);
             const bool differs = errors.end == RayEnd::kDiffers;
             if (!differs && !(errors.place_px > kJump_px)) continue;
             const bool rim = !differs || tested_.at(d.x, d.y).hit != band.at(d.x, d.y).hit;
@@ -177,7 +164,7 @@ private:
             for (int k = 0; k < kBearings; ++k)
                 if (explains(around[i * kBearings + static_cast<std::size_t>(k)], band.at(edges[i].x, edges[i].y),
                              tested_.at(edges[i].x, edges[i].y)))
-                    errors_at(edges[i].x, edges[i].y).end = RayEnd::kForgiven;
+                    tile_.at(edges[i].x, edges[i].y).end = RayEnd::kForgiven;
     }
 
     bool explains(const RayPixel& beside, const RayPixel& here, const RayPixel& tested) const {
@@ -216,10 +203,8 @@ void summarise(const RayFrame& tested, RayMeasures& m) {
     }
     const std::array<std::pair<Spread*, std::vector<float>*>, 5> all = {
         {{&m.forward_rad, &forward}, {&m.sky_px, &sky}, {&m.place_px, &place}, {&m.angle_px, &angle}, {&m.g_px, &g}}};
-    in_parallel(0, static_cast<int>(all.size()), [&](int i) {
-        const auto& [spread, values] = all[static_cast<std::size_t>(i)];
-        *spread = spread_of(std::move(*values));
-    });
+    tbb::parallel_for(std::size_t{0}, all.size(),
+                      [&](std::size_t i) { *all[i].first = spread_of(std::move(*all[i].second)); });
 }
 
 RayMeasures empty_measures(const RayFrame& tested) {
@@ -251,7 +236,7 @@ RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const
     Judge judge(tested, camera, trace, refine_above_px);
     const int step = std::max(row_step, tested.row_step), rows = step == 1 ? kBandRows : 1;
     for (int y = 0; y < tested.height; y += std::max(rows, step)) {
-        const TileErrors band = judge.tile({0, y, tested.width, std::min(y + rows, tested.height)}, in_parallel);
+        const TileErrors band = judge.tile({0, y, tested.width, std::min(y + rows, tested.height)}, true);
         std::copy(band.pixels.begin(), band.pixels.end(),
                   measures.pixels.begin() + static_cast<std::ptrdiff_t>(tested.index(0, y)));
     }
@@ -261,16 +246,14 @@ RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const
 
 TileErrors measure_tile(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace,
                         const PixelRect& rect, double refine_above_px) {
-    return Judge(tested, camera, trace, refine_above_px).tile(rect, [](int first, int end, auto&& work) {
-        for (int y = first; y < end; ++y) work(y);
-    });
+    return Judge(tested, camera, trace, refine_above_px).tile(rect, false);
 }
 
 RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact,
                                const std::function<double(int, int)>& angle_of, Vec3 camera) {
     RayMeasures measures = empty_measures(tested);
     const Band band{exact.pixels.data(), {0, 0, exact.width, exact.height}};
-    in_parallel(0, exact.height, [&](int y) {
+    tbb::parallel_for(0, exact.height, [&](int y) {
         for (int x = 0; x < exact.width; ++x) {
             ExactPixel pixel = with_neighbours(band, x, y);
             pixel.pixel_angle = angle_of(x, y);
@@ -289,22 +272,6 @@ double estimated_pixel_angle(const RayFrame& exact) {
             if (exact.at(x, y).fate == Fate::kEscaped && exact.at(x + 1, y).fate == Fate::kEscaped)
                 motions.push_back(static_cast<float>(angle_between(exact.at(x, y).sky, exact.at(x + 1, y).sky)));
     return spread_of(std::move(motions)).median;
-}
-
-std::vector<PixelPlace> worst_pixels(const RayMeasures& measures, std::size_t most) {
-    std::vector<std::size_t> order(measures.pixels.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const std::size_t count = std::min(most, order.size());
-    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
-                      [&](std::size_t a, std::size_t b) {
-                          const float ea = measures.pixels[a].worst_px(), eb = measures.pixels[b].worst_px();
-                          return ea != eb ? ea > eb : a < b;
-                      });
-    std::vector<PixelPlace> places;
-    const auto width = static_cast<std::size_t>(measures.width);
-    for (std::size_t i = 0; i < count; ++i)
-        places.push_back({static_cast<int>(order[i] % width), static_cast<int>(order[i] / width) * measures.row_step});
-    return places;
 }
 
 }  // namespace nullscope

@@ -64,10 +64,4 @@ Vec3 camera_place(const CameraSpec& camera);
 // For cameras that are not known: the median of how far the exact sky moves per pixel.
 double estimated_pixel_angle(const RayFrame& exact);
 
-// The pixels with the largest worst_px(), worst first.
-struct PixelPlace {
-    int x, y;
-};
-std::vector<PixelPlace> worst_pixels(const RayMeasures& measures, std::size_t most);
-
 }  // namespace nullscope

@@ -3,7 +3,6 @@
 #pragma once
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "base/result.h"
 
@@ -14,9 +13,8 @@ using GlProc = void (*)();
 class GlContext {
 public:
     virtual ~GlContext() = default;
-    virtual Status make_current() = 0;
     virtual GlProc get_proc_address(const char* name) const = 0;
-    virtual std::string kind() const = 0;  // "egl", "osmesa", "window"
+    virtual std::string kind() const = 0;  // "egl", "osmesa"
 };
 
 // Errors: the library is not installed, or no context of version 3.3 core can be had; the sentence says which and what to do.

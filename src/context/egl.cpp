@@ -1,5 +1,4 @@
 // EGL: every device of EGL_EXT_platform_device in turn, then Mesa's surfaceless platform, then the default display.
-#include <fmt/format.h>
 
 #include <array>
 #include <cstdint>
@@ -72,12 +71,6 @@ public:
     }
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;
-    Status make_current() override {
-        egl()->bind_api(kOpenglApi);
-        if (!egl()->make_current(display_, nullptr, nullptr, context_))
-            return failed("EGL: the context cannot be made current");
-        return Done{};
-    }
     GlProc get_proc_address(const char* name) const override {
         return reinterpret_cast<GlProc>(egl()->get_proc_address(name));
     }
@@ -99,7 +92,7 @@ std::unique_ptr<GlContext> context_on(EGLDisplay display) {
     EGLContext context = e.create_context(display, config, nullptr, attributes.data());
     if (context == nullptr) return nullptr;
     auto result = std::make_unique<EglContext>(display, context);
-    if (!result->make_current()) return nullptr;
+    if (!e.make_current(display, nullptr, nullptr, context)) return nullptr;
     return result;
 }
 

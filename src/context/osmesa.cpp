@@ -1,5 +1,6 @@
 // OSMesa: Mesa's software rasteriser without any window system. It left Mesa in 25.1, so it is opened where it is there.
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "context/context.h"
@@ -38,11 +39,7 @@ public:
     ~OsmesaContext() override { osmesa()->destroy(context_); }
     OsmesaContext(const OsmesaContext&) = delete;
     OsmesaContext& operator=(const OsmesaContext&) = delete;
-    Status make_current() override {
-        if (!osmesa()->make_current(context_, pixels_.data(), kUnsignedByte, kSide, kSide))
-            return failed("OSMesa: the context cannot be made current");
-        return Done{};
-    }
+    bool make_current() { return osmesa()->make_current(context_, pixels_.data(), kUnsignedByte, kSide, kSide) != 0; }
     GlProc get_proc_address(const char* name) const override { return osmesa()->get_proc_address(name); }
     std::string kind() const override { return "osmesa"; }
 
@@ -63,9 +60,9 @@ Result<std::unique_ptr<GlContext>> make_osmesa_context() {
                                             kMajorVersion, 3,     kMinorVersion, 3, 0,        0};
     void* context = osmesa()->create(attributes.data(), nullptr);
     if (context == nullptr) return failed("OSMesa: it gives no OpenGL 3.3 core context");
-    std::unique_ptr<GlContext> result = std::make_unique<OsmesaContext>(context);
-    if (Status current = result->make_current(); !current) return current.error();
-    return result;
+    auto result = std::make_unique<OsmesaContext>(context);
+    if (!result->make_current()) return failed("OSMesa: the context cannot be made current");
+    return std::unique_ptr<GlContext>(std::move(result));
 }
 
 }  // namespace nullscope

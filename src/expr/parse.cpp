@@ -7,28 +7,13 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/text.h"
 #include "expr/formula.h"
 
 namespace nullscope::expr {
 namespace {
-
-struct Function {
-    std::string_view name;
-    std::size_t arguments;
-    Op op;
-};
-constexpr Function kFunctions[] = {
-    {"sin", 1, Op::kSin},        {"cos", 1, Op::kCos},      {"tan", 1, Op::kTan},
-    {"atan", 1, Op::kAtan},      {"atan", 2, Op::kAtan2},   {"sqrt", 1, Op::kSqrt},
-    {"abs", 1, Op::kAbs},        {"exp", 1, Op::kExp},      {"log", 1, Op::kLog},
-    {"min", 2, Op::kMin},        {"max", 2, Op::kMax},      {"clamp", 3, Op::kClamp},
-    {"mix", 3, Op::kMix},        {"step", 2, Op::kStep},    {"smoothstep", 3, Op::kSmoothstep},
-    {"floor", 1, Op::kFloor},    {"mod", 2, Op::kMod},      {"length", 2, Op::kLength2},
-    {"length", 3, Op::kLength3}, {"noise", 1, Op::kNoise1}, {"noise", 2, Op::kNoise2},
-    {"noise", 3, Op::kNoise3},
-};
 
 bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool digit(char c) { return c >= '0' && c <= '9'; }
@@ -77,27 +62,16 @@ private:
         return !error_.empty();
     }
 
-    int sum() {
-        int left = product();
+    int sum() { return chain(&Parser::product, {{{'+', Op::kAdd}, {'-', Op::kSubtract}}}); }
+    int product() { return chain(&Parser::sign, {{{'*', Op::kMultiply}, {'/', Op::kDivide}}}); }
+    // Operands with either operator between them, from left to right.
+    int chain(int (Parser::*operand)(), const std::array<std::pair<char, Op>, 2>& operators) {
+        int left = (this->*operand)();
         while (error_.empty()) {
-            if (take('+'))
-                left = node(Op::kAdd, left, product());
-            else if (take('-'))
-                left = node(Op::kSubtract, left, product());
-            else
-                break;
-        }
-        return left;
-    }
-    int product() {
-        int left = sign();
-        while (error_.empty()) {
-            if (take('*'))
-                left = node(Op::kMultiply, left, sign());
-            else if (take('/'))
-                left = node(Op::kDivide, left, sign());
-            else
-                break;
+            const auto next =
+                std::find_if(operators.begin(), operators.end(), [&](const auto& o) { return take(o.first); });
+            if (next == operators.end()) break;
+            left = node(next->second, left, (this->*operand)());
         }
         return left;
     }
@@ -148,13 +122,18 @@ private:
         const auto found = std::find(variables_.begin(), variables_.end(), word);
         if (found != variables_.end())
             return node({Op::kVariable, {}, 0, static_cast<std::size_t>(found - variables_.begin())});
-        at_ = start;
         std::vector<std::string> known = variables_;
         known.emplace_back("pi");
-        for (const Function& f : kFunctions) known.emplace_back(f.name);
+        return refuse_word(fmt::format("\"{}\" is not known here", word.substr(0, 20)), word, start, std::move(known));
+    }
+    // What stands at start is none of the known words, nor of the functions.
+    int refuse_word(const std::string& what, const std::string& word, std::size_t start,
+                    std::vector<std::string> known) {
+        at_ = start;
+        for (const OpRow& row : kOps)
+            if (!row.name.empty()) known.emplace_back(row.name);
         const std::string nearest = nearest_word(word, known);
-        return refuse(fmt::format("\"{}\" is not known here{}", word.substr(0, 20),
-                                  nearest.empty() ? "" : fmt::format(" (nearest: {})", nearest)));
+        return refuse(nearest.empty() ? what : fmt::format("{} (nearest: {})", what, nearest));
     }
     int call(const std::string& word, std::size_t start) {
         if (too_deep()) return 0;
@@ -169,18 +148,14 @@ private:
         --depth_;
         if (!take(')')) return refuse("a ) is missing");
         bool known = false;
-        for (const Function& f : kFunctions) {
-            if (f.name != word) continue;
+        for (const OpRow& row : kOps) {
+            if (row.name != word) continue;
             known = true;
-            if (f.arguments == count) return node(f.op, arguments[0], arguments[1], arguments[2]);
+            if (row.arguments == count) return node(row.op, arguments[0], arguments[1], arguments[2]);
         }
+        if (!known) return refuse_word(fmt::format("no function \"{}\"", word.substr(0, 20)), word, start, {});
         at_ = start;
-        if (known) return refuse(fmt::format("{} does not take {} arguments", word, count));
-        std::vector<std::string> names;
-        for (const Function& f : kFunctions) names.emplace_back(f.name);
-        const std::string nearest = nearest_word(word, names);
-        return refuse(fmt::format("no function \"{}\"{}", word.substr(0, 20),
-                                  nearest.empty() ? "" : fmt::format(" (nearest: {})", nearest)));
+        return refuse(fmt::format("{} does not take {} arguments", word, count));
     }
 
     std::string_view text_;
@@ -196,8 +171,7 @@ private:
 Result<Formula> Formula::parse(std::string_view text, const std::vector<std::string>& variables) {
     if (text.size() > kLongest)
         return bad_input(fmt::format("column {}: longer than {} bytes", kLongest + 1, kLongest));
-    auto nodes = Parser(text, variables).run();
-    if (!nodes) return nodes.error();
+    TRY(nodes, Parser(text, variables).run());
     Formula formula;
     formula.nodes_ = std::move(*nodes);
     formula.variables_ = variables;

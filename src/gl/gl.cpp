@@ -12,6 +12,8 @@
 namespace nullscope::gl {
 namespace {
 
+constexpr GLenum kPacked = GL_UNSIGNED_INT_10F_11F_11F_REV;  // of a sky's texels
+
 struct Loader {
     void (*(*get_proc_address)(const char*, void*))();
     void* user;
@@ -27,6 +29,16 @@ std::string text_of(GLenum name) {
     return text == nullptr ? "" : reinterpret_cast<const char*>(text);
 }
 
+// What the driver says of a shader or a program.
+template <class Length, class Log>
+std::string log_of(GLuint id, Length get, Log get_log) {
+    GLint length = 0;
+    get(id, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    get_log(id, length, nullptr, log.data());
+    return log.c_str();
+}
+
 GLuint compile(GLenum kind, const std::string& source) {
     const GLuint shader = glCreateShader(kind);
     const char* text = source.c_str();
@@ -35,12 +47,9 @@ GLuint compile(GLenum kind, const std::string& source) {
     GLint ok = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
     if (ok == GL_TRUE) return shader;
-    GLint length = 0;
-    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
-    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
-    glGetShaderInfoLog(shader, length, nullptr, log.data());
+    const std::string log = log_of(shader, glGetShaderiv, glGetShaderInfoLog);
     glDeleteShader(shader);
-    throw GlError("the driver refuses a shader: " + explained_log(log.c_str(), source));
+    throw GlError("the driver refuses a shader: " + explained_log(log, source));
 }
 
 void set_sampling(GLenum target, GLint minify, GLint magnify) {
@@ -50,13 +59,67 @@ void set_sampling(GLenum target, GLint minify, GLint magnify) {
     glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-GLuint new_texture(GLenum target) {
+GLuint one(void (*generate)(GLsizei, GLuint*)) {
     GLuint id = 0;
-    glGenTextures(1, &id);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(target, id);
+    generate(1, &id);
+    return id;
+}
+
+void bind(int unit, GLenum target, GLuint texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(target, texture);
+}
+
+GLuint new_texture(GLenum target) {
+    const GLuint id = one(glGenTextures);
+    bind(0, target, id);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     return id;
+}
+
+// One level of two dimensions, the same filter for larger and smaller.
+Texture plain_texture(int width, int height, GLint stored, GLenum format, GLenum type, const void* data, GLint filter) {
+    Texture texture(new_texture(GL_TEXTURE_2D));
+    set_sampling(GL_TEXTURE_2D, filter, filter);
+    glTexImage2D(GL_TEXTURE_2D, 0, stored, width, height, 0, format, type, data);
+    return texture;
+}
+
+// Means of 2 x 2 pixels, of 2 x 1 where a side is 1 already.
+std::vector<float> halved(const float* from, int width, int height, int channels) {
+    const int to_width = std::max(width / 2, 1), to_height = std::max(height / 2, 1);
+    const std::size_t across = width > 1 ? static_cast<std::size_t>(channels) : 0,
+                      row = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels),
+                      down = height > 1 ? row : 0;
+    std::vector<float> to(static_cast<std::size_t>(to_width) * static_cast<std::size_t>(to_height) *
+                          static_cast<std::size_t>(channels));
+    float* out = to.data();
+    for (int y = 0; y < to_height; ++y)
+        for (int x = 0; x < to_width; ++x) {
+            const float* p = from + 2 * static_cast<std::size_t>(y) * down + 2 * static_cast<std::size_t>(x) * across;
+            for (int c = 0; c < channels; ++c, ++p) *out++ = 0.25f * (p[0] + p[across] + p[down] + p[across + down]);
+        }
+    return to;
+}
+
+void read_rows(const Target& target, int attachment, int first, int rows, GLenum type, void* out) {
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachment));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, first, target.width, rows, GL_RGBA, type, out);
+    check("read pixels");
+}
+
+// What every draw begins with: neither blending nor depth nor scissors.
+void begin_draw(const Program& program, const VertexArray& vertices, unsigned framebuffer, int x, int y, int width,
+                int height) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(x, y, width, height);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glUseProgram(program.id());
+    glBindVertexArray(vertices.id());
 }
 
 }  // namespace
@@ -141,11 +204,7 @@ Program make_program(const std::string& vertex, const std::string& fragment) {
     GLint ok = 0;
     glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
     if (ok == GL_TRUE) return program;
-    GLint length = 0;
-    glGetProgramiv(program.id(), GL_INFO_LOG_LENGTH, &length);
-    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
-    glGetProgramInfoLog(program.id(), length, nullptr, log.data());
-    throw GlError("the driver cannot link a program: " + log);
+    throw GlError("the driver cannot link a program: " + log_of(program.id(), glGetProgramiv, glGetProgramInfoLog));
 }
 
 void bind_uniform_block(const Program& program, const char* block, unsigned binding) {
@@ -153,55 +212,13 @@ void bind_uniform_block(const Program& program, const char* block, unsigned bind
     if (index != GL_INVALID_INDEX) glUniformBlockBinding(program.id(), index, binding);
 }
 
-void bind_sampler(const Program& program, const char* sampler, int unit) { set_integer(program, sampler, unit); }
-
-std::vector<int> uniform_offsets(const Program& program, const std::vector<std::string>& members) {
-    std::vector<const char*> names;
-    names.reserve(members.size());
-    for (const std::string& member : members) names.push_back(member.c_str());
-    std::vector<GLuint> indices(members.size(), GL_INVALID_INDEX);
-    glGetUniformIndices(program.id(), static_cast<GLsizei>(names.size()), names.data(), indices.data());
-    std::vector<int> offsets(members.size(), -1);
-    for (std::size_t i = 0; i < members.size(); ++i)
-        if (indices[i] != GL_INVALID_INDEX)
-            glGetActiveUniformsiv(program.id(), 1, &indices[i], GL_UNIFORM_OFFSET, &offsets[i]);
-    return offsets;
-}
-
 Texture make_number_texture(int width, int height, int channels, const float* values, bool linear) {
-    Texture texture(new_texture(GL_TEXTURE_2D));
-    set_sampling(GL_TEXTURE_2D, linear ? GL_LINEAR : GL_NEAREST, linear ? GL_LINEAR : GL_NEAREST);
-    const bool one = channels == 1;
-    glTexImage2D(GL_TEXTURE_2D, 0, one ? GL_R32F : GL_RGBA32F, width, height, 0, one ? GL_RED : GL_RGBA, GL_FLOAT,
-                 values);
+    const bool single = channels == 1;
+    Texture texture = plain_texture(width, height, single ? GL_R32F : GL_RGBA32F, single ? GL_RED : GL_RGBA, GL_FLOAT,
+                                    values, linear ? GL_LINEAR : GL_NEAREST);
     check("table texture");
     return texture;
 }
-
-Texture make_float_texture(int width, int height, const float* rgba) {
-    return make_number_texture(width, height, 4, rgba, false);
-}
-
-namespace {
-
-// Means of 2 x 2 pixels, of 2 x 1 where a side is 1 already.
-std::vector<float> halved(const float* from, int width, int height, int channels) {
-    const int to_width = std::max(width / 2, 1), to_height = std::max(height / 2, 1);
-    const std::size_t across = width > 1 ? static_cast<std::size_t>(channels) : 0,
-                      row = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels),
-                      down = height > 1 ? row : 0;
-    std::vector<float> to(static_cast<std::size_t>(to_width) * static_cast<std::size_t>(to_height) *
-                          static_cast<std::size_t>(channels));
-    float* out = to.data();
-    for (int y = 0; y < to_height; ++y)
-        for (int x = 0; x < to_width; ++x) {
-            const float* p = from + 2 * static_cast<std::size_t>(y) * down + 2 * static_cast<std::size_t>(x) * across;
-            for (int c = 0; c < channels; ++c, ++p) *out++ = 0.25f * (p[0] + p[across] + p[down] + p[across + down]);
-        }
-    return to;
-}
-
-}  // namespace
 
 // Where sides are powers of two, mip levels are made here: a software driver would compile a shader for them first, some 40 ms.
 Texture make_picture_texture(int width, int height, int channels, const float* data) {
@@ -223,57 +240,42 @@ Texture make_picture_texture(int width, int height, int channels, const float* d
 }
 
 Texture make_rgba8_texture(int width, int height, const unsigned char* rgba) {
-    Texture texture(new_texture(GL_TEXTURE_2D));
-    set_sampling(GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+    Texture texture = plain_texture(width, height, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, rgba, GL_NEAREST);
     check("overlay texture");
     return texture;
 }
 
-Texture make_sky_cube(int size, int levels) {
-    Texture texture(new_texture(GL_TEXTURE_CUBE_MAP));
-    set_sampling(GL_TEXTURE_CUBE_MAP, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, levels - 1);
-    for (int level = 0; level < levels; ++level)
-        for (GLenum face = 0; face < 6; ++face)
-            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, GL_R11F_G11F_B10F, size >> level, size >> level,
-                         0, GL_RGB, GL_UNSIGNED_INT_10F_11F_11F_REV, nullptr);
+Texture make_sky(int size, int levels, int layers) {
+    const GLenum target = layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_CUBE_MAP;
+    Texture texture(new_texture(target));
+    set_sampling(target, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    glTexParameteri(target, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, levels - 1);
+    for (int level = 0; level < levels; ++level) {
+        const int side = size >> level;
+        if (layers > 0) glTexImage3D(target, level, GL_R11F_G11F_B10F, side, side, layers, 0, GL_RGB, kPacked, nullptr);
+        for (GLenum face = 0; layers == 0 && face < 6; ++face)
+            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, GL_R11F_G11F_B10F, side, side, 0, GL_RGB,
+                         kPacked, nullptr);
+    }
     check("sky texture");
     return texture;
 }
 
-Texture make_sky_layers(int size, int levels, int layers) {
-    Texture texture(new_texture(GL_TEXTURE_2D_ARRAY));
-    set_sampling(GL_TEXTURE_2D_ARRAY, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, levels - 1);
-    for (int level = 0; level < levels; ++level)
-        glTexImage3D(GL_TEXTURE_2D_ARRAY, level, GL_R11F_G11F_B10F, size >> level, size >> level, layers, 0, GL_RGB,
-                     GL_UNSIGNED_INT_10F_11F_11F_REV, nullptr);
-    check("texture of two skies");
-    return texture;
-}
-
-void fill_sky_cube(const Texture& texture, const SkyTexels& t) {
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
-    glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(t.layer), t.level, 0, t.first_row, t.width,
-                    t.rows, GL_RGB, GL_UNSIGNED_INT_10F_11F_11F_REV, t.texels);
-}
-
-void fill_sky_layers(const Texture& texture, const SkyTexels& t) {
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D_ARRAY, texture.id());
-    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, t.level, 0, t.first_row, t.layer, t.width, t.rows, 1, GL_RGB,
-                    GL_UNSIGNED_INT_10F_11F_11F_REV, t.texels);
+void fill_sky(const Texture& texture, bool layered, const SkyTexels& t) {
+    bind(0, layered ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_CUBE_MAP, texture.id());
+    if (layered)
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, t.level, 0, t.first_row, t.layer, t.width, t.rows, 1, GL_RGB, kPacked,
+                        t.texels);
+    else
+        glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(t.layer), t.level, 0, t.first_row, t.width,
+                        t.rows, GL_RGB, kPacked, t.texels);
 }
 
 Buffer make_uniform_buffer(std::size_t bytes) {
-    GLuint id = 0;
-    glGenBuffers(1, &id);
-    glBindBuffer(GL_UNIFORM_BUFFER, id);
-    glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_DRAW);
-    return Buffer(id);
+    Buffer buffer(one(glGenBuffers));
+    upload_uniforms(buffer, nullptr, bytes);
+    return buffer;
 }
 
 void upload_uniforms(const Buffer& buffer, const void* data, std::size_t bytes) {
@@ -286,11 +288,9 @@ void bind_uniforms(const Buffer& buffer, unsigned binding) {
 }
 
 VertexList make_vertex_list(const std::vector<float>& values, const std::vector<int>& sizes) {
-    GLuint id = 0;
-    glGenBuffers(1, &id);
-    VertexList list{Buffer(id), make_vertex_array(), 0};
+    VertexList list{Buffer(one(glGenBuffers)), make_vertex_array(), 0};
     glBindVertexArray(list.layout.id());
-    glBindBuffer(GL_ARRAY_BUFFER, id);
+    glBindBuffer(GL_ARRAY_BUFFER, list.data.id());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(float)), values.data(),
                  GL_STATIC_DRAW);
     int floats = 0;
@@ -309,25 +309,15 @@ VertexList make_vertex_list(const std::vector<float>& values, const std::vector<
 }
 
 Target make_target(int width, int height, Format format, int count) {
-    Target target{width, height, {}, {}};
-    GLuint id = 0;
-    glGenFramebuffers(1, &id);
-    target.framebuffer = Framebuffer(id);
-    glBindFramebuffer(GL_FRAMEBUFFER, id);
+    constexpr GLint kStored[] = {GL_RGBA8, GL_RGBA16F, GL_RGBA32F};  // by Format
+    const auto stored = kStored[static_cast<int>(format)];
+    Target target{width, height, {}, Framebuffer(one(glGenFramebuffers))};
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
     std::vector<GLenum> buffers;
     for (int i = 0; i < count; ++i) {
-        Texture texture(new_texture(GL_TEXTURE_2D));
-        set_sampling(GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST);
-        if (format == Format::kRgba8)
-            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-        else if (format == Format::kRgba16F)
-            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, width, height, 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
-        else
-            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
-        const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
-        glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.id(), 0);
-        buffers.push_back(attachment);
-        target.colours.push_back(std::move(texture));
+        target.colours.push_back(plain_texture(width, height, stored, GL_RGBA, GL_FLOAT, nullptr, GL_NEAREST));
+        buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
+        glFramebufferTexture2D(GL_FRAMEBUFFER, buffers.back(), GL_TEXTURE_2D, target.colours.back().id(), 0);
     }
     glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
     check("framebuffer");
@@ -337,49 +327,16 @@ Target make_target(int width, int height, Format format, int count) {
 }
 
 void read_rgba8(const Target& target, unsigned char* out) {
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, target.width, target.height, GL_RGBA, GL_UNSIGNED_BYTE, out);
-    check("read pixels");
+    read_rows(target, 0, 0, target.height, GL_UNSIGNED_BYTE, out);
 }
-
 void read_rgba32f(const Target& target, int attachment, float* out) {
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
-    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachment));
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, target.width, target.height, GL_RGBA, GL_FLOAT, out);
-    check("read pixels");
+    read_rows(target, attachment, 0, target.height, GL_FLOAT, out);
 }
-
 void read_rgba32f_row(const Target& target, int attachment, int row, float* out) {
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
-    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachment));
-    glReadPixels(0, row, target.width, 1, GL_RGBA, GL_FLOAT, out);
-    check("read a row");
+    read_rows(target, attachment, row, 1, GL_FLOAT, out);
 }
 
-VertexArray make_vertex_array() {
-    GLuint id = 0;
-    glGenVertexArrays(1, &id);
-    return VertexArray(id);
-}
-
-namespace {
-
-// What every draw begins with: neither blending nor depth nor scissors.
-void begin_draw(const Program& program, const VertexArray& vertices, unsigned framebuffer, int x, int y, int width,
-                int height) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(x, y, width, height);
-    glDisable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_SCISSOR_TEST);
-    glUseProgram(program.id());
-    glBindVertexArray(vertices.id());
-}
-
-}  // namespace
+VertexArray make_vertex_array() { return VertexArray(one(glGenVertexArrays)); }
 
 void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height,
                      double share) {
@@ -420,33 +377,19 @@ void set_integer(const Program& program, const char* uniform, int value) {
     glUniform1i(glGetUniformLocation(program.id(), uniform), value);
 }
 
-void bind_texture_2d(int unit, const Texture& texture) {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, texture.id());
-}
-
-void bind_texture_cube(int unit, const Texture& texture) {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
-}
-
-void bind_texture_layers(int unit, const Texture& texture) {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D_ARRAY, texture.id());
-}
+void bind_texture_2d(int unit, const Texture& texture) { bind(unit, GL_TEXTURE_2D, texture.id()); }
+void bind_texture_cube(int unit, const Texture& texture) { bind(unit, GL_TEXTURE_CUBE_MAP, texture.id()); }
+void bind_texture_layers(int unit, const Texture& texture) { bind(unit, GL_TEXTURE_2D_ARRAY, texture.id()); }
 
 void set_linear(const Texture& texture) {
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, texture.id());
+    bind(0, GL_TEXTURE_2D, texture.id());
     set_sampling(GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
 }
 
 void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_width, int to_height, int to_x) {
-    GLuint id = 0;
-    glGenFramebuffers(1,
-                      &id);  // framebuffers are no shared objects, and attaching anew shows what another context drew
-    const Framebuffer source(id);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, id);
+    // Framebuffers are no shared objects, and attaching anew shows what another context drew.
+    const Framebuffer source(one(glGenFramebuffers));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, source.id());
     glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     glDisable(GL_SCISSOR_TEST);

@@ -67,27 +67,21 @@ Program make_program(const std::string& vertex, const std::string& fragment);
 // F, and a comment "// NAME" before the first "#line" of each.
 std::string explained_log(const std::string& log, const std::string& source);
 void bind_uniform_block(const Program& program, const char* block, unsigned binding);
-void bind_sampler(const Program& program, const char* sampler, int unit);  // silent if the program has no such sampler
-// Byte offsets of the members of a uniform block, in the order of `members`; -1 for one that the compiler dropped.
-std::vector<int> uniform_offsets(const Program& program, const std::vector<std::string>& members);
 
-// Numbers: RGBA32F, nearest, one level.
-Texture make_float_texture(int width, int height, const float* rgba);
-// Numbers in 1 or 4 channels, float, one level; linear: the hardware's own filter (its weights may have 8 bits).
+// Numbers in 1 or 4 channels, float, one level; linear: the hardware's own filter (its weights may have 8 bits), else nearest.
 Texture make_number_texture(int width, int height, int channels, const float* values, bool linear);
 // A picture with mip levels: RGB(A) float, linear light, stored as RGBA16F; clamped, trilinear.
 Texture make_picture_texture(int width, int height, int channels, const float* data);
 // Colours for the eye: RGBA8 as they are, nearest, one level, top row first.
 Texture make_rgba8_texture(int width, int height, const unsigned char* rgba);
-// Skies: texels of R11F_G11F_B10F that come packed, by fill_sky. Trilinear. A cube map's six faces, seamless; or layers, each a face.
-Texture make_sky_cube(int size, int levels);
-Texture make_sky_layers(int size, int levels, int layers);
+// Skies: texels of R11F_G11F_B10F that come packed, by fill_sky. Trilinear. layers 0: a cube map's six faces, seamless;
+// else each is a face.
+Texture make_sky(int size, int levels, int layers);
 struct SkyTexels {
     int layer, level, first_row, rows, width;
     const std::uint32_t* texels;
 };
-void fill_sky_cube(const Texture& texture, const SkyTexels& texels);
-void fill_sky_layers(const Texture& texture, const SkyTexels& texels);
+void fill_sky(const Texture& texture, bool layered, const SkyTexels& texels);
 
 Buffer make_uniform_buffer(std::size_t bytes);
 void upload_uniforms(const Buffer& buffer, const void* data, std::size_t bytes);
@@ -125,7 +119,8 @@ void draw_rows(const Program& program, const VertexArray& empty, unsigned frameb
 // `margin` px wider on every side, so that a point whose middle is outside still shows its rim.
 void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width,
                  int height, int margin);
-void set_integer(const Program& program, const char* uniform, int value);
+void set_integer(const Program& program, const char* uniform,
+                 int value);  // a sampler's is its unit; silent if there is none
 void bind_texture_2d(int unit, const Texture& texture);
 void bind_texture_cube(int unit, const Texture& texture);
 void bind_texture_layers(int unit, const Texture& texture);

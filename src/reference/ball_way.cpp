@@ -1,4 +1,4 @@
-// Where the ball of a scene is at a time t, found another way than scene/ball_motion.h: orbits by Kepler's law from
+// Where the ball of a scene is at a time t, found another way than observer/ball_motion.h: orbits by Kepler's law from
 // differences of the metric, free fall by Hamilton's equations in t, with the momentum of the tortoise radius:
 //     H = sqrt(P^2 + A (1 + L^2/r^2)),  dr/dt = A P/H,  dP/dt = -A (A (1 + L^2/r^2))'/(2 H),  dphi/dt = A L/(r^2 H).
 // Nothing grows at the horizon, and no step is refused.

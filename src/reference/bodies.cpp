@@ -4,26 +4,30 @@
 #include <cmath>
 
 #include "expr/formula.h"
-#include "scene/moving.h"
+#include "plan/moving.h"
+#include "scene/bodies.h"
 #include "scene/named_surface.h"
 
 namespace nullscope::reference {
 namespace {
 
 constexpr double kInPlane = 1e-9;  // of its radius: how far off the equatorial plane a ball's place may be written
-constexpr int kWayLooks = 200;     // at the way of a ball
+constexpr int kWaySamples = 200;   // at the way of a ball
 
 }  // namespace
 
 Status check_bodies(const Scene& scene, const Metric& matter) {
-    if (matter.orbits() || !scene.ball) return Done{};
-    const BallSpec& ball = *scene.ball;
-    if (ball.motion == BallMotion::kGeodesic)
-        return bad_input("ball.motion: falls are not followed about a rotating hole; allowed: still, orbit, path");
-    if (ball.motion == BallMotion::kOrbit && std::abs(ball.position.z) > kInPlane * length(ball.position))
-        return bad_input(
-            "ball.position: orbits about a rotating hole that leave its equatorial plane are not followed; allowed: z "
-            "= 0");
+    if (matter.orbits()) return Done{};
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const auto* ball = std::get_if<BallSpec>(&scene.bodies[i].shape);
+        if (ball == nullptr) continue;
+        const std::string section = body_section(scene, i);
+        if (ball->motion == BallMotion::kGeodesic)
+            return bad_key(section + ".motion", "falls are not followed about a rotating hole", "still, orbit, path");
+        if (ball->motion == BallMotion::kOrbit && std::abs(ball->position.z) > kInPlane * length(ball->position))
+            return bad_key(section + ".position",
+                           "orbits about a rotating hole that leave its equatorial plane are not followed", "z = 0");
+    }
     return Done{};
 }
 
@@ -35,50 +39,77 @@ double BodyPart::cosine(Vec3 place, Vec3 back, double t) const {
     return size > 0 ? std::clamp(dot(slope, back) / size, 0.0, 1.0) : 1.0;
 }
 
-Bodies::Bodies(const Scene& scene, const Metric& matter) : time_(scene.time) {
-    const auto parts = moving_parts(scene);
-    moves_ = std::any_of(parts.begin(), parts.end(),
-                         [](const std::string& key) { return !key.starts_with("disc") && !key.starts_with("spot"); });
-    if (scene.sphere) {
-        const SphereSpec s = *scene.sphere;
-        BodyPart part{Object::kSphere, s.radius * (1 - s.swing), s.radius * (1 + s.swing), [s](Vec3 x, double t) {
-                          return length(x) - s.radius * (1 + s.swing * std::sin(2 * M_PI * t / s.period));
-                      }};
-        part.moves = s.swing > 0, part.clear = s.swing == 0;
-        parts_.push_back(part);
+namespace {
+
+struct PartOf {
+    // Of a path by formulas: the largest of differences along it, twice that for what lies between them.
+    double path_speed(const std::function<Vec3(double)>& middle) const {
+        constexpr int kSamples = 4000;
+        const double span = 4.0 * (scene.camera.r + 50.0), step = span / kSamples;
+        double fastest = 0;
+        Vec3 before = middle(scene.time);
+        for (int i = 1; i <= kSamples; ++i) {
+            const Vec3 here = middle(scene.time - i * step);
+            fastest = std::max(fastest, length(here - before) / step), before = here;
+        }
+        return 2 * fastest;
     }
-    if (scene.cylinder) {
-        const CylinderSpec c = *scene.cylinder;
-        const double thinnest = std::min(2 * c.height, c.outer - c.inner);
-        BodyPart part{Object::kCylinder, thinnest, std::hypot(c.outer, c.height), [c](Vec3 x, double) {
-                          const double rho = std::hypot(x.x, x.y);
-                          return std::max({rho - c.outer, c.inner - rho, std::abs(x.z) - c.height});
-                      }};
-        part.far = c.far, part.clear = true;
-        parts_.push_back(part);
+    const Scene& scene;
+    const Metric& matter;
+    BodyPart part;  // number, body and side are there
+    BodyPart operator()(const SphereSpec& s) {
+        part.thinnest = s.radius * (1 - s.amplitude), part.reach = s.radius * (1 + s.amplitude);
+        part.value = [s](Vec3 x, double t) {
+            return length(x) - s.radius * (1 + s.amplitude * std::sin(2 * M_PI * t / s.period));
+        };
+        part.moves = s.amplitude > 0, part.clear = s.amplitude == 0;
+        part.speed = s.radius * s.amplitude * 2 * M_PI / s.period;
+        return part;
     }
-    if (scene.ball) {
-        const BallSpec b = *scene.ball;
-        const auto way = ball_way(matter, b);
+    BodyPart operator()(const CylinderSpec& c) {
+        part.thinnest = std::min(2 * c.height, c.outer - c.inner), part.reach = std::hypot(c.outer, c.height);
+        part.value = [c](Vec3 x, double) {
+            const double rho = std::hypot(x.x, x.y);
+            return std::max({rho - c.outer, c.inner - rho, std::abs(x.z) - c.height});
+        };
+        part.clear = true, part.speed = 0;
+        return part;
+    }
+    BodyPart operator()(const BallSpec& b) {
+        part.middle = ball_way(matter, b);
         double reach = length(b.position);
-        if (b.motion != BallMotion::kStill)  // as far as it goes in the time that light takes
-            for (int i = 0; i <= kWayLooks; ++i)
-                reach = std::max(reach, length(way(scene.time - 4.0 * (scene.camera.r + 50.0) * i / kWayLooks)));
-        const double step = b.motion == BallMotion::kStill ? 0.0 : b.radius;  // looks at its way were a step apart
-        parts_.push_back({Object::kBall, b.radius, reach + b.radius + step,
-                          [b, way](Vec3 x, double t) { return length(x - way(t)) - b.radius; }, b.far,
-                          b.motion != BallMotion::kStill, way, b.motion != BallMotion::kPath});
+        if (b.moves())  // as far as it goes in the time that light takes
+            for (int i = 0; i <= kWaySamples; ++i)
+                reach =
+                    std::max(reach, length(part.middle(scene.time - 4.0 * (scene.camera.r + 50.0) * i / kWaySamples)));
+        const double step = b.moves() ? b.radius : 0.0;  // looks at its way were a step apart
+        part.thinnest = b.radius, part.reach = reach + b.radius + step;
+        part.value = [b, middle = part.middle](Vec3 x, double t) { return length(x - middle(t)) - b.radius; };
+        part.moves = b.moves(), part.clear = b.motion != BallMotion::kPath;
+        part.speed = !b.moves() ? 0 : part.clear ? 1 : path_speed(part.middle);
+        return part;
     }
-    if (scene.surface) {
-        const auto shape = expr::Formula::parse(surface_shape(*scene.surface), {"x", "y", "z", "t"});
-        const double bound = scene.surface->bound;
-        if (shape)
-            parts_.push_back({Object::kSurface, 2 * bound / scene.surface->steps, bound,
-                              [f = *shape, bound](Vec3 x, double t) {
-                                  const double place[] = {x.x, x.y, x.z, t};
-                                  return std::max(f.value(place), length(x) - bound);
-                              },
-                              scene.surface->far, surface_moves(*scene.surface)});
+    BodyPart operator()(const SurfaceSpec& s) {
+        part.thinnest = 2 * s.bound / s.steps, part.reach = s.bound, part.moves = surface_moves(s);
+        const auto shape = expr::Formula::parse(surface_shape(s), {"x", "y", "z", "t"});
+        if (!shape) return part;
+        part.value = [f = *shape, bound = s.bound](Vec3 x, double t) {
+            const double place[] = {x.x, x.y, x.z, t};
+            return std::max(f.value(place), length(x) - bound);
+        };
+        return part;
+    }
+};
+
+}  // namespace
+
+Bodies::Bodies(const Scene& scene, const Metric& matter) : time_(scene.time) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        BodyPart part;
+        part.number = object_number(scene, i), part.body = i, part.far = scene.bodies[i].far;
+        part = std::visit(PartOf{scene, matter, part}, scene.bodies[i].shape);
+        moves_ = moves_ || part.moves;
+        if (part.value) parts_.push_back(std::move(part));
     }
 }
 

@@ -1,11 +1,12 @@
 // The solid bodies of a scene, as functions of place and time, and their light. Rays enter them in plane_ray.h and
 // kerr_bodies.h.
 #pragma once
+#include <cmath>
 #include <functional>
 #include <vector>
 
-#include "base/image.h"
 #include "base/result.h"
+#include "image/image.h"
 #include "reference/metric.h"
 #include "reference/traced_ray.h"
 #include "scene/scene.h"
@@ -13,13 +14,16 @@
 namespace nullscope::reference {
 
 struct BodyPart {
-    Object object;
-    double thinnest;                            // its smallest extent: no step may be longer than a part of it
-    double reach;                               // radius about the centre that holds it
+    int number = 0;                             // in ray data
+    std::size_t body = 0;                       // of Scene::bodies
+    double thinnest = 0;                        // its smallest extent: no step may be longer than a part of it
+    double reach = 0;                           // radius about the centre that holds it
     std::function<double(Vec3, double)> value;  // of the place and of t
     bool far = false;                           // of a wormhole: at l < 0
     bool moves = false;
     std::function<Vec3(double)> middle{};
+    // Of which value is a distance: how fast that changes at most, r_s by r_s/c; else infinite.
+    double speed = INFINITY;
     bool clear = false;                                    // value is at most how far the body is, in r_s and r_s/c
     double cosine(Vec3 place, Vec3 back, double t) const;  // BodyHit's, of a ray that comes from `back`, of any length
 };
@@ -40,7 +44,7 @@ private:
     std::vector<BodyPart> parts_;
 };
 
-// Where a ball is at a time t, found another way than scene/ball_motion.h.
+// Where a ball is at a time t, found another way than observer/ball_motion.h.
 // Free fall, in metrics whose rays stay in a plane (check_bodies): 1e-10 of its radius a turn. metric: outlives what is
 // returned, which any number of threads may ask.
 std::function<Vec3(double t)> ball_way(const Metric& metric, const BallSpec& ball);
@@ -48,14 +52,21 @@ std::function<Vec3(double t)> ball_way(const Metric& metric, const BallSpec& bal
 // Error: a ball on a trajectory that is not followed about a rotating hole.
 Status check_bodies(const Scene& scene, const Metric& matter);
 
+struct Paint {
+    Vec3 colour;
+    double alpha;
+};
+// Of 3 or 4 channels, bilinear, clamped at the rim. x, y in [0, 1], y from the top.
+Paint sample_image(const Image<float>& image, double x, double y);
+
 // Linear light of a body's texture at a place. image: of texture kind image.
 Vec3 body_light(const Scene& scene, const BodyHit& hit, const Image<float>* image);
 
-// The same of what is no body, and the look's brightness is not in it. u, v: texture coordinates; at: the place,
+// The same of what is no body, and its brightness is not in it. u, v: texture coordinates; at: the place,
 // turned: with the texture; size: the length that grains are counted over.
-Vec3 look_light(const BodyLook& look, double u, double v, Vec3 at, Vec3 turned, double size);
+Vec3 material_light(const Material& material, double u, double v, Vec3 at, Vec3 turned, double size);
 // Of a painted disc at (x, y), without brightness; of a painted sky in a direction.
-Vec3 disc_coat(const DiscSpec& disc, double x, double y);
-Vec3 sky_coat(const SkySpec& sky, Vec3 direction);
+Vec3 disc_material(const DiscSpec& disc, double x, double y);
+Vec3 sky_material_of(const SkySpec& sky, Vec3 direction);
 
 }  // namespace nullscope::reference

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "expr/formula.h"
+#include "plan/body_kind.h"
 #include "reference/bodies.h"
 
 namespace nullscope::reference {
@@ -38,11 +40,11 @@ Covering on_cube(Vec3 d) {
     return {(column + 0.5 + 0.5 * right / depth) / 3, (row + 0.5 + 0.5 * down / depth) / 2};
 }
 
-Covering covering(const BodyLook& look, Vec3 d) {
-    switch (look.mapping) {
+Covering covering(const Material& material, Vec3 d) {
+    switch (material.mapping) {
         case BodyMapping::kEquirectangular: return {0.5 + turns(d), polar(d) / M_PI};
         case BodyMapping::kBand: {
-            const double v = 0.5 - 0.5 * (M_PI / 2 - polar(d)) / look.band_latitude;
+            const double v = 0.5 - 0.5 * (M_PI / 2 - polar(d)) / material.band_latitude;
             return {0.5 + turns(d), v, v < 0 || v > 1};
         }
         case BodyMapping::kCaps: return on_caps(d);
@@ -54,16 +56,16 @@ Covering covering(const BodyLook& look, Vec3 d) {
 bool odd(double cells) { return std::fmod(std::floor(cells), 2.0) != 0.0; }
 
 // From 0 (second colour) to 1 (first).
-double mixture(const BodyLook& look, const Covering& at, Vec3 turned, double size) {
-    const double p = at.u * look.columns, q = at.v * look.rows;
+double mixture(const Material& material, const Covering& at, Vec3 turned, double size) {
+    const double p = at.u * material.columns, q = at.v * material.rows;
     constexpr double kLine = 0.08;  // of a cell: width of a grid's lines
-    switch (look.texture) {
+    switch (material.texture) {
         case TextureKind::kChecker: return odd(p) == odd(q) ? 1 : 0;
         case TextureKind::kStripes: return odd(q) ? 0 : 1;
         case TextureKind::kGrid:
             return std::min(std::abs(p - std::round(p)), std::abs(q - std::round(q))) < 0.5 * kLine ? 1 : 0;
         case TextureKind::kNoise: {
-            double sum = 0, weight = 0.5, grains = look.columns / size;
+            double sum = 0, weight = 0.5, grains = material.columns / size;
             for (int octave = 0; octave < 4; ++octave, weight /= 2, grains *= 2)
                 sum += weight * expr::noise(grains * turned.x, grains * turned.y, grains * turned.z);
             return sum / 0.9375;
@@ -72,74 +74,70 @@ double mixture(const BodyLook& look, const Covering& at, Vec3 turned, double siz
     }
 }
 
-Vec3 texel(const Image<float>& image, double u, double v) {
-    const double x = std::clamp(u * image.width - 0.5, 0.0, image.width - 1.0),
-                 y = std::clamp(v * image.height - 0.5, 0.0, image.height - 1.0);
-    const int x0 = static_cast<int>(x), y0 = static_cast<int>(y), x1 = std::min(x0 + 1, image.width - 1),
-              y1 = std::min(y0 + 1, image.height - 1);
-    Vec3 sum{};
-    const auto add = [&](int i, int j, double weight) {
-        const float* t = image.at(i, j);
-        sum = sum + weight * Vec3{t[0], t[1], t[2]};
-    };
-    add(x0, y0, (1 - (x - x0)) * (1 - (y - y0)));
-    add(x1, y0, (x - x0) * (1 - (y - y0)));
-    add(x0, y1, (1 - (x - x0)) * (y - y0));
-    add(x1, y1, (x - x0) * (y - y0));
-    return sum;
-}
-
 }  // namespace
 
-Vec3 look_light(const BodyLook& look, double u, double v, Vec3 at, Vec3 turned, double size) {
-    double first = mixture(look, {u, v}, turned, size);
-    if (look.texture == TextureKind::kFormula) {
-        const auto formula = expr::Formula::parse(look.formula, {"u", "v", "x", "y", "z"});
+Paint sample_image(const Image<float>& image, double x, double y) {
+    const double column = std::clamp(x * image.width - 0.5, 0.0, image.width - 1.0);
+    const double row = std::clamp(y * image.height - 0.5, 0.0, image.height - 1.0);
+    const int x0 = static_cast<int>(column), y0 = static_cast<int>(row);
+    const int x1 = std::min(x0 + 1, image.width - 1), y1 = std::min(y0 + 1, image.height - 1);
+    std::array<double, 4> sum{0, 0, 0, 0};
+    const auto add = [&](int i, int j, double weight) {
+        const float* texel = image.at(i, j);
+        for (int c = 0; c < 3; ++c) sum[c] += weight * texel[c];
+        sum[3] += weight * (image.channels == 4 ? texel[3] : 1.0f);
+    };
+    const double fx = column - x0, fy = row - y0;
+    add(x0, y0, (1 - fx) * (1 - fy));
+    add(x1, y0, fx * (1 - fy));
+    add(x0, y1, (1 - fx) * fy);
+    add(x1, y1, fx * fy);
+    return {{sum[0], sum[1], sum[2]}, sum[3]};
+}
+
+Vec3 material_light(const Material& material, double u, double v, Vec3 at, Vec3 turned, double size) {
+    double first = mixture(material, {u, v}, turned, size);
+    if (material.texture == TextureKind::kFormula) {
+        const auto formula = expr::Formula::parse(material.formula, {"u", "v", "x", "y", "z"});
         const double values[] = {u, v, at.x, at.y, at.z};
         first = formula ? std::clamp(formula->value(values), 0.0, 1.0) : 0.0;
     }
-    return first * look.colour + (1 - first) * look.second_colour;
+    return first * material.colour + (1 - first) * material.second_colour;
 }
 
-Vec3 disc_coat(const DiscSpec& disc, double x, double y) {
+Vec3 disc_material(const DiscSpec& disc, double x, double y) {
     const double r = std::hypot(x, y), azimuth = std::remainder(std::atan2(y, x) - disc.rotation, 2 * M_PI);
-    return look_light(disc.look, 0.5 + azimuth / (2 * M_PI), (r - disc.inner) / (disc.outer - disc.inner), {x, y, 0},
-                      {r * std::cos(azimuth), r * std::sin(azimuth), 0}, disc.outer);
+    return material_light(disc.material, 0.5 + azimuth / (2 * M_PI), (r - disc.inner) / (disc.outer - disc.inner),
+                          {x, y, 0}, {r * std::cos(azimuth), r * std::sin(azimuth), 0}, disc.outer);
 }
 
 // Turned back by yaw about z, then by tilt about x.
-Vec3 sky_coat(const SkySpec& sky, Vec3 d) {
+Vec3 sky_material_of(const SkySpec& sky, Vec3 d) {
     const double across = std::hypot(d.x, d.y), azimuth = std::atan2(d.y, d.x) - sky.yaw;
     const double x = across * std::cos(azimuth), y = across * std::sin(azimuth), height = std::hypot(y, d.z);
     const double slope = std::atan2(d.z, y) - sky.tilt;
     const Vec3 at{x, height * std::cos(slope), height * std::sin(slope)};
-    return sky.brightness * look_light(sky_look(sky), 0.5 - turns(at), polar(at) / M_PI, at, at, 1);
+    return sky.brightness * material_light(sky_material(sky), 0.5 - turns(at), polar(at) / M_PI, at, at, 1);
 }
 
 Vec3 body_light(const Scene& scene, const BodyHit& hit, const Image<float>* image) {
-    const bool cylinder = hit.object == Object::kCylinder, ball = hit.object == Object::kBall,
-               surface = hit.object == Object::kSurface;
-    const BodyLook& look = cylinder  ? scene.cylinder->look
-                           : ball    ? scene.ball->look
-                           : surface ? scene.surface->look
-                                     : scene.sphere->look;
-    const double size = cylinder  ? scene.cylinder->outer
-                        : ball    ? scene.ball->radius
-                        : surface ? scene.surface->bound
-                                  : scene.sphere->radius;
+    const Body& body = scene.bodies[hit.body];
+    const Material& material = body.material;
+    const bool cylinder = std::holds_alternative<CylinderSpec>(body.shape);
+    const double size = kind_of(body).size(body);
     const Vec3 at = hit.place - hit.middle;
-    const double c = std::cos(look.rotation), s = std::sin(look.rotation);
+    const double c = std::cos(material.rotation), s = std::sin(material.rotation);
     const Vec3 turned{c * at.x + s * at.y, c * at.y - s * at.x, at.z};
     const Covering place =
-        cylinder ? Covering{0.5 + 0.5 * turned.x / size, 0.5 - 0.5 * turned.y / size} : covering(look, turned);
-    Vec3 light = look.second_colour;
-    if (look.texture == TextureKind::kImage && !place.beyond) {
-        const Vec3 t = image ? texel(*image, place.u, place.v) : Vec3{1, 1, 1};
-        light = {look.colour.x * t.x, look.colour.y * t.y, look.colour.z * t.z};
+        cylinder ? Covering{0.5 + 0.5 * turned.x / size, 0.5 - 0.5 * turned.y / size} : covering(material, turned);
+    Vec3 light = material.second_colour;
+    if (material.texture == TextureKind::kImage && !place.beyond) {
+        const Vec3 t = image ? sample_image(*image, place.u, place.v).colour : Vec3{1, 1, 1};
+        light = {material.colour.x * t.x, material.colour.y * t.y, material.colour.z * t.z};
     } else if (!place.beyond) {
-        light = look_light(look, place.u, place.v, at, turned, size);
+        light = material_light(material, place.u, place.v, at, turned, size);
     }
-    return look.brightness * (1 - look.limb * (1 - hit.cosine)) * light;
+    return material.brightness * (1 - material.limb * (1 - hit.cosine)) * light;
 }
 
 }  // namespace nullscope::reference

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <tbb/parallel_for.h>
+#include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/tools/minima.hpp>
 
@@ -29,6 +30,66 @@ double accretion_temperature_K(const AccretionSpec& accretion, double flux) {
     return std::sqrt(std::sqrt(flux * heat_W / r_s / r_s / kStefan_W_m2_K4));
 }
 
+// What leaves a half-space of electrons that scatter by Thomson's law (Chandrasekhar, Radiative Transfer, 1960, chapter X), over its flux F
+// (pi F its power per area): with polarization along the meridian and across it
+//     I_l = 3/(8 sqrt 2) q H_l(mu),   I_r = 3/(8 sqrt 2) (mu + c) H_r(mu),   q^2 = 2 (1 - c^2),
+// H of characteristic functions 3/4 (1 - mu^2) and 3/8 (1 - mu^2); c and q by the flux that both give.
+class ElectronAtmosphere {
+public:
+    ElectronAtmosphere() {
+        using Rule = boost::math::quadrature::gauss<double, 30>;  // of the root of mu: H has a term mu ln mu
+        for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
+            for (const double side : {-1.0, 1.0}) {
+                const double root = 0.5 * (1 + side * Rule::abscissa()[i]);
+                mu_.push_back(root * root), weight_.push_back(root * Rule::weights()[i]);
+            }
+        along_ = h_function(0.75, 0), across_ = h_function(0.375, std::sqrt(0.5));
+        const double l1 = moment(along_, 1), r1 = moment(across_, 1), r2 = moment(across_, 2);
+        // c = cos x, q = sqrt 2 sin x: sqrt 2 l1 sin x + r1 cos x = what is left of the flux
+        const double first = std::sqrt(2) * l1, rest = 0.5 / kScale - r2;
+        const double x = std::atan2(first, r1) - std::acos(rest / std::hypot(first, r1));
+        c_ = std::cos(x), q_ = std::sqrt(2) * std::sin(x);
+    }
+    double intensity(double mu) const { return kScale * (q_ * at(along_, mu) + (mu + c_) * at(across_, mu)); }
+
+private:
+    static constexpr double kScale = 0.26516504294495535;  // 3/(8 sqrt 2)
+    struct HFunction {
+        double constant, scale;  // 1/H = constant + integral of mu' psi(mu') H(mu')/(mu + mu'), psi = scale (1 - mu^2)
+        std::vector<double> value;  // at mu_
+    };
+    double at(const HFunction& h, double mu) const {
+        double sum = h.constant;
+        for (std::size_t i = 0; i < mu_.size(); ++i)
+            sum += weight_[i] * mu_[i] * h.scale * (1 - mu_[i] * mu_[i]) * h.value[i] / (mu + mu_[i]);
+        return 1 / sum;
+    }
+    HFunction h_function(double scale, double constant) const {
+        constexpr int kRounds = 60;  // each leaves less than half of the error
+        HFunction h{constant, scale, std::vector<double>(mu_.size(), 1.0)};
+        for (int round = 0; round < kRounds; ++round) {
+            std::vector<double> next;
+            for (std::size_t i = 0; i < mu_.size(); ++i) next.push_back(0.5 * (h.value[i] + at(h, mu_[i])));
+            h.value = next;
+        }
+        return h;
+    }
+    double moment(const HFunction& h, int power) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < mu_.size(); ++i) sum += weight_[i] * h.value[i] * std::pow(mu_[i], power);
+        return sum;
+    }
+
+    std::vector<double> mu_, weight_;
+    HFunction along_, across_;
+    double c_ = 0, q_ = 0;
+};
+
+double scattered_light(double mu) {
+    static const ElectronAtmosphere atmosphere;
+    return atmosphere.intensity(mu);
+}
+
 }  // namespace
 
 DiscLight::DiscLight(const Metric& metric, const DiscSpec& disc, const LightSpec& light)
@@ -42,7 +103,7 @@ DiscLight::DiscLight(const Metric& metric, const DiscSpec& disc, const LightSpec
     if (horizon == 0.0) return;
     // The least energy of all circles: Boost's Brent gives half of the digits, a bisection of its slope the rest.
     const auto slope = [&](double r) { return derivative([&](double at) { return circle(at).energy; }, r); };
-    double low = metric.within_last_circle(), high = 100 * horizon;
+    double low = metric.within_last_circle(), high = metric.beyond_last_circle();
     const auto energy_or_more = [&](double r) {
         const double e = circle(r).energy;
         return std::isfinite(e) ? e : 2.0;
@@ -114,16 +175,33 @@ double DiscLight::g_infinity(const PhotonAtDisc& photon) const {
 
 Shift DiscLight::shift(const PhotonAtDisc& photon) const {
     const double rest = metric_.rest_lapse(photon.r);  // of matter at rest there
-    if (light_.lensing) return {rest, g_infinity(photon) / rest};
-    // A straight ray that comes by a direction of sine L/r is what a geodesic of L/lapse is to matter at rest there.
-    return {rest, g_infinity({photon.r, photon.l_z / rest, photon.climb}) / rest};
+    return {rest, g_infinity(met(photon)) / rest};
 }
 
-Vec3 DiscLight::colour(double r, double g) const {
-    const double share = heat(r);
+// A straight ray that comes by a direction of sine L/r is what a geodesic of L/lapse is to matter at rest there.
+PhotonAtDisc DiscLight::met(const PhotonAtDisc& photon) const {
+    return {photon.r, light_.lensing ? photon.l_z : photon.l_z / metric_.rest_lapse(photon.r), photon.climb};
+}
+
+// By its direction to who has no angular momentum: radial part climb/(1 - omega l_z), azimuthal N l_z/(sqrt(g_phiphi)(1 - omega l_z)),
+// the rest along the normal. Matter sees that part of the momentum unchanged, and the frequency as Doppler's law has it between both.
+double DiscLight::cosine(const PhotonAtDisc& photon) const {
+    const PhotonAtDisc seen = met(photon);
+    const EquatorialMetric g = metric_.equator(seen.r);
+    const double n2 = g.lapse2(), share = 1 + g.g_tphi / g.g_phiphi * seen.l_z, outward = seen.climb / share,
+                 around2 = n2 * seen.l_z * seen.l_z / (g.g_phiphi * share * share);
+    const double along = std::sqrt(std::max((1 - outward) * (1 + outward) - around2, 0.0));
+    const double doppler = light_.doppler ? g_infinity(seen) * share / std::sqrt(n2) : 1;
+    return std::clamp(along * doppler, 0.0, 1.0);
+}
+
+Vec3 DiscLight::colour(const PhotonAtDisc& photon, double g) const {
+    const double share = heat(photon.r);
     if (!(share > 0)) return {0, 0, 0};
     const double temperature = disc_.temperature_K * std::pow(share, 0.25);
-    return seen_black_body(temperature, g, light_) / luminance_;
+    double slant = 1;
+    if (disc_.effects.limb_darkening) slant *= scattered_light(cosine(photon));
+    return slant / luminance_ * seen_black_body(temperature, g, light_);
 }
 
 }  // namespace nullscope::reference

@@ -30,15 +30,18 @@ public:
     double hottest_K() const { return disc_.temperature_K; }
     double innermost() const { return isco_; }   // stable circular orbit, r_s
     double hottest() const { return hottest_; }  // radius of the largest flux, r_s
+    // Between the light and the disc's normal, in the matter's frame; without Doppler as matter at rest has it. Outside the horizon.
+    double cosine(const PhotonAtDisc& photon) const;
     // Linear Rec. 709 of unit emissivity, over the luminance of the hottest ring in its own frame. g: camera/matter.
-    Vec3 colour(double r, double g) const;
+    Vec3 colour(const PhotonAtDisc& photon, double g) const;
 
 private:
     struct Circle {
         double u_t, omega, energy, momentum;
     };
     Circle circle(double r) const;
-    double heat(double r) const;  // flux over the largest, from a table: 1e-9 of the largest
+    PhotonAtDisc met(const PhotonAtDisc& photon) const;  // as matter there meets it, with lensing or straight
+    double heat(double r) const;                         // flux over the largest, from a table: 1e-9 of the largest
 
     const Metric& metric_;
     DiscSpec disc_;

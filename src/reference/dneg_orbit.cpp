@@ -6,15 +6,13 @@
 // (R - b, rho - b, x - x_t) is formed on its own, in long double.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "reference/plane_metrics.h"
-#include "reference/smooth_leg.h"
+#include "reference/smooth_segment.h"
 
 namespace nullscope::reference {
 namespace {
 
-constexpr double kRadialImpact = 1e-60;     // of the throat; below it a ray is radial
 constexpr double kWidthOverMass = 1.42953;  // as the paper prints it
 constexpr double kEnd = 1e10;  // R, of the largest length in the problem: what is left of a sweep is b/R to 1e-19
 
@@ -54,29 +52,20 @@ struct Throat {
     }
 };
 
-// At the camera. turn2 = b^2 - rho^2 and away2 = R^2 - b^2 >= 0 do not follow from l and b in double. outward: towards growing l.
-struct Start {
-    Long l, b;
-    bool outward;
-    Long turn2, away2;
-};
-
 // One side of the throat in the variable w >= 0: x = turn cosh(w), or x = turn sinh(w) of a passing ray.
 struct Side {
-    double rho, mass, unit, b, turn, base2, base, turn_f, end;  // base: R + b, R^2 - b^2 at w = 0; turn_f: f there
+    double rho, mass, unit, b, turn, base2, base, end;  // base2 and base: R^2 - b^2 and R at w = 0
     bool turns;
-    Side(const Throat& m, const Start& start)
+    Side(const Throat& m, const ThroatStart& start)
         : rho(static_cast<double>(m.rho)),
           mass(static_cast<double>(m.mass)),
           unit(static_cast<double>(m.unit)),
           b(static_cast<double>(start.b)),
           turns(start.turn2 > 0) {
         if (turns) {
-            turn_f = static_cast<double>(start.turn2 / (start.b + m.rho) / m.mass);
             turn = static_cast<double>(Throat::step_for(0, start.turn2 / (start.b + m.rho) / m.mass));
             base2 = 0, base = b;
         } else {
-            turn_f = 0;
             turn = static_cast<double>(std::min(std::sqrt(-start.turn2 / (m.rho * m.mass)), Long(1)));
             base2 = static_cast<double>(-start.turn2), base = rho;
         }
@@ -108,37 +97,32 @@ struct Side {
         const At a = at(w);
         return b * a.dl / a.radius;
     }
+    template <class Part>
+    double sum(double from, double to, const Part& part) const {
+        return integrate_panels([&](double w) { return part(at(w)); }, from, to, kStep);
+    }
     double swept(double from, double to) const {
-        return integrate_panels([this](double w) { return rate(w); }, from, to, kStep);
+        return sum(from, to, [this](const At& a) { return b * a.dl / a.radius; });
     }
     double beyond_end() const { return b / at(end).radius; }
     double beyond(double w) const { return w < end ? swept(w, end) + beyond_end() : b / at(w).radius; }
     // dt - dl and dt of a stretch; dt = R dl/sqrt(R^2 - b^2).
-    double lag(double from, double to) const {
-        return integrate_panels(
-            [this](double w) {
-                const At a = at(w);
-                return b * (b / (a.radius + a.root) * a.dl);
-            },
-            from, to, kStep);
+    double travel_time(double from, double to) const {
+        return sum(from, to, [this](const At& a) { return b * (b / (a.radius + a.root) * a.dl); });
     }
-    double lag_to_sky(double from) const {
-        return (from < end ? lag(from, end) : 0.0) + 0.5 * b * (b / at(std::max(from, end)).radius);
+    double travel_time_to_sky(double from) const {
+        return (from < end ? travel_time(from, end) : 0.0) + 0.5 * b * (b / at(std::max(from, end)).radius);
     }
     double time(double from, double to) const {
-        return integrate_panels(
-            [this](double w) {
-                const At a = at(w);
-                return a.radius * a.dl;
-            },
-            from, to, kStep);
+        return sum(from, to, [](const At& a) { return a.radius * a.dl; });
     }
     static constexpr double kStep = 1.0;  // 20 nodes on a half-length of 1/2, singularities at pi/2: 6.4^-40
 };
 
 class Swept : public Orbit {
 public:
-    Swept(const Throat& m, const Start& start) : m_(m), start_(start), side_(m, start) {
+    Swept(const Throat& m, const ThroatStart& start)
+        : Orbit(static_cast<double>(start.l)), m_(m), start_(start), side_(m, start) {
         const Long x = m.x_of(start.l), grown = Throat::growth<Long>(0, x);
         on_ = start.l < 0 ? -1 : 1;
         in_tube_ = std::abs(start.l) <= m.half;
@@ -171,9 +155,7 @@ public:
         last_ = leaves_ ? beyond_ : side_.beyond(0);
         angle_ = in_tube_ ? tube_left + last_ : leaves_ ? beyond_ : to_middle_ + tube_left + last_;
     }
-    double zeta_at(double angle) const override {
-        if (angle == 0) return static_cast<double>(start_.l);
-        if (has_ended(angle)) return kNotANumber;
+    double place_at(double angle) const override {
         const double rest = angle_ - angle, half = static_cast<double>(m_.half), unit = side_.unit;
         const double last = side_.turns ? (leaves_ ? beyond_ : beyond_ + to_middle_) : last_;
         const double ends_on = side_.turns ? on_ : start_.outward ? 1 : -1;
@@ -188,11 +170,11 @@ public:
     }
     // Of a ray that turns, elapsed time minus what |l| grows by; of one that passes, minus the length of its way.
     double delay() const override {
-        if (leaves_) return side_.lag_to_sky(camera_);
-        if (side_.turns) return side_.lag_to_sky(camera_) + 2 * side_.time(0, camera_);
+        if (leaves_) return side_.travel_time_to_sky(camera_);
+        if (side_.turns) return side_.travel_time_to_sky(camera_) + 2 * side_.time(0, camera_);
         const double s = std::sqrt(side_.base2);  // in the tube dt/dl - 1 = rho/s - 1
-        return side_.lag_to_sky(0) + side_.b * (side_.b / (s * (side_.rho + s))) * tube_way_ +
-               (in_tube_ ? 0 : side_.lag(0, camera_));
+        return side_.travel_time_to_sky(0) + side_.b * (side_.b / (s * (side_.rho + s))) * tube_way_ +
+               (in_tube_ ? 0 : side_.travel_time(0, camera_));
     }
 
 private:
@@ -200,7 +182,7 @@ private:
         return invert_panels([this](double w) { return side_.rate(w); }, from, to, value, Side::kStep);
     }
     Throat m_;
-    Start start_;
+    ThroatStart start_;
     Side side_;
     double on_ = 1, camera_ = 0, beyond_ = 0, to_middle_ = 0, tube_ = 0, tube_way_ = 0, last_ = 0;
     bool in_tube_ = false, leaves_ = false;
@@ -212,12 +194,11 @@ public:
     bool by_proper_length() const override { return true; }
     double lapse(double) const override { return 1; }
     Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay& ray) const override {
-        const bool outward = (ray.s < 0) == (ray.zeta0 >= 0);  // s = +1: towards the throat
-        if (std::isinf(ray.q)) return orbit({ray.zeta0, 0, outward, -1, 1});
+        if (std::isinf(ray.q)) return orbit({ray.zeta0, 0, outward(ray), -1, 1});
         const Long b = 1 / Long(ray.q), more = m_.mass * Throat::growth<Long>(0, m_.x_of(ray.zeta0));
         const Long turn2 = (b - m_.rho) * (b + m_.rho), away2 = more * (more + 2 * m_.rho) - turn2;
         if (away2 < -kTurningSlack * b * b) return no_such_ray(ray, "l0");
-        return orbit({ray.zeta0, b, outward, turn2, std::max(away2, Long(0))});
+        return orbit({ray.zeta0, b, outward(ray), turn2, std::max(away2, Long(0))});
     }
     std::unique_ptr<Orbit> from_static(const LocalRay& ray) const override {
         const Long more = m_.mass * Throat::growth<Long>(0, m_.x_of(ray.r)), radius = m_.rho + more;
@@ -226,15 +207,9 @@ public:
     }
 
 private:
-    std::unique_ptr<Orbit> orbit(Start start) const {
-        if (start.b < kRadialImpact * m_.rho)
-            return std::make_unique<StandingOrbit>(static_cast<double>(start.l),
-                                                   start.outward ? Fate::kEscaped : Fate::kOtherSide);
-        if (start.turn2 == 0 && start.away2 == 0)
-            return std::make_unique<StandingOrbit>(static_cast<double>(start.l), Fate::kNoSky, false);
-        // The critical ray itself never ends; its neighbour, closer than any double comes, does.
-        if (start.turn2 == 0) start.turn2 = -std::pow(m_.rho * Long(std::numeric_limits<double>::epsilon()), 2);
-        return std::make_unique<Swept>(m_, start);
+    std::unique_ptr<Orbit> orbit(const ThroatStart& at) const {
+        return orbit_through_throat(at, m_.rho, 1,
+                                    [this](const ThroatStart& start) { return std::make_unique<Swept>(m_, start); });
     }
     Throat m_;
 };

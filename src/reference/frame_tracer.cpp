@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
-#include "camera/pose.h"
-#include "scene/moving.h"
-#include "scene/observer.h"
-#include "scene/sides.h"
+#include "observer/observer.h"
+#include "observer/pose.h"
+#include "plan/moving.h"
+#include "plan/sides.h"
+#include "reference/reference.h"
 #include "spacetime/registry.h"
 
 namespace nullscope::reference {
@@ -41,24 +43,20 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
         return bad_input(
             fmt::format("camera: theta = {} must lie in [0, pi] and phi = {} be finite", camera.theta, camera.phi));
     if (Status ok = scene.disc ? check_disc(*scene.disc) : Done{}; !ok) return ok.error();
-    auto metric = make_metric(scene.spacetime);
-    if (!metric) return metric.error();
-    auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
-    if (!spacetime) return spacetime.error();
+    TRY(metric, make_metric(scene.spacetime));
+    TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     if (Status followed = check_bodies(scene, **metric); !followed) return followed.error();
     if (Status sides = check_sides(**spacetime, scene); !sides) return sides.error();
     if (const auto observer = observer_of(**spacetime, camera); !observer) return observer.error();
     if (Status parts = check_light_parts(**spacetime, scene); !parts) return parts.error();
     if (scene.disc && !(*spacetime)->can_have_disc())
-        return bad_input(
-            fmt::format("metric \"{}\" has no discs; allowed: a scene without [disc]", scene.spacetime.metric));
+        return bad_input(fmt::format("metric \"{}\" has no discs", scene.spacetime.metric), "a scene without [disc]");
     tracer.matter_ = std::move(*metric);
     tracer.bodies_ = std::make_shared<Bodies>(scene, *tracer.matter_);
     const bool late = scene.light.delay && !moving_parts(scene).empty(),
-               disc_moves = scene.disc && (scene.spot || scene.disc->flow != DiscFlowKind::kStill);
-    auto rays = tracer.matter_->rays(scene, **spacetime,
-                                     {tracer.bodies_.get(), late, late && disc_moves, scene.disc ? kMostCrossings : 0});
-    if (!rays) return rays.error();
+               disc_moves = scene.disc && (!scene.spots.empty() || scene.disc->flow != DiscFlowKind::kStill);
+    TRY(rays, tracer.matter_->rays(scene, **spacetime,
+                                   {tracer.bodies_.get(), late, late && disc_moves, scene.disc ? kMostCrossings : 0}));
     tracer.rays_ = std::move(*rays);
     return tracer;
 }
@@ -69,31 +67,30 @@ std::vector<DiscHit> FrameTracer::disc_hits(const TracedRay& ray, int max_hits) 
     std::vector<DiscHit> hits;
     if (!disc_) return hits;
     for (const PlaneCrossing& c : ray.crossings(max_hits, disc_->inner, disc_->outer))
-        hits.push_back({c.along, c.r * std::cos(c.phi), c.r * std::sin(c.phi), c.climb, c.late});
+        hits.push_back({c.along, c.r * std::cos(c.phi), c.r * std::sin(c.phi), c.climb, c.delay});
     return hits;
 }
 
-RayPixel FrameTracer::pixel(double x, double y) const { return pixel_of(*ray(x, y), true); }
-RayPixel FrameTracer::pixel_without_delay(double x, double y) const { return pixel_of(*ray(x, y), false); }
-
-RayPixel FrameTracer::pixel_of(const TracedRay& traced, bool with_delay) const {
+RayPixel FrameTracer::pixel(double x, double y, bool with_delay) const {
+    const RayPtr traced = ray(x, y);
     RayPixel pixel;
-    double end = traced.end();
-    pixel.fate = traced.fate();
-    pixel.g = traced.g > 0 && std::isfinite(traced.g) ? traced.g
-                                                      : 0;  // light of no positive energy has no frequency at infinity
-    if (pixel.fate == Fate::kHit) {                         // a star
-        const Vec3 place = traced.end_direction();
+    double end = traced->end();
+    pixel.fate = traced->fate();
+    pixel.g = traced->g > 0 && std::isfinite(traced->g)
+                  ? traced->g
+                  : 0;               // light of no positive energy has no frequency at infinity
+    if (pixel.fate == Fate::kHit) {  // a star
+        const Vec3 place = traced->end_direction();
         pixel.hit = kStarHit;
         pixel.u = std::atan2(place.y, place.x);
         pixel.v = std::atan2(place.z, std::hypot(place.x, place.y));
     }
-    const std::vector<DiscHit> hits = disc_hits(traced, 1);
-    const std::optional<BodyHit> body = traced.first_hit();
+    const std::vector<DiscHit> hits = disc_hits(*traced, 1);
+    const std::optional<BodyHit> body = traced->first_hit();
     if (body) {  // solid: it ends the ray, whatever a translucent disc before it
         pixel.fate = Fate::kHit;
         end = body->along;
-        pixel.hit = static_cast<int>(body->object);
+        pixel.hit = body->number;
         pixel.u = body->place.x, pixel.v = body->place.y, pixel.w = body->place.z;
     }
     if (!hits.empty() && !(body && body->along < hits.front().along)) {
@@ -106,15 +103,38 @@ RayPixel FrameTracer::pixel_of(const TracedRay& traced, bool with_delay) const {
             end = hits.front().along;
         }
     }
-    pixel.angle = finite_or_zero(traced.swept(end));
+    pixel.angle = finite_or_zero(traced->swept(end));
     if (pixel.fate == Fate::kEscaped || pixel.fate == Fate::kOtherSide) {
-        pixel.sky = traced.end_direction();
-        if (with_delay) pixel.delay = finite_or_zero(traced.delay());
+        pixel.sky = traced->end_direction();
+        if (with_delay) pixel.delay = finite_or_zero(traced->delay());
     }
-    if (with_delay && pixel.fate == Fate::kHit && pixel.hit != kStarHit) pixel.delay = finite_or_zero(traced.late(end));
-    pixel.order =
-        static_cast<int>(std::min(std::floor(pixel.angle / M_PI), 1e9));  // in a wormhole's tube rays wind without end
+    if (with_delay && pixel.fate == Fate::kHit && pixel.hit != kStarHit)
+        pixel.delay = finite_or_zero(traced->delay(end));
+    // In a wormhole's tube rays wind without end.
+    pixel.order = static_cast<int>(std::min(std::floor(pixel.angle / M_PI), 1e9));
     return pixel;
+}
+
+Result<RayFrame> trace_frame(const Scene& scene, const std::function<void(long long)>& done) {
+    TRY(tracer, FrameTracer::make(scene));
+    const int width = scene.camera.width, height = scene.camera.height;
+    RayFrame frame{width, height, std::vector<RayPixel>(static_cast<std::size_t>(width) * height)};
+    tbb::parallel_for(0, height, [&](int y) {
+        RayPixel* row = frame.pixels.data() + static_cast<std::size_t>(y) * width;
+        for (int x = 0; x < width; ++x) row[x] = tracer->pixel(x + 0.5, y + 0.5);
+        if (done) done(width);
+    });
+    return frame;
+}
+
+Result<std::vector<RayPixel>> trace_pixels(const Scene& scene, const std::vector<std::array<double, 2>>& positions) {
+    TRY(tracer, FrameTracer::make(scene));
+    for (const auto& [x, y] : positions)
+        if (!std::isfinite(x) || !std::isfinite(y)) return bad_input("pixel positions must be finite");
+    std::vector<RayPixel> pixels(positions.size());
+    tbb::parallel_for(std::size_t{0}, positions.size(),
+                      [&](std::size_t i) { pixels[i] = tracer->pixel(positions[i][0], positions[i][1]); });
+    return pixels;
 }
 
 }  // namespace nullscope::reference

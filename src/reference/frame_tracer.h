@@ -1,7 +1,7 @@
 // The rays of a scene's camera: from a pixel position to a traced ray and what it meets, for ray data and rendering.
 //
 // The direction is carried through the camera's tetrad as a photon momentum, p = e_0 - n^i e_i for the photon that
-// arrives from n with unit frequency (traced_ray.h). On purpose not the product form of camera/pose.h.
+// arrives from n with unit frequency (traced_ray.h). On purpose not the product form of observer/pose.h.
 #pragma once
 #include <memory>
 #include <vector>
@@ -18,7 +18,7 @@ namespace nullscope::reference {
 
 // A place where a ray meets the disc, in world axes: x = r cos(phi), y = r sin(phi), in r_s. The rest: PlaneCrossing.
 struct DiscHit {
-    double along, x, y, climb, late;
+    double along, x, y, climb, delay;
 };
 
 class FrameTracer {
@@ -30,13 +30,12 @@ public:
     RayPtr ray(double x, double y) const;
     // Where the ray meets the disc, in its order; empty if the scene has none. At most max_hits.
     std::vector<DiscHit> disc_hits(const TracedRay& ray, int max_hits) const;
-    RayPixel pixel(double x, double y) const;
-    RayPixel pixel_without_delay(double x, double y) const;  // the delay may cost several times the rest
-    const Metric& matter() const { return *matter_; }        // of what rays meet: they run straight without lensing
+    // The delay may cost several times the rest.
+    RayPixel pixel(double x, double y, bool with_delay = true) const;
+    const Metric& matter() const { return *matter_; }  // of what rays meet: they run straight without lensing
     const PlaneRays* plane_rays() const { return rays_->in_plane(); }  // null where rays stay in no plane
 
 private:
-    RayPixel pixel_of(const TracedRay& traced, bool with_delay) const;
     FrameTracer() = default;
     CameraSpec camera_;
     std::optional<DiscSpec> disc_;

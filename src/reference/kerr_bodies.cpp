@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/first_change.h"
-
 namespace nullscope::reference {
 namespace {
 
@@ -13,7 +11,7 @@ constexpr double kPartOfWay = 0.5;       // of the way to where it can be met, e
 constexpr double kArc = 1.1;             // of way_between: no step's arc is longer
 constexpr double kAim = 0.9;             // of the longest step: what the last one says of the next is so good
 constexpr double kBack = 1e-4;           // of a radius: over which the ray's direction is taken, to second order
-constexpr int kMostLooks = 200'000;      // a ray
+constexpr int kMostSamples = 200'000;    // a ray
 
 }  // namespace
 
@@ -35,22 +33,22 @@ void BodyWatch::see(const KerrStep& step) {
 
 // Of place, and of light's time where the body moves: none moves faster than light.
 double BodyWatch::way(const BodyPart& part, const KerrPlace& from, const KerrPlace& to) const {
-    return way_between(from, to) + (part.moves && delay_ ? std::abs(to.late - from.late) : 0.0);
+    return way_between(from, to) + (part.moves && delay_ ? std::abs(to.delay - from.delay) : 0.0);
 }
 
 void BodyWatch::follow(Track& track, const KerrStep& step) {
     const BodyPart& part = *track.part;
     const double fine = kPartOfThinnest * part.thinnest,
-                 rim = part.reach * 1.001 + 3 * fine;  // a look beyond every dip
+                 rim = part.reach * 1.001 + 3 * fine;  // a sample beyond every dip
     if (0.5 * (step.begin.r + step.end.r - kArc * way_between(step.begin, step.end)) > rim) {
         track.here.reset(), track.before.reset();
         return;
     }
-    if (!track.here) track.here = Look{step.from, value_of(part, step.begin), step.begin};
+    if (!track.here) track.here = PlacedLook{{step.from, value_of(part, step.begin)}, step.begin};
     double turn = step.to - step.from, went = way(part, step.begin, step.end);  // what the next step is aimed by
-    while (track.here->along < step.to && track.looks < kMostLooks) {
+    while (track.here->along < step.to && track.looks < kMostSamples) {
         if (hit_ && track.before && hit_->along < track.before->along) return;
-        const Look& here = *track.here;
+        const PlacedLook& here = *track.here;
         const double clear = part.clear ? here.value : kPartOfWay * (here.place.r - part.reach),
                      longest = std::max(fine, clear);
         if (went > kAim * longest)
@@ -64,26 +62,20 @@ void BodyWatch::follow(Track& track, const KerrStep& step) {
         ++track.looks;
         went = way(part, here.place, place);
         if (went > longest && here.along + 0.5 * turn > here.along) continue;
-        const Look there{next, value_of(part, place), place};
+        const PlacedLook there{{next, value_of(part, place)}, place};
         if (const auto along = entry(track, there, step)) meet(part, *along, step);
         track.before = track.here, track.here = there;
     }
 }
 
-// Where between the look before the last one and this one the ray enters.
-std::optional<double> BodyWatch::entry(const Track& track, const Look& there, const KerrStep& step) const {
-    const Look &here = *track.here, &before = track.before ? *track.before : here;
-    if (!(here.value > 0)) return std::nullopt;
-    const auto value = [&](double along) { return value_of(*track.part, place_at(along, step)); };
-    const double outside = before.value > 0 ? before.along : here.along;
-    if (there.value <= 0) return first_change(value, outside, there.along);
-    if (!(here.value < before.value && here.value <= there.value)) return std::nullopt;
-    if (track.part->clear &&
-        here.value > std::max(way(*track.part, before.place, here.place), way(*track.part, here.place, there.place)))
+// Where between the sample before the last one and this one the ray enters.
+std::optional<double> BodyWatch::entry(const Track& track, const PlacedLook& there, const KerrStep& step) const {
+    const BodyPart& part = *track.part;
+    const PlacedLook &here = *track.here, &before = track.before ? *track.before : here;
+    if (part.clear && there.value > 0 &&
+        here.value > std::max(way(part, before.place, here.place), way(part, here.place, there.place)))
         return std::nullopt;
-    const auto [along, dip] = boost::math::tools::brent_find_minima(value, before.along, there.along, 40);
-    if (dip <= 0) return first_change(value, before.along, along);
-    return std::nullopt;
+    return entry_between([&](double along) { return value_of(part, place_at(along, step)); }, before, here, there);
 }
 
 void BodyWatch::meet(const BodyPart& part, double along, const KerrStep& step) {
@@ -94,8 +86,13 @@ void BodyWatch::meet(const BodyPart& part, double along, const KerrStep& step) {
     const Vec3 place = at.flat(),
                back = 4 * (place_at(along - h, step).flat() - place) - (place_at(along - 2 * h, step).flat() - place);
     const double t = time_at(part, at);
-    hit_ = BodyHit{
-        along, place, part.object, part.cosine(place, back, t), part.middle ? part.middle(t) : Vec3{0, 0, 0}, at.late};
+    hit_ = BodyHit{along,
+                   place,
+                   part.number,
+                   part.body,
+                   part.cosine(place, back, t),
+                   part.middle ? part.middle(t) : Vec3{0, 0, 0},
+                   at.delay};
 }
 
 }  // namespace nullscope::reference

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "reference/bodies.h"
+#include "reference/first_change.h"
 #include "reference/kerr_ray.h"
 
 namespace nullscope::reference {
@@ -14,29 +15,28 @@ public:
     BodyWatch(const Bodies& bodies, bool delay);
     BodyWatch(const BodyWatch&) = delete;
     BodyWatch& operator=(const BodyWatch&) = delete;
-    // For trace_kerr, while this lives; empty where there are no bodies. A look is 1 microsecond, a ray past a body takes some hundred.
+    // For trace_kerr, while this lives; empty where there are no bodies. A sample is 1 microsecond, a ray past a body takes some hundred.
     KerrWatch watch();
     const std::optional<BodyHit>& hit() const { return hit_; }  // the first body that the ray enters
 
 private:
-    struct Look {
-        double along, value;
+    struct PlacedLook : Look {
         KerrPlace place;
     };
     struct Track {  // of one body: the last two looks, where the ray is near it
         const BodyPart* part;
-        std::optional<Look> before{}, here{};
+        std::optional<PlacedLook> before{}, here{};
         int looks = 0;
     };
     void see(const KerrStep& step);
     void follow(Track& track, const KerrStep& step);
-    std::optional<double> entry(const Track& track, const Look& there, const KerrStep& step) const;
+    std::optional<double> entry(const Track& track, const PlacedLook& there, const KerrStep& step) const;
     void meet(const BodyPart& part, double along, const KerrStep& step);
     KerrPlace place_at(double along, const KerrStep& step) const {
         return along < step.from && previous_ ? previous_->at(along) : step.at(along);
     }
     double time_at(const BodyPart& part, const KerrPlace& place) const {
-        return part.moves && delay_ ? bodies_.time() - place.late : bodies_.time();
+        return part.moves && delay_ ? bodies_.time() - place.delay : bodies_.time();
     }
     double value_of(const BodyPart& part, const KerrPlace& place) const {
         return part.value(place.flat(), time_at(part, place));

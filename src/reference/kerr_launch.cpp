@@ -23,9 +23,9 @@ KerrLaunch kerr_launch(const KerrChart& chart, const KerrStart& start) {
     const double lapse = std::sqrt(delta * sigma / area), drag = a * mass_r / area, girth = std::sqrt(area / sigma);
     KerrLaunch l{};
     l.r = r, l.theta = start.theta, l.phi = start.phi, l.falls = false;
-    l.l_over_sine = -girth * start.look.z;  // the photon runs against the view direction
-    l.energy = lapse * length(start.look) + drag * l.l_over_sine * sine;
-    l.p_theta = std::sqrt(sigma) * start.look.y, l.climb = std::sqrt(sigma * delta) * start.look.x;
+    l.l_over_sine = -girth * start.direction.z;  // the photon runs against the view direction
+    l.energy = lapse * length(start.direction) + drag * l.l_over_sine * sine;
+    l.p_theta = std::sqrt(sigma) * start.direction.y, l.climb = std::sqrt(sigma * delta) * start.direction.x;
     l.p_r = mirror_p_r(chart, r, sine, l);
     return l;
 }

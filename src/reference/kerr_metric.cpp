@@ -3,20 +3,20 @@
 
 #include <fmt/format.h>
 
+#include "observer/observer.h"
 #include "reference/kerr_bodies.h"
-#include "reference/kerr_hole.h"
+#include "reference/kerr_chart.h"
 #include "reference/kerr_ray.h"
 #include "reference/metric.h"
 #include "reference/plane_metrics.h"
-#include "scene/observer.h"
 
 namespace nullscope::reference {
 namespace {
 
 class TracedKerrRay final : public TracedRay {
 public:
-    TracedKerrRay(KerrRay ray, const std::optional<BodyHit>& hit, bool late)
-        : TracedRay({1, 1 / ray.energy}, 1 / ray.energy, ray.l_z), ray_(std::move(ray)), hit_(hit), late_(late) {}
+    TracedKerrRay(KerrRay ray, const std::optional<BodyHit>& hit, bool delay)
+        : TracedRay({1, 1 / ray.energy}, 1 / ray.energy, ray.l_z), ray_(std::move(ray)), hit_(hit), delays_(delay) {}
     Fate fate() const override { return ray_.fate; }
     double end() const override { return kNotANumber; }
     Vec3 end_direction() const override { return ray_.sky; }
@@ -27,29 +27,29 @@ public:
         std::vector<PlaneCrossing> list;
         for (const PlaneCrossing& c : ray_.crossings)
             if (c.r >= inner && c.r <= outer && static_cast<int>(list.size()) < most)
-                list.push_back(c), list.back().late = late_ ? c.late : 0.0;
+                list.push_back(c), list.back().delay = delays_ ? c.delay : 0.0;
         return list;
     }
     std::optional<BodyHit> first_hit() const override { return hit_; }
-    double late(double along) const override {
-        if (hit_ && hit_->along == along) return hit_->late;
+    double delay(double along) const override {
+        if (hit_ && hit_->along == along) return hit_->delay;
         for (const PlaneCrossing& c : ray_.crossings)
-            if (c.along == along) return c.late;
+            if (c.along == along) return c.delay;
         return kNotANumber;
     }
 
 private:
     KerrRay ray_;
     std::optional<BodyHit> hit_;
-    bool late_;  // of crossings
+    bool delays_;  // of crossings
 };
 
 // trace(watch): a KerrRay, its steps shown to `watch`.
 template <class Trace>
 RayPtr meeting_bodies(const RayTask& task, const Trace& trace) {
-    BodyWatch watch(*task.bodies, task.late_bodies);
+    BodyWatch watch(*task.bodies, task.delays_bodies);
     KerrRay ray = trace(watch.watch());
-    return std::make_unique<TracedKerrRay>(std::move(ray), watch.hit(), task.late_disc);
+    return std::make_unique<TracedKerrRay>(std::move(ray), watch.hit(), task.delays_disc);
 }
 
 class KerrRays final : public RayFamily {
@@ -88,16 +88,14 @@ public:
     // Along d_v, d_r, d_theta, d_phi/sin(theta) of ingoing coordinates.
     Result<std::unique_ptr<RayFamily>> rays(const Scene& scene, const Spacetime& spacetime,
                                             const RayTask& task) const override {
-        const auto pair = ingoing_hat_pair(spacetime, scene.camera);
-        if (!pair) return pair.error();
+        TRY(pair, ingoing_hat_pair(spacetime, scene.camera));
         return std::unique_ptr<RayFamily>(std::make_unique<KerrRays>(hole_, scene.camera, long_tetrad(*pair), task));
     }
     Result<RayPtr> ray(const RayQuery& query, const RayTask& task) const override {
         if (query.orbit)
-            return bad_input(
-                "no ray of a rotating hole is given by q, zeta0 and s; allowed: r, theta, phi, n_r, n_theta, n_phi");
-        if (query.frame == LocalFrame::kRain)
-            return bad_input("no frame = rain about a rotating hole; allowed: static");
+            return bad_input("no ray of a rotating hole is given by q, zeta0 and s",
+                             "r, theta, phi, n_r, n_theta, n_phi");
+        if (query.frame == LocalFrame::kRain) return bad_input("no frame = rain about a rotating hole", "static");
         const double horizon = *horizon_radius();
         if (!(query.r > horizon && query.r <= kLargestRadius))
             return bad_input(

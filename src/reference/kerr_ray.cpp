@@ -1,7 +1,6 @@
 #include "reference/kerr_ray.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -45,7 +44,7 @@ double turned(double at, const Vec3& from, const Vec3& to, const Vec3& velocity)
 class Path {
 public:
     // The camera's clock less t is base + (r_* - r, or for what fell in the other way round) + the chart's own time,
-    // see late(); T counts from the camera's `from`; along: the affine parameter here, way_from_abreast() at a camera.
+    // see delay(); T counts from the camera's `from`; along: the affine parameter here, way_from_abreast() at a camera.
     struct Start {
         long double base, from;
         std::optional<long double> along{};
@@ -85,7 +84,7 @@ private:
         return phi_ - sense_ * (chart_azimuth - chart_.ahead(r));
     }
     // The chart's t is v - r of what is traced: of the mirror image -t + r_* - r.
-    double late(const Here& from, const KerrState& s, double lambda, double r) const {
+    double delay(const Here& from, const KerrState& s, double lambda, double r) const {
         const long double passed = from.time + static_cast<long double>(energy_) * lambda;
         return static_cast<double>(start_.base + passed) + sense_ * (s[6] / kClockUnit - chart_.tortoise_ahead(r));
     }
@@ -147,7 +146,7 @@ void Path::go_on(const KerrState& state, double taken, const KerrPhase& phase, d
     }
 }
 
-// T, from far out on the way to the sky: late + from - r_*, without the difference of |x| and r, and what is left of a
+// T, from far out on the way to the sky: delay + from - r_*, without the difference of |x| and r, and what is left of a
 // straight way. On the line |x| is the way from the foot but for what is across, and energy lambda is that way but for
 // `excess_`.
 double Path::delay_from(double r) const {
@@ -171,7 +170,7 @@ KerrPlace Path::place_of(const Here& from, const KerrState& state, double lambda
     const Vec3 x = from.line.at(state, lambda).x;
     const double r = chart_.radius(x), flat = std::hypot(x.x, x.y) / std::sqrt(r * r + chart_.a * chart_.a);
     const double phi = boyer_lindquist(from.azimuth + turned(from.azimuth, from.x, x, from.velocity), r);
-    return {r, std::atan2(flat, x.z / r), phi, late(from, state, lambda, r)};
+    return {r, std::atan2(flat, x.z / r), phi, delay(from, state, lambda, r)};
 }
 
 // What of a step is outside the horizon.
@@ -220,14 +219,14 @@ void Path::add_crossing(double taken, KerrRay& ray) const {
     const double phi = boyer_lindquist(here_.azimuth + turned(here_.azimuth, here_.x, there.x, motion), r);
     // p^r = dr/dlambda of what is traced, with N sqrt(g_rr) = r/sqrt(g_phiphi); the photon's own has the other sign.
     const double climb = -chart_.rising(there.x, motion) * r / (energy_ * std::sqrt(chart_.g_phiphi(r)));
-    ray.crossings.push_back({static_cast<double>(here_.along + at), r, phi, climb, late(here_, state, at, r)});
+    ray.crossings.push_back({static_cast<double>(here_.along + at), r, phi, climb, delay(here_, state, at, r)});
 }
 
 // Of a photon that was traced as it is and has turned, on its way to the past horizon now.
 void Path::follow_mirrored(const KerrPhase& phase, double r, int most_crossings, const KerrWatch& watch,
                            KerrRay& ray) const {
     const KerrLaunch launch = mirrored(chart_, phase, energy_, boyer_lindquist(here_.azimuth, r));
-    const Start here{static_cast<long double>(late(here_, here_.state, 0, r)) + chart_.tortoise_ahead(r), start_.from,
+    const Start here{static_cast<long double>(delay(here_, here_.state, 0, r)) + chart_.tortoise_ahead(r), start_.from,
                      here_.along};
     const KerrRay rest = Path(chart_, launch, here).trace(most_crossings, watch);
     ray.crossings.insert(ray.crossings.end(), rest.crossings.begin(), rest.crossings.end());
@@ -304,7 +303,7 @@ KerrRay trace_kerr(const KerrHole& hole, const KerrPhoton& photon, int most_cros
                    const KerrWatch& watch) {
     const KerrChart chart{hole};
     const KerrLaunch launch = kerr_launch(chart, photon);
-    // late = 0 at the camera, or r_* - r; inside the horizon what is traced fell in, and r_* is not asked for.
+    // delay = 0 at the camera, or r_* - r; inside the horizon what is traced fell in, and r_* is not asked for.
     const long double sense = launch.sense(), ahead = falls && launch.falls ? 0 : chart.tortoise_ahead(photon.r);
     return Path(chart, launch, {falls ? ahead + sense * ahead : sense * ahead, photon.r + (falls ? 0 : ahead)})
         .trace(most_crossings, watch);

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "reference/kerr_hole.h"
+#include "reference/kerr_chart.h"
 #include "reference/traced_ray.h"
 #include "scene/ray.h"
 
@@ -31,11 +31,11 @@ namespace nullscope::reference {
 struct KerrStart {
     double r, theta, phi;  // Boyer and Lindquist, r_s; outside the horizon
     // towards where the photon comes from, times its frequency: components along e_r, e_theta, e_phi
-    Vec3 look;
+    Vec3 direction;
 };
 
 // A photon at a camera anywhere outside the inner horizon, by components in ingoing coordinates along d_v, d_r, d_theta
-// and d_phi~/sin(theta). phi: that azimuth (spacetime/spin_frame.h).
+// and d_phi~/sin(theta). phi: that azimuth (observer/spin_frame.h).
 struct KerrPhoton {
     double r, theta, phi;
     std::array<long double, 4> p;
@@ -49,7 +49,7 @@ struct KerrRay {
     double phi_inf = kNotANumber;                     // its azimuth, windings kept
     double energy = 0;                                // of the photon, at infinity
     double l_z = 0;                                   // its angular momentum about the axis over its energy, r_s
-    // of the equatorial plane, before the end; along: 0 abreast of the hole, were the ray straight; late as KerrPlace
+    // of the equatorial plane, before the end; along: 0 abreast of the hole, were the ray straight; delay as KerrPlace
     std::vector<PlaneCrossing> crossings;
     // T = v at the camera less v at the sky, v = t + r_*; escaped rays. To 1e-8 r_s/c and some roundings of r
     double delay = kNotANumber;
@@ -58,7 +58,7 @@ struct KerrRay {
 // On a ray outside the outer horizon.
 struct KerrPlace {
     double r, theta, phi;  // Boyer and Lindquist's
-    double late;           // the camera's clock less t there: of a camera that falls v - r, else t
+    double delay;          // the camera's clock less t there: of a camera that falls v - r, else t
     Vec3 flat() const;     // (r, theta, phi) taken as flat spherical coordinates, r_s
 };
 // Of the sphere that has the larger of two radii: how far apart, round it and along the radius. Above the chord,

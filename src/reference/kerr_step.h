@@ -61,10 +61,10 @@ private:
 
 // The longest step at a distance r from the hole along a straight line. There the formula is the sum of Newton and
 // Cotes over seven places, which is off by 9/1400 (h/6)^9 times the eighth derivative of the slope: of light's momentum
-// that is 2/r^2 at most, of its delay 2/r, with derivatives 2 9!/r^10 and 2 8!/r^9. `bent`, rad, and `late`, r_s/c:
+// that is 2/r^2 at most, of its delay 2/r, with derivatives 2 9!/r^10 and 2 8!/r^9. `bent`, rad, and `delay`, r_s/c:
 // what these may come to.
-inline double straight_step(double r, double bent, double late) {
-    return 6 * r * std::pow(std::fmin(bent * r / 4666, late / 518), 1. / 9);
+inline double straight_step(double r, double bent, double delay) {
+    return 6 * r * std::pow(std::fmin(bent * r / 4666, delay / 518), 1. / 9);
 }
 
 // How much longer the next step is than one whose error was `error` times what is allowed.

@@ -6,7 +6,8 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
+
+#include "reference/root.h"
 
 namespace nullscope::reference {
 namespace {
@@ -38,7 +39,7 @@ LightClock::LightClock(const OrbitMetric& metric, const Orbit& orbit, double q, 
     known_[0.0] = 0.0;
 }
 
-double LightClock::lag(double from, double to) const {
+double LightClock::travel_time(double from, double to) const {
     const auto rate = [this](double angle) {
         const double zeta = orbit_.zeta_at(angle);
         if (!by_v_) return q_ / (zeta * zeta * metric_.lapse2(1 / zeta));
@@ -60,7 +61,7 @@ double LightClock::lag(double from, double to) const {
     return sum(from, to, orbit_.zeta_at(from), orbit_.zeta_at(to));
 }
 
-double LightClock::late(double angle) {
+double LightClock::delay(double angle) {
     const double r = 1 / orbit_.zeta_at(angle);
     if (!std::isfinite(r) || !(metric_.lapse2(r) > 0)) return kNotANumber;
     if (!(q_ < kRadial))
@@ -68,7 +69,7 @@ double LightClock::late(double angle) {
                      : start_ + std::fabs(r + tortoise_excess(metric_, r) - r0_ - tortoise_excess(metric_, r0_));
     auto next = known_.upper_bound(angle);
     const auto [from, so_far] = *--next;
-    const double sum = angle > from ? so_far + lag(from, angle) : so_far;
+    const double sum = angle > from ? so_far + travel_time(from, angle) : so_far;
     known_[angle] = sum;
     return by_v_ ? sum + r + tortoise_excess(metric_, r) - r0_ : start_ + sum;
 }
@@ -102,12 +103,10 @@ std::optional<Passage> light_past(const OrbitMetric& metric, double from, double
     if (!orbit || !std::isfinite((*orbit)->turn())) return std::nullopt;
     const double turn = (*orbit)->turn_angle(), closest = 1 / (*orbit)->turn();
     if (!(to > closest)) return std::nullopt;
-    std::uintmax_t steps = 200;
-    const auto there = boost::math::tools::toms748_solve(
-        [&](double angle) { return (*orbit)->zeta_at(angle) - 1 / to; }, turn, (*orbit)->angle() * (1 - 1e-15),
-        boost::math::tools::eps_tolerance<double>(52), steps);
     const double straight = std::sqrt((from - closest) * (from + closest)) + std::sqrt((to - closest) * (to + closest));
-    const double angle = to == from ? 2 * turn : 0.5 * (there.first + there.second);
+    const double angle = to == from ? 2 * turn
+                                    : root_of([&](double at) { return (*orbit)->zeta_at(at) - 1 / to; }, turn,
+                                              (*orbit)->angle() * (1 - 1e-15), 52);
     return Passage{straight + (mass_part(closest, from) + mass_part(closest, to)), closest, angle};
 }
 

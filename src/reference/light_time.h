@@ -25,10 +25,10 @@ public:
     LightClock(const OrbitMetric& metric, const Orbit& orbit, double q, double camera_r, bool falls);
     // After a swept angle outside the horizon, 0 <= angle < orbit.angle(); NaN where there is no such light. Best asked for in growing
     // order: it goes on from what it knows. Absolute error 1e-11 of the light time.
-    double late(double angle);
+    double delay(double angle);
 
 private:
-    double lag(double from, double to) const;  // of t, or of v
+    double travel_time(double from, double to) const;  // of t, or of v
     const OrbitMetric& metric_;
     const Orbit& orbit_;
     double q_, r0_, start_ = 0;

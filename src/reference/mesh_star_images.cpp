@@ -64,7 +64,7 @@ public:
                     shares(direction, cell.corners[t[0]].sky, cell.corners[t[1]].sky, cell.corners[t[2]].sky);
                 if (!(std::min({part[0], part[1], part[2]}) > -kOutside)) continue;
                 const double sum = part[0] + part[1] + part[2];
-                StarImage image{cell.x, cell.y, -1, 0, 0, kNotANumber};
+                StarImage image{cell.x, cell.y, -1, 0, 0};
                 for (std::size_t k = 0; k < 3; ++k) {
                     image.x += cell.size * part[k] / sum * kRight[t[k]];
                     image.y += cell.size * part[k] / sum * kDown[t[k]];

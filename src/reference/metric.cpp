@@ -12,11 +12,11 @@ namespace {
 
 struct Entry {
     const char* key;
-    std::unique_ptr<Metric> (*make)(const SpacetimeSpec& spec);
+    Result<std::unique_ptr<Metric>> (*make)(const SpacetimeSpec& spec);
 };
 template <auto make>
-std::unique_ptr<Metric> made(const SpacetimeSpec& spec) {
-    return make(spec);
+Result<std::unique_ptr<Metric>> made(const SpacetimeSpec& spec) {
+    return std::unique_ptr<Metric>(make(spec));
 }
 constexpr std::array kMetrics{
     Entry{"schwarzschild", made<make_schwarzschild_orbits>},
@@ -27,6 +27,7 @@ constexpr std::array kMetrics{
     Entry{"kerr-newman", made<make_kerr_newman_metric>},
     Entry{"dneg-wormhole", made<make_dneg_orbits>},
     Entry{"janis-newman-winicour", made<make_janis_newman_winicour_orbits>},
+    Entry{"formula", make_formula_orbits},
     Entry{"minkowski", made<make_minkowski_orbits>},
 };
 

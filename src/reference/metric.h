@@ -31,6 +31,8 @@ public:
     virtual double kepler_rate(double r) const;
     // A radius within the last stable circle, r_s, where the search for that begins.
     virtual double within_last_circle() const = 0;
+    // And one up to which the energy of circles grows from there on, where the search ends.
+    virtual double beyond_last_circle() const { return 100 * horizon_radius().value_or(0.0); }
     // sqrt(-g_tt) where observers at rest split g into parts; 1 where it is not split (rotating holes).
     virtual double rest_lapse(double r) const = 0;
     // Of a metric whose rays stay in a plane; elsewhere null.
@@ -54,7 +56,7 @@ Result<std::unique_ptr<Metric>> make_metric(const SpacetimeSpec& spec);
 std::unique_ptr<Metric> make_kerr_metric(const SpacetimeSpec& spec);         // without spin, Schwarzschild's orbits
 std::unique_ptr<Metric> make_kerr_newman_metric(const SpacetimeSpec& spec);  // ... Reissner and Nordstrom's
 
-inline constexpr double kLargestRadius =
-    1e60;  // of a query: the squares of the equations of motion stay within a double
+// Of a query: the squares of the equations of motion stay within a double.
+inline constexpr double kLargestRadius = 1e60;
 
 }  // namespace nullscope::reference

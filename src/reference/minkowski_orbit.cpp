@@ -11,20 +11,17 @@ namespace {
 // swept angle to infinity is alpha, and zeta = zeta0 sin(alpha - phi) / sin(alpha).
 class StraightLine : public Orbit {
 public:
-    StraightLine(double zeta0, double n_r, double n_t) : zeta0_(zeta0), n_r_(n_r), n_t_(n_t) {
+    StraightLine(double zeta0, double n_r, double n_t) : Orbit(zeta0), n_r_(n_r), n_t_(n_t) {
         fate_ = Fate::kEscaped;
         angle_ = std::atan2(n_t, n_r);
         if (n_r <= 0 && n_t > 0) turn_ = zeta0 / n_t;
     }
-    double zeta_at(double angle) const override {
-        if (angle == 0) return zeta0_;
-        return has_ended(angle) ? kNotANumber : zeta0_ * std::sin(angle_ - angle) / n_t_;
-    }
     // v = t + r along the past-directed line: T = r (1 - cos(alpha)), as a product for outward rays.
-    double delay() const override { return (n_r_ > 0 ? n_t_ * n_t_ / (1 + n_r_) : 1 - n_r_) / zeta0_; }
+    double delay() const override { return (n_r_ > 0 ? n_t_ * n_t_ / (1 + n_r_) : 1 - n_r_) / place_; }
 
 private:
-    double zeta0_, n_r_, n_t_;
+    double place_at(double angle) const override { return place_ * std::sin(angle_ - angle) / n_t_; }
+    double n_r_, n_t_;
 };
 
 class Minkowski : public OrbitMetric {

@@ -17,18 +17,22 @@ namespace nullscope::reference {
 // over the impact parameter and l, the proper distance from the throat, stands wherever zeta is written.
 class Orbit {
 public:
+    explicit Orbit(double place) : place_(place) {}  // the camera's
     virtual ~Orbit() = default;
     Fate fate() const { return fate_; }      // kEscaped, kOtherSide, kCaptured, kHit (a star) or kNoSky
     double angle() const { return angle_; }  // to the sky or the inward crossing of the horizon; NaN: no such end
     double turn() const { return turn_; }    // zeta at the turning point on the traced part; NaN: there is none
     double turn_angle() const { return turn_angle_; }  // swept to it; NaN: there is none
     // zeta after a swept angle >= 0; NaN if the ray has ended before or there. A few elliptic functions.
-    virtual double zeta_at(double angle) const = 0;
+    virtual double zeta_at(double angle) const {
+        return angle == 0 ? place_ : angle < angle_ ? place_at(angle) : kNotANumber;
+    }
     // T = v_cam - v_inf in r_s/c of an escaped ray, NaN for others. Some microseconds.
     virtual double delay() const = 0;
 
 protected:
-    bool has_ended(double angle) const { return !(angle < angle_); }
+    virtual double place_at(double angle) const = 0;  // zeta_at where 0 < angle < angle()
+    double place_;
     Fate fate_ = Fate::kNoSky;
     double angle_ = kNotANumber;
     double turn_ = kNotANumber;

@@ -12,7 +12,19 @@ constexpr double kLongestTurn = 0.12;    // rad between two looks at an orbit
 constexpr double kPartOfThinnest = 0.2;  // of a body's smallest extent between two looks, where it can be met
 // In wormholes these two, and the part of the distance to where it can be met, elsewhere.
 constexpr double kThroatTurn = 0.1, kThroatPart = 0.15, kPartOfDistance = 0.4;
-constexpr int kMostLooks = 200'000;
+constexpr int kMostSamples = 200'000;
+// Of a body's distance: what a sample may go towards it. The rest is for how the ray bends and its length changes within a look.
+constexpr double kPartOfClear = 0.7;
+constexpr double kLongestPart = 0.2;  // of the radius, that a sample may go
+
+// How far along the ray a body is at least whose distance is known: one that moves comes to meet it, while light's time runs up to 1/A as
+// fast as its way.
+double clear_way(const PlaneRay& ray, const BodyPart& part, double value, double r) {
+    if (!std::isfinite(part.speed)) return 0;
+    if (!part.moves) return kPartOfClear * value;
+    const double a = ray.metric().lapse2((1 - kLongestPart) * r);
+    return a > 0 ? kPartOfClear * value / (1 + part.speed / a) : 0;
+}
 
 // Radii at which looking is worth while: from the orbit's own extremes.
 bool can_reach(const Orbit& orbit, double camera_r, double reach) {
@@ -28,35 +40,29 @@ std::optional<double> entry(const PlaneRay& ray, const BodyPart& part, const std
     const Orbit& orbit = ray.orbit();
     if (!can_reach(orbit, ray.photon().r, part.reach * 1.001)) return std::nullopt;
     const auto value = [&](double angle) { return part.value(ray.place_at(angle), time_at(angle)); };
-    const auto first_of = [&](double outside, double inside) { return first_change(value, outside, inside); };
     const double end = std::isfinite(orbit.angle()) ? orbit.angle() : std::numeric_limits<double>::infinity();
-    double angle = 0, here = value(0), r = ray.photon().r;
-    double before_angle = 0, before = here;
+    double r = ray.photon().r;
+    Look here{0, value(0)}, before = here;
     bool outward = false;
-    for (int i = 0; i < kMostLooks; ++i) {
+    for (int i = 0; i < kMostSamples; ++i) {
         // The step in angle for a wanted step in length, by the orbit's own change of radius over a tiny angle.
-        const double probe = std::min(1e-6 * (1 + angle), 0.25 * (end - angle));
+        const double angle = here.along, probe = std::min(1e-6 * (1 + angle), 0.25 * (end - angle));
         const double r_probe = 1 / orbit.zeta_at(angle + probe);
         if (!(probe > 0) || !std::isfinite(r_probe)) return std::nullopt;
         const double speed = std::hypot((r_probe - r) / probe, r);  // length per angle
         outward = r_probe > r;
         const double fine = kPartOfThinnest * part.thinnest;
-        if (outward && r > part.reach + 3 * fine) return std::nullopt;  // a look beyond every dip
+        if (outward && r > part.reach + 3 * fine) return std::nullopt;  // a sample beyond every dip
         const double distance = std::max(r - part.reach, 0.0);
-        const double step = std::max(fine, 0.5 * distance);
-        const double turn = std::min({std::min(step, 0.2 * r) / speed, kLongestTurn, 0.5 * (end - angle)});
+        const double step = std::max({fine, 0.5 * distance, clear_way(ray, part, here.value, r)});
+        const double turn = std::min({std::min(step, kLongestPart * r) / speed, kLongestTurn, 0.5 * (end - angle)});
         const double next = angle + turn;
         if (!(next > angle) || end - next < 1e-13 * end) return std::nullopt;
         r = 1 / orbit.zeta_at(next);
         if (!std::isfinite(r)) return std::nullopt;
-        const double there = value(next);
-        if (here > 0 && there <= 0) return first_of(before_angle, next);
-        if (here < before && here <= there && here > 0) {
-            const auto [dip_angle, dip] = boost::math::tools::brent_find_minima(value, before_angle, next, 40);
-            if (dip <= 0) return first_of(before_angle, dip_angle);
-        }
-        before_angle = angle, before = here;
-        angle = next, here = there;
+        const Look there{next, value(next)};
+        if (const auto entered = entry_between(value, before, here, there)) return entered;
+        before = here, here = there;
     }
     return std::nullopt;
 }
@@ -75,10 +81,11 @@ std::optional<double> entry_by_length(const PlaneRay& ray, const BodyPart& part,
     };
     const auto value = [&](double angle) { return value_at(angle, orbit.zeta_at(angle)); };
     const double fine = kThroatPart * part.thinnest, rim = part.reach + 3 * fine;
-    double angle = 0, l = camera_l, here = value_at(0, l), before_angle = 0, before = here,
-           turn = 0.25 * std::min(end, kThroatTurn);
-    for (int i = 0; i < kMostLooks; ++i) {
-        const double from_body = l * own > 0 ? std::max(std::abs(l) - part.reach, 0.0) : std::abs(l),
+    double l = camera_l, turn = 0.25 * std::min(end, kThroatTurn);
+    Look here{0, value_at(0, l)}, before = here;
+    for (int i = 0; i < kMostSamples; ++i) {
+        const double angle = here.along,
+                     from_body = l * own > 0 ? std::max(std::abs(l) - part.reach, 0.0) : std::abs(l),
                      step = std::max(fine, kPartOfDistance * from_body);
         turn = std::min({2 * turn, kThroatTurn, 0.5 * (end - angle)});
         double next = angle + turn, there_l = orbit.zeta_at(next);
@@ -89,17 +96,12 @@ std::optional<double> entry_by_length(const PlaneRay& ray, const BodyPart& part,
         };
         while (std::isfinite(there_l) && way() > step) turn *= 0.5, next = angle + turn, there_l = orbit.zeta_at(next);
         if (!std::isfinite(there_l) || !(next > angle)) return std::nullopt;
-        const double there = value_at(next, there_l);
-        if (here > 0 && there <= 0) return first_change(value, before_angle, next);
-        if (here < before && here <= there && here > 0) {
-            const auto [dip_angle, dip] = boost::math::tools::brent_find_minima(value, before_angle, next, 40);
-            if (dip <= 0) return first_change(value, before_angle, dip_angle);
-        }
+        const Look there{next, value_at(next, there_l)};
+        if (const auto entered = entry_between(value, before, here, there)) return entered;
         // Outward on the side where the ray ends it does not come back.
         const bool leaves = there_l * ends > 0 && std::abs(there_l) > std::abs(l) && l * ends > 0;
         if (leaves && (own != ends || std::abs(l) > rim)) return std::nullopt;
-        before_angle = angle, before = here;
-        angle = next, l = there_l, here = there;
+        before = here, here = there, l = there_l;
     }
     return std::nullopt;
 }

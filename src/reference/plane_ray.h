@@ -54,7 +54,7 @@ public:
     double delay() const override { return orbit_->delay(); }
     std::vector<PlaneCrossing> crossings(int most, double inner, double outer) const override;
     std::optional<BodyHit> first_hit() const override;
-    double late(double along) const override;
+    double delay(double along) const override;
     const PlaneRay* in_plane() const override { return this; }
 
 private:

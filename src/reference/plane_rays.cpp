@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "observer/observer.h"
 #include "reference/plane_metrics.h"
 #include "reference/plane_ray.h"
-#include "scene/observer.h"
 
 namespace nullscope::reference {
 namespace {
@@ -20,8 +20,7 @@ constexpr double kLeastRadius = 1e-30;
 Result<Tetrad> local_tetrad(const Spacetime& spacetime, CameraSpec camera, bool from_rain) {
     camera.theta = M_PI / 2;
     const bool rests = camera.observer == ObserverKind::kStatic;
-    const auto pair = rests ? camera_rows_pair(camera) : ingoing_tetrad_pair(spacetime, camera);
-    if (!pair) return pair.error();
+    TRY(pair, rests ? camera_rows_pair(camera) : ingoing_tetrad_pair(spacetime, camera));
     Tetrad tetrad = long_tetrad(*pair);
     if (rests) return tetrad;
     const double lapse2 = spacetime.lapse_squared(camera.r), radius = spacetime.areal_radius(camera.r);
@@ -52,8 +51,7 @@ Result<RayPtr> reduced_ray(const OrbitMetric& metric, const ReducedRay& ray, con
         return bad_input(
             fmt::format("zeta0 = {} must lie in [{}, {}]", ray.zeta0, 1 / kLargestRadius, 1 / kLeastRadius));
     if (ray.s != 1 && ray.s != -1) return bad_input(fmt::format("s = {} must be 1 (towards the hole) or -1", ray.s));
-    auto orbit = metric.from_reduced(ray);
-    if (!orbit) return orbit.error();
+    TRY(orbit, metric.from_reduced(ray));
     const double r = by_length ? ray.zeta0 : 1 / ray.zeta0, lapse = metric.lapse(r),
                  g = lapse > 0 ? 1 / lapse : kNotANumber, l = 1 / ray.q;
     return RayPtr(std::make_unique<PlaneRay>(metric, std::move(*orbit), RayPlane(M_PI / 2, 0, {0, 0, 1}),
@@ -61,6 +59,58 @@ Result<RayPtr> reduced_ray(const OrbitMetric& metric, const ReducedRay& ray, con
 }
 
 }  // namespace
+
+double OrbitMetric::lapse2_slope(double r) const {
+    double h = std::min(0.01 * r, 0.1 * (r - horizon_radius().value_or(0.0)));  // all of it outside
+    while (h > 1e-12 * r && !std::isfinite(lapse(r - 4 * h))) h /= 2;           // of a star
+    const auto d = [&](int n) { return lapse2(r + n * h) - lapse2(r - n * h); };
+    return (d(1) * 4.0 / 5 - d(2) / 5 + d(3) * 4.0 / 105 - d(4) / 280) / h;
+}
+
+std::vector<PlaneCrossing> PlaneRay::crossings(int most, double inner, double outer) const {
+    std::vector<PlaneCrossing> list;
+    std::optional<LightClock> clock;
+    if (task_.delays_disc) clock.emplace(this->clock());
+    for (int k = 1; static_cast<int>(list.size()) < most; ++k) {
+        const double angle = plane_.crossing(k);
+        if (!(angle < end())) break;
+        const double r = radius_at(angle);
+        if (!(r >= inner && r <= outer)) continue;
+        // Traced inward is really moving outward.
+        const bool outward = 1 / r > orbit_->zeta_at(angle * (1 - 1e-6));
+        const double cosine2 = 1 - metric_.lapse2(r) * (photon_.l * photon_.l) / (r * r);
+        list.push_back({angle, r, plane_.azimuth(angle), std::sqrt(std::max(cosine2, 0.0)) * (outward ? 1 : -1),
+                        clock ? clock->delay(angle) : 0.0});
+    }
+    return list;
+}
+
+std::optional<BodyHit> PlaneRay::first_hit() const {
+    std::optional<BodyHit> first;
+    if (!task_.bodies || task_.bodies->empty()) return first;
+    const bool by_length = metric_.by_proper_length();
+    std::optional<LightClock> clock;
+    if (task_.delays_bodies && task_.bodies->move() && !by_length) clock.emplace(this->clock());
+    for (const BodyPart& part : task_.bodies->parts()) {
+        const auto time_at = [&](double angle) {
+            return part.moves && clock ? task_.bodies->time() - clock->delay(angle) : task_.bodies->time();
+        };
+        const auto angle = by_length ? entry_by_length(*this, part, task_.bodies->time()) : entry(*this, part, time_at);
+        if (!angle || (first && first->along <= *angle)) continue;
+        const Vec3 place = place_at(*angle);
+        const double turn = 1e-6, t = time_at(*angle);
+        const Vec3 earlier = place_at(*angle > turn ? *angle - turn : 0);
+        first = BodyHit{*angle,
+                        place,
+                        part.number,
+                        part.body,
+                        part.cosine(place, earlier - place, t),
+                        part.middle ? part.middle(t) : Vec3{0, 0, 0}};
+    }
+    return first;
+}
+
+double PlaneRay::delay(double along) const { return metric_.by_proper_length() ? kNotANumber : clock().delay(along); }
 
 Result<RayPtr> OrbitMetric::ray(const RayQuery& query, const RayTask& task) const {
     if (query.orbit) return reduced_ray(*this, *query.orbit, task);
@@ -87,15 +137,13 @@ Result<RayPtr> OrbitMetric::ray(const RayQuery& query, const RayTask& task) cons
 
 Result<std::unique_ptr<RayFamily>> OrbitMetric::rays(const Scene& scene, const Spacetime& spacetime,
                                                      const RayTask& task) const {
-    auto moving = local_tetrad(spacetime, scene.camera, in_rain_frame(spacetime, scene.camera));
-    if (!moving) return moving.error();
+    TRY(moving, local_tetrad(spacetime, scene.camera, in_rain_frame(spacetime, scene.camera)));
     Tetrad seen = *moving;
     if (!scene.light.aberration) {
         CameraSpec still = scene.camera;
         still.velocity = {0, 0, 0};
         still.observer = ObserverKind::kStatic;
-        const auto at_rest = local_tetrad(spacetime, still, false);
-        if (!at_rest) return at_rest.error();
+        TRY(at_rest, local_tetrad(spacetime, still, false));
         seen = *at_rest;
     }
     return std::unique_ptr<RayFamily>(std::make_unique<PlaneRays>(*this, scene, spacetime, task, seen, *moving));
@@ -153,7 +201,7 @@ std::optional<std::array<double, 2>> PlaneRays::position(Vec3 view) const {
     };
     const long double ahead = -product(3) / product(0);  // the third axis points backward
     if (!(ahead > 0)) return std::nullopt;
-    const long double pixel = camera_.plane_width / camera_.width / camera_.focal_distance;
+    const long double pixel = camera_.pixel();
     const long double x = product(1) / product(0) / (ahead * pixel), y = product(2) / product(0) / (ahead * pixel);
     return std::array{0.5 * camera_.width + static_cast<double>(x), 0.5 * camera_.height - static_cast<double>(y)};
 }

@@ -7,8 +7,8 @@
 #include <functional>
 #include <vector>
 
-#include "base/image.h"
 #include "base/result.h"
+#include "image/image.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
 #include "sky/point_stars.h"
@@ -35,11 +35,8 @@ Result<std::vector<RayPixel>> trace_pixels(const Scene& scene, const std::vector
 struct Pictures {
     Pictures(const Image<float>* disc_image = nullptr) : disc(disc_image) {}  // NOLINT: a disc alone is the common case
     const Image<float>* disc;
-    const Image<float>*sphere = nullptr, *cylinder = nullptr, *ball = nullptr, *surface = nullptr;
-    const Image<float>* of(Object object) const {
-        const Image<float>* const of_number[] = {nullptr, disc, sphere, cylinder, ball, surface};
-        return of_number[static_cast<int>(object)];
-    }
+    std::vector<const Image<float>*> bodies;  // as Scene::bodies; nullptr, or none: without an image
+    const Image<float>* of(std::size_t body) const { return body < bodies.size() ? bodies[body] : nullptr; }
 };
 
 // stars: of kind kPoints, sky/point_stars.h.

@@ -3,7 +3,6 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include "light/black_body.h"
@@ -16,31 +15,6 @@
 namespace nullscope::reference {
 namespace {
 
-struct Paint {
-    Vec3 colour;
-    double alpha;
-};
-
-// Bilinear, clamped at the rim. x, y in [0, 1], y from the top.
-Paint sample_image(const Image<float>& image, double x, double y) {
-    const double column = std::clamp(x * image.width - 0.5, 0.0, image.width - 1.0);
-    const double row = std::clamp(y * image.height - 0.5, 0.0, image.height - 1.0);
-    const int x0 = static_cast<int>(column), y0 = static_cast<int>(row);
-    const int x1 = std::min(x0 + 1, image.width - 1), y1 = std::min(y0 + 1, image.height - 1);
-    std::array<double, 4> sum{0, 0, 0, 0};
-    const auto add = [&](int i, int j, double weight) {
-        const float* texel = image.at(i, j);
-        for (int c = 0; c < 3; ++c) sum[c] += weight * texel[c];
-        sum[3] += weight * (image.channels == 4 ? texel[3] : 1.0f);
-    };
-    const double fx = column - x0, fy = row - y0;
-    add(x0, y0, (1 - fx) * (1 - fy));
-    add(x1, y0, fx * (1 - fy));
-    add(x0, y1, (1 - fx) * fy);
-    add(x1, y1, fx * fy);
-    return {{sum[0], sum[1], sum[2]}, sum[3]};
-}
-
 double smoothstep(double edge, double x) {
     const double t = std::clamp(x / edge, 0.0, 1.0);
     return t * t * (3 - 2 * t);
@@ -48,11 +22,11 @@ double smoothstep(double edge, double x) {
 
 // Colour and coverage of the disc at (x, y): the image's square covers [-outer, outer]^2, turned by rotation, row 0 at
 // the side +outer.
-Paint disc_paint(const DiscSpec& disc, const Image<float>* image, double x, double y) {
+Paint disc_pattern(const DiscSpec& disc, const Image<float>* image, double x, double y) {
     const double c = std::cos(disc.rotation), s = std::sin(disc.rotation);
     const double u = (c * x + s * y) / disc.outer, v = (c * y - s * x) / disc.outer;
-    const bool painted = disc.look.texture != TextureKind::kImage;
-    Paint paint = painted ? Paint{disc_coat(disc, x, y), 1}
+    const bool painted = disc.material.texture != TextureKind::kImage;
+    Paint paint = painted ? Paint{disc_material(disc, x, y), 1}
                   : image ? sample_image(*image, 0.5 * (1 + u), 0.5 * (1 - v))
                           : Paint{{1, 1, 1}, 1};
     const double r = std::hypot(x, y), distance = std::min(r - disc.inner, disc.outer - r) / (disc.outer - disc.inner);
@@ -62,7 +36,7 @@ Paint disc_paint(const DiscSpec& disc, const Image<float>* image, double x, doub
 }
 
 // The pattern as two fading copies have it (docs/time.md), each wound by its rings' own rates: what of it is at (x, y) at time t.
-Paint flowing_paint(const DiscSpec& disc, const Image<float>* image, double rate, double t, double x, double y) {
+Paint flowing_pattern(const DiscSpec& disc, const Image<float>* image, double rate, double t, double x, double y) {
     constexpr double kCopies = 4096, kGolden = 0.61803398875;
     const double lives = t / disc.flow_life, r = std::hypot(x, y), azimuth = std::atan2(y, x);
     Paint sum{{0, 0, 0}, 0};
@@ -72,13 +46,13 @@ Paint flowing_paint(const DiscSpec& disc, const Image<float>* image, double rate
         const double number = copy - kCopies * std::floor(copy / kCopies),
                      turn = kGolden * number - std::floor(kGolden * number);
         const double from = azimuth - rate * (part - 0.5) * disc.flow_life - 2 * M_PI * turn;
-        const Paint one = disc_paint(disc, image, r * std::cos(from), r * std::sin(from));
+        const Paint one = disc_pattern(disc, image, r * std::cos(from), r * std::sin(from));
         sum = {sum.colour + weight * one.colour, sum.alpha + weight * one.alpha};
     }
     return sum;
 }
 
-// 24 squares around by 12 rings of equal height, the northern half blue, the southern one amber: the look of
+// 24 squares around by 12 rings of equal height, the northern half blue, the southern one amber: the pattern of
 // shaders/object/star.glsl, unfiltered.
 Vec3 star_colour(Vec3 place) {
     constexpr double kSquare = M_PI / 12;
@@ -94,6 +68,8 @@ constexpr int kMostHits = 64;
 
 // What there is to see. far_sky, heat: where the scene has one.
 struct Looks {
+    const FrameTracer& tracer;
+    const Scene& scene;
     const SkyCube& sky;
     const SkyCube* far_sky;
     const Pictures& pictures;
@@ -109,24 +85,24 @@ Vec3 shifted(Vec3 light, const Scene& scene, double g) {
     return {changed(light.x, seen.x, own.x), changed(light.y, seen.y, own.y), changed(light.z, seen.z, own.z)};
 }
 
-Paint paint_at(const FrameTracer& tracer, const Scene& scene, const Looks& looks, const DiscHit& hit) {
-    if (scene.disc->flow == DiscFlowKind::kStill) return disc_paint(*scene.disc, looks.pictures.disc, hit.x, hit.y);
-    return flowing_paint(*scene.disc, looks.pictures.disc, tracer.matter().kepler_rate(std::hypot(hit.x, hit.y)),
-                         scene.time - hit.late, hit.x, hit.y);
+Paint pattern_at(const Looks& looks, const DiscHit& hit) {
+    const DiscSpec& disc = *looks.scene.disc;
+    if (disc.flow == DiscFlowKind::kStill) return disc_pattern(disc, looks.pictures.disc, hit.x, hit.y);
+    return flowing_pattern(disc, looks.pictures.disc, looks.tracer.matter().kepler_rate(std::hypot(hit.x, hit.y)),
+                           looks.scene.time - hit.delay, hit.x, hit.y);
 }
 
 // A spot is a Gaussian about its middle, which moves on a circle: its frequency there is p . u, u = u^t (1, 0, 0, Omega).
-Vec3 spot_colour(const FrameTracer& tracer, const Scene& scene, const TracedRay& ray, const DiscHit& hit) {
-    const SpotSpec& spot = *scene.spot;
-    const double rate = tracer.matter().kepler_rate(spot.r), t = scene.time - hit.late,
-                 rest = tracer.matter().rest_lapse(spot.r);
+Vec3 spot_colour(const Metric& matter, const Scene& scene, const SpotSpec& spot, const TracedRay& ray,
+                 const DiscHit& hit) {
+    const double rate = matter.kepler_rate(spot.r), t = scene.time - hit.delay, rest = matter.rest_lapse(spot.r);
     double least = INFINITY;
     for (int i = 0; i < spot.count; ++i) {
         const double at = spot.phase + rate * t + 2 * M_PI * i / spot.count;
         least = std::min(least, std::hypot(hit.x - spot.r * std::cos(at), hit.y - spot.r * std::sin(at)));
     }
     const double l_z = scene.light.lensing ? ray.l_z : ray.l_z / rest;
-    const EquatorialMetric g = tracer.matter().equator(spot.r);
+    const EquatorialMetric g = matter.equator(spot.r);
     const double u_t = 1 / std::sqrt(-g.g_tt - rate * (2 * g.g_tphi + rate * g.g_phiphi)),
                  all = 1 / (u_t * (1 - rate * l_z));
     const Shift shift{ray.shift.gravity * rest, ray.shift.doppler * all / rest};
@@ -135,30 +111,31 @@ Vec3 spot_colour(const FrameTracer& tracer, const Scene& scene, const TracedRay&
            std::exp(-0.5 * least * least / (spot.size * spot.size)) * light;
 }
 
-Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& looks, double x, double y) {
-    const RayPtr traced = tracer.ray(x, y);
+Vec3 ray_colour(const Looks& looks, double x, double y) {
+    const Scene& scene = looks.scene;
+    const RayPtr traced = looks.tracer.ray(x, y);
     const TracedRay& ray = *traced;
     Vec3 colour{0, 0, 0};
     double through = 1;
     const std::optional<BodyHit> body = ray.first_hit();
-    for (const DiscHit& hit : tracer.disc_hits(ray, kMostHits)) {
+    for (const DiscHit& hit : looks.tracer.disc_hits(ray, kMostHits)) {
         if (body && body->along < hit.along) break;
-        Paint paint = paint_at(tracer, scene, looks, hit);
+        Paint paint = pattern_at(looks, hit);
         if (looks.heat != nullptr) {
-            const double r = std::hypot(hit.x, hit.y);
-            const Vec3 light =
-                looks.heat->colour(r, ray.g * looks.heat->shift({r, ray.l_z, hit.climb}).seen(scene.light));
+            const PhotonAtDisc photon{std::hypot(hit.x, hit.y), ray.l_z, hit.climb};
+            const Vec3 light = looks.heat->colour(photon, ray.g * looks.heat->shift(photon).seen(scene.light));
             paint.colour = {paint.colour.x * light.x, paint.colour.y * light.y, paint.colour.z * light.z};
         }
         colour = colour + through * paint.alpha * paint.colour;
-        if (scene.spot) colour = colour + through * spot_colour(tracer, scene, ray, hit);
+        for (const SpotSpec& spot : scene.spots)
+            colour = colour + through * spot_colour(looks.tracer.matter(), scene, spot, ray, hit);
         through *= 1 - paint.alpha;
     }
-    if (body) return colour + through * body_light(scene, *body, looks.pictures.of(body->object));
+    if (body) return colour + through * body_light(scene, *body, looks.pictures.of(body->body));
     if (ray.fate() == Fate::kEscaped && through > 0) {
         const Vec3 at = ray.end_direction();
-        colour = colour + through * (has_look(scene.sky.kind) ? sky_coat(scene.sky, at)
-                                                              : shifted(sample_sky(looks.sky, at), scene, ray.g));
+        colour = colour + through * (is_procedural(scene.sky.kind) ? sky_material_of(scene.sky, at)
+                                                                   : shifted(sample_sky(looks.sky, at), scene, ray.g));
     }
     if (ray.fate() == Fate::kHit) colour = colour + through * star_colour(ray.end_direction());
     if (ray.fate() == Fate::kOtherSide && looks.far_sky != nullptr)
@@ -167,12 +144,11 @@ Vec3 ray_colour(const FrameTracer& tracer, const Scene& scene, const Looks& look
 }
 
 // What of a point behind shines through.
-double transmission(const FrameTracer& tracer, const Scene& scene, const Looks& looks, double x, double y) {
-    const RayPtr ray = tracer.ray(x, y);
+double transmission(const Looks& looks, double x, double y) {
+    const RayPtr ray = looks.tracer.ray(x, y);
     if (ray->first_hit()) return 0;
     double through = 1;
-    for (const DiscHit& hit : tracer.disc_hits(*ray, kMostHits))
-        through *= 1 - paint_at(tracer, scene, looks, hit).alpha;
+    for (const DiscHit& hit : looks.tracer.disc_hits(*ray, kMostHits)) through *= 1 - pattern_at(looks, hit).alpha;
     return through;
 }
 
@@ -185,35 +161,31 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
     if (pictures.disc && (pictures.disc->empty() || pictures.disc->channels < 3 || pictures.disc->channels > 4)) {
         return bad_input("the disc's image must have 3 or 4 channels");
     }
-    auto tracer = FrameTracer::make(scene);
-    if (!tracer) return tracer.error();
+    TRY(tracer, FrameTracer::make(scene));
     std::optional<DiscLight> heat;
     if (scene.disc && scene.disc->emission == DiscEmission::kThermal)
         heat.emplace(tracer->matter(), *scene.disc, scene.light);
-    const Looks looks{sky, far_sky, pictures, heat ? &*heat : nullptr};
+    const Looks looks{*tracer, scene, sky, far_sky, pictures, heat ? &*heat : nullptr};
     Image<float> image(scene.camera.width, scene.camera.height, 3);
-    tbb::parallel_for(tbb::blocked_range<int>(0, image.height), [&](const tbb::blocked_range<int>& rows) {
-        for (int y = rows.begin(); y < rows.end(); ++y) {
-            for (int x = 0; x < image.width; ++x) {
-                Vec3 sum{0, 0, 0};
-                for (int i = 0; i < samples * samples; ++i) {
-                    const int row = i / samples;
-                    const double dx = (i % samples + 0.5) / samples, dy = (row + 0.5) / samples;
-                    sum = sum + ray_colour(*tracer, scene, looks, x + dx, y + dy);
-                }
-                sum = sum / (static_cast<double>(samples) * samples);
-                float* pixel = image.at(x, y);
-                pixel[0] = static_cast<float>(sum.x);
-                pixel[1] = static_cast<float>(sum.y);
-                pixel[2] = static_cast<float>(sum.z);
+    tbb::parallel_for(0, image.height, [&](int y) {
+        for (int x = 0; x < image.width; ++x) {
+            Vec3 sum{0, 0, 0};
+            for (int i = 0; i < samples * samples; ++i) {
+                const int row = i / samples;
+                const double dx = (i % samples + 0.5) / samples, dy = (row + 0.5) / samples;
+                sum = sum + ray_colour(looks, x + dx, y + dy);
             }
-            if (done) done(image.width);
+            sum = sum / (static_cast<double>(samples) * samples);
+            float* pixel = image.at(x, y);
+            pixel[0] = static_cast<float>(sum.x);
+            pixel[1] = static_cast<float>(sum.y);
+            pixel[2] = static_cast<float>(sum.z);
         }
+        if (done) done(image.width);
     });
     if (!stars.empty())
         add_point_stars(
-            *tracer, scene, stars, [&](double x, double y) { return transmission(*tracer, scene, looks, x, y); },
-            image);
+            *tracer, scene, stars, [&](double x, double y) { return transmission(looks, x, y); }, image);
     return image;
 }
 

@@ -8,11 +8,10 @@
 // monotone from infinity to the singularity or back) and radial (q infinite).
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "reference/elliptic.h"
 #include "reference/plane_metrics.h"
-#include "reference/schwarzschild_delay.h"
+#include "reference/smooth_segment.h"
 
 namespace nullscope::reference {
 namespace {
@@ -71,9 +70,50 @@ struct RealRoots {
     }
 };
 
+// Up to this part of |e1| the integrand in zeta itself is analytic in a circle three times as large: 1e-16.
+constexpr double kDirectPart = 0.3;
+
+// int_0^to dzeta / (sqrt P (q + sqrt P)) for to <= kDirectPart |e1|, where P stays near q^2.
+double direct(double q, double to) {
+    return PanelGauss::integrate(
+        [q](double zeta) {
+            const double root = std::sqrt(q * q - zeta * zeta * (1 - zeta));
+            return 1 / (root * (q + root));
+        },
+        0.0, to);
+}
+
+// T of a ray that runs outward from zeta0, T = int_0^zeta0 dzeta / (sqrt P (q + sqrt P)), in the variable that makes the integrand
+// regular: relative error 1e-14. Its nearest singularity, zeta = e1, lies 0.28 beyond the range at least.
+// Two real roots near the range: e1 < 0 < e2 < e3, below = e2 - zeta0, gap = e3 - e2; e2 - zeta = gap sinh^2(w), e3 - zeta = gap cosh^2(w): dzeta / sqrt((e2-zeta)(e3-zeta)) = -2 dw.
+double outward_delay_real(double q, double zeta0, double minus_e1, double e2, double below, double gap) {
+    const double split = kDirectPart * minus_e1;
+    if (zeta0 <= split) return direct(q, zeta0);
+    const double from = std::asinh(std::sqrt(below / gap)), to = std::asinh(std::sqrt((e2 - split) / gap));
+    return direct(q, split) + integrate_panels(
+                                  [=](double w) {
+                                      const double sh = std::sinh(w), ch = std::cosh(w),
+                                                   first = std::sqrt(e2 - gap * sh * sh + minus_e1);
+                                      return 2 / (first * (q + gap * sh * ch * first));
+                                  },
+                                  from, to);
+}
+
+// A conjugate pair re +- i im, beyond = zeta0 - re; zeta = re + im sinh(w): dzeta / |zeta - e2| = dw.
+double outward_delay_pair(double q, double zeta0, double minus_e1, double re, double im, double beyond) {
+    const double split = kDirectPart * minus_e1;
+    if (zeta0 <= split) return direct(q, zeta0);
+    return direct(q, split) + integrate_panels(
+                                  [=](double w) {
+                                      const double first = std::sqrt(re + im * std::sinh(w) + minus_e1);
+                                      return 1 / (first * (q + im * std::cosh(w) * first));
+                                  },
+                                  std::asinh((split - re) / im), std::asinh(beyond / im));
+}
+
 class Flyby : public Orbit {
 public:
-    explicit Flyby(const SchwarzschildStart& start) : start_(start), roots_(start.q, start.delta2) {
+    explicit Flyby(const SchwarzschildStart& start) : Orbit(start.zeta0), start_(start), roots_(start.q, start.delta2) {
         // zeta0 - (e2 + e3)/2 <= 0: e3 - zeta0 is a sum, e2 - zeta0 follows from P.
         f3_ = std::abs(start.beyond - roots_.middle_rest) + 0.5 * roots_.e32;
         f1_ = start.zeta0 + roots_.minus_e1;
@@ -81,16 +121,14 @@ public:
         fate_ = Fate::kEscaped;
         if (start.s > 0) {
             turn_ = roots_.e2;
-            leg_ = turn_angle_ = to_turn(f1_, f2_, f3_);
-            angle_ = leg_ + to_turn(roots_.minus_e1, roots_.e2, roots_.e3);
+            segment_ = turn_angle_ = to_turn(f1_, f2_, f3_);
+            angle_ = segment_ + to_turn(roots_.minus_e1, roots_.e2, roots_.e3);
         } else {
             angle_ = from_infinity();
         }
     }
-    double zeta_at(double angle) const override {
-        if (angle == 0) return start_.zeta0;
-        if (has_ended(angle)) return kNotANumber;
-        const bool approaches = start_.s > 0 && angle <= leg_;
+    double place_at(double angle) const override {
+        const bool approaches = start_.s > 0 && angle <= segment_;
         return zeta_from_infinity(approaches ? from_infinity() + angle : angle_ - angle);
     }
     double delay() const override;
@@ -115,7 +153,7 @@ private:
     }
     SchwarzschildStart start_;
     RealRoots roots_;
-    double f1_, f2_, f3_, leg_ = 0;
+    double f1_, f2_, f3_, segment_ = 0;
 };
 
 // Inward part: 2 int_zeta0^e2 q dzeta / (zeta^2 (1 - zeta) sqrt P), from
@@ -129,11 +167,12 @@ double Flyby::delay() const {
     if (start_.s > 0) {
         const double product = e.e21 * e.e32, first = f1_ * e.e32, third = f3_ * e.e21;
         const double weight = 2.0 / 3.0 * product * f2_ * std::sqrt(f2_);
-        const double i1 = e.e2 * leg_ - weight * rd(first, third, product);
+        const double i1 = e.e2 * segment_ - weight * rd(first, third, product);
         const double pi0 =
-            leg_ / e.e2 + weight / square(e.e2) * rj(product, first, third, product * start_.zeta0 / e.e2);
-        const double pi1 = leg_ / e.below_one2 - weight / square(e.below_one2) *
-                                                     rj(product, first, third, product * start_.lapse2 / e.below_one2);
+            segment_ / e.e2 + weight / square(e.e2) * rj(product, first, third, product * start_.zeta0 / e.e2);
+        const double pi1 =
+            segment_ / e.below_one2 -
+            weight / square(e.below_one2) * rj(product, first, third, product * start_.lapse2 / e.below_one2);
         inward = start_.root_p / (start_.q * start_.zeta0) + i1 / (2 * start_.q) + start_.q * (pi0 + pi1);
     }
     return 2 * inward + outward_delay_real(start_.q, start_.zeta0, e.minus_e1, e.e2, f2_, e.e32);
@@ -142,11 +181,11 @@ double Flyby::delay() const {
 // Between the photon sphere and the singularity, q < q_crit: rises to the turning point e3 at most.
 class Inner : public Orbit {
 public:
-    explicit Inner(const SchwarzschildStart& start) : start_(start), roots_(start.q, start.delta2) {
+    explicit Inner(const SchwarzschildStart& start) : Orbit(start.zeta0), start_(start), roots_(start.q, start.delta2) {
         f2_ = std::abs(start.beyond - roots_.middle_rest) + 0.5 * roots_.e32;
         f1_ = start.zeta0 + roots_.minus_e1;
         f3_ = start.root_p / f1_ * (start.root_p / f2_);
-        leg_ = from_turn({f1_, f2_, f3_});
+        segment_ = from_turn({f1_, f2_, f3_});
         const Factors horizon{1 + roots_.minus_e1, roots_.below_one2, roots_.below_one3};
         const bool inside = start.lapse2 <= 0;
         if (start.s > 0) {
@@ -156,16 +195,14 @@ public:
         } else {
             fate_ = inside ? Fate::kNoSky : Fate::kCaptured;
             turn_ = roots_.e3;
-            turn_angle_ = leg_;
-            angle_ = leg_ + from_turn(horizon);
+            turn_angle_ = segment_;
+            angle_ = segment_ + from_turn(horizon);
         }
     }
     // From the turning point: zeta = e3 + e32 sc^2(sqrt(e31) v / 2).
     // From the singularity:   zeta = e3 + e31 cs^2(sqrt(e31) y / 2).
-    double zeta_at(double angle) const override {
-        if (angle == 0) return start_.zeta0;
-        if (has_ended(angle)) return kNotANumber;
-        const double v = std::abs(angle + start_.s * leg_), y = to_singularity() - start_.s * angle;
+    double place_at(double angle) const override {
+        const double v = std::abs(angle + start_.s * segment_), y = to_singularity() - start_.s * angle;
         const double half = 0.5 * std::sqrt(roots_.e31), m1 = roots_.e32 / roots_.e31;
         if (y > 0 && y < v) {
             const JacobiValues j = jacobi(half * y, m1);
@@ -183,7 +220,7 @@ private:
     double to_singularity() const { return 2 * rf(f1_, f2_, f3_); }
     SchwarzschildStart start_;
     RealRoots roots_;
-    double f1_, f2_, f3_, leg_;
+    double f1_, f2_, f3_, segment_;
 };
 
 // sinh(asinh(x) / 3). A logarithm turned back into a power would cost ln(x) roundings where x is large: a cube root does not.
@@ -196,7 +233,7 @@ double sinh_third(double x) {
 // q > q_crit: psi = pi/2 + i eta, sinh(eta) = sqrt(delta2)/q_crit; one real root and the pair re +- i im.
 class Passing : public Orbit {
 public:
-    explicit Passing(const SchwarzschildStart& start) : start_(start) {
+    explicit Passing(const SchwarzschildStart& start) : Orbit(start.zeta0), start_(start) {
         const double sinh_half = sinh_third(std::sqrt(start.delta2) / kCritical), half2 = square(sinh_half);  // of u/2
         const double cosh_u = 1 + 2 * half2, sinh_u = 2 * sinh_half * std::sqrt(1 + half2);
         minus_e1_ = (1 + 4 * half2) / 3;
@@ -217,9 +254,7 @@ public:
     }
     // Biermann and Weierstrass' formula from infinity (zeta = 0) or from the singularity (the pole of the Weierstrass
     // function), whichever is nearer: p(x) = (e1 - 1/3)/4 + (N/4) (1 + cn)/(1 - cn), cn of sqrt(N) x, N = |e1 - e2|.
-    double zeta_at(double angle) const override {
-        if (angle == 0) return start_.zeta0;
-        if (has_ended(angle)) return kNotANumber;
+    double place_at(double angle) const override {
         const bool out = start_.s < 0;
         const double x = out ? angle_ - angle : between(camera_, sky_, start_.zeta0) + angle;
         const double y = to_singularity(camera_) + (out ? angle : -angle);
@@ -260,8 +295,7 @@ private:
     Point camera_, sky_;
 };
 
-// L = 0, and the circular orbit on the photon sphere, which never ends: no angle sweeps, or zeta stays.
-
+// L = 0, and the circular orbit on the photon sphere, which never ends, stand.
 std::unique_ptr<Orbit> make_schwarzschild_orbit(const SchwarzschildStart& given) {
     SchwarzschildStart start = given;
     if (!(start.q < kRadialQ))
@@ -270,7 +304,7 @@ std::unique_ptr<Orbit> make_schwarzschild_orbit(const SchwarzschildStart& given)
                                                                                : Fate::kNoSky);
     if (start.delta2 == 0 && start.root_p == 0) return std::make_unique<StandingOrbit>(kTwoThirds, Fate::kNoSky, false);
     // The critical ray itself never ends; its neighbour, closer than any double q comes, does.
-    if (start.delta2 == 0) start.delta2 = square(std::numeric_limits<double>::epsilon());
+    if (start.delta2 == 0) start.delta2 = kNearlyCritical2;
     if (start.delta2 > 0) return std::make_unique<Passing>(start);
     if (start.beyond < 0) return std::make_unique<Flyby>(start);
     return std::make_unique<Inner>(start);

@@ -1,14 +1,14 @@
 #include "reference/star_images.h"
 
 #include <tbb/parallel_for.h>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
-#include "camera/pose.h"
 #include "light/black_body.h"
+#include "observer/pose.h"
+#include "reference/root.h"
 #include "reference/seen_light.h"
 
 namespace nullscope::reference {
@@ -55,11 +55,7 @@ std::vector<StarImage> StarImages::of(Vec3 direction, double margin_px) const {
         if (!(wanted < samples_.back().swept)) break;
         const auto next = std::upper_bound(samples_.begin() + 1, samples_.end() - 1, wanted,
                                            [](double w, const Sample& s) { return w < s.swept; });
-        std::uintmax_t most = 60;
-        const auto bracket =
-            boost::math::tools::toms748_solve([&](double alpha) { return swept(alpha) - wanted; }, (next - 1)->alpha,
-                                              next->alpha, boost::math::tools::eps_tolerance<double>(50), most);
-        const double alpha = 0.5 * (bracket.first + bracket.second),
+        const double alpha = root_of([&](double a) { return swept(a) - wanted; }, (next - 1)->alpha, next->alpha, 50),
                      side = (odd ? -1 : 1) * std::sin(alpha) / std::max(across, 1e-300);
         const auto position = tracer_.plane_rays()->position({std::cos(alpha), side * local.y, side * local.z});
         if (!position) continue;
@@ -73,7 +69,7 @@ std::vector<StarImage> StarImages::of(Vec3 direction, double margin_px) const {
                    by_y = (sky(0, kStep_px) - sky(0, -kStep_px)) / (2 * kStep_px);
         const double solid_angle = length(cross(by_x, by_y));
         if (std::isfinite(solid_angle) && solid_angle > 0)
-            images.push_back({x, y, order, solid_angle, tracer_.ray(x, y)->g, alpha});
+            images.push_back({x, y, order, solid_angle, tracer_.ray(x, y)->g});
     }
     return images;
 }
@@ -99,13 +95,13 @@ void add_point_stars(const FrameTracer& tracer, const Scene& scene, const std::v
     };
     const auto images = images_of(tracer, scene);
     std::vector<std::vector<Spot>> spots(stars.size());
-    constexpr double kPeak = 1 / (2 * M_PI * kPointSigma_px * kPointSigma_px);
     tbb::parallel_for(std::size_t{0}, stars.size(), [&](std::size_t i) {
         for (const StarImage& image : images(stars[i].direction)) {
             const double through = transmission(image.x, image.y);
             if (through > 0)
-                spots[i].push_back({image.x, image.y,
-                                    kPeak * through / image.solid_angle * star_light(stars[i], image.g, scene.light)});
+                spots[i].push_back(
+                    {image.x, image.y,
+                     point_peak() * through / image.solid_angle * star_light(stars[i], image.g, scene.light)});
         }
     });
     constexpr int kReach = 6;  // px: 8 sigma

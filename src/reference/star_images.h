@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "base/image.h"
 #include "base/vec.h"
+#include "image/image.h"
 #include "reference/frame_tracer.h"
 #include "sky/point_stars.h"
 
@@ -16,7 +16,6 @@ struct StarImage {
     int order;           // 0: the direct one; -1 where rays stay in no plane (images_by_mesh)
     double solid_angle;  // of sky that a pixel's area at (x, y) covers, sr/px^2
     double g;            // frequency in the camera over frequency at infinity
-    double alpha;        // angle from the outward radial in the static frame, rad
 };
 
 class StarImages {

@@ -24,25 +24,22 @@ Result<Vec3> unit_direction(Vec3 n) {
 }  // namespace
 
 Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int crossings, const DiscLight* matter) {
-    const auto metric = make_metric(scene.spacetime);
-    if (!metric) return metric.error();
+    TRY(metric, make_metric(scene.spacetime));
     if (query.at_angle && !(*query.at_angle >= 0 && std::isfinite(*query.at_angle)))
         return bad_input(fmt::format("at_angle = {} must be finite and not negative", *query.at_angle));
     RayQuery asked = query;
     if (!query.orbit) {
-        const auto n = unit_direction(query.n);
-        if (!n) return n.error();
+        TRY(n, unit_direction(query.n));
         asked.n = *n;
     }
     if (Status followed = check_bodies(scene, **metric); !followed) return followed.error();
     const Bodies bodies(scene, **metric);
-    const auto traced = (*metric)->ray(asked, {&bodies, scene.light.delay, false, crossings});
-    if (!traced) return traced.error();
+    TRY(traced, (*metric)->ray(asked, {&bodies, scene.light.delay, false, crossings}));
     const TracedRay& ray = **traced;
     const auto hit = ray.first_hit();
     RayRecord record;
     record.fate = hit ? Fate::kHit : ray.fate();
-    record.hit = hit ? hit->object : record.fate == Fate::kHit ? Object::kStar : Object::kNone;
+    record.hit = hit ? hit->number : record.fate == Fate::kHit ? kStarHit : 0;
     record.angle = ray.swept(hit ? hit->along : ray.end());
     record.g = ray.g;
     if (!hit) record.delay = ray.delay();

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "camera/pose.h"
+#include "observer/pose.h"
 #include "reference/seen_light.h"
 #include "scene/ray.h"
 
@@ -28,24 +28,25 @@ struct PlaneCrossing {
     // Of the photon, over its energy: the radial part of its momentum, as who has no angular momentum measures it,
     // times the lapse; > 0: it really moves outward. Without rotation a cosine. Outside the horizon.
     double climb;
-    double late = 0;  // how long ago, by the camera's clock, the light left, r_s/c; 0 where nobody asks (RayTask)
+    double delay = 0;  // how long ago, by the camera's clock, the light left, r_s/c; 0 where nobody asks (RayTask)
 };
 
 // Where a ray enters a solid body.
 struct BodyHit {
     double along;
-    Vec3 place;  // r_s, world axes
-    Object object;
-    double cosine;              // between the ray and the surface's normal, in flat coordinates
-    Vec3 middle{0, 0, 0};       // of the body, when the light left
-    double late = kNotANumber;  // of a ray that is integrated: how long ago, by the camera's clock, the light left
+    Vec3 place;                  // r_s, world axes
+    int number;                  // in ray data
+    std::size_t body;            // of Scene::bodies
+    double cosine;               // between the ray and the surface's normal, in flat coordinates
+    Vec3 middle{0, 0, 0};        // of the body, when the light left
+    double delay = kNotANumber;  // of a ray that is integrated: how long ago, by the camera's clock, the light left
 };
 
 // What rays may be asked, said before they are traced: one that is integrated is looked along meanwhile.
 struct RayTask {
     const Bodies* bodies = nullptr;  // that end rays; outlives them
-    bool late_bodies = false;        // those that move are seen where they were when the light left
-    bool late_disc = false;          // crossings have their `late`
+    bool delays_bodies = false;      // those that move are seen where they were when the light left
+    bool delays_disc = false;        // crossings have their `delay`
     int crossings = 0;               // of the plane, most of one ray
 };
 
@@ -66,13 +67,13 @@ public:
     virtual double swept(double along) const = 0;  // rad, windings kept; NaN where the ray is in no plane
     virtual double delay() const = 0;              // T = v_cam - v_inf, r_s/c; escaped rays. May take some microseconds
     // Of the equatorial plane after the camera, before the end, in order: those with inner <= r <= outer, at most
-    // `most`, and not more than the task said. With `late` a millisecond each where rays are closed forms.
+    // `most`, and not more than the task said. With `delay` a millisecond each where rays are closed forms.
     virtual std::vector<PlaneCrossing> crossings(int most, double inner = -std::numeric_limits<double>::infinity(),
                                                  double outer = std::numeric_limits<double>::infinity()) const = 0;
-    // The first of the task's bodies that it enters. Closed forms: 50 microseconds; late ones that move, milliseconds.
+    // The first of the task's bodies that it enters. Closed forms: 50 microseconds; moving ones with delay, milliseconds.
     virtual std::optional<BodyHit> first_hit() const = 0;
     // How long ago, by the camera's clock, light left a crossing or first_hit(), r_s/c; NaN in wormholes.
-    virtual double late(double along) const = 0;
+    virtual double delay(double along) const = 0;
     virtual const PlaneRay* in_plane() const { return nullptr; }  // the ray, if it stays in a plane
 };
 using RayPtr = std::unique_ptr<const TracedRay>;
@@ -93,12 +94,12 @@ class RayFamily {
 public:
     explicit RayFamily(const Tetrad& tetrad) : tetrad_(tetrad) {}
     virtual ~RayFamily() = default;
-    // look: where the photon comes from, along the camera's right, up and backward; of any length.
-    RayPtr ray(Vec3 look) const {
-        const long double norm =
-            std::sqrt(static_cast<long double>(look.x) * look.x + static_cast<long double>(look.y) * look.y +
-                      static_cast<long double>(look.z) * look.z);
-        const std::array<long double, 3> n{look.x / norm, look.y / norm, look.z / norm};
+    // direction: where the photon comes from, along the camera's right, up and backward; of any length.
+    RayPtr ray(Vec3 direction) const {
+        const long double norm = std::sqrt(static_cast<long double>(direction.x) * direction.x +
+                                           static_cast<long double>(direction.y) * direction.y +
+                                           static_cast<long double>(direction.z) * direction.z);
+        const std::array<long double, 3> n{direction.x / norm, direction.y / norm, direction.z / norm};
         Photon p = tetrad_[0];
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t mu = 0; mu < 4; ++mu) p[mu] -= n[i] * tetrad_[i + 1][mu];

@@ -2,47 +2,39 @@
 
 #include <fmt/format.h>
 
-#include "base/large_image.h"
+#include "image/large_image.h"
 
 namespace nullscope {
 
-const char* body_image_sampler(int body) {
-    constexpr const char* kSamplers[kBodyCount] = {"sphere_texture", "cylinder_texture", "ball_texture",
-                                                   "surface_texture"};
-    return kSamplers[body];
-}
+std::string body_image_sampler(int image) { return fmt::format("body_image_{}", image); }
 
-std::optional<std::filesystem::path> body_image_file(const Scene& scene, int body) {
-    const BodyLook* looks[kBodyCount] = {
-        scene.sphere ? &scene.sphere->look : nullptr, scene.cylinder ? &scene.cylinder->look : nullptr,
-        scene.ball ? &scene.ball->look : nullptr, scene.surface ? &scene.surface->look : nullptr};
-    if (looks[body] == nullptr || looks[body]->texture != TextureKind::kImage) return std::nullopt;
-    return looks[body]->image;
+Status PictureTexture::update(const std::filesystem::path& wanted, int largest, std::vector<std::string>& notes) {
+    if (file == wanted) return Done{};
+    *this = {};
+    if (wanted.empty()) return Done{};
+    TRY(fitted, load_fitted_image(wanted, {.max_side = largest}));
+    if (fitted->reduced())
+        notes.push_back(reduction_words(wanted, *fitted, fmt::format("textures are limited to {} px here", largest)));
+    const Image<float>& image = fitted->image;
+    texture = gl::make_picture_texture(image.width, image.height, image.channels, image.data.data());
+    file = wanted, width = image.width, height = image.height;
+    return Done{};
 }
-
-std::string textures_end_at(int largest) { return fmt::format("textures end at {} px here", largest); }
 
 Status BodyImages::update(const Scene& scene, int largest, std::vector<std::string>& notes) {
-    for (int body = 0; body < kBodyCount; ++body) {
-        std::optional<Picture>& picture = pictures_[static_cast<std::size_t>(body)];
-        const auto file = body_image_file(scene, body);
-        if (file && picture && picture->file == *file) continue;
-        picture.reset();
-        if (!file) continue;
-        const auto fitted = load_fitted_image(*file, {.max_side = largest});
-        if (!fitted) return fitted.error();
-        if (fitted->reduced()) notes.push_back(reduction_words(*file, *fitted, textures_end_at(largest)));
-        const Image<float>& image = fitted->image;
-        picture = Picture{*file, image.width, image.height,
-                          gl::make_picture_texture(image.width, image.height, image.channels, image.data.data())};
+    const auto files = body_images(scene);
+    if (files.size() > pictures_.size())
+        return bad_input(fmt::format("{} different images on bodies", files.size()),
+                         fmt::format("at most {}", pictures_.size()));
+    for (std::size_t i = 0; i < pictures_.size(); ++i) {
+        TRY(made, pictures_[i].update(i < files.size() ? files[i] : std::filesystem::path(), largest, notes));
     }
     return Done{};
 }
 
 void BodyImages::bind(int first_unit) const {
-    for (int body = 0; body < kBodyCount; ++body)
-        if (const auto& picture = pictures_[static_cast<std::size_t>(body)])
-            gl::bind_texture_2d(first_unit + body, picture->texture);
+    for (std::size_t i = 0; i < pictures_.size(); ++i)
+        if (pictures_[i].texture) gl::bind_texture_2d(first_unit + static_cast<int>(i), pictures_[i].texture);
 }
 
 }  // namespace nullscope

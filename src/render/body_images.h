@@ -1,42 +1,36 @@
-// The image textures of solid bodies on the GPU: one for each body that has one, kept until its file changes.
+// Picture files as textures of the GPU: each once, kept until it changes.
 #pragma once
 #include <array>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "gl/gl.h"
 #include "scene/scene.h"
+#include "shaderlib/body_text.h"
 
 namespace nullscope {
 
-inline constexpr int kBodyCount = 4;       // sphere, cylinder, ball, surface
-const char* body_image_sampler(int body);  // its sampler in the shader
+std::string body_image_sampler(int image);  // of number `image` of body_images(): its sampler in the shader
 
-class BodyImages {
-public:
-    // largest: px along a side, beyond which images are read smaller; notes: a line is added for each that was. Errors: an image
-    // that cannot be read.
-    Status update(const Scene& scene, int largest, std::vector<std::string>& notes);
-    void bind(int first_unit) const;  // units first_unit + body
-
-    struct Picture {
-        std::filesystem::path file;
-        int width = 0, height = 0;
-        gl::Texture texture;
-    };
-    const std::array<std::optional<Picture>, kBodyCount>& pictures() const { return pictures_; }
-
-private:
-    std::array<std::optional<Picture>, kBodyCount> pictures_;
+struct PictureTexture {
+    std::filesystem::path file;  // empty: no picture
+    int width = 0, height = 0;
+    gl::Texture texture;
+    // largest: px along a side, beyond which the file is read smaller; notes: a line is added if it was. Errors: it cannot be read.
+    Status update(const std::filesystem::path& wanted, int largest, std::vector<std::string>& notes);
 };
 
-// Why an image was made smaller.
-std::string textures_end_at(int largest);
+// The images on solid bodies.
+class BodyImages {
+public:
+    Status update(const Scene& scene, int largest, std::vector<std::string>& notes);
+    void bind(int first_unit) const;  // units first_unit + number of the image
+    const std::array<PictureTexture, kMostBodyImages>& pictures() const { return pictures_; }
 
-// The file of a body's image texture, if it has one.
-std::optional<std::filesystem::path> body_image_file(const Scene& scene, int body);
+private:
+    std::array<PictureTexture, kMostBodyImages> pictures_;
+};
 
 }  // namespace nullscope

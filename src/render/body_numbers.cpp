@@ -1,18 +1,25 @@
 #include "render/body_numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "light/black_body.h"
+#include "plan/body_kind.h"
+#include "scene/named_surface.h"
+#include "shaderlib/body_text.h"
+#include "spacetime/axial_metric.h"
 #include "spacetime/circular_orbit.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 namespace {
 
-void put_look(FrameVector& map, FrameVector& colour, FrameVector& second, const BodyLook& look) {
-    map = {std::cos(look.rotation), std::sin(look.rotation), static_cast<double>(look.columns),
-           static_cast<double>(look.rows)};
-    colour = {look.brightness * look.colour, look.limb};
-    second = {look.brightness * look.second_colour, look.band_latitude};
+void put_material(FrameVector& map, FrameVector& colour, FrameVector& second, const Material& material) {
+    map = {std::cos(material.rotation), std::sin(material.rotation), static_cast<double>(material.columns),
+           static_cast<double>(material.rows)};
+    colour = {material.brightness * material.colour, material.limb};
+    second = {material.brightness * material.second_colour, material.band_latitude};
 }
 
 struct Silhouette {
@@ -20,95 +27,146 @@ struct Silhouette {
 };
 // Of the angle from the outward radial under which a sphere's edge is seen. Sine -1 where only captured rays reach it: a sphere within
 // the photon sphere.
-Silhouette silhouette(const Spacetime& spacetime, const RayFan* fan, double camera_r, double radius) {
+Silhouette silhouette(const Spacetime& spacetime, const RayFamily* family, double camera_r, double radius) {
     const auto photon_sphere = spacetime.photon_sphere();
     if (photon_sphere && radius <= photon_sphere->radius) return {-1.0, 0.0};
-    if (fan == nullptr) return {radius / camera_r, -std::sqrt((camera_r - radius) * (camera_r + radius)) / camera_r};
-    const double t = fan->half_tangent_inward(std::sqrt(spacetime.lapse_squared(radius)) / radius),
+    if (family == nullptr) return {radius / camera_r, -std::sqrt((camera_r - radius) * (camera_r + radius)) / camera_r};
+    const double t = family->half_tangent_inward(std::sqrt(spacetime.lapse_squared(radius)) / radius),
                  by = 1.0 / (1.0 / t + t);
     return {2.0 * by, (1.0 / t - t) * by};
 }
 
-// Radii about the centre between which all bodies lie that are found by steps, and the shortest step: a thirtieth of the thinnest.
-void put_march(FrameData& frame, const Scene& scene, const Spacetime& spacetime, const BallPath* ball_path) {
-    constexpr double kMarchStep = 1.0 / 32;
-    const bool planar = spacetime.planar_rays();
-    double reaches[2] = {0.0, 0.0}, thinnest = 1e30, ground = 1e30;  // near, far
-    const auto holds = [&](bool far, double radius, double from) {
-        reaches[far] = std::max(reaches[far], radius), ground = std::min(ground, from);
-    };
-    if (const auto& c = scene.cylinder) {
-        holds(c->far, std::hypot(c->outer, c->height), c->inner);
-        thinnest = std::min({thinnest, 2 * c->height, c->outer - c->inner});
-    }
-    if (const auto& b = scene.ball) {
-        holds(b->far, ball_path != nullptr ? ball_path->reach : length(b->position) + b->radius,
-              ball_path != nullptr ? std::max(ball_path->ground, 0.0) : length(b->position) - b->radius);
-        thinnest = std::min(thinnest, b->radius);
-    }
-    if (scene.sphere && (!planar || scene.sphere->swing > 0.0)) {
-        holds(false, scene.sphere->radius * (1.0 + scene.sphere->swing),
-              scene.sphere->radius * (1.0 - scene.sphere->swing));
-        thinnest = std::min(thinnest, scene.sphere->radius * (1.0 - scene.sphere->swing));
-    }
-    if (const auto& f = scene.surface) {
-        holds(f->far, f->bound, 0.0);
-        thinnest = std::min(thinnest, 2 * f->bound / f->steps / kMarchStep);
-    }
-    const auto with_margin = [&](double reach) { return 1.001 * reach + 4 * kMarchStep * thinnest; };
-    const double least = 0.999 * ground;
-    frame.march = {with_margin(reaches[0]), kMarchStep * thinnest, planar ? with_margin(reaches[1]) : least,
-                   std::min(least, planar ? kAnyRadius : light_orbit(spacetime))};
+bool found_by_formula(const Body& body, const Spacetime& spacetime) {  // a still sphere on a planar path
+    const auto* sphere = std::get_if<SphereSpec>(&body.shape);
+    return sphere != nullptr && spacetime.planar_rays() && !(sphere->amplitude > 0.0);
 }
 
-FrameVector sphere_form(const SphereSpec& sphere, const Scene& scene, const Spacetime& spacetime, const RayFan* fan) {
-    if (sphere.swing > 0.0) {  // object/pulse.glsl
-        const double pulse = 2.0 * M_PI / sphere.period;
-        return {sphere.radius, sphere.swing, std::remainder(pulse * scene.time, 2.0 * M_PI), pulse};
+// A body's form, as its file in shaders/object has it.
+struct FormOf {
+    const FramePlan& plan;
+    const RayFamily* family;
+    const BallPath* path;  // of a ball that moves
+    const SurfaceClearances& clearances;
+    FrameVector operator()(const SphereSpec& sphere) const {
+        if (sphere.amplitude > 0.0) {
+            const double pulse = 2.0 * M_PI / sphere.period;
+            return {sphere.radius, sphere.amplitude, std::remainder(pulse * plan.scene.time, 2.0 * M_PI), pulse};
+        }
+        const Silhouette edge = silhouette(*plan.light, family, plan.scene.camera.r, sphere.radius);
+        return {sphere.radius, 1.0 / sphere.radius, edge.sine, edge.cosine};
     }
-    const Silhouette edge = silhouette(spacetime, fan, scene.camera.r, sphere.radius);
-    return {sphere.radius, 1.0 / sphere.radius, edge.sine, edge.cosine};
+    FrameVector operator()(const CylinderSpec& c) const { return {c.inner, c.outer, c.height, 0}; }
+    FrameVector operator()(const BallSpec& ball) const {
+        if (path != nullptr) return {path->from, 1.0 / path->step, path->speed, ball.radius};
+        return {ball.position, ball.radius};
+    }
+    FrameVector operator()(const SurfaceSpec& s) const {
+        return {s.bound, 2 * s.bound / s.steps, static_cast<double>(clearances.first_cell(solid_of(s))),
+                plan.scene.time};
+    }
+};
+
+constexpr double kCopies = 4096.0;  // DISC_COPIES of shaders/object/disc_flow.glsl
+
+// Of A = (1 - x zeta)(1 - y zeta), by which matter goes round with w^2 = A'/(2 r) = zeta^3 ((x + y)/2 - x y zeta);
+// about a rotating hole A = 1 - zeta + charge2 zeta^2 takes its place. In flat space matter rests.
+std::array<double, 2> winding(const Spacetime& matter) {
+    if (const AxialMetric* axial = matter.axial()) return {0.5, axial->charge2()};
+    const LapseRoots roots = matter.spherical()->lapse_roots().value_or(LapseRoots{0, 0});
+    return {0.5 * (roots.outer + roots.inner), roots.outer * roots.inner};
+}
+
+// shaders/object/spot.glsl
+std::array<FrameVector, 3> spot_numbers(const SpotSpec& spot, const FramePlan& plan) {
+    const LightSpec& light = plan.scene.light;
+    const auto orbit = circular_orbit(*plan.matter, spot.r);
+    const double omega = orbit ? orbit->omega : 0.0, lapse = std::sqrt(plan.matter->lapse_squared(spot.r));
+    // As disc_flow_row: g's two parts, and rays of flat space.
+    double u_t = orbit ? orbit->u_t : 1.0 / lapse, u_phi = u_t * omega;
+    if (!light.doppler) u_t = 1.0 / lapse, u_phi = 0.0;
+    if (!light.gravity) u_t *= lapse, u_phi *= lapse;
+    if (!light.lensing) u_phi /= lapse;
+    return {{{spot.r, std::remainder(spot.phase + omega * plan.scene.time, 2.0 * M_PI), omega, 2.0 * M_PI / spot.count},
+             {spot.size * spot.size, spot.brightness, std::log2(spot.temperature_K),
+              log2_brightness(spot.temperature_K, light.bolometric)},
+             {u_t, u_phi, 0, 0}}};
 }
 
 }  // namespace
 
-void put_bodies(FrameData& frame, const Scene& scene, const Spacetime& spacetime, const RayFan* fan,
-                const BallPath* ball_path) {
-    if (const auto& sphere = scene.sphere) {
-        frame.sphere_form = sphere_form(*sphere, scene, spacetime, fan);
-        put_look(frame.sphere_map, frame.sphere_colour, frame.sphere_second, sphere->look);
+SolidFormula solid_of(const SurfaceSpec& surface) { return {surface_shape(surface), surface.bound}; }
+
+void put_march(FrameData& frame, const FramePlan& plan, const BallPaths& paths) {
+    constexpr double kMarchStep = 1.0 / 32;  // the shortest, of the thinnest body; a surface says its own
+    const Spacetime& spacetime = *plan.light;
+    double reaches[2] = {0.0, 0.0}, thinnest = 1e30, least_radius = 1e30, height = 0.0;  // near, far
+    double fastest = 0.0;
+    for (const std::size_t i : shader_bodies(plan.scene)) {
+        const Body& body = plan.scene.bodies[i];
+        if (found_by_formula(body, spacetime)) continue;
+        BodyExtent extent = kind_of(body).extent(body);
+        if (const auto ball = paths.balls.find(i); ball != paths.balls.end()) {
+            const BallPath& path = ball->second;
+            extent.from = std::max(path.least_radius, 0.0), extent.to = path.reach, extent.height = path.height;
+            fastest = std::max(fastest, path.speed);
+        } else if (kind_of(body).moves(body) != nullptr) {
+            fastest = std::max(fastest, 1.0);  // a pulsation, a formula of t
+        }
+        if (std::holds_alternative<SurfaceSpec>(body.shape)) extent.thinnest /= kMarchStep;
+        reaches[body.far] = std::max(reaches[body.far], extent.to), least_radius = std::min(least_radius, extent.from);
+        height = std::max(height, std::min(extent.height, extent.to));
+        thinnest = std::min(thinnest, extent.thinnest);
     }
-    if (const auto& cylinder = scene.cylinder) {
-        frame.cylinder_form = {cylinder->inner, cylinder->outer, cylinder->height, 0};
-        put_look(frame.cylinder_map, frame.cylinder_colour, frame.cylinder_second, cylinder->look);
+    const auto with_margin = [&](double reach) { return 1.001 * reach + 4 * kMarchStep * thinnest; };
+    const double least = 0.999 * least_radius;
+    frame.march = {with_margin(reaches[0]), kMarchStep * thinnest, with_margin(reaches[1]), fastest};
+    // A body beside a ray covers a part of its pixel from two pixels off.
+    const CameraSpec& camera = plan.scene.camera;
+    const double beside = 2.0 * camera.pixel() * (std::fabs(camera.r) + reaches[0]);
+    frame.march_shell = {with_margin(height) + beside, std::max(least - beside, 0.0),
+                         spacetime.planar_rays() ? 0.0 : std::min(least, light_orbit(spacetime)), 0};
+}
+
+std::vector<FrameVector> object_numbers(const FramePlan& plan, const RayFamily* family, const BallPaths& paths,
+                                        const SurfaceClearances& clearances) {
+    std::vector<FrameVector> numbers;
+    for (const std::size_t i : shader_bodies(plan.scene)) {
+        const Body& body = plan.scene.bodies[i];
+        const auto ball = paths.balls.find(i);
+        const BallPath* path = ball != paths.balls.end() ? &ball->second : nullptr;
+        FrameVector map, colour, second;
+        put_material(map, colour, second, body.material);
+        numbers.insert(numbers.end(),
+                       {std::visit(FormOf{plan, family, path, clearances}, body.shape), map, colour, second});
     }
-    if (const auto& ball = scene.ball) {
-        frame.ball_form = {ball->position, ball->radius};
-        put_look(frame.ball_map, frame.ball_colour, frame.ball_second, ball->look);
-    }
-    if (const auto& surface = scene.surface) {
-        constexpr double kDifference = 1e-3;  // of the bound: gradients by differences keep half of a float's digits
-        frame.surface_form = {surface->bound, 2 * surface->bound / surface->steps, kDifference * surface->bound,
-                              scene.time};
-        put_look(frame.surface_map, frame.surface_colour, frame.surface_second, surface->look);
-    }
-    put_march(frame, scene, spacetime, ball_path);
+    if (plan.scene.disc)
+        for (const SpotSpec& spot : plan.scene.spots)
+            for (const FrameVector& v : spot_numbers(spot, plan)) numbers.push_back(v);
+    return numbers;
 }
 
 void put_patterns(FrameData& frame, const Scene& scene) {
-    if (scene.disc) {  // its brightness is disc_look's
-        BodyLook coat = scene.disc->look;
-        coat.rotation = scene.disc->rotation;
-        put_look(frame.disc_coat_map, frame.disc_coat_colour, frame.disc_coat_second, coat);
+    if (scene.disc) {  // its brightness is disc_surface's
+        Material material = scene.disc->material;
+        material.rotation = scene.disc->rotation;
+        put_material(frame.disc_material_map, frame.disc_material_colour, frame.disc_material_second, material);
     }
     const double cy = std::cos(scene.sky.yaw), sy = std::sin(scene.sky.yaw), ct = std::cos(scene.sky.tilt),
                  st = std::sin(scene.sky.tilt);
-    frame.dome_x = {cy, sy, 0, 0};  // columns of R_z(yaw) R_x(tilt)
-    frame.dome_y = {-sy * ct, cy * ct, st, 0};
-    frame.dome_z = {sy * st, -cy * st, ct, 0};
-    BodyLook dome = scene.sky.look;
+    frame.sky_pattern_x = {cy, sy, 0, 0};  // columns of R_z(yaw) R_x(tilt)
+    frame.sky_pattern_y = {-sy * ct, cy * ct, st, 0};
+    frame.sky_pattern_z = {sy * st, -cy * st, ct, 0};
+    Material dome = scene.sky.material;
     dome.brightness = scene.sky.brightness;
-    put_look(frame.dome_map, frame.dome_colour, frame.dome_second, dome);
+    put_material(frame.sky_pattern_map, frame.sky_pattern_colour, frame.sky_pattern_second, dome);
+}
+
+void put_moving(FrameData& frame, const FramePlan& plan) {
+    const auto& disc = plan.scene.disc;
+    if (!disc || disc->flow != DiscFlowKind::kKepler) return;
+    const auto [first, second] = winding(*plan.matter);
+    const double lives = plan.scene.time / disc->flow_life;
+    frame.disc_winding = {lives - kCopies * std::floor(lives / kCopies), 1.0 / disc->flow_life, first, second};
 }
 
 }  // namespace nullscope

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "base/image_file.h"
 #include "base/vec.h"
+#include "image/image_file.h"
 #include "shaderlib/shader_source.h"
 
 namespace nullscope {

@@ -1,6 +1,6 @@
 // The display transform of shaders/effect/display.glsl on the host, for pictures that the reference tracer drew.
 #pragma once
-#include "base/image.h"
+#include "image/image.h"
 #include "scene/scene.h"
 
 namespace nullscope {

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/pose.h"
 #include "light/black_body.h"
+#include "observer/pose.h"
 #include "render/body_numbers.h"
-#include "render/moving_numbers.h"
 #include "scene/ray.h"
 #include "sky/packed_sky.h"
 #include "sky/point_stars.h"
 #include "table/disc_light.h"
-#include "table/star_lens.h"
 
 namespace nullscope {
 namespace {
@@ -47,10 +45,10 @@ Fate inner_fate(InnerEnd end) {
 
 // Directions of view, in world axes (shown) and in those of the ray's plane.
 void put_view(FrameData& frame, const Scene& scene, const Observer& observer, const Mat3& shown, const Mat3& world,
-              const RayFan* fan, double g_factor) {
+              const RayFamily* family, double g_factor) {
     const CameraSpec& camera = scene.camera;
     const Mat3 axes = observer.turn * static_from_camera(camera);
-    const double pixel = camera.plane_width / camera.width / camera.focal_distance;
+    const double pixel = camera.pixel();
     const Vec3 ahead = -axes.c, right = pixel * axes.a, up = pixel * axes.b;  // the last two: a pixel
     frame.image = {static_cast<double>(camera.width), static_cast<double>(camera.height), pixel,
                    std::exp2(camera.exposure_ev)};
@@ -60,8 +58,8 @@ void put_view(FrameData& frame, const Scene& scene, const Observer& observer, co
     const double off_axis = std::hypot(ahead.y, ahead.z);
     const Vec3 meridian = off_axis > 0.0 ? Vec3{0, ahead.y, ahead.z} / off_axis : Vec3{0, 1, 0}, radial{1, 0, 0};
     const Vec3 transverse = cross(radial, meridian);
-    const double critical_cosine = fan != nullptr ? fan->critical_cosine() : -1.0;
-    const double critical_sine = fan != nullptr ? fan->critical_sine() : 0.0;
+    const double critical_cosine = family != nullptr ? family->critical_cosine() : -1.0;
+    const double critical_sine = family != nullptr ? family->critical_sine() : 0.0;
     const auto polar = [&](Vec3 v) -> FrameVector {
         return {dot(v, meridian), dot(v, transverse), v.x, critical_sine * v.x - critical_cosine * dot(v, meridian)};
     };
@@ -92,7 +90,7 @@ void put_disc(FrameData& frame, const Scene& scene, const TextureFacts& textures
     if (!scene.disc) return;
     frame.disc_map = {std::cos(disc.rotation) / (2 * disc.outer), std::sin(disc.rotation) / (2 * disc.outer),
                       textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1))};
-    frame.disc_look = {disc.opacity, disc.edge, disc.brightness, static_cast<double>(disc.passed)};
+    frame.disc_surface = {disc.opacity, disc.edge, disc.brightness, static_cast<double>(disc.passed)};
     const double hottest_K = textures.disc_temperature_K.value_or(disc.temperature_K);
     if (disc.emission == DiscEmission::kThermal)
         frame.disc_heat = {1.0 / disc.inner, kDiscFlowCells / std::log(disc.outer / disc.inner), std::log2(hottest_K),
@@ -107,7 +105,7 @@ double plane_height(const CameraSpec& camera) {
 }
 
 FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,
-                        const BallPath* ball_path) {
+                        const BallPaths& balls) {
     const Scene& scene = plan.scene;
     const Spacetime &spacetime = *plan.light, &matter = *plan.matter;
     const Observer& observer = plan.observer;
@@ -115,11 +113,11 @@ FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const Text
     const Mat3 world = world_from_static(camera.theta, camera.phi);
     // Where light goes straight its frame is at rest and A = 1. What g then lacks, or has too much without gravity's part, is a factor.
     const auto [axes, radial] = path.start(plan, world);
-    const double g_gravity =
-        scene.light.gravity ? 1.0 / observer.frame.energy() : 1.0;  // switched off with observers at rest only
+    // Switched off with observers at rest only.
+    const double g_gravity = scene.light.gravity ? 1.0 / observer.frame.energy() : 1.0;
     const double g_factor = plan.straight() || !scene.light.gravity ? g_gravity * radial.energy() : 1.0;
     FrameData frame;
-    put_view(frame, scene, observer, axes, world, path.fan(), g_factor);
+    put_view(frame, scene, observer, axes, world, path.family(), g_factor);
     const auto horizon = spacetime.horizon_radius();
     const Fate lost = horizon && camera.r <= *horizon ? Fate::kNoSky : inner_fate(spacetime.inner_end());
     frame.shift = {radial.energy(), 1.0 / matter.areal_radius(camera.r), radial.infall(), static_cast<double>(lost)};
@@ -136,9 +134,9 @@ FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const Text
     put_sky(frame, textures);
     put_disc(frame, scene, textures);
     frame.bloom = {scene.picture.bloom, 0, 0, 0};
-    put_bodies(frame, scene, spacetime, path.fan(), ball_path);
+    put_march(frame, plan, balls);
     put_patterns(frame, scene);
-    put_moving(frame, plan, ball_path);
+    put_moving(frame, plan);
     path.write(plan, frame);
     return frame;
 }

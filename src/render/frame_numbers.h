@@ -2,9 +2,9 @@
 #pragma once
 #include <optional>
 
-#include "render/ball_path.h"
+#include "plan/frame_plan.h"
+#include "render/ball_paths.h"
 #include "render/light_path.h"
-#include "scene/frame_plan.h"
 #include "shadercore/frame_data.h"
 
 namespace nullscope {
@@ -16,9 +16,8 @@ struct TextureFacts {
     std::optional<double> disc_temperature_K;  // of the hottest ring; without one the scene's
 };
 
-// ball_path: of a ball that moves, else nullptr.
 FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,
-                        const BallPath* ball_path);
+                        const BallPaths& balls);
 
 // cos(theta) of the camera, exactly 0 in the equatorial plane.
 double plane_height(const CameraSpec& camera);

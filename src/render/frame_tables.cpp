@@ -2,20 +2,19 @@
 
 #include <utility>
 
+#include "render/body_numbers.h"
 #include "render/frame_numbers.h"
 
 namespace nullscope {
 
 Status FrameTables::update(const Scene& scene) {
-    auto planned = plan_frame(scene, delays_wanted_, path_ != nullptr ? &plan_ : nullptr);
-    if (!planned) return planned.error();
-    std::optional<BallPath> ball;
-    if (planned->effects.contains(Effect::kBallPath)) {
-        auto made = nullscope::ball_path(*planned->matter, scene);
-        if (!made) return made.error();
-        ball = std::move(*made);
-    }
-    ball_path_ = std::move(ball);
+    TRY(planned, plan_frame(scene, delays_wanted_, path_ != nullptr ? &plan_ : nullptr));
+    TRY(balls, nullscope::ball_paths(*planned->matter, scene));
+    ball_paths_ = std::move(*balls);
+    std::set<SolidFormula> solids;
+    for (const Body& body : scene.bodies)
+        if (const auto* surface = std::get_if<SurfaceSpec>(&body.shape)) solids.insert(solid_of(*surface));
+    if (clearances_.update(solids)) ++clearances_revision_;
     const FramePlan before = std::exchange(plan_, std::move(*planned));
     if (before.light != plan_.light) {
         path_ = make_light_path(plan_.light);
@@ -33,9 +32,9 @@ const TexelGrid* FrameTables::texels(std::string_view name) const {
 
 CoreInput FrameTables::core_input() const {
     CoreInput input;
-    input.frame = frame_numbers(plan_, *path_, {}, ball_path());
+    input.frame = frame_numbers(plan_, *path_, {}, ball_paths_);
     input.aberration = plan_.effects.contains(Effect::kAberration);
-    path_->give(input);
+    path_->give(plan_, input);
     return input;
 }
 

@@ -1,21 +1,22 @@
-// What the CPU prepares for a frame: its plan, its light's path with its tables, and where a ball that moves is. No GL here: the
+// What the CPU prepares for a frame: its plan, its light's path with its tables, where the balls that move are and what is empty about
+// solids by formula. No GL here: the
 // shader core as C++ uses it too.
 #pragma once
 #include <memory>
-#include <optional>
 
 #include "base/result.h"
-#include "render/ball_path.h"
+#include "plan/frame_plan.h"
+#include "render/ball_paths.h"
 #include "render/light_path.h"
-#include "scene/frame_plan.h"
 #include "shadercore/core_trace.h"
+#include "table/surface_clearance.h"
 
 namespace nullscope {
 
 // Keeps what can be kept from frame to frame.
 class FrameTables {
 public:
-    // Errors: those of plan_frame and of ball_path; the frame before is still there then.
+    // Errors: those of plan_frame and of ball_paths; the frame before is still there then.
     Status update(const Scene& scene);
 
     const FramePlan& plan() const { return plan_; }  // of the last update
@@ -24,10 +25,11 @@ public:
     const Spacetime& spacetime() const { return *plan_.light; }  // of the rays
     const Spacetime& matter() const { return *plan_.matter; }    // of what they meet: another where light goes straight
     const TexelGrid* texels(std::string_view name) const;        // of LightPath::tables(); nullptr if it is not there
-    // Of a ball that moves, else nullptr; made anew by every update.
-    const BallPath* ball_path() const { return ball_path_ ? &*ball_path_ : nullptr; }
-    void want_delays(bool wanted) { delays_wanted_ = wanted; }  // for ray data, whatever the scene
-    int revision() const { return revision_; }                  // grows whenever a table changes
+    const BallPaths& ball_paths() const { return ball_paths_; }  // made anew by every update
+    const SurfaceClearances& clearances() const { return clearances_; }
+    int clearances_revision() const { return clearances_revision_; }  // grows whenever they change
+    void want_delays(bool wanted) { delays_wanted_ = wanted; }        // for ray data, whatever the scene
+    int revision() const { return revision_; }                        // grows whenever a table changes
 
     // For the shader core as C++; views into this object.
     CoreInput core_input() const;
@@ -35,9 +37,10 @@ public:
 private:
     FramePlan plan_;
     std::unique_ptr<LightPath> path_;
-    std::optional<BallPath> ball_path_;
+    BallPaths ball_paths_;
+    SurfaceClearances clearances_;
     bool delays_wanted_ = false;
-    int revision_ = 0;
+    int revision_ = 0, clearances_revision_ = 0;
 };
 
 }  // namespace nullscope

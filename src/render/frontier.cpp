@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "base/atomic_file.h"
+#include "base/csv.h"
 #include "base/text.h"
 #include "scene/pixel_angle.h"
 
@@ -20,22 +22,19 @@ constexpr double kTellsNothing_px = 1.0;
 }  // namespace
 
 Result<std::vector<MeasuredMethod>> load_frontier(const std::filesystem::path& path) {
-    const auto text = read_text(path);
-    if (!text) return text.error();
+    TRY(text, read_text(path));
     std::vector<MeasuredMethod> methods;
-    int number = 0;
-    for (const std::string& line : split(*text, '\n')) {
-        ++number;
-        if (trim(line).empty() || line[0] == '#' || line.starts_with("metric,")) continue;
-        const auto cells = split(line, ',');
-        const auto error = cells.size() == 5 ? parse_number(cells[2]) : std::nullopt,
-                   cost = cells.size() == 5 ? parse_number(cells[3]) : std::nullopt;
-        const auto disc = cells.size() == 5 ? parse_number(cells[4]) : std::nullopt;
-        const auto method = cells.size() == 5 ? parse_method(cells[1]) : Result<Method>(bad_input(""));
-        if (!error || !cost || !disc || !method)
-            return bad_input(
-                fmt::format("{}:{}: expected metric,method,error_px,floor_ratio,disc_error_px", path.string(), number));
-        methods.push_back({cells[0], *method, *error, *cost, *disc});
+    for (CsvLines csv(*text); csv.next();) {
+        if (csv.line.starts_with("metric,")) continue;
+        auto cells = csv_fields(csv.line).value_or(std::vector<std::string>());
+        cells.resize(cells.size() == 5 ? 5 : 0);
+        std::array<std::optional<double>, 3> numbers;
+        for (std::size_t i = 0; i < numbers.size() && !cells.empty(); ++i) numbers[i] = parse_number(cells[i + 2]);
+        const auto method = parse_method(cells.empty() ? "" : cells[1]);
+        if (!numbers[0] || !numbers[1] || !numbers[2] || !method)
+            return bad_input(fmt::format("{}:{}: expected metric,method,error_px,floor_ratio,disc_error_px",
+                                         path.string(), csv.number));
+        methods.push_back({cells[0], *method, *numbers[0], *numbers[1], *numbers[2]});
     }
     return methods;
 }
@@ -84,15 +83,15 @@ Result<Choice> choose_method(const std::vector<MeasuredMethod>& methods, const S
     if (known == 0)
         return Choice{
             Method{}, 0.0,
-            fmt::format("in {} light runs straight or nothing was measured: the default", scene.spacetime.metric)};
+            fmt::format("{}: rays are straight or no method was measured; using the default", scene.spacetime.metric)};
     if (best == nullptr)
         return bad_input(
-            fmt::format("--max-error {}: no method is that exact in this frame; allowed: {:.2g} px and more",
-                        max_error_px, error_in_frame(*most_exact(methods, scene.spacetime.metric), scene)));
+            fmt::format("--max-error {}: no method is that accurate in this frame", max_error_px),
+            fmt::format("{:.2g} px and more", error_in_frame(*most_exact(methods, scene.spacetime.metric), scene)));
     return Choice{
         best->method, error_in_frame(*best, scene),
         fmt::format(
-            "{}: at most {:.2g} px here (asked: {}), the cheapest of {} measured methods, {:.2f} times flat space",
+            "{}: at most {:.2g} px here (limit {}), the fastest of {} measured methods, {:.2f} times flat space",
             method_name(best->method), error_in_frame(*best, scene), max_error_px, known, best->floor_ratio)};
 }
 
@@ -101,13 +100,14 @@ Choice default_method(const std::vector<MeasuredMethod>& methods, const Scene& s
     const MeasuredMethod& best = *most_exact(methods, scene.spacetime.metric);
     const double error = error_in_frame(best, scene);
     if (error > kTellsNothing_px)
-        return {best.method, error,
-                fmt::format(
-                    "{}: the most exact there is; its error was not measured for pixels as small as these ({:.2g} rad)",
-                    method_name(best.method), smallest_pixel_angle(scene.camera))};
+        return {
+            best.method, error,
+            fmt::format(
+                "{}: the most accurate method; its error was not measured for pixels as small as these ({:.2g} rad)",
+                method_name(best.method), smallest_pixel_angle(scene.camera))};
     return {best.method, error,
-            fmt::format("{}: the most exact there is, for pixels as small as these; at most {:.2g} px are sure here, "
-                        "not the usual {}",
+            fmt::format("{}: the most accurate method for pixels as small as these; only at most {:.2g} px is "
+                        "guaranteed, not the usual {}",
                         method_name(best.method), error, kDefaultMaxError_px)};
 }
 

@@ -16,8 +16,8 @@ struct MeasuredMethod {
     Method method;
     double error_px;  // largest screen error on the sky over the cameras of the bench, px of a 4K frame over 90 degrees
     double floor_ratio;  // cost of a frame over the same frame in flat space
-    double disc_error_px =
-        0.0;  // the same on a disc that covers what a disc can: mostly the orbit map's, whatever the method
+    // The same on a disc that covers what a disc can: mostly the orbit table's, whatever the method.
+    double disc_error_px = 0.0;
 };
 
 // Errors: file missing, a line that is not metric,method,error_px,floor_ratio,disc_error_px.

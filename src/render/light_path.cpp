@@ -15,7 +15,7 @@ public:
     Start start(const FramePlan& plan, const Mat3& world) const override {
         return {world, plan.straight() ? RadialFrame{} : plan.observer.frame};
     }
-    void give(CoreInput& input) const override { input.lensing = false; }
+    void give(const FramePlan&, CoreInput& input) const override { input.lensing = false; }
     Status check(const Method& method, const FramePlan&) const override {
         return counts_steps(method) ? Status(rotating_only(method)) : Status(Done{});
     }
@@ -35,7 +35,7 @@ bool has_method(const Spacetime& spacetime, const Method& method) {
     const bool seen = spacetime.inner_end() == InnerEnd::kHorizon;  // others have rays to the inside to follow too
     switch (method.kind) {
         case MethodKind::kStrip: return true;
-        case MethodKind::kTable: return seen;
+        case MethodKind::kTable: return seen && spacetime.spherical()->v_at_sky() == 0.0;  // its chi ends at pi
         case MethodKind::kClosedForm: return has_shader("method/closed_form", spacetime.name());
         case MethodKind::kIntegrate: return seen && has_shader("spacetime", spacetime.name());
         case MethodKind::kMino:
@@ -54,7 +54,7 @@ std::string methods_of(const Spacetime& spacetime) {
 }
 
 Error rotating_only(const Method& method) {
-    return bad_input(fmt::format("method {} is there for rotating holes only; allowed: auto", method_name(method)));
+    return bad_input(fmt::format("method {} works for rotating holes only", method_name(method)), "auto");
 }
 
 }  // namespace nullscope

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "base/result.h"
-#include "scene/frame_plan.h"
+#include "plan/frame_plan.h"
 #include "shadercore/core_trace.h"
 #include "shaderlib/method.h"
 #include "table/deflection_table.h"
-#include "table/ray_fan.h"
+#include "table/ray_family.h"
 #include "table/strip.h"
 
 namespace nullscope {
@@ -32,13 +32,13 @@ public:
         Mat3 axes;
         RadialFrame radial;
     };
-    virtual Start start(const FramePlan& plan, const Mat3& world) const = 0;
-    virtual void write(const FramePlan&, FrameData&) const {}  // its own part of the uniform block
-    virtual void give(CoreInput& input) const = 0;             // tables and kind, to the shader core as C++
+    virtual Start start(const FramePlan& plan, const Mat3& world) const { return {world, plan.observer.frame}; }
+    virtual void write(const FramePlan&, FrameData&) const {}              // its own part of the uniform block
+    virtual void give(const FramePlan& plan, CoreInput& input) const = 0;  // tables and kind, to the shader core as C++
 
     // What its shader fetches from, empty ones left out; views into this object.
     virtual std::vector<NamedTexels> tables() const { return {}; }
-    virtual const RayFan* fan() const { return nullptr; }  // of the camera's radius, if its rays are a family
+    virtual const RayFamily* family() const { return nullptr; }  // of the camera's radius, if its rays are a family
     virtual const DeflectionTable* table() const { return nullptr; }  // of the metric
     virtual bool finds_star_images() const { return false; }  // on the host; else the shader does, from the star lens
 

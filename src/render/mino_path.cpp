@@ -4,25 +4,19 @@
 
 #include <cmath>
 
-#include "camera/spin_forms.h"
+#include "observer/spin_forms.h"
 #include "render/frame_numbers.h"
 #include "spacetime/tortoise.h"
 
 namespace nullscope {
-
-bool MinoPath::update(const FramePlan& plan) {
-    falls_ = falls(plan.scene.camera);
-    delays_ = plan.effects.contains(Effect::kDelay);
-    return false;
-}
 
 // Along (e_r, e_theta, e_phi) of the observer's own frame.
 LightPath::Start MinoPath::start(const FramePlan&, const Mat3&) const { return {Mat3{}, RadialFrame{}}; }
 
 void MinoPath::write(const FramePlan& plan, FrameData& frame) const {
     const CameraSpec& camera = plan.scene.camera;
-    const SpinForms forms =
-        spin_forms(spin_place(*metric_, camera.r, camera.theta), {plan.observer.frame, plan.observer.swirl});
+    const SpinForms forms = spin_forms(spin_place(*metric_, camera.r, camera.theta),
+                                       {plan.observer.frame, plan.observer.azimuthal_velocity});
     const double a = metric_->a(), outer = metric_->outer_horizon(), inner = metric_->inner_horizon();
     frame.spin_hole = {a, a * a, outer, inner};
     frame.spin_energy = {forms.energy.constant, forms.energy.radial, forms.energy.around, forms.p_theta};
@@ -31,26 +25,26 @@ void MinoPath::write(const FramePlan& plan, FrameData& frame) const {
     frame.spin_place = {std::sin(camera.theta), plane_height(camera), std::cos(camera.phi), std::sin(camera.phi)};
     frame.spin_turn = {camera.r > outer ? azimuth_ahead(*metric_, camera.r) : 0.0, a / (outer - inner),
                        metric_->charge2(), 0};
-    // r_* of the camera, or r where its clock is v - r: what T less r_* of a place is late by.
+    // r_* of the camera, or r where its clock is v - r: what T less r_* of a place is delayed by.
     frame.delay = {0, 0, camera.r + (falls(camera) ? 0.0 : time_ahead(*metric_, camera.r)), 0};
 }
 
-void MinoPath::give(CoreInput& input) const {
+void MinoPath::give(const FramePlan& plan, CoreInput& input) const {
     input.lensing = false;
     input.spin = true;
-    input.spin_fall = falls_;
-    input.spin_delay = delays_;
+    input.spin_fall = falls(plan.scene.camera);
+    input.spin_delay = plan.effects.contains(Effect::kDelay);
 }
 
 Status MinoPath::check(const Method& method, const FramePlan& plan) const {
     const EffectSet& effects = plan.effects;
-    const bool sky_alone = !falls_ && !delays_ && !effects.contains(Effect::kDisc) && !has_solids(effects);
+    const bool sky_alone = !falls(plan.scene.camera) && !effects.contains(Effect::kDelay) &&
+                           !effects.contains(Effect::kDisc) && !has_solids(effects);
     const bool whole = method == Method{} || (method.kind == MethodKind::kMino && method.order == 6);
     if (whole || (counts_steps(method) && sky_alone)) return Done{};
-    return bad_input(fmt::format(
-        "method {} is not there for this scene of a rotating hole; allowed: auto, mino[:6[:STEP]], or without "
-        "[disc], bodies, delays and falling cameras mino:4[:STEP] and kerr-schild:STEP",
-        method_name(method)));
+    return bad_input(fmt::format("method {} does not work for this scene with a rotating hole", method_name(method)),
+                     "auto, mino[:6[:STEP]], or without [disc], bodies, delays and falling cameras mino:4[:STEP] and "
+                     "kerr-schild:STEP");
 }
 
 }  // namespace nullscope

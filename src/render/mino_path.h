@@ -9,16 +9,14 @@ namespace nullscope {
 class MinoPath final : public LightPath {
 public:
     explicit MinoPath(std::shared_ptr<const AxialMetric> metric) : metric_(std::move(metric)) {}
-    bool update(const FramePlan& plan) override;
     Start start(const FramePlan& plan, const Mat3& world) const override;
     void write(const FramePlan& plan, FrameData& frame) const override;
-    void give(CoreInput& input) const override;
+    void give(const FramePlan& plan, CoreInput& input) const override;
     bool finds_star_images() const override { return true; }
     Status check(const Method& method, const FramePlan& plan) const override;
 
 private:
     std::shared_ptr<const AxialMetric> metric_;
-    bool falls_ = false, delays_ = false;
 };
 
 }  // namespace nullscope

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 
+#include "base/stopwatch.h"
 #include "scene/pixel_angle.h"
 #include "spacetime/tortoise.h"
 #include "table/critical_images.h"
@@ -12,10 +12,6 @@
 
 namespace nullscope {
 namespace {
-
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 PlanarPath::Rows rows_of(const EffectSet& effects) {
     const bool delays = effects.contains(Effect::kDelay);
@@ -36,59 +32,55 @@ FrameVector delay_numbers(const CameraSpec& camera, const SphericalMetric& metri
 
 PlanarPath::PlanarPath(std::shared_ptr<const SphericalMetric> metric) : metric_(std::move(metric)) {
     if (metric_->chi() == nullptr) return;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     table_ = std::make_shared<DeflectionTable>(*metric_);
-    table_ms = milliseconds_since(start);
+    table_ms = watch.ms();
 }
 
 bool PlanarPath::update(const FramePlan& plan) {
     const CameraSpec& camera = plan.scene.camera;
     const Rows wanted = rows_of(plan.effects), had = rows_;
-    const bool stale = !fan_ || fan_->camera_r() != camera.r || !(fan_->frame() == plan.observer.frame) ||
+    const bool stale = !family_ || family_->camera_r() != camera.r || !(family_->frame() == plan.observer.frame) ||
                        (wanted.orbits && !had.orbits) || (wanted.delays && !had.delays) ||
-                       (wanted.points && !had.points) || fan_->w0() != camera_fan(plan).w0();
+                       (wanted.points && !had.points) || family_->w0() != camera_family(plan).w0();
     rows_ = wanted;
     if (stale) {
         build(plan);
         return true;
     }
     // What nothing calls for any more goes, the strip stays.
-    if (!wanted.orbits) orbit_map_ = {};
-    if (!wanted.delays) orbit_map_.delays = {};
+    if (!wanted.orbits) orbit_table_ = {};
+    if (!wanted.delays) orbit_table_.delays = {};
     if (!wanted.points) star_lens_ = {};
-    return wanted.orbits != had.orbits || wanted.delays != had.delays || wanted.points != had.points;
+    return wanted != had;
 }
 
 void PlanarPath::build(const FramePlan& plan) {
-    const auto start = std::chrono::steady_clock::now();
-    fan_.emplace(camera_fan(plan));
-    strip_ = build_strip(*fan_);
-    orbit_map_ = rows_.orbits ? build_orbit_map(*fan_, rows_.delays) : OrbitMap{};
-    star_lens_ = rows_.points ? star_lens_row(*fan_) : TexelGrid{};
-    rows_ms = milliseconds_since(start);
+    const Stopwatch watch;
+    family_.emplace(camera_family(plan));
+    strip_ = build_strip(*family_);
+    orbit_table_ = rows_.orbits ? build_orbit_table(*family_, rows_.delays) : OrbitTable{};
+    star_lens_ = rows_.points ? star_lens_row(*family_) : TexelGrid{};
+    rows_ms = watch.ms();
 }
 
-RayFan PlanarPath::camera_fan(const FramePlan& plan) const {
+RayFamily PlanarPath::camera_family(const FramePlan& plan) const {
     const CameraSpec& camera = plan.scene.camera;
     const double speed = plan.scene.light.aberration ? length(plan.observer.velocity) : 0.0,
                  squeeze = std::sqrt((1.0 - speed) / (1.0 + speed));
     return {metric_, table_, camera.r, plan.observer.frame, squeeze * smallest_pixel_angle(camera)};
 }
 
-LightPath::Start PlanarPath::start(const FramePlan& plan, const Mat3& world) const {
-    return {world, plan.observer.frame};
-}
-
 void PlanarPath::write(const FramePlan& plan, FrameData& frame) const {
     const bool comes_back = metric_->inner_end() == InnerEnd::kSameSky;
-    const auto series = fan_->has_table() ? fan_->table().series() : DeflectionTable::Series{};
-    const int sky = fan_->octaves(Segment::kSky), captured = sky + fan_->octaves(Segment::kCaptured);
-    frame.strip = {fan_->critical_cosine(), fan_->critical_sine(), 1.0 / fan_->w0(), static_cast<double>(sky)};
-    frame.orbit = {std::sin(fan_->critical_angle()), std::cos(fan_->chi0()), series.a0, series.a1};
-    frame.series = {series.a2, fan_->chi0(), static_cast<double>(comes_back ? captured : 0),
-                    comes_back ? std::tan(0.25 * fan_->critical_angle()) : 0};
+    const auto series = table_ ? table_->series() : DeflectionTable::Series{};
+    const int sky = family_->octaves(Segment::kSky), captured = sky + family_->octaves(Segment::kCaptured);
+    frame.strip = {family_->critical_cosine(), family_->critical_sine(), 1.0 / family_->w0(), static_cast<double>(sky)};
+    frame.orbit = {std::sin(family_->critical_angle()), std::cos(family_->chi0()), series.a0, series.a1};
+    frame.series = {series.a2, family_->chi0(), static_cast<double>(comes_back ? captured : 0),
+                    comes_back ? std::tan(0.25 * family_->critical_angle()) : 0};
     if (const auto& disc = plan.scene.disc) {
-        const CriticalImages images = critical_images(*fan_, disc->inner, disc->outer);
+        const CriticalImages images = critical_images(*family_, disc->inner, disc->outer);
         frame.critical = {images.inner, images.outer, images.per_angle * M_LOG2E, images.from_angle};
     }
     frame.delay = delay_numbers(plan.scene.camera, *metric_);
@@ -96,12 +88,12 @@ void PlanarPath::write(const FramePlan& plan, FrameData& frame) const {
         frame.throat = {metric_->length_unit(), metric_->logarithm_length() / metric_->length_unit(), 0, 0};
 }
 
-void PlanarPath::give(CoreInput& input) const {
+void PlanarPath::give(const FramePlan&, CoreInput& input) const {
     input.lensing = true;
     input.strip = strip_.sky.view();
     input.ends = strip_.ends.view();
-    input.orbit = orbit_map_.places.view();
-    input.delay = orbit_map_.delays.view();
+    input.orbit = orbit_table_.places.view();
+    input.delay = orbit_table_.delays.view();
 }
 
 std::vector<NamedTexels> PlanarPath::tables() const {
@@ -109,22 +101,22 @@ std::vector<NamedTexels> PlanarPath::tables() const {
     for (const NamedTexels& one : {NamedTexels{"strip", &strip_.sky},
                                    {"ray ends", &strip_.ends},
                                    {"star lens", &star_lens_},
-                                   {"orbit map", &orbit_map_.places},
-                                   {"delay map", &orbit_map_.delays}})
+                                   {"orbit table", &orbit_table_.places},
+                                   {"light-time table", &orbit_table_.delays}})
         if (one.texels->width > 0) list.push_back(one);
     return list;
 }
 
 Status PlanarPath::check(const Method& method, const FramePlan& plan) const {
     if (counts_steps(method)) return rotating_only(method);
-    if (fan_->frame().infall() > 0.0 && method.kind != MethodKind::kStrip)
-        return bad_input(
-            fmt::format("camera.observer = \"{}\" with another method than the strip; allowed: --method strip or auto, "
-                        "or a static observer",
-                        observer_name(plan.scene.camera.observer)));
+    if (family_->frame().infall() > 0.0 && method.kind != MethodKind::kStrip)
+        return bad_input(fmt::format("camera.observer = \"{}\" works only with method strip",
+                                     observer_name(plan.scene.camera.observer)),
+                         "--method strip or auto, or a static observer");
     if (has_method(*metric_, method)) return Done{};
-    return bad_input(fmt::format("method {} is not there for metric \"{}\"; allowed: {}", method_name(method),
-                                 plan.scene.spacetime.metric, methods_of(*metric_)));
+    return bad_input(
+        fmt::format("method {} does not work for metric \"{}\"", method_name(method), plan.scene.spacetime.metric),
+        fmt::format("{}", methods_of(*metric_)));
 }
 
 }  // namespace nullscope

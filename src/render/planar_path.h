@@ -5,7 +5,7 @@
 
 #include "render/light_path.h"
 #include "spacetime/spherical_metric.h"
-#include "table/orbit_map.h"
+#include "table/orbit_table.h"
 
 namespace nullscope {
 
@@ -13,29 +13,29 @@ class PlanarPath final : public LightPath {
 public:
     explicit PlanarPath(std::shared_ptr<const SphericalMetric> metric);
     bool update(const FramePlan& plan) override;
-    Start start(const FramePlan& plan, const Mat3& world) const override;
     void write(const FramePlan& plan, FrameData& frame) const override;
-    void give(CoreInput& input) const override;
+    void give(const FramePlan& plan, CoreInput& input) const override;
     std::vector<NamedTexels> tables() const override;
-    const RayFan* fan() const override { return fan_ ? &*fan_ : nullptr; }
+    const RayFamily* family() const override { return family_ ? &*family_ : nullptr; }
     const DeflectionTable* table() const override { return table_.get(); }
     Status check(const Method& method, const FramePlan& plan) const override;
 
     // What of the rows an effect set asks for.
     struct Rows {
         bool orbits = false, delays = false, points = false;
+        friend bool operator==(const Rows&, const Rows&) = default;
     };
 
 private:
-    RayFan camera_fan(const FramePlan& plan) const;
+    RayFamily camera_family(const FramePlan& plan) const;
     void build(const FramePlan& plan);
 
     std::shared_ptr<const SphericalMetric> metric_;
     std::shared_ptr<const DeflectionTable> table_;  // nullptr where there is no angle chi
-    std::optional<RayFan> fan_;
+    std::optional<RayFamily> family_;
     Rows rows_;  // that are there
     Strip strip_;
-    OrbitMap orbit_map_;
+    OrbitTable orbit_table_;
     TexelGrid star_lens_;
 };
 

@@ -4,81 +4,66 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
-#include <cmath>
 #include <utility>
 
 #include "base/assets.h"
-#include "base/large_image.h"
+#include "base/stopwatch.h"
+#include "image/large_image.h"
+#include "render/body_numbers.h"
+#include "scene/bodies.h"
 #include "shaderlib/passes.h"
 #include "sky/packed_sky.h"
 #include "table/disc_light.h"
-#include "table/orbit_map.h"
+#include "table/orbit_table.h"
 #include "table/star_lens.h"
 #include "table/table_grid.h"
 
 namespace nullscope {
 namespace {
 
-constexpr unsigned kFrameBinding = 0;
-enum Unit {
-    kStripUnit = 0,
-    kOrbitUnit = 1,
-    kSkyUnit = 2,
-    kDiscUnit = 3,
-    kTableUnit = 4,
-    kEndsUnit = 5,
-    kFarSkyUnit = 6,
-    kBodyUnit = 7,
-    kDiscFlowUnit = kBodyUnit + kBodyCount,
-    kBlackBodyUnit,
-    kStarLensUnit,
-    kPictureUnit,
-    kBallPathUnit
-};
+constexpr unsigned kFrameBinding = 0, kObjectBinding = 1;
+constexpr std::size_t kMostObjectVectors = 4 * kMostBodies + 3 * kMostSpots;
+// Units of textures by the samplers' names; those of the images on bodies follow.
+constexpr const char* kSamplers[] = {"strip_texture",      "orbit_texture",       "sky_texture",
+                                     "disc_texture",       "table_texture",       "ends_texture",
+                                     "other_side_texture", "disc_matter_texture", "black_body_texture",
+                                     "star_lens_texture",  "clearance_texture",   "ball_path_texture"};
+constexpr int kBodyUnit = static_cast<int>(std::size(kSamplers));
+constexpr int unit_of(std::string_view sampler) {
+    return static_cast<int>(std::ranges::find(kSamplers, sampler) - std::begin(kSamplers));
+}
+constexpr int kSkyUnit = unit_of("sky_texture"), kFarSkyUnit = unit_of("other_side_texture");
 // Passes that work on the picture sample none of the scene's tables: they share their units.
-constexpr int kSourceUnit = kStripUnit, kHaloUnit = kOrbitUnit, kMeterUnit = kSkyUnit;
-
-constexpr std::pair<const char*, int> kSamplers[] = {
-    {"strip_texture", kStripUnit},          {"ends_texture", kEndsUnit},
-    {"orbit_texture", kOrbitUnit},          {"sky_texture", kSkyUnit},
-    {"other_side_texture", kFarSkyUnit},    {"disc_texture", kDiscUnit},
-    {"table_texture", kTableUnit},          {"disc_matter_texture", kDiscFlowUnit},
-    {"black_body_texture", kBlackBodyUnit}, {"star_lens_texture", kStarLensUnit},
-    {"picture_texture", kPictureUnit},      {"ball_path_texture", kBallPathUnit},
-    {"source_texture", kSourceUnit},        {"bloom_texture", kHaloUnit},
-    {"meter_texture", kMeterUnit}};
+constexpr int kSourceUnit = unit_of("strip_texture"), kHaloUnit = unit_of("orbit_texture"), kMeterUnit = kSkyUnit,
+              kPictureUnit = unit_of("clearance_texture");
+constexpr std::pair<const char*, int> kPassSamplers[] = {{"source_texture", kSourceUnit},
+                                                         {"bloom_texture", kHaloUnit},
+                                                         {"meter_texture", kMeterUnit},
+                                                         {"picture_texture", kPictureUnit}};
 
 gl::Texture texture_of(const TexelGrid& grid) {
-    return gl::make_float_texture(grid.width, grid.height, grid.texels.data());
+    return gl::make_number_texture(grid.width, grid.height, 4, grid.texels.data(), false);
 }
+float* put(const FrameVector& v, float* to) {
+    for (const double value : {v.x, v.y, v.z, v.w}) *to++ = static_cast<float>(value);
+    return to;
+}
+
 gl::Texture texture_of(const TexelGrid* grid) { return grid != nullptr ? texture_of(*grid) : gl::Texture(); }
-
-template <class T>
-Image<T> turned_over(const std::vector<T>& rgba, int width, int height) {
-    Image<T> image(width, height, 3);
-    for (int y = 0; y < height; ++y) {
-        const T* row = rgba.data() + static_cast<std::size_t>(height - 1 - y) * width * 4;
-        for (int x = 0; x < width; ++x) std::copy_n(row + 4 * x, 3, image.at(x, y));
-    }
-    return image;
-}
-
-}  // namespace
-
-int sky_face_size(const CameraSpec& camera, int max_cube_size) {
-    const double pixel = camera.plane_width / camera.width / camera.focal_distance;
-    const int wanted = static_cast<int>(std::min(2.0 / pixel, 2048.0));  // a texel in a face's middle spans 2/size rad
-    return std::min(std::max(256, static_cast<int>(std::bit_ceil(static_cast<unsigned>(wanted)))), max_cube_size);
-}
 
 std::filesystem::path disc_image_file(const DiscSpec& disc) {
     return disc.image.empty() ? assets_directory() / "images" / "accretion-disc.png" : disc.image;
 }
 
-Result<FittedImage> load_disc_image(const DiscSpec& disc, int largest) {
-    return load_fitted_image(disc_image_file(disc), {.max_side = largest});
+}  // namespace
+
+int sky_face_size(const CameraSpec& camera, int max_cube_size) {
+    const double pixel = camera.pixel();
+    const int wanted = static_cast<int>(std::min(2.0 / pixel, 2048.0));  // a texel in a face's middle spans 2/size rad
+    return std::min(std::max(256, static_cast<int>(std::bit_ceil(static_cast<unsigned>(wanted)))), max_cube_size);
 }
+
+Result<FittedImage> load_disc_image(const DiscSpec& disc) { return load_fitted_image(disc_image_file(disc)); }
 
 std::vector<std::string> Renderer::take_notes() { return std::exchange(notes_, {}); }
 
@@ -88,44 +73,57 @@ Renderer::Renderer()
     : info_(gl::info()),
       largest_picture_(std::min(info_.max_texture_size, kLargestPicture)),
       empty_(gl::make_vertex_array()),
-      uniforms_(gl::make_uniform_buffer(sizeof(float) * 4 * kFrameVectors)) {}
+      uniforms_(gl::make_uniform_buffer(sizeof(float) * 4 * kFrameVectors)),
+      objects_(gl::make_uniform_buffer(sizeof(float) * 4 * kMostObjectVectors)) {}
 
 Status Renderer::prepare(const Scene& scene) {
     const int limit = std::min(info_.max_texture_size, info_.max_renderbuffer_size);
     if (scene.camera.width > limit || scene.camera.height > limit)
-        return bad_input(fmt::format("size {}x{} is beyond what this driver can draw; allowed: 1x1 to {}x{}",
-                                     scene.camera.width, scene.camera.height, limit, limit));
+        return bad_input(
+            fmt::format("size {}x{} is beyond what this driver can draw", scene.camera.width, scene.camera.height),
+            fmt::format("1x1 to {}x{}", limit, limit));
     if (Status status = tables_.update(scene); !status) return status;
     if (Status able = tables_.path().check(method_, tables_.plan()); !able) return able;
     begin_skies();  // they get ready while the rest is loaded
-    if (Status status = load_disc(); !status) return status;
-    if (Status status = load_bodies(); !status) return status;
+    const auto disc_file =
+        tables_.effects().contains(Effect::kDiscImage) ? disc_image_file(*scene.disc) : std::filesystem::path();
+    if (Status status = disc_.update(disc_file, largest_picture_, notes_); !status) return status;
+    body_text_ = body_text(scene, tables_.effects());
+    if (Status status = body_images_.update(scene, largest_picture_, notes_); !status) return status;
     load_table();
     load_heat();
     load_black_body();
     if (Status status = stars_.update(scene, tables_); !status) return status;
     if (Status status = skies_.finish(notes_); !status) return status;
     upload_tables();
-    upload_block({skies_.size(), disc_width_, skies_.both(),
+    upload_block({skies_.size(), disc_.width, skies_.both(),
                   hottest_.by ? std::optional(hottest_.temperature_K) : std::nullopt});
     return Done{};
 }
 
 void Renderer::upload_tables() {
-    ball_path_ = tables_.ball_path() != nullptr ? texture_of(tables_.ball_path()->row) : gl::Texture();
+    const BallPaths& paths = tables_.ball_paths();
+    ball_paths_ = paths.balls.empty() ? gl::Texture() : texture_of(paths.rows);
+    if (clearances_revision_ != tables_.clearances_revision()) {
+        clearances_revision_ = tables_.clearances_revision();
+        const SurfaceClearances& clearances = tables_.clearances();
+        clearances_ = clearances.rows() == 0 ? gl::Texture()
+                                             : gl::make_number_texture(kClearanceWidth, clearances.rows(), 1,
+                                                                       clearances.cells().data(), false);
+    }
     if (rows_revision_ != tables_.revision()) {
         rows_revision_ = tables_.revision();
         ends_ = {};
         strip_ = texture_of(tables_.texels("strip"));
-        const TexelGrid *places = tables_.texels("orbit map"), *delays = tables_.texels("delay map");
-        orbit_map_ = delays != nullptr ? texture_of(side_by_side(*places, *delays)) : texture_of(places);
+        const TexelGrid *places = tables_.texels("orbit table"), *delays = tables_.texels("light-time table");
+        orbit_table_ = delays != nullptr ? texture_of(side_by_side(*places, *delays)) : texture_of(places);
         star_lens_ = texture_of(tables_.texels("star lens"));
     }
     // A picture of the sky alone does not look where along the ray it is.
-    if (meets_objects(tables_.effects()) || tables_.effects().contains(Effect::kDelay) || method_.cubic)
-        upload_ends();
-    else
+    if (!meets_objects(tables_.effects()) && !tables_.effects().contains(Effect::kDelay) && !method_.cubic)
         ends_ = {};
+    else
+        upload_ends();
 }
 
 void Renderer::upload_ends() {
@@ -137,14 +135,17 @@ void Renderer::upload_block(const TextureFacts& facts) {
         block_effects_ = tables_.effects();
         block_members_ = block_members(*block_effects_);
     }
-    const FrameVectors numbers = vectors_of(frame_numbers(tables_.plan(), tables_.path(), facts, tables_.ball_path()));
+    const FrameVectors numbers = vectors_of(frame_numbers(tables_.plan(), tables_.path(), facts, tables_.ball_paths()));
     std::array<float, 4 * kFrameVectors> block{};
-    std::size_t next = 0;
-    for (const int member : block_members_) {
-        const FrameVector& v = numbers[static_cast<std::size_t>(member)];
-        for (const double value : {v.x, v.y, v.z, v.w}) block[next++] = static_cast<float>(value);
-    }
+    float* next = block.data();
+    for (const int member : block_members_) next = put(numbers[static_cast<std::size_t>(member)], next);
     gl::upload_uniforms(uniforms_, block.data(), sizeof(block));
+    std::array<float, 4 * kMostObjectVectors> objects{};
+    next = objects.data();
+    for (const FrameVector& v :
+         object_numbers(tables_.plan(), tables_.path().family(), tables_.ball_paths(), tables_.clearances()))
+        next = put(v, next);
+    gl::upload_uniforms(objects_, objects.data(), sizeof(objects));
 }
 
 void Renderer::begin_skies() {
@@ -154,34 +155,6 @@ void Renderer::begin_skies() {
     const auto far = effects.contains(Effect::kFarSky) ? std::optional(scene.far_sky) : std::nullopt;
     const int wanted = near || far ? sky_face_size(scene.camera, info_.max_cube_size) : 0;
     skies_.begin(near, far, keep_finer_sky_ && wanted > 0 ? std::max(wanted, skies_.size()) : wanted);
-}
-
-Status Renderer::load_disc() {
-    const Scene& scene = tables_.plan().scene;
-    if (!tables_.effects().contains(Effect::kDiscImage)) {
-        disc_ = {};
-        disc_file_.reset();
-        disc_width_ = disc_height_ = 0;
-        return Done{};
-    }
-    const std::string file = scene.disc->image.string();
-    if (disc_file_ == file) return Done{};
-    const auto fitted = load_disc_image(*scene.disc, largest_picture_);
-    if (!fitted) return fitted.error();
-    if (fitted->reduced())
-        notes_.push_back(reduction_words(disc_image_file(*scene.disc), *fitted, textures_end_at(largest_picture_)));
-    const Image<float>& image = fitted->image;
-    disc_ = gl::make_picture_texture(image.width, image.height, image.channels, image.data.data());
-    disc_file_ = file;
-    disc_width_ = image.width;
-    disc_height_ = image.height;
-    return Done{};
-}
-
-Status Renderer::load_bodies() {
-    const Scene& scene = tables_.plan().scene;
-    body_text_ = body_text(scene, tables_.effects());
-    return body_images_.update(scene, largest_picture_, notes_);
 }
 
 void Renderer::load_heat() {
@@ -225,14 +198,14 @@ void Renderer::load_table() {
     }
     const auto key = std::make_pair(scene.spacetime, method_);
     if (table_key_ == key) return;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const bool hermite = method_.lookup == Lookup::kHermite;
     const TableGrid grid = build_table_grid(*tables_.path().table(), method_.size, hermite);
     table_ = gl::make_number_texture(grid.width, grid.height, grid.channels, grid.values.data(),
                                      method_.lookup == Lookup::kHardware);
     table_bytes_ = grid.values.size() * sizeof(float);
     table_key_ = key;
-    gpu_table_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    gpu_table_ms_ = watch.ms();
 }
 
 const gl::Program& Renderer::program(Stage stage, Output output) {
@@ -246,8 +219,10 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
         shader_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
     gl::Program made = gl::make_program(source.vertex, source.fragment);
     gl::bind_uniform_block(made, "FrameBlock", kFrameBinding);
-    for (const auto& [sampler, unit] : kSamplers) gl::bind_sampler(made, sampler, unit);
-    for (int i = 0; i < kBodyCount; ++i) gl::bind_sampler(made, body_image_sampler(i), kBodyUnit + i);
+    gl::bind_uniform_block(made, "ObjectBlock", kObjectBinding);
+    for (const char* sampler : kSamplers) gl::set_integer(made, sampler, unit_of(sampler));
+    for (const auto& [sampler, unit] : kPassSamplers) gl::set_integer(made, sampler, unit);
+    for (int i = 0; i < kMostBodyImages; ++i) gl::set_integer(made, body_image_sampler(i).c_str(), kBodyUnit + i);
     return programs_.emplace(key, std::move(made)).first->second;
 }
 
@@ -259,17 +234,20 @@ int Renderer::picture_programs() const {
 
 void Renderer::bind_inputs() {
     gl::bind_uniforms(uniforms_, kFrameBinding);
-    gl::bind_texture_2d(kStripUnit, strip_);
-    gl::bind_texture_2d(kEndsUnit, ends_);
-    gl::bind_texture_2d(kOrbitUnit, orbit_map_);
+    gl::bind_uniforms(objects_, kObjectBinding);
+    for (const auto& [sampler, texture] : {std::pair{"strip_texture", &strip_},
+                                           {"ends_texture", &ends_},
+                                           {"orbit_texture", &orbit_table_},
+                                           {"disc_texture", &disc_.texture},
+                                           {"table_texture", &table_},
+                                           {"disc_matter_texture", &disc_flow_},
+                                           {"black_body_texture", &black_body_},
+                                           {"star_lens_texture", &star_lens_},
+                                           {"clearance_texture", &clearances_},
+                                           {"ball_path_texture", &ball_paths_}})
+        gl::bind_texture_2d(unit_of(sampler), *texture);
     skies_.bind(kSkyUnit, kFarSkyUnit);
-    gl::bind_texture_2d(kDiscUnit, disc_);
-    gl::bind_texture_2d(kTableUnit, table_);
     body_images_.bind(kBodyUnit);
-    gl::bind_texture_2d(kDiscFlowUnit, disc_flow_);
-    gl::bind_texture_2d(kBlackBodyUnit, black_body_);
-    gl::bind_texture_2d(kStarLensUnit, star_lens_);
-    gl::bind_texture_2d(kBallPathUnit, ball_path_);
 }
 
 void Renderer::draw(unsigned framebuffer, int width, int height, Output output) {
@@ -327,22 +305,28 @@ void Renderer::draw_bare_fetch(unsigned framebuffer, int width, int height) {
     gl::draw_fullscreen(built, empty_, framebuffer, width, height);
 }
 
-Image<unsigned char> Renderer::picture8() {
+// The picture in a target of its own, read back by `read`.
+template <class T, class Read>
+Image<T> Renderer::drawn(gl::Format format, Output output, Read read) {
     const int w = tables_.plan().scene.camera.width, h = tables_.plan().scene.camera.height;
-    const gl::Target target = gl::make_target(w, h, gl::Format::kRgba8);
-    draw(target.framebuffer.id(), w, h, Output::kDisplay);
-    std::vector<unsigned char> pixels(static_cast<std::size_t>(w) * h * 4);
-    gl::read_rgba8(target, pixels.data());
-    return turned_over(pixels, w, h);
+    const gl::Target target = gl::make_target(w, h, format);
+    draw(target.framebuffer.id(), w, h, output);
+    std::vector<T> rgba(static_cast<std::size_t>(w) * h * 4);
+    read(target, rgba.data());
+    Image<T> image(w, h, 3);
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x)
+            std::copy_n(rgba.data() + 4 * (static_cast<std::size_t>(h - 1 - y) * w + x), 3, image.at(x, y));
+    return image;
+}
+
+Image<unsigned char> Renderer::picture8() {
+    return drawn<unsigned char>(gl::Format::kRgba8, Output::kDisplay, gl::read_rgba8);
 }
 
 Image<float> Renderer::picture() {
-    const int w = tables_.plan().scene.camera.width, h = tables_.plan().scene.camera.height;
-    const gl::Target target = gl::make_target(w, h, gl::Format::kRgba32F);
-    draw(target.framebuffer.id(), w, h, Output::kLinear);
-    std::vector<float> pixels(static_cast<std::size_t>(w) * h * 4);
-    gl::read_rgba32f(target, 0, pixels.data());
-    return turned_over(pixels, w, h);
+    return drawn<float>(gl::Format::kRgba32F, Output::kLinear,
+                        [](const gl::Target& target, float* out) { gl::read_rgba32f(target, 0, out); });
 }
 
 RayFrame Renderer::ray_data(int row_step) {
@@ -380,6 +364,9 @@ RayFrame Renderer::draw_rays(const gl::Target& target, int row_step) {
             gl::draw_rows(built, empty_, target.framebuffer.id(), w, h, h - 1 - y, h - y);
     RayFrame frame{w, h, std::vector<RayPixel>(static_cast<std::size_t>(w) * rows), row_step};
     const bool counted = counts_steps(method_);
+    std::vector<int> numbers;  // of bodies, in the shader's order
+    for (const std::size_t i : shader_bodies(tables_.plan().scene))
+        numbers.push_back(object_number(tables_.plan().scene, i));
     std::vector<float> values(static_cast<std::size_t>(w) * 4);
     for (int attachment = 0; attachment < 3; ++attachment) {
         for (int y = 0; y < h; y += row_step) {
@@ -395,6 +382,7 @@ RayFrame Renderer::draw_rays(const gl::Target& target, int row_step) {
                     pixel.order = static_cast<int>(row[3]);
                 } else {
                     pixel.hit = static_cast<int>(row[0]);
+                    if (pixel.hit >= kFirstBody) pixel.hit = numbers[static_cast<std::size_t>(pixel.hit - kFirstBody)];
                     pixel.u = row[1], pixel.v = row[2], pixel.w = row[3];
                     if (counted && pixel.hit == 0) pixel.steps = static_cast<int>(std::exchange(pixel.u, 0.0));
                 }
@@ -406,31 +394,28 @@ RayFrame Renderer::draw_rays(const gl::Target& target, int row_step) {
 
 std::vector<Renderer::TextureLine> Renderer::textures() const {
     std::vector<TextureLine> lines;
+    const auto add = [&](std::string name, int width, int height, std::size_t thirds) {  // of a byte a texel
+        lines.push_back({std::move(name), width, height,
+                         thirds * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) / 3});
+    };
+    constexpr std::size_t kPicture = 32, kTexel = 48, kNumber = 12,
+                          kSky = 96;  // half floats with mip levels; numbers; 6 faces of 4 bytes
     for (const auto& [name, texels] : tables_.path().tables())
-        if (name != "ray ends" || ends_)
-            lines.push_back({std::string(name), texels->width, texels->height, texels->bytes()});
+        if (name != "ray ends" || ends_) add(std::string(name), texels->width, texels->height, kTexel);
     if (table_bytes_ > 0) lines.push_back({"deflection table", method_.size + 1, 2 * (method_.size + 1), table_bytes_});
-    if (ball_path_) lines.push_back({"ball's way", kBallPathCells + 1, 2, tables_.ball_path()->row.bytes()});
+    if (ball_paths_) add("ball paths", tables_.ball_paths().rows.width, tables_.ball_paths().rows.height, kTexel);
+    if (clearances_) add("surface clearance", kClearanceWidth, tables_.clearances().rows(), kNumber);
     const int face = skies_.both() ? bordered_size(skies_.size()) : skies_.size();
-    const std::size_t sky_bytes =
-        static_cast<std::size_t>(face) * static_cast<std::size_t>(face) * 32;  // 6 faces, 4 B, mip levels
-    if (skies_.far()) lines.push_back({"far sky", face, face, sky_bytes});
-    if (skies_.near()) lines.push_back({"sky", face, face, sky_bytes});
-    if (disc_width_ > 0)
-        lines.push_back(
-            {"disc image", disc_width_, disc_height_, static_cast<std::size_t>(disc_width_) * disc_height_ * 32 / 3});
-    for (int body = 0; body < kBodyCount; ++body)
-        if (const auto& picture = body_images_.pictures()[static_cast<std::size_t>(body)])
-            lines.push_back({body_image_sampler(body), picture->width, picture->height,
-                             static_cast<std::size_t>(picture->width) * picture->height * 32 / 3});
-    if (flow_key_)
-        lines.push_back({"disc flow", kDiscFlowCells + 1, 1, static_cast<std::size_t>(kDiscFlowCells + 1) * 16});
-    if (black_body_)
-        lines.push_back({"black body", kBlackBodyCells + 1, 1, static_cast<std::size_t>(kBlackBodyCells + 1) * 16});
+    if (skies_.far()) add("far sky", face, face, kSky);
+    if (skies_.near()) add("sky", face, face, kSky);
+    if (disc_.texture) add("disc image", disc_.width, disc_.height, kPicture);
+    for (int image = 0; image < kMostBodyImages; ++image)
+        if (const auto& picture = body_images_.pictures()[static_cast<std::size_t>(image)]; picture.texture)
+            add(body_image_sampler(image), picture.width, picture.height, kPicture);
+    if (flow_key_) add("disc flow", kDiscFlowCells + 1, kDiscFlowRows, kTexel);
+    if (black_body_) add("black body", kBlackBodyCells + 1, 1, kTexel);
     if (stars_.count() > 0) lines.push_back({"stars", stars_.count(), 1, stars_.bytes()});
-    if (linear_.width > 0)
-        lines.push_back({"linear picture", linear_.width, linear_.height,
-                         static_cast<std::size_t>(linear_.width) * linear_.height * 8});
+    if (linear_.width > 0) add("linear picture", linear_.width, linear_.height, 24);
     if (bloom_.bytes() > 0)
         lines.push_back({"bloom", (linear_.width + 1) / 2, (linear_.height + 1) / 2, bloom_.bytes()});
     return lines;

@@ -2,17 +2,16 @@
 // (gl::load_functions); knows of no window system.
 #pragma once
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
-#include "base/image.h"
-#include "base/large_image.h"
 #include "base/result.h"
 #include "gl/gl.h"
+#include "image/image.h"
+#include "image/large_image.h"
 #include "render/bloom.h"
 #include "render/body_images.h"
 #include "render/frame_numbers.h"
@@ -30,7 +29,7 @@ public:
     Renderer();
 
     // Makes ready what the scene calls for and drops what it does not: tables, textures, uniforms. Cheap when little changed:
-    // a moved camera costs a strip (and an orbit map if there are objects), a turned one nothing.
+    // a moved camera costs a strip (and an orbit table if there are objects), a turned one nothing.
     // Errors: an image that cannot be read, a camera where no static frame is, a size the driver cannot draw.
     Status prepare(const Scene& scene);
 
@@ -71,7 +70,7 @@ public:
     RayFrame ray_data(int row_step = 1);  // row_step: draws and reads only rows 0, row_step, ...; the same bits there
 
     // The ray through the middle of each view's picture, in order; no picture of sky or disc is loaded. Needs no prepare(),
-    // and a new one before the next picture. Views that follow each other with one camera.r share a strip and an orbit map.
+    // and a new one before the next picture. Views that follow each other with one camera.r share a strip and an orbit table.
     Result<std::vector<RayPixel>> trace_middles(const std::vector<Scene>& views);
 
     const FrameTables& tables() const { return tables_; }
@@ -88,6 +87,8 @@ public:
 
 private:
     const gl::Program& program(Stage stage, Output output);
+    template <class T, class Read>
+    Image<T> drawn(gl::Format format, Output output, Read read);
     void bind_inputs();
     void draw_pass(const Pass& pass, unsigned framebuffer, int width, int height);
     void upload_tables();
@@ -95,8 +96,6 @@ private:
     void upload_block(const TextureFacts& facts);
     RayFrame draw_rays(const gl::Target& target, int row_step);
     void begin_skies();
-    Status load_disc();
-    Status load_bodies();
     void load_table();
     void load_heat();
     void load_black_body();
@@ -105,26 +104,26 @@ private:
     int largest_picture_;
     std::vector<std::string> notes_;
     gl::VertexArray empty_;
-    gl::Buffer uniforms_;
+    gl::Buffer uniforms_, objects_;
     std::map<std::tuple<Stage, Output, EffectSet, Method, std::string, BodyText>, gl::Program> programs_;
     Method method_;
     FrameTables tables_;
-    int rows_revision_ = -1;
+    int rows_revision_ = -1, clearances_revision_ = 0;
     std::optional<EffectSet> block_effects_;
     std::vector<int> block_members_;  // of the uniform block with these effects
-    gl::Texture strip_, ends_, orbit_map_, ball_path_, disc_, table_, disc_flow_, black_body_, star_lens_;
+    gl::Texture strip_, ends_, orbit_table_, ball_paths_, clearances_, table_, disc_flow_, black_body_, star_lens_;
     StarField stars_;
     Bloom bloom_;
     double adaptation_ = 1.0;
     gl::Target linear_;  // what passes of light work on, if there are any
     BodyText body_text_;
     BodyImages body_images_;
+    PictureTexture disc_;
     std::optional<std::pair<SpacetimeSpec, Method>> table_key_;  // of table_
     std::size_t table_bytes_ = 0;
     double gpu_table_ms_ = 0.0;
     SkyTextures skies_;
     bool keep_finer_sky_ = false;
-    std::optional<std::string> disc_file_;
     std::optional<std::tuple<SpacetimeSpec, double, double, bool, bool, bool>>
         flow_key_;    // of disc_flow_: its radii, parts of g
     struct Hottest {  // ring of the disc, where accretion heats it
@@ -132,13 +131,12 @@ private:
         SpacetimeSpec about;
         double temperature_K = 0.0;
     } hottest_;
-    int disc_width_ = 0, disc_height_ = 0;
 };
 
 // Face size of the sky's cube map that matches a camera's pixels: a power of two, 256 ... 2048 and what the driver allows.
 int sky_face_size(const CameraSpec& camera, int max_cube_size);
 
 // The image of the disc: the scene's, or the one that ships.
-Result<FittedImage> load_disc_image(const DiscSpec& disc, int largest = Renderer::kLargestPicture);
+Result<FittedImage> load_disc_image(const DiscSpec& disc);
 
 }  // namespace nullscope

@@ -24,19 +24,14 @@ Status SkyTextures::finish(std::vector<std::string>& notes) {
     SkyTextures work = std::exchange(*this, {});  // nothing stays loaded where something fails
     const int levels = sky_levels(work.size_, work.both());
     gl::Texture& texture = work.both() ? work.layers_ : work.near_ ? work.near_cube_ : work.far_cube_;
-    texture = work.both() ? gl::make_sky_layers(bordered_size(work.size_), levels, 12)
-                          : gl::make_sky_cube(work.size_, levels);
+    texture = gl::make_sky(work.both() ? bordered_size(work.size_) : work.size_, levels, work.both() ? 12 : 0);
     int layer = 0;
     for (auto& coming : std::exchange(work.painters_, {})) {
-        const auto painter = coming.get();
-        if (!painter) return painter.error();
+        TRY(painter, coming.get());
         for (std::string& note : painter->notes()) notes.push_back(std::move(note));
         pack_sky(*painter, [&](const PackedRows& rows) {
-            const gl::SkyTexels texels{layer + rows.face, rows.level, rows.first, rows.count, rows.width, rows.texels};
-            if (work.both())
-                gl::fill_sky_layers(texture, texels);
-            else
-                gl::fill_sky_cube(texture, texels);
+            gl::fill_sky(texture, work.both(),
+                         {layer + rows.face, rows.level, rows.first, rows.count, rows.width, rows.texels});
         });
         layer += 6;
     }

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "base/assets.h"
-#include "light/black_body.h"
 #include "render/frame_tables.h"
 
 namespace nullscope {
@@ -13,16 +12,16 @@ Status StarField::update(const Scene& scene, const FrameTables& tables) {
         *this = {};
         return Done{};
     }
-    const Sky sky{scene.sky, scene.light.bolometric, tables.path().finds_star_images()};
-    if (sky_ != sky) {
-        const auto stars = point_stars(scene.sky, assets_directory());
-        if (!stars) return stars.error();
+    const bool bolometric = scene.light.bolometric, found = tables.path().finds_star_images();
+    const auto key = std::make_tuple(scene.sky, bolometric, found);
+    if (sky_key_ != key) {
+        TRY(stars, point_stars(scene.sky, assets_directory()));
         mesh_.reset();
-        view_.reset();
-        if (sky.found) {
-            mesh_.emplace(*stars, sky.bolometric);
+        view_key_.reset();
+        if (found) {
+            mesh_.emplace(*stars, bolometric);
         } else {
-            const std::vector<StarLight> lights = star_lights(*stars, sky.bolometric);
+            const std::vector<StarLight> lights = star_lights(*stars, bolometric);
             std::vector<float> values;
             for (std::size_t i = 0; i < lights.size(); ++i) {
                 const Vec3 v = (*stars)[i].direction;
@@ -31,27 +30,27 @@ Status StarField::update(const Scene& scene, const FrameTables& tables) {
             }
             vertices_ = gl::make_vertex_list(values, {3, 2});
         }
-        sky_ = sky;
+        sky_key_ = key;
     }
-    if (sky.found) find_images(scene, tables);
+    if (found) find_images(scene, tables);
     return Done{};
 }
 
 void StarField::find_images(const Scene& scene, const FrameTables& tables) {
-    const View view{scene.spacetime, scene.camera, scene.light};
-    if (view_ == view) return;
-    const double faintest = std::log2(kFaintestPoint / point_peak()) - scene.camera.exposure_ev;
+    const auto key = std::make_tuple(scene.spacetime, scene.camera, scene.light);
+    if (view_key_ == key) return;
+    const double magnitude_limit = std::log2(kFaintestPoint / point_peak()) - scene.camera.exposure_ev;
     CoreInput input = tables.core_input();  // rays to the sky, whatever is in their way
     input.frame.disc_x.w = 1e30, input.frame.disc_y.w = 0.0;
     input.spin_delay = false;
     std::vector<float> values;
     for (const MeshImage& image : mesh_->images(input, scene.camera.width, scene.camera.height, kPointMargin_px,
-                                                {scene.light.shift, scene.light.beaming, faintest}))
+                                                {scene.light.shift, scene.light.beaming, magnitude_limit}))
         for (const double value : {image.x, image.y, image.g, mesh_->light(image.star).light - std::log2(image.area),
                                    mesh_->light(image.star).temperature})
             values.push_back(static_cast<float>(value));
     vertices_ = gl::make_vertex_list(values, {3, 2});
-    view_ = view;
+    view_key_ = key;
 }
 
 void StarField::draw(const gl::Program& program, unsigned framebuffer, int width, int height, int images) const {

@@ -2,6 +2,7 @@
 // vertices are images, found on the host for every camera (render/star_mesh.h), and one pass draws them.
 #pragma once
 #include <optional>
+#include <tuple>
 
 #include "base/result.h"
 #include "gl/gl.h"
@@ -23,21 +24,10 @@ public:
     std::size_t bytes() const { return static_cast<std::size_t>(vertices_.count) * 5 * sizeof(float); }
 
 private:
-    struct Sky {
-        SkySpec sky;
-        bool bolometric = false, found = false;  // found: images on the host
-        friend bool operator==(const Sky&, const Sky&) = default;
-    };
-    struct View {
-        SpacetimeSpec spacetime;
-        CameraSpec camera;
-        LightSpec light;
-        friend bool operator==(const View&, const View&) = default;
-    };
     void find_images(const Scene& scene, const FrameTables& tables);
 
-    std::optional<Sky> sky_;
-    std::optional<View> view_;
+    std::optional<std::tuple<SkySpec, bool, bool>> sky_key_;  // of the stars: bolometric; images found on the host
+    std::optional<std::tuple<SpacetimeSpec, CameraSpec, LightSpec>> view_key_;  // of images found on the host
     gl::VertexList vertices_;
     std::optional<StarMesh> mesh_;
 };

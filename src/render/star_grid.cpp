@@ -38,11 +38,9 @@ StarGrid::Level StarGrid::level_of(const std::vector<PointStar>& stars, const in
         std::clamp(static_cast<int>(std::sqrt(static_cast<double>(end - begin) / (2 * kStarsPerCell))), 1, 1024);
     level.columns = 2 * level.rows;
     const auto cell_of = [&](Vec3 v) {
-        const int row = std::clamp(static_cast<int>(0.5 * (v.z + 1) * level.rows), 0, level.rows - 1);
         const int column = std::clamp(static_cast<int>((std::atan2(v.y, v.x) / (2 * M_PI) + 0.5) * level.columns), 0,
                                       level.columns - 1);
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(level.columns) +
-               static_cast<std::size_t>(column);
+        return level.cell(level.row_of(v.z), column);
     };
     level.first.assign(static_cast<std::size_t>(level.rows * level.columns) + 1, 0);
     for (const int* i = begin; i != end; ++i) ++level.first[cell_of(stars[static_cast<std::size_t>(*i)].direction) + 1];

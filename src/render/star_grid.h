@@ -25,6 +25,8 @@ public:
         int rows = 1, columns = 1;
         std::vector<Star> stars;
         std::vector<int> first;  // of each cell, and the end
+        int row_of(double z) const { return std::clamp(static_cast<int>(0.5 * (z + 1) * rows), 0, rows - 1); }
+        std::size_t cell(int row, int column) const { return static_cast<std::size_t>(row) * columns + column; }
     };
     const std::vector<Level>& levels() const { return levels_; }  // brightest first
     const StarLight& light(int star) const { return lights_[static_cast<std::size_t>(star)]; }
@@ -35,20 +37,15 @@ public:
     static void visit_near(const Level& level, Vec3 middle, double radius, const Visit& visit) {
         const double theta = std::atan2(std::hypot(middle.x, middle.y), middle.z);
         const double high = std::cos(std::max(theta - radius, 0.0)), low = std::cos(std::min(theta + radius, M_PI));
-        const auto row_of = [&](double z) {
-            return std::clamp(static_cast<int>(0.5 * (z + 1) * level.rows), 0, level.rows - 1);
-        };
         const double reach = radius < M_PI / 2 ? std::sin(radius) : 1.0, flat = std::sin(theta),
                      turn = reach < flat ? std::asin(reach / flat) : M_PI;
         const double at = (std::atan2(middle.y, middle.x) / (2 * M_PI) + 0.5) * level.columns,
                      wide = turn / (2 * M_PI) * level.columns;
         const int left = static_cast<int>(std::floor(at - wide)),
                   right = std::min(static_cast<int>(std::floor(at + wide)), left + level.columns - 1);
-        for (int row = row_of(low); row <= row_of(high); ++row)
+        for (int row = level.row_of(low); row <= level.row_of(high); ++row)
             for (int column = left; column <= right; ++column) {
-                const int turned = (column + level.columns) % level.columns;
-                const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(level.columns) +
-                                  static_cast<std::size_t>(turned);
+                const std::size_t cell = level.cell(row, (column + level.columns) % level.columns);
                 for (int i = level.first[cell]; i < level.first[cell + 1]; ++i)
                     visit(level.stars[static_cast<std::size_t>(i)]);
             }

@@ -16,17 +16,17 @@ namespace {
 using namespace mesh;
 
 constexpr double kPartPerOctave = 2.0;  // how fast StarGlow::part changes, at most
-constexpr double kWide =
-    0.15;  // rad of sky in a cell above which it is divided: interpolation over it is off by more than 0.01 px
-constexpr double kBent =
-    0.05;  // the same, of how far a cell's middle may be from the mean of its corners, over its extent
+// rad of sky in a cell above which it is divided: interpolation over it is off by more than 0.01 px.
+constexpr double kWide = 0.15;
+// The same, of how far a cell's middle may be from the mean of its corners, over its extent.
+constexpr double kBent = 0.05;
 constexpr double kWidest = 0.5;        // rad from its middle up to which it is asked which stars are in it ...
 constexpr double kWidestFinest = 1.0;  // ... where it is not divided any more; what covers more holds no images
 // Triangles are taken so much larger (of their heights), lest a star falls between those of cells of two sizes: what is found twice
 // comes out at one place.
 constexpr double kOver = 0.01, kOverDivided = 0.1, kOverFinest = 0.3;
-constexpr double kStep =
-    0.01;  // of the differences between rays, over the cell, where it is not smooth enough to interpolate
+// Of the differences between rays, over the cell, where it is not smooth enough to interpolate.
+constexpr double kStep = 0.01;
 constexpr double kSame_px = 0.05;
 // The area of an image is at least this part of its triangle's; within a cell that is to be divided of the cell's.
 constexpr double kLeastArea = 0.7, kLeastAreaDivided = 0.4;
@@ -128,7 +128,7 @@ private:
         const StarGlow& glow = stars_.glow();
         return light + glow.brightness(seeing_.beaming ? shifted : own) + glow.part(seeing_.shift ? shifted : own) -
                    std::log2(area) >
-               seeing_.faintest;
+               seeing_.magnitude_limit;
     }
 
     // The stars near a cell's sky that could be seen in it; least: of the cell's area over what an image's can be.
@@ -143,7 +143,7 @@ private:
             const double bluer = seeing_.beaming && g > 1 ? stars_.glow().brightness(level.coldest + std::log2(g)) -
                                                                 stars_.glow().brightness(level.coldest)
                                                           : 0.0;
-            if (level.brightest + bluer + other - std::log2(area) < seeing_.faintest) break;
+            if (level.brightest + bluer + other - std::log2(area) < seeing_.magnitude_limit) break;
             StarGrid::visit_near(
                 level, cap.middle, (1 + 4 * kOverDivided) * cap.radius, [&, area = area, g = g](const Star& one) {
                     if (box.has(one.place) && dot(one.place, cap.middle) > 0 && seen(one.number, area, g))

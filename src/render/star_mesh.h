@@ -26,7 +26,8 @@ public:
     // for the whole catalogue, on all cores: half a second on two. Thread-safe; same result for the same input.
     struct Seeing {
         bool shift = true, beaming = true;  // LightSpec
-        double faintest = 0.0;  // log2 of the light of an image's brightest primary over the sky in a pixel, 1/(px^2)
+        // Log2 of the light of an image's brightest primary over the sky in a pixel, 1/(px^2).
+        double magnitude_limit = 0.0;
     };
     std::vector<MeshImage> images(const CoreInput& input, int width, int height, double margin_px,
                                   const Seeing& seeing) const;

@@ -15,9 +15,6 @@ inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN(); 
 
 enum class Fate { kEscaped = 0, kCaptured = 1, kOtherSide = 2, kNoSky = 3, kHit = 4 };
 
-// Numbers of objects in ray data.
-enum class Object { kNone = 0, kDisc = 1, kSphere = 2, kCylinder = 3, kBall = 4, kSurface = 5, kStar = 6 };
-
 // A ray traced backward in time from a camera.
 // General form: position (r, theta, phi) and unit view direction n = (n_r, n_theta, n_phi) in the local static frame.
 // In wormholes r is the proper distance l from the throat, negative on the far side.
@@ -43,13 +40,13 @@ struct RayRecord {
     double theta_inf = kNotANumber,
            phi_inf = kNotANumber;  // direction on the sky; phi unwrapped (phi_camera + what was swept)
     Vec3 sky{kNotANumber, kNotANumber, kNotANumber};  // the same as a unit vector in world axes
-    double angle =
-        kNotANumber;  // swept in the orbital plane from the camera to the end (sky, or horizon), windings kept
+    // Swept in the orbital plane from the camera to the end (sky, or horizon), windings kept.
+    double angle = kNotANumber;
     double delay = kNotANumber;  // T = v_cam - v_inf, in r_s/c; escaped rays
     double g = kNotANumber;      // camera frequency over frequency at infinity
     double turn = kNotANumber;   // zeta at the turning point on the traced part; empty if none
     double at = kNotANumber;     // zeta at at_angle; empty if the ray has ended before
-    Object hit = Object::kNone;  // what the ray ended on: fate kHit
+    int hit = 0;                 // number of what the ray ended on, as RayPixel::hit: fate kHit
     struct Crossing {
         double r, phi;
         double g = kNotANumber;  // camera frequency over frequency in the disc's matter there; where it was asked for
@@ -58,7 +55,9 @@ struct RayRecord {
         crossings;  // of the equatorial plane after leaving the camera, before the end (horizon included)
 };
 
-inline constexpr int kDiscHit = 1, kStarHit = 6;  // RayPixel::hit
+// Numbers of what rays hit: the first sphere, cylinder, ball and surface of a scene have 2 to 5, later kinds 7 and on (scene/bodies.h
+// has all bodies).
+inline constexpr int kDiscHit = 1, kSphereHit = 2, kCylinderHit = 3, kBallHit = 4, kSurfaceHit = 5, kStarHit = 6;
 
 // One pixel of the ray data of a frame (docs/ray-data.md). Finite always; 0 where a value does not exist.
 struct RayPixel {
@@ -68,9 +67,9 @@ struct RayPixel {
     double delay = 0;          // r_s/c; 0 unless delay is called for
     double angle = 0;          // swept from the camera to the end (sky, horizon or hit), rad
     int order = 0;             // image order: floor(angle / pi)
-    int hit = 0;               // number of the first object hit (Object), 0 for none, also for a translucent object
-    int steps =
-        0;  // that the tracer took, where it takes steps; of the shader core, and of methods that count them (shaderlib/method.h)
+    int hit = 0;  // number of the first object hit (object_name()), 0 for none, also for a translucent object
+    // That the tracer took, where it takes steps; of the shader core, and of methods that count them (shaderlib/method.h).
+    int steps = 0;
     double
         u = 0,
         v = 0,

@@ -1,31 +1,33 @@
-// Scene: plain data that says what is there. Units inside: lengths in r_s, angles in rad, speeds in c, r_s = c = 1.
+// Scene: plain data that describes what is there. Units: lengths in r_s, angles in rad, speeds in c, r_s = c = 1.
 #pragma once
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "base/vec.h"
+#include "spacetime/metric_parameters.h"
 
 namespace nullscope {
 
 struct SpacetimeSpec {
-    std::string metric = "schwarzschild";      // a key of the registry in spacetime/registry.h
-    std::map<std::string, double> parameters;  // by name, checked against the registry's ranges
+    std::string metric = "schwarzschild";  // a key of the registry in spacetime/registry.h
+    MetricParameters parameters;           // by name, numbers checked against the registry's ranges
     friend bool operator==(const SpacetimeSpec&, const SpacetimeSpec&) = default;
 };
 
-// How the one who holds the camera moves: scene/observer.h.
+// Motion of the observer (observer/observer.h).
 enum class ObserverKind { kStatic, kRain, kFall, kThrow, kOrbit, kZamo, kCarter, kCounterOrbit };
 
 // A pinhole camera. The unrotated camera looks at the centre (forward = -e_r), up = -e_theta (towards the north pole),
-// right = forward x up = e_phi... see camera/pose.h. yaw turns to the right, then pitch turns up, then roll turns the picture's
-// top to the right.
+// right = forward x up (observer/pose.h). yaw turns to the right, then pitch turns up, then roll turns the picture's top to
+// the right.
 struct CameraSpec {
     double r = 15.0;      // > 0, outside the horizon for a static camera
     double theta = 1.48;  // polar angle, [0, pi]
-    double phi = 0.0;  // azimuth; about a rotating hole, of an observer that falls, the one of spacetime/spin_frame.h
+    double phi = 0.0;     // azimuth; of falling observers about a rotating hole the ingoing one (observer/spin_frame.h)
     double yaw = 0.0, pitch = 0.0, roll = 0.0;
     ObserverKind observer = ObserverKind::kStatic;
     double fall_from = 1e6;  // kFall: radius of rest, r_s
@@ -35,38 +37,41 @@ struct CameraSpec {
     double focal_distance = 1.0;     // ... and its distance: fov = 2 atan(plane_width / 2 focal_distance), 60 degrees
     int width = 1280, height = 720;  // pixels, square
     double exposure_ev = 0.0;        // display brightness is multiplied by 2^exposure_ev
+    double pixel() const { return plane_width / width / focal_distance; }  // tangent of what one spans in the middle
     friend bool operator==(const CameraSpec&, const CameraSpec&) = default;
 };
 
-// What a solid body, a disc or a sky looks like. Procedural kinds give a number from 0 to 1 at every place, which mixes two colours.
+// Surface of a solid body, a disc or a sky. A procedural texture is a number from 0 to 1 at every point, which mixes two colours.
 enum class TextureKind { kPlain, kChecker, kGrid, kStripes, kNoise, kFormula, kImage };
+inline constexpr const char* kTextureNames[] = {"plain", "checker", "grid", "stripes", "noise", "formula", "image"};
+inline const char* texture_name(TextureKind kind) { return kTextureNames[static_cast<int>(kind)]; }
 // How the unit square of texture coordinates (u, v), v from the top, covers directions from a body's middle (azimuth grows to
 // the right as seen from outside):
 // kEquirectangular: u azimuth, v polar angle. kBand: u azimuth, v latitude from +band to -band; beyond it the second colour.
 // kCaps: left half the northern, right half the southern hemisphere, azimuthal equidistant, the pole in the middle of each.
 // kCubeFaces: three columns and two rows of faces: +x -x +y above -y +z -z.
 enum class BodyMapping { kEquirectangular, kBand, kCaps, kCubeFaces };
-struct BodyLook {
+struct Material {
     TextureKind texture = TextureKind::kPlain;
-    BodyMapping mapping =
-        BodyMapping::kEquirectangular;  // not of the cylinder: its square covers [-outer, outer]^2, as the disc's
-    std::filesystem::path image{};      // kImage
-    std::string formula{};              // kFormula: of u, v, x, y, z (docs/expressions.md)
+    // Not of the cylinder: its square covers [-outer, outer]^2, as the disc's.
+    BodyMapping mapping = BodyMapping::kEquirectangular;
+    std::filesystem::path image{};                                  // kImage
+    std::string formula{};                                          // kFormula: of u, v, x, y, z (docs/expressions.md)
     Vec3 colour{1.0, 0.72, 0.42}, second_colour{0.12, 0.05, 0.03};  // linear light; kImage is multiplied by colour
     int columns = 24, rows = 12;                // of the pattern over u and over v; of noise: grains across the radius
     double band_latitude = 1.0471975511965976;  // kBand, (0, pi/2]
-    double rotation = 0.0;                      // of the look about the polar axis
+    double rotation = 0.0;                      // of the material about the polar axis
     double limb = 0.0;                          // light times 1 - limb (1 - cosine of the angle to the normal), [0, 1]
     double brightness = 1.0;
-    friend bool operator==(const BodyLook&, const BodyLook&) = default;
+    friend bool operator==(const Material&, const Material&) = default;
 };
 
-// kStars: the catalogue drawn into a picture of the sky. kPoints: its stars as points, over the Milky Way. From kPlain on: SkySpec::look,
-// of the TextureKind of the same name.
+// kStars: the catalogue drawn into a picture of the sky. kPoints: its stars as points, over the Milky Way. From kPlain on:
+// SkySpec::material, with the TextureKind of the same name.
 enum class SkyKind { kStars, kImage, kBlack, kPoints, kPlain, kChecker, kGrid, kStripes, kNoise, kFormula };
 inline constexpr const char* kSkyKindNames[] = {"stars",   "image", "black",   "points", "plain",
                                                 "checker", "grid",  "stripes", "noise",  "formula"};
-inline bool has_look(SkyKind kind) { return kind >= SkyKind::kPlain; }
+inline bool is_procedural(SkyKind kind) { return kind >= SkyKind::kPlain; }
 enum class SkyMapping { kEquirectangular, kBandAndCaps };
 
 // The celestial sphere at infinity.
@@ -82,27 +87,28 @@ struct SkySpec {
     double yaw = 0.0, tilt = 0.0;                // world_from_sky = R_z(yaw) R_x(tilt)
     double brightness = 1.0;
     std::optional<double>
-        temperature_K;       // of the black body for which its light is taken where g changes it; else g does not
-    double faintest = 20.0;  // kPoints only: magnitude V of the faintest stars
-    int even_stars = 0;      // kPoints only; above 0: so many equal stars, evenly spread, and no catalogue
-    // has_look(kind) only; colours, formula, columns and rows of it alone. u = 1/2 - azimuth/turn and v = polar angle/half turn of the
-    // sky's own axes, as the columns and rows of an equirectangular image; x, y, z: the unit vector there.
-    BodyLook look{.colour = {0.5, 0.75, 1.0}, .second_colour = {0.01, 0.015, 0.03}};
+        temperature_K;  // g shifts the sky's light as that of a black body of this temperature; unset: not at all
+    double magnitude_limit = 20.0;  // kPoints only: V of the faintest stars that are drawn
+    int uniform_stars = 0;  // kPoints only; above 0: this many equal stars, uniformly spread, instead of the catalogue
+    // is_procedural(kind) only; only colours, formula, columns and rows are used. u = 1/2 - azimuth/2 pi and v = polar angle/pi
+    // in the sky's own axes, as columns and rows of an equirectangular image; x, y, z: the unit vector in that direction.
+    Material material{.colour = {0.5, 0.75, 1.0}, .second_colour = {0.01, 0.015, 0.03}};
     friend bool operator==(const SkySpec&, const SkySpec&) = default;
 };
 
-// The look of a sky that has one: its texture is the kind's.
-inline BodyLook sky_look(const SkySpec& sky) {
-    BodyLook look = sky.look;
-    look.texture = has_look(sky.kind)
-                       ? static_cast<TextureKind>(static_cast<int>(sky.kind) - static_cast<int>(SkyKind::kPlain))
-                       : TextureKind::kPlain;
-    return look;
+// The material of a procedural sky: its texture follows from the kind.
+inline Material sky_material(const SkySpec& sky) {
+    Material material = sky.material;
+    material.texture = is_procedural(sky.kind)
+                           ? static_cast<TextureKind>(static_cast<int>(sky.kind) - static_cast<int>(SkyKind::kPlain))
+                           : TextureKind::kPlain;
+    return material;
 }
 
 // A flat disc in the equatorial plane theta = pi/2, visible from both sides. The image is mapped affinely: its square
 // [0,1]^2 covers [-outer, outer]^2 in the disc's (x, y), rotated by `rotation`; image row 0 is y = +outer.
-// kImage: the light of image or texture as it is. kThermal: heat by Page and Thorne, on which these act as an emissivity.
+// kImage: the light of image or texture as it is. kThermal: thermal emission, flux by Page and Thorne; image or texture are then the
+// emissivity.
 enum class DiscEmission { kImage, kThermal };
 
 // What heats a thermal disc. Rates in L_Eddington/(0.1 c^2), L_Eddington = 4 pi G M m_p c/sigma_T.
@@ -111,83 +117,99 @@ struct AccretionSpec {
     friend bool operator==(const AccretionSpec&, const AccretionSpec&) = default;
 };
 
-// How the pattern of a disc moves: not at all, or every ring as matter on circles does (docs/time.md).
+// Motion of a disc's pattern: none, or every ring at the angular velocity of circular geodesics (docs/time.md).
 enum class DiscFlowKind { kStill, kKepler };
+
+// Effects on a disc's light that are on or off, each with a key (scenefile/scene_keys.h, on_off_key).
+struct DiscEffects {
+    bool limb_darkening = false;  // thermal: Chandrasekhar's law for an electron-scattering atmosphere
+    friend bool operator==(const DiscEffects&, const DiscEffects&) = default;
+};
 
 struct DiscSpec {
     double inner = 3.0, outer = 12.0;  // 0 < inner < outer
-    std::filesystem::path image;       // empty: the disc image that ships
-    double opacity = 1.0;              // (0, 1]; below 1 what lies behind shines through
+    std::filesystem::path image{};     // empty: the disc image that ships
+    double opacity = 1.0;              // (0, 1]; below 1 what lies behind is visible
     double edge = 0.0;                 // fade of opacity at both rims, as a fraction of (outer - inner), [0, 0.5]
     double rotation = 0.0;
     double brightness = 1.0;
     DiscEmission emission = DiscEmission::kImage;
-    double temperature_K = 8000.0;           // thermal: of the hottest ring, in its own frame; without `accretion`
-    std::optional<AccretionSpec> accretion;  // thermal: gives the temperature
+    double temperature_K = 8000.0;             // thermal: of the hottest ring, in its own frame; without `accretion`
+    std::optional<AccretionSpec> accretion{};  // thermal: gives the temperature
     DiscFlowKind flow = DiscFlowKind::kStill;
-    int passed = 0;  // of each ray's crossings of the plane, before it is met: ray files list them one by one
-    double flow_life =
-        40.0;  // kKepler: a copy of the pattern is wound up this long, r_s/c, then it has faded into the next
-    // Colours, formula, columns and rows of it alone, and none of these with texture kImage, which is `image`. u = 1/2 + azimuth/turn,
-    // v = (r - inner)/(outer - inner); x, y: the place, z = 0.
-    BodyLook look{.texture = TextureKind::kImage};
+    // How many crossings of the plane a ray makes before the disc counts: ray files list crossings one by one.
+    int passed = 0;
+    // kKepler, r_s/c: how long a copy of the pattern is sheared before it has faded into the next.
+    double flow_life = 40.0;
+    // Only colours, formula, columns and rows are used; with texture kImage the picture is `image`. u = 1/2 + azimuth/2 pi,
+    // v = (r - inner)/(outer - inner); x, y: the point in the disc, z = 0.
+    Material material{.texture = TextureKind::kImage};
+    DiscEffects effects{};
     friend bool operator==(const DiscSpec&, const DiscSpec&) = default;
 };
 
-// Hot spots in the disc, evenly spread over one circular orbit: Gaussian in distance, shining by heat whatever is behind, each moving as
-// its middle does.
+// Hot spots in the disc, evenly spaced along one circular orbit: a Gaussian brightness profile of black-body light, added to the disc's.
+// Each moves rigidly with its centre.
 struct SpotSpec {
     double r = 3.5;           // of the orbit, outside the photon sphere
     double phase = 0.0;       // azimuth at time 0
     double size = 0.35;       // standard deviation
-    double brightness = 1.0;  // in its middle, of a black body of its temperature
+    double brightness = 1.0;  // at its centre, relative to a black body of its temperature
     double temperature_K = 8000.0;
     int count = 1;
     friend bool operator==(const SpotSpec&, const SpotSpec&) = default;
 };
 
-// Solid bodies: opaque, a ray ends on the first. Lengths in r_s; (r, theta, phi) are taken as flat spherical coordinates; of wormholes
-// (|l|, theta, phi) of one side of the throat, which is the centre: far, l < 0.
-struct SphereSpec {        // about the centre
-    double radius = 3.0;   // outside the horizon
-    double swing = 0.0;    // pulsation: radius (1 + swing sin(2 pi t/period)), [0, 0.5]
-    double period = 40.0;  // r_s/c
-    BodyLook look;
+// Solid bodies: opaque, a ray ends on the first one it meets. Lengths in r_s, in flat coordinates: (r, theta, phi) as spherical ones; in
+// wormholes (|l|, theta, phi) on one side of the throat, which is the centre; Body::far: l < 0. See plan/body_kind.h.
+struct SphereSpec {  // about the centre
+    static constexpr std::string_view kName = "sphere";
+    double radius = 3.0;     // outside the horizon
+    double amplitude = 0.0;  // pulsation: radius (1 + amplitude sin(2 pi t/period)), [0, 0.5]
+    double period = 40.0;    // r_s/c
     friend bool operator==(const SphereSpec&, const SphereSpec&) = default;
 };
 struct CylinderSpec {  // about the polar axis: a disc of finite thickness, |z| <= height, inner <= rho <= outer
+    static constexpr std::string_view kName = "cylinder";
     double inner = 3.0, outer = 8.0, height = 0.5;
-    bool far = false;
-    BodyLook look;
     friend bool operator==(const CylinderSpec&, const CylinderSpec&) = default;
 };
-// kOrbit: on a circular geodesic through `position`, eastward. kGeodesic: falls freely, at t = 0 from `position` with `velocity` there.
-// kPath: along formulas of t.
+// kOrbit: eastward on the circular geodesic through `position`. kGeodesic: in free fall, at t = 0 at `position` with `velocity`.
+// kPath: given by formulas of t.
 enum class BallMotion { kStill, kOrbit, kGeodesic, kPath };
 struct BallSpec {  // a sphere anywhere
+    static constexpr std::string_view kName = "ball";
     Vec3 position{-12.0, 0.0, 0.0};
     double radius = 2.0;
-    bool far = false;
     BallMotion motion = BallMotion::kStill;
-    Vec3 velocity{0, 0, 0};  // kGeodesic: along (e_r, e_theta, e_phi) of one at rest there, |v| < 1
-    std::string x, y, z;     // kPath: docs/expressions.md, of t in r_s/c
-    BodyLook look;
+    Vec3 velocity{0, 0, 0};     // kGeodesic: along (e_r, e_theta, e_phi) of an observer at rest there, |v| < 1
+    std::string x{}, y{}, z{};  // kPath: docs/expressions.md, of t in r_s/c
+    bool moves() const { return motion != BallMotion::kStill; }
     friend bool operator==(const BallSpec&, const BallSpec&) = default;
 };
 
-// kFormula: `shape`; the others are named_surface.h's, `size` long.
+// kFormula: given by `shape`; the others: named_surface.h, in units of `size`.
 enum class SurfaceKind { kFormula, kTorus, kEllipsoid, kCube, kOctahedron, kHeart, kGyroid, kClebsch };
-struct SurfaceSpec {  // the solid f(x, y, z, t) < 0, as far as `bound` from the centre; t: Scene::time
+struct SurfaceSpec {  // the solid f(x, y, z, t) < 0 within `bound` of the centre; t: Scene::time
+    static constexpr std::string_view kName = "surface";
     SurfaceKind kind = SurfaceKind::kFormula;
     double size = 6.0;                                     // of a named surface
     std::string shape = "(length(x, y) - 6)^2 + z^2 - 2";  // f: docs/expressions.md
     double bound = 10.0;
-    int steps = 64;  // steps across the bounding sphere: what is thinner than one may be missed
-    bool far = false;
-    BodyLook look;
+    int steps = 64;  // march steps across the bounding sphere; thinner parts may be missed
     friend bool operator==(const SurfaceSpec&, const SurfaceSpec&) = default;
 };
-// What is seen through a wormhole: the same stars, turned, unless a scene says otherwise.
+
+using BodyShape = std::variant<SphereSpec, CylinderSpec, BallSpec, SurfaceSpec>;  // by number (ray.h)
+struct Body {
+    BodyShape shape;
+    std::string name{};  // in ray data; empty: body_name() gives one
+    bool far = false;    // of a wormhole's throat; not of spheres
+    Material material{};
+    friend bool operator==(const Body&, const Body&) = default;
+};
+inline constexpr std::size_t kMostBodies = 64, kMostSpots = 64;  // of a scene
+// The sky at the other end of a wormhole: by default the same stars, rotated.
 inline SkySpec default_far_sky() {
     SkySpec sky;
     sky.yaw = 2.0943951023931953;   // 120 degrees
@@ -195,67 +217,64 @@ inline SkySpec default_far_sky() {
     return sky;
 }
 
-// What light does on its way, each to be switched off alone, to teach with.
+// Parts of light propagation; for teaching, each can be switched off alone.
 struct LightSpec {
-    bool shift = true;        // of colour
-    bool beaming = true;      // of brightness
-    bool bolometric = false;  // brightness is power at all wavelengths, as T^4, not luminance
-    // The two parts of g, as static observers at the matter and at the camera split it (docs/light.md); and directions.
-    bool doppler = true;     // motion of matter and camera changes frequencies
-    bool gravity = true;     // so does the way out of gravity
-    bool aberration = true;  // a moving camera sees other directions
-    bool delay = true;       // light takes time: what moves is seen where it was
-    bool lensing = true;  // light follows the metric's geodesics; else straight lines in flat space, all else as it is
+    bool shift = true;        // shift changes colour
+    bool beaming = true;      // and brightness
+    bool bolometric = false;  // brightness is power at all wavelengths (T^4), not luminance
+    // The two parts into which static observers at matter and camera split g (docs/light.md); and directions.
+    bool doppler = true;     // frequencies: motion of matter and camera
+    bool gravity = true;     // frequencies: gravitational redshift
+    bool aberration = true;  // directions: motion of the camera
+    bool delay = true;       // light-travel time: moving things are seen where they were
+    bool lensing = true;     // light follows the metric's geodesics; off: straight lines, all else unchanged
     friend bool operator==(const LightSpec&, const LightSpec&) = default;
 };
 
-// What becomes of a picture's light before a display shows it. EXR files hold it as it is.
+// How linear light becomes a displayed picture. EXR files hold linear light.
 enum class ToneCurve { kShoulder, kFilm, kNeutral };  // 1 - exp(-x); a fit of ACES; Khronos' neutral one
 struct PictureSpec {
     ToneCurve tone = ToneCurve::kShoulder;
     double bloom = 0.0;          // share of the light that lens and eye scatter, [0, 1)
-    bool auto_exposure = false;  // CameraSpec::exposure_ev then adds to what the picture's mean luminance asks for
-    bool dither = false;         // noise of half a step of 8 bits against bands
+    bool auto_exposure = false;  // from the picture's mean luminance; CameraSpec::exposure_ev is added
+    bool dither = false;         // noise of half an 8-bit step, against banding
     friend bool operator==(const PictureSpec&, const PictureSpec&) = default;
 };
 
-// Where the camera goes from frame to frame. kFall: let go at frame 0, in equal steps of its own time; axes are gyroscopes, or turned to
-// look at the centre. kKeys: smooth through keys.
+// Path of the camera from frame to frame. kFall: free fall from frame 0 on, in equal steps of proper time; its axes are
+// parallel-transported (kGyroscope), or turned to keep their angle to the centre. kKeys: a smooth curve through keys.
 enum class PathKind { kFall, kKeys };
-enum class PathLook { kGyroscope, kCentre };
+enum class PathOrientation { kGyroscope, kCentre };
 struct PathKey {
     double frame = 0.0;
     CameraSpec camera;
 };
 struct PathSpec {
     PathKind kind = PathKind::kFall;
-    PathLook look = PathLook::kGyroscope;
+    PathOrientation orientation = PathOrientation::kGyroscope;
     int frames = 240;
-    double rate = 24.0;  // frames a second of film
-    double duration =
-        0.0;  // kFall: proper time from the first frame to the last, r_s/c; 0: to the end of the worldline
-    std::vector<PathKey> keys;  // kKeys: two or more, frames growing
+    double rate = 24.0;  // frames per second
+    // kFall: proper time from the first frame to the last, r_s/c; 0: to the end of the worldline.
+    double duration = 0.0;
+    std::vector<PathKey> keys;  // kKeys: two or more, by ascending frame
 };
 
 struct Scene {
     std::string name, description;
     SpacetimeSpec spacetime;
     std::optional<SpacetimeSpec>
-        beside;                // split screen (scene/split.h): the right half shows the same in this spacetime
-    bool beside_delay = true;  // and whether light takes time there
+        split;                // split screen (scene/split.h): the right half shows the same scene in this spacetime
+    bool split_delay = true;  // light-travel time there
     CameraSpec camera;
     SkySpec sky;
     SkySpec far_sky = default_far_sky();  // of wormholes: at l = -infinity
     std::optional<DiscSpec> disc;
-    std::optional<SpotSpec> spot;
-    std::optional<SphereSpec> sphere;
-    std::optional<CylinderSpec> cylinder;
-    std::optional<BallSpec> ball;
-    std::optional<SurfaceSpec> surface;
+    std::vector<SpotSpec> spots;  // in the disc
+    std::vector<Body> bodies;
     LightSpec light;
     PictureSpec picture;
     std::optional<PathSpec> path;
-    // r_s/c: t of the camera, by the clocks at infinity; of a camera that falls v - r, v = t + r_*, which is regular on the horizon.
+    // Coordinate time of the camera, r_s/c; of a falling camera v - r with v = t + r_*, which is regular on the horizon.
     double time = 0.0;
 };
 

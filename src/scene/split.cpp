@@ -6,7 +6,7 @@ namespace nullscope {
 namespace {
 
 Scene half_of(Scene shown, const CameraSpec& camera, int width) {
-    shown.beside.reset();
+    shown.split.reset();
     shown.camera = camera;
     shown.camera.width = std::max(width, 1);
     shown.camera.plane_width = camera.plane_width * shown.camera.width / camera.width;
@@ -21,10 +21,10 @@ Halves halves(const Scene& scene, const Scene& other) {
 }
 
 std::optional<Halves> halves(const Scene& scene) {
-    if (!scene.beside) return std::nullopt;
+    if (!scene.split) return std::nullopt;
     Scene other = scene;
-    other.spacetime = *scene.beside;
-    other.light.delay = scene.light.delay && scene.beside_delay;
+    other.spacetime = *scene.split;
+    other.light.delay = scene.light.delay && scene.split_delay;
     return halves(scene, other);
 }
 

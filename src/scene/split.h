@@ -11,6 +11,6 @@ struct Halves {
     Scene left, right;
 };
 Halves halves(const Scene& scene, const Scene& other);  // beside a scene of its own, camera apart
-std::optional<Halves> halves(const Scene& scene);       // beside scene.beside; nothing where there is none
+std::optional<Halves> halves(const Scene& scene);       // beside scene.split; nothing where there is none
 
 }  // namespace nullscope

@@ -1,16 +1,6 @@
 // The shader core in double.
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <glm/glm.hpp>
+#include "shadercore/core_includes.inl"
 
-#include "shadercore/core_trace.h"
-
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
 namespace nullscope {
 namespace {
 using Real = double;

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
+#include <tuple>
 
 #include "expr/formula.h"
-#include "scene/moving.h"
+#include "plan/body_kind.h"
+#include "plan/moving.h"
 #include "scene/named_surface.h"
 #include "shaderlib/preprocess.h"
 #include "shaderlib/shader_source.h"
@@ -14,37 +15,96 @@
 namespace nullscope {
 namespace {
 
-struct Body {
-    std::string name;
-    int number;        // Object
-    const char* file;  // of shaders/
-    const BodyLook* look;
-    std::string size;               // GLSL: the length that grains are counted over
-    std::string middle, normal;     // GLSL: at the place `place`
-    const char* mapping = nullptr;  // instead of the look's
-    bool marched = true;
-    bool far = false;
+// How a body's shape is known to the shader.
+struct ShapeText {
+    std::string name;  // of its functions: NAME_value, NAME_room, NAME_normal, NAME_middle, NAME_size
+    std::string file;  // that defines them
+    std::string formula{};
+    bool moves = false, marched = true;
+    auto operator<=>(const ShapeText&) const = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
-std::vector<Body> bodies_of(const Scene& scene, bool mino) {
-    std::vector<Body> bodies;
-    if (scene.sphere)
-        bodies.push_back({"sphere", 2,
-                          scene.sphere->swing > 0.0 ? "object/pulse.glsl"
-                          : mino                    ? "object/still_sphere.glsl"
-                                                    : "planar/sphere.glsl",
-                          &scene.sphere->look, "frame.sphere_form.x", "vec3(0.0)", "place.outward", nullptr,
-                          mino || scene.sphere->swing > 0.0});
-    if (scene.cylinder)
-        bodies.push_back({"cylinder", 3, "object/cylinder.glsl", &scene.cylinder->look, "frame.cylinder_form.y",
-                          "vec3(0.0)", "cylinder_normal(place.at)", "MAPPING_PLANE", true, scene.cylinder->far});
-    if (scene.ball)
-        bodies.push_back({"ball", 4, "object/ball.glsl", &scene.ball->look, "frame.ball_form.w", "ball_middle(place)",
-                          "ball_offset(place) / frame.ball_form.w", nullptr, true, scene.ball->far});
-    if (scene.surface)
-        bodies.push_back({"surface", 5, "object/surface.glsl", &scene.surface->look, "frame.surface_form.x",
-                          "vec3(0.0)", "surface_normal(place)", nullptr, true, scene.surface->far});
-    return bodies;
+struct ShapeOf {
+    ShapeText operator()(const SphereSpec& s) const {
+        if (s.amplitude > 0.0) return {"pulse", "object/pulse.glsl", "", true};
+        return {"sphere", mino ? "object/still_sphere.glsl" : "planar/sphere.glsl", "", false, mino};
+    }
+    ShapeText operator()(const BallSpec& b) const {
+        if (b.moves()) return {"moving_ball", "object/moving_ball.glsl", "", true};
+        return {"ball", "object/ball.glsl"};
+    }
+    ShapeText operator()(const SurfaceSpec& s) const {
+        return {"surface", "object/surface.glsl", surface_shape(s), surface_moves(s)};
+    }
+    template <class Shape>
+    ShapeText operator()(const Shape&) const {  // of a kind that has one file
+        return {std::string(kind), fmt::format("object/{}.glsl", kind)};
+    }
+    std::string_view kind;
+    bool mino;
+};
+
+// Bodies that share all their text.
+struct Group {
+    ShapeText shape;
+    bool far;
+    TextureKind texture;
+    BodyMapping mapping;
+    std::string formula;
+    int image;
+    std::string name{};            // of its light
+    std::size_t from = 0, to = 0;  // in the shader's order
+    auto key() const { return std::tie(shape.marched, shape, far, texture, mapping, formula, image); }
+};
+
+Group group_of(const Body& body, const std::vector<std::filesystem::path>& images, bool mino) {
+    const Material& material = body.material;
+    const bool image = material.texture == TextureKind::kImage;
+    return {std::visit(ShapeOf{kind_of(body).key, mino}, body.shape),
+            body.far,
+            material.texture,
+            material.mapping,
+            material.texture == TextureKind::kFormula ? material.formula : "",
+            image ? static_cast<int>(std::find(images.begin(), images.end(), material.image) - images.begin()) : -1};
+}
+
+// A still sphere is seen where no larger one is about it; of equal ones the first.
+bool hidden(const Scene& scene, std::size_t i) {
+    const auto radius = [&](std::size_t k) {  // 0: no still sphere
+        const auto* sphere = std::get_if<SphereSpec>(&scene.bodies[k].shape);
+        return sphere != nullptr && !(sphere->amplitude > 0.0) ? sphere->radius : 0.0;
+    };
+    for (std::size_t k = 0; k < scene.bodies.size() && radius(i) > 0.0; ++k)
+        if (radius(k) > radius(i) || (radius(k) == radius(i) && k < i)) return true;
+    return false;
+}
+
+// In the shader's order.
+std::vector<Group> groups_of(const Scene& scene, bool mino) {
+    const auto images = body_images(scene);
+    std::vector<Group> groups;
+    std::size_t next = 0;
+    for (const std::size_t i : shader_bodies(scene)) {
+        Group one = group_of(scene.bodies[i], images, mino);
+        if (groups.empty() || groups.back().key() != one.key()) {
+            one.from = next;
+            groups.push_back(std::move(one));
+        }
+        groups.back().to = ++next;
+    }
+    std::vector<std::string> formulas;  // each is a text of its own
+    for (Group& group : groups) {
+        if (!group.shape.formula.empty()) {
+            const auto known = std::find(formulas.begin(), formulas.end(), group.shape.formula);
+            if (const auto number = known - formulas.begin(); number > 0)
+                group.shape.name += fmt::format("_{}", number + 1);
+            if (known == formulas.end()) formulas.push_back(group.shape.formula);
+        }
+        const auto same = std::count_if(groups.data(), &group,
+                                        [&](const Group& other) { return other.shape.name == group.shape.name; });
+        group.name = same == 0 ? group.shape.name : fmt::format("{}_group_{}", group.shape.name, same + 1);
+    }
+    return groups;
 }
 
 std::string replaced(std::string text, std::string_view what, std::string_view with) {
@@ -53,154 +113,240 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
     return text;
 }
 
-std::string file_of(const Body& body) { return include_line(body.file); }
-
-// For shaders/object/surface.glsl: the formula, with or without the time.
-std::string shape_of(const SurfaceSpec& surface) {
-    const auto formula = expr::Formula::parse(surface_shape(surface), {"x", "y", "z", "t"});
-    const std::string time = surface_moves(surface)
-                                 ? "#define SURFACE_MOVES\n#define SURFACE_T , float t\n#define SURFACE_AT_T , t\n"
-                                 : "#define SURFACE_T\n#define SURFACE_AT_T\n";
-    return include_line("effect/expression.glsl") + time +
-           "float surface_formula(vec3 at SURFACE_T) {\n    float x = at.x;\n    float y = at.y;\n    float z = "
-           "at.z;\n" +
-           (formula ? formula->glsl("value") : "    float value = 1.0;\n") + "    return value;\n}\n";
+std::string statements(const std::string& text, const std::vector<std::string>& variables, const char* otherwise) {
+    const auto formula = expr::Formula::parse(text, variables);
+    return formula ? formula->glsl("value") : otherwise;
 }
 
-std::string statements(const BodyLook& look) {
-    const auto formula = expr::Formula::parse(look.formula, {"u", "v", "x", "y", "z"});
-    return formula ? formula->glsl("value") : "    float value = 0.0;\n";
-}
-
-// The template of shaders/object/paint.glsl for what is covered, and of body_light.glsl for bodies.
-std::string light_of(const Body& body, bool solid) {
-    constexpr const char* kTextures[] = {"TEXTURE_PLAIN", "TEXTURE_CHECKER", "TEXTURE_GRID", "TEXTURE_STRIPES",
-                                         "TEXTURE_NOISE", "TEXTURE_FORMULA", "TEXTURE_IMAGE"};
-    constexpr const char* kMappings[] = {"MAPPING_EQUIRECTANGULAR", "MAPPING_BAND", "MAPPING_CAPS", "MAPPING_CUBE"};
-    const BodyLook& look = *body.look;
-    std::vector<std::string> defines = {
-        kTextures[static_cast<int>(look.texture)],
-        body.mapping != nullptr ? body.mapping : kMappings[static_cast<int>(look.mapping)]};
-    if (solid) defines.emplace_back("MAPPING_OUTSIDE");
-    std::string text = resolved_branches(shader_file("object/paint.glsl"), defines);
-    if (solid) text += shader_file("object/body_light.glsl");
-    if (look.texture == TextureKind::kFormula) text = replaced(std::move(text), "BODY_STATEMENTS\n", statements(look));
-    text = replaced(std::move(text), "frame.BODY_size", body.size);
-    return replaced(std::move(text), "BODY", body.name);
-}
-
-std::string coats_of(const Scene& scene) {
+// The template of shaders/object/surface.glsl for each formula.
+std::string surfaces_text(const std::vector<Group>& groups) {
     std::string text;
-    if (scene.disc && scene.disc->look.texture != TextureKind::kImage)
-        text += light_of({"disc_coat", 0, "", &scene.disc->look, "frame.disc_y.w", "", "", "MAPPING_POLAR"}, false);
-    const BodyLook sky = sky_look(scene.sky);
-    if (has_look(scene.sky.kind)) text += light_of({"dome", 0, "", &sky, "1.0", "", "", "MAPPING_INSIDE"}, false);
+    const ShapeText* before = nullptr;
+    for (const Group& group : groups) {
+        const ShapeText& shape = group.shape;
+        if (shape.formula.empty() || (before != nullptr && *before == shape)) continue;
+        before = &shape;
+        std::string one = (shape.moves ? "#define BODY_MOVES\n" : "") + std::string(shader_file(shape.file));
+        one = replaced(std::move(one), "BODY_STATEMENTS\n",
+                       statements(shape.formula, {"x", "y", "z", "t"}, "    float value = 1.0;\n"));
+        text += replaced(std::move(one), "BODY", shape.name);
+    }
     return text;
 }
 
-// Through a wormhole: a body's value on its own side; on the other, from where the way to it leads through the throat, that of the throat
-// and the way to there.
-std::string value_by_side(const Body& body) {
-    const char* off = body.far ? "place.side >= 0.0" : "place.side <= 0.0";
-    const std::string at = body.name == "cylinder" ? "place.at" : "place";
-    const std::string across = fmt::format("    bool off = {};\n    float way = off ? place.r : 0.0;\n", off);
-    return fmt::format(
-               "float {0}_value_by_side(RayPlace place) {{\n{1}    if (off) place.at = vec3(0.0);\n    return "
-               "{0}_value({2}) + way;\n}}\n",
-               body.name, across, at) +
-           fmt::format(
-               "float {0}_room_by_side(RayPlace place) {{\n{1}    if (!off) return {0}_room(place);\n    place.at = "
-               "vec3(0.0);\n    return {0}_{3} + way;\n}}\n",
-               body.name, across, at, body.name == "surface" ? "room(place)" : "value(" + at + ")");
+// What defines the functions of their shapes.
+std::string includes_of(const std::vector<Group>& groups) {
+    std::string text;
+    for (const Group& group : groups)
+        text += include_line(group.shape.formula.empty() ? group.shape.file : "generated/surfaces");
+    return text;
 }
 
-std::string march_of(const std::vector<Body>& bodies, const Scene& scene, const EffectSet& effects) {
-    const bool sides = effects.contains(Effect::kSides), mino = light_path_kind(effects) == LightPathKind::kMino;
-    std::string value, object, room, helpers;
-    for (const Body& body : bodies) {
-        if (!body.marched) continue;
-        helpers += file_of(body);
-        if (sides) {
-            helpers += value_by_side(body);
-            value += fmt::format("    value = min(value, {}_value_by_side(place));\n", body.name);
-            room += fmt::format("    room = min(room, {}_room_by_side(place));\n", body.name);
-            object += fmt::format(
-                "    if ({0}_value_by_side(place) < value) {{\n        value = {0}_value_by_side(place);\n        "
-                "object = {1};\n    }}\n",
-                body.name, body.number);
-            continue;
-        }
-        const std::string at = body.name == "cylinder" ? "place.at" : "place";
-        value += fmt::format("    value = min(value, {}_value({}));\n", body.name, at);
-        room += fmt::format("    room = min(room, {}_room(place));\n", body.name);
-        object += fmt::format(
-            "    if ({0}_value({2}) < value) {{\n        value = {0}_value({2});\n        object = {1};\n    }}\n",
-            body.name, body.number, at);
+// The template of shaders/object/pattern.glsl for what is covered.
+std::string pattern_text(const std::string& name, const Material& material, const char* mapping, bool solid,
+                         int image) {
+    constexpr const char* kTextures[] = {"TEXTURE_PLAIN", "TEXTURE_CHECKER", "TEXTURE_GRID", "TEXTURE_STRIPES",
+                                         "TEXTURE_NOISE", "TEXTURE_FORMULA", "TEXTURE_IMAGE"};
+    std::vector<std::string> defines = {kTextures[static_cast<int>(material.texture)], mapping};
+    if (material.texture >= TextureKind::kChecker && material.texture <= TextureKind::kStripes)
+        defines.emplace_back("TEXTURE_PATTERN");
+    if (solid) defines.emplace_back("MAPPING_OUTSIDE");
+    std::string text = resolved_branches(shader_file("object/pattern.glsl"), defines);
+    if (material.texture == TextureKind::kFormula)
+        text = replaced(std::move(text), "BODY_STATEMENTS\n",
+                        statements(material.formula, {"u", "v", "x", "y", "z"}, "    float value = 0.0;\n"));
+    text = replaced(std::move(text), "IMAGE", fmt::format("body_image_{}", image));
+    return replaced(std::move(text), "BODY", name);
+}
+
+std::string light_text(const Group& group, const Material& material) {
+    constexpr const char* kMappings[] = {"MAPPING_EQUIRECTANGULAR", "MAPPING_BAND", "MAPPING_CAPS", "MAPPING_CUBE"};
+    const char* mapping =
+        group.shape.name == "cylinder" ? "MAPPING_PLANE" : kMappings[static_cast<int>(material.mapping)];
+    std::string text = pattern_text(group.name, material, mapping, true, group.image) +
+                       std::string(shader_file("object/body_light.glsl"));
+    text = replaced(std::move(text), "KIND", group.shape.name);
+    return replaced(std::move(text), "BODY", group.name);
+}
+
+std::string materials_of(const Scene& scene) {
+    std::string text;
+    if (scene.disc && scene.disc->material.texture != TextureKind::kImage)
+        text += pattern_text("disc_material", scene.disc->material, "MAPPING_POLAR", false, 0);
+    const Material sky = sky_material(scene.sky);
+    if (is_procedural(scene.sky.kind)) text += pattern_text("sky", sky, "MAPPING_INSIDE", false, 0);
+    return text;
+}
+
+// Whether a body's value is another thing than its distance.
+bool has_distance(const Group& group) { return !group.shape.formula.empty(); }
+
+// Through a wormhole: a body's value on its own side; on the other, from where the way to it leads through the throat, that of the throat
+// and the way to there.
+std::string by_side(const Group& group) {
+    const char* off = group.far ? "place.side >= 0.0" : "place.side <= 0.0";
+    const auto function = [&](std::string_view name, std::string_view beyond, const char* here) {
+        return fmt::format(
+            "float {0}_{1}_by_side(int i, RayPlace place) {{\n    bool off = {2};\n    float way = off ? place.r : "
+            "0.0;\n"
+            "    {3}place.at = vec3(0.0);\n    return {4}_{5}(i, place) + way;\n}}\n",
+            group.name, name, off, here, group.shape.name, beyond);
+    };
+    const std::string room = fmt::format("if (!off) return {}_room(i, place);\n    ", group.shape.name);
+    std::string text = function("value", "value", "if (off) ");
+    if (has_distance(group)) {
+        text += function("distance", "distance", "if (off) ");
+        text += fmt::format("float {}_steepness_by_side(int i, RayPlace place) {{ return {}_steepness(i, place); }}\n",
+                            group.name, group.shape.name);
     }
-    if (value.empty()) return "";
-    const bool ball_alone = bodies.back().name == "ball" && scene.ball->motion == BallMotion::kStill &&
-                            std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return b.marched; }) == 1;
-    const std::string stop = mino ? ""
-                                  : std::string(ball_alone ? include_line("planar/ball_beside.glsl") : "") +
-                                        "float march_stop(Trace trace, vec3 tangent, float phi) { return " +
-                                        std::string(ball_alone ? "ball_beside(trace, tangent) ? 1.0e-9 : " : "") +
-                                        "max(phi, 1.0e-9); }\n";
-    // Steps of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent.
-    const int steps = (sides ? 256 : 128) + (scene.surface ? 2 * scene.surface->steps : 0);
-    const std::string graze = scene.surface ? "1.0e30" : "2.0 * angle * place_speed(place)";
+    return text + function("room", has_distance(group) ? "room" : "value", room.c_str());
+}
+
+// A statement for body i of each of a group.
+std::string for_each(const Group& group, const std::string& statement) {
+    if (group.to - group.from == 1) return replaced(statement, "(i,", fmt::format("({},", group.from));
+    return fmt::format("    for (int i = {}; i < {}; ++i) {{\n{}    }}\n", group.from, group.to, statement);
+}
+
+// "1 + i" where a statement is for one body.
+std::string object_statement(const Group& group, const std::string& value) {
+    const bool one = group.to - group.from == 1;
+    return fmt::format("    if ({0} < value) {{\n        value = {0};\n        object = {1};\n    }}\n", value,
+                       one ? fmt::format("{}", kFirstBody + group.from) : fmt::format("{} + i", kFirstBody));
+}
+
+constexpr int kMostSteps = 512;  // of a march: what many bodies ask for is bounded
+
+std::string march_text(const std::vector<Group>& groups, const Scene& scene, const EffectSet& effects) {
+    const bool sides = effects.contains(Effect::kSides), mino = light_path_kind(effects) == LightPathKind::kMino;
+    std::string value, slope, object, room, helpers = includes_of(groups);
+    std::size_t marched = 0, alone = 0;
+    bool skims = false;  // there is a body whose room is a way along the ray, not a distance
+    for (const Group& group : groups) {
+        if (!group.shape.marched) continue;
+        marched += group.to - group.from;
+        alone = group.shape.name == "ball" ? group.from : std::size_t(-1);
+        skims = skims || group.shape.name == "cylinder" || group.shape.name == "sphere";
+        if (sides) helpers += by_side(group);
+        const std::string name = sides ? group.name : group.shape.name, suffix = sides ? "_by_side" : "";
+        const auto here = [&](const char* what) { return fmt::format("{}_{}{}(i, place)", name, what, suffix); };
+        const std::string far = here(has_distance(group) ? "distance" : "value");
+        value += for_each(group, fmt::format("    value = min(value, {});\n", here("value")));
+        slope += for_each(
+            group,
+            fmt::format("    if (abs({0}) < nearest) {{\n        nearest = abs({0});\n        slope = {1};\n    }}\n",
+                        far, has_distance(group) ? here("steepness") : "1.0"));
+        room += for_each(group, fmt::format("    room = min(room, {});\n", here("room")));
+        object += for_each(group, object_statement(group, far));
+    }
+    if (marched == 0) return "";
+    const bool ball_alone = marched == 1 && alone != std::size_t(-1);
+    const std::string stop =
+        mino ? ""
+             : (ball_alone ? include_line("planar/ball_beside.glsl") : "") +
+                   "float march_stop(Trace trace, vec3 tangent, float phi) { return " +
+                   (ball_alone ? fmt::format("ball_beside({}, trace, tangent) ? 1.0e-9 : ", alone) : "") +
+                   "max(phi, 1.0e-9); }\n";
+    // Steps of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent. A ray past many bodies
+    // takes some steps for each.
+    int across = 0;
+    for (const Body& body : scene.bodies)
+        if (const auto* surface = std::get_if<SurfaceSpec>(&body.shape)) across = std::max(across, 2 * surface->steps);
+    const int steps = std::min((sides ? 256 : 128) + 8 * (static_cast<int>(marched) - 1), kMostSteps) + across;
+    // Between two samples no body is met, and of its distance a fifth is left, unless the step is the shortest: on a step of 0.8 of the room it
+    // changes by no more. But it may cover a part of the pixel.
+    const std::string graze = !skims       ? "length < max(1.001 * frame.march.y, 4.0 * pixel)"
+                              : across > 0 ? "true"
+                                           : "length < 1.001 * frame.march.y || value < 5.0 * pixel";
     return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) + helpers + stop +
-           "float march_value(RayPlace place) {\n    float value = 1.0e30;\n" + value +
-           "    return value;\n}\n"
-           "float march_room(RayPlace place) {\n    float room = 1.0e30;\n" +
-           room +
+           "float march_value(RayPlace place) {\n    float value = 1.0e30;\n" + value + "    return value;\n}\n" +
+           (across > 0 ? "float march_slope(RayPlace place) {\n    float nearest = 1.0e30;\n    float slope = 1.0;\n" +
+                             slope + "    return slope;\n}\n"
+                       : "float march_slope(RayPlace place) { return 1.0; }\n") +
+           "float march_room(RayPlace place) {\n    float room = 1.0e30;\n" + room +
            "    return room;\n}\n"
-           "float march_graze(float angle, RayPlace place) { return " +
+           "bool march_grazes(float length, float value, float pixel) { return " +
            graze +
            "; }\n"
            "int march_object(RayPlace place) {\n    float value = 1.0e30;\n    int object = 0;\n" +
            object + "    return object;\n}\n";
 }
 
-std::string hit_of(const std::vector<Body>& bodies) {
-    const bool sphere = !bodies.front().marched,
-               march = bodies.back().marched;  // only a sphere that keeps its size is not
+std::string hit_text(const std::vector<Group>& groups) {
+    // The one still sphere is first.
+    const bool sphere = !groups.front().shape.marched, march = groups.back().shape.marched;
     const std::string text =
-        (sphere ? file_of(bodies.front()) : "") + (march ? include_line("planar/march.glsl") : "") +
+        (sphere ? include_line(groups.front().shape.file) : "") + (march ? include_line("planar/march.glsl") : "") +
         "SolidHit solid_hit(Trace trace, float blur) {\n    vec3 tangent = place_tangent(trace);\n    SolidHit hit = ";
-    const std::string placed =
-        "    if (hit.object != 0) hit.place = place_seen(trace, tangent, hit.phi);\n    return hit;\n}\n";
-    if (sphere && !march) return text + "sphere_hit(trace, tangent, blur);\n" + placed;
-    if (!sphere) return text + "march_hit(trace, tangent, march_stop(trace, tangent, trace.phi_end), blur);\n" + placed;
+    const std::string placed = "    if (hit.object != 0) hit.place = place_seen(trace, tangent, hit.phi);\n";
+    const char* end = "    return hit;\n}\n";
+    if (sphere && !march) return text + "sphere_hit(0, trace, tangent, blur);\n" + placed + end;
+    if (!sphere) return text + "march_hit(trace, tangent, march_stop(trace, tangent, trace.phi_end), blur);\n" + end;
     // What lies before the sphere; a body's blurred edge before it hides the sphere's own.
     return text +
-           "sphere_hit(trace, tangent, blur);\n"
+           "sphere_hit(0, trace, tangent, blur);\n"
            "    bool whole = hit.covered >= 1.0;\n"
            "    SolidHit other = march_hit(trace, tangent, march_stop(trace, tangent, whole ? hit.phi : "
            "trace.phi_end), whole ? "
-           "0.0 : blur);\n"
-           "    if (other.object != 0 && (hit.object == 0 || other.phi < hit.phi)) hit = other;\n" +
-           placed;
+           "0.0 : blur);\n" +
+           placed + "    if (other.object != 0 && (hit.object == 0 || other.phi < hit.phi)) hit = other;\n" + end;
+}
+
+std::string lights_text(const std::vector<Group>& groups, const Scene& scene) {
+    const std::vector<std::size_t> order = shader_bodies(scene);
+    std::string text = includes_of(groups), choice;
+    for (const Group& group : groups) {
+        text += light_text(group, scene.bodies[order[group.from]].material);
+        choice += fmt::format("    if (i < {}) return {}_light(i, trace, hit.place);\n", group.to, group.name);
+    }
+    return text + "vec3 solid_light(Trace trace, SolidHit hit) {\n    int i = hit.object - BODIES_FROM;\n" + choice +
+           "    return vec3(0.0);\n}\n";
+}
+
+std::string objects_text(const std::vector<Group>& groups, const Scene& scene) {
+    const std::size_t bodies = groups.empty() ? 0 : groups.back().to, spots = scene.disc ? scene.spots.size() : 0;
+    if (bodies + spots == 0) return "";
+    std::string text =
+        fmt::format("#define OBJECT_VECTORS {}\n#define BODIES_FROM {}\n", 4 * bodies + 3 * spots, kFirstBody);
+    if (spots > 0) text += fmt::format("#define SPOT_FROM {}\n#define SPOT_COUNT {}\n", 4 * bodies, spots);
+    for (const Group& group : groups)
+        if (group.shape.name == "moving_ball") return text + fmt::format("#define BALL_PATH_FIRST {}\n", group.from);
+    return text;
 }
 
 }  // namespace
 
+std::vector<std::filesystem::path> body_images(const Scene& scene) {
+    std::vector<std::filesystem::path> files;
+    for (const Body& body : scene.bodies)
+        if (body.material.texture == TextureKind::kImage &&
+            std::find(files.begin(), files.end(), body.material.image) == files.end())
+            files.push_back(body.material.image);
+    return files;
+}
+
+std::vector<std::size_t> shader_bodies(const Scene& scene) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        if (!hidden(scene, i)) order.push_back(i);
+    const auto images = body_images(scene);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return group_of(scene.bodies[a], images, false).key() < group_of(scene.bodies[b], images, false).key();
+    });
+    return order;
+}
+
 BodyText body_text(const Scene& scene, const EffectSet& effects) {
     const bool mino = light_path_kind(effects) == LightPathKind::kMino;
-    const std::vector<Body> bodies = bodies_of(scene, mino);
+    const std::vector<Group> groups = groups_of(scene, mino);
     BodyText text;
-    text.coats = coats_of(scene);
-    if (bodies.empty()) return text;
-    if (scene.surface) text.shape = shape_of(*scene.surface);
-    text.march = march_of(bodies, scene, effects);
-    if (!mino) text.hit = hit_of(bodies);
-    std::string choice;
-    for (const Body& body : bodies) {
-        text.light += file_of(body) + light_of(body, true);
-        choice += fmt::format("    if (hit.object == {}) return {}_light(trace, place, place.at - {}, {});\n",
-                              body.number, body.name, body.middle, body.normal);
-    }
-    text.light += "vec3 solid_light(Trace trace, SolidHit hit) {\n    RayPlace place = hit.place;\n" + choice +
-                  "    return vec3(0.0);\n}\n";
+    text.materials = materials_of(scene);
+    text.objects = objects_text(groups, scene);
+    if (groups.empty()) return text;
+    text.surfaces = surfaces_text(groups);
+    text.march = march_text(groups, scene, effects);
+    if (!mino) text.hit = hit_text(groups);
+    text.light = lights_text(groups, scene);
     return text;
 }
 

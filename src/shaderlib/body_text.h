@@ -1,24 +1,39 @@
-// The shader's text for the solid bodies of a scene, its disc and sky: what depends on more than which effects are on (formulas, kinds of texture).
+// The shader's text for what a scene has several of: solid bodies and hot spots; and for what bodies, disc and sky are painted with. It
+// depends on more than which effects are on: kinds of texture, formulas, how many there are.
 #pragma once
+#include <filesystem>
 #include <string>
+#include <vector>
 
-#include "scene/effects.h"
+#include "plan/effects.h"
 #include "scene/scene.h"
 
 namespace nullscope {
 
-// What generated/surface, bodies_march, bodies_hit, bodies_light and coats stand for where a shader includes them.
+// What generated/objects, surfaces, bodies_march, bodies_hit, bodies_light and materials stand for where a shader includes them.
 // Compared as a whole: two scenes with equal texts and equal effects have one program.
 struct BodyText {
-    std::string shape;  // surface_formula, and whether it knows the time
-    std::string march;  // march_value, march_room, march_object, MARCH_MOST_STEPS
-    std::string hit;    // solid_hit: the first body on the ray; about a rotating hole the tracer finds it
-    std::string light;  // solid_light: and its light
-    std::string coats;  // disc_coat_paint, dome_paint: what a disc and a sky without images are painted with
+    std::string objects;    // OBJECT_VECTORS and where in them what begins
+    std::string surfaces;   // surface_value, ...: the solids that are given by formulas
+    std::string march;      // march_value, march_slope, march_room, march_object, MARCH_MOST_STEPS
+    std::string hit;        // solid_hit: the first body on the ray; about a rotating hole the tracer finds it
+    std::string light;      // solid_light: and its light
+    std::string materials;  // disc_material_pattern, sky_pattern: what a disc and a sky without images are painted with
     friend auto operator<=>(const BodyText&, const BodyText&) = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
-// effects: what the scene calls for. Empty for a scene without bodies whose disc and sky are not painted. Formulas must be valid (scene files are checked).
+// effects: what the scene calls for. Empty for a scene without bodies and spots whose disc and sky are not painted. Formulas must be valid
+// (scene files are checked).
 BodyText body_text(const Scene& scene, const EffectSet& effects);
+
+// The bodies in the shader's order, as indices of Scene::bodies: those whose text is the same are next to each other. Still spheres within
+// another are left out: they are never seen.
+std::vector<std::size_t> shader_bodies(const Scene& scene);
+// The number that SolidHit of the shader gives the first of these; above the numbers of all else that rays hit (scene/ray.h).
+inline constexpr int kFirstBody = 8;
+
+// The images on bodies, each file once: shaders know number k as body_image_k. A scene may have kMostBodyImages.
+inline constexpr int kMostBodyImages = 4;
+std::vector<std::filesystem::path> body_images(const Scene& scene);
 
 }  // namespace nullscope

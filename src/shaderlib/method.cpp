@@ -65,12 +65,11 @@ Result<Method> parse_steps(MethodKind kind, const std::vector<std::string>& part
 }  // namespace
 
 Result<Method> parse_method(const std::string& text) {
-    const Error error = bad_input(fmt::format(
-        "method \"{}\" is not known; allowed: strip, strip:cubic, table[:SIZE[:hardware|bilinear|cubic|hermite]] with "
-        "SIZE 8 to 1024, closed-form, "
+    const Error error = bad_input(
+        fmt::format("method \"{}\" is not known", text),
+        "strip, strip:cubic, table[:SIZE[:hardware|bilinear|cubic|hermite]] with SIZE 8 to 1024, closed-form, "
         "integrate[:ORDER[:STEP]] with ORDER 1, 4 or 6 and STEP 0.001 to 1 rad, euler:STEPS with STEPS 10 to 5000, "
-        "mino[:ORDER[:STEP]] with ORDER 4 or 6 and STEP 0.001 to 1, kerr-schild:STEP with STEP 0.001 to 1",
-        text));
+        "mino[:ORDER[:STEP]] with ORDER 4 or 6 and STEP 0.001 to 1, kerr-schild:STEP with STEP 0.001 to 1");
     const auto parts = split(text, ':');
     if (parts.empty() || parts.size() > 3) return error;
     if (parts[0] == "table") return parse_table(parts, error);
@@ -101,9 +100,7 @@ std::string method_name(const Method& method) {
         case MethodKind::kMino: return fmt::format("mino:{}:{}", method.order, method.step);
         case MethodKind::kKerrSchild: return fmt::format("kerr-schild:{}", method.step);
         case MethodKind::kTable:
-            for (const auto& [lookup, name] : kLookups)
-                if (lookup == method.lookup) return fmt::format("table:{}:{}", method.size, name);
-            break;
+            return fmt::format("table:{}:{}", method.size, kLookups[static_cast<std::size_t>(method.lookup)].second);
         case MethodKind::kIntegrate:
             if (method.order == 1 && method.step == kEulerSpan / method.most_steps && euler_steps(method.most_steps))
                 return fmt::format("euler:{}", method.most_steps);

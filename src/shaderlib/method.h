@@ -24,8 +24,8 @@ struct Method {
     int size = 128;                    // kTable: cells a side
     Lookup lookup = Lookup::kHermite;  // kTable
     int order = 6;                     // kIntegrate: 1, 4 or 6; kMino: 6 or, for skies alone, 4
-    double step =
-        0.6;  // kIntegrate: rad / sqrt(1 + 3 zeta); kMino: over the fastest rate; kKerrSchild: over the radius
+    // kIntegrate: rad / sqrt(1 + 3 zeta); kMino: over the fastest rate; kKerrSchild: over the radius.
+    double step = 0.6;
     int most_steps = 64;                                              // kIntegrate, kMino
     friend auto operator<=>(const Method&, const Method&) = default;  // NOLINT(modernize-use-nullptr): no pointer
 };

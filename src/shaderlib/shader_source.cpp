@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -10,6 +11,7 @@
 
 #include "shaderlib/embedded.h"
 #include "shaderlib/preprocess.h"
+#include "shaderlib/slots.h"
 
 namespace nullscope {
 namespace {
@@ -43,13 +45,9 @@ std::vector<std::string> method_defines(const Method& method) {
         return {"METHOD_MINO", fmt::format("METHOD_MINO_{}", method.order), "METHOD_COUNTS"};
     if (method.kind == MethodKind::kIntegrate) return {fmt::format("STEP_ORDER_{}", method.order)};
     if (method.kind != MethodKind::kTable) return {};
-    switch (method.lookup) {
-        case Lookup::kHardware: return {"TABLE_HARDWARE"};
-        case Lookup::kBilinear: return {"TABLE_BILINEAR"};
-        case Lookup::kCubic: return {"TABLE_CUBIC"};
-        case Lookup::kHermite: return {"TABLE_HERMITE"};
-    }
-    return {};
+    constexpr const char* kTables[] = {"TABLE_HARDWARE", "TABLE_BILINEAR", "TABLE_CUBIC",
+                                       "TABLE_HERMITE"};  // by Lookup
+    return {kTables[static_cast<int>(method.lookup)]};
 }
 
 std::vector<std::string> defines_of(const EffectSet& effects) {
@@ -60,9 +58,13 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
     }
     if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE");
     if (has_marched(effects)) defines.emplace_back("BLOCK_MARCH");
-    const bool delay = effects.contains(Effect::kDelay),
-               late = effects.contains(Effect::kDiscFlow) || effects.contains(Effect::kSpot);
-    if (late) defines.emplace_back("NEEDS_LATE");
+    bool delayed = effects.contains(Effect::kDiscFlow);
+    for (const SlotText& filled : slot_texts(effects)) {
+        defines.emplace_back(filled.define);
+        delayed = delayed || filled.slot == Slot::kDiscGlow;
+    }
+    if (delayed) defines.emplace_back("NEEDS_DELAY");
+    const bool delay = effects.contains(Effect::kDelay);
     if (effects.contains(Effect::kThermalDisc) || (effects.contains(Effect::kDisc) && delay))
         defines.emplace_back("NEEDS_ZETA_SLOPE");
     if (moves(effects) || (delay && effects.contains(Effect::kSurface))) defines.emplace_back("NEEDS_PLACE_LATE");
@@ -85,36 +87,29 @@ std::vector<std::string> members_of(const std::string& block) {
 struct StageFiles {
     const char *vertex, *fragment;
 };
+constexpr const char* kFullscreen = "stage/fullscreen.vert";
+constexpr StageFiles kStageFiles[] = {  // by Stage
+    {kFullscreen, "stage/trace.frag"},      {"stage/star.vert", "stage/star.frag"},
+    {kFullscreen, "stage/bloom_down.frag"}, {kFullscreen, "stage/bloom_up.frag"},
+    {kFullscreen, "stage/meter.frag"},      {kFullscreen, "stage/develop.frag"},
+    {kFullscreen, "stage/raydata.frag"},    {kFullscreen, "stage/bare_fetch.frag"}};
 
-StageFiles files_of(Stage stage) {
-    constexpr const char* kFullscreen = "stage/fullscreen.vert";
-    switch (stage) {
-        case Stage::kPicture: return {kFullscreen, "stage/trace.frag"};
-        case Stage::kStars: return {"stage/star.vert", "stage/star.frag"};
-        case Stage::kBloomDown: return {kFullscreen, "stage/bloom_down.frag"};
-        case Stage::kBloomUp: return {kFullscreen, "stage/bloom_up.frag"};
-        case Stage::kMeter: return {kFullscreen, "stage/meter.frag"};
-        case Stage::kDevelop: return {kFullscreen, "stage/develop.frag"};
-        case Stage::kRayData: return {kFullscreen, "stage/raydata.frag"};
-        case Stage::kBareFetch: break;
-    }
-    return {kFullscreen, "stage/bare_fetch.frag"};
+const EmbeddedShader* find_file(std::string_view path) {
+    const auto files = embedded_shaders();
+    const auto found = std::ranges::find(files, path, &EmbeddedShader::path);
+    return found != files.end() ? &*found : nullptr;
 }
 
 }  // namespace
 
 bool has_shader(std::string_view folder, std::string_view metric) {
-    const std::string path = fmt::format("{}/{}.glsl", folder, metric);
-    for (const EmbeddedShader& file : embedded_shaders())
-        if (file.path == path) return true;
-    return false;
+    return find_file(fmt::format("{}/{}.glsl", folder, metric)) != nullptr;
 }
 
 std::string include_line(std::string_view path) { return fmt::format("#include \"{}\"\n", path); }
 
 std::string_view shader_file(std::string_view path) {
-    for (const EmbeddedShader& file : embedded_shaders())
-        if (file.path == path) return file.text;
+    if (const EmbeddedShader* file = find_file(path)) return file->text;
     std::fprintf(stderr, "shader_file: no shaders/%.*s in this build\n", static_cast<int>(path.size()), path.data());
     std::abort();
 }
@@ -139,15 +134,17 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
     if (stage == Stage::kPicture) defines.emplace_back("NEEDS_FOOTPRINT");
     if (stage == Stage::kPicture && output == Output::kDisplay) defines.emplace_back("DISPLAY_ENCODE");
     for (std::string& define : method_defines(method)) defines.push_back(std::move(define));
-    const std::map<std::string_view, std::string> generated = {
+    std::map<std::string_view, std::string> generated = {
         {"generated/method", method_text(method, metric)},
         {"generated/metric", include_line(fmt::format("spacetime/{}.glsl", metric))},
         {"generated/constants", fmt::format("#define METER_KEY {}\n", kMeterKey)},
-        {"generated/surface", bodies.shape},
+        {"generated/objects", bodies.objects},
+        {"generated/surfaces", bodies.surfaces},
         {"generated/bodies_march", bodies.march},
         {"generated/bodies_hit", bodies.hit},
         {"generated/bodies_light", bodies.light},
-        {"generated/coats", bodies.coats}};
+        {"generated/materials", bodies.materials}};
+    for (SlotText& filled : slot_texts(effects)) generated[filled.name] = std::move(filled.text);
     const char* path = light_path_kind(effects) == LightPathKind::kMino ? "mino" : "planar";
     std::map<std::string, std::string, std::less<>> chosen;  // "path/trace": the file of the kind of path
     const ShaderReader read = [&](std::string_view name) -> std::string_view {
@@ -155,7 +152,7 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
         if (!name.starts_with(kPathPrefix)) return shader_file(name);
         return chosen[std::string(name)] = path_line(path, name);
     };
-    const StageFiles files = files_of(stage);
+    const StageFiles& files = kStageFiles[static_cast<std::size_t>(stage)];
     return {kHead + resolved_text(files.vertex, defines, read), kHead + resolved_text(files.fragment, defines, read)};
 }
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/effects.h"
+#include "plan/effects.h"
 #include "shaderlib/body_text.h"
 #include "shaderlib/method.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/image_file.h"
+#include "image/image_file.h"
 #include "sky/cube.h"
 #include "sky/equirectangular.h"
 
@@ -83,7 +83,7 @@ void interpolate(const float* nodes, int cells, const std::vector<Weights>& weig
 Result<MilkyWay> MilkyWay::load(const std::filesystem::path& path, const Mat3& world_from_sky, double brightness,
                                 int size, int border) {
     const Result<Image<float>> map = load_image(path);
-    if (!map) return failed(map.error().message);
+    if (!map) return failed(map.error().message());
     MilkyWay way;
     const int cells = std::min(size, kGridSize);
     way.fine_ = size / cells;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/large_image.h"
+#include "image/large_image.h"
 #include "sky/cube.h"
 #include "sky/equirectangular.h"
 
@@ -43,8 +43,7 @@ int samples_per_texel(double pixels_per_radian, int face_size) {
 Result<Image<float>> load_for(int face_size, const std::filesystem::path& path, std::vector<std::string>& notes) {
     constexpr int kLeastSide = 8192, kColumnsPerTexel = 4;
     const int side = std::max(kLeastSide, kColumnsPerTexel * face_size);
-    auto fitted = load_fitted_image(path, {.max_side = side});
-    if (!fitted) return fitted.error();
+    TRY(fitted, load_fitted_image(path, {.max_side = side}));
     if (fitted->reduced())
         notes.push_back(reduction_words(path, *fitted, fmt::format("the sky's faces are of {} px", face_size)));
     return std::move(fitted->image);
@@ -72,15 +71,13 @@ Result<Panorama> Panorama::load(const SkySpec& spec, const Mat3& world_from_sky,
     const double limit = caps ? spec.band_latitude : 0.5 * kPi;
     if (caps && !(limit > 0.0 && limit < 0.5 * kPi))
         return bad_input(fmt::format("sky: band latitude {} is outside (0, pi/2)", limit));
-    auto image = load_for(face_size, spec.image, made.notes_);
-    if (!image) return image.error();
+    TRY(image, load_for(face_size, spec.image, made.notes_));
     made.image_ = std::move(*image);
     double density = std::max(made.image_.width / (2.0 * kPi), made.image_.height / (2.0 * limit));
     if (caps)
         for (const auto& [file, cap] :
              {std::pair{&spec.north_cap, &made.north_}, std::pair{&spec.south_cap, &made.south_}}) {
-            auto loaded = load_for(face_size, *file, made.notes_);
-            if (!loaded) return loaded.error();
+            TRY(loaded, load_for(face_size, *file, made.notes_));
             *cap = std::move(*loaded);
             density = std::max(density, 0.5 * std::min(cap->width, cap->height) / (0.5 * kPi - limit));
         }

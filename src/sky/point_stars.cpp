@@ -24,16 +24,15 @@ Result<std::vector<PointStar>> point_stars(const SkySpec& spec, const std::files
     std::vector<PointStar> stars;
     if (spec.kind != SkyKind::kPoints) return stars;
     const Mat3 world_from_sky = sky_rotation(spec);
-    if (spec.even_stars > 0) {
-        const double flux = spec.brightness * star_flux(spec.faintest);
-        for (int i = 0; i < spec.even_stars; ++i)
-            stars.push_back({world_from_sky * spiral_place(i, spec.even_stars), flux, kSun_K});
+    if (spec.uniform_stars > 0) {
+        const double flux = spec.brightness * star_flux(spec.magnitude_limit);
+        for (int i = 0; i < spec.uniform_stars; ++i)
+            stars.push_back({world_from_sky * spiral_place(i, spec.uniform_stars), flux, kSun_K});
         return stars;
     }
-    const Result<std::vector<Star>> catalogue = load_stars(assets / "sky" / "stars.bin");
-    if (!catalogue) return catalogue.error();
+    TRY(catalogue, load_stars(assets / "sky" / "stars.bin"));
     for (const Star& star : *catalogue) {
-        if (star.magnitude > spec.faintest) break;
+        if (star.magnitude > spec.magnitude_limit) break;
         stars.push_back({world_from_sky * star.direction, spec.brightness * star_flux(star.magnitude),
                          star_temperature(b_minus_v(static_cast<int>(star.colour_code)))});
     }

@@ -26,8 +26,8 @@ inline constexpr double kFaintestPoint = 1.0 / 6587.0;
 // Of a point's light, what falls on a square pixel about its middle.
 inline double point_peak() { return 1.0 / (2.0 * M_PI * kPointSigma_px * kPointSigma_px); }
 
-// Of kind kPoints: the catalogue down to SkySpec::faintest, brightest first; or even_stars on a spiral of Fibonacci, each of
-// magnitude `faintest`. Others: none. Errors: the catalogue is missing or damaged. 20 ms for the catalogue.
+// Of kind kPoints: the catalogue down to SkySpec::magnitude_limit, brightest first; or uniform_stars on a spiral of Fibonacci, each of
+// magnitude `magnitude_limit`. Others: none. Errors: the catalogue is missing or damaged. 20 ms for the catalogue.
 Result<std::vector<PointStar>> point_stars(const SkySpec& spec, const std::filesystem::path& assets);
 
 }  // namespace nullscope

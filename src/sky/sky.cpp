@@ -15,8 +15,7 @@ Mat3 sky_rotation(const SkySpec& spec) {
 }
 
 Result<SkyCube> build_sky(const SkySpec& spec, const std::filesystem::path& assets, int face_size) {
-    const auto painter = SkyPainter::make(spec, assets, face_size, 0);
-    if (!painter) return painter.error();
+    TRY(painter, SkyPainter::make(spec, assets, face_size, 0));
     return painted_sky(*painter);
 }
 

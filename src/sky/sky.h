@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "base/image.h"
 #include "base/result.h"
 #include "base/vec.h"
+#include "image/image.h"
 #include "scene/scene.h"
 #include "sky/cube.h"
 

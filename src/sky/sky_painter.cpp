@@ -28,19 +28,16 @@ Result<SkyPainter> SkyPainter::make(const SkySpec& spec, const std::filesystem::
     painter.border_ = border;
     const Mat3 world_from_sky = sky_rotation(spec);
     if (spec.kind == SkyKind::kStars) {
-        const Result<std::vector<Star>> stars = load_stars(assets / "sky" / "stars.bin");
-        if (!stars) return stars.error();
+        TRY(stars, load_stars(assets / "sky" / "stars.bin"));
         painter.stars_.emplace(*stars, world_from_sky, spec.brightness, face_size, border);
     }
     if (spec.kind == SkyKind::kStars || spec.kind == SkyKind::kPoints) {
-        auto haze = MilkyWay::load(assets / "sky" / "milky-way.png", world_from_sky, spec.brightness * kMilkyWayPeak,
-                                   face_size, border);
-        if (!haze) return haze.error();
+        TRY(haze, MilkyWay::load(assets / "sky" / "milky-way.png", world_from_sky, spec.brightness * kMilkyWayPeak,
+                                 face_size, border));
         painter.haze_ = std::move(*haze);
     }
     if (spec.kind == SkyKind::kImage) {
-        auto image = Panorama::load(spec, world_from_sky, face_size);
-        if (!image) return image.error();
+        TRY(image, Panorama::load(spec, world_from_sky, face_size));
         painter.image_ = std::move(*image);
     }
     return painter;

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "base/atomic_file.h"
+#include "base/text.h"
 #include "light/black_body.h"
 
 namespace nullscope {
@@ -22,12 +23,6 @@ constexpr std::size_t kMaxBytes = 64u << 20;  // a hostile file's limit: 8 milli
 
 constexpr double kAverageColour = 0.65;           // the Sun's, for stars without a measured B-V
 constexpr double kBluest = -0.4, kReddest = 2.0;  // range in which Ballesteros' formula is meant
-
-std::uint64_t little_endian(std::string_view bytes) {
-    std::uint64_t value = 0;
-    for (std::size_t i = bytes.size(); i-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[i]);
-    return value;
-}
 
 Star decode(std::uint64_t record) {
     const auto field = [&](int from, int bits) {
@@ -44,7 +39,7 @@ Star decode(std::uint64_t record) {
 
 Result<std::vector<Star>> load_stars(const std::filesystem::path& file) {
     const Result<std::string> read = read_text(file, kMaxBytes);
-    if (!read) return failed(fmt::format("star catalogue: {}", read.error().message));
+    if (!read) return failed(fmt::format("star catalogue: {}", read.error().message()));
     const std::string_view bytes = *read;
     const auto broken = [&] { return failed(fmt::format("star catalogue: '{}' is damaged", file.string())); };
     if (bytes.size() < kHeaderBytes || !bytes.starts_with(kMagic)) return broken();

@@ -23,8 +23,8 @@ constexpr int kBandRows = 32;           // rows of a list of splats
 constexpr std::size_t kBlock = 2048;    // stars a task
 constexpr std::size_t kMostKept = 512;  // texels of a splat whose profile is kept from its sum to its drawing
 constexpr double kCornerAngle = 0.9553166181245093;  // of a face, from its centre: atan(sqrt 2)
-constexpr double kWideCornerAngle =
-    0.984;  // of a face with a border of 1/kBorderOf of it on each side: atan(17/16 sqrt 2)
+// Of a face with a border of 1/kBorderOf of it on each side: atan(17/16 sqrt 2).
+constexpr double kWideCornerAngle = 0.984;
 // rad; the farthest a light reaches. kCornerAngle + 2 kMaxReach stays below pi/2, where the gnomonic image ends.
 constexpr double kMaxReach = 0.3;
 

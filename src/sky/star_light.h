@@ -43,8 +43,8 @@ public:
         double halo = 0.0;        // radiance of the halo in the middle
         double halo_reach = 0.0;  // rad; 0: none
         unsigned colour = 0;      // code
-        bool normalised =
-            true;  // if not, all of its texels lie in one splat of one band, and are summed when they are drawn
+        // If not, all of its texels lie in one splat of one band, and are summed when they are drawn.
+        bool normalised = true;
     };
     // A light's rectangle of texels in one face and its border, bounds inclusive.
     struct Splat {

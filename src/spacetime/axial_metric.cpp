@@ -4,8 +4,9 @@
 
 namespace nullscope {
 
-AxialMetric::AxialMetric(double spin, double charge)
-    : a_(0.5 * spin),
+AxialMetric::AxialMetric(std::string_view name, double spin, double charge)
+    : name_(name),
+      a_(0.5 * spin),
       charge2_(0.25 * charge * charge),
       outer_(0.5 * (1.0 + std::sqrt((1.0 - spin) * (1.0 + spin) - charge * charge))),
       inner_((a_ * a_ + charge2_) / outer_) {}

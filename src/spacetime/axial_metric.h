@@ -2,7 +2,9 @@
 //     Delta = r^2 - 2 m(r) r + a^2,   Sigma = r^2 + a^2 cos^2(theta),   2 m(r) = 1 - charge2/r  (units r_s = 1, M = 1/2),
 //     ds^2 = -(1 - 2 m r/Sigma) dt^2 - (4 m a r sin^2/Sigma) dt dphi + Sigma/Delta dr^2 + Sigma dtheta^2
 //            + (r^2 + a^2 + 2 m a^2 r sin^2/Sigma) sin^2 dphi^2.
-// charge2 = (Q/2M)^2 is 0 for Kerr (1963) and above 0 for Kerr and Newman (1965). a: angular momentum per mass, r_s.
+// charge2 = (Q/2M)^2 is 0 for Kerr (1963) and above 0 for Kerr and Newman (1965), whose charge light feels by the
+// metric alone. a: angular momentum per mass, r_s. Horizons: r_+- = (1 +- sqrt(1 - (a/M)^2 - (Q/M)^2))/2, the zeros of
+// Delta.
 //
 // No ray stays in a plane and there is no photon sphere; light is traced by shaders/mino/kerr.glsl. Who can hold a
 // camera: spin_frame.h.
@@ -11,9 +13,14 @@
 
 namespace nullscope {
 
-class AxialMetric : public Spacetime {
+class AxialMetric final : public Spacetime {
 public:
-    const AxialMetric* axial() const final { return this; }
+    // Of (a/M)^2 + (Q/M)^2 where there is a charge: what spin alone has in kerr.
+    static constexpr double kMost = 0.9998;
+    // Of M: a/M in (0, 1), Q/M >= 0 with (a/M)^2 + (Q/M)^2 < 1.
+    AxialMetric(std::string_view name, double spin_over_mass, double charge_over_mass);
+    std::string_view name() const override { return name_; }
+    const AxialMetric* axial() const override { return this; }
     double a() const { return a_; }
     double charge2() const { return charge2_; }
     double outer_horizon() const { return outer_; }
@@ -21,21 +28,18 @@ public:
     double delta(double r) const { return (r - outer_) * (r - inner_); }  // a product: exact next to a horizon
     double two_mass(double r) const { return 1.0 - charge2_ / r; }        // 2 m(r)
 
-    double lapse_squared(double r) const final;
-    std::optional<double> horizon_radius() const final { return outer_; }
-    RadiusRange falling_range() const final { return {inner_, kAnyRadius}; }
-    bool knows_light_time() const final { return true; }
-    bool can_have_disc() const final { return true; }
-    bool can_have_bodies() const final { return true; }
-    Matrix4 metric(double r, double theta) const final;
-    Matrix4 inverse_metric(double r, double theta) const final;
-    std::optional<Equator> equator(double r) const final;
-
-protected:
-    // Of M: a/M in (0, 1), Q/M >= 0 with (a/M)^2 + (Q/M)^2 < 1.
-    AxialMetric(double spin_over_mass, double charge_over_mass);
+    double lapse_squared(double r) const override;
+    std::optional<double> horizon_radius() const override { return outer_; }
+    RadiusRange falling_range() const override { return {inner_, kAnyRadius}; }
+    bool knows_light_time() const override { return true; }
+    bool can_have_disc() const override { return true; }
+    bool can_have_bodies() const override { return true; }
+    Matrix4 metric(double r, double theta) const override;
+    Matrix4 inverse_metric(double r, double theta) const override;
+    std::optional<Equator> equator(double r) const override;
 
 private:
+    std::string_view name_;
     double a_, charge2_, outer_, inner_;
 };
 

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kFarthestStable = 1e6;  // r_s: from here inward the last stable orbit is looked for
 constexpr double kLight = 1e-15;         // of g_tt: what is left of 1/(u^t)^2 on light's own orbit, roundings
+constexpr double kInward = 0.98;         // of one radius that is looked at to the next
 constexpr int kHalvings = 200;           // at most: the search ends where two radii are neighbours
 
 std::optional<CircularOrbit> orbit_in(const Equator& e) {
@@ -22,7 +23,8 @@ std::optional<CircularOrbit> orbit_in(const Equator& e) {
 
 bool stable(const Equator& e) {
     const auto orbit = orbit_in(e);
-    if (!orbit) return false;
+    if (!orbit || e.slope.tphi * e.slope.tphi < e.slope.tt * e.slope.phiphi)
+        return false;  // the latter: pulled outward
     const double energy = orbit->energy, momentum = orbit->momentum;
     const auto &g = e.g, &first = e.slope, &second = e.curvature;
     const double bend = energy * energy * second.phiphi + 2.0 * energy * momentum * second.tphi +
@@ -32,19 +34,10 @@ bool stable(const Equator& e) {
     return bend < across2;
 }
 
-}  // namespace
-
-std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r) {
-    const auto equator = spacetime.equator(r);
-    return equator ? orbit_in(*equator) : std::nullopt;
-}
-
-namespace {
-
 // Halves (inside, outside) in 1/r; is(r): is it outside?
 template <class Is>
-std::array<double, 2> divided(double inside_r, const Is& is) {
-    double outside = 1.0 / kFarthestStable, inside = 1.0 / inside_r;
+std::array<double, 2> divided(double inside_r, const Is& is, double outside_r = kFarthestStable) {
+    double outside = 1.0 / outside_r, inside = 1.0 / inside_r;
     for (int i = 0; i < kHalvings; ++i) {
         const double middle = 0.5 * (outside + inside);
         if (middle <= outside || middle >= inside) break;
@@ -55,6 +48,11 @@ std::array<double, 2> divided(double inside_r, const Is& is) {
 
 }  // namespace
 
+std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r) {
+    const auto equator = spacetime.equator(r);
+    return equator ? orbit_in(*equator) : std::nullopt;
+}
+
 double light_orbit(const Spacetime& spacetime) {
     return 1.0 /
            divided(*spacetime.horizon_radius(), [&](double r) { return circular_orbit(spacetime, r).has_value(); })[1];
@@ -64,7 +62,12 @@ std::optional<double> innermost_stable_orbit(const Spacetime& spacetime) {
     const auto sphere = spacetime.photon_sphere();
     const auto least = sphere ? sphere->radius : spacetime.horizon_radius();
     if (!least || !spacetime.equator(*least)) return std::nullopt;
-    const auto [outside, inside] = divided(*least, [&](double r) { return stable(*spacetime.equator(r)); });
+    const auto is_stable = [&](double r) { return stable(*spacetime.equator(r)); };
+    // Where a cosmological constant pulls outward, there are none far out, or none at all.
+    double from = kFarthestStable;
+    while (from > *least && !is_stable(from)) from *= kInward;
+    if (!(from > *least)) return std::nullopt;
+    const auto [outside, inside] = divided(*least, is_stable, from);
     return 2.0 / (outside + inside);
 }
 

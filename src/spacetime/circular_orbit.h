@@ -27,7 +27,7 @@ std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r
 // orbits: light that is on its way in there does not turn any more. The spacetime must have an Equator and a horizon.
 double light_orbit(const Spacetime& spacetime);
 
-// Radius in r_s of the innermost stable circular orbit; nothing where light runs straight.
+// Radius in r_s of the innermost stable circular orbit; nothing where light runs straight, or no orbit is stable.
 std::optional<double> innermost_stable_orbit(const Spacetime& spacetime);
 
 // Contravariant four-velocity (u^t, u^r, u^phi) of the disc's matter at r outside the horizon: circular down to the

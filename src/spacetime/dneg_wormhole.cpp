@@ -72,9 +72,4 @@ double DnegWormhole::tube_beyond(double l) const {
     return (half_length_ - std::clamp(l, -half_length_, half_length_)) / throat_;
 }
 
-std::unique_ptr<Spacetime> make_dneg_wormhole(const std::map<std::string, double>& parameters) {
-    return std::make_unique<DnegWormhole>(parameters.at("throat"), parameters.at("length"),
-                                          parameters.at("lensing_width"));
-}
-
 }  // namespace nullscope

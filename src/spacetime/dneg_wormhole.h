@@ -8,10 +8,6 @@
 // The tube has chi = pi/2 throughout; what rays sweep in it comes apart (tube_beyond). The inverse of f is taken by Newton's steps: f
 // is convex, so they come down to the root from the right.
 #pragma once
-#include <map>
-#include <memory>
-#include <string>
-
 #include "spacetime/spherical_metric.h"
 
 namespace nullscope {
@@ -44,7 +40,5 @@ private:
     double x_of_chi(double chi) const;  // >= 0
     double throat_, half_length_, mass_;
 };
-
-std::unique_ptr<Spacetime> make_dneg_wormhole(const std::map<std::string, double>& parameters);
 
 }  // namespace nullscope

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace nullscope {
 namespace {
@@ -53,10 +51,7 @@ double JanisNewmanWinicour::density_at(double tau) const {
 }
 
 double JanisNewmanWinicour::chi_from_radius(double r) const {
-    if (!(r >= r_g_)) {
-        std::fprintf(stderr, "JanisNewmanWinicour::chi_from_radius: r = %.17g is not >= %.17g\n", r, r_g_);
-        std::abort();
-    }
+    require_chi("JanisNewmanWinicour", r, r_g_);
     return chi_of(r_g_ / r, rest(r));
 }
 
@@ -68,9 +63,5 @@ double JanisNewmanWinicour::tau_from_chi(double chi) const {
 
 double JanisNewmanWinicour::radius_from_chi(double chi) const { return r_g_ / -std::expm1(-tau_from_chi(chi)); }
 double JanisNewmanWinicour::bending_density(double chi) const { return density_at(tau_from_chi(chi)); }
-
-std::unique_ptr<Spacetime> make_janis_newman_winicour(const std::map<std::string, double>& parameters) {
-    return std::make_unique<JanisNewmanWinicour>(parameters.at("gamma"));
-}
 
 }  // namespace nullscope

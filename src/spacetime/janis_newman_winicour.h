@@ -7,11 +7,7 @@
 //     h = sqrt(y) cos(chi)/(1 - x/x_c),    cos^2(chi) = 1 - V/V_c = -expm1(2 [ln(1 + a) - a] + (2 g - 1) [ln(1 - b) + b]),
 // a = (x - x_c)/x_c, b = (x - x_c)/(1 - x_c): the terms that are linear in x - x_c cancel exactly.
 #pragma once
-#include <map>
-#include <memory>
-#include <string>
-
-#include "spacetime/inverse_map.h"
+#include "numeric/inverse_map.h"
 #include "spacetime/spherical_metric.h"
 
 namespace nullscope {
@@ -24,9 +20,8 @@ public:
     double lapse_squared(double r) const override;
     double areal_radius(double r) const override;
     double radial_stretch2(double r) const override { return 1.0 / lapse_squared(r); }
-    std::optional<double> horizon_radius() const override {
-        return r_g_;
-    }  // the singular surface: light ends there as at a horizon
+    // The singular surface: light ends there as at a horizon.
+    std::optional<double> horizon_radius() const override { return r_g_; }
     std::optional<PhotonSphere> photon_sphere() const override { return PhotonSphere{r_g_ / x_c_, q_crit_}; }
     const ChiMap* chi() const override { return this; }
     double chi_from_radius(double r) const override;
@@ -43,7 +38,5 @@ private:
     double g_, r_g_, x_c_, q_crit_;
     InverseMap tau_of_;
 };
-
-std::unique_ptr<Spacetime> make_janis_newman_winicour(const std::map<std::string, double>& parameters);
 
 }  // namespace nullscope

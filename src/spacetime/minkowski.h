@@ -1,9 +1,5 @@
 // Minkowski: A = 1, light runs straight.
 #pragma once
-#include <map>
-#include <memory>
-#include <string>
-
 #include "spacetime/spherical_metric.h"
 
 namespace nullscope {
@@ -17,9 +13,7 @@ public:
     double half_v_slope(double zeta) const override { return zeta; }
     double half_v_curvature(double) const override { return 1.0; }
     double lapse_slope(double) const override { return 0.0; }
-    double lapse_curvature() const override { return 0.0; }
+    double lapse_curvature(double) const override { return 0.0; }
 };
-
-std::unique_ptr<Spacetime> make_minkowski(const std::map<std::string, double>& parameters);
 
 }  // namespace nullscope

@@ -3,10 +3,6 @@
 // 9/8 r_s is the least radius that pressure can hold up (Buchdahl 1959). Below 3/2 r_s the photon sphere lies outside of the
 // surface; above, rays that graze the surface are what divides sky and star.
 #pragma once
-#include <map>
-#include <memory>
-#include <string>
-
 #include "spacetime/schwarzschild.h"
 
 namespace nullscope {
@@ -30,7 +26,5 @@ private:
     Schwarzschild exterior_;
     double radius_;
 };
-
-std::unique_ptr<Spacetime> make_neutron_star(const std::map<std::string, double>& parameters);
 
 }  // namespace nullscope

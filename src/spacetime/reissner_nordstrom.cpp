@@ -2,10 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-
-#include "spacetime/naked_charge.h"
 
 namespace nullscope {
 
@@ -31,6 +27,9 @@ double ReissnerNordstrom::chi_of(double zeta, double outside) const {
     return std::atan2(zeta * std::sqrt(outside * (1.0 - inner_ * zeta)), (zeta_c_ - zeta) * std::sqrt(g));
 }
 
+// 1 - r_o/r: to the last digit at the horizon, finite at infinity.
+double ReissnerNordstrom::outside_of(double r) const { return r < kNear ? (r - outer_) / r : 1.0 - outer_ / r; }
+
 // 1 - r_o zeta; a rounding below zero on the horizon itself.
 double ReissnerNordstrom::outside(double zeta) const { return std::max(1.0 - outer_ * zeta, 0.0); }
 
@@ -43,12 +42,8 @@ double ReissnerNordstrom::density_at(double zeta) const {
 }
 
 double ReissnerNordstrom::chi_from_radius(double r) const {
-    if (!(r >= outer_)) {
-        std::fprintf(stderr, "ReissnerNordstrom::chi_from_radius: r = %.17g is not >= %.17g\n", r, outer_);
-        std::abort();
-    }
-    return chi_of(1.0 / r, r < kNear ? (r - outer_) / r
-                                     : 1.0 - outer_ / r);  // to the last digit at the horizon, finite at infinity
+    require_chi("ReissnerNordstrom", r, outer_);
+    return chi_of(1.0 / r, outside_of(r));
 }
 
 double ReissnerNordstrom::zeta_from_chi(double chi) const {
@@ -61,14 +56,6 @@ double ReissnerNordstrom::radius_from_chi(double chi) const { return 1.0 / zeta_
 
 double ReissnerNordstrom::bending_density(double chi) const { return density_at(zeta_from_chi(chi)); }
 
-double ReissnerNordstrom::lapse_squared(double r) const {
-    return (r < kNear ? (r - outer_) / r : 1.0 - outer_ / r) * (1.0 - inner_ / r);
-}
-
-std::unique_ptr<Spacetime> make_reissner_nordstrom(const std::map<std::string, double>& parameters) {
-    const double charge = parameters.at("charge");
-    if (charge > 1.0) return std::make_unique<NakedCharge>(charge);
-    return std::make_unique<ReissnerNordstrom>(charge);
-}
+double ReissnerNordstrom::lapse_squared(double r) const { return outside_of(r) * (1.0 - inner_ / r); }
 
 }  // namespace nullscope

@@ -10,11 +10,7 @@
 //     h = 2 q_crit sin(chi) cos(chi)/V' = sqrt(A g)/(q_crit r_c (1 - r_u zeta)),  1 - r_u zeta = (1 - r_o zeta) + (r_o - r_u) zeta.
 // In the extremal hole r_o = r_i = r_u: h = sqrt(1 + 2 zeta - zeta^2) does not vanish at the horizon.
 #pragma once
-#include <map>
-#include <memory>
-#include <string>
-
-#include "spacetime/inverse_map.h"
+#include "numeric/inverse_map.h"
 #include "spacetime/spherical_metric.h"
 
 namespace nullscope {
@@ -36,19 +32,18 @@ public:
     double half_v_slope(double zeta) const override { return zeta * (1.0 + zeta * (-1.5 + 2.0 * kappa_ * zeta)); }
     double half_v_curvature(double zeta) const override { return 1.0 + zeta * (-3.0 + 6.0 * kappa_ * zeta); }
     double lapse_slope(double zeta) const override { return 2.0 * kappa_ * zeta - 1.0; }
-    double lapse_curvature() const override { return 2.0 * kappa_; }
+    double lapse_curvature(double) const override { return 2.0 * kappa_; }
 
 private:
+    double outside_of(double r) const;
     double outside(double zeta) const;
     double chi_of(double zeta, double outside) const;
     double density_at(double zeta) const;
     double zeta_from_chi(double chi) const;
     double kappa_, outer_, inner_, sphere_, zeta_c_, q_crit_, gap_;  // gap: r_o - r_u
-    double
-        innermost_;  // within the inner horizon, where V = q_crit^2 once more (g = 0): below it no ray to the sky is critical
+    // Within the inner horizon, where V = q_crit^2 once more (g = 0): below it no ray to the sky is critical.
+    double innermost_;
     InverseMap zeta_of_;
 };
-
-std::unique_ptr<Spacetime> make_reissner_nordstrom(const std::map<std::string, double>& parameters);
 
 }  // namespace nullscope

@@ -1,8 +1,6 @@
 #include "spacetime/schwarzschild.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <numbers>
 
 namespace nullscope {
@@ -19,11 +17,8 @@ std::optional<PhotonSphere> Schwarzschild::photon_sphere() const { return Photon
 // Products only, so that no digit is lost near zeta = 0 (sin chi ~ zeta/q_crit), near 2/3 (cos chi ~ 2/3 - zeta) and
 // near 1 (sin chi ~ sqrt(1 - zeta)/q_crit): 1 - V/q_crit^2 = (27/4) (zeta - 2/3)^2 (zeta + 1/3).
 double Schwarzschild::chi_from_radius(double r) const {
+    require_chi("Schwarzschild", r, 1.0);
     const double zeta = 1.0 / r;
-    if (!(zeta >= 0.0 && zeta <= 1.0)) {
-        std::fprintf(stderr, "Schwarzschild::chi_from_radius: r = %.17g is not >= 1\n", r);
-        std::abort();
-    }
     const double sine = zeta * std::sqrt(lapse_squared(r));
     const double cosine = (kPhotonSphereZeta - zeta) * std::sqrt(zeta + 1.0 / 3.0);
     return std::atan2(sine, cosine);  // both times q_crit
@@ -36,10 +31,6 @@ double Schwarzschild::radius_from_chi(double chi) const {
 
 double Schwarzschild::bending_density(double chi) const {
     return 2.0 / std::numbers::sqrt3 * std::sin(2.0 / 3.0 * (kPi - chi));
-}
-
-std::unique_ptr<Spacetime> make_schwarzschild(const std::map<std::string, double>&) {
-    return std::make_unique<Schwarzschild>();
 }
 
 }  // namespace nullscope

@@ -7,10 +7,6 @@
 //     h = 2 q_crit sin(chi) cos(chi) / V'(zeta) = sqrt((1 - zeta)(1 + 3 zeta)) = (2/sqrt 3) sin(2 (pi - chi)/3),
 // with h = 1 at infinity and on the photon sphere, 0 at the horizon.
 #pragma once
-#include <map>
-#include <memory>
-#include <string>
-
 #include "spacetime/spherical_metric.h"
 
 namespace nullscope {
@@ -18,9 +14,8 @@ namespace nullscope {
 class Schwarzschild final : public SphericalMetric, public ChiMap, public OrbitEquation {
 public:
     std::string_view name() const override { return "schwarzschild"; }
-    double lapse_squared(double r) const override {
-        return r < 2.0 ? (r - 1.0) / r : 1.0 - 1.0 / r;
-    }  // no digit lost at the horizon
+    // No digit is lost at the horizon.
+    double lapse_squared(double r) const override { return r < 2.0 ? (r - 1.0) / r : 1.0 - 1.0 / r; }
     RadiusRange falling_range() const override { return {0.0, kAnyRadius}; }
     std::optional<double> horizon_radius() const override { return 1.0; }
     std::optional<PhotonSphere> photon_sphere() const override;
@@ -33,9 +28,7 @@ public:
     double half_v_slope(double zeta) const override { return 0.5 * zeta * (2.0 - 3.0 * zeta); }
     double half_v_curvature(double zeta) const override { return 1.0 - 3.0 * zeta; }
     double lapse_slope(double) const override { return -1.0; }
-    double lapse_curvature() const override { return 0.0; }
+    double lapse_curvature(double) const override { return 0.0; }
 };
-
-std::unique_ptr<Spacetime> make_schwarzschild(const std::map<std::string, double>& parameters);
 
 }  // namespace nullscope

@@ -20,7 +20,7 @@ struct PhotonSphere {
 };
 
 // Where light ends that passes the photon sphere inward.
-// kSameSky: it does not end there, but turns and comes back to the sky (Wall).
+// kSameSky: it does not end there, but turns and comes back to the sky (Barrier).
 enum class InnerEnd { kHorizon, kOtherSky, kSurface, kSameSky };
 
 // Radii at which a camera can be at rest: low < r < high.

@@ -17,8 +17,8 @@ double time_ahead(const Spacetime& spacetime, double r) {
     const auto roots = spacetime.spherical()->lapse_roots();
     if (!roots) return 0.0;
     const double gap = roots->outer - roots->inner, without = 1.0 - roots->inner * zeta, by = gap * zeta / without;
-    const double ratio =
-        by > 0.0 ? -std::log1p(-by) / by * zeta / without : zeta / without;  // ln((r - y)/(r - x))/(x - y)
+    // ln((r - y)/(r - x))/(x - y).
+    const double ratio = by > 0.0 ? -std::log1p(-by) / by * zeta / without : zeta / without;
     return (roots->outer + roots->inner) * std::log1p(-roots->outer * zeta) - roots->inner * roots->inner * ratio +
            std::log(r);
 }

@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/gauss.h"
+
 namespace nullscope {
 namespace {
 
 constexpr double kTolerance = 1e-11;  // rad, of a panel
 constexpr int kDeepest = 40;
-
-// 10-point Gauss-Legendre rule on [-1, 1] (positive half; Abramowitz and Stegun, table 25.4).
-constexpr double kNode[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244, 0.8650633666889845,
-                            0.9739065285171717};
-constexpr double kWeight[] = {0.2955242247147529, 0.2692667193099963, 0.2190863625159820, 0.1494513491505806,
-                              0.0666713443086881};
 
 struct Rate {
     double e, q0, q1, q2, q3;
@@ -21,13 +17,7 @@ struct Rate {
         const double x = e - s * s;
         return 2.0 / std::sqrt(std::max(q0 + x * (q1 + x * (q2 + x * q3)), 1e-300));
     }
-    double panel(double low, double high) const {
-        const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
-        double sum = 0.0;
-        for (int i = 0; i < 5; ++i)
-            sum += kWeight[i] * ((*this)(middle - half * kNode[i]) + (*this)(middle + half * kNode[i]));
-        return half * sum;
-    }
+    double panel(double low, double high) const { return gauss_rule(kTenNode, kTenWeight, low, high, *this); }
     double integral(double low, double high, double whole, int depth) const {
         const double middle = 0.5 * (low + high), left = panel(low, middle), right = panel(middle, high);
         if (std::fabs(left + right - whole) <= kTolerance || depth >= kDeepest) return left + right;
@@ -40,14 +30,14 @@ struct Rate {
 
 }  // namespace
 
-double Bounce::to_sky(double d, double inward) const {
-    const auto [c1, c2, c3, c4] = wall_.c;
+double bounce_to_sky(const Barrier& barrier, double zeta0, double d, double inward) {
+    const auto [c1, c2, c3, c4] = barrier.c;
     const auto p = [&, c1 = c1, c2 = c2, c3 = c3, c4 = c4](double x) {
         return d - x * (c1 + x * (c2 + x * (c3 + x * c4)));
     };
     // The turning point: below zeta_d where d < 0, above it elsewhere; |x| bracketed.
     const double side = d < 0.0 ? -1.0 : 1.0;
-    double low = 0.0, high = side < 0.0 ? wall_.zeta : 1.0;
+    double low = 0.0, high = side < 0.0 ? barrier.zeta : 1.0;
     if (side > 0.0)
         while (p(high) > 0.0) low = high, high *= 2.0;
     double y = 0.5 * (low + high);
@@ -66,10 +56,10 @@ double Bounce::to_sky(double d, double inward) const {
     rate.q1 = std::fabs(rate.e) < 0.1 ? c2 + rate.q2 * rate.e : (rate.q0 - c1) / rate.e;
     // The camera: s^2 = e - x0 = P/Q, which keeps its digits next to the turning point.
     const double root = inward * inward;
-    double s2 = std::max(rate.e - (zeta0_ - wall_.zeta), 0.0);
+    double s2 = std::max(rate.e - (zeta0 - barrier.zeta), 0.0);
     if (s2 < 1e-3)
         for (int i = 0; i < 8; ++i) s2 = root * 0.25 * std::pow(rate(std::sqrt(s2)), 2);
-    const double camera = std::sqrt(s2), sky = std::sqrt(rate.e + wall_.zeta);
+    const double camera = std::sqrt(s2), sky = std::sqrt(rate.e + barrier.zeta);
     const double out = rate.integral(camera, std::max(sky, camera));
     return inward > 0.0 ? out + 2.0 * rate.integral(0.0, camera) : out;
 }

@@ -1,4 +1,4 @@
-// Swept angles where V grows without bound inward (spacetime.h: Wall): every ray turns and comes back, and there is no deflection table.
+// Swept angles where V grows without bound inward (spacetime.h: Barrier): every ray turns and comes back, and there is no deflection table.
 //
 // dphi = dx / sqrt(P), P = d - x (c1 + x (c2 + x (c3 + x c4))), x = zeta - zeta_d, d = q^2 - V(zeta_d). With the turning point e, the
 // least root above the camera, P = (e - x) Q(x), Q a cubic by division whose constant is d/e; x = e - s^2 leaves dphi = 2 ds/sqrt(Q),
@@ -8,16 +8,8 @@
 
 namespace nullscope {
 
-class Bounce {
-public:
-    Bounce(const Wall& wall, double zeta0) : wall_(wall), zeta0_(zeta0) {}
-    // Angle from the camera to the sky of the ray with d as above (without cancellation) and q cos(beta), positive inward.
-    // Error 1e-11. Some hundred to a thousand square roots.
-    double to_sky(double d, double inward) const;
-
-private:
-    Wall wall_;
-    double zeta0_;
-};
+// Angle from the camera at zeta0 to the sky of the ray with d as above (without cancellation) and q cos(beta), positive inward.
+// Error 1e-11. Some hundred to a thousand square roots.
+double bounce_to_sky(const Barrier& barrier, double zeta0, double d, double inward);
 
 }  // namespace nullscope

@@ -5,7 +5,7 @@
 // outside the photon sphere (C > 0), to the horizon inside it (C < 0). The image of crossing k is the ring between C(inner) and
 // C(outer), times exp(-phi_k / a).
 #pragma once
-#include "table/ray_fan.h"
+#include "table/ray_family.h"
 
 namespace nullscope {
 
@@ -16,6 +16,6 @@ struct CriticalImages {
 };
 
 // Relative error some 1e-6: limits are taken at |delta| = 1e-7 of the critical angle.
-CriticalImages critical_images(const RayFan& fan, double inner, double outer);
+CriticalImages critical_images(const RayFamily& family, double inner, double outer);
 
 }  // namespace nullscope

@@ -13,8 +13,6 @@
 //
 // Accuracy at the default size: 2e-9 rad (tests/unit/test_deflection_table.cpp). Build: some 30 core-milliseconds.
 #pragma once
-#include <array>
-#include <memory>
 #include <vector>
 
 #include "spacetime/spherical_metric.h"
@@ -31,41 +29,48 @@ public:
 
     // k = q/q_crit < 1 with one_minus_k2 = 1 - k^2 formed without cancellation; camera outside the photon sphere looking at
     // the angle alpha from the outward radial: angle swept until infinity. alpha in [0, pi].
-    double turning_to_sky(double k, double one_minus_k2, double alpha) const;
+    double turning_to_sky(double k, double one_minus_k2, double alpha) const {
+        return turning(outer_, k, one_minus_k2, alpha);
+    }
     // The same inside the photon sphere: angle swept until the horizon; beta = angle from the INWARD radial.
-    double turning_to_horizon(double k, double one_minus_k2, double beta) const;
+    double turning_to_horizon(double k, double one_minus_k2, double beta) const {
+        return turning(inner_, k, one_minus_k2, beta);
+    }
     // k > 1 with k2_minus_one = k^2 - 1: angle between infinity and the radius chi. chi in [0, pi].
     double through_from_infinity(double k, double k2_minus_one, double chi) const;
 
+    // Of G about the photon sphere.
     struct Series {
         double a0, a1, a2, a3;
-    };  // of G about the photon sphere
+    };
     const Series& series() const { return series_; }
-    // What method kTable adds to its own closed forms, at table coordinates x, y in [0, 1]: R of the turning sheet outside the
-    // photon sphere; k (phi - a0 J0 - a1 J1) of the through sheet, without the terms that cancel in float.
+    // What method kTable adds to its own closed forms, at table coordinates x, y in [0, 1]: R of the turning branch outside the
+    // photon sphere; k (phi - a0 J0 - a1 J1) of the through branch, without the terms that cancel in float.
     double turning_remainder(double x, double y) const { return outer_.at(x, y); }
     double through_remainder(double x, double y) const;
     int size() const { return size_; }
-    std::size_t bytes() const;  // of the three sheets as double
+    std::size_t bytes() const;  // of the three branches as double
 
 private:
     // Row-major values on a (size+1)^2 grid of nodes, x fastest... row = x index, column = y index.
     // Graded: nodes crowd towards k = 0 as a cube, towards both ends of the angle as another, for metrics with a logarithm there.
-    struct Sheet {
+    struct Branch {
         int size = 0;
         bool graded_x = false, graded_y = false;
         std::vector<double> values;
         double node_x(int i) const;
         double node_y(int j) const;
         double at(double x, double y) const;  // 6x6-point Lagrange interpolation; x, y in [0, 1]
+        template <class Row>
+        void build(const Row& integrand_of);
     };
-    void build_turning(const DensityFit& density, bool inner, const Series& series, Sheet& sheet);
-    void build_through(const DensityFit& density, Sheet& sheet);
-    double turning(const Sheet& sheet, double k, double one_minus_k2, double angle) const;
+    void build_turning(const DensityFit& density, bool inner, Branch& branch);
+    void build_through(const DensityFit& density, Branch& branch);
+    double turning(const Branch& branch, double k, double one_minus_k2, double angle) const;
 
     int size_;
     Series series_;
-    Sheet outer_, inner_, through_;
+    Branch outer_, inner_, through_;
 };
 
 }  // namespace nullscope

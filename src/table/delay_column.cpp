@@ -29,13 +29,13 @@ struct Ray {
 };
 
 Rate rate_at(const SphericalMetric& spacetime, const Ray& ray, const OrbitState& s) {
-    const Lapse lapse = lapse_at(spacetime, s.zeta);
+    const Lapse lapse = lapse_at(spacetime, s.at);
     // q - sigma zeta': where it is small, V over the sum.
     const double sum = ray.q + ray.sigma * s.slope;
-    const double v = s.zeta > 0.0 ? s.zeta * s.zeta * spacetime.lapse_squared(1.0 / s.zeta) : 0.0;
+    const double v = s.at > 0.0 ? s.at * s.at * spacetime.lapse_squared(1.0 / s.at) : 0.0;
     const double rest = ray.sigma * s.slope > 0.0 ? v / sum : ray.q - ray.sigma * s.slope;
     if (!(rest > 0.0)) return {0.0, 0.0, 0.0};  // the sky itself, on a ray that has come from it
-    const double first = lapse.n / rest, bend = -spacetime.orbit_equation()->half_v_slope(s.zeta);
+    const double first = lapse.n / rest, bend = -spacetime.orbit_equation()->half_v_slope(s.at);
     const auto along = [&](double zeta, double slope, double q) {
         return (lapse.n_slope * zeta - first * (q - ray.sigma * slope)) / rest -
                (lapse.za_slope * zeta - lapse.za * q / ray.q) / (2.0 * ray.q);
@@ -54,34 +54,32 @@ std::array<double, 2> quintic(double f, double h, std::array<double, 3> low, std
 
 OrbitState between(const SphericalMetric& spacetime, const OrbitState& low, const OrbitState& high, double f,
                    double h) {
-    const auto bend = [&](const OrbitState& s) { return -spacetime.orbit_equation()->half_v_slope(s.zeta); };
-    const auto vary = [&](const OrbitState& s) {
-        return -spacetime.orbit_equation()->half_v_curvature(s.zeta) * s.vary;
-    };
-    const auto place = quintic(f, h, {low.zeta, low.slope, bend(low)}, {high.zeta, high.slope, bend(high)});
+    const auto bend = [&](const OrbitState& s) { return -spacetime.orbit_equation()->half_v_slope(s.at); };
+    const auto vary = [&](const OrbitState& s) { return -spacetime.orbit_equation()->half_v_curvature(s.at) * s.vary; };
+    const auto place = quintic(f, h, {low.at, low.slope, bend(low)}, {high.at, high.slope, bend(high)});
     const auto moved = quintic(f, h, {low.vary, low.vary_slope, vary(low)}, {high.vary, high.vary_slope, vary(high)});
     return {place[0], place[1], moved[0], moved[1]};
 }
 
 }  // namespace
 
-std::vector<std::array<double, 4>> delay_column(const RayFan& fan, Segment segment, const FanRay& fan_ray,
-                                                std::span<const OrbitState> orbit, double end_per_delta) {
-    const SphericalMetric& spacetime = fan.spacetime();
-    const bool sky = segment == Segment::kSky;
-    const Ray ray{fan_ray.q, -fan_ray.slope / fan_ray.sin_beta * (sky ? 1.0 : -1.0), sky ? 1.0 : -1.0};
+OrbitTexels delay_column(const RayFamily& family, Segment segment, const FanRay& family_ray, const MetOrbit& met) {
+    const SphericalMetric& spacetime = family.spacetime();
+    const auto& orbit = met.states;
+    const double side = segment == Segment::kSky ? 1.0 : -1.0;
+    const Ray ray{family_ray.q, -family_ray.slope / family_ray.sin_beta * side, side};
     const std::size_t rows = orbit.size() - 1;
-    const double cell = fan_ray.phi_end / static_cast<double>(rows);
+    const double cell = family_ray.phi_end / static_cast<double>(rows);
     // Lobatto's rule of four points.
     const double inner = 0.5 - 0.1 * std::sqrt(5.0);
-    std::vector<std::array<double, 4>> column(rows + 1);
+    OrbitTexels column(rows + 1);
     double sum = 0.0, sum_delta = 0.0;
     Rate low = rate_at(spacetime, ray, orbit[0]);
     for (std::size_t i = 0;; ++i) {
-        const double v = static_cast<double>(i) / static_cast<double>(rows), moved = v * end_per_delta;
+        const double v = static_cast<double>(i) / static_cast<double>(rows), moved = v * met.end_per_delta;
         column[i] = {
             sum, sum_delta + low.value * moved, low.value * cell,
-            (low.by_delta + low.by_phi * moved) * cell + low.value * end_per_delta / static_cast<double>(rows)};
+            (low.by_delta + low.by_phi * moved) * cell + low.value * met.end_per_delta / static_cast<double>(rows)};
         if (i == rows) return column;
         const Rate high = rate_at(spacetime, ray, orbit[i + 1]);
         const Rate a = rate_at(spacetime, ray, between(spacetime, orbit[i], orbit[i + 1], inner, cell));

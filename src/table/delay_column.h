@@ -1,4 +1,4 @@
-// How long light has been on its way, along one column of the orbit map (shaders/planar/delay.glsl): what is left of it once the part
+// How long light has been on its way, along one column of the orbit table (shaders/planar/delay.glsl): what is left of it once the part
 // that grows without bound, far out and at the horizon, is taken off.
 //
 // Traced backward, t falls along the ray by dt/dphi = q/V. With W = zeta'/q, V = zeta^2 A = q^2 (1 - W^2), r_* the tortoise radius and
@@ -8,22 +8,12 @@
 // from physics of T = v_cam - v_inf, dT/dphi = 1/(q - zeta'): A has cancelled, so D is regular at the horizon on the rays that cross it,
 // and far out, where N = O(zeta^2). Near the photon sphere it grows in proportion to phi.
 #pragma once
-#include <array>
-#include <span>
-#include <vector>
-
-#include "table/ray_fan.h"
+#include "table/met_orbit.h"
+#include "table/ray_family.h"
 
 namespace nullscope {
 
-// zeta(phi), its slope, and the derivatives of both by delta at fixed phi.
-struct OrbitState {
-    double zeta, slope, vary, vary_slope;
-};
-
-// orbit: at equal steps of the swept angle from the camera to the ray's end. end_per_delta: d phi_end/d delta. Texels (D, D_d, D_v, D_dv),
-// v = angle over phi_end, as the orbit map's. Error: 1e-9 of D where D is not small.
-std::vector<std::array<double, 4>> delay_column(const RayFan& fan, Segment segment, const FanRay& ray,
-                                                std::span<const OrbitState> orbit, double end_per_delta);
+// Texels (D, D_d, D_v, D_dv), v = angle over phi_end, as the orbit table's. Error: 1e-9 of D where D is not small.
+OrbitTexels delay_column(const RayFamily& family, Segment segment, const FanRay& ray, const MetOrbit& orbit);
 
 }  // namespace nullscope

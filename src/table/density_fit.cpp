@@ -3,42 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "table/chebyshev.h"
+
 namespace nullscope {
-namespace {
-
-constexpr double kPi = M_PI;
-
-template <std::size_t n, class F>
-std::array<double, n> powers_through_chebyshev(const F& f) {
-    std::array<double, n> chebyshev{}, power{};
-    for (std::size_t i = 0; i < n; ++i) {
-        const double angle = kPi * (static_cast<double>(i) + 0.5) / n, value = f(std::cos(angle));
-        for (std::size_t j = 0; j < n; ++j)
-            chebyshev[j] += (j == 0 ? 1.0 : 2.0) / n * value * std::cos(static_cast<double>(j) * angle);
-    }
-    std::array<double, n + 1> previous{1.0}, current{0.0, 1.0};  // power coefficients of T_0, T_1
-    for (std::size_t j = 0; j < n; ++j) {
-        for (std::size_t p = 0; p < n; ++p) power[p] += chebyshev[j] * previous[p];
-        std::array<double, n + 1> next{};
-        for (std::size_t p = 0; p < n; ++p) next[p + 1] = 2.0 * current[p];
-        for (std::size_t p = 0; p <= n; ++p) next[p] -= previous[p];
-        previous = current;
-        current = next;
-    }
-    return power;
-}
-
-}  // namespace
 
 DensityFit::DensityFit(const SphericalMetric& spacetime) {
-    constexpr double kWidth = kPi / kPanels;
+    constexpr double kWidth = M_PI / kPanels;
     const auto panel = [](double low, double high, const auto& h) {
         const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
         return Panel{middle, 1.0 / half,
                      powers_through_chebyshev<kTerms>([&](double t) { return h(middle + half * t); })};
     };
     const auto from_sky = [&](double chi) { return spacetime.chi()->bending_density(chi); };
-    const auto from_end = [&](double rest) { return spacetime.chi()->bending_density(kPi - rest); };
+    const auto from_end = [&](double rest) { return spacetime.chi()->bending_density(M_PI - rest); };
     for (int i = 0; i < kPanels; ++i) inner_.push_back(panel(i * kWidth, (i + 1) * kWidth, from_sky));
     for (int k = 0; k <= kHalvings; ++k) {
         const double high = std::ldexp(kWidth, -k), low = k == kHalvings ? 0.0 : 0.5 * high;
@@ -48,14 +25,14 @@ DensityFit::DensityFit(const SphericalMetric& spacetime) {
 }
 
 double DensityFit::operator()(double chi) const {
-    const double place = chi * (kPanels / kPi);
+    const double place = chi * (kPanels / M_PI);
     const int i = std::clamp(static_cast<int>(place), 0, kPanels - 1);
     const bool near_sky = i == 0, near_end = i == kPanels - 1;
     const Panel* panel = &inner_[static_cast<std::size_t>(i)];
     double at = chi;
     if (near_sky || near_end) {
-        at = near_sky ? chi : std::max(kPi - chi, 0.0);
-        const double part = at * (kPanels / kPi);  // of the panel, 0 ... 1
+        at = near_sky ? chi : std::max(M_PI - chi, 0.0);
+        const double part = at * (kPanels / M_PI);  // of the panel, 0 ... 1
         const int k = part > 0.0 ? std::clamp(-std::ilogb(part) - 1, 0, kHalvings) : kHalvings;
         panel = &(near_sky ? first_ : last_)[static_cast<std::size_t>(k)];
     }

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "light/black_body.h"
+#include "numeric/gauss.h"
 #include "spacetime/circular_orbit.h"
 
 namespace nullscope {
@@ -33,15 +34,9 @@ double slope(Function f, double r) {
 
 // Of (E - Omega L) L' dr between two radii: eight points of Gauss.
 double gained_between(const Spacetime& spacetime, double a, double b) {
-    static constexpr double kX[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
-    static constexpr double kW[4] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
-    double sum = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        const double x = i < 4 ? -kX[i] : kX[i - 4], r = 0.5 * (a + b) + 0.5 * (b - a) * x;
-        const double momentum_slope = slope([&](double at) { return ring_at(spacetime, at).momentum; }, r);
-        sum += kW[i % 4] * ring_at(spacetime, r).gain * momentum_slope;
-    }
-    return 0.5 * (b - a) * sum;
+    return gauss_rule(kEightNode, kEightWeight, a, b, [&](double r) {
+        return ring_at(spacetime, r).gain * slope([&](double at) { return ring_at(spacetime, at).momentum; }, r);
+    });
 }
 
 }  // namespace
@@ -91,8 +86,8 @@ double disc_temperature_K(double flux, double mass_suns, double rate_eddington) 
     constexpr double kProton_kg = 1.67262192369e-27, kThomson_m2 = 6.6524587321e-29,
                      kStefan = 5.670374419e-8;  // CODATA 2018
     const double gm = mass_suns * kSun_m3_s2, radius_m = 2.0 * gm / (kLight_m_s * kLight_m_s);
-    const double power_W =
-        10.0 * rate_eddington * 4.0 * M_PI * gm * kProton_kg * kLight_m_s / kThomson_m2;  // of the mass that falls in
+    // Of the mass that falls in.
+    const double power_W = 10.0 * rate_eddington * 4.0 * M_PI * gm * kProton_kg * kLight_m_s / kThomson_m2;
     return std::pow(flux * power_W / (radius_m * radius_m * kStefan), 0.25);
 }
 
@@ -104,7 +99,8 @@ TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, 
         radii.push_back(std::max(inner * std::pow(outer / inner, double(i) / kDiscFlowCells), from));
     const std::vector<double> flux = disc_flux(spacetime, radii);
     const double peak = disc_flux_peak(spacetime).flux;
-    TexelGrid row{kDiscFlowCells + 1, 1, {}};
+    TexelGrid row{kDiscFlowCells + 1, kDiscFlowRows, {}};
+    std::vector<float> factors;
     for (std::size_t i = 0; i < radii.size(); ++i) {
         const double a = spacetime.lapse_squared(radii[i]), lapse = std::sqrt(a), scale = parts.gravity ? 1.0 : lapse;
         const MatterVelocity u =
@@ -115,7 +111,10 @@ TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, 
         for (const double value :
              {heat, scale * u.u_t, scale * u.u_phi / (parts.straight ? lapse : 1.0), scale * u.u_r * g_rr})
             row.texels.push_back(static_cast<float>(value));
+        const double factor = scale / (parts.straight ? lapse : 1.0);
+        factors.insert(factors.end(), {static_cast<float>(factor), 0, 0, 0});
     }
+    row.texels.insert(row.texels.end(), factors.begin(), factors.end());
     return row;
 }
 

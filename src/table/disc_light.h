@@ -30,7 +30,8 @@ double disc_temperature_K(double flux, double mass_suns, double rate_eddington);
 // parts: of g = g_gravity g_doppler, which observers at rest at the matter and at the camera split (docs/light.md). Without Doppler the
 // matter is as at rest, (1/sqrt(A), 0, 0); without gravity all three are times sqrt(A), the camera's own part being the frame's. straight: of rays of flat space,
 // whose momentum L at r is that of a direction L/r in the frame of matter at rest: u^phi over sqrt(A).
-inline constexpr int kDiscFlowCells = 1024;
+// The second row, by the same cells: (factor, 0, 0, 0), by which such parts change a momentum over a frequency of the first row.
+inline constexpr int kDiscFlowCells = 1024, kDiscFlowRows = 2;
 struct ShiftParts {
     bool doppler = true, gravity = true, straight = false;
 };

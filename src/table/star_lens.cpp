@@ -7,7 +7,7 @@
 namespace nullscope {
 namespace {
 
-constexpr int kPerOctave = 32;           // samples of the fan
+constexpr int kPerOctave = 32;           // samples of the family
 constexpr int kPoints = 6;               // of the polynomial through samples
 constexpr double kLeastPhi = 1e-3;       // rad; T tan(Phi/2) is even in Phi: 1e-6 of it are left
 constexpr double kLeastEinstein = 1e-9;  // of T, where nothing bends: any number serves
@@ -16,15 +16,15 @@ struct FanSample {
     double phi, tangent;  // tan(theta/2)
 };
 
-// Rays of the fan from almost the outward radial to the last winding, phi growing.
-std::vector<FanSample> fan_samples(const RayFan& fan, double last_phi) {
-    const double limit = fan.delta_limit(Segment::kSky);
+// Rays of the family from almost the outward radial to the last winding, phi growing.
+std::vector<FanSample> family_samples(const RayFamily& family, double last_phi) {
+    const double limit = family.delta_limit(Segment::kSky);
     std::vector<FanSample> samples;
-    for (int i = fan.octaves(Segment::kSky) * kPerOctave; i >= 1; --i) {
+    for (int i = family.octaves(Segment::kSky) * kPerOctave; i >= 1; --i) {
         const double u = std::exp2(i / kPerOctave) * (1.0 + double(i % kPerOctave) / kPerOctave);
-        const double delta = fan.delta_at(u);
+        const double delta = family.delta_at(u);
         if (delta >= limit) continue;
-        const FanRay ray = fan.ray(Segment::kSky, delta);
+        const FanRay ray = family.ray(Segment::kSky, delta);
         samples.push_back({ray.phi_end, std::tan(0.5 * ray.beta)});
         if (ray.phi_end > last_phi + 0.5) break;
     }
@@ -70,8 +70,8 @@ Place at(const std::vector<Sample>& samples, double x) {
 
 }  // namespace
 
-TexelGrid star_lens_row(const RayFan& fan) {
-    const std::vector<FanSample> rays = fan_samples(fan, kStarImages * M_PI);
+TexelGrid star_lens_row(const RayFamily& family) {
+    const std::vector<FanSample> rays = family_samples(family, kStarImages * M_PI);
     // T at Phi = pi, to a few per cent; of the last ray where none is turned that far.
     const auto ring = std::find_if(rays.begin(), rays.end() - 1, [](const FanSample& ray) { return ray.phi >= M_PI; });
     const double einstein = std::max(ring->tangent, kLeastEinstein);

@@ -10,7 +10,7 @@
 // In the weak field T = E, E = eps exp(-x) = sqrt(b^2/4 + eps^2) - b/2: the lens equation b = eps^2/E - E. What the row
 // holds, T/E, is near 1 and smooth at every distance.
 #pragma once
-#include "table/ray_fan.h"
+#include "table/ray_family.h"
 #include "table/strip.h"
 
 namespace nullscope {
@@ -20,6 +20,6 @@ inline constexpr int kStarLensCells = 1024, kStarImages = 4;
 // kStarLensCells cells of equal x, from Phi = 1e-3 (T/E is constant before that) to kStarImages pi or the last ray that
 // reaches the sky; a texel at each end of a cell: T/E, its slope by cells, -d ln T/dx, its slope by cells, for Hermite's
 // cubics. After these one texel (eps, x of the first texel, cells per x, 0). Below 1 ms.
-TexelGrid star_lens_row(const RayFan& fan);
+TexelGrid star_lens_row(const RayFamily& family);
 
 }  // namespace nullscope

@@ -9,7 +9,7 @@
 namespace nullscope {
 namespace {
 
-constexpr int kCoarse = 16;  // ENDS_CELLS_PER_OCTAVE: cubics that follow the fan
+constexpr int kCoarse = 16;  // ENDS_CELLS_PER_OCTAVE: cubics that follow the family
 constexpr int kFine = 1024;  // STRIP_CELLS_PER_OCTAVE: straight lines that follow the cubics, one octave a row
 
 using Cubic = std::array<double, 4>;
@@ -39,14 +39,14 @@ struct Cell {
 };
 
 // by_centre: of captured rays by their angle from the inward radial, instead of that from the critical direction.
-Cell coarse_cell(const RayFan& fan, Segment segment, bool by_centre, int cell) {
+Cell coarse_cell(const RayFamily& family, Segment segment, bool by_centre, int cell) {
     const double u_octave = std::exp2(cell / kCoarse);
     std::array<double, 4> cos_phi{}, ratio{}, end{}, bare_cos{}, bare_ratio{};
     for (int i = 0; i < 4; ++i) {
         const double u = u_octave * (1.0 + (cell % kCoarse + kNodes[i]) / kCoarse);
-        const double delta =
-            by_centre ? std::max(fan.critical_angle() - fan.delta_at(u), 0.0) : fan.mirrored(segment, fan.delta_at(u));
-        const FanRay ray = fan.ray(segment, delta);
+        const double delta = by_centre ? std::max(family.critical_angle() - family.delta_at(u), 0.0)
+                                       : family.mirrored(segment, family.delta_at(u));
+        const FanRay ray = family.ray(segment, delta);
         cos_phi[i] = std::cos(ray.phi_end);
         ratio[i] = std::sin(ray.phi_end) / ray.sin_beta;
         end[i] = ray.phi_end / ray.sin_beta;
@@ -65,10 +65,10 @@ std::array<float, 2> line_through(double low, double high) {
 }
 
 // (cos(phi), sin(phi)/sin(alpha)) at the place f of a coarse cell.
-std::array<double, 2> at_place(const RayFan& fan, Segment segment, int at, const Cell& cell, double f) {
-    if (!fan.has_tube()) return {value(cell.cos_phi, f), value(cell.ratio, f)};
+std::array<double, 2> at_place(const RayFamily& family, Segment segment, int at, const Cell& cell, double f) {
+    if (!family.has_tube()) return {value(cell.cos_phi, f), value(cell.ratio, f)};
     const double u = std::exp2(at / kCoarse) * (1.0 + (at % kCoarse + f) / kCoarse);
-    const FanRay ray = fan.tube_ray(segment, fan.mirrored(segment, fan.delta_at(u)));
+    const FanRay ray = family.tube_ray(segment, family.mirrored(segment, family.delta_at(u)));
     const double c = value(cell.bare_cos, f), r = value(cell.bare_ratio, f);
     const double turn_c = std::cos(ray.in_tube), turn_s = std::sin(ray.in_tube);
     return {c * turn_c - r * ray.sin_beta * turn_s, r * turn_c + c * turn_s / ray.sin_beta};
@@ -76,13 +76,13 @@ std::array<double, 2> at_place(const RayFan& fan, Segment segment, int at, const
 
 }  // namespace
 
-Strip build_strip(const RayFan& fan) {
-    const int sky_cells = fan.octaves(Segment::kSky) * kCoarse,
-              captured_cells = fan.octaves(Segment::kCaptured) * kCoarse;
+Strip build_strip(const RayFamily& family) {
+    const int sky_cells = family.octaves(Segment::kSky) * kCoarse,
+              captured_cells = family.octaves(Segment::kCaptured) * kCoarse;
     constexpr int kPerCoarse = kFine / kCoarse;
     Strip strip;
-    const bool inner = fan.spacetime().inner_end() != InnerEnd::kHorizon;  // something to see there
-    const bool back = fan.spacetime().inner_end() == InnerEnd::kSameSky;
+    const bool inner = family.spacetime().inner_end() != InnerEnd::kHorizon;  // something to see there
+    const bool back = family.spacetime().inner_end() == InnerEnd::kSameSky;
     strip.sky = {kFine, (sky_cells + (inner ? captured_cells : 0) + (back ? captured_cells : 0)) / kCoarse, {}};
     strip.sky.texels.assign(static_cast<std::size_t>(strip.sky.width) * strip.sky.height * 4, 0.0f);
     strip.ends = {std::max(sky_cells, captured_cells), back ? 9 : inner ? 6 : 4, {}};
@@ -90,7 +90,8 @@ Strip build_strip(const RayFan& fan) {
     tbb::parallel_for(0, sky_cells + captured_cells * (back ? 2 : 1), [&](int i) {
         const bool sky = i < sky_cells, centre = i >= sky_cells + captured_cells;
         const int at = sky ? i : centre ? i - sky_cells - captured_cells : i - sky_cells;
-        const Cell cell = coarse_cell(fan, sky ? Segment::kSky : Segment::kCaptured, centre, at);
+        const Segment segment = sky ? Segment::kSky : Segment::kCaptured;
+        const Cell cell = coarse_cell(family, segment, centre, at);
         const auto put = [&](int row, const Cubic& cubic) {  // ENDS_ROW_...
             float* out = strip.ends.texels.data() + 4 * (static_cast<std::size_t>(row) * strip.ends.width + at);
             std::transform(cubic.begin(), cubic.end(), out, [](double c) { return static_cast<float>(c); });
@@ -102,8 +103,8 @@ Strip build_strip(const RayFan& fan) {
         float* out = strip.sky.texels.data() + static_cast<std::size_t>(4) * kPerCoarse * i;
         for (int j = 0; j < kPerCoarse; ++j, out += 4) {
             const double a = static_cast<double>(j) / kPerCoarse, b = static_cast<double>(j + 1) / kPerCoarse;
-            const auto low = at_place(fan, sky ? Segment::kSky : Segment::kCaptured, at, cell, a + kNode * (b - a)),
-                       high = at_place(fan, sky ? Segment::kSky : Segment::kCaptured, at, cell, b - kNode * (b - a));
+            const auto low = at_place(family, segment, at, cell, a + kNode * (b - a)),
+                       high = at_place(family, segment, at, cell, b - kNode * (b - a));
             const auto c = line_through(low[0], high[0]), r = line_through(low[1], high[1]);
             out[0] = c[0], out[1] = c[1], out[2] = r[0], out[3] = r[1];
         }

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "shadercore/core_trace.h"
-#include "table/ray_fan.h"
+#include "table/ray_family.h"
 
 namespace nullscope {
 
@@ -23,6 +23,6 @@ struct Strip {
 
 // Error of cos(phi) and of sin(phi): (1/1024)^2/16 of the second derivative by ln w, at most 6e-7, where the sky moves by 1 rad
 // per rad; less in pixels towards the critical ray. About 1 core-millisecond.
-Strip build_strip(const RayFan& fan);
+Strip build_strip(const RayFamily& family);
 
 }  // namespace nullscope

@@ -1,4 +1,4 @@
-// The deflection table as the GPU gets it for method kTable: two sheets of (size + 1)^2 nodes, turning above through.
+// The deflection table as the GPU gets it for method kTable: two branches of (size + 1)^2 nodes, turning above through.
 #pragma once
 #include <vector>
 

@@ -3,24 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "table/nystrom.h"
+#include "numeric/nystrom.h"
 
 namespace nullscope {
 namespace {
 
-constexpr double kNearSky =
-    1e-6;  // W below which the forces are their first terms: differences of large numbers lose 1e-16/W there, their slopes 1e-16/W^2
-constexpr double kLargestStep = 0.08;  // rad; of holes too (orbit_map.cpp)
-constexpr double kPartOfFlare =
-    0.2;                         // of the distance to the singularities of R's course, which lie flare() off the rim
-constexpr double kFlares = 8.0;  // from the rim, beyond which steps are long again
+// w below which the forces are their first terms: differences of large numbers lose 1e-16/W there, their slopes 1e-16/W^2.
+constexpr double kNearSky = 1e-6;
+constexpr double kLargestStep = 0.08;  // rad
+// Of the distance to the singularities of R's course, which lie flare() off the rim.
+constexpr double kPartOfFlare = 0.2;
+constexpr double kFlares = 8.0;                        // from the rim, beyond which steps are long again
 constexpr double kPartOfSky = 0.3, kFirstStep = 1e-4;  // of W next to a sky, where there is a logarithm
 constexpr double kAtRim = 1e-12;                       // of W: taken as on the rim, and set this far beyond it
 
-// W and its derivative by delta.
-struct State {
-    double w, slope, vary, vary_slope;
-};
+using State = OrbitState;  // of W
 
 // One ray: q over the throat's radius and its derivative by delta.
 struct Pull {
@@ -32,20 +29,22 @@ struct Pull {
     }
 };
 
-State step(const Pull& pull, const State& s, double h) { return nystrom_step(s, h, pull); }
+State step(const Pull& pull, const State& s, double h) {
+    return nystrom_step<State>({s, pull(s.at, s.vary)}, h, pull).state;
+}
 
 // How long a step may be: as the forces change, and next to the tube's rims as R changes its course.
 double longest_step(const Pull& pull, const State& s) {
     const ThroatShape& shape = pull.shape;
-    const ThroatShape::Force f = shape.force(s.w);
+    const ThroatShape::Force f = shape.force(s.at);
     double longest = kLargestStep / std::sqrt(std::max(1.0, std::fabs(pull.q * pull.q * f.steep_slope - f.flat_slope)));
-    const double off = std::fabs(std::fabs(shape.length(s.w)) - shape.rim());
+    const double off = std::fabs(std::fabs(shape.length(s.at)) - shape.rim());
     if (off < kFlares * shape.flare()) {
-        const double speed = std::fabs(s.slope * shape.length_slope(s.w));
+        const double speed = std::fabs(s.slope * shape.length_slope(s.at));
         longest = std::min(longest, kPartOfFlare * (shape.flare() + off) / std::max(speed, 1e-300));
     }
     if (shape.mu() > 0.0) {  // R = L + ln L: forces hold W ln W at the sky
-        const double from_sky = std::min(s.w, M_PI - s.w);
+        const double from_sky = std::min(s.at, M_PI - s.at);
         longest = std::min(longest, std::max(kPartOfSky * from_sky, kFirstStep) / std::max(std::fabs(s.slope), 1e-300));
     }
     return longest;
@@ -53,11 +52,11 @@ double longest_step(const Pull& pull, const State& s) {
 
 // A step over a rim, where a derivative of the forces jumps, is taken as two that meet there.
 State over_rim(const Pull& pull, const State& s, double h, double rim) {
-    double low = 0.0, high = h, low_value = s.w - rim, high_value = step(pull, s, h).w - rim;
+    double low = 0.0, high = h, low_value = s.at - rim, high_value = step(pull, s, h).at - rim;
     double part = h;
     for (int i = 0; i < 40 && high - low > 1e-15 * h; ++i) {
         part = i % 3 == 2 ? 0.5 * (low + high) : low + (high - low) * low_value / (low_value - high_value);
-        const double value = step(pull, s, part).w - rim;
+        const double value = step(pull, s, part).at - rim;
         if (std::fabs(value) < kAtRim) break;
         if ((value > 0.0) == (low_value > 0.0))
             low = part, low_value = value;
@@ -65,14 +64,14 @@ State over_rim(const Pull& pull, const State& s, double h, double rim) {
             high = part, high_value = value;
     }
     State there = step(pull, s, part);
-    there.w = rim + std::copysign(kAtRim, there.slope);
+    there.at = rim + std::copysign(kAtRim, there.slope);
     return step(pull, there, h - part);
 }
 
 // Within the tube L grows evenly with the angle, however often the ray winds: at most as far as the rim. h: what it may take, then what it took.
 State through_tube(const Pull& pull, const State& s, double& h) {
     const ThroatShape& shape = pull.shape;
-    const double length = shape.length(s.w), slope = shape.length_slope(s.w), bend = shape.length_bend(s.w);
+    const double length = shape.length(s.at), slope = shape.length_slope(s.at), bend = shape.length_bend(s.at);
     // Of a ray that passes (dL/dphi)^2 = q^2 - 1, known without what steps have lost.
     const bool known = pull.tube_slope > 0.0;
     const double speed = known ? std::copysign(pull.tube_slope, s.slope * slope) : s.slope * slope,
@@ -88,7 +87,7 @@ State through_tube(const Pull& pull, const State& s, double& h) {
 State advance(const Pull& pull, State s, double cell) {
     const double rim = pull.shape.angle(pull.shape.rim());
     for (double left = cell; left > 0.0;) {
-        if (std::fabs(s.w - M_PI_2) < M_PI_2 - rim - kAtRim) {
+        if (std::fabs(s.at - M_PI_2) < M_PI_2 - rim - kAtRim) {
             double h = left;
             s = through_tube(pull, s, h);
             left -= h;
@@ -98,7 +97,7 @@ State advance(const Pull& pull, State s, double cell) {
         const double h = longest < left ? left / std::ceil(left / longest) : left;
         const State next = step(pull, s, h);
         const auto crosses = [&](double at) {
-            return pull.shape.mu() > 0.0 && (s.w - at) * (next.w - at) < 0.0 && std::fabs(s.w - at) > 2.0 * kAtRim;
+            return pull.shape.mu() > 0.0 && (s.at - at) * (next.at - at) < 0.0 && std::fabs(s.at - at) > 2.0 * kAtRim;
         };
         s = crosses(rim) ? over_rim(pull, s, h, rim) : crosses(M_PI - rim) ? over_rim(pull, s, h, M_PI - rim) : next;
         left = h < left ? left - h : 0.0;
@@ -164,50 +163,26 @@ ThroatShape::Force ThroatShape::force(double angle) const {
     return {sign * p * p1, sign * near * q * q1, p1 * p1 + p * p2, q1 * q1 + q * q2};
 }
 
-// As in orbit_map.cpp: the first half from the camera and the second backward from the sky, as rays next to the critical one linger where
-// errors grow like exp(phi); d(phi_end)/d(delta) is what makes their derivatives meet in the middle.
-OrbitColumn throat_column(const RayFan& fan, Segment segment, double delta) {
-    const ThroatShape shape(fan.spacetime());
-    const FanRay ray = fan.ray(segment, delta);
-    const double end = segment == Segment::kSky
-                           ? 1.0
-                           : -1.0;  // of l towards the sky where the ray ends; beta grows with delta as that says
-    const double throat = shape.throat(), radius = 1.0 / (fan.zeta0() * throat);
+OrbitTexels throat_column(const RayFamily& family, Segment segment, double delta) {
+    const ThroatShape shape(family.spacetime());
+    const FanRay ray = family.ray(segment, delta);
+    // Of l towards the sky where the ray ends; beta grows with delta as that says.
+    const double end = segment == Segment::kSky ? 1.0 : -1.0;
+    const double throat = shape.throat(), radius = 1.0 / (family.zeta0() * throat);
     const Pull pull{shape, ray.q * throat, -end * ray.slope * throat / ray.sin_beta, ray.tube_slope};
-    const double cell = ray.phi_end / kOrbitRows;
-    constexpr int kMiddle = kOrbitRows / 2;
-
-    std::array<State, kOrbitRows + 1> orbit{};
-    const double start = shape.angle(end * fan.camera_r() / throat),
+    const double start = shape.angle(end * family.camera_r() / throat),
                  per_slope = -end * radius * radius * throat / shape.length_slope(start);
-    orbit[0] = {start, per_slope * ray.slope, 0.0, per_slope * (-end * ray.q / ray.sin_beta)};
-    for (int i = 1; i <= kMiddle; ++i) orbit[i] = advance(pull, orbit[i - 1], cell);
-    State back{0.0, pull.q, 0.0, pull.q_slope};
-    std::array<State, kOrbitRows + 1> behind{};
-    behind[kOrbitRows] = back;
-    for (int i = kOrbitRows - 1; i >= kMiddle; --i) behind[i] = back = advance(pull, back, cell);
-    const State& f = orbit[kMiddle];
-    const double bend = pull(back.w, 0.0)[0];
-    const double end_per_delta = ((f.vary - back.vary) * back.slope - (f.vary_slope + back.vary_slope) * bend) /
-                                 (back.slope * back.slope + bend * bend);
-    for (int i = kMiddle + 1; i <= kOrbitRows; ++i) {
-        const State& b = behind[i];
-        orbit[i] = {b.w, -b.slope, b.vary + b.slope * end_per_delta,
-                    -(b.vary_slope + pull(b.w, 0.0)[0] * end_per_delta)};
-    }
-
-    OrbitColumn texels{};
-    for (int i = 0; i < kOrbitRows; ++i) {
-        const double v = static_cast<double>(i) / kOrbitRows, rest = 1.0 - v;
-        const State& o = orbit[i];
-        const double z = o.w / rest, z_d = (o.vary + o.slope * v * end_per_delta) / rest;
-        const double w_v = o.slope * ray.phi_end;
-        const double w_dv =
-            ray.phi_end * (o.vary_slope + pull(o.w, 0.0)[0] * v * end_per_delta) + o.slope * end_per_delta;
-        texels[i] = {z, z_d, (w_v + z) / rest / kOrbitRows, (w_dv + z_d) / rest / kOrbitRows};
-    }
+    const auto bend = [&](double w) { return pull(w, 0.0)[0]; };
+    const MetOrbit orbit = meet(
+        {start, per_slope * ray.slope, 0.0, per_slope * (-end * ray.q / ray.sin_beta)},
+        {0.0, pull.q, 0.0, pull.q_slope},
+        [&](State* states, int rows) {
+            for (int row = 0; row < rows; ++row) states[row + 1] = advance(pull, states[row], ray.phi_end / kOrbitRows);
+        },
+        bend);
+    OrbitTexels texels = place_texels(orbit, ray.phi_end, true, bend);
     // The limits at v = 1: W = q phi' + W'' phi'^2/2 of the angle phi' from the sky.
-    const double bent = pull(0.0, 0.0)[0], bent_slope = pull(0.0, 0.0)[1];
+    const double bent = pull(0.0, 0.0)[0], bent_slope = pull(0.0, 0.0)[1], end_per_delta = orbit.end_per_delta;
     texels[kOrbitRows] = {pull.q * ray.phi_end, pull.q_slope * ray.phi_end + pull.q * end_per_delta,
                           -0.5 * bent * ray.phi_end * ray.phi_end / kOrbitRows,
                           -0.5 * ray.phi_end * (bent_slope * ray.phi_end + 2.0 * bent * end_per_delta) / kOrbitRows};

@@ -1,4 +1,4 @@
-// Columns of the orbit map through a wormhole: where zeta = 1/R is no coordinate, being the same on both sides of the throat.
+// Columns of the orbit table through a wormhole: where zeta = 1/R is no coordinate, being the same on both sides of the throat.
 //
 // Lengths over the throat's radius, L = l towards the sky where the ray ends. W, from 0 at that sky to pi at the other, is what texels
 // hold in place of zeta:
@@ -7,15 +7,10 @@
 // D = dL/dW and q the inverse impact parameter,
 //     (W')^2 = q^2 P^2 - Q^2,   P = R^2/D,   Q = R/D;   W'' = q^2 P P_W - Q Q_W:   regular at turning points, in throat and tube.
 #pragma once
-#include <array>
-
-#include "table/ray_fan.h"
+#include "table/met_orbit.h"
+#include "table/ray_family.h"
 
 namespace nullscope {
-
-inline constexpr int kOrbitRows = 128;  // ORBIT_ROWS
-using OrbitColumn =
-    std::array<std::array<double, 4>, kOrbitRows + 1>;  // (Z, Z_d, Z_v, Z_dv) at v = 0 ... 1, by delta and by row
 
 class ThroatShape {
 public:
@@ -31,9 +26,8 @@ public:
         double steep_slope, flat_slope;  // and by W
     };
     Force force(double angle) const;
-    double rim() const {
-        return rim_;
-    }  // |L| of the ends of the tube, where the forces have a corner; 0 in Ellis' wormhole
+    // |L| of the ends of the tube, where the forces have a corner; 0 in Ellis' wormhole.
+    double rim() const { return rim_; }
     double flare() const { return flare_; }  // |L| beyond that over which R changes its course
 
 private:
@@ -42,6 +36,6 @@ private:
 };
 
 // Z = W/(1 - v) of all rays. Error of l against the reference: tests/unit/test_throat_orbit.cpp.
-OrbitColumn throat_column(const RayFan& fan, Segment segment, double delta);
+OrbitTexels throat_column(const RayFamily& family, Segment segment, double delta);
 
 }  // namespace nullscope

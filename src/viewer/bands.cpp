@@ -8,7 +8,8 @@ namespace {
 constexpr double kLeastRow_ms = 1e-6;  // a clock may not see a row's time at all
 
 int affordable(double row_ms, int height) {
-    return static_cast<int>(std::clamp(kBand_ms / std::max(row_ms, kLeastRow_ms), 1.0, static_cast<double>(height)));
+    const double blocks = kBand_ms / (kBlockRows * std::max(row_ms, kLeastRow_ms));
+    return kBlockRows * static_cast<int>(std::clamp(blocks, 1.0, static_cast<double>(height)));
 }
 
 }  // namespace

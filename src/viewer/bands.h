@@ -6,6 +6,10 @@ namespace nullscope::viewer {
 
 inline constexpr double kBand_ms = 20.0;  // what the window may have to wait for
 inline constexpr int kFirstRows = 8;      // of a picture of unknown cost
+// Bands begin and end at multiples of this many rows: software drivers shade blocks of 4 x 4 pixels, whole ones even where a band ends within
+// them, so that a single row costs as much as four.
+inline constexpr int kBlockRows = 4;
+static_assert(kFirstRows % kBlockRows == 0);
 // How much longer a band may take where dear rows begin, as they did in the picture before. With 1 a single time that
 // the machine lengthened would cut the next picture into single rows.
 inline constexpr double kLongestBand = 4.0;

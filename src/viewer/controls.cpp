@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/pose.h"
+#include "observer/pose.h"
 #include "viewer/fly_camera.h"
 
 namespace nullscope::viewer {
@@ -25,11 +25,7 @@ double axis(const Input& input, int plus, int minus) {
 }
 
 void store_orientation(const Mat3& world_from_camera, CameraSpec& camera) {
-    FlyCamera flying = fly_camera(camera);
-    flying.world_from_camera = world_from_camera;
-    const CameraSpec before = camera;
-    write_spec(flying, camera);
-    camera.r = before.r, camera.theta = before.theta, camera.phi = before.phi, camera.velocity = before.velocity;
+    set_axes(camera, transposed(world_from_static(camera.theta, camera.phi)) * world_from_camera);
 }
 
 }  // namespace
@@ -38,8 +34,8 @@ bool Controls::apply(const Input& input, ViewState& view, double dt_s, bool pane
     in_motion_ = false;
     start_drag(input, view.scene.camera, panel_has_mouse);
     bool changed = drag(input, view.scene.camera);
-    changed = wheel(input, view, dt_s, panel_has_mouse) || changed;
-    if (!panel_has_keys) changed = keys(input, view, dt_s) || changed;
+    changed |= wheel(input, view, dt_s, panel_has_mouse);
+    if (!panel_has_keys) changed |= keys(input, view, dt_s);
     return changed;
 }
 
@@ -57,7 +53,7 @@ void Controls::start_drag(const Input& input, const CameraSpec& camera, bool pan
     grabbed_from_ = fly_camera(camera).world_from_camera;
 }
 
-// The look follows from where it was grabbed, not from the last frame: a hand that comes back brings the picture back.
+// The view follows from where it was grabbed, not from the last frame: a hand that comes back brings the picture back.
 bool Controls::drag(const Input& input, CameraSpec& camera) {
     if (drag_ == Drag::kNone) return false;
     const Drag kind = drag_;

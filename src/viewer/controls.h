@@ -1,6 +1,5 @@
 // Hands to camera: drags, wheel and flight keys.
 #pragma once
-#include <optional>
 
 #include "base/vec.h"
 #include "viewer/view_state.h"

@@ -1,19 +1,17 @@
-#include "viewer/effects_section.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <string>
 
+#include "viewer/sections.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
 namespace {
 
 std::string time_of(const EffectTimes& times, Effect effect) {
-    for (const EffectTime& time : times.effects)
-        if (time.effect == effect) return fmt::format("{:.1f} ms", time.ms);
+    if (const auto found = times.effects.find(effect); found != times.effects.end())
+        return fmt::format("{:.1f} ms", found->second);
     return times.complete ? "" : "...";
 }
 
@@ -24,38 +22,34 @@ void right_aligned(const std::string& text) {
 
 }  // namespace
 
-bool effects_section(ViewState& view, const EffectsPanel& panel) {
+bool effects_section(ViewState& view, const FrameFacts& facts) {
     bool changed = false;
-    const EffectSet drawn = effects_of(panel.drawn);
+    const EffectSet drawn = effect_set(required_effects(facts.painting.job.scene));
     for (const EffectReason& reason : required_effects(view.scene)) {
         const EffectRow& row = effect_row(reason.effect);
         const std::string key(row.key);
         const bool alone = without_effect(view.scene, reason.effect).has_value();
         bool on = !view.off.contains(reason.effect);
-        if (alone) {
-            if (ImGui::Checkbox(key.c_str(), &on)) {
-                on ? view.off.erase(reason.effect) : view.off.insert(reason.effect);
-                changed = true;
-            }
-        } else {
+        if (!alone) {
+            const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
             ImGui::AlignTextToFramePadding();
-            ImGui::Indent(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
+            ImGui::SetCursorPosX(ImGui::GetCursorPosX() + box);
             ImGui::TextUnformatted(key.c_str());
-            ImGui::Unindent(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
+        } else if (ImGui::Checkbox(key.c_str(), &on)) {
+            on ? view.off.erase(reason.effect) : view.off.insert(reason.effect);
+            changed = true;
         }
-        tooltip(fmt::format("{}\nHere because of {}.\nCosts {}.", row.help, reason.reason, row.cost).c_str());
+        tooltip(fmt::format("{}\nNeeded because of {}.\nCost: {}.", row.help, reason.reason, row.cost));
         right_aligned(!on                              ? "off"
-                      : !drawn.contains(reason.effect) ? "not called for"
-                      : alone                          ? time_of(panel.times, reason.effect)
+                      : !drawn.contains(reason.effect) ? "not needed"
+                      : alone                          ? time_of(facts.times, reason.effect)
                                                        : "");
     }
     const std::string picture =
-        panel.times.picture_ms > 0.0 ? fmt::format("{:.1f} ms the whole picture; ", panel.times.picture_ms) : "";
-    paragraph(
-        fmt::format("{}beside each effect what the picture takes more than without it. {} {} compiled in {:.0f} ms{}.",
-                    picture, panel.programs, panel.programs == 1 ? "program" : "programs", panel.compile_ms,
-                    panel.background ? "" : ", while the window waits"),
-        ImGuiCol_TextDisabled);
+        facts.times.picture_ms > 0.0 ? fmt::format("{:.1f} ms for the whole picture; ", facts.times.picture_ms) : "";
+    paragraph(fmt::format("{}for each effect: time with it minus time without it. {} {} compiled in {:.0f} ms{}.",
+                          picture, facts.painting.programs, facts.painting.programs == 1 ? "program" : "programs",
+                          facts.painting.compile_ms, facts.background ? "" : ", while the window waits"));
     return changed;
 }
 

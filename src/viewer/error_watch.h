@@ -7,12 +7,14 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
-#include "base/image.h"
 #include "base/result.h"
+#include "base/stopwatch.h"
 #include "compare/ray_metrics.h"
+#include "image/image.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
 
@@ -28,48 +30,66 @@ struct ErrorSummary {
     bool complete() const { return pixels > 0 && measured == pixels; }
 };
 
+// What is known of a frame's true error: each measured pixel, the sums over them, and a heat map for the screen.
+class ErrorMap {
+public:
+    ErrorMap() = default;
+    ErrorMap(int width, int height);  // px
+
+    // Takes the measured pixels of a tile, in any order of tiles; a pixel counts once. step > 1: a pixel of a grid of
+    // that spacing in px, which stands in the heat map for the pixels around it until they are measured themselves.
+    void take(const TileErrors& tile, int step);
+
+    const ErrorSummary& counts() const { return counts_; }              // without the spreads
+    const std::vector<PixelErrors>& pixels() const { return pixels_; }  // top row first; kNotCompared: not measured yet
+    // RGBA: the colours of screen_px(), transparent where nothing is known.
+    const Image<unsigned char>& heat() const { return heat_; }
+
+private:
+    PixelErrors& at(int x, int y) { return pixels_[static_cast<std::size_t>(y) * heat_.width + x]; }
+    void paint(PixelRect cell, const PixelErrors& errors);
+
+    std::vector<PixelErrors> pixels_;
+    Image<unsigned char> heat_;
+    ErrorSummary counts_;
+};
+
 class ErrorWatch {
 public:
     // news: called from a worker when there is more to show, some times a second, and once when all is measured.
-    explicit ErrorWatch(std::function<void()> news, int threads = usual_threads());
+    // threads: half of the processor's where none are given.
+    explicit ErrorWatch(std::function<void()> news, std::optional<int> threads = {});
     ~ErrorWatch();  // waits for tiles that are being measured: some ms
-    ErrorWatch(const ErrorWatch&) = delete;
-    ErrorWatch& operator=(const ErrorWatch&) = delete;
 
     // Forgets what was and measures `tested`, the ray data of the scene's frame. Returns at once.
     // Errors: what the reference tracer refuses.
     Status start(const Scene& scene, RayFrame tested);
     void cancel();  // stops measuring; what was found stays. Returns at once.
 
-    bool measuring() const;
-    ErrorSummary summary() const;
-    std::vector<PixelErrors> pixels() const;  // top row first; kNotCompared: not measured yet
-    // Copies the heat map of screen_px() (RGBA, transparent where nothing is known yet) if it changed since the last call. A pixel that was
-    // measured for a coarse grid stands for its cell until the cell is measured.
+    bool measuring() const { return locked(job_) != nullptr; }
+    ErrorSummary summary() const { return locked(summary_); }
+    std::vector<PixelErrors> pixels() const { return locked(map_).pixels(); }  // top row first
+    // Copies the heat map if it changed since the last call.
     bool take_heat(Image<unsigned char>& heat);
-
-    static int usual_threads();
 
 private:
     struct Job;
-    struct Task;
-    static std::vector<Task> tasks_of(int width, int height);
+    template <class T>
+    T locked(const T& member) const {
+        const std::lock_guard lock(mutex_);
+        return member;
+    }
     void work(const std::stop_token& stop);
-    void measure(const Job& job, const Task& task, std::vector<TileErrors>& found) const;
-    void take(const Task& task, const std::vector<TileErrors>& found);  // under the mutex
-    void paint(PixelRect cell, const PixelErrors& errors);              // under the mutex
-    void tell(std::unique_lock<std::mutex>& lock, bool last);           // leaves and takes it
+    void tell(std::unique_lock<std::mutex>& lock, bool last);  // leaves and takes it
 
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;
     std::shared_ptr<Job> job_;  // nullptr: nothing to do
     ErrorSummary summary_;
-    long long measured_ = 0, fate_errors_ = 0, forgiven_ = 0;
-    int width_ = 0, height_ = 0, generation_ = 0;  // generation: how many frames were begun
-    std::vector<PixelErrors> pixels_;
-    Image<unsigned char> heat_;
+    ErrorMap map_;
+    int generation_ = 0;  // how many frames were begun
     bool heat_changed_ = false, telling_ = false;
-    double told_at_ = 0.0;
+    Stopwatch told_;  // since news
     std::function<void()> news_;
     std::vector<std::jthread> workers_;  // last: end before what they use
 };

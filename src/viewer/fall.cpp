@@ -1,7 +1,6 @@
 #include "viewer/fall.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "spacetime/registry.h"
 
@@ -10,18 +9,18 @@ namespace {
 
 constexpr double kLongest = 1e5;  // r_s/c: of an orbit, which does not end
 
-auto place_of(const CameraSpec& c) {
-    return std::tuple(c.r, c.theta, c.phi, c.yaw, c.pitch, c.roll, c.velocity.x, c.velocity.y, c.velocity.z,
-                      c.observer);
+// A camera at another's place, moving and looking as that does; its own lens and size.
+CameraSpec at_place_of(CameraSpec there, const CameraSpec& own) {
+    there.plane_width = own.plane_width, there.focal_distance = own.focal_distance;
+    there.width = own.width, there.height = own.height, there.exposure_ev = own.exposure_ev;
+    return there;
 }
 
 }  // namespace
 
 Status Fall::let_go(const Scene& scene) {
-    auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
-    if (!spacetime) return spacetime.error();
-    auto line = Worldline::make(*spacetime, scene.camera, kLongest);
-    if (!line) return line.error();
+    TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
+    TRY(line, Worldline::make(*spacetime, scene.camera, kLongest));
     line_ = std::move(*line);
     tau_ = 0.0;
     runs_ = true;
@@ -32,23 +31,16 @@ Status Fall::let_go(const Scene& scene) {
 
 void Fall::seek(Scene& scene, double tau) {
     tau_ = std::clamp(tau, 0.0, line_->last());
-    const CameraSpec there = line_->at(tau_);
-    CameraSpec& camera = scene.camera;
-    camera.r = there.r, camera.theta = there.theta, camera.phi = there.phi;
-    camera.yaw = there.yaw, camera.pitch = there.pitch, camera.roll = there.roll;
-    camera.velocity = there.velocity, camera.observer = there.observer;
-    shown_ = camera;
+    scene.camera = shown_ = at_place_of(line_->at(tau_), scene.camera);
     start_time_ += scene.time - shown_time_;  // who set the clock sets it for the whole fall
     scene.time = shown_time_ = start_time_ + line_->clock(tau_);
 }
 
 bool Fall::step(Scene& scene, double dt_s) {
     if (!active() || !runs_) return false;
-    if (place_of(scene.camera) != place_of(shown_)) {
-        if (!let_go(scene)) {
-            stop();
-            return false;
-        }
+    if (scene.camera != at_place_of(shown_, scene.camera) && !let_go(scene)) {
+        stop();
+        return false;
     }
     const double before = tau_;
     seek(scene, tau_ + rate * dt_s);

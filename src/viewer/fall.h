@@ -2,7 +2,7 @@
 #pragma once
 #include <optional>
 
-#include "camera/worldline.h"
+#include "observer/worldline.h"
 #include "scene/scene.h"
 
 namespace nullscope::viewer {

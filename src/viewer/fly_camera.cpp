@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/pose.h"
+#include "observer/pose.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -22,11 +22,6 @@ Mat3 rotation_between(Vec3 a, Vec3 b) {
     return {{c + k * v.x * v.x, k * v.x * v.y + v.z, k * v.x * v.z - v.y},
             {k * v.x * v.y - v.z, c + k * v.y * v.y, k * v.y * v.z + v.x},
             {k * v.x * v.z + v.y, k * v.y * v.z - v.x, c + k * v.z * v.z}};
-}
-
-// Within the range, but a camera that is outside already is not pulled in.
-double kept_in_range(double wanted, double now, const FlightRange& range) {
-    return std::clamp(wanted, std::min(range.nearest, now), std::max(range.farthest, now));
 }
 
 void fly_short(FlyCamera& camera, Vec3 step, const Spacetime& spacetime, const FlightRange& range) {
@@ -81,9 +76,10 @@ FlightRange flight_range(const Spacetime& spacetime) {
 double FlightRange::unit(double r) const { return throat > 0.0 ? std::hypot(r, throat) : r - horizon; }
 
 double scaled_radius(double r, double change, const FlightRange& range) {
-    if (range.throat > 0.0)
-        return kept_in_range(range.throat * std::sinh(std::asinh(r / range.throat) + change), r, range);
-    return kept_in_range(range.horizon + (r - range.horizon) * std::exp(change), r, range);
+    const double wanted = range.throat > 0.0 ? range.throat * std::sinh(std::asinh(r / range.throat) + change)
+                                             : range.horizon + (r - range.horizon) * std::exp(change);
+    // A camera that is outside of the range already is not pulled in.
+    return std::clamp(wanted, std::min(range.nearest, r), std::max(range.farthest, r));
 }
 
 void fly(FlyCamera& camera, Vec3 step, const Spacetime& spacetime) {

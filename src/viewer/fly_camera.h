@@ -1,5 +1,5 @@
 // The camera in the hand: a place and an orientation in world axes, which know no poles, and what a hand does to them.
-// Pure mathematics: no window, no OpenGL. World and camera axes are those of camera/pose.h.
+// Pure mathematics: no window, no OpenGL. World and camera axes are those of observer/pose.h.
 #pragma once
 #include <optional>
 

@@ -8,51 +8,30 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <initializer_list>
 #include <limits>
-#include <tuple>
 #include <utility>
-#include <vector>
 
 #include "compare/heat_map.h"
-#include "scene/effects.h"
-#include "scene/moving.h"
-#include "scene/named_surface.h"
+#include "plan/effects.h"
+#include "plan/moving.h"
+#include "viewer/widgets.h"
 
 namespace nullscope::viewer {
 namespace {
 
 constexpr double kRest = 0.2;  // s without a change before a frame is measured
 
-// All of a camera that rays depend on.
-auto lens_and_place(const CameraSpec& c) {
-    return std::tie(c.r, c.theta, c.phi, c.yaw, c.pitch, c.roll, c.velocity.x, c.velocity.y, c.velocity.z, c.observer,
-                    c.fall_from, c.energy, c.plane_width, c.focal_distance, c.width, c.height);
-}
-
-// The numbers of the solid bodies' forms.
-std::vector<double> solids(const Scene& scene) {
-    std::vector<double> numbers;
-    const auto add = [&](std::initializer_list<double> row) {
-        for (const double value : row) numbers.push_back(value);
-    };
-    if (const auto& s = scene.sphere) add({s->radius, s->swing, s->period});
-    if (const auto& c = scene.cylinder) add({c->inner, c->outer, c->height});
-    if (const auto& b = scene.ball)
-        add({b->position.x, b->position.y, b->position.z, b->radius, static_cast<double>(b->motion), b->velocity.x,
-             b->velocity.y, b->velocity.z});
-    if (const auto& f = scene.surface) add({f->bound, static_cast<double>(f->steps)});
-    return numbers;
-}
-
 // Colours and brightness apart.
 bool same_rays(const Scene& a, const Scene& b) {
-    if (lens_and_place(a.camera) != lens_and_place(b.camera) || a.spacetime != b.spacetime) return false;
-    if (effect_set(required_effects(a)) != effect_set(required_effects(b)) || solids(a) != solids(b)) return false;
+    CameraSpec exposed = a.camera;
+    exposed.exposure_ev = b.camera.exposure_ev;
+    if (exposed != b.camera || a.spacetime != b.spacetime) return false;
+    if (effect_set(required_effects(a)) != effect_set(required_effects(b))) return false;
+    const auto same_solid = [](const Body& x, const Body& y) { return x.shape == y.shape && x.far == y.far; };
+    if (!std::ranges::equal(a.bodies, b.bodies, same_solid)) return false;
     if (a.light.aberration != b.light.aberration || a.light.doppler != b.light.doppler ||
         a.light.gravity != b.light.gravity)
         return false;
-    if (a.surface && surface_shape(*a.surface) != surface_shape(*b.surface)) return false;
     if (!moving_parts(a).empty() && (a.time != b.time || a.light.delay != b.light.delay)) return false;
     if (a.disc.has_value() != b.disc.has_value()) return false;
     return !a.disc || (a.disc->inner == b.disc->inner && a.disc->outer == b.disc->outer &&
@@ -90,7 +69,7 @@ void colour_bar(float width, float height) {
 
 std::string state_words(const AccuracyFacts& facts) {
     if (!facts.error.empty()) return facts.error;
-    if (!facts.of_this_frame) return "measured when the picture rests";
+    if (!facts.of_this_frame) return "measured when the picture is still";
     if (facts.errors.complete()) return "every pixel measured";
     return fmt::format("measuring: {:.0f} % of the pixels", std::floor(facts.errors.percent()));
 }
@@ -119,9 +98,7 @@ bool FrameAccuracy::update(bool wanted, bool moving) {
         begun_ = false;
     }
     asks_ = wanted && !begun_ && !moving && seconds() - changed_at_ >= kRest;
-    if (!news_.exchange(false) || !begun_) return false;
-    errors_ = watch_.summary();
-    return wanted;
+    return news_.exchange(false) && begun_ && wanted;
 }
 
 void FrameAccuracy::take_rays(const Scene& scene, RayFrame rays) {
@@ -129,8 +106,7 @@ void FrameAccuracy::take_rays(const Scene& scene, RayFrame rays) {
     asks_ = false;
     begun_ = true;
     const Status started = watch_.start(scene_, std::move(rays));
-    error_ = started ? std::string() : started.error().message;
-    if (started) errors_ = watch_.summary();
+    error_ = started ? std::string() : started.error().message();
 }
 
 double FrameAccuracy::wait() const {
@@ -144,28 +120,20 @@ void FrameAccuracy::draw_overlay() {
     if (!begun_ || !error_.empty()) return;
     if (watch_.take_heat(heat_)) overlay_ = gl::make_rgba8_texture(heat_.width, heat_.height, heat_.data.data());
     if (!overlay_) return;
-    const auto texture =
-        (ImTextureID)(static_cast<std::intptr_t>(overlay_.id()));  // NOLINT: pointer or integer by version
+    // NOLINTNEXTLINE: pointer or integer by version.
+    const auto texture = (ImTextureID)(static_cast<std::intptr_t>(overlay_.id()));
     ImGui::GetBackgroundDrawList()->AddImage(texture, {0.0f, 0.0f}, ImGui::GetIO().DisplaySize);
 }
 
-AccuracyFacts FrameAccuracy::facts() const { return {errors_, begun_, begun_ && !errors_.complete(), error_}; }
+AccuracyFacts FrameAccuracy::facts() const { return {watch_.summary(), begun_, error_}; }
 
 void draw_error_legend(const AccuracyFacts& facts, float bottom) {
-    const float em = ImGui::GetFontSize(), margin = 0.6f * em;
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({screen.x - margin, bottom - margin}, ImGuiCond_Always, {1.0f, 1.0f});
-    ImGui::SetNextWindowBgAlpha(0.92f);
-    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                        ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings |
-                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize |
-                                        ImGuiWindowFlags_NoInputs;
-    if (ImGui::Begin("##legend", nullptr, kFlags)) {
-        const float width = std::min(17.0f * em, std::max(screen.x - 4.0f * margin, 4.0f * em)), swatch = 0.75f * em;
+    const float em = ImGui::GetFontSize(), margin = 0.6f * em, screen = ImGui::GetIO().DisplaySize.x;
+    overlay("##legend", screen - margin, bottom - margin, 1.0f, 1.0f, 0.92f, [&] {
+        const float width = std::min(17.0f * em, std::max(screen - 4.0f * margin, 4.0f * em)), swatch = 0.75f * em;
         ImGui::TextUnformatted("Screen error, px");
         const char* fate = "wrong fate";
-        const float right = ImGui::CalcTextSize(fate).x + swatch + 0.4f * em;
-        ImGui::SameLine(ImGui::GetCursorPosX() + width - right);
+        ImGui::SameLine(ImGui::GetCursorPosX() + width - (ImGui::CalcTextSize(fate).x + swatch + 0.4f * em));
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float top = at.y + 0.5f * (ImGui::GetTextLineHeight() - swatch);
         ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + swatch, top + swatch},
@@ -174,12 +142,9 @@ void draw_error_legend(const AccuracyFacts& facts, float bottom) {
         ImGui::TextUnformatted(fate);
         colour_bar(width, 0.8f * em);
         ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-        ImGui::TextUnformatted(state_words(facts).c_str());
-        ImGui::PopStyleColor();
+        ImGui::TextDisabled("%s", state_words(facts).c_str());
         ImGui::PopTextWrapPos();
-    }
-    ImGui::End();
+    });
 }
 
 }  // namespace nullscope::viewer

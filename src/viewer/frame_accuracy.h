@@ -1,7 +1,6 @@
 // The accuracy of the frame on the screen: when it is measured, and the heat map over the picture.
 #pragma once
 #include <atomic>
-#include <optional>
 #include <string>
 
 #include "gl/gl.h"
@@ -14,7 +13,7 @@ namespace nullscope::viewer {
 // What panel and legend show.
 struct AccuracyFacts {
     ErrorSummary errors;  // of the last frame that was measured
-    bool of_this_frame = false, measuring = false;
+    bool of_this_frame = false;
     std::string error;  // why nothing can be measured, or nothing
 };
 
@@ -35,7 +34,6 @@ public:
     AccuracyFacts facts() const;
 
 private:
-    ErrorSummary errors_;
     std::string error_;
     std::atomic<bool> news_ = false;
     bool wanted_ = false, asks_ = false, begun_ = false;  // begun: this frame is or was measured, or cannot be

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <ctime>
-#include <fstream>
 #include <sstream>
 
 namespace nullscope::viewer {
@@ -29,37 +28,32 @@ double began_at() {
     return fields ? std::stod(field) / ticks : clock_seconds(CLOCK_BOOTTIME);
 }
 
-}  // namespace
-
+// Since the process began.
 double process_seconds() {
     static const double began = began_at();
     return clock_seconds(CLOCK_BOOTTIME) - began;
 }
 
-double process_cpu_seconds() { return clock_seconds(CLOCK_PROCESS_CPUTIME_ID); }
+}  // namespace
+
 double thread_cpu_seconds() { return clock_seconds(CLOCK_THREAD_CPUTIME_ID); }
 
-LoopLog::~LoopLog() {
-    if (file_ != nullptr) std::fclose(file_);
-}
-
 Status LoopLog::open(const std::string& path) {
-    if ((file_ = std::fopen(path.c_str(), "w")) == nullptr) return failed(fmt::format("{}: cannot be written", path));
+    file_.open(path);
+    if (!file_) return failed(fmt::format("{}: cannot be written", path));
     return Done{};
 }
 
-void LoopLog::line(const std::string& words) {
-    fmt::print(file_, "{}\n", words);
-    std::fflush(file_);
-}
+void LoopLog::line(const std::string& words) { file_ << words << std::endl; }
 
 void LoopLog::turn(const Turn& turn) {
-    if (file_ == nullptr) return;
+    if (!is_open()) return;
     const char* picture = !turn.picture ? "none" : turn.coarse ? "coarse" : "whole";
     bool& seen = turn.coarse ? coarse_seen_ : whole_seen_;
     if (turn.picture && !seen) {
         seen = true;
-        line(fmt::format("first t={:.3f} cpu={:.3f} picture={}", process_seconds(), process_cpu_seconds(), picture));
+        line(fmt::format("first t={:.3f} cpu={:.3f} picture={}", process_seconds(),
+                         clock_seconds(CLOCK_PROCESS_CPUTIME_ID), picture));
     }
     line(fmt::format("turn t={:.3f} cpu_ms={:.1f} here={} programs={} picture={} work={}", process_seconds(),
                      turn.cpu_ms, turn.here, turn.programs, picture, turn.working ? 1 : 0));
@@ -68,7 +62,7 @@ void LoopLog::turn(const Turn& turn) {
 
 void LoopLog::rest(int last_key, bool measuring) {
     const std::pair state{last_key, measuring};
-    if (file_ == nullptr || rested_ == state) return;
+    if (!is_open() || rested_ == state) return;
     rested_ = state;
     line(fmt::format("rest t={:.3f} key={} measuring={}", process_seconds(), last_key, measuring ? 1 : 0));
 }

@@ -11,7 +11,7 @@
 // key: the last key that was pressed (GLFW's number), so that who has sent a key knows that all before it was
 // answered. measuring: errors or the effects' times still are.
 #pragma once
-#include <cstdio>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,20 +20,13 @@
 
 namespace nullscope::viewer {
 
-double process_seconds();      // since the process began
-double process_cpu_seconds();  // of all its threads
-double thread_cpu_seconds();   // of the calling one
+double thread_cpu_seconds();  // of the calling one
 
 class LoopLog {
 public:
-    LoopLog() = default;
-    ~LoopLog();
-    LoopLog(const LoopLog&) = delete;
-    LoopLog& operator=(const LoopLog&) = delete;
-
     // Without it nothing is written. Errors: a file that cannot be written.
     Status open(const std::string& path);
-    bool is_open() const { return file_ != nullptr; }
+    bool is_open() const { return file_.is_open(); }
 
     struct Turn {
         double cpu_ms = 0.0;
@@ -45,7 +38,7 @@ public:
 
 private:
     void line(const std::string& words);
-    std::FILE* file_ = nullptr;
+    std::ofstream file_;
     bool coarse_seen_ = false, whole_seen_ = false;
     std::optional<std::pair<int, bool>> rested_;  // what rest() wrote last; nothing: a turn was drawn since
 };

@@ -8,9 +8,8 @@ namespace nullscope::viewer {
 
 const MeasuredMethod* row_of(const std::vector<MeasuredMethod>& measured, const Method& method,
                              const std::string& metric) {
-    const auto found = std::find_if(measured.begin(), measured.end(), [&](const MeasuredMethod& row) {
-        return row.metric == metric && row.method == method;
-    });
+    const auto found = std::ranges::find_if(
+        measured, [&](const MeasuredMethod& row) { return row.metric == metric && row.method == method; });
     return found == measured.end() ? nullptr : &*found;
 }
 
@@ -31,18 +30,17 @@ MethodChoice method_choice(const std::vector<MeasuredMethod>& measured, const Me
     if (choice && choice->error_px == 0.0) return {choice->method, true, choice->reason};  // nothing to choose from
     if (choice) {
         const MeasuredMethod* row = row_of(measured, choice->method, metric);
-        return {choice->method, true,
-                fmt::format(
-                    "{}, the cheapest that keeps {:.2g} px: at most {:.2g} px on the sky here, {:.2f} times flat space",
-                    method_name(choice->method), wish.max_error_px, choice->error_px, row->floor_ratio)};
+        return {
+            choice->method, true,
+            fmt::format(
+                "{}, the fastest method below {:.2g} px: at most {:.2g} px on the sky here, {:.2f} times flat space",
+                method_name(choice->method), wish.max_error_px, choice->error_px, row->floor_ratio)};
     }
     const MeasuredMethod* best = most_exact(measured, metric);  // there is one: else the choice is the default
-    return {
-        best->method, false,
-        fmt::format(
-            "No method was measured to keep {:.2g} px in this frame. The smallest error that can be kept is {:.2g} px, "
-            "by {}, which is drawn.",
-            wish.max_error_px, error_in_frame(*best, scene), method_name(best->method))};
+    return {best->method, false,
+            fmt::format("No method is known to stay below {:.2g} px in this frame. The lowest error, {:.2g} px, is "
+                        "that of {}, which is used.",
+                        wish.max_error_px, error_in_frame(*best, scene), method_name(best->method))};
 }
 
 }  // namespace nullscope::viewer

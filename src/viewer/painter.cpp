@@ -4,8 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "viewer/workshop.h"
-
 namespace nullscope::viewer {
 namespace {
 
@@ -27,8 +25,6 @@ Painter::Painter(Window& window, bool threads, std::function<void()> news) : new
         own_ = std::make_unique<Workshop>();
 }
 
-Painter::~Painter() { thread_.request_stop(); }
-
 void Painter::ask(PaintJob job) {
     if (own_ != nullptr) {
         busy_ = true;
@@ -37,35 +33,18 @@ void Painter::ask(PaintJob job) {
         news_();  // the caller's loop is about to wait for events
         return;
     }
-    {
-        const std::lock_guard lock(mutex_);
-        job_ = std::move(job);
-        painting_.reset();
-        order_.reset();
-        busy_ = true;
-        gives_up_ = false;
-    }
+    const std::lock_guard lock(mutex_);
+    job_ = std::move(job);
+    painting_.reset();
+    order_.reset();
+    busy_ = true;
+    gives_up_ = false;
     wake_.notify_all();
-}
-
-bool Painter::busy() const {
-    const std::lock_guard lock(mutex_);
-    return busy_;
-}
-
-bool Painter::gives_up() const {
-    const std::lock_guard lock(mutex_);
-    return gives_up_;
 }
 
 bool Painter::at_work() const {
     const std::lock_guard lock(mutex_);
     return at_work_ || job_ || order_;
-}
-
-PaintProgress Painter::progress() const {
-    const std::lock_guard lock(mutex_);
-    return progress_;
 }
 
 std::optional<Painting> Painter::take() {
@@ -88,28 +67,23 @@ void Painter::publish(Painting painting, bool last) {
 
 void Painter::measure(const Scene& scene, const Method& method) {
     if (own_ != nullptr) {  // there is no time to do it in without a hitch
-        times_.complete = times_new_ = true;
+        times_.emplace().complete = true;
         return;
     }
-    {
-        const std::lock_guard lock(mutex_);
-        order_ = Order{scene, method};
-    }
+    const std::lock_guard lock(mutex_);
+    order_ = PaintJob{scene, method};
     wake_.notify_all();
 }
 
 std::optional<EffectTimes> Painter::take_times() {
     const std::lock_guard lock(mutex_);
-    if (!std::exchange(times_new_, false)) return std::nullopt;
-    return times_;
+    return std::exchange(times_, std::nullopt);
 }
 
 bool Painter::interrupted() const {
     const std::lock_guard lock(mutex_);
     return job_.has_value() || thread_.get_stop_token().stop_requested();
 }
-
-bool Painter::stopped() const { return thread_.get_stop_token().stop_requested(); }
 
 std::array<unsigned, 2> Painter::textures_in_use() const {
     const std::lock_guard lock(mutex_);
@@ -118,7 +92,7 @@ std::array<unsigned, 2> Painter::textures_in_use() const {
 
 void Painter::work(const std::stop_token& stop) {
     try {
-        context_->make_current();
+        make_current(context_);
         Workshop workshop;
         std::unique_lock lock(mutex_);
         while (wake_.wait(lock, stop, [this] { return job_ || order_; }), !stop.stop_requested()) {
@@ -141,13 +115,13 @@ void Painter::work(const std::stop_token& stop) {
         failure_ = std::current_exception();
         at_work_ = false;
     }
-    context_->leave();
+    leave_context();
     news_();
 }
 
 // whole_job: a newer job does not end it.
 DrawWatch Painter::watch(bool whole_job) {
-    return {[this, whole_job] { return whole_job ? stopped() : interrupted(); },
+    return {[this, whole_job] { return whole_job ? thread_.get_stop_token().stop_requested() : interrupted(); },
             [this](const PaintProgress& progress) {
                 const std::lock_guard lock(mutex_);
                 progress_ = progress;
@@ -174,12 +148,11 @@ void Painter::do_job(Workshop& workshop, const PaintJob& job) {
 }
 
 // With and without in turn, so that what else the machine does falls on both.
-void Painter::do_measure(Workshop& workshop, const Order& order) {
+void Painter::do_measure(Workshop& workshop, const PaintJob& order) {
     EffectTimes times;
     const auto publish_times = [&] {
         const std::lock_guard lock(mutex_);
         times_ = times;
-        times_new_ = true;
     };
     const DrawWatch watch{[this] { return interrupted(); }, [](const PaintProgress&) {}};
     Renderer& renderer = workshop.renderer();
@@ -195,11 +168,11 @@ void Painter::do_measure(Workshop& workshop, const Order& order) {
             other.set_method(order.method);
         if (interrupted()) return;
         if (!other.prepare(*without)) continue;  // the scene cannot be without it: a thermal disc in flat space
-        Pace other_pace;
+        double other_pixel_ms = 0.0;
         std::vector<double> whole, rest;
         const auto time_both = [&] {
-            const auto with = draw_in_bands(renderer, target, workshop.pace(), watch);
-            const auto less = with ? draw_in_bands(other, target, other_pace, watch) : std::nullopt;
+            const auto with = draw_in_bands(renderer, target, workshop.pixel_ms(), watch);
+            const auto less = with ? draw_in_bands(other, target, other_pixel_ms, watch) : std::nullopt;
             if (less) whole.push_back(with->draw_ms), rest.push_back(less->draw_ms);
             return less.has_value();
         };
@@ -209,7 +182,7 @@ void Painter::do_measure(Workshop& workshop, const Order& order) {
         for (int i = 0; i < kTimedFrames && (i < kLeastTimed || seconds() - begun < kLongestTiming); ++i)
             if (!time_both()) return;
         times.picture_ms = median(whole);
-        times.effects.push_back({effect, times.picture_ms - median(rest)});
+        times.effects[effect] = times.picture_ms - median(rest);
         publish_times();
         news_();
     }

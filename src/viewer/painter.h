@@ -16,30 +16,25 @@
 #include <optional>
 #include <thread>
 
-#include "viewer/paint_job.h"
 #include "viewer/window.h"
+#include "viewer/workshop.h"
 
 namespace nullscope::viewer {
-
-class Workshop;
-struct DrawWatch;
 
 class Painter {
 public:
     // threads: false draws in the window's own context within ask(), as where a second context cannot be had. news: called from
     // the thread when a painting or a time is ready. throws gl::GlError.
     Painter(Window& window, bool threads, std::function<void()> news);
-    ~Painter();  // waits for a driver that compiles, a sky that is built, an image that is read
-    Painter(const Painter&) = delete;
-    Painter& operator=(const Painter&) = delete;
 
     bool in_background() const { return context_ != nullptr; }
     // Only while not busy() or gives_up(). A painting of the job before that was not taken is dropped.
     void ask(PaintJob job);
-    bool busy() const;      // asked, and the last painting of that job not taken yet
-    bool gives_up() const;  // what is drawn now would make room for a job that comes with a coarse picture
-    bool at_work() const;   // the thread draws or measures
-    PaintProgress progress() const;
+    bool busy() const { return locked(busy_); }  // asked, and the last painting of that job not taken yet
+    // What is drawn now would make room for a job that comes with a coarse picture.
+    bool gives_up() const { return locked(gives_up_); }
+    bool at_work() const;  // the thread draws or measures
+    PaintProgress progress() const { return locked(progress_); }
     std::optional<Painting> take();                           // if there is one; throws what the thread met
     int drawn_by_caller() const { return drawn_by_caller_; }  // jobs that ask() did itself, its caller waiting
 
@@ -48,36 +43,35 @@ public:
     std::optional<EffectTimes> take_times();  // if there is more than at the last call
 
 private:
-    struct Order {
-        Scene scene;
-        Method method;
-    };
+    template <class T>
+    T locked(const T& member) const {
+        const std::lock_guard lock(mutex_);
+        return member;
+    }
     void work(const std::stop_token& stop);
     void do_job(Workshop& workshop, const PaintJob& job);
-    void do_measure(Workshop& workshop, const Order& order);
+    void do_measure(Workshop& workshop, const PaintJob& order);
     void publish(Painting painting, bool last);
     DrawWatch watch(bool whole_job);
     std::array<unsigned, 2> textures_in_use() const;
     bool interrupted() const;
-    bool stopped() const;
 
-    std::unique_ptr<SharedContext> context_;  // nullptr: jobs are done within ask()
+    SharedContext context_;  // nullptr: jobs are done within ask()
     std::function<void()> news_;
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;
-    std::optional<PaintJob> job_;
-    std::optional<Order> order_;
+    std::optional<PaintJob> job_, order_;  // order: of the effects' times, for this scene and method
     std::optional<Painting> painting_;
     unsigned shown_ = 0;  // texture of the painting that was taken last
     bool last_ = false;   // painting_ is its job's last
     bool busy_ = false, at_work_ = false, gives_up_ = false;
     PaintProgress progress_;
-    EffectTimes times_;
-    bool times_new_ = false;
+    std::optional<EffectTimes> times_;  // that were not taken yet
     std::exception_ptr failure_;
     int drawn_by_caller_ = 0;
     std::unique_ptr<Workshop> own_;  // without a thread
-    std::jthread thread_;            // last: ends before what it uses
+    // Last: ends before what it uses; waits for a driver that compiles, a sky that is built, an image that is read.
+    std::jthread thread_;
 };
 
 }  // namespace nullscope::viewer

@@ -1,4 +1,4 @@
-// Owns Dear ImGui's context and backends.
+// Owns Dear ImGui's context and backends; how panels look.
 #pragma once
 #include "viewer/window.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "viewer/sections.h"
+#include "viewer/widgets.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -18,19 +18,19 @@ constexpr float kPanelWidth = 19.0f;  // of the font's size
 constexpr float kMargin = 0.6f;
 
 constexpr std::pair<const char*, const char*> kKeys[] = {
-    {"Left drag", "look: what is grabbed follows the hand"},
+    {"Left drag", "look around"},
     {"Right drag, Q E", "roll"},
     {"Wheel", "distance to the horizon"},
     {"Shift + wheel", "field of view"},
-    {"W S", "fly ahead, back"},
+    {"W S", "fly forward, back"},
     {"A D", "fly left, right"},
     {"Space C", "fly up, down"},
-    {"R", "the scene's own camera"},
-    {"H", "error of every pixel over the picture"},
-    {"P", "the ray of the pixel under the cursor"},
-    {"Tab", "panels on and off"},
-    {"F1", "this list on and off"},
-    {"F12", "save the picture, without panels"},
+    {"R", "return to the scene's camera"},
+    {"H", "show the error of every pixel"},
+    {"P", "show the ray of the pixel under the cursor"},
+    {"Tab", "show or hide the panels"},
+    {"F1", "show or hide this list"},
+    {"F12", "save the picture without panels"},
     {"Escape", "quit"},
 };
 
@@ -41,47 +41,36 @@ constexpr const char* kCredits =
 float em() { return ImGui::GetFontSize(); }
 float status_height() { return ImGui::GetFrameHeight() + 0.2f * em(); }
 
-bool section(const char* name, bool open) {
-    return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
-}
-
-bool side_panel(ViewState& view, const AccuracyPanel& accuracy, const EffectsPanel& effects, bool escape) {
+bool side_panel(ViewState& view, const FrameFacts& facts, bool escape) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float margin = kMargin * em(), tallest = std::max(screen.y - status_height() - 2.0f * margin, 4.0f * em());
     const float width = std::min(kPanelWidth * em(), std::max(screen.x - 2.0f * margin, 4.0f * em()));
     ImGui::SetNextWindowPos({margin, margin});
     ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, tallest});
     bool changed = false;
-    const ImGuiWindowFlags flags = (kFixed & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize;
-    if (ImGui::Begin("##side", nullptr, flags)) {
-        const auto any = [&changed](bool one) { changed = changed || one; };
-        any(scene_section(view, escape));
-        // ImGui names widgets by section: several have a "Brightness".
-        const auto part = [&](const char* name, bool open, auto&& body) {
-            if (!section(name, open)) return;
+    constexpr ImGuiWindowFlags kFlags = (kFixed & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize;
+    if (ImGui::Begin("##side", nullptr, kFlags)) {
+        changed = scene_section(view, escape);
+        // True if it is open. ImGui names widgets by section: several have a "Brightness".
+        constexpr ImGuiTreeNodeFlags kShut = ImGuiTreeNodeFlags_None, kOpen = ImGuiTreeNodeFlags_DefaultOpen;
+        const auto part = [&](const char* name, ImGuiTreeNodeFlags flags, auto&& body) {
+            if (!ImGui::CollapsingHeader(name, flags)) return false;
             ImGui::PushID(name);
-            any(body());
+            changed |= body();
             ImGui::PopID();
+            return true;
         };
-        part("Camera", true, [&] { return camera_section(view); });
-        part("Boost", true, [&] { return boost_section(view); });
-        part("Lens", true, [&] { return lens_section(view); });
-        part("Disc", false, [&] { return disc_section(view); });
-        part("Sky", false, [&] { return sky_section(view, escape); });
-        part("Light", false, [&] { return light_section(view, escape); });
-        part("Spacetime", false, [&] { return spacetime_section(view, escape); });
-        view.show_accuracy = false;
-        part("Accuracy", false, [&] {
-            view.show_accuracy = true;
-            return accuracy_section(view, accuracy, escape);
-        });
-        view.show_effects = false;
-        part("Effects", false, [&] {
-            view.show_effects = true;
-            return effects_section(view, effects);
-        });
-        part("Let go", false, [&] { return fall_section(view); });
-        part("Clock", false, [&] { return clock_section(view); });
+        part("Camera", kOpen, [&] { return camera_section(view); });
+        part("Boost", kOpen, [&] { return boost_section(view); });
+        part("Lens", kOpen, [&] { return lens_section(view); });
+        part("Disc", kShut, [&] { return disc_section(view); });
+        part("Sky", kShut, [&] { return sky_section(view, escape); });
+        part("Light", kShut, [&] { return light_section(view, escape); });
+        part("Spacetime", kShut, [&] { return spacetime_section(view, escape); });
+        view.show_accuracy = part("Accuracy", kShut, [&] { return accuracy_section(view, facts, escape); });
+        view.show_effects = part("Effects", kShut, [&] { return effects_section(view, facts); });
+        part("Free fall", kShut, [&] { return fall_section(view); });
+        part("Clock", kShut, [&] { return clock_section(view); });
     }
     ImGui::End();
     return changed;
@@ -91,12 +80,11 @@ bool side_panel(ViewState& view, const AccuracyPanel& accuracy, const EffectsPan
 std::string progress_words(const PaintProgress& progress) {
     using Stage = PaintProgress::Stage;
     switch (progress.stage) {
-        case Stage::kIdle: return "";
         case Stage::kPreparing: return "preparing";
         case Stage::kCompiling: return "compiling shaders";
         case Stage::kDrawing: return fmt::format("drawing {:.0f} %", 100.0 * progress.rows / std::max(progress.of, 1));
+        default: return "";
     }
-    return "";
 }
 
 void status_line(const FrameFacts& facts) {
@@ -107,16 +95,19 @@ void status_line(const FrameFacts& facts) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kMargin * em(), 0.25f * em()});
     if (ImGui::Begin("##status", nullptr, kFixed | ImGuiWindowFlags_NoInputs)) {
-        const std::string took = !facts.picture ? ""
-                                 : facts.coarse ? "coarse"
-                                                : fmt::format("{:.1f} ms", facts.picture_ms);
+        const Painting& painting = facts.painting;
+        const bool picture = painting.texture != 0;
+        const std::string took = !picture            ? ""
+                                 : painting.coarse() ? "coarse"
+                                                     : fmt::format("{:.1f} ms", facts.picture_ms);
         const std::string work = progress_words(facts.progress);
         const std::string rate = facts.fps > 0.0 ? fmt::format("{:.0f} fps", facts.fps) : "idle";
         ImGui::TextUnformatted((facts.fps <= 0.0 && !work.empty() ? work : took + "  " + rate).c_str());
         const std::string tables =
-            facts.picture ? fmt::format("table {:.0f} ms, rows {:.1f} ms     ", facts.table_ms, facts.rows_ms) : "";
+            picture ? fmt::format("table {:.0f} ms, rows {:.1f} ms     ", painting.table_ms, painting.rows_ms) : "";
+        const std::string version = facts.info.version.substr(0, facts.info.version.find(' '));
         const std::string rest = fmt::format("{} x {}     {}OpenGL {}     {}", facts.size.width, facts.size.height,
-                                             tables, facts.version, facts.renderer);
+                                             tables, version, facts.info.renderer);
         ImGui::SameLine(9.5f * em());
         ImGui::TextDisabled("%s", rest.c_str());
         const char* hint = "F1 keys   Tab panels";
@@ -131,10 +122,8 @@ void status_line(const FrameFacts& facts) {
 }
 
 void keys_window() {
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({screen.x - kMargin * em(), kMargin * em()}, ImGuiCond_Always, {1.0f, 0.0f});
-    ImGui::SetNextWindowBgAlpha(0.95f);  // readable over the side panel in a small window
-    if (ImGui::Begin("##keys", nullptr, kFixed | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs)) {
+    constexpr float kOpacity = 0.95f;  // readable over the side panel in a small window
+    overlay("##keys", ImGui::GetIO().DisplaySize.x - kMargin * em(), kMargin * em(), 1.0f, 0.0f, kOpacity, [] {
         for (const auto& [keys, what] : kKeys) {
             ImGui::TextUnformatted(keys);
             ImGui::SameLine(8.5f * em());
@@ -144,16 +133,13 @@ void keys_window() {
         ImGui::PushTextWrapPos(24.0f * em());
         ImGui::TextUnformatted(kCredits);
         ImGui::PopTextWrapPos();
-    }
-    ImGui::End();
+    });
 }
 
 void message_window(const std::string& message) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.5f * screen.x, screen.y - status_height() - em()}, ImGuiCond_Always, {0.5f, 1.0f});
-    if (ImGui::Begin("##message", nullptr, kFixed | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs))
-        ImGui::TextUnformatted(message.c_str());
-    ImGui::End();
+    overlay("##message", 0.5f * screen.x, screen.y - status_height() - em(), 0.5f, 1.0f, 0.82f,
+            [&] { ImGui::TextUnformatted(message.c_str()); });
 }
 
 }  // namespace
@@ -172,13 +158,12 @@ void draw_first_wait(const std::string& scene, const PaintProgress& progress) {
     draw.AddRectFilled({left, top}, {left + share * width, top + height}, ImGui::GetColorU32(ImGuiCol_CheckMark));
 }
 
-bool draw_panels(ViewState& view, const FrameFacts& facts, const AccuracyPanel& accuracy, const EffectsPanel& effects,
-                 const std::string& message, bool escape) {
+bool draw_panels(ViewState& view, const FrameFacts& facts, const std::string& message, bool escape) {
     bool changed = false;
     if (view.show_errors)
-        draw_error_legend(accuracy.facts, ImGui::GetIO().DisplaySize.y - (view.show_panels ? status_height() : 0.0f));
+        draw_error_legend(facts.accuracy, ImGui::GetIO().DisplaySize.y - (view.show_panels ? status_height() : 0.0f));
     if (view.show_panels) {
-        changed = side_panel(view, accuracy, effects, escape);
+        changed = side_panel(view, facts, escape);
         status_line(facts);
     }
     if (view.show_keys) keys_window();

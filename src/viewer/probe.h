@@ -15,7 +15,7 @@ namespace nullscope::viewer {
 
 struct ProbeFacts {
     Fate fate = Fate::kNoSky;
-    Object hit = Object::kNone;               // what it meets first
+    int hit = 0;                              // number of what it meets first (object_name)
     double hit_r = kNotANumber;               // and where, r_s
     double q = kNotANumber, zeta0 = 0;        // E r_s/L (without spin); r_s/r of the camera
     double critical = kNotANumber;            // Q: |1 - q/q_crit| = e^-Q
@@ -24,7 +24,7 @@ struct ProbeFacts {
     double delay = kNotANumber;               // r_s/c, of rays that reach the sky
     std::optional<reference::Shift> shift;    // from what is seen to the camera; of captured rays there is none
     std::vector<std::array<double, 2>> path;  // in the ray's plane, r_s, the camera on the positive x axis
-    std::vector<double> discs;                // swept angles where the equatorial plane is met
+    std::optional<double> disc;               // swept angle where the equatorial plane is first met
 };
 
 class Probe {
@@ -32,7 +32,6 @@ public:
     // Looks at pixel position (x, y) of the scene's picture, from its top left. Under a millisecond, some more for another spacetime.
     void look(const Scene& scene, double x, double y);
     void forget() { facts_.reset(); }
-    const std::optional<ProbeFacts>& facts() const { return facts_; }
     // Between NewFrame and Render, in the lower right corner above `bottom`.
     void draw(float bottom) const;
 

@@ -1,5 +1,11 @@
 // The sections of the side panel. Each edits what it shows and returns true when the scene changed.
 #pragma once
+#include <string>
+#include <vector>
+
+#include "viewer/frame_accuracy.h"
+#include "viewer/method_choice.h"
+#include "viewer/painter.h"
 #include "viewer/view_state.h"
 
 namespace nullscope::viewer {
@@ -17,5 +23,31 @@ bool disc_section(ViewState& view);
 bool sky_section(ViewState& view, bool escape);
 bool light_section(ViewState& view, bool escape);
 bool spacetime_section(ViewState& view, bool escape);
+
+// What the panels show and do not edit.
+struct FrameFacts {
+    const Painting& painting;  // that is shown; without a texture there is none yet
+    double picture_ms = 0.0;   // of the last picture, without panels
+    double fps = 0.0;          // while frames follow each other; 0: drawn on demand
+    PixelSize size;
+    const gl::Info& info;
+    PaintProgress progress;  // of the one that is on its way, if it takes long
+    bool background;         // programs are compiled while the last picture stays
+    const std::vector<MeasuredMethod>& measured;
+    const std::string& not_measured;  // why there are no rows, or nothing
+    const MethodChoice& choice;
+    AccuracyFacts accuracy;
+    const EffectTimes& times;  // of the painting
+};
+
+// What each method errs and costs, which is chosen and why, and what this frame truly errs. True: another wish for a method.
+bool accuracy_section(ViewState& view, const FrameFacts& facts, bool escape);
+
+// Error against cost of every measured method, for the frame on the screen. Takes its place in the window's column; a
+// point under the pointer says its name and its numbers.
+void draw_frontier_plot(const ViewState& view, const FrameFacts& facts);
+
+// What the scene calls for and why, what each effect costs in this frame, and a switch for each.
+bool effects_section(ViewState& view, const FrameFacts& facts);
 
 }  // namespace nullscope::viewer

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "scene/observer.h"
+#include "observer/observer.h"
 #include "spacetime/registry.h"
 #include "viewer/fly_camera.h"
 
@@ -14,7 +14,7 @@ namespace nullscope::viewer {
 Status load_into(ViewState& view, const std::string& file_or_name) {
     auto loaded = load_scene(file_or_name);
     if (!loaded) {
-        view.error = loaded.error().message;
+        view.error = loaded.error().message();
         return loaded.error();
     }
     view.source = file_or_name;
@@ -33,22 +33,18 @@ Scene drawn_scene(const ViewState& view) {
     Scene scene = view.scene;
     if (view.show_grid) {  // every 15 degrees; on the disc's radius 12 lines
         scene.sky.kind = SkyKind::kGrid;
-        scene.sky.look = SkySpec{}.look;
-        if (scene.disc) scene.disc->look = BodyLook{.texture = TextureKind::kGrid};
+        scene.sky.material = SkySpec{}.material;
+        if (scene.disc) scene.disc->material = Material{.texture = TextureKind::kGrid};
     }
     for (const Effect effect : view.off.list())
         if (auto less = without_effect(scene, effect)) scene = std::move(*less);
     return scene;
 }
 
-EffectSet effects_of(const Scene& scene) { return effect_set(required_effects(scene)); }
-
 void reset_camera(ViewState& view) {
-    const int width = view.scene.camera.width, height = view.scene.camera.height;
-    view.scene.camera = view.loaded.camera;
+    const CameraSpec now = std::exchange(view.scene.camera, view.loaded.camera);
+    view.scene.camera.width = now.width, view.scene.camera.height = now.height;
     view.fall.stop();
-    view.scene.camera.width = width;
-    view.scene.camera.height = height;
     keep_outside_horizon(view.scene);
 }
 
@@ -61,7 +57,7 @@ void keep_outside_horizon(Scene& scene) {
     const auto spacetime = spacetime_of(scene);
     if (spacetime == nullptr) return;
     const FlightRange range = flight_range(*spacetime);
-    if (falls(scene.camera) ? !camera_can_be(*spacetime, scene.camera.r) : !camera_can_rest(*spacetime, scene.camera.r))
+    if (!(falls(scene.camera) ? camera_can_be : camera_can_rest)(*spacetime, scene.camera.r))
         scene.camera.r = range.throat > 0.0 ? range.throat : range.nearest;
 }
 

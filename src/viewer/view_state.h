@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "base/result.h"
+#include "plan/effects.h"
 #include "render/frontier.h"
-#include "scene/effects.h"
 #include "scene/scene.h"
-#include "scene/scene_file.h"
+#include "scenefile/scene_file.h"
 #include "spacetime/spacetime.h"
 #include "viewer/fall.h"
 
@@ -45,7 +45,6 @@ struct ViewState {
 Status load_into(ViewState& view, const std::string& file_or_name);
 // What is drawn: the scene without what is switched off.
 Scene drawn_scene(const ViewState& view);
-EffectSet effects_of(const Scene& scene);
 
 void reset_camera(ViewState& view);  // to the file's, pixels apart
 

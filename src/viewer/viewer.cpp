@@ -4,7 +4,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_opengl3.h>
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -14,9 +13,6 @@
 #include <utility>
 
 #include "base/assets.h"
-#include "base/image_file.h"
-#include "gl/gl.h"
-#include "viewer/screenshot.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -46,16 +42,13 @@ constexpr double kRateTime = 0.25;        // s between changes of the numbers in
 
 }  // namespace
 
-std::string Viewer::title_of(const Scene& scene) { return scene.name + " - nullscope"; }
-
 Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     std::unique_ptr<Viewer> viewer(new Viewer(options));
     if (Status loaded = load_into(viewer->view_, options.scene); !loaded) return loaded.error();
     viewer->view_.shipped = shipped_scenes();
     const CameraSpec& camera = viewer->view_.scene.camera;
     const PixelSize size = options.size.value_or(PixelSize{camera.width, camera.height});
-    auto window = Window::open({size, !options.size, options.hidden, title_of(viewer->view_.scene)});
-    if (!window) return window.error();
+    TRY(window, Window::open(size, !options.size, options.hidden, viewer->view_.scene.name + kTitle));
     viewer->window_ = std::move(*window);
     viewer->info_ = gl::info();
     viewer->painter_ = std::make_unique<Painter>(*viewer->window_, !options.one_context, [] { glfwPostEmptyEvent(); });
@@ -64,23 +57,15 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     if (measured)
         viewer->measured_ = std::move(*measured);
     else
-        viewer->not_measured_ = measured.error().message;
-    if (Status started = viewer->start(); !started) return started.error();
+        viewer->not_measured_ = measured.error().message();
+    if (!options.turns.empty()) {
+        TRY(opened, viewer->log_.open(options.turns));
+    }
+    viewer->fit_to_window();
+    viewer->shown_ = viewer->view_;
+    if (viewer->painter_->in_background()) viewer->ask();  // it begins before the panels are there
     viewer->panel_system_ = std::make_unique<PanelSystem>(*viewer->window_);
     return viewer;
-}
-
-Viewer::~Viewer() = default;
-
-// The painter begins before the panels are there.
-Status Viewer::start() {
-    if (!options_.turns.empty())
-        if (Status opened = log_.open(options_.turns); !opened) return opened;
-    fit_to_window();
-    shown_ = view_.scene;
-    shown_loaded_ = view_.loaded;
-    if (painter_->in_background()) ask();
-    return Done{};
 }
 
 Status Viewer::run() {
@@ -93,13 +78,6 @@ Status Viewer::run() {
     return Done{};
 }
 
-Status Viewer::save_screenshot() {
-    return save_png(options_.screenshot, drawn_apart(size_, [this](unsigned framebuffer) {
-                        draw(framebuffer);
-                        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-                    }));
-}
-
 bool Viewer::step() {
     const double wait = wait_time();
     waited_ = wait > 0.0 && !in_motion();
@@ -110,7 +88,7 @@ bool Viewer::step() {
     if (!input.pressed.empty()) last_key_ = input.pressed.back();
     follow_times();
     bool changed = fit_to_window();
-    coarse_wanted_ = coarse_wanted_ || changed;
+    coarse_wanted_ |= changed;
     if (size_.width == 0 || size_.height == 0) return false;  // minimised
     const bool news = take();
     if (news) frames_due_ = std::max(frames_due_, kNewsFrames);
@@ -118,8 +96,8 @@ bool Viewer::step() {
     // In the frame before: a tooltip goes when the pointer leaves.
     const bool panels_had_pointer = ImGui::GetIO().WantCaptureMouse;
     panel_system_->begin_frame();
-    changed = handle_keys(input) || changed;
-    changed = panels(input) || changed;
+    changed |= handle_keys(input);
+    changed |= panels(input);
     moving_ = move(input, dt);
     const ImGuiIO& io = ImGui::GetIO();
     if (input.moved || input.happened || changed || moving_) probe(input);
@@ -129,21 +107,18 @@ bool Viewer::step() {
     if (painter_->in_background() || patient() || drawn_at_ > 0.0) ask();
     if (input.moved && (panels_had_pointer || io.WantCaptureMouse)) frames_due_ = kSettlingFrames;  // tooltips
     if (io.WantTextInput || patient()) frames_due_ = std::max(frames_due_, 1);
-    const bool drawn = shows_frame(news);
+    const bool drawn =
+        patient() ? settled() : frames_due_ > 0 && (news || !painter_->busy() || seconds() - drawn_at_ >= kBusyWait);
     if (drawn) {
         --frames_due_;
         present();
-        log_turn(cpu);
+        log_.turn({1e3 * (thread_cpu_seconds() - cpu), painter_->drawn_by_caller(), picture_.programs,
+                   picture_.texture != 0, picture_.coarse(), painter_->busy()});
     } else {
         ImGui::EndFrame();
     }
     log_rest();
     return drawn;
-}
-
-bool Viewer::shows_frame(bool news) {
-    if (patient()) return settled();
-    return frames_due_ > 0 && (news || !painter_->busy() || seconds() - drawn_at_ >= kBusyWait);
 }
 
 void Viewer::follow_times() {
@@ -158,22 +133,22 @@ void Viewer::follow_times() {
 }
 
 bool Viewer::panels(const Input& input) {
-    const bool escape = std::find(input.pressed.begin(), input.pressed.end(), GLFW_KEY_ESCAPE) != input.pressed.end();
+    const bool escape = std::ranges::count(input.pressed, GLFW_KEY_ESCAPE) > 0;
     if (picture_.texture == 0) draw_first_wait(view_.scene.name, progress_);
-    if (view_.show_errors && !picture_.job.scene.beside) accuracy_->draw_overlay();
-    const AccuracyPanel accuracy{measured_, not_measured_, choice_, accuracy_->facts(), picture_ms_shown_};
-    const EffectsPanel effects{effect_times_, picture_.job.scene, painter_->in_background(), picture_.programs,
-                               picture_.compile_ms};
+    if (view_.show_errors && !picture_.job.scene.split) accuracy_->draw_overlay();
     if (view_.show_probe)
         probe_.draw(ImGui::GetIO().DisplaySize.y - (view_.show_panels ? 2.0f * ImGui::GetFontSize() : 0.0f));
-    return draw_panels(view_, facts(), accuracy, effects, message_, escape);
+    const FrameFacts facts{picture_,      picture_ms_shown_, moving_ ? fps_shown_ : 0.0, size_,
+                           info_,         progress_,         painter_->in_background(),  measured_,
+                           not_measured_, choice_,           accuracy_->facts(),         effect_times_};
+    return draw_panels(view_, facts, message_, escape);
 }
 
 bool Viewer::move(const Input& input, double dt) {
     const ImGuiIO& io = ImGui::GetIO();
     bool moved = controls_.apply(input, view_, dt, io.WantCaptureMouse, io.WantCaptureKeyboard);
-    moved = view_.fall.step(view_.scene, dt) || moved;
-    moved = step_clock(view_, dt) || moved;
+    moved |= view_.fall.step(view_.scene, dt);
+    moved |= step_clock(view_, dt);
     if (controls_.dragging()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     return moved;
 }
@@ -181,14 +156,14 @@ bool Viewer::move(const Input& input, double dt) {
 void Viewer::follow_changes(bool changed) {
     if (changed || moving_) {
         exposure_left_ = 1.0;
-        coarse_wanted_ = coarse_wanted_ || moving_ || ImGui::IsAnyItemActive() || view_.source != asked_.source;
+        coarse_wanted_ |= moving_ || ImGui::IsAnyItemActive() || view_.source != asked_.source;
         fit_to_window();  // a scene that was just loaded has a size of its own
         picture_due_ = true;
         frames_due_ = kSettlingFrames;
     } else if (adapting()) {
         picture_due_ = true;
     }
-    const bool whole = !picture_.job.scene.beside;  // errors are a single spacetime's
+    const bool whole = !picture_.job.scene.split;  // errors are a single spacetime's
     const bool watched = whole && (view_.show_errors || (view_.show_panels && view_.show_accuracy));
     if (accuracy_->update(watched, moving_ || changed || picture_due_))
         frames_due_ = std::max(frames_due_, kNewsFrames);
@@ -213,13 +188,8 @@ double Viewer::adaptation(const Scene& scene) {
 
 bool Viewer::adapting() const { return exposure_left_ > kAdapted && view_.scene.picture.auto_exposure && !patient(); }
 
-void Viewer::log_turn(double cpu_s) {
-    log_.turn({1e3 * (thread_cpu_seconds() - cpu_s), painter_->drawn_by_caller(), picture_.programs,
-               picture_.texture != 0, picture_.coarse(), painter_->busy()});
-}
-
 void Viewer::log_rest() {
-    if (!log_.is_open() || !at_rest()) return;
+    if (!log_.is_open() || !settled() || frames_due_ > 0 || in_motion() || adapting()) return;
     const bool times_due = view_.show_panels && view_.show_effects && !effect_times_.complete;
     window_->framebuffer();  // an answer of the display's server: it has shown what it was sent before
     log_.rest(last_key_, accuracy_->at_work() || times_due);
@@ -230,8 +200,6 @@ bool Viewer::in_motion() const { return controls_.in_motion() || view_.fall.runs
 bool Viewer::settled() const {
     return picture_.texture != 0 && !picture_.coarse() && !picture_due_ && !painter_->busy();
 }
-
-bool Viewer::at_rest() const { return settled() && frames_due_ == 0 && !in_motion() && !adapting(); }
 
 double Viewer::wait_time() const {
     const bool busy = painter_->busy();
@@ -255,24 +223,20 @@ double Viewer::elapsed() {
 }
 
 bool Viewer::handle_keys(const Input& input) {
-    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::GetIO().WantCaptureKeyboard) return false;
     bool changed = false;
-    if (io.WantCaptureKeyboard) return false;
+    const std::pair<int, bool*> switches[] = {{GLFW_KEY_TAB, &view_.show_panels},
+                                              {GLFW_KEY_H, &view_.show_errors},
+                                              {GLFW_KEY_P, &view_.show_probe},
+                                              {GLFW_KEY_F1, &view_.show_keys}};
     for (const int key : input.pressed) {
-        if (key == GLFW_KEY_ESCAPE && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
-            window_->close();
-        else if (key == GLFW_KEY_TAB)
-            view_.show_panels = !view_.show_panels;
-        else if (key == GLFW_KEY_H)
-            view_.show_errors = !view_.show_errors;
-        else if (key == GLFW_KEY_P)
-            view_.show_probe = !view_.show_probe;
-        else if (key == GLFW_KEY_F1)
-            view_.show_keys = !view_.show_keys;
-        else if (key == GLFW_KEY_F12)
-            save_picture();
-        else if (key == GLFW_KEY_R)
-            reset_camera(view_), changed = true;
+        for (const auto& [own_key, shown] : switches)
+            if (key == own_key) *shown = !*shown;
+        if (key == GLFW_KEY_ESCAPE && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) window_->close();
+        if (key == GLFW_KEY_F12) save_picture();
+        if (key != GLFW_KEY_R) continue;
+        reset_camera(view_);
+        changed = true;
     }
     return changed;
 }
@@ -290,13 +254,12 @@ bool Viewer::fit_to_window() {
 // What was shown is shown on, unless the hands have gone on meanwhile.
 void Viewer::refuse(const Painting& painting) {
     if (painting.job.rays || picture_due_) return;
-    const CameraSpec camera = view_.scene.camera;
-    view_.scene = shown_;
-    view_.scene.camera.width = camera.width, view_.scene.camera.height = camera.height;
-    view_.loaded = shown_loaded_;
-    view_.method = shown_method_;
-    view_.off = shown_off_;
-    view_.error = painting.ready.error().message;
+    const CameraSpec now = std::exchange(view_.scene, shown_.scene).camera;
+    view_.scene.camera.width = now.width, view_.scene.camera.height = now.height;
+    view_.loaded = shown_.loaded;
+    view_.method = shown_.method;
+    view_.off = shown_.off;
+    view_.error = painting.ready.error().message();
     frames_due_ = kSettlingFrames;
 }
 
@@ -338,13 +301,6 @@ void Viewer::measure_rate() {
 void Viewer::say(const std::string& message) {
     message_ = message;
     message_until_ = seconds() + kMessageTime;
-}
-
-FrameFacts Viewer::facts() const {
-    const std::string version = info_.version.substr(0, info_.version.find(' '));
-    const double fps = moving_ ? fps_shown_ : 0.0;
-    return {picture_ms_shown_, fps,     picture_.table_ms,     picture_.rows_ms,  size_,
-            info_.renderer,    version, picture_.texture != 0, picture_.coarse(), progress_};
 }
 
 }  // namespace nullscope::viewer

@@ -8,13 +8,9 @@
 #include "viewer/controls.h"
 #include "viewer/frame_accuracy.h"
 #include "viewer/loop_log.h"
-#include "viewer/method_choice.h"
-#include "viewer/painter.h"
 #include "viewer/panel_system.h"
 #include "viewer/panels.h"
 #include "viewer/probe.h"
-#include "viewer/view_state.h"
-#include "viewer/window.h"
 
 namespace nullscope::viewer {
 
@@ -32,26 +28,22 @@ class Viewer {
 public:
     // Errors: bad scene, no display, no OpenGL 3.3. throws gl::GlError.
     static Result<std::unique_ptr<Viewer>> open(const ViewerOptions& options);
-    ~Viewer();
     Status run();
 
 private:
     explicit Viewer(const ViewerOptions& options) : options_(options) {}
-    static std::string title_of(const Scene& scene);  // of the window
-    Status start();
+    static constexpr const char* kTitle = " - nullscope";  // of the window, behind the scene's name
     Status save_screenshot();
     bool step();                               // one turn of the loop: true if a frame was drawn
     bool panels(const Input& input);           // true if they changed the scene
     bool move(const Input& input, double dt);  // by hands, fall and clock: true if something moved
     void follow_changes(bool changed);
     void follow_times();                                        // messages that end, progress that goes on
-    bool shows_frame(bool news);                                // what was begun with NewFrame, or not yet
     double wait_time() const;                                   // for events; 0: do not wait
     bool patient() const { return options_.after_frames > 0; }  // every frame of such a run is of the scene as it is
     bool adapting() const;                                      // pictures are due until exposure has come to rest
     bool in_motion() const;                                     // without a hand: the next picture is due already
     bool settled() const;                                       // the picture is whole, and of the scene as it is
-    bool at_rest() const;                                       // settled, and all of it shown
     double elapsed();                                           // since the last step, for motion
     bool handle_keys(const Input& input);
     bool fit_to_window();  // true if the picture's size changed
@@ -62,18 +54,16 @@ private:
     void measure_effects(bool still);
     void probe(const Input& input);
     double adaptation(const Scene& scene);  // what share of its way exposure goes in the next picture
-    void log_turn(double cpu_s);
     void log_rest();
     void draw(unsigned framebuffer);
     void present();
     void measure_rate();
     void save_picture();  // as soon as it is whole
     void say(const std::string& message);
-    FrameFacts facts() const;
 
     ViewerOptions options_;
     ViewState view_;
-    Scene shown_, shown_loaded_;  // the last that could be prepared, and its file
+    ViewState asked_, shown_;  // as it was when a picture was asked for; of the last that could be prepared
     Controls controls_;
     std::unique_ptr<Window> window_;  // the context: outlives what is below
     std::unique_ptr<PanelSystem> panel_system_;
@@ -93,9 +83,6 @@ private:
     std::vector<MeasuredMethod> measured_;  // the frontier that ships
     std::string not_measured_;              // why it could not be read, or nothing
     MethodChoice choice_, asked_choice_;    // of the picture that is shown, of the one asked for
-    ViewState asked_;
-    MethodWish shown_method_;
-    EffectSet shown_off_;
     std::unique_ptr<FrameAccuracy> accuracy_;
     Probe probe_;
     double adapted_at_ = 0.0;     // s: automatic exposure follows like an eye,

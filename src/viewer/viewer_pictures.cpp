@@ -1,14 +1,49 @@
 // What the viewer asks of its painter, and what becomes of what it gets.
+#include <backends/imgui_impl_opengl3.h>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <imgui.h>
 
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+#include <functional>
 #include <utility>
+#include <vector>
 
-#include "base/image_file.h"
-#include "gl/gl.h"
-#include "viewer/screenshot.h"
+#include "image/image_file.h"
 #include "viewer/viewer.h"
 
 namespace nullscope::viewer {
+namespace {
+
+// What `draw` draws to the framebuffer it is given. A window's own framebuffer has no sure content where the window is
+// hidden or covered, so it is drawn once more.
+Image<unsigned char> drawn_apart(PixelSize size, const std::function<void(unsigned framebuffer)>& draw) {
+    const gl::Target target = gl::make_target(size.width, size.height, gl::Format::kRgba8);
+    draw(target.framebuffer.id());
+    std::vector<unsigned char> rgba(static_cast<std::size_t>(size.width) * size.height * 4);
+    gl::read_rgba8(target, rgba.data());
+    Image<unsigned char> image(size.width, size.height, 3);
+    for (int y = 0; y < size.height; ++y) {
+        const unsigned char* from = rgba.data() + static_cast<std::size_t>(size.height - 1 - y) * size.width * 4;
+        for (int x = 0; x < size.width; ++x) std::copy_n(from + 4 * x, 3, image.at(x, y));
+    }
+    return image;
+}
+
+// nullscope-YYYYMMDD-HHMMSS.png in the current folder, absolute; -2, -3 ... before the dot where that exists.
+std::filesystem::path fresh_screenshot_path() {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&now, &local);
+    const std::string stem = fmt::format("nullscope-{:%Y%m%d-%H%M%S}", local);
+    std::filesystem::path path = std::filesystem::absolute(stem + ".png");
+    for (int n = 2; std::filesystem::exists(path); ++n) path.replace_filename(fmt::format("{}-{}.png", stem, n));
+    return path;
+}
+
+}  // namespace
 
 void Viewer::ask() {
     const bool busy = painter_->busy();
@@ -43,9 +78,9 @@ bool Viewer::take() {
 }
 
 void Viewer::adopt(Painting painting) {
-    if (asked_.scene.name != shown_.name) window_->set_title(title_of(asked_.scene));
+    if (asked_.scene.name != shown_.scene.name) window_->set_title(asked_.scene.name + kTitle);
     if (painting.job.method != picture_.job.method ||
-        effects_of(painting.job.scene) != effects_of(picture_.job.scene) ||
+        effect_set(required_effects(painting.job.scene)) != effect_set(required_effects(picture_.job.scene)) ||
         painting.job.scene.camera.width != picture_.job.scene.camera.width) {
         effect_times_ = {};
         times_asked_ = false;
@@ -57,10 +92,7 @@ void Viewer::adopt(Painting painting) {
     choice_ = asked_choice_;
     accuracy_->frame_is(picture_.job.scene, picture_.job.method);
     view_.error.clear();
-    shown_ = asked_.scene;
-    shown_loaded_ = asked_.loaded;
-    shown_method_ = asked_.method;
-    shown_off_ = asked_.off;
+    shown_ = asked_;
     if (save_due_ && !picture_.coarse()) save_picture();
 }
 
@@ -69,12 +101,19 @@ void Viewer::draw(unsigned framebuffer) {
         gl::blit(picture_.texture, picture_.width, picture_.height, framebuffer, size_.width, size_.height);
 }
 
+Status Viewer::save_screenshot() {
+    return save_png(options_.screenshot, drawn_apart(size_, [this](unsigned framebuffer) {
+                        draw(framebuffer);
+                        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+                    }));
+}
+
 void Viewer::save_picture() {
     save_due_ = picture_.texture == 0 || picture_.coarse();
     if (save_due_) return;
     const auto path = fresh_screenshot_path();
     const Status saved = save_png(path, drawn_apart(size_, [this](unsigned framebuffer) { draw(framebuffer); }));
-    say(saved ? fmt::format("Saved {}", path.string()) : saved.error().message);
+    say(saved ? fmt::format("Saved {}", path.string()) : saved.error().message());
 }
 
 }  // namespace nullscope::viewer

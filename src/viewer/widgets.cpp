@@ -13,8 +13,13 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr float kNameColumn = 6.2f;  // of the font's size
+const ImVec4 kRefusal{1.0f, 0.52f, 0.45f, 1.0f};
 
 std::string hidden_id(const char* name) { return std::string("##") + name; }
+
+ImGuiSliderFlags flags_of(Scale scale) {
+    return scale == Scale::kLogarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
+}
 
 bool accept(double edited, double low, double high, double& value) {
     if (!std::isfinite(edited)) return false;  // "nan" can be typed
@@ -46,28 +51,28 @@ bool settled(const std::string& id, bool changed, double& edited) {
 
 }  // namespace
 
-void row(const char* name, const char* help) {
+void row(const char* name, const std::string& help) {
     ImGui::AlignTextToFramePadding();
     text_row(name, help);
     ImGui::SetNextItemWidth(-1.0f);
 }
 
-void text_row(const char* name, const char* help) {
+void text_row(const char* name, const std::string& help) {
     ImGui::TextUnformatted(name);
-    if (help != nullptr) tooltip(help);
+    tooltip(help);
     ImGui::SameLine(kNameColumn * ImGui::GetFontSize());
 }
 
-void tooltip(const char* text) {
-    if (!ImGui::IsItemHovered()) return;
+void tooltip(const std::string& text) {
+    if (text.empty() || !ImGui::IsItemHovered()) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(22.0f * ImGui::GetFontSize());
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
 
-void paragraph(const std::string& text, int colour) {
+void paragraph(const std::string& text, bool refusal) {
     const float width = ImGui::GetContentRegionAvail().x;
     std::string line, lines;
     for (const std::string& word : split(text, ' ')) {
@@ -75,12 +80,11 @@ void paragraph(const std::string& text, int colour) {
         if (!line.empty()) longer += " ";
         longer += word;
         const bool fits = line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= width;
-        if (!fits) lines += line + "\n";
+        if (!fits) lines.append(line).append("\n");
         line = fits ? longer : word;
     }
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(colour));
-    ImGui::TextUnformatted((lines + line).c_str());
-    ImGui::PopStyleColor();
+    ImGui::TextColored(refusal ? kRefusal : ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled), "%s",
+                       (lines + line).c_str());
 }
 
 bool drag_number(const char* name, double& value, double speed, double low, double high, const char* format,
@@ -100,51 +104,82 @@ bool drag_degrees(const char* name, double& radians, double low_deg, double high
     return true;
 }
 
-bool slide(const char* name, double& value, double low, double high, Scale scale, When when, const char* format,
-           const char* help) {
+bool slide(const char* name, double& value, double low, double high, const char* format, const std::string& help,
+           Scale scale, When when) {
     row(name, help);
     const std::string id = hidden_id(name);
     double edited = when == When::kOnRelease ? draft_or(id, value) : value;
-    const ImGuiSliderFlags flags = scale == Scale::kLogarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
-    const bool moved = ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &edited, &low, &high, format, flags);
+    const bool moved =
+        ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &edited, &low, &high, format, flags_of(scale));
     const bool take = when == When::kOnRelease ? settled(id, moved, edited) : moved;
     return take && accept(edited, low, high, value);
 }
 
-bool slide_as(const char* id, double& position, double low, double high, int flags, const std::string& text) {
-    double edited = position;
-    if (!ImGui::SliderScalar(id, ImGuiDataType_Double, &edited, &low, &high,
-                             text.c_str(),  // no conversion: shown as it is
-                             flags | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat))
-        return false;
-    position = std::clamp(edited, low, high);
+bool slide_degrees(const char* name, double& radians, double low_deg, double high_deg, const char* help, When when) {
+    double degrees = radians / kDegree;
+    if (!slide(name, degrees, low_deg, high_deg, "%.1f\xc2\xb0", help, Scale::kLinear, when)) return false;
+    radians = degrees * kDegree;
     return true;
 }
 
-bool type_number(const char* id, double& value, double low, double high, const char* format) {
+bool slide_as(const char* name, double& position, double low, double high, const std::string& text, const char* help,
+              Scale scale) {
+    row(name, help);
+    double edited = position;
+    // Text: no conversion in it.
+    const ImGuiSliderFlags flags = flags_of(scale) | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat;
+    return ImGui::SliderScalar(hidden_id(name).c_str(), ImGuiDataType_Double, &edited, &low, &high, text.c_str(),
+                               flags) &&
+           accept(edited, low, high, position);
+}
+
+bool type_number(const char* name, double& value, double low, double high, const char* format, const char* help) {
+    row(name, help);
+    const std::string id = hidden_id(name);
     double edited = draft_or(id, value);
-    const bool changed = ImGui::InputDouble(id, &edited, 0.0, 0.0, format, ImGuiInputTextFlags_CharsScientific);
+    const bool changed = ImGui::InputDouble(id.c_str(), &edited, 0.0, 0.0, format, ImGuiInputTextFlags_CharsScientific);
     return settled(id, changed, edited) && accept(edited, low, high, value);
 }
 
 bool tick(const char* name, bool& value, const char* help) {
     row(name, help);
-    return ImGui::Checkbox((std::string("##") + name).c_str(), &value);
+    return ImGui::Checkbox(hidden_id(name).c_str(), &value);
 }
 
-bool begin_choice(const char* id, const std::string& shown, bool shut) {
+bool button_of_three(int place, const char* name, const std::string& help) {
+    if (place > 0) ImGui::SameLine();
+    const float behind = static_cast<float>(2 - place);  // buttons that follow
+    const float room = ImGui::GetContentRegionAvail().x - behind * ImGui::GetStyle().ItemSpacing.x;
+    const bool pressed = ImGui::Button(name, {room / (behind + 1.0f), 0.0f});
+    tooltip(help);
+    return pressed;
+}
+
+bool choice(const char* id, const std::string& shown, bool shut, const std::function<void()>& items) {
     if (!ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge)) return false;
     if (shut) ImGui::CloseCurrentPopup();
+    items();
+    ImGui::EndCombo();
     return true;
 }
 
-void end_choice() { ImGui::EndCombo(); }
-
 bool choice_item(const std::string& text, bool chosen, const std::string& help) {
     const bool picked = ImGui::Selectable(text.c_str(), chosen);
-    if (!help.empty()) tooltip(help.c_str());
+    tooltip(help);
     if (chosen) ImGui::SetItemDefaultFocus();
     return picked;
+}
+
+void overlay(const char* id, float x, float y, float pivot_x, float pivot_y, float opacity,
+             const std::function<void()>& content) {
+    ImGui::SetNextWindowPos({x, y}, ImGuiCond_Always, {pivot_x, pivot_y});
+    ImGui::SetNextWindowBgAlpha(opacity);
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings |
+                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize |
+                                        ImGuiWindowFlags_NoInputs;
+    if (ImGui::Begin(id, nullptr, kFlags)) content();
+    ImGui::End();
 }
 
 }  // namespace nullscope::viewer

@@ -1,37 +1,46 @@
 // Rows of a panel: a name on the left, a control that fills the rest, an explanation under the pointer.
 #pragma once
+#include <functional>
 #include <string>
 
 namespace nullscope::viewer {
 
 // Starts a row; the control that follows takes its rest. help: shown while the pointer is on the name.
-void row(const char* name, const char* help = nullptr);
-void text_row(const char* name, const char* help = nullptr);  // the same for words alone: less tall
-void tooltip(const char* text);                               // of the item before, wrapped
+void row(const char* name, const std::string& help = {});
+void text_row(const char* name, const std::string& help = {});  // the same for words alone: less tall
+void tooltip(const std::string& text);                          // of the item before, wrapped
 
-void paragraph(const std::string& text, int colour);  // broken at spaces alone, not within numbers; colour: an ImGuiCol
+// Dim words, or the reddish ones of a refusal; broken at spaces alone, not within numbers.
+void paragraph(const std::string& text, bool refusal = false);
+
+enum class Scale { kLinear, kLogarithmic };
+enum class When { kNow, kOnRelease };  // kOnRelease: for what takes a while to build
 
 // All return true when the value changed, always to a finite one in [low, high]. format: of printf.
 bool drag_number(const char* name, double& value, double speed, double low, double high, const char* format,
                  const char* help);
 bool drag_degrees(const char* name, double& radians, double low_deg, double high_deg, const char* help);
+bool slide(const char* name, double& value, double low, double high, const char* format, const std::string& help,
+           Scale scale = Scale::kLinear, When when = When::kNow);
+bool slide_degrees(const char* name, double& radians, double low_deg, double high_deg, const char* help,
+                   When when = When::kNow);
+// Slides over a number whose own scale is not what is shown: text.
+bool slide_as(const char* name, double& position, double low, double high, const std::string& text, const char* help,
+              Scale scale = Scale::kLinear);
+// Typed in, taken over on Enter or when left.
+bool type_number(const char* name, double& value, double low, double high, const char* format, const char* help);
 
-enum class Scale { kLinear, kLogarithmic };
-enum class When { kNow, kOnRelease };  // kOnRelease: for what takes a while to build
-bool slide(const char* name, double& value, double low, double high, Scale scale, When when, const char* format,
-           const char* help);
+bool tick(const char* name, bool& value, const char* help = "");  // a box to tick
 
-bool tick(const char* name, bool& value, const char* help = nullptr);  // a box to tick
+// One of three buttons side by side, `place` 0, 1 or 2 from the left.
+bool button_of_three(int place, const char* name, const std::string& help);
 
-// The control of a row that was started: slides over a number whose own scale is not what is shown. flags: of ImGui's sliders.
-bool slide_as(const char* id, double& position, double low, double high, int flags, const std::string& text);
-
-// The control of a row that was started: typed in, taken over on Enter or when left.
-bool type_number(const char* id, double& value, double low, double high, const char* format);
-
-// A box with a list below it; false if closed, else end it with end_choice. shut: closes the list (Escape).
-bool begin_choice(const char* id, const std::string& shown, bool shut);
-void end_choice();
+// A box with a list below it, which `items` draws; false if it is closed. shut: closes the list (Escape).
+bool choice(const char* id, const std::string& shown, bool shut, const std::function<void()>& items);
 bool choice_item(const std::string& text, bool chosen, const std::string& help = {});
+
+// A small window over the picture, with its pivot (0 ... 1, from the top left) at a place.
+void overlay(const char* id, float x, float y, float pivot_x, float pivot_y, float opacity,
+             const std::function<void()>& content);
 
 }  // namespace nullscope::viewer

@@ -97,26 +97,23 @@ void on_button(GLFWwindow* window, int number, int action, int) {
     if (number != GLFW_MOUSE_BUTTON_LEFT && number != GLFW_MOUSE_BUTTON_RIGHT) return;
     Button& button = number == GLFW_MOUSE_BUTTON_LEFT ? input.left : input.right;
     button.held = action == GLFW_PRESS;
-    if (button.held)
-        button.pressed = true, button.pressed_x = input.x, button.pressed_y = input.y;
-    else
-        button.released_x = input.x, button.released_y = input.y;
+    button.pressed |= button.held;
+    (button.held ? button.pressed_x : button.released_x) = input.x;
+    (button.held ? button.pressed_y : button.released_y) = input.y;
 }
 
 // glfwGetCursorPos tells where the pointer is by now, not where it was when a button went down.
 void on_move(GLFWwindow* window, double x, double y) {
     Input& input = input_of(window);
     const double ratio = ratio_of(window);
-    input.x = ratio * x;
-    input.y = ratio * y;
+    input.x = ratio * x, input.y = ratio * y;
     input.moved = true;
 }
 
 void on_wheel(GLFWwindow* window, double x, double y) {
     Input& input = input_of(window);
     input.happened = true;
-    input.wheel += y;
-    input.wheel_sideways += x;
+    input.wheel += y, input.wheel_sideways += x;
 }
 
 // Where there is a display of X11 alone, GLFW 3.4 would ask for one of Wayland first, whose library complains.
@@ -131,14 +128,15 @@ void prefer_x11_where_alone() {
 
 double seconds() { return glfwGetTime(); }
 
-Result<std::unique_ptr<Window>> Window::open(const WindowSpec& spec) {
+Result<std::unique_ptr<Window>> Window::open(PixelSize size, bool fit_to_screen, bool hidden,
+                                             const std::string& title) {
     prefer_x11_where_alone();
     if (glfwInit() != GLFW_TRUE) return failed(no_display());
     std::unique_ptr<Window> window(new Window);  // from here on its end is GLFW's
-    const PixelSize size = spec.fit_to_screen ? fitted(spec.size) : spec.size;
+    if (fit_to_screen) size = fitted(size);
     ask_for_core_context();
-    glfwWindowHint(GLFW_VISIBLE, spec.hidden ? GLFW_FALSE : GLFW_TRUE);
-    window->handle_ = glfwCreateWindow(size.width, size.height, spec.title.c_str(), nullptr, nullptr);
+    glfwWindowHint(GLFW_VISIBLE, hidden ? GLFW_FALSE : GLFW_TRUE);
+    window->handle_ = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
     if (window->handle_ == nullptr) return failed(no_opengl());
     glfwMakeContextCurrent(window->handle_);
     glfwSwapInterval(1);
@@ -185,19 +183,18 @@ const Input& Window::poll(double wait_s) {
     return input_;
 }
 
-std::unique_ptr<SharedContext> Window::share() {
+SharedContext Window::share() {
     ask_for_core_context();
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    GLFWwindow* hidden = glfwCreateWindow(1, 1, "", nullptr, handle_);
-    return hidden == nullptr ? nullptr : std::make_unique<SharedContext>(hidden);
+    return SharedContext(glfwCreateWindow(1, 1, "", nullptr, handle_));
 }
 
-SharedContext::~SharedContext() { glfwDestroyWindow(handle_); }
-void SharedContext::make_current() {
-    glfwMakeContextCurrent(handle_);
+void ContextEnd::operator()(GLFWwindow* handle) const { glfwDestroyWindow(handle); }
+void make_current(const SharedContext& context) {
+    glfwMakeContextCurrent(context.get());
     gl::prepare_context();
 }
-void SharedContext::leave() { glfwMakeContextCurrent(nullptr); }
+void leave_context() { glfwMakeContextCurrent(nullptr); }
 
 void Window::swap() { glfwSwapBuffers(handle_); }
 bool Window::closing() const { return glfwWindowShouldClose(handle_) != 0; }

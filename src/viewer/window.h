@@ -16,13 +16,6 @@ struct PixelSize {
     friend bool operator==(const PixelSize&, const PixelSize&) = default;
 };
 
-struct WindowSpec {
-    PixelSize size{1280, 720};
-    bool fit_to_screen = true;  // smaller where the screen is smaller
-    bool hidden = false;
-    std::string title;
-};
-
 // A mouse button since the last poll, with where it went down and up: the pointer may have moved on since.
 struct Button {
     bool pressed = false, held = false;
@@ -44,23 +37,18 @@ struct Input {
 };
 
 // A context without a window that shares textures with the window's; made and destroyed by the main thread, current in one other.
-class SharedContext {
-public:
-    explicit SharedContext(GLFWwindow* handle) : handle_(handle) {}
-    ~SharedContext();
-    SharedContext(const SharedContext&) = delete;
-    SharedContext& operator=(const SharedContext&) = delete;
-    void make_current();
-    void leave();
-
-private:
-    GLFWwindow* handle_;
+struct ContextEnd {
+    void operator()(GLFWwindow* handle) const;
 };
+using SharedContext = std::unique_ptr<GLFWwindow, ContextEnd>;
+void make_current(const SharedContext& context);  // in the calling thread, until it ends or calls leave_context()
+void leave_context();
 
 class Window {
 public:
-    // Errors say what is missing and what to do: no display, no OpenGL 3.3.
-    static Result<std::unique_ptr<Window>> open(const WindowSpec& spec);
+    // fit_to_screen: smaller where the screen is smaller. Errors say what is missing and what to do: no display, no OpenGL 3.3.
+    static Result<std::unique_ptr<Window>> open(PixelSize size, bool fit_to_screen, bool hidden,
+                                                const std::string& title);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -74,7 +62,7 @@ public:
     double pixel_ratio() const;     // framebuffer pixels a unit of the window's coordinates
     double content_scale() const;   // how much larger than usual things must be drawn, in framebuffer pixels
     void set_title(const std::string& title);
-    std::unique_ptr<SharedContext> share();  // nullptr where the driver has no second context
+    SharedContext share();  // nullptr where the driver has no second context
     GLFWwindow* handle() const { return handle_; }
 
 private:

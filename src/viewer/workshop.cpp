@@ -1,7 +1,6 @@
 #include "viewer/workshop.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "spacetime/registry.h"
 #include "viewer/bands.h"
@@ -16,18 +15,14 @@ constexpr int kUnknownCoarseness = 4;  // of a picture of unknown cost: a sixtee
 constexpr int kMostCoarse = 8;
 constexpr int kLeastSide_px = 32;  // of a coarse picture: with less there is nothing to see
 
-bool contains(const std::array<unsigned, 2>& textures, unsigned id) {
-    return std::find(textures.begin(), textures.end(), id) != textures.end();
-}
-
 }  // namespace
 
-std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, Pace& pace,
+std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, double& pixel_ms,
                                        const DrawWatch& watch) {
     using Stage = PaintProgress::Stage;
     const double start = seconds();
-    BandCutter bands(target.height, pace.pixel_ms * target.width);
-    watch.tell({pace.pixel_ms > 0.0 ? Stage::kDrawing : Stage::kCompiling, 0, target.height});
+    BandCutter bands(target.height, pixel_ms * target.width);
+    watch.tell({pixel_ms > 0.0 ? Stage::kDrawing : Stage::kCompiling, 0, target.height});
     while (!bands.done()) {
         if (watch.give_up()) return std::nullopt;
         const int programs = renderer.picture_programs();
@@ -38,7 +33,7 @@ std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& tar
         bands.took(1e3 * (seconds() - begun), renderer.picture_programs() > programs);
         watch.tell({Stage::kDrawing, bands.first(), target.height});
     }
-    if (bands.row_ms() > 0.0) pace.pixel_ms = bands.row_ms() / target.width;
+    if (bands.row_ms() > 0.0) pixel_ms = bands.row_ms() / target.width;
     return DrawTimes{1e3 * (seconds() - start) - bands.compile_ms(), bands.compile_ms()};
 }
 
@@ -70,14 +65,14 @@ Status Workshop::prepare(const Scene& scene, const PaintJob& job) {
 }
 
 std::optional<DrawTimes> Workshop::draw(const gl::Target& target, const DrawWatch& watch) {
-    if (!split_) return draw_in_bands(renderer_, target, pace_, watch);
+    if (!split_) return draw_in_bands(renderer_, target, pixel_ms_, watch);
     DrawTimes sum;
     int x = 0;
     for (std::size_t i = 0; i < 2; ++i) {
         const CameraSpec& camera = (i == 0 ? split_->left : split_->right).camera;
         if (halves_[i].width != camera.width || halves_[i].height != camera.height)
             halves_[i] = gl::make_target(camera.width, camera.height, gl::Format::kRgba8);
-        const auto times = draw_in_bands(i == 0 ? renderer_ : *right_, halves_[i], half_paces_[i], watch);
+        const auto times = draw_in_bands(i == 0 ? renderer_ : *right_, halves_[i], half_pixel_ms_[i], watch);
         if (!times) return std::nullopt;
         sum.draw_ms += times->draw_ms, sum.compile_ms += times->compile_ms;
         gl::blit(halves_[i].colours.front().id(), camera.width, camera.height, target.framebuffer.id(), camera.width,
@@ -100,7 +95,7 @@ std::optional<Painting> Workshop::picture(const PaintJob& job, int coarseness, c
     painting.ready = prepare(scene, job);
     if (painting.ready) {
         const EffectSet effects = renderer_.tables().effects();
-        if (effects != effects_ || job.method != method_) pace_ = {}, half_paces_ = {};
+        if (effects != effects_ || job.method != method_) pixel_ms_ = 0.0, half_pixel_ms_ = {};
         effects_ = effects, method_ = job.method;
         const gl::Target& drawn = target(painting.width, painting.height, avoid);
         const auto times = draw(drawn, watch);
@@ -135,7 +130,7 @@ const gl::Target& Workshop::target(int width, int height, const std::array<unsig
     gl::Target* free = nullptr;
     for (gl::Target& each : targets_) {
         const unsigned id = each.colours.empty() ? 0 : each.colours.front().id();
-        if (id != 0 && contains(avoid, id)) continue;
+        if (id != 0 && std::find(avoid.begin(), avoid.end(), id) != avoid.end()) continue;
         if (id != 0 && each.width == width && each.height == height) return each;
         if (free == nullptr || id == 0) free = &each;
     }

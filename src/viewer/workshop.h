@@ -3,19 +3,55 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "gl/gl.h"
+#include "plan/effects.h"
 #include "render/renderer.h"
 #include "scene/split.h"
-#include "viewer/paint_job.h"
 
 namespace nullscope::viewer {
 
-// How long the dearest row of the last picture took, by which the next is cut into bands.
-struct Pace {
-    double pixel_ms = 0.0;  // 0: not known
+// What the window asks of the painter, and what it gets.
+struct PaintJob {
+    Scene scene;
+    Method method;
+    bool rays = false;          // ray data instead of a picture
+    double adaptation = 1.0;    // Renderer::set_adaptation
+    bool coarse_first = false;  // a coarse picture may come before the whole one, if that takes long
+};
+
+// How far a job is, for people.
+struct PaintProgress {
+    enum class Stage { kIdle, kPreparing, kCompiling, kDrawing };
+    Stage stage = Stage::kIdle;
+    int rows = 0, of = 0;  // of the picture that is drawn
+    friend bool operator==(const PaintProgress&, const PaintProgress&) = default;
+};
+
+// What effects cost in the frame on the screen: the picture's time, less that of the scene without the effect.
+struct EffectTimes {
+    std::map<Effect, double> effects;  // ms
+    double picture_ms = 0.0;           // of the whole
+    bool complete = false;
+};
+
+struct Painting {
+    PaintJob job;
+    Status ready{Done{}};       // what prepare() said; else there is nothing below
+    unsigned texture = 0;       // RGBA8, display-encoded; valid until the painting after it was taken
+    int width = 0, height = 0;  // of the texture; of a coarse picture less than the job's
+    std::optional<RayFrame> rays;
+    double draw_ms = 0.0;            // the picture's, finished; compiling apart
+    std::vector<std::string> notes;  // what was done to images
+    int programs = 0;                // compiled for pictures until now
+    double compile_ms = 0.0 /* of them all, with the driver's own at the first rows */, table_ms = 0.0, rows_ms = 0.0;
+
+    bool coarse() const { return width < job.scene.camera.width || height < job.scene.camera.height; }
 };
 
 // What a picture is told and asked while it is drawn.
@@ -28,8 +64,9 @@ struct DrawTimes {
     double draw_ms = 0.0, compile_ms = 0.0;
 };
 
-// Draws what is prepared; nothing if it was given up.
-std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, Pace& pace,
+// Draws what is prepared; nothing if it was given up. pixel_ms: of the dearest row of the last picture, by which this
+// one is cut into bands, then of this one; 0: not known.
+std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, double& pixel_ms,
                                        const DrawWatch& watch);
 
 class Workshop {
@@ -45,7 +82,7 @@ public:
     Painting rays(const PaintJob& job);
 
     Renderer& renderer() { return renderer_; }
-    Pace& pace() { return pace_; }
+    double& pixel_ms() { return pixel_ms_; }
     // One for a scene without an effect; its programs stay until it is dropped.
     Renderer& other() { return other_ == nullptr ? *(other_ = std::make_unique<Renderer>()) : *other_; }
     void drop_other() { other_.reset(); }
@@ -61,10 +98,10 @@ private:
     std::unique_ptr<Renderer> other_;  // while effects are measured
     std::optional<Halves> split_;      // that is prepared
     std::array<gl::Target, 2> halves_;
-    std::array<Pace, 2> half_paces_;
+    std::array<double, 2> half_pixel_ms_{};
     // Shown, waiting to be shown, drawn to; one more, as coarse and whole take turns.
     std::array<gl::Target, 4> targets_;
-    Pace pace_;  // of scenes with these effects and this method
+    double pixel_ms_ = 0.0;  // of scenes with these effects and this method
     EffectSet effects_;
     Method method_;
     double picture_ms_ = 0.0;  // the last picture's, a pixel; 0: not known

@@ -78,7 +78,7 @@ class Films(FilmTest):
         self.capture(*SIZE, *MOVING, "-o", "whole.mp4")
         kept = self.killed(*SIZE, *ENDLESS, "-o", "film.mp4", folder="film.mp4.frames")
         ran = self.capture(*SIZE, *MOVING, "-o", "film.mp4")
-        self.assertNotIn("drawn anew", ran.err)
+        self.assertNotIn("starting over", ran.err)
         self.assertEqual(self.hashes("film.mp4"), self.hashes("whole.mp4"))
         for frame, when in kept.items():
             self.assertEqual(self.film("film.mp4")[frame]["time"], when, "a whole picture was drawn again")
@@ -94,7 +94,7 @@ class Films(FilmTest):
                 self.killed(*SIZE, *ENDLESS, "-o", "film.mp4", folder="film.mp4.frames")
                 self.write("scene.toml", scene)
                 ran = self.capture(*size, *moving, "-o", "film.mp4")
-                said = [line for line in ran.err.splitlines() if "drawn anew" in line]
+                said = [line for line in ran.err.splitlines() if "starting over" in line]
                 self.assertEqual(len(said), 1, ran)
                 self.assertIn(named, said[0])
                 self.capture(*size, *moving, "-o", "whole.mp4")
@@ -126,15 +126,15 @@ class Sequences(FilmTest):
                                      (SCENE, ("--size", "8x8", *words[2:]), "camera.size"),
                                      (SCENE, (*SIZE, "--time-step", "0.5", *words[4:]), "--time-step")):
             self.write("scene.toml", scene)
-            self.refused("capture", "scene.toml", *changed, "--resume", says=["--resume", says, "start afresh"],
+            self.refused("capture", "scene.toml", *changed, "--resume", says=["--resume", says, "start over"],
                          environment=self.environment)
         self.write("scene.toml", SCENE)
         stamp = self.folder / "f.png.stamp"
         text = stamp.read_text()
         stamp.unlink()
-        self.refused("capture", "scene.toml", *words, "--resume", says=["nothing says what they show"], environment=self.environment)
+        self.refused("capture", "scene.toml", *words, "--resume", says=["they have no stamp"], environment=self.environment)
         stamp.write_text(text[:100])
-        self.refused("capture", "scene.toml", *words, "--resume", says=["do not fit"], environment=self.environment)
+        self.refused("capture", "scene.toml", *words, "--resume", says=["do not match"], environment=self.environment)
 
     def test_pictures_of_an_older_run_are_not_kept(self):
         """A fresh run of another scene ends early; what it had not reached is drawn again, not taken from before."""

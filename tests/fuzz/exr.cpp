@@ -1,6 +1,6 @@
 // OpenEXR files.
-#include "base/exr_file.h"
 #include "fuzz.h"
+#include "image/image_file.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace nullscope;

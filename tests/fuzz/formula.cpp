@@ -9,7 +9,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto formula = expr::Formula::parse(fuzz::text_of(data, size), {"x", "y", "z", "u", "v"});
     if (!formula) {
         fuzz::must_be_a_good_error(formula.error());
-        fuzz::must(formula.error().message.starts_with("column "), "the place is named");
+        fuzz::must(formula.error().message().starts_with("column "), "the place is named");
         return 0;
     }
     fuzz::must(!formula->nodes().empty() && formula->nodes().size() <= expr::kMostNodes, "as large as is allowed");

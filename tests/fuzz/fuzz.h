@@ -26,8 +26,8 @@ inline void must(bool holds, const char* what) {
 // An error is one line that a terminal can print, and blames the input.
 inline void must_be_a_good_error(const Error& error) {
     must(error.kind == ErrorKind::kBadInput, "an error of bad input has that kind");
-    must(!error.message.empty(), "an error says something");
-    for (const char c : error.message)
+    must(!error.message().empty(), "an error says something");
+    for (const char c : error.message())
         must(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f, "an error is one line without control characters");
 }
 

@@ -1,9 +1,9 @@
 // PNG, JPEG and Radiance files.
 #include <algorithm>
 
-#include "base/image_file.h"
-#include "base/large_image.h"
 #include "fuzz.h"
+#include "image/image_file.h"
+#include "image/large_image.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace nullscope;

@@ -13,7 +13,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         const auto table = cli::parse_rays(fuzz::text_of(data, size), "rays.csv", ***spacetime);
         if (!table) {
             fuzz::must_be_a_good_error(table.error());
-            fuzz::must(table.error().message.starts_with("rays.csv:"), "the file is named");
+            fuzz::must(table.error().message().starts_with("rays.csv:"), "the file is named");
             continue;
         }
         for (const cli::RayRow& row : table->rows) {
@@ -23,7 +23,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
             else
                 fuzz::must(query.r > 0 && std::fabs(length(query.n) - 1) < 1e-12, "a place and a unit direction");
         }
-        const std::string text = cli::rays_text(*table, {table->rows.size(), std::nullopt}, 1);
+        const std::string text = cli::rays_text(*table, {}, {table->rows.size(), std::nullopt}, 1);
         const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
         fuzz::must(lines == table->rows.size() + 1, "a line out for every ray in");
     }

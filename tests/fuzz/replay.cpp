@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
     }
     for (const fs::path& file : files) {
         const auto bytes = nullscope::read_text(file);
-        if (!bytes) return std::fprintf(stderr, "replay: %s\n", bytes.error().message.c_str()), 1;
+        if (!bytes) return std::fprintf(stderr, "replay: %s\n", bytes.error().message().c_str()), 1;
         std::printf("%s\n", file.c_str());
         std::fflush(stdout);  // the last line names the file that broke
         LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size());

@@ -2,15 +2,15 @@
 #include <cmath>
 
 #include "fuzz.h"
-#include "scene/effects.h"
-#include "scene/scene_file.h"
+#include "plan/effects.h"
+#include "scenefile/scene_file.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace nullscope;
     const auto scene = parse_scene(fuzz::text_of(data, size), "scene.toml", "/nowhere");
     if (!scene) {
         fuzz::must_be_a_good_error(scene.error());
-        fuzz::must(scene.error().message.starts_with("scene.toml:"), "the file is named");
+        fuzz::must(scene.error().message().starts_with("scene.toml:"), "the file is named");
         return 0;
     }
     const CameraSpec& camera = scene->camera;

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "cli/arguments.h"
+#include "command/arguments.h"
 #include "fuzz.h"
 #include "shaderlib/method.h"
 

@@ -5,8 +5,9 @@
 #include <array>
 
 #include "base/atomic_file.h"
+#include "base/csv.h"
 #include "base/text.h"
-#include "scene/scene_file.h"
+#include "scenefile/scene_file.h"
 #include "support/folders.h"
 
 namespace nullscope::test {
@@ -14,10 +15,9 @@ namespace {
 
 constexpr std::size_t kColumns = 8;
 
-Result<GoldenCase> parse_case(const std::string& line) {
-    std::vector<std::string> cells = split(line, ',');
+Result<GoldenCase> parse_case(std::string_view line) {
+    const auto cells = csv_fields(line).value_or(std::vector<std::string>());
     if (cells.size() < kColumns) return bad_input(fmt::format("{} columns instead of {}", cells.size(), kColumns));
-    for (std::string& cell : cells) cell = trim(cell);
     GoldenCase golden;
     golden.scene = cells[0];
     golden.name = std::filesystem::path(cells[0]).stem().string();
@@ -48,16 +48,12 @@ Result<std::vector<GoldenCase>> read_golden_cases(const std::filesystem::path& f
     const auto text = read_text(file);
     if (!text) return text.error();
     std::vector<GoldenCase> cases;
-    int number = 0;
     bool heading = true;
-    for (const std::string& line : split(*text, '\n')) {
-        ++number;
-        const std::string content = trim(line);
-        if (content.empty() || content.starts_with('#')) continue;
+    for (CsvLines csv(*text); csv.next();) {
         if (std::exchange(heading, false)) continue;
-        auto golden = parse_case(content);
+        auto golden = parse_case(csv.line);
         if (!golden)
-            return bad_input(fmt::format("{}:{}: {}", file.filename().string(), number, golden.error().message));
+            return bad_input(fmt::format("{}:{}: {}", file.filename().string(), csv.number, golden.error().message()));
         cases.push_back(std::move(*golden));
     }
     return cases;

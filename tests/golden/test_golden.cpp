@@ -4,13 +4,13 @@
 #include <numeric>
 
 #include "base/atomic_file.h"
-#include "base/image_file.h"
 #include "base/text.h"
 #include "compare/heat_map.h"
 #include "compare/image_metrics.h"
 #include "golden/golden_case.h"
-#include "scene/scene_file.h"
+#include "image/image_file.h"
 #include "scene/split.h"
+#include "scenefile/scene_file.h"
 #include "support/folders.h"
 #include "support/gpu_session.h"
 
@@ -23,7 +23,7 @@ constexpr std::size_t kReportedPixels = 20;
 
 const std::vector<GoldenCase>& golden_cases() {
     static const auto cases = read_golden_cases(golden_folder() / "cases.csv");
-    const std::string reason = cases ? "" : cases.error().message;
+    const std::string reason = cases ? "" : cases.error().message();
     REQUIRE_MESSAGE(static_cast<bool>(cases), reason);
     return *cases;
 }
@@ -85,7 +85,7 @@ std::vector<PixelPlace> largest_differences(const Image<float>& difference) {
 void judge_colours(const GoldenCase& golden, const Image<float>& wanted, Outcome& outcome) {
     const auto m = measure_images(display_values(outcome.picture), wanted, golden.above);
     if (!m) {
-        outcome.failures.push_back(m.error().message);
+        outcome.failures.push_back(m.error().message());
         return;
     }
     fmt::print("{:<17} mean {:.5f}, median {:.4f}, 99.9 % {:.3f}, above {} {:.4f}, PSNR {:.1f} dB\n", golden.name,
@@ -119,7 +119,7 @@ void fail(const GoldenCase& golden, GpuSession& session, const Outcome& outcome,
         reports_folder() / fmt::format("{}-{}-{}.html", golden.name, session.context->kind(), kind);
     const Status saved = save_report(file, report);
     std::string sentence =
-        fmt::format("{}; see {}", outcome.failures.front(), saved ? file.string() : saved.error().message);
+        fmt::format("{}; see {}", outcome.failures.front(), saved ? file.string() : saved.error().message());
     FAIL_CHECK(sentence);
 }
 
@@ -135,7 +135,7 @@ Image<unsigned char> bytes_of(const Image<float>& linear) {
 void run_case(const GoldenCase& golden, GpuSession& session, MeasuredOnce& measured) {
     if (golden.contexts.find(session.context->kind()) == std::string::npos) return;
     auto scene = golden_scene(golden);
-    const std::string reason = scene ? "" : scene.error().message;
+    const std::string reason = scene ? "" : scene.error().message();
     REQUIRE_MESSAGE(static_cast<bool>(scene), reason);
     const auto file = golden_folder() / "images" / (golden.name + ".png");
     const auto wanted = load_image(file);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/spin_forms.h"
+#include "observer/spin_forms.h"
 #include "spacetime/registry.h"
 #include "support/gpu_session.h"
 #include "support/metrics.h"

@@ -6,6 +6,7 @@
 
 #include "base/assets.h"
 #include "expr/formula.h"
+#include "scene/bodies.h"
 #include "shaderlib/preprocess.h"
 #include "support/gpu_session.h"
 
@@ -26,47 +27,47 @@ void narrow(Scene& s, double fov_rad) { s.camera.plane_width = 2 * std::tan(0.5 
 
 const std::vector<Case>& cases() {
     static const std::vector<Case> all = {
-        {"sphere", [](Scene& s) { s.sphere.emplace(); }},
-        {"sphere, all of it seen", [](Scene& s) { s.sphere.emplace().radius = 1.76031; }},
-        {"sphere within the photon sphere", [](Scene& s) { s.sphere.emplace().radius = 1.2, narrow(s, 0.6); }},
-        {"sphere on the photon sphere", [](Scene& s) { s.sphere.emplace().radius = 1.5, narrow(s, 0.6); }},
-        {"sphere just outside the horizon", [](Scene& s) { s.sphere.emplace().radius = 1.001, narrow(s, 0.6); }},
-        {"sphere below the camera", [](Scene& s) { s.sphere.emplace().radius = 14.99, narrow(s, 2.5); }},
+        {"sphere", [](Scene& s) { add<SphereSpec>(s); }},
+        {"sphere, all of it seen", [](Scene& s) { add<SphereSpec>(s).radius = 1.76031; }},
+        {"sphere within the photon sphere", [](Scene& s) { add<SphereSpec>(s).radius = 1.2, narrow(s, 0.6); }},
+        {"sphere on the photon sphere", [](Scene& s) { add<SphereSpec>(s).radius = 1.5, narrow(s, 0.6); }},
+        {"sphere just outside the horizon", [](Scene& s) { add<SphereSpec>(s).radius = 1.001, narrow(s, 0.6); }},
+        {"sphere below the camera", [](Scene& s) { add<SphereSpec>(s).radius = 14.99, narrow(s, 2.5); }},
         {"sphere, camera within the photon sphere",
-         [](Scene& s) { s.sphere.emplace().radius = 1.1, s.camera.r = 1.3, narrow(s, 2.5); }},
-        {"sphere from afar", [](Scene& s) { s.sphere.emplace().radius = 2, s.camera.r = 1e4, narrow(s, 8e-4); }},
-        {"sphere, flat", [](Scene& s) { s.sphere.emplace(), flat(s); }},
+         [](Scene& s) { add<SphereSpec>(s).radius = 1.1, s.camera.r = 1.3, narrow(s, 2.5); }},
+        {"sphere from afar", [](Scene& s) { add<SphereSpec>(s).radius = 2, s.camera.r = 1e4, narrow(s, 8e-4); }},
+        {"sphere, flat", [](Scene& s) { add<SphereSpec>(s), flat(s); }},
         {"sphere, fast camera",
          [](Scene& s) {
-             s.sphere.emplace(), s.camera.velocity = {-0.3, 0.2, 0.6};
+             add<SphereSpec>(s), s.camera.velocity = {-0.3, 0.2, 0.6};
          }},
-        {"cylinder", [](Scene& s) { s.cylinder.emplace(); }},
-        {"cylinder from its plane", [](Scene& s) { s.cylinder.emplace(), s.camera.theta = M_PI / 2; }},
-        {"cylinder from the axis", [](Scene& s) { s.cylinder.emplace(), s.camera.theta = 0; }},
-        {"thin cylinder, flat", [](Scene& s) { s.cylinder.emplace().height = 0.05, flat(s); }},
+        {"cylinder", [](Scene& s) { add<CylinderSpec>(s); }},
+        {"cylinder from its plane", [](Scene& s) { add<CylinderSpec>(s), s.camera.theta = M_PI / 2; }},
+        {"cylinder from the axis", [](Scene& s) { add<CylinderSpec>(s), s.camera.theta = 0; }},
+        {"thin cylinder, flat", [](Scene& s) { add<CylinderSpec>(s).height = 0.05, flat(s); }},
         {"ball behind",
          [](Scene& s) {
-             s.ball.emplace().position = {-12, 1, 0.5};
+             add<BallSpec>(s).position = {-12, 1, 0.5};
          }},
         {"ball before",
          [](Scene& s) {
-             s.ball.emplace().position = {6, 1, -1};
+             add<BallSpec>(s).position = {6, 1, -1};
          }},
-        {"ball, flat", [](Scene& s) { s.ball.emplace(), flat(s); }},
+        {"ball, flat", [](Scene& s) { add<BallSpec>(s), flat(s); }},
         {"small ball behind",
          [](Scene& s) {
-             s.ball.emplace().position = {-10, 0.3, 0}, s.ball->radius = 0.3;
+             add<BallSpec>(s).position = {-10, 0.3, 0}, first_shape<BallSpec>(s)->radius = 0.3;
          }},
-        {"surface", [](Scene& s) { s.surface.emplace(); }},
+        {"surface", [](Scene& s) { add<SurfaceSpec>(s); }},
         {"surface of two pieces, flat",
          [](Scene& s) {
-             s.surface.emplace().shape = "min(length(x, y - 3, z) - 1, max(abs(x), max(abs(y + 3), abs(z))) - 1)",
+             add<SurfaceSpec>(s).shape = "min(length(x, y - 3, z) - 1, max(abs(x), max(abs(y + 3), abs(z))) - 1)",
              flat(s);
          }},
         {"all, with discs between",
          [](Scene& s) {
-             s.sphere.emplace().radius = 1.4, s.cylinder.emplace().inner = 5, s.cylinder->outer = 6,
-             s.ball.emplace().position = {-9, 3, 2};
+             add<SphereSpec>(s).radius = 1.4, add<CylinderSpec>(s).inner = 5, first_shape<CylinderSpec>(s)->outer = 6,
+             add<BallSpec>(s).position = {-9, 3, 2};
              s.disc.emplace().inner = 2, s.disc->outer = 4.5, s.disc->opacity = 0.5;
          }},
     };
@@ -121,37 +122,40 @@ TEST_CASE("bodies: tables and textures are there for the effects that are on, an
         CHECK(now() == Names{});
         scene.camera.velocity = {0, 0, 0.5};  // aberration has neither
         CHECK(now() == Names{});
-        scene.sphere.emplace().look.texture = TextureKind::kChecker;  // nor have bodies and patterns in flat space
-        scene.cylinder.emplace().look.texture = TextureKind::kNoise;
-        scene.ball.emplace().look.texture = TextureKind::kFormula;
-        scene.ball->look.formula = "u";
-        scene.surface.emplace();
+        // Nor have bodies and patterns in flat space.
+        add_body<SphereSpec>(scene).material.texture = TextureKind::kChecker;
+        add_body<CylinderSpec>(scene).material.texture = TextureKind::kNoise;
+        add_body<BallSpec>(scene).material.texture = TextureKind::kFormula;
+        first_body<BallSpec>(scene)->material.formula = "u";
         CHECK(now() == Names{});
-        scene.sphere->look.texture = TextureKind::kImage;
-        scene.sphere->look.image = assets_directory() / "images" / "accretion-disc.png";
-        CHECK(now() == Names{"sphere_texture"});
-        scene.sphere.reset(), scene.cylinder.reset(), scene.ball.reset(), scene.surface.reset();
+        add<SurfaceSpec>(scene);
+        CHECK(now() == Names{"surface clearance"});
+        first_body<SphereSpec>(scene)->material.texture = TextureKind::kImage;
+        first_body<SphereSpec>(scene)->material.image = assets_directory() / "images" / "accretion-disc.png";
+        CHECK(now() == Names{"body_image_0", "surface clearance"});
+        remove_bodies<SphereSpec>(scene), remove_bodies<CylinderSpec>(scene), remove_bodies<BallSpec>(scene),
+            remove_bodies<SurfaceSpec>(scene);
         CHECK(now() == Names{});
         scene.disc.emplace();
         CHECK(now() == Names{"disc image"});
         scene.disc->opacity = 0.5;
         CHECK(now() == Names{"disc image"});
         scene.spacetime.metric = "schwarzschild";
-        CHECK(now() == Names{"disc image", "strip", "ray ends", "orbit map"});
+        CHECK(now() == Names{"disc image", "strip", "ray ends", "orbit table"});
         scene.disc.reset();
         scene.sky.kind = SkyKind::kStars;
         const Names sky_only = now();
-        CHECK(sky_only.count("orbit map") == 0);
+        CHECK(sky_only.count("orbit table") == 0);
         CHECK(sky_only.count("sky") == 1);
         scene.sky.kind = SkyKind::kBlack;
         for (int body = 0; body < 4; ++body) {
             Scene with = scene;
-            if (body == 0) with.sphere.emplace();
-            if (body == 1) with.cylinder.emplace();
-            if (body == 2) with.ball.emplace();
-            if (body == 3) with.surface.emplace();
-            CHECK(textures_of(session, with).count("orbit map") == 1);
-            CHECK(textures_of(session, scene).count("orbit map") == 0);
+            if (body == 0) add<SphereSpec>(with);
+            if (body == 1) add<CylinderSpec>(with);
+            if (body == 2) add<BallSpec>(with);
+            if (body == 3) add<SurfaceSpec>(with);
+            CHECK(textures_of(session, with).count("orbit table") == 1);
+            CHECK(textures_of(session, scene).count("orbit table") == 0);
         }
     });
 }

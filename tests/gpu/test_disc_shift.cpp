@@ -108,8 +108,8 @@ TEST_CASE("disc: g as the GPU draws it is the reference's, whole and with a part
 
 // The picture with a temperature of the sky over the one without it, against what the reference makes of the same g.
 TEST_CASE("sky: its light changes as a black body's by g, the same all over it or by direction, whole and in part") {
-    constexpr double kTolerance =
-        1e-3;  // the table of black bodies 2e-5, half floats of the sky's texture not at all: both have them
+    // The table of black bodies 2e-5, half floats of the sky's texture not at all: both have them.
+    constexpr double kTolerance = 1e-3;
     on_every_context([&](GpuSession& session) {
         double worst = 0;
         int pixels = 0;

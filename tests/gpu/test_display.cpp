@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "render/display.h"
-#include "scene/scene_file.h"
+#include "scenefile/scene_file.h"
 #include "support/gpu_session.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "scene/scene_file.h"
+#include "scenefile/scene_file.h"
 #include "support/gpu_session.h"
 
 using namespace nullscope;

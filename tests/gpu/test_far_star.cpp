@@ -24,7 +24,7 @@ double light_about(const Image<float>& picture, double x, double y) {
 
 TEST_CASE("far star: both images are as bright as the reference has them, from 1e2 to 1e9 r_s") {
     constexpr double kTolerance = 0.01;  // what the project promises; reached: see the line printed
-    constexpr double kLight = 2000;      // half floats end at 65504; the faintest image has 17
+    constexpr double kLight = 2000;      // half floats end at 65504; the magnitude_limit image has 17
     on_every_context([&](GpuSession& session) {
         double worst_sum = 0, worst_image = 0;
         for (double r = 1e2; r < 2e9; r *= 10)

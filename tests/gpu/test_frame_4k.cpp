@@ -53,8 +53,8 @@ void check_camera(double r, double yaw_deg, int row_step) {
 
 const int kEveryRow = by_depth(121, 23, 1);
 const int kTurnedRowStep = by_depth(241, 45, 3);  // the edge and its rings once more, aside of the picture's middle
-const int kSmoothRowStep =
-    by_depth(181, 40, 8);  // views without the shadow's edge or its rings have no place for an error to hide in
+// Views without the shadow's edge or its rings have no place for an error to hide in.
+const int kSmoothRowStep = by_depth(181, 40, 8);
 
 TEST_CASE("4K: cameras that look at the hole") {
     for (const double r : {1.1, 1.5, 2.0, 5.0, 20.0, 1000.0}) check_camera(r, 0, kEveryRow);

@@ -16,8 +16,8 @@ using namespace nullscope::test;
 bool whole(const RayFrame& frame) {     // every channel finite, every fate one that there is, directions of length 1
     constexpr double kUnit = 1e-5;      // a float normalisation, with room
     constexpr double kHalfTurn = 1e-5;  // of a half turn: next to a whole number of them either order will do;
-    constexpr double kFloat =
-        2e-7;  // and so it will where a float no longer tells half turns apart, in a wormhole's long tube
+    // And so it will where a float no longer tells half turns apart, in a wormhole's long tube.
+    constexpr double kFloat = 2e-7;
     for (const RayPixel& p : frame.pixels) {
         if (!all_finite(p)) return false;
         if (p.fate != Fate::kEscaped && p.fate != Fate::kCaptured && p.fate != Fate::kOtherSide &&

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "scene/bodies.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -19,11 +20,16 @@ struct Case {
 };
 
 void spin(Scene& s, double spin) { s.spacetime.parameters["spin"] = spin; }
-void ball(Scene& s, Vec3 at, double radius) { s.ball.emplace().position = at, s.ball->radius = radius; }
-void thick_disc(Scene& s, double inner, double outer, double height) {
-    s.cylinder.emplace().inner = inner, s.cylinder->outer = outer, s.cylinder->height = height;
+void ball(Scene& s, Vec3 at, double radius) {
+    add<BallSpec>(s).position = at, first_shape<BallSpec>(s)->radius = radius;
 }
-void torus(Scene& s) { s.surface.emplace().shape = "(length(x, y) - 4)^2 + z^2 - 0.5", s.surface->bound = 5; }
+void thick_disc(Scene& s, double inner, double outer, double height) {
+    add<CylinderSpec>(s).inner = inner, first_shape<CylinderSpec>(s)->outer = outer,
+    first_shape<CylinderSpec>(s)->height = height;
+}
+void torus(Scene& s) {
+    add<SurfaceSpec>(s).shape = "(length(x, y) - 4)^2 + z^2 - 0.5", first_shape<SurfaceSpec>(s)->bound = 5;
+}
 void looks(Scene& s, double r, double theta) { s.camera.r = r, s.camera.theta = theta; }
 
 const std::vector<Case>& cases() {
@@ -44,8 +50,8 @@ const std::vector<Case>& cases() {
          [](Scene& s) {
              ball(s, {0, 0, 2}, 0.6);
          }},
-        {"sphere outside of all photon orbits", [](Scene& s) { s.sphere.emplace().radius = 2.5; }},
-        {"sphere next to the horizon", [](Scene& s) { spin(s, 0.998), s.sphere.emplace().radius = 0.6; }},
+        {"sphere outside of all photon orbits", [](Scene& s) { add<SphereSpec>(s).radius = 2.5; }},
+        {"sphere next to the horizon", [](Scene& s) { spin(s, 0.998), add<SphereSpec>(s).radius = 0.6; }},
         {"thick disc", [](Scene& s) { thick_disc(s, 3, 6, 0.4); }},
         {"thick disc down to the horizon, spin 0.998", [](Scene& s) { spin(s, 0.998), thick_disc(s, 0.7, 4, 0.2); }},
         {"thin thick disc, from the side", [](Scene& s) { thick_disc(s, 3, 6, 0.05), looks(s, 15, 1.5); }},
@@ -61,10 +67,13 @@ const std::vector<Case>& cases() {
          }},
         {"orbiting ball, light delayed",
          [](Scene& s) {
-             ball(s, {3, 0, 0}, 0.5), s.ball->motion = BallMotion::kOrbit, s.time = 40;
+             ball(s, {3, 0, 0}, 0.5), first_shape<BallSpec>(s)->motion = BallMotion::kOrbit, s.time = 40;
          }},
         {"pulsing sphere, light delayed",
-         [](Scene& s) { s.sphere.emplace().radius = 2, s.sphere->swing = 0.2, s.sphere->period = 20, s.time = 3; }},
+         [](Scene& s) {
+             add<SphereSpec>(s).radius = 2, first_shape<SphereSpec>(s)->amplitude = 0.2,
+             first_shape<SphereSpec>(s)->period = 20, s.time = 3;
+         }},
         {"boosted camera, ball",
          [](Scene& s) {
              ball(s, {3, 1, 0.5}, 2.0), s.camera.observer = ObserverKind::kZamo, s.camera.velocity = {0.3, 0.4, -0.2};

@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include "camera/pose.h"
+#include "observer/pose.h"
 #include "reference/frame_tracer.h"
 #include "render/frame_tables.h"
 #include "shadercore/core_trace.h"

@@ -51,8 +51,8 @@ TEST_CASE("kerr images: of any order") {
             tracer.ray(x - kFromEdge, y)->fate() == Fate::kCaptured)
             continue;
         ++late, latest = std::max(latest, met.number);
-        const RayPixel drawn =
-            trace_core64(input, x - 0.5 * camera.width, 0.5 * camera.height - y);  // from the centre, upward
+        // From the centre, upward.
+        const RayPixel drawn = trace_core64(input, x - 0.5 * camera.width, 0.5 * camera.height - y);
         missed += drawn.fate != Fate::kHit;
         const Met beside = met_by(tracer, x + 1e-6, y);
         if (beside.number != met.number) continue;

@@ -2,6 +2,7 @@
 // what a scene cannot have is refused.
 #include <algorithm>
 
+#include "scene/bodies.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -82,10 +83,10 @@ TEST_CASE("kerr methods: what a scene cannot have is refused") {
             const Status ready = session.renderer->prepare(scene);
             REQUIRE_FALSE(ready);
             CHECK(ready.error().kind == ErrorKind::kBadInput);
-            CHECK_MESSAGE(ready.error().message.find(word) != std::string::npos, ready.error().message);
+            CHECK_MESSAGE(ready.error().message().find(word) != std::string::npos, ready.error().message());
         };
         Scene disc = far_view(), ball = far_view();
-        disc.disc.emplace(), ball.ball.emplace();
+        disc.disc.emplace(), add<BallSpec>(ball);
         for (const char* name : {"mino:4", "kerr-schild:0.1", "table", "strip:cubic"})
             for (const Scene& scene : {disc, ball}) refused(scene, name, "allowed: auto, mino");
         for (const char* name : {"mino", "mino:4", "kerr-schild:0.1"})

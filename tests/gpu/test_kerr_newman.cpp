@@ -2,6 +2,7 @@
 // that a rotating hole can have against the reference.
 #include <cmath>
 
+#include "scene/bodies.h"
 #include "shadow_edge.h"
 #include "support/gpu_session.h"
 #include "support/metrics.h"
@@ -77,13 +78,14 @@ TEST_CASE("kerr-newman: frames with disc, bodies, light times and falling camera
          [](Scene& s) { s.disc = DiscSpec{}, s.disc->inner = 1.0, s.disc->flow = DiscFlowKind::kKepler; }},
         {"ball and cylinder",
          [](Scene& s) {
-             s.ball.emplace().position = {3, 2, 0.5}, s.ball->radius = 0.8;
-             s.cylinder.emplace().inner = 2, s.cylinder->outer = 5, s.cylinder->height = 0.2;
+             add<BallSpec>(s).position = {3, 2, 0.5}, first_shape<BallSpec>(s)->radius = 0.8;
+             add<CylinderSpec>(s).inner = 2, first_shape<CylinderSpec>(s)->outer = 5,
+             first_shape<CylinderSpec>(s)->height = 0.2;
          }},
         {"planet",
          [](Scene& s) {
-             s.ball.emplace().position = {4, 0, 0}, s.ball->radius = 0.7;
-             s.ball->motion = BallMotion::kOrbit, s.time = 20;
+             add<BallSpec>(s).position = {4, 0, 0}, first_shape<BallSpec>(s)->radius = 0.7;
+             first_shape<BallSpec>(s)->motion = BallMotion::kOrbit, s.time = 20;
          }},
         {"rain outside", [](Scene& s) { s.camera.observer = ObserverKind::kRain, s.camera.r = 2.0; }},
         {"rain inside",

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/observer.h"
+#include "observer/observer.h"
 #include "spacetime/registry.h"
 #include "support/gpu_session.h"
 

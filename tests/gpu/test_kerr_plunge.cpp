@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/path.h"
-#include "scene/scene_file.h"
+#include "observer/path.h"
+#include "scenefile/scene_file.h"
 #include "spacetime/registry.h"
 #include "support/gpu_session.h"
 

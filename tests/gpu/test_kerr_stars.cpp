@@ -33,8 +33,8 @@ Scene star_scene(double spin, double r, double theta, int stars) {
     scene.camera.width = 96, scene.camera.height = 64;
     scene.camera.plane_width = 1.4;
     scene.sky.kind = SkyKind::kPoints;
-    scene.sky.even_stars = stars;
-    scene.sky.faintest = -5.0;
+    scene.sky.uniform_stars = stars;
+    scene.sky.magnitude_limit = -5.0;
     return scene;
 }
 
@@ -206,8 +206,8 @@ Image<float> painted(const std::vector<Spot>& spots, int width, int height) {
 TEST_CASE(
     "kerr point stars: in the picture every image has the reference's light and place, and every pixel its light") {
     constexpr int kReach = 4;
-    constexpr double kShown =
-        0.1;  // of its star's light: beside dimmer ones, at the shadow, there are others that no witness has found
+    // Of its star's light: beside dimmer ones, at the shadow, there are others that no witness has found.
+    constexpr double kShown = 0.1;
     const std::vector<View> all = views();
     on_every_context([&](GpuSession& session) {
         int found = 0;
@@ -258,13 +258,13 @@ TEST_CASE(
 }
 
 TEST_CASE("kerr point stars: next to no spin they are those of a hole without, which a lens in one dimension places") {
-    constexpr double kMean =
-        0.01;  // of the light, pixel by pixel: images within a tenth of a pixel of the ring, and beside the shadow
+    // Of the light, pixel by pixel: images within a tenth of a pixel of the ring, and beside the shadow.
+    constexpr double kMean = 0.01;
     on_every_context([&](GpuSession& session) {
         Scene scene = star_scene(0, 12, 1.2, 2000);
         scene.camera.observer = ObserverKind::kStatic;
         scene.camera.width = 320, scene.camera.height = 200;
-        scene.sky.faintest = 4.0;
+        scene.sky.magnitude_limit = 4.0;
         REQUIRE(session.renderer->prepare(scene));
         CHECK(session.renderer->tables().effects().contains(Effect::kLensing));
         const Image<float> without = session.renderer->picture();
@@ -289,7 +289,7 @@ TEST_CASE("kerr point stars: next to no spin they are those of a hole without, w
 TEST_CASE("kerr point stars: the whole catalogue's images, the same every time") {
     Scene scene = star_scene(0.95, 15, 1.48, 0);
     scene.camera.width = 1280, scene.camera.height = 720;
-    scene.sky.faintest = 20.0;
+    scene.sky.magnitude_limit = 20.0;
     const auto stars = point_stars(scene.sky, assets_directory());
     REQUIRE(stars);
     FrameTables tables;

@@ -97,7 +97,7 @@ TEST_CASE("methods: a tolerance that nothing meets is refused with the smallest 
     const auto choice = choose_method(*measured, scene, 1e-6);
     REQUIRE(!choice);
     CHECK(choice.error().kind == ErrorKind::kBadInput);
-    CHECK(choice.error().message.find("allowed:") != std::string::npos);
+    CHECK(choice.error().message().find("allowed:") != std::string::npos);
 }
 
 // The filter of many GPUs has weights of 8 bits: the remainder R is flat enough that this costs no more than its bound.
@@ -105,8 +105,8 @@ TEST_CASE("methods: hardware filtering with weights of 8 bits, emulated") {
     const auto spacetime = spherical("schwarzschild");
     const DeflectionTable table(*spacetime);
     constexpr int kSize = 512;
-    constexpr double kBound_rad =
-        3e-5;  // measured 2.4e-5: half a 256th of the step of R between nodes, and the bilinear error
+    // Measured 2.4e-5: half a 256th of the step of R between nodes, and the bilinear error.
+    constexpr double kBound_rad = 3e-5;
     double worst = 0;
     std::mt19937 random(8);
     const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
@@ -138,8 +138,8 @@ TEST_CASE("methods: a bound that tells nothing is not told") {
         scene.camera.focal_distance = 1.0, scene.camera.plane_width = 2 * std::tan(0.5 * fov);
         return default_method(*measured, scene).reason;
     };
-    CHECK(reason_at(1.0).find("asked: 0.05") != std::string::npos);
-    CHECK(reason_at(0.01).find("px are sure here, not the usual 0.05") != std::string::npos);
+    CHECK(reason_at(1.0).find("limit 0.05") != std::string::npos);
+    CHECK(reason_at(0.01).find("px is guaranteed, not the usual 0.05") != std::string::npos);
     scene.camera.r = 1e9;
     const std::string deep = reason_at(2e-8);  // filled by the hole
     CHECK(deep.find("not measured for pixels as small as these (1.6e-11 rad)") != std::string::npos);

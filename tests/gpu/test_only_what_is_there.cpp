@@ -7,6 +7,7 @@
 
 #include "base/assets.h"
 #include "base/atomic_file.h"
+#include "scene/bodies.h"
 #include "shaderlib/shader_source.h"
 #include "support/folders.h"
 #include "support/gpu_session.h"
@@ -25,9 +26,10 @@ Names textures_for(const EffectSet& effects, const Scene& scene) {
     Names names;
     const bool lensing = effects.contains(Effect::kLensing), objects = meets_objects(effects);
     if (lensing) names.insert("strip");
-    if (lensing && objects) names.insert({"ray ends", "orbit map"});
-    if (lensing && effects.contains(Effect::kDelay)) names.insert("delay map");
-    if (effects.contains(Effect::kBallPath)) names.insert("ball's way");
+    if (lensing && objects) names.insert({"ray ends", "orbit table"});
+    if (lensing && effects.contains(Effect::kDelay)) names.insert("light-time table");
+    if (effects.contains(Effect::kBallPath)) names.insert("ball paths");
+    if (effects.contains(Effect::kSurface)) names.insert("surface clearance");
     if (effects.contains(Effect::kDiscImage)) names.insert("disc image");
     if (effects.contains(Effect::kThermalDisc)) names.insert("disc flow");
     if (shades_heat(effects)) names.insert("black body");
@@ -36,8 +38,8 @@ Names textures_for(const EffectSet& effects, const Scene& scene) {
     if (effects.contains(Effect::kSky)) names.insert("sky");
     if (effects.contains(Effect::kFarSky)) names.insert("far sky");
     if (effects.contains(Effect::kBodyImage))
-        for (int body = 0; body < kBodyCount; ++body)
-            if (body_image_file(scene, body)) names.insert(body_image_sampler(body));
+        for (std::size_t i = 0; i < body_images(scene).size(); ++i)
+            names.insert(body_image_sampler(static_cast<int>(i)));
     return names;
 }
 
@@ -64,29 +66,30 @@ std::vector<Scene> full_scenes() {
     holes.disc->opacity = 0.5;
     holes.disc->emission = DiscEmission::kThermal;
     holes.disc->image = assets_directory() / "images" / "accretion-disc.png";
-    holes.sphere.emplace().look.texture = TextureKind::kChecker;
-    holes.cylinder.emplace().look.texture = TextureKind::kNoise;
-    BodyLook& ball = holes.ball.emplace().look;
+    add_body<SphereSpec>(holes).material.texture = TextureKind::kChecker;
+    add_body<CylinderSpec>(holes).material.texture = TextureKind::kNoise;
+    Material& ball = add_body<BallSpec>(holes).material;
     ball.texture = TextureKind::kFormula, ball.formula = "u"s;
-    BodyLook& surface = holes.surface.emplace().look;
+    Material& surface = add_body<SurfaceSpec>(holes).material;
     surface.texture = TextureKind::kImage, surface.image = assets_directory() / "sky" / "milky-way.png";
     scenes[1].spacetime.metric = "ellis";
-    scenes[1].ball.emplace().far = true;
+    add_body<BallSpec>(scenes[1]).far = true;
     scenes[2].spacetime.metric = "neutron-star";
     scenes[3].sky.kind = SkyKind::kPoints;
     scenes[3].light.bolometric = true;
     scenes[4].sky.kind = SkyKind::kGrid;
-    scenes[4].disc.emplace().look.texture = TextureKind::kNoise;
+    scenes[4].disc.emplace().material.texture = TextureKind::kNoise;
     scenes[4].disc->emission = DiscEmission::kThermal;
     scenes[5].spacetime = {"reissner-nordstrom", {{"charge", 1.2}}};
     scenes[4].spacetime = {"reissner-nordstrom", {{"charge", 0.8}}};
     scenes[4].disc->flow = DiscFlowKind::kKepler;
-    scenes[4].spot.emplace();
-    scenes[4].ball.emplace().motion = BallMotion::kOrbit;
-    scenes[4].sphere.emplace().swing = 0.1;
+    scenes[4].spots.emplace_back();
+    add<BallSpec>(scenes[4]).motion = BallMotion::kOrbit;
+    add<SphereSpec>(scenes[4]).amplitude = 0.1;
     scenes[6].spacetime.metric = "kerr";
     scenes[6].sky.kind = SkyKind::kPoints;
     scenes[6].disc.emplace().emission = DiscEmission::kThermal;
+    scenes[6].disc->effects.limb_darkening = true;
     scenes[6].camera.observer = ObserverKind::kRain;
     scenes[1].picture = {ToneCurve::kFilm, 0.1, false, true};
     scenes[2].picture = {ToneCurve::kNeutral, 0.0, true, false};
@@ -127,8 +130,8 @@ double ratio_to_lone_sky(GpuSession& session, Scene scene, bool& same) {
         shader_source(Stage::kPicture, {Effect::kLensing, Effect::kSky}, Output::kDisplay, {}, "schwarzschild", {});
     const gl::Program lone = gl::make_program(source.vertex, *frozen);
     gl::bind_uniform_block(lone, "FrameBlock", 0);
-    gl::bind_sampler(lone, "strip_texture", 0);  // Renderer's units
-    gl::bind_sampler(lone, "sky_texture", 2);
+    gl::set_integer(lone, "strip_texture", 0);  // Renderer's units
+    gl::set_integer(lone, "sky_texture", 2);
     const gl::VertexArray empty = gl::make_vertex_array();
     const gl::Target target = gl::make_target(kWidth, kHeight, gl::Format::kRgba8);
     const auto with_renderer = [&] { renderer.draw(target.framebuffer.id(), kWidth, kHeight, Output::kDisplay); };

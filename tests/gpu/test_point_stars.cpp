@@ -26,8 +26,8 @@ Scene star_scene(double r, int stars, double magnitude, int width, int height, d
     scene.camera.focal_distance = 1.0;
     scene.camera.plane_width = 2.0 * std::tan(0.5 * fov);
     scene.sky.kind = SkyKind::kPoints;
-    scene.sky.even_stars = stars;
-    scene.sky.faintest = magnitude;
+    scene.sky.uniform_stars = stars;
+    scene.sky.magnitude_limit = magnitude;
     return scene;
 }
 

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <optional>
 
-#include "scene/scene_file.h"
+#include "scenefile/scene_file.h"
 #include "support/gpu_session.h"
 
 namespace {

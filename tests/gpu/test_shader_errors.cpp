@@ -1,5 +1,5 @@
 // What a driver says of a broken shader names the file and the line.
-#include "scene/effects.h"
+#include "plan/effects.h"
 #include "shaderlib/shader_source.h"
 #include "support/gpu_session.h"
 

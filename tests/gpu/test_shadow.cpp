@@ -10,8 +10,8 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr double kPixel_rad =
-    60.0 / 3840 * M_PI / 180;           // a 4K frame over 60 degrees, the smaller of the two usual ones
+// A 4K frame over 60 degrees, the smaller of the two usual ones.
+constexpr double kPixel_rad = 60.0 / 3840 * M_PI / 180;
 constexpr double kTolerance_px = 0.01;  // the promise of the project for edges
 constexpr int kColumns = 401;           // across 0.04 px: steps of 1e-4 px, below a float's rounding
 constexpr double kWidth_px = 4 * kTolerance_px;
@@ -38,8 +38,8 @@ Scene strip_at(double rho, double angle, bool horizontal) {
 double worst_px(const RayFrame& frame, bool horizontal) {
     double worst = 0;
     for (int i = 0; i < kColumns; ++i) {
-        const double from_edge =
-            (i - kColumns / 2) * kWidth_px / kColumns;  // outwards to the right; upwards with pitch
+        // Outwards to the right; upwards with pitch.
+        const double from_edge = (i - kColumns / 2) * kWidth_px / kColumns;
         const RayPixel& pixel = horizontal ? frame.at(i, 0) : frame.at(0, kColumns - 1 - i);
         const bool outside = pixel.fate == Fate::kEscaped;
         if (outside != (from_edge > 0)) worst = std::max(worst, std::abs(from_edge));

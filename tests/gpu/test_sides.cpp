@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "scene/bodies.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -20,12 +21,13 @@ struct Case {
 void film(Scene& s, double length = 0.01, double width = 0.05) {
     s.spacetime = {"dneg-wormhole", {{"throat", 1.0}, {"length", length}, {"lensing_width", width}}};
 }
-void near_ball(Scene& s) { s.ball.emplace().position = {4, 2, -0.5}, s.ball->radius = 1; }
+void near_ball(Scene& s) { add<BallSpec>(s).position = {4, 2, -0.5}, first_shape<BallSpec>(s)->radius = 1; }
 void far_ball(Scene& s, Vec3 at = {-4, 1, 0.5}) {
-    s.ball.emplace().position = at, s.ball->radius = 1.5, s.ball->far = true;
+    add<BallSpec>(s).position = at, first_shape<BallSpec>(s)->radius = 1.5, first_body<BallSpec>(s)->far = true;
 }
 void far_ring(Scene& s) {
-    s.cylinder.emplace().inner = 2, s.cylinder->outer = 4, s.cylinder->height = 0.3, s.cylinder->far = true;
+    add<CylinderSpec>(s).inner = 2, first_shape<CylinderSpec>(s)->outer = 4, first_shape<CylinderSpec>(s)->height = 0.3,
+    first_body<CylinderSpec>(s)->far = true;
 }
 
 const std::vector<Case>& cases() {
@@ -33,7 +35,7 @@ const std::vector<Case>& cases() {
         {"ellis: ball near", near_ball},
         {"ellis: ball behind the throat, near",
          [](Scene& s) {
-             s.ball.emplace().position = {-4, 0.3, 0}, s.ball->radius = 1.5;
+             add<BallSpec>(s).position = {-4, 0.3, 0}, first_shape<BallSpec>(s)->radius = 1.5;
          }},
         {"ellis: ball far, behind", [](Scene& s) { far_ball(s); }},
         {"ellis: ball far, in front",
@@ -47,12 +49,13 @@ const std::vector<Case>& cases() {
         {"ellis: ring far", far_ring},
         {"ellis: ring near, ball far",
          [](Scene& s) {
-             far_ball(s), s.cylinder.emplace().inner = 2, s.cylinder->outer = 3, s.cylinder->height = 0.2;
+             far_ball(s), add<CylinderSpec>(s).inner = 2, first_shape<CylinderSpec>(s)->outer = 3,
+                          first_shape<CylinderSpec>(s)->height = 0.2;
          }},
         {"ellis: ball near, surface far",
          [](Scene& s) {
-             near_ball(s), s.surface.emplace().shape = "length(x + 4, y, z) - 1.5", s.surface->bound = 6,
-                           s.surface->far = true;
+             near_ball(s), add<SurfaceSpec>(s).shape = "length(x + 4, y, z) - 1.5",
+                           first_shape<SurfaceSpec>(s)->bound = 6, first_body<SurfaceSpec>(s)->far = true;
          }},
         {"ellis: camera far, ball near", [](Scene& s) { near_ball(s), s.camera.r = -5, s.camera.yaw = M_PI; }},
         {"ellis: camera in the throat, ball far",

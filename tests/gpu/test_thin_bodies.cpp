@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "scene/bodies.h"
 #include "sky/sky.h"
 #include "support/gpu_session.h"
 
@@ -23,9 +24,12 @@ struct Case {
 void kerr(Scene& s) { s.spacetime = {"kerr", {{"spin", 0.9}}}; }
 void flat(Scene& s) { s.spacetime.metric = "minkowski"; }
 void ring(Scene& s, double height) {
-    s.cylinder.emplace().inner = 4, s.cylinder->outer = 8, s.cylinder->height = height;
+    add<CylinderSpec>(s).inner = 4, first_shape<CylinderSpec>(s)->outer = 8,
+    first_shape<CylinderSpec>(s)->height = height;
 }
-void ball(Scene& s, double radius) { s.ball.emplace().position = {6, 1, 0.5}, s.ball->radius = radius; }
+void ball(Scene& s, double radius) {
+    add<BallSpec>(s).position = {6, 1, 0.5}, first_shape<BallSpec>(s)->radius = radius;
+}
 
 const std::vector<Case>& cases() {
     static const std::vector<Case> all = {
@@ -38,7 +42,10 @@ const std::vector<Case>& cases() {
         {"ball of six pixels", [](Scene& s) { ball(s, 1.5); }},
         {"ball of six pixels, rotating hole", [](Scene& s) { kerr(s), ball(s, 1.5); }},
         {"torus of four pixels, flat",
-         [](Scene& s) { flat(s), s.surface.emplace().shape = "(length(x, y) - 6)^2 + z^2 - 1", s.surface->bound = 8; }},
+         [](Scene& s) {
+             flat(s), add<SurfaceSpec>(s).shape = "(length(x, y) - 6)^2 + z^2 - 1",
+                      first_shape<SurfaceSpec>(s)->bound = 8;
+         }},
     };
     return all;
 }

@@ -12,10 +12,10 @@ using namespace nullscope;
 using namespace nullscope::test;
 
 constexpr int kSamples = 16;  // a side and pixel, of the reference
-constexpr double kTotal =
-    0.15;  // of the ring's light: one colour stands for its whole width, and the rows of a disc's image differ
-constexpr double kUneven =
-    0.25;  // of a column's light to its neighbours': what a line has that crosses pixels at an angle
+// Of the ring's light: one colour stands for its whole width, and the rows of a disc's image differ.
+constexpr double kTotal = 0.15;
+// Of a column's light to its neighbours': what a line has that crosses pixels at an angle.
+constexpr double kUneven = 0.25;
 
 // Light of each column, linear, summed over the rows and colours.
 std::vector<double> columns(const Image<float>& picture) {

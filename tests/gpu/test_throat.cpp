@@ -16,8 +16,8 @@ using namespace nullscope::test;
 // d(phi)/dl = |tan(alpha)| over the throat's radius in it and less elsewhere, alpha from the radial direction. Rays within kRim of the
 // rim are left out, for the sky turns faster there than a frame shows: tan(alpha) is below 10; the rest is for two directions.
 constexpr double kRim = 0.1, kSteepest = 16.0;
-constexpr double kFloor =
-    2e-5;  // of two frames' directions: straight lines of the strip, 1.8e-6 rad, a few times, and float
+// Of two frames' directions: straight lines of the strip, 1.8e-6 rad, a few times, and float.
+constexpr double kFloor = 2e-5;
 
 struct Shot {
     double l;

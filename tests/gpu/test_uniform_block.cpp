@@ -1,4 +1,7 @@
 // The driver's layout of the uniform block is that of the C++ struct.
+#include <glad/gl.h>
+
+#include "scene/bodies.h"
 #include "shadercore/frame_data.h"
 #include "shaderlib/shader_source.h"
 #include "support/gpu_session.h"
@@ -33,22 +36,34 @@ Scene scene_of(unsigned bits) {
     scene.sky.kind = !has(3) ? SkyKind::kBlack : has(0) ? SkyKind::kPoints : SkyKind::kStars;
     if (has(1) && has(3)) scene.sky.temperature_K = 5000.0;
     scene.picture.bloom = has(7) ? 0.1 : 0.0;
-    if (has(2) && has(3) && !has(0)) scene.disc->look.texture = TextureKind::kGrid;  // in flat space both again
+    if (has(2) && has(3) && !has(0)) scene.disc->material.texture = TextureKind::kGrid;  // in flat space both again
     if (has(3) && has(8) && !has(0)) scene.sky.kind = SkyKind::kChecker;
-    if (has(4)) scene.sphere.emplace().look.texture = TextureKind::kChecker;
-    if (has(5)) scene.cylinder.emplace().look.texture = TextureKind::kNoise;
-    if (has(6)) scene.ball.emplace().look.texture = TextureKind::kImage;
-    if (has(7)) scene.surface.emplace();
-    if (has(2) && has(8)) scene.disc->flow = DiscFlowKind::kKepler, scene.spot.emplace();
-    if (has(6) && has(8)) scene.ball->motion = BallMotion::kOrbit;
+    if (has(4)) add_body<SphereSpec>(scene).material.texture = TextureKind::kChecker;
+    if (has(5)) add_body<CylinderSpec>(scene).material.texture = TextureKind::kNoise;
+    if (has(6)) add_body<BallSpec>(scene).material.texture = TextureKind::kImage;
+    if (has(7)) add<SurfaceSpec>(scene);
+    if (has(2) && has(8)) scene.disc->flow = DiscFlowKind::kKepler, scene.spots.emplace_back();
+    if (has(6) && has(8)) first_shape<BallSpec>(scene)->motion = BallMotion::kOrbit;
     return scene;
 }
 constexpr unsigned kEverything = 511;
 
+// Byte offsets of the members of a uniform block, in the order of `members`; -1 for one that the compiler dropped.
+std::vector<int> uniform_offsets(const gl::Program& program, const std::vector<std::string>& members) {
+    std::vector<int> offsets(members.size(), -1);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        const char* name = members[i].c_str();
+        GLuint index = GL_INVALID_INDEX;
+        glGetUniformIndices(program.id(), 1, &name, &index);
+        if (index != GL_INVALID_INDEX) glGetActiveUniformsiv(program.id(), 1, &index, GL_UNIFORM_OFFSET, &offsets[i]);
+    }
+    return offsets;
+}
+
 std::vector<int> driver_offsets(const Scene& scene, const EffectSet& effects, const std::vector<std::string>& members) {
     const ShaderSource source = shader_source(Stage::kPicture, effects, Output::kDisplay, {}, scene.spacetime.metric,
                                               body_text(scene, effects));
-    return gl::uniform_offsets(gl::make_program(source.vertex, source.fragment), members);
+    return uniform_offsets(gl::make_program(source.vertex, source.fragment), members);
 }
 
 TEST_CASE("uniform block: the driver's offsets are those of the C++ struct") {
@@ -60,7 +75,7 @@ TEST_CASE("uniform block: the driver's offsets are those of the C++ struct") {
         Scene scene = scene_of(kEverything);
         EffectSet effects = effect_set(required_effects(scene));
         scene.sky.kind = SkyKind::kChecker;
-        scene.disc->look.texture = TextureKind::kGrid;
+        scene.disc->material.texture = TextureKind::kGrid;
         for (const Effect effect : effect_set(required_effects(scene)).list()) effects.insert(effect);
         const std::vector<int> driver = driver_offsets(scene, effects, members);
         for (std::size_t i = 0; i < members.size(); ++i) {
@@ -84,8 +99,8 @@ TEST_CASE("uniform block: without an effect its members are gone and the others 
             if (bits % 7 == 0) scene.spacetime.metric = "kerr";
             if (bits % 7 == 1) {  // without what is not there in a wormhole
                 scene.spacetime.metric = "ellis";
-                scene.disc.reset(), scene.sphere.reset();
-                if (scene.ball) scene.ball->motion = BallMotion::kStill;
+                scene.disc.reset(), remove_bodies<SphereSpec>(scene);
+                if (first_shape<BallSpec>(scene)) first_shape<BallSpec>(scene)->motion = BallMotion::kStill;
             }
             std::vector<int> expected(members.size(), -1);
             int next = 0;

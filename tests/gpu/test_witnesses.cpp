@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "scene/scene_file.h"
+#include "scenefile/scene_file.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -12,7 +12,7 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-// Interpolation in strip and orbit map: below 2e-4 px for the sky; positions on the disc near the critical ray reach 4.2e-3 px
+// Interpolation in strip and orbit table: below 2e-4 px for the sky; positions on the disc near the critical ray reach 4.2e-3 px
 // (measured at 1280x720 over 60 to 110 degrees), where an orbit winds and the map's cells are widest against a pixel.
 constexpr double kTable_px = 0.01;
 // A few float roundings (6e-8) of angles of order pi, over pixels of 8e-4 to 2e-3 rad: 8e-4 px measured.

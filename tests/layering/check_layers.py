@@ -11,14 +11,14 @@ from pathlib import Path
 
 # A package of others may be included by these modules (or single files) of src/ and nowhere else.
 PACKAGES = [
-    ("stb", re.compile(r"^stb/?\w*(/.*)?\.h$|^stb_\w+\.h$"), {"base"}),
-    ("libpng", re.compile(r"^png\w*\.h$"), {"base"}),
-    ("libjpeg", re.compile(r"^j(peg|pegl|error|config|morecfg)\w*\.h$"), {"base"}),
-    ("OpenEXR", re.compile(r"^(OpenEXR|Imath)/|^(Imf|Iex|IlmThread|Imath|half)\w*\.h$"), {"base"}),
+    ("libpng", re.compile(r"^png\w*\.h$"), {"image"}),
+    ("libjpeg", re.compile(r"^j(peg|pegl|error|config|morecfg)\w*\.h$"), {"image"}),
+    ("OpenEXR", re.compile(r"^(OpenEXR|Imath)/|^(Imf|Iex|IlmThread|Imath|half)\w*\.h$"), {"image"}),
     ("Dear ImGui", re.compile(r"^(imgui/)?(backends/)?imgui\w*\.h$"), {"viewer"}),
     ("GLFW", re.compile(r"^GLFW/"), {"viewer", "context/glfw.cpp"}),
-    ("toml++", re.compile(r"^toml(\+\+|plusplus)?/|^toml\.hpp$|^toml\+\+$"), {"scene"}),
+    ("toml++", re.compile(r"^toml(\+\+|plusplus)?/|^toml\.hpp$|^toml\+\+$"), {"scenefile"}),
     ("CLI11", re.compile(r"^CLI/|^CLI11\.hpp$"), {"base/command_line.cpp"}),
+    ("nlohmann-json", re.compile(r"^nlohmann/"), {"cli", "command", "bench"}),
     ("Boost", re.compile(r"^boost/"), {"reference"}),
 ]
 # The independent witness shares no geodesic code with what it judges, not even through a third module.

@@ -225,6 +225,7 @@ std::optional<KerrSchildMetric> kerr_schild_metric(const SpacetimeSpec& spec) {
         const Long q = charge == spec.parameters.end() ? Long(0.5) : Long(charge->second);
         return KerrSchildMetric{1, q * q / 4};
     }
+    if (spec.metric == "formula" && spec.parameters.formulas.empty()) return KerrSchildMetric{1, 0};  // 1 - 1/r
     if (spec.metric == "minkowski") return KerrSchildMetric{0, 0};
     return {};
 }

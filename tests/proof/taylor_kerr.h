@@ -25,7 +25,7 @@ public:
         Real a, r, theta, look_r, look_theta, look_phi;
     };
     struct Crossing {
-        Real r, phi, late;  // phi: from the camera's; late: the camera's t less t there
+        Real r, phi, delay;  // phi: from the camera's; delay: the camera's t less t there
     };
 
     explicit TaylorKerr(const Start& start, bool follow = true) : a_(start.a) {

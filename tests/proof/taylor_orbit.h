@@ -1,7 +1,7 @@
-// Schwarzschild orbits in any precision, by Taylor series of the orbit equation: no elliptic function, no root of the
-// quartic, no turning point to be treated apart.
+// Schwarzschild and Reissner-Nordstroem orbits in any precision, by Taylor series of the orbit equation: no elliptic function,
+// no root of the quartic, no turning point to be treated apart. A = 1 - zeta + kappa zeta^2, kappa = (Q/M)^2/4.
 //
-//     zeta'' = -zeta + (3/2) zeta^2,     zeta' = d zeta / d phi,     q^2 = zeta'^2 + zeta^2 (1 - zeta)
+//     zeta'' = -zeta + (3/2) zeta^2 - 2 kappa zeta^3,     zeta' = d zeta / d phi,     q^2 = zeta'^2 + zeta^2 A
 //     v_camera - v = integral of d phi / (q - zeta'),   v = t + r_*
 //
 // The second from dt = -q dphi / (A zeta^2) backward in time, dr = -zeta' dphi / zeta^2 and A zeta^2 = (q - zeta')(q + zeta'),
@@ -18,7 +18,10 @@ template <class Real>
 class TaylorOrbit {
 public:
     // zeta0, slope = zeta' at the camera (> 0: inward), q. with_delay: only for rays that reach the sky.
-    TaylorOrbit(Real zeta0, Real slope, Real q, bool with_delay) : q_(q), with_delay_(with_delay) {
+    TaylorOrbit(Real zeta0, Real slope, Real q, bool with_delay, Real kappa = 0)
+        : q_(q), kappa_(kappa), with_delay_(with_delay) {
+        using std::sqrt;
+        if (4 * kappa <= 1) horizon_ = 2 / (1 + sqrt(1 - 4 * kappa));
         Real phi = 0, zeta = zeta0, delay = 0;
         for (int step = 0; step < kMostSteps && !end_; ++step) {
             Segment s = series(phi, zeta, slope, delay);
@@ -28,8 +31,8 @@ public:
             if (slope <= 0 && next_slope > 0) turn_ = value(s.zeta, root_of_slope(s, slope / (slope - next_slope) * h));
             if (next <= 0)
                 finish(s, 0, false);
-            else if (zeta < 1 && next >= 1)
-                finish(s, 1, true);
+            else if (horizon_ && zeta < *horizon_ && next >= *horizon_)
+                finish(s, *horizon_, true);
             else if (zeta > kDeep && slope > 0)
                 return;
             segments_.push_back(s);
@@ -61,12 +64,14 @@ private:
         std::vector<Real>& z = s.zeta;
         z[0] = zeta;
         z[1] = slope;
+        std::vector<Real> square(kOrder);
         for (int n = 0; n + 2 <= kOrder; ++n) {
-            Real square = 0;
-            for (int i = 0; i < n - i; ++i) square += z[i] * z[n - i];
-            square *= 2;
-            if (n % 2 == 0) square += z[n / 2] * z[n / 2];
-            z[n + 2] = (Real(3) / 2 * square - z[n]) / ((n + 1) * (n + 2));
+            for (int i = 0; i < n - i; ++i) square[n] += z[i] * z[n - i];
+            square[n] *= 2;
+            if (n % 2 == 0) square[n] += z[n / 2] * z[n / 2];
+            Real cube = 0;
+            for (int i = 0; i <= n && kappa_ != 0; ++i) cube += z[i] * square[n - i];
+            z[n + 2] = (Real(3) / 2 * square[n] - 2 * kappa_ * cube - z[n]) / ((n + 1) * (n + 2));
         }
         using std::abs;
         using std::min;
@@ -108,16 +113,16 @@ private:
         for (std::size_t n = c.size(); n-- > 1;) sum = sum * h + static_cast<int>(n) * c[n];
         return sum;
     }
-    static Real second_derivative(const std::vector<Real>& c, const Real& h) {
+    Real second_derivative(const std::vector<Real>& c, const Real& h) const {
         const Real z = value(c, h);
-        return z * (Real(3) / 2 * z - 1);
+        return z * (z * (Real(3) / 2 - 2 * kappa_ * z) - 1);
     }
     static constexpr int kNewtonSteps = 12;
-    static Real root_of_slope(const Segment& s, Real h) {
+    Real root_of_slope(const Segment& s, Real h) const {
         for (int i = 0; i < kNewtonSteps; ++i) h -= derivative(s.zeta, h) / second_derivative(s.zeta, h);
         return h;
     }
-    void finish(Segment& s, int zeta, bool captured) {
+    void finish(Segment& s, const Real& zeta, bool captured) {
         Real h = s.length;
         for (int i = 0; i < 4 * kNewtonSteps; ++i) h -= (value(s.zeta, h) - zeta) / derivative(s.zeta, h);
         end_ = s.start + h;
@@ -131,7 +136,8 @@ private:
         return slope ? derivative(segments_[i].zeta, h) : value(segments_[i].zeta, h);
     }
 
-    Real q_;
+    Real q_, kappa_;
+    std::optional<Real> horizon_;
     bool with_delay_, captured_ = false;
     std::vector<Segment> segments_;
     std::optional<Real> end_, turn_;

@@ -40,8 +40,12 @@ constexpr long double kNudge = 1e-2L;    // of a ray's neighbours, part of its d
 
 template <class Real>
 typename TaylorKerr<Real>::Start taylor_start(double spin, const KerrStart& s, Real by_theta = 0, Real by_phi = 0) {
-    return {Real(spin) / 2,         Real(s.r), Real(s.theta), Real(s.look.x), Real(s.look.y) + by_theta,
-            Real(s.look.z) + by_phi};
+    return {Real(spin) / 2,
+            Real(s.r),
+            Real(s.theta),
+            Real(s.direction.x),
+            Real(s.direction.y) + by_theta,
+            Real(s.direction.z) + by_phi};
 }
 
 // The angle from the hole's middle at which the shadow ends, in the direction psi of the sky.
@@ -82,17 +86,18 @@ double apart(const Direction& a, const Direction& b) {
 // crossings, T.
 struct Sway {
     double sky = 0, delay = 0;
-    std::array<double, 2> place{}, late{};
+    std::array<double, 2> place{}, crossing_delay{};
 };
 double place_apart(const Kerr::Crossing& a, const Kerr::Crossing& b) {
     return static_cast<double>(
         std::hypot(a.r * std::cos(a.phi) - b.r * std::cos(b.phi), a.r * std::sin(a.phi) - b.r * std::sin(b.phi)));
 }
 Sway sway_of(double spin, const KerrStart& start, const Kerr& here) {
-    const long double beta = std::atan2(std::hypot(static_cast<long double>(start.look.y), start.look.z),
-                                        -static_cast<long double>(start.look.x));
-    const long double distance = std::abs(
-        beta - edge(spin, start.r, start.theta, std::atan2(static_cast<long double>(start.look.z), start.look.y)));
+    const long double beta = std::atan2(std::hypot(static_cast<long double>(start.direction.y), start.direction.z),
+                                        -static_cast<long double>(start.direction.x));
+    const long double distance =
+        std::abs(beta - edge(spin, start.r, start.theta,
+                             std::atan2(static_cast<long double>(start.direction.z), start.direction.y)));
     const long double nudge = kNudge * std::min(distance, beta), moved = nudge * start.r;
     Sway sway;
     for (const auto& [t, p] : {std::array{nudge, 0.0L}, std::array{0.0L, nudge}}) {
@@ -108,7 +113,8 @@ Sway sway_of(double spin, const KerrStart& start, const Kerr& here) {
             }
             const Kerr::Crossing &a = here.crossings()[k], &b = other.crossings()[k];
             sway.place[k] = std::hypot(sway.place[k], place_apart(a, b) / static_cast<double>(moved));
-            sway.late[k] = std::hypot(sway.late[k], static_cast<double>((a.late - b.late) / moved));
+            sway.crossing_delay[k] =
+                std::hypot(sway.crossing_delay[k], static_cast<double>((a.delay - b.delay) / moved));
         }
     }
     return sway;
@@ -116,9 +122,10 @@ Sway sway_of(double spin, const KerrStart& start, const Kerr& here) {
 
 // Whether the fate of a ray is sure: the same at an impact parameter that differs by kSureOf.
 bool sure(double spin, const KerrStart& start) {
-    const long double part = kSureOf / (start.r * std::hypot(start.look.y, start.look.z));
+    const long double part = kSureOf / (start.r * std::hypot(start.direction.y, start.direction.z));
     const auto turns = [&](long double by) {
-        return Kerr(taylor_start<long double>(spin, start, by * start.look.y, by * start.look.z), false).turns();
+        return Kerr(taylor_start<long double>(spin, start, by * start.direction.y, by * start.direction.z), false)
+            .turns();
     };
     return turns(part) == turns(-part);
 }
@@ -157,8 +164,8 @@ Worst errors(double spin, const KerrStart& start, const KerrRay& ray, const Sway
         const double r = static_cast<double>(a.r),
                      apart = std::hypot(off(a.r, ray.crossings[k].r), r * off(a.phi, ray.crossings[k].phi));
         worst.place = std::max(worst.place, apart / (kSureOf * (sway.place[k] + kFarPlace * r)));
-        worst.time = std::max(
-            worst.time, std::abs(off(a.late, ray.crossings[k].late)) / (kSureOfTime + whole + kSureOf * sway.late[k]));
+        worst.time = std::max(worst.time, std::abs(off(a.delay, ray.crossings[k].delay)) /
+                                              (kSureOfTime + whole + kSureOf * sway.crossing_delay[k]));
     }
     return worst;
 }
@@ -211,7 +218,8 @@ reference::KerrPhoton photon_of(double spin, const KerrStart& start) {
     const long double sigma = r * r + a * a * cosine * cosine, across = r * r + a * a, delta = r * r - r + a * a;
     const long double area = across * sigma + a * a * r * sine * sine, lapse = std::sqrt(delta * sigma / area),
                       girth = std::sqrt(area / sigma);
-    const long double x = start.look.x, y = start.look.y, z = start.look.z, norm = std::sqrt(x * x + y * y + z * z);
+    const long double x = start.direction.x, y = start.direction.y, z = start.direction.z,
+                      norm = std::sqrt(x * x + y * y + z * z);
     const long double p_t = norm / lapse, p_r = -x * std::sqrt(delta / sigma),
                       around = sine * a * r / area * p_t - z / girth;
     return {start.r,
@@ -228,7 +236,7 @@ TEST_CASE("far kerr: a view direction off by 1e-12 r_s of impact parameter is fo
         for (int i = 0; i < 4; ++i) {
             const KerrStart start = far_ray(0.7, r, 2 * i, random);  // next to the edge
             KerrStart moved = start;
-            moved.look.y += kPlanted / r;
+            moved.direction.y += kPlanted / r;
             judge(0.7, start, reference::trace_kerr(0.7, moved, 2), worst);
         }
         CHECK((worst.wrong > 0 || worst.b > kSureOf));

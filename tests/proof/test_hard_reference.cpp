@@ -12,9 +12,9 @@
 #include <set>
 #include <utility>
 
-#include "camera/pose.h"
 #include "compare/hard_cases.h"
 #include "compare/ray_metrics.h"
+#include "observer/pose.h"
 #include "proof/kerr_schild.h"
 #include "proof/taylor_orbit.h"
 #include "reference/frame_tracer.h"
@@ -157,8 +157,8 @@ TEST_CASE("hard cases: the reference agrees with the second formulation") {
     std::string lines;
     Judged most;
     int rays = 0;
-    int others =
-        0;  // stars and wormholes have no such chart, and a charged hole's horizon no Taylor series here: tests/vectors
+    // Stars and wormholes have no such chart, and a charged hole's horizon no Taylor series here: tests/vectors.
+    int others = 0;
     test::Selection selection(4);
     for (const HardCase& c : hard_cases()) {
         if (!selection.takes_next()) continue;

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "proof/view_judge.h"
-#include "scene/scene_file.h"
+#include "scenefile/scene_file.h"
 #include "support/folders.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "scene/scene_file.h"
+#include "scenefile/scene_file.h"
 #include "spacetime/registry.h"
 
 namespace nullscope::proof {
@@ -29,8 +29,9 @@ std::string toml_number(double value) {
 std::string View::toml(const std::string& comment) const {
     std::string text = comment + "[spacetime]\n" + fmt::format("metric = \"{}\"\n", metric);
     for (const auto& [name, value] : parameters) text += fmt::format("{} = {}\n", name, toml_number(value));
+    if (metric == "formula") text += "A = \"1 - 1/r\"\n";
     text += "\n[camera]\n";
-    if (metric == "kerr") text += "observer = \"zamo\"\n";  // at rest as near to the horizon as anywhere else
+    if (metric.starts_with("kerr")) text += "observer = \"zamo\"\n";  // at rest as near to the horizon as anywhere else
     for (const auto& [name, value] : {std::pair{"r", r},
                                       {"theta", theta},
                                       {"phi", phi},
@@ -50,7 +51,7 @@ std::string View::toml(const std::string& comment) const {
 
 Scene View::scene() const {
     const auto parsed = parse_scene(toml(""), "view.toml", {});
-    REQUIRE_MESSAGE(parsed, (parsed ? "" : parsed.error().message), "\n", toml(""));
+    REQUIRE_MESSAGE(parsed, (parsed ? "" : parsed.error().message()), "\n", toml(""));
     return *parsed;
 }
 

@@ -43,8 +43,8 @@ bool ViewJudge::explained(const RayPixel& tested, const RayPixel& here, PixelPla
     for (const double ring : kRings)
         for (int k = 0; k < kBearings; ++k) {
             const double bearing = 2 * M_PI * k / kBearings, reach = ring * reach_px;
-            const RayPixel beside = tracer_->pixel_without_delay(pixel.x + 0.5 + reach * std::cos(bearing),
-                                                                 pixel.y + 0.5 + reach * std::sin(bearing));
+            const RayPixel beside = tracer_->pixel(pixel.x + 0.5 + reach * std::cos(bearing),
+                                                   pixel.y + 0.5 + reach * std::sin(bearing), false);
             if (!same_end(beside, tested)) continue;
             if (!same_end(here, tested) || off(beside) < 0.25 * off(here)) return true;
         }
@@ -56,7 +56,7 @@ const ExactPixel& ViewJudge::exact_at(PixelPlace pixel) const {
     if (last_ && last_->first.x == pixel.x && last_->first.y == pixel.y) return last_->second;
     const ExactTrace trace = [this](const std::vector<std::array<double, 2>>& positions) {
         std::vector<RayPixel> pixels;
-        for (const auto& position : positions) pixels.push_back(tracer_->pixel_without_delay(position[0], position[1]));
+        for (const auto& position : positions) pixels.push_back(tracer_->pixel(position[0], position[1], false));
         return pixels;
     };
     return last_.emplace(pixel, exact_pixel(scene_.camera, trace, pixel.x, pixel.y)).second;

@@ -10,6 +10,7 @@
 #include "proof/view.h"
 #include "reference/frame_tracer.h"
 #include "render/frame_tables.h"
+#include "support/report.h"
 
 namespace nullscope::proof {
 

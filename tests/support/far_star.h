@@ -26,9 +26,9 @@ inline Scene far_star_scene(double r, double u, double light) {
     scene.camera.focal_distance = 1.0;
     scene.camera.plane_width = 320 * pixel;
     scene.sky.kind = SkyKind::kPoints;
-    scene.sky.even_stars = 2;
+    scene.sky.uniform_stars = 2;
     scene.sky.yaw = 0.7;  // along no axis: its float is not its direction
-    scene.sky.faintest = 0.0;
+    scene.sky.magnitude_limit = 0.0;
     const PointStar star = (*point_stars(scene.sky, {}))[0];
     scene.sky.brightness = light * pixel * pixel / star.flux;
     const Vec3 aside = normalized(cross(star.direction, Vec3{0.3, -0.5, 0.8}));

@@ -13,39 +13,27 @@
 #include <optional>
 #include <string>
 
+#include "command/session.h"
 #include "compare/ray_metrics.h"
-#include "compare/report.h"
-#include "context/context.h"
-#include "gl/gl.h"
 #include "reference/reference.h"
 #include "render/renderer.h"
-#include "scene/scene_text.h"
+#include "scenefile/scene_text.h"
 #include "support/depth.h"
 #include "support/reference_memory.h"
+#include "support/report.h"
 
 namespace nullscope::test {
 
-struct GpuSession {
-    std::unique_ptr<GlContext> context;
-    std::unique_ptr<Renderer> renderer;  // dies first
-};
+using GpuSession = cli::Session;
 
 inline constexpr const char* kContextKinds[] = {"egl", "osmesa"};
 
 // Nothing where there is no such context; one line says so.
 inline std::optional<GpuSession> open_gpu(const std::string& kind) {
-    auto made = make_headless_context(kind);
-    if (!made) {
-        fmt::print("skipped: {}\n", made.error().message);
-        return {};
-    }
-    GpuSession session;
-    session.context = std::move(*made);
-    gl::load_functions(
-        [](const char* name, void* user) { return static_cast<GlContext*>(user)->get_proc_address(name); },
-        session.context.get());
-    session.renderer = std::make_unique<Renderer>();
-    return session;
+    auto session = cli::open_session(kind);
+    if (session) return std::move(*session);
+    fmt::print("skipped: {}\n", session.error().message());
+    return {};
 }
 
 // Runs the test on every kind of context that there is, one after the other; fails if there is none.
@@ -69,7 +57,7 @@ inline void on_every_context(const std::function<void(GpuSession&)>& test) {
 
 inline RayFrame gl_ray_data(GpuSession& session, const Scene& scene, int row_step = 1) {
     const Status ready = session.renderer->prepare(scene);
-    const std::string reason = ready ? "" : ready.error().message;
+    const std::string reason = ready ? "" : ready.error().message();
     REQUIRE_MESSAGE(ready, reason);
     return session.renderer->ray_data(row_step);
 }
@@ -119,7 +107,7 @@ inline ExactTrace reference_trace(const Scene& scene) {
         return ReferenceMemory::of_this_run().answer<RayPixel>(question + places, [&] {
             auto pixels = reference::trace_pixels(scene, positions);
             if (!pixels) {
-                std::fprintf(stderr, "reference_trace: %s\n", pixels.error().message.c_str());
+                std::fprintf(stderr, "reference_trace: %s\n", pixels.error().message().c_str());
                 std::abort();
             }
             return std::move(*pixels);

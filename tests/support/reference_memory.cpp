@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "base/atomic_file.h"
+#include "base/text.h"
 #include "support/depth.h"
 
 namespace nullscope::test {
@@ -17,11 +18,6 @@ namespace {
 // A byte: less is read no faster than it is computed. (A pixel of some 100 bytes takes 1e-6 s by closed forms, 1e-4 s
 // by steps about rotating holes.)
 constexpr double kWorthKeeping_s = 5e-8;
-
-std::uint64_t fnv1a(std::string_view text, std::uint64_t start) {
-    for (const char c : text) start = (start ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-    return start;
-}
 
 // Of 128 bits: two hashes with different starts.
 std::string name_of(std::string_view text) {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "camera/pose.h"
-#include "camera/spin_forms.h"
+#include "observer/pose.h"
+#include "observer/spin_forms.h"
 #include "reference/kerr_ray.h"
 #include "shadercore/core_trace.h"
 #include "support/metrics.h"
@@ -15,7 +15,7 @@ namespace nullscope::test {
 
 struct KerrView {
     double r, theta;
-    Vec3 look;  // unit, along (e_r, e_theta, e_phi) of the camera at rest, or of the one that moves
+    Vec3 direction;  // unit, along (e_r, e_theta, e_phi) of the camera at rest, or of the one that moves
 };
 
 // rims: of an opaque disc.
@@ -29,7 +29,7 @@ inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float,
     const double a = spacetime->a(), outer = spacetime->outer_horizon(), cosine = std::cos(view.theta),
                  speed = length(velocity);
     frame.image = {1, 1, 1e-6, 1};
-    frame.ray_0 = {view.look.x, view.look.y, view.look.z, 0};
+    frame.ray_0 = {view.direction.x, view.direction.y, view.direction.z, 0};
     frame.shift = {1, 1 / view.r, 0, 1};
     if (speed > 0)
         frame.boost = {velocity.x / speed, velocity.y / speed, velocity.z / speed,
@@ -37,7 +37,7 @@ inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float,
     frame.boost_colour = {std::sqrt((1 + speed) / (1 - speed)), 0, 0, 0};
     frame.disc_x = {1, 0, 0, rims ? (*rims)[0] : 1e30};
     frame.disc_y = {0, 1, 0, rims ? (*rims)[1] : 0};
-    frame.disc_look = {1, 0, 1, 0};
+    frame.disc_surface = {1, 0, 1, 0};
     frame.spin_hole = {a, a * a, outer, a * a / outer};
     frame.spin_energy = {f.energy.constant, f.energy.radial, f.energy.around, f.p_theta};
     frame.spin_across = {f.across.constant, f.across.radial, f.across.around, f.carter};
@@ -50,7 +50,7 @@ inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float,
 }
 
 inline reference::KerrRay kerr_exact(double spin, const KerrView& view, Vec3 nudge = {0, 0, 0}) {
-    return reference::trace_kerr(spin, {view.r, view.theta, 0, normalized(view.look + nudge)}, 2);
+    return reference::trace_kerr(spin, {view.r, view.theta, 0, normalized(view.direction + nudge)}, 2);
 }
 
 // How fast an answer moves with the direction, rad or r_s per rad: the larger of three nudges, at least `least`.

@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include "observer/ball_motion.h"
 #include "reference/bodies.h"
-#include "scene/ball_motion.h"
 #include "spacetime/registry.h"
 
 namespace {

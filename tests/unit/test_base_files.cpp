@@ -68,7 +68,7 @@ TEST_CASE("a failing writer leaves the old file and nothing else") {
         return failed("no more ink");
     });
     REQUIRE_FALSE(status);
-    CHECK(status.error().message == "no more ink");
+    CHECK(status.error().message() == "no more ink");
     CHECK_FALSE(write_atomically(file, [](const fs::path&) -> Status { return Done{}; }));  // wrote nothing at all
     CHECK_THROWS(static_cast<void>(write_atomically(file, [](const fs::path& path) -> Status {
         std::ofstream(path) << "half";

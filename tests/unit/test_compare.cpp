@@ -13,7 +13,7 @@
 #include "compare/image_metrics.h"
 #include "compare/ray_channels.h"
 #include "compare/ray_metrics.h"
-#include "compare/report.h"
+#include "support/report.h"
 #include "unit/base_temporary_folder.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// The deflection table and what is cut from it: strip and orbit map, against the 50-digit vectors and against each other.
+// The deflection table and what is cut from it: strip and orbit table, against the 50-digit vectors and against each other.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "support/metrics.h"
 #include "table/deflection_table.h"
 #include "table/density_fit.h"
-#include "table/orbit_map.h"
+#include "table/orbit_table.h"
 #include "table/strip.h"
 #include "vector_file.h"
 
@@ -102,21 +102,21 @@ TEST_CASE("deflection table: of every metric built within the time that is promi
     }
 }
 
-TEST_CASE("ray fan: continuous through k = 1 and through the photon sphere") {
-    // Outgoing rays from outside pass k = 1 without anything happening: the two sheets must meet.
+TEST_CASE("ray family: continuous through k = 1 and through the photon sphere") {
+    // Outgoing rays from outside pass k = 1 without anything happening: the two branches must meet.
     for (const double r : {1.6, 2.0, 5.0, 50.0, 1e4}) {
-        const RayFan fan(schwarzschild(), table(), r, frame_at_rest(schwarzschild()->lapse_squared(r)));
-        const double delta = M_PI - 2.0 * fan.critical_angle();  // beta = pi - chi0: k = 1 on the way out
-        const double before = fan.ray(Segment::kSky, delta * (1 - 1e-13)).phi_end;
-        const double after = fan.ray(Segment::kSky, delta * (1 + 1e-13)).phi_end;
+        const RayFamily family(schwarzschild(), table(), r, frame_at_rest(schwarzschild()->lapse_squared(r)));
+        const double delta = M_PI - 2.0 * family.critical_angle();  // beta = pi - chi0: k = 1 on the way out
+        const double before = family.ray(Segment::kSky, delta * (1 - 1e-13)).phi_end;
+        const double after = family.ray(Segment::kSky, delta * (1 + 1e-13)).phi_end;
         CHECK(std::fabs(before - after) < 2 * kTableError);
     }
 }
 
 TEST_CASE("density fit: h of every metric to 1e-12, also next to both ends") {
     constexpr double kFitError = 1e-12;  // degree 11 on panels of 1/64 of pi
-    constexpr double kOwnDigits =
-        1e-14;  // next to a horizon a metric's own h has the last bit of zeta, over its distance from there
+    // Next to a horizon a metric's own h has the last bit of zeta, over its distance from there.
+    constexpr double kOwnDigits = 1e-14;
     for (const MetricEntry& entry : metric_registry()) {
         std::vector<std::map<std::string, double>> sets{{}};
         for (const MetricParameter& p : entry.parameters)
@@ -163,10 +163,11 @@ double step_of_sweep(const std::string& metric, const std::map<std::string, doub
         double before = 0.0;
         if (std::fabs(std::tan(angle)) > steepest) continue;
         for (int i = -3; i <= 3; ++i) {
-            const RayFan fan(spacetime, made, middle + i * kStep, kAtRest);
-            const double critical = std::acos(fan.critical_cosine());
+            const RayFamily family(spacetime, made, middle + i * kStep, kAtRest);
+            const double critical = std::acos(family.critical_cosine());
             const bool sky = angle < critical;
-            const double phi = fan.ray(sky ? Segment::kSky : Segment::kCaptured, std::fabs(angle - critical)).phi_end;
+            const double phi =
+                family.ray(sky ? Segment::kSky : Segment::kCaptured, std::fabs(angle - critical)).phi_end;
             CHECK(sky == (angle < M_PI / 2));
             // d phi/d l at the throat = -V^(1/2)/sqrt(k^2 - 1) = -1/|cot(angle)|: steep only next to the rim itself.
             const double steep = 1.0 + std::fabs(std::tan(angle));
@@ -177,7 +178,8 @@ double step_of_sweep(const std::string& metric, const std::map<std::string, doub
     return worst;
 }
 
-TEST_CASE("ray fan: nothing happens to rays as a camera passes the throat of a wormhole, or the mouths of its tube") {
+TEST_CASE(
+    "ray family: nothing happens to rays as a camera passes the throat of a wormhole, or the mouths of its tube") {
     const std::map<std::string, double> tube{{"length", 1.0}};
     for (const double worst :
          {step_of_sweep("ellis", {}, 0.0), step_of_sweep("ellis", {{"throat", 1.5}}, 0.0),
@@ -189,18 +191,19 @@ TEST_CASE("ray fan: nothing happens to rays as a camera passes the throat of a w
 }
 
 // Weak deflection where R = l + ln l: what polynomials on even nodes miss by 7e-5 rad.
-TEST_CASE("ray fan: wormholes of every width as seen from afar, against the reference") {
+TEST_CASE("ray family: wormholes of every width as seen from afar, against the reference") {
     constexpr double kGradedError = 2e-9;  // rad; measured 7e-10 for the widest
     for (const double width : {0.05, 0.5, 2.0})
         for (const double r : {5.0, 50.0, 1000.0}) {
             const std::map<std::string, double> parameters{{"length", 0.5}, {"lensing_width", width}};
             const auto spacetime = test::spherical("dneg-wormhole", parameters);
-            const RayFan fan(spacetime, std::make_shared<const DeflectionTable>(*spacetime), r, kAtRest);
+            const RayFamily family(spacetime, std::make_shared<const DeflectionTable>(*spacetime), r, kAtRest);
             const auto metric = reference::make_metric({"dneg-wormhole", parameters});
             REQUIRE(metric);
             double worst = 0.0;
-            for (double delta = 0.1 * fan.critical_angle(); delta < fan.delta_limit(Segment::kSky); delta *= 1.03) {
-                const FanRay ray = fan.ray(Segment::kSky, delta);
+            for (double delta = 0.1 * family.critical_angle(); delta < family.delta_limit(Segment::kSky);
+                 delta *= 1.03) {
+                const FanRay ray = family.ray(Segment::kSky, delta);
                 worst = std::fmax(
                     worst,
                     std::fabs(ray.phi_end -
@@ -211,19 +214,19 @@ TEST_CASE("ray fan: wormholes of every width as seen from afar, against the refe
         }
 }
 
-TEST_CASE("strip: lines reproduce the fan") {
+TEST_CASE("strip: lines reproduce the family") {
     for (const double r : {1.0001, 1.1, 1.5, 2.0, 5.0, 20.0, 1000.0, 1e6}) {
-        const RayFan fan(schwarzschild(), table(), r, frame_at_rest(schwarzschild()->lapse_squared(r)));
-        const TexelGrid strip = build_strip(fan).sky;
+        const RayFamily family(schwarzschild(), table(), r, frame_at_rest(schwarzschild()->lapse_squared(r)));
+        const TexelGrid strip = build_strip(family).sky;
         double worst = 0.0;
-        for (double delta = fan.w0() * 0.7; delta < fan.delta_limit(Segment::kSky); delta *= 1.0037) {
-            const double u = 1.0 + 2.0 * std::tan(0.5 * delta) / fan.w0();
+        for (double delta = family.w0() * 0.7; delta < family.delta_limit(Segment::kSky); delta *= 1.0037) {
+            const double u = 1.0 + 2.0 * std::tan(0.5 * delta) / family.w0();
             const int octave = std::ilogb(u);
             const double position = (std::ldexp(u, -octave) - 1.0) * 1024.0;
             const float* line = strip.texels.data() +
                                 4 * (static_cast<std::size_t>(octave) * 1024 + static_cast<std::size_t>(position));
             const double f = position - std::floor(position);
-            const FanRay ray = fan.ray(Segment::kSky, delta);
+            const FanRay ray = family.ray(Segment::kSky, delta);
             worst = std::fmax(worst, std::fabs(line[0] + f * line[1] - std::cos(ray.phi_end)));
             worst = std::fmax(worst, std::fabs((line[2] + f * line[3]) * ray.sin_beta - std::sin(ray.phi_end)));
         }
@@ -232,14 +235,14 @@ TEST_CASE("strip: lines reproduce the fan") {
     }
 }
 
-TEST_CASE("strip and orbit map: finite everywhere") {
+TEST_CASE("strip and orbit table: finite everywhere") {
     for (const double r : {1.0 + 1e-9, 1.0001, 1.1, 1.4999999, 1.5, 1.5000001, 3.0, 1e3, 1e9}) {
-        const RayFan fan(schwarzschild(), table(), r, frame_at_rest(schwarzschild()->lapse_squared(r)));
+        const RayFamily family(schwarzschild(), table(), r, frame_at_rest(schwarzschild()->lapse_squared(r)));
         int bad = 0;
-        const Strip strip = build_strip(fan);
+        const Strip strip = build_strip(family);
         for (const float v : strip.sky.texels) bad += !std::isfinite(v);
         for (const float v : strip.ends.texels) bad += !std::isfinite(v);
-        for (const float v : build_orbit_map(fan, false).places.texels) bad += !std::isfinite(v);
+        for (const float v : build_orbit_table(family, false).places.texels) bad += !std::isfinite(v);
         CHECK_MESSAGE(bad == 0, "r = ", r);
     }
 }

@@ -7,8 +7,9 @@
 #include <set>
 #include <vector>
 
-#include "scene/effects.h"
-#include "scene/scene_file.h"
+#include "plan/effects.h"
+#include "scene/bodies.h"
+#include "scenefile/scene_file.h"
 
 using namespace nullscope;
 
@@ -158,10 +159,10 @@ TEST_CASE("bodies and their looks call for exactly their effects: every combinat
                 look((there & 2u) != 0, Effect::kCylinder, b);
                 look((there & 4u) != 0, Effect::kBall, a);
                 look((there & 8u) != 0, Effect::kSurface, b);
-                if ((there & 8u) != 0) scene.surface.emplace().look.texture = b;
-                if ((there & 1u) != 0) scene.sphere.emplace().look.texture = a;
-                if ((there & 2u) != 0) scene.cylinder.emplace().look.texture = b;
-                if ((there & 4u) != 0) scene.ball.emplace().look.texture = a;
+                if ((there & 8u) != 0) add_body<SurfaceSpec>(scene).material.texture = b;
+                if ((there & 1u) != 0) add_body<SphereSpec>(scene).material.texture = a;
+                if ((there & 2u) != 0) add_body<CylinderSpec>(scene).material.texture = b;
+                if ((there & 4u) != 0) add_body<BallSpec>(scene).material.texture = a;
                 const std::vector<EffectReason> reasons = required_effects(scene);
                 CHECK(effect_set(reasons) == expected);
                 CHECK(reasons.size() == expected.size());
@@ -185,7 +186,7 @@ TEST_CASE("textures of disc and sky call for exactly their effects: every combin
                 scene.spacetime.metric = "minkowski";
                 scene.light = {false, false, false};
                 scene.sky.kind = sky;
-                scene.disc.emplace().look.texture = texture;
+                scene.disc.emplace().material.texture = texture;
                 if (thermal) scene.disc->emission = DiscEmission::kThermal;
                 EffectSet expected = {Effect::kDisc};
                 if (thermal) expected.insert(Effect::kThermalDisc);
@@ -214,6 +215,24 @@ TEST_CASE("textures of disc and sky call for exactly their effects: every combin
             }
         }
     }
+}
+
+TEST_CASE("limb darkening is of a disc that is thermal, and goes with either") {
+    for (const bool thermal : {false, true})
+        for (const bool darkened : {false, true}) {
+            Scene scene;
+            scene.disc.emplace().effects.limb_darkening = darkened;
+            if (thermal) scene.disc->emission = DiscEmission::kThermal;
+            const EffectSet effects = effect_set(required_effects(scene));
+            CHECK(effects.contains(Effect::kLimbDarkening) == (thermal && darkened));
+            if (!(thermal && darkened)) continue;
+            CHECK(required_effects(scene).back().reason == "disc.limb_darkening = \"on\"");
+            EffectSet less = effects;
+            less.erase(Effect::kLimbDarkening);
+            CHECK(effect_set(required_effects(*without_effect(scene, Effect::kLimbDarkening))) == less);
+            CHECK(
+                !effect_set(required_effects(*without_effect(scene, Effect::kDisc))).contains(Effect::kLimbDarkening));
+        }
 }
 
 TEST_CASE("what is done to a picture calls for exactly its effects: every combination") {

@@ -28,7 +28,7 @@ double value(const std::string& text, double x = 0, double y = 0, double z = 0) 
 std::string fault(const std::string& text) {
     const auto formula = Formula::parse(text, kNames);
     REQUIRE_FALSE_MESSAGE(formula, text);
-    return formula.error().message;
+    return formula.error().message();
 }
 
 std::string repeated(const std::string& what, int n) {

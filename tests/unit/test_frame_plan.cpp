@@ -1,5 +1,5 @@
 // What a frame is made of is decided once.
-#include "scene/frame_plan.h"
+#include "plan/frame_plan.h"
 
 #include <doctest/doctest.h>
 
@@ -77,7 +77,7 @@ TEST_CASE("frame plan: what cannot be is said with what is allowed") {
     scene.camera.r = 0.5;
     const auto inside = plan_frame(scene);
     REQUIRE_FALSE(inside);
-    CHECK(inside.error().message.find("allowed") != std::string::npos);
+    CHECK(inside.error().message().find("allowed") != std::string::npos);
     scene.camera.r = 10;
     scene.spacetime.metric = "neutron-star";
     scene.disc.emplace();

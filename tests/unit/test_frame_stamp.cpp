@@ -7,9 +7,10 @@
 #include <random>
 #include <string>
 
-#include "cli/frame_names.h"
-#include "cli/frame_stamp.h"
-#include "scene/scene_keys.h"
+#include "cli/frame_store.h"
+#include "plan/body_kind.h"
+#include "scene/bodies.h"
+#include "scenefile/scene_keys.h"
 
 using namespace nullscope;
 using namespace nullscope::cli;
@@ -17,14 +18,14 @@ using namespace nullscope::cli;
 namespace {
 
 struct Run {
-    Scene scene, beside;
+    Scene scene, other;
     CaptureOptions options;
     std::string method = "strip", version = "1.0";
     double first_time = 0;
     bool split = false;
 
     std::string stamp() const {
-        return frame_stamp({scene, split ? &beside : nullptr, options, method, first_time, version});
+        return frame_stamp({scene, split ? &other : nullptr, options, method, first_time, version});
     }
 };
 
@@ -32,13 +33,10 @@ Run full_run() {
     Run run;
     run.options.output = "film.mp4";
     run.scene.disc.emplace();
-    run.scene.spot.emplace();
-    run.scene.sphere.emplace();
-    run.scene.cylinder.emplace();
-    run.scene.ball.emplace();
-    run.scene.surface.emplace();
+    run.scene.spots.emplace_back();
+    for (const BodyKind* kind : body_kinds()) run.scene.bodies.push_back(kind->make());
     run.scene.path.emplace();
-    run.scene.beside.emplace();
+    run.scene.split.emplace();
     return run;
 }
 
@@ -51,10 +49,10 @@ void change_key(Scene& scene, std::mt19937& random) {
         key.range.low + (key.range.high - key.range.low) * std::uniform_real_distribution<double>(0.01, 0.99)(random);
     value.vector = {value.number, 0.5, 0.25};
     value.width = 2000000 + static_cast<int>(random() % 1000000), value.height = 7;
-    value.choice = 1;  // of no key the default, but for bodies that are both
+    value.choice = key.member.readable() && key.member.get(scene).choice == 1 ? 0 : 1;
     value.text = fmt::format("text {}", random());
     value.path = fmt::format("none {}.png", random());
-    key.apply(scene, value);
+    key.member.set(scene, value);
 }
 
 }  // namespace
@@ -95,7 +93,7 @@ TEST_CASE("stamps hold the samples of the reference, the contents of images, and
     run.options.samples = 3;  // the default
     CHECK(run.stamp() == three);
     run.options.samples = 2;
-    CHECK(stamp_difference(three, run.stamp()) == "another --samples");
+    CHECK(stamp_difference(three, run.stamp()) == "different --samples");
 
     const auto folder =
         std::filesystem::temp_directory_path() / fmt::format("nullscope-stamp-{}", std::random_device()());
@@ -108,22 +106,22 @@ TEST_CASE("stamps hold the samples of the reference, the contents of images, and
         return other.stamp();
     };
     CHECK(with_image("a.png") == with_image("b.png"));
-    CHECK(stamp_difference(with_image("a.png"), with_image("c.png")) == "another sky.image");
+    CHECK(stamp_difference(with_image("a.png"), with_image("c.png")) == "different sky.image");
     std::filesystem::remove_all(folder);
 
     Run split = full_run();
     split.split = true;
     const std::string before = split.stamp();
-    split.beside.camera.r = 5;
-    split.beside.sky.kind = SkyKind::kGrid;
-    CHECK(stamp_difference(before, split.stamp()) == "another --beside camera.r, --beside sky.kind");
-    CHECK(stamp_difference("", before) == "nothing says what they show");
+    split.other.camera.r = 5;
+    split.other.sky.kind = SkyKind::kGrid;
+    CHECK(stamp_difference(before, split.stamp()) == "different --split camera.r, --split sky.kind");
+    CHECK(stamp_difference("", before) == "they have no stamp");
 }
 
 TEST_CASE("names of a sequence's files have one place for the number") {
     const auto name = [](const char* pattern, int frame) {
         const auto names = FrameNames::parse(pattern);
-        return names ? names->of(frame) : names.error().message;
+        return names ? names->of(frame) : names.error().message();
     };
     CHECK(name("a%05d.png", 12) == "a00012.png");
     CHECK(name("a%d.png", 12) == "a12.png");

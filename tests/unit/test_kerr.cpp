@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/pose.h"
-#include "camera/spin_forms.h"
 #include "kerr_core.h"
+#include "observer/pose.h"
+#include "observer/spin_forms.h"
 #include "reference/disc_light.h"
 #include "reference/frame_tracer.h"
 #include "reference/kerr_ray.h"
@@ -16,6 +16,7 @@
 #include "spacetime/registry.h"
 #include "support/folders.h"
 #include "support/metrics.h"
+#include "support/observer.h"
 #include "table/disc_light.h"
 #include "vector_file.h"
 
@@ -109,13 +110,13 @@ TEST_CASE("kerr: the disc's light is late where it takes time and something move
             scene.camera.observer = ObserverKind::kZamo, scene.camera.r = 15, scene.camera.theta = 1.2;
             scene.light.delay = delay;
             scene.disc.emplace().inner = 2, scene.disc->outer = 8;
-            if (moves) scene.spot.emplace().r = 4;
+            if (moves) scene.spots.emplace_back().r = 4;
             const auto tracer = reference::FrameTracer::make(scene);
             REQUIRE(tracer);
             const auto hits = tracer->disc_hits(*tracer->ray(0.5 * scene.camera.width, 0.65 * scene.camera.height), 1);
             REQUIRE(hits.size() == 1);
-            CHECK((hits[0].late > 5) == (delay && moves));
-            if (!delay || !moves) CHECK(hits[0].late == 0);
+            CHECK((hits[0].delay > 5) == (delay && moves));
+            if (!delay || !moves) CHECK(hits[0].delay == 0);
         }
 }
 
@@ -245,8 +246,8 @@ TEST_CASE("kerr: 58.8 % of what an isotropic source on the last stable orbit sen
     constexpr int kRays = 100000;
     const auto spacetime = kerr(0.998);
     const double r = *innermost_stable_orbit(*spacetime), u_t = circular_orbit(*spacetime, r)->u_t;
-    const double speed =
-        std::sqrt(1 - 1 / (spacetime->lapse_squared(r) * u_t * u_t));  // of the circle in the frame without L
+    // Of the circle in the frame without L.
+    const double speed = std::sqrt(1 - 1 / (spacetime->lapse_squared(r) * u_t * u_t));
     int escaped = 0, still = 0;
     for (int i = 0; i < kRays; ++i) {  // evenly over the sphere: the golden angle
         const double z = 1 - (2.0 * i + 1) / kRays, around = i * M_PI * (3 - std::sqrt(5.0)),

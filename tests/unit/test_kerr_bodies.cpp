@@ -8,15 +8,16 @@
 #include <cmath>
 #include <random>
 
-#include "camera/pose.h"
 #include "expr/formula.h"
 #include "kerr_bodies.h"
+#include "observer/pose.h"
+#include "plan/moving.h"
 #include "reference/bodies.h"
 #include "reference/frame_tracer.h"
 #include "reference/kerr_bodies.h"
 #include "reference/kerr_ray.h"
 #include "reference/reference.h"
-#include "scene/moving.h"
+#include "scene/bodies.h"
 #include "scene/named_surface.h"
 #include "support/depth.h"
 
@@ -35,29 +36,36 @@ struct Kind {
     double size;  // of it
 };
 const Kind kKinds[] = {
-    {"sphere", [](Scene& s) { s.sphere = SphereSpec{}; }, 3},
-    {"pulsating sphere", [](Scene& s) { s.sphere = SphereSpec{}, s.sphere->swing = 0.2, s.sphere->period = 15; }, 3},
-    {"thick disc", [](Scene& s) { s.cylinder = CylinderSpec{}; }, 8},
+    {"sphere", [](Scene& s) { add<SphereSpec>(s); }, 3},
+    {"pulsating sphere",
+     [](Scene& s) {
+         add<SphereSpec>(s), first_shape<SphereSpec>(s)->amplitude = 0.2, first_shape<SphereSpec>(s)->period = 15;
+     },
+     3},
+    {"thick disc", [](Scene& s) { add<CylinderSpec>(s); }, 8},
     {"still ball",
      [](Scene& s) {
-         s.ball = BallSpec{}, s.ball->position = {-5, 2, 1};
+         add<BallSpec>(s), first_shape<BallSpec>(s)->position = {-5, 2, 1};
      },
      2},
     {"orbiting ball",
      [](Scene& s) {
-         s.ball = BallSpec{}, s.ball->position = {3, 5, 0}, s.ball->motion = BallMotion::kOrbit;
+         add<BallSpec>(s), first_shape<BallSpec>(s)->position = {3, 5, 0},
+                           first_shape<BallSpec>(s)->motion = BallMotion::kOrbit;
      },
      2},
     {"ball on a path",
      [](Scene& s) {
-         s.ball = BallSpec{}, s.ball->motion = BallMotion::kPath, s.ball->x = "6*sin(0.1*t)", s.ball->y = "5 + 0*t",
-         s.ball->z = "3*cos(0.1*t)";
+         add<BallSpec>(s), first_shape<BallSpec>(s)->motion = BallMotion::kPath,
+                           first_shape<BallSpec>(s)->x = "6*sin(0.1*t)", first_shape<BallSpec>(s)->y = "5 + 0*t",
+                           first_shape<BallSpec>(s)->z = "3*cos(0.1*t)";
      },
      2},
-    {"ring", [](Scene& s) { s.surface = SurfaceSpec{}; }, 6},
+    {"ring", [](Scene& s) { add<SurfaceSpec>(s); }, 6},
     {"gyroid",
      [](Scene& s) {
-         s.surface = SurfaceSpec{}, s.surface->kind = SurfaceKind::kGyroid, s.surface->size = 3, s.surface->bound = 8;
+         add<SurfaceSpec>(s), first_shape<SurfaceSpec>(s)->kind = SurfaceKind::kGyroid,
+                              first_shape<SurfaceSpec>(s)->size = 3, first_shape<SurfaceSpec>(s)->bound = 8;
      },
      3},
 };
@@ -84,30 +92,34 @@ void seen_by(Scene& scene, const Camera& camera) {
 bool seen_from_inside(const Kind& kind) {
     Scene scene;
     kind.add(scene);
-    return !scene.sphere && !reaches_horizon(kind);
+    return !first_shape<SphereSpec>(scene) && !reaches_horizon(kind);
 }
 
 // Of the one body of a scene, once more.
 double value_of(const Scene& scene, const reference::Metric& metric, Vec3 x, double t) {
-    if (scene.sphere)
-        return length(x) -
-               scene.sphere->radius * (1 + scene.sphere->swing * std::sin(2 * M_PI * t / scene.sphere->period));
-    if (scene.ball) return length(x - reference::ball_way(metric, *scene.ball)(t)) - scene.ball->radius;
-    if (scene.surface) {
+    if (first_shape<SphereSpec>(scene))
+        return length(x) - first_shape<SphereSpec>(scene)->radius *
+                               (1 + first_shape<SphereSpec>(scene)->amplitude *
+                                        std::sin(2 * M_PI * t / first_shape<SphereSpec>(scene)->period));
+    if (first_shape<BallSpec>(scene))
+        return length(x - reference::ball_way(metric, *first_shape<BallSpec>(scene))(t)) -
+               first_shape<BallSpec>(scene)->radius;
+    if (first_shape<SurfaceSpec>(scene)) {
         const double place[] = {x.x, x.y, x.z, t};
-        return std::max(expr::Formula::parse(surface_shape(*scene.surface), {"x", "y", "z", "t"})->value(place),
-                        length(x) - scene.surface->bound);
+        return std::max(
+            expr::Formula::parse(surface_shape(*first_shape<SurfaceSpec>(scene)), {"x", "y", "z", "t"})->value(place),
+            length(x) - first_shape<SurfaceSpec>(scene)->bound);
     }
     const double rho = std::hypot(x.x, x.y);
-    return std::max(
-        {rho - scene.cylinder->outer, scene.cylinder->inner - rho, std::fabs(x.z) - scene.cylinder->height});
+    return std::max({rho - first_shape<CylinderSpec>(scene)->outer, first_shape<CylinderSpec>(scene)->inner - rho,
+                     std::fabs(x.z) - first_shape<CylinderSpec>(scene)->height});
 }
 
 }  // namespace
 
 TEST_CASE("kerr bodies: with almost no spin they are where the planar reference has them") {
-    constexpr double kPlace =
-        3e-7;  // what the spin itself makes: 1e-9 r_s, on grazing rays some 200 times that; a tenth of it with a tenth of the spin
+    // What the spin itself makes: 1e-9 r_s, on grazing rays some 200 times that; a tenth of it with a tenth of the spin.
+    constexpr double kPlace = 3e-7;
     constexpr double kCosine = 1e-6;  // the planar one is a difference over 1e-6 rad
     for (const Kind& kind : kKinds) {
         CAPTURE(std::string(kind.name));
@@ -159,8 +171,8 @@ TEST_CASE("kerr bodies: with almost no spin they are where the planar reference 
 }
 
 TEST_CASE("kerr bodies: what is traced outward and turns back meets the same as its mirror image") {
-    constexpr double kSameRay =
-        1e-9;  // of rays within 1e-12 r_s, by directions that rounding turns by 1e-16, near the critical one
+    // Of rays within 1e-12 r_s, by directions that rounding turns by 1e-16, near the critical one.
+    constexpr double kSameRay = 1e-9;
     int hits = 0, back = 0;
     double place = 0, along = 0, late = 0;
     const auto apart = [](double a, double b) {
@@ -171,9 +183,11 @@ TEST_CASE("kerr bodies: what is traced outward and turns back meets the same as 
         scene.camera.observer = ObserverKind::kZamo, scene.camera.r = r, scene.camera.theta = 1.4,
         scene.camera.plane_width = 2, scene.camera.width = 12, scene.camera.height = 9;
         scene.disc = DiscSpec{}, scene.disc->inner = 0.8, scene.disc->outer = 3;
-        scene.cylinder = CylinderSpec{}, scene.cylinder->inner = 0.73, scene.cylinder->outer = 0.95,
-        scene.cylinder->height = 0.3;
-        scene.ball = BallSpec{}, scene.ball->position = {-1.4, 0.1, 0.2}, scene.ball->radius = 0.15;
+        add<CylinderSpec>(scene), first_shape<CylinderSpec>(scene)->inner = 0.73,
+                                  first_shape<CylinderSpec>(scene)->outer = 0.95,
+                                  first_shape<CylinderSpec>(scene)->height = 0.3;
+        add<BallSpec>(scene), first_shape<BallSpec>(scene)->position = {-1.4, 0.1, 0.2},
+                              first_shape<BallSpec>(scene)->radius = 0.15;
         const auto metric = metric_of(scene);
         for (const double yaw : {1.2, 1.9, -1.2, -1.9}) {
             scene.camera.yaw = yaw;
@@ -197,10 +211,10 @@ TEST_CASE("kerr bodies: what is traced outward and turns back meets the same as 
                         along = std::max(along, apart(crossings[k].along, other.ray.crossings[k].along));
                     if (!hit) continue;
                     ++hits, back += n.x > 0 && traced->fate() == Fate::kCaptured;
-                    CHECK(hit->object == other.hit->object);
+                    CHECK(hit->number == other.hit->number);
                     place = std::max(place, length(hit->place - other.hit->place));
                     along = std::max(along, apart(hit->along, other.hit->along));
-                    late = std::max(late, std::fabs(hit->late - other.hit->late));
+                    late = std::max(late, std::fabs(hit->delay - other.hit->delay));
                 }
         }
     }
@@ -239,7 +253,7 @@ TEST_CASE("kerr bodies: hits lie on the surface, and a fine march meets nothing 
                         if (!hit) continue;
                         ++hits;
                         off = std::max(
-                            off, std::fabs(value_of(scene, *metric, hit->place, scene.time - hit->late)) / kind.size);
+                            off, std::fabs(value_of(scene, *metric, hit->place, scene.time - hit->delay)) / kind.size);
                     }
                 fmt::print("spin {}, {}, {}: {} hits, off by {:.2e} of its size\n", spin, kind.name, camera.name, hits,
                            off);
@@ -263,13 +277,13 @@ TEST_CASE("kerr bodies: hits lie on the surface, and a fine march meets nothing 
                         for (int k = 0; k <= kParts; ++k) {
                             const double along = step.from + (step.to - step.from) * k / kParts;
                             const reference::KerrPlace place = step.at(along);
-                            if (value_of(scene, *metric, place.flat(), scene.time - place.late) < 0)
+                            if (value_of(scene, *metric, place.flat(), scene.time - place.delay) < 0)
                                 first = std::min(first, along);
                         }
                     });
                     CHECK((found.hit ? found.hit->along - kNearer : INFINITY) <= first);
                     if (found.hit && first == INFINITY)
-                        CHECK(found.hit->cosine < 0.3);  // grazed between two looks of the march
+                        CHECK(found.hit->cosine < 0.3);  // grazed between two samples of the march
                 }
             }
             CHECK((from_inside > 0) == seen_from_inside(kind));
@@ -284,8 +298,9 @@ TEST_CASE("kerr bodies: the face of a very thin thick disc is where rays cross t
     int faces = 0, inward = 0;
     for (const double spin : {0.9, 0.998}) {
         Scene scene = spinning(spin);
-        scene.cylinder = CylinderSpec{}, scene.cylinder->inner = 2, scene.cylinder->outer = 9,
-        scene.cylinder->height = kHeight;
+        add<CylinderSpec>(scene), first_shape<CylinderSpec>(scene)->inner = 2,
+                                  first_shape<CylinderSpec>(scene)->outer = 9,
+                                  first_shape<CylinderSpec>(scene)->height = kHeight;
         const auto metric = metric_of(scene);
         for (int i = 0; i < 120; ++i) {
             const double beta = 0.7 * std::sqrt(even(random)), around = 2 * M_PI * even(random),
@@ -307,7 +322,7 @@ TEST_CASE("kerr bodies: the face of a very thin thick disc is where rays cross t
             REQUIRE(found.hit.has_value() == (crossed != found.ray.crossings.end()));
             if (!found.hit) continue;
             CHECK(found.hit->along < crossed->along);
-            CHECK(found.hit->late < crossed->late);
+            CHECK(found.hit->delay < crossed->delay);
             const Vec3 place = crossed->r * Vec3{std::cos(crossed->phi), std::sin(crossed->phi), 0};
             const double cosine = found.hit->cosine;
             if (cosine < 0.05) continue;
@@ -331,18 +346,19 @@ TEST_CASE("kerr bodies: discs before and behind a ball") {
             Scene with = spinning(0.9);
             with.camera.width = 24, with.camera.height = 18;
             with.disc = DiscSpec{}, with.disc->inner = 2, with.disc->outer = 9, with.disc->opacity = opacity;
-            with.ball = BallSpec{}, with.ball->position = {x, 0, 0}, with.ball->radius = 2.5;
+            add<BallSpec>(with), first_shape<BallSpec>(with)->position = {x, 0, 0},
+                                 first_shape<BallSpec>(with)->radius = 2.5;
             Scene disc = with, ball = with;
             disc.disc->opacity = 1;
-            disc.ball.reset(), ball.disc.reset();
+            remove_bodies<BallSpec>(disc), ball.disc.reset();
             const auto all = reference::trace_frame(with), discs = reference::trace_frame(disc),
                        balls = reference::trace_frame(ball);
             REQUIRE(all);
             for (std::size_t i = 0; i < all->pixels.size(); ++i) {
                 const RayPixel &a = all->pixels[i], &d = discs->pixels[i], &b = balls->pixels[i];
                 const bool meets_disc = d.fate == Fate::kHit, meets_ball = b.fate == Fate::kHit;
-                const bool disc_is_first =
-                    meets_disc && !(meets_ball && b.delay < d.delay);  // light from nearer by is younger
+                // Light from nearer by is younger.
+                const bool disc_is_first = meets_disc && !(meets_ball && b.delay < d.delay);
                 CHECK(a.hit == (disc_is_first ? kDiscHit : b.hit));
                 CHECK(a.u == (disc_is_first ? d.u : b.u));
                 const bool ends_on_disc = disc_is_first && opacity == 1;
@@ -360,7 +376,7 @@ TEST_CASE("kerr bodies: discs before and behind a ball") {
 
 TEST_CASE("kerr bodies: a ray's record ends on the body, with the crossings before it") {
     Scene scene = spinning(0.9);
-    scene.ball = BallSpec{}, scene.ball->position = {-4, 0, 0}, scene.ball->radius = 1;
+    add<BallSpec>(scene), first_shape<BallSpec>(scene)->position = {-4, 0, 0}, first_shape<BallSpec>(scene)->radius = 1;
     int dropped = 0, kept = 0;
     for (int i = 0; i < 40; ++i) {
         RayQuery query;
@@ -368,13 +384,13 @@ TEST_CASE("kerr bodies: a ray's record ends on the body, with the crossings befo
         const auto record = reference::trace_ray(scene, query, 5);
         REQUIRE(record);
         Scene bare = scene;
-        bare.ball.reset();
+        remove_bodies<BallSpec>(bare);
         const auto free = reference::trace_ray(bare, query, 5);
         if (record->fate != Fate::kHit) {
             CHECK(record->crossings.size() == free->crossings.size());
             continue;
         }
-        CHECK(record->hit == Object::kBall);
+        CHECK(record->hit == kBallHit);
         CHECK(std::isnan(record->delay));
         dropped += static_cast<int>(free->crossings.size() - record->crossings.size()),
             kept += static_cast<int>(record->crossings.size());
@@ -387,11 +403,13 @@ TEST_CASE("kerr bodies: pictures with almost no spin are the planar ones") {
     Scene slow = spinning(kAlmostNone);
     slow.sky.kind = SkyKind::kChecker;
     slow.disc = DiscSpec{}, slow.disc->opacity = 0.6, slow.disc->outer = 8,
-    slow.disc->look.texture = TextureKind::kPlain;
-    slow.ball = BallSpec{}, slow.ball->position = {5, 3, 0}, slow.ball->motion = BallMotion::kOrbit,
-    slow.ball->look.limb = 0.7, slow.ball->look.texture = TextureKind::kStripes;
-    slow.cylinder = CylinderSpec{}, slow.cylinder->inner = 9, slow.cylinder->outer = 11,
-    slow.cylinder->look.texture = TextureKind::kGrid;
+    slow.disc->material.texture = TextureKind::kPlain;
+    add<BallSpec>(slow), first_shape<BallSpec>(slow)->position = {5, 3, 0},
+                         first_shape<BallSpec>(slow)->motion = BallMotion::kOrbit,
+                         first_body<BallSpec>(slow)->material.limb = 0.7,
+                         first_body<BallSpec>(slow)->material.texture = TextureKind::kStripes;
+    add<CylinderSpec>(slow), first_shape<CylinderSpec>(slow)->inner = 9, first_shape<CylinderSpec>(slow)->outer = 11,
+                             first_body<CylinderSpec>(slow)->material.texture = TextureKind::kGrid;
     Scene none = slow;
     none.spacetime = {"schwarzschild", {}};
     const auto a = reference::render_frame(slow, {}, {}, 1), b = reference::render_frame(none, {}, {}, 1);
@@ -406,15 +424,15 @@ TEST_CASE("kerr bodies: pictures with almost no spin are the planar ones") {
 
 TEST_CASE("kerr bodies: ways of a ball that are not followed are refused") {
     Scene scene = spinning(0.9);
-    scene.ball = BallSpec{};
-    scene.ball->motion = BallMotion::kGeodesic;
+    add<BallSpec>(scene);
+    first_shape<BallSpec>(scene)->motion = BallMotion::kGeodesic;
     RayQuery query;
     query.r = 10;
     CHECK_FALSE(reference::FrameTracer::make(scene));
     CHECK_FALSE(reference::trace_ray(scene, query));
-    scene.ball->motion = BallMotion::kOrbit;
+    first_shape<BallSpec>(scene)->motion = BallMotion::kOrbit;
     CHECK(reference::FrameTracer::make(scene));
-    scene.ball->position.z = 1;
+    first_shape<BallSpec>(scene)->position.z = 1;
     CHECK_FALSE(reference::FrameTracer::make(scene));
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "camera/spin_forms.h"
+#include "observer/spin_forms.h"
 #include "reference/kerr_ray.h"
 #include "reference/reference.h"
 #include "shadercore/core_trace.h"
@@ -71,7 +71,7 @@ TEST_CASE("kerr-newman: spin 0 makes Reissner-Nordstrom, and too much of both is
     CHECK((*make_spacetime("kerr-newman", {{"spin", 0.0}, {"charge", 0.5}}))->name() == "reissner-nordstrom");
     const auto both = make_spacetime("kerr-newman", {{"spin", 0.8}, {"charge", 0.61}});
     REQUIRE_FALSE(both);
-    CHECK(both.error().message.find("allowed: spin^2 + charge^2") != std::string::npos);
+    CHECK(both.error().message().find("allowed: spin^2 + charge^2") != std::string::npos);
     CHECK(make_spacetime("kerr-newman", {{"spin", 0.8}, {"charge", 0.59}}));
 }
 

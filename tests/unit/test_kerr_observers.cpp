@@ -3,13 +3,14 @@
 
 #include <cmath>
 
-#include "camera/pose.h"
-#include "camera/spin_forms.h"
+#include "observer/observer.h"
+#include "observer/pose.h"
+#include "observer/spin_forms.h"
 #include "reference/kerr_ray.h"
-#include "scene/observer.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
 #include "support/metrics.h"
+#include "support/observer.h"
 
 namespace {
 
@@ -65,8 +66,8 @@ TEST_CASE("kerr observers: orthonormal outside, on and inside the horizon, and o
                         CAPTURE(spin);
                         CAPTURE(camera.r);
                         CAPTURE(std::string(observer_name(kind)));
-                        double size =
-                            1;  // what is summed: next to the horizon those who stay there have large components
+                        // What is summed: next to the horizon those who stay there have large components.
+                        double size = 1;
                         for (std::size_t i = 0; i < 4; ++i)
                             for (const double x : tetrad->high[i]) size = std::max(size, x * x);
                         for (std::size_t i = 0; i < 4; ++i)
@@ -140,7 +141,7 @@ TEST_CASE("kerr observers: the forms of a view direction are the photon of the t
                     CAPTURE(camera.r);
                     CAPTURE(std::string(observer_name(kind)));
                     const SpinPlace place = spin_place(*spacetime, camera.r, theta);
-                    const SpinForms f = spin_forms(place, {observer->frame, observer->swirl});
+                    const SpinForms f = spin_forms(place, {observer->frame, observer->azimuthal_velocity});
                     const Vec3 n = normalized(Vec3{0.4, -0.5, 0.3});
                     Components p = row(*tetrad, 0);
                     for (std::size_t mu = 0; mu < 4; ++mu)
@@ -182,7 +183,7 @@ TEST_CASE("kerr observers: where there are none one line says what is allowed") 
         CameraSpec camera = camera_at(r, theta, kind);
         camera.energy = 0.5;
         const auto observer = observer_of(*spacetime, camera);
-        return observer ? "" : observer.error().message;
+        return observer ? "" : observer.error().message();
     };
     CHECK(refused(0.95, M_PI / 2, kStatic).find("ergosphere; allowed: r > 1 at this theta, or observer = \"zamo\"") !=
           std::string::npos);

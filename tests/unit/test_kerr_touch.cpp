@@ -8,6 +8,7 @@
 #include <random>
 
 #include "kerr_bodies.h"
+#include "scene/bodies.h"
 
 namespace {
 
@@ -18,15 +19,15 @@ using reference::KerrStep;
 
 double horizon_of(double spin) { return 0.5 * (1 + std::sqrt((1 - spin) * (1 + spin))); }
 
-// Carter's constants of a ray that the camera without angular momentum sees from `look`.
+// Carter's constants of a ray that the camera without angular momentum sees from `direction`.
 struct Carter {
     double a, e, l, k;  // k = Q + (L - a E)^2
     Carter(double spin, const KerrStart& start) : a(0.5 * spin) {
         const double sine = std::sin(start.theta), cosine = std::cos(start.theta), r = start.r;
         const double sigma = r * r + a * a * cosine * cosine, delta = r * r - r + a * a,
                      area = (r * r + a * a) * (r * r + a * a) - delta * a * a * sine * sine;
-        l = -std::sqrt(area / sigma) * sine * start.look.z, e = std::sqrt(delta * sigma / area) + a * r / area * l;
-        k = sigma * start.look.y * start.look.y + std::pow(l / sine - a * e * sine, 2);
+        l = -std::sqrt(area / sigma) * sine * start.direction.z, e = std::sqrt(delta * sigma / area) + a * r / area * l;
+        k = sigma * start.direction.y * start.direction.y + std::pow(l / sine - a * e * sine, 2);
     }
     // The largest cos(theta)^2 that a ray can come to: Q + u (a^2 E^2 - Q - L^2) - a^2 E^2 u^2 = 0.
     double highest() const {
@@ -43,7 +44,7 @@ double least_radius(double spin, const KerrStart& start) {
     const auto potential = [&](double r) {
         return std::pow(c.e * (r * r + a * a) - a * c.l, 2) - (r * r - r + a * a) * c.k;
     };
-    if (start.look.x >= 0) return r0;
+    if (start.direction.x >= 0) return r0;
     const double horizon = horizon_of(spin);
     constexpr int kLooks = 4000;
     for (int i = 1; i <= kLooks; ++i) {
@@ -75,9 +76,10 @@ TEST_CASE("kerr bodies: a ray meets a sphere exactly if Carter's potential lets 
     for (const double spin : {0.9, 0.998})
         for (const double radius : {1.0001 * horizon_of(spin), 1.2, 3.0, 8.0}) {
             Scene sphere = spinning(spin), formula = sphere;
-            sphere.sphere = SphereSpec{}, sphere.sphere->radius = radius;
-            formula.surface = SurfaceSpec{}, formula.surface->bound = 1.01 * radius,
-            formula.surface->shape = fmt::format("length(x, y, z) - {}", radius);
+            add<SphereSpec>(sphere), first_shape<SphereSpec>(sphere)->radius = radius;
+            add<SurfaceSpec>(formula),
+                first_shape<SurfaceSpec>(formula)->bound = 1.01 * radius,
+                first_shape<SurfaceSpec>(formula)->shape = fmt::format("length(x, y, z) - {}", radius);
             const auto metric = metric_of(sphere);
             for (int i = 0; i < 12; ++i) {
                 const double theta = 0.3 + 2.5 * even(random), around = 2 * M_PI * even(random);
@@ -113,7 +115,7 @@ TEST_CASE("kerr bodies: a ray meets a sphere exactly if Carter's potential lets 
 }
 
 TEST_CASE("kerr bodies: no place on a ray is higher than Carter's potential lets it, and the highest is") {
-    constexpr double kFlat = 1e-3;  // what looks a sixteenth of a step apart leave of a maximum
+    constexpr double kFlat = 1e-3;  // what samples a sixteenth of a step apart leave of a maximum
     std::mt19937 random(5);
     std::uniform_real_distribution<double> even(0, 1);
     int turned = 0;
@@ -146,7 +148,7 @@ TEST_CASE("kerr bodies: no place on a ray is higher than Carter's potential lets
 TEST_CASE("kerr bodies: a sphere that is just touched comes before what stands right behind") {
     constexpr double kSpin = 0.9, kRadius = 6, kBehind = 0.15;  // of the affine parameter, which is nearly r_s here
     Scene alone = spinning(kSpin);
-    alone.sphere = SphereSpec{}, alone.sphere->radius = kRadius;
+    add<SphereSpec>(alone), first_shape<SphereSpec>(alone)->radius = kRadius;
     const auto metric = metric_of(alone);
     for (int i = 0; i < 40; ++i) {
         const double around = 0.1 * i, r0 = 10 + 0.2 * i;  // where steps begin differs
@@ -158,15 +160,15 @@ TEST_CASE("kerr bodies: a sphere that is just touched comes before what stands r
         const Met first = met(alone, *metric, touching);
         REQUIRE(first.hit);
         Scene both = alone;
-        both.ball = BallSpec{}, both.ball->radius = 0.05;
+        add<BallSpec>(both), first_shape<BallSpec>(both)->radius = 0.05;
         reference::trace_kerr(kSpin, touching, 0, [&](const KerrStep& step) {
             const double along = first.hit->along + kBehind;
-            if (along >= step.from && along <= step.to) both.ball->position = step.at(along).flat();
+            if (along >= step.from && along <= step.to) first_shape<BallSpec>(both)->position = step.at(along).flat();
         });
         const Met found = met(both, *metric, touching);
         CAPTURE(i);
         REQUIRE(found.hit);
-        CHECK(found.hit->object == Object::kSphere);
+        CHECK(found.hit->number == kSphereHit);
         CHECK(length(found.hit->place - first.hit->place) < 1e-6);
     }
 }

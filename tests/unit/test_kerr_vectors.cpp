@@ -18,8 +18,8 @@ using reference::KerrStart;
 
 constexpr double kSpin = 0.9;
 constexpr double kTolerance = 1e-10;  // times the condition number: what the project promises for this witness
-constexpr double kNudge =
-    1e-10;  // of the inputs, for the condition number: halfway between rounding and the nearest critical ray
+// Of the inputs, for the condition number: halfway between rounding and the nearest critical ray.
+constexpr double kNudge = 1e-10;
 constexpr int kCrossings = 2;
 
 struct Column {
@@ -54,8 +54,8 @@ double condition_number(const KerrStart& start, const Column& column, double her
             KerrStart moved = start;
             if (input == 0) moved.r *= 1 + h;
             if (input == 1) moved.theta *= 1 + h;
-            if (input == 2) moved.look = normalized(moved.look + h * Vec3{0, 1, 0});
-            if (input == 3) moved.look = normalized(moved.look + h * Vec3{0, 0, 1});
+            if (input == 2) moved.direction = normalized(moved.direction + h * Vec3{0, 1, 0});
+            if (input == 3) moved.direction = normalized(moved.direction + h * Vec3{0, 0, 1});
             const double change =
                 apart(column, column.value(reference::trace_kerr(kSpin, moved, kCrossings)), here) / kNudge;
             if (std::isfinite(change)) worst = std::max(worst, change);
@@ -75,7 +75,7 @@ Worst compare(double bias) {
     Worst worst;
     for (const VectorRow& row : load_vectors(test::data_folder() / "vectors/kerr_a0.9.csv")) {
         KerrStart start = start_of(row);
-        start.look = normalized(start.look + bias * Vec3{0, 1, 0});
+        start.direction = normalized(start.direction + bias * Vec3{0, 1, 0});
         const KerrRay ray = reference::trace_kerr(kSpin, start, kCrossings);
         ++worst.rows;
         worst.fates += (ray.fate == Fate::kCaptured) != (number(row, "status") == 1);

@@ -5,11 +5,11 @@
 #include <fstream>
 #include <string>
 
-#include "base/area_filter.h"
 #include "base/atomic_file.h"
-#include "base/image_file.h"
-#include "base/large_image.h"
 #include "base_temporary_folder.h"
+#include "image/area_filter.h"
+#include "image/image_file.h"
+#include "image/large_image.h"
 #include "support/folders.h"
 
 using namespace nullscope;
@@ -107,7 +107,7 @@ TEST_CASE("by rows, JPEG is read to within a code value of the whole, and what n
         CAPTURE(entry.path().filename().string());
         const auto whole = decode_image(*bytes, "x", 1 << 20);
         const auto rows = decode_fitted_image(*bytes, "x", {.whole_pixels = 0, .max_pixels = 1 << 20});
-        if (!rows) CHECK(rows.error().message.starts_with("cannot read image 'x': "));
+        if (!rows) CHECK(rows.error().message().starts_with("cannot read image 'x': "));
         if (!whole || !rows || !bytes->starts_with("\xff\xd8")) continue;
         ++read;
         CHECK((rows->image.width == whole->width && rows->image.height == whole->height));
@@ -117,12 +117,12 @@ TEST_CASE("by rows, JPEG is read to within a code value of the whole, and what n
     REQUIRE(progressive);
     const auto refused = decode_fitted_image(*progressive, "x", {.whole_pixels = 0});
     REQUIRE_FALSE(refused);
-    CHECK(refused.error().message.find("progressive") != std::string::npos);
+    CHECK(refused.error().message().find("progressive") != std::string::npos);
     const auto hostile = read_text(corpus / "huge-header.png");
     REQUIRE(hostile);
     const auto huge = decode_fitted_image(*hostile, "x", {});
     REQUIRE_FALSE(huge);
-    CHECK(huge.error().message == "cannot read image 'x': 10000 x 10000 pixels are not in 69 bytes");
+    CHECK(huge.error().message() == "cannot read image 'x': 10000 x 10000 pixels are not in 69 bytes");
 }
 
 TEST_CASE("a large picture that is cut off is an error") {
@@ -134,6 +134,6 @@ TEST_CASE("a large picture that is cut off is an error") {
     for (std::size_t size = 40; size + 400 < bytes->size(); size += 997) {
         const auto cut = decode_fitted_image(bytes->substr(0, size), "x", {.whole_pixels = 0});
         REQUIRE_FALSE(cut);
-        CHECK(cut.error().message.starts_with("cannot read image 'x': "));
+        CHECK(cut.error().message().starts_with("cannot read image 'x': "));
     }
 }

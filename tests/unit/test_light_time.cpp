@@ -21,7 +21,7 @@ double there_and_back(double b, double r) {
     auto traced = metric->orbits()->from_reduced({1 / b, 1 / r, 1});
     const auto orbit = std::move(*traced);
     reference::LightClock clock(*metric->orbits(), *orbit, 1 / b, r, false);
-    return clock.late(2 * orbit->turn_angle());
+    return clock.delay(2 * orbit->turn_angle());
 }
 
 constexpr double kM = 0.5;  // the mass in r_s
@@ -47,7 +47,7 @@ TEST_CASE("light time: what T and t say is one thing") {
         REQUIRE(orbit->fate() == Fate::kEscaped);
         reference::LightClock clock(*metric->orbits(), *orbit, q, r, false);
         const double at = orbit->angle() * (1 - 1e-4), far = 1 / orbit->zeta_at(at);
-        const double t = clock.late(at) + r + reference::tortoise_excess(*metric->orbits(), r) - far -
+        const double t = clock.delay(at) + r + reference::tortoise_excess(*metric->orbits(), r) - far -
                          reference::tortoise_excess(*metric->orbits(), far) +
                          1 / (2 * q * q * far);  // and what T gains from there on
         CHECK(std::fabs(t - orbit->delay()) < 1e-7 * orbit->delay());

@@ -8,9 +8,10 @@
 #include <numbers>
 #include <random>
 
-#include "camera/pose.h"
+#include "observer/pose.h"
 #include "scene/ray.h"
 #include "spacetime/registry.h"
+#include "support/observer.h"
 
 using namespace nullscope;
 

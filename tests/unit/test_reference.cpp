@@ -34,7 +34,7 @@ RayQuery local(double r, double theta, double phi, Vec3 n, LocalFrame frame = Lo
 
 RayRecord record_of(const RayQuery& query, int crossings = 0, const Scene& scene = {}) {
     const auto record = trace_ray(scene, query, crossings);
-    REQUIRE_MESSAGE(record, (record ? "" : record.error().message));
+    REQUIRE_MESSAGE(record, (record ? "" : record.error().message()));
     return *record;
 }
 
@@ -268,7 +268,7 @@ TEST_CASE("reference: flat space is straight") {
 TEST_CASE("reference: questions outside the domain are answered with a reason") {
     const auto refused = [](const RayQuery& query, const Scene& scene = {}) {
         const auto record = trace_ray(scene, query, 1);
-        return !record && record.error().kind == ErrorKind::kBadInput && !record.error().message.empty();
+        return !record && record.error().kind == ErrorKind::kBadInput && !record.error().message().empty();
     };
     CHECK(refused(local(1, 1, 0, {1, 0, 0})));
     CHECK(refused(local(0.5, 1, 0, {1, 0, 0})));

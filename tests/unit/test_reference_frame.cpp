@@ -5,8 +5,9 @@
 
 #include <doctest/doctest.h>
 
-#include "camera/pose.h"
+#include "observer/pose.h"
 #include "reference/reference.h"
+#include "support/observer.h"
 
 namespace {
 

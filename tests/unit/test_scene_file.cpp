@@ -12,8 +12,10 @@
 
 #include "base/atomic_file.h"
 #include "base/text.h"
-#include "scene/scene_file.h"
-#include "scene/scene_keys.h"
+#include "plan/body_kind.h"
+#include "scene/bodies.h"
+#include "scenefile/scene_file.h"
+#include "scenefile/scene_keys.h"
 #include "spacetime/registry.h"
 #include "support/folders.h"
 
@@ -106,7 +108,7 @@ TEST_CASE("an empty file, a bare metric and an empty section are whole scenes") 
 TEST_CASE("every key arrives in its field and its unit") {
     const Folder folder;
     const Result<Scene> read = parse(kFullScene, folder.path());
-    REQUIRE_MESSAGE(read, read.error().message);
+    REQUIRE_MESSAGE(read, read.error().message());
     const Scene& s = *read;
     CHECK(s.name == "All");
     CHECK(s.description == "Every key.");
@@ -155,12 +157,12 @@ TEST_CASE("the defaults that the key table shows are those of an empty scene") {
     for (const SceneKey& key : scene_keys()) {
         if (key.type != KeyType::kNumber || key.section == "disc" || key.fallback.empty()) continue;
         Scene changed = empty;
-        changed.path.emplace(), changed.disc.emplace(), changed.spot.emplace(), changed.sphere.emplace();
-        changed.cylinder.emplace(), changed.ball.emplace(), changed.surface.emplace();
+        changed.path.emplace(), changed.disc.emplace(), changed.spots.emplace_back();
+        for (const BodyKind* kind : body_kinds()) changed.bodies.push_back(kind->make());
         KeyValue value;
         value.number = *parse_number(key.fallback) * (key.unit == "deg" ? kDegree : 1.0);
         CHECK(key.range.contains(*parse_number(key.fallback)));
-        key.apply(changed, value);
+        key.member.set(changed, value);
         const auto fields = [](const Scene& s) {
             return std::vector<double>{
                 s.camera.r,           s.camera.theta, s.camera.phi,         s.camera.yaw,
@@ -194,10 +196,27 @@ TEST_CASE("docs/scenes.md has every key, every metric's parameter and every allo
     }
 }
 
+TEST_CASE("names of older files still work, but not beside those of now") {
+    const Result<Scene> old = parse(
+        "[beside]\nmetric = \"minkowski\"\n[sphere]\nswing = 0.2\n[path]\nlook = \"centre\"\n"
+        "[sky]\nkind = \"points\"\nfaintest = 6\neven_stars = 9\n[camera]\nobserver = \"rain\"\n");
+    REQUIRE_MESSAGE(old, old.error().message());
+    CHECK(old->split->metric == "minkowski");
+    CHECK(std::get<SphereSpec>(old->bodies.front().shape).amplitude == 0.2);
+    CHECK(old->path->orientation == PathOrientation::kCentre);
+    CHECK(old->sky.magnitude_limit == 6.0);
+    CHECK(old->sky.uniform_stars == 9);
+    const Result<Scene> twice = parse("[sphere]\namplitude = 0.1\nswing = 0.2\n");
+    REQUIRE(!twice);
+    CHECK(twice.error().key == "sphere.amplitude");
+    CHECK(twice.error().line == 3);
+    CHECK(!parse("[split]\nmetric = \"kerr\"\n[beside]\nmetric = \"kerr\"\n"));
+}
+
 TEST_CASE("of several faults the first in the file is reported, whatever the order of its keys") {
     const Result<Scene> scene = parse("[sky]\nyaw = \"x\"\n[camera]\nr = -1\nfov = 500\n");
     REQUIRE_FALSE(scene);
-    CHECK(scene.error().message.starts_with("dir/scene.toml:2: sky.yaw: "));
+    CHECK(scene.error().message().starts_with("dir/scene.toml:2: sky.yaw: "));
 }
 
 TEST_CASE("scenes that ship can be read and say what they are") {
@@ -206,7 +225,7 @@ TEST_CASE("scenes that ship can be read and say what they are") {
     CHECK(std::is_sorted(scenes.begin(), scenes.end(), [](const auto& a, const auto& b) { return a.name < b.name; }));
     for (const SceneInfo& info : scenes) {
         const Result<Scene> by_name = load_scene(info.name);
-        REQUIRE_MESSAGE(by_name, by_name.error().message);
+        REQUIRE_MESSAGE(by_name, by_name.error().message());
         CHECK(load_scene(info.path.string()));
         CHECK_FALSE(by_name->name.empty());
         CHECK(info.description == by_name->description);
@@ -221,8 +240,8 @@ TEST_CASE("files that cannot be read are errors that say why") {
         const Result<Scene> scene = load_scene(name);
         REQUIRE_FALSE(scene);
         CHECK(scene.error().kind == ErrorKind::kBadInput);
-        CHECK(one_plain_line(scene.error().message));
-        return scene.error().message;
+        CHECK(one_plain_line(scene.error().message()));
+        return scene.error().message();
     };
     CHECK(message("first-lite").find("nearest: first-light") != std::string::npos);
     CHECK(message("no/such/file.toml").find("no such file") != std::string::npos);
@@ -250,7 +269,7 @@ TEST_CASE("hostile text: nothing crashes, every refusal is one plain line") {
     const auto harmless = [&](const std::string& text) {
         const Result<Scene> scene = parse(text, folder.path());
         if (scene) return true;
-        const std::string& message = scene.error().message;
+        const std::string& message = scene.error().message();
         return one_plain_line(message) && message.starts_with("dir/scene.toml:") && message.size() < 2000;
     };
     for (std::size_t n = 0; n <= kFullScene.size(); ++n) CHECK(harmless(std::string(kFullScene.substr(0, n))));

@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene_keys.h"
-#include "scene/scene_text.h"
+#include "plan/body_kind.h"
+#include "scene/bodies.h"
+#include "scenefile/scene_keys.h"
+#include "scenefile/scene_text.h"
 
 using namespace nullscope;
 
@@ -18,13 +20,10 @@ namespace {
 // Every section is there, so that every key has a place.
 Scene full_scene() {
     Scene scene;
-    scene.beside.emplace();
+    scene.split.emplace();
     scene.disc.emplace().accretion.emplace();
-    scene.spot.emplace();
-    scene.sphere.emplace();
-    scene.cylinder.emplace();
-    scene.ball.emplace();
-    scene.surface.emplace();
+    scene.spots.emplace_back();
+    for (const BodyKind* kind : body_kinds()) scene.bodies.push_back(kind->make());
     scene.path.emplace().keys = {{0.0, {}}, {1.0, {}}};
     return scene;
 }
@@ -56,8 +55,8 @@ TEST_CASE("the canonical text of a scene changes with every key of the table, by
     for (const SceneKey& key : scene_keys()) {
         CAPTURE(full_name(key));
         Scene one = full_scene(), other = full_scene();
-        key.apply(one, random_value(key, random, 0));
-        key.apply(other, random_value(key, random, 1));
+        key.member.set(one, random_value(key, random, 0));
+        key.member.set(other, random_value(key, random, 1));
         const auto a = scene_lines(one), b = scene_lines(other);
         REQUIRE(a.size() == b.size());
         std::vector<std::string> changed;
@@ -81,6 +80,7 @@ TEST_CASE("the canonical text of a scene holds what may be missing, parameters, 
     CHECK(differs([](Scene& s) { s.disc.emplace(); }));
     CHECK(differs([](Scene& s) { s.sky.temperature_K = 5772.0; }));
     CHECK(differs([](Scene& s) { s.spacetime.parameters["charge"] = 0.1; }));
+    CHECK(differs([](Scene& s) { s.spacetime.parameters.formulas["A"] = "1 - 2/r"; }));
     CHECK(differs([](Scene& s) { s.camera.r = std::nextafter(s.camera.r, 100.0); }));
     CHECK(differs([](Scene& s) { s.path.emplace(); }));
     Scene keys = full_scene();

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/effects.h"
+#include "plan/effects.h"
+#include "scene/bodies.h"
 #include "shaderlib/preprocess.h"
 #include "shaderlib/shader_source.h"
 #include "support/depth.h"
@@ -36,6 +37,7 @@ std::vector<Scene> all_scenes() {
                 scene.light.shift = !has(5);  // any bits: switches off in some scenes
                 scene.light.beaming = !has(6);
                 scene.light.bolometric = has(7);
+                scene.disc->effects.limb_darkening = has(4);
             }
             if (has(1) && has(9)) scene.sky.temperature_K = 6000.0;
             scene.sky.kind = has(4) ? SkyKind::kStars : SkyKind::kBlack;
@@ -45,20 +47,21 @@ std::vector<Scene> all_scenes() {
             if (has(2) && has(9) && has(8)) scene.sky.kind = SkyKind::kPoints;
             if (has(1) && has(3) && has(7))
                 scene.sky.kind = static_cast<SkyKind>(static_cast<int>(SkyKind::kPlain) + static_cast<int>(bits % 6));
-            if (has(2) && has(1) && has(6)) scene.disc->look.texture = kind, scene.disc->look.formula = "v"s;
-            scene.sky.look.formula = "u"s;
-            if (has(5)) scene.sphere.emplace().look.texture = kind;
-            if (has(6)) scene.cylinder.emplace().look.texture = kind;
-            if (has(7)) scene.ball.emplace().look.texture = kind;
-            if (has(8)) scene.surface.emplace().look.texture = kind;
-            for (BodyLook* look :
-                 {scene.sphere ? &scene.sphere->look : nullptr, scene.ball ? &scene.ball->look : nullptr})
-                if (look != nullptr && kind == TextureKind::kFormula) look->formula = "sin(u)";
+            if (has(2) && has(1) && has(6)) scene.disc->material.texture = kind, scene.disc->material.formula = "v"s;
+            scene.sky.material.formula = "u"s;
+            if (has(5)) add_body<SphereSpec>(scene).material.texture = kind;
+            if (has(6)) add_body<CylinderSpec>(scene).material.texture = kind;
+            if (has(7)) add_body<BallSpec>(scene).material.texture = kind;
+            if (has(8)) add_body<SurfaceSpec>(scene).material.texture = kind;
+            for (Material* material :
+                 {first_body<SphereSpec>(scene) ? &first_body<SphereSpec>(scene)->material : nullptr,
+                  first_body<BallSpec>(scene) ? &first_body<BallSpec>(scene)->material : nullptr})
+                if (material != nullptr && kind == TextureKind::kFormula) material->formula = "sin(u)";
             if (has(2) && has(4) && !has(9)) scene.disc->flow = DiscFlowKind::kKepler;
-            if (has(2) && has(7) && has(9)) scene.spot.emplace();
-            if (has(7) && has(4) && has(3)) scene.ball->motion = BallMotion::kOrbit;
-            if (has(5) && has(8) && has(1)) scene.sphere->swing = 0.1;
-            if (has(8) && has(6)) scene.surface->shape = "x^2 + y^2 + z^2 - 9 - sin(t)";
+            if (has(2) && has(7) && has(9)) scene.spots.emplace_back();
+            if (has(7) && has(4) && has(3)) first_shape<BallSpec>(scene)->motion = BallMotion::kOrbit;
+            if (has(5) && has(8) && has(1)) first_shape<SphereSpec>(scene)->amplitude = 0.1;
+            if (has(8) && has(6)) first_shape<SurfaceSpec>(scene)->shape = "x^2 + y^2 + z^2 - 9 - sin(t)";
             scene.light.delay = !(has(0) && has(7));
             scenes.push_back(scene);
         }
@@ -76,26 +79,26 @@ const std::vector<Mark> kMarks = {
     {Effect::kSpin, {"spin_step", "spin_ray", "SpinState", "vec4 spin_hole;", "vec4 spin_place;"}},
     {Effect::kSpinFall, {"ingoing", "INGOING_DELTA"}},
     {Effect::kAberration, {"aberrate", "Aberration", "vec4 boost;", "vec4 boost_colour;"}},
-    {Effect::kDisc, {"disc_cross", "DiscCrossing", "plane_meet", "disc_normal", "disc_map", "disc_look"}},
+    {Effect::kDisc, {"disc_cross", "DiscCrossing", "plane_meet", "disc_normal", "disc_map", "disc_surface"}},
     {Effect::kDiscImage, {"disc_texture", "disc_filtered"}},
-    {Effect::kDiscPattern, {"disc_coat_paint", "vec4 disc_coat_map;"}},
+    {Effect::kDiscPattern, {"disc_material_pattern", "vec4 disc_material_map;"}},
     {Effect::kTranslucentDisc, {"fade"}},
     {Effect::kThermalDisc, {"thermal_light", "disc_matter_texture", "DiscMatter", "vec4 disc_heat;"}},
     {Effect::kShift, {"colour_shift"}},
     {Effect::kBeaming, {"beaming"}},
     {Effect::kBolometric, {"all_wavelengths"}},
     {Effect::kPointStars, {"vec4 point_stars;", "vec4 point_spread;"}},
-    {Effect::kSphere, {"sphere_form", "sphere_light", "sphere_colour"}},
-    {Effect::kCylinder, {"cylinder_value", "cylinder_form", "cylinder_light", "cylinder_colour"}},
-    {Effect::kBall, {"ball_value", "ball_form", "ball_light", "ball_colour"}},
-    {Effect::kSurface, {"surface_formula", "surface_form", "surface_light", "surface_colour"}},
+    {Effect::kSphere, {"sphere_size", "sphere_normal"}},
+    {Effect::kCylinder, {"cylinder_value", "cylinder_size", "cylinder_light"}},
+    {Effect::kBall, {"ball_value", "ball_size", "ball_light"}},
+    {Effect::kSurface, {"surface_inside", "surface_size", "surface_light"}},
     {Effect::kPattern, {"pattern_checker", "pattern_wave"}},
     {Effect::kNoise, {"grain_noise"}},
     {Effect::kFormula, {"_blend("}},
-    {Effect::kBodyImage, {"_image(", "textureSize"}},
+    {Effect::kBodyImage, {"_image(", "body_image_0"}},
     {Effect::kSky, {"celestial_sphere(", "sky_texture", "vec4 sky;"}},
     {Effect::kSkyShift, {"sky_shift", "vec4 sky_light;"}},
-    {Effect::kSkyPattern, {"dome_light", "dome_paint", "vec4 dome_x;"}},
+    {Effect::kSkyPattern, {"sky_pattern_light", "sky_pattern", "vec4 sky_pattern_x;"}},
     {Effect::kInner, {"frame.strip.w"}},
     {Effect::kBounce, {"by_centre"}},
     {Effect::kFarSky, {"other_side"}},
@@ -108,10 +111,11 @@ const std::vector<Mark> kMarks = {
     {Effect::kSides, {"value_by_side", "vec4 throat;", "place.side"}},
     {Effect::kDelay, {"light_time(", "vec4 delay;"}},
     {Effect::kDiscFlow, {"disc_flow(", "vec4 disc_winding;"}},
-    {Effect::kSpot, {"spot_light(", "vec4 spot;", "vec4 spot_motion;"}},
-    {Effect::kBallPath, {"ball_path_fetch", "vec4 ball_path;"}},
-    {Effect::kPulse, {"sphere_room"}},
+    {Effect::kSpot, {"spot_light(", "spot_orbit_light("}},
+    {Effect::kBallPath, {"ball_path_fetch", "moving_ball_middle"}},
+    {Effect::kPulse, {"pulse_room"}},
     {Effect::kInnerHorizon, {"inner_horizon_time("}},
+    {Effect::kLimbDarkening, {"limb_darkening(", "disc_cosine(", "disc_light("}},
 };
 
 // Every line of a shader stands where #line says: in its file there is the same, but for a comment.
@@ -200,7 +204,7 @@ TEST_CASE("shader source: about a rotating hole nothing of plane orbits, without
         scene.spacetime = {"kerr", {{"spin", spin}}};
         scene.disc.emplace();
         const std::string text = picture_of(scene);
-        for (const char* word : {"spin_step", "SpinState", "spin_disc_cross", "spin_hole"})
+        for (const char* word : {"spin_step", "SpinState", "spin_disc_more", "spin_hole"})
             CHECK((text.find(word) != std::string::npos) == (spin > 0));
         for (const char* word : {"strip_locate", "orbit_point", "plane_meet", "disc_reachable", "vec4 strip;"})
             CHECK((text.find(word) != std::string::npos) == (spin == 0));
@@ -215,13 +219,13 @@ TEST_CASE("shader source: about a rotating hole nothing of plane orbits, without
 TEST_CASE("shader source: of a wormhole with bodies, on either side") {
     Scene scene;
     scene.spacetime.metric = "ellis";
-    scene.ball.emplace();
-    scene.surface.emplace().far = true;
+    add<BallSpec>(scene);
+    add_body<SurfaceSpec>(scene).far = true;
     const std::string text = picture_of(scene);
     for (const char* word : {"value_by_side", "vec4 throat;", "off = place.side <= 0.0", "off = place.side >= 0.0"})
         CHECK(text.find(word) != std::string::npos);
     scene.spacetime.metric = "schwarzschild";
-    scene.surface->far = false;
+    first_body<SurfaceSpec>(scene)->far = false;
     for (const char* word : {"by_side", "throat", "place.side"})
         CHECK(picture_of(scene).find(word) == std::string::npos);
 }
@@ -233,7 +237,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow* row : effect_rows()) all.insert(row->effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 67);
+    CHECK(members.size() == 48);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {

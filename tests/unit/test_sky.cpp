@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "base/atomic_file.h"
-#include "base/image_file.h"
 #include "base_temporary_folder.h"
+#include "image/image_file.h"
 #include "sky/milky_way.h"
 #include "sky/packed_sky.h"
 #include "sky/sky.h"

@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/path.h"
-#include "camera/pose.h"
-#include "camera/spin_worldline.h"
-#include "camera/worldline.h"
-#include "scene/observer.h"
-#include "scene/scene_file.h"
+#include "observer/observer.h"
+#include "observer/path.h"
+#include "observer/pose.h"
+#include "observer/spin_frame.h"
+#include "observer/spin_worldline.h"
+#include "observer/worldline.h"
+#include "scenefile/scene_file.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
-#include "spacetime/spin_frame.h"
 #include "support/metrics.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// Columns of the orbit map through wormholes against the reference's orbits, which are closed forms and quadratures in l.
+// Columns of the orbit table through wormholes against the reference's orbits, which are closed forms and quadratures in l.
 #include <cmath>
 #include <map>
 #include <memory>
@@ -33,7 +33,7 @@ std::vector<World> worlds() {
         all.push_back(world_of("dneg-wormhole", {{"throat", 1.0}, {"length", length}, {"lensing_width", width}}));
     return all;
 }
-RayFan fan_at(const World& world, double r) { return {world.spacetime, world.table, r, frame_at_rest(1.0)}; }
+RayFamily fan_at(const World& world, double r) { return {world.spacetime, world.table, r, frame_at_rest(1.0)}; }
 
 constexpr double kNearest = 1e-4;    // rad from the critical ray: a tenth of a pixel of 60 degrees on 1080 rows
 constexpr double kMostSwept = 30.0;  // rad; rays that wind more often in a tube lie in a line thinner than that
@@ -42,15 +42,15 @@ constexpr double kThroatRadii[] = {20.0, 3.0, 0.4, 0.0, -0.003, -2.0, -50.0};
 // Largest difference of l on the rows, over the distance from the throat (1 at least) and over how far l moves with the last digits of the
 // view direction and of the swept angle: 1 for both together.
 double worst_place(const World& world, double r) {
-    const RayFan fan = fan_at(world, r);
+    const RayFamily family = fan_at(world, r);
     const ThroatShape shape(*world.spacetime);
     double worst = 0.0;
     for (const Segment segment : {Segment::kSky, Segment::kCaptured})
-        for (double delta = kNearest; delta < 0.999 * fan.delta_limit(segment); delta *= 1.7) {
-            const FanRay ray = fan.ray(segment, delta);
+        for (double delta = kNearest; delta < 0.999 * family.delta_limit(segment); delta *= 1.7) {
+            const FanRay ray = family.ray(segment, delta);
             if (ray.phi_end > kMostSwept) continue;
             const auto orbit = world.reference->orbits()->from_static({r, -std::cos(ray.beta), ray.sin_beta});
-            const OrbitColumn column = throat_column(fan, segment, delta);
+            const OrbitTexels column = throat_column(family, segment, delta);
             const double end = segment == Segment::kSky ? 1.0 : -1.0;
             for (int i = 1; i < kOrbitRows; ++i) {
                 const double v = static_cast<double>(i) / kOrbitRows, w = column[i][0] * (1.0 - v);
@@ -64,7 +64,7 @@ double worst_place(const World& world, double r) {
     return worst;
 }
 
-TEST_CASE("orbit map through a throat: l is the reference's on every row") {
+TEST_CASE("orbit table through a throat: l is the reference's on every row") {
     constexpr double kPlace = 1e-6;  // measured 3.5e-7; Ellis' 1e-9
     for (const World& world : worlds())
         for (const double r : kThroatRadii) {

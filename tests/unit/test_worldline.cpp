@@ -3,11 +3,12 @@
 
 #include <doctest/doctest.h>
 
-#include "camera/path.h"
-#include "camera/pose.h"
-#include "camera/worldline.h"
-#include "scene/observer.h"
+#include "observer/observer.h"
+#include "observer/path.h"
+#include "observer/pose.h"
+#include "observer/worldline.h"
 #include "spacetime/registry.h"
+#include "support/observer.h"
 
 namespace {
 
@@ -143,8 +144,8 @@ TEST_CASE("worldline: nothing is lost on the way") {
         REQUIRE(line);
         for (int i = 0; i <= 50; ++i) {
             const CameraSpec camera = line->at(line->last() * i / 50);
-            const double gamma2 =
-                1 / (1 - dot(camera.velocity, camera.velocity));  // large next to the singularity, in the rain frame
+            // Large next to the singularity, in the rain frame.
+            const double gamma2 = 1 / (1 - dot(camera.velocity, camera.velocity));
             CHECK(orthonormality(*spacetime, camera) < 1e-12 * std::fmax(1, 1e-3 * gamma2));
             // E of the 4-velocity that the camera has now.
             const auto tetrad = ingoing_tetrad_pair(*spacetime, camera);
@@ -158,8 +159,8 @@ TEST_CASE("worldline: a gyroscope on a circular orbit turns by de Sitter's angle
     const auto hole = spacetime_of("schwarzschild");
     CameraSpec camera = camera_at(5.0, ObserverKind::kOrbit);
     camera.theta = M_PI / 2, camera.yaw = camera.pitch = camera.roll = 0;
-    const double period =
-        2 * M_PI * std::sqrt(2.0 * 125.0) * std::sqrt(1 - 1.5 / 5.0);  // proper: 2 pi r^(3/2)/sqrt(M) sqrt(1 - 3M/r)
+    // Proper: 2 pi r^(3/2)/sqrt(M) sqrt(1 - 3M/r).
+    const double period = 2 * M_PI * std::sqrt(2.0 * 125.0) * std::sqrt(1 - 1.5 / 5.0);
     const auto line = Worldline::make(hole, camera, 2 * period);
     REQUIRE(line);
     CHECK(line->end() == WorldlineEnd::kOpen);

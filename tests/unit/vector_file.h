@@ -3,32 +3,27 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "base/atomic_file.h"
+#include "base/csv.h"
 
 namespace nullscope {
 
 using VectorRow = std::map<std::string, std::string>;
 
 inline std::vector<VectorRow> load_vectors(const std::filesystem::path& path) {
-    std::ifstream in(path);
     std::vector<VectorRow> rows;
     std::vector<std::string> names;
-    for (std::string line; std::getline(in, line);) {
-        if (line.empty() || line[0] == '#') continue;
-        std::vector<std::string> cells;
-        std::istringstream fields(line);
-        for (std::string cell; std::getline(fields, cell, ',');) cells.push_back(cell);
-        if (names.empty()) {
-            names = cells;
-            continue;
-        }
-        VectorRow row;
-        for (std::size_t i = 0; i < cells.size(); ++i) row[names[i]] = cells[i];
-        rows.push_back(row);
+    const auto text = read_text(path);
+    if (!text) return rows;
+    for (CsvLines csv(*text); csv.next();) {
+        const auto cells = *csv_fields(csv.line);
+        if (!names.empty()) rows.emplace_back();
+        for (std::size_t i = 0; i < cells.size() && !names.empty(); ++i) rows.back()[names[i]] = cells[i];
+        if (names.empty()) names = cells;
     }
     return rows;
 }

@@ -102,6 +102,29 @@ TEST_CASE("errors: a frame measured tile by tile has the numbers of measure_rays
     CHECK(news >= 2);
 }
 
+// With several threads a coarse task can end after the fine one of the same pixels.
+TEST_CASE("errors: a coarse pixel that comes late leaves measured pixels as they are") {
+    const auto colour_at = [](const ErrorMap& map, int x, int y) {
+        const unsigned char* texel = map.heat().data.data() + 4 * (12 * y + x);
+        return std::array<int, 4>{texel[0], texel[1], texel[2], texel[3]};
+    };
+    PixelErrors exact, wrong;
+    exact.end = RayEnd::kSame;
+    wrong.end = RayEnd::kDiffers;
+    ErrorMap map(12, 8);
+    map.take({{0, 0, 4, 8}, std::vector(32, exact)}, 0);
+    const auto fine = colour_at(map, 3, 3);
+    map.take({{4, 4, 5, 5}, {wrong}}, 8);  // its cell reaches from 0 to 8
+    CHECK(colour_at(map, 3, 3) == fine);
+    CHECK(colour_at(map, 4, 4) != fine);
+    CHECK(colour_at(map, 7, 0) == colour_at(map, 4, 4));
+    CHECK(colour_at(map, 8, 0)[3] == 0);
+    map.take({{2, 2, 3, 3}, {wrong}}, 4);  // measured before
+    CHECK(colour_at(map, 2, 2) == fine);
+    CHECK(map.counts().measured == 33);
+    CHECK(map.counts().fate_errors == 1);
+}
+
 TEST_CASE("errors: a frame smaller than the coarse grids is measured as well") {
     const Scene scene = small_scene(5, 3, 2);
     const RayFrame frame = spoilt_frame(scene, 1e-3);

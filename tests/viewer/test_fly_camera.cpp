@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "camera/pose.h"
+#include "observer/pose.h"
 #include "spacetime/registry.h"
 #include "viewer/fly_camera.h"
 

@@ -31,7 +31,7 @@ TEST_CASE("method: the wish comes to what capture --method auto would take, refu
     const MethodChoice refused = method_choice(measured, wish, scene);
     CHECK(!refused.kept);
     CHECK(refused.method == method_of("table:64:cubic"));
-    CHECK(refused.words.find("smallest error that can be kept is 1 px") != std::string::npos);
+    CHECK(refused.words.find("The lowest error, 1 px, is that of") != std::string::npos);
     wish.automatic = false;
     wish.method = method_of("euler:100");
     CHECK(method_choice(measured, wish, scene).method == method_of("euler:100"));

@@ -177,8 +177,8 @@ class Viewer:
 
 def row_of(effect, called_for=("lensing", "disc", "disc-image", "sphere", "ball")):
     """Which row of the panel is an effect's: in the order of the enumerators, of those that SCENE + BODIES calls for."""
-    folder = Path(__file__).resolve().parents[2] / "src" / "scene"
+    folder = Path(__file__).resolve().parents[2] / "src" / "plan"
     order = re.findall(r"^    (k\w+),?$", (folder / "effects.h").read_text(), re.MULTILINE)
-    features = "".join(path.read_text() for path in sorted(folder.glob("*_features.cpp")))
-    keys = dict(re.findall(r'\{Effect::(k\w+), "([\w-]+)"', features))
+    features = "".join(path.read_text() for path in sorted(folder.glob("*.cpp")))
+    keys = dict(re.findall(r'\{Effect::(k\w+),\s*"([\w-]+)"', features))
     return [keys[name] for name in order if keys[name] in called_for].index(effect)

@@ -1,0 +1,204 @@
+// Where a ray about a rotating hole (mino/kerr.glsl) is within a step, by the fraction s of it.
+#include "mino/kerr.glsl"
+#include "shared/frame.glsl"
+
+// Over a step, as a polynomial of the fraction s of it: the quintic with the values, slopes and curvatures of both ends.
+struct SpinArc {
+    vec4 c0;
+    vec4 c1;
+    vec4 c2;
+    vec4 c3;
+    vec4 c4;
+    vec4 c5;
+};
+
+SpinArc spin_arc(SpinState from, SpinState to, float h) {
+    SpinArc arc;
+    arc.c0 = from.y;
+    arc.c1 = h * from.v;
+    arc.c2 = (0.5 * h * h) * from.f;
+    vec4 d = to.y - arc.c0 - arc.c1 - arc.c2;
+    vec4 dv = h * to.v - arc.c1 - 2.0 * arc.c2;
+    vec4 df = (h * h) * to.f - 2.0 * arc.c2;
+    arc.c3 = 10.0 * d - 4.0 * dv + 0.5 * df;
+    arc.c4 = -15.0 * d + 7.0 * dv - df;
+    arc.c5 = 6.0 * d - 3.0 * dv + 0.5 * df;
+    return arc;
+}
+
+vec4 spin_at(SpinArc arc, float s) {
+    return arc.c0 + s * (arc.c1 + s * (arc.c2 + s * (arc.c3 + s * (arc.c4 + s * arc.c5))));
+}
+
+vec4 spin_slope_at(SpinArc arc, float s) {
+    return arc.c1 + s * (2.0 * arc.c2 + s * (3.0 * arc.c3 + s * (4.0 * arc.c4 + s * (5.0 * arc.c5))));
+}
+
+// A sum from 0 to s of what is known at Lobatto's five points of a step, as a polynomial of t = 2 s - 1.
+struct SpinSum {
+    float c0;   // of what is summed: c0 + c1 t + ... + c4 t^4
+    float c1;
+    float c2;
+    float c3;
+    float c4;
+};
+
+#define LOBATTO_POINT 0.17267316464601143   // the points: 0, this, 1/2, 1 - this, 1
+
+SpinSum spin_sum(float d0, float d1, float d2, float d3, float d4) {
+    float near = 0.5 * (d1 + d3) - d2;
+    float far = 0.5 * (d0 + d4) - d2;
+    float odd = 0.76376261582597333 * (d3 - d1);   // sqrt(7/3)/2: the points are at t^2 = 3/7
+    SpinSum sum;
+    sum.c0 = d2;
+    sum.c4 = (49.0 / 12.0) * ((3.0 / 7.0) * far - near);
+    sum.c2 = far - sum.c4;
+    sum.c3 = 1.75 * (0.5 * (d4 - d0) - odd);
+    sum.c1 = 0.5 * (d4 - d0) - sum.c3;
+    return sum;
+}
+
+float spin_sum_to(SpinSum sum, float s) {
+    float t = 2.0 * s - 1.0;
+    float even = sum.c0 + t * t * (sum.c2 * (1.0 / 3.0) + t * t * (sum.c4 * 0.2));
+    float start = sum.c0 + sum.c2 * (1.0 / 3.0) + sum.c4 * 0.2;
+    float more = 2.0 * s * (t - 1.0);   // t^2 - 1
+    return 0.5 * (t * even + start + more * (0.5 * sum.c1 + 0.25 * sum.c3 * (t * t + 1.0)));
+}
+
+// A step, and what is summed over it. The azimuth is Boyer and Lindquist's anywhere outside the horizon: psi + winding * (what is left of
+// int a/Delta dr to the sky).
+struct SpinSegment {
+    SpinArc arc;
+    float h;
+    float psi;        // at its start
+    SpinSum turn;
+    float winding;    // 1 where psi belongs to the ingoing azimuth, -1 where phi winds up towards the past horizon
+#ifdef EFFECT_DELAY
+    bool keeps;
+    float travel_time;
+    vec2 start;       // zeta, zeta'
+    SpinSum travel_times;
+#endif
+};
+
+float segment_turning(SpinRay ray, SpinState from, bool inward, vec4 y, float slope) {
+    return inward ? spin_regular_drag(ray, y.w, slope) : spin_turning(ray, from, y.w);
+}
+
+SpinSegment spin_segment(SpinRay ray, SpinState from, SpinState to, float h) {
+    SpinSegment segment;
+    segment.arc = spin_arc(from, to, h);
+    segment.h = h;
+    bool inward = from.v.w > 0.0 && to.v.w > 0.0;
+    vec4 y1 = spin_at(segment.arc, LOBATTO_POINT);
+    vec4 y2 = spin_at(segment.arc, 0.5);
+    vec4 y3 = spin_at(segment.arc, 1.0 - LOBATTO_POINT);
+    segment.turn = spin_sum(h * segment_turning(ray, from, inward, from.y, from.v.w), h * segment_turning(ray, from, inward, y1, spin_slope_at(segment.arc, LOBATTO_POINT).w / h),
+                        h * segment_turning(ray, from, inward, y2, spin_slope_at(segment.arc, 0.5).w / h),
+                        h * segment_turning(ray, from, inward, y3, spin_slope_at(segment.arc, 1.0 - LOBATTO_POINT).w / h), h * segment_turning(ray, from, inward, to.y, to.v.w));
+    segment.winding = inward ? -1.0 : 0.0;
+    segment.psi = from.psi + (inward ? spin_winding(ray, from.y.w) : 0.0);
+#ifdef EFFECT_SPIN_FALL
+    segment.winding = from.ingoing ? 1.0 : segment.winding;
+#endif
+#ifdef EFFECT_DELAY
+    segment.keeps = travel_time_keeps(ray, from, to.y, to.v.w);
+    segment.travel_time = from.travel_time;
+    segment.start = vec2(from.y.w, from.v.w);
+    segment.travel_times = spin_sum(h * travel_time_rate(ray, segment.keeps, from.y), h * travel_time_rate(ray, segment.keeps, y1), h * travel_time_rate(ray, segment.keeps, y2), h * travel_time_rate(ray, segment.keeps, y3),
+                        h * travel_time_rate(ray, segment.keeps, to.y));
+#endif
+    return segment;
+}
+
+// Azimuth of Boyer and Lindquist less that of n. y: spin_at(segment.arc, s)
+float segment_turned(SpinRay ray, SpinSegment segment, float s, vec4 y) {
+    return segment.psi + spin_sum_to(segment.turn, s) + (segment.winding == 0.0 ? 0.0 : segment.winding * spin_winding(ray, y.w));
+}
+
+// psi at its end: where phi winds up better than the step itself has it, for places next to the horizon.
+float segment_psi(SpinRay ray, SpinSegment segment, SpinState to) { return segment.winding < 0.0 ? segment_turned(ray, segment, 1.0, to.y) : to.psi; }
+
+#ifdef EFFECT_DELAY
+// How long ago, by the camera's clock, the light left.
+float segment_delay(SpinRay ray, SpinSegment segment, float s, vec4 y) {
+    float climb = spin_slope_at(segment.arc, s).w / segment.h;
+    float travel_time = segment.travel_time + travel_time_jump(ray, segment.keeps, segment.start, vec2(y.w, climb)) + spin_sum_to(segment.travel_times, s);
+    return travel_time + spin_tortoise(ray, max(y.w, 1.0e-12)) - frame.delay.z;
+}
+#endif
+
+#ifdef EFFECT_DISC
+// A meeting of the ray with the equatorial plane; whether it is on the disc (hit) and the footprint are
+// mino/disc.glsl's and trace.glsl's.
+struct DiscCrossing {
+    bool hit;
+    float number;     // 1 for the ray's first
+    float r;          // r_s
+    vec2 place;       // x and y, azimuth of Boyer and Lindquist, r_s
+    float phi;        // Mino's time
+    vec2 along;       // footprint of one pixel on the disc in (x, y), r_s: image of its side to the right
+    vec2 across;      // ... and upward
+    float climb;      // d zeta / d tau there: p_r of the photon is climb / (zeta^2 Delta)
+#ifdef SLOT_DISC_LIGHT
+    float rise;       // |d n_z / d tau| = |p_theta| there, the root of Carter's constant
+#endif
+#ifdef EFFECT_DELAY
+    float delay;       // how long ago, by the camera's clock, the light left
+#endif
+};
+
+DiscCrossing no_crossing() {
+    DiscCrossing none;
+    none.hit = false;
+    none.number = 0.0;
+    none.r = 0.0;
+    none.place = vec2(0.0, 0.0);
+    none.phi = 0.0;
+    none.along = vec2(0.0, 0.0);
+    none.across = vec2(0.0, 0.0);
+    none.climb = 0.0;
+#ifdef SLOT_DISC_LIGHT
+    none.rise = 0.0;
+#endif
+#ifdef EFFECT_DELAY
+    none.delay = 0.0;
+#endif
+    return none;
+}
+
+// Newton's step towards n_z = 0.
+float spin_newton(SpinArc arc, float s) {
+    float slope = spin_slope_at(arc, s).z;
+    return clamp(s - spin_at(arc, s).z / (abs(slope) > 1.0e-30 ? slope : 1.0e-30), 0.0, 1.0);
+}
+
+// Within a step that begins at Mino's time tau and between whose ends n_z changes its sign.
+DiscCrossing spin_crossing(SpinRay ray, SpinState from, SpinState to, float h, float tau) {
+    SpinSegment segment = spin_segment(ray, from, to, h);
+    float change = from.y.z - to.y.z;
+    float s = clamp(from.y.z / (abs(change) > 1.0e-30 ? change : 1.0e-30), 0.0, 1.0);
+    s = spin_newton(segment.arc, s);
+    s = spin_newton(segment.arc, s);
+    s = spin_newton(segment.arc, s);
+    s = spin_newton(segment.arc, s);
+    vec4 at = spin_at(segment.arc, s);
+    float psi = segment_turned(ray, segment, s, at);
+    float inverse = inversesqrt(max(at.x * at.x + at.y * at.y, 1.0e-30));
+    float c = cos(psi) * inverse;
+    float t = sin(psi) * inverse;
+    DiscCrossing crossing = no_crossing();
+    crossing.phi = tau + s * h;
+    crossing.r = 1.0 / max(at.w, 1.0e-12);
+    crossing.place = crossing.r * vec2(c * at.x - t * at.y, t * at.x + c * at.y);
+    crossing.climb = spin_slope_at(segment.arc, s).w / h;
+#ifdef SLOT_DISC_LIGHT
+    crossing.rise = abs(spin_slope_at(segment.arc, s).z / h);
+#endif
+#ifdef EFFECT_DELAY
+    crossing.delay = segment_delay(ray, segment, s, at);
+#endif
+    return crossing;
+}
+#endif

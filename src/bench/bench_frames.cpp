@@ -1,0 +1,128 @@
+// nullscope bench frames: what a frame costs, against the same frame in flat space and against one bare cube-map fetch a pixel,
+// drawn in turn (A B C A B C ...) so that a noisy machine does not decide.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "base/progress.h"
+#include "base/stopwatch.h"
+#include "bench/bench.h"
+#include "command/arguments.h"
+#include "command/json.h"
+
+namespace nullscope::cli {
+namespace {
+
+struct Options : BenchOptions {
+    Options() { scenes = {"flat", "sky-only", "first-light"}; }
+    int poses = 0;
+    bool effects = false;
+};
+
+// The bench's other renderer draws the floor: the scene in flat space.
+Result<Json> measure(const Bench& bench, const Scene& scene, int frames) {
+    Scene flat = scene;
+    flat.spacetime = {"minkowski", {}};
+    TRY(ready, bench.prepare(scene, flat));
+    const Renderer& renderer = bench.renderer();
+    const Stopwatch watch;
+    bench.draw(bench.renderer());  // compiles
+    gl::finish();
+    const double first_ms = watch.ms();
+    const auto fetch = [&] {  // of a sky that is a cube map, a wormhole's or not
+        bench.other->draw_bare_fetch(bench.target.framebuffer.id(), bench.target.width, bench.target.height);
+    };
+    Progress progress("bench " + scene.name, frames);
+    const auto samples = bench.time_in_turn(frames, {fetch}, [&] { progress.advance(); });
+    const std::vector<double>& wall_ms = samples[0].wall_ms;
+    const auto [low, high] = std::minmax_element(wall_ms.begin(), wall_ms.end());
+    const double core = median(samples[0].core_s), floor = median(samples[1].core_s),
+                 table_ms = renderer.tables().path().table_ms + renderer.tables().path().rows_ms,
+                 fetch_ratio = core / median(samples[2].core_s);
+    fmt::print(
+        "{:<18} {:7.2f} ms ({:.2f} to {:.2f})  {:.4f} core-s  {:5.2f} x floor  {:5.2f} x fetch  first frame {:.0f} ms, "
+        "tables {:.1f} ms\n",
+        scene.name, median(wall_ms), *low, *high, core, core / floor, fetch_ratio, first_ms, table_ms);
+    return Json{{"scene", scene.name},
+                {"context", bench.session.context->kind()},
+                {"renderer", bench.driver()},
+                {"width", bench.target.width},
+                {"height", bench.target.height},
+                {"frames", frames},
+                {"median_ms", median(wall_ms)},
+                {"min_ms", *low},
+                {"max_ms", *high},
+                {"core_seconds", core},
+                {"compile_ms", first_ms},
+                {"table_ms", table_ms},
+                {"floor_ratio", core / floor},
+                {"fetch_ratio", fetch_ratio},
+                {"floor_core_seconds", floor}};
+}
+
+// Random places and directions, some close, some far, most of them with the hole in view.
+Scene random_pose(Scene scene, std::mt19937& random) {
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+    };
+    scene.camera.r = 1.02 * std::pow(100.0, uniform(0.0, 1.0));
+    scene.camera.theta = std::acos(uniform(-1.0, 1.0));
+    scene.camera.phi = uniform(0.0, 2 * M_PI);
+    scene.camera.yaw = uniform(-0.6, 0.6);
+    scene.camera.pitch = uniform(-0.4, 0.4);
+    scene.camera.roll = uniform(-M_PI, M_PI);
+    return scene;
+}
+
+// Cost over random poses: dearest over cheapest, by the least of three frames each.
+Result<double> pose_ratio(const Bench& bench, const Scene& scene, int poses) {
+    std::mt19937 random(20151127);
+    double cheapest = 1e30, dearest = 0.0;
+    Progress progress("poses of " + scene.name, poses);
+    for (int i = 0; i < poses; ++i, progress.advance()) {
+        const Scene posed = random_pose(scene, random);
+        TRY(ready, bench.renderer().prepare(posed));
+        Samples samples;
+        for (int k = 0; k < 3; ++k) time_one(samples, [&] { bench.draw(bench.renderer()); });
+        const double cost = *std::min_element(samples.core_s.begin(), samples.core_s.end());
+        cheapest = std::min(cheapest, cost);
+        dearest = std::max(dearest, cost);
+    }
+    fmt::print("{:<18} {} random poses: {:.4f} to {:.4f} core-s, most over least expensive {:.2f}\n", scene.name, poses,
+               cheapest, dearest, dearest / cheapest);
+    return dearest / cheapest;
+}
+
+Status run(const Options& options) {
+    if (options.effects) return bench_effects(options);
+    TRY(bench, open_bench(options));
+    Json rows = Json::array();
+    for (const std::string& name : options.scenes) {
+        TRY(scene, load_scene_sized(name, options.size));
+        TRY(row, measure(*bench, *scene, options.frames));
+        if (options.poses > 0) {
+            TRY(ratio, pose_ratio(*bench, *scene, options.poses));
+            (*row)["pose_ratio"] = *ratio;
+        }
+        rows.push_back(std::move(*row));
+    }
+    return write_json(options.json, rows);
+}
+
+}  // namespace
+
+void add_bench_frames(Command& bench) {
+    auto [command, options] = add_command<Options>(
+        bench, "frames", "Time of a frame, relative to the same frame in flat space and to a bare texture fetch", run);
+    command.add_option("scenes", &options.scenes, "Scenes to time").show_default();
+    draw_options(command, options, 9);
+    command.add_option("--poses", &options.poses, "Also time this many random camera poses of each scene")
+        .in_range(0, 10000);
+    command.add_flag("--effects", &options.effects,
+                     "Instead of scenes: the empty scene, and the empty scene with each effect added");
+    json_option(command, options);
+}
+
+}  // namespace nullscope::cli

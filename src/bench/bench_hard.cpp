@@ -1,0 +1,210 @@
+// nullscope bench hard: the list of hard cases, what each may err by, and what every implementation measures.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "base/csv.h"
+#include "base/progress.h"
+#include "base/text.h"
+#include "bench/bench.h"
+#include "command/exact_trace.h"
+#include "command/json.h"
+#include "compare/hard_cases.h"
+#include "compare/ray_metrics.h"
+#include "reference/reference.h"
+
+namespace nullscope::cli {
+namespace {
+
+struct Options {
+    std::string json, reference, only;
+};
+
+constexpr double kRefineAbove_px = 1e-5;  // below every bound of the list but those of frames of a pixel or two
+constexpr std::array<const char*, 4> kImplementations = {"core64", "core32", "egl", "osmesa"};
+
+struct Measured {
+    HardBound bound, error;  // px
+    long long fate_errors = 0, not_finite = 0;
+    double over_bound() const {  // more than 1: outside
+        if (fate_errors + not_finite > 0) return INFINITY;
+        return std::max(
+            {error.sky / bound.sky, error.place / bound.place, error.swept / bound.swept, error.g / bound.g});
+    }
+};
+
+struct ReferenceRow {
+    double error_px = 0, bound_px = 0;
+};
+
+struct Row {
+    const HardCase* hard = nullptr;
+    RayFrame exact;
+    std::optional<ReferenceRow> reference;
+    std::array<std::optional<Measured>, kImplementations.size()> by;
+    bool within() const {
+        if (reference && !(reference->error_px <= reference->bound_px)) return false;
+        return std::ranges::all_of(by, [](const auto& m) { return !m || m->over_bound() <= 1; });
+    }
+};
+
+Measured measured(const Row& row, const RayFrame& tested, double bit) {
+    const Scene& scene = row.hard->scene;
+    const RayMeasures m = measure_rays(tested, scene.camera, exact_trace(scene), 1, kRefineAbove_px);
+    return {hard_bound(scene, row.exact, bit),
+            {m.sky_px.max, m.place_px.max, m.angle_px.max, m.g_px.max},
+            m.fate_errors,
+            m.not_finite};
+}
+
+// The shader's text in C++ at every pixel.
+template <class Trace>
+RayFrame core_frame(const Scene& scene, CoreInput input, Trace trace) {
+    const int width = scene.camera.width, height = scene.camera.height;
+    input.cubic = hard_cubic(scene);
+    RayFrame frame{width, height, {}};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            frame.pixels.push_back(trace(input, x + 0.5 - 0.5 * width, 0.5 * height - (y + 0.5)));
+    return frame;
+}
+
+Status measure_on_cpu(std::vector<Row>& rows) {
+    FrameTables tables;
+    Progress progress("hard cases, C++", static_cast<long long>(rows.size()));
+    for (Row& row : rows) {
+        const Scene& scene = row.hard->scene;
+        TRY(exact, reference::trace_frame(scene));
+        row.exact = std::move(*exact);
+        TRY(ready, tables.update(scene));
+        const CoreInput input = tables.core_input();
+        row.by[0] = measured(row, core_frame(scene, input, trace_core64), kDoubleBit);
+        row.by[1] = measured(row, core_frame(scene, input, trace_core32), kFloatBit);
+        progress.advance();
+    }
+    return Done{};
+}
+
+Status measure_on_gpu(std::vector<Row>& rows, std::size_t at) {
+    auto session = open_session(kImplementations[at]);
+    if (!session) {
+        fmt::print(stderr, "nullscope: {}: column left empty\n", session.error().message());
+        return Done{};
+    }
+    Progress progress(fmt::format("hard cases, {}", kImplementations[at]), static_cast<long long>(rows.size()));
+    for (Row& row : rows) {
+        session->renderer->set_method(Method{.cubic = hard_cubic(row.hard->scene)});
+        TRY(ready, session->renderer->prepare(row.hard->scene));
+        row.by[at] = measured(row, session->renderer->ray_data(), kFloatBit);
+        progress.advance();
+    }
+    return Done{};
+}
+
+// Lines "name TAB error TAB bound", px, as proof_tests writes them.
+Status read_reference(const std::string& path, std::vector<Row>& rows) {
+    if (path.empty()) return Done{};
+    TRY(text, read_text(path));
+    std::map<std::string, ReferenceRow> found;
+    for (CsvLines csv(*text); csv.next();) {
+        const auto cells = csv_fields(csv.line, '\t').value_or(std::vector<std::string>());
+        const auto error = cells.size() == 3 ? parse_number(cells[1]) : std::nullopt,
+                   bound = cells.size() == 3 ? parse_number(cells[2]) : std::nullopt;
+        if (!error || !bound)
+            return bad_input(
+                fmt::format("{}:{}: expected a name, an error and a bound in px, tabs between them", path, csv.number));
+        found[cells[0]] = {*error, *bound};
+    }
+    for (Row& row : rows)
+        if (const auto at = found.find(row.hard->name); at != found.end()) row.reference = at->second;
+    return Done{};
+}
+
+std::string pair_text(double sky, double place, bool disc) {
+    return disc ? fmt::format("{:.1e}, {:.1e}", sky, place) : fmt::format("{:.1e}", sky);
+}
+
+std::string cell(const std::optional<Measured>& m, bool disc) {
+    if (!m) return "-";
+    const std::string text = pair_text(m->error.sky, m->error.place, disc);
+    return m->over_bound() <= 1 ? text : fmt::format("**{}, {:.2g} x**", text, m->over_bound());
+}
+
+void print_table(const std::vector<Row>& rows) {
+    fmt::print(
+        "| case | why it is hard | bound px | reference | core64 | core32 | EGL | OSMesa "
+        "|\n|---|---|---|---|---|---|---|---|\n");
+    for (const Row& row : rows) {
+        const bool disc = row.hard->scene.disc.has_value();
+        const HardBound bound = hard_bound(row.hard->scene, row.exact);
+        fmt::print(
+            "| {} | {} | {} | {} |", row.hard->name, row.hard->why, pair_text(bound.sky, bound.place, disc),
+            row.reference ? fmt::format("{:.0e} of {:.0e}", row.reference->error_px, row.reference->bound_px) : "-");
+        for (const auto& m : row.by) fmt::print(" {} |", cell(m, disc));
+        fmt::print("\n");
+    }
+    const auto within = std::ranges::count_if(rows, &Row::within);
+    fmt::print("\n{} of {} rows within their bounds; largest error over bound:", within, rows.size());
+    for (std::size_t i = 0; i < kImplementations.size(); ++i) {
+        double most = -1;
+        for (const Row& row : rows)
+            if (row.by[i]) most = std::max(most, row.by[i]->over_bound());
+        if (most >= 0) fmt::print(" {} {:.2f}", kImplementations[i], most);
+    }
+    fmt::print("\n");
+}
+
+Json json_of(const HardBound& b) {
+    return {{"sky_px", b.sky}, {"place_px", b.place}, {"swept_px", b.swept}, {"g_px", b.g}};
+}
+
+Json json_of(const Row& row) {
+    Json o{{"case", row.hard->name}, {"why", row.hard->why}};
+    if (row.reference) o["reference"] = {{"sky_px", row.reference->error_px}, {"bound_px", row.reference->bound_px}};
+    for (std::size_t i = 0; i < kImplementations.size(); ++i) {
+        if (!row.by[i]) continue;
+        const Measured& m = *row.by[i];
+        o[kImplementations[i]] = {{"bound", json_of(m.bound)},
+                                  {"error", json_of(m.error)},
+                                  {"fate_errors", m.fate_errors},
+                                  {"not_finite", m.not_finite},
+                                  {"error_over_bound", m.over_bound()}};
+    }
+    o["within"] = row.within();
+    return o;
+}
+
+Result<int> run(const Options& options) {
+    std::vector<Row> rows;
+    for (const HardCase& hard : hard_cases())
+        if (hard.name.find(options.only) != std::string::npos) rows.emplace_back().hard = &hard;
+    if (rows.empty()) return bad_input(fmt::format("no hard case has \"{}\" in its name", options.only));
+    TRY(read, read_reference(options.reference, rows));
+    TRY(on_cpu, measure_on_cpu(rows));
+    for (const std::size_t at : {std::size_t{2}, std::size_t{3}}) {
+        TRY(on_gpu, measure_on_gpu(rows, at));
+    }
+    print_table(rows);
+    Json objects = Json::array();
+    for (const Row& row : rows) objects.push_back(json_of(row));
+    TRY(written, write_json(options.json, objects));
+    return std::ranges::all_of(rows, &Row::within) ? 0 : 1;
+}
+
+}  // namespace
+
+void add_bench_hard(Command& bench) {
+    auto [command, options] = add_command<Options>(
+        bench, "hard", "Error of every implementation in each hard case, with its bound; status 1 if one exceeds it",
+        run);
+    command.add_option("--json", &options.json, "Write the rows to this file");
+    command.add_option("--reference", &options.reference,
+                       "File with the errors of the reference, written by proof_tests (reports/hard-reference.tsv)");
+    command.add_option("--only", &options.only, "Only cases whose name contains this text");
+}
+
+}  // namespace nullscope::cli

@@ -1,0 +1,51 @@
+// Options that several commands have.
+#pragma once
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "base/command_line.h"
+
+namespace nullscope::cli {
+
+// A command whose options live as long as it does; run takes them.
+template <class Options, class Run>
+std::pair<Command&, Options&> add_command(Command& parent, const char* name, const char* help, Run run) {
+    const auto options = std::make_shared<Options>();
+    Command& command = parent.add_command(name, help);
+    command.on_run([options, run] { return run(*options); });
+    return {command, *options};
+}
+
+inline void required_option(Command& command, const char* names, std::string& target, std::string help) {
+    command.add_option(names, &target, std::move(help)).required();
+}
+
+// A number, both ends allowed; help shows the default of one that always has a value.
+template <class Number>
+Option& number_option(Command& command, const char* names, Number& target, double least, double most,
+                      const std::string& help) {
+    Option& option = command.add_option(names, &target, help).in_range(least, most);
+    return std::is_arithmetic_v<Number> ? option.show_default() : option;
+}
+
+// Text whose default help shows; words: all that it may be, none: anything.
+inline void text_option(Command& command, const char* names, std::string& target, std::string help,
+                        std::vector<std::string> words = {}) {
+    command.add_option(names, &target, std::move(help)).one_of(std::move(words)).show_default();
+}
+
+// --context of what draws; help says what for.
+inline void context_option(Command& command, std::string& context,
+                           const char* help = "OpenGL context: auto, egl, osmesa") {
+    text_option(command, "--context", context, help, {"auto", "egl", "osmesa"});
+}
+
+inline void renderer_option(Command& command, std::string& renderer) {
+    text_option(command, "--renderer", renderer, "gl: the shader; reference: the double-precision tracer, slow",
+                {"gl", "reference"});
+}
+
+}  // namespace nullscope::cli

@@ -1,0 +1,92 @@
+// A formula of one variable that is smooth: its value in any arithmetic that has +, -, *, / and the functions, such as long double or
+// Series (series.h), which gives derivatives and expansions.
+//
+// Nothing is clamped here, as Formula::value does: a value that does not exist is not finite.
+#pragma once
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "expr/formula.h"
+#include "expr/series.h"
+
+namespace nullscope::expr {
+
+inline double power_of(double base, double exponent) { return std::pow(base, exponent); }
+inline long double power_of(long double base, long double exponent) { return std::pow(base, exponent); }
+
+// By squaring, so that a power of a series begins with that power of its first term, and of a number has few roundings.
+template <class Value>
+Value whole_power(Value base, int exponent, const Value& one) {
+    Value result = one;
+    for (int left = exponent < 0 ? -exponent : exponent; left > 0; left /= 2) {
+        if (left % 2 == 1) result = result * base;
+        base = base * base;
+    }
+    return exponent < 0 ? one / result : result;
+}
+
+class SmoothFormula {
+public:
+    // Errors (without file and key): what Formula::parse refuses; a function that has no derivative everywhere: abs, min, max, clamp,
+    // step, smoothstep, floor, mod, noise, atan of two.
+    static Result<SmoothFormula> parse(std::string_view text, const std::string& variable);
+
+    // Value(Real) makes a constant. Cost: one operation a node.
+    template <class Real, class Value>
+    Value value(const Value& variable) const;
+
+private:
+    std::vector<Formula::Node> nodes_;  // what has no variable in it is a number
+};
+
+template <class Real, class Value>
+Value SmoothFormula::value(const Value& variable) const {
+    using std::atan;
+    using std::cos;
+    using std::exp;
+    using std::log;
+    using std::sin;
+    using std::sqrt;
+    std::vector<Value> at;
+    at.reserve(nodes_.size());
+    const auto constant = [](double x) { return Value(static_cast<Real>(x)); };
+    for (const Formula::Node& n : nodes_) {
+        const auto argument = [&](std::size_t i) -> const Value& {
+            return at[static_cast<std::size_t>(n.arguments[i])];
+        };
+        const auto power = [&] {
+            const Formula::Node& exponent = nodes_[static_cast<std::size_t>(n.arguments[1])];
+            if (exponent.op != Op::kNumber) return exp(argument(1) * log(argument(0)));
+            if (is_whole(exponent.number))
+                return whole_power(argument(0), static_cast<int>(exponent.number), constant(1));
+            return power_of(argument(0), static_cast<Real>(exponent.number));
+        };
+        switch (n.op) {
+            case Op::kNumber: at.push_back(constant(n.number)); break;
+            case Op::kVariable: at.push_back(variable); break;
+            case Op::kAdd: at.push_back(argument(0) + argument(1)); break;
+            case Op::kSubtract: at.push_back(argument(0) - argument(1)); break;
+            case Op::kMultiply: at.push_back(argument(0) * argument(1)); break;
+            case Op::kDivide: at.push_back(argument(0) / argument(1)); break;
+            case Op::kPower: at.push_back(power()); break;
+            case Op::kNegate: at.push_back(-argument(0)); break;
+            case Op::kSin: at.push_back(sin(argument(0))); break;
+            case Op::kCos: at.push_back(cos(argument(0))); break;
+            case Op::kTan: at.push_back(sin(argument(0)) / cos(argument(0))); break;
+            case Op::kAtan: at.push_back(atan(argument(0))); break;
+            case Op::kSqrt: at.push_back(sqrt(argument(0))); break;
+            case Op::kExp: at.push_back(exp(argument(0))); break;
+            case Op::kLog: at.push_back(log(argument(0))); break;
+            case Op::kMix: at.push_back(argument(0) + (argument(1) - argument(0)) * argument(2)); break;
+            case Op::kLength2: at.push_back(sqrt(argument(0) * argument(0) + argument(1) * argument(1))); break;
+            case Op::kLength3:
+                at.push_back(sqrt(argument(0) * argument(0) + argument(1) * argument(1) + argument(2) * argument(2)));
+                break;
+            default: at.push_back(constant(std::numeric_limits<double>::quiet_NaN())); break;
+        }
+    }
+    return at.back();
+}
+
+}  // namespace nullscope::expr

@@ -1,0 +1,96 @@
+// The Radiance half of image/image_file.h.
+// Format: Ward, "Real Pixels", Graphics Gems II (1991), and the Radiance reference manual: RGBE scanlines, plain or
+// run-length coded by component; "-Y height +X width" only, which is what every writer produces.
+#include "image/image_formats.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+namespace nullscope {
+namespace {
+
+constexpr int kMinCodedWidth = 8, kMaxCodedWidth = 0x7fff;  // scanlines outside are always plain
+constexpr int kExponentBias = 128 + 8;                      // mantissas are integers of 8 bits
+
+using Rgbe = std::array<unsigned char, 4>;
+
+unsigned char next(std::string_view& bytes) {
+    const auto value = static_cast<unsigned char>(bytes.front());
+    bytes.remove_prefix(1);
+    return value;
+}
+
+std::string next_line(std::string_view& bytes) {
+    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+    std::string text(bytes.substr(0, end));
+    bytes.remove_prefix(std::min(end + 1, bytes.size()));
+    return text;
+}
+
+bool read_plain(std::string_view& bytes, std::vector<Rgbe>& row) {
+    const std::size_t size = row.size() * sizeof(Rgbe);
+    if (bytes.size() < size) return false;
+    std::memcpy(row.data(), bytes.data(), size);
+    bytes.remove_prefix(size);
+    return true;
+}
+
+// A count above 128 repeats one value count - 128 times, any other copies that many. False if cut or inconsistent.
+bool read_coded(std::string_view& bytes, std::vector<Rgbe>& row) {
+    for (std::size_t c = 0; c < 4; ++c)
+        for (std::size_t x = 0; x < row.size();) {
+            if (bytes.empty()) return false;
+            const int code = next(bytes);
+            const bool run = code > 128;
+            const auto count = static_cast<std::size_t>(run ? code - 128 : code);
+            if (count == 0 || count > row.size() - x || bytes.size() < (run ? 1 : count)) return false;
+            const unsigned char value = run ? next(bytes) : static_cast<unsigned char>(0);
+            for (std::size_t i = 0; i < count; ++i) row[x++][c] = run ? value : next(bytes);
+        }
+    return true;
+}
+
+bool read_scanline(std::string_view& bytes, std::vector<Rgbe>& row) {
+    const int width = static_cast<int>(row.size());
+    const std::array<char, 4> mark{2, 2, static_cast<char>(width >> 8), static_cast<char>(width & 0xff)};
+    if (width < kMinCodedWidth || width > kMaxCodedWidth || !bytes.starts_with({mark.data(), mark.size()}))
+        return read_plain(bytes, row);
+    bytes.remove_prefix(mark.size());
+    return read_coded(bytes, row);
+}
+
+}  // namespace
+
+bool is_hdr(std::string_view bytes) { return bytes.starts_with("#?RADIANCE\n") || bytes.starts_with("#?RGBE\n"); }
+
+Result<Image<float>> decode_hdr(std::string_view file, long long max_pixels) {
+    std::string_view bytes = file;
+    for (std::string line = next_line(bytes); !line.empty(); line = next_line(bytes))
+        if (line.starts_with("FORMAT=") && line != "FORMAT=32-bit_rle_rgbe")
+            return bad_input(fmt::format("unsupported HDR {}", line));
+    int width = 0, height = 0;
+    if (std::sscanf(next_line(bytes).c_str(), "-Y %9d +X %9d", &height, &width) != 2 || width <= 0 || height <= 0)
+        return bad_input("HDR size is not '-Y height +X width'");
+    if (static_cast<long long>(width) * height > max_pixels)
+        return bad_input(fmt::format("{} x {} pixels, at most {} are allowed", width, height, max_pixels));
+    if (!plausible_size(3LL * width * height, file.size()))
+        return bad_input(fmt::format("{} x {} pixels are not in {} bytes", width, height, file.size()));
+    Image<float> image(width, height, 3);
+    std::vector<Rgbe> row(static_cast<std::size_t>(width));
+    for (int y = 0; y < height; ++y) {
+        if (!read_scanline(bytes, row)) return bad_input("HDR data are cut off or damaged");
+        float* out = image.at(0, y);
+        for (const Rgbe& pixel : row) {
+            const float scale = pixel[3] ? std::ldexp(1.0f, pixel[3] - kExponentBias) : 0.0f;
+            for (std::size_t c = 0; c < 3; ++c) *out++ = scale * static_cast<float>(pixel[c]);
+        }
+    }
+    return image;
+}
+
+}  // namespace nullscope

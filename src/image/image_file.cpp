@@ -1,0 +1,54 @@
+#include "image/image_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "base/atomic_file.h"
+#include "image/image_formats.h"
+#include "image/large_image.h"
+
+namespace nullscope {
+namespace {
+
+ImageLimits as_it_is(long long max_pixels) { return {std::numeric_limits<int>::max(), max_pixels, max_pixels}; }
+
+}  // namespace
+
+Result<Image<float>> decode_image(std::string_view bytes, const std::string& name, long long max_pixels) {
+    TRY(fitted, decode_fitted_image(bytes, name, as_it_is(max_pixels)));
+    return std::move(fitted->image);
+}
+
+Result<Image<float>> load_image(const std::filesystem::path& path, long long max_pixels) {
+    TRY(fitted, load_fitted_image(path, as_it_is(max_pixels)));
+    return std::move(fitted->image);
+}
+
+Status save_png(const std::filesystem::path& path, const Image<unsigned char>& image,
+                const std::map<std::string, std::string>& texts) {
+    const long long row_bytes = static_cast<long long>(image.width) * image.channels;
+    if (image.width <= 0 || image.height <= 0 || (image.channels != 3 && image.channels != 4) ||
+        static_cast<long long>(image.data.size()) != row_bytes * image.height ||
+        row_bytes * image.height > std::numeric_limits<int>::max())
+        return failed(fmt::format("cannot write '{}': {} x {} pixels of {} channels are no PNG image", path.string(),
+                                  image.width, image.height, image.channels));
+    const Result<std::string> bytes = encode_png(image, texts);
+    if (!bytes) return failed(fmt::format("cannot write '{}': {}", path.string(), bytes.error().message()));
+    return write_text_atomically(path, *bytes);
+}
+
+float srgb_from_linear(float linear) {
+    if (!(linear > 0.0f)) return 0.0f;  // also NaN
+    if (linear >= 1.0f) return 1.0f;
+    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+}
+
+float linear_from_srgb(float encoded) {
+    if (!(encoded > 0.0f)) return 0.0f;
+    if (encoded >= 1.0f) return 1.0f;
+    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+}
+
+}  // namespace nullscope

@@ -1,0 +1,46 @@
+// Image files. With large_image.h the only place that knows their packages.
+//
+// In memory: linear light, Rec. 709 primaries, float, top row first. 8-bit files are decoded from and encoded to sRGB.
+// Every writer writes to a temporary name beside the target and renames: a file appears only when it is complete.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "image/image.h"
+
+namespace nullscope {
+
+// PNG, JPEG, HDR, EXR (by content for the first three, by extension for EXR). channels: 3, or 4 with an alpha channel.
+// Errors: no such file, not an image, damaged, larger than max_pixels (guards memory against hostile headers).
+Result<Image<float>> load_image(const std::filesystem::path& path, long long max_pixels = 500'000'000);
+
+// The same for a PNG, JPEG or HDR file in memory; name: what errors call it.
+Result<Image<float>> decode_image(std::string_view bytes, const std::string& name, long long max_pixels = 500'000'000);
+
+// 3 or 4 channels of 8 bits, already display-encoded. texts: what the file says of itself, by keyword ("Title", "Software").
+Status save_png(const std::filesystem::path& path, const Image<unsigned char>& image,
+                const std::map<std::string, std::string>& texts = {});
+
+// A set of named float channels of one size ("R", "G", "B", "sky.x", ...) and string attributes; ZIP-compressed, which
+// every reader knows.
+struct ChannelImage {
+    int width = 0;
+    int height = 0;
+    std::map<std::string, std::vector<float>> channels;  // name -> width*height values, top row first
+    std::map<std::string, std::string> attributes;
+};
+Status save_exr(const std::filesystem::path& path, const ChannelImage& image);
+// Errors: as load_image.
+Result<ChannelImage> load_exr(const std::filesystem::path& path, long long max_pixels = 500'000'000);
+// The same for a file in memory; name: what errors call it.
+Result<ChannelImage> decode_exr(std::string_view bytes, const std::string& name, long long max_pixels);
+
+// Display encoding of one linear component (IEC 61966-2-1), clamped to [0, 1].
+float srgb_from_linear(float linear);
+float linear_from_srgb(float encoded);
+
+}  // namespace nullscope

@@ -1,0 +1,137 @@
+// libjpeg leaves by longjmp: no function that calls setjmp here has an object with a destructor.
+#include <cstdio>
+// jpeglib.h needs FILE and size_t first, jerror.h (the codes of its warnings) jpeglib.h.
+#include <jpeglib.h>
+
+#include <jerror.h>
+
+#include <array>
+#include <csetjmp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "image/image_file.h"
+#include "image/image_formats.h"
+
+namespace nullscope {
+namespace {
+
+// Each costs as much time as the whole picture, and takes a dozen bytes to ask for. (An encoder makes one a component,
+// or about ten where the picture comes in progressively.)
+constexpr int kMostScans = 256;
+
+class JpegRows : public RowReader {
+public:
+    explicit JpegRows(ByteSource source) : source_(std::move(source)) {
+        for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = linear_from_srgb(static_cast<float>(i) / 255.0f);
+        jpeg_.err = jpeg_std_error(&errors_);
+        errors_.error_exit = on_error;
+        errors_.emit_message = [](j_common_ptr jpeg, int) {  // other warnings are of no consequence
+            if (jpeg->err->msg_code == JWRN_HUFF_BAD_CODE) on_error(jpeg);
+        };
+        progress_.progress_monitor = [](j_common_ptr jpeg) {
+            if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMostScans)
+                of(jpeg).leave("too many scans");
+        };
+    }
+    ~JpegRows() override { jpeg_destroy_decompress(&jpeg_); }  // knows what was never created
+    JpegRows(const JpegRows&) = delete;
+    JpegRows& operator=(const JpegRows&) = delete;
+
+    Status open() {
+        if (!read_head()) return bad_input(error_);
+        width = static_cast<int>(jpeg_.image_width);
+        height = static_cast<int>(jpeg_.image_height);
+        channels = 3;
+        bytes_.resize(static_cast<std::size_t>(width) * (inks_ ? 4 : 3));
+        if (jpeg_has_multiple_scans(&jpeg_))
+            whole = "a progressive JPEG of this size cannot be read row by row; save it as a baseline one";
+        return Done{};
+    }
+
+    Status next(float* row) override {
+        if (!read_row()) return bad_input(error_);
+        const JSAMPLE* from = bytes_.data();
+        for (int x = 0; x < width; ++x, from += inks_ ? 4 : 3)
+            for (int c = 0; c < 3; ++c) *row++ = table_[inks_ ? (from[c] * from[3] + 127) / 255 : from[c]];
+        return Done{};
+    }
+
+private:
+    static JpegRows& of(j_common_ptr jpeg) { return *static_cast<JpegRows*>(jpeg->client_data); }
+    [[noreturn]] void leave(const char* words) {
+        error_ = words;
+        longjmp(jump_, 1);  // NOLINT
+    }
+    [[noreturn]] static void on_error(j_common_ptr jpeg) {
+        std::array<char, JMSG_LENGTH_MAX> words{};
+        jpeg->err->format_message(jpeg, words.data());
+        of(jpeg).leave(words.data());
+    }
+    static boolean on_fill(j_decompress_ptr jpeg) {
+        JpegRows& self = of(reinterpret_cast<j_common_ptr>(jpeg));
+        const std::size_t got = self.source_(self.buffer_.data(), self.buffer_.size());
+        if (got == 0) self.leave("the file is too short");
+        self.manager_.next_input_byte = reinterpret_cast<const JOCTET*>(self.buffer_.data());
+        self.manager_.bytes_in_buffer = got;
+        return TRUE;
+    }
+    static void on_skip(j_decompress_ptr jpeg, long bytes) {
+        jpeg_source_mgr& manager = of(reinterpret_cast<j_common_ptr>(jpeg)).manager_;
+        while (bytes > static_cast<long>(manager.bytes_in_buffer)) {
+            bytes -= static_cast<long>(manager.bytes_in_buffer);
+            on_fill(jpeg);
+        }
+        if (bytes <= 0) return;
+        manager.next_input_byte += bytes;
+        manager.bytes_in_buffer -= static_cast<std::size_t>(bytes);
+    }
+    bool read_head() {
+        if (setjmp(jump_) != 0) return false;  // NOLINT
+        jpeg_create_decompress(&jpeg_);
+        jpeg_.client_data = this;
+        jpeg_.src = &manager_;
+        jpeg_.progress = &progress_;
+        manager_.init_source = [](j_decompress_ptr) {};
+        manager_.fill_input_buffer = on_fill;
+        manager_.skip_input_data = on_skip;
+        manager_.resync_to_restart = jpeg_resync_to_restart;
+        manager_.term_source = [](j_decompress_ptr) {};
+        manager_.bytes_in_buffer = 0;
+        jpeg_read_header(&jpeg_, TRUE);
+        inks_ = jpeg_.num_components == 4;
+        jpeg_.out_color_space = inks_ ? JCS_CMYK : JCS_RGB;
+        return true;
+    }
+    bool read_row() {
+        if (setjmp(jump_) != 0) return false;  // NOLINT
+        if (jpeg_.output_scanline == 0) jpeg_start_decompress(&jpeg_);
+        JSAMPROW row = bytes_.data();
+        if (jpeg_read_scanlines(&jpeg_, &row, 1) != 1) return false;
+        if (jpeg_.output_scanline == jpeg_.output_height) jpeg_finish_decompress(&jpeg_);
+        return true;
+    }
+
+    ByteSource source_;
+    jpeg_decompress_struct jpeg_{};
+    jpeg_error_mgr errors_{};
+    jpeg_source_mgr manager_{};
+    jpeg_progress_mgr progress_{};
+    std::jmp_buf jump_{};
+    std::array<char, 65536> buffer_{};
+    std::array<float, 256> table_{};
+    std::string error_;
+    std::vector<JSAMPLE> bytes_;
+    bool inks_ = false;  // cyan, magenta, yellow and black, each as Adobe has it: 255 is none
+};
+
+}  // namespace
+
+Result<std::unique_ptr<RowReader>> open_jpeg_rows(ByteSource source) {
+    auto rows = std::make_unique<JpegRows>(std::move(source));
+    TRY(opened, rows->open());
+    return std::unique_ptr<RowReader>(std::move(rows));
+}
+
+}  // namespace nullscope

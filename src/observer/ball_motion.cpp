@@ -1,0 +1,129 @@
+#include "observer/ball_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "expr/formula.h"
+#include "numeric/dormand_prince.h"
+#include "spacetime/circular_orbit.h"
+#include "spacetime/spherical_metric.h"
+
+namespace nullscope {
+namespace {
+
+// In the plane of `outward` and `onward`.
+BallPlace in_plane(Vec3 outward, Vec3 onward, double r, double phi, double r_dot, double phi_dot) {
+    const Vec3 e = std::cos(phi) * outward + std::sin(phi) * onward,
+               across = std::cos(phi) * onward - std::sin(phi) * outward;
+    return {r * e, r_dot * e + (r * phi_dot) * across};
+}
+
+Vec3 eastward(Vec3 outward) {
+    const double rho = std::hypot(outward.x, outward.y);
+    return rho > 0.0 ? Vec3{-outward.y / rho, outward.x / rho, 0} : Vec3{0, 1, 0};
+}
+
+// Free fall in a plane: r'' = -(A (1 + L^2/r^2))'/2 by proper time, phi' = L/r^2, t' = E/A.
+class Fall {
+public:
+    static constexpr double kFrozen = 1e-6;      // of the horizon or the star: nearer to it as good as still
+    static constexpr double kTolerance = 1e-11;  // of a step
+    using State = std::array<double, 4>;         // t, r, dr/dtau, phi
+    Fall(const Spacetime& spacetime, double r, double r_tau, double energy, double momentum)
+        : spacetime_(spacetime), energy_(energy), momentum_(momentum), start_{0, r, r_tau, 0}, at_(start_) {
+        least_radius_ = std::max(spacetime.horizon_radius().value_or(0.0), spacetime.surface_radius().value_or(0.0));
+    }
+    State at(double t) {
+        const double sense = t >= 0.0 ? 1.0 : -1.0;
+        if (sense * (t - at_[0]) < 0.0 || sense * at_[0] < 0.0) at_ = start_, step_ = kFirstStep;
+        while (std::fabs(t - at_[0]) > kReached) {
+            const double r = at_[1], rest = (r - least_radius_) / std::max(std::fabs(at_[2]), 1e-3);
+            if (r <= least_radius_ * (1.0 + kFrozen)) return {t, r, 0, at_[3]};
+            const double left = std::fabs(t - at_[0]) * spacetime_.lapse_squared(r) / energy_;
+            const double h = std::min({step_, left, 0.1 * rest});  // no stage of a step is inside
+            State wrong{};
+            const State next = dormand_prince(
+                at_, std::copysign(h, t - at_[0]), [this](const State& s) { return slope(s); }, wrong);
+            double error = 0;
+            for (const double x : wrong) error = std::max(error, std::fabs(x) / kTolerance);
+            if (error <= 1.0) at_ = next;
+            if (error > 1.0 || h == step_) step_ = h * next_step_factor(error);
+        }
+        return at_;
+    }
+    BallPlace motion(double t, Vec3 outward, Vec3 onward) {
+        const State s = at(t);
+        const double r = s[1], rate = spacetime_.lapse_squared(r) / energy_;
+        return in_plane(outward, onward, r + s[2] * rate * (t - s[0]), s[3] + momentum_ / (r * r) * rate * (t - s[0]),
+                        s[2] * rate, momentum_ / (r * r) * rate);
+    }
+
+private:
+    static constexpr double kFirstStep = 1e-2, kReached = 1e-7;
+    State slope(const State& s) const {
+        const double zeta = 1.0 / s[1], a = spacetime_.lapse_squared(s[1]);
+        const double a_r = -zeta * zeta * spacetime_.orbit_equation()->lapse_slope(zeta);  // dA/dr
+        const double l2 = momentum_ * momentum_;
+        return {energy_ / a, s[2], -0.5 * a_r * (1.0 + l2 * zeta * zeta) + a * l2 * zeta * zeta * zeta,
+                momentum_ * zeta * zeta};
+    }
+    const Spacetime& spacetime_;
+    double energy_, momentum_, least_radius_, step_ = kFirstStep;
+    State start_, at_;
+};
+
+}  // namespace
+
+Result<BallMotionAt> ball_motion(const Spacetime& spacetime, const BallSpec& ball) {
+    const double r = length(ball.position);
+    const Vec3 outward = ball.position / r, east = eastward(outward);
+    if (ball.motion == BallMotion::kOrbit) {
+        if (!spacetime.planar_rays() && ball.position.z != 0.0)
+            return bad_key("position",
+                           fmt::format("no circular orbit at z = {} about a rotating hole", ball.position.z),
+                           "z = 0, in the equatorial plane");
+        const auto orbit = circular_orbit(spacetime, r);
+        if (!orbit)
+            return bad_key("position", fmt::format("no circular orbit at {} from the centre", r),
+                           "outside the photon sphere");
+        return BallMotionAt(
+            [=, omega = orbit->omega](double t) { return in_plane(outward, east, r, omega * t, 0, omega); });
+    }
+    if (ball.motion == BallMotion::kGeodesic) {
+        if (spacetime.orbit_equation() == nullptr)
+            return bad_key("motion", fmt::format("falls are not followed in metric \"{}\"", spacetime.name()),
+                           "still, path");
+        if (!camera_can_rest(spacetime, r))
+            return bad_key("position", fmt::format("nothing can be at rest at {} from the centre", r),
+                           allowed_radii(spacetime));
+        const Vec3 v = ball.velocity, across = v.z * east + v.y * cross(east, outward);  // e_theta = e_phi x e_r
+        if (!spacetime.bends_light())
+            return BallMotionAt([=, position = ball.position, velocity = v.x * outward + across](double t) {
+                return BallPlace{position + t * velocity, velocity};
+            });
+        const double speed = length(across), gamma = 1.0 / std::sqrt(1.0 - dot(v, v)),
+                     lapse = std::sqrt(spacetime.lapse_squared(r));
+        auto fall = std::make_shared<Fall>(spacetime, r, gamma * v.x * lapse, gamma * lapse, gamma * speed * r);
+        const Vec3 onward = speed > 0.0 ? across / speed : east;
+        return BallMotionAt([=](double t) { return fall->motion(t, outward, onward); });
+    }
+    std::array<std::shared_ptr<expr::Formula>, 3> way;
+    for (const auto& [i, text] : {std::pair{0, &ball.x}, {1, &ball.y}, {2, &ball.z}}) {
+        TRY(parsed, expr::Formula::parse(*text, {"t"}));
+        way[static_cast<std::size_t>(i)] = std::make_shared<expr::Formula>(std::move(*parsed));
+    }
+    return BallMotionAt([=](double t) {
+        const auto place = [&](double at) {
+            const double values[] = {at};
+            return Vec3{way[0]->value(values), way[1]->value(values), way[2]->value(values)};
+        };
+        const double h = 1e-4 * std::max(1.0, 1e-4 * std::fabs(t));
+        return BallPlace{place(t), (place(t + h) - place(t - h)) / (2.0 * h)};
+    });
+}
+
+}  // namespace nullscope

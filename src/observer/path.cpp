@@ -1,0 +1,79 @@
+#include "observer/path.h"
+
+#include <algorithm>
+
+#include "spacetime/registry.h"
+
+namespace nullscope {
+namespace {
+
+constexpr double kLongest = 1e4;  // r_s/c: of a fall to the end that does not come, an orbit
+
+// Numbers of a camera that are interpolated.
+constexpr double CameraSpec::*kNumbers[] = {
+    &CameraSpec::r,           &CameraSpec::theta,     &CameraSpec::phi,         &CameraSpec::yaw,
+    &CameraSpec::pitch,       &CameraSpec::roll,      &CameraSpec::plane_width, &CameraSpec::focal_distance,
+    &CameraSpec::exposure_ev, &CameraSpec::fall_from, &CameraSpec::energy};
+constexpr double Vec3::*kAxes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
+
+}  // namespace
+
+Result<CameraPath> CameraPath::make(const Scene& scene) {
+    if (!scene.path) return bad_input("the scene has no [path]", "a scene with one");
+    CameraPath path;
+    path.path_ = *scene.path;
+    path.start_ = scene.camera;
+    path.frames_ = scene.path->frames;
+    if (scene.path->kind == PathKind::kKeys) return path;
+    TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
+    const double wanted = scene.path->duration;
+    TRY(line, Worldline::make(*spacetime, scene.camera, wanted > 0 ? wanted : kLongest));
+    path.duration_ = wanted > 0 ? wanted : line->last();
+    // What keeps its orientation keeps it in the frame of what falls: at the first frame the one that it has at rest or on an orbit.
+    const CameraSpec first = line->at(0);
+    path.start_.yaw = first.yaw, path.start_.pitch = first.pitch, path.start_.roll = first.roll;
+    path.line_ = std::move(*line);
+    return path;
+}
+
+double CameraPath::proper_time(double frame) const { return duration_ * std::clamp(frame / (frames_ - 1), 0.0, 1.0); }
+
+double CameraPath::clock(double frame) const { return line_ ? line_->clock(proper_time(frame)) : 0.0; }
+
+CameraSpec CameraPath::at(double frame) const {
+    if (!line_) return through_keys(frame);
+    CameraSpec camera = line_->at(proper_time(frame));
+    if (path_.orientation == PathOrientation::kCentre)
+        camera.yaw = start_.yaw, camera.pitch = start_.pitch, camera.roll = start_.roll;
+    return camera;
+}
+
+// Cubic Hermite between keys; slopes of the parabola through a key and its neighbours, straight at the ends.
+CameraSpec CameraPath::through_keys(double frame) const {
+    const auto& keys = path_.keys;
+    const double t = std::clamp(frame, keys.front().frame, keys.back().frame);
+    const auto after =
+        std::upper_bound(keys.begin() + 1, keys.end() - 1, t, [](double f, const PathKey& k) { return f < k.frame; });
+    const auto i = static_cast<std::size_t>(after - keys.begin()) - 1;
+    const auto value = [&](const auto& of) {
+        const auto slope = [&](std::size_t k) {
+            const std::size_t low = k > 0 ? k - 1 : k, high = std::min(k + 1, keys.size() - 1);
+            const auto secant = [&](std::size_t a, std::size_t b) {
+                return (of(keys[b].camera) - of(keys[a].camera)) / (keys[b].frame - keys[a].frame);
+            };
+            if (low == k || high == k) return secant(low, high);
+            const double before = keys[k].frame - keys[low].frame, beyond = keys[high].frame - keys[k].frame;
+            return (beyond * secant(low, k) + before * secant(k, high)) / (before + beyond);
+        };
+        const double h = keys[i + 1].frame - keys[i].frame, x = (t - keys[i].frame) / h, y = 1 - x;
+        return y * y * (1 + 2 * x) * of(keys[i].camera) + x * x * (1 + 2 * y) * of(keys[i + 1].camera) +
+               h * x * y * (y * slope(i) - x * slope(i + 1));
+    };
+    CameraSpec camera = keys[i].camera;
+    for (const auto member : kNumbers) camera.*member = value([member](const CameraSpec& c) { return c.*member; });
+    for (const auto axis : kAxes)
+        camera.velocity.*axis = value([axis](const CameraSpec& c) { return c.velocity.*axis; });
+    return camera;
+}
+
+}  // namespace nullscope

@@ -1,0 +1,31 @@
+// The camera of every frame of a scene's path: a function of the frame alone.
+#pragma once
+#include <optional>
+
+#include "base/result.h"
+#include "observer/worldline.h"
+#include "scene/scene.h"
+
+namespace nullscope {
+
+class CameraPath {
+public:
+    // Errors: the scene has no path; no such observer. A fall is integrated here: milliseconds.
+    static Result<CameraPath> make(const Scene& scene);
+    int frames() const { return frames_; }
+    bool falls() const { return line_.has_value(); }
+    CameraSpec at(double frame) const;  // from 0 to frames() - 1; beyond: the first and last
+    double clock(double frame) const;   // Scene::time then, later than the start's: of a fall; 0 where keys say no time
+
+private:
+    CameraPath() = default;
+    double proper_time(double frame) const;  // of a fall
+    CameraSpec through_keys(double frame) const;
+    PathSpec path_;
+    CameraSpec start_;
+    int frames_ = 0;
+    double duration_ = 0;
+    std::optional<Worldline> line_;
+};
+
+}  // namespace nullscope

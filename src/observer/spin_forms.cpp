@@ -1,0 +1,26 @@
+#include "observer/spin_forms.h"
+
+#include <cmath>
+
+namespace nullscope {
+
+// The photon has (1, -n) along the camera's frame and (gamma (1 - v n_phi), -n_r, -n_theta, gamma (v - n_phi)) = (k0, k1, k2, k3) along the one
+// that it moves in. There E = energy k0 - infall k1 + (a sin/root) k3, L/sin - a E sin = root k3, p_theta = root k2 and
+// Sigma dr/dlambda = Sigma (energy k1 - infall k0), root = sqrt(Sigma).
+SpinForms spin_forms(const SpinPlace& p, const SpinFrame& frame) {
+    const double v = frame.azimuthal_velocity, gamma = 1.0 / std::sqrt((1.0 - v) * (1.0 + v)),
+                 root = std::sqrt(p.sigma);
+    const double energy = frame.radial.energy(), infall = frame.radial.infall(), drag = p.a * p.sine,
+                 girth = p.across / root;
+    const double scale = p.sigma / (p.r * p.r);
+    SpinForms forms;
+    forms.energy = {-gamma * (energy + drag / root * v), -infall, gamma * (energy * v + drag / root)};
+    forms.across = {-gamma * (drag * energy + girth * v), -drag * infall, gamma * (drag * energy * v + girth)};
+    forms.climb = {-scale * gamma * infall, -scale * energy, scale * gamma * infall * v};
+    forms.carter = -gamma * root * v;
+    forms.carter_slope = gamma * root;
+    forms.p_theta = root;
+    return forms;
+}
+
+}  // namespace nullscope

@@ -1,0 +1,78 @@
+// A sphere anywhere, at rest or on its way.
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "plan/body_kind.h"
+
+namespace nullscope {
+namespace {
+
+const BallSpec& of(const Body& body) { return std::get<BallSpec>(body.shape); }
+
+template <BallMotion motion>
+bool moves(const Scene& s) {
+    return last_body<BallSpec>(s).motion == motion;
+}
+
+std::vector<SceneKey> keys() {
+    return {
+        {"ball", "position", KeyType::kPoint, "r_s", "[-12, 0, 0]", closed(-1e6, 1e6), "", "Its centre: x, y, z.",
+         [](auto& s) { return &last_body<BallSpec>(s).position; }},
+        {"ball", "radius", KeyType::kNumber, "r_s", "2", kPositive, "",
+         "Radius; must contain neither the coordinate centre nor the camera.",
+         [](auto& s) { return &last_body<BallSpec>(s).radius; }},
+        {"ball", "motion", KeyType::kChoice, "", "still", kNoRange, "still orbit geodesic path",
+         "How its centre moves: not; eastward on the circular geodesic through position; in free fall from position; "
+         "or by formulas of t.",
+         [](auto& s) { return &last_body<BallSpec>(s).motion; }},
+        {"ball", "velocity", KeyType::kVelocity, "c", "[0, 0, 0]", kNoRange, "",
+         "Velocity at position and t = 0, along (e_r, e_theta, e_phi) of an observer at rest there; needs motion = "
+         "\"geodesic\".",
+         [](auto& s) { return &last_body<BallSpec>(s).velocity; }, moves<BallMotion::kGeodesic>,
+         "motion = \"geodesic\""},
+        {"ball", "x", KeyType::kFormula, "", "", kNoRange, "t", "x of its centre at time t; needs motion = \"path\".",
+         [](auto& s) { return &last_body<BallSpec>(s).x; }, moves<BallMotion::kPath>, "motion = \"path\"", true},
+        {"ball", "y", KeyType::kFormula, "", "", kNoRange, "t", "As x.",
+         [](auto& s) { return &last_body<BallSpec>(s).y; }, moves<BallMotion::kPath>, "motion = \"path\"", true},
+        {"ball", "z", KeyType::kFormula, "", "", kNoRange, "t", "As x.",
+         [](auto& s) { return &last_body<BallSpec>(s).z; }, moves<BallMotion::kPath>, "motion = \"path\"", true},
+    };
+}
+
+void check(const Body& body, const BodyCheck& at) {
+    const BallSpec& ball = of(body);
+    if (ball.motion == BallMotion::kPath) return;
+    if (!(length(ball.position) > ball.radius))
+        at.report({"radius", "the centre lies within the ball",
+                   "radius below the distance of position from the centre ([sphere] is centred)"});
+    else if (!ball.moves() && at.camera_is_there(body.far) && !(length(at.camera() - ball.position) > ball.radius))
+        at.report({"radius", "the camera is inside of the ball", "a ball beside the camera"});
+}
+
+}  // namespace
+
+const BodyKind kBallKind{
+    .key = BallSpec::kName,
+    .effect = {Effect::kBall, "ball", "EFFECT_BALL", "A solid sphere anywhere ends rays.", "there is a [ball]",
+               "ray ends, orbit table; steps of four fetches, at most 128, shared with other bodies"},
+    .make = [] { return Body{BallSpec{}}; },
+    .keys = keys,
+    .check = check,
+    .words =
+        [](const Body& body) {
+            const BallSpec& b = of(body);
+            return fmt::format("of radius {} at [{}, {}, {}]", b.radius, b.position.x, b.position.y, b.position.z);
+        },
+    .extent =
+        [](const Body& body) {
+            const BallSpec& b = of(body);
+            return BodyExtent{length(b.position) - b.radius, length(b.position) + b.radius, b.radius,
+                              std::fabs(b.position.z) + b.radius};
+        },
+    .size = [](const Body& body) { return of(body).radius; },
+    .moves = [](const Body& body) { return of(body).moves() ? "motion" : nullptr; },
+};
+
+}  // namespace nullscope

@@ -1,0 +1,128 @@
+// Features of the disc and what is in it.
+#include <fmt/format.h>
+
+#include "plan/feature.h"
+
+namespace nullscope {
+namespace {
+
+// A disc has one light at least: its own heat, once the other goes.
+bool glows(const Scene& s) { return s.disc && s.disc->emission == DiscEmission::kThermal; }
+
+}  // namespace
+
+std::span<const Feature> disc_features() {
+    static const auto features = std::to_array<Feature>({
+        {{Effect::kDisc, "disc", "EFFECT_DISC", "A flat disc lies in the equatorial plane.", "there is a [disc]",
+          "ray ends, orbit table; four fetches a crossing"},
+         [](const FrameFacts& f) -> Reason {
+             if (!f.scene.disc) return kNot;
+             return fmt::format("[disc] from {} to {}", f.scene.disc->inner, f.scene.disc->outer);
+         },
+         [](Scene& s) { s.disc.reset(); },
+         nothing,
+         [](Scene& s) { s.disc.emplace(); }},
+        {{Effect::kDiscImage, "disc-image", "EFFECT_DISC_IMAGE", "The disc carries an image.",
+          "disc.texture is \"image\", and disc.emission too or there is a disc.image",
+          "a picture with mip levels; one or two fetches a crossing"},
+         [](const FrameFacts& f) -> Reason {
+             if (!f.scene.disc || f.scene.disc->material.texture != TextureKind::kImage) return kNot;
+             if (!f.scene.disc->image.empty())
+                 return fmt::format("disc.image = \"{}\"", f.scene.disc->image.filename().string());
+             if (f.thermal()) return kNot;
+             return "disc.emission = \"image\", the one that ships";
+         },
+         [](Scene& s) { s.disc->image.clear(); },
+         glowing<false, false>,
+         [](Scene& s) { s.disc->image = example_image(); },
+         glows},
+        {{Effect::kDiscPattern, "disc-pattern", "EFFECT_DISC_PATTERN",
+          "The disc is covered by a colour, a pattern or a formula.", "disc.texture is not \"image\"",
+          "arithmetic a crossing"},
+         [](const FrameFacts& f) -> Reason {
+             if (!f.scene.disc || f.scene.disc->material.texture == TextureKind::kImage) return kNot;
+             return fmt::format("disc.texture = \"{}\"", texture_name(f.scene.disc->material.texture));
+         },
+         [](Scene& s) {
+             s.disc->material.texture = TextureKind::kImage;
+             s.disc->image.clear();
+         },
+         glowing<false, false>,
+         [](Scene& s) { s.disc->material.texture = TextureKind::kPlain; },
+         glows},
+        {{Effect::kTranslucentDisc, "translucent-disc", "EFFECT_TRANSLUCENT_DISC",
+          "What lies behind the disc shines through it.", "disc.opacity is below 1 or disc.edge is above 0",
+          "every crossing is shaded, not only the first"},
+         [](const FrameFacts& f) -> Reason {
+             if (!f.scene.disc) return kNot;
+             if (f.scene.disc->opacity < 1.0) return fmt::format("disc.opacity = {}", f.scene.disc->opacity);
+             if (f.scene.disc->edge > 0.0) return fmt::format("disc.edge = {}", f.scene.disc->edge);
+             return kNot;
+         },
+         [](Scene& s) {
+             if (s.disc) s.disc->opacity = 1.0, s.disc->edge = 0.0;
+         },
+         [](Scene& s) { s.disc.emplace(); },
+         [](Scene& s) { s.disc->opacity = 0.5; }},
+        {{Effect::kThermalDisc, "thermal-disc", "EFFECT_THERMAL_DISC",
+          "The disc's matter moves on geodesics and emits thermal light powered by accretion.",
+          "disc.emission is \"thermal\"", "disc flow, black body; six fetches a crossing"},
+         [](const FrameFacts& f) { return reason_if(f.thermal(), "disc.emission = \"thermal\""); },
+         [](Scene& s) { s.disc->emission = DiscEmission::kImage; },
+         bare_disc,
+         glowing<false, false>,
+         [](const Scene& s) {
+             return s.disc && (!s.disc->image.empty() || s.disc->material.texture != TextureKind::kImage);
+         }},
+        {{Effect::kDiscFlow, "disc-flow", "EFFECT_DISC_FLOW",
+          "Each ring of the disc's pattern moves at the orbital speed of the matter.", "disc.flow is \"kepler\"",
+          "the pattern twice a crossing"},
+         [](const FrameFacts& f) {
+             return reason_if(f.scene.disc && f.scene.disc->flow == DiscFlowKind::kKepler, "disc.flow = \"kepler\"");
+         },
+         [](Scene& s) {
+             if (s.disc) s.disc->flow = DiscFlowKind::kStill;
+         },
+         still_disc,
+         [](Scene& s) { s.disc->flow = DiscFlowKind::kKepler; }},
+        {{Effect::kSpot,
+          "spot",
+          "EFFECT_SPOT",
+          "Hot spots are on an orbit in the disc.",
+          "there is a [spot] and a [disc]",
+          "arithmetic a crossing; black body where one is",
+          {Slot::kDiscGlow, "object/spot.glsl", "spot_light"}},
+         [](const FrameFacts& f) -> Reason {
+             return f.spot() ? Reason(fmt::format("[spot] at {}", f.scene.spots.front().r)) : kNot;
+         },
+         [](Scene& s) { s.spots.clear(); },
+         [](Scene& s) { glowing<true, true>(s), s.light.delay = false; },
+         [](Scene& s) { s.spots.emplace_back(); }},
+        {{Effect::kLimbDarkening,
+          "limb-darkening",
+          "EFFECT_LIMB_DARKENING",
+          "A thermal disc has limb darkening: brighter along its normal, dimmer towards grazing angles.",
+          "disc.limb_darkening is \"on\" and disc.emission \"thermal\"",
+          "two fetches, a logarithm and six terms a crossing",
+          {Slot::kDiscLight, "effect/limb_darkening.glsl", "limb_darkening"}},
+         [](const FrameFacts& f) {
+             return reason_if(f.thermal() && f.scene.disc->effects.limb_darkening, "disc.limb_darkening = \"on\"");
+         },
+         [](Scene& s) {
+             if (s.disc) s.disc->effects.limb_darkening = false;
+         },
+         glowing<false, false>,
+         [](Scene& s) { s.disc->effects.limb_darkening = true; },
+         nullptr,
+         {on_off_key(
+             "disc", "limb_darkening", "off",
+             "Whether a thermal disc has the limb darkening of an electron-scattering atmosphere (Chandrasekhar's "
+             "law); needs "
+             "emission = \"thermal\".",
+             [](auto& s) { return &s.disc->effects.limb_darkening; },
+             [](const Scene& s) { return s.disc->emission == DiscEmission::kThermal; }, "emission = \"thermal\"")}},
+    });
+    return features;
+}
+
+}  // namespace nullscope

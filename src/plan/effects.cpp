@@ -1,0 +1,127 @@
+#include "plan/effects.h"
+
+#include <array>
+#include <cstdlib>
+#include <utility>
+
+#include "plan/body_kind.h"
+#include "plan/feature.h"
+#include "spacetime/registry.h"
+
+namespace nullscope {
+namespace {
+
+// By the order of the enumerators.
+const std::array<const Feature*, kEffectCount>& features() {
+    static const auto all = [] {
+        std::array<const Feature*, kEffectCount> list{};
+        for (const auto group : {light_features(), disc_features(), bodies_features(), picture_features()})
+            for (const Feature& feature : group) list[static_cast<std::size_t>(feature.effect)] = &feature;
+        for (const Feature* feature : list)
+            if (feature == nullptr) std::abort();  // an enumerator without a Feature
+        return list;
+    }();
+    return all;
+}
+
+}  // namespace
+
+const Feature& feature_of(Effect effect) { return *features()[static_cast<std::size_t>(effect)]; }
+const EffectRow& effect_row(Effect effect) { return feature_of(effect); }
+std::vector<const EffectRow*> effect_rows() { return {features().begin(), features().end()}; }
+
+std::vector<Effect> EffectSet::list() const {
+    std::vector<Effect> effects;
+    for (std::size_t i = 0; i < kEffectCount; ++i)
+        if (bits_.test(i)) effects.push_back(static_cast<Effect>(i));
+    return effects;
+}
+
+std::vector<std::string_view> EffectSet::keys() const {
+    std::vector<std::string_view> keys;
+    for (const Effect effect : list()) keys.push_back(effect_row(effect).key);
+    return keys;
+}
+
+LightPathKind light_path_kind(const EffectSet& effects) {
+    return effects.contains(Effect::kSpin) ? LightPathKind::kMino : LightPathKind::kPlanar;
+}
+
+bool has_marched(const EffectSet& effects) {
+    if (effects.contains(Effect::kPulse)) return true;
+    for (const BodyKind* kind : body_kinds())
+        if (effects.contains(kind->effect.effect) &&
+            (kind != &kSphereKind || light_path_kind(effects) == LightPathKind::kMino))
+            return true;
+    return false;
+}
+bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
+bool shades_heat(const EffectSet& effects) {
+    return effects.contains(Effect::kThermalDisc) || effects.contains(Effect::kSpot) ||
+           (effects.contains(Effect::kSkyShift) && effects.contains(Effect::kAberration));
+}
+bool meets_objects(const EffectSet& effects) { return effects.contains(Effect::kDisc) || has_solids(effects); }
+
+bool moves(const EffectSet& effects) { return effects.contains(Effect::kBallPath) || effects.contains(Effect::kPulse); }
+
+bool motion_is_seen(const Spacetime& spacetime, const Observer& observer, const Scene& scene) {
+    if (!scene.light.aberration && !scene.light.doppler) return false;
+    // What falls, or is about a rotating hole, sees the sky's light shifted differently all over the sky, as what is boosted does.
+    const bool shifted = (falls(scene.camera) || !spacetime.planar_rays()) && scene.sky.temperature_K &&
+                         (scene.light.shift || scene.light.beaming);
+    return !(observer.velocity == Vec3{}) || shifted;
+}
+
+std::vector<EffectReason> required_effects(const Scene& scene) {
+    const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+    if (!spacetime) return required_effects(scene, nullptr, nullptr);
+    const auto observer = observer_of(**spacetime, scene.camera);
+    return required_effects(scene, &**spacetime, observer ? &*observer : nullptr);
+}
+
+namespace {
+
+FrameFacts facts_of(const Scene& scene, const Spacetime* spacetime, const Observer* observer) {
+    const LightSpec& light = scene.light;
+    FrameFacts f{scene, spacetime, spacetime != nullptr && spacetime->planar_rays(), false, false, false, nullptr, {}};
+    f.moves = observer != nullptr && motion_is_seen(*spacetime, *observer, scene);
+    f.sky_light = !is_procedural(scene.sky.kind) && scene.sky.kind != SkyKind::kBlack && scene.sky.uniform_stars == 0;
+    const bool other_g = (f.moves && light.doppler) ||
+                         (light.gravity && spacetime != nullptr && spacetime->lapse_squared(scene.camera.r) != 1.0);
+    f.sky_shift = f.sky_light && scene.sky.temperature_K && other_g && (light.shift || light.beaming);
+    f.heat = f.spot()      ? "[spot]"
+             : f.points()  ? "sky.kind = \"points\""
+             : f.thermal() ? "disc.emission = \"thermal\""
+             : f.sky_shift ? "sky.temperature"
+                           : nullptr;
+    return f;
+}
+
+}  // namespace
+
+std::vector<EffectReason> required_effects(const Scene& scene, const Spacetime* spacetime, const Observer* observer) {
+    FrameFacts facts = facts_of(scene, spacetime, observer);
+    std::vector<EffectReason> reasons;
+    for (const Feature* feature : features())
+        if (auto reason = feature->calls(facts)) {
+            reasons.push_back({feature->effect, std::move(*reason)});
+            facts.so_far.insert(feature->effect);
+        }
+    return reasons;
+}
+
+std::optional<Scene> without_effect(const Scene& scene, Effect effect) {
+    const Feature& feature = feature_of(effect);
+    Scene less = scene;
+    if (feature.without == nullptr || (feature.alone != nullptr && !feature.alone(scene))) return std::nullopt;
+    feature.without(less);
+    return less;
+}
+
+EffectSet effect_set(const std::vector<EffectReason>& reasons) {
+    EffectSet set;
+    for (const EffectReason& reason : reasons) set.insert(reason.effect);
+    return set;
+}
+
+}  // namespace nullscope

@@ -1,0 +1,55 @@
+#include "plan/frame_plan.h"
+
+#include <fmt/format.h>
+
+#include "plan/sides.h"
+#include "spacetime/registry.h"
+#include "spacetime/spherical_metric.h"
+
+namespace nullscope {
+namespace {
+
+Status check_objects(const FramePlan& plan) {
+    if (Status sides = check_sides(*plan.matter, plan.scene); !sides) return sides.error();
+    if ((plan.effects.contains(Effect::kDisc) && !plan.matter->can_have_disc()) ||
+        (has_solids(plan.effects) && !plan.matter->can_have_bodies()))
+        return bad_input(fmt::format("metric \"{}\" has neither discs nor bodies", plan.scene.spacetime.metric),
+                         "a scene without them");
+    return Done{};
+}
+
+// Light times where they are wished for, as far as the shader can tell them.
+void settle_delays(FramePlan& plan, bool delays) {
+    if (delays) plan.effects.insert(Effect::kDelay);
+    if (!plan.light->knows_light_time()) plan.effects.erase(Effect::kDelay);
+    if (plan.effects.contains(Effect::kDelay) && plan.effects.contains(Effect::kLensing) &&
+        plan.light->spherical()->has_inner_root())
+        plan.effects.insert(Effect::kInnerHorizon);
+}
+
+}  // namespace
+
+Result<FramePlan> plan_frame(const Scene& scene, bool delays, const FramePlan* last) {
+    FramePlan plan;
+    plan.scene = scene;
+    if (last != nullptr && last->scene.spacetime == scene.spacetime) {
+        plan.matter = last->matter;
+    } else {
+        TRY(made, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
+        plan.matter = *made;
+    }
+    if (scene.light.lensing)
+        plan.light = plan.matter;
+    else
+        plan.light = last != nullptr && last->straight() ? last->light : *make_spacetime("minkowski", {});
+    TRY(observer, observer_of(*plan.matter, scene.camera));
+    plan.observer = *observer;
+    if (Status parts = check_light_parts(*plan.matter, scene); !parts) return parts.error();
+    plan.reasons = required_effects(scene, &*plan.matter, &plan.observer);
+    plan.effects = effect_set(plan.reasons);
+    if (Status objects = check_objects(plan); !objects) return objects.error();
+    settle_delays(plan, delays);
+    return plan;
+}
+
+}  // namespace nullscope

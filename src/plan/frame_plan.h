@@ -1,0 +1,28 @@
+// What a frame is made of: decided once from its scene, then handed down to tables, uniforms, shader texts and passes.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "base/result.h"
+#include "observer/observer.h"
+#include "plan/effects.h"
+#include "scene/scene.h"
+#include "spacetime/spacetime.h"
+
+namespace nullscope {
+
+struct FramePlan {
+    Scene scene;
+    std::shared_ptr<const Spacetime> matter;  // the scene's: observers, and the matter that light comes from
+    std::shared_ptr<const Spacetime> light;   // what rays follow: flat where light.lensing is off, else the same
+    Observer observer;
+    std::vector<EffectReason> reasons;  // what the scene calls for
+    EffectSet effects;                  // what is compiled and built: those, and light times if they were wished for
+    bool straight() const { return matter != light; }  // light that a metric would bend runs straight
+};
+
+// delays: light times also where the scene shows nothing that changes. last: its spacetimes are kept where they are the
+// same. Errors: unknown metric, no such observer at camera.r, parts of light or objects that the metric does not have.
+Result<FramePlan> plan_frame(const Scene& scene, bool delays = false, const FramePlan* last = nullptr);
+
+}  // namespace nullscope

@@ -1,0 +1,36 @@
+#include "plan/moving.h"
+
+#include <fmt/format.h>
+
+#include "expr/formula.h"
+#include "plan/body_kind.h"
+#include "scene/bodies.h"
+
+namespace nullscope {
+
+bool surface_moves(const SurfaceSpec& surface) {
+    if (surface.kind != SurfaceKind::kFormula) return false;
+    constexpr std::size_t kTime = 3;
+    const auto formula = expr::Formula::parse(surface.shape, {"x", "y", "z", "t"});
+    return formula && formula->uses(kTime);
+}
+
+std::vector<std::string> moving_parts(const Scene& scene) {
+    std::vector<std::string> parts;
+    if (scene.disc && scene.disc->flow != DiscFlowKind::kStill) parts.emplace_back("disc.flow");
+    if (scene.disc && !scene.spots.empty()) parts.emplace_back("spot.r");
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        if (const char* key = kind_of(scene.bodies[i]).moves(scene.bodies[i]))
+            parts.push_back(fmt::format("{}.{}", body_section(scene, i), key));
+    return parts;
+}
+
+std::string moving_words(const Scene& scene) {
+    constexpr std::size_t kMost = 4;
+    std::vector<std::string> parts = moving_parts(scene);
+    const std::size_t more = parts.size() > kMost ? parts.size() - kMost : 0;
+    parts.resize(parts.size() - more);
+    return fmt::format("{}{}", fmt::join(parts, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+}  // namespace nullscope

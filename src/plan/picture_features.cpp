@@ -1,0 +1,125 @@
+// Features of the skies, and what lens, film and eye do to the picture.
+#include <fmt/format.h>
+
+#include "plan/feature.h"
+#include "spacetime/spacetime.h"
+
+namespace nullscope {
+namespace {
+
+constexpr KeyRange kBloom{0.0, 1.0, false, true};
+
+const char* name_of(SkyKind kind) { return kSkyKindNames[static_cast<int>(kind)]; }
+std::string sky_words(const FrameFacts& f) { return fmt::format("sky.kind = \"{}\"", name_of(f.scene.sky.kind)); }
+
+}  // namespace
+
+std::span<const Feature> picture_features() {
+    static const auto features = std::to_array<Feature>({
+        {{Effect::kPointStars, "point-stars", "EFFECT_POINT_STARS", "Stars are points, each with all its images.",
+          "sky.kind is \"points\"",
+          "a pass of its own: a vertex a star and image; star lens, black body; about a rotating hole a mesh of rays "
+          "on the host"},
+         [](const FrameFacts& f) { return reason_if(f.points(), sky_words(f)); },
+         [](Scene& s) { s.sky.kind = s.sky.uniform_stars == 0 ? SkyKind::kStars : SkyKind::kBlack; },
+         nothing,
+         [](Scene& s) {
+             s.sky.kind = SkyKind::kPoints;
+             s.sky.uniform_stars = 100000;
+             s.sky.magnitude_limit = 6.0;
+             s.light = {false, false};
+         }},
+        {{Effect::kSky, "sky", "EFFECT_SKY", "Escaped rays show the celestial sphere.",
+          "sky.kind is stars, image or points, and there are no sky.uniform_stars", "a cube map; one fetch a pixel"},
+         [](const FrameFacts& f) { return reason_if(f.sky_light, sky_words(f)); },
+         [](Scene& s) { s.sky.kind = SkyKind::kBlack; },
+         nothing,
+         [](Scene& s) { s.sky.kind = SkyKind::kStars; }},
+        {{Effect::kSkyShift, "sky-shift", "EFFECT_SKY_SHIFT",
+          "The sky picture has the colour and brightness that g gives it.",
+          "there is a sky.temperature, and the camera moves or is not far away",
+          "a factor; black body and one logarithm a pixel where the camera moves"},
+         [](const FrameFacts& f) -> Reason {
+             if (!f.sky_shift) return kNot;
+             const bool motion = f.moves && f.scene.light.doppler;
+             return fmt::format("sky.temperature = {}, {}", *f.scene.sky.temperature_K,
+                                motion ? "camera.velocity" : fmt::format("camera.r = {}", f.scene.camera.r));
+         },
+         [](Scene& s) { s.sky.temperature_K.reset(); },
+         [](Scene& s) {
+             s.sky.kind = SkyKind::kStars;
+             s.camera.velocity = {0.1, 0.2, 0.3};
+         },
+         [](Scene& s) { s.sky.temperature_K = 6000.0; }},
+        {{Effect::kSkyPattern, "sky-pattern", "EFFECT_SKY_PATTERN",
+          "Escaped rays show a colour, a pattern or a formula.",
+          "sky.kind is plain, checker, grid, stripes, noise or formula", "arithmetic a pixel"},
+         [](const FrameFacts& f) { return reason_if(is_procedural(f.scene.sky.kind), sky_words(f)); },
+         [](Scene& s) { s.sky.kind = SkyKind::kBlack; },
+         nothing,
+         [](Scene& s) { s.sky.kind = SkyKind::kPlain; }},
+        {{Effect::kFarSky, "far-sky", "EFFECT_FAR_SKY", "Rays through the wormhole show the sky of its other side.",
+          "spacetime.metric is a wormhole and far_sky.kind is not black", "a cube map; one fetch a pixel"},
+         [](const FrameFacts& f) -> Reason {
+             if (!f.bends() || f.spacetime->inner_end() != InnerEnd::kOtherSky ||
+                 f.scene.far_sky.kind == SkyKind::kBlack)
+                 return kNot;
+             return fmt::format("spacetime.metric = \"{}\", far_sky.kind = \"{}\"", f.scene.spacetime.metric,
+                                name_of(f.scene.far_sky.kind));
+         },
+         [](Scene& s) { s.far_sky.kind = SkyKind::kBlack; },
+         dark_wormhole,
+         [](Scene& s) { s.far_sky.kind = SkyKind::kStars; }},
+        {{Effect::kBloom, "bloom", "EFFECT_BLOOM", "Lens and eye scatter light into a halo.",
+          "picture.bloom is above 0", "the picture in linear light, halved again and again and added up"},
+         [](const FrameFacts& f) {
+             return reason_if(f.scene.picture.bloom > 0.0, fmt::format("picture.bloom = {}", f.scene.picture.bloom));
+         },
+         [](Scene& s) { s.picture.bloom = 0.0; },
+         nothing,
+         [](Scene& s) { s.picture.bloom = 0.1; },
+         nullptr,
+         {{"picture", "bloom", KeyType::kNumber, "", "0", kBloom, "",
+           "Fraction of the light that lens and eye scatter into a halo.", [](auto& s) { return &s.picture.bloom; }}}},
+        {{Effect::kAutoExposure, "auto-exposure", "EFFECT_AUTO_EXPOSURE",
+          "Exposure follows the picture's mean luminance.", "picture.auto_exposure is \"on\"",
+          "the picture in linear light, halved again and again"},
+         [](const FrameFacts& f) { return reason_if(f.scene.picture.auto_exposure, "picture.auto_exposure = \"on\""); },
+         [](Scene& s) { s.picture.auto_exposure = false; },
+         nothing,
+         [](Scene& s) { s.picture.auto_exposure = true; },
+         nullptr,
+         {on_off_key("picture", "auto_exposure", "off",
+                     "Whether exposure adapts to the picture's mean luminance; camera.exposure is then added.",
+                     [](auto& s) { return &s.picture.auto_exposure; })}},
+        {{Effect::kToneFilm, "tone-film", "EFFECT_TONE_FILM", "Bright light is compressed as on film.",
+          "picture.tone is \"film\"", "arithmetic"},
+         [](const FrameFacts& f) {
+             return reason_if(f.scene.picture.tone == ToneCurve::kFilm, "picture.tone = \"film\"");
+         },
+         [](Scene& s) { s.picture.tone = ToneCurve::kShoulder; },
+         nothing,
+         [](Scene& s) { s.picture.tone = ToneCurve::kFilm; }},
+        {{Effect::kToneNeutral, "tone-neutral", "EFFECT_TONE_NEUTRAL",
+          "Bright light is compressed, other colours are kept.", "picture.tone is \"neutral\"", "arithmetic"},
+         [](const FrameFacts& f) {
+             return reason_if(f.scene.picture.tone == ToneCurve::kNeutral, "picture.tone = \"neutral\"");
+         },
+         [](Scene& s) { s.picture.tone = ToneCurve::kShoulder; },
+         nothing,
+         [](Scene& s) { s.picture.tone = ToneCurve::kNeutral; }},
+        {{Effect::kDither, "dither", "EFFECT_DITHER", "Noise hides the steps of 8 bits.", "picture.dither is \"on\"",
+          "arithmetic"},
+         [](const FrameFacts& f) { return reason_if(f.scene.picture.dither, "picture.dither = \"on\""); },
+         [](Scene& s) { s.picture.dither = false; },
+         nothing,
+         [](Scene& s) { s.picture.dither = true; },
+         nullptr,
+         {on_off_key("picture", "dither", "off",
+                     "Adds noise of half an 8-bit step, so that dark gradients show no bands.",
+                     [](auto& s) { return &s.picture.dither; })}},
+    });
+    return features;
+}
+
+}  // namespace nullscope

@@ -1,0 +1,55 @@
+// A sphere about the centre, which may pulsate.
+#include <fmt/format.h>
+
+#include "plan/body_kind.h"
+
+namespace nullscope {
+namespace {
+
+const SphereSpec& of(const Body& body) { return std::get<SphereSpec>(body.shape); }
+
+std::vector<SceneKey> keys() {
+    return {
+        {"sphere", "radius", KeyType::kNumber, "r_s", "3", kPositive, "",
+         "Radius, outside the horizon; below camera.r.", [](auto& s) { return &last_body<SphereSpec>(s).radius; }},
+        {"sphere", "amplitude", KeyType::kNumber, "", "0", closed(0.0, 0.5), "",
+         "Amplitude of pulsation: the radius is multiplied by 1 + amplitude sin(2 pi t/period).",
+         [](auto& s) { return &last_body<SphereSpec>(s).amplitude; }},
+        {"sphere", "period", KeyType::kNumber, "r_s/c", "40", kPositive, "",
+         "Period of the pulsation; needs amplitude.", [](auto& s) { return &last_body<SphereSpec>(s).period; },
+         [](const Scene& s) { return last_body<SphereSpec>(s).amplitude > 0.0; }, "amplitude above 0"},
+    };
+}
+
+BodyExtent extent(const Body& body) {
+    const SphereSpec& s = of(body);
+    const double least = s.radius * (1.0 - s.amplitude);
+    return {least, s.radius * (1.0 + s.amplitude), least};
+}
+
+void check(const Body& body, const BodyCheck& at) {
+    const auto [least, most, thinnest, height] = extent(body);
+    if (!(least > at.horizon))
+        at.report({"radius", fmt::format("{} is not outside the horizon", least), fmt::format("r > {}", at.horizon)});
+    else if (!(most < at.scene.camera.r))
+        at.report({"radius", fmt::format("the camera at r = {} is not outside of it", at.scene.camera.r),
+                   "radius < camera.r"});
+}
+
+}  // namespace
+
+const BodyKind kSphereKind{
+    .key = SphereSpec::kName,
+    .effect = {Effect::kSphere, "sphere", "EFFECT_SPHERE", "A solid sphere about the centre ends rays.",
+               "there is a [sphere]", "ray ends, orbit table; some four steps of four fetches where it is seen"},
+    .make = [] { return Body{SphereSpec{}}; },
+    .keys = keys,
+    .check = check,
+    .words = [](const Body& body) { return fmt::format("of radius {}", of(body).radius); },
+    .extent = extent,
+    .size = [](const Body& body) { return of(body).radius; },
+    .moves = [](const Body& body) { return of(body).amplitude > 0.0 ? "amplitude" : nullptr; },
+    .has_side = false,
+};
+
+}  // namespace nullscope

@@ -1,0 +1,68 @@
+#include "render/ball_paths.h"
+
+#include <algorithm>
+
+#include "observer/ball_motion.h"
+#include "observer/observer.h"
+#include "scene/bodies.h"
+#include "shaderlib/body_text.h"
+
+namespace nullscope {
+namespace {
+
+constexpr double kBent = 60.0;     // r_s/c: what bending adds to the straight way, logarithm and half turns of 8.2 each
+constexpr double kFalling = 12.0;  // the clock of a camera that falls is that much behind at most
+
+// row: 8 numbers a node.
+BallPath sampled(const BallMotionAt& motion, const Scene& scene, double radius, double reach, float* row) {
+    const double r = std::fabs(scene.camera.r);
+    BallPath path;
+    path.from = scene.light.delay ? std::max(r - reach, 0.0) - (falls(scene.camera) ? kFalling : 0.0) : -1.0;
+    const double to = scene.light.delay ? r + reach + kBent : 1.0;
+    path.step = (to - path.from) / kBallPathCells;
+    const auto put = [&](int i) {
+        const BallPlace ball = motion(scene.time - path.from - i * path.step);
+        const auto write = [&](int line, Vec3 v) {
+            float* out = row + 4 * (line * (kBallPathCells + 1) + i);
+            out[0] = static_cast<float>(v.x), out[1] = static_cast<float>(v.y), out[2] = static_cast<float>(v.z);
+        };
+        write(0, ball.place);
+        write(1, -path.step * ball.velocity);
+        path.reach = std::max(path.reach, length(ball.place) + radius);
+        path.least_radius =
+            std::min(path.least_radius, length(ball.place) - radius - path.step * length(ball.velocity));
+        path.height = std::max(path.height, std::fabs(ball.place.z) + radius + path.step * std::fabs(ball.velocity.z));
+        path.speed = std::max(path.speed, length(ball.velocity));
+    };
+    if (scene.time > path.from)  // away from t = 0, whence falls are followed
+        for (int i = kBallPathCells; i >= 0; --i) put(i);
+    else
+        for (int i = 0; i <= kBallPathCells; ++i) put(i);
+    return path;
+}
+
+}  // namespace
+
+Result<BallPaths> ball_paths(const Spacetime& spacetime, const Scene& scene) {
+    constexpr std::size_t kBallFloats = 8 * static_cast<std::size_t>(kBallPathCells + 1);
+    BallPaths paths;
+    for (const std::size_t i : shader_bodies(scene)) {
+        const auto* ball = std::get_if<BallSpec>(&scene.bodies[i].shape);
+        if (ball == nullptr || !ball->moves()) continue;
+        const auto motion = ball_motion(spacetime, *ball);
+        if (!motion) return within(body_section(scene, i), motion.error());
+        paths.rows.texels.resize(paths.rows.texels.size() + kBallFloats, 0.0f);
+        float* row = paths.rows.texels.data() + paths.rows.texels.size() - kBallFloats;
+        constexpr int kTries = 4;  // a ball that goes farther than was thought is seen for longer
+        double reach = length((*motion)(scene.time).place) + ball->radius;
+        BallPath path = sampled(*motion, scene, ball->radius, reach, row);
+        for (int k = 0; k < kTries && path.reach > reach; ++k)
+            path = sampled(*motion, scene, ball->radius, reach = 1.05 * path.reach, row);
+        paths.balls.emplace(i, path);
+    }
+    paths.rows.width = kBallPathCells + 1;
+    paths.rows.height = 2 * static_cast<int>(paths.balls.size());
+    return paths;
+}
+
+}  // namespace nullscope

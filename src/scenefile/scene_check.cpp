@@ -1,0 +1,211 @@
+#include "scenefile/scene_check.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+
+#include "observer/ball_motion.h"
+#include "observer/observer.h"
+#include "plan/body_kind.h"
+#include "plan/moving.h"
+#include "plan/sides.h"
+#include "scene/bodies.h"
+#include "scenefile/scene_keys.h"
+#include "spacetime/circular_orbit.h"
+#include "spacetime/registry.h"
+
+namespace nullscope {
+namespace {
+
+using Faults = std::vector<SceneFault>;
+using World = std::shared_ptr<const Spacetime>;
+
+// nullptr: check_place() says what is wrong with it.
+World world_of(const SpacetimeSpec& spec) {
+    const auto made = make_spacetime(spec.metric, spec.parameters);
+    return made ? *made : nullptr;
+}
+
+void append(Faults& faults, Faults more) {
+    faults.insert(faults.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
+}
+
+Faults one(const Error& error, std::string at) { return {{error.key, error.what, error.allowed, std::move(at)}}; }
+
+// Keys that others' values rule out, or call for: of the camera, or all others.
+Faults check_keys(const Scene& scene, const GivenKeys& given, bool camera) {
+    Faults faults;
+    for_each_section(scene, [&](std::string_view section, const std::string& label, const Scene& holder) {
+        if ((section == "camera") != camera) return;
+        for (const SceneKey& key : scene_keys()) {
+            if (key.section != section || key.meant == nullptr) continue;
+            const std::string name = fmt::format("{}.{}", label, key.key);
+            const bool meant = key.meant(holder);
+            if (!meant && given(name))
+                faults.push_back({name, "has no meaning here", fmt::format("with {} only", key.with)});
+            if (meant && key.needed && !given(name))
+                faults.push_back({name, fmt::format("missing, but {}", key.with), allowed_text(key),
+                                  fmt::format("{}.{}", label, key.with.substr(0, key.with.find(' ')))});
+        }
+    });
+    return faults;
+}
+
+// In one of the scene's spacetimes.
+Faults check_place(const Scene& scene, const std::string& section, const SpacetimeSpec& spec) {
+    const CameraSpec& camera = scene.camera;
+    const std::string metric = section + ".metric";
+    for (const MetricFormula& formula : find_metric(spec.metric)->formulas)
+        if (formula.needed && !spec.parameters.formulas.contains(std::string(formula.name)))
+            return {{fmt::format("{}.{}", section, formula.name), fmt::format("missing, but metric is {}", spec.metric),
+                     "a formula of r", metric}};
+    const auto made = make_spacetime(spec.metric, spec.parameters);
+    if (!made)
+        return one(within(section, made.error()), metric);  // its parameters, each within its range, do not go together
+    const Spacetime& spacetime = **made;
+    if (camera.observer == ObserverKind::kStatic && !camera_can_rest(spacetime, camera.r))
+        return {{"camera.r",
+                 fmt::format("a static camera cannot be at {}{}", camera.r,
+                             camera.r >= spacetime.camera_range().high ? ", on or beyond the cosmological horizon"
+                             : spacetime.horizon_radius()              ? ", on or inside the horizon"
+                                                                       : ""),
+                 allowed_radii(spacetime), metric}};
+    if (const auto observer = observer_of(spacetime, camera); !observer) return one(observer.error(), "camera.r");
+    return {};
+}
+
+Faults check_path(const Scene& scene) {
+    if (!scene.path) return {};
+    Faults faults;
+    const PathSpec& path = *scene.path;
+    const bool keys = path.kind == PathKind::kKeys;
+    if (keys ? path.keys.size() < 2 : !path.keys.empty())
+        faults.push_back({"path.key", keys ? "fewer than two keys, but kind is keys" : "keys, but kind is not keys",
+                          keys ? "two [[path.key]] or more" : "with kind = \"keys\" only"});
+    for (const PathKey& key : path.keys)
+        if (key.camera.observer != path.keys.front().camera.observer || key.camera.width != scene.camera.width ||
+            key.camera.height != scene.camera.height)
+            faults.push_back(
+                {"path.key", "observer and size change on the way", "one observer and one size for all keys"});
+    return faults;
+}
+
+Faults check_patterns(const Scene& scene) {
+    Faults faults;
+    check_checker(sky_material(scene.sky), "sky", faults);
+    if (scene.disc) check_checker(scene.disc->material, "disc", faults);
+    return faults;
+}
+
+Faults check_disc(const Scene& scene, const World& world, const GivenKeys& given) {
+    if (!scene.disc) return {};
+    Faults faults;
+    const DiscSpec& disc = *scene.disc;
+    for (const auto& [key, other] :
+         {std::pair{"disc.mass", "disc.accretion_rate"}, {"disc.accretion_rate", "disc.mass"}}) {
+        if (!given(key)) continue;
+        if (!given(other))
+            faults.push_back({other, fmt::format("missing, but there is a {}", key), "both or none", key});
+        if (given("disc.temperature"))
+            faults.push_back({"disc.temperature", fmt::format("{} gives the temperature", key), "one of both"});
+    }
+    if (const double most = world ? world->camera_range().high : kAnyRadius; !(disc.outer < most))
+        faults.push_back({"disc.outer", fmt::format("{} is beyond the cosmological horizon", disc.outer),
+                          fmt::format("below {}", most)});
+    if (!(disc.inner < disc.outer))
+        faults.push_back({given("disc.inner") ? "disc.inner" : "disc.outer",
+                          fmt::format("inner = {} is not below outer = {}", disc.inner, disc.outer), "inner < outer"});
+    return faults;
+}
+
+Faults check_spots(const Scene& scene) {
+    if (!scene.spots.empty() && !scene.disc)
+        return {{"spot", "there is no [disc]", "in a disc only; disc.opacity = 0 shows the spots alone"}};
+    Faults faults;
+    for (std::size_t i = 0; i < scene.spots.size(); ++i)
+        if (const double r = scene.spots[i].r; !(r > scene.disc->inner && r < scene.disc->outer))
+            faults.push_back({section_label("spot", i) + ".r", fmt::format("{} is not within the disc", r),
+                              fmt::format("({}, {})", scene.disc->inner, scene.disc->outer)});
+    return faults;
+}
+
+// What moves: whether it can, and whether its light's delay is known there.
+Faults check_motion(const Scene& scene, const World& world, const std::string& metric, bool delay) {
+    const auto moving = moving_parts(scene);
+    if (!world || moving.empty()) return {};
+    Faults faults;
+    if (delay && !world->knows_light_time())
+        faults.push_back({moving.front(), fmt::format("how long light takes is not known in metric \"{}\"", metric),
+                          "light.delay = \"off\", or another metric"});
+    for (std::size_t i = 0; i < scene.spots.size() && scene.disc; ++i)
+        if (!circular_orbit(*world, scene.spots[i].r))
+            faults.push_back({section_label("spot", i) + ".r", fmt::format("no circular orbit at {}", scene.spots[i].r),
+                              "r outside the photon sphere"});
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const auto* ball = std::get_if<BallSpec>(&scene.bodies[i].shape);
+        if (ball == nullptr || !ball->moves()) continue;
+        const std::string section = body_section(scene, i), motion = section + ".motion";
+        if (world->by_proper_length())
+            faults.push_back({motion, "nothing moves in a wormhole", "still"});
+        else if (const auto moves = ball_motion(*world, *ball); !moves)
+            append(faults, one(within(section, moves.error()), motion));
+    }
+    return faults;
+}
+
+}  // namespace
+
+void for_each_section(
+    const Scene& scene,
+    const std::function<void(std::string_view section, const std::string& label, const Scene& holder)>& f) {
+    f("", "", scene);
+    for (const char* section : {"spacetime", "camera", "sky", "far_sky", "light", "picture"})
+        f(section, section, scene);
+    if (scene.split) f("split", "split", scene);
+    if (scene.disc) f("disc", "disc", scene);
+    if (scene.path) f("path", "path", scene);
+    for (std::size_t i = 0; i < scene.spots.size(); ++i) {
+        Scene holder;
+        holder.spots = {scene.spots[i]};
+        f("spot", section_label("spot", i), holder);
+    }
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        Scene holder;
+        holder.bodies = {scene.bodies[i]};
+        f(kind_of(scene.bodies[i]).key, body_section(scene, i), holder);
+    }
+}
+
+std::vector<SceneFault> check_camera(const Scene& scene, const GivenKeys& given) {
+    Faults faults = check_keys(scene, given, true);
+    for (const char* other : {"camera.plane_width", "camera.focal_distance"})
+        if (given("camera.fov") && given(other))
+            faults.push_back({"camera.fov", fmt::format("says the same as {}", other),
+                              "either fov, or plane_width and focal_distance", other});
+    append(faults, check_place(scene, "spacetime", scene.spacetime));
+    const World world = world_of(scene.spacetime);
+    if (const Status parts = world ? check_light_parts(*world, scene) : Done{}; !parts)
+        append(faults, one(parts.error(), "camera.observer"));
+    if (scene.split) append(faults, check_place(scene, "split", *scene.split));
+    return faults;
+}
+
+std::vector<SceneFault> check_parts(const Scene& scene, const GivenKeys& given) {
+    const World world = world_of(scene.spacetime), other = scene.split ? world_of(*scene.split) : nullptr;
+    Faults faults = check_path(scene);
+    append(faults, check_disc(scene, world, given));
+    append(faults, check_patterns(scene));
+    append(faults, check_bodies(scene, world ? world->horizon_radius().value_or(0.0) : 0.0));
+    for (const World& each : {world, other})
+        if (each) append(faults, side_faults(*each, scene));
+    append(faults, check_keys(scene, given, false));
+    append(faults, check_spots(scene));
+    if (!faults.empty()) return faults;
+    faults = check_motion(scene, world, scene.spacetime.metric, scene.light.delay);
+    if (scene.split)
+        append(faults, check_motion(scene, other, scene.split->metric, scene.light.delay && scene.split_delay));
+    return faults;
+}
+
+}  // namespace nullscope

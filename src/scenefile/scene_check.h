@@ -1,0 +1,26 @@
+// What of a scene's values, each within its own range, does not go together.
+#pragma once
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
+#include "scene/scene_fault.h"
+
+namespace nullscope {
+
+// Whether the file has a key, by its full name.
+using GivenKeys = std::function<bool(const std::string& name)>;
+
+// f(section, label, scene) for each section that is there, with a scene that has it last of its kind. label: as a file and its messages call
+// it, "ball[2]".
+void for_each_section(
+    const Scene& scene,
+    const std::function<void(std::string_view section, const std::string& label, const Scene& holder)>& f);
+
+std::vector<SceneFault> check_camera(const Scene& scene, const GivenKeys& given);
+// All parts but the camera. Moving bodies are checked last and only if nothing else is wrong, because that costs more.
+std::vector<SceneFault> check_parts(const Scene& scene, const GivenKeys& given);
+
+}  // namespace nullscope

@@ -1,0 +1,301 @@
+#include "scenefile/scene_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "base/text.h"
+#include "plan/body_kind.h"
+#include "scene/bodies.h"
+#include "scenefile/scene_check.h"
+#include "scenefile/scene_keys.h"
+#include "scenefile/scene_value.h"
+#include "spacetime/registry.h"
+
+namespace nullscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Dotted keys nest one table a dot, and toml++ frees tables recursively: 50 000 levels overflow the stack. It limits
+// arrays and inline tables to 256 levels by itself.
+constexpr std::ptrdiff_t kMostDots = 4096;
+
+// What files written for older versions may say, and the name that it has now.
+struct OldName {
+    std::string_view section, name, now;
+};
+constexpr OldName kOldNames[] = {{"", "beside", "split"},
+                                 {"sphere", "swing", "amplitude"},
+                                 {"sky", "faintest", "magnitude_limit"},
+                                 {"sky", "even_stars", "uniform_stars"},
+                                 {"path", "look", "orientation"}};
+
+std::string_view name_now(std::string_view section, std::string_view name) {
+    for (const OldName& old : kOldNames)
+        if (old.section == section && old.name == name) return old.now;
+    return name;
+}
+
+int line_of(const toml::key& key) { return static_cast<int>(key.source().begin.line); }
+
+// What may stand in a section; at the top level also the sections. metric: of a section that names one.
+std::vector<std::string> words_of(std::string_view section, const MetricEntry* metric) {
+    std::vector<std::string> words;
+    for (const SceneKey& key : scene_keys()) {
+        const std::string_view word = key.section == section ? key.key : section.empty() ? key.section : "";
+        if (!word.empty() && std::find(words.begin(), words.end(), word) == words.end()) words.emplace_back(word);
+    }
+    if (metric != nullptr) {
+        for (const MetricParameter& parameter : metric->parameters) words.emplace_back(parameter.name);
+        for (const MetricFormula& formula : metric->formulas) words.emplace_back(formula.name);
+    }
+    return words;
+}
+
+// The row of a metric's parameter or formula, which are keys of a section that names a metric.
+std::optional<SceneKey> parameter_key(std::string_view section, std::string_view name, const MetricEntry& metric) {
+    for (const MetricParameter& parameter : metric.parameters)
+        if (parameter.name == name)
+            return SceneKey{.section = section,
+                            .key = parameter.name,
+                            .type = KeyType::kNumber,
+                            .range = {parameter.low, parameter.high}};
+    for (const MetricFormula& formula : metric.formulas)
+        if (formula.name == name)
+            return SceneKey{.section = section, .key = formula.name, .type = KeyType::kFormula, .choices = "r"};
+    return std::nullopt;
+}
+
+class SceneReader {
+public:
+    SceneReader(std::string label, fs::path base) : label_(std::move(label)), base_(std::move(base)) {}
+    Result<Scene> read(const toml::table& root);
+
+private:
+    bool read_list(std::string_view section, const toml::node& node);
+    void read_section(std::string_view section, const toml::table& table, const std::string& label);
+    // label: the section's, as messages call it: "ball[2]".
+    void read_key(std::string_view section, const toml::key& name, const toml::node& node, std::string_view label);
+    void read_path_keys(const toml::node& node);
+    void report_unknown(std::string_view section, const toml::key& name);
+    void settle_defaults();
+    void report(int line, std::string_view name, std::string_view what, std::string_view allowed);
+    void report(const SceneFault& fault);
+
+    std::string label_;
+    fs::path base_;
+    Scene scene_;
+    // The sections that name a metric, and which: null while the file names none that is known.
+    std::map<std::string, const MetricEntry*, std::less<>> metrics_ = {
+        {"spacetime", find_metric(SpacetimeSpec{}.metric)}, {"split", find_metric(SpacetimeSpec{}.metric)}};
+    const MetricEntry* metric_of(std::string_view section) const {
+        const auto found = metrics_.find(section);
+        return found != metrics_.end() ? found->second : nullptr;
+    }
+    SpacetimeSpec& spec_of(std::string_view section) { return section == "split" ? *scene_.split : scene_.spacetime; }
+    std::map<std::string, int> lines_;  // of the keys that are there, by full name
+    const GivenKeys given_ = [this](const std::string& name) { return lines_.contains(name); };
+    std::map<std::string, int> sections_;  // lines where sections begin
+    std::map<int, Error> reports_;         // what is wrong, by line; the first is returned
+};
+
+void SceneReader::report(int line, std::string_view name, std::string_view what, std::string_view allowed) {
+    reports_.emplace(
+        line, Error{ErrorKind::kBadInput, std::string(what), std::string(allowed), std::string(name), label_, line});
+}
+
+// At its key, else at the one that calls for it, else where its section begins.
+void SceneReader::report(const SceneFault& fault) {
+    const auto section = sections_.find(fault.key.substr(0, fault.key.find('.')));
+    const int line = given_(fault.key)            ? lines_[fault.key]
+                     : given_(fault.at)           ? lines_[fault.at]
+                     : section != sections_.end() ? section->second
+                                                  : 1;
+    report(line, fault.key, fault.what, fault.allowed);
+}
+
+void SceneReader::report_unknown(std::string_view section, const toml::key& name) {
+    const MetricEntry* metric = metric_of(section);
+    const std::vector<std::string> words = words_of(section, metric);
+    const std::string prefix = section.empty() ? "" : fmt::format("{}.", section);
+    std::string nearest = nearest_word(name.str(), words);
+    if (!nearest.empty()) nearest = prefix + nearest;
+    for (const SceneKey& key : scene_keys()) {
+        if (key.key != name.str()) continue;
+        nearest = full_name(key);  // the right word in the wrong place
+        break;
+    }
+    const std::string shown = in_quotes(name.str());
+    const std::string what =
+        metric != nullptr ? fmt::format("no parameter of metric \"{}\"", metric->key) : std::string("unknown key");
+    report(line_of(name), prefix + shown.substr(1, shown.size() - 2), what,
+           fmt::format("{}{}", fmt::join(words, ", "),
+                       nearest.empty() ? "" : fmt::format(" (nearest known key: {})", nearest)));
+}
+
+void SceneReader::read_key(std::string_view section, const toml::key& name, const toml::node& node,
+                           std::string_view label) {
+    const auto rows = scene_keys();
+    const std::string_view word = name_now(section, name.str());
+    const auto row = std::find_if(rows.begin(), rows.end(),
+                                  [&](const SceneKey& key) { return key.section == section && key.key == word; });
+    const bool of_metric = row == rows.end() && metrics_.contains(section);
+    const MetricEntry* metric = metric_of(section);
+    if (of_metric && metric == nullptr) return;  // the unknown metric is what will be reported
+    const std::optional<SceneKey> key = row != rows.end() ? *row
+                                        : of_metric       ? parameter_key(section, name.str(), *metric)
+                                                          : std::nullopt;
+    if (!key) return report_unknown(section, name);
+    const std::string full = section.empty() ? full_name(*key) : fmt::format("{}.{}", label, key->key);
+    if (word != name.str() && given_(full))
+        return report(line_of(name), full, "given twice, here by its old name", "once");
+    lines_[full] = line_of(name);
+    const Result<KeyValue> value = check_value(*key, node, base_);
+    if (!value)
+        report(line_of(name), full, value.error().what, allowed_text(*key));
+    else if (!of_metric)
+        key->member.set(scene_, *value);
+    else if (key->type == KeyType::kFormula)
+        spec_of(section).parameters.formulas[std::string(key->key)] = value->text;
+    else
+        spec_of(section).parameters[std::string(key->key)] = value->number;
+}
+
+// What a scene may have several of, [[ball]], and one, [ball]. False: it is no list of sections.
+bool SceneReader::read_list(std::string_view section, const toml::node& node) {
+    const auto kinds = body_kinds();
+    const auto kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](const BodyKind* one) { return one->key == section; });
+    const toml::array* list = node.as_array();
+    if ((kind == kinds.end() && section != "spot") || list == nullptr || !list->is_array_of_tables()) return false;
+    for (std::size_t i = 0; i < list->size(); ++i)
+        read_section(section, *list->get_as<toml::table>(i), section_label(section, i));
+    return true;
+}
+
+void SceneReader::read_section(std::string_view section, const toml::table& table, const std::string& label) {
+    const int line = std::max(static_cast<int>(table.source().begin.line), 1);
+    if (section == "split") scene_.split.emplace();
+    if (section == "disc") scene_.disc.emplace();
+    if (section == "spot") scene_.spots.emplace_back();
+    for (const BodyKind* kind : body_kinds())
+        if (section == kind->key) scene_.bodies.push_back(kind->make());
+    if (section == "path") scene_.path.emplace();
+    if (scene_.bodies.size() > kMostBodies || scene_.spots.size() > kMostSpots)
+        return report(line, section, "one too many", section == "spot" ? "at most 64 [[spot]]" : "at most 64 bodies");
+    sections_[label] = line;
+    const auto of_metric = metrics_.find(section);
+    if (const auto metric = table.find("metric"); of_metric != metrics_.end() && metric != table.end()) {
+        read_key(section, metric->first, metric->second, section);  // first: it decides which other keys there are
+        of_metric->second = reports_.empty() ? find_metric(spec_of(section).metric) : nullptr;
+    }
+    for (const auto& [name, node] : table) {
+        if (section == "path" && name.str() == "key") continue;  // read_path_keys
+        if (of_metric == metrics_.end() || name.str() != "metric") read_key(section, name, node, label);
+    }
+}
+
+// [[path.key]]: the camera's own keys, and the frame where they hold. What a key leaves out is as in the one before it, and as in [camera]
+// in the first.
+void SceneReader::read_path_keys(const toml::node& node) {
+    constexpr std::size_t kMostKeys = 10000;
+    const toml::array* list = node.as_array();
+    const int at = static_cast<int>(node.source().begin.line);
+    if (list == nullptr || !list->is_array_of_tables() || list->size() > kMostKeys) {
+        report(at, "path.key", "must be a list of sections", "[[path.key]], 10000 at most");
+        return;
+    }
+    const CameraSpec camera = scene_.camera;
+    const auto lines = lines_;
+    for (const toml::node& entry : *list) {
+        const toml::table& table = *entry.as_table();
+        PathKey key{scene_.path->keys.empty() ? 0.0 : scene_.path->keys.back().frame + 1.0, {}};
+        for (const auto& [name, value] : table) {
+            if (name.str() != "frame") {
+                read_key("camera", name, value, "camera");
+                continue;
+            }
+            const auto frame = value.value<double>();
+            if (!frame || !(*frame >= 0.0 && *frame <= 1e6))
+                report(line_of(name), "path.key.frame", "must be a number", "[0, 1000000]");
+            else
+                key.frame = *frame;
+        }
+        key.camera = scene_.camera;
+        const int here = static_cast<int>(entry.source().begin.line);
+        if (!scene_.path->keys.empty() && !(key.frame > scene_.path->keys.back().frame))
+            report(here, "path.key.frame", fmt::format("{} is not after the key before", key.frame),
+                   "frames that grow");
+        scene_.path->keys.push_back(key);
+        for (const SceneFault& fault : check_camera(scene_, given_))
+            if (reports_.empty()) report(here, fault.key, fault.what, fault.allowed);
+    }
+    scene_.camera = camera;
+    lines_ = lines;
+}
+
+// Defaults that depend on other keys.
+void SceneReader::settle_defaults() {
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
+        if (Material& material = scene_.bodies[i].material;
+            material.texture == TextureKind::kImage && !given_(body_section(scene_, i) + ".colour"))
+            material.colour = {1, 1, 1};
+    if (scene_.path && scene_.path->kind == PathKind::kKeys && !given_("path.frames") && !scene_.path->keys.empty())
+        scene_.path->frames = std::max(2, static_cast<int>(scene_.path->keys.back().frame) + 1);
+    if (scene_.name.empty()) scene_.name = fs::path(label_).stem().string();
+}
+
+Result<Scene> SceneReader::read(const toml::table& root) {
+    const std::vector<std::string> words = words_of("", nullptr);
+    for (const auto& [name, node] : root) {
+        const std::string word(name_now("", name.str()));
+        const auto is_section = [&](const SceneKey& key) { return key.section == word; };
+        const bool section = !word.empty() && std::any_of(scene_keys().begin(), scene_keys().end(), is_section);
+        if (const toml::table* table = node.as_table(); section && table != nullptr) {
+            if (sections_.contains(word))
+                report(line_of(name), word, "given twice, once by its old name", "once");
+            else
+                read_section(word, *table, word);
+        } else if (section && read_list(word, node)) {
+            continue;
+        } else if (section) {
+            report(line_of(name), word, "must be a section", fmt::format("[{}]", word));
+        } else {
+            read_key("", name, node, "");
+        }
+    }
+    if (reports_.empty()) {  // what follows compares values with each other
+        for (const SceneFault& fault : check_camera(scene_, given_)) report(fault);
+        if (const toml::node* keys = root.at_path("path.key").node(); keys != nullptr && scene_.path)
+            read_path_keys(*keys);
+        settle_defaults();
+        for (const SceneFault& fault : check_parts(scene_, given_)) report(fault);
+    }
+    if (reports_.empty()) return scene_;
+    Error first = reports_.begin()->second;
+    for (std::string* part : {&first.what, &first.allowed, &first.key, &first.file}) *part = without_controls(*part);
+    return first;
+}
+
+}  // namespace
+
+Result<Scene> parse_scene(std::string_view toml_text, const std::string& file_label, const fs::path& base_directory) {
+    const auto refuse = [&](const std::string& what, int line) {
+        return Error{ErrorKind::kBadInput, without_controls(what), "", "", without_controls(file_label), line};
+    };
+    if (toml_text.size() > kLargestSceneFile) return refuse(fmt::format("larger than {} bytes", kLargestSceneFile), 0);
+    if (std::count(toml_text.begin(), toml_text.end(), '.') > kMostDots)
+        return refuse(fmt::format("more than {} dots: keys could nest too deeply", kMostDots), 1);
+    try {
+        const toml::table root = toml::parse(toml_text);
+        return SceneReader(file_label, base_directory).read(root);
+    } catch (const toml::parse_error& error) {
+        return refuse(std::string(error.description()), static_cast<int>(error.source().begin.line));
+    }
+}
+
+}  // namespace nullscope

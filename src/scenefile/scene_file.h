@@ -1,0 +1,36 @@
+// Scene files: TOML text to Scene. The keys, their units, defaults and ranges are the table in scenefile/scene_keys.h.
+//
+// Every error is one line, "FILE:LINE: section.key: what is wrong; allowed: ... (nearest known key: ...)", of kind
+// kBadInput (without a line where there is none: a file that cannot be read). Of several faults the first in the file
+// is reported. All input is taken as hostile: control characters of a file never reach a message.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "scene/scene.h"
+
+namespace nullscope {
+
+inline constexpr std::size_t kLargestSceneFile = 1u << 20;  // bytes
+
+// A path, or the name of a scene that ships: assets_directory()/scenes/NAME.toml. A file of that name goes first.
+// Errors: no such file or scene (nearest named), not a regular file, too large, and those of parse_scene.
+Result<Scene> load_scene(const std::string& file_or_name);
+
+// file_label: named in errors, and its stem is the scene's name where the text gives none. base_directory: what
+// relative image paths are relative to; image files must exist but are not opened.
+Result<Scene> parse_scene(std::string_view toml_text, const std::string& file_label,
+                          const std::filesystem::path& base_directory);
+
+struct SceneInfo {
+    std::string name;         // what load_scene takes
+    std::string description;  // one sentence; the error where the file is broken
+    std::filesystem::path path;
+};
+// The scenes in assets_directory()/scenes, sorted by name; empty if there is no such directory.
+std::vector<SceneInfo> shipped_scenes();
+
+}  // namespace nullscope

@@ -1,0 +1,284 @@
+#include "scenefile/scene_keys.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "plan/feature.h"
+#include "scenefile/body_keys.h"
+
+namespace nullscope {
+namespace {
+
+constexpr KeyRange kPlane = closed(1e-6, 1e6);  // so that no ratio of two overflows
+constexpr KeyRange kRadius = closed(-1e9, 1e9);
+constexpr KeyRange kTemperature = closed(1e3, 1e9);
+
+// Keys that are more than one member of the scene.
+constexpr KeyMember kFieldOfView = {nullptr, [](Scene& s, const KeyValue& v) {
+                                        s.camera.plane_width = 2.0 * std::tan(0.5 * v.number);
+                                        s.camera.focal_distance = 1.0;
+                                    }};
+constexpr KeyMember kPictureSize = {
+    [](const Scene& s) { return KeyValue{.width = s.camera.width, .height = s.camera.height}; },
+    [](Scene& s, const KeyValue& v) { s.camera.width = v.width, s.camera.height = v.height; }};
+
+// Two keys that are there together.
+template <double AccretionSpec::*Part>
+constexpr KeyMember accretion() {
+    return {[](const Scene& s) {
+                const auto& all = s.disc->accretion;
+                return KeyValue{.number = all ? *all.*Part : 0.0, .there = all.has_value()};
+            },
+            [](Scene& s, const KeyValue& v) {
+                if (!s.disc->accretion) s.disc->accretion.emplace();
+                *s.disc->accretion.*Part = v.number;
+            }};
+}
+
+template <SkyKind kind>
+bool sky_is(const Scene& s) {
+    return s.sky.kind == kind;
+}
+bool has_caps(const Scene& s) { return s.sky.mapping == SkyMapping::kBandAndCaps; }
+template <PathKind kind>
+bool path_is(const Scene& s) {
+    return s.path->kind == kind;
+}
+bool disc_is_thermal(const Scene& s) { return s.disc->emission == DiscEmission::kThermal; }
+
+constexpr SceneKey kKeys[] = {
+    {"", "name", KeyType::kText, "", "", kNoRange, "", "Title; by default the file's name without extension.",
+     [](auto& s) { return &s.name; }},
+    {"", "description", KeyType::kText, "", "", kNoRange, "", "One sentence that says what the picture shows.",
+     [](auto& s) { return &s.description; }},
+
+    {"", "time", KeyType::kNumber, "r_s/c", "0", closed(-1e9, 1e9), "",
+     "Time at the camera, for scenes in which something moves.", [](auto& s) { return &s.time; }},
+
+    {"spacetime", "metric", KeyType::kMetric, "", "schwarzschild", kNoRange, "", "The spacetime.",
+     [](auto& s) { return &s.spacetime.metric; }},
+
+    {"split", "metric", KeyType::kMetric, "", "schwarzschild", kNoRange, "",
+     "The spacetime of the picture's right half.", [](auto& s) { return &s.split->metric; }},
+    {"split", "delay", KeyType::kChoice, "", "on", kNoRange, "off on",
+     "Whether the right half includes light-travel time.", [](auto& s) { return &s.split_delay; }},
+
+    {"camera", "r", KeyType::kNumber, "r_s", "15", kRadius, "",
+     "Radial coordinate; in wormholes the proper distance l. Outside the horizon for observers at rest or in orbit.",
+     [](auto& s) { return &s.camera.r; }},
+    {"camera", "theta", KeyType::kNumber, "deg", "84.8", closed(0.0, 180.0), "",
+     "Polar angle: 0 above the north pole, 90 in the disc's plane.", [](auto& s) { return &s.camera.theta; }},
+    {"camera", "phi", KeyType::kNumber, "deg", "0", kAnyAngle, "",
+     "Azimuth; for falling observers about a rotating hole the ingoing azimuth.",
+     [](auto& s) { return &s.camera.phi; }},
+    {"camera", "yaw", KeyType::kNumber, "deg", "0", kAnyAngle, "",
+     "Rotation to the right; at 0 the camera looks at the centre.", [](auto& s) { return &s.camera.yaw; }},
+    {"camera", "pitch", KeyType::kNumber, "deg", "0", kAnyAngle, "", "Rotation upward, after yaw.",
+     [](auto& s) { return &s.camera.pitch; }},
+    {"camera", "roll", KeyType::kNumber, "deg", "0", kAnyAngle, "",
+     "Rotation about the line of sight, after pitch; the camera's top tilts to its right.",
+     [](auto& s) { return &s.camera.roll; }},
+    {"camera", "observer", KeyType::kChoice, "", "static", kNoRange,
+     "static rain fall throw orbit zamo carter counter-orbit",
+     "Observer: static; rain (free fall from rest at infinity); fall (from rest at fall_from); throw (geodesic of "
+     "given "
+     "energy); orbit and counter-orbit (prograde, retrograde circular geodesic); zamo (without angular momentum) and "
+     "carter (Carter's frame), about a rotating hole.",
+     [](auto& s) { return &s.camera.observer; }},
+    {"camera", "fall_from", KeyType::kNumber, "r_s", "1e+06", kRadius, "",
+     "Radius at which the fall started from rest; needs observer = \"fall\".",
+     [](auto& s) { return &s.camera.fall_from; },
+     [](const Scene& s) { return s.camera.observer == ObserverKind::kFall; }, "observer = \"fall\""},
+    {"camera", "energy", KeyType::kNumber, "", "1", kPositive, "",
+     "Energy per rest mass; 1 is a fall from rest at infinity. Needs observer = \"throw\".",
+     [](auto& s) { return &s.camera.energy; }, [](const Scene& s) { return s.camera.observer == ObserverKind::kThrow; },
+     "observer = \"throw\""},
+    {"camera", "velocity", KeyType::kVelocity, "c", "[0, 0, 0]", kNoRange, "",
+     "Velocity in the observer's frame along (e_r, e_theta, e_phi): outward, southward, towards growing phi.",
+     [](auto& s) { return &s.camera.velocity; }},
+    {"camera", "fov", KeyType::kNumber, "deg", "60", open(0.0, 180.0), "",
+     "Horizontal field of view; instead of plane_width and focal_distance.", kFieldOfView},
+    {"camera", "plane_width", KeyType::kNumber, "", "1.1547", kPlane, "",
+     "Width of the projection plane, in the unit of focal_distance.", [](auto& s) { return &s.camera.plane_width; }},
+    {"camera", "focal_distance", KeyType::kNumber, "", "1", kPlane, "",
+     "Distance of the projection plane from the focal point.", [](auto& s) { return &s.camera.focal_distance; }},
+    {"camera", "size", KeyType::kSize, "px", "[1280, 720]", closed(1.0, 16384.0), "",
+     "Width and height of the picture; pixels are square.", kPictureSize},
+    {"camera", "exposure", KeyType::kNumber, "EV", "0", closed(-30.0, 30.0), "",
+     "The displayed brightness is multiplied by 2^exposure.", [](auto& s) { return &s.camera.exposure_ev; }},
+
+    {"path", "kind", KeyType::kChoice, "", "fall", kNoRange, "fall keys",
+     "How the camera moves: in free fall from frame 0 on, or smoothly through the places given by [[path.key]].",
+     [](auto& s) { return &s.path->kind; }},
+    {"path", "orientation", KeyType::kChoice, "", "gyroscope", kNoRange, "gyroscope centre",
+     "For kind = \"fall\": the camera's axes are parallel-transported, or keep their angle to the centre.",
+     [](auto& s) { return &s.path->orientation; }, path_is<PathKind::kFall>, "kind = \"fall\""},
+    {"path", "frames", KeyType::kWhole, "", "240", closed(2.0, 1000000.0), "",
+     "Number of frames; for kind = \"keys\" by default up to the last key.", [](auto& s) { return &s.path->frames; }},
+    {"path", "rate", KeyType::kNumber, "1/s", "24", closed(0.1, 1000.0), "", "Frames per second of a film.",
+     [](auto& s) { return &s.path->rate; }},
+    {"path", "duration", KeyType::kNumber, "r_s/c", "0", closed(0.0, 1e7), "",
+     "For kind = \"fall\": proper time from the first frame to the last; 0: to the worldline's end.",
+     [](auto& s) { return &s.path->duration; }, path_is<PathKind::kFall>, "kind = \"fall\""},
+
+    {"sky", "kind", KeyType::kChoice, "", "stars", kNoRange,
+     "stars image black points plain checker grid stripes noise formula",
+     "What is on the celestial sphere: the built-in stars and Milky Way as a picture, an image, nothing, the stars as "
+     "points, or one colour or a pattern of two.",
+     [](auto& s) { return &s.sky.kind; }},
+    {"sky", "mapping", KeyType::kChoice, "", "equirectangular", kNoRange, "equirectangular band-and-caps",
+     "How images cover the sphere: one image for all of it, or a band about the equator and a cap on each pole.",
+     [](auto& s) { return &s.sky.mapping; }, sky_is<SkyKind::kImage>, "kind = \"image\""},
+    {"sky", "image", KeyType::kImage, "", "", kNoRange, "",
+     "The equirectangular image, or the band; needs kind = \"image\".", [](auto& s) { return &s.sky.image; },
+     sky_is<SkyKind::kImage>, "kind = \"image\"", true},
+    {"sky", "north_cap", KeyType::kImage, "", "", kNoRange, "",
+     "Azimuthal equidistant image of the north cap; needs mapping = \"band-and-caps\".",
+     [](auto& s) { return &s.sky.north_cap; }, has_caps, "mapping = \"band-and-caps\"", true},
+    {"sky", "south_cap", KeyType::kImage, "", "", kNoRange, "",
+     "Azimuthal equidistant image of the south cap; needs mapping = \"band-and-caps\".",
+     [](auto& s) { return &s.sky.south_cap; }, has_caps, "mapping = \"band-and-caps\"", true},
+    {"sky", "band_latitude", KeyType::kNumber, "deg", "45", open(0.0, 90.0), "",
+     "Latitude where the band ends and the caps begin; needs mapping = \"band-and-caps\".",
+     [](auto& s) { return &s.sky.band_latitude; }, has_caps, "mapping = \"band-and-caps\""},
+    {"sky", "yaw", KeyType::kNumber, "deg", "0", kAnyAngle, "", "Rotation of the sky about the polar axis, after tilt.",
+     [](auto& s) { return &s.sky.yaw; }},
+    {"sky", "tilt", KeyType::kNumber, "deg", "0", kAnyAngle, "", "Rotation of the sky about the world's x axis.",
+     [](auto& s) { return &s.sky.tilt; }},
+    {"sky", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Multiplies the sky's light.",
+     [](auto& s) { return &s.sky.brightness; }},
+    {"sky", "temperature", KeyType::kNumber, "K", "", kTemperature, "",
+     "If set, the redshift factor g acts on the light of kind \"stars\", \"image\" and the Milky Way as on a black "
+     "body of this temperature; otherwise not at all.",
+     [](auto& s) { return &s.sky.temperature_K; },
+     [](const Scene& s) { return !is_procedural(s.sky.kind) && s.sky.kind != SkyKind::kBlack; },
+     "kind = \"stars\", \"image\" or \"points\""},
+    {"sky", "magnitude_limit", KeyType::kNumber, "mag", "20", closed(-5.0, 30.0), "",
+     "Magnitude limit for kind = \"points\": fainter stars are left out. With uniform_stars: the magnitude of each "
+     "star.",
+     [](auto& s) { return &s.sky.magnitude_limit; }, sky_is<SkyKind::kPoints>, "kind = \"points\""},
+    {"sky", "uniform_stars", KeyType::kWhole, "", "0", closed(0.0, 4000000.0), "",
+     "For kind = \"points\": if above 0, this many identical stars of 5 772 K, uniformly distributed, replace the "
+     "catalogue.",
+     [](auto& s) { return &s.sky.uniform_stars; }, sky_is<SkyKind::kPoints>, "kind = \"points\""},
+
+    {"far_sky", "kind", KeyType::kChoice, "", "stars", kNoRange, "stars image black",
+     "The sky at the other end of a wormhole, l = -infinity; as sky.kind.", [](auto& s) { return &s.far_sky.kind; }},
+    {"far_sky", "image", KeyType::kImage, "", "", kNoRange, "", "Its equirectangular image; needs kind = \"image\".",
+     [](auto& s) { return &s.far_sky.image; }, [](const Scene& s) { return s.far_sky.kind == SkyKind::kImage; },
+     "kind = \"image\"", true},
+    {"far_sky", "yaw", KeyType::kNumber, "deg", "120", kAnyAngle, "", "Its rotation about the polar axis, after tilt.",
+     [](auto& s) { return &s.far_sky.yaw; }},
+    {"far_sky", "tilt", KeyType::kNumber, "deg", "90", kAnyAngle, "", "Its rotation about the world's x axis.",
+     [](auto& s) { return &s.far_sky.tilt; }},
+    {"far_sky", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Multiplies its light.",
+     [](auto& s) { return &s.far_sky.brightness; }},
+
+    {"disc", "inner", KeyType::kNumber, "r_s", "3", kPositive, "", "Inner radius; below outer.",
+     [](auto& s) { return &s.disc->inner; }},
+    {"disc", "outer", KeyType::kNumber, "r_s", "12", kPositive, "", "Outer radius.",
+     [](auto& s) { return &s.disc->outer; }},
+    {"disc", "image", KeyType::kImage, "", "", kNoRange, "",
+     "Square image that covers the disc; by default the built-in disc image. Needs texture = \"image\".",
+     [](auto& s) { return &s.disc->image; },
+     [](const Scene& s) { return s.disc->material.texture == TextureKind::kImage; }, "texture = \"image\""},
+    {"disc", "texture", KeyType::kChoice, "", "image", kNoRange, "plain checker grid stripes noise formula image",
+     "Surface texture: an image, one colour, or a pattern of two colours in azimuth and radius.",
+     [](auto& s) { return &s.disc->material.texture; }},
+    {"disc", "emission", KeyType::kChoice, "", "image", kNoRange, "image thermal",
+     "Where its light comes from: the image or texture itself, or thermal emission powered by accretion (image or "
+     "texture then give the emissivity).",
+     [](auto& s) { return &s.disc->emission; }},
+    {"disc", "temperature", KeyType::kNumber, "K", "8000", kTemperature, "",
+     "Temperature of the hottest ring of a thermal disc, in its own frame; that ring has brightness 1.",
+     [](auto& s) { return &s.disc->temperature_K; }},
+    {"disc", "mass", KeyType::kNumber, "M_sun", "", closed(1e-6, 1e12), "",
+     "Mass of the hole. Together with accretion_rate it sets the temperature of a thermal disc, by the "
+     "Stefan-Boltzmann law.",
+     accretion<&AccretionSpec::mass_suns>(), disc_is_thermal, "emission = \"thermal\""},
+    {"disc", "accretion_rate", KeyType::kNumber, "L_Edd/0.1 c^2", "", closed(1e-9, 1e6), "",
+     "Accretion rate over the Eddington rate at an efficiency of 0.1 (2.2e-8 M_sun a year for each M_sun); needs mass.",
+     accretion<&AccretionSpec::rate_eddington>(), disc_is_thermal, "emission = \"thermal\""},
+    {"disc", "opacity", KeyType::kNumber, "", "1", closed(0.0, 1.0), "",
+     "Below 1, what lies behind the disc shines through.", [](auto& s) { return &s.disc->opacity; }},
+    {"disc", "edge", KeyType::kNumber, "", "0", closed(0.0, 0.5), "",
+     "Width of the soft edge at both rims, as a fraction of outer - inner.", [](auto& s) { return &s.disc->edge; }},
+    {"disc", "rotation", KeyType::kNumber, "deg", "0", kAnyAngle, "",
+     "Rotation of image or texture about the polar axis.", [](auto& s) { return &s.disc->rotation; }},
+    {"disc", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Multiplies the disc's light.",
+     [](auto& s) { return &s.disc->brightness; }},
+
+    {"disc", "flow", KeyType::kChoice, "", "still", kNoRange, "still kepler",
+     "How image or texture moves: not at all, or each ring at the orbital speed of the matter.",
+     [](auto& s) { return &s.disc->flow; }},
+    {"disc", "flow_life", KeyType::kNumber, "r_s/c", "40", kPositive, "",
+     "How long a copy of the pattern is sheared before it has faded into the next; needs flow = \"kepler\".",
+     [](auto& s) { return &s.disc->flow_life; }, [](const Scene& s) { return s.disc->flow == DiscFlowKind::kKepler; },
+     "flow = \"kepler\""},
+
+    {"spot", "r", KeyType::kNumber, "r_s", "3.5", kPositive, "",
+     "Radius of the orbit; outside the photon sphere and within the disc.", [](auto& s) { return &s.spots.back().r; }},
+    {"spot", "phase", KeyType::kNumber, "deg", "0", kAnyAngle, "", "Azimuth at time 0.",
+     [](auto& s) { return &s.spots.back().phase; }},
+    {"spot", "size", KeyType::kNumber, "r_s", "0.35", kPositive, "",
+     "Standard deviation of its Gaussian brightness profile.", [](auto& s) { return &s.spots.back().size; }},
+    {"spot", "brightness", KeyType::kNumber, "", "1", kBrightness, "",
+     "Multiplies its light; at 1 its centre shines as a black body.",
+     [](auto& s) { return &s.spots.back().brightness; }},
+    {"spot", "temperature", KeyType::kNumber, "K", "8000", kTemperature, "",
+     "Temperature of the black body that gives its colour.", [](auto& s) { return &s.spots.back().temperature_K; }},
+    {"spot", "count", KeyType::kWhole, "", "1", closed(1.0, 64.0), "",
+     "Number of spots, evenly spaced along the orbit.", [](auto& s) { return &s.spots.back().count; }},
+
+    on_off_key("light", "shift", "on", "Whether Doppler and gravitational shift change the colour of thermal emission.",
+               [](auto& s) { return &s.light.shift; }),
+    on_off_key("light", "beaming", "on", "Whether they change its brightness.",
+               [](auto& s) { return &s.light.beaming; }),
+    on_off_key("light", "doppler", "on",
+               "Whether frequencies have the Doppler part of g: the motion of matter and camera.",
+               [](auto& s) { return &s.light.doppler; }),
+    on_off_key("light", "gravity", "on", "Whether frequencies have the gravitational part of g.",
+               [](auto& s) { return &s.light.gravity; }),
+    on_off_key("light", "aberration", "on",
+               "Whether the camera's motion changes the directions from which light arrives.",
+               [](auto& s) { return &s.light.aberration; }),
+    on_off_key(
+        "light", "delay", "on",
+        "Whether light-travel time counts: on, moving things appear where they were when their light left; off, where "
+        "they are now.",
+        [](auto& s) { return &s.light.delay; }),
+    on_off_key("light", "lensing", "on",
+               "Whether light follows the geodesics of the metric; off, it travels straight and all else stays.",
+               [](auto& s) { return &s.light.lensing; }),
+    {"light", "band", KeyType::kChoice, "", "visual", kNoRange, "visual bolometric",
+     "Brightness of thermal emission: as the eye sees it, or power at all wavelengths.",
+     [](auto& s) { return &s.light.bolometric; }},
+
+    {"picture", "tone", KeyType::kChoice, "", "shoulder", kNoRange, "shoulder film neutral",
+     "Tone curve: 1 - exp(-x), a fit of the ACES film curve, or Khronos' neutral curve.",
+     [](auto& s) { return &s.picture.tone; }},
+};
+
+}  // namespace
+
+std::span<const SceneKey> scene_keys() {
+    static const std::vector<SceneKey> keys = [] {
+        std::vector<SceneKey> all(std::begin(kKeys), std::end(kKeys));
+        append_body_keys(all);
+        for (const auto group : {light_features(), disc_features(), bodies_features(), picture_features()})
+            for (const Feature& feature : group) all.insert(all.end(), feature.keys.begin(), feature.keys.end());
+        return all;
+    }();
+    return keys;
+}
+
+KeyRange key_range(std::string_view name) {
+    for (const SceneKey& key : scene_keys())
+        if (full_name(key) == name) return key.range;
+    std::abort();
+}
+
+}  // namespace nullscope

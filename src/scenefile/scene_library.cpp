@@ -1,0 +1,69 @@
+// Where scenes are found: files, and those that ship by their name.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/assets.h"
+#include "base/atomic_file.h"
+#include "base/text.h"
+#include "scenefile/scene_file.h"
+#include "scenefile/scene_value.h"
+
+namespace nullscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path scenes_directory() { return assets_directory() / "scenes"; }
+
+std::vector<fs::path> scene_files() {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::directory_iterator i(scenes_directory(), error), end; !error && i != end; i.increment(error)) {
+        if (i->path().extension() == ".toml") files.push_back(i->path());
+    }
+    std::sort(files.begin(), files.end(),
+              [](const fs::path& a, const fs::path& b) { return a.stem() < b.stem(); });  // by the name that is shown
+    return files;
+}
+
+Error no_such_scene(const std::string& name) {
+    std::vector<std::string> names;
+    for (const fs::path& file : scene_files()) names.push_back(file.stem().string());
+    const std::string nearest = nearest_word(name, names);
+    const std::string hint = nearest.empty() ? "" : fmt::format("nearest: {}; ", nearest);
+    return bad_input(without_controls(fmt::format(
+        "{}: no such file, and no scene of this name ships ({}see: nullscope scenes)", in_quotes(name), hint)));
+}
+
+}  // namespace
+
+Result<Scene> load_scene(const std::string& file_or_name) {
+    std::error_code error;
+    fs::path path = file_or_name;
+    if (!fs::is_regular_file(path, error) && file_or_name.find('/') == std::string::npos) {
+        const fs::path shipped = scenes_directory() / (file_or_name + ".toml");
+        if (fs::is_regular_file(shipped, error)) path = shipped;
+    }
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) return no_such_scene(file_or_name);
+    if (!fs::is_regular_file(status)) {
+        const char* what = fs::is_directory(status) ? "a folder" : "not a regular file";
+        return bad_input(without_controls(fmt::format("{}: {}, not a scene file", in_quotes(file_or_name), what)));
+    }
+    const Result<std::string> text = read_text(path, kLargestSceneFile);
+    if (!text) return bad_input(without_controls(text.error().message()));
+    return parse_scene(*text, path.string(), path.parent_path());
+}
+
+std::vector<SceneInfo> shipped_scenes() {
+    std::vector<SceneInfo> scenes;
+    for (const fs::path& file : scene_files()) {
+        const Result<Scene> scene = load_scene(file.string());
+        scenes.push_back({file.stem().string(), scene ? scene->description : scene.error().message(), file});
+    }
+    return scenes;
+}
+
+}  // namespace nullscope

@@ -1,0 +1,65 @@
+#include "scenefile/scene_text.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "scenefile/scene_check.h"
+#include "scenefile/scene_keys.h"
+
+namespace nullscope {
+namespace {
+
+std::string words_of(const SceneKey& key, const KeyValue& value) {
+    if (!value.there) return "missing";
+    switch (key.type) {
+        case KeyType::kNumber: return fmt::format("{:.17g}", value.number);
+        case KeyType::kVelocity:
+        case KeyType::kPoint:
+        case KeyType::kColour:
+            return fmt::format("{:.17g} {:.17g} {:.17g}", value.vector.x, value.vector.y, value.vector.z);
+        case KeyType::kWhole: return fmt::format("{}", value.width);
+        case KeyType::kSize: return fmt::format("{} {}", value.width, value.height);
+        case KeyType::kChoice: return fmt::format("{}", value.choice);
+        case KeyType::kImage: return value.path.string();
+        case KeyType::kText:
+        case KeyType::kMetric:
+        case KeyType::kFormula: break;
+    }
+    return value.text;
+}
+
+}  // namespace
+
+std::vector<SceneLine> scene_lines(const Scene& scene) {
+    std::vector<SceneLine> lines;
+    const auto add_section = [&](std::string_view section, const std::string& label, const Scene& holder) {
+        for (const SceneKey& key : scene_keys()) {
+            if (key.section != section || !key.member.readable()) continue;
+            const KeyValue value = key.member.get(holder);
+            lines.push_back({label.empty() ? std::string(key.key) : fmt::format("{}.{}", label, key.key),
+                             words_of(key, value), value.path});
+        }
+    };
+    const auto add_parameters = [&](const std::string& section, const SpacetimeSpec& spec) {
+        for (const auto& [name, value] : spec.parameters)
+            lines.push_back({fmt::format("{}.{}", section, name), fmt::format("{:.17g}", value), {}});
+        for (const auto& [name, text] : spec.parameters.formulas)
+            lines.push_back({fmt::format("{}.{}", section, name), text, {}});
+    };
+    for_each_section(scene, add_section);
+    add_parameters("spacetime", scene.spacetime);
+    if (scene.split) add_parameters("split", *scene.split);
+    if (scene.disc) lines.push_back({"disc.passed", fmt::format("{}", scene.disc->passed), {}});
+    for (std::size_t i = 0; scene.path && i < scene.path->keys.size(); ++i) {
+        const PathKey& key = scene.path->keys[i];
+        const std::string label = fmt::format("path.key[{}]", i);
+        lines.push_back({label + ".frame", fmt::format("{:.17g}", key.frame), {}});
+        Scene there;
+        there.camera = key.camera;
+        add_section("camera", label, there);
+    }
+    return lines;
+}
+
+}  // namespace nullscope

@@ -1,0 +1,150 @@
+#include "scenefile/scene_value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "base/text.h"
+#include "expr/formula.h"
+#include "spacetime/registry.h"
+
+namespace nullscope {
+namespace {
+
+namespace fs = std::filesystem;
+using Checked = Result<KeyValue>;
+
+constexpr std::size_t kLongestQuote = 60;  // bytes
+
+std::string_view type_name(const toml::node& node) {
+    switch (node.type()) {
+        case toml::node_type::table: return "a table";
+        case toml::node_type::array: return "an array";
+        case toml::node_type::string: return "a string";
+        case toml::node_type::integer: return "an integer";
+        case toml::node_type::floating_point: return "a floating-point number";
+        case toml::node_type::boolean: return "a boolean";
+        default: return "a date or time";
+    }
+}
+
+std::optional<double> finite_number(const toml::node& node) {
+    if (!node.is_number()) return std::nullopt;
+    const std::optional<double> value = node.value<double>();
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+Checked check_number(const SceneKey& key, const toml::node& node) {
+    if (!node.is_number()) return bad_input(fmt::format("must be a number, not {}", type_name(node)));
+    const std::optional<double> number = finite_number(node);
+    if (!number) return bad_input("must be finite");
+    if (!key.range.contains(*number)) return bad_input(fmt::format("{} is out of range", *number));
+    return KeyValue{.number = key.unit == "deg" ? *number * std::numbers::pi / 180.0 : *number};
+}
+
+// An array of that many entries. words: of messages.
+Result<const toml::array*> array_of(const toml::node& node, std::size_t count, std::string_view words) {
+    const toml::array* array = node.as_array();
+    if (array == nullptr) return bad_input(fmt::format("must be {}, not {}", words, type_name(node)));
+    if (array->size() != count) return bad_input(fmt::format("must be {}, not {}", words, array->size()));
+    return array;
+}
+
+// velocity, place or colour
+Checked check_vector(const SceneKey& key, const toml::node& node) {
+    TRY(array, array_of(node, 3, "three numbers"));
+    std::array<double, 3> v{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::optional<double> number = finite_number(*(*array)->get(i));
+        if (!number) return bad_input(fmt::format("component {} is not a finite number", i + 1));
+        v[i] = *number;
+        if (key.type != KeyType::kVelocity && !key.range.contains(v[i]))
+            return bad_input(fmt::format("{} is out of range", v[i]));
+    }
+    const Vec3 vector{v[0], v[1], v[2]};
+    if (key.type == KeyType::kVelocity && !(length(vector) <= kFastestCamera))
+        return bad_input("the speed is not below that of light");
+    return KeyValue{.vector = vector};
+}
+
+Checked check_whole(const SceneKey& key, const toml::node& node) {
+    if (!node.is_integer()) return bad_input(fmt::format("must be an integer, not {}", type_name(node)));
+    const double number = node.value<double>().value_or(-1e300);  // integers above 2^53 have no double: out of range
+    if (!key.range.contains(number)) return bad_input(fmt::format("{} is out of range", number));
+    return KeyValue{.width = static_cast<int>(number)};
+}
+
+Checked check_size(const SceneKey& key, const toml::node& node) {
+    TRY(array, array_of(node, 2, "two integers"));
+    std::array<int, 2> size{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const toml::node& item = *(*array)->get(i);
+        if (!item.is_integer())
+            return bad_input(
+                fmt::format("must be two integers, but the {} is {}", i == 0 ? "first" : "second", type_name(item)));
+        const double number = item.value<double>().value_or(-1.0);  // integers above 2^53 have no double: out of range
+        if (!key.range.contains(number)) return bad_input(fmt::format("{} is out of range", number));
+        size[i] = static_cast<int>(number);
+    }
+    return KeyValue{.width = size[0], .height = size[1]};
+}
+
+Checked check_text(const SceneKey& key, const std::string& text, const fs::path& base) {
+    KeyValue value;
+    value.text = text;
+    if (text != without_controls(text)) return bad_input("control characters are not allowed");
+    if (key.type == KeyType::kText) {
+        if (text.size() > kLongestText) return bad_input(fmt::format("{} bytes are too long", text.size()));
+    } else if (key.type == KeyType::kFormula) {
+        if (const auto formula = expr::Formula::parse(text, split(key.choices, ' ')); !formula)
+            return bad_input(formula.error().what);
+    } else if (key.type == KeyType::kImage) {
+        value.path = base / fs::path(text);
+        std::error_code error;
+        if (!fs::is_regular_file(value.path, error))
+            return bad_input(fmt::format("there is no file {}", in_quotes(text)));
+    } else {
+        std::vector<std::string> words = split(key.choices, ' ');
+        if (key.type == KeyType::kMetric) {
+            words.clear();
+            for (const MetricEntry& entry : metric_registry()) words.emplace_back(entry.key);
+        }
+        const auto found = std::find(words.begin(), words.end(), text);
+        const std::string nearest = nearest_word(text, words);
+        if (found == words.end())
+            return bad_input(fmt::format("unknown word {}{}", in_quotes(text),
+                                         nearest.empty() ? "" : fmt::format(" (nearest: {})", nearest)));
+        value.choice = static_cast<int>(found - words.begin());
+    }
+    return value;
+}
+
+}  // namespace
+
+Result<KeyValue> check_value(const SceneKey& key, const toml::node& node, const fs::path& base) {
+    switch (key.type) {
+        case KeyType::kNumber: return check_number(key, node);
+        case KeyType::kVelocity:
+        case KeyType::kPoint:
+        case KeyType::kColour: return check_vector(key, node);
+        case KeyType::kWhole: return check_whole(key, node);
+        case KeyType::kSize: return check_size(key, node);
+        default: break;
+    }
+    const toml::value<std::string>* text = node.as_string();
+    if (text == nullptr) return bad_input(fmt::format("must be a string, not {}", type_name(node)));
+    return check_text(key, text->get(), base);
+}
+
+std::string in_quotes(std::string_view text) {
+    if (text.size() <= kLongestQuote) return fmt::format("\"{}\"", text);
+    std::size_t end = kLongestQuote;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+    return fmt::format("\"{}...\"", text.substr(0, end));
+}
+
+}  // namespace nullscope

@@ -1,0 +1,123 @@
+// Letting go: the camera falls, on a clock that can be stopped, hurried and turned back. And the scene's own clock.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "observer/observer.h"
+#include "observer/spin_frame.h"
+#include "plan/moving.h"
+#include "spacetime/tortoise.h"
+#include "viewer/sections.h"
+#include "viewer/widgets.h"
+
+namespace nullscope::viewer {
+namespace {
+
+// Takes hold of the camera again: at rest or on the circular orbit, where there is one.
+bool hold(ViewState& view, ObserverKind observer, const Spacetime& spacetime) {
+    CameraSpec held = view.scene.camera;
+    held.observer = observer;
+    held.velocity = {};
+    // In an ergosphere nobody is at rest; without angular momentum one can stay there.
+    if (observer == ObserverKind::kStatic && !spacetime.planar_rays() && !observer_of(spacetime, held))
+        held.observer = ObserverKind::kZamo;
+    if (const auto possible = observer_of(spacetime, held); !possible) {
+        view.error = possible.error().message();
+        return false;
+    }
+    if (falls(view.scene.camera)) view.scene.time -= time_ahead(spacetime, held.r);  // t again
+    if (spacetime.axial() != nullptr && falls(view.scene.camera))
+        held.phi -= azimuth_ahead(*spacetime.axial(), held.r);  // where the far sky has it
+    view.scene.camera = held;
+    view.fall.stop();
+    return true;
+}
+
+std::string events(const Worldline& line) {
+    std::string text =
+        line.horizon_time() ? fmt::format("Horizon crossed at {:.4g} r_s/c. ", *line.horizon_time()) : "";
+    if (line.end() != WorldlineEnd::kOpen)
+        text += fmt::format("The worldline ends at {:.4g} r_s/c{}.", line.end_time(),
+                            line.end() == WorldlineEnd::kSingularity ? ", in the singularity" : "");
+    return text;
+}
+
+// Real time to scene time or the camera's own.
+void rate_row(double& rate, double least, const char* help) {
+    slide_as("Rate", rate, least, 1e3, fmt::format("{:.3g} r_s/c per second", rate), help, Scale::kLogarithmic);
+}
+
+}  // namespace
+
+bool fall_section(ViewState& view) {
+    Fall& fall = view.fall;
+    const auto spacetime = spacetime_of(view.scene);
+    if (spacetime == nullptr) return false;
+    bool changed = false;
+    if (button_of_three(0,
+                        fall.runs()     ? "Pause"
+                        : fall.active() ? "Continue"
+                                        : "Release",
+                        "Release the camera: it falls freely from here with its present velocity. Its axes are "
+                        "gyroscopes (parallel transport).")) {
+        if (fall.active() && fall.tau() < fall.line().last())
+            fall.run(!fall.runs());
+        else if (const Status gone = fall.let_go(view.scene); !gone)
+            view.error = gone.error().message();
+    }
+    if (button_of_three(1, "Hover", "At rest here, outside the horizon; in an ergosphere with zero angular momentum."))
+        changed = hold(view, ObserverKind::kStatic, *spacetime);
+    if (button_of_three(2, "Orbit",
+                        "On the circular geodesic of this radius, outside the photon sphere; in free fall it stays "
+                        "there."))
+        changed = hold(view, ObserverKind::kOrbit, *spacetime);
+    rate_row(fall.rate, 1e-3, "Proper time of the camera per second of real time, r_s/c.");
+    if (!fall.active()) return changed;
+    double tau = fall.tau();
+    if (slide_as("Proper time", tau, 0.0, std::min(fall.line().last(), 1e4), fmt::format("{:.4f} r_s/c", tau),
+                 "Proper time since the camera was released. Drag to change it.")) {
+        fall.run(false);
+        fall.seek(view.scene, tau);
+        changed = true;
+    }
+    if (const std::string text = events(fall.line()); !text.empty()) paragraph(text);
+    return changed;
+}
+
+// The camera's own time beside it: of one at rest sqrt(A) of the clocks at infinity.
+bool clock_section(ViewState& view) {
+    constexpr double kSpan = 1e4;  // r_s/c that the slider covers
+    Scene& scene = view.scene;
+    if (moving_parts(scene).empty()) {
+        paragraph("Nothing in this scene changes with time.");
+        return false;
+    }
+    if (button_of_three(0, view.clock_runs ? "Pause" : "Run", "Runs the scene's clock: t at the camera."))
+        view.clock_runs = !view.clock_runs;
+    double steps = 0.0;
+    if (button_of_three(1, "Step back", "A tenth of a second at this rate.")) steps = -1.0;
+    if (button_of_three(2, "Step", "A tenth of a second at this rate.")) steps = 1.0;
+    scene.time += steps * kClockStep_s * view.clock_rate;
+    rate_row(view.clock_rate, 1e-2, "Scene time per second of real time, r_s/c.");
+    bool changed = slide_as("Time", scene.time, 0.0, kSpan, fmt::format("{:.3f} r_s/c", scene.time),
+                            "Drag to change the time.", Scale::kLogarithmic);
+    changed |= steps != 0.0;
+    if (changed) view.clock_runs = false;
+    changed |= tick("Delay", scene.light.delay,
+                    "On: moving things appear where they were when their light left. Off: where they are now.");
+    const auto spacetime = spacetime_of(scene);
+    if (spacetime != nullptr && scene.camera.observer == ObserverKind::kStatic &&
+        spacetime->lapse_squared(scene.camera.r) > 0.0)
+        paragraph(fmt::format("Proper time of the camera: {:.3f} r_s/c.",
+                              std::sqrt(spacetime->lapse_squared(scene.camera.r)) * scene.time));
+    return changed;
+}
+
+bool step_clock(ViewState& view, double dt_s) {
+    if (!view.clock_runs || view.fall.runs() || moving_parts(view.scene).empty()) return false;
+    view.scene.time += dt_s * view.clock_rate;
+    return true;
+}
+
+}  // namespace nullscope::viewer
