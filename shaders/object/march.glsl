@@ -1,6 +1,7 @@
 // Solid bodies anywhere: along the ray in steps no longer than the distance to the nearest of them, then between two places
 // on either side of its surface. march_value (written for the scene): below 0 inside of a body; march_slope: by how much more it changes than
-// the distance does; march_room: how far along the ray the nearest is at least; march_object: which one.
+// the distance does; march_room: how far along the ray the nearest is at least; march_object: which one; march_clear: how
+// far the nearest is from a place, at least.
 //
 // A body that the ray only grazes lies between two steps: where three values fall and rise again, the least between them is
 // looked for too, if march_grazes says that a body may be met there or cover a part of the pixel.
@@ -15,6 +16,7 @@
 #define MARCH_GOLDEN 0.61803398875
 #define MARCH_SEARCHES 9     // 0.618^9: a step to 1/76
 #define MARCH_REFINEMENTS 24
+#define MARCH_EXACT 4.0e-7    // of the way: where a surface is met; four roundings
 
 // A part of the way, between two samples or three, on which a ray enters a body (outside, inside: before and behind its surface) or comes
 // close to one and leaves it again (a graze).
@@ -64,8 +66,13 @@ float march_cover(float depth, float thickness) {
 #define SPAN_BEHIND 5
 #define SPAN_DONE 6
 
-// The least value on a graze by golden section, the first below 0; the surface by regula falsi, the end that stays halved (Illinois), every
-// third step half of the interval, for values with a corner in them; and how deep the ray will come by slope and curvature of the value
+// The end of the span that stayed where it was in the last round.
+#define SPAN_NEITHER 0
+#define SPAN_OUTSIDE 1
+#define SPAN_INSIDE 2
+
+// The least value on a graze by golden section, the first below 0; the surface by regula falsi, where
+// the value of an end that stays counts for less (Anderson and Bjorck 1973), and halves where that is slow; and how deep the ray will come by slope and curvature of the value
 // along it. blur: bodies have soft edges. One value a round: software drivers run all of a loop for all of their rays.
 MarchContact march_contact(MarchWay way, MarchSpan span, float blur) {
     MarchContact contact;
@@ -84,6 +91,8 @@ MarchContact march_contact(MarchWay way, MarchSpan span, float blur) {
     float value_before = 0.0;
     float value_behind = 0.0;
     float probe = 0.0;
+    int stays = SPAN_NEITHER;
+    float width = high - low;
     int left = MARCH_SEARCHES;
     int next = span.enters ? SPAN_ROOT : (span.grazes ? SPAN_FIRST : SPAN_DONE);
     float at = x;
@@ -112,6 +121,7 @@ MarchContact march_contact(MarchWay way, MarchSpan span, float blur) {
                     low_value = span.outside_value;
                     high = contact.at;
                     high_value = value_there;
+                    width = high - low;
                     left = MARCH_REFINEMENTS;
                     at = low + (high - low) * clamp(low_value / max(low_value - high_value, 1.0e-30), 0.01, 0.99);
                     next = SPAN_ROOT;
@@ -134,20 +144,30 @@ MarchContact march_contact(MarchWay way, MarchSpan span, float blur) {
                 next = SPAN_DIP;
             }
         } else if (next == SPAN_ROOT) {
-            if (value > 0.0) {
+            bool outside = value > 0.0;
+            float share = 1.0 - value / (outside ? low_value : high_value);
+            share = share > 0.0 ? share : 0.5;
+            if (outside) {
+                high_value *= stays == SPAN_INSIDE ? share : 1.0;
+                stays = SPAN_INSIDE;
                 low = at;
                 low_value = value;
-                high_value *= 0.5;
             } else {
+                low_value *= stays == SPAN_OUTSIDE ? share : 1.0;
+                stays = SPAN_OUTSIDE;
                 high = at;
                 high_value = value;
-                low_value *= 0.5;
                 value_there = value;
             }
             --left;
-            float part = left % 3 == 0 ? 0.5 : clamp(low_value / max(low_value - high_value, 1.0e-30), 0.01, 0.99);
-            at = low + (high - low) * part;
-            if (left <= 0 || high - low <= 1.0e-7 * abs(high)) {
+            bool slow = left % 3 == 0 && high - low > 0.5 * width;   // not by half in three rounds
+            width = left % 3 == 0 ? high - low : width;
+            // A little beyond the root, away from the end that is closer: so that this one follows.
+            float exact = 0.5 * MARCH_EXACT * abs(high);
+            at = low + (high - low) * (low_value / max(low_value - high_value, 1.0e-30));
+            at += at - low < high - at ? exact : -exact;
+            at = slow ? 0.5 * (low + high) : clamp(at, low + exact, max(high - exact, low + exact));
+            if (left <= 0 || high - low <= 2.0 * exact) {
                 contact.at = high;
                 probe = min(MARCH_PROBE * frame.march.y / max(place_speed(place), 1.0e-20), way_left(way, high));
                 at = high - probe;
