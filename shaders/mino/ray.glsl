@@ -1,7 +1,34 @@
 // How a ray about a rotating hole starts at the camera (mino/kerr.glsl). View directions are along (e_r, e_theta, e_phi) of the observer's own
 // frame (observer/spin_frame.h).
+#ifdef EFFECT_ABERRATION
+#include "core/aberration.glsl"
+#endif
 #include "mino/kerr.glsl"
 #include "shared/frame.glsl"
+
+// Where a pixel looks.
+struct SpinView {
+    vec3 direction;       // unit, along (e_r, e_theta, e_phi)
+    float doppler;        // frequency in the camera over that in the observer's frame
+    float pixel_angle;    // angle that one pixel spans there, rad, in the observer's frame
+};
+
+// pixel: px from the image centre, x to the right, y up.
+SpinView spin_view(vec2 pixel) {
+    SpinView view;
+    float inverse_length = inversesqrt(1.0 + dot(pixel, pixel) * (frame.image.z * frame.image.z));
+    vec4 direction = (frame.ray_0 + pixel.x * frame.ray_x + pixel.y * frame.ray_y) * inverse_length;
+    view.direction = vec3(direction.x, direction.y, direction.z);
+    view.pixel_angle = frame.image.z * inverse_length * sqrt(inverse_length);
+    view.doppler = 1.0;
+#ifdef EFFECT_ABERRATION
+    Aberration seen = aberrate(view.direction, vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w, frame.boost_colour.x);
+    view.direction = seen.direction;
+    view.doppler = seen.doppler;
+    view.pixel_angle *= seen.squeeze;
+#endif
+    return view;
+}
 
 float spin_form(vec4 form, vec3 n) { return form.x + form.y * n.x + form.z * n.z; }
 

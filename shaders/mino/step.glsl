@@ -85,6 +85,9 @@ float spin_step_length(SpinRay ray, SpinState at, int left) {
     return slope < 0.0 ? min(h, -1.05 * zeta / slope) : h;
 }
 
+// A ray ends at the sky, and at the horizon once it has been outside of it.
+bool spin_goes(float zeta, float end, int left, bool outside) { return zeta > 0.0 && (zeta < end || !outside) && left > 0; }
+
 // What is left to zeta = 0 after the step that passed it: zeta is nearly a harmonic oscillator there. The time by three terms of its
 // arctangent, one step back by that, and the rest by the second order.
 SpinState spin_to_sky(SpinRay ray, SpinState beyond) {

@@ -3,9 +3,6 @@
 //
 // Inside the horizon every ray is traced outward, and none whose energy is not above 0 has come from our sky. Of the others those with
 // E (r_+^2 + a^2) <= a L have crossed another horizon than the one that the camera fell through: they meet nothing of ours.
-#ifdef EFFECT_ABERRATION
-#include "core/aberration.glsl"
-#endif
 #ifdef NEEDS_FOOTPRINT
 #include "core/pixel_sides.glsl"
 #endif
@@ -96,27 +93,15 @@ DiscCrossing spin_footprint(Trace trace, int k, DiscCrossing crossing) {
 #endif
 #endif
 
-// A ray ends at the sky, and at the horizon once it has been outside of it.
-bool spin_goes(float zeta, float end, int left, bool outside) { return zeta > 0.0 && (zeta < end || !outside) && left > 0; }
-
-// pixel: px from the image centre, x to the right, y up.
 Trace trace_pixel(vec2 pixel) {
     Trace trace;
-    float inverse_length = inversesqrt(1.0 + dot(pixel, pixel) * (frame.image.z * frame.image.z));
-    vec4 view = (frame.ray_0 + pixel.x * frame.ray_x + pixel.y * frame.ray_y) * inverse_length;
-    vec3 n = vec3(view.x, view.y, view.z);
-    trace.pixel_angle = frame.image.z * inverse_length * sqrt(inverse_length);
-    float doppler = 1.0;
-#ifdef EFFECT_ABERRATION
-    Aberration seen = aberrate(n, vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w, frame.boost_colour.x);
-    n = seen.direction;
-    doppler = seen.doppler;
-    trace.pixel_angle *= seen.squeeze;
-#endif
+    SpinView view = spin_view(pixel);
+    vec3 n = view.direction;
+    trace.pixel_angle = view.pixel_angle;
     SpinRay ray = spin_ray(n);
     trace.energy = -ray.energy;
     trace.momentum = -ray.momentum;
-    trace.doppler = doppler;
+    trace.doppler = view.doppler;
 #ifdef METHOD_KERR_SCHILD
     vec4 marched = kerr_schild_march(ray, n);
     trace.steps = int(abs(marched.w));

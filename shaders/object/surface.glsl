@@ -48,12 +48,14 @@ float BODY_steepness(int i, RayPlace place) {
 }
 float BODY_distance(int i, RayPlace place) { return BODY_value(i, place) / BODY_steepness(i, place); }
 
-// How far a step may go: to the bounding sphere, and as far as the cells about the place are empty; close to the solid not by f, which need
-// not be a distance.
-float BODY_room(int i, RayPlace place) {
+// How far it is at least: to the bounding sphere, and as far as the cells about the place are empty.
+float BODY_clear(int i, RayPlace place) {
     vec4 form = body_form(i);
-    return max(max(sqrt(dot(place.at, place.at)) - form.x, clearance(place.at, form.x, form.z)), form.y);
+    return max(sqrt(dot(place.at, place.at)) - form.x, clearance(place.at, form.x, form.z));
 }
+
+// How far a step may go; close to the solid not by f, which need not be a distance.
+float BODY_room(int i, RayPlace place) { return max(BODY_clear(i, place), body_form(i).y); }
 
 float BODY_size(int i) { return body_form(i).x; }
 vec3 BODY_middle(int i, RayPlace place) { return vec3(0.0); }

@@ -361,6 +361,20 @@ void draw_rows(const Program& program, const VertexArray& empty, unsigned frameb
     check("draw rows");
 }
 
+void draw_tiles(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int side,
+                int first, int last) {
+    const int across = (width + side - 1) / side, up = (height + side - 1) / side;
+    begin_draw(program, empty, framebuffer, 0, 0, across * side,
+               up * side);  // a point whose middle is outside is left out
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, first, width, last - first);
+    const int from = first / side, to = (last + side - 1) / side;
+    glDrawArrays(GL_POINTS, from * across, (to - from) * across);
+    glDisable(GL_SCISSOR_TEST);
+    check("draw tiles");
+}
+
 void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width,
                  int height, int margin) {
     begin_draw(program, vertices.layout, framebuffer, -margin, -margin, width + 2 * margin, height + 2 * margin);

@@ -115,6 +115,9 @@ void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned 
 // Of it the rows from first (counted from the bottom) up to but not including last.
 void draw_rows(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int first,
                int last);
+// Of it the tiles of `side` px, each a point of the program's (by its number, from below and from the left), that have a part in these rows.
+void draw_tiles(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int side,
+                int first, int last);
 // Adds points to what is in the framebuffer: colour += colour of the point x alpha that is there; alpha stays. The viewport is
 // `margin` px wider on every side, so that a point whose middle is outside still shows its rim.
 void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width,

@@ -55,6 +55,9 @@ bool has_marched(const EffectSet& effects) {
             return true;
     return false;
 }
+bool has_tiles(const EffectSet& effects) {
+    return has_marched(effects) && !effects.contains(Effect::kSides) && !effects.contains(Effect::kSpinFall);
+}
 bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
 bool shades_heat(const EffectSet& effects) {
     return effects.contains(Effect::kThermalDisc) || effects.contains(Effect::kSpot) ||

@@ -112,6 +112,9 @@ private:
 // The kind of path that a frame's light takes: orbits in planes, which straight light is drawn as too, or steps in Mino's time.
 enum class LightPathKind { kPlanar, kMino };
 LightPathKind light_path_kind(const EffectSet& effects);
+// Marched bodies that rays meet outside of every horizon, on one side of the throat: the picture's tiles are told apart by whether they may
+// show one.
+bool has_tiles(const EffectSet& effects);
 bool has_marched(
     const EffectSet& effects);  // bodies that are found by steps: all but the sphere, and that about a rotating hole
 bool has_solids(const EffectSet& effects);     // any solid body

@@ -29,6 +29,7 @@ constexpr const char* kSamplers[] = {"strip_texture",      "orbit_texture",     
                                      "other_side_texture", "disc_matter_texture", "black_body_texture",
                                      "star_lens_texture",  "clearance_texture",   "ball_path_texture"};
 constexpr int kBodyUnit = static_cast<int>(std::size(kSamplers));
+constexpr int kTileUnit = kBodyUnit + kMostBodyImages;  // of a vertex shader, which has units of its own
 constexpr int unit_of(std::string_view sampler) {
     return static_cast<int>(std::ranges::find(kSamplers, sampler) - std::begin(kSamplers));
 }
@@ -222,13 +223,14 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     gl::bind_uniform_block(made, "ObjectBlock", kObjectBinding);
     for (const char* sampler : kSamplers) gl::set_integer(made, sampler, unit_of(sampler));
     for (const auto& [sampler, unit] : kPassSamplers) gl::set_integer(made, sampler, unit);
+    gl::set_integer(made, "tile_texture", kTileUnit);
     for (int i = 0; i < kMostBodyImages; ++i) gl::set_integer(made, body_image_sampler(i).c_str(), kBodyUnit + i);
     return programs_.emplace(key, std::move(made)).first->second;
 }
 
 int Renderer::picture_programs() const {
     return static_cast<int>(std::count_if(programs_.begin(), programs_.end(), [](const auto& entry) {
-        return std::get<Stage>(entry.first) == Stage::kPicture;
+        return draws_picture(std::get<Stage>(entry.first));
     }));
 }
 
@@ -256,7 +258,8 @@ void Renderer::draw(unsigned framebuffer, int width, int height, Output output) 
 
 // The passes that follow the picture's need all of it: they run with its last rows.
 void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output output, int first, int last) {
-    const std::vector<Pass> list = passes(tables_.effects(), output);
+    const std::vector<Pass> list =
+        passes(tables_.effects(), output, in_tiles_ && method_.kind != MethodKind::kKerrSchild);
     const bool keep = keeps_light(list),
                halves = tables_.effects().contains(Effect::kBloom) || tables_.effects().contains(Effect::kAutoExposure);
     if (!keep)
@@ -269,15 +272,29 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
         bloom_.resize(width, height);
     else
         bloom_.clear();
+    const int across = (width + kTileSide - 1) / kTileSide, up = (height + kTileSide - 1) / kTileSide;
+    if (list.front().stage != Stage::kTiles)
+        tiles_ = {};
+    else if (tiles_.width != across || tiles_.height != up)
+        tiles_ = gl::make_target(across, up, gl::Format::kRgba8);
     bind_inputs();
     for (const Pass& pass : list) {
-        if (pass.stage == Stage::kPicture && last - first < height) {
-            const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
+        const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
+        if (pass.stage == Stage::kTiles) {
+            if (first == 0) find_tiles(pass);
+        } else if (pass.stage == Stage::kClearTiles || pass.stage == Stage::kBodyTiles) {
+            gl::draw_tiles(program(pass.stage, pass.output), empty_, picture, width, height, kTileSide, first, last);
+        } else if (pass.stage == Stage::kPicture && last - first < height) {
             gl::draw_rows(program(pass.stage, pass.output), empty_, picture, width, height, first, last);
         } else if (last == height) {
             draw_pass(pass, framebuffer, width, height);
         }
     }
+}
+
+void Renderer::find_tiles(const Pass& pass) {
+    gl::draw_fullscreen(program(pass.stage, pass.output), empty_, tiles_.framebuffer.id(), tiles_.width, tiles_.height);
+    gl::bind_texture_2d(kTileUnit, tiles_.colours.front());
 }
 
 void Renderer::draw_pass(const Pass& pass, unsigned framebuffer, int width, int height) {

@@ -48,6 +48,9 @@ public:
     void set_method(const Method& method) { method_ = method; }
     const Method& method() const { return method_; }
 
+    // Whether pictures with bodies are drawn in tiles, those without a body by a shader of their own; the same picture, sooner.
+    void draw_in_tiles(bool wanted) { in_tiles_ = wanted; }
+
     // From the next prepare() on: ray data say how long light takes, whether the scene asks for it or not, where the metric can tell.
     void want_delays(bool wanted) { tables_.want_delays(wanted); }
 
@@ -91,6 +94,7 @@ private:
     Image<T> drawn(gl::Format format, Output output, Read read);
     void bind_inputs();
     void draw_pass(const Pass& pass, unsigned framebuffer, int width, int height);
+    void find_tiles(const Pass& pass);
     void upload_tables();
     void upload_ends();
     void upload_block(const TextureFacts& facts);
@@ -115,6 +119,8 @@ private:
     StarField stars_;
     Bloom bloom_;
     double adaptation_ = 1.0;
+    bool in_tiles_ = true;
+    gl::Target tiles_;   // a texel a tile (stage kTiles)
     gl::Target linear_;  // what passes of light work on, if there are any
     BodyText body_text_;
     BodyImages body_images_;

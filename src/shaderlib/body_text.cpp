@@ -219,11 +219,14 @@ constexpr int kMostSteps = 512;  // of a march: what many bodies ask for is boun
 
 std::string march_text(const std::vector<Group>& groups, const Scene& scene, const EffectSet& effects) {
     const bool sides = effects.contains(Effect::kSides), mino = light_path_kind(effects) == LightPathKind::kMino;
-    std::string value, slope, object, room, helpers = includes_of(groups);
+    std::string value, slope, object, room, clear, helpers = includes_of(groups);
     std::size_t marched = 0, alone = 0;
     bool skims = false;  // there is a body whose room is a way along the ray, not a distance
     for (const Group& group : groups) {
-        if (!group.shape.marched) continue;
+        if (!group.shape.marched) {
+            clear += fmt::format("    away = min(away, place.r - body_form({}).x);\n", group.from);
+            continue;
+        }
         marched += group.to - group.from;
         alone = group.shape.name == "ball" ? group.from : std::size_t(-1);
         skims = skims || group.shape.name == "cylinder" || group.shape.name == "sphere";
@@ -237,6 +240,8 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
             fmt::format("    if (abs({0}) < nearest) {{\n        nearest = abs({0});\n        slope = {1};\n    }}\n",
                         far, has_distance(group) ? here("steepness") : "1.0"));
         room += for_each(group, fmt::format("    room = min(room, {});\n", here("room")));
+        const char* away = has_distance(group) ? "clear" : group.shape.moves ? "room" : "value";
+        clear += for_each(group, fmt::format("    away = min(away, {});\n", here(away)));
         object += for_each(group, object_statement(group, far));
     }
     if (marched == 0) return "";
@@ -263,10 +268,12 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
            (across > 0 ? "float march_slope(RayPlace place) {\n    float nearest = 1.0e30;\n    float slope = 1.0;\n" +
                              slope + "    return slope;\n}\n"
                        : "float march_slope(RayPlace place) { return 1.0; }\n") +
-           "float march_room(RayPlace place) {\n    float room = 1.0e30;\n" + room +
-           "    return room;\n}\n"
-           "bool march_grazes(float length, float value, float pixel) { return " +
-           graze +
+           "float march_room(RayPlace place) {\n    float room = 1.0e30;\n" + room + "    return room;\n}\n" +
+           (groups.front().shape.marched ? "" : "#define TILES_HAVE_SPHERE\n") +
+           (has_tiles(effects)
+                ? "float march_clear(RayPlace place) {\n    float away = 1.0e30;\n" + clear + "    return away;\n}\n"
+                : "") +
+           "bool march_grazes(float length, float value, float pixel) { return " + graze +
            "; }\n"
            "int march_object(RayPlace place) {\n    float value = 1.0e30;\n    int object = 0;\n" +
            object + "    return object;\n}\n";

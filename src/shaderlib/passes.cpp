@@ -2,13 +2,22 @@
 
 namespace nullscope {
 
-std::vector<Pass> passes(const EffectSet& effects, Output output) {
+std::vector<Pass> passes(const EffectSet& effects, Output output, bool tiles) {
     const bool stars = effects.contains(Effect::kPointStars);
     const bool bloom = effects.contains(Effect::kBloom), meter = effects.contains(Effect::kAutoExposure);
     const bool develop = output == Output::kDisplay && (stars || bloom || meter);
     std::vector<Pass> list;
-    list.push_back({Stage::kPicture, develop ? Output::kLinear : output, "picture",
-                    "one triangle over the picture: every pixel traces its ray and shades what it meets"});
+    const Output light = develop ? Output::kLinear : output;
+    if (tiles && has_tiles(effects)) {
+        list.push_back({Stage::kTiles, Output::kLinear, "tiles",
+                        "which tiles of the picture may show a body: five rays a tile, beside each other"});
+        list.push_back({Stage::kClearTiles, light, "tiles without bodies",
+                        "every pixel traces its ray and shades what it meets; bodies are not looked for"});
+        list.push_back({Stage::kBodyTiles, light, "tiles with bodies", "the same, and bodies"});
+    } else {
+        list.push_back({Stage::kPicture, light, "picture",
+                        "one triangle over the picture: every pixel traces its ray and shades what it meets"});
+    }
     if (stars)
         list.push_back({Stage::kStars, Output::kLinear, "stars", "a point for every image of every star, added to it"});
     if (develop && (bloom || meter))

@@ -16,7 +16,8 @@ struct Pass {
 };
 
 // kDisplay: to 8 bits. kLinear: linear light, nothing done to it.
-std::vector<Pass> passes(const EffectSet& effects, Output output);
+// tiles: false draws the picture at once even where it could be done in tiles.
+std::vector<Pass> passes(const EffectSet& effects, Output output, bool tiles = true);
 
 // Does something work on the picture's light before it is encoded, so that it has to be kept?
 bool keeps_light(const std::vector<Pass>& passes);

@@ -87,12 +87,19 @@ std::vector<std::string> members_of(const std::string& block) {
 struct StageFiles {
     const char *vertex, *fragment;
 };
-constexpr const char* kFullscreen = "stage/fullscreen.vert";
+constexpr const char *kFullscreen = "stage/fullscreen.vert", *kTile = "stage/tile.vert";
 constexpr StageFiles kStageFiles[] = {  // by Stage
-    {kFullscreen, "stage/trace.frag"},      {"stage/star.vert", "stage/star.frag"},
-    {kFullscreen, "stage/bloom_down.frag"}, {kFullscreen, "stage/bloom_up.frag"},
-    {kFullscreen, "stage/meter.frag"},      {kFullscreen, "stage/develop.frag"},
-    {kFullscreen, "stage/raydata.frag"},    {kFullscreen, "stage/bare_fetch.frag"}};
+    {kFullscreen, "stage/trace.frag"},
+    {"stage/star.vert", "stage/star.frag"},
+    {kFullscreen, "stage/bloom_down.frag"},
+    {kFullscreen, "stage/bloom_up.frag"},
+    {kFullscreen, "stage/meter.frag"},
+    {kFullscreen, "stage/develop.frag"},
+    {kFullscreen, "stage/raydata.frag"},
+    {kFullscreen, "stage/bare_fetch.frag"},
+    {kFullscreen, "stage/tiles.frag"},
+    {kTile, "stage/trace.frag"},
+    {kTile, "stage/trace.frag"}};
 
 const EmbeddedShader* find_file(std::string_view path) {
     const auto files = embedded_shaders();
@@ -128,16 +135,19 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
                            std::string_view metric, const BodyText& bodies) {
     std::vector<std::string> defines;
     if (stage != Stage::kBareFetch) defines = defines_of(effects);
-    if (stage == Stage::kRayData || meets_objects(effects) || effects.contains(Effect::kDelay))
-        defines.emplace_back("NEEDS_PHI_END");
+    const bool objects = stage == Stage::kClearTiles ? effects.contains(Effect::kDisc) : meets_objects(effects);
+    if (stage == Stage::kRayData || objects || effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PHI_END");
     if (stage == Stage::kRayData && effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PLACE_LATE");
-    if (stage == Stage::kPicture) defines.emplace_back("NEEDS_FOOTPRINT");
-    if (stage == Stage::kPicture && output == Output::kDisplay) defines.emplace_back("DISPLAY_ENCODE");
+    if (stage == Stage::kClearTiles) std::erase(defines, "NEEDS_PLACE");
+    if (stage == Stage::kBodyTiles) defines.emplace_back("TILES_WITH_BODIES");
+    if (draws_picture(stage)) defines.emplace_back("NEEDS_FOOTPRINT");
+    if (draws_picture(stage) && output == Output::kDisplay) defines.emplace_back("DISPLAY_ENCODE");
     for (std::string& define : method_defines(method)) defines.push_back(std::move(define));
     std::map<std::string_view, std::string> generated = {
         {"generated/method", method_text(method, metric)},
         {"generated/metric", include_line(fmt::format("spacetime/{}.glsl", metric))},
         {"generated/constants", fmt::format("#define METER_KEY {}\n", kMeterKey)},
+        {"generated/tiles", fmt::format("#define TILE_SIDE {}\n", kTileSide)},
         {"generated/objects", bodies.objects},
         {"generated/surfaces", bodies.surfaces},
         {"generated/bodies_march", bodies.march},

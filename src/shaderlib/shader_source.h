@@ -12,13 +12,32 @@ namespace nullscope {
 
 // kStars: points added to the picture. kBloomDown, kBloomUp, kMeter: of the picture in
 // linear light. kDevelop: from it to the display. kBareFetch: one cube-map fetch a pixel,
-// a baseline of cost.
-enum class Stage { kPicture, kStars, kBloomDown, kBloomUp, kMeter, kDevelop, kRayData, kBareFetch };
+// a baseline of cost. kTiles: which tiles of the picture may show a body. kBodyTiles: the picture there; kClearTiles: in the others, without
+// a look for bodies.
+enum class Stage {
+    kPicture,
+    kStars,
+    kBloomDown,
+    kBloomUp,
+    kMeter,
+    kDevelop,
+    kRayData,
+    kBareFetch,
+    kTiles,
+    kBodyTiles,
+    kClearTiles
+};
+inline constexpr int kTileSide = 8;  // px
 // Whether a stage's text depends on the scene at all; else one program serves every scene.
 constexpr bool knows_scene(Stage stage) {
     return stage != Stage::kBloomDown && stage != Stage::kBloomUp && stage != Stage::kMeter;
 }
 enum class Output { kLinear, kDisplay };  // kDisplay: exposure and sRGB encoding in the shader (8-bit targets)
+
+// Does a stage draw the picture, whole or in part?
+constexpr bool draws_picture(Stage stage) {
+    return stage == Stage::kPicture || stage == Stage::kBodyTiles || stage == Stage::kClearTiles;
+}
 
 // What automatic exposure makes of the picture's mean luminance.
 inline constexpr double kMeterKey = 0.12;
@@ -28,7 +47,7 @@ struct ShaderSource {
 };
 
 // method counts only if the effects contain lensing; metric: the registry's key, for methods that need the metric's formula.
-// bodies: body_text of a scene with these effects. Stage kRayData leaves out the looks of sky, disc and bodies. Output concerns kPicture only.
+// bodies: body_text of a scene with these effects. Stage kRayData leaves out the looks of sky, disc and bodies. Output concerns the picture only.
 ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method = {},
                            std::string_view metric = "schwarzschild", const BodyText& bodies = {});
 
