@@ -7,20 +7,21 @@ vec4 ball_path_fetch(int x, int y) { return texelFetch(ball_path_texture, ivec2(
 
 float moving_ball_size(int i) { return body_form(i).w; }
 
-// Its middle when the light left: cubic between the nodes, far away where there are none.
+// Its middle when the light left: cubic between the nodes. Before the first light has not come to where it may be, and it is at that node, so
+// that steps are not too long for it; after the last it is far away.
 vec3 moving_ball_middle(int i, RayPlace place) {
     vec4 form = body_form(i);
     int row = 2 * (i - BALL_PATH_FIRST);
-    float x = (place.delay - form.x) * form.y;
+    float x = max((place.delay - form.x) * form.y, 0.0);
     float last = float(textureSize(ball_path_texture, 0).x - 1);
-    int node = int(clamp(x, 0.0, last - 1.0));
+    int node = int(min(x, last - 1.0));
     float f = x - float(node);
     vec3 low = ball_path_fetch(node, row).xyz;
     vec3 high = ball_path_fetch(node + 1, row).xyz;
     vec3 low_step = ball_path_fetch(node, row + 1).xyz;
     vec3 high_step = ball_path_fetch(node + 1, row + 1).xyz;
     vec3 middle = low + f * f * (3.0 - 2.0 * f) * (high - low) + f * (1.0 - f) * (1.0 - f) * low_step + f * f * (f - 1.0) * high_step;
-    return x >= 0.0 && x <= last ? middle : vec3(1.0e9);
+    return x <= last ? middle : vec3(1.0e9);
 }
 
 float moving_ball_value(int i, RayPlace place) {

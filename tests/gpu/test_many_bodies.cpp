@@ -99,4 +99,27 @@ TEST_CASE("many bodies: several of every kind, of one texture and of others, abo
     });
 }
 
+// Light that has come this far out cannot have left the near one yet: it was taken to be nowhere, and steps to be free.
+TEST_CASE("many bodies: a ball before the hole and one far behind it, each on its orbit") {
+    MeasuredOnce measured;
+    on_every_context([&](GpuSession& session) {
+        for (const char* metric : {"schwarzschild", "kerr"}) {
+            CAPTURE(metric);
+            Scene scene;
+            scene.name = metric;
+            scene.spacetime.metric = metric;
+            if (scene.spacetime.metric == "kerr") scene.spacetime.parameters = {{"spin", 0.8}};
+            scene.sky.kind = SkyKind::kBlack;
+            scene.camera.r = 26.0, scene.camera.theta = 1.29, scene.camera.plane_width = 0.85, scene.time = 40;
+            scene.camera.width = 192, scene.camera.height = 108;
+            for (const Vec3 place : {Vec3{4.95, -4.95, 0}, Vec3{-24, 0, 0}})
+                add(scene, BallSpec{.position = place, .radius = 0.4, .motion = BallMotion::kOrbit});
+            const std::set<int> seen = check_frame(session, measured, scene);
+            std::set<std::string> names;
+            for (const int number : seen) names.insert(object_name(scene, number));
+            CHECK(names.contains("ball"));
+        }
+    });
+}
+
 }  // namespace
