@@ -1,7 +1,7 @@
 // Solid bodies anywhere: along the ray in steps no longer than the distance to the nearest of them, then between two places
 // on either side of its surface. march_value (written for the scene): below 0 inside of a body; march_slope: by how much more it changes than
 // the distance does; march_room: how far along the ray the nearest is at least; march_object: which one; march_clear: how
-// far the nearest is from a place, at least.
+// far the nearest is from a place, at least, of those that are not in a set, to which those nearer than `near` are added.
 //
 // A body that the ray only grazes lies between two steps: where three values fall and rise again, the least between them is
 // looked for too, if march_grazes says that a body may be met there or cover a part of the pixel.

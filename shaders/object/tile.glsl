@@ -1,44 +1,68 @@
-// May a tile of the picture show a body? Its middle ray is followed beside the rays through its corners. None of the tile's rays meets a body
-// where that is farther from the middle ray than they are, which the corners' rays and straight light tell.
+// Which bodies may a tile of the picture show? Its middle ray is followed beside the rays through its corners. None of the tile's rays meets a
+// body that is farther from the middle ray everywhere than they are, which the corners' rays and straight light tell.
 #include "generated/bodies_march"
 #include "generated/tiles"
 #include "path/place"
 
+#define TILE_ALL uvec2(0xffffffffu, 0xffffffffu)
 #define TILE_RAYS 5
 #define TILE_REACH (0.5 * float(TILE_SIDE) + 1.0)   // px from the middle to the sides, and a pixel for edges that are blurred
 #define TILE_SPREAD 1.5    // how much farther from the middle ray a ray of the tile may be than the farthest of the corners'
-#define TILE_WIDEST 0.6   // of the radius: rays farther apart are no bundle
+#define TILE_WIDEST 0.6    // of the radius: rays farther apart are no bundle
 #define TILE_LEAST 0.1     // of the spread, left to the nearest body
 #define TILE_STEP 0.7      // of the way that is free of bodies
 #define TILE_LOOKS 128
+#define TILE_NONE 1.0e29   // free: there are no others
 
 // From the tile's middle, px. 0: the middle.
 vec2 tile_ray(int k) {
-    vec2 corner = vec2(k % 2 == 0 ? TILE_REACH : -TILE_REACH, k < 3 ? TILE_REACH : -TILE_REACH);
-    return k == 0 ? vec2(0.0, 0.0) : corner;
+    if (k == 0) return vec2(0.0, 0.0);
+    return vec2(k < 3 ? -TILE_REACH : TILE_REACH, k == 1 || k == 3 ? -TILE_REACH : TILE_REACH);
+}
+
+// Where the corners' rays are next to a place of the middle's.
+struct TileSpread {
+    float offset;   // the longest way to one of them, r_s
+    float across;   // the longest where they pass the plane across the middle ray
+};
+
+TileSpread tile_together() {
+    TileSpread spread;
+    spread.offset = 0.0;
+    spread.across = 0.0;
+    return spread;
+}
+
+// Of another ray's place from the middle's: how far it is ahead, r_s.
+float tile_ahead(RayPlace place, vec3 off) { return dot(off, place_velocity(place)) / max(place_speed(place), 1.0e-20); }
+
+#define TILE_FAN 2.0   // how much the directions of rays that are `across` apart may differ, times across/r
+
+// A ray bends by no more than 3/(2 r^2) a length, r_s = 1, or by 1/r.
+TileSpread tile_spread(TileSpread spread, RayPlace place, vec3 off) {
+    float along = abs(tile_ahead(place, off));
+    float length2 = dot(off, off);
+    float across = sqrt(max(length2 - along * along, 0.0)) * (1.0 + TILE_FAN * along / place.r);
+    float bent = 0.5 * along * along / place.r * min(1.0, 3.0 / place.r);
+    spread.offset = max(spread.offset, sqrt(length2));
+    spread.across = max(spread.across, across + bent);
+    return spread;
 }
 
 // What is known of the rays at one place of the middle's.
 struct TileLook {
-    bool clear;    // no ray of the tile is at a body there
-    float free;    // how far on that stays so, r_s
+    bool bundle;   // the rays keep together
+    uvec2 bodies;  // that a ray of the tile may be at there, and those known before
+    float free;    // how far on none of the others is, r_s
     float spread;  // how far from the middle ray they are there
 };
 
-// offset: the longest way from the middle ray's place to a corner's; across: the longest across the ray; way: from the camera.
-TileLook tile_look(RayPlace place, float offset, float across, float way, float pixel_angle) {
-    float spread = max(TILE_SPREAD * (across + 0.5 * offset * offset / place.r), 1.5 * TILE_REACH * pixel_angle * way);
+// way: from the camera.
+TileLook tile_look(RayPlace place, TileSpread corners, float way, float pixel_angle, uvec2 bodies) {
     TileLook look;
-    look.spread = spread;
-    look.free = march_clear(place) - spread;
-    look.clear = look.free > max(TILE_LEAST * spread, frame.march.y) && offset < TILE_WIDEST * place.r;   // not where they are no numbers
+    look.spread = max(TILE_SPREAD * corners.across, 1.5 * TILE_REACH * pixel_angle * way);
+    look.bodies = bodies;
+    look.free = march_clear(place, look.spread + max(TILE_LEAST * look.spread, frame.march.y), look.bodies) - look.spread;
+    look.bundle = corners.offset < TILE_WIDEST * place.r;   // not where they are no numbers
     return look;
-}
-
-// From the middle ray's place to another's: its length, and across the ray.
-vec2 tile_offset(RayPlace place, vec3 other) {
-    vec3 off = other - place.at;
-    vec3 ahead = place_velocity(place) / max(place_speed(place), 1.0e-20);
-    vec3 across = off - dot(off, ahead) * ahead;
-    return vec2(sqrt(dot(off, off)), sqrt(dot(across, across)));
 }

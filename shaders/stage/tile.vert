@@ -6,7 +6,8 @@ uniform highp sampler2D tile_texture;   // stage/tiles.frag
 void main() {
     ivec2 tiles = textureSize(tile_texture, 0);
     ivec2 tile = ivec2(gl_VertexID % tiles.x, gl_VertexID / tiles.x);
-    bool bodies = texelFetch(tile_texture, tile, 0).x > 0.5;
+    vec4 bodies_of = texelFetch(tile_texture, tile, 0);
+    bool bodies = max(max(bodies_of.x, bodies_of.y), max(bodies_of.z, bodies_of.w)) > 0.0;
 #ifdef TILES_WITH_BODIES
     bool drawn = bodies;
 #else

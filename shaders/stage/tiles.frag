@@ -1,4 +1,5 @@
-// Which tiles of the picture may show a body, a texel a tile: 1 where one may.
+// Which bodies a tile of the picture may show, a texel a tile: bits (core/bits.glsl).
+#include "core/bits.glsl"
 #include "generated/tiles"
 #include "path/tile"
 #include "shared/frame.glsl"
@@ -7,5 +8,5 @@ out vec4 colour;
 
 void main() {
     vec2 middle = gl_FragCoord.xy * float(TILE_SIDE) - 0.5 * frame.image.xy;
-    colour = vec4(tile_shows_body(middle) ? 1.0 : 0.0);
+    colour = texel_of(tile_bodies(middle));
 }

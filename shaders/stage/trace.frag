@@ -26,10 +26,20 @@
 #endif
 #include "path/trace"
 #include "shared/frame.glsl"
+#ifdef TILES_WITH_BODIES
+#include "core/bits.glsl"
+#include "generated/bodies_march"
+#include "generated/tiles"
+
+uniform highp sampler2D tile_texture;   // stage/tiles.frag
+#endif
 
 out vec4 colour;
 
 void main() {
+#ifdef TILES_WITH_BODIES
+    bodies_shown = set_of(texelFetch(tile_texture, ivec2(gl_FragCoord.xy) / TILE_SIDE, 0));
+#endif
     Trace trace = trace_pixel(gl_FragCoord.xy - 0.5 * frame.image.xy);
     vec3 light = vec3(0.0);
     float through = 1.0;

@@ -276,7 +276,7 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
     if (list.front().stage != Stage::kTiles)
         tiles_ = {};
     else if (tiles_.width != across || tiles_.height != up)
-        tiles_ = gl::make_target(across, up, gl::Format::kRgba8);
+        tiles_ = gl::make_target(across, up, gl::Format::kRgba32F);
     bind_inputs();
     for (const Pass& pass : list) {
         const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;

@@ -205,7 +205,11 @@ std::string by_side(const Group& group) {
 // A statement for body i of each of a group.
 std::string for_each(const Group& group, const std::string& statement) {
     if (group.to - group.from == 1) return replaced(statement, "(i,", fmt::format("({},", group.from));
-    return fmt::format("    for (int i = {}; i < {}; ++i) {{\n{}    }}\n", group.from, group.to, statement);
+    return fmt::format(
+        "#ifdef TILES_WITH_BODIES\n"
+        "    for (int i = bit_from({0}, bodies_shown); i < {1}; i = bit_from(i + 1, bodies_shown)) {{\n"
+        "#else\n    for (int i = {0}; i < {1}; ++i) {{\n#endif\n{2}    }}\n",
+        group.from, group.to, statement);
 }
 
 // "1 + i" where a statement is for one body.
@@ -215,16 +219,28 @@ std::string object_statement(const Group& group, const std::string& value) {
                        one ? fmt::format("{}", kFirstBody + group.from) : fmt::format("{} + i", kFirstBody));
 }
 
+// How far body i is, or that it is near.
+std::string clear_statement(const std::string& away) {
+    return fmt::format(
+        "    next = {};\n    if (!(next >= near)) bodies = with_bit(i, bodies);\n"
+        "    if (!bit_in(i, bodies)) away = min(away, next);\n",
+        away);
+}
+
 constexpr int kMostSteps = 512;  // of a march: what many bodies ask for is bounded
 
 std::string march_text(const std::vector<Group>& groups, const Scene& scene, const EffectSet& effects) {
     const bool sides = effects.contains(Effect::kSides), mino = light_path_kind(effects) == LightPathKind::kMino;
     std::string value, slope, object, room, clear, helpers = includes_of(groups);
+    if (has_tiles(effects))
+        helpers += include_line("core/bits.glsl") +
+                   "#ifdef TILES_WITH_BODIES\nuvec2 bodies_shown = uvec2(0u, 0u);   // by this tile\n#endif\n";
     std::size_t marched = 0, alone = 0;
     bool skims = false;  // there is a body whose room is a way along the ray, not a distance
     for (const Group& group : groups) {
         if (!group.shape.marched) {
-            clear += fmt::format("    away = min(away, place.r - body_form({}).x);\n", group.from);
+            helpers += "float sphere_away(int i, RayPlace place) { return place.r - body_form(i).x; }\n";
+            clear += for_each(group, clear_statement("sphere_away(i, place)"));
             continue;
         }
         marched += group.to - group.from;
@@ -241,7 +257,7 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
                         far, has_distance(group) ? here("steepness") : "1.0"));
         room += for_each(group, fmt::format("    room = min(room, {});\n", here("room")));
         const char* away = has_distance(group) ? "clear" : group.shape.moves ? "room" : "value";
-        clear += for_each(group, fmt::format("    away = min(away, {});\n", here(away)));
+        clear += for_each(group, clear_statement(here(away)));
         object += for_each(group, object_statement(group, far));
     }
     if (marched == 0) return "";
@@ -270,9 +286,10 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
                        : "float march_slope(RayPlace place) { return 1.0; }\n") +
            "float march_room(RayPlace place) {\n    float room = 1.0e30;\n" + room + "    return room;\n}\n" +
            (groups.front().shape.marched ? "" : "#define TILES_HAVE_SPHERE\n") +
-           (has_tiles(effects)
-                ? "float march_clear(RayPlace place) {\n    float away = 1.0e30;\n" + clear + "    return away;\n}\n"
-                : "") +
+           (has_tiles(effects) ? "float march_clear(RayPlace place, float near, inout uvec2 bodies) {\n    float away "
+                                 "= 1.0e30;\n    float next = 0.0;\n" +
+                                     clear + "    return away;\n}\n"
+                               : "") +
            "bool march_grazes(float length, float value, float pixel) { return " + graze +
            "; }\n"
            "int march_object(RayPlace place) {\n    float value = 1.0e30;\n    int object = 0;\n" +

@@ -1,4 +1,4 @@
-// Pictures with bodies are drawn in tiles, those that cannot show a body by a shader that looks for none: the same bytes as at once, sooner.
+// Pictures with bodies are drawn in tiles, those that cannot show a body by a shader that looks for none: the same picture as at once, sooner.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -33,6 +33,9 @@ Scene moved(Scene scene, std::mt19937& random) {
 
 // About a rotating hole the two programs round differently, which moves what is looked up in the sky; a body that is missing is 100 times that.
 constexpr float kRounding = 5.0e-4f;
+// Of many bodies a tile asks its own alone: the samples are others then, and how much of a pixel a rim covers follows from them.
+constexpr float kRim = 2.5e-2f;
+constexpr double kRims = 1.0e-3;  // of all pixels: that differ at all
 
 struct Difference {
     long long pixels = 0, drawn = 0;
@@ -72,8 +75,13 @@ TEST_CASE("tiles: a picture in tiles is the picture") {
                    sum.most);
         CAPTURE(info.name);
         CHECK(sum.drawn > 0);
-        CHECK(sum.pixels == 0);
-        if (light_path_kind(effects) != LightPathKind::kMino) CHECK(sum.most == 0.0f);
+        if (scene.bodies.size() > 1) {
+            CHECK(sum.pixels <= kRims * sum.drawn);
+            CHECK(sum.most <= kRim);
+        } else {
+            CHECK(sum.pixels == 0);
+            if (light_path_kind(effects) != LightPathKind::kMino) CHECK(sum.most == 0.0f);
+        }
     }
     CHECK(scenes >= 8);
 }

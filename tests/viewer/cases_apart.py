@@ -92,7 +92,7 @@ def test_an_effect_is_switched_without_a_hitch(screen, program, folder):
 
 def test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely(screen, program, folder):
     """A scene whose picture takes about a second, and its program longer than that."""
-    v = Viewer(screen, program, "--size", "640x300", scene="torus")
+    v = Viewer(screen, program, "--size", "640x300", scene="swarm")
     try:
         # no panel lies in the first, in the second none of the letters that are whole pixels of their colour but F1's
         area, keys = (290, 20, 630, 260), (250, 40, 350, 260)
