@@ -83,7 +83,8 @@ SolidSearch segment_search(SpinRay ray, SpinSegment segment, float tau, float pi
     float s = 0.0;
     RayPlace place = way_place(way, s);
     way.length = max(search.length, abs(1.0 / frame.shift.y - place.r));   // steps that no body is near to are left out
-    float value = way_value(way, place);
+    vec2 asked = way_ask(way, place);
+    float value = asked.x;
     float before = max(1.0 - search.before / segment.h, -MARCH_LONGEST);
     float before_value = search.before_value;
     bool grows_to = spin_slope_at(segment.arc, 1.0).w > 0.0;
@@ -91,12 +92,13 @@ SolidSearch segment_search(SpinRay ray, SpinSegment segment, float tau, float pi
     do {   // from one place that may be on a body to the next, as planar/march.glsl
         MarchSpan span = march_span(s, value);
         do {
-            float length = march_length(place, reach);
+            float length = march_length(place, asked.y, reach);
             float next = min(s + march_step_length(place, length), 1.0);
             RayPlace there = way_place(way, next);
             vec3 chord = there.at - place.at;
             way.length += sqrt(dot(chord, chord));
-            float value_there = way_value(way, there);
+            asked = way_ask(way, there);
+            float value_there = asked.x;
             if (value <= 0.0 ? before_value > 0.0 : value_there <= 0.0) {
                 span.enters = true;
                 span.inside = value <= 0.0 ? s : next;
@@ -162,7 +164,10 @@ bool step_touches(SpinRay ray, SpinState from, SpinState to, float h) {
     vec3 before = middle.at - segment_place(ray, segment, 0.0).at;
     vec3 behind = segment_place(ray, segment, 1.0).at - middle.at;
     float half_length = MARCH_ARC * sqrt(max(dot(before, before), dot(behind, behind)));
-    return !(march_length(middle, frame.march.x) > max(half_length, frame.march.y));
+#ifdef MARCH_LISTS
+    march_list(middle, half_length < march_farthest(middle) ? MARCH_LIST * max(half_length, frame.march.y) : 1.0e30);
+#endif
+    return !(march_length(middle, march_ask(middle).y, frame.march.x) > max(half_length, frame.march.y));
 }
 
 // The length of the way behind a step that no body is on, by its chord.

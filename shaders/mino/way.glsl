@@ -11,7 +11,11 @@ struct MarchWay {
 
 RayPlace way_place(MarchWay way, float s) { return segment_place(way.ray, way.segment, s); }
 // Outside of everything within the horizon.
-float way_value(MarchWay way, RayPlace place) { return place.r > way.ray.outer ? march_value(place) : 1.0e30; }
+vec2 way_ask(MarchWay way, RayPlace place) {
+    vec2 asked = march_ask(place);
+    return vec2(place.r > way.ray.outer ? asked.x : 1.0e30, asked.y);
+}
+float way_value(MarchWay way, RayPlace place) { return way_ask(way, place).x; }
 // As if light went straight.
 float way_pixel(MarchWay way, RayPlace place, float s) { return way.pixel_angle * way.length; }
 // How far there is a way before and after: steps are polynomials.

@@ -1,7 +1,8 @@
 // Solid bodies anywhere: along the ray in steps no longer than the distance to the nearest of them, then between two places
-// on either side of its surface. march_value (written for the scene): below 0 inside of a body; march_slope: by how much more it changes than
-// the distance does; march_room: how far along the ray the nearest is at least; march_object: which one; march_clear: how
+// on either side of its surface. march_ask (written for the scene): a value, below 0 inside of a body, and the room, how far along the ray the
+// nearest is at least; march_slope: by how much more the value changes than the distance does; march_object: which one; march_clear: how
 // far the nearest is from a place, at least, of those that are not in a set, to which those nearer than `near` are added.
+// march_list: of lists of bodies, those that a part of the way may touch; the others of a list are not asked there.
 //
 // A body that the ray only grazes lies between two steps: where three values fall and rise again, the least between them is
 // looked for too, if march_grazes says that a body may be met there or cover a part of the pixel.
@@ -195,11 +196,24 @@ MarchContact march_contact(MarchWay way, MarchSpan span, float blur) {
     return contact;
 }
 
+#ifdef MARCH_LISTS
+#define MARCH_LIST 1.25   // the way for which bodies are listed, over that for which the list is of use: a step is 0.8 of the room
+#endif
+
 #ifndef EFFECT_SIDES
-// How far to the next sample of a body. Next to a horizon, where light is slow, a moving body could pass unnoticed between two samples.
-float march_length(RayPlace place, float reach) {
+// How far what is known at a place holds: the ray's direction, and light's slowness.
+float march_farthest(RayPlace place) {
+#ifdef NEEDS_PLACE_LATE
+    return min(0.4 * place.r, 2.0 * place.r / place_slowness(place));
+#else
+    return 0.4 * place.r;
+#endif
+}
+
+// How far to the next sample of a body, by the room that there is. Next to a horizon, where light is slow, a moving body could pass unnoticed between two samples.
+float march_length(RayPlace place, float room, float reach) {
     if (place.r > 2.0 * reach) return place.r - 1.5 * reach;
-    float room = min(0.8 * march_room(place), 0.4 * place.r);
+    room = min(0.8 * room, 0.4 * place.r);
 #ifdef NEEDS_PLACE_LATE
     float slowness = place_slowness(place);
     return max(min(room, 2.0 * place.r / slowness), frame.march.y / slowness);

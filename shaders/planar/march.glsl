@@ -21,11 +21,11 @@ float march_angle(RayPlace place, float length) {
 }
 
 // How far to the next sample.
-float march_step(RayPlace place, float reach) {
+float march_step(RayPlace place, float room, float reach) {
 #ifdef EFFECT_SIDES
-    return max(min(0.8 * march_room(place), 0.4 * place.radius), frame.march.y);
+    return max(min(0.8 * room, 0.4 * place.radius), frame.march.y);
 #else
-    return max(march_length(place, reach), 0.8 * (frame.march_shell.y - place.r));   // far from the innermost body
+    return max(march_length(place, room, reach), 0.8 * (frame.march_shell.y - place.r));   // far from the innermost body
 #endif
 }
 
@@ -48,6 +48,9 @@ struct Search {
     float phi;
     float value;
     float length;        // to the next one
+#ifdef MARCH_LISTS
+    float listed;        // the way on for which the list of bodies is of use
+#endif
     float before_phi;    // the one before
     float before_value;
     int left;            // samples
@@ -62,12 +65,31 @@ bool search_goes(Search search) {
     return search.left > 0 && search.phi < search.phi_stop && march_goes(search.way.trace.escapes, search.place, search.reach);
 }
 
+#ifdef MARCH_LISTS
+// Lists the bodies on the next part of the way.
+Search search_list(Search search) {
+    RayPlace place = search.place;
+    search.listed = place.r > 2.0 * search.reach ? place.r - 1.5 * search.reach : march_farthest(place);
+    march_list(place, MARCH_LIST * search.listed);
+    search.length = march_step(place, march_ask(place).y, search.reach);
+    return search;
+}
+#endif
+
 // To the next span, or to the end.
 Search search_samples(Search search) {
     bool ends = !search.going;
     bool stops = false;
     search.span = march_span(search.phi, search.value);
+#ifdef MARCH_LISTS
     do {
+    if (search.listed <= frame.march.y) search = search_list(search);
+#endif
+    do {
+#ifdef MARCH_LISTS
+        search.length = min(search.length, max(search.listed, 0.8 * (frame.march_shell.y - search.place.r)));
+        search.listed -= search.length;
+#endif
         float next = min(search.phi + march_angle(search.place, search.length), search.phi_stop);
 #ifdef WAY_BETWEEN
         search.place = place_beside(search.way.trace, search.way.tangent, next, search.place, search.phi);
@@ -76,9 +98,10 @@ Search search_samples(Search search) {
         search.place = place_of(search.way.trace, search.way.tangent, next);
         float slack = 0.0;
 #endif
-        float there = march_value(search.place);
+        vec2 asked = march_ask(search.place);
+        float there = asked.x;
         float from_length = search.length;
-        search.length = march_step(search.place, search.reach);   // here: what it asks of the bodies has just been asked
+        search.length = march_step(search.place, asked.y, search.reach);
         bool enters = search.value > 0.0 && there <= slack;
         bool grazes = there > slack && search.value > 0.0 && search.value < search.before_value && search.value <= there &&
                       march_grazes(from_length, search.value, place_pixel(search.way.trace, search.place, next));
@@ -97,6 +120,9 @@ Search search_samples(Search search) {
         search.phi = next;
         search.value = there;
         --search.left;
+#ifdef MARCH_LISTS
+    } while (search_goes(search) && !stops && search.listed > frame.march.y);
+#endif
     } while (search_goes(search) && !stops);
     search.going = !ends && search.left > 0 && (stops || search_goes(search));
     return search;
@@ -106,8 +132,9 @@ Search search_samples(Search search) {
 // The last sample with its time by the light-time table: whether the ray is in a body there is sure now.
 Search search_sure(Search search) {
     search.place = place_seen(search.way.trace, search.way.tangent, search.phi);
-    search.value = march_value(search.place);
-    search.length = march_step(search.place, search.reach);
+    vec2 asked = march_ask(search.place);
+    search.value = asked.x;
+    search.length = march_step(search.place, asked.y, search.reach);
     search.way.known = search.place;
     search.way.known_phi = search.phi;
     bool inside = search.value <= 0.0;
@@ -155,9 +182,13 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
     search.hit.place = search.place;
     search.before_phi = 0.0;
     search.before_value = 0.0;   // none: nothing is left behind
+#ifdef MARCH_LISTS
+    search.listed = 0.0;
+    bodies_near = bodies_shown;
+#endif
     // From one place that may be on a body to the next: what is done there is outside of the loop of samples, for all rays at once.
 #ifdef WAY_BETWEEN
-    if (search.place.r > 2.0 * search.reach) search.phi = min(march_angle(search.place, march_length(search.place, search.reach)), phi_stop);
+    if (search.place.r > 2.0 * search.reach) search.phi = min(march_angle(search.place, march_length(search.place, 0.0, search.reach)), phi_stop);
     search.before_phi = search.phi;
     search.span = march_span(search.phi, 1.0e30);
     do {
@@ -165,8 +196,9 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
         search = search_samples(search);
     } while (search.going);
 #else
-    search.value = march_value(search.place);
-    search.length = march_step(search.place, search.reach);
+    vec2 asked = march_ask(search.place);
+    search.value = asked.x;
+    search.length = march_step(search.place, asked.y, search.reach);
     do search = search_contact(search_samples(search), blur);
     while (search.going);
 #endif

@@ -24,7 +24,7 @@ RayPlace way_place(MarchWay way, float phi) {
     return place_of(way.trace, way.tangent, phi);
 #endif
 }
-float way_value(MarchWay way, RayPlace place) { return march_value(place); }
+float way_value(MarchWay way, RayPlace place) { return march_ask(place).x; }
 float way_pixel(MarchWay way, RayPlace place, float phi) { return place_pixel(way.trace, place, phi); }
 // How far there is a way before and after.
 float way_left(MarchWay way, float phi) { return 0.5 * min(phi, way.trace.phi_end - phi); }

@@ -38,7 +38,9 @@ out vec4 colour;
 
 void main() {
 #ifdef TILES_WITH_BODIES
+#ifdef MARCH_LISTS
     bodies_shown = set_of(texelFetch(tile_texture, ivec2(gl_FragCoord.xy) / TILE_SIDE, 0));
+#endif
 #endif
     Trace trace = trace_pixel(gl_FragCoord.xy - 0.5 * frame.image.xy);
     vec3 light = vec3(0.0);

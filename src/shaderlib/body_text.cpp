@@ -54,6 +54,7 @@ struct Group {
     int image;
     std::string name{};            // of its light
     std::size_t from = 0, to = 0;  // in the shader's order
+    bool is_list() const { return to - from > 1; }
     auto key() const { return std::tie(shape.marched, shape, far, texture, mapping, formula, image); }
 };
 
@@ -202,14 +203,14 @@ std::string by_side(const Group& group) {
     return text + function("room", has_distance(group) ? "room" : "value", room.c_str());
 }
 
-// A statement for body i of each of a group.
-std::string for_each(const Group& group, const std::string& statement) {
-    if (group.to - group.from == 1) return replaced(statement, "(i,", fmt::format("({},", group.from));
-    return fmt::format(
-        "#ifdef TILES_WITH_BODIES\n"
-        "    for (int i = bit_from({0}, bodies_shown); i < {1}; i = bit_from(i + 1, bodies_shown)) {{\n"
-        "#else\n    for (int i = {0}; i < {1}; ++i) {{\n#endif\n{2}    }}\n",
-        group.from, group.to, statement);
+// A statement for body i of each of a group, or of those that are in a set too.
+std::string for_each(const Group& group, const std::string& statement, const char* set = nullptr) {
+    if (!group.is_list()) return replaced(statement, "(i,", fmt::format("({},", group.from));
+    const std::string loop =
+        set == nullptr
+            ? fmt::format("int i = {}; i < {}; ++i", group.from, group.to)
+            : fmt::format("int i = bit_from({0}, {2}); i < {1}; i = bit_from(i + 1, {2})", group.from, group.to, set);
+    return fmt::format("    for ({}) {{\n{}    }}\n", loop, statement);
 }
 
 // "1 + i" where a statement is for one body.
@@ -231,10 +232,15 @@ constexpr int kMostSteps = 512;  // of a march: what many bodies ask for is boun
 
 std::string march_text(const std::vector<Group>& groups, const Scene& scene, const EffectSet& effects) {
     const bool sides = effects.contains(Effect::kSides), mino = light_path_kind(effects) == LightPathKind::kMino;
-    std::string value, slope, object, room, clear, helpers = includes_of(groups);
-    if (has_tiles(effects))
-        helpers += include_line("core/bits.glsl") +
-                   "#ifdef TILES_WITH_BODIES\nuvec2 bodies_shown = uvec2(0u, 0u);   // by this tile\n#endif\n";
+    const bool lists = !sides && std::ranges::any_of(groups, &Group::is_list);
+    const char* near = lists ? "bodies_near" : nullptr;
+    std::string ask, slope, object, clear, list, helpers = includes_of(groups);
+    if (has_tiles(effects) || lists) helpers += include_line("core/bits.glsl");
+    if (lists)
+        helpers +=
+            "#define MARCH_LISTS\n"
+            "uvec2 bodies_shown = uvec2(0xffffffffu, 0xffffffffu);   // by this tile\n"
+            "uvec2 bodies_near = uvec2(0xffffffffu, 0xffffffffu);    // to the next part of the way\n";
     std::size_t marched = 0, alone = 0;
     bool skims = false;  // there is a body whose room is a way along the ray, not a distance
     for (const Group& group : groups) {
@@ -250,15 +256,21 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
         const std::string name = sides ? group.name : group.shape.name, suffix = sides ? "_by_side" : "";
         const auto here = [&](const char* what) { return fmt::format("{}_{}{}(i, place)", name, what, suffix); };
         const std::string far = here(has_distance(group) ? "distance" : "value");
-        value += for_each(group, fmt::format("    value = min(value, {});\n", here("value")));
+        ask += for_each(
+            group, fmt::format("    value = min(value, {});\n    room = min(room, {});\n", here("value"), here("room")),
+            near);
         slope += for_each(
             group,
             fmt::format("    if (abs({0}) < nearest) {{\n        nearest = abs({0});\n        slope = {1};\n    }}\n",
-                        far, has_distance(group) ? here("steepness") : "1.0"));
-        room += for_each(group, fmt::format("    room = min(room, {});\n", here("room")));
+                        far, has_distance(group) ? here("steepness") : "1.0"),
+            near);
+        if (group.is_list())
+            list += for_each(
+                group, fmt::format("    if (!({} > way)) bodies_near = with_bit(i, bodies_near);\n", here("room")),
+                "bodies_shown");
         const char* away = has_distance(group) ? "clear" : group.shape.moves ? "room" : "value";
         clear += for_each(group, clear_statement(here(away)));
-        object += for_each(group, object_statement(group, far));
+        object += for_each(group, object_statement(group, far), lists ? "bodies_shown" : nullptr);
     }
     if (marched == 0) return "";
     const bool ball_alone = marched == 1 && alone != std::size_t(-1);
@@ -280,11 +292,13 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
                               : across > 0 ? "true"
                                            : "length < 1.001 * frame.march.y || value < 5.0 * pixel";
     return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) + helpers + stop +
-           "float march_value(RayPlace place) {\n    float value = 1.0e30;\n" + value + "    return value;\n}\n" +
+           "vec2 march_ask(RayPlace place) {\n    float value = 1.0e30;\n    float room = 1.0e30;\n" + ask +
+           "    return vec2(value, room);\n}\n" +
            (across > 0 ? "float march_slope(RayPlace place) {\n    float nearest = 1.0e30;\n    float slope = 1.0;\n" +
                              slope + "    return slope;\n}\n"
                        : "float march_slope(RayPlace place) { return 1.0; }\n") +
-           "float march_room(RayPlace place) {\n    float room = 1.0e30;\n" + room + "    return room;\n}\n" +
+           (lists ? "void march_list(RayPlace place, float way) {\n    bodies_near = uvec2(0u, 0u);\n" + list + "}\n"
+                  : "") +
            (groups.front().shape.marched ? "" : "#define TILES_HAVE_SPHERE\n") +
            (has_tiles(effects) ? "float march_clear(RayPlace place, float near, inout uvec2 bodies) {\n    float away "
                                  "= 1.0e30;\n    float next = 0.0;\n" +

@@ -76,7 +76,7 @@ TEST_CASE("tiles: a picture in tiles is the picture") {
         CAPTURE(info.name);
         CHECK(sum.drawn > 0);
         if (scene.bodies.size() > 1) {
-            CHECK(sum.pixels <= kRims * sum.drawn);
+            CHECK(static_cast<double>(sum.pixels) <= kRims * static_cast<double>(sum.drawn));
             CHECK(sum.most <= kRim);
         } else {
             CHECK(sum.pixels == 0);
