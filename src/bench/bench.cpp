@@ -46,10 +46,13 @@ void time_one(Samples& samples, const std::function<void()>& draw) {
     gl::finish();
     const std::clock_t core = std::clock();  // of all threads
     const Stopwatch watch;
+    const gl::Query begin = gl::timestamp();
     draw();
+    const gl::Query end = gl::timestamp();
     gl::finish();
     samples.wall_ms.push_back(watch.ms());
     samples.core_s.push_back(static_cast<double>(std::clock() - core) / CLOCKS_PER_SEC);
+    samples.gpu_ms.push_back(gl::milliseconds(begin, end));
 }
 
 std::vector<Samples> Bench::time_in_turn(int frames, const Draws& more,

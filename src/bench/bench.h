@@ -30,10 +30,10 @@ void json_option(Command& command, BenchOptions& options);
 void draw_options(Command& command, BenchOptions& options, int least_frames);  // size, context and frames
 
 struct Samples {
-    std::vector<double> wall_ms, core_s;
+    std::vector<double> wall_ms, core_s, gpu_ms;
 };
 using Draws = std::vector<std::function<void()>>;
-// Wall and processor time of one draw.
+// Wall, processor and GPU time of one draw.
 void time_one(Samples& samples, const std::function<void()>& draw);
 
 // Two renderers, of what is measured and of what it is measured against, on one context.

@@ -18,14 +18,18 @@ namespace {
 struct Options : BenchOptions {
     Options() { scenes = {"flat", "sky-only", "first-light"}; }
     int poses = 0;
-    bool effects = false;
+    bool effects = false, moving = false;
 };
 
 // The bench's other renderer draws the floor: the scene in flat space.
 Result<Json> measure(const Bench& bench, const Scene& scene, int frames) {
     Scene flat = scene;
     flat.spacetime = {"minkowski", {}};
-    TRY(ready, bench.prepare(scene, flat));
+    const Stopwatch prepare_watch;
+    TRY(ready, bench.renderer().prepare(scene));
+    gl::finish();
+    const double prepare_ms = prepare_watch.ms();
+    TRY(floor_ready, bench.other->prepare(flat));
     const Renderer& renderer = bench.renderer();
     const Stopwatch watch;
     bench.draw(bench.renderer());  // compiles
@@ -55,6 +59,9 @@ Result<Json> measure(const Bench& bench, const Scene& scene, int frames) {
                 {"min_ms", *low},
                 {"max_ms", *high},
                 {"core_seconds", core},
+                {"gpu_ms", median(samples[0].gpu_ms)},
+                {"floor_gpu_ms", median(samples[1].gpu_ms)},
+                {"prepare_ms", prepare_ms},
                 {"compile_ms", first_ms},
                 {"table_ms", table_ms},
                 {"floor_ratio", core / floor},
@@ -95,13 +102,54 @@ Result<double> pose_ratio(const Bench& bench, const Scene& scene, int poses) {
     return dearest / cheapest;
 }
 
+// What the host does before a frame whose camera came closer or went away, and the frame with it, in turn with those of a camera at rest.
+Result<Json> moving_cost(const Bench& bench, const Scene& scene, int frames) {
+    constexpr double kAway = 1e-3;  // of the radius, from frame to frame
+    Scene moved = scene;
+    TRY(ready, bench.prepare(moved, scene));
+    struct Camera {
+        Renderer& renderer;
+        Samples host{}, frame{};
+    };
+    Camera moving{bench.renderer()}, rest{*bench.other};
+    Status prepared = Done{};
+    Progress progress("moving " + scene.name, frames);
+    for (int i = 0; i <= frames; ++i, progress.advance()) {
+        moved.camera.r *= 1.0 + kAway;
+        for (Camera* camera : {&moving, &rest}) {
+            Samples host, frame;
+            const Scene& next = camera == &moving ? moved : scene;
+            time_one(frame, [&] {
+                time_one(host, [&] { prepared = camera->renderer.prepare(next); });
+                if (prepared) bench.draw(camera->renderer);
+            });
+            if (!prepared) return prepared.error();
+            if (i == 0) continue;  // compiles
+            camera->host.core_s.push_back(host.core_s.front());
+            camera->frame.core_s.push_back(frame.core_s.front());
+        }
+    }
+    const auto milliseconds = [](const Samples& samples) { return 1e3 * median(samples.core_s); };
+    const double host = milliseconds(moving.host), host_at_rest = milliseconds(rest.host);
+    const double frame = milliseconds(moving.frame), frame_at_rest = milliseconds(rest.frame);
+    fmt::print(
+        "{:<18} host {:.2f} core-ms, at rest {:.2f}: {:.2f} more; frame {:.2f} core-ms, at rest {:.2f}: {:.2f} times\n",
+        scene.name, host, host_at_rest, host - host_at_rest, frame, frame_at_rest, frame / frame_at_rest);
+    return Json{{"scene", scene.name},           {"context", bench.session.context->kind()},
+                {"renderer", bench.driver()},    {"width", bench.target.width},
+                {"height", bench.target.height}, {"frames", frames},
+                {"host_core_ms", host},          {"host_at_rest_core_ms", host_at_rest},
+                {"frame_core_ms", frame},        {"frame_at_rest_core_ms", frame_at_rest}};
+}
+
 Status run(const Options& options) {
     if (options.effects) return bench_effects(options);
     TRY(bench, open_bench(options));
     Json rows = Json::array();
     for (const std::string& name : options.scenes) {
         TRY(scene, load_scene_sized(name, options.size));
-        TRY(row, measure(*bench, *scene, options.frames));
+        TRY(row,
+            options.moving ? moving_cost(*bench, *scene, options.frames) : measure(*bench, *scene, options.frames));
         if (options.poses > 0) {
             TRY(ratio, pose_ratio(*bench, *scene, options.poses));
             (*row)["pose_ratio"] = *ratio;
@@ -120,6 +168,8 @@ void add_bench_frames(Command& bench) {
     draw_options(command, options, 9);
     command.add_option("--poses", &options.poses, "Also time this many random camera poses of each scene")
         .in_range(0, 10000);
+    command.add_flag("--moving", &options.moving,
+                     "Instead: what the host adds to a frame of a camera whose radius changes, beside one at rest");
     command.add_flag("--effects", &options.effects,
                      "Instead of scenes: the empty scene, and the empty scene with each effect added");
     json_option(command, options);

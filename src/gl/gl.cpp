@@ -191,6 +191,7 @@ void delete_texture(unsigned id) { glDeleteTextures(1, &id); }
 void delete_buffer(unsigned id) { glDeleteBuffers(1, &id); }
 void delete_framebuffer(unsigned id) { glDeleteFramebuffers(1, &id); }
 void delete_vertex_array(unsigned id) { glDeleteVertexArrays(1, &id); }
+void delete_query(unsigned id) { glDeleteQueries(1, &id); }
 
 Program make_program(const std::string& vertex, const std::string& fragment) {
     const GLuint v = compile(GL_VERTEX_SHADER, vertex);
@@ -416,5 +417,20 @@ void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_
 }
 
 void finish() { glFinish(); }
+
+Query timestamp() {
+    unsigned id = 0;
+    glGenQueries(1, &id);
+    Query query(id);
+    glQueryCounter(id, GL_TIMESTAMP);
+    return query;
+}
+
+double milliseconds(const Query& from, const Query& to) {
+    GLuint64 began = 0, ended = 0;
+    glGetQueryObjectui64v(from.id(), GL_QUERY_RESULT, &began);
+    glGetQueryObjectui64v(to.id(), GL_QUERY_RESULT, &ended);
+    return 1e-6 * static_cast<double>(ended - began);
+}
 
 }  // namespace nullscope::gl

@@ -54,11 +54,13 @@ void delete_texture(unsigned id);
 void delete_buffer(unsigned id);
 void delete_framebuffer(unsigned id);
 void delete_vertex_array(unsigned id);
+void delete_query(unsigned id);
 using Program = Name<delete_program>;
 using Texture = Name<delete_texture>;
 using Buffer = Name<delete_buffer>;
 using Framebuffer = Name<delete_framebuffer>;
 using VertexArray = Name<delete_vertex_array>;
+using Query = Name<delete_query>;
 
 // throws GlError with the driver's log, explained.
 Program make_program(const std::string& vertex, const std::string& fragment);
@@ -132,5 +134,8 @@ void set_linear(const Texture& texture);  // of a 2D texture without mip levels:
 // may be another context's.
 void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_width, int to_height, int to_x = 0);
 void finish();
+// Asks for the driver's time when everything before is done; from one to the other, ms, waiting for both. A driver without a clock: 0.
+Query timestamp();
+double milliseconds(const Query& from, const Query& to);
 
 }  // namespace nullscope::gl

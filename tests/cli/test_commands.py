@@ -162,6 +162,12 @@ class Commands(support.CliTest):
         for row in rows:
             self.assertGreater(row["empty_core_seconds"], 0)
 
+    def test_bench_times_a_camera_that_moves(self):
+        self.run_nullscope("bench", "frames", "--moving", "first-light", "--size", support.SMALL, "--frames", "9", "--json", "m.json")
+        (row,) = json.loads((self.folder / "m.json").read_text())
+        self.assertGreater(row["host_core_ms"], 2 * row["host_at_rest_core_ms"])
+        self.assertGreater(row["frame_core_ms"], row["host_core_ms"])
+
     def test_figures(self):
         for name in ("bending", "ray-types", "isoradials"):
             self.run_nullscope("figure", name, "-o", name + ".svg")
