@@ -423,6 +423,7 @@ Query timestamp() {
     glGenQueries(1, &id);
     Query query(id);
     glQueryCounter(id, GL_TIMESTAMP);
+    glFlush();  // drivers that draw tile by tile would do both ends of a picture in each tile
     return query;
 }
 

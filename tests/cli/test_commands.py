@@ -6,6 +6,7 @@ import re
 import shutil
 import struct
 import subprocess
+import sys
 import unittest
 import zlib
 from pathlib import Path
@@ -167,6 +168,19 @@ class Commands(support.CliTest):
         (row,) = json.loads((self.folder / "m.json").read_text())
         self.assertGreater(row["host_core_ms"], 2 * row["host_at_rest_core_ms"])
         self.assertGreater(row["frame_core_ms"], row["host_core_ms"])
+
+    def test_figures_of_a_gpu(self):
+        script = Path(__file__).resolve().parents[2] / "scripts/gpu_figures.py"
+        words = ["trial", "--sizes", "48x27", "96x54", "--frames", "9", "--scenes", "sky-only", "--only", "horizon, inwards"]
+        done = subprocess.run([sys.executable, "-B", script, *words, "--without-golden", "--folder", self.folder,
+                               "--programs", Path(support.BINARY).parent, "--context", self.contexts()[0]], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        text = (self.folder / "trial.md").read_text()
+        self.assertIn("llvmpipe", text)
+        (times,) = re.findall(r"\| Sky only \| ([0-9.]+) \| ([0-9.]+) \| [0-9.]+ \|\n\n## Rays", text)
+        self.assertGreater(float(times[0]), 0.0)
+        self.assertIn("1e-4 above the horizon, inwards", text)
+        self.assertFalse(list(self.folder.glob("*.part")))
 
     def test_figures(self):
         for name in ("bending", "ray-types", "isoradials"):
