@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
 #include <random>
 
 #include "plan/effects.h"
@@ -109,6 +111,42 @@ TEST_CASE("tiles: a body in a part of the picture costs that part") {
         0.75;  // a ring over a quarter of the picture: 0.51 measured at 1280x720, 0.59 at this size
     const int pairs = test::by_depth(9, 21, 21);
     CHECK(test::least_cost(kMost, [&] { return cost_of_tiles(pairs); }) <= kMost);
+}
+
+Scene balls_on_orbits(int balls) {
+    Scene scene;
+    scene.camera.r = 26.0, scene.camera.theta = 1.29, scene.camera.plane_width = 0.85;
+    scene.camera.width = 640, scene.camera.height = 360;
+    for (int i = 0; i < balls; ++i) {
+        const int step = i / 2;  // on two orbits
+        const double turn = 2.0 * std::numbers::pi * step / 16.0, r = i % 2 == 0 ? 7.0 : 10.0;
+        scene.bodies.push_back({.shape = BallSpec{.position = {r * std::cos(turn), r * std::sin(turn), 0},
+                                                  .radius = 0.4,
+                                                  .motion = BallMotion::kOrbit}});
+    }
+    return scene;
+}
+
+// Core-seconds of 32 balls over those of one.
+double cost_of_balls(int pairs) {
+    auto session = test::open_gpu("egl");
+    REQUIRE(session);
+    Renderer one;
+    Renderer& many = *session->renderer;
+    REQUIRE(many.prepare(balls_on_orbits(32)));
+    REQUIRE(one.prepare(balls_on_orbits(1)));
+    const gl::Target target = gl::make_target(640, 360, gl::Format::kRgba8);
+    const auto draw = [&](Renderer& by) { by.draw(target.framebuffer.id(), 640, 360, Output::kDisplay); };
+    draw(many), draw(one);
+    const test::PairedCost cost = test::paired_cost(
+        pairs, [&] { draw(many); }, [&] { draw(one); });
+    fmt::print("32 balls {:.4f} core-s, one {:.4f}, ratio {:.1f}\n", cost.first_s, cost.second_s, cost.ratio);
+    return cost.ratio;
+}
+
+TEST_CASE("tiles: of many balls a pixel asks those of its tile") {
+    constexpr double kMost = 24;  // 17 measured; 43 where every pixel asks for all of them
+    CHECK(test::least_cost(kMost, [&] { return cost_of_balls(test::by_depth(5, 9, 9)); }) <= kMost);
 }
 
 }  // namespace
