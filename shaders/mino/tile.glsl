@@ -40,8 +40,6 @@ uvec2 tile_bodies(vec2 middle) {
     RayPlace place = segment_place(rays[0], spin_segment(rays[0], now[0], now[0], 1.0), 0.0);
     vec3 start = place.at;
     float end = 1.0 / rays[0].outer;
-    float step = 0.0;
-    float s = 1.0;
     int left = SPIN_MOST_STEPS;
     int looks = TILE_LOOKS;
     uvec2 bodies = uvec2(0u, 0u);
@@ -51,7 +49,7 @@ uvec2 tile_bodies(vec2 middle) {
     SpinSegment segments[TILE_RAYS];
     do {
         SpinState before = now[0];
-        step = spin_step_length(rays[0], before, left);
+        float step = spin_step_length(rays[0], before, left);
         for (int k = 0; k < TILE_RAYS; ++k) {
             SpinState from = now[k];
             now[k] = spin_step(rays[k], from, step);
@@ -59,7 +57,7 @@ uvec2 tile_bodies(vec2 middle) {
         }
         --left;
         bool far = max(before.y.w, now[0].y.w) * TILE_NEAR * frame.march.x < 1.0 && before.v.w * now[0].v.w > 0.0;
-        s = far ? 1.0 : 0.0;
+        float s = far ? 1.0 : 0.0;
         while (s < 1.0 && bundle && more && looks > 0) {
             place = segment_place(rays[0], segments[0], s);
             bool outward = dot(place.velocity, place.outward) > 0.0;
@@ -70,7 +68,7 @@ uvec2 tile_bodies(vec2 middle) {
                 RayPlace other = segment_place(rays[k], segments[k], there);
                 vec3 off = other.at - place.at;
                 corners = tile_spread(corners, place, off);
-                behind[k] = (there - s) * step - tile_ahead(place, off) / max(place_speed(place), 1.0e-20) * step;
+                behind[k] = (there - s - tile_ahead(place, off) / max(place_speed(place), 1.0e-20)) * step;
                 farther = max(farther, abs(other.r - place.r));
             }
             vec3 chord = place.at - start;

@@ -72,8 +72,8 @@ float march_cover(float depth, float thickness) {
 #define SPAN_OUTSIDE 1
 #define SPAN_INSIDE 2
 
-// The least value on a graze by golden section, the first below 0; the surface by regula falsi, where
-// the value of an end that stays counts for less (Anderson and Bjorck 1973), and halves where that is slow; and how deep the ray will come by slope and curvature of the value
+// The least value on a graze by golden section, the first below 0; the surface by regula falsi, where the value of an end that stays counts
+// for less (Anderson and Bjorck 1973), and halves where that is slow; and how deep the ray will come by slope and curvature of the value
 // along it. blur: bodies have soft edges. One value a round: software drivers run all of a loop for all of their rays.
 MarchContact march_contact(MarchWay way, MarchSpan span, float blur) {
     MarchContact contact;
@@ -210,15 +210,18 @@ float march_farthest(RayPlace place) {
 #endif
 }
 
-// How far to the next sample of a body, by the room that there is. Next to a horizon, where light is slow, a moving body could pass unnoticed between two samples.
+// How far on from far outside there is none for sure.
+float march_outside(RayPlace place, float reach) { return place.r - 1.5 * reach; }
+
+// How far to the next sample of a body, by the room that there is. Next to a horizon, where light is slow, a moving body could pass
+// unnoticed between two samples.
 float march_length(RayPlace place, float room, float reach) {
-    if (place.r > 2.0 * reach) return place.r - 1.5 * reach;
-    room = min(0.8 * room, 0.4 * place.r);
+    if (place.r > 2.0 * reach) return march_outside(place, reach);
+    float length = min(0.8 * room, march_farthest(place));
 #ifdef NEEDS_PLACE_LATE
-    float slowness = place_slowness(place);
-    return max(min(room, 2.0 * place.r / slowness), frame.march.y / slowness);
+    return max(length, frame.march.y / place_slowness(place));
 #else
-    return max(room, frame.march.y);
+    return max(length, frame.march.y);
 #endif
 }
 #endif

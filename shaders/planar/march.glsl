@@ -69,7 +69,7 @@ bool search_goes(Search search) {
 // Lists the bodies on the next part of the way.
 Search search_list(Search search) {
     RayPlace place = search.place;
-    search.listed = place.r > 2.0 * search.reach ? place.r - 1.5 * search.reach : march_farthest(place);
+    search.listed = place.r > 2.0 * search.reach ? march_outside(place, search.reach) : march_farthest(place);
     march_list(place, MARCH_LIST * search.listed);
     search.length = march_step(place, march_ask(place).y, search.reach);
     return search;
@@ -188,7 +188,7 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
 #endif
     // From one place that may be on a body to the next: what is done there is outside of the loop of samples, for all rays at once.
 #ifdef WAY_BETWEEN
-    if (search.place.r > 2.0 * search.reach) search.phi = min(march_angle(search.place, march_length(search.place, 0.0, search.reach)), phi_stop);
+    if (search.place.r > 2.0 * search.reach) search.phi = min(march_angle(search.place, march_outside(search.place, search.reach)), phi_stop);
     search.before_phi = search.phi;
     search.span = march_span(search.phi, 1.0e30);
     do {

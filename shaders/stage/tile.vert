@@ -2,13 +2,17 @@
 #include "generated/tiles"
 
 uniform highp sampler2D tile_texture;   // stage/tiles.frag
+#ifdef TILES_WITH_BODIES
+flat out highp vec4 tile_set;           // of the bodies that it may show
+#endif
 
 void main() {
     ivec2 tiles = textureSize(tile_texture, 0);
     ivec2 tile = ivec2(gl_VertexID % tiles.x, gl_VertexID / tiles.x);
-    vec4 bodies_of = texelFetch(tile_texture, tile, 0);
-    bool bodies = max(max(bodies_of.x, bodies_of.y), max(bodies_of.z, bodies_of.w)) > 0.0;
+    vec4 set = texelFetch(tile_texture, tile, 0);
+    bool bodies = max(max(set.x, set.y), max(set.z, set.w)) > 0.0;
 #ifdef TILES_WITH_BODIES
+    tile_set = set;
     bool drawn = bodies;
 #else
     bool drawn = !bodies;

@@ -29,9 +29,8 @@
 #ifdef TILES_WITH_BODIES
 #include "core/bits.glsl"
 #include "generated/bodies_march"
-#include "generated/tiles"
 
-uniform highp sampler2D tile_texture;   // stage/tiles.frag
+flat in highp vec4 tile_set;   // stage/tile.vert
 #endif
 
 out vec4 colour;
@@ -39,7 +38,7 @@ out vec4 colour;
 void main() {
 #ifdef TILES_WITH_BODIES
 #ifdef MARCH_LISTS
-    bodies_shown = set_of(texelFetch(tile_texture, ivec2(gl_FragCoord.xy) / TILE_SIDE, 0));
+    bodies_shown = set_of(tile_set);
 #endif
 #endif
     Trace trace = trace_pixel(gl_FragCoord.xy - 0.5 * frame.image.xy);

@@ -21,6 +21,13 @@ struct Options : BenchOptions {
     bool effects = false, moving = false;
 };
 
+// What a row of any measurement begins with.
+Json row_of(const Bench& bench, const Scene& scene, int frames) {
+    return {{"scene", scene.name},           {"context", bench.session.context->kind()},
+            {"renderer", bench.driver()},    {"width", bench.target.width},
+            {"height", bench.target.height}, {"frames", frames}};
+}
+
 // The bench's other renderer draws the floor: the scene in flat space.
 Result<Json> measure(const Bench& bench, const Scene& scene, int frames) {
     Scene flat = scene;
@@ -49,24 +56,20 @@ Result<Json> measure(const Bench& bench, const Scene& scene, int frames) {
         "{:<18} {:7.2f} ms ({:.2f} to {:.2f})  {:.4f} core-s  {:5.2f} x floor  {:5.2f} x fetch  first frame {:.0f} ms, "
         "tables {:.1f} ms\n",
         scene.name, median(wall_ms), *low, *high, core, core / floor, fetch_ratio, first_ms, table_ms);
-    return Json{{"scene", scene.name},
-                {"context", bench.session.context->kind()},
-                {"renderer", bench.driver()},
-                {"width", bench.target.width},
-                {"height", bench.target.height},
-                {"frames", frames},
-                {"median_ms", median(wall_ms)},
-                {"min_ms", *low},
-                {"max_ms", *high},
-                {"core_seconds", core},
-                {"gpu_ms", median(samples[0].gpu_ms)},
-                {"floor_gpu_ms", median(samples[1].gpu_ms)},
-                {"prepare_ms", prepare_ms},
-                {"compile_ms", first_ms},
-                {"table_ms", table_ms},
-                {"floor_ratio", core / floor},
-                {"fetch_ratio", fetch_ratio},
-                {"floor_core_seconds", floor}};
+    Json row = row_of(bench, scene, frames);
+    row.update(Json{{"median_ms", median(wall_ms)},
+                    {"min_ms", *low},
+                    {"max_ms", *high},
+                    {"core_seconds", core},
+                    {"gpu_ms", median(samples[0].gpu_ms)},
+                    {"floor_gpu_ms", median(samples[1].gpu_ms)},
+                    {"prepare_ms", prepare_ms},
+                    {"compile_ms", first_ms},
+                    {"table_ms", table_ms},
+                    {"floor_ratio", core / floor},
+                    {"fetch_ratio", fetch_ratio},
+                    {"floor_core_seconds", floor}});
+    return row;
 }
 
 // Random places and directions, some close, some far, most of them with the hole in view.
@@ -135,11 +138,12 @@ Result<Json> moving_cost(const Bench& bench, const Scene& scene, int frames) {
     fmt::print(
         "{:<18} host {:.2f} core-ms, at rest {:.2f}: {:.2f} more; frame {:.2f} core-ms, at rest {:.2f}: {:.2f} times\n",
         scene.name, host, host_at_rest, host - host_at_rest, frame, frame_at_rest, frame / frame_at_rest);
-    return Json{{"scene", scene.name},           {"context", bench.session.context->kind()},
-                {"renderer", bench.driver()},    {"width", bench.target.width},
-                {"height", bench.target.height}, {"frames", frames},
-                {"host_core_ms", host},          {"host_at_rest_core_ms", host_at_rest},
-                {"frame_core_ms", frame},        {"frame_at_rest_core_ms", frame_at_rest}};
+    Json row = row_of(bench, scene, frames);
+    row.update(Json{{"host_core_ms", host},
+                    {"host_at_rest_core_ms", host_at_rest},
+                    {"frame_core_ms", frame},
+                    {"frame_at_rest_core_ms", frame_at_rest}});
+    return row;
 }
 
 Status run(const Options& options) {

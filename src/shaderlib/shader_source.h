@@ -12,8 +12,8 @@ namespace nullscope {
 
 // kStars: points added to the picture. kBloomDown, kBloomUp, kMeter: of the picture in
 // linear light. kDevelop: from it to the display. kBareFetch: one cube-map fetch a pixel,
-// a baseline of cost. kTiles: which tiles of the picture may show a body. kBodyTiles: the picture there; kClearTiles: in the others, without
-// a look for bodies.
+// a baseline of cost. kTiles: which bodies the picture's tiles may show. kBodyTiles: the picture in tiles that
+// may show one; kClearTiles: in the others, where none is looked for.
 enum class Stage {
     kPicture,
     kStars,
