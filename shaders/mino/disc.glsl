@@ -1,6 +1,7 @@
 // The disc about a rotating hole: what of the ray's crossings of the equatorial plane (mino/trace.glsl) lies between its radii.
 // As planar/disc.glsl.
 #include "mino/trace.glsl"
+#include "object/disc_rim.glsl"
 #include "shared/frame.glsl"
 
 struct DiscWalk {
@@ -33,7 +34,7 @@ DiscCrossing disc_walk_crossing(Trace trace, DiscWalk walk) {
     float inner = frame.disc_x.w;
     float outer = frame.disc_y.w;
     vec4 footprint = vec4(crossing.along, crossing.across);
-    float reach = min(0.5 * sqrt(dot(footprint, footprint)), SPIN_RIM * min(outer - inner, inner));
+    float reach = min(0.5 * sqrt(dot(footprint, footprint)), disc_rim());
     crossing.hit = spin_disc_more(trace, k) && crossing.r >= inner - reach && crossing.r <= outer + reach;
     return crossing;
 }

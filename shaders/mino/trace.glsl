@@ -8,6 +8,7 @@
 #endif
 #ifdef EFFECT_DISC
 #include "mino/segment.glsl"
+#include "object/disc_rim.glsl"
 #endif
 #include "mino/ray.glsl"
 #include "mino/step.glsl"
@@ -20,8 +21,6 @@
 #include "shared/frame.glsl"
 
 #define SPIN_CROSSINGS 4   // of the disc that are kept: layers of a translucent one
-#define SPIN_RIM 0.125     // of the disc's width, and of its inner radius: by no more is it widened for rims that cover a pixel in part
-
 #define SPIN_FARTHEST 1.0e10   // a crossing beyond it lies behind the sky
 
 #ifdef EFFECT_DISC
@@ -138,7 +137,11 @@ Trace trace_pixel(vec2 pixel) {
     trace.crossing_2 = none;
     trace.crossing_3 = none;
     float number = 0.0;
-    float rim = SPIN_RIM * min(frame.disc_y.w - frame.disc_x.w, frame.disc_x.w);
+#ifdef EVERY_CROSSING
+    float rim = SPIN_FARTHEST;
+#else
+    float rim = disc_rim();
+#endif
 #endif
     bool crossed = false;   // the disc's plane
     bool near = false;      // the band that bodies keep to

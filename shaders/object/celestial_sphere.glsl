@@ -13,15 +13,18 @@
 #include "path/trace"
 #include "shared/frame.glsl"
 
-float sky_level(Trace trace) {
+// log2 of the footprint, texels.
+float sky_detail(Trace trace) {
     float along = abs(trace.stretch_along);
     float across = abs(trace.stretch_across);
     float wide = max(along, across);
     float side2 = max(0.36 * wide * wide, along * across) * trace.pixel_angle * trace.pixel_angle;
     vec3 size = abs(trace.sky);
     float texels = frame.sky.x / max(max(size.x, size.y), size.z);   // a cube face is denser towards its corners
-    return footprint_level(0.5 * log2(side2 * texels * texels), frame.sky.y);
+    return 0.5 * log2(side2 * texels * texels);
 }
+
+float sky_level(Trace trace) { return footprint_level(sky_detail(trace), frame.sky.y); }
 
 #ifdef EFFECT_SKY_SHIFT
 // The sky's light as g changes it: that of a black body of its temperature. Without motion it is the same all over the sky.

@@ -63,6 +63,9 @@ DiscCrossing disc_walk_crossing(Trace trace, DiscWalk walk) {
     return crossing;
 }
 
+// Crossing `number`, where it is known to be within the disc.
+DiscCrossing disc_crossing_within(Trace trace, int number) { return disc_cross(trace, disc_meeting(trace), number, 0.0); }
+
 #ifdef EFFECT_DELAY
 // How long ago, by the camera's clock, the light left.
 float disc_delay(Trace trace, DiscCrossing crossing) { return light_time(trace, crossing.phi, crossing.r, crossing.zeta_slope); }

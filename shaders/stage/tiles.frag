@@ -1,12 +1,39 @@
-// Which bodies a tile of the picture may show, a texel a tile: bits (core/bits.glsl).
-#include "core/bits.glsl"
+// What the picture's tiles may show, a texel a tile: the set of bodies (core/bits.glsl), or neither body nor disc.
 #include "generated/tiles"
-#include "path/tile"
 #include "shared/frame.glsl"
+#include "stage/tile_kind.glsl"
+#ifdef TILES_OF_BODIES
+#include "core/bits.glsl"
+#include "path/tile"
+#endif
+#ifdef TILES_OF_DISC
+#include "stage/tile_disc.glsl"
+#endif
+#ifdef TILES_INTERPOLATED
+#include "stage/tile_fit.glsl"
+#endif
 
 out vec4 colour;
 
 void main() {
-    vec2 middle = gl_FragCoord.xy * float(TILE_SIDE) - 0.5 * frame.image.xy;
-    colour = texel_of(tile_bodies(middle));
+    vec4 bodies = vec4(0.0);
+    bool sky = true;
+#ifdef TILES_OF_BODIES
+    bodies = texel_of(tile_bodies(gl_FragCoord.xy * float(TILE_SIDE) - 0.5 * frame.image.xy));
+    sky = max(max(bodies.x, bodies.y), max(bodies.z, bodies.w)) == 0.0;
+#endif
+#ifdef TILES_OF_DISC
+    float disc = tile_of_disc(ivec2(gl_FragCoord.xy));
+    if (sky && disc <= TILE_FULL) bodies = vec4(disc);
+    sky = sky && disc == TILE_SKY;
+#else
+#ifdef EFFECT_DISC
+    sky = false;
+#endif
+#endif
+    float kind = TILE_SKY;
+#ifdef TILES_INTERPOLATED
+    kind = tile_interpolates(ivec2(gl_FragCoord.xy)) ? TILE_INTERPOLATED : TILE_SKY;
+#endif
+    colour = sky ? vec4(kind) : bodies;
 }

@@ -149,6 +149,8 @@ Result<Json> moving_cost(const Bench& bench, const Scene& scene, int frames) {
 Status run(const Options& options) {
     if (options.effects) return bench_effects(options);
     TRY(bench, open_bench(options));
+    for (Renderer* renderer : {&bench->renderer(), bench->other.get()})
+        renderer->limit_tiles(Tiles::kInterpolated);  // as the viewer does in flight
     Json rows = Json::array();
     for (const std::string& name : options.scenes) {
         TRY(scene, load_scene_sized(name, options.size));

@@ -327,6 +327,13 @@ Target make_target(int width, int height, Format format, int count) {
     return target;
 }
 
+void clear(const Target& target) {
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
 void read_rgba8(const Target& target, unsigned char* out) {
     read_rows(target, 0, 0, target.height, GL_UNSIGNED_BYTE, out);
 }

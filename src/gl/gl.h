@@ -105,6 +105,7 @@ struct Target {
     Framebuffer framebuffer;
 };
 Target make_target(int width, int height, Format format, int count = 1);
+void clear(const Target& target);                                                  // to zeros
 void read_rgba8(const Target& target, unsigned char* out);                         // bottom row first
 void read_rgba32f(const Target& target, int attachment, float* out);               // bottom row first
 void read_rgba32f_row(const Target& target, int attachment, int row, float* out);  // row: from the bottom

@@ -24,6 +24,14 @@ const std::array<const Feature*, kEffectCount>& features() {
     return all;
 }
 
+// Rays outside of the horizon, to one sky.
+bool ends_are_plain(const EffectSet& effects) {
+    for (const Effect effect :
+         {Effect::kSpinFall, Effect::kSides, Effect::kInner, Effect::kBounce, Effect::kFarSky, Effect::kStar})
+        if (effects.contains(effect)) return false;
+    return effects.contains(Effect::kLensing) || effects.contains(Effect::kSpin);
+}
+
 }  // namespace
 
 const Feature& feature_of(Effect effect) { return *features()[static_cast<std::size_t>(effect)]; }
@@ -57,6 +65,13 @@ bool has_marched(const EffectSet& effects) {
 }
 bool has_tiles(const EffectSet& effects) {
     return has_marched(effects) && !effects.contains(Effect::kSides) && !effects.contains(Effect::kSpinFall);
+}
+bool tiles_tell_disc(const EffectSet& effects) { return effects.contains(Effect::kDisc) && ends_are_plain(effects); }
+bool tiles_tell_full_disc(const EffectSet& effects) {
+    return tiles_tell_disc(effects) && light_path_kind(effects) == LightPathKind::kPlanar;
+}
+bool interpolates(const EffectSet& effects) {
+    return light_path_kind(effects) == LightPathKind::kMino && ends_are_plain(effects);
 }
 bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
 bool shades_heat(const EffectSet& effects) {

@@ -112,9 +112,13 @@ private:
 // The kind of path that a frame's light takes: orbits in planes, which straight light is drawn as too, or steps in Mino's time.
 enum class LightPathKind { kPlanar, kMino };
 LightPathKind light_path_kind(const EffectSet& effects);
-// Marched bodies that rays meet outside of every horizon, on one side of the throat: the picture's tiles are told apart by whether they may
-// show one.
+// Where a picture is drawn in tiles, they tell apart: has_tiles: whether they may show a marched body (all outside of every horizon, on
+// one side of the throat); tiles_tell_disc: whether they may show the disc;
+// tiles_tell_full_disc: or nothing else; interpolates: whether rays may be interpolated in them.
 bool has_tiles(const EffectSet& effects);
+bool tiles_tell_disc(const EffectSet& effects);
+bool tiles_tell_full_disc(const EffectSet& effects);
+bool interpolates(const EffectSet& effects);
 bool has_marched(
     const EffectSet& effects);  // bodies that are found by steps: all but the sphere, and that about a rotating hole
 bool has_solids(const EffectSet& effects);     // any solid body

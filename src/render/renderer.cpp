@@ -29,7 +29,7 @@ constexpr const char* kSamplers[] = {"strip_texture",      "orbit_texture",     
                                      "other_side_texture", "disc_matter_texture", "black_body_texture",
                                      "star_lens_texture",  "clearance_texture",   "ball_path_texture"};
 constexpr int kBodyUnit = static_cast<int>(std::size(kSamplers));
-constexpr int kTileUnit = kBodyUnit + kMostBodyImages;  // of a vertex shader, which has units of its own
+constexpr int kTileUnit = kBodyUnit + kMostBodyImages;
 constexpr int unit_of(std::string_view sampler) {
     return static_cast<int>(std::ranges::find(kSamplers, sampler) - std::begin(kSamplers));
 }
@@ -209,11 +209,14 @@ void Renderer::load_table() {
     gpu_table_ms_ = watch.ms();
 }
 
-const gl::Program& Renderer::program(Stage stage, Output output) {
-    const auto key = knows_scene(stage)
-                         ? std::make_tuple(stage, output, tables_.effects(), method_,
+Renderer::ProgramKey Renderer::program_key(Stage stage, Output output) const {
+    return knows_scene(stage) ? ProgramKey(stage, output, tables_.effects(), method_,
                                            std::string(tables_.spacetime().name()), body_text_)
-                         : std::make_tuple(stage, output, EffectSet{}, Method{}, std::string(), BodyText{});
+                              : ProgramKey(stage, output, EffectSet{}, Method{}, std::string(), BodyText{});
+}
+
+const gl::Program& Renderer::program(Stage stage, Output output) {
+    const ProgramKey key = program_key(stage, output);
     const auto found = programs_.find(key);
     if (found != programs_.end()) return found->second;
     const ShaderSource source =
@@ -223,15 +226,16 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     gl::bind_uniform_block(made, "ObjectBlock", kObjectBinding);
     for (const char* sampler : kSamplers) gl::set_integer(made, sampler, unit_of(sampler));
     for (const auto& [sampler, unit] : kPassSamplers) gl::set_integer(made, sampler, unit);
-    gl::set_integer(made, "tile_texture", kTileUnit);
+    for (int i = 0; const char* sampler : PictureTiles::kSamplers) gl::set_integer(made, sampler, kTileUnit + i++);
     for (int i = 0; i < kMostBodyImages; ++i) gl::set_integer(made, body_image_sampler(i).c_str(), kBodyUnit + i);
     return programs_.emplace(key, std::move(made)).first->second;
 }
 
 int Renderer::picture_programs() const {
-    return static_cast<int>(std::count_if(programs_.begin(), programs_.end(), [](const auto& entry) {
-        return draws_picture(std::get<Stage>(entry.first));
-    }));
+    return static_cast<int>(
+               std::count_if(programs_.begin(), programs_.end(),
+                             [](const auto& entry) { return draws_picture(std::get<Stage>(entry.first)); })) -
+           built_ahead_;
 }
 
 void Renderer::bind_inputs() {
@@ -250,6 +254,7 @@ void Renderer::bind_inputs() {
         gl::bind_texture_2d(unit_of(sampler), *texture);
     skies_.bind(kSkyUnit, kFarSkyUnit);
     body_images_.bind(kBodyUnit);
+    picture_tiles_.bind(kTileUnit);
 }
 
 void Renderer::draw(unsigned framebuffer, int width, int height, Output output) {
@@ -258,8 +263,7 @@ void Renderer::draw(unsigned framebuffer, int width, int height, Output output) 
 
 // The passes that follow the picture's need all of it: they run with its last rows.
 void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output output, int first, int last) {
-    const std::vector<Pass> list =
-        passes(tables_.effects(), output, in_tiles_ && method_.kind != MethodKind::kKerrSchild);
+    const std::vector<Pass> list = picture_passes(output);
     const bool keep = keeps_light(list),
                halves = tables_.effects().contains(Effect::kBloom) || tables_.effects().contains(Effect::kAutoExposure);
     if (!keep)
@@ -272,18 +276,12 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
         bloom_.resize(width, height);
     else
         bloom_.clear();
-    const int across = (width + kTileSide - 1) / kTileSide, up = (height + kTileSide - 1) / kTileSide;
-    if (list.front().stage != Stage::kTiles)
-        tiles_ = {};
-    else if (tiles_.width != across || tiles_.height != up)
-        tiles_ = gl::make_target(across, up, gl::Format::kRgba32F);
+    picture_tiles_.resize(list, width, height, tables_.effects());
     bind_inputs();
     for (const Pass& pass : list) {
         const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
-        if (pass.stage == Stage::kTiles) {
-            if (first == 0) find_tiles(pass);
-        } else if (pass.stage == Stage::kClearTiles || pass.stage == Stage::kBodyTiles) {
-            gl::draw_tiles(program(pass.stage, pass.output), empty_, picture, width, height, kTileSide, first, last);
+        if (is_in_tiles(pass.stage)) {
+            draw_in_tiles(pass, picture, width, height, first, last);
         } else if (pass.stage == Stage::kPicture && last - first < height) {
             gl::draw_rows(program(pass.stage, pass.output), empty_, picture, width, height, first, last);
         } else if (last == height) {
@@ -292,9 +290,48 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
     }
 }
 
-void Renderer::find_tiles(const Pass& pass) {
-    gl::draw_fullscreen(program(pass.stage, pass.output), empty_, tiles_.framebuffer.id(), tiles_.width, tiles_.height);
-    gl::bind_texture_2d(kTileUnit, tiles_.colours.front());
+// What tiles may show is found with the picture's first rows.
+void Renderer::draw_in_tiles(const Pass& pass, unsigned picture, int width, int height, int first, int last) {
+    if (draws_picture(pass.stage))
+        gl::draw_tiles(program(pass.stage, pass.output), empty_, picture, width, height, kTileSide, first, last);
+    else if (first == 0)
+        picture_tiles_.find(pass.stage, program(pass.stage, pass.output), empty_);
+}
+
+// The method that follows from the scene alone may interpolate; others show what they are. The Kerr-Schild march has no tiles.
+std::vector<Pass> Renderer::passes_with(Tiles most, Output output) const {
+    const Tiles able = method_.kind == MethodKind::kKerrSchild                ? Tiles::kNone
+                       : method_.kind == MethodKind::kStrip && !method_.cubic ? Tiles::kInterpolated
+                                                                              : Tiles::kTraced;
+    return passes(tables_.effects(), output, std::min(able, most));
+}
+
+std::vector<Pass> Renderer::picture_passes(Output output) const {
+    if (most_built_tiles_ > most_tiles_) {
+        std::vector<Pass> list = passes_with(most_built_tiles_, output);
+        if (std::ranges::all_of(
+                list, [&](const Pass& pass) { return programs_.contains(program_key(pass.stage, pass.output)); }))
+            return list;
+    }
+    return passes_with(most_tiles_, output);
+}
+
+bool Renderer::build_next() {
+    constexpr int kSide = 3 * kTileSide;  // no power of two: llvmpipe compiles once more for textures of such sizes
+    const std::vector<Pass> list = passes_with(most_built_tiles_, Output::kDisplay);
+    for (const Pass& pass : list) {
+        if (!is_in_tiles(pass.stage) || programs_.contains(program_key(pass.stage, pass.output))) continue;
+        // Drivers compile when something is drawn.
+        const gl::Target target =
+            gl::make_target(kSide, kSide, keeps_light(list) ? gl::Format::kRgba16F : gl::Format::kRgba8);
+        picture_tiles_.resize(list, kSide, kSide, tables_.effects());
+        bind_inputs();
+        draw_in_tiles(pass, target.framebuffer.id(), kSide, kSide, 0, kSide);
+        gl::finish();
+        if (draws_picture(pass.stage)) ++built_ahead_;
+        return true;
+    }
+    return false;
 }
 
 void Renderer::draw_pass(const Pass& pass, unsigned framebuffer, int width, int height) {
@@ -344,6 +381,23 @@ Image<unsigned char> Renderer::picture8() {
 Image<float> Renderer::picture() {
     return drawn<float>(gl::Format::kRgba32F, Output::kLinear,
                         [](const gl::Target& target, float* out) { gl::read_rgba32f(target, 0, out); });
+}
+
+Image<float> Renderer::interpolated_rays() {
+    const int w = tables_.plan().scene.camera.width, h = tables_.plan().scene.camera.height;
+    Image<float> image(w, h, 4);
+    const std::vector<Pass> list = passes_with(Tiles::kInterpolated, Output::kLinear);
+    if (std::ranges::find(list, Stage::kInterpolated, &Pass::stage) == list.end()) return image;
+    const gl::Target target = gl::make_target(w, h, gl::Format::kRgba32F);
+    gl::clear(target);
+    picture_tiles_.resize(list, w, h, tables_.effects());
+    bind_inputs();
+    for (const Stage stage : {Stage::kRays, Stage::kTilesInterpolated})
+        picture_tiles_.find(stage, program(stage, Output::kLinear), empty_);
+    gl::draw_tiles(program(Stage::kInterpolatedRays, Output::kLinear), empty_, target.framebuffer.id(), w, h, kTileSide,
+                   0, h);
+    for (int y = 0; y < h; ++y) gl::read_rgba32f_row(target, 0, h - 1 - y, image.at(0, y));
+    return image;
 }
 
 RayFrame Renderer::ray_data(int row_step) {

@@ -16,6 +16,7 @@
 #include "render/body_images.h"
 #include "render/frame_numbers.h"
 #include "render/frame_tables.h"
+#include "render/picture_tiles.h"
 #include "render/sky_textures.h"
 #include "render/star_field.h"
 #include "scene/ray.h"
@@ -48,8 +49,12 @@ public:
     void set_method(const Method& method) { method_ = method; }
     const Method& method() const { return method_; }
 
-    // Whether pictures with bodies are drawn in tiles, those without a body by a shader of their own; the same picture, sooner.
-    void draw_in_tiles(bool wanted) { in_tiles_ = wanted; }
+    // How much of a picture may be drawn in tiles (shaderlib/passes.h), for pictures of many pixels or many of them.
+    void limit_tiles(Tiles most) { most_tiles_ = most; }
+    // The same, once build_next() has made all of the programs; until then Tiles::kBodies.
+    void limit_tiles_once_built(Tiles most) { most_built_tiles_ = most; }
+    // One program of those that are not there, some 0.1 s on software drivers; of a prepared scene. Returns whether one was left.
+    bool build_next();
 
     // From the next prepare() on: ray data say how long light takes, whether the scene asks for it or not, where the metric can tell.
     void want_delays(bool wanted) { tables_.want_delays(wanted); }
@@ -68,8 +73,10 @@ public:
     void draw_bare_fetch(unsigned framebuffer, int width, int height);
 
     // The prepared scene, read back; rows from the top.
-    Image<unsigned char> picture8();      // RGB, display-encoded
-    Image<float> picture();               // RGB, linear light
+    Image<unsigned char> picture8();  // RGB, display-encoded
+    Image<float> picture();           // RGB, linear light
+    // Where rays are interpolated: the sky's direction, and 1 (escapes) or 2 (captured); elsewhere 0. Rows from the top, four channels.
+    Image<float> interpolated_rays();
     RayFrame ray_data(int row_step = 1);  // row_step: draws and reads only rows 0, row_step, ...; the same bits there
 
     // The ray through the middle of each view's picture, in order; no picture of sky or disc is loaded. Needs no prepare(),
@@ -78,7 +85,7 @@ public:
 
     const FrameTables& tables() const { return tables_; }
     double gpu_table_ms() const { return gpu_table_ms_; }  // time of the last table of method kTable
-    int picture_programs() const;                          // of pictures, built so far
+    int picture_programs() const;                          // of pictures, built so far while they were drawn
     const gl::Info& info() const { return info_; }
 
     struct TextureLine {
@@ -89,12 +96,16 @@ public:
     std::vector<TextureLine> textures() const;
 
 private:
+    using ProgramKey = std::tuple<Stage, Output, EffectSet, Method, std::string, BodyText>;
+    ProgramKey program_key(Stage stage, Output output) const;
     const gl::Program& program(Stage stage, Output output);
+    std::vector<Pass> passes_with(Tiles most, Output output) const;
+    std::vector<Pass> picture_passes(Output output) const;
     template <class T, class Read>
     Image<T> drawn(gl::Format format, Output output, Read read);
     void bind_inputs();
     void draw_pass(const Pass& pass, unsigned framebuffer, int width, int height);
-    void find_tiles(const Pass& pass);
+    void draw_in_tiles(const Pass& pass, unsigned picture, int width, int height, int first, int last);
     void upload_tables();
     void upload_ends();
     void upload_block(const TextureFacts& facts);
@@ -109,7 +120,7 @@ private:
     std::vector<std::string> notes_;
     gl::VertexArray empty_;
     gl::Buffer uniforms_, objects_;
-    std::map<std::tuple<Stage, Output, EffectSet, Method, std::string, BodyText>, gl::Program> programs_;
+    std::map<ProgramKey, gl::Program> programs_;
     Method method_;
     FrameTables tables_;
     int rows_revision_ = -1, clearances_revision_ = 0;
@@ -119,8 +130,9 @@ private:
     StarField stars_;
     Bloom bloom_;
     double adaptation_ = 1.0;
-    bool in_tiles_ = true;
-    gl::Target tiles_;   // a texel a tile (stage kTiles)
+    Tiles most_tiles_ = Tiles::kBodies, most_built_tiles_ = Tiles::kNone;
+    int built_ahead_ = 0;
+    PictureTiles picture_tiles_;
     gl::Target linear_;  // what passes of light work on, if there are any
     BodyText body_text_;
     BodyImages body_images_;

@@ -2,18 +2,34 @@
 
 namespace nullscope {
 
-std::vector<Pass> passes(const EffectSet& effects, Output output, bool tiles) {
+std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
     const bool stars = effects.contains(Effect::kPointStars);
     const bool bloom = effects.contains(Effect::kBloom), meter = effects.contains(Effect::kAutoExposure);
     const bool develop = output == Output::kDisplay && (stars || bloom || meter);
     std::vector<Pass> list;
     const Output light = develop ? Output::kLinear : output;
-    if (tiles && has_tiles(effects)) {
-        list.push_back({Stage::kTiles, Output::kLinear, "tiles",
-                        "which tiles of the picture may show a body: five rays a tile, beside each other"});
-        list.push_back({Stage::kClearTiles, light, "tiles without bodies",
-                        "every pixel traces its ray and shades what it meets; bodies are not looked for"});
-        list.push_back({Stage::kBodyTiles, light, "tiles with bodies", "the same, and bodies"});
+    const bool disc = effects.contains(Effect::kDisc), find_bodies = tiles >= Tiles::kBodies && has_tiles(effects),
+               find_disc = tiles >= Tiles::kTraced && tiles_tell_disc(effects),
+               interpolated = tiles >= Tiles::kInterpolated && interpolates(effects);
+    if (interpolated || find_disc)
+        list.push_back({Stage::kRays, Output::kLinear, "rays of tiles",
+                        "where the rays through the corners of the picture's tiles go"});
+    if (interpolated || find_disc || find_bodies) {
+        list.push_back({interpolated ? Stage::kTilesInterpolated
+                        : find_disc  ? Stage::kTilesTraced
+                                     : Stage::kTiles,
+                        Output::kLinear, "tiles", "what the picture's tiles may show, by rays through each"});
+        if (interpolated)
+            list.push_back({Stage::kInterpolated, light, "interpolated tiles",
+                            "the sky alone, where the rays between a tile's are interpolated"});
+        if (find_disc || !disc)
+            list.push_back({Stage::kSkyTiles, light, "tiles of sky",
+                            "every pixel traces its ray; neither disc nor bodies are looked for"});
+        if (find_disc && tiles_tell_full_disc(effects))
+            list.push_back({Stage::kFullDisc, light, "tiles full of disc",
+                            "every pixel traces its ray to the crossing where it meets the disc"});
+        if (disc) list.push_back({Stage::kDiscTiles, light, "tiles of disc", "the same, and the disc"});
+        if (find_bodies) list.push_back({Stage::kBodyTiles, light, "tiles of bodies", "the same, and bodies"});
     } else {
         list.push_back({Stage::kPicture, light, "picture",
                         "one triangle over the picture: every pixel traces its ray and shades what it meets"});

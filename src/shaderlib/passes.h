@@ -16,8 +16,11 @@ struct Pass {
 };
 
 // kDisplay: to 8 bits. kLinear: linear light, nothing done to it.
-// tiles: false draws the picture at once even where it could be done in tiles.
-std::vector<Pass> passes(const EffectSet& effects, Output output, bool tiles = true);
+// How much of a picture may be drawn in tiles. kNone: nothing. kBodies: bodies are looked for in those that may show one. kTraced: so is the
+// disc; the same picture, but more programs, which one picture is not worth. kInterpolated: and about a rotating hole the rays of tiles
+// without disc and bodies are interpolated, to 0.002 px (shaders/stage/tile_fit.glsl).
+enum class Tiles { kNone, kBodies, kTraced, kInterpolated };
+std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles = Tiles::kBodies);
 
 // Does something work on the picture's light before it is encoded, so that it has to be kept?
 bool keeps_light(const std::vector<Pass>& passes);

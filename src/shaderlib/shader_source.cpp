@@ -87,7 +87,8 @@ std::vector<std::string> members_of(const std::string& block) {
 struct StageFiles {
     const char *vertex, *fragment;
 };
-constexpr const char *kFullscreen = "stage/fullscreen.vert", *kTile = "stage/tile.vert";
+constexpr const char *kFullscreen = "stage/fullscreen.vert", *kTile = "stage/tile.vert",
+                     *kInterpolated = "stage/interpolated.vert";
 constexpr StageFiles kStageFiles[] = {  // by Stage
     {kFullscreen, "stage/trace.frag"},
     {"stage/star.vert", "stage/star.frag"},
@@ -97,9 +98,16 @@ constexpr StageFiles kStageFiles[] = {  // by Stage
     {kFullscreen, "stage/develop.frag"},
     {kFullscreen, "stage/raydata.frag"},
     {kFullscreen, "stage/bare_fetch.frag"},
+    {kFullscreen, "stage/rays.frag"},
     {kFullscreen, "stage/tiles.frag"},
+    {kFullscreen, "stage/tiles.frag"},
+    {kFullscreen, "stage/tiles.frag"},
+    {kInterpolated, "stage/interpolated.frag"},
     {kTile, "stage/trace.frag"},
-    {kTile, "stage/trace.frag"}};
+    {kTile, "stage/full_disc.frag"},
+    {kTile, "stage/trace.frag"},
+    {kTile, "stage/trace.frag"},
+    {kInterpolated, "stage/interpolated_rays.frag"}};
 
 const EmbeddedShader* find_file(std::string_view path) {
     const auto files = embedded_shaders();
@@ -108,6 +116,8 @@ const EmbeddedShader* find_file(std::string_view path) {
 }
 
 }  // namespace
+
+int rays_a_tile(const EffectSet& effects) { return interpolates(effects) ? 2 : 1; }
 
 bool has_shader(std::string_view folder, std::string_view metric) {
     return find_file(fmt::format("{}/{}.glsl", folder, metric)) != nullptr;
@@ -135,10 +145,25 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
                            std::string_view metric, const BodyText& bodies) {
     std::vector<std::string> defines;
     if (stage != Stage::kBareFetch) defines = defines_of(effects);
-    const bool objects = stage == Stage::kClearTiles ? effects.contains(Effect::kDisc) : meets_objects(effects);
+    const bool interpolated = stage == Stage::kInterpolated || stage == Stage::kInterpolatedRays,
+               sky_alone = interpolated || stage == Stage::kSkyTiles,
+               no_bodies =
+                   sky_alone || stage == Stage::kFullDisc || stage == Stage::kDiscTiles || stage == Stage::kRays;
+    const bool objects = (!no_bodies && has_solids(effects)) || (!sky_alone && effects.contains(Effect::kDisc));
     if (stage == Stage::kRayData || objects || effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PHI_END");
     if (stage == Stage::kRayData && effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PLACE_LATE");
-    if (stage == Stage::kClearTiles) std::erase(defines, "NEEDS_PLACE");
+    if (no_bodies) std::erase(defines, "NEEDS_PLACE");
+    if (sky_alone) std::erase(defines, "EFFECT_DISC");
+    if (stage == Stage::kSkyTiles) defines.emplace_back("TILES_OF_SKY");
+    if (stage == Stage::kDiscTiles) defines.emplace_back("TILES_OF_THE_REST");
+    if (stage == Stage::kFullDisc) defines.emplace_back("TILES_OF_FULL_DISC");
+    if (stage == Stage::kRays) defines.emplace_back("EVERY_CROSSING");
+    if (finds_tiles(stage) && has_tiles(effects)) defines.emplace_back("TILES_OF_BODIES");
+    if (stage == Stage::kTilesTraced || stage == Stage::kTilesInterpolated) {
+        if (tiles_tell_disc(effects)) defines.emplace_back("TILES_OF_DISC");
+        if (tiles_tell_full_disc(effects)) defines.emplace_back("TILES_OF_FULL_DISC");
+    }
+    if (stage == Stage::kTilesInterpolated) defines.emplace_back("TILES_INTERPOLATED");
     if (stage == Stage::kBodyTiles) defines.emplace_back("TILES_WITH_BODIES");
     if (draws_picture(stage)) defines.emplace_back("NEEDS_FOOTPRINT");
     if (draws_picture(stage) && output == Output::kDisplay) defines.emplace_back("DISPLAY_ENCODE");
@@ -147,7 +172,8 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
         {"generated/method", method_text(method, metric)},
         {"generated/metric", include_line(fmt::format("spacetime/{}.glsl", metric))},
         {"generated/constants", fmt::format("#define METER_KEY {}\n", kMeterKey)},
-        {"generated/tiles", fmt::format("#define TILE_SIDE {}\n", kTileSide)},
+        {"generated/tiles",
+         fmt::format("#define TILE_SIDE {}\n#define RAYS_A_TILE {}\n", kTileSide, rays_a_tile(effects))},
         {"generated/objects", bodies.objects},
         {"generated/surfaces", bodies.surfaces},
         {"generated/bodies_march", bodies.march},
@@ -160,7 +186,8 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
     const ShaderReader read = [&](std::string_view name) -> std::string_view {
         if (const auto part = generated.find(name); part != generated.end()) return part->second;
         if (!name.starts_with(kPathPrefix)) return shader_file(name);
-        return chosen[std::string(name)] = path_line(path, name);
+        return chosen[std::string(name)] =
+                   path_line(path, interpolated && name == "path/trace" ? "path/interpolated" : name);
     };
     const StageFiles& files = kStageFiles[static_cast<std::size_t>(stage)];
     return {kHead + resolved_text(files.vertex, defines, read), kHead + resolved_text(files.fragment, defines, read)};

@@ -12,8 +12,10 @@ namespace nullscope {
 
 // kStars: points added to the picture. kBloomDown, kBloomUp, kMeter: of the picture in
 // linear light. kDevelop: from it to the display. kBareFetch: one cube-map fetch a pixel,
-// a baseline of cost. kTiles: which bodies the picture's tiles may show. kBodyTiles: the picture in tiles that
-// may show one; kClearTiles: in the others, where none is looked for.
+// a baseline of cost. Tiles are squares of the picture. kRays: the rays through their corners. kTiles: which bodies they may show;
+// kTilesTraced: and whether the disc; kTilesInterpolated: and whether their rays may be interpolated. The picture in these: kInterpolated;
+// in the others kSkyTiles, where neither body nor disc is seen; kFullDisc, where nothing but the disc is; kDiscTiles, where no body is;
+// kBodyTiles, the rest. kInterpolatedRays: where interpolated rays go, for tests.
 enum class Stage {
     kPicture,
     kStars,
@@ -23,11 +25,20 @@ enum class Stage {
     kDevelop,
     kRayData,
     kBareFetch,
+    kRays,
     kTiles,
+    kTilesTraced,
+    kTilesInterpolated,
+    kInterpolated,
+    kSkyTiles,
+    kFullDisc,
+    kDiscTiles,
     kBodyTiles,
-    kClearTiles
+    kInterpolatedRays
 };
 inline constexpr int kTileSide = 8;  // px
+int rays_a_tile(
+    const EffectSet& effects);  // of stage kRays: through the corner, and through the middle if rays are interpolated
 // Whether a stage's text depends on the scene at all; else one program serves every scene.
 constexpr bool knows_scene(Stage stage) {
     return stage != Stage::kBloomDown && stage != Stage::kBloomUp && stage != Stage::kMeter;
@@ -36,7 +47,18 @@ enum class Output { kLinear, kDisplay };  // kDisplay: exposure and sRGB encodin
 
 // Does a stage draw the picture, whole or in part?
 constexpr bool draws_picture(Stage stage) {
-    return stage == Stage::kPicture || stage == Stage::kBodyTiles || stage == Stage::kClearTiles;
+    return stage == Stage::kPicture || stage == Stage::kInterpolated || stage == Stage::kSkyTiles ||
+           stage == Stage::kFullDisc || stage == Stage::kDiscTiles || stage == Stage::kBodyTiles;
+}
+
+// Does a stage tell what the picture's tiles may show?
+constexpr bool finds_tiles(Stage stage) {
+    return stage == Stage::kTiles || stage == Stage::kTilesTraced || stage == Stage::kTilesInterpolated;
+}
+
+// Is it one of those that a picture in tiles consists of?
+constexpr bool is_in_tiles(Stage stage) {
+    return stage == Stage::kRays || finds_tiles(stage) || (draws_picture(stage) && stage != Stage::kPicture);
 }
 
 // What automatic exposure makes of the picture's mean luminance.

@@ -108,6 +108,9 @@ void Painter::work(const std::stop_token& stop) {
             at_work_ = false;
             lock.unlock();
             news_();
+            // At rest, what makes the next pictures cheaper; a job waits for one program at most.
+            while (job && !interrupted() && workshop.build_next()) {
+            }
             lock.lock();
         }
     } catch (...) {

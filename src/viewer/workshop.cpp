@@ -37,6 +37,13 @@ std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& tar
     return DrawTimes{1e3 * (seconds() - start) - bands.compile_ms(), bands.compile_ms()};
 }
 
+Workshop::Workshop() {
+    renderer_.keep_finer_sky();
+    renderer_.limit_tiles_once_built(Tiles::kInterpolated);
+}
+
+bool Workshop::build_next() { return renderer_.build_next() || (right_ != nullptr && right_->build_next()); }
+
 int Workshop::coarseness(const PaintJob& job) const {
     if (!job.coarse_first || job.rays) return 1;
     const CameraSpec& camera = job.scene.camera;
@@ -56,7 +63,11 @@ Status Workshop::prepare(const Scene& scene, const PaintJob& job) {
     split_ = job.rays ? std::nullopt : halves(scene);
     if (!split_) right_.reset();
     if (Status ready = renderer_.prepare(split_ ? split_->left : scene); !ready || !split_) return ready;
-    if (right_ == nullptr) right_ = std::make_unique<Renderer>(), right_->keep_finer_sky();
+    if (right_ == nullptr) {
+        right_ = std::make_unique<Renderer>();
+        right_->keep_finer_sky();
+        right_->limit_tiles_once_built(Tiles::kInterpolated);
+    }
     // The right half's spacetime may not have the left one's method.
     const SpacetimeSpec& other = split_->right.spacetime;
     const auto spacetime = make_spacetime(other.metric, other.parameters);

@@ -71,7 +71,7 @@ std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& tar
 
 class Workshop {
 public:
-    Workshop() { renderer_.keep_finer_sky(); }
+    Workshop();
 
     // How many times smaller than the job's, in each direction, a coarse picture should be; 1: none is worth its time.
     int coarseness(const PaintJob& job) const;
@@ -80,6 +80,8 @@ public:
     std::optional<Painting> picture(const PaintJob& job, int coarseness, const std::array<unsigned, 2>& avoid,
                                     const DrawWatch& watch);
     Painting rays(const PaintJob& job);
+    // Compiles one of the programs by which further pictures are drawn sooner; false if none is left.
+    bool build_next();
 
     Renderer& renderer() { return renderer_; }
     double& pixel_ms() { return pixel_ms_; }

@@ -50,7 +50,7 @@ FORBIDDEN = [
     ("shaders/core/planted.glsl", '#include "core/nowhere.glsl"', "no such file"),
     ("shaders/core/planted.glsl", '#include "core/planted.glsl"', "includes itself"),
     ("shaders/core/planted.glsl", "float f(float x) { return arc_tangent_unit(x); }", "uses arc_tangent_unit( of"),
-    ("shaders/effect/planted.glsl", "float f(Trace trace) { return 1.0; }", "uses Trace of shaders/mino/trace.glsl, shaders/planar/trace.glsl"),
+    ("shaders/effect/planted.glsl", "float f(Trace trace) { return 1.0; }", "uses Trace of shaders/mino/interpolated.glsl, shaders/mino/trace.glsl, shaders/planar/trace.glsl"),
     ("shaders/effect/planted.glsl", "float f() { return float(PLANCK_CELLS); }", "uses PLANCK_CELLS of"),
     ("shaders/effect/planted.glsl", "ivec2 f() { return textureSize(table_texture, 0); }", "uses table_texture of"),
     ("shaders/planted/planted.glsl", "", "shaders/planted: a folder that layers.txt does not list"),

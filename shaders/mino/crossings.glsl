@@ -1,0 +1,8 @@
+// Where a ray crosses the disc's plane, wherever that is: for tiles that pass the disc clear of it (stage/tile_disc.glsl).
+#include "mino/trace.glsl"
+
+// Disc (x, y), r_s; 0 if there is no crossing k, 0 or 1.
+vec2 crossing_place(Trace trace, int k) { return k == 0 ? trace.crossing_0.place : trace.crossing_1.place; }
+
+// Are there no others?
+bool crossings_known(Trace trace) { return trace.crossings <= 2; }

@@ -1,0 +1,58 @@
+// A tile of the picture whose rays are interpolated, as a point.
+#ifdef EFFECT_SKY
+#include "object/celestial_sphere.glsl"
+#endif
+#include "path/trace"
+#include "shared/frame.glsl"
+#include "stage/tile_fit.glsl"
+#include "stage/tile_kind.glsl"
+
+uniform highp sampler2D tile_texture;   // stage/tiles.frag
+flat out highp vec3 tile_at;            // the tile's middle, px from the picture's lower left; 1 if its rays escape
+flat out highp vec4 tile_detail;        // log2 of the footprint on the sky's texture, texels: of 1, x, y, x y
+flat out highp vec3 tile_sky_00;        // TileSky
+flat out highp vec3 tile_sky_10;
+flat out highp vec3 tile_sky_01;
+flat out highp vec3 tile_sky_20;
+flat out highp vec3 tile_sky_11;
+flat out highp vec3 tile_sky_02;
+flat out highp vec3 tile_sky_30;
+flat out highp vec3 tile_sky_21;
+flat out highp vec3 tile_sky_12;
+flat out highp vec3 tile_sky_03;
+
+#ifdef EFFECT_SKY
+float detail_at(TileSky sky, vec2 middle, vec2 at) {
+    return sky_detail(trace_to_sky(middle + at * float(TILE_SIDE), tile_sky_at(sky, at), tile_sky_right(sky, at), tile_sky_up(sky, at)));
+}
+#endif
+
+void main() {
+    ivec2 tiles = textureSize(tile_texture, 0);
+    ivec2 tile = ivec2(gl_VertexID % tiles.x, gl_VertexID / tiles.x);
+    TileSky sky = tile_fit(tile).sky;
+    tile_at = vec3((vec2(tile) + 0.5) * float(TILE_SIDE), ray_of_middle(tile).w == RAY_ESCAPES ? 1.0 : 0.0);
+    tile_detail = vec4(0.0);
+#ifdef EFFECT_SKY
+    // Bilinear between the corners: the neighbours have the same there.
+    vec2 pixel = tile_at.xy - 0.5 * frame.image.xy;
+    float a = detail_at(sky, pixel, vec2(-0.5, -0.5));
+    float b = detail_at(sky, pixel, vec2(0.5, -0.5));
+    float c = detail_at(sky, pixel, vec2(-0.5, 0.5));
+    float d = detail_at(sky, pixel, vec2(0.5, 0.5));
+    tile_detail = vec4(0.25 * (a + b + c + d), 0.5 * (b + d - a - c), 0.5 * (c + d - a - b), a + d - b - c);
+#endif
+    tile_sky_00 = sky.c00;
+    tile_sky_10 = sky.c10;
+    tile_sky_01 = sky.c01;
+    tile_sky_20 = sky.c20;
+    tile_sky_11 = sky.c11;
+    tile_sky_02 = sky.c02;
+    tile_sky_30 = sky.c30;
+    tile_sky_21 = sky.c21;
+    tile_sky_12 = sky.c12;
+    tile_sky_03 = sky.c03;
+    bool drawn = texelFetch(tile_texture, tile, 0).x == TILE_INTERPOLATED;
+    gl_Position = tile_position(tile, tiles, drawn);
+    gl_PointSize = float(TILE_SIDE);
+}

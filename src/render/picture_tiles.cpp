@@ -1,0 +1,36 @@
+#include "render/picture_tiles.h"
+
+#include <algorithm>
+
+namespace nullscope {
+namespace {
+
+void resize_target(gl::Target& target, bool wanted, int width, int height, int count) {
+    if (!wanted)
+        target = {};
+    else if (target.width != width || target.height != height || static_cast<int>(target.colours.size()) != count)
+        target = gl::make_target(width, height, gl::Format::kRgba32F, count);
+}
+
+}  // namespace
+
+void PictureTiles::resize(const std::vector<Pass>& passes, int width, int height, const EffectSet& effects) {
+    const int across = (width + kTileSide - 1) / kTileSide, up = (height + kTileSide - 1) / kTileSide;
+    const bool rays = passes.front().stage == Stage::kRays;
+    const bool tiles = std::ranges::any_of(passes, [](const Pass& pass) { return finds_tiles(pass.stage); });
+    resize_target(rays_, rays, rays_a_tile(effects) * (across + 3), up + 3, tiles_tell_disc(effects) ? 2 : 1);
+    resize_target(tiles_, tiles, across, up, 1);
+}
+
+void PictureTiles::find(Stage stage, const gl::Program& program, const gl::VertexArray& empty) {
+    const gl::Target& target = stage == Stage::kRays ? rays_ : tiles_;
+    gl::draw_fullscreen(program, empty, target.framebuffer.id(), target.width, target.height);
+}
+
+void PictureTiles::bind(int first) const {
+    if (tiles_.width > 0) gl::bind_texture_2d(first, tiles_.colours.front());
+    for (std::size_t i = 0; i < rays_.colours.size(); ++i)
+        gl::bind_texture_2d(first + 1 + static_cast<int>(i), rays_.colours[i]);
+}
+
+}  // namespace nullscope

@@ -1,0 +1,27 @@
+// What the picture's tiles may show, as textures: the passes that draw it in tiles (shaderlib/passes.h) read them.
+#pragma once
+#include <vector>
+
+#include "gl/gl.h"
+#include "shaderlib/passes.h"
+
+namespace nullscope {
+
+class PictureTiles {
+public:
+    // For a picture of this size by these passes; frees what they do not need. Binds textures of its own to unit 0.
+    void resize(const std::vector<Pass>& passes, int width, int height, const EffectSet& effects);
+
+    // Draws stage kRays, kTiles or kTilesInterpolated; bind() before the latter two.
+    void find(Stage stage, const gl::Program& program, const gl::VertexArray& empty);
+
+    // To units from first on, in the order of kSamplers.
+    static constexpr const char* kSamplers[] = {"tile_texture", "ray_texture", "places_texture"};
+    void bind(int first) const;
+
+private:
+    gl::Target rays_;   // shaders/stage/tile_rays.glsl
+    gl::Target tiles_;  // a texel each (shaders/stage/tile_kind.glsl)
+};
+
+}  // namespace nullscope
