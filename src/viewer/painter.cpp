@@ -15,6 +15,18 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
+// Both pictures of a pair by programs of the same kind: those of the one without the effect are not built for tiles.
+class AlikeTiles {
+public:
+    explicit AlikeTiles(Renderer& renderer) : renderer_(renderer) { renderer_.limit_tiles_once_built(Tiles::kBodies); }
+    ~AlikeTiles() { renderer_.limit_tiles_once_built(Tiles::kInterpolated); }
+    AlikeTiles(const AlikeTiles&) = delete;
+    AlikeTiles& operator=(const AlikeTiles&) = delete;
+
+private:
+    Renderer& renderer_;
+};
+
 }  // namespace
 
 Painter::Painter(Window& window, bool threads, std::function<void()> news) : news_(std::move(news)) {
@@ -152,6 +164,7 @@ void Painter::do_job(Workshop& workshop, const PaintJob& job) {
 
 // With and without in turn, so that what else the machine does falls on both.
 void Painter::do_measure(Workshop& workshop, const PaintJob& order) {
+    const AlikeTiles alike(workshop.renderer());
     EffectTimes times;
     const auto publish_times = [&] {
         const std::lock_guard lock(mutex_);

@@ -80,7 +80,7 @@ public:
     std::optional<Painting> picture(const PaintJob& job, int coarseness, const std::array<unsigned, 2>& avoid,
                                     const DrawWatch& watch);
     Painting rays(const PaintJob& job);
-    // Compiles one of the programs by which further pictures are drawn sooner; false if none is left.
+    // Compiles one of the programs by which further pictures are drawn sooner (Renderer::build_next); false if none is left.
     bool build_next();
 
     Renderer& renderer() { return renderer_; }

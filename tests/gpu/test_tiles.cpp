@@ -135,6 +135,32 @@ TEST_CASE("tiles: thin, small and edge-on discs are not missed") {
         }
 }
 
+TEST_CASE("tiles: programs are built ahead, and used once all of them are there") {
+    auto session = test::open_gpu("egl");
+    REQUIRE(session);
+    Renderer& renderer = *session->renderer;
+    renderer.limit_tiles_once_built(Tiles::kTraced);
+    const Scene scene = sized("first-light", 323, 179);
+    REQUIRE(renderer.prepare(scene));
+    const Image<float> whole = renderer.picture();
+    const Image<unsigned char> whole8 = renderer.picture8();
+    const int programs = renderer.picture_programs();
+    CHECK(programs == 2);  // of linear light, and encoded
+    int built = 0;
+    while (renderer.build_next()) ++built;
+    CHECK(built == 5);  // rays, tiles; sky, disc alone, disc
+    CHECK(renderer.picture_programs() == programs);
+    const Image<unsigned char> tiles8 = renderer.picture8();
+    CHECK(renderer.picture_programs() == programs);
+    CHECK(tiles8.data == whole8.data);
+    Scene alone = scene;
+    alone.disc.reset();
+    REQUIRE(renderer.prepare(alone));
+    renderer.picture8();
+    CHECK(renderer.picture_programs() == programs + 1);
+    CHECK_FALSE(renderer.build_next());  // nothing to tell apart
+}
+
 // Rays of a frame with those that are interpolated in their place; how many those are.
 std::pair<RayFrame, int> with_interpolated(Renderer& renderer) {
     RayFrame rays = renderer.ray_data();
