@@ -121,9 +121,9 @@ Search search_samples(Search search) {
         search.value = there;
         --search.left;
 #ifdef MARCH_LISTS
-    } while (search_goes(search) && !stops && search.listed > frame.march.y);
+    } while (search_goes(search) && !stops && !ends && search.listed > frame.march.y);
 #endif
-    } while (search_goes(search) && !stops);
+    } while (search_goes(search) && !stops && !ends);
     search.going = !ends && search.left > 0 && (stops || search_goes(search));
     return search;
 }
