@@ -18,6 +18,8 @@ int bit_from(int i, uvec2 set) {
     return word == 0u ? 64 : at + (floatBitsToInt(float(lowest)) >> 23) - 127;
 }
 
+uvec2 without_first(uvec2 set) { return set.x != 0u ? uvec2(set.x & (set.x - 1u), set.y) : uvec2(0u, set.y & (set.y - 1u)); }
+
 // As a texel: 16 bits a channel.
 vec4 texel_of(uvec2 set) { return vec4(float(set.x & 65535u), float(set.x >> 16u), float(set.y & 65535u), float(set.y >> 16u)); }
 uvec2 set_of(vec4 texel) { return uvec2(uint(texel.x) | (uint(texel.y) << 16u), uint(texel.z) | (uint(texel.w) << 16u)); }

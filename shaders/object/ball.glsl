@@ -1,4 +1,7 @@
 // A sphere anywhere, at rest. Its form: middle, radius.
+#ifdef MARCH_PASSES
+#include "object/passing.glsl"
+#endif
 #include "path/place"
 #include "shared/objects.glsl"
 
@@ -9,5 +12,11 @@ float ball_value(int i, RayPlace place) {
     vec3 offset = place.at - ball_middle(i, place);
     return sqrt(dot(offset, offset)) - body_form(i).w;
 }
+#ifdef MARCH_PASSES
+float ball_room(int i, RayPlace place) {
+    return passing_room(place, place.at - ball_middle(i, place), body_form(i).w, passing_course(place), passing_bend(place), ball_value(i, place));
+}
+#else
 float ball_room(int i, RayPlace place) { return ball_value(i, place); }
+#endif
 vec3 ball_normal(int i, RayPlace place) { return (place.at - ball_middle(i, place)) / body_form(i).w; }

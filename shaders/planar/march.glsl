@@ -66,11 +66,13 @@ bool search_goes(Search search) {
 }
 
 #ifdef MARCH_LISTS
-// Lists the bodies on the next part of the way.
+// Lists the bodies on the next part of the way; where there are but a few they stay listed.
 Search search_list(Search search) {
     RayPlace place = search.place;
-    search.listed = place.r > 2.0 * search.reach ? march_outside(place, search.reach) : march_farthest(place);
-    march_list(place, MARCH_LIST * search.listed);
+    bool few = without_first(without_first(without_first(bodies_shown))) == uvec2(0u, 0u);
+    search.listed = few ? 1.0e30 : place.r > 2.0 * search.reach ? march_outside(place, search.reach) : march_farthest(place);
+    if (few) bodies_near = bodies_shown;
+    else march_list(place, MARCH_LIST * search.listed);
     search.length = march_step(place, march_ask(place).y, search.reach);
     return search;
 }

@@ -16,6 +16,9 @@ struct RayPlace {
     float r;
     float r_along;    // d r / d phi
     float r_across;   // d r / d |delta| at fixed phi (core/strip.glsl)
+#ifdef MARCH_PASSES
+    float pixel;      // place_pixel
+#endif
 #ifdef NEEDS_PLACE_LATE
     float delay;       // how long ago the light left that arrives now; not of place_of
 #ifdef EFFECT_DELAY
@@ -77,6 +80,10 @@ RayPlace place_of(Trace trace, vec3 tangent, float phi) {
     place.r = 1.0 / zeta;
     place.r_along = -along * place.r * place.r;
     place.r_across = -across * place.r * place.r;
+#endif
+#ifdef MARCH_PASSES
+    float along_pixel = abs(place.r_across) * place.r * inversesqrt(max(place.r_along * place.r_along + place.r * place.r, 1.0e-30));
+    place.pixel = 0.5 * trace.pixel_angle * (along_pixel + place.r * abs(sin_phi) / max(trace.s, 1.0e-9));
 #endif
     vec3 e = radial_direction();
     place.outward = cos_phi * e + sin_phi * tangent;

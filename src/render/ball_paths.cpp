@@ -1,6 +1,7 @@
 #include "render/ball_paths.h"
 
 #include <algorithm>
+#include <array>
 
 #include "observer/ball_motion.h"
 #include "observer/observer.h"
@@ -12,6 +13,8 @@ namespace {
 
 constexpr double kBent = 60.0;     // r_s/c: what bending adds to the straight way, logarithm and half turns of 8.2 each
 constexpr double kFalling = 12.0;  // the clock of a camera that falls is that much behind at most
+
+constexpr double kBendBetween = 1.2;  // of the most within a cell over its mean
 
 // row: 8 numbers a node.
 BallPath sampled(const BallMotionAt& motion, const Scene& scene, double radius, double reach, float* row) {
@@ -38,6 +41,18 @@ BallPath sampled(const BallMotionAt& motion, const Scene& scene, double radius, 
         for (int i = kBallPathCells; i >= 0; --i) put(i);
     else
         for (int i = 0; i <= kBallPathCells; ++i) put(i);
+    const auto velocity = [&](int i) {
+        const float* v = row + 4 * (kBallPathCells + 1 + i);
+        return Vec3{v[0], v[1], v[2]} / path.step;
+    };
+    std::array<double, kBallPathCells> bends{};
+    for (int i = 0; i < kBallPathCells; ++i)
+        bends[static_cast<std::size_t>(i)] = kBendBetween * length(velocity(i + 1) - velocity(i)) / path.step;
+    for (int i = 0; i <= kBallPathCells; ++i) {
+        const auto first = bends.begin() + std::min(i, kBallPathCells - 1),
+                   last = bends.begin() + std::min(i + kBallPathAhead, kBallPathCells);
+        row[4 * i + 3] = static_cast<float>(*std::max_element(first, last));
+    }
     return path;
 }
 

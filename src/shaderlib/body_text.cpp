@@ -268,7 +268,10 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
             list += for_each(
                 group, fmt::format("    if (!({} > way)) bodies_near = with_bit(i, bodies_near);\n", here("room")),
                 "bodies_shown");
-        const char* away = has_distance(group) ? "clear" : group.shape.moves ? "room" : "value";
+        const char* away = has_distance(group)                 ? "clear"
+                           : group.shape.name == "moving_ball" ? "away"
+                           : group.shape.moves                 ? "room"
+                                                               : "value";
         clear += for_each(group, clear_statement(here(away)));
         object += for_each(group, object_statement(group, far), lists ? "bodies_shown" : nullptr);
     }
@@ -348,7 +351,9 @@ std::string objects_text(const std::vector<Group>& groups, const Scene& scene) {
         fmt::format("#define OBJECT_VECTORS {}\n#define BODIES_FROM {}\n", 4 * bodies + 3 * spots, kFirstBody);
     if (spots > 0) text += fmt::format("#define SPOT_FROM {}\n#define SPOT_COUNT {}\n", 4 * bodies, spots);
     for (const Group& group : groups)
-        if (group.shape.name == "moving_ball") return text + fmt::format("#define BALL_PATH_FIRST {}\n", group.from);
+        if (group.shape.name == "moving_ball")
+            return text +
+                   fmt::format("#define BALL_PATH_FIRST {}\n#define BALL_PATH_AHEAD {}\n", group.from, kBallPathAhead);
     return text;
 }
 

@@ -10,6 +10,8 @@
 
 namespace nullscope {
 
+inline constexpr int kBallPathAhead = 64;  // cells of a ball's path, for which a node knows the largest acceleration
+
 // What generated/objects, surfaces, bodies_march, bodies_hit, bodies_light and materials stand for where a shader includes them.
 // Compared as a whole: two scenes with equal texts and equal effects have one program.
 struct BodyText {

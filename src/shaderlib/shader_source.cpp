@@ -58,6 +58,8 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
     }
     if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE");
     if (has_marched(effects)) defines.emplace_back("BLOCK_MARCH");
+    if (has_marched(effects) && light_path_kind(effects) == LightPathKind::kPlanar && !effects.contains(Effect::kSides))
+        defines.emplace_back("MARCH_PASSES");
     bool delayed = effects.contains(Effect::kDiscFlow);
     for (const SlotText& filled : slot_texts(effects)) {
         defines.emplace_back(filled.define);
