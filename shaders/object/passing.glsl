@@ -4,9 +4,9 @@
 
 #define PASSING_LEFT 0.8     // of what is left beside the ball a ray may use up by bending
 #define PASSING_PIXELS 6.0   // closer to its silhouette the way is stepped: its rim may cover a part of the pixel
-#define PASSING_SLOWER 1.5   // of light's slowness: where r is 0.4 less, r > PASSING_LEAST
+#define PASSING_SLOWER 2.0   // of light's slowness: where r is half as much, r > PASSING_LEAST
 #define PASSING_LEAST 3.0    // closer to the hole ways are not taken to be straight
-#define PASSING_BEND 4.2     // 3/(2 r^2) a length, the most that light bends, where r is 0.4 less (march_farthest)
+#define PASSING_BEND 6.0     // 3/(2 r^2) a length, the most that light bends, where r is half as much: bodies are listed for no longer ways
 
 // offset: from the ball's middle, r_s; course: by how much it changes a length of the way, bend: and that. room: the distance to the ball's
 // surface, of use where nothing else is known. No ray that is `beside` it on a straight course is off that by more than bend length^2/2.

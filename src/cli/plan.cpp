@@ -172,7 +172,7 @@ void print_text(const Plan& plan) {
         fmt::print("  {:<18}{} x {} px; {}\n", pass.name, camera.width, camera.height, pass.what);
     const std::vector<Pass> in_flight = passes(effect_set(plan.effects), Output::kDisplay, Tiles::kInterpolated);
     if (in_flight.front().stage != passes(effect_set(plan.effects), Output::kDisplay).front().stage) {
-        fmt::print("In the viewer, once their programs are compiled, and in films (without interpolation) instead\n");
+        fmt::print("Passes in the viewer, once they are compiled, and in films (which interpolate nothing)\n");
         for (const Pass& pass : in_flight) fmt::print("  {:<18}{}\n", pass.name, pass.what);
     }
     fmt::print("Shaders\n  {} bytes, {} lines (nullscope capture SCENE --dump-shader prints it)\n", plan.shader_bytes,

@@ -20,7 +20,7 @@ std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
                                      : Stage::kTiles,
                         Output::kLinear, "tiles", "what the picture's tiles may show, by rays through each"});
         if (interpolated)
-            list.push_back({Stage::kInterpolated, light, "interpolated tiles",
+            list.push_back({Stage::kInterpolated, light, "sky interpolated",
                             "the sky alone, where the rays between a tile's are interpolated"});
         if (find_disc || !disc)
             list.push_back({Stage::kSkyTiles, light, "tiles of sky",
