@@ -30,9 +30,8 @@ Trace trace_to_sky(vec2 pixel, vec3 sky, vec3 right, vec3 up) {
     trace.sky = sky;
     trace.sky_sides.along = right;
     trace.sky_sides.across = up;
-    float longer = max(sqrt(max(dot(right, right), dot(up, up))), 1.0e-20);
-    vec3 area = cross(right, up);
-    trace.stretch_along = longer / trace.pixel_angle;
-    trace.stretch_across = sqrt(dot(area, area)) / (longer * trace.pixel_angle);
+    vec2 stretched = sides_stretch(trace.sky_sides, trace.pixel_angle);
+    trace.stretch_along = stretched.x;
+    trace.stretch_across = stretched.y;
     return trace;
 }

@@ -237,14 +237,11 @@ Trace trace_pixel(vec2 pixel) {
     trace.sky = trace.escapes ? vec3(c * sky.y.x - s * sky.y.y, s * sky.y.x + c * sky.y.y, sky.y.z) : -n;
 #endif
 #ifdef NEEDS_FOOTPRINT
-    vec3 right = dFdx(trace.sky);
-    vec3 up = dFdy(trace.sky);
-    trace.sky_sides.along = right;
-    trace.sky_sides.across = up;
-    float longer = max(sqrt(max(dot(right, right), dot(up, up))), 1.0e-20);
-    vec3 area = cross(right, up);
-    trace.stretch_along = longer / trace.pixel_angle;
-    trace.stretch_across = sqrt(dot(area, area)) / (longer * trace.pixel_angle);
+    trace.sky_sides.along = dFdx(trace.sky);
+    trace.sky_sides.across = dFdy(trace.sky);
+    vec2 stretched = sides_stretch(trace.sky_sides, trace.pixel_angle);
+    trace.stretch_along = stretched.x;
+    trace.stretch_across = stretched.y;
 #ifdef EFFECT_DISC
     trace.crossing_0 = spin_footprint(trace, 0, trace.crossing_0);
     trace.crossing_1 = spin_footprint(trace, 1, trace.crossing_1);

@@ -17,7 +17,7 @@ struct BallPath {
     vec3 low_step;
     vec3 high_step;
     float f;
-    float bend;   // how much it bends at most, from the first node on for BALL_PATH_AHEAD of them, 1/r_s
+    float bend;   // the largest acceleration from the first node on, for BALL_PATH_AHEAD nodes, c^2/r_s
     bool known;   // not after the last node
 };
 

@@ -1,5 +1,5 @@
-// How far along its way a ray is clear of a ball that it passes by, without being stepped past it. Not about a rotating hole, whose
-// steps ask for what is near on both sides; not through a throat.
+// How far along its way a ray that passes a ball by is clear of it. Not about a rotating hole, whose steps ask for what is near before and
+// behind a place; not through a throat.
 #include "path/place"
 
 #define PASSING_LEFT 0.8     // of what is left beside the ball a ray may use up by bending

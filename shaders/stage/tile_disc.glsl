@@ -1,4 +1,5 @@
-// Do the rays of a tile pass the disc clear of it, or does it cover them all? By where the tile's own (stage/tile_rays.glsl) cross its plane: the others do so in a circle about these places.
+// Do the rays of a tile pass the disc clear of it, or does it cover them all? By where the tile's own (stage/tile_rays.glsl) cross its plane:
+// the others do so in a circle about these places.
 #include "shared/frame.glsl"
 #include "stage/tile_kind.glsl"
 #include "stage/tile_rays.glsl"

@@ -1,5 +1,6 @@
 // The sky's direction over a tile (stage/tile_sky.glsl) by rays: the tensor product of the cubics through four by four corners, of the tile and
 // its neighbours, less its terms of more than the third degree.
+#include "core/pixel_sides.glsl"
 #include "stage/tile_rays.glsl"
 #include "stage/tile_sky.glsl"
 
@@ -59,9 +60,7 @@ bool tile_interpolates(ivec2 tile) {
     for (int y = -1; y <= 2; ++y)
         for (int x = -1; x <= 2; ++x) alike = alike && ray_of_corner(tile + ivec2(x, y)).w == middle.w;
     TileFit fit = tile_fit(tile);
-    vec3 right = tile_sky_right(fit.sky, vec2(0.0));
-    vec3 up = tile_sky_up(fit.sky, vec2(0.0));
-    float shorter = length(cross(right, up)) / max(max(length(right), length(up)), 1.0e-20);
+    float shorter = sides_stretch(PixelSides(tile_sky_right(fit.sky, vec2(0.0)), tile_sky_up(fit.sky, vec2(0.0))), 1.0).y;
     float error = length(fit.sky.c00 - middle.xyz) + fit.rest;
     return alike && (middle.w == RAY_CAPTURED || error < max(TILE_SKY_ERROR * shorter, TILE_SKY_ROUNDING));
 }

@@ -168,10 +168,12 @@ void print_text(const Plan& plan) {
                    size_text(t.bytes), t.place, t.reason);
     if (plan.tables.empty()) fmt::print("  none\n");
     fmt::print("Passes\n");
-    for (const Pass& pass : passes(effect_set(plan.effects), Output::kDisplay))
+    const EffectSet effects = effect_set(plan.effects);
+    const std::vector<Pass> still = passes(effects, Output::kDisplay),
+                            in_flight = passes(effects, Output::kDisplay, Tiles::kInterpolated);
+    for (const Pass& pass : still)
         fmt::print("  {:<18}{} x {} px; {}\n", pass.name, camera.width, camera.height, pass.what);
-    const std::vector<Pass> in_flight = passes(effect_set(plan.effects), Output::kDisplay, Tiles::kInterpolated);
-    if (in_flight.front().stage != passes(effect_set(plan.effects), Output::kDisplay).front().stage) {
+    if (in_flight.front().stage != still.front().stage) {
         fmt::print("Passes in the viewer, once they are compiled, and in films (which interpolate nothing)\n");
         for (const Pass& pass : in_flight) fmt::print("  {:<18}{}\n", pass.name, pass.what);
     }

@@ -21,7 +21,8 @@ struct BallPath {
 
 struct BallPaths {
     TexelGrid
-        rows;  // two a ball: places, r_s, and the largest acceleration ahead, c^2/r_s; and their derivative, per cell. Cubics between them: (omega h)^4/384 of the path
+        rows;  // two a ball: places, r_s, and the largest acceleration ahead, c^2/r_s; and their derivative, per cell.
+               // Cubics between them: (omega h)^4/384 of the path
     std::map<std::size_t, BallPath> balls;  // those that move, by their index in Scene::bodies
 };
 

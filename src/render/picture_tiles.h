@@ -12,7 +12,7 @@ public:
     // For a picture of this size by these passes; frees what they do not need. Binds textures of its own to unit 0.
     void resize(const std::vector<Pass>& passes, int width, int height, const EffectSet& effects);
 
-    // Draws stage kRays, kTiles or kTilesInterpolated; bind() before the latter two.
+    // Draws stage kRays, or one that finds_tiles(), after bind().
     void find(Stage stage, const gl::Program& program, const gl::VertexArray& empty);
 
     // To units from first on, in the order of kSamplers.

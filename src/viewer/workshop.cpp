@@ -15,6 +15,12 @@ constexpr int kUnknownCoarseness = 4;  // of a picture of unknown cost: a sixtee
 constexpr int kMostCoarse = 8;
 constexpr int kLeastSide_px = 32;  // of a coarse picture: with less there is nothing to see
 
+// For pictures that follow each other.
+void prepare_flight(Renderer& renderer) {
+    renderer.keep_finer_sky();
+    renderer.limit_tiles_once_built(Tiles::kInterpolated);
+}
+
 }  // namespace
 
 std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, double& pixel_ms,
@@ -37,10 +43,7 @@ std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& tar
     return DrawTimes{1e3 * (seconds() - start) - bands.compile_ms(), bands.compile_ms()};
 }
 
-Workshop::Workshop() {
-    renderer_.keep_finer_sky();
-    renderer_.limit_tiles_once_built(Tiles::kInterpolated);
-}
+Workshop::Workshop() { prepare_flight(renderer_); }
 
 bool Workshop::build_next() { return renderer_.build_next() || (right_ != nullptr && right_->build_next()); }
 
@@ -65,8 +68,7 @@ Status Workshop::prepare(const Scene& scene, const PaintJob& job) {
     if (Status ready = renderer_.prepare(split_ ? split_->left : scene); !ready || !split_) return ready;
     if (right_ == nullptr) {
         right_ = std::make_unique<Renderer>();
-        right_->keep_finer_sky();
-        right_->limit_tiles_once_built(Tiles::kInterpolated);
+        prepare_flight(*right_);
     }
     // The right half's spacetime may not have the left one's method.
     const SpacetimeSpec& other = split_->right.spacetime;
