@@ -94,7 +94,7 @@ Status Renderer::prepare(const Scene& scene) {
     load_table();
     load_heat();
     load_black_body();
-    if (Status status = stars_.update(scene, tables_); !status) return status;
+    if (Status status = stars_.update(scene, tables_, star_search_); !status) return status;
     if (Status status = skies_.finish(notes_); !status) return status;
     upload_tables();
     upload_block({skies_.size(), disc_.width, skies_.both(),

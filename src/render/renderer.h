@@ -56,6 +56,11 @@ public:
     // One program of those that are not there, some 0.1 s on software drivers; of a prepared scene. Returns whether one was left.
     bool build_next();
 
+    // How the images of point stars in a new view about a rotating hole are found, from the next prepare() on.
+    void search_stars(StarField::Search search) { star_search_ = std::move(search); }
+    // Whether that search is what a new view waits for; of the prepared scene.
+    bool searches_stars() const { return stars_.searches(); }
+
     // From the next prepare() on: ray data say how long light takes, whether the scene asks for it or not, where the metric can tell.
     void want_delays(bool wanted) { tables_.want_delays(wanted); }
 
@@ -128,6 +133,7 @@ private:
     std::vector<int> block_members_;  // of the uniform block with these effects
     gl::Texture strip_, ends_, orbit_table_, ball_paths_, clearances_, table_, disc_flow_, black_body_, star_lens_;
     StarField stars_;
+    StarField::Search star_search_;
     Bloom bloom_;
     double adaptation_ = 1.0;
     Tiles most_tiles_ = Tiles::kBodies, most_built_tiles_ = Tiles::kNone;

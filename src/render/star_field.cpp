@@ -7,7 +7,7 @@
 
 namespace nullscope {
 
-Status StarField::update(const Scene& scene, const FrameTables& tables) {
+Status StarField::update(const Scene& scene, const FrameTables& tables, const Search& search) {
     if (!tables.effects().contains(Effect::kPointStars)) {
         *this = {};
         return Done{};
@@ -32,25 +32,30 @@ Status StarField::update(const Scene& scene, const FrameTables& tables) {
         }
         sky_key_ = key;
     }
-    if (found) find_images(scene, tables);
+    if (found) find_images(scene, tables, search);
     return Done{};
 }
 
-void StarField::find_images(const Scene& scene, const FrameTables& tables) {
+void StarField::find_images(const Scene& scene, const FrameTables& tables, const Search& search) {
     const auto key = std::make_tuple(scene.spacetime, scene.camera, scene.light);
-    if (view_key_ == key) return;
+    if (view_key_ == key && (search.quick || !quick_)) return;
     const double magnitude_limit = std::log2(kFaintestPoint / point_peak()) - scene.camera.exposure_ev;
     CoreInput input = tables.core_input();  // rays to the sky, whatever is in their way
     input.frame.disc_x.w = 1e30, input.frame.disc_y.w = 0.0;
     input.spin_delay = false;
+    const auto give_up = [&] { return search.give_up && search.give_up(); };
+    const std::vector<MeshImage> images =
+        mesh_->images(input, scene.camera.width, scene.camera.height, kPointMargin_px,
+                      {scene.light.shift, scene.light.beaming, magnitude_limit, search.quick}, give_up);
+    if (give_up()) return;
     std::vector<float> values;
-    for (const MeshImage& image : mesh_->images(input, scene.camera.width, scene.camera.height, kPointMargin_px,
-                                                {scene.light.shift, scene.light.beaming, magnitude_limit}))
+    for (const MeshImage& image : images)
         for (const double value : {image.x, image.y, image.g, mesh_->light(image.star).light - std::log2(image.area),
                                    mesh_->light(image.star).temperature})
             values.push_back(static_cast<float>(value));
     vertices_ = gl::make_vertex_list(values, {3, 2});
     view_key_ = key;
+    quick_ = search.quick;
 }
 
 void StarField::draw(const gl::Program& program, unsigned framebuffer, int width, int height, int images) const {

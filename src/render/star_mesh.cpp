@@ -52,17 +52,18 @@ class MeshWalk {
 
 public:
     MeshWalk(const StarGrid& stars, const CoreInput& input, int width, int height, double margin,
-             const StarMesh::Seeing& seeing)
+             const StarMesh::Seeing& seeing, const std::function<bool()>& give_up)
         : stars_(stars),
           input_(input),
           seeing_(seeing),
           across_(0.5 * width + margin),
           up_(0.5 * height + margin),
-          pitch_(std::max(1.0, std::sqrt(4 * across_ * up_ / kMeshCells))),
+          pitch_(std::max(1.0, std::sqrt(4 * across_ * up_ / (seeing.quick ? kQuickCells : kMeshCells)))),
           columns_(static_cast<int>(std::ceil(2 * across_ / pitch_))),
           rows_(static_cast<int>(std::ceil(2 * up_ / pitch_))),
           nodes_(static_cast<std::size_t>((columns_ + 3) * (rows_ + 3))) {
         tbb::parallel_for(-1, rows_ + 2, [&](int j) {
+            if (give_up()) return;
             for (int i = -1; i <= columns_ + 1; ++i) nodes_[number(i, j)] = traced(x_of(i), y_of(j));
         });
     }
@@ -81,9 +82,11 @@ public:
                 whole = whole && one.there;
             }
             const auto smooth = [&](double x, double y) { return interpolated(nodes, cell, x, y); };
-            if (!whole || is_coarse(cell, smooth(cell.x + 0.5 * pitch_, cell.y + 0.5 * pitch_).sky))
-                divided(cell, nullptr, known, found);
-            else
+            const bool fine =
+                whole && (seeing_.quick ? cap_of(cell).radius < kWidest
+                                        : !is_coarse(cell, smooth(cell.x + 0.5 * pitch_, cell.y + 0.5 * pitch_).sky));
+            if (!fine && !seeing_.quick) divided(cell, nullptr, known, found);
+            if (fine)
                 for (const Star& one : candidates(cell, kLeastArea))
                     find(
                         cell, one, kOver, [&] { return smooth; }, found);
@@ -236,7 +239,8 @@ private:
             const bool met = refined(image, one.place, cell, map());
             const double outside = away(image, cell);
             const double uneven = std::fabs(std::log2(image.area * cell.size * cell.size / std::fabs(all)));
-            if ((outside > over && inside) || uneven > kUneven) refined(image, one.place, cell, by_rays);
+            if (!seeing_.quick && ((outside > over && inside) || uneven > kUneven))
+                refined(image, one.place, cell, by_rays);
             if (met ? inside || outside <= over : inside && over == kOver) add(image, found);
         }
     }
@@ -286,12 +290,14 @@ private:
 };
 
 std::vector<MeshImage> StarMesh::images(const CoreInput& input, int width, int height, double margin_px,
-                                        const Seeing& seeing) const {
+                                        const Seeing& seeing, const std::function<bool()>& give_up) const {
     std::vector<MeshImage> all;
     if (stars_.levels().empty()) return all;
-    const MeshWalk walk(stars_, input, width, height, margin_px, seeing);
+    const MeshWalk walk(stars_, input, width, height, margin_px, seeing, give_up);
     std::vector<std::vector<MeshImage>> rows(static_cast<std::size_t>(walk.rows()));
-    tbb::parallel_for(0, walk.rows(), [&](int j) { walk.row(j, rows[static_cast<std::size_t>(j)]); });
+    tbb::parallel_for(0, walk.rows(), [&](int j) {
+        if (!give_up()) walk.row(j, rows[static_cast<std::size_t>(j)]);
+    });
     for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
     std::stable_sort(all.begin(), all.end(), [](const MeshImage& a, const MeshImage& b) { return a.star < b.star; });
     std::vector<MeshImage> kept;

@@ -146,20 +146,22 @@ DrawWatch Painter::watch(bool whole_job) {
 void Painter::do_job(Workshop& workshop, const PaintJob& job) {
     if (job.rays) return publish(workshop.rays(job), true);
     const int coarseness = own_ != nullptr ? 1 : workshop.coarseness(job);
-    if (coarseness > 1) {
-        auto coarse = workshop.picture(job, coarseness, textures_in_use(), watch(true));
+    const bool first = coarseness > 1 || (own_ == nullptr && job.coarse_first && workshop.searches_stars());
+    if (first) {
+        auto coarse = workshop.picture(job, coarseness, true, textures_in_use(), watch(true));
         if (!coarse) return;
         const bool good = static_cast<bool>(coarse->ready);
         publish(std::move(*coarse), !good);
         news_();
         if (!good) return;
     }
-    const bool may_be_left = coarseness > 1 || !job.coarse_first;
+    const bool may_be_left = first || !job.coarse_first;
     if (may_be_left) {
         const std::lock_guard lock(mutex_);
         gives_up_ = !job_;
     }
-    if (auto whole = workshop.picture(job, 1, textures_in_use(), watch(!may_be_left))) publish(std::move(*whole), true);
+    if (auto whole = workshop.picture(job, 1, false, textures_in_use(), watch(!may_be_left)))
+        publish(std::move(*whole), true);
 }
 
 // With and without in turn, so that what else the machine does falls on both.

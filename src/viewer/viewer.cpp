@@ -112,7 +112,7 @@ bool Viewer::step() {
     if (drawn) {
         --frames_due_;
         present();
-        log_.turn({1e3 * (thread_cpu_seconds() - cpu), painter_->drawn_by_caller(), picture_.programs,
+        log_.turn({1e3 * (thread_cpu_seconds() - cpu), painter_->drawn_by_caller(), picture_.programs, pictures_,
                    picture_.texture != 0, picture_.coarse(), painter_->busy()});
     } else {
         ImGui::EndFrame();

@@ -69,6 +69,7 @@ private:
     std::unique_ptr<PanelSystem> panel_system_;
     std::unique_ptr<Painter> painter_;
     Painting picture_;              // that is shown
+    int pictures_ = 0;              // until now
     bool picture_due_ = true;       // view_ has changed since the last was asked for
     bool coarse_wanted_ = true;     // a picture soon rather than a whole one: hands are at work
     bool save_due_ = false;         // F12, while the picture was not whole

@@ -87,6 +87,7 @@ void Viewer::adopt(Painting painting) {
         changed_at_ = seconds();
     }
     picture_ = std::move(painting);
+    ++pictures_;
     measure_rate();
     if (!picture_.notes.empty()) say(picture_.notes.back());
     choice_ = asked_choice_;

@@ -60,7 +60,8 @@ int Workshop::coarseness(const PaintJob& job) const {
     return times;
 }
 
-Status Workshop::prepare(const Scene& scene, const PaintJob& job) {
+Status Workshop::prepare(const Scene& scene, const PaintJob& job, const StarField::Search& search) {
+    renderer_.search_stars(search);
     renderer_.set_method(job.method);
     renderer_.set_adaptation(job.adaptation);
     split_ = job.rays ? std::nullopt : halves(scene);
@@ -70,6 +71,7 @@ Status Workshop::prepare(const Scene& scene, const PaintJob& job) {
         right_ = std::make_unique<Renderer>();
         prepare_flight(*right_);
     }
+    right_->search_stars(search);
     // The right half's spacetime may not have the left one's method.
     const SpacetimeSpec& other = split_->right.spacetime;
     const auto spacetime = make_spacetime(other.metric, other.parameters);
@@ -96,8 +98,8 @@ std::optional<DrawTimes> Workshop::draw(const gl::Target& target, const DrawWatc
     return sum;
 }
 
-std::optional<Painting> Workshop::picture(const PaintJob& job, int coarseness, const std::array<unsigned, 2>& avoid,
-                                          const DrawWatch& watch) {
+std::optional<Painting> Workshop::picture(const PaintJob& job, int coarseness, bool first,
+                                          const std::array<unsigned, 2>& avoid, const DrawWatch& watch) {
     if (watch.give_up()) return std::nullopt;
     Painting painting;
     painting.job = job;
@@ -105,8 +107,10 @@ std::optional<Painting> Workshop::picture(const PaintJob& job, int coarseness, c
     scene.camera.width = painting.width = scene.camera.width / coarseness;
     scene.camera.height = painting.height = scene.camera.height / coarseness;
     watch.tell({PaintProgress::Stage::kPreparing, 0, painting.height});
-    painting.ready = prepare(scene, job);
+    painting.ready = prepare(scene, job, {first, watch.give_up});
+    if (watch.give_up()) return std::nullopt;
     if (painting.ready) {
+        painting.quick_stars = first && searches_stars();
         const EffectSet effects = renderer_.tables().effects();
         if (effects != effects_ || job.method != method_) pixel_ms_ = 0.0, half_pixel_ms_ = {};
         effects_ = effects, method_ = job.method;
@@ -125,7 +129,7 @@ std::optional<Painting> Workshop::picture(const PaintJob& job, int coarseness, c
 Painting Workshop::rays(const PaintJob& job) {
     Painting painting;
     painting.job = job;
-    painting.ready = prepare(job.scene, job);
+    painting.ready = prepare(job.scene, job, {});
     if (painting.ready) painting.rays = renderer_.ray_data();
     add_facts(painting);
     return painting;

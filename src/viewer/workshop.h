@@ -51,7 +51,9 @@ struct Painting {
     int programs = 0;                // compiled for pictures until now
     double compile_ms = 0.0 /* of them all, with the driver's own at the first rows */, table_ms = 0.0, rows_ms = 0.0;
 
-    bool coarse() const { return width < job.scene.camera.width || height < job.scene.camera.height; }
+    bool quick_stars = false;  // StarField::Search
+
+    bool coarse() const { return quick_stars || width < job.scene.camera.width || height < job.scene.camera.height; }
 };
 
 // What a picture is told and asked while it is drawn.
@@ -75,10 +77,14 @@ public:
 
     // How many times smaller than the job's, in each direction, a coarse picture should be; 1: none is worth its time.
     int coarseness(const PaintJob& job) const;
-    // The job's picture, each side divided by `coarseness`; nothing if it was given up. avoid: textures that are in
+    // Whether a quick search for the images of stars is worth a picture of its own.
+    bool searches_stars() const {
+        return renderer_.searches_stars() || (right_ != nullptr && right_->searches_stars());
+    }
+    // The job's picture, each side divided by `coarseness`; nothing if it was given up. first: another follows. avoid: textures that are in
     // use.
-    std::optional<Painting> picture(const PaintJob& job, int coarseness, const std::array<unsigned, 2>& avoid,
-                                    const DrawWatch& watch);
+    std::optional<Painting> picture(const PaintJob& job, int coarseness, bool first,
+                                    const std::array<unsigned, 2>& avoid, const DrawWatch& watch);
     Painting rays(const PaintJob& job);
     // Compiles one of the programs by which further pictures are drawn sooner (Renderer::build_next); false if none is left.
     bool build_next();
@@ -90,7 +96,7 @@ public:
     void drop_other() { other_.reset(); }
 
 private:
-    Status prepare(const Scene& scene, const PaintJob& job);
+    Status prepare(const Scene& scene, const PaintJob& job, const StarField::Search& search);
     std::optional<DrawTimes> draw(const gl::Target& target, const DrawWatch& watch);
     const gl::Target& target(int width, int height, const std::array<unsigned, 2>& avoid);
     void add_facts(Painting& painting);

@@ -8,6 +8,7 @@ from x_screen import read_png, wait_until
 
 # of the processor time that a whole picture costs the window's thread where it draws it: it must stay far below
 WINDOWS_SHARE = 0.5
+PICTURES = 12   # in flight: 1.5 s
 
 
 def run(program, *arguments, **changes):
@@ -116,6 +117,31 @@ def test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely
         v.kill()
 
 
+def test_a_flight_about_a_rotating_hole_goes_on_among_point_stars(screen, program, folder):
+    """The search for the stars' images takes half a second a view: in flight there is a quick one."""
+    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}",
+               scene='[spacetime]\nmetric = "kerr"\nspin = 0.9\n[camera]\nr = 15\n[sky]\nkind = "points"\n')
+    try:
+        v.start()
+        v.settle("mousemove", *BESIDE)
+        at = v.log.size()
+        v.hands("keydown", "w")
+        first = wait_until("it flies", lambda: [t for t in v.log.turns(at) if t["picture"] == "coarse"], HUNG_S)[0]
+
+        def flown():
+            turn = v.log.turns(at)[-1]
+            return turn if int(turn["pictures"]) >= int(first["pictures"]) + PICTURES else None
+        last = wait_until(f"{PICTURES} pictures", flown, HUNG_S)
+        kinds = {turn["picture"] for turn in v.log.turns(at) if int(turn["pictures"]) >= int(first["pictures"])}
+        v.settle("keyup", "w")
+        rate = (int(last["pictures"]) - int(first["pictures"])) / (float(last["t"]) - float(first["t"]))
+        print(f"    {rate:.1f} pictures a second in flight", flush=True)
+        assert kinds == {"coarse"}, "a whole search was waited for in flight"
+        assert v.log.turns()[-1]["picture"] == "whole", "at rest the whole search was not done"
+    finally:
+        v.kill()
+
+
 def test_exposure_follows_like_an_eye(screen, program, folder):
     """Towards the dark sky: the picture is there, and goes on growing brighter without a hand."""
     v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=SCENE + '[picture]\nauto_exposure = "on"\n')
@@ -199,5 +225,6 @@ def test_old_opengl(screen, program, folder):
 
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
+         test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
          test_exposure_follows_like_an_eye, test_the_clock_runs_and_stops, test_screenshot, test_bad_input,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
