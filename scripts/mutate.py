@@ -93,9 +93,10 @@ MUTANTS = [Mutant(*row) for row in [
      "vec3 s1 = sqrt(c);", "vec3 s1 = c;", GOLDEN),
     ("stale", "tables kept when the camera moves", "src/render/planar_path.cpp",
      "family_->camera_r() != camera.r || !(family_->frame() == plan.observer.frame) ||\n"
-     "                       (wanted.orbits && !had.orbits) || (wanted.delays && !had.delays) ||\n"
+     "                       (wanted.tables.orbits && !had.tables.orbits) || (wanted.tables.delays && !had.tables.delays) ||\n"
      "                       (wanted.points && !had.points) || family_->w0() != camera_family(plan).w0();",
-     "(wanted.orbits && !had.orbits) || (wanted.delays && !had.delays) || (wanted.points && !had.points);",
+     "(wanted.tables.orbits && !had.tables.orbits) || (wanted.tables.delays && !had.tables.delays) || "
+     "(wanted.points && !had.points);",
      HARD),   # the radius alone is an equivalent mutant: another radius is another w0
     ("stale-zoom", "tables kept when the view narrows", "src/render/planar_path.cpp",
      "family_->w0() != camera_family(plan).w0();", "false;", HARD),

@@ -20,6 +20,7 @@ Status FrameTables::update(const Scene& scene) {
         path_ = make_light_path(plan_.light);
         ++revision_;
     }
+    path_->follows_camera = follows_camera_;
     if (path_->update(plan_)) ++revision_;
     return Done{};
 }

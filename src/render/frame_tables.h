@@ -29,6 +29,7 @@ public:
     const SurfaceClearances& clearances() const { return clearances_; }
     int clearances_revision() const { return clearances_revision_; }  // grows whenever they change
     void want_delays(bool wanted) { delays_wanted_ = wanted; }        // for ray data, whatever the scene
+    void follow_camera() { follows_camera_ = true; }                  // LightPath::follows_camera
     int revision() const { return revision_; }                        // grows whenever a table changes
 
     // For the shader core as C++; views into this object.
@@ -39,7 +40,7 @@ private:
     std::unique_ptr<LightPath> path_;
     BallPaths ball_paths_;
     SurfaceClearances clearances_;
-    bool delays_wanted_ = false;
+    bool delays_wanted_ = false, follows_camera_ = false;
     int revision_ = 0, clearances_revision_ = 0;
 };
 

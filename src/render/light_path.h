@@ -24,6 +24,9 @@ struct NamedTexels {
 class LightPath {
 public:
     virtual ~LightPath() = default;
+    // Tables of a camera that comes closer or goes away may be cubics between those of other radii (table/camera_tables.h): as exact, but
+    // not the same bits as those of a camera that was always there.
+    bool follows_camera = false;
     // Brings its tables up to date with the frame. True if one of them has changed or gone.
     virtual bool update(const FramePlan&) { return false; }
 

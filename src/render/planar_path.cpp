@@ -15,7 +15,7 @@ namespace {
 
 PlanarPath::Rows rows_of(const EffectSet& effects) {
     const bool delays = effects.contains(Effect::kDelay);
-    return {meets_objects(effects) || delays, delays, effects.contains(Effect::kPointStars)};
+    return {{meets_objects(effects) || delays, delays}, effects.contains(Effect::kPointStars)};
 }
 
 // Roots of A, and the camera's part of light times, of rays to the sky and of others (planar/delay.glsl).
@@ -26,6 +26,13 @@ FrameVector delay_numbers(const CameraSpec& camera, const SphericalMetric& metri
     const double ahead = time_ahead(metric, camera.r);
     // Scene::time of a camera that falls is v - r.
     return {roots->outer, roots->inner, falls(camera) ? 0.0 : ahead, falls(camera) ? -2.0 * ahead : -ahead};
+}
+
+// As an observer sees it that does not move, rad.
+double smallest_pixel(const FramePlan& plan) {
+    const double speed = plan.scene.light.aberration ? length(plan.observer.velocity) : 0.0,
+                 squeeze = std::sqrt((1.0 - speed) / (1.0 + speed));
+    return squeeze * smallest_pixel_angle(plan.scene.camera);
 }
 
 }  // namespace
@@ -41,7 +48,7 @@ bool PlanarPath::update(const FramePlan& plan) {
     const CameraSpec& camera = plan.scene.camera;
     const Rows wanted = rows_of(plan.effects), had = rows_;
     const bool stale = !family_ || family_->camera_r() != camera.r || !(family_->frame() == plan.observer.frame) ||
-                       (wanted.orbits && !had.orbits) || (wanted.delays && !had.delays) ||
+                       (wanted.tables.orbits && !had.tables.orbits) || (wanted.tables.delays && !had.tables.delays) ||
                        (wanted.points && !had.points) || family_->w0() != camera_family(plan).w0();
     rows_ = wanted;
     if (stale) {
@@ -49,8 +56,8 @@ bool PlanarPath::update(const FramePlan& plan) {
         return true;
     }
     // What nothing calls for any more goes, the strip stays.
-    if (!wanted.orbits) orbit_table_ = {};
-    if (!wanted.delays) orbit_table_.delays = {};
+    if (!wanted.tables.orbits) tables_.orbits = {};
+    if (!wanted.tables.delays) tables_.orbits.delays = {};
     if (!wanted.points) star_lens_ = {};
     return wanted != had;
 }
@@ -58,17 +65,18 @@ bool PlanarPath::update(const FramePlan& plan) {
 void PlanarPath::build(const FramePlan& plan) {
     const Stopwatch watch;
     family_.emplace(camera_family(plan));
-    strip_ = build_strip(*family_);
-    orbit_table_ = rows_.orbits ? build_orbit_table(*family_, rows_.delays) : OrbitTable{};
+    if (!follows_camera)
+        steps_.reset();
+    else if (!steps_)
+        steps_.emplace(metric_, table_);
+    auto between = steps_ ? steps_->tables(*family_, smallest_pixel(plan), rows_.tables) : std::nullopt;
+    tables_ = between ? std::move(*between) : build_camera_tables(*family_, rows_.tables);
     star_lens_ = rows_.points ? star_lens_row(*family_) : TexelGrid{};
     rows_ms = watch.ms();
 }
 
 RayFamily PlanarPath::camera_family(const FramePlan& plan) const {
-    const CameraSpec& camera = plan.scene.camera;
-    const double speed = plan.scene.light.aberration ? length(plan.observer.velocity) : 0.0,
-                 squeeze = std::sqrt((1.0 - speed) / (1.0 + speed));
-    return {metric_, table_, camera.r, plan.observer.frame, squeeze * smallest_pixel_angle(camera)};
+    return {metric_, table_, plan.scene.camera.r, plan.observer.frame, smallest_pixel(plan)};
 }
 
 void PlanarPath::write(const FramePlan& plan, FrameData& frame) const {
@@ -90,19 +98,19 @@ void PlanarPath::write(const FramePlan& plan, FrameData& frame) const {
 
 void PlanarPath::give(const FramePlan&, CoreInput& input) const {
     input.lensing = true;
-    input.strip = strip_.sky.view();
-    input.ends = strip_.ends.view();
-    input.orbit = orbit_table_.places.view();
-    input.delay = orbit_table_.delays.view();
+    input.strip = tables_.strip.sky.view();
+    input.ends = tables_.strip.ends.view();
+    input.orbit = tables_.orbits.places.view();
+    input.delay = tables_.orbits.delays.view();
 }
 
 std::vector<NamedTexels> PlanarPath::tables() const {
     std::vector<NamedTexels> list;
-    for (const NamedTexels& one : {NamedTexels{"strip", &strip_.sky},
-                                   {"ray ends", &strip_.ends},
+    for (const NamedTexels& one : {NamedTexels{"strip", &tables_.strip.sky},
+                                   {"ray ends", &tables_.strip.ends},
                                    {"star lens", &star_lens_},
-                                   {"orbit table", &orbit_table_.places},
-                                   {"light-time table", &orbit_table_.delays}})
+                                   {"orbit table", &tables_.orbits.places},
+                                   {"light-time table", &tables_.orbits.delays}})
         if (one.texels->width > 0) list.push_back(one);
     return list;
 }

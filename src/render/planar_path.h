@@ -5,7 +5,7 @@
 
 #include "render/light_path.h"
 #include "spacetime/spherical_metric.h"
-#include "table/orbit_table.h"
+#include "table/camera_tables.h"
 
 namespace nullscope {
 
@@ -20,9 +20,10 @@ public:
     const DeflectionTable* table() const override { return table_.get(); }
     Status check(const Method& method, const FramePlan& plan) const override;
 
-    // What of the rows an effect set asks for.
+    // What an effect set asks for.
     struct Rows {
-        bool orbits = false, delays = false, points = false;
+        WantedTables tables;
+        bool points = false;
         friend bool operator==(const Rows&, const Rows&) = default;
     };
 
@@ -34,8 +35,8 @@ private:
     std::shared_ptr<const DeflectionTable> table_;  // nullptr where there is no angle chi
     std::optional<RayFamily> family_;
     Rows rows_;  // that are there
-    Strip strip_;
-    OrbitTable orbit_table_;
+    CameraTables tables_;
+    std::optional<RadiusSteps> steps_;  // while it follows a camera
     TexelGrid star_lens_;
 };
 

@@ -38,6 +38,9 @@ public:
     // before. For windows only.
     void keep_finer_sky() { keep_finer_sky_ = true; }
 
+    // Tables of a camera whose radius changes little from picture to picture are made for less (LightPath::follows_camera). For windows.
+    void follow_camera() { tables_.follow_camera(); }
+
     // The longest side of the textures of images from the next prepare() on; larger images are made smaller while they are read.
     // Without it: the driver's limit, at most kLargestPicture.
     static constexpr int kLargestPicture = 16384;  // px: 1.1 GB with mip levels for an image twice as wide as high

@@ -95,13 +95,11 @@ OrbitTable build_orbit_table(const RayFamily& family, bool delays) {
 }
 
 TexelGrid side_by_side(const TexelGrid& places, const TexelGrid& delays) {
-    constexpr std::ptrdiff_t kTexel = 4;
-    TexelGrid both{2 * places.width, places.height, {}};
-    both.texels.reserve(2 * places.texels.size());
-    for (auto a = places.texels.begin(), b = delays.texels.begin(); a != places.texels.end();
-         a += kTexel, b += kTexel) {
-        both.texels.insert(both.texels.end(), a, a + kTexel);
-        both.texels.insert(both.texels.end(), b, b + kTexel);
+    TexelGrid both{2 * places.width, places.height, std::vector<float>(2 * places.texels.size())};
+    float* out = both.texels.data();
+    for (std::size_t i = 0; i < places.texels.size(); i += 4, out += 8) {
+        std::copy_n(places.texels.data() + i, 4, out);
+        std::copy_n(delays.texels.data() + i, 4, out + 4);
     }
     return both;
 }

@@ -128,7 +128,8 @@ double RayFamily::delta_slope(double u) const {
 }
 
 int RayFamily::octaves(Segment segment) const {
-    return static_cast<int>(std::floor(std::log2(1.0 + 2.0 * std::tan(0.5 * delta_limit(segment)) / w0()))) + 1;
+    return static_cast<int>(std::floor(std::log2(1.0 + 2.0 * std::tan(0.5 * delta_limit(segment)) / w0()))) + 1 +
+           spare_octaves_;
 }
 
 FanRay RayFamily::ray(Segment segment, double delta) const {

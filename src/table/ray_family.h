@@ -57,8 +57,9 @@ public:
     // The place u >= 1 in the cells of shaders/core/strip.glsl: u = 1 + w/w0, w = 2 tan(delta/2).
     double w0() const { return w0_; }  // innermost cell scale, rad
     double delta_at(double u) const { return 2.0 * std::atan(0.5 * w0() * (u - 1.0)); }
-    double delta_slope(double u) const;  // d delta / d u
-    int octaves(Segment segment) const;  // of u, until delta_limit
+    double delta_slope(double u) const;        // d delta / d u
+    int octaves(Segment segment) const;        // of u, until delta_limit
+    void add_octave() { spare_octaves_ = 1; }  // one more of each, of rays beyond the radial one
 
     double zeta0() const { return zeta0_; }  // 1/R
     double camera_r() const { return r_; }
@@ -94,6 +95,7 @@ private:
     std::shared_ptr<const DeflectionTable> table_;
     RadialFrame frame_;
     double r_, radius_, zeta0_, chi0_ = 0, q_crit_, theta_c_, c_, w0_;
+    int spare_octaves_ = 0;
     double lapse_ = 0;                   // sqrt(A); 0 inside the horizon
     bool inside_ = false, from_inward_;  // of the horizon; whether the inward radial is the nearer one
     Separatrix separatrix_;              // sky from the rest

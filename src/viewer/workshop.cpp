@@ -18,6 +18,7 @@ constexpr int kLeastSide_px = 32;  // of a coarse picture: with less there is no
 // For pictures that follow each other.
 void prepare_flight(Renderer& renderer) {
     renderer.keep_finer_sky();
+    renderer.follow_camera();
     renderer.limit_tiles_once_built(Tiles::kInterpolated);
 }
 
