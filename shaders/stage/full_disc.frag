@@ -6,13 +6,14 @@
 #include "path/disc"
 #include "path/trace"
 #include "shared/frame.glsl"
+#include "stage/pixel.glsl"
 
 flat in highp float tile_number;   // stage/tile.vert
 
 out vec4 colour;
 
 void main() {
-    Trace trace = trace_pixel(gl_FragCoord.xy - 0.5 * frame.image.xy);
+    Trace trace = trace_pixel(fragment_pixel());
     vec4 disc = disc_colour(trace, disc_crossing_within(trace, int(tile_number)));
     vec3 light = disc.rgb;
 #ifdef DISPLAY_ENCODE

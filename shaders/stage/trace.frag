@@ -26,6 +26,7 @@
 #endif
 #include "path/trace"
 #include "shared/frame.glsl"
+#include "stage/pixel.glsl"
 #ifdef TILES_WITH_BODIES
 #include "core/bits.glsl"
 #include "generated/bodies_march"
@@ -41,7 +42,7 @@ void main() {
     bodies_shown = set_of(tile_set);
 #endif
 #endif
-    Trace trace = trace_pixel(gl_FragCoord.xy - 0.5 * frame.image.xy);
+    Trace trace = trace_pixel(fragment_pixel());
     vec3 light = vec3(0.0);
     float through = 1.0;
 #ifdef NEEDS_PLACE

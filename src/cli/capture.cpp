@@ -62,8 +62,6 @@ Status check_options(const CaptureOptions& options) {
         return bad_input(fmt::format("-o {}: unknown kind of file", options.output),
                          "names that end in .png, .exr or .mp4");
     if (options.raydata && !options.to_exr()) return bad_input("--raydata goes into an .exr; give -o FILE.exr");
-    if (options.samples && options.renderer != "reference")
-        return bad_input("--samples: the shader takes one ray a pixel", "with --renderer reference");
     if (options.renderer == "reference")
         for (const auto& [option, given] : {std::pair{"--method", options.method != "auto"},
                                             {"--max-error", options.max_error.has_value()},
@@ -160,7 +158,8 @@ Result<std::unique_ptr<FrameStore>> store_of(const Job& job, const CaptureOption
 bool worth_tiles(const Job& job) {
     constexpr double kWorth_px = 2.0e7;  // with a disc some 25 ns a pixel are saved on two cores
     const CameraSpec& camera = job.scene.camera;
-    return 1.0 * camera.width * camera.height * (job.frames.end - job.frames.first) >= kWorth_px;
+    const double rays = 1.0 * camera.width * camera.height * job.scene.picture.samples * job.scene.picture.samples;
+    return rays * (job.frames.end - job.frames.first) >= kWorth_px;
 }
 
 // Those that the store has not.
@@ -195,6 +194,7 @@ Status finish_film(const Job& job, const CaptureOptions& options) {
 Status run(const CaptureOptions& options) {
     TRY(scene, load_scene_sized(options.scene, options.size));
     if (options.time) scene->time = *options.time;
+    if (options.samples && options.renderer == "gl") scene->picture.samples = *options.samples;
     if (options.dump_shader) return dump_shader(*scene);
     TRY(job, job_of(options, std::move(*scene)));
     TRY(store, store_of(*job, options));
@@ -245,8 +245,10 @@ void add_capture(Command& parent) {
                        "place for the frame number (%05d, %d or #####) or ends in .mp4");
     command.add_flag("--resume", &options.resume,
                      "Skip frames whose files exist: resumes an interrupted sequence of the same scene and options");
-    number_option(command, "--samples", options.samples, 1, 16,
-                  fmt::format("For --renderer reference: N x N rays per pixel (default {})", kSamples));
+    number_option(
+        command, "--samples", options.samples, 1, 16,
+        fmt::format("N x N rays per pixel (default: the scene's picture.samples; with --renderer reference {})",
+                    kSamples));
     number_option(command, "--largest-texture", options.largest_texture, 16, 65536,
                   "Largest texture side in pixels: larger images are reduced while they are read (default: the "
                   "driver's limit)");

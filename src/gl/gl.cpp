@@ -359,27 +359,50 @@ void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned 
     check("draw");
 }
 
+namespace {
+void add_share(double share) {
+    if (share >= 1.0) return;
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE);
+    glBlendColor(0, 0, 0, static_cast<float>(share));
+}
+}  // namespace
+
+void clear_rows(unsigned framebuffer, int width, int first, int last) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, first, width, last - first);
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glDisable(GL_SCISSOR_TEST);
+    check("clear rows");
+}
+
 void draw_rows(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int first,
-               int last) {
+               int last, double share) {
     begin_draw(program, empty, framebuffer, 0, 0, width, height);
+    add_share(share);
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, first, width, last - first);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
     check("draw rows");
 }
 
 void draw_tiles(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int side,
-                int first, int last) {
+                int first, int last, double share) {
     const int across = (width + side - 1) / side, up = (height + side - 1) / side;
     begin_draw(program, empty, framebuffer, 0, 0, across * side,
                up * side);  // a point whose middle is outside is left out
+    add_share(share);
     glEnable(GL_PROGRAM_POINT_SIZE);
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, first, width, last - first);
     const int from = first / side, to = (last + side - 1) / side;
     glDrawArrays(GL_POINTS, from * across, (to - from) * across);
     glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
     check("draw tiles");
 }
 

@@ -115,12 +115,14 @@ VertexArray make_vertex_array();
 // share below 1: what is there moves so far towards what is drawn.
 void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height,
                      double share = 1.0);
-// Of it the rows from first (counted from the bottom) up to but not including last.
+void clear_rows(unsigned framebuffer, int width, int first, int last);  // to zeros
+// Of it the rows from first (counted from the bottom) up to but not including last. share below 1: so much of what is drawn is added to
+// what is there.
 void draw_rows(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int first,
-               int last);
+               int last, double share = 1.0);
 // Of it the tiles of `side` px, each a point of the program's (by its number, from below and from the left), that have a part in these rows.
 void draw_tiles(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int side,
-                int first, int last);
+                int first, int last, double share = 1.0);
 // Adds points to what is in the framebuffer: colour += colour of the point x alpha that is there; alpha stays. The viewport is
 // `margin` px wider on every side, so that a point whose middle is outside still shows its rim.
 void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width,

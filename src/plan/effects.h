@@ -59,6 +59,7 @@ enum class Effect {
     kPulse,
     kInnerHorizon,
     kLimbDarkening,
+    kSamples,
     kEnd  // no effect: how many there are
 };
 inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);

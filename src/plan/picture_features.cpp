@@ -8,6 +8,7 @@ namespace nullscope {
 namespace {
 
 constexpr KeyRange kBloom{0.0, 1.0, false, true};
+constexpr KeyRange kSamples{1.0, 16.0};
 
 const char* name_of(SkyKind kind) { return kSkyKindNames[static_cast<int>(kind)]; }
 std::string sky_words(const FrameFacts& f) { return fmt::format("sky.kind = \"{}\"", name_of(f.scene.sky.kind)); }
@@ -118,6 +119,19 @@ std::span<const Feature> picture_features() {
          {on_off_key("picture", "dither", "off",
                      "Adds noise of half an 8-bit step, so that dark gradients show no bands.",
                      [](auto& s) { return &s.picture.dither; })}},
+        {{Effect::kSamples, "samples", "EFFECT_SAMPLES", "Several rays a pixel make edges smooth.",
+          "picture.samples is above 1", "the picture once more for every ray, in linear light"},
+         [](const FrameFacts& f) {
+             return reason_if(f.scene.picture.samples > 1,
+                              fmt::format("picture.samples = {}", f.scene.picture.samples));
+         },
+         [](Scene& s) { s.picture.samples = 1; },
+         nothing,
+         [](Scene& s) { s.picture.samples = 2; },
+         nullptr,
+         {{"picture", "samples", KeyType::kWhole, "", "1", kSamples, "",
+           "Rays along each side of a pixel: N x N rays, averaged in linear light. Makes edges and thin rings smooth.",
+           [](auto& s) { return &s.picture.samples; }}}},
     });
     return features;
 }

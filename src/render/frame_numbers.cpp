@@ -141,4 +141,17 @@ FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const Text
     return frame;
 }
 
+FrameData sample_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,
+                         const BallPaths& balls, int column, int row) {
+    const int n = plan.scene.picture.samples;
+    FramePlan fine = plan;
+    CameraSpec& camera = fine.scene.camera;
+    camera.width *= n, camera.height *= n;
+    FrameData frame = frame_numbers(fine, path, textures, balls);
+    // Fragment 0's middle is at 1/2; its first ray is the fine picture's pixel 0, whose middle is there too.
+    frame.sampling = {0.5 - 0.5 * n + column - 0.5 * camera.width, 0.5 - 0.5 * n + row - 0.5 * camera.height,
+                      static_cast<double>(n), 0};
+    return frame;
+}
+
 }  // namespace nullscope

@@ -19,6 +19,11 @@ struct TextureFacts {
 FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,
                         const BallPaths& balls);
 
+// One ray of every pixel of a sampled picture: a picture of as many pixels as there are rays, of which each fragment draws one. column, row:
+// of a pixel's rays, 0 to picture.samples - 1, from the left and from below.
+FrameData sample_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,
+                         const BallPaths& balls, int column, int row);
+
 // cos(theta) of the camera, exactly 0 in the equatorial plane.
 double plane_height(const CameraSpec& camera);
 

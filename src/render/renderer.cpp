@@ -21,8 +21,6 @@
 namespace nullscope {
 namespace {
 
-constexpr unsigned kFrameBinding = 0, kObjectBinding = 1;
-constexpr std::size_t kMostObjectVectors = 4 * kMostBodies + 3 * kMostSpots;
 // Units of textures by the samplers' names; those of the images on bodies follow.
 constexpr const char* kSamplers[] = {"strip_texture",      "orbit_texture",       "sky_texture",
                                      "disc_texture",       "table_texture",       "ends_texture",
@@ -45,11 +43,6 @@ constexpr std::pair<const char*, int> kPassSamplers[] = {{"source_texture", kSou
 gl::Texture texture_of(const TexelGrid& grid) {
     return gl::make_number_texture(grid.width, grid.height, 4, grid.texels.data(), false);
 }
-float* put(const FrameVector& v, float* to) {
-    for (const double value : {v.x, v.y, v.z, v.w}) *to++ = static_cast<float>(value);
-    return to;
-}
-
 gl::Texture texture_of(const TexelGrid* grid) { return grid != nullptr ? texture_of(*grid) : gl::Texture(); }
 
 std::filesystem::path disc_image_file(const DiscSpec& disc) {
@@ -73,9 +66,7 @@ void Renderer::limit_pictures(int largest) { largest_picture_ = std::min(largest
 Renderer::Renderer()
     : info_(gl::info()),
       largest_picture_(std::min(info_.max_texture_size, kLargestPicture)),
-      empty_(gl::make_vertex_array()),
-      uniforms_(gl::make_uniform_buffer(sizeof(float) * 4 * kFrameVectors)),
-      objects_(gl::make_uniform_buffer(sizeof(float) * 4 * kMostObjectVectors)) {}
+      empty_(gl::make_vertex_array()) {}
 
 Status Renderer::prepare(const Scene& scene) {
     const int limit = std::min(info_.max_texture_size, info_.max_renderbuffer_size);
@@ -97,8 +88,8 @@ Status Renderer::prepare(const Scene& scene) {
     if (Status status = stars_.update(scene, tables_, star_search_); !status) return status;
     if (Status status = skies_.finish(notes_); !status) return status;
     upload_tables();
-    upload_block({skies_.size(), disc_.width, skies_.both(),
-                  hottest_.by ? std::optional(hottest_.temperature_K) : std::nullopt});
+    blocks_.upload(tables_, {skies_.size(), disc_.width, skies_.both(),
+                             hottest_.by ? std::optional(hottest_.temperature_K) : std::nullopt});
     return Done{};
 }
 
@@ -131,30 +122,14 @@ void Renderer::upload_ends() {
     if (!ends_) ends_ = texture_of(tables_.texels("ray ends"));
 }
 
-void Renderer::upload_block(const TextureFacts& facts) {
-    if (block_effects_ != tables_.effects()) {
-        block_effects_ = tables_.effects();
-        block_members_ = block_members(*block_effects_);
-    }
-    const FrameVectors numbers = vectors_of(frame_numbers(tables_.plan(), tables_.path(), facts, tables_.ball_paths()));
-    std::array<float, 4 * kFrameVectors> block{};
-    float* next = block.data();
-    for (const int member : block_members_) next = put(numbers[static_cast<std::size_t>(member)], next);
-    gl::upload_uniforms(uniforms_, block.data(), sizeof(block));
-    std::array<float, 4 * kMostObjectVectors> objects{};
-    next = objects.data();
-    for (const FrameVector& v :
-         object_numbers(tables_.plan(), tables_.path().family(), tables_.ball_paths(), tables_.clearances()))
-        next = put(v, next);
-    gl::upload_uniforms(objects_, objects.data(), sizeof(objects));
-}
-
 void Renderer::begin_skies() {
     const Scene& scene = tables_.plan().scene;
     const EffectSet& effects = tables_.effects();
     const auto near = effects.contains(Effect::kSky) ? std::optional(scene.sky) : std::nullopt;
     const auto far = effects.contains(Effect::kFarSky) ? std::optional(scene.far_sky) : std::nullopt;
-    const int wanted = near || far ? sky_face_size(scene.camera, info_.max_cube_size) : 0;
+    CameraSpec fine = scene.camera;
+    fine.width *= scene.picture.samples;
+    const int wanted = near || far ? sky_face_size(fine, info_.max_cube_size) : 0;
     skies_.begin(near, far, keep_finer_sky_ && wanted > 0 ? std::max(wanted, skies_.size()) : wanted);
 }
 
@@ -222,8 +197,7 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     const ShaderSource source =
         shader_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
     gl::Program made = gl::make_program(source.vertex, source.fragment);
-    gl::bind_uniform_block(made, "FrameBlock", kFrameBinding);
-    gl::bind_uniform_block(made, "ObjectBlock", kObjectBinding);
+    UniformBlocks::name(made);
     for (const char* sampler : kSamplers) gl::set_integer(made, sampler, unit_of(sampler));
     for (const auto& [sampler, unit] : kPassSamplers) gl::set_integer(made, sampler, unit);
     for (int i = 0; const char* sampler : PictureTiles::kSamplers) gl::set_integer(made, sampler, kTileUnit + i++);
@@ -239,8 +213,7 @@ int Renderer::picture_programs() const {
 }
 
 void Renderer::bind_inputs() {
-    gl::bind_uniforms(uniforms_, kFrameBinding);
-    gl::bind_uniforms(objects_, kObjectBinding);
+    blocks_.bind();
     for (const auto& [sampler, texture] : {std::pair{"strip_texture", &strip_},
                                            {"ends_texture", &ends_},
                                            {"orbit_texture", &orbit_table_},
@@ -278,24 +251,35 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
         bloom_.clear();
     picture_tiles_.resize(list, width, height, tables_.effects());
     bind_inputs();
+    const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
+    const int samples = tables_.plan().scene.picture.samples;
+    if (samples > 1) gl::clear_rows(picture, width, first, last);
     for (const Pass& pass : list) {
-        const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
-        if (is_in_tiles(pass.stage)) {
-            draw_in_tiles(pass, picture, width, height, first, last);
-        } else if (pass.stage == Stage::kPicture && last - first < height) {
-            gl::draw_rows(program(pass.stage, pass.output), empty_, picture, width, height, first, last);
+        if (samples > 1 && draws_picture(pass.stage)) {
+            for (int i = 0; i < samples * samples; ++i) {
+                blocks_.upload_sample(tables_, i % samples, i / samples);
+                draw_picture(pass, picture, width, height, first, last, 1.0 / (samples * samples));
+            }
+            blocks_.upload_pixel(tables_);
+        } else if (draws_picture(pass.stage)) {
+            draw_picture(pass, picture, width, height, first, last, 1.0);
+        } else if (is_in_tiles(pass.stage)) {
+            // With the picture's first rows.
+            if (first == 0) picture_tiles_.find(pass.stage, program(pass.stage, pass.output), empty_);
         } else if (last == height) {
             draw_pass(pass, framebuffer, width, height);
         }
     }
 }
 
-// What tiles may show is found with the picture's first rows.
-void Renderer::draw_in_tiles(const Pass& pass, unsigned picture, int width, int height, int first, int last) {
-    if (draws_picture(pass.stage))
-        gl::draw_tiles(program(pass.stage, pass.output), empty_, picture, width, height, kTileSide, first, last);
-    else if (first == 0)
-        picture_tiles_.find(pass.stage, program(pass.stage, pass.output), empty_);
+// share: gl::draw_rows
+void Renderer::draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last,
+                            double share) {
+    const gl::Program& built = program(pass.stage, pass.output);
+    if (is_in_tiles(pass.stage))
+        gl::draw_tiles(built, empty_, picture, width, height, kTileSide, first, last, share);
+    else
+        gl::draw_rows(built, empty_, picture, width, height, first, last, share);
 }
 
 // The method that follows from the scene alone may interpolate; others show what they are. The Kerr-Schild march has no tiles.
@@ -326,7 +310,10 @@ bool Renderer::build_next() {
             gl::make_target(kSide, kSide, keeps_light(list) ? gl::Format::kRgba16F : gl::Format::kRgba8);
         picture_tiles_.resize(list, kSide, kSide, tables_.effects());
         bind_inputs();
-        draw_in_tiles(pass, target.framebuffer.id(), kSide, kSide, 0, kSide);
+        if (draws_picture(pass.stage))
+            draw_picture(pass, target.framebuffer.id(), kSide, kSide, 0, kSide, 1.0);
+        else
+            picture_tiles_.find(pass.stage, program(pass.stage, pass.output), empty_);
         gl::finish();
         if (draws_picture(pass.stage)) ++built_ahead_;
         return true;
@@ -417,7 +404,7 @@ Result<std::vector<RayPixel>> Renderer::trace_middles(const std::vector<Scene>& 
         load_table();
         body_text_ = body_text(view, tables_.effects());
         upload_tables();
-        upload_block({});
+        blocks_.upload(tables_, {});
         rays.push_back(draw_rays(target, 1).at(0, 0));
     }
     return rays;

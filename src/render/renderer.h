@@ -19,6 +19,7 @@
 #include "render/picture_tiles.h"
 #include "render/sky_textures.h"
 #include "render/star_field.h"
+#include "render/uniform_blocks.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
 #include "shaderlib/passes.h"
@@ -113,10 +114,9 @@ private:
     Image<T> drawn(gl::Format format, Output output, Read read);
     void bind_inputs();
     void draw_pass(const Pass& pass, unsigned framebuffer, int width, int height);
-    void draw_in_tiles(const Pass& pass, unsigned picture, int width, int height, int first, int last);
+    void draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last, double share);
     void upload_tables();
     void upload_ends();
-    void upload_block(const TextureFacts& facts);
     RayFrame draw_rays(const gl::Target& target, int row_step);
     void begin_skies();
     void load_table();
@@ -127,13 +127,11 @@ private:
     int largest_picture_;
     std::vector<std::string> notes_;
     gl::VertexArray empty_;
-    gl::Buffer uniforms_, objects_;
+    UniformBlocks blocks_;
     std::map<ProgramKey, gl::Program> programs_;
     Method method_;
     FrameTables tables_;
     int rows_revision_ = -1, clearances_revision_ = 0;
-    std::optional<EffectSet> block_effects_;
-    std::vector<int> block_members_;  // of the uniform block with these effects
     gl::Texture strip_, ends_, orbit_table_, ball_paths_, clearances_, table_, disc_flow_, black_body_, star_lens_;
     StarField stars_;
     StarField::Search star_search_;

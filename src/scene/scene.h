@@ -238,6 +238,7 @@ struct PictureSpec {
     double bloom = 0.0;          // share of the light that lens and eye scatter, [0, 1)
     bool auto_exposure = false;  // from the picture's mean luminance; CameraSpec::exposure_ev is added
     bool dither = false;         // noise of half an 8-bit step, against banding
+    int samples = 1;             // a pixel is the mean of samples x samples rays
     friend bool operator==(const PictureSpec&, const PictureSpec&) = default;
 };
 

@@ -5,12 +5,13 @@ namespace nullscope {
 std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
     const bool stars = effects.contains(Effect::kPointStars);
     const bool bloom = effects.contains(Effect::kBloom), meter = effects.contains(Effect::kAutoExposure);
-    const bool develop = output == Output::kDisplay && (stars || bloom || meter);
+    const bool samples = effects.contains(Effect::kSamples);  // they are added up in linear light, each by its own ray
+    const bool develop = output == Output::kDisplay && (stars || bloom || meter || samples);
     std::vector<Pass> list;
     const Output light = develop ? Output::kLinear : output;
     const bool disc = effects.contains(Effect::kDisc), find_bodies = tiles >= Tiles::kBodies && has_tiles(effects),
                find_disc = tiles >= Tiles::kTraced && tiles_tell_disc(effects),
-               interpolated = tiles >= Tiles::kInterpolated && interpolates(effects);
+               interpolated = tiles >= Tiles::kInterpolated && !samples && interpolates(effects);
     if (interpolated || find_disc)
         list.push_back({Stage::kRays, Output::kLinear, "rays of tiles",
                         "where the rays through the corners of the picture's tiles go"});

@@ -146,7 +146,7 @@ DrawWatch Painter::watch(bool whole_job) {
 void Painter::do_job(Workshop& workshop, const PaintJob& job) {
     if (job.rays) return publish(workshop.rays(job), true);
     const int coarseness = own_ != nullptr ? 1 : workshop.coarseness(job);
-    const bool first = coarseness > 1 || (own_ == nullptr && job.coarse_first && workshop.searches_stars());
+    const bool first = coarseness > 1 || (own_ == nullptr && job.coarse_first && workshop.drafts(job));
     if (first) {
         auto coarse = workshop.picture(job, coarseness, true, textures_in_use(), watch(true));
         if (!coarse) return;
@@ -186,11 +186,11 @@ void Painter::do_measure(Workshop& workshop, const PaintJob& order) {
             other.set_method(order.method);
         if (interrupted()) return;
         if (!other.prepare(*without)) continue;  // the scene cannot be without it: a thermal disc in flat space
-        double other_pixel_ms = 0.0;
+        double other_ray_ms = 0.0;
         std::vector<double> whole, rest;
         const auto time_both = [&] {
-            const auto with = draw_in_bands(renderer, target, workshop.pixel_ms(), watch);
-            const auto less = with ? draw_in_bands(other, target, other_pixel_ms, watch) : std::nullopt;
+            const auto with = draw_in_bands(renderer, target, workshop.ray_ms(), watch);
+            const auto less = with ? draw_in_bands(other, target, other_ray_ms, watch) : std::nullopt;
             if (less) whole.push_back(with->draw_ms), rest.push_back(less->draw_ms);
             return less.has_value();
         };

@@ -4,7 +4,7 @@
 // Owners: a job is copied in, a painting moved out; the renderers are the thread's alone. A painting's texture is
 // drawn to again only after the one that follows it was taken.
 //
-// A job may give two pictures: a coarse one first (of fewer pixels, or of star images found quickly), if the whole one takes long. The
+// A job may give two pictures: a coarse one first (of fewer pixels, of one ray each, of star images found quickly), if the whole one takes long. The
 // coarse one is always finished; the whole one is given up between two bands of rows when a newer job comes, so that what moves is
 // followed and what rests is whole.
 #pragma once

@@ -161,6 +161,15 @@ bool light_section(ViewState& view, bool escape) {
     changed |= tick("Auto exposure", picture.auto_exposure, "Exposure adapts to the picture's mean luminance.");
     changed |=
         tick("Dither", picture.dither, "Adds noise of half an 8-bit step, so that dark gradients show no bands.");
+    constexpr std::array kSamples = {"1", "2 x 2", "3 x 3", "4 x 4"};
+    const auto samples = static_cast<std::size_t>(picture.samples);
+    row("Rays a pixel", "More of them make edges and thin rings smooth, once the camera rests.");
+    choice("##samples", samples <= kSamples.size() ? kSamples[samples - 1] : fmt::format("{0} x {0}", samples).c_str(),
+           escape, [&] {
+               for (std::size_t i = 0; i < kSamples.size(); ++i)
+                   if (choice_item(kSamples[i], i + 1 == samples))
+                       picture.samples = static_cast<int>(i) + 1, changed = true;
+           });
     changed |= tick("Grid", view.show_grid, "Coordinate lines on the sky and the disc instead of their images.");
     tick("Probe", view.show_probe,
          "The ray of the pixel under the cursor: its path, its numbers, both parts of g (key P).");

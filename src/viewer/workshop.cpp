@@ -24,12 +24,14 @@ void prepare_flight(Renderer& renderer) {
 
 }  // namespace
 
-std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, double& pixel_ms,
+std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, double& ray_ms,
                                        const DrawWatch& watch) {
     using Stage = PaintProgress::Stage;
     const double start = seconds();
-    BandCutter bands(target.height, pixel_ms * target.width);
-    watch.tell({pixel_ms > 0.0 ? Stage::kDrawing : Stage::kCompiling, 0, target.height});
+    const int samples = renderer.tables().plan().scene.picture.samples,
+              rays = target.width * samples * samples;  // in a row
+    BandCutter bands(target.height, ray_ms * rays);
+    watch.tell({ray_ms > 0.0 ? Stage::kDrawing : Stage::kCompiling, 0, target.height});
     while (!bands.done()) {
         if (watch.give_up()) return std::nullopt;
         const int programs = renderer.picture_programs();
@@ -40,7 +42,7 @@ std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& tar
         bands.took(1e3 * (seconds() - begun), renderer.picture_programs() > programs);
         watch.tell({Stage::kDrawing, bands.first(), target.height});
     }
-    if (bands.row_ms() > 0.0) pixel_ms = bands.row_ms() / target.width;
+    if (bands.row_ms() > 0.0) ray_ms = bands.row_ms() / rays;
     return DrawTimes{1e3 * (seconds() - start) - bands.compile_ms(), bands.compile_ms()};
 }
 
@@ -51,8 +53,9 @@ bool Workshop::build_next() { return renderer_.build_next() || (right_ != nullpt
 int Workshop::coarseness(const PaintJob& job) const {
     if (!job.coarse_first || job.rays) return 1;
     const CameraSpec& camera = job.scene.camera;
-    const bool known =
-        picture_ms_ > 0.0 && method_ == job.method && effects_ == effect_set(required_effects(job.scene));
+    Scene once = job.scene;
+    once.picture.samples = 1;  // of pictures in motion
+    const bool known = picture_ms_ > 0.0 && method_ == job.method && effects_ == effect_set(required_effects(once));
     const double whole_ms = picture_ms_ * camera.width * camera.height;
     if (known && whole_ms <= kDear_ms) return 1;
     int times = known ? 2 : kUnknownCoarseness;
@@ -81,14 +84,14 @@ Status Workshop::prepare(const Scene& scene, const PaintJob& job, const StarFiel
 }
 
 std::optional<DrawTimes> Workshop::draw(const gl::Target& target, const DrawWatch& watch) {
-    if (!split_) return draw_in_bands(renderer_, target, pixel_ms_, watch);
+    if (!split_) return draw_in_bands(renderer_, target, ray_ms_, watch);
     DrawTimes sum;
     int x = 0;
     for (std::size_t i = 0; i < 2; ++i) {
         const CameraSpec& camera = (i == 0 ? split_->left : split_->right).camera;
         if (halves_[i].width != camera.width || halves_[i].height != camera.height)
             halves_[i] = gl::make_target(camera.width, camera.height, gl::Format::kRgba8);
-        const auto times = draw_in_bands(i == 0 ? renderer_ : *right_, halves_[i], half_pixel_ms_[i], watch);
+        const auto times = draw_in_bands(i == 0 ? renderer_ : *right_, halves_[i], half_ray_ms_[i], watch);
         if (!times) return std::nullopt;
         sum.draw_ms += times->draw_ms, sum.compile_ms += times->compile_ms;
         gl::blit(halves_[i].colours.front().id(), camera.width, camera.height, target.framebuffer.id(), camera.width,
@@ -105,22 +108,25 @@ std::optional<Painting> Workshop::picture(const PaintJob& job, int coarseness, b
     Painting painting;
     painting.job = job;
     Scene scene = job.scene;
+    if (first) scene.picture.samples = 1;
     scene.camera.width = painting.width = scene.camera.width / coarseness;
     scene.camera.height = painting.height = scene.camera.height / coarseness;
     watch.tell({PaintProgress::Stage::kPreparing, 0, painting.height});
     painting.ready = prepare(scene, job, {first, watch.give_up});
     if (watch.give_up()) return std::nullopt;
     if (painting.ready) {
-        painting.quick_stars = first && searches_stars();
-        const EffectSet effects = renderer_.tables().effects();
-        if (effects != effects_ || job.method != method_) pixel_ms_ = 0.0, half_pixel_ms_ = {};
+        painting.draft = first && (searches_stars() || job.scene.picture.samples > 1);
+        EffectSet effects = renderer_.tables().effects();
+        effects.erase(Effect::kSamples);
+        if (effects != effects_ || job.method != method_) ray_ms_ = 0.0, half_ray_ms_ = {};
         effects_ = effects, method_ = job.method;
         const gl::Target& drawn = target(painting.width, painting.height, avoid);
         const auto times = draw(drawn, watch);
         if (!times) return std::nullopt;
         painting.draw_ms = times->draw_ms;
         compile_ms_ += times->compile_ms;
-        picture_ms_ = times->draw_ms / (static_cast<double>(painting.width) * painting.height);
+        const int samples = scene.picture.samples;
+        picture_ms_ = times->draw_ms / (static_cast<double>(painting.width) * painting.height * samples * samples);
         painting.texture = drawn.colours.front().id();
     }
     add_facts(painting);

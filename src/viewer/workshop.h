@@ -51,9 +51,9 @@ struct Painting {
     int programs = 0;                // compiled for pictures until now
     double compile_ms = 0.0 /* of them all, with the driver's own at the first rows */, table_ms = 0.0, rows_ms = 0.0;
 
-    bool quick_stars = false;  // StarField::Search
+    bool draft = false;  // with fewer rays or stars than the job's
 
-    bool coarse() const { return quick_stars || width < job.scene.camera.width || height < job.scene.camera.height; }
+    bool coarse() const { return draft || width < job.scene.camera.width || height < job.scene.camera.height; }
 };
 
 // What a picture is told and asked while it is drawn.
@@ -66,9 +66,9 @@ struct DrawTimes {
     double draw_ms = 0.0, compile_ms = 0.0;
 };
 
-// Draws what is prepared; nothing if it was given up. pixel_ms: of the dearest row of the last picture, by which this
+// Draws what is prepared; nothing if it was given up. ray_ms: what a ray takes in the dearest row of the last picture, by which this
 // one is cut into bands, then of this one; 0: not known.
-std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, double& pixel_ms,
+std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, double& ray_ms,
                                        const DrawWatch& watch);
 
 class Workshop {
@@ -77,7 +77,8 @@ public:
 
     // How many times smaller than the job's, in each direction, a coarse picture should be; 1: none is worth its time.
     int coarseness(const PaintJob& job) const;
-    // Whether a quick search for the images of stars is worth a picture of its own.
+    // Whether a picture with one ray a pixel, and after a quick search for the images of stars, is worth its time.
+    bool drafts(const PaintJob& job) const { return job.scene.picture.samples > 1 || searches_stars(); }
     bool searches_stars() const {
         return renderer_.searches_stars() || (right_ != nullptr && right_->searches_stars());
     }
@@ -90,7 +91,7 @@ public:
     bool build_next();
 
     Renderer& renderer() { return renderer_; }
-    double& pixel_ms() { return pixel_ms_; }
+    double& ray_ms() { return ray_ms_; }
     // One for a scene without an effect; its programs stay until it is dropped.
     Renderer& other() { return other_ == nullptr ? *(other_ = std::make_unique<Renderer>()) : *other_; }
     void drop_other() { other_.reset(); }
@@ -106,13 +107,13 @@ private:
     std::unique_ptr<Renderer> other_;  // while effects are measured
     std::optional<Halves> split_;      // that is prepared
     std::array<gl::Target, 2> halves_;
-    std::array<double, 2> half_pixel_ms_{};
+    std::array<double, 2> half_ray_ms_{};
     // Shown, waiting to be shown, drawn to; one more, as coarse and whole take turns.
     std::array<gl::Target, 4> targets_;
-    double pixel_ms_ = 0.0;  // of scenes with these effects and this method
+    double ray_ms_ = 0.0;  // of scenes with these effects and this method
     EffectSet effects_;
     Method method_;
-    double picture_ms_ = 0.0;  // the last picture's, a pixel; 0: not known
+    double picture_ms_ = 0.0;  // the last picture's, a ray; 0: not known
     double compile_ms_ = 0.0;
 };
 

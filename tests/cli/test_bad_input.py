@@ -34,7 +34,7 @@ class Usage(support.CliTest):
         self.refused("plan", "flat", "--xml", says=["--xml"])
 
     def test_options_that_change_nothing(self):
-        self.refused("capture", "flat", "--size", "16x9", "--samples", "2", says=["--samples", "--renderer reference"])
+        self.refused("capture", "flat", "--size", "16x9", "--samples", "17", says=["--samples", "1 to 16"])
         for option, value in ("--method", "strip"), ("--max-error", "1"), ("--context", "egl"), ("--largest-texture", "64"):
             self.refused("capture", "flat", "--size", "16x9", "--renderer", "reference", option, value, says=[option, "--renderer gl"])
         self.refused("lightcurve", "hot-spot", "--size", "16x9", "--samples", "2", says=["--samples", "--renderer reference"])

@@ -36,6 +36,7 @@ Scene scene_of(unsigned bits) {
     scene.sky.kind = !has(3) ? SkyKind::kBlack : has(0) ? SkyKind::kPoints : SkyKind::kStars;
     if (has(1) && has(3)) scene.sky.temperature_K = 5000.0;
     scene.picture.bloom = has(7) ? 0.1 : 0.0;
+    scene.picture.samples = has(4) ? 2 : 1;
     if (has(2) && has(3) && !has(0)) scene.disc->material.texture = TextureKind::kGrid;  // in flat space both again
     if (has(3) && has(8) && !has(0)) scene.sky.kind = SkyKind::kChecker;
     if (has(4)) add_body<SphereSpec>(scene).material.texture = TextureKind::kChecker;

@@ -107,6 +107,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kToneFilm, {"tone_film"}},
     {Effect::kToneNeutral, {"tone_neutral"}},
     {Effect::kDither, {"dither_noise"}},
+    {Effect::kSamples, {"sampling"}},
     {Effect::kStar, {"star_surface", "star_square"}},
     {Effect::kSides, {"value_by_side", "vec4 throat;", "place.side"}},
     {Effect::kDelay, {"light_time(", "vec4 delay;"}},
@@ -237,7 +238,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow* row : effect_rows()) all.insert(row->effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 48);
+    CHECK(members.size() == 49);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {

@@ -142,6 +142,27 @@ def test_a_flight_about_a_rotating_hole_goes_on_among_point_stars(screen, progra
         v.kill()
 
 
+def test_several_rays_a_pixel_wait_for_rest(screen, program, folder):
+    """What moves is followed with one ray a pixel; at rest there are all."""
+    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=SCENE + '[picture]\nsamples = 4\n')
+    try:
+        v.start()
+        v.settle("mousemove", *BESIDE)
+        home, at = v.picture(), v.log.size()
+        v.hands("keydown", "e")
+
+        def followed():
+            seen = {turn["pictures"] for turn in v.log.turns(at) if turn["picture"] == "coarse"}
+            return len(seen) >= PICTURES
+        wait_until(f"{PICTURES} pictures on the way", followed, HUNG_S)
+        v.settle("keyup", "e")
+        assert v.log.turns()[-1]["picture"] == "whole", "a picture of one ray a pixel stays"
+        v.settle("key", "r")
+        same(home, v.picture(), "R after E")
+    finally:
+        v.kill()
+
+
 def test_exposure_follows_like_an_eye(screen, program, folder):
     """Towards the dark sky: the picture is there, and goes on growing brighter without a hand."""
     v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=SCENE + '[picture]\nauto_exposure = "on"\n')
@@ -226,5 +247,6 @@ def test_old_opengl(screen, program, folder):
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
+         test_several_rays_a_pixel_wait_for_rest,
          test_exposure_follows_like_an_eye, test_the_clock_runs_and_stops, test_screenshot, test_bad_input,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]

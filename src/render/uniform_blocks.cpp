@@ -1,0 +1,67 @@
+#include "render/uniform_blocks.h"
+
+#include <array>
+
+#include "render/body_numbers.h"
+#include "scene/bodies.h"
+#include "shaderlib/shader_source.h"
+
+namespace nullscope {
+namespace {
+
+constexpr unsigned kFrameBinding = 0, kObjectBinding = 1;
+constexpr std::size_t kMostObjectVectors = 4 * kMostBodies + 3 * kMostSpots;
+
+float* put(const FrameVector& v, float* to) {
+    for (const double value : {v.x, v.y, v.z, v.w}) *to++ = static_cast<float>(value);
+    return to;
+}
+
+}  // namespace
+
+UniformBlocks::UniformBlocks()
+    : frame_(gl::make_uniform_buffer(sizeof(float) * 4 * kFrameVectors)),
+      objects_(gl::make_uniform_buffer(sizeof(float) * 4 * kMostObjectVectors)) {}
+
+void UniformBlocks::upload(const FrameTables& tables, const TextureFacts& facts) {
+    facts_ = facts;
+    upload_pixel(tables);
+    std::array<float, 4 * kMostObjectVectors> objects{};
+    float* next = objects.data();
+    for (const FrameVector& v :
+         object_numbers(tables.plan(), tables.path().family(), tables.ball_paths(), tables.clearances()))
+        next = put(v, next);
+    gl::upload_uniforms(objects_, objects.data(), sizeof(objects));
+}
+
+void UniformBlocks::upload_pixel(const FrameTables& tables) {
+    upload_frame(tables, frame_numbers(tables.plan(), tables.path(), facts_, tables.ball_paths()));
+}
+
+void UniformBlocks::upload_sample(const FrameTables& tables, int column, int row) {
+    upload_frame(tables, sample_numbers(tables.plan(), tables.path(), facts_, tables.ball_paths(), column, row));
+}
+
+void UniformBlocks::upload_frame(const FrameTables& tables, const FrameData& frame) {
+    if (effects_ != tables.effects()) {
+        effects_ = tables.effects();
+        members_ = block_members(*effects_);
+    }
+    const FrameVectors numbers = vectors_of(frame);
+    std::array<float, 4 * kFrameVectors> block{};
+    float* next = block.data();
+    for (const int member : members_) next = put(numbers[static_cast<std::size_t>(member)], next);
+    gl::upload_uniforms(frame_, block.data(), sizeof(block));
+}
+
+void UniformBlocks::name(const gl::Program& program) {
+    gl::bind_uniform_block(program, "FrameBlock", kFrameBinding);
+    gl::bind_uniform_block(program, "ObjectBlock", kObjectBinding);
+}
+
+void UniformBlocks::bind() const {
+    gl::bind_uniforms(frame_, kFrameBinding);
+    gl::bind_uniforms(objects_, kObjectBinding);
+}
+
+}  // namespace nullscope

@@ -1,0 +1,106 @@
+// Several rays a pixel: against the reference with as many, in tiles and without, in bands and whole.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/assets.h"
+#include "image/image_file.h"
+#include "render/display.h"
+#include "scenefile/scene_file.h"
+#include "sky/sky.h"
+#include "support/gpu_session.h"
+
+using namespace nullscope;
+
+namespace {
+
+constexpr int kSamples = 4;
+
+Scene small(const char* name, int width, int height) {
+    auto scene = load_scene(name);
+    REQUIRE(scene);
+    scene->camera.width = width, scene->camera.height = height;
+    return *scene;
+}
+
+struct Off {  // of 255
+    double mean = 0, thousandth = 0;
+};
+
+Off off_between(const Image<unsigned char>& a, const Image<unsigned char>& b) {
+    std::vector<int> worst;
+    double sum = 0;
+    for (std::size_t i = 0; i < a.data.size(); i += 3) {
+        int most = 0;
+        for (std::size_t c = i; c < i + 3; ++c) {
+            const int off = std::abs(a.data[c] - b.data[c]);
+            sum += off, most = std::max(most, off);
+        }
+        worst.push_back(most);
+    }
+    const auto at = worst.begin() + static_cast<std::ptrdiff_t>(worst.size() * 999 / 1000);
+    std::nth_element(worst.begin(), at, worst.end());
+    return {sum / static_cast<double>(a.data.size()), static_cast<double>(*at)};
+}
+
+Image<unsigned char> drawn(Renderer& renderer, Scene scene, int samples) {
+    scene.picture.samples = samples;
+    REQUIRE(renderer.prepare(scene));
+    return renderer.picture8();
+}
+
+TEST_CASE("samples: 4 x 4 rays a pixel are the reference's picture, one is not") {
+    constexpr double kMean = 0.8, kThousandth = 40.0;  // measured 0.52 and 26
+    const Scene scene = small("first-light", 240, 135);
+    const auto sky = build_sky(scene.sky, assets_directory(), 2048);
+    const auto disc = load_disc_image(*scene.disc);
+    REQUIRE((sky && disc));
+    const reference::Pictures pictures(&disc->image);
+    const auto light = reference::render_frame(scene, *sky, pictures, 2 * kSamples, {}, nullptr, {});
+    REQUIRE(light);
+    const Image<unsigned char> exact = display_encoded(*light, scene.camera.exposure_ev, scene.picture);
+    test::on_every_context([&](test::GpuSession& session) {
+        const Off one = off_between(drawn(*session.renderer, scene, 1), exact),
+                  many = off_between(drawn(*session.renderer, scene, kSamples), exact);
+        fmt::print("{}: off by {:.3f} of 255, a thousandth by {}; with one ray {:.3f}, {}\n", session.context->kind(),
+                   many.mean, many.thousandth, one.mean, one.thousandth);
+        CHECK(many.mean < kMean);
+        CHECK(many.thousandth < kThousandth);
+        CHECK(one.mean > 2.0 * many.mean);
+    });
+}
+
+TEST_CASE("samples: the same in tiles, in bands and for a rotating hole, one ray is the picture without") {
+    for (const char* name : {"first-light", "kerr", "ball-behind", "accretion"}) {
+        CAPTURE(std::string(name));
+        const Scene scene = small(name, 190, 108);
+        test::on_every_context([&](test::GpuSession& session) {
+            Renderer& renderer = *session.renderer;
+            renderer.limit_tiles(Tiles::kNone);
+            const auto whole = drawn(renderer, scene, 3), plain = drawn(renderer, scene, 1);
+            renderer.limit_tiles(Tiles::kInterpolated);
+            CHECK(off_between(drawn(renderer, scene, 3), whole).thousandth <= 1.0);
+            const gl::Target target = gl::make_target(190, 108, gl::Format::kRgba8);
+            for (const int row : {0, 33, 64}) {
+                const int last = row == 0 ? 33 : row == 33 ? 64 : 108;
+                renderer.draw_rows(target.framebuffer.id(), 190, 108, Output::kDisplay, row, last);
+            }
+            std::vector<unsigned char> rgba(190 * 108 * 4);
+            gl::read_rgba8(target, rgba.data());
+            int off = 0;
+            for (int y = 0; y < 108; ++y)
+                for (int x = 0; x < 190; ++x)
+                    for (int c = 0; c < 3; ++c)
+                        off = std::max(
+                            off,
+                            std::abs(
+                                rgba[static_cast<std::size_t>((107 - y) * 190 + x) * 4 + static_cast<std::size_t>(c)] -
+                                whole.at(x, y)[c]));
+            CHECK(off <= 1);
+            CHECK(off_between(plain, whole).mean > 0.1);  // they are not the same picture
+            renderer.limit_tiles(Tiles::kBodies);
+        });
+    }
+}
+
+}  // namespace
