@@ -12,6 +12,7 @@
 #include "bench/bench.h"
 #include "command/arguments.h"
 #include "command/json.h"
+#include "spacetime/minkowski.h"
 
 namespace nullscope::cli {
 namespace {
@@ -33,6 +34,7 @@ Json row_of(const Bench& bench, const Scene& scene, int frames) {
 Result<Json> measure(const Bench& bench, const Scene& scene, int frames) {
     Scene flat = scene;
     flat.spacetime = {"minkowski", {}};
+    if (!camera_can_rest(Minkowski{}, flat.camera.r)) flat.camera.r = 1.0;  // a wormhole's throat is no place there
     const Stopwatch prepare_watch;
     TRY(ready, bench.renderer().prepare(scene));
     gl::finish();

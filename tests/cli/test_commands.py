@@ -163,6 +163,11 @@ class Commands(support.CliTest):
         for row in rows:
             self.assertGreater(row["empty_core_seconds"], 0)
 
+    def test_bench_times_a_scene_in_a_place_that_flat_space_has_not(self):
+        self.run_nullscope("bench", "frames", "in-the-throat", "--size", support.SMALL, "--frames", "9", "--json", "m.json")
+        (row,) = json.loads((self.folder / "m.json").read_text())
+        self.assertGreater(row["floor_core_seconds"], 0)
+
     def test_bench_times_a_camera_that_moves(self):
         self.run_nullscope("bench", "frames", "--moving", "first-light", "--size", support.SMALL, "--frames", "9", "--json", "m.json")
         (row,) = json.loads((self.folder / "m.json").read_text())
