@@ -126,6 +126,7 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
     if (!options.split.empty()) {
         TRY(other, load_scene(options.split));
         job.split = std::move(*other);
+        if (options.samples) job.split->picture.samples = job.scene.picture.samples;
     }
     TRY(good, check_options(options));
     if (job.path && job.path->falls() && options.time_step != 0)

@@ -251,6 +251,15 @@ class Commands(support.CliTest):
         self.refused("capture", "flat", "--split", "no such scene", says=["no such scene"])
         self.refused("capture", "flat", "--split", "flat", "--raydata", "-o", "a.exr", says=["--split"])
 
+    def test_samples_are_the_scene_s_or_the_option_s_in_both_halves(self):
+        pictures = []
+        for text, more in (('', ()), ('[picture]\nsamples = 2\n', ()), ('', ("--samples", "2"))):
+            scene = self.write("samples.toml", '[sky]\nkind = "grid"\n' + text)
+            self.run_nullscope("capture", scene, "--split", scene, "--size", "64x32", *more, "-o", "samples.png")
+            pictures.append((self.folder / "samples.png").read_bytes())
+        self.assertEqual(pictures[1], pictures[2])
+        self.assertNotEqual(pictures[0], pictures[1])
+
     def test_a_scene_asks_for_a_split_screen(self):
         text = '[camera]\nr = 8\n[split]\nmetric = "{}"\n'
         pictures = []
