@@ -1,6 +1,7 @@
 // Scene, disc, sky, light and spacetime: what is there. The camera's sections are in camera_sections.cpp.
 #include "viewer/sections.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
