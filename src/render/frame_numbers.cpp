@@ -142,16 +142,17 @@ FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const Text
 }
 
 FrameData sample_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,
-                         const BallPaths& balls, int column, int row) {
-    const int n = plan.scene.picture.samples;
+                         const BallPaths& balls) {
     FramePlan fine = plan;
     CameraSpec& camera = fine.scene.camera;
-    camera.width *= n, camera.height *= n;
-    FrameData frame = frame_numbers(fine, path, textures, balls);
+    camera.width *= plan.scene.picture.samples, camera.height *= plan.scene.picture.samples;
+    return frame_numbers(fine, path, textures, balls);
+}
+
+void put_sample(FrameData& frame, int samples, int column, int row) {
     // Fragment 0's middle is at 1/2; its first ray is the fine picture's pixel 0, whose middle is there too.
-    frame.sampling = {0.5 - 0.5 * n + column - 0.5 * camera.width, 0.5 - 0.5 * n + row - 0.5 * camera.height,
-                      static_cast<double>(n), 0};
-    return frame;
+    frame.sampling = {0.5 - 0.5 * samples + column - 0.5 * frame.image.x,
+                      0.5 - 0.5 * samples + row - 0.5 * frame.image.y, static_cast<double>(samples), 0};
 }
 
 }  // namespace nullscope

@@ -19,10 +19,11 @@ struct TextureFacts {
 FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,
                         const BallPaths& balls);
 
-// One ray of every pixel of a sampled picture: a picture of as many pixels as there are rays, of which each fragment draws one. column, row:
-// of a pixel's rays, 0 to picture.samples - 1, from the left and from below.
+// A sampled picture's: of a picture of as many pixels as there are rays, of which each fragment draws one at a time, which put_sample() says.
 FrameData sample_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,
-                         const BallPaths& balls, int column, int row);
+                         const BallPaths& balls);
+// column, row: of a pixel's samples x samples rays, from the left and from below.
+void put_sample(FrameData& frame, int samples, int column, int row);
 
 // cos(theta) of the camera, exactly 0 in the equatorial plane.
 double plane_height(const CameraSpec& camera);

@@ -9,7 +9,6 @@
 #include "base/assets.h"
 #include "base/stopwatch.h"
 #include "image/large_image.h"
-#include "render/body_numbers.h"
 #include "scene/bodies.h"
 #include "shaderlib/passes.h"
 #include "sky/packed_sky.h"
@@ -257,10 +256,10 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
     for (const Pass& pass : list) {
         if (samples > 1 && draws_picture(pass.stage)) {
             for (int i = 0; i < samples * samples; ++i) {
-                blocks_.upload_sample(tables_, i % samples, i / samples);
+                blocks_.upload_sample(i % samples, i / samples);
                 draw_picture(pass, picture, width, height, first, last, 1.0 / (samples * samples));
             }
-            blocks_.upload_pixel(tables_);
+            blocks_.upload_pixel();
         } else if (draws_picture(pass.stage)) {
             draw_picture(pass, picture, width, height, first, last, 1.0);
         } else if (is_in_tiles(pass.stage)) {

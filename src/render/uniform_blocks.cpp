@@ -24,8 +24,14 @@ UniformBlocks::UniformBlocks()
       objects_(gl::make_uniform_buffer(sizeof(float) * 4 * kMostObjectVectors)) {}
 
 void UniformBlocks::upload(const FrameTables& tables, const TextureFacts& facts) {
-    facts_ = facts;
-    upload_pixel(tables);
+    if (effects_ != tables.effects()) {
+        effects_ = tables.effects();
+        members_ = block_members(*effects_);
+    }
+    samples_ = tables.plan().scene.picture.samples;
+    pixel_ = frame_numbers(tables.plan(), tables.path(), facts, tables.ball_paths());
+    if (samples_ > 1) sample_ = sample_numbers(tables.plan(), tables.path(), facts, tables.ball_paths());
+    upload_pixel();
     std::array<float, 4 * kMostObjectVectors> objects{};
     float* next = objects.data();
     for (const FrameVector& v :
@@ -34,19 +40,12 @@ void UniformBlocks::upload(const FrameTables& tables, const TextureFacts& facts)
     gl::upload_uniforms(objects_, objects.data(), sizeof(objects));
 }
 
-void UniformBlocks::upload_pixel(const FrameTables& tables) {
-    upload_frame(tables, frame_numbers(tables.plan(), tables.path(), facts_, tables.ball_paths()));
+void UniformBlocks::upload_sample(int column, int row) {
+    put_sample(sample_, samples_, column, row);
+    upload_frame(sample_);
 }
 
-void UniformBlocks::upload_sample(const FrameTables& tables, int column, int row) {
-    upload_frame(tables, sample_numbers(tables.plan(), tables.path(), facts_, tables.ball_paths(), column, row));
-}
-
-void UniformBlocks::upload_frame(const FrameTables& tables, const FrameData& frame) {
-    if (effects_ != tables.effects()) {
-        effects_ = tables.effects();
-        members_ = block_members(*effects_);
-    }
+void UniformBlocks::upload_frame(const FrameData& frame) {
     const FrameVectors numbers = vectors_of(frame);
     std::array<float, 4 * kFrameVectors> block{};
     float* next = block.data();

@@ -15,18 +15,19 @@ public:
     UniformBlocks();
 
     void upload(const FrameTables& tables, const TextureFacts& facts);
-    // Of the last upload: for one ray of every pixel (sample_numbers), or for the pixel itself again.
-    void upload_sample(const FrameTables& tables, int column, int row);
-    void upload_pixel(const FrameTables& tables);
+    // Of the last upload: for one ray of every pixel (put_sample), or for the pixel itself again.
+    void upload_sample(int column, int row);
+    void upload_pixel() { upload_frame(pixel_); }
 
     static void name(const gl::Program& program);  // where its blocks are
     void bind() const;
 
 private:
-    void upload_frame(const FrameTables& tables, const FrameData& frame);
+    void upload_frame(const FrameData& frame);
 
     gl::Buffer frame_, objects_;
-    TextureFacts facts_;
+    FrameData pixel_, sample_;  // sample_: where a pixel has several rays
+    int samples_ = 1;
     std::optional<EffectSet> effects_;
     std::vector<int> members_;  // of the frame's block with these effects
 };

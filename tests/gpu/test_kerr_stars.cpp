@@ -291,10 +291,15 @@ TEST_CASE("kerr point stars: next to no spin they are those of a hole without, w
     });
 }
 
-TEST_CASE("kerr point stars: the whole catalogue's images, the same every time") {
+Scene all_stars() {
     Scene scene = star_scene(0.95, 15, 1.48, 0);
     scene.camera.width = 1280, scene.camera.height = 720;
     scene.sky.magnitude_limit = 20.0;
+    return scene;
+}
+
+TEST_CASE("kerr point stars: the whole catalogue's images, the same every time") {
+    const Scene scene = all_stars();
     const auto stars = point_stars(scene.sky, assets_directory());
     REQUIRE(stars);
     FrameTables tables;
@@ -319,9 +324,7 @@ TEST_CASE("kerr point stars: the whole catalogue's images, the same every time")
 // What a camera in flight shows of a new view until the whole search has ended.
 TEST_CASE(
     "kerr point stars: a quick search takes a fifth of the time and finds nearly all, and a search can be given up") {
-    Scene scene = star_scene(0.95, 15, 1.48, 0);
-    scene.camera.width = 1280, scene.camera.height = 720;
-    scene.sky.magnitude_limit = 20.0;
+    const Scene scene = all_stars();
     const auto stars = point_stars(scene.sky, assets_directory());
     REQUIRE(stars);
     FrameTables tables;
