@@ -2,6 +2,7 @@
 // sky asks for.
 #include "core/pixel_sides.glsl"
 #include "mino/ray.glsl"
+#include "mino/ray_way.glsl"
 #include "shared/frame.glsl"
 
 struct Trace {
@@ -16,6 +17,8 @@ struct Trace {
 };
 
 float g_of(Trace trace) { return trace.doppler / max(trace.energy, 1.0e-6); }
+
+float path_way(Trace trace) { return spin_way(trace.escapes, 0.0, 0.0); }   // tiles clear of the disc
 
 PixelSides sky_sides(Trace trace) { return trace.sky_sides; }
 

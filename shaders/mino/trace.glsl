@@ -5,12 +5,16 @@
 // E (r_+^2 + a^2) <= a L have crossed another horizon than the one that the camera fell through: they meet nothing of ours.
 #ifdef NEEDS_FOOTPRINT
 #include "core/pixel_sides.glsl"
+#include "effect/sampling.glsl"
 #endif
 #ifdef EFFECT_DISC
 #include "mino/segment.glsl"
 #include "object/disc_rim.glsl"
 #endif
 #include "mino/ray.glsl"
+#ifdef EFFECT_REFINE
+#include "mino/ray_way.glsl"
+#endif
 #include "mino/step.glsl"
 #ifdef METHOD_KERR_SCHILD
 #include "generated/method"
@@ -45,6 +49,9 @@ struct Trace {
 #endif
     float momentum;       // of the photon over its frequency in the observer's frame
     float energy;
+#ifdef EFFECT_REFINE
+    float way;            // spin_way
+#endif
 #ifdef EFFECT_DISC
     int crossings;        // of the disc, or close to its rims: how many of these there are
     DiscCrossing crossing_0;
@@ -69,6 +76,9 @@ float path_spin() { return frame.spin_hole.x; }
 float path_steps(Trace trace) { return float(trace.steps); }
 float swept_angle(float along) { return 0.0; }   // Mino's time is none
 float path_angle(Trace trace) { return 0.0; }
+#ifdef EFFECT_REFINE
+float path_way(Trace trace) { return trace.way; }
+#endif
 
 // g: the camera's frequency over that at infinity.
 float g_of(Trace trace) { return trace.doppler / max(trace.energy, 1.0e-6); }
@@ -83,8 +93,8 @@ DiscCrossing spin_footprint(Trace trace, int k, DiscCrossing crossing) {
     float there = spin_disc_more(trace, k) ? crossing.number : 0.0;
     float edge = abs(dFdx(there)) + abs(dFdy(there));
     float side = trace.pixel_angle * (crossing.r + 1.0 / frame.shift.y);
-    vec2 along = dFdx(crossing.place);
-    vec2 across = dFdy(crossing.place);
+    vec2 along = dFdx(crossing.place) * sampling_share();
+    vec2 across = dFdy(crossing.place) * sampling_share();
     crossing.along = edge == 0.0 ? along : vec2(side, 0.0);
     crossing.across = edge == 0.0 ? across : vec2(0.0, side);
     return crossing;
@@ -106,6 +116,9 @@ Trace trace_pixel(vec2 pixel) {
     trace.steps = int(abs(marched.w));
     trace.escapes = marched.w > 0.0;
     trace.sky = trace.escapes ? vec3(marched.x, marched.y, marched.z) : -n;
+#ifdef EFFECT_REFINE
+    trace.way = spin_way(trace.escapes, 0.0, 0.0);
+#endif
 #else
     SpinState now = spin_start(ray, n);
     float end = 1.0 / ray.outer;
@@ -137,6 +150,11 @@ Trace trace_pixel(vec2 pixel) {
     trace.crossing_2 = none;
     trace.crossing_3 = none;
     float number = 0.0;
+#ifdef EFFECT_REFINE
+    float within = 0.0;   // crossings inside of the inner rim, beyond the outer rim
+    float beyond = 0.0;
+    bool covered = false; // by an opaque disc
+#endif
 #ifdef EVERY_CROSSING
     float rim = SPIN_FARTHEST;
 #else
@@ -212,6 +230,13 @@ Trace trace_pixel(vec2 pixel) {
 #endif
         number += crossed ? 1.0 : 0.0;
         crossing.number = number;
+#ifdef EFFECT_REFINE
+        bool counts = crossed && !covered && number > frame.disc_surface.w;
+        within += counts && crossing.r < frame.disc_x.w ? 1.0 : 0.0;
+        beyond += counts && crossing.r > frame.disc_y.w ? 1.0 : 0.0;
+        covered = covered || (counts && crossing.r >= frame.disc_x.w && crossing.r <= frame.disc_y.w && frame.disc_surface.x >= 1.0 &&
+                              frame.disc_surface.y == 0.0);
+#endif
         if (crossed && number > frame.disc_surface.w && crossing.r > max(ray.outer, frame.disc_x.w - rim) && crossing.r < min(SPIN_FARTHEST, frame.disc_y.w + rim)) {
             if (trace.crossings == 0) trace.crossing_0 = crossing;
             if (trace.crossings == 1) trace.crossing_1 = crossing;
@@ -228,6 +253,13 @@ Trace trace_pixel(vec2 pixel) {
 #endif
     trace.steps = SPIN_MOST_STEPS - left;
     trace.escapes = now.y.w <= 0.0 && trace.energy > 0.0;
+#ifdef EFFECT_REFINE
+#ifdef EFFECT_DISC
+    trace.way = covered ? 0.0 : spin_way(trace.escapes, within, beyond);
+#else
+    trace.way = spin_way(trace.escapes, 0.0, 0.0);
+#endif
+#endif
     SpinState sky = spin_to_sky(ray, now);
 #ifdef EFFECT_DELAY
     trace.travel_time = sky.travel_time;
@@ -237,8 +269,8 @@ Trace trace_pixel(vec2 pixel) {
     trace.sky = trace.escapes ? vec3(c * sky.y.x - s * sky.y.y, s * sky.y.x + c * sky.y.y, sky.y.z) : -n;
 #endif
 #ifdef NEEDS_FOOTPRINT
-    trace.sky_sides.along = dFdx(trace.sky);
-    trace.sky_sides.across = dFdy(trace.sky);
+    trace.sky_sides.along = dFdx(trace.sky) * sampling_share();
+    trace.sky_sides.across = dFdy(trace.sky) * sampling_share();
     vec2 stretched = sides_stretch(trace.sky_sides, trace.pixel_angle);
     trace.stretch_along = stretched.x;
     trace.stretch_across = stretched.y;
@@ -249,8 +281,8 @@ Trace trace_pixel(vec2 pixel) {
     trace.crossing_3 = spin_footprint(trace, 3, trace.crossing_3);
 #endif
 #ifdef NEEDS_PLACE
-    trace.solid_sides.along = dFdx(trace.solid.place.at);
-    trace.solid_sides.across = dFdy(trace.solid.place.at);
+    trace.solid_sides.along = dFdx(trace.solid.place.at) * sampling_share();
+    trace.solid_sides.across = dFdy(trace.solid.place.at) * sampling_share();
     float met = float(trace.solid.object);
     float side = trace.pixel_angle * search.length;
     if (abs(dFdx(met)) + abs(dFdy(met)) > 0.0) {   // straight light, across it

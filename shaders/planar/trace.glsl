@@ -42,6 +42,7 @@ struct Trace {
 // What every kind of path says of its rays.
 float path_spin() { return 0.0; }                 // a of a rotating hole, r_s
 float path_steps(Trace trace) { return 0.0; }     // that the tracer took
+float path_way(Trace trace) { return 0.0; }       // effect/edge.glsl; thin images of the disc are known here (planar/disc_thin.glsl)
 float swept_angle(float along) { return along; }  // of a place on the ray, by what tells the order of places
 #ifdef NEEDS_PHI_END
 float path_angle(Trace trace) { return trace.phi_end; }   // swept to the end

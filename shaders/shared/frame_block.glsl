@@ -43,8 +43,8 @@ struct FrameData {
     vec4 point_stars;  // peak of the point spread (1/px^2); for a star's reach: 2 sigma^2 ln 2 (px^2), 1/magnitude_limit light; margin (px)
     vec4 point_spread; // log2(e)/(2 sigma^2) (1/px^2), 0, 0, 0
 #endif
-#ifdef BLOCK_SAMPLES
-    vec4 sampling;     // of one ray of every pixel: px of a picture of so many pixels from its centre, gl_FragCoord.xy .z + (.x, .y); 0
+#ifdef NEEDS_SAMPLING
+    vec4 sampling;     // N x N rays a pixel: number of the first that is drawn, how many are; N, 1/N
 #endif
 #ifdef BLOCK_BLOOM
     vec4 bloom;        // share of the light that is scattered, 0, 0, 0

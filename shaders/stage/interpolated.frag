@@ -1,7 +1,5 @@
 // The picture where rays are interpolated: the sky alone.
-#ifdef DISPLAY_ENCODE
-#include "effect/display.glsl"
-#endif
+#include "effect/sampling.glsl"
 #ifdef EFFECT_SKY
 #include "object/celestial_sphere.glsl"
 #endif
@@ -10,14 +8,13 @@
 #endif
 #include "path/trace"
 #include "shared/frame.glsl"
+#include "stage/pixel.glsl"
 #include "stage/tile_varyings.glsl"
 
-out vec4 colour;
-
-void main() {
-    vec2 at = tile_place();
+vec4 ray_light(vec2 pixel) {
+    vec2 at = tile_place(pixel);
     TileSky sky = tile_sky();
-    Trace trace = trace_to_sky(gl_FragCoord.xy - 0.5 * frame.image.xy, tile_sky_at(sky, at), tile_sky_right(sky, at), tile_sky_up(sky, at));
+    Trace trace = trace_to_sky(pixel, tile_sky_at(sky, at), tile_sky_right(sky, at) * sampling_share(), tile_sky_up(sky, at) * sampling_share());
     vec3 light = vec3(0.0);
 #ifdef EFFECT_SKY
     float detail = tile_detail.x + at.x * tile_detail.y + at.y * (tile_detail.z + at.x * tile_detail.w);
@@ -27,8 +24,31 @@ void main() {
     light += sky_pattern_light(trace);
 #endif
     light = tile_escapes() ? light : vec3(0.0);
-#ifdef DISPLAY_ENCODE
-    light = display_encode(light, frame.image.w);
+#ifdef EFFECT_POINT_STARS
+    return vec4(light, 1.0);
+#else
+#ifdef EFFECT_REFINE
+    return vec4(light, path_way(trace));
+#else
+    return vec4(light, 0.0);
 #endif
-    colour = vec4(light, 1.0);
+#endif
+}
+
+out vec4 colour;
+
+void main() {
+#ifdef NEEDS_SAMPLING
+    int number = sampling_first();
+    int left = sampling_count();
+    vec4 sum = vec4(0.0);
+    do {   // tested at the end, see disc_cover
+        sum += ray_light(fragment_pixel(number));
+        ++number;
+        --left;
+    } while (left > 0);
+    colour = fragment_colour(sum / float(sampling_count()));
+#else
+    colour = fragment_colour(ray_light(fragment_pixel(0)));
+#endif
 }

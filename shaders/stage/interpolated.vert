@@ -1,4 +1,5 @@
 // A tile of the picture whose rays are interpolated, as a point.
+#include "effect/sampling.glsl"
 #ifdef EFFECT_SKY
 #include "object/celestial_sphere.glsl"
 #endif
@@ -6,6 +7,7 @@
 #include "shared/frame.glsl"
 #include "stage/tile_fit.glsl"
 #include "stage/tile_kind.glsl"
+#include "stage/tile_point.glsl"
 
 uniform highp sampler2D tile_texture;   // stage/tiles.frag
 flat out highp vec3 tile_at;            // the tile's middle, px from the picture's lower left; 1 if its rays escape
@@ -23,19 +25,20 @@ flat out highp vec3 tile_sky_03;
 
 #ifdef EFFECT_SKY
 float detail_at(TileSky sky, vec2 middle, vec2 at) {
-    return sky_detail(trace_to_sky(middle + at * float(TILE_SIDE), tile_sky_at(sky, at), tile_sky_right(sky, at), tile_sky_up(sky, at)));
+    vec2 pixel = middle + at * (float(TILE_SIDE) * sampling_rays());
+    return sky_detail(trace_to_sky(pixel, tile_sky_at(sky, at), tile_sky_right(sky, at) * sampling_share(), tile_sky_up(sky, at) * sampling_share()));
 }
 #endif
 
 void main() {
     ivec2 tiles = textureSize(tile_texture, 0);
-    ivec2 tile = ivec2(gl_VertexID % tiles.x, gl_VertexID / tiles.x);
+    ivec2 tile = tile_of_point(gl_VertexID, tiles);
     TileSky sky = tile_fit(tile).sky;
     tile_at = vec3((vec2(tile) + 0.5) * float(TILE_SIDE), ray_of_middle(tile).w == RAY_ESCAPES ? 1.0 : 0.0);
     tile_detail = vec4(0.0);
 #ifdef EFFECT_SKY
     // Bilinear between the corners: the neighbours have the same there.
-    vec2 pixel = tile_at.xy - 0.5 * frame.image.xy;
+    vec2 pixel = tile_at.xy * sampling_rays() - 0.5 * frame.image.xy;
     float a = detail_at(sky, pixel, vec2(-0.5, -0.5));
     float b = detail_at(sky, pixel, vec2(0.5, -0.5));
     float c = detail_at(sky, pixel, vec2(-0.5, 0.5));
@@ -53,6 +56,6 @@ void main() {
     tile_sky_12 = sky.c12;
     tile_sky_03 = sky.c03;
     bool drawn = texelFetch(tile_texture, tile, 0).x == TILE_INTERPOLATED;
-    gl_Position = tile_position(tile, tiles, drawn);
-    gl_PointSize = float(TILE_SIDE);
+    gl_Position = tile_position(gl_VertexID, tiles, drawn);
+    gl_PointSize = tile_point_size();
 }

@@ -1,6 +1,6 @@
 // A tile of the picture as a point, if it is one of those that a stage draws.
-#include "generated/tiles"
 #include "stage/tile_kind.glsl"
+#include "stage/tile_point.glsl"
 
 uniform highp sampler2D tile_texture;   // stage/tiles.frag
 #ifdef TILES_WITH_BODIES
@@ -12,7 +12,7 @@ flat out highp float tile_number;       // of the crossing at which it shows the
 
 void main() {
     ivec2 tiles = textureSize(tile_texture, 0);
-    ivec2 tile = ivec2(gl_VertexID % tiles.x, gl_VertexID / tiles.x);
+    ivec2 tile = tile_of_point(gl_VertexID, tiles);
     vec4 set = texelFetch(tile_texture, tile, 0);
     float most = max(max(set.x, set.y), max(set.z, set.w));
 #ifdef TILES_WITH_BODIES
@@ -29,6 +29,6 @@ void main() {
 #ifdef TILES_OF_THE_REST
     bool drawn = most == 0.0;
 #endif
-    gl_Position = tile_position(tile, tiles, drawn);
-    gl_PointSize = float(TILE_SIDE);
+    gl_Position = tile_position(gl_VertexID, tiles, drawn);
+    gl_PointSize = tile_point_size();
 }

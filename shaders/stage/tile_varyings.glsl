@@ -1,4 +1,6 @@
 // A tile whose rays are interpolated, as its fragments have it (stage/interpolated.vert).
+#include "effect/sampling.glsl"
+#include "shared/frame.glsl"
 #include "stage/tile_sky.glsl"
 
 flat in highp vec3 tile_at;
@@ -19,6 +21,8 @@ TileSky tile_sky() {
                    tile_sky_03);
 }
 
-// Of this fragment, from the tile's middle.
-vec2 tile_place() { return (gl_FragCoord.xy - tile_at.xy) * (1.0 / float(TILE_SIDE)); }
+// From the tile's middle, of a fragment_pixel().
+vec2 tile_place(vec2 pixel) {
+    return ((pixel + 0.5 * frame.image.xy) * sampling_share() - tile_at.xy) * (1.0 / float(TILE_SIDE));
+}
 bool tile_escapes() { return tile_at.z > 0.0; }

@@ -1,7 +1,4 @@
 // The picture: what each pixel's ray meets, front to back.
-#ifdef DISPLAY_ENCODE
-#include "effect/display.glsl"
-#endif
 #ifdef NEEDS_PLACE
 #include "generated/bodies_hit"
 #include "generated/bodies_light"
@@ -24,6 +21,7 @@
 #ifdef EFFECT_STAR
 #include "object/star.glsl"
 #endif
+#include "effect/sampling.glsl"
 #include "path/trace"
 #include "shared/frame.glsl"
 #include "stage/pixel.glsl"
@@ -34,15 +32,9 @@
 flat in highp vec4 tile_set;   // stage/tile.vert
 #endif
 
-out vec4 colour;
-
-void main() {
-#ifdef TILES_WITH_BODIES
-#ifdef MARCH_LISTS
-    bodies_shown = set_of(tile_set);
-#endif
-#endif
-    Trace trace = trace_pixel(fragment_pixel());
+// What a ray meets: its light, and fragment_colour's a.
+vec4 ray_light(vec2 pixel) {
+    Trace trace = trace_pixel(pixel);
     vec3 light = vec3(0.0);
     float through = 1.0;
 #ifdef NEEDS_PLACE
@@ -96,12 +88,36 @@ void main() {
         through = 0.0;
     }
 #endif
-#ifdef DISPLAY_ENCODE
-    light = display_encode(light, frame.image.w);
-#endif
 #ifdef EFFECT_POINT_STARS
-    colour = vec4(light, through);   // what of a point behind shines through
+    return vec4(light, through);
 #else
-    colour = vec4(light, 1.0);
+#ifdef EFFECT_REFINE
+    return vec4(light, path_way(trace));
+#else
+    return vec4(light, 0.0);
+#endif
+#endif
+}
+
+out vec4 colour;
+
+void main() {
+#ifdef TILES_WITH_BODIES
+#ifdef MARCH_LISTS
+    bodies_shown = set_of(tile_set);
+#endif
+#endif
+#ifdef NEEDS_SAMPLING
+    int number = sampling_first();
+    int left = sampling_count();
+    vec4 sum = vec4(0.0);
+    do {   // tested at the end, see disc_cover
+        sum += ray_light(fragment_pixel(number));
+        ++number;
+        --left;
+    } while (left > 0);
+    colour = fragment_colour(sum / float(sampling_count()));
+#else
+    colour = fragment_colour(ray_light(fragment_pixel(0)));
 #endif
 }

@@ -60,6 +60,7 @@ double median(std::vector<double> values);
 struct EffectCost {
     Effect effect;
     double with_s, without_s, floor_s;
+    double refined = 0.0;  // of kRefine: part of the pixels that it draws again
     double over_floor() const { return (with_s - without_s) / floor_s; }
 };
 

@@ -15,6 +15,7 @@ Scene empty_scene(int width, int height) {
     scene.spacetime.metric = "minkowski";
     scene.sky.kind = SkyKind::kBlack;
     scene.camera.r = 20.0;
+    scene.picture.refine = false;
     scene.camera.width = width;
     scene.camera.height = height;
     return scene;
@@ -23,7 +24,8 @@ Scene empty_scene(int width, int height) {
 // In turn, of what is prepared: the bench's renderer has the empty scene, its other the scene without the effect.
 EffectCost cost_of(const Bench& bench, Renderer& with, Effect effect, int frames, Progress& progress) {
     const auto samples = bench.time_in_turn(frames, {[&] { bench.draw(with); }}, [&] { progress.advance(); });
-    return {effect, median(samples[2].core_s), median(samples[1].core_s), median(samples[0].core_s)};
+    return {effect, median(samples[2].core_s), median(samples[1].core_s), median(samples[0].core_s),
+            effect == Effect::kRefine ? with.refined_share() : 0.0};
 }
 
 }  // namespace

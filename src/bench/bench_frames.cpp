@@ -20,7 +20,7 @@ namespace {
 struct Options : BenchOptions {
     Options() { scenes = {"flat", "sky-only", "first-light"}; }
     int poses = 0;
-    bool effects = false, moving = false;
+    bool effects = false, moving = false, refined = false;
 };
 
 // What a row of any measurement begins with.
@@ -73,6 +73,19 @@ Result<Json> measure(const Bench& bench, const Scene& scene, int frames) {
                     {"fetch_ratio", fetch_ratio},
                     {"floor_core_seconds", floor}});
     return row;
+}
+
+// The picture at rest, whose edges have more rays, in turn with the one in flight.
+Result<Json> refined_cost(const Bench& bench, const Scene& scene, int frames) {
+    Scene refined = scene;
+    refined.picture.refine = true;
+    TRY(ready, bench.prepare(refined, scene));
+    const auto samples = bench.time_in_turn(frames);
+    const double core = median(samples[0].core_s), ratio = core / median(samples[1].core_s),
+                 share = bench.renderer().refined_share();
+    fmt::print("{:<18} edges refined: {:.4f} core-s, {:.2f} times, {:.1f} % of the pixels\n", scene.name, core, ratio,
+               100.0 * share);
+    return Json{{"refined_core_seconds", core}, {"refined_ratio", ratio}, {"refined_share", share}};
 }
 
 // Random places and directions, some close, some far, most of them with the hole in view.
@@ -163,8 +176,14 @@ Status run(const Options& options) {
     Json rows = Json::array();
     for (const std::string& name : options.scenes) {
         TRY(scene, load_scene_sized(name, options.size));
+        const bool refines = effect_set(required_effects(*scene)).contains(Effect::kRefine);
+        scene->picture.refine = false;  // as in flight
         TRY(row,
             options.moving ? moving_cost(*bench, *scene, options.frames) : measure(*bench, *scene, options.frames));
+        if (refines && options.refined) {
+            TRY(cost, refined_cost(*bench, *scene, options.frames));
+            row->update(*cost);
+        }
         if (options.poses > 0) {
             TRY(ratio, pose_ratio(*bench, *scene, options.poses));
             (*row)["pose_ratio"] = *ratio;
@@ -185,6 +204,8 @@ void add_bench_frames(Command& bench) {
         .in_range(0, 10000);
     command.add_flag("--moving", &options.moving,
                      "Instead: what the host adds to a frame of a camera whose radius changes, beside one at rest");
+    command.add_flag("--refined", &options.refined,
+                     "Also the picture at rest, whose edges have more rays, beside the one in flight");
     command.add_flag("--effects", &options.effects,
                      "Instead of scenes: the empty scene, and the empty scene with each effect added");
     json_option(command, options);

@@ -153,9 +153,11 @@ void print_text(const Plan& plan) {
         fmt::print("  {:<18}{}\n  {:<18}costs: {}\n", effect_row(effect.effect).key, effect.reason, "",
                    effect_row(effect.effect).cost);
         if (const EffectCost* cost = cost_of(plan, effect.effect))
-            fmt::print("  {:<18}measured: {:+.4f} of {:.4f} core-s ({:+.0f} %), {:+.2f} x the empty scene's {:.4f}\n",
+            fmt::print("  {:<18}measured: {:+.4f} of {:.4f} core-s ({:+.0f} %), {:+.2f} x the empty scene's {:.4f}{}\n",
                        "", cost->with_s - cost->without_s, cost->with_s,
-                       100.0 * (cost->with_s - cost->without_s) / cost->with_s, cost->over_floor(), cost->floor_s);
+                       100.0 * (cost->with_s - cost->without_s) / cost->with_s, cost->over_floor(), cost->floor_s,
+                       effect.effect == Effect::kRefine ? fmt::format("; {:.1f} % of the pixels", 100.0 * cost->refined)
+                                                        : std::string());
         else if (!plan.costs.empty())
             fmt::print("  {:<18}measured: no, it cannot be removed by itself\n", "");
     }
@@ -186,9 +188,11 @@ Json json_of(const Plan& plan) {
     for (const EffectReason& e : plan.effects) {
         const EffectRow& row = effect_row(e.effect);
         Json o{{"effect", row.key}, {"reason", e.reason}, {"define", row.define}, {"cost", row.cost}};
-        if (const EffectCost* cost = cost_of(plan, e.effect))
-            o["core_seconds"] = cost->with_s, o["without_core_seconds"] = cost->without_s,
+        if (const EffectCost* cost = cost_of(plan, e.effect)) {
+            o["core_seconds"] = cost->with_s, o["without_core_seconds"] = cost->without_s;
             o["empty_core_seconds"] = cost->floor_s;
+            if (e.effect == Effect::kRefine) o["refined_share"] = cost->refined;
+        }
         effects.push_back(std::move(o));
     }
     for (const EffectRow* row : left_out(plan)) off.push_back({{"effect", row->key}, {"needs", row->needs}});

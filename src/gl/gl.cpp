@@ -110,18 +110,6 @@ void read_rows(const Target& target, int attachment, int first, int rows, GLenum
     check("read pixels");
 }
 
-// What every draw begins with: neither blending nor depth nor scissors.
-void begin_draw(const Program& program, const VertexArray& vertices, unsigned framebuffer, int x, int y, int width,
-                int height) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(x, y, width, height);
-    glDisable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_SCISSOR_TEST);
-    glUseProgram(program.id());
-    glBindVertexArray(vertices.id());
-}
-
 }  // namespace
 
 void load_functions(void (*(*get_proc_address)(const char*, void*))(), void* user) {
@@ -191,6 +179,7 @@ void delete_texture(unsigned id) { glDeleteTextures(1, &id); }
 void delete_buffer(unsigned id) { glDeleteBuffers(1, &id); }
 void delete_framebuffer(unsigned id) { glDeleteFramebuffers(1, &id); }
 void delete_vertex_array(unsigned id) { glDeleteVertexArrays(1, &id); }
+void delete_renderbuffer(unsigned id) { glDeleteRenderbuffers(1, &id); }
 void delete_query(unsigned id) { glDeleteQueries(1, &id); }
 
 Program make_program(const std::string& vertex, const std::string& fragment) {
@@ -345,77 +334,6 @@ void read_rgba32f_row(const Target& target, int attachment, int row, float* out)
 }
 
 VertexArray make_vertex_array() { return VertexArray(one(glGenVertexArrays)); }
-
-void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height,
-                     double share) {
-    begin_draw(program, empty, framebuffer, 0, 0, width, height);
-    if (share < 1.0) {
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
-        glBlendColor(0, 0, 0, static_cast<float>(share));
-    }
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDisable(GL_BLEND);
-    check("draw");
-}
-
-namespace {
-void add_share(double share) {
-    if (share >= 1.0) return;
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE);
-    glBlendColor(0, 0, 0, static_cast<float>(share));
-}
-}  // namespace
-
-void clear_rows(unsigned framebuffer, int width, int first, int last) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(0, first, width, last - first);
-    glClearColor(0, 0, 0, 0);
-    glClear(GL_COLOR_BUFFER_BIT);
-    glDisable(GL_SCISSOR_TEST);
-    check("clear rows");
-}
-
-void draw_rows(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int first,
-               int last, double share) {
-    begin_draw(program, empty, framebuffer, 0, 0, width, height);
-    add_share(share);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(0, first, width, last - first);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_BLEND);
-    check("draw rows");
-}
-
-void draw_tiles(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int side,
-                int first, int last, double share) {
-    const int across = (width + side - 1) / side, up = (height + side - 1) / side;
-    begin_draw(program, empty, framebuffer, 0, 0, across * side,
-               up * side);  // a point whose middle is outside is left out
-    add_share(share);
-    glEnable(GL_PROGRAM_POINT_SIZE);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(0, first, width, last - first);
-    const int from = first / side, to = (last + side - 1) / side;
-    glDrawArrays(GL_POINTS, from * across, (to - from) * across);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_BLEND);
-    check("draw tiles");
-}
-
-void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width,
-                 int height, int margin) {
-    begin_draw(program, vertices.layout, framebuffer, -margin, -margin, width + 2 * margin, height + 2 * margin);
-    glEnable(GL_PROGRAM_POINT_SIZE);
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
-    glDrawArrays(GL_POINTS, 0, count);
-    glDisable(GL_BLEND);
-    check("draw points");
-}
 
 void set_integer(const Program& program, const char* uniform, int value) {
     glUseProgram(program.id());

@@ -54,12 +54,14 @@ void delete_texture(unsigned id);
 void delete_buffer(unsigned id);
 void delete_framebuffer(unsigned id);
 void delete_vertex_array(unsigned id);
+void delete_renderbuffer(unsigned id);
 void delete_query(unsigned id);
 using Program = Name<delete_program>;
 using Texture = Name<delete_texture>;
 using Buffer = Name<delete_buffer>;
 using Framebuffer = Name<delete_framebuffer>;
 using VertexArray = Name<delete_vertex_array>;
+using Renderbuffer = Name<delete_renderbuffer>;
 using Query = Name<delete_query>;
 
 // throws GlError with the driver's log, explained.
@@ -105,6 +107,22 @@ struct Target {
     Framebuffer framebuffer;
 };
 Target make_target(int width, int height, Format format, int count = 1);
+
+// Marks on a target's pixels: what is drawn can be limited to the marked ones. The target must outlive them.
+struct Marks {
+    int width = 0, height = 0;
+    unsigned of = 0;       // the target's framebuffer
+    Texture seen;          // the same to be read
+    Renderbuffer stencil;  // the target has it too
+    Framebuffer framebuffer;
+};
+Marks make_marks(const Target& target);
+void clear_marks(const Marks& marks);
+// Marks, in the rows from first (counted from the bottom) up to but not including last, the pixels whose fragments the program does not
+// discard; it writes 1 to them. seen: of these rows, a byte a pixel, above 0 where it is marked. Waits for the driver.
+void mark_rows(const Program& program, const VertexArray& empty, const Marks& marks, int first, int last,
+               unsigned char* seen);
+
 void clear(const Target& target);                                                  // to zeros
 void read_rgba8(const Target& target, unsigned char* out);                         // bottom row first
 void read_rgba32f(const Target& target, int attachment, float* out);               // bottom row first
@@ -116,13 +134,26 @@ VertexArray make_vertex_array();
 void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height,
                      double share = 1.0);
 void clear_rows(unsigned framebuffer, int width, int first, int last);  // to zeros
-// Of it the rows from first (counted from the bottom) up to but not including last. share below 1: so much of what is drawn is added to
-// what is there.
+// How what is drawn changes what is there.
+struct Layer {
+    double share = 1.0;     // below 1: so much of it is added to what is there ...
+    bool replaces = false;  // ... or replaces it
+    bool marked = false;    // only in the pixels that are marked (Marks)
+};
+// Of it the rows from first (counted from the bottom) up to but not including last.
 void draw_rows(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int first,
-               int last, double share = 1.0);
+               int last, const Layer& layer = {});
 // Of it the tiles of `side` px, each a point of the program's (by its number, from below and from the left), that have a part in these rows.
 void draw_tiles(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int side,
-                int first, int last, double share = 1.0);
+                int first, int last, const Layer& layer = {});
+// The same, of those points alone that are listed.
+struct PointList {
+    Buffer numbers;
+    int count = 0;
+};
+PointList make_point_list(const std::vector<unsigned>& numbers);
+void draw_listed_tiles(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height,
+                       int side, int first, int last, const PointList& list, const Layer& layer);
 // Adds points to what is in the framebuffer: colour += colour of the point x alpha that is there; alpha stays. The viewport is
 // `margin` px wider on every side, so that a point whose middle is outside still shows its rim.
 void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width,

@@ -78,6 +78,9 @@ bool shades_heat(const EffectSet& effects) {
     return effects.contains(Effect::kThermalDisc) || effects.contains(Effect::kSpot) ||
            (effects.contains(Effect::kSkyShift) && effects.contains(Effect::kAberration));
 }
+bool takes_samples(const EffectSet& effects) {
+    return effects.contains(Effect::kSamples) || effects.contains(Effect::kRefine);
+}
 bool meets_objects(const EffectSet& effects) { return effects.contains(Effect::kDisc) || has_solids(effects); }
 
 bool moves(const EffectSet& effects) { return effects.contains(Effect::kBallPath) || effects.contains(Effect::kPulse); }

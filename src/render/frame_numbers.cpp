@@ -142,17 +142,16 @@ FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const Text
 }
 
 FrameData sample_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,
-                         const BallPaths& balls) {
+                         const BallPaths& balls, int samples) {
     FramePlan fine = plan;
     CameraSpec& camera = fine.scene.camera;
-    camera.width *= plan.scene.picture.samples, camera.height *= plan.scene.picture.samples;
+    camera.width *= samples, camera.height *= samples;
     return frame_numbers(fine, path, textures, balls);
 }
 
-void put_sample(FrameData& frame, int samples, int column, int row) {
-    // Fragment 0's middle is at 1/2; its first ray is the fine picture's pixel 0, whose middle is there too.
-    frame.sampling = {0.5 - 0.5 * samples + column - 0.5 * frame.image.x,
-                      0.5 - 0.5 * samples + row - 0.5 * frame.image.y, static_cast<double>(samples), 0};
+void put_samples(FrameData& frame, int samples, int first, int count) {
+    frame.sampling = {static_cast<double>(first), static_cast<double>(count), static_cast<double>(samples),
+                      1.0 / samples};
 }
 
 }  // namespace nullscope

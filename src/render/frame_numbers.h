@@ -19,11 +19,12 @@ struct TextureFacts {
 FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,
                         const BallPaths& balls);
 
-// A sampled picture's: of a picture of as many pixels as there are rays, of which each fragment draws one at a time, which put_sample() says.
+// Where a pixel has samples x samples rays: of a picture of as many pixels as there are rays, of which each fragment draws those that
+// put_samples() says.
 FrameData sample_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,
-                         const BallPaths& balls);
-// column, row: of a pixel's samples x samples rays, from the left and from below.
-void put_sample(FrameData& frame, int samples, int column, int row);
+                         const BallPaths& balls, int samples);
+// Which of a pixel's rays are drawn, of 0 to samples^2 - 1. With one ray it is that through the pixel's middle.
+void put_samples(FrameData& frame, int samples, int first, int count);
 
 // cos(theta) of the camera, exactly 0 in the equatorial plane.
 double plane_height(const CameraSpec& camera);

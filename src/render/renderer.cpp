@@ -233,52 +233,93 @@ void Renderer::draw(unsigned framebuffer, int width, int height, Output output) 
     draw_rows(framebuffer, width, height, output, 0, height);
 }
 
-// The passes that follow the picture's need all of it: they run with its last rows.
-void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output output, int first, int last) {
-    const std::vector<Pass> list = picture_passes(output);
-    const bool keep = keeps_light(list),
-               halves = tables_.effects().contains(Effect::kBloom) || tables_.effects().contains(Effect::kAutoExposure);
-    if (!keep)
+// What passes of light work on, if there are any: made for the picture's size.
+void Renderer::keep_light(const std::vector<Pass>& list, int width, int height, Output output) {
+    const bool refine = refines(list), keep = keeps_light(list) || refine;
+    // Linear light that is handed on is as exact as the target that it is copied to.
+    const gl::Format format = output == Output::kDisplay ? gl::Format::kRgba16F : gl::Format::kRgba32F;
+    if (!keep) {
         linear_ = {};
-    else if (linear_.width != width || linear_.height != height) {
-        linear_ = gl::make_target(width, height, gl::Format::kRgba16F);
+    } else if (linear_.width != width || linear_.height != height || linear_format_ != format) {
+        linear_ = gl::make_target(width, height, format);
+        linear_format_ = format;
         gl::set_linear(linear_.colours.front());
+        edges_ = {};
     }
-    if (keep && halves)
+    edges_.resize(list, linear_);
+    if (keeps_light(list) &&
+        (tables_.effects().contains(Effect::kBloom) || tables_.effects().contains(Effect::kAutoExposure)))
         bloom_.resize(width, height);
     else
         bloom_.clear();
+}
+
+// The passes that follow the picture's need all of it: they run with its last rows.
+void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output output, int first, int last) {
+    const std::vector<Pass> list = picture_passes(output);
+    keep_light(list, width, height, output);
     picture_tiles_.resize(list, width, height, tables_.effects());
     bind_inputs();
+    const bool keep = linear_.width > 0;
     const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
-    const int samples = tables_.plan().scene.picture.samples;
-    if (samples > 1) gl::clear_rows(picture, width, first, last);
     for (const Pass& pass : list) {
-        if (samples > 1 && draws_picture(pass.stage)) {
-            for (int i = 0; i < samples * samples; ++i) {
-                blocks_.upload_sample(i % samples, i / samples);
-                draw_picture(pass, picture, width, height, first, last, 1.0 / (samples * samples));
-            }
-            blocks_.upload_pixel();
-        } else if (draws_picture(pass.stage)) {
-            draw_picture(pass, picture, width, height, first, last, 1.0);
-        } else if (is_in_tiles(pass.stage)) {
+        if (is_in_tiles(pass.stage) && !draws_picture(pass.stage)) {
             // With the picture's first rows.
             if (first == 0) picture_tiles_.find(pass.stage, program(pass.stage, pass.output), empty_);
+        } else if (draws_picture(pass.stage) && tables_.plan().scene.picture.samples > 1) {
+            draw_samples(tables_.plan().scene.picture.samples, [&](const gl::Layer& layer) {
+                draw_picture(pass, picture, width, height, first, last, layer);
+            });
+        } else if (draws_picture(pass.stage)) {
+            draw_picture(pass, picture, width, height, first, last, {});
+        } else if (pass.stage == Stage::kEdges) {
+            refine_rows(list, width, height, first, last);
         } else if (last == height) {
             draw_pass(pass, framebuffer, width, height);
         }
     }
+    if (keep && !keeps_light(list) && last == height)
+        gl::blit(linear_.colours.front().id(), width, height, framebuffer, width, height);
 }
 
-// share: gl::draw_rows
+// samples x samples rays of each pixel: several at once, but not so many that a weak card takes long for it.
+template <class Draw>
+void Renderer::draw_samples(int samples, Draw draw) {
+    constexpr int kAtOnce = 16;
+    const int rays = samples * samples;
+    for (int first = 0; first < rays; first += kAtOnce) {
+        const int count = std::min(kAtOnce, rays - first);
+        blocks_.upload_samples(samples, first, count);
+        draw(gl::Layer{static_cast<double>(count) / rays, first == 0});
+    }
+    blocks_.upload_pixel();
+}
+
 void Renderer::draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last,
-                            double share) {
+                            const gl::Layer& layer) {
     const gl::Program& built = program(pass.stage, pass.output);
     if (is_in_tiles(pass.stage))
-        gl::draw_tiles(built, empty_, picture, width, height, kTileSide, first, last, share);
+        gl::draw_tiles(built, empty_, picture, width, height, kTileSide, first, last, layer);
     else
-        gl::draw_rows(built, empty_, picture, width, height, first, last, share);
+        gl::draw_rows(built, empty_, picture, width, height, first, last, layer);
+}
+
+void Renderer::refine_rows(const std::vector<Pass>& list, int width, int height, int first, int last) {
+    gl::bind_texture_2d(kPictureUnit, linear_.colours.front());
+    edges_.compare(program(Stage::kEdges, Output::kLinear), empty_, first, last);
+    bind_inputs();
+    for (std::size_t i = 0; i < kRefined.size(); ++i) {
+        const gl::PointList& blocks = edges_.blocks()[i];
+        for (const Pass& pass : list) {
+            if (blocks.count == 0 || !draws_picture(pass.stage)) continue;
+            const gl::Program& built = program(pass.stage, pass.output);
+            draw_samples(kRefined[i], [&](gl::Layer layer) {
+                layer.marked = true;
+                gl::draw_listed_tiles(built, empty_, linear_.framebuffer.id(), width, height, kTileSide, edges_.first(),
+                                      edges_.last(), blocks, layer);
+            });
+        }
+    }
 }
 
 // The method that follows from the scene alone may interpolate; others show what they are. The Kerr-Schild march has no tiles.
@@ -310,7 +351,7 @@ bool Renderer::build_next() {
         picture_tiles_.resize(list, kSide, kSide, tables_.effects());
         bind_inputs();
         if (draws_picture(pass.stage))
-            draw_picture(pass, target.framebuffer.id(), kSide, kSide, 0, kSide, 1.0);
+            draw_picture(pass, target.framebuffer.id(), kSide, kSide, 0, kSide, {});
         else
             picture_tiles_.find(pass.stage, program(pass.stage, pass.output), empty_);
         gl::finish();
@@ -447,6 +488,12 @@ RayFrame Renderer::draw_rays(const gl::Target& target, int row_step) {
         }
     }
     return frame;
+}
+
+double Renderer::refined_share() const {
+    return linear_.width == 0
+               ? 0.0
+               : static_cast<double>(edges_.count()) / (static_cast<double>(linear_.width) * linear_.height);
 }
 
 std::vector<Renderer::TextureLine> Renderer::textures() const {

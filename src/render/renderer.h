@@ -16,6 +16,7 @@
 #include "render/body_images.h"
 #include "render/frame_numbers.h"
 #include "render/frame_tables.h"
+#include "render/picture_edges.h"
 #include "render/picture_tiles.h"
 #include "render/sky_textures.h"
 #include "render/star_field.h"
@@ -97,6 +98,9 @@ public:
     int picture_programs() const;                          // of pictures, built so far while they were drawn
     const gl::Info& info() const { return info_; }
 
+    // Part of the last picture's pixels that more rays were traced for (Effect::kRefine), 0 to 1.
+    double refined_share() const;
+
     struct TextureLine {
         std::string name;
         int width, height;
@@ -114,7 +118,12 @@ private:
     Image<T> drawn(gl::Format format, Output output, Read read);
     void bind_inputs();
     void draw_pass(const Pass& pass, unsigned framebuffer, int width, int height);
-    void draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last, double share);
+    void keep_light(const std::vector<Pass>& list, int width, int height, Output output);
+    void draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last,
+                      const gl::Layer& layer);
+    template <class Draw>
+    void draw_samples(int samples, Draw draw);
+    void refine_rows(const std::vector<Pass>& list, int width, int height, int first, int last);
     void upload_tables();
     void upload_ends();
     RayFrame draw_rays(const gl::Target& target, int row_step);
@@ -141,6 +150,8 @@ private:
     int built_ahead_ = 0;
     PictureTiles picture_tiles_;
     gl::Target linear_;  // what passes of light work on, if there are any
+    gl::Format linear_format_ = gl::Format::kRgba16F;
+    PictureEdges edges_;  // of linear_: pixels with more rays
     BodyText body_text_;
     BodyImages body_images_;
     PictureTexture disc_;

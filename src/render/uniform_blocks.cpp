@@ -28,9 +28,10 @@ void UniformBlocks::upload(const FrameTables& tables, const TextureFacts& facts)
         effects_ = tables.effects();
         members_ = block_members(*effects_);
     }
-    samples_ = tables.plan().scene.picture.samples;
+    tables_ = &tables, facts_ = facts;
+    samples_.clear();
     pixel_ = frame_numbers(tables.plan(), tables.path(), facts, tables.ball_paths());
-    if (samples_ > 1) sample_ = sample_numbers(tables.plan(), tables.path(), facts, tables.ball_paths());
+    put_samples(pixel_, 1, 0, 1);
     upload_pixel();
     std::array<float, 4 * kMostObjectVectors> objects{};
     float* next = objects.data();
@@ -40,9 +41,15 @@ void UniformBlocks::upload(const FrameTables& tables, const TextureFacts& facts)
     gl::upload_uniforms(objects_, objects.data(), sizeof(objects));
 }
 
-void UniformBlocks::upload_sample(int column, int row) {
-    put_sample(sample_, samples_, column, row);
-    upload_frame(sample_);
+void UniformBlocks::upload_samples(int samples, int first, int count) {
+    auto found = samples_.find(samples);
+    if (found == samples_.end())
+        found = samples_
+                    .emplace(samples,
+                             sample_numbers(tables_->plan(), tables_->path(), facts_, tables_->ball_paths(), samples))
+                    .first;
+    put_samples(found->second, samples, first, count);
+    upload_frame(found->second);
 }
 
 void UniformBlocks::upload_frame(const FrameData& frame) {

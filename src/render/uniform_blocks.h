@@ -1,6 +1,7 @@
 // The uniform blocks of a frame's programs: the frame's numbers (shaders/shared/frame_block.glsl), and those of its bodies and hot spots
 // (shaders/shared/objects.glsl).
 #pragma once
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -15,8 +16,9 @@ public:
     UniformBlocks();
 
     void upload(const FrameTables& tables, const TextureFacts& facts);
-    // Of the last upload: for one ray of every pixel (put_sample), or for the pixel itself again.
-    void upload_sample(int column, int row);
+    // Of the last upload, whose tables must still be there: for some of samples x samples rays of every pixel (put_samples), or for the pixel
+    // itself again.
+    void upload_samples(int samples, int first, int count);
     void upload_pixel() { upload_frame(pixel_); }
 
     static void name(const gl::Program& program);  // where its blocks are
@@ -26,8 +28,10 @@ private:
     void upload_frame(const FrameData& frame);
 
     gl::Buffer frame_, objects_;
-    FrameData pixel_, sample_;  // sample_: where a pixel has several rays
-    int samples_ = 1;
+    const FrameTables* tables_ = nullptr;
+    TextureFacts facts_;
+    FrameData pixel_;
+    std::map<int, FrameData> samples_;  // where a pixel has several rays, by how many along its side
     std::optional<EffectSet> effects_;
     std::vector<int> members_;  // of the frame's block with these effects
 };

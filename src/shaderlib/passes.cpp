@@ -1,17 +1,20 @@
 #include "shaderlib/passes.h"
 
+#include <algorithm>
+
 namespace nullscope {
 
 std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
     const bool stars = effects.contains(Effect::kPointStars);
     const bool bloom = effects.contains(Effect::kBloom), meter = effects.contains(Effect::kAutoExposure);
-    const bool samples = effects.contains(Effect::kSamples);  // they are added up in linear light, each by its own ray
+    const bool refine = effects.contains(Effect::kRefine), samples = takes_samples(effects);
     const bool develop = output == Output::kDisplay && (stars || bloom || meter || samples);
     std::vector<Pass> list;
     const Output light = develop ? Output::kLinear : output;
     const bool disc = effects.contains(Effect::kDisc), find_bodies = tiles >= Tiles::kBodies && has_tiles(effects),
                find_disc = tiles >= Tiles::kTraced && tiles_tell_disc(effects),
-               interpolated = tiles >= Tiles::kInterpolated && !samples && interpolates(effects);
+               interpolated =
+                   tiles >= Tiles::kInterpolated && !effects.contains(Effect::kSamples) && interpolates(effects);
     if (interpolated || find_disc)
         list.push_back({Stage::kRays, Output::kLinear, "rays of tiles",
                         "where the rays through the corners of the picture's tiles go"});
@@ -35,6 +38,9 @@ std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
         list.push_back({Stage::kPicture, light, "picture",
                         "one triangle over the picture: every pixel traces its ray and shades what it meets"});
     }
+    if (refine)
+        list.push_back({Stage::kEdges, Output::kLinear, "edges",
+                        "marks pixels that differ much from a neighbour; these are drawn again with 4 x 4 rays"});
     if (stars)
         list.push_back({Stage::kStars, Output::kLinear, "stars", "a point for every image of every star, added to it"});
     if (develop && (bloom || meter))
@@ -44,6 +50,10 @@ std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
     if (develop && meter) list.push_back({Stage::kMeter, output, "meter", "mean luminance of the coarsest half"});
     if (develop) list.push_back({Stage::kDevelop, output, "develop", "from linear light to the display"});
     return list;
+}
+
+bool refines(const std::vector<Pass>& passes) {
+    return std::ranges::find(passes, Stage::kEdges, &Pass::stage) != passes.end();
 }
 
 bool keeps_light(const std::vector<Pass>& passes) { return passes.back().stage == Stage::kDevelop; }

@@ -22,6 +22,9 @@ struct Pass {
 enum class Tiles { kNone, kBodies, kTraced, kInterpolated };
 std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles = Tiles::kBodies);
 
+// Are some of its pixels drawn again with more rays?
+bool refines(const std::vector<Pass>& passes);
+
 // Does something work on the picture's light before it is encoded, so that it has to be kept?
 bool keeps_light(const std::vector<Pass>& passes);
 

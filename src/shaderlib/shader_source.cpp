@@ -56,6 +56,7 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
         defines.emplace_back(effect_row(effect).define);
         defines.push_back("BLOCK_" + defines.back().substr(std::string_view("EFFECT_").size()));
     }
+    if (takes_samples(effects)) defines.emplace_back("NEEDS_SAMPLING");
     if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE");
     if (has_marched(effects)) defines.emplace_back("BLOCK_MARCH");
     if (has_marched(effects) && light_path_kind(effects) == LightPathKind::kPlanar && !effects.contains(Effect::kSides))
@@ -92,7 +93,8 @@ struct StageFiles {
 constexpr const char *kFullscreen = "stage/fullscreen.vert", *kTile = "stage/tile.vert",
                      *kInterpolated = "stage/interpolated.vert";
 constexpr StageFiles kStageFiles[] = {  // by Stage
-    {kFullscreen, "stage/trace.frag"},
+    {"stage/picture.vert", "stage/trace.frag"},
+    {kFullscreen, "stage/edges.frag"},
     {"stage/star.vert", "stage/star.frag"},
     {kFullscreen, "stage/bloom_down.frag"},
     {kFullscreen, "stage/bloom_up.frag"},
@@ -175,7 +177,9 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
         {"generated/metric", include_line(fmt::format("spacetime/{}.glsl", metric))},
         {"generated/constants", fmt::format("#define METER_KEY {}\n", kMeterKey)},
         {"generated/tiles",
-         fmt::format("#define TILE_SIDE {}\n#define RAYS_A_TILE {}\n", kTileSide, rays_a_tile(effects))},
+         fmt::format(
+             "#define TILE_SIDE {}\n#define BLOCK_SIDE {}\n#define RAYS_A_TILE {}\n#define FIRST_PICTURE_TILE {}\n",
+             kTileSide, kBlockSide, rays_a_tile(effects), kFirstPictureTile)},
         {"generated/objects", bodies.objects},
         {"generated/surfaces", bodies.surfaces},
         {"generated/bodies_march", bodies.march},

@@ -10,7 +10,7 @@
 
 namespace nullscope {
 
-// kStars: points added to the picture. kBloomDown, kBloomUp, kMeter: of the picture in
+// kEdges: marks the picture's pixels that differ much from a neighbour. kStars: points added to the picture. kBloomDown, kBloomUp, kMeter: of the picture in
 // linear light. kDevelop: from it to the display. kBareFetch: one cube-map fetch a pixel,
 // a baseline of cost. Tiles are squares of the picture. kRays: the rays through their corners. kTiles: which bodies they may show;
 // kTilesTraced: and whether the disc; kTilesInterpolated: and whether their rays may be interpolated. The picture in these: kInterpolated;
@@ -18,6 +18,7 @@ namespace nullscope {
 // kBodyTiles, the rest. kInterpolatedRays: where interpolated rays go, for tests.
 enum class Stage {
     kPicture,
+    kEdges,
     kStars,
     kBloomDown,
     kBloomUp,
@@ -36,7 +37,10 @@ enum class Stage {
     kBodyTiles,
     kInterpolatedRays
 };
-inline constexpr int kTileSide = 8;  // px
+inline constexpr int kTileSide = 8;   // px
+inline constexpr int kBlockSide = 4;  // px, of the blocks in which pixels are drawn again with more rays
+// Stage kPicture draws one triangle, vertices 0 to 2, or tiles as points, of which this is the first.
+inline constexpr unsigned kFirstPictureTile = 3;
 int rays_a_tile(
     const EffectSet& effects);  // of stage kRays: through the corner, and through the middle if rays are interpolated
 // Whether a stage's text depends on the scene at all; else one program serves every scene.

@@ -28,8 +28,10 @@ std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& tar
                                        const DrawWatch& watch) {
     using Stage = PaintProgress::Stage;
     const double start = seconds();
-    const int samples = renderer.tables().plan().scene.picture.samples,
-              rays = target.width * samples * samples;  // in a row
+    constexpr double kRefined = 3.0;  // rays a pixel that edges make of one, about
+    const int samples = renderer.tables().plan().scene.picture.samples;
+    const double rays =  // in a row
+        target.width * (renderer.tables().effects().contains(Effect::kRefine) ? kRefined : samples * samples);
     BandCutter bands(target.height, ray_ms * rays);
     watch.tell({ray_ms > 0.0 ? Stage::kDrawing : Stage::kCompiling, 0, target.height});
     while (!bands.done()) {
@@ -54,7 +56,7 @@ int Workshop::coarseness(const PaintJob& job) const {
     if (!job.coarse_first || job.rays) return 1;
     const CameraSpec& camera = job.scene.camera;
     Scene once = job.scene;
-    once.picture.samples = 1;  // of pictures in motion
+    once.picture.samples = 1, once.picture.refine = false;  // of pictures in motion
     const bool known = picture_ms_ > 0.0 && method_ == job.method && effects_ == effect_set(required_effects(once));
     const double whole_ms = picture_ms_ * camera.width * camera.height;
     if (known && whole_ms <= kDear_ms) return 1;
@@ -108,16 +110,16 @@ std::optional<Painting> Workshop::picture(const PaintJob& job, int coarseness, b
     Painting painting;
     painting.job = job;
     Scene scene = job.scene;
-    if (first) scene.picture.samples = 1;
+    if (first) scene.picture.samples = 1, scene.picture.refine = false;
     scene.camera.width = painting.width = scene.camera.width / coarseness;
     scene.camera.height = painting.height = scene.camera.height / coarseness;
     watch.tell({PaintProgress::Stage::kPreparing, 0, painting.height});
     painting.ready = prepare(scene, job, {first, watch.give_up});
     if (watch.give_up()) return std::nullopt;
     if (painting.ready) {
-        painting.draft = first && (searches_stars() || job.scene.picture.samples > 1);
+        painting.draft = first && drafts(job);
         EffectSet effects = renderer_.tables().effects();
-        effects.erase(Effect::kSamples);
+        effects.erase(Effect::kSamples), effects.erase(Effect::kRefine);
         if (effects != effects_ || job.method != method_) ray_ms_ = 0.0, half_ray_ms_ = {};
         effects_ = effects, method_ = job.method;
         const gl::Target& drawn = target(painting.width, painting.height, avoid);
@@ -126,7 +128,8 @@ std::optional<Painting> Workshop::picture(const PaintJob& job, int coarseness, b
         painting.draw_ms = times->draw_ms;
         compile_ms_ += times->compile_ms;
         const int samples = scene.picture.samples;
-        picture_ms_ = times->draw_ms / (static_cast<double>(painting.width) * painting.height * samples * samples);
+        if (first || !renderer_.tables().effects().contains(Effect::kRefine))  // of pictures in motion
+            picture_ms_ = times->draw_ms / (static_cast<double>(painting.width) * painting.height * samples * samples);
         painting.texture = drawn.colours.front().id();
     }
     add_facts(painting);

@@ -78,7 +78,9 @@ public:
     // How many times smaller than the job's, in each direction, a coarse picture should be; 1: none is worth its time.
     int coarseness(const PaintJob& job) const;
     // Whether a picture with one ray a pixel, and after a quick search for the images of stars, is worth its time.
-    bool drafts(const PaintJob& job) const { return job.scene.picture.samples > 1 || searches_stars(); }
+    bool drafts(const PaintJob& job) const {
+        return job.scene.picture.samples > 1 || job.scene.picture.refine || searches_stars();
+    }
     bool searches_stars() const {
         return renderer_.searches_stars() || (right_ != nullptr && right_->searches_stars());
     }

@@ -138,7 +138,7 @@ class Commands(support.CliTest):
         plan = self.write("two.toml", text)
         found = json.loads(self.run_nullscope("plan", plan, "--json").out)
         reasons = {e["effect"]: e["reason"] for e in found["effects"]}
-        self.assertEqual(list(reasons), ["lensing", "aberration", "disc", "disc-image", "translucent-disc"])
+        self.assertEqual(list(reasons), ["lensing", "aberration", "disc", "disc-image", "translucent-disc", "refine"])
         self.assertIn("0.5", reasons["aberration"])
         self.assertEqual([e["effect"] for e in found["left_out"]],
                          ["spin", "spin-fall", "disc-pattern", "thermal-disc", "shift", "beaming", "bolometric", "sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",

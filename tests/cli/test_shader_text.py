@@ -42,7 +42,8 @@ WORDS = {
     "tone-film": [r"tone_film"],
     "tone-neutral": [r"tone_neutral"],
     "dither": [r"dither_noise"],
-    "samples": [r"sampling"],
+    "samples": [],   # what it shares with "refine": tests/unit/test_shader_source.cpp
+    "refine": [r"edge_(?:shown|value)"],
     "star": [r"star_(?:surface|square)\w*"],
     "delay": [r"light_time", r"delay_\w+"],
     "disc-flow": [r"disc_(?:flow|turned|winding)"],

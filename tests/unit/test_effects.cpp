@@ -120,6 +120,7 @@ TEST_CASE("a scene calls for exactly the effects of what is in it") {
                     if (glows && disc == 3) expected.insert(Effect::kBolometric);
                     if (points) expected.insert(Effect::kPointStars);
                     if (sky != SkyKind::kBlack) expected.insert(Effect::kSky);
+                    if (disc >= 1 || metric != "minkowski") expected.insert(Effect::kRefine);
 
                     const std::vector<EffectReason> reasons = required_effects(scene);
                     CHECK(effect_set(reasons) == expected);
@@ -163,6 +164,7 @@ TEST_CASE("bodies and their looks call for exactly their effects: every combinat
                 if ((there & 1u) != 0) add_body<SphereSpec>(scene).material.texture = a;
                 if ((there & 2u) != 0) add_body<CylinderSpec>(scene).material.texture = b;
                 if ((there & 4u) != 0) add_body<BallSpec>(scene).material.texture = a;
+                if (there != 0) expected.insert(Effect::kRefine);
                 const std::vector<EffectReason> reasons = required_effects(scene);
                 CHECK(effect_set(reasons) == expected);
                 CHECK(reasons.size() == expected.size());
@@ -188,7 +190,7 @@ TEST_CASE("textures of disc and sky call for exactly their effects: every combin
                 scene.sky.kind = sky;
                 scene.disc.emplace().material.texture = texture;
                 if (thermal) scene.disc->emission = DiscEmission::kThermal;
-                EffectSet expected = {Effect::kDisc};
+                EffectSet expected = {Effect::kDisc, Effect::kRefine};
                 if (thermal) expected.insert(Effect::kThermalDisc);
                 if (texture != TextureKind::kImage) expected.insert(Effect::kDiscPattern);
                 if (texture == TextureKind::kImage && !thermal) expected.insert(Effect::kDiscImage);
@@ -221,6 +223,7 @@ TEST_CASE("limb darkening is of a disc that is thermal, and goes with either") {
     for (const bool thermal : {false, true})
         for (const bool darkened : {false, true}) {
             Scene scene;
+            scene.picture.refine = false;
             scene.disc.emplace().effects.limb_darkening = darkened;
             if (thermal) scene.disc->emission = DiscEmission::kThermal;
             const EffectSet effects = effect_set(required_effects(scene));
@@ -261,13 +264,28 @@ TEST_CASE("the reason quotes the scene") {
     scene.disc = DiscSpec{};
     scene.disc->opacity = 0.25;
     const std::vector<EffectReason> reasons = required_effects(scene);
-    REQUIRE(reasons.size() == 6);
+    REQUIRE(reasons.size() == 7);
     CHECK(reasons[0].reason == "spacetime.metric = \"schwarzschild\"");
     CHECK(reasons[1].reason == "camera.velocity = [0, 0, 0.5]");
     CHECK(reasons[2].reason == "[disc] from 3 to 12");
     CHECK(reasons[3].reason == "disc.emission = \"image\", the one that ships");
     CHECK(reasons[4].reason == "disc.opacity = 0.25");
     CHECK(reasons[5].reason == "sky.kind = \"stars\"");
+    CHECK(reasons[6].reason == "picture.refine = \"on\"");
+}
+
+TEST_CASE("edges are refined where there are any, and not where every pixel has several rays") {
+    for (unsigned bits = 0; bits < 8; ++bits) {
+        Scene scene;
+        const bool bends = (bits & 1u) != 0, wanted = (bits & 2u) != 0, several = (bits & 4u) != 0;
+        scene.spacetime.metric = bends ? "schwarzschild" : "minkowski";
+        scene.picture.refine = wanted;
+        scene.picture.samples = several ? 2 : 1;
+        const EffectSet effects = effect_set(required_effects(scene));
+        CHECK(effects.contains(Effect::kRefine) == (bends && wanted && !several));
+        CHECK(effects.contains(Effect::kSamples) == several);
+        CHECK(takes_samples(effects) == (several || (bends && wanted)));
+    }
 }
 
 TEST_CASE("an unknown metric calls for no lensing") {

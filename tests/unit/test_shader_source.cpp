@@ -63,6 +63,8 @@ std::vector<Scene> all_scenes() {
             if (has(5) && has(8) && has(1)) first_shape<SphereSpec>(scene)->amplitude = 0.1;
             if (has(8) && has(6)) first_shape<SurfaceSpec>(scene)->shape = "x^2 + y^2 + z^2 - 9 - sin(t)";
             scene.light.delay = !(has(0) && has(7));
+            scene.picture.samples = has(2) && has(6) ? 2 : 1;
+            scene.picture.refine = !(has(0) && has(9));
             scenes.push_back(scene);
         }
     return scenes;
@@ -107,7 +109,8 @@ const std::vector<Mark> kMarks = {
     {Effect::kToneFilm, {"tone_film"}},
     {Effect::kToneNeutral, {"tone_neutral"}},
     {Effect::kDither, {"dither_noise"}},
-    {Effect::kSamples, {"sampling"}},
+    {Effect::kSamples, {}},  // what it shares with kRefine is looked for below
+    {Effect::kRefine, {"edge_shown"}},
     {Effect::kStar, {"star_surface", "star_square"}},
     {Effect::kSides, {"value_by_side", "vec4 throat;", "place.side"}},
     {Effect::kDelay, {"light_time(", "vec4 delay;"}},
@@ -172,6 +175,8 @@ TEST_CASE(
         for (const Mark& mark : kMarks)
             for (const std::string& word : mark.words)
                 CHECK_MESSAGE((text.find(word) != std::string::npos) == set.contains(mark.effect), word);
+        const bool several = set.contains(Effect::kSamples) || set.contains(Effect::kRefine);
+        CHECK((text.find("frame.sampling") != std::string::npos) == several);
         for (const char* left : {"EFFECT_", "BLOCK", "BODY", "TEXTURE_", "MAPPING_", "__cplusplus", "#if", "#include"})
             CHECK(text.find(left) == std::string::npos);
         check_places(text);

@@ -1,0 +1,17 @@
+// Where more rays are worth their cost: pixels whose light differs much from a neighbour's as it is displayed, or whose rays went another way.
+#include "shared/frame.glsl"
+
+#define EDGE_LEAST 0.125   // of black to white
+#define EDGE_SCALE 0.125   // of light, beside halves of ways: half floats keep both
+
+// The brightest channel about as the display has it: a shoulder, and the square root for its encoding. 0 ... 1
+float edge_shown(vec3 light) {
+    float most = max(max(light.r, max(light.g, light.b)) * frame.image.w, 0.0);
+    return sqrt(most / (most + 0.6));
+}
+
+// way: a small whole number; of neighbours with different ones something may lie between that neither met.
+float edge_value(vec3 light, float way) { return EDGE_SCALE * edge_shown(light) + 0.5 * way; }
+
+// Of the difference of two values: 0 neither, 0.5 the light, 1 the way.
+float edge_kind(float off) { return off < EDGE_SCALE * EDGE_LEAST ? 0.0 : off < 0.25 ? 0.5 : 1.0; }

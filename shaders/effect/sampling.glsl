@@ -1,0 +1,26 @@
+// Several rays a pixel.
+#include "shared/frame.glsl"
+
+// Rays along a side of a pixel.
+float sampling_rays() {
+#ifdef NEEDS_SAMPLING
+    return frame.sampling.z;
+#else
+    return 1.0;
+#endif
+}
+
+// A side of what a ray stands for, over the distance between the rays of neighbouring fragments.
+float sampling_share() {
+#ifdef NEEDS_SAMPLING
+    return frame.sampling.w;
+#else
+    return 1.0;
+#endif
+}
+
+#ifdef NEEDS_SAMPLING
+// The rays that a fragment traces: number of the first, and how many.
+int sampling_first() { return int(frame.sampling.x); }
+int sampling_count() { return int(frame.sampling.y); }
+#endif

@@ -1,0 +1,145 @@
+// Pixels on edges with more rays: against the reference and against pictures with 16 x 16 rays a pixel; in tiles, in bands and whole.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/assets.h"
+#include "image/image_file.h"
+#include "render/display.h"
+#include "scenefile/scene_file.h"
+#include "sky/sky.h"
+#include "support/gpu_session.h"
+
+using namespace nullscope;
+
+namespace {
+
+Scene sized(const char* name, int width, int height) {
+    auto scene = load_scene(name);
+    REQUIRE(scene);
+    scene->camera.width = width, scene->camera.height = height;
+    scene->picture.bloom = 0.0, scene->picture.auto_exposure = false, scene->picture.dither = false;
+    return *scene;
+}
+
+struct Off {  // of 255
+    double mean = 0, thousandth = 0;
+};
+
+Off off_between(const Image<unsigned char>& a, const Image<unsigned char>& b) {
+    std::vector<int> worst;
+    double sum = 0;
+    for (std::size_t i = 0; i < a.data.size(); i += 3) {
+        int most = 0;
+        for (std::size_t c = i; c < i + 3; ++c) {
+            const int off = std::abs(a.data[c] - b.data[c]);
+            sum += off, most = std::max(most, off);
+        }
+        worst.push_back(most);
+    }
+    const auto at = worst.begin() + static_cast<std::ptrdiff_t>(worst.size() * 999 / 1000);
+    std::nth_element(worst.begin(), at, worst.end());
+    return {sum / static_cast<double>(a.data.size()), static_cast<double>(*at)};
+}
+
+Image<unsigned char> drawn(Renderer& renderer, Scene scene, bool refine, int samples = 1) {
+    scene.picture.refine = refine;
+    scene.picture.samples = samples;
+    REQUIRE(renderer.prepare(scene));
+    return renderer.picture8();
+}
+
+double light_of(Renderer& renderer, Scene scene, bool refine, int samples = 1) {
+    scene.picture.refine = refine;
+    scene.picture.samples = samples;
+    REQUIRE(renderer.prepare(scene));
+    double sum = 0;
+    for (const float light : renderer.picture().data) sum += light;
+    return sum;
+}
+
+TEST_CASE("refine: edges are those of 16 x 16 rays a pixel of the reference") {
+    constexpr double kMean = 2.0, kThousandth = 24.0;
+    const Scene scene = sized("first-light", 960, 540);
+    const auto sky = build_sky(scene.sky, assets_directory(), 2048);
+    const auto disc = load_disc_image(*scene.disc);
+    REQUIRE((sky && disc));
+    const reference::Pictures pictures(&disc->image);
+    const auto light = reference::render_frame(scene, *sky, pictures, test::by_depth(8, 16, 16), {}, nullptr, {});
+    REQUIRE(light);
+    const Image<unsigned char> exact = display_encoded(*light, scene.camera.exposure_ev, scene.picture);
+    test::on_every_context([&](test::GpuSession& session) {
+        const Off one = off_between(drawn(*session.renderer, scene, false), exact),
+                  many = off_between(drawn(*session.renderer, scene, true), exact);
+        fmt::print("{}: off by {:.3f} of 255, a thousandth by {}; with one ray {:.3f}, {}; {:.1f} % of the pixels\n",
+                   session.context->kind(), many.mean, many.thousandth, one.mean, one.thousandth,
+                   100.0 * session.renderer->refined_share());
+        CHECK(many.mean < kMean);
+        CHECK(many.thousandth <= kThousandth);
+        CHECK(one.thousandth > kThousandth);
+    });
+}
+
+// A thin bright disc about a rotating hole and nothing else: its images of higher order are thinner than a pixel.
+Scene ring() {
+    Scene scene = sized("kerr", 480, 270);
+    scene.sky.kind = SkyKind::kBlack;
+    scene.disc->material.texture = TextureKind::kPlain;
+    scene.disc->image.clear();
+    scene.disc->emission = DiscEmission::kImage;
+    scene.disc->edge = 0.0, scene.disc->brightness = 1.0;
+    scene.disc->passed = 2;  // the images of first and second order alone
+    return scene;
+}
+
+TEST_CASE("refine: thin images of the disc about a rotating hole have their light, and no gaps") {
+    constexpr double kLight = 0.01;  // of all of it
+    const Scene scene = ring();
+    test::on_every_context([&](test::GpuSession& session) {
+        Renderer& renderer = *session.renderer;
+        const double all = light_of(renderer, scene, false, 16), refined = light_of(renderer, scene, true),
+                     one = light_of(renderer, scene, false);
+        fmt::print("{}: light of thin images over that of 256 rays a pixel {:.4f}, with one ray {:.4f}\n",
+                   session.context->kind(), refined / all, one / all);
+        CHECK(std::abs(refined / all - 1.0) < kLight);
+    });
+}
+
+TEST_CASE("refine: the same in tiles and in bands, and nothing changes where there is no edge") {
+    for (const char* name : {"first-light", "kerr", "ball-behind", "accretion"}) {
+        CAPTURE(std::string(name));
+        const Scene scene = sized(name, 190, 108);
+        test::on_every_context([&](test::GpuSession& session) {
+            Renderer& renderer = *session.renderer;
+            renderer.limit_tiles(Tiles::kNone);
+            const auto plain = drawn(renderer, scene, false), whole = drawn(renderer, scene, true);
+            const double share = renderer.refined_share();
+            CHECK(share > 0.005);
+            CHECK(share < 0.4);
+            int changed = 0;
+            for (std::size_t i = 0; i < whole.data.size(); i += 3)
+                changed += !std::equal(&whole.data[i], &whole.data[i] + 3, &plain.data[i],
+                                       [](int a, int b) { return std::abs(a - b) <= 1; });
+            CHECK(changed > 0);
+            CHECK(3.0 * changed <= share * static_cast<double>(whole.data.size()) * 1.0001);
+            renderer.limit_tiles(Tiles::kTraced);
+            CHECK(off_between(drawn(renderer, scene, true), whole).thousandth <= 1.0);
+            const gl::Target target = gl::make_target(190, 108, gl::Format::kRgba8);
+            for (const auto& [first, last] : {std::pair{0, 8}, {8, 33}, {33, 34}, {34, 64}, {64, 108}})
+                renderer.draw_rows(target.framebuffer.id(), 190, 108, Output::kDisplay, first, last);
+            std::vector<unsigned char> rgba(190 * 108 * 4);
+            gl::read_rgba8(target, rgba.data());
+            int off = 0;
+            for (int y = 0; y < 108; ++y)
+                for (int x = 0; x < 190; ++x)
+                    for (int c = 0; c < 3; ++c) {
+                        const auto at = static_cast<std::size_t>((107 - y) * 190 + x) * 4 + static_cast<std::size_t>(c);
+                        off = std::max(off, std::abs(rgba[at] - whole.at(x, y)[c]));
+                    }
+            CHECK(off <= 1);
+            renderer.limit_tiles(Tiles::kBodies);
+        });
+    }
+}
+
+}  // namespace
