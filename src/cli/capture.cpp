@@ -45,7 +45,7 @@ std::string film_folder(const CaptureOptions& options) { return options.output +
 Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) {
     if (options.to_film() && path == nullptr && (options.time_step == 0 || options.frames.empty()))
         return bad_input("a film needs a scene with a [path], or --time-step and --frames",
-                         "-o names that end in .png or .exr");
+                         "-o names that end in .png, .jpg or .exr");
     if (options.to_film() && !have_ffmpeg())
         return failed("ffmpeg is not installed, it makes the film; without it: -o NAME%05d.png and --frames");
     if (options.frames.empty()) return options.to_film() ? Frames{0, path->frames()} : Frames{};
@@ -58,9 +58,9 @@ Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) 
 
 // Files of an unknown kind, and options that would change nothing.
 Status check_options(const CaptureOptions& options) {
-    if (!options.to_exr() && !options.to_film() && !options.output.ends_with(".png"))
+    if (!options.to_exr() && !options.to_film() && !options.to_jpeg() && !options.output.ends_with(".png"))
         return bad_input(fmt::format("-o {}: unknown kind of file", options.output),
-                         "names that end in .png, .exr or .mp4");
+                         "names that end in .png, .jpg, .exr or .mp4");
     if (options.raydata && !options.to_exr()) return bad_input("--raydata goes into an .exr; give -o FILE.exr");
     if (options.renderer == "reference")
         for (const auto& [option, given] : {std::pair{"--method", options.method != "auto"},
@@ -214,13 +214,15 @@ Status run(const CaptureOptions& options) {
 
 void add_capture(Command& parent) {
     auto [command, options] = add_command<CaptureOptions>(
-        parent, "capture", "Draw a scene to a PNG (display-ready) or an EXR (linear light, optional ray data)", run);
+        parent, "capture", "Draw a scene to a PNG or JPEG (display-ready) or an EXR (linear light, optional ray data)",
+        run);
     const KeyRange times = key_range("time");
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene (see: nullscope scenes)");
-    text_option(command, "-o,--output", options.output,
-                "File to write, .png or .exr; for a scene with a [path] also .mp4, which needs ffmpeg and resumes "
-                "an interrupted run of the same scene and options");
+    text_option(
+        command, "-o,--output", options.output,
+        "File to write, .png, .jpg or .exr; for a scene with a [path] also .mp4, which needs ffmpeg and resumes "
+        "an interrupted run of the same scene and options");
     command.add_option("--size", &options.size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
     command.add_option(
         "--split,--beside", &options.split,

@@ -79,6 +79,8 @@ Result<Captured> capture_picture(Session* session, const Scene& scene, const Cap
 }
 
 Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured) {
+    if (file_name.ends_with(".jpg") || file_name.ends_with(".jpeg"))
+        return save_jpeg(file_name, captured.display, scene.name + "\nnullscope " NULLSCOPE_VERSION);
     if (!file_name.ends_with(".exr"))
         return save_png(file_name, captured.display,
                         {{"Title", scene.name}, {"Software", "nullscope " NULLSCOPE_VERSION}});

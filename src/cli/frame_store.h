@@ -39,6 +39,7 @@ struct CaptureOptions {
     bool raydata = false, dump_shader = false, resume = false;
 
     bool to_exr() const { return output.ends_with(".exr"); }  // linear light
+    bool to_jpeg() const { return output.ends_with(".jpg") || output.ends_with(".jpeg"); }
     bool to_film() const { return output.ends_with(".mp4"); }
 };
 inline constexpr int kSamples = 3;
