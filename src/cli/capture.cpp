@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "annotate/marks.h"
 #include "base/assets.h"
 #include "base/progress.h"
 #include "cli/capture_picture.h"
@@ -101,6 +102,14 @@ Scene scene_at(const Job& job, double time_step, int frame) {
     return now;
 }
 
+// Says once why there are no letters.
+void annotate(const Scene& scene, const std::optional<Halves>& split, Image<unsigned char>& picture) {
+    static bool said = false;
+    const Marks marks = make_marks(annotations_of(scene, split), picture.width, picture.height);
+    if (!marks.note.empty() && !std::exchange(said, true)) fmt::print(stderr, "{}\n", marks.note);
+    lay_over(marks.marks, picture);
+}
+
 // One picture, or two side by side, into a file. Returns what it was made by.
 Result<std::string> draw(const Job& job, Session* session, const Scene& scene, const CaptureOptions& options,
                          const std::string& file) {
@@ -111,6 +120,7 @@ Result<std::string> draw(const Job& job, Session* session, const Scene& scene, c
         captured->linear = side_by_side(captured->linear, right->linear);
         captured->display = side_by_side(captured->display, right->display);
     }
+    if (!options.plain && !options.to_exr()) annotate(scene, split, captured->display);
     TRY(written, write_picture(file, scene, *captured));
     return captured->made_by;
 }
@@ -255,6 +265,8 @@ void add_capture(Command& parent) {
     number_option(command, "--largest-texture", options.largest_texture, 16, 65536,
                   "Largest texture side in pixels: larger images are reduced while they are read (default: the "
                   "driver's limit)");
+    command.add_flag("--plain", &options.plain,
+                     "No dividing line, labels or scale bar over a .png, .jpg or .mp4 (an .exr has none)");
     command.add_flag("--raydata", &options.raydata,
                      "Also write where each pixel's ray ends, as channels of the EXR (docs/ray-data.md)");
     command.add_flag("--dump-shader", &options.dump_shader, "Print the shaders of this scene's passes and stop");
