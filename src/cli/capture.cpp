@@ -13,6 +13,7 @@
 #include "cli/command.h"
 #include "cli/frame_store.h"
 #include "command/arguments.h"
+#include "image/image_file.h"
 #include "observer/path.h"
 #include "render/frontier.h"
 #include "scene/split.h"
@@ -62,6 +63,7 @@ Status check_options(const CaptureOptions& options) {
     if (!options.to_exr() && !options.to_film() && !options.to_jpeg() && !options.output.ends_with(".png"))
         return bad_input(fmt::format("-o {}: unknown kind of file", options.output),
                          "names that end in .png, .jpg, .exr or .mp4");
+    if (options.quality && !options.to_jpeg()) return bad_input("--quality is of a JPEG; give -o FILE.jpg");
     if (options.raydata && !options.to_exr()) return bad_input("--raydata goes into an .exr; give -o FILE.exr");
     if (options.renderer == "reference")
         for (const auto& [option, given] : {std::pair{"--method", options.method != "auto"},
@@ -121,7 +123,7 @@ Result<std::string> draw(const Job& job, Session* session, const Scene& scene, c
         captured->display = side_by_side(captured->display, right->display);
     }
     if (!options.plain && !options.to_exr()) annotate(scene, split, captured->display);
-    TRY(written, write_picture(file, scene, *captured));
+    TRY(written, write_picture(file, scene, *captured, options.quality.value_or(kJpegQuality)));
     return captured->made_by;
 }
 
@@ -265,6 +267,8 @@ void add_capture(Command& parent) {
     number_option(command, "--largest-texture", options.largest_texture, 16, 65536,
                   "Largest texture side in pixels: larger images are reduced while they are read (default: the "
                   "driver's limit)");
+    number_option(command, "--quality", options.quality, 1, 100,
+                  fmt::format("Quality of a .jpg: less makes smaller files (default {})", kJpegQuality));
     command.add_flag("--plain", &options.plain,
                      "No dividing line, labels or scale bar over a .png, .jpg or .mp4 (an .exr has none)");
     command.add_flag("--raydata", &options.raydata,

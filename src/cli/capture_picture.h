@@ -23,6 +23,7 @@ struct Captured {
 Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options);
 
 // In the format that the name says: .exr, .jpg (.jpeg) or .png.
-Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured);
+// jpeg_quality: image/image_file.h.
+Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured, int jpeg_quality);
 
 }  // namespace nullscope::cli

@@ -35,7 +35,7 @@ struct CaptureOptions {
     std::optional<double> time;
     double time_step = 0;
     std::optional<double> max_error;
-    std::optional<int> largest_texture;
+    std::optional<int> largest_texture, quality;  // quality: of a JPEG
     bool raydata = false, dump_shader = false, resume = false, plain = false;
 
     bool to_exr() const { return output.ends_with(".exr"); }  // linear light

@@ -39,7 +39,8 @@ Status save_png(const std::filesystem::path& path, const Image<unsigned char>& i
     return write_text_atomically(path, *bytes);
 }
 
-Status save_jpeg(const std::filesystem::path& path, const Image<unsigned char>& image, const std::string& comment) {
+Status save_jpeg(const std::filesystem::path& path, const Image<unsigned char>& image, const std::string& comment,
+                 int quality) {
     constexpr int kMostSide = 65500;             // libjpeg's
     constexpr std::size_t kMostComment = 65533;  // bytes of a marker
     const auto samples = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3;
@@ -47,7 +48,7 @@ Status save_jpeg(const std::filesystem::path& path, const Image<unsigned char>& 
         image.channels != 3 || image.data.size() != samples || comment.size() > kMostComment)
         return failed(fmt::format("cannot write '{}': {} x {} pixels of {} channels are no JPEG image", path.string(),
                                   image.width, image.height, image.channels));
-    const Result<std::string> bytes = encode_jpeg(image, comment);
+    const Result<std::string> bytes = encode_jpeg(image, comment, quality);
     if (!bytes) return failed(fmt::format("cannot write '{}': {}", path.string(), bytes.error().message()));
     return write_text_atomically(path, *bytes);
 }

@@ -41,7 +41,7 @@ Result<std::unique_ptr<RowReader>> open_jpeg_rows(ByteSource source);
 Result<std::string> encode_png(const Image<unsigned char>& image, const std::map<std::string, std::string>& texts = {});
 
 // 3 channels of 8 bits, 1 to 65500 px a side. Errors: as libjpeg says.
-Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::string& comment = {});
+Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::string& comment, int quality);
 
 // Radiance RGBE (.hdr).
 bool is_hdr(std::string_view bytes);

@@ -13,8 +13,6 @@
 namespace nullscope {
 namespace {
 
-constexpr int kQuality = 92;  // stars and thin rings keep their edges
-
 class Encoder {
 public:
     Encoder() {
@@ -34,7 +32,7 @@ public:
     Encoder(const Encoder&) = delete;
     Encoder& operator=(const Encoder&) = delete;
 
-    bool encode(const Image<unsigned char>& image, const std::string& comment) {
+    bool encode(const Image<unsigned char>& image, const std::string& comment, int quality) {
         if (setjmp(jump_) != 0) return false;  // NOLINT
         jpeg_create_compress(&jpeg_);
         jpeg_.client_data = this;
@@ -44,7 +42,7 @@ public:
         jpeg_.input_components = 3;
         jpeg_.in_color_space = JCS_RGB;
         jpeg_set_defaults(&jpeg_);
-        jpeg_set_quality(&jpeg_, kQuality, TRUE);
+        jpeg_set_quality(&jpeg_, quality, TRUE);
         jpeg_.comp_info[0].h_samp_factor = jpeg_.comp_info[0].v_samp_factor = 1;  // colours at full resolution
         jpeg_.optimize_coding = TRUE;
         jpeg_start_compress(&jpeg_, TRUE);
@@ -73,9 +71,9 @@ private:
 
 }  // namespace
 
-Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::string& comment) {
+Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::string& comment, int quality) {
     Encoder encoder;
-    if (!encoder.encode(image, comment)) return failed(encoder.error());
+    if (!encoder.encode(image, comment, quality)) return failed(encoder.error());
     return encoder.bytes();
 }
 

@@ -95,6 +95,10 @@ class Pictures(support.CliTest):
         mean = float(re.search(r"mean\s+([0-9.e-]+)", out).group(1))
         self.assertLess(mean, 0.01, out)
         self.refused("capture", "flat", "-o", "a.gif", says=[".png, .jpg, .exr or .mp4"])
+        self.run_nullscope("capture", "first-light", "--size", "%dx%d" % SIZE, "-o", "b.jpg", "--quality", "50")
+        self.assertLess(2 * (self.folder / "b.jpg").stat().st_size, len(data))
+        self.refused("capture", "flat", "--quality", "50", "-o", "c.png", says=["--quality", ".jpg"])
+        self.refused("capture", "flat", "--quality", "101", "-o", "c.jpg", says=["--quality", "100"])
         self.refused("capture", "flat", "--raydata", "-o", "b.jpg", says=["--raydata", ".exr"])
         self.refused("capture", "flat", "--size", "64x36", "-o", "missing/b.jpg", status=1, says=["missing/b.jpg"])
 

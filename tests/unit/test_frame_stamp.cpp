@@ -78,6 +78,7 @@ TEST_CASE("a hundred random changes of scene and options: each gives another sta
             case 9: run.split = true; break;
             case 10: run.scene.camera.width += number; break;
             case 11: run.options.plain = true; break;
+            case 12: run.options.quality = number; break;
             default: change_key(run.scene, random);
         }
         CAPTURE(changes);
