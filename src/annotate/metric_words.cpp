@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <optional>
 #include <string_view>
 
@@ -57,7 +58,10 @@ std::optional<double> value_of(const SpacetimeSpec& spec, const std::string& nam
 std::string title_of(const std::string& metric) {
     for (const MetricTitle& each : kTitles)
         if (each.metric == metric) return std::string(each.title);
-    return metric;
+    std::string title = metric;  // "dilaton-hole": "Dilaton hole"
+    std::replace(title.begin(), title.end(), '-', ' ');
+    if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+    return title;
 }
 
 // A formula metric's own words are its formulas.

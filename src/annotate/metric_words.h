@@ -7,7 +7,7 @@
 namespace nullscope {
 
 // "Kerr, a = 0.9 M": the metric, with the parameters that tell it from `other`: of another metric those that name it, of the same one those
-// whose values differ. Metrics that are not known here go by their key and all their parameters that are given.
+// whose values differ. A metric that is not known here goes by the words of its key and those of its parameters that are given.
 std::string metric_words(const SpacetimeSpec& spec, const SpacetimeSpec& other);
 
 }  // namespace nullscope
