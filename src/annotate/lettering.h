@@ -10,8 +10,8 @@
 
 namespace nullscope {
 
-// The file of the sans font for labels and panels: $NULLSCOPE_FONT where that is set, else the first of the usual distributions' that
-// exists; nothing if there is none.
+// The file of the sans font for labels and panels: $NULLSCOPE_FONT where that is set, else the first of the usual
+// distributions' that exists; nothing if there is none.
 std::optional<std::filesystem::path> sans_font_file();
 
 class Lettering {
@@ -25,7 +25,8 @@ public:
     int ascent() const;  // px from a line's top to its baseline
     int height() const;  // of a line
     int width(std::string_view utf8) const;
-    // One line on one channel: width() by height(), 255: covered. Bytes that are no UTF-8 and characters that the font lacks: its mark for these.
+    // One line on one channel: width() by height(), 255: covered. Bytes that are no UTF-8 and characters that the font
+    // lacks: its mark for these.
     Image<unsigned char> line(std::string_view utf8) const;
 
 private:

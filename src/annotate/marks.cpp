@@ -37,11 +37,11 @@ Sheet blurred(const Sheet& from, double sigma) {
         Sheet out(in.width, in.height);
         for (int y = 0; y < in.height; ++y)
             for (int x = 0; x < in.width; ++x)
-                for (int i = -reach; i <= reach; ++i) {
+                for (int i = -reach; const float weight : weights) {
                     const int u = x + i * dx, v = y + i * dy;
+                    ++i;
                     if (u < 0 || v < 0 || u >= in.width || v >= in.height) continue;
-                    out.at(x, y) += weights[static_cast<std::size_t>(i + reach)] / sum *
-                                    in.data[static_cast<std::size_t>(v) * in.width + u];
+                    out.at(x, y) += weight / sum * in.data[static_cast<std::size_t>(v) * in.width + u];
                 }
         return out;
     };

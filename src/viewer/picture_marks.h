@@ -10,7 +10,8 @@ namespace nullscope::viewer {
 
 class PictureMarks {
 public:
-    // Of the scene on the screen, drawn in this size; bottom: px that the status line takes. Makes textures where something has changed.
+    // Of the scene on the screen, drawn in this size; bottom: px that the status line takes. Makes textures where
+    // something has changed.
     void show(const Scene& scene, PixelSize size, int bottom);
     void draw() const;  // behind the panels, in the current frame of Dear ImGui
 

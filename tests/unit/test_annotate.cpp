@@ -200,7 +200,8 @@ TEST_CASE("annotations: no bar where a picture has no one scale") {
 }
 
 TEST_CASE("annotations: marks are where they should be, and as long") {
-    for (const auto& [width, height] : {std::pair(320, 180), {1280, 720}, {3840, 2160}}) {
+    for (const auto& size : {std::pair(320, 180), {1280, 720}, {3840, 2160}}) {
+        const int width = size.first, height = size.second;
         Annotations all{true, "Left", "Right", ScaleBarMark{width * 0.2 + 0.4, "20 µas"}};
         const Marks made = make_marks(all, width, height);
         CAPTURE(height);
