@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes docs/gallery.md and its pictures: every scene that ships, with its sentence, command, cost and error. Standard library only.
 
-    scripts/gallery.py             every scene, some 10 minutes on two cores
+    scripts/gallery.py             every scene; 450 core-seconds with llvmpipe
     scripts/gallery.py NAME...     these scenes anew; the others stay as they are on the page
     scripts/gallery.py --page      the page alone, from the figures of the last run
 
@@ -92,10 +92,11 @@ def draw(binary, name, scene, to, folder):
 
 
 def cost(binary, name, folder):
-    """Core-seconds of a frame, and what drew it."""
+    """Core-seconds of a frame, and the driver that drew it."""
     nullscope(binary, "bench", "frames", name, "--size", COST_SIZE, "--frames", COST_FRAMES, "--json", folder / "cost.json")
     row = json.loads((folder / "cost.json").read_text())[0]
-    return row["core_seconds"], row["renderer"]
+    version = re.search(rf'^{row["context"]}: OpenGL (.*)$', nullscope(binary, "info"), re.M).group(1)
+    return row["core_seconds"], f'{row["renderer"]}, OpenGL {version}'
 
 
 def error(binary, name, scene, folder):
@@ -147,7 +148,7 @@ def update(binary, scenes, names, figures, pictures):
             print(f"gallery: {name} ({i + 1} of {len(names)})", file=sys.stderr)
             core_s, driver = cost(binary, name, Path(folder))
             if figures["scenes"] and driver != figures["driver"]:
-                raise Refused(f"the page's other figures are of {figures['driver']}, not of {driver}; make all of it anew")
+                raise Refused(f"the page's other figures are of another driver, {figures['driver']}: make all of it anew")
             figures["driver"] = driver
             draw(binary, name, scenes[name], pictures / f"{name}.jpg", Path(folder))
             figures["scenes"][name] = {"core_s": core_s, "error": error(binary, name, scenes[name], Path(folder))}
