@@ -138,6 +138,7 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
     if (!options.split.empty()) {
         TRY(other, load_scene(options.split));
         job.split = std::move(*other);
+        job.scene.split_labels = {job.scene.split_labels.shown};  // the file's own are of its own [split]
         if (options.samples) job.split->picture.samples = job.scene.picture.samples;
     }
     TRY(good, check_options(options));

@@ -50,6 +50,14 @@ class Pictures(support.CliTest):
         off, _ = self.picture(self.write("off.toml", SPLIT + 'labels = "off"\n'), "off.png")
         self.assertEqual(self.differing(off, plain)[0], below)
 
+    def test_the_labels_of_a_file_are_not_those_of_another_right_half(self):
+        named = self.write("named.toml", SPLIT + 'left_label = "One"\nright_label = "Other"\n')
+        unnamed, other = self.write("unnamed.toml", SPLIT), self.write("other.toml", '[spacetime]\nmetric = "minkowski"\n')
+        by_file, by_default = self.picture(named, "a.png")[0], self.picture(unnamed, "b.png")[0]
+        self.assertNotEqual(by_file.data, by_default.data)
+        split = [self.picture(scene, "c.png", "--split", other)[0].data for scene in (named, unnamed)]
+        self.assertEqual(*split)
+
     def test_linear_light_has_no_marks(self):
         for text in (SPLIT, BAR):
             scene = self.write("scene.toml", text)
