@@ -126,6 +126,10 @@ MUTANTS = [Mutant(*row) for row in [
      "crossing.rise / crossing.r * (g / trace.doppler)", "crossing.rise / crossing.r * g", LIMB),
     ("limb-parts", "a part of light that is off, in the light's angle to the disc", "shaders/object/disc_matter.glsl",
      "disc_cosine(trace, crossing, result.g) * parts", "disc_cosine(trace, crossing, result.g)", LIMB),
+    ("scale-lapse", "a scale bar without the lapse", "src/observer/picture_scale.cpp",
+     "std::sqrt(spacetime.lapse_squared(camera.r)) /", "1.0 /", ("unit_tests", "annotations*")),
+    ("scale-parsec", "a scale bar in light years", "src/annotate/annotations.cpp",
+     "3.0856775814913673e16", "9.4607304725808e15", ("unit_tests", "annotations*")),
 ]]
 
 

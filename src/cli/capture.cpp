@@ -6,12 +6,14 @@
 #include <optional>
 #include <utility>
 
+#include "annotate/marks.h"
 #include "base/assets.h"
 #include "base/progress.h"
 #include "cli/capture_picture.h"
 #include "cli/command.h"
 #include "cli/frame_store.h"
 #include "command/arguments.h"
+#include "image/image_file.h"
 #include "observer/path.h"
 #include "render/frontier.h"
 #include "scene/split.h"
@@ -45,7 +47,7 @@ std::string film_folder(const CaptureOptions& options) { return options.output +
 Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) {
     if (options.to_film() && path == nullptr && (options.time_step == 0 || options.frames.empty()))
         return bad_input("a film needs a scene with a [path], or --time-step and --frames",
-                         "-o names that end in .png or .exr");
+                         "-o names that end in .png, .jpg or .exr");
     if (options.to_film() && !have_ffmpeg())
         return failed("ffmpeg is not installed, it makes the film; without it: -o NAME%05d.png and --frames");
     if (options.frames.empty()) return options.to_film() ? Frames{0, path->frames()} : Frames{};
@@ -58,9 +60,10 @@ Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) 
 
 // Files of an unknown kind, and options that would change nothing.
 Status check_options(const CaptureOptions& options) {
-    if (!options.to_exr() && !options.to_film() && !options.output.ends_with(".png"))
+    if (!options.to_exr() && !options.to_film() && !options.to_jpeg() && !options.output.ends_with(".png"))
         return bad_input(fmt::format("-o {}: unknown kind of file", options.output),
-                         "names that end in .png, .exr or .mp4");
+                         "names that end in .png, .jpg, .exr or .mp4");
+    if (options.quality && !options.to_jpeg()) return bad_input("--quality is of a JPEG; give -o FILE.jpg");
     if (options.raydata && !options.to_exr()) return bad_input("--raydata goes into an .exr; give -o FILE.exr");
     if (options.renderer == "reference")
         for (const auto& [option, given] : {std::pair{"--method", options.method != "auto"},
@@ -101,6 +104,14 @@ Scene scene_at(const Job& job, double time_step, int frame) {
     return now;
 }
 
+// Says once why there are no letters.
+void annotate(const Scene& scene, const std::optional<Halves>& split, Image<unsigned char>& picture) {
+    static bool said = false;
+    const Marks marks = make_marks(annotations_of(scene, split), picture.width, picture.height);
+    if (!marks.note.empty() && !std::exchange(said, true)) fmt::print(stderr, "{}\n", marks.note);
+    lay_over(marks.marks, picture);
+}
+
 // One picture, or two side by side, into a file. Returns what it was made by.
 Result<std::string> draw(const Job& job, Session* session, const Scene& scene, const CaptureOptions& options,
                          const std::string& file) {
@@ -111,7 +122,8 @@ Result<std::string> draw(const Job& job, Session* session, const Scene& scene, c
         captured->linear = side_by_side(captured->linear, right->linear);
         captured->display = side_by_side(captured->display, right->display);
     }
-    TRY(written, write_picture(file, scene, *captured));
+    if (!options.plain && !options.to_exr()) annotate(scene, split, captured->display);
+    TRY(written, write_picture(file, scene, *captured, options.quality.value_or(kJpegQuality)));
     return captured->made_by;
 }
 
@@ -126,6 +138,7 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
     if (!options.split.empty()) {
         TRY(other, load_scene(options.split));
         job.split = std::move(*other);
+        job.scene.split_labels = {job.scene.split_labels.shown};  // the file's own are of its own [split]
         if (options.samples) job.split->picture.samples = job.scene.picture.samples;
     }
     TRY(good, check_options(options));
@@ -214,13 +227,15 @@ Status run(const CaptureOptions& options) {
 
 void add_capture(Command& parent) {
     auto [command, options] = add_command<CaptureOptions>(
-        parent, "capture", "Draw a scene to a PNG (display-ready) or an EXR (linear light, optional ray data)", run);
+        parent, "capture", "Draw a scene to a PNG or JPEG (display-ready) or an EXR (linear light, optional ray data)",
+        run);
     const KeyRange times = key_range("time");
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene (see: nullscope scenes)");
-    text_option(command, "-o,--output", options.output,
-                "File to write, .png or .exr; for a scene with a [path] also .mp4, which needs ffmpeg and resumes "
-                "an interrupted run of the same scene and options");
+    text_option(
+        command, "-o,--output", options.output,
+        "File to write, .png, .jpg or .exr; for a scene with a [path] also .mp4, which needs ffmpeg and resumes "
+        "an interrupted run of the same scene and options");
     command.add_option("--size", &options.size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
     command.add_option(
         "--split,--beside", &options.split,
@@ -253,6 +268,10 @@ void add_capture(Command& parent) {
     number_option(command, "--largest-texture", options.largest_texture, 16, 65536,
                   "Largest texture side in pixels: larger images are reduced while they are read (default: the "
                   "driver's limit)");
+    number_option(command, "--quality", options.quality, 1, 100,
+                  fmt::format("Quality of a .jpg: less makes smaller files (default {})", kJpegQuality));
+    command.add_flag("--plain", &options.plain,
+                     "No dividing line, labels or scale bar over a .png, .jpg or .mp4 (an .exr has none)");
     command.add_flag("--raydata", &options.raydata,
                      "Also write where each pixel's ray ends, as channels of the EXR (docs/ray-data.md)");
     command.add_flag("--dump-shader", &options.dump_shader, "Print the shaders of this scene's passes and stop");

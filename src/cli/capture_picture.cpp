@@ -78,7 +78,9 @@ Result<Captured> capture_picture(Session* session, const Scene& scene, const Cap
     return session != nullptr ? capture_gl(*session, scene, options) : capture_reference(scene, options);
 }
 
-Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured) {
+Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured, int jpeg_quality) {
+    if (file_name.ends_with(".jpg") || file_name.ends_with(".jpeg"))
+        return save_jpeg(file_name, captured.display, scene.name + "\nnullscope " NULLSCOPE_VERSION, jpeg_quality);
     if (!file_name.ends_with(".exr"))
         return save_png(file_name, captured.display,
                         {{"Title", scene.name}, {"Software", "nullscope " NULLSCOPE_VERSION}});

@@ -14,7 +14,7 @@ namespace nullscope::cli {
 
 struct Captured {
     Image<float> linear;           // for .exr
-    Image<unsigned char> display;  // for .png
+    Image<unsigned char> display;  // for .png and .jpg
     std::optional<RayFrame> rays;  // with options.raydata
     std::string made_by;
 };
@@ -22,7 +22,8 @@ struct Captured {
 // session: what the shader draws on; null: the reference draws.
 Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options);
 
-// In the format that the name says, .exr or .png.
-Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured);
+// In the format that the name says: .exr, .jpg (.jpeg) or .png.
+// jpeg_quality: image/image_file.h.
+Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured, int jpeg_quality);
 
 }  // namespace nullscope::cli

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "image/image_file.h"
 #include "scenefile/scene_text.h"
 
 namespace nullscope::cli {
@@ -52,6 +53,8 @@ std::string frame_stamp(const StampInput& input) {
     std::string text = fmt::format("program version = {}\n", input.version);
     text += fmt::format("kind of file = {}\n", kind == ".mp4" ? ".png" : kind);
     text += fmt::format("--raydata = {}\n", options.raydata);
+    text += fmt::format("--quality = {}\n", options.quality.value_or(kJpegQuality));
+    text += fmt::format("--plain = {}\n", options.plain);
     text += fmt::format("--renderer = {}\n", options.renderer);
     if (options.renderer == "reference") {
         text += fmt::format("--samples = {}\n", options.samples.value_or(kSamples));

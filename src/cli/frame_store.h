@@ -35,10 +35,11 @@ struct CaptureOptions {
     std::optional<double> time;
     double time_step = 0;
     std::optional<double> max_error;
-    std::optional<int> largest_texture;
-    bool raydata = false, dump_shader = false, resume = false;
+    std::optional<int> largest_texture, quality;  // quality: of a JPEG
+    bool raydata = false, dump_shader = false, resume = false, plain = false;
 
     bool to_exr() const { return output.ends_with(".exr"); }  // linear light
+    bool to_jpeg() const { return output.ends_with(".jpg") || output.ends_with(".jpeg"); }
     bool to_film() const { return output.ends_with(".mp4"); }
 };
 inline constexpr int kSamples = 3;

@@ -39,6 +39,20 @@ Status save_png(const std::filesystem::path& path, const Image<unsigned char>& i
     return write_text_atomically(path, *bytes);
 }
 
+Status save_jpeg(const std::filesystem::path& path, const Image<unsigned char>& image, const std::string& comment,
+                 int quality) {
+    constexpr int kMostSide = 65500;             // libjpeg's
+    constexpr std::size_t kMostComment = 65533;  // bytes of a marker
+    const auto samples = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3;
+    if (image.width <= 0 || image.height <= 0 || image.width > kMostSide || image.height > kMostSide ||
+        image.channels != 3 || image.data.size() != samples || comment.size() > kMostComment)
+        return failed(fmt::format("cannot write '{}': {} x {} pixels of {} channels are no JPEG image", path.string(),
+                                  image.width, image.height, image.channels));
+    const Result<std::string> bytes = encode_jpeg(image, comment, quality);
+    if (!bytes) return failed(fmt::format("cannot write '{}': {}", path.string(), bytes.error().message()));
+    return write_text_atomically(path, *bytes);
+}
+
 float srgb_from_linear(float linear) {
     if (!(linear > 0.0f)) return 0.0f;  // also NaN
     if (linear >= 1.0f) return 1.0f;

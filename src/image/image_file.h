@@ -25,6 +25,12 @@ Result<Image<float>> decode_image(std::string_view bytes, const std::string& nam
 Status save_png(const std::filesystem::path& path, const Image<unsigned char>& image,
                 const std::map<std::string, std::string>& texts = {});
 
+// 3 channels of 8 bits, already display-encoded; colours at full resolution (4:4:4). quality: libjpeg's, 1 to 100; at 92 stars and
+// thin rings keep their edges. comment: at most 65533 bytes.
+inline constexpr int kJpegQuality = 92;
+Status save_jpeg(const std::filesystem::path& path, const Image<unsigned char>& image, const std::string& comment = {},
+                 int quality = kJpegQuality);
+
 // A set of named float channels of one size ("R", "G", "B", "sky.x", ...) and string attributes; ZIP-compressed, which
 // every reader knows.
 struct ChannelImage {

@@ -233,6 +233,8 @@ struct LightSpec {
 
 // How linear light becomes a displayed picture. EXR files hold linear light.
 enum class ToneCurve { kShoulder, kFilm, kNeutral };  // 1 - exp(-x); a fit of ACES; Khronos' neutral one
+// What the bar over the displayed picture counts (annotate/annotations.h): M = r_s/2, r_s, or angles as seen from ObjectSpec.
+enum class ScaleBar { kOff, kMass, kRadius, kAngle };
 struct PictureSpec {
     ToneCurve tone = ToneCurve::kShoulder;
     double bloom = 0.0;          // share of the light that lens and eye scatter, [0, 1)
@@ -240,6 +242,7 @@ struct PictureSpec {
     bool dither = false;         // noise of half an 8-bit step, against banding
     int samples = 1;             // a pixel is the mean of samples x samples rays
     bool refine = true;          // where samples is 1: pixels that differ much from a neighbour are means of 4 x 4 rays
+    ScaleBar scale_bar = ScaleBar::kOff;
     friend bool operator==(const PictureSpec&, const PictureSpec&) = default;
 };
 
@@ -261,12 +264,26 @@ struct PathSpec {
     std::vector<PathKey> keys;  // kKeys: two or more, by ascending frame
 };
 
+// The object in the sky that the scene stands for.
+struct ObjectSpec {
+    std::optional<double> mass_suns, distance_pc;
+    friend bool operator==(const ObjectSpec&, const ObjectSpec&) = default;
+};
+
+// What is written over the halves of a split screen; empty: what differs between them.
+struct SplitLabels {
+    bool shown = true;
+    std::string left{}, right{};
+};
+
 struct Scene {
     std::string name, description;
     SpacetimeSpec spacetime;
     std::optional<SpacetimeSpec>
         split;                // split screen (scene/split.h): the right half shows the same scene in this spacetime
     bool split_delay = true;  // light-travel time there
+    SplitLabels split_labels;
+    ObjectSpec object;
     CameraSpec camera;
     SkySpec sky;
     SkySpec far_sky = default_far_sky();  // of wormholes: at l = -infinity

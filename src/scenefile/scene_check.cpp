@@ -7,6 +7,7 @@
 
 #include "observer/ball_motion.h"
 #include "observer/observer.h"
+#include "observer/picture_scale.h"
 #include "plan/body_kind.h"
 #include "plan/moving.h"
 #include "plan/sides.h"
@@ -130,6 +131,22 @@ Faults check_spots(const Scene& scene) {
     return faults;
 }
 
+// Films may leave the places where there is a scale.
+Faults check_scale_bar(const Scene& scene, const World& world, const GivenKeys& given) {
+    const std::string key = "picture.scale_bar";
+    if (scene.picture.scale_bar == ScaleBar::kOff || !world) return {};
+    if (scene.picture.scale_bar == ScaleBar::kAngle)
+        for (const char* needed : {"object.mass_suns", "object.distance_pc"})
+            if (!given(needed))
+                return {{needed, "missing, but scale_bar = \"uas\"", "both mass_suns and distance_pc", key}};
+    if (!has_scale(*world))
+        return {{key, fmt::format("metric \"{}\" has no r_s", scene.spacetime.metric), "off, or another metric"}};
+    if (!scene.path && !picture_scale(*world, scene.camera))
+        return {{key, "there is no one scale in this camera's picture",
+                 fmt::format("cameras at rest that look at the centre from r >= {}", kLeastScaleRadius)}};
+    return {};
+}
+
 // What moves: whether it can, and whether its light's delay is known there.
 Faults check_motion(const Scene& scene, const World& world, const std::string& metric, bool delay) {
     const auto moving = moving_parts(scene);
@@ -160,7 +177,7 @@ void for_each_section(
     const Scene& scene,
     const std::function<void(std::string_view section, const std::string& label, const Scene& holder)>& f) {
     f("", "", scene);
-    for (const char* section : {"spacetime", "camera", "sky", "far_sky", "light", "picture"})
+    for (const char* section : {"spacetime", "camera", "sky", "far_sky", "light", "picture", "object"})
         f(section, section, scene);
     if (scene.split) f("split", "split", scene);
     if (scene.disc) f("disc", "disc", scene);
@@ -201,6 +218,8 @@ std::vector<SceneFault> check_parts(const Scene& scene, const GivenKeys& given) 
         if (each) append(faults, side_faults(*each, scene));
     append(faults, check_keys(scene, given, false));
     append(faults, check_spots(scene));
+    if (!faults.empty()) return faults;
+    append(faults, check_scale_bar(scene, world, given));
     if (!faults.empty()) return faults;
     faults = check_motion(scene, world, scene.spacetime.metric, scene.light.delay);
     if (scene.split)

@@ -65,6 +65,19 @@ constexpr SceneKey kKeys[] = {
      "The spacetime of the picture's right half.", [](auto& s) { return &s.split->metric; }},
     {"split", "delay", KeyType::kChoice, "", "on", kNoRange, "off on",
      "Whether the right half includes light-travel time.", [](auto& s) { return &s.split_delay; }},
+    on_off_key("split", "labels", "on", "Whether each half of the displayed picture says what differs.",
+               [](auto& s) { return &s.split_labels.shown; }),
+    {"split", "left_label", KeyType::kText, "", "", kNoRange, "",
+     "Label of the left half; by default what differs between the halves.",
+     [](auto& s) { return &s.split_labels.left; }},
+    {"split", "right_label", KeyType::kText, "", "", kNoRange, "", "Label of the right half; likewise.",
+     [](auto& s) { return &s.split_labels.right; }},
+
+    {"object", "mass_suns", KeyType::kNumber, "M_sun", "", closed(1e-6, 1e12), "",
+     "Mass of the object that the scene stands for; needed by scale_bar = \"uas\".",
+     [](auto& s) { return &s.object.mass_suns; }},
+    {"object", "distance_pc", KeyType::kNumber, "pc", "", closed(1e-6, 1e11), "", "Its distance from Earth; likewise.",
+     [](auto& s) { return &s.object.distance_pc; }},
 
     {"camera", "r", KeyType::kNumber, "r_s", "15", kRadius, "",
      "Radial coordinate; in wormholes the proper distance l. Outside the horizon for observers at rest or in orbit.",
@@ -260,6 +273,10 @@ constexpr SceneKey kKeys[] = {
     {"picture", "tone", KeyType::kChoice, "", "shoulder", kNoRange, "shoulder film neutral",
      "Tone curve: 1 - exp(-x), a fit of the ACES film curve, or Khronos' neutral curve.",
      [](auto& s) { return &s.picture.tone; }},
+    {"picture", "scale_bar", KeyType::kChoice, "", "off", kNoRange, "off M r_s uas",
+     "A bar of a round length over the displayed picture: in M = GM/c^2, in r_s, or in microarcseconds at the "
+     "distance of [object]. For cameras at rest that look at the centre from at least 20 r_s.",
+     [](auto& s) { return &s.picture.scale_bar; }},
 };
 
 }  // namespace

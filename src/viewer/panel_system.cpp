@@ -7,34 +7,19 @@
 #include <imgui.h>
 
 #include <cmath>
-#include <filesystem>
+
+#include "annotate/lettering.h"
 
 namespace nullscope::viewer {
 namespace {
 
 constexpr float kFontSize = 15.0f;  // units of ImGui's coordinates at a content scale of 1
 
-// Sans fonts of common distributions; ImGui's own bitmap font where there is none.
-constexpr const char* kFonts[] = {
-    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-    "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
-    "/usr/share/fonts/TTF/DejaVuSans.ttf",
-    "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
-    "/usr/share/fonts/google-noto/NotoSans-Regular.ttf",
-    "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
-    "/System/Library/Fonts/Supplemental/Arial.ttf",
-    "C:/Windows/Fonts/segoeui.ttf",
-};
-
 void load_font(double pixels) {
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     fonts.Clear();
-    for (const char* file : kFonts) {
-        std::error_code ignored;
-        if (std::filesystem::is_regular_file(file, ignored) &&
-            fonts.AddFontFromFileTTF(file, static_cast<float>(std::round(pixels))) != nullptr)
-            return;
-    }
+    const auto file = sans_font_file();
+    if (file && fonts.AddFontFromFileTTF(file->c_str(), static_cast<float>(std::round(pixels))) != nullptr) return;
     constexpr float kBitmapFont = 13.0f;  // sharp only in whole multiples
     ImFontConfig config;
     config.SizePixels = kBitmapFont * std::fmax(1.0f, std::round(static_cast<float>(pixels) / kBitmapFont));

@@ -189,6 +189,8 @@ bool spacetime_section(ViewState& view, bool escape) {
         changed |= spacetime_rows(*scene.split, "Right half", "##split", escape);
         ImGui::PopID();
     }
+    if (changed) scene.split_labels = {scene.split_labels.shown};  // what the file says may be true no more
+    if (scene.split) changed |= tick("Labels", scene.split_labels.shown, "Each half says what differs.");
     if (changed) keep_outside_horizon(scene);
     return changed;
 }

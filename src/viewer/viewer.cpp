@@ -135,6 +135,7 @@ void Viewer::follow_times() {
 bool Viewer::panels(const Input& input) {
     const bool escape = std::ranges::count(input.pressed, GLFW_KEY_ESCAPE) > 0;
     if (picture_.texture == 0) draw_first_wait(view_.scene.name, progress_);
+    draw_marks();
     if (view_.show_errors && !picture_.job.scene.split) accuracy_->draw_overlay();
     if (view_.show_probe)
         probe_.draw(ImGui::GetIO().DisplaySize.y - (view_.show_panels ? 2.0f * ImGui::GetFontSize() : 0.0f));

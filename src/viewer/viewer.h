@@ -10,6 +10,7 @@
 #include "viewer/loop_log.h"
 #include "viewer/panel_system.h"
 #include "viewer/panels.h"
+#include "viewer/picture_marks.h"
 #include "viewer/probe.h"
 
 namespace nullscope::viewer {
@@ -56,6 +57,7 @@ private:
     double adaptation(const Scene& scene);  // what share of its way exposure goes in the next picture
     void log_rest();
     void draw(unsigned framebuffer);
+    void draw_marks();
     void present();
     void measure_rate();
     void save_picture();  // as soon as it is whole
@@ -86,6 +88,7 @@ private:
     MethodChoice choice_, asked_choice_;    // of the picture that is shown, of the one asked for
     std::unique_ptr<FrameAccuracy> accuracy_;
     Probe probe_;
+    PictureMarks marks_;
     double adapted_at_ = 0.0;     // s: automatic exposure follows like an eye,
     double exposure_left_ = 0.0;  // what share of its way is still before it
     std::string message_;

@@ -97,6 +97,16 @@ void Viewer::adopt(Painting painting) {
     if (save_due_ && !picture_.coarse()) save_picture();
 }
 
+// Those of the picture on the screen: the scene that is asked for may be another already.
+void Viewer::draw_marks() {
+    if (picture_.texture == 0) return;
+    const ImGuiIO& io = ImGui::GetIO();
+    const float status = view_.show_panels ? 2.0f * ImGui::GetFontSize() : 0.0f;
+    marks_.show(picture_.job.scene, size_,
+                static_cast<int>(status * static_cast<float>(size_.width) / io.DisplaySize.x));
+    marks_.draw();
+}
+
 void Viewer::draw(unsigned framebuffer) {
     if (picture_.texture != 0)
         gl::blit(picture_.texture, picture_.width, picture_.height, framebuffer, size_.width, size_.height);
@@ -113,7 +123,9 @@ void Viewer::save_picture() {
     save_due_ = picture_.texture == 0 || picture_.coarse();
     if (save_due_) return;
     const auto path = fresh_screenshot_path();
-    const Status saved = save_png(path, drawn_apart(size_, [this](unsigned framebuffer) { draw(framebuffer); }));
+    Image<unsigned char> picture = drawn_apart(size_, [this](unsigned framebuffer) { draw(framebuffer); });
+    mark_saved_picture(picture_.job.scene, picture);
+    const Status saved = save_png(path, picture);
     say(saved ? fmt::format("Saved {}", path.string()) : saved.error().message());
 }
 

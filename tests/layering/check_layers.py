@@ -12,6 +12,7 @@ from pathlib import Path
 # A package of others may be included by these modules (or single files) of src/ and nowhere else.
 PACKAGES = [
     ("libpng", re.compile(r"^png\w*\.h$"), {"image"}),
+    ("FreeType", re.compile(r"^(ft2build\.h|freetype/.*)$"), {"annotate"}),
     ("libjpeg", re.compile(r"^j(peg|pegl|error|config|morecfg)\w*\.h$"), {"image"}),
     ("OpenEXR", re.compile(r"^(OpenEXR|Imath)/|^(Imf|Iex|IlmThread|Imath|half)\w*\.h$"), {"image"}),
     ("Dear ImGui", re.compile(r"^(imgui/)?(backends/)?imgui\w*\.h$"), {"viewer"}),

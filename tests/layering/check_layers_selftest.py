@@ -27,6 +27,7 @@ FORBIDDEN = [
     ("src/cli/planted.h", '#include "viewer/panels.h"', "does not let cli include viewer"),
     ("src/viewer/planted.h", '#include "cli/capture.h"', "does not let viewer include cli"),
     ("src/scene/planted.h", "#include <png.h>", "libpng is included in"),
+    ("src/viewer/planted.h", "#include <ft2build.h>", "FreeType is included in"),
     ("src/sky/planted.h", "#include <jpeglib.h>", "libjpeg is included in"),
     ("src/sky/planted.h", "#include <OpenEXR/ImfRgbaFile.h>", "OpenEXR is included in"),
     ("src/cli/planted.h", "#include <ImfHeader.h>", "OpenEXR is included in"),

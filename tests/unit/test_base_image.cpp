@@ -297,6 +297,36 @@ TEST_CASE("a PNG says of itself what it is given to say, and is read as without"
     CHECK(bytes->find("iTXtSoftware") != std::string::npos);
 }
 
+TEST_CASE("a JPEG that is written is read as it was, to a few code values, and says what it is given to say") {
+    const TemporaryFolder folder("jpeg");
+    Image<unsigned char> image(64, 40, 3);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width;
+             ++x) {  // red and blue change from pixel to pixel: halved colours would mix them
+            unsigned char* pixel = image.at(x, y);
+            pixel[0] = x % 2 == 0 ? 200 : 60, pixel[1] = static_cast<unsigned char>(4 * y);
+            pixel[2] = x % 2 == 0 ? 60 : 200;
+        }
+    const fs::path file = folder.path / "a.jpg";
+    REQUIRE(save_jpeg(file, image, "Gebäude\nnullscope 1"));
+    CHECK(folder.files() == 1);
+    const auto loaded = load_image(file);
+    REQUIRE(loaded);
+    REQUIRE(loaded->data.size() == image.data.size());
+    float sum = 0.0f;
+    for (std::size_t i = 0; i < image.data.size(); ++i)
+        sum += std::fabs(srgb_from_linear(loaded->data[i]) - static_cast<float>(image.data[i]) / 255.0f);
+    CHECK(sum / static_cast<float>(image.data.size()) < 4.0f / 255.0f);
+    const auto bytes = read_text(file);
+    REQUIRE(bytes);
+    CHECK(bytes->find("Gebäude\nnullscope 1") != std::string::npos);
+    CHECK_FALSE(save_jpeg(folder.path / "b.jpg", {}));
+    CHECK_FALSE(save_jpeg(folder.path / "b.jpg", Image<unsigned char>(4, 4, 4)));
+    CHECK_FALSE(save_jpeg(folder.path / "b.jpg", Image<unsigned char>(65501, 1, 3)));
+    CHECK_FALSE(save_jpeg(folder.path / "b.jpg", Image<unsigned char>(4, 4, 3), std::string(70000, 'x')));
+    CHECK(folder.files() == 1);
+}
+
 TEST_CASE("save_png refuses images that are none") {
     const TemporaryFolder folder("badpng");
     CHECK_FALSE(save_png(folder.path / "a.png", {}));

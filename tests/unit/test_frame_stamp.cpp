@@ -77,6 +77,8 @@ TEST_CASE("a hundred random changes of scene and options: each gives another sta
             case 8: run.version = "1.1"; break;
             case 9: run.split = true; break;
             case 10: run.scene.camera.width += number; break;
+            case 11: run.options.plain = true; break;
+            case 12: run.options.quality = number; break;
             default: change_key(run.scene, random);
         }
         CAPTURE(changes);

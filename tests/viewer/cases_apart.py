@@ -31,6 +31,24 @@ def test_screenshot(screen, program, folder):
         same(shots[0], shot, "between screenshots of one scene")
 
 
+def test_split_screens_have_a_line_and_labels(screen, program, folder):
+    shots = []
+    for labels in ("off", "on"):
+        scene, path = folder / "split.toml", folder / "window.png"
+        scene.write_text(f'[camera]\nr = 8\n[sky]\nkind = "black"\n[split]\nmetric = "minkowski"\nlabels = "{labels}"\n')
+        done = run(program, scene, "--size", "960x540", "--screenshot", path, DISPLAY=screen.display)
+        assert done.returncode == 0, done.stderr
+        shots.append(read_png(path))
+    for shot in shots:
+        line = [max(shot.grey(x, y) for x in range(476, 485)) for y in range(540)]
+        assert min(line[:500]) > 600, "no line between the halves"
+    without, labelled = (shot.crop(330, 0, 960, 500) for shot in shots)     # no panel lies here
+    for what, left, right in [("left", 0, 140), ("right", 160, 630)]:
+        assert without.crop(left, 0, right, 40).mean() < 1, f"something on the {what} where nothing is asked for"
+        assert labelled.crop(left, 0, right, 40).mean() > 2, f"no label on the {what}"
+    same(without.crop(0, 60, 630, 500), labelled.crop(0, 60, 630, 500), "below the labels")
+
+
 class Effects:
     """A viewer whose effects panel is open."""
 
@@ -248,5 +266,6 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
          test_several_rays_a_pixel_wait_for_rest,
-         test_exposure_follows_like_an_eye, test_the_clock_runs_and_stops, test_screenshot, test_bad_input,
+         test_exposure_follows_like_an_eye, test_the_clock_runs_and_stops, test_screenshot,
+         test_split_screens_have_a_line_and_labels, test_bad_input,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]

@@ -1,0 +1,80 @@
+// JPEG that is written. libjpeg leaves by longjmp: no function that calls setjmp here has an object with a destructor.
+#include <cstdio>
+#include <cstdlib>
+// jpeglib.h needs FILE and size_t first.
+#include <jpeglib.h>
+
+#include <array>
+#include <csetjmp>
+#include <string>
+
+#include "image/image_formats.h"
+
+namespace nullscope {
+namespace {
+
+class Encoder {
+public:
+    Encoder() {
+        jpeg_.err = jpeg_std_error(&errors_);
+        errors_.error_exit = [](j_common_ptr jpeg) {
+            Encoder& self = *static_cast<Encoder*>(jpeg->client_data);
+            jpeg->err->format_message(jpeg, self.words_.data());
+            longjmp(self.jump_, 1);  // NOLINT
+        };
+        errors_.emit_message = [](j_common_ptr, int) {};
+        jpeg_.client_data = this;
+    }
+    ~Encoder() {
+        jpeg_destroy_compress(&jpeg_);  // knows what was never created
+        std::free(bytes_);              // NOLINT: libjpeg allocates it by malloc
+    }
+    Encoder(const Encoder&) = delete;
+    Encoder& operator=(const Encoder&) = delete;
+
+    bool encode(const Image<unsigned char>& image, const std::string& comment, int quality) {
+        if (setjmp(jump_) != 0) return false;  // NOLINT
+        jpeg_create_compress(&jpeg_);
+        jpeg_.client_data = this;
+        jpeg_mem_dest(&jpeg_, &bytes_, &size_);
+        jpeg_.image_width = static_cast<JDIMENSION>(image.width);
+        jpeg_.image_height = static_cast<JDIMENSION>(image.height);
+        jpeg_.input_components = 3;
+        jpeg_.in_color_space = JCS_RGB;
+        jpeg_set_defaults(&jpeg_);
+        jpeg_set_quality(&jpeg_, quality, TRUE);
+        jpeg_.comp_info[0].h_samp_factor = jpeg_.comp_info[0].v_samp_factor = 1;  // colours at full resolution
+        jpeg_.optimize_coding = TRUE;
+        jpeg_start_compress(&jpeg_, TRUE);
+        if (!comment.empty())
+            jpeg_write_marker(&jpeg_, JPEG_COM, reinterpret_cast<const JOCTET*>(comment.data()),
+                              static_cast<unsigned>(comment.size()));
+        while (jpeg_.next_scanline < jpeg_.image_height) {
+            // libjpeg changes none of it.
+            JSAMPROW row = const_cast<JSAMPROW>(image.at(0, static_cast<int>(jpeg_.next_scanline)));
+            jpeg_write_scanlines(&jpeg_, &row, 1);
+        }
+        jpeg_finish_compress(&jpeg_);
+        return true;
+    }
+    std::string bytes() const { return {reinterpret_cast<const char*>(bytes_), size_}; }
+    const char* error() const { return words_.data(); }
+
+private:
+    jpeg_compress_struct jpeg_{};
+    jpeg_error_mgr errors_{};
+    std::jmp_buf jump_{};
+    unsigned char* bytes_ = nullptr;
+    unsigned long size_ = 0;
+    std::array<char, JMSG_LENGTH_MAX> words_{};
+};
+
+}  // namespace
+
+Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::string& comment, int quality) {
+    Encoder encoder;
+    if (!encoder.encode(image, comment, quality)) return failed(encoder.error());
+    return encoder.bytes();
+}
+
+}  // namespace nullscope

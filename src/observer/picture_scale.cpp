@@ -1,0 +1,28 @@
+#include "observer/picture_scale.h"
+
+#include <cmath>
+
+namespace nullscope {
+namespace {
+
+constexpr double kMostAside = 3.0 * 0.017453292519943295;  // there a pixel spans 0.3 % less
+
+bool at_rest(const CameraSpec& camera) {
+    const bool still = camera.observer == ObserverKind::kStatic || camera.observer == ObserverKind::kZamo;
+    return still && camera.velocity == Vec3{0, 0, 0};
+}
+
+}  // namespace
+
+bool has_scale(const Spacetime& spacetime) { return !spacetime.by_proper_length(); }
+
+double PictureScale::px(double length) const { return 2.0 * std::tan(std::asin(0.5 * length * sine)) / per_px; }
+
+std::optional<PictureScale> picture_scale(const Spacetime& spacetime, const CameraSpec& camera) {
+    if (!has_scale(spacetime) || !at_rest(camera) || !(camera.r >= kLeastScaleRadius)) return std::nullopt;
+    if (std::cos(camera.yaw) * std::cos(camera.pitch) < std::cos(kMostAside)) return std::nullopt;
+    return PictureScale{std::sqrt(spacetime.lapse_squared(camera.r)) / spacetime.areal_radius(camera.r),
+                        camera.pixel()};
+}
+
+}  // namespace nullscope

@@ -1,0 +1,47 @@
+#include "viewer/picture_marks.h"
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <utility>
+
+namespace nullscope::viewer {
+namespace {
+
+Annotations annotations_at(Scene scene, PixelSize size) {
+    scene.camera.width = size.width, scene.camera.height = size.height;
+    return annotations_of(scene, halves(scene));
+}
+
+}  // namespace
+
+void PictureMarks::show(const Scene& scene, PixelSize size, int bottom) {
+    Annotations now = annotations_at(scene, size);
+    if (now == annotations_ && size == size_ && bottom == bottom_) return;
+    annotations_ = std::move(now), size_ = size, bottom_ = bottom;
+    marks_ = make_marks(annotations_, size.width, size.height, bottom).marks;
+    textures_.clear();
+    for (const Mark& mark : marks_)
+        textures_.push_back(gl::make_rgba8_texture(mark.rgba.width, mark.rgba.height, mark.rgba.data.data()));
+}
+
+void PictureMarks::draw() const {
+    const float unit = ImGui::GetIO().DisplaySize.x / static_cast<float>(size_.width);  // of a framebuffer's pixel
+    for (std::size_t i = 0; i < marks_.size(); ++i) {
+        const Mark& mark = marks_[i];
+        const auto at = [&](int x, int y) {
+            return ImVec2(unit * static_cast<float>(x), unit * static_cast<float>(y));
+        };
+        // NOLINTNEXTLINE: pointer or integer by version.
+        const auto texture = (ImTextureID)(static_cast<std::intptr_t>(textures_[i].id()));
+        ImGui::GetBackgroundDrawList()->AddImage(texture, at(mark.x, mark.y),
+                                                 at(mark.x + mark.rgba.width, mark.y + mark.rgba.height));
+    }
+}
+
+void mark_saved_picture(const Scene& scene, Image<unsigned char>& picture) {
+    const PixelSize size{picture.width, picture.height};
+    lay_over(make_marks(annotations_at(scene, size), size.width, size.height).marks, picture);
+}
+
+}  // namespace nullscope::viewer

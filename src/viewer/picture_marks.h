@@ -1,0 +1,29 @@
+// Divider, labels and scale bar over the picture in the window.
+#pragma once
+#include <vector>
+
+#include "annotate/marks.h"
+#include "gl/gl.h"
+#include "viewer/window.h"
+
+namespace nullscope::viewer {
+
+class PictureMarks {
+public:
+    // Of the scene on the screen, drawn in this size; bottom: px that the status line takes. Makes textures where
+    // something has changed.
+    void show(const Scene& scene, PixelSize size, int bottom);
+    void draw() const;  // behind the panels, in the current frame of Dear ImGui
+
+private:
+    Annotations annotations_;
+    PixelSize size_{};
+    int bottom_ = 0;
+    std::vector<Mark> marks_;
+    std::vector<gl::Texture> textures_;
+};
+
+// Over a picture that is saved.
+void mark_saved_picture(const Scene& scene, Image<unsigned char>& picture);
+
+}  // namespace nullscope::viewer

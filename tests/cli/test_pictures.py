@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""Labels and scale bars are over displayed pictures alone, and a JPEG holds what the PNG does."""
+import re
+import struct
+import sys
+from pathlib import Path
+
+import support
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "viewer"))
+from x_screen import read_png  # noqa: E402
+
+SIZE = (320, 180)
+SPLIT = '[camera]\nr = 8\n[sky]\nkind = "plain"\n[split]\nmetric = "kerr"\n'
+BAR = 'name = "bar"\n[camera]\nr = 1000\nfov = 2\n[sky]\nkind = "plain"\n[object]\nmass_suns = 6.5e9\ndistance_pc = 16.8e6\n[picture]\nscale_bar = "uas"\n'
+
+
+def jpeg_frame(data):
+    """Width, height and the sampling byte of each component."""
+    at = 2
+    while data[at] == 0xff:
+        kind, length = data[at + 1], struct.unpack(">H", data[at + 2:at + 4])[0]
+        if kind in (0xc0, 0xc1, 0xc2):
+            height, width, count = struct.unpack(">HHB", data[at + 5:at + 10])
+            return width, height, [data[at + 11 + 3 * i] for i in range(count)]
+        at += 2 + length
+    raise ValueError("no frame")
+
+
+class Pictures(support.CliTest):
+    def picture(self, scene, name, *options, **how):
+        ran = self.run_nullscope("capture", scene, "--size", "%dx%d" % SIZE, "-o", name, *options, **how)
+        return (read_png(self.folder / name) if name.endswith(".png") else (self.folder / name).read_bytes()), ran
+
+    def differing(self, one, other):
+        """Columns and rows of the pixels that differ."""
+        places = [divmod(i // 3, one.width) for i, (a, b) in enumerate(zip(one.data, other.data)) if a != b]
+        return {x for _, x in places}, {y for y, _ in places}
+
+    def test_a_split_screen_has_a_line_and_labels_and_plain_has_none(self):
+        scene = self.write("split.toml", SPLIT)
+        marked, _ = self.picture(scene, "marked.png")
+        plain, _ = self.picture(scene, "plain.png", "--plain")
+        columns, rows = self.differing(marked, plain)
+        self.assertEqual(rows, set(range(SIZE[1])), "no line from top to bottom")
+        below = {x for x in range(SIZE[0]) if any(marked.grey(x, y) != plain.grey(x, y) for y in range(60, SIZE[1]))}
+        self.assertTrue(below and max(abs(x - SIZE[0] / 2) for x in below) <= 8, f"below the labels: {sorted(below)}")
+        self.assertTrue(min(columns) < 120 and max(columns) > 200, "no label on one side")
+        self.assertLess(len(columns), SIZE[0])
+        off, _ = self.picture(self.write("off.toml", SPLIT + 'labels = "off"\n'), "off.png")
+        self.assertEqual(self.differing(off, plain)[0], below)
+
+    def test_the_labels_of_a_file_are_not_those_of_another_right_half(self):
+        named = self.write("named.toml", SPLIT + 'left_label = "One"\nright_label = "Other"\n')
+        unnamed, other = self.write("unnamed.toml", SPLIT), self.write("other.toml", '[spacetime]\nmetric = "minkowski"\n')
+        by_file, by_default = self.picture(named, "a.png")[0], self.picture(unnamed, "b.png")[0]
+        self.assertNotEqual(by_file.data, by_default.data)
+        split = [self.picture(scene, "c.png", "--split", other)[0].data for scene in (named, unnamed)]
+        self.assertEqual(*split)
+
+    def test_linear_light_has_no_marks(self):
+        for text in (SPLIT, BAR):
+            scene = self.write("scene.toml", text)
+            self.assertEqual(self.picture(scene, "a.exr")[0], self.picture(scene, "b.exr", "--plain")[0])
+        bare = self.write("bare.toml", BAR.replace('"uas"', '"off"'))
+        self.assertEqual(*(self.picture(s, "c.exr", "--raydata")[0] for s in (scene, bare)))
+
+    def test_a_scale_bar_is_as_long_as_its_number(self):
+        """50 µas are 13.09 GM/c^2: 60 px of 2 degrees over 320 px, from 2000 GM/c^2 away."""
+        scene = self.write("bar.toml", BAR)
+        marked, _ = self.picture(scene, "marked.png")
+        plain, _ = self.picture(scene, "plain.png", "--plain")
+        _, rows = self.differing(marked, plain)
+        self.assertGreater(min(rows), SIZE[1] * 3 // 4)
+        white = [sum(marked.grey(x, y) > 600 for x in range(SIZE[0])) for y in range(SIZE[1])]
+        self.assertLessEqual(abs(max(white) - 60), 1, "length of the bar, px")
+
+    def test_without_a_font_one_line_says_so(self):
+        scene = self.write("split.toml", SPLIT)
+        no_font = {"NULLSCOPE_FONT": "/nowhere.ttf"}
+        bare, ran = self.picture(scene, "bare.png", environment=no_font)
+        self.assertIn("pictures have no labels", ran.err)
+        self.assertEqual(ran.err.count("\n"), 1, ran)
+        self.assertGreater(len(self.differing(self.picture(scene, "marked.png")[0], bare)[0]), 60)
+        self.assertEqual(self.picture(scene, "plain.png", "--plain", environment=no_font)[1].err, "")
+        self.assertEqual(self.picture(scene, "linear.exr", environment=no_font)[1].err, "")
+
+    def test_frames_of_another_kind_of_marks_do_not_mix(self):
+        scene = self.write("split.toml", SPLIT)
+        self.run_nullscope("capture", scene, "--size", "64x64", "-o", "f%d.jpg", "--frames", "0:2")
+        self.assertEqual((self.folder / "f1.jpg").read_bytes()[:2], b"\xff\xd8")
+        self.refused("capture", scene, "--size", "64x64", "-o", "f%d.jpg", "--frames", "0:2", "--resume", "--plain", says=["--plain"])
+
+    def test_a_jpeg_is_the_png_in_a_small_file(self):
+        for name in ("a.jpg", "a.jpeg", "a.png"):
+            self.run_nullscope("capture", "first-light", "--size", "%dx%d" % SIZE, "-o", name)
+        data = (self.folder / "a.jpg").read_bytes()
+        self.assertEqual(data, (self.folder / "a.jpeg").read_bytes())
+        self.assertEqual(jpeg_frame(data), (*SIZE, [0x11, 0x11, 0x11]))
+        self.assertIn(b"First light\nnullscope ", data)
+        self.assertLess(3 * len(data), 2 * len((self.folder / "a.png").read_bytes()))
+        out = self.run_nullscope("compare", "a.jpg", "a.png").out
+        mean = float(re.search(r"mean\s+([0-9.e-]+)", out).group(1))
+        self.assertLess(mean, 0.01, out)
+        self.refused("capture", "flat", "-o", "a.gif", says=[".png, .jpg, .exr or .mp4"])
+        self.run_nullscope("capture", "first-light", "--size", "%dx%d" % SIZE, "-o", "b.jpg", "--quality", "50")
+        self.assertLess(2 * (self.folder / "b.jpg").stat().st_size, len(data))
+        self.refused("capture", "flat", "--quality", "50", "-o", "c.png", says=["--quality", ".jpg"])
+        self.refused("capture", "flat", "--quality", "101", "-o", "c.jpg", says=["--quality", "100"])
+        self.refused("capture", "flat", "--raydata", "-o", "b.jpg", says=["--raydata", ".exr"])
+        self.refused("capture", "flat", "--size", "64x36", "-o", "missing/b.jpg", status=1, says=["missing/b.jpg"])
+
+
+if __name__ == "__main__":
+    support.main()
