@@ -27,6 +27,8 @@ ROOT = Path(__file__).resolve().parent.parent
 HARD = ("gpu_tests", "hard cases*")
 GOLDEN = ("golden_tests", "every case is*")
 LIMB = ("gpu_tests", "limb darkening*")
+GAS = ("gpu_tests", "disc gas*")
+GAS_LAW = ("unit_tests", "disc gas*")
 
 
 class Mutant(NamedTuple):
@@ -126,6 +128,15 @@ MUTANTS = [Mutant(*row) for row in [
      "crossing.rise / crossing.r * (g / trace.doppler)", "crossing.rise / crossing.r * g", LIMB),
     ("limb-parts", "a part of light that is off, in the light's angle to the disc", "shaders/object/disc_matter.glsl",
      "disc_cosine(trace, crossing, result.g) * parts", "disc_cosine(trace, crossing, result.g)", LIMB),
+    ("gas-turn", "the gas turns backward", "shaders/object/disc_gas.glsl",
+     "(frame.disc_gas.w - delay)", "(delay - frame.disc_gas.w)", GAS),
+    ("gas-footprint", "octaves of gas finer than a pixel are drawn", "shaders/object/disc_gas.glsl",
+     "clamp(GAS_WIDEST - wide, 0.0, 1.0)", "1.0", GAS),
+    ("gas-mean", "the gas's mean light is not 1", "src/reference/disc_gas.cpp", "mean = 1 + c * c / 3", "mean = 1", GAS_LAW),
+    ("gas-weights", "noise fades between the rings of gas", "src/reference/disc_gas.cpp",
+     "((1 - s) * a + s * b) / std::hypot(s, 1 - s)", "(1 - s) * a + s * b", GAS_LAW),
+    ("gas-seam", "the last cell of a ring of gas does not meet the first", "src/reference/disc_gas.cpp",
+     "value((first + 1) % cells_)", "value(std::min(first + 1, cells_ - 1))", GAS_LAW),
 ]]
 
 

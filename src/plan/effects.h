@@ -60,6 +60,7 @@ enum class Effect {
     kInnerHorizon,
     kLimbDarkening,
     kSamples,
+    kDiscGas,
     kEnd  // no effect: how many there are
 };
 inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);
