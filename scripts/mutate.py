@@ -131,7 +131,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("gas-turn", "the gas turns backward", "shaders/object/disc_gas.glsl",
      "(frame.disc_gas.w - delay)", "(delay - frame.disc_gas.w)", GAS),
     ("gas-footprint", "octaves of gas finer than a pixel are drawn", "shaders/object/disc_gas.glsl",
-     "clamp(GAS_WIDEST - wide, 0.0, 1.0)", "1.0", GAS),
+     "        wide *= 2.0;\n", "", GAS),
     ("gas-mean", "the gas's mean light is not 1", "src/reference/disc_gas.cpp", "mean = 1 + c * c / 3", "mean = 1", GAS_LAW),
     ("gas-weights", "noise fades between the rings of gas", "src/reference/disc_gas.cpp",
      "((1 - s) * a + s * b) / std::hypot(s, 1 - s)", "(1 - s) * a + s * b", GAS_LAW),

@@ -103,7 +103,7 @@ SCENES = {
     "delay, flow, spot": '[sky]\nkind = "black"\n[disc]\ntexture = "noise"\nflow = "kepler"\n[spot]\n',
     "inner horizon": '[spacetime]\nmetric = "reissner-nordstrom"\ncharge = 0.8\n[sky]\nkind = "black"\n[disc]\nflow = "kepler"\n',
     "disc-gas": '[sky]\nkind = "black"\n[disc]\ntexture = "gas"\n',
-    "gas that flows": '[spacetime]\nmetric = "kerr"\n[disc]\ntexture = "gas"\nemission = "thermal"\nflow = "kepler"\nedge = 0.2\n',
+    "gas that flows": '[disc]\ntexture = "gas"\nemission = "thermal"\nflow = "kepler"\nedge = 0.2\n',
     "flow without delay": '[disc]\nflow = "kepler"\n[light]\ndelay = "off"\n',
     "delay, ball, sphere, surface": '[sky]\nkind = "black"\n[ball]\nmotion = "orbit"\n[sphere]\nswing = 0.1\n[surface]\nshape = "x^2 + y^2 + z^2 - 9 - sin(t)"\n',
     "flat and moving": '[spacetime]\nmetric = "minkowski"\n[ball]\nmotion = "path"\nx = "5"\ny = "t"\nz = "0"\n[disc]\n[spot]\n',
