@@ -103,7 +103,7 @@ DiscGas disc_gas_at(float x, float turns, float wide, float delay, float whole) 
         moved += GAS_CURL * step * noise;
         step *= 0.5;
         wide *= 2.0;
-        fall *= 0.9;
+        fall *= 0.82;
         level += 1;
     } while (level < GAS_OCTAVES && wide < GAS_WIDEST);
     return gas;

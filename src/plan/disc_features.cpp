@@ -16,10 +16,10 @@ bool is_gas(const Scene& s) { return s.disc && s.disc->material.texture == Textu
 // Of a disc's gas.
 std::vector<SceneKey> gas_keys() {
     constexpr std::string_view kGas = "texture = \"gas\"";
-    return {{"disc", "gas_contrast", KeyType::kNumber, "", "0.6", closed(0.0, 1.0), "",
+    return {{"disc", "gas_contrast", KeyType::kNumber, "", "0.7", closed(0.0, 1.0), "",
              "How much brighter clumps of gas are than gaps; 0 is smooth. Needs texture = \"gas\".",
              [](auto& s) { return &s.disc->gas.contrast; }, is_gas, kGas},
-            {"disc", "gas_winding", KeyType::kNumber, "rad", "5", closed(0.0, 30.0), "",
+            {"disc", "gas_winding", KeyType::kNumber, "rad", "4", closed(0.0, 30.0), "",
              "Azimuth by which filaments of gas trail for each factor of e in radius. Needs texture = \"gas\".",
              [](auto& s) { return &s.disc->gas.winding; }, is_gas, kGas}};
 }

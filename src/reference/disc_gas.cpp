@@ -61,7 +61,8 @@ GasFactors gas_at(const DiscSpec& disc, double r, double azimuth, double t, doub
         };
         const double n = Ring::blend(noise_of(ring), noise_of(ring + 1), row - ring);
         const double within = std::min(1.0, 0.35 + 0.25 * octave),
-                     c = disc.gas.contrast * std::pow(0.9, octave) * (1 - whole + whole * within), mean = 1 + c * c / 3;
+                     c = disc.gas.contrast * std::pow(0.82, octave) * (1 - whole + whole * within),
+                     mean = 1 + c * c / 3;
         gas.light *= (1 + c * n) * (1 + c * n) / mean;
         gas.gaps *= (1 - c * n) * (1 - c * n) / mean;
         moved += 0.4 * distance * n;

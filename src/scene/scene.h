@@ -124,8 +124,8 @@ enum class DiscFlowKind { kStill, kKepler };
 
 // Turbulent gas: what the disc's light is multiplied by, of mean 1 at every radius (docs/light.md). With DiscFlowKind::kKepler it moves.
 struct GasSpec {
-    double contrast = 0.6;  // [0, 1]; 0: smooth
-    double winding = 5.0;   // rad by which filaments trail for each unit of ln r, [0, 30]
+    double contrast = 0.7;  // [0, 1]; 0: smooth
+    double winding = 4.0;   // rad by which filaments trail for each unit of ln r, [0, 30]
     friend bool operator==(const GasSpec&, const GasSpec&) = default;
 };
 
