@@ -27,6 +27,8 @@ ROOT = Path(__file__).resolve().parent.parent
 HARD = ("gpu_tests", "hard cases*")
 GOLDEN = ("golden_tests", "every case is*")
 LIMB = ("gpu_tests", "limb darkening*")
+GAS = ("gpu_tests", "disc gas*")
+GAS_LAW = ("unit_tests", "disc gas*")
 
 
 class Mutant(NamedTuple):
@@ -130,6 +132,15 @@ MUTANTS = [Mutant(*row) for row in [
      "std::sqrt(spacetime.lapse_squared(camera.r)) /", "1.0 /", ("unit_tests", "annotations*")),
     ("scale-parsec", "a scale bar in light years", "src/annotate/annotations.cpp",
      "3.0856775814913673e16", "9.4607304725808e15", ("unit_tests", "annotations*")),
+    ("gas-turn", "the gas turns backward", "shaders/object/disc_gas.glsl",
+     "(frame.disc_gas.w - delay)", "(delay - frame.disc_gas.w)", GAS),
+    ("gas-footprint", "octaves of gas finer than a pixel are drawn", "shaders/object/disc_gas.glsl",
+     "        wide *= 2.0;\n", "", GAS),
+    ("gas-mean", "the gas's mean light is not 1", "src/reference/disc_gas.cpp", "mean = 1 + c * c / 3", "mean = 1", GAS_LAW),
+    ("gas-weights", "noise fades between the rings of gas", "src/reference/disc_gas.cpp",
+     "((1 - s) * a + s * b) / std::hypot(s, 1 - s)", "(1 - s) * a + s * b", GAS_LAW),
+    ("gas-seam", "the last cell of a ring of gas does not meet the first", "src/reference/disc_gas.cpp",
+     "value((first + 1) % cells_)", "value(std::min(first + 1, cells_ - 1))", GAS_LAW),
 ]]
 
 

@@ -1,8 +1,12 @@
 // The disc: its light, and how much of the pixel it covers.
-#include "object/disc_cover.glsl"
 #include "path/disc"
+#ifdef EFFECT_DISC_GAS
+#include "object/disc_gas.glsl"
+#else
+#include "object/disc_cover.glsl"
 #ifdef EFFECT_DISC_FLOW
 #include "object/disc_flow.glsl"
+#endif
 #endif
 #ifdef EFFECT_THERMAL_DISC
 #include "object/disc_matter.glsl"
@@ -13,43 +17,56 @@
 #include "path/trace"
 #include "shared/frame.glsl"
 
+#ifndef EFFECT_DISC_GAS
+vec4 disc_painted(DiscCrossing crossing, float delay) {
+#ifdef EFFECT_DISC_FLOW
+    return disc_flow(crossing, delay);
+#else
+    return disc_cover(crossing.place, crossing.along, crossing.across);
+#endif
+}
+#endif
+
 // Premultiplied colour and coverage.
 vec4 disc_colour(Trace trace, DiscCrossing crossing) {
-    vec2 a = crossing.along;
-    vec2 b = crossing.across;
-#ifdef NEEDS_DELAY
     float delay = 0.0;
+#ifdef NEEDS_DELAY
 #ifdef EFFECT_DELAY
     delay = disc_delay(trace, crossing);
 #endif
 #endif
-#ifdef EFFECT_DISC_FLOW
-    vec4 texel = disc_flow(crossing, delay);
-#else
-    vec4 texel = disc_cover(crossing.place, a, b);
-#endif
     float inner = frame.disc_x.w;
     float outer = frame.disc_y.w;
     vec2 outward = crossing.place / crossing.r;
-    float across = clamp(abs(dot(a, outward)) + abs(dot(b, outward)), 1.0e-6, 0.25 * (outer - inner));   // pixel's extent in r
+    float across = clamp(abs(dot(crossing.along, outward)) + abs(dot(crossing.across, outward)), 1.0e-6, 0.25 * (outer - inner));   // pixel's extent in r
     float alpha = clamp((crossing.r - inner) / across + 0.5, 0.0, 1.0) * clamp((outer - crossing.r) / across + 0.5, 0.0, 1.0);
 #ifdef SLOT_DISC_GLOW
     vec3 glow = disc_glow(trace, crossing, delay) * alpha;
 #endif
-    alpha *= texel.a;
+    float whole = 1.0;   // of its opacity, within its rims
 #ifdef EFFECT_TRANSLUCENT_DISC
     float depth = min(crossing.r - inner, outer - crossing.r) / (outer - inner);
     float fade = frame.disc_surface.y;
     float t = clamp(depth / max(fade, 1.0e-6), 0.0, 1.0);
-    alpha *= frame.disc_surface.x * (fade > 0.0 ? t * t * (3.0 - 2.0 * t) : 1.0);
+    whole = fade > 0.0 ? t * t * (3.0 - 2.0 * t) : 1.0;
+    float opacity = frame.disc_surface.x * whole;
+#else
+    float opacity = 1.0;
 #endif
-    vec3 light = texel.rgb * frame.disc_surface.z;
+#ifdef EFFECT_DISC_GAS
+    DiscGas gas = disc_gas(crossing, delay, whole);
+    vec3 light = frame.disc_gas_colour.rgb * (gas.light * opacity * alpha);
+    alpha *= 1.0 - disc_gas_gaps(gas, opacity);
+#else
+    vec4 texel = disc_painted(crossing, delay);
+    alpha *= texel.a * opacity;
+    vec3 light = texel.rgb * frame.disc_surface.z * alpha;
+#endif
 #ifdef EFFECT_THERMAL_DISC
     light *= thermal_light(disc_matter(trace, crossing));
 #endif
 #ifdef SLOT_DISC_GLOW
-    return vec4(light * alpha + glow, alpha);
-#else
-    return vec4(light, 1.0) * alpha;
+    light += glow;
 #endif
+    return vec4(light, alpha);
 }

@@ -2,8 +2,8 @@
 // starts half a life back and is wound until half a life ahead of where it is drawn, half a life apart; each fades in and out, and
 // comes back turned. DISC_COPIES of them until they repeat.
 #include "object/disc_cover.glsl"
+#include "object/disc_orbit.glsl"
 #include "path/disc"
-#include "path/trace"
 #include "shared/frame.glsl"
 
 #define DISC_COPIES 4096.0
@@ -14,12 +14,7 @@ vec2 disc_turned(vec2 v, float c, float s) { return vec2(c * v.x + s * v.y, c * 
 // delay: how long ago the light left that arrives now.
 vec4 disc_flow(DiscCrossing crossing, float delay) {
     float zeta = 1.0 / crossing.r;
-    // Of circular orbits, Omega = w/(1 + a w), w^2 = zeta^3 (z - w zeta) of disc_winding: about a rotating hole with its rotation.
-    float w = sqrt(max(zeta * zeta * zeta * (frame.disc_winding.z - frame.disc_winding.w * zeta), 0.0));
-    float w_slope = -0.5 * zeta * zeta * zeta * zeta * (3.0 * frame.disc_winding.z - 4.0 * frame.disc_winding.w * zeta) / max(w, 1.0e-20);
-    float dragged = 1.0 / (1.0 + path_spin() * w);
-    float omega = w * dragged;
-    float omega_slope = w_slope * dragged * dragged;
+    vec2 orbit = disc_orbit(zeta);
     vec2 outward = crossing.place * zeta;
     vec2 around = vec2(-outward.y, outward.x);
     vec4 sum = vec4(0.0);
@@ -28,8 +23,8 @@ vec4 disc_flow(DiscCrossing crossing, float delay) {
         float copy = floor(phase);
         float part = phase - copy;
         float age = (part - 0.5) / frame.disc_winding.y;
-        float angle = omega * age + 6.28318530717958647693 * fract(DISC_GOLDEN * (copy - DISC_COPIES * floor(copy / DISC_COPIES)));
-        float shear = crossing.r * omega_slope * age;   // across for each step outward
+        float angle = orbit.x * age + 6.28318530717958647693 * fract(DISC_GOLDEN * (copy - DISC_COPIES * floor(copy / DISC_COPIES)));
+        float shear = -zeta * orbit.y * age;   // across for each step outward
         vec2 a = crossing.along - around * (shear * dot(crossing.along, outward));
         vec2 b = crossing.across - around * (shear * dot(crossing.across, outward));
         float c = cos(angle);

@@ -72,6 +72,10 @@ struct FrameData {
 #ifdef BLOCK_DISC_FLOW
     vec4 disc_winding; // scene time over the life of a copy, modulo 4096; 1/life; Omega^2 = zeta^3 (z - w zeta)
 #endif
+#ifdef BLOCK_DISC_GAS
+    vec4 disc_gas;     // contrast; turns by which filaments trail for each unit of ln r; turns by which all is turned; time, r_s/c
+    vec4 disc_gas_colour;   // and brightness; 0
+#endif
 #ifdef BLOCK_SPIN
     // Of a rotating hole (mino/trace.glsl): view directions, motion and ray_0, ray_x, ray_y are then along (e_r, e_theta, e_phi) of
     // the observer's own frame. Forms of the tangent of the ray traced backward, for unit frequency in that frame; n: view direction.

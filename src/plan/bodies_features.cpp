@@ -32,7 +32,7 @@ void make_all_plain(Scene& scene, Kinds kinds) {
 // The first thing that is painted in one of these ways.
 Reason texture_among(const Scene& scene, Kinds kinds) {
     std::vector<std::pair<std::string, TextureKind>> textures;
-    if (scene.disc && scene.disc->material.texture != TextureKind::kImage)
+    if (scene.disc && scene.disc->material.texture < TextureKind::kImage)
         textures.emplace_back("disc.texture", scene.disc->material.texture);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
         textures.emplace_back(body_section(scene, i) + ".texture", scene.bodies[i].material.texture);

@@ -9,6 +9,21 @@ namespace {
 // A disc has one light at least: its own heat, once the other goes.
 bool glows(const Scene& s) { return s.disc && s.disc->emission == DiscEmission::kThermal; }
 
+bool is_pattern(TextureKind texture) { return texture != TextureKind::kImage && texture != TextureKind::kGas; }
+
+bool is_gas(const Scene& s) { return s.disc && s.disc->material.texture == TextureKind::kGas; }
+
+// Of a disc's gas.
+std::vector<SceneKey> gas_keys() {
+    constexpr std::string_view kGas = "texture = \"gas\"";
+    return {{"disc", "gas_contrast", KeyType::kNumber, "", "0.7", closed(0.0, 1.0), "",
+             "How much brighter clumps of gas are than gaps; 0 is smooth. Needs texture = \"gas\".",
+             [](auto& s) { return &s.disc->gas.contrast; }, is_gas, kGas},
+            {"disc", "gas_winding", KeyType::kNumber, "rad", "4", closed(0.0, 30.0), "",
+             "Azimuth by which filaments of gas trail for each factor of e in radius. Needs texture = \"gas\".",
+             [](auto& s) { return &s.disc->gas.winding; }, is_gas, kGas}};
+}
+
 }  // namespace
 
 std::span<const Feature> disc_features() {
@@ -37,10 +52,10 @@ std::span<const Feature> disc_features() {
          [](Scene& s) { s.disc->image = example_image(); },
          glows},
         {{Effect::kDiscPattern, "disc-pattern", "EFFECT_DISC_PATTERN",
-          "The disc is covered by a colour, a pattern or a formula.", "disc.texture is not \"image\"",
+          "The disc is covered by a colour, a pattern or a formula.", "disc.texture is neither \"image\" nor \"gas\"",
           "arithmetic a crossing"},
          [](const FrameFacts& f) -> Reason {
-             if (!f.scene.disc || f.scene.disc->material.texture == TextureKind::kImage) return kNot;
+             if (!f.scene.disc || !is_pattern(f.scene.disc->material.texture)) return kNot;
              return fmt::format("disc.texture = \"{}\"", texture_name(f.scene.disc->material.texture));
          },
          [](Scene& s) {
@@ -121,6 +136,17 @@ std::span<const Feature> disc_features() {
              "emission = \"thermal\".",
              [](auto& s) { return &s.disc->effects.limb_darkening; },
              [](const Scene& s) { return s.disc->emission == DiscEmission::kThermal; }, "emission = \"thermal\"")}},
+        {{Effect::kDiscGas, "disc-gas", "EFFECT_DISC_GAS", "The disc is turbulent gas, wound up by its rotation.",
+          "disc.texture is \"gas\"", "four hashes an octave, as many octaves as a crossing's footprint shows"},
+         [](const FrameFacts& f) { return reason_if(is_gas(f.scene), "disc.texture = \"gas\""); },
+         [](Scene& s) {
+             s.disc->material.texture = TextureKind::kImage;
+             s.disc->image.clear();
+         },
+         glowing<false, false>,
+         [](Scene& s) { s.disc->material.texture = TextureKind::kGas; },
+         glows,
+         gas_keys()},
     });
     return features;
 }

@@ -60,6 +60,7 @@ enum class Effect {
     kInnerHorizon,
     kLimbDarkening,
     kSamples,
+    kDiscGas,
     kRefine,
     kEnd  // no effect: how many there are
 };

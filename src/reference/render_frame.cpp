@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "light/black_body.h"
+#include "reference/disc_gas.h"
 #include "reference/disc_light.h"
 #include "reference/frame_tracer.h"
 #include "reference/reference.h"
@@ -20,6 +21,12 @@ double smoothstep(double edge, double x) {
     return t * t * (3 - 2 * t);
 }
 
+// What the disc has at this radius of its opacity.
+double within_rims(const DiscSpec& disc, double r) {
+    return disc.edge > 0 ? smoothstep(disc.edge, std::min(r - disc.inner, disc.outer - r) / (disc.outer - disc.inner))
+                         : 1.0;
+}
+
 // Colour and coverage of the disc at (x, y): the image's square covers [-outer, outer]^2, turned by rotation, row 0 at
 // the side +outer.
 Paint disc_pattern(const DiscSpec& disc, const Image<float>* image, double x, double y) {
@@ -29,10 +36,20 @@ Paint disc_pattern(const DiscSpec& disc, const Image<float>* image, double x, do
     Paint paint = painted ? Paint{disc_material(disc, x, y), 1}
                   : image ? sample_image(*image, 0.5 * (1 + u), 0.5 * (1 - v))
                           : Paint{{1, 1, 1}, 1};
-    const double r = std::hypot(x, y), distance = std::min(r - disc.inner, disc.outer - r) / (disc.outer - disc.inner);
     paint.colour = disc.brightness * paint.colour;
-    paint.alpha *= disc.opacity * (disc.edge > 0 ? smoothstep(disc.edge, distance) : 1.0);
+    paint.alpha *= disc.opacity * within_rims(disc, std::hypot(x, y));
     return paint;
+}
+
+// Gas: its light is spread over the opacity that a smooth disc would have, whatever gaps there are in it.
+Paint gas_paint(const Metric& matter, const Scene& scene, const DiscHit& hit) {
+    const DiscSpec& disc = *scene.disc;
+    const double r = std::hypot(hit.x, hit.y), whole = within_rims(disc, r), opacity = disc.opacity * whole;
+    const auto rate = [&](double at) { return disc.flow == DiscFlowKind::kKepler ? matter.kepler_rate(at) : 0.0; };
+    const GasFactors gas = gas_at(disc, r, std::atan2(hit.y, hit.x), scene.time - hit.delay, whole, rate);
+    const double thin = 1 - opacity * gas.light, thick = (1 - opacity) * gas.gaps,
+                 through = std::clamp(thin + opacity * opacity * (thick - thin), 0.0, 1.0);
+    return {opacity * gas.light * disc.brightness * disc.material.colour, 1 - through};
 }
 
 // The pattern as two fading copies have it (docs/time.md), each wound by its rings' own rates: what of it is at (x, y) at time t.
@@ -85,11 +102,17 @@ Vec3 shifted(Vec3 light, const Scene& scene, double g) {
     return {changed(light.x, seen.x, own.x), changed(light.y, seen.y, own.y), changed(light.z, seen.z, own.z)};
 }
 
+// Its light is multiplied by its coverage already.
 Paint pattern_at(const Looks& looks, const DiscHit& hit) {
     const DiscSpec& disc = *looks.scene.disc;
-    if (disc.flow == DiscFlowKind::kStill) return disc_pattern(disc, looks.pictures.disc, hit.x, hit.y);
-    return flowing_pattern(disc, looks.pictures.disc, looks.tracer.matter().kepler_rate(std::hypot(hit.x, hit.y)),
-                           looks.scene.time - hit.delay, hit.x, hit.y);
+    if (disc.material.texture == TextureKind::kGas) return gas_paint(looks.tracer.matter(), looks.scene, hit);
+    Paint paint =
+        disc.flow == DiscFlowKind::kStill
+            ? disc_pattern(disc, looks.pictures.disc, hit.x, hit.y)
+            : flowing_pattern(disc, looks.pictures.disc, looks.tracer.matter().kepler_rate(std::hypot(hit.x, hit.y)),
+                              looks.scene.time - hit.delay, hit.x, hit.y);
+    paint.colour = paint.alpha * paint.colour;
+    return paint;
 }
 
 // A spot is a Gaussian about its middle, which moves on a circle: its frequency there is p . u, u = u^t (1, 0, 0, Omega).
@@ -126,7 +149,7 @@ Vec3 ray_colour(const Looks& looks, double x, double y) {
             const Vec3 light = looks.heat->colour(photon, ray.g * looks.heat->shift(photon).seen(scene.light));
             paint.colour = {paint.colour.x * light.x, paint.colour.y * light.y, paint.colour.z * light.z};
         }
-        colour = colour + through * paint.alpha * paint.colour;
+        colour = colour + through * paint.colour;
         for (const SpotSpec& spot : scene.spots)
             colour = colour + through * spot_colour(looks.tracer.matter(), scene, spot, ray, hit);
         through *= 1 - paint.alpha;

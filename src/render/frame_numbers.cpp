@@ -91,6 +91,9 @@ void put_disc(FrameData& frame, const Scene& scene, const TextureFacts& textures
     frame.disc_map = {std::cos(disc.rotation) / (2 * disc.outer), std::sin(disc.rotation) / (2 * disc.outer),
                       textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1))};
     frame.disc_surface = {disc.opacity, disc.edge, disc.brightness, static_cast<double>(disc.passed)};
+    if (disc.material.texture == TextureKind::kGas)
+        frame.disc_gas = {disc.gas.contrast, disc.gas.winding / (2 * M_PI), disc.rotation / (2 * M_PI), scene.time};
+    frame.disc_gas_colour = {disc.brightness * disc.material.colour, 0};
     const double hottest_K = textures.disc_temperature_K.value_or(disc.temperature_K);
     if (disc.emission == DiscEmission::kThermal)
         frame.disc_heat = {1.0 / disc.inner, kDiscFlowCells / std::log(disc.outer / disc.inner), std::log2(hottest_K),

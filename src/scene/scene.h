@@ -42,8 +42,10 @@ struct CameraSpec {
 };
 
 // Surface of a solid body, a disc or a sky. A procedural texture is a number from 0 to 1 at every point, which mixes two colours.
-enum class TextureKind { kPlain, kChecker, kGrid, kStripes, kNoise, kFormula, kImage };
-inline constexpr const char* kTextureNames[] = {"plain", "checker", "grid", "stripes", "noise", "formula", "image"};
+// kGas: of the disc only (GasSpec).
+enum class TextureKind { kPlain, kChecker, kGrid, kStripes, kNoise, kFormula, kImage, kGas };
+inline constexpr const char* kTextureNames[] = {"plain", "checker", "grid",  "stripes",
+                                                "noise", "formula", "image", "gas"};
 inline const char* texture_name(TextureKind kind) { return kTextureNames[static_cast<int>(kind)]; }
 // How the unit square of texture coordinates (u, v), v from the top, covers directions from a body's middle (azimuth grows to
 // the right as seen from outside):
@@ -120,6 +122,13 @@ struct AccretionSpec {
 // Motion of a disc's pattern: none, or every ring at the angular velocity of circular geodesics (docs/time.md).
 enum class DiscFlowKind { kStill, kKepler };
 
+// Turbulent gas: what the disc's light is multiplied by, of mean 1 at every radius (docs/light.md). With DiscFlowKind::kKepler it moves.
+struct GasSpec {
+    double contrast = 0.7;  // [0, 1]; 0: smooth
+    double winding = 4.0;   // rad by which filaments trail for each unit of ln r, [0, 30]
+    friend bool operator==(const GasSpec&, const GasSpec&) = default;
+};
+
 // Effects on a disc's light that are on or off, each with a key (scenefile/scene_keys.h, on_off_key).
 struct DiscEffects {
     bool limb_darkening = false;  // thermal: Chandrasekhar's law for an electron-scattering atmosphere
@@ -144,6 +153,7 @@ struct DiscSpec {
     // Only colours, formula, columns and rows are used; with texture kImage the picture is `image`. u = 1/2 + azimuth/2 pi,
     // v = (r - inner)/(outer - inner); x, y: the point in the disc, z = 0.
     Material material{.texture = TextureKind::kImage};
+    GasSpec gas{};  // with texture kGas
     DiscEffects effects{};
     friend bool operator==(const DiscSpec&, const DiscSpec&) = default;
 };

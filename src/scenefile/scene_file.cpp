@@ -244,6 +244,9 @@ void SceneReader::settle_defaults() {
         if (Material& material = scene_.bodies[i].material;
             material.texture == TextureKind::kImage && !given_(body_section(scene_, i) + ".colour"))
             material.colour = {1, 1, 1};
+    if (scene_.disc && scene_.disc->material.texture == TextureKind::kGas &&
+        scene_.disc->emission == DiscEmission::kThermal && !given_("disc.colour"))
+        scene_.disc->material.colour = {1, 1, 1};
     if (scene_.path && scene_.path->kind == PathKind::kKeys && !given_("path.frames") && !scene_.path->keys.empty())
         scene_.path->frames = std::max(2, static_cast<int>(scene_.path->keys.back().frame) + 1);
     if (scene_.name.empty()) scene_.name = fs::path(label_).stem().string();

@@ -198,8 +198,8 @@ constexpr SceneKey kKeys[] = {
      "Square image that covers the disc; by default the built-in disc image. Needs texture = \"image\".",
      [](auto& s) { return &s.disc->image; },
      [](const Scene& s) { return s.disc->material.texture == TextureKind::kImage; }, "texture = \"image\""},
-    {"disc", "texture", KeyType::kChoice, "", "image", kNoRange, "plain checker grid stripes noise formula image",
-     "Surface texture: an image, one colour, or a pattern of two colours in azimuth and radius.",
+    {"disc", "texture", KeyType::kChoice, "", "image", kNoRange, "plain checker grid stripes noise formula image gas",
+     "Surface texture: an image, one colour, a pattern of two colours in azimuth and radius, or turbulent gas.",
      [](auto& s) { return &s.disc->material.texture; }},
     {"disc", "emission", KeyType::kChoice, "", "image", kNoRange, "image thermal",
      "Where its light comes from: the image or texture itself, or thermal emission powered by accretion (image or "
@@ -228,9 +228,13 @@ constexpr SceneKey kKeys[] = {
      "How image or texture moves: not at all, or each ring at the orbital speed of the matter.",
      [](auto& s) { return &s.disc->flow; }},
     {"disc", "flow_life", KeyType::kNumber, "r_s/c", "40", kPositive, "",
-     "How long a copy of the pattern is sheared before it has faded into the next; needs flow = \"kepler\".",
-     [](auto& s) { return &s.disc->flow_life; }, [](const Scene& s) { return s.disc->flow == DiscFlowKind::kKepler; },
-     "flow = \"kepler\""},
+     "How long a copy of the pattern is sheared before it has faded into the next; needs flow = \"kepler\", and not of "
+     "gas.",
+     [](auto& s) { return &s.disc->flow_life; },
+     [](const Scene& s) {
+         return s.disc->flow == DiscFlowKind::kKepler && s.disc->material.texture != TextureKind::kGas;
+     },
+     "flow = \"kepler\" and another texture than \"gas\""},
 
     {"spot", "r", KeyType::kNumber, "r_s", "3.5", kPositive, "",
      "Radius of the orbit; outside the photon sphere and within the disc.", [](auto& s) { return &s.spots.back().r; }},

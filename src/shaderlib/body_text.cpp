@@ -172,7 +172,7 @@ std::string light_text(const Group& group, const Material& material) {
 
 std::string materials_of(const Scene& scene) {
     std::string text;
-    if (scene.disc && scene.disc->material.texture != TextureKind::kImage)
+    if (scene.disc && scene.disc->material.texture < TextureKind::kImage)
         text += pattern_text("disc_material", scene.disc->material, "MAPPING_POLAR", false, 0);
     const Material sky = sky_material(scene.sky);
     if (is_procedural(scene.sky.kind)) text += pattern_text("sky", sky, "MAPPING_INSIDE", false, 0);

@@ -178,7 +178,7 @@ TEST_CASE("bodies and their looks call for exactly their effects: every combinat
 TEST_CASE("textures of disc and sky call for exactly their effects: every combination") {
     const std::vector<TextureKind> textures = {TextureKind::kPlain,   TextureKind::kChecker, TextureKind::kGrid,
                                                TextureKind::kStripes, TextureKind::kNoise,   TextureKind::kFormula,
-                                               TextureKind::kImage};
+                                               TextureKind::kImage,   TextureKind::kGas};
     const std::vector<SkyKind> skies = {SkyKind::kBlack,   SkyKind::kPlain, SkyKind::kChecker, SkyKind::kGrid,
                                         SkyKind::kStripes, SkyKind::kNoise, SkyKind::kFormula};
     for (const TextureKind texture : textures) {
@@ -192,7 +192,8 @@ TEST_CASE("textures of disc and sky call for exactly their effects: every combin
                 if (thermal) scene.disc->emission = DiscEmission::kThermal;
                 EffectSet expected = {Effect::kDisc, Effect::kRefine};
                 if (thermal) expected.insert(Effect::kThermalDisc);
-                if (texture != TextureKind::kImage) expected.insert(Effect::kDiscPattern);
+                if (texture < TextureKind::kImage) expected.insert(Effect::kDiscPattern);
+                if (texture == TextureKind::kGas) expected.insert(Effect::kDiscGas);
                 if (texture == TextureKind::kImage && !thermal) expected.insert(Effect::kDiscImage);
                 if (sky != SkyKind::kBlack) expected.insert(Effect::kSkyPattern);
                 for (const SkyKind kind : {SkyKind::kChecker, SkyKind::kGrid, SkyKind::kStripes})
@@ -306,7 +307,7 @@ TEST_CASE("a scene without one of its effects calls for no more than the others"
             const auto less = without_effect(*scene, effect);
             const bool bound = effect == Effect::kInner || effect == Effect::kBounce || effect == Effect::kStar ||
                                effect == Effect::kDiscImage || effect == Effect::kDiscPattern ||
-                               effect == Effect::kThermalDisc;
+                               effect == Effect::kThermalDisc || effect == Effect::kDiscGas;
             CHECK((less.has_value() || bound));
             if (!less) continue;
             const EffectSet left = effect_set(required_effects(*less));

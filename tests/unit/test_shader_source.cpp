@@ -21,8 +21,8 @@ namespace {
 // Scenes over every combination of what they can contain; the effects follow.
 std::vector<Scene> all_scenes() {
     std::vector<Scene> scenes;
-    constexpr TextureKind kKinds[] = {TextureKind::kPlain, TextureKind::kChecker, TextureKind::kNoise,
-                                      TextureKind::kFormula, TextureKind::kImage};
+    constexpr TextureKind kKinds[] = {TextureKind::kPlain,   TextureKind::kChecker, TextureKind::kNoise,
+                                      TextureKind::kFormula, TextureKind::kImage,   TextureKind::kGas};
     for (unsigned bits = 0; bits < 1024; bits += test::by_depth(3u, 1u, 1u))
         for (const TextureKind kind : kKinds) {
             const auto has = [&](unsigned bit) { return (bits >> bit & 1u) != 0; };
@@ -49,10 +49,11 @@ std::vector<Scene> all_scenes() {
                 scene.sky.kind = static_cast<SkyKind>(static_cast<int>(SkyKind::kPlain) + static_cast<int>(bits % 6));
             if (has(2) && has(1) && has(6)) scene.disc->material.texture = kind, scene.disc->material.formula = "v"s;
             scene.sky.material.formula = "u"s;
-            if (has(5)) add_body<SphereSpec>(scene).material.texture = kind;
-            if (has(6)) add_body<CylinderSpec>(scene).material.texture = kind;
-            if (has(7)) add_body<BallSpec>(scene).material.texture = kind;
-            if (has(8)) add_body<SurfaceSpec>(scene).material.texture = kind;
+            const TextureKind solid = kind == TextureKind::kGas ? TextureKind::kPlain : kind;
+            if (has(5)) add_body<SphereSpec>(scene).material.texture = solid;
+            if (has(6)) add_body<CylinderSpec>(scene).material.texture = solid;
+            if (has(7)) add_body<BallSpec>(scene).material.texture = solid;
+            if (has(8)) add_body<SurfaceSpec>(scene).material.texture = solid;
             for (Material* material :
                  {first_body<SphereSpec>(scene) ? &first_body<SphereSpec>(scene)->material : nullptr,
                   first_body<BallSpec>(scene) ? &first_body<BallSpec>(scene)->material : nullptr})
@@ -114,12 +115,13 @@ const std::vector<Mark> kMarks = {
     {Effect::kStar, {"star_surface", "star_square"}},
     {Effect::kSides, {"value_by_side", "vec4 throat;", "place.side"}},
     {Effect::kDelay, {"light_time(", "vec4 delay;"}},
-    {Effect::kDiscFlow, {"disc_flow(", "vec4 disc_winding;"}},
+    {Effect::kDiscFlow, {"disc_orbit(", "vec4 disc_winding;"}},
     {Effect::kSpot, {"spot_light(", "spot_orbit_light("}},
     {Effect::kBallPath, {"ball_path_fetch", "moving_ball_middle"}},
     {Effect::kPulse, {"pulse_room"}},
     {Effect::kInnerHorizon, {"inner_horizon_time("}},
     {Effect::kLimbDarkening, {"limb_darkening(", "disc_cosine(", "disc_light("}},
+    {Effect::kDiscGas, {"disc_gas(", "gas_ring_noise(", "vec4 disc_gas;"}},
 };
 
 // Every line of a shader stands where #line says: in its file there is the same, but for a comment.
@@ -243,7 +245,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow* row : effect_rows()) all.insert(row->effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 49);
+    CHECK(members.size() == 51);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {
