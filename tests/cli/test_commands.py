@@ -118,7 +118,7 @@ class Commands(support.CliTest):
         self.assertEqual((self.folder / "p00199.png").read_bytes(), b"kept")
         self.run_nullscope(*fall, "-o", "q%05d.png", "--frames", "199:200")   # of its number alone
         self.assertEqual((self.folder / "q00199.png").read_bytes(), pictures[199])
-        self.refused(*fall, "-o", "p%05d.png", "--frames", "239:241", says=["240 frames", "0:240"])
+        self.refused(*fall, "-o", "p%05d.png", "--frames", "299:301", says=["300 frames", "0:300"])
         self.refused("capture", "flat", "-o", "flat.mp4", says=["[path]"])
         if shutil.which("ffmpeg"):
             self.run_nullscope(*fall, "-o", "film.mp4", "--frames", "198:204")

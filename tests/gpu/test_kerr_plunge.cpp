@@ -1,10 +1,11 @@
-// The scene kerr-plunge as OpenGL draws it: round a rotating hole and through its horizon, without a seam or a jump.
+// A plunge about a rotating hole as OpenGL draws it: round it and through its horizon, without a seam or a jump.
 #include <algorithm>
 #include <cmath>
 
 #include "observer/path.h"
 #include "scenefile/scene_file.h"
 #include "spacetime/registry.h"
+#include "support/folders.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -18,6 +19,8 @@ constexpr double kWinds = 0.1;  // rad a step: rays that wind turn their sky by 
 // sky turns ten times as fast as the pixel.
 constexpr double kJump = 2e-4;
 constexpr double kRays_px = 0.05;  // px of 1080p
+
+std::string plunge_file() { return (data_folder() / "golden/scenes/kerr-circling.toml").string(); }
 
 struct Jumps {
     double most = 0;  // of OpenGL's directions in a step beyond the reference's, rad
@@ -42,7 +45,7 @@ void judge(const RayFrame& gl_before, const RayFrame& gl, const RayFrame& exact_
 }
 
 Scene plunging(bool disc) {
-    Scene scene = *load_scene("kerr-plunge");
+    Scene scene = *load_scene(plunge_file());
     scene.camera.width = kWidth, scene.camera.height = kHeight;
     scene.sky.kind = SkyKind::kBlack;
     if (!disc)
@@ -102,7 +105,7 @@ TEST_CASE(
 TEST_CASE("kerr plunge: stations outside, on and inside the horizon are the reference's, disc and all") {
     on_every_context([](GpuSession& session) {
         if (session.context->kind() == std::string("osmesa")) return;  // the same driver
-        const auto path = CameraPath::make(*load_scene("kerr-plunge"));
+        const auto path = CameraPath::make(*load_scene(plunge_file()));
         REQUIRE(path);
         for (const double frame : {0.0, 120.0, 300.0, 339.0, 341.0, 350.0, 357.0})
             for (const bool disc : {false, true}) {
