@@ -13,9 +13,6 @@ namespace {
 
 constexpr int kMinFaceSize = 16, kMaxFaceSize = 8192;
 
-// Radiance of the Milky Way's brightest cloud, linear: sRGB 0.38, below a star of V = 5 as under a dark sky.
-constexpr double kMilkyWayPeak = 0.12;
-
 }  // namespace
 
 Result<SkyPainter> SkyPainter::make(const SkySpec& spec, const std::filesystem::path& assets, int face_size,
@@ -32,9 +29,8 @@ Result<SkyPainter> SkyPainter::make(const SkySpec& spec, const std::filesystem::
         painter.stars_.emplace(*stars, world_from_sky, spec.brightness, face_size, border);
     }
     if (spec.kind == SkyKind::kStars || spec.kind == SkyKind::kPoints) {
-        TRY(haze, MilkyWay::load(assets / "sky" / "milky-way.png", world_from_sky, spec.brightness * kMilkyWayPeak,
-                                 face_size, border));
-        painter.haze_ = std::move(*haze);
+        TRY(haze, MilkyWay::load(assets / "sky" / "milky-way.jpg", world_from_sky, spec.brightness, face_size, border));
+        painter.haze_.emplace(std::move(*haze));
     }
     if (spec.kind == SkyKind::kImage) {
         TRY(image, Panorama::load(spec, world_from_sky, face_size));
