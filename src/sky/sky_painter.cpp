@@ -32,6 +32,10 @@ Result<SkyPainter> SkyPainter::make(const SkySpec& spec, const std::filesystem::
         TRY(haze, MilkyWay::load(assets / "sky" / "milky-way.jpg", world_from_sky, spec.brightness, face_size, border));
         painter.haze_.emplace(std::move(*haze));
     }
+    if (spec.kind == SkyKind::kNebula) {
+        painter.nebula_.emplace(spec.nebula, world_from_sky, spec.brightness, face_size, border);
+        painter.stars_.emplace(painter.nebula_->stars(), world_from_sky, spec.brightness, face_size, border);
+    }
     if (spec.kind == SkyKind::kImage) {
         TRY(image, Panorama::load(spec, world_from_sky, face_size));
         painter.image_ = std::move(*image);
@@ -45,6 +49,8 @@ void SkyPainter::paint(int face, int first, int count, SkyRows& rows) const {
         plane.resize(rows.texels());  // no page is touched anew for rows of the same size
     if (haze_)
         haze_->paint(rows);
+    else if (nebula_)
+        nebula_->paint(rows);
     else if (image_)
         image_->paint(rows);
     else
