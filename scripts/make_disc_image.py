@@ -11,9 +11,9 @@ gas turns counter-clockwise), and darker gaps.
 """
 import math
 import os
+import struct
 import sys
-
-from make_sky_assets import encode, write_png
+import zlib
 
 SIZE = 1024
 INNER = 0.25              # of outer
@@ -26,6 +26,38 @@ WINDING = 4.2             # radians of azimuth a unit of ln r: spirals of 13 deg
 OCTAVES = ((4, 3.7, 0.46), (11, 9.0, 0.32), (27, 23.0, 0.24), (57, 61.0, 0.15))   # turns, cells a unit of ln r, weight
 GAPS = ((0.36, 0.010, 0.35), (0.515, 0.016, 0.50), (0.70, 0.012, 0.40), (0.83, 0.02, 0.35))   # radius, width, depth
 RIM = 0.10                # the outer rim fades over this
+
+
+def write_png(path, width, height, rows):
+    """rows: bytes of RGB; filter per row by the smallest sum of absolute differences."""
+    def filtered(row, above):
+        left = bytes(3) + row[:-3]
+        corner = bytes(3) + above[:-3]
+        candidates = [bytes([0]) + row,
+                      bytes([1]) + bytes((a - b) & 255 for a, b in zip(row, left)),
+                      bytes([2]) + bytes((a - b) & 255 for a, b in zip(row, above)),
+                      bytes([4]) + bytes((x - paeth(a, b, c)) & 255 for x, a, b, c in zip(row, left, above, corner))]
+        return min(candidates, key=lambda line: sum(min(v, 256 - v) for v in line[1:]))
+
+    def paeth(a, b, c):
+        pa, pb, pc = abs(b - c), abs(a - c), abs(a + b - 2 * c)
+        return a if pa <= pb and pa <= pc else b if pb <= pc else c
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    lines, above = [], bytes(3 * width)
+    for row in rows:
+        lines.append(filtered(row, above))
+        above = row
+    with open(path, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
+                   chunk(b"sRGB", b"\0") + chunk(b"IDAT", zlib.compress(b"".join(lines), 9)) + chunk(b"IEND", b""))
+
+
+def encode(linear):
+    linear = min(max(linear, 0.0), 1.0)
+    return 255.0 * (12.92 * linear if linear <= 0.0031308 else 1.055 * linear**(1.0 / 2.4) - 0.055)
 
 
 def hashed(i, j, octave):

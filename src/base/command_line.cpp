@@ -139,6 +139,10 @@ CLI::Option* add_to(CLI::App& app, const Option& option) {
 Node node_of(const Command& command, CLI::App& app, const std::string& path) {
     Node node{&command, &app, path, {}, {}};
     if (!command.version().empty()) app.set_version_flag("--version", command.version());
+    if (!command.credits().empty())
+        app.add_flag_callback(
+            "--credits", [text = command.credits()] { throw CLI::CallForVersion(text, 0); },
+            "Whose data ship with the program, and on what terms");
     for (const auto& option : command.options()) node.options.emplace_back(option.get(), add_to(app, *option));
     for (const auto& child : command.commands())
         node.nodes.push_back(node_of(*child, *app.add_subcommand(child->name(), child->help()),
@@ -251,7 +255,7 @@ Result<Asked> parse_command_line(const Command& program, int argc, const char* c
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0) return split_error(root, error);
-        std::ostringstream text;  // --help, --version
+        std::ostringstream text;  // --help, --version, --credits
         app.exit(error, text, text);
         return Asked{text.str(), {}};
     }

@@ -73,17 +73,19 @@ public:
     }
     void set_footer(std::string text) { footer_ = std::move(text); }    // of the help text
     void set_version(std::string text) { version_ = std::move(text); }  // adds --version
+    void set_credits(std::string text) { credits_ = std::move(text); }  // adds --credits
 
     const std::string& name() const { return name_; }
     const std::string& help() const { return help_; }
     const std::string& footer() const { return footer_; }
     const std::string& version() const { return version_; }
+    const std::string& credits() const { return credits_; }
     const std::function<Result<int>()>& run() const { return run_; }
     const std::vector<std::unique_ptr<Command>>& commands() const { return commands_; }
     const std::vector<std::unique_ptr<Option>>& options() const { return options_; }
 
 private:
-    std::string name_, help_, footer_, version_;
+    std::string name_, help_, footer_, version_, credits_;
     std::function<Result<int>()> run_;
     std::vector<std::unique_ptr<Command>> commands_;  // a command that has commands needs one of them
     std::vector<std::unique_ptr<Option>> options_;    // pointers: add_* give out references

@@ -31,7 +31,8 @@ std::span<const Feature> picture_features() {
              s.light = {false, false};
          }},
         {{Effect::kSky, "sky", "EFFECT_SKY", "Escaped rays show the celestial sphere.",
-          "sky.kind is stars, image or points, and there are no sky.uniform_stars", "a cube map; one fetch a pixel"},
+          "sky.kind is stars, image, nebula or points, and there are no sky.uniform_stars",
+          "a cube map; one fetch a pixel"},
          [](const FrameFacts& f) { return reason_if(f.sky_light, sky_words(f)); },
          [](Scene& s) { s.sky.kind = SkyKind::kBlack; },
          nothing,

@@ -68,13 +68,21 @@ struct Material {
     friend bool operator==(const Material&, const Material&) = default;
 };
 
-// kStars: the catalogue drawn into a picture of the sky. kPoints: its stars as points, over the Milky Way. From kPlain on:
+// kStars: the catalogue drawn into a picture of the sky. kPoints: its stars as points, over the Milky Way. kNebula: another
+// place, by formula. From kPlain on:
 // SkySpec::material, with the TextureKind of the same name.
-enum class SkyKind { kStars, kImage, kBlack, kPoints, kPlain, kChecker, kGrid, kStripes, kNoise, kFormula };
-inline constexpr const char* kSkyKindNames[] = {"stars",   "image", "black",   "points", "plain",
+enum class SkyKind { kStars, kImage, kBlack, kNebula, kPoints, kPlain, kChecker, kGrid, kStripes, kNoise, kFormula };
+inline constexpr const char* kSkyKindNames[] = {"stars",   "image", "black",   "nebula", "points", "plain",
                                                 "checker", "grid",  "stripes", "noise",  "formula"};
 inline bool is_procedural(SkyKind kind) { return kind >= SkyKind::kPlain; }
 enum class SkyMapping { kEquirectangular, kBandAndCaps };
+
+// A made emission nebula (sky/nebula.h): linear colours of its hydrogen and its oxygen.
+struct NebulaSpec {
+    int seed = 1;
+    Vec3 hydrogen{1.0, 0.16, 0.20}, oxygen{0.10, 0.62, 0.66};
+    friend bool operator==(const NebulaSpec&, const NebulaSpec&) = default;
+};
 
 // The celestial sphere at infinity.
 // kEquirectangular: column = azimuth (phi = 0 in the middle, growing to the left as seen from inside), row = polar angle.
@@ -92,6 +100,7 @@ struct SkySpec {
         temperature_K;  // g shifts the sky's light as that of a black body of this temperature; unset: not at all
     double magnitude_limit = 20.0;  // kPoints only: V of the faintest stars that are drawn
     int uniform_stars = 0;  // kPoints only; above 0: this many equal stars, uniformly spread, instead of the catalogue
+    NebulaSpec nebula{};    // kNebula only
     // is_procedural(kind) only; only colours, formula, columns and rows are used. u = 1/2 - azimuth/2 pi and v = polar angle/pi
     // in the sky's own axes, as columns and rows of an equirectangular image; x, y, z: the unit vector in that direction.
     Material material{.colour = {0.5, 0.75, 1.0}, .second_colour = {0.01, 0.015, 0.03}};

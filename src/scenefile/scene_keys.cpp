@@ -42,6 +42,7 @@ template <SkyKind kind>
 bool sky_is(const Scene& s) {
     return s.sky.kind == kind;
 }
+bool far_is_nebula(const Scene& s) { return s.far_sky.kind == SkyKind::kNebula; }
 bool has_caps(const Scene& s) { return s.sky.mapping == SkyMapping::kBandAndCaps; }
 template <PathKind kind>
 bool path_is(const Scene& s) {
@@ -138,9 +139,9 @@ constexpr SceneKey kKeys[] = {
      [](auto& s) { return &s.path->duration; }, path_is<PathKind::kFall>, "kind = \"fall\""},
 
     {"sky", "kind", KeyType::kChoice, "", "stars", kNoRange,
-     "stars image black points plain checker grid stripes noise formula",
+     "stars image black nebula points plain checker grid stripes noise formula",
      "What is on the celestial sphere: the built-in stars and Milky Way as a picture, an image, nothing, the stars as "
-     "points, or one colour or a pattern of two.",
+     "points, a made emission nebula with stars of its own, or one colour or a pattern of two.",
      [](auto& s) { return &s.sky.kind; }},
     {"sky", "mapping", KeyType::kChoice, "", "equirectangular", kNoRange, "equirectangular band-and-caps",
      "How images cover the sphere: one image for all of it, or a band about the equator and a cap on each pole.",
@@ -164,11 +165,12 @@ constexpr SceneKey kKeys[] = {
     {"sky", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Multiplies the sky's light.",
      [](auto& s) { return &s.sky.brightness; }},
     {"sky", "temperature", KeyType::kNumber, "K", "", kTemperature, "",
-     "If set, the redshift factor g acts on the light of kind \"stars\", \"image\" and the Milky Way as on a black "
+     "If set, the redshift factor g acts on the light of kind \"stars\", \"image\", \"nebula\" and the Milky Way as on "
+     "a black "
      "body of this temperature; otherwise not at all.",
      [](auto& s) { return &s.sky.temperature_K; },
      [](const Scene& s) { return !is_procedural(s.sky.kind) && s.sky.kind != SkyKind::kBlack; },
-     "kind = \"stars\", \"image\" or \"points\""},
+     "kind = \"stars\", \"image\", \"points\" or \"nebula\""},
     {"sky", "magnitude_limit", KeyType::kNumber, "mag", "20", closed(-5.0, 30.0), "",
      "Magnitude limit for kind = \"points\": fainter stars are left out. With uniform_stars: the magnitude of each "
      "star.",
@@ -177,12 +179,27 @@ constexpr SceneKey kKeys[] = {
      "For kind = \"points\": if above 0, this many identical stars of 5 772 K, uniformly distributed, replace the "
      "catalogue.",
      [](auto& s) { return &s.sky.uniform_stars; }, sky_is<SkyKind::kPoints>, "kind = \"points\""},
+    {"sky", "seed", KeyType::kWhole, "", "1", closed(0.0, 1000000.0), "",
+     "For kind = \"nebula\": which of the nebulae that the formula makes.", [](auto& s) { return &s.sky.nebula.seed; },
+     sky_is<SkyKind::kNebula>, "kind = \"nebula\""},
+    {"sky", "hydrogen", KeyType::kColour, "", "[1, 0.16, 0.2]", closed(0.0, 1000.0), "",
+     "For kind = \"nebula\": colour of its hydrogen, linear red, green and blue.",
+     [](auto& s) { return &s.sky.nebula.hydrogen; }, sky_is<SkyKind::kNebula>, "kind = \"nebula\""},
+    {"sky", "oxygen", KeyType::kColour, "", "[0.1, 0.62, 0.66]", closed(0.0, 1000.0), "",
+     "For kind = \"nebula\": colour of its oxygen, near its hot stars.", [](auto& s) { return &s.sky.nebula.oxygen; },
+     sky_is<SkyKind::kNebula>, "kind = \"nebula\""},
 
-    {"far_sky", "kind", KeyType::kChoice, "", "stars", kNoRange, "stars image black",
+    {"far_sky", "kind", KeyType::kChoice, "", "stars", kNoRange, "stars image black nebula",
      "The sky at the other end of a wormhole, l = -infinity; as sky.kind.", [](auto& s) { return &s.far_sky.kind; }},
     {"far_sky", "image", KeyType::kImage, "", "", kNoRange, "", "Its equirectangular image; needs kind = \"image\".",
      [](auto& s) { return &s.far_sky.image; }, [](const Scene& s) { return s.far_sky.kind == SkyKind::kImage; },
      "kind = \"image\"", true},
+    {"far_sky", "seed", KeyType::kWhole, "", "1", closed(0.0, 1000000.0), "", "As sky.seed.",
+     [](auto& s) { return &s.far_sky.nebula.seed; }, far_is_nebula, "kind = \"nebula\""},
+    {"far_sky", "hydrogen", KeyType::kColour, "", "[1, 0.16, 0.2]", closed(0.0, 1000.0), "", "As sky.hydrogen.",
+     [](auto& s) { return &s.far_sky.nebula.hydrogen; }, far_is_nebula, "kind = \"nebula\""},
+    {"far_sky", "oxygen", KeyType::kColour, "", "[0.1, 0.62, 0.66]", closed(0.0, 1000.0), "", "As sky.oxygen.",
+     [](auto& s) { return &s.far_sky.nebula.oxygen; }, far_is_nebula, "kind = \"nebula\""},
     {"far_sky", "yaw", KeyType::kNumber, "deg", "120", kAnyAngle, "", "Its rotation about the polar axis, after tilt.",
      [](auto& s) { return &s.far_sky.yaw; }},
     {"far_sky", "tilt", KeyType::kNumber, "deg", "90", kAnyAngle, "", "Its rotation about the world's x axis.",

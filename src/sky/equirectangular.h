@@ -12,15 +12,17 @@ namespace nullscope {
 inline constexpr double kArctangent[] = {1.0,           -0.3333314528, 0.1999355085,  -0.1420889944, 0.1065626393,
                                          -0.0752896400, 0.0429096138,  -0.0161657367, 0.0028662257};
 
-// std::atan2 at a third of its cost; 0 for (0, 0).
-inline double fast_atan2(double y, double x) {
-    const double ax = std::fabs(x), ay = std::fabs(y), larger = std::max(ax, ay), smaller = std::min(ax, ay);
-    const double t = smaller / (larger > 0.0 ? larger : 1.0), q = t * t;
-    double angle = 0.0;
-    for (int i = 8; i >= 0; --i) angle = angle * q + kArctangent[i];
+// std::atan2 at a third of its cost; 0 for (0, 0). Real: double or float.
+template <class Real>
+Real fast_atan2(Real y, Real x) {
+    constexpr Real kPi = std::numbers::pi_v<Real>;
+    const Real ax = std::fabs(x), ay = std::fabs(y), larger = std::max(ax, ay), smaller = std::min(ax, ay);
+    const Real t = smaller / (larger > Real(0) ? larger : Real(1)), q = t * t;
+    Real angle = 0;
+    for (int i = 8; i >= 0; --i) angle = angle * q + static_cast<Real>(kArctangent[i]);
     angle *= t;
-    angle = ay > ax ? 0.5 * std::numbers::pi - angle : angle;
-    angle = x < 0.0 ? std::numbers::pi - angle : angle;
+    angle = ay > ax ? kPi / 2 - angle : angle;
+    angle = x < Real(0) ? kPi - angle : angle;
     return std::copysign(angle, y);
 }
 

@@ -1,20 +1,25 @@
-// The Milky Way: the equirectangular map of surface brightness that ships, smoothed onto a cube map's faces.
+// The Milky Way: the equirectangular map of surface brightness that ships, on a cube map's faces.
 #pragma once
-#include <array>
 #include <filesystem>
-#include <vector>
 
 #include "base/result.h"
 #include "base/vec.h"
+#include "image/image.h"
+#include "sky/face_grid.h"
 #include "sky/sky_rows.h"
 
 namespace nullscope {
 
-// The map is evaluated by a cubic B-spline on a coarse grid of every face, and interpolated from there: it has no finer detail.
+// Surface brightness of white in the map, in stars of V = 10 per square degree (S10): FULL_S10 of scripts/make_milky_way.py.
+inline constexpr double kMapWhite_S10 = 1000.0;
+
+// Radiance of one S10, in the unit of star_flux per sr.
+double radiance_of_s10();
+
 class MilkyWay {
 public:
-    // map: linear when loaded, its peak 1; multiplied by brightness. For faces of this size, with a border.
-    // Errors: a map that load_image refuses. Cost: 60 ms for faces of 512 and more on one core.
+    // map: white is kMapWhite_S10; multiplied by brightness. For faces of this size, with a border.
+    // Errors: a map that load_image refuses. Cost: the map's decoder, 30 ms.
     static Result<MilkyWay> load(const std::filesystem::path& map, const Mat3& world_from_sky, double brightness,
                                  int size, int border);
 
@@ -22,12 +27,11 @@ public:
     void paint(SkyRows& rows) const;
 
 private:
-    using Weights = std::array<double, 4>;
-    const float* nodes(int face, std::size_t plane, int row) const;
+    MilkyWay(Image<float> map, const FaceGrid& grid, double scale) : map_(std::move(map)), grid_(grid), scale_(scale) {}
 
-    int fine_ = 1, side_ = 0;       // texels a cell; nodes a side of a face's grid
-    std::vector<Weights> weights_;  // of the nodes about a cell, for each of its texels
-    std::vector<float> values_;     // by face, plane, row and column
+    Image<float> map_;
+    FaceGrid grid_;
+    double scale_;
 };
 
 }  // namespace nullscope

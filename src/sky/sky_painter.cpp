@@ -13,9 +13,6 @@ namespace {
 
 constexpr int kMinFaceSize = 16, kMaxFaceSize = 8192;
 
-// Radiance of the Milky Way's brightest cloud, linear: sRGB 0.38, below a star of V = 5 as under a dark sky.
-constexpr double kMilkyWayPeak = 0.12;
-
 }  // namespace
 
 Result<SkyPainter> SkyPainter::make(const SkySpec& spec, const std::filesystem::path& assets, int face_size,
@@ -32,9 +29,12 @@ Result<SkyPainter> SkyPainter::make(const SkySpec& spec, const std::filesystem::
         painter.stars_.emplace(*stars, world_from_sky, spec.brightness, face_size, border);
     }
     if (spec.kind == SkyKind::kStars || spec.kind == SkyKind::kPoints) {
-        TRY(haze, MilkyWay::load(assets / "sky" / "milky-way.png", world_from_sky, spec.brightness * kMilkyWayPeak,
-                                 face_size, border));
-        painter.haze_ = std::move(*haze);
+        TRY(haze, MilkyWay::load(assets / "sky" / "milky-way.jpg", world_from_sky, spec.brightness, face_size, border));
+        painter.haze_.emplace(std::move(*haze));
+    }
+    if (spec.kind == SkyKind::kNebula) {
+        painter.nebula_.emplace(spec.nebula, world_from_sky, spec.brightness, face_size, border);
+        painter.stars_.emplace(painter.nebula_->stars(), world_from_sky, spec.brightness, face_size, border);
     }
     if (spec.kind == SkyKind::kImage) {
         TRY(image, Panorama::load(spec, world_from_sky, face_size));
@@ -49,6 +49,8 @@ void SkyPainter::paint(int face, int first, int count, SkyRows& rows) const {
         plane.resize(rows.texels());  // no page is touched anew for rows of the same size
     if (haze_)
         haze_->paint(rows);
+    else if (nebula_)
+        nebula_->paint(rows);
     else if (image_)
         image_->paint(rows);
     else

@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "scene/scene.h"
 #include "sky/milky_way.h"
+#include "sky/nebula.h"
 #include "sky/panorama.h"
 #include "sky/sky_rows.h"
 #include "sky/star_light.h"
@@ -31,6 +32,7 @@ public:
 private:
     int size_ = 0, border_ = 0;
     std::optional<MilkyWay> haze_;
+    std::optional<Nebula> nebula_;
     std::optional<StarPainter> stars_;
     std::optional<Panorama> image_;
 };

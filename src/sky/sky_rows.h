@@ -11,6 +11,7 @@ namespace nullscope {
 struct SkyRows {
     int face = 0, size = 0, border = 0, first = 0, count = 0;
     std::array<std::vector<float>, 3> planes;
+    std::vector<float> nodes;  // scratch of FaceGrid
 
     int width() const { return size + 2 * border; }
     float* row(std::size_t plane, int y) {

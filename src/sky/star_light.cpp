@@ -32,7 +32,8 @@ constexpr double kMaxReach = 0.3;
 constexpr double kHaloNone = 5.5, kHaloFull = 3.5;  // magnitudes between which it sets in
 constexpr double kHaloFraction = 0.25;              // of the star's flux: about what an eye scatters near the source
 constexpr double kHaloSigmas = 5.12;                // s in sigmas of the core: 10 arc minutes at kReferenceFace
-constexpr double kHaloFloor = 1.5e-4;  // radiance at which it is cut, smoothly: half a step of an 8-bit display
+constexpr double kHaloFloor =
+    3e-4;  // radiance at which it is cut, smoothly: a step of an 8-bit display over the darkest sky
 
 constexpr std::size_t kRun = 64;  // texels of a row that are worked out together
 using Run = std::array<double, kRun>;
@@ -72,6 +73,13 @@ public:
 private:
     double step_, t_, at_middle_, along_;
 };
+
+// Whether the core reaches any of them: not most of a halo's texels.
+bool core_reaches(double sigma, const Run& squares, std::size_t count) {
+    double least = squares[0];
+    for (std::size_t i = 1; i < count; ++i) least = std::min(least, squares[i]);
+    return least < kCoreReach * kCoreReach * sigma * sigma;
+}
 
 void core_profile(double sigma, const Run& squares, std::size_t count, double* out) {
     const double scale = 1.0 / (sigma * sigma);
@@ -128,25 +136,38 @@ double halo_reach(double flux, double scale) {
     return std::clamp(scale * std::sqrt(ratio), 2.0 * scale, std::max(2.0 * scale, kMaxReach));
 }
 
-struct Sums {
-    double core = 0.0, halo = 0.0;
-};
+const std::array<FaceAxes, 6>& all_axes() {
+    static const std::array<FaceAxes, 6> axes{face_axes(0), face_axes(1), face_axes(2),
+                                              face_axes(3), face_axes(4), face_axes(5)};
+    return axes;
+}
 
-// Of the profiles over a splat, texels weighted by their solid angles.
-void add_sums(const Light& light, double sigma, const FaceAxes& axes, int size, const Splat& splat, Sums& sums) {
-    Run squares, cubes, core, halo;
-    for (int y = splat.y0; y <= splat.y1; ++y) {
-        const TexelRow row(axes, size, light.direction, y);
-        for (int x = splat.x0; x <= splat.x1; x += static_cast<int>(kRun)) {
-            const auto count = std::min(kRun, static_cast<std::size_t>(splat.x1 - x + 1));
-            row.fill(x, count, squares, cubes);
-            core_profile(sigma, squares, count, core.data());
-            for (std::size_t i = 0; i < count; ++i) sums.core += row.solid_angle() * cubes[i] * core[i];
-            if (!(light.halo_reach > 0.0)) continue;
-            halo_profile(sigma, light.halo_reach, squares, count, halo);
-            for (std::size_t i = 0; i < count; ++i) sums.halo += row.solid_angle() * cubes[i] * halo[i];
+// The halo's profile over the sphere, in closed form: with q the square of the chord an area is pi dq. Texels of one face, a third of its
+// scale apart, add up to that within 1e-5; those about an edge of the cube within 5e-4.
+double halo_integral(double scale, double reach) {
+    const double a = 1.0 / (scale * scale), far = a * reach * reach, u = 1.0 + far;
+    return kPi * (far * (u + 1.0) - 2.0 * u * std::log(u)) / (a * far * far);
+}
+
+// Of a profile about a direction over all faces, texels weighted by their solid angles.
+template <class Profile>
+double sum_over_texels(Vec3 direction, double reach, int size, const Profile& profile) {
+    Run squares, cubes, values;
+    double sum = 0.0;
+    for (const FaceAxes& axes : all_axes()) {
+        const auto splat = splat_on(direction, Reach(reach, 0), axes, size, 0);
+        if (!splat) continue;
+        for (int y = splat->y0; y <= splat->y1; ++y) {
+            const TexelRow row(axes, size, direction, y);
+            for (int x = splat->x0; x <= splat->x1; x += static_cast<int>(kRun)) {
+                const auto count = std::min(kRun, static_cast<std::size_t>(splat->x1 - x + 1));
+                row.fill(x, count, squares, cubes);
+                profile(squares, count, values);
+                for (std::size_t i = 0; i < count; ++i) sum += row.solid_angle() * cubes[i] * values[i];
+            }
         }
     }
+    return sum;
 }
 
 std::vector<std::array<float, 3>> colour_table() {
@@ -157,12 +178,6 @@ std::vector<std::array<float, 3>> colour_table() {
                                               static_cast<float>(c.z)};
     });
     return table;
-}
-
-const std::array<FaceAxes, 6>& all_axes() {
-    static const std::array<FaceAxes, 6> axes{face_axes(0), face_axes(1), face_axes(2),
-                                              face_axes(3), face_axes(4), face_axes(5)};
-    return axes;
 }
 
 // Adds amount times a profile of a row.
@@ -228,12 +243,22 @@ void StarPainter::place(Light& light, std::uint32_t number, double magnitude, do
         light.normalised = false;
         return;
     }
-    Sums sums;
-    for (const FaceAxes& axes : all_axes())
-        if (const auto splat = splat_on(light.direction, Reach(angle, 0), axes, size_, 0))
-            add_sums(light, sigma_, axes, size_, *splat, sums);
-    light.core = (1.0 - fraction) * flux / sums.core;
-    if (fraction > 0.0) light.halo = fraction * flux / sums.halo;
+    const double sigma = sigma_, halo = light.halo_reach;
+    light.core =
+        (1.0 - fraction) * flux /
+        sum_over_texels(light.direction, kCoreReach * sigma_, size_, [sigma](auto& squares, auto count, auto& values) {
+            core_profile(sigma, squares, count, values.data());
+        });
+    if (fraction == 0.0) return;
+    const auto faces = std::count_if(all_axes().begin(), all_axes().end(), [&](const FaceAxes& axes) {
+        return splat_on(light.direction, Reach(halo, 0), axes, size_, 0).has_value();
+    });
+    light.halo =
+        fraction * flux /
+        (faces == 1 ? halo_integral(scale, halo)
+                    : sum_over_texels(light.direction, halo, size_, [=](auto& squares, auto count, auto& values) {
+                          halo_profile(sigma, halo, squares, count, values);
+                      }));
 }
 
 void StarPainter::add(SkyRows& rows) const {
@@ -259,8 +284,10 @@ void StarPainter::add_light(SkyRows& rows, const Light& light, const Splat& spla
         for (int x = splat.x0; x <= splat.x1; x += static_cast<int>(kRun)) {
             const auto count = std::min(kRun, static_cast<std::size_t>(splat.x1 - x + 1));
             row.fill(x, count, squares, cubes);
-            core_profile(sigma_, squares, count, profile.data());
-            add_row(rows, y, x, profile.data(), count, light.core, colours_[light.colour]);
+            if (core_reaches(sigma_, squares, count)) {
+                core_profile(sigma_, squares, count, profile.data());
+                add_row(rows, y, x, profile.data(), count, light.core, colours_[light.colour]);
+            }
             if (!(light.halo_reach > 0.0)) continue;
             halo_profile(sigma_, light.halo_reach, squares, count, profile);
             add_row(rows, y, x, profile.data(), count, light.halo, colours_[light.colour]);

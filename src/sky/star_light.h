@@ -13,9 +13,9 @@
 
 namespace nullscope {
 
-// Peak radiance of a star of V = 5 drawn with the core of a face of kReferenceFace texels: sRGB 0.66 on the display at
-// exposure 0, so V < 4 saturates and V = 9 is near the limit of what is seen. It scales the whole star field.
-constexpr double kPeakOfMagnitude5 = 0.4;
+// Peak radiance of a star of V = 5 drawn with the core of a face of kReferenceFace texels. It scales stars and Milky Way together: at exposure 0
+// as a long exposure shows them, the brightest clouds of the Milky Way (600 S10) at sRGB 0.38, stars of V = 6 saturated, V = 10 still seen.
+constexpr double kPeakOfMagnitude5 = 3.0;
 constexpr int kReferenceFace = 2048;
 
 // Radius of the core in rad: 0.6 texels in the middle of a face, so that a star looks much the same wherever it lies

@@ -105,7 +105,7 @@ bool sky_section(ViewState& view, bool escape) {
     bool changed = false;
     row("Kind",
         "The sky at infinity: the built-in stars and Milky Way (as a picture, or the stars as points), the scene's "
-        "image, nothing, or a pattern.");
+        "image, nothing, a made nebula, or a pattern.");
     choice("##sky", kSkyKindNames[static_cast<std::size_t>(sky.kind)], escape, [&] {
         for (std::size_t i = 0; i < std::size(kSkyKindNames); ++i) {
             const auto kind = static_cast<SkyKind>(i);

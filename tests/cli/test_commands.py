@@ -83,6 +83,10 @@ class Commands(support.CliTest):
     def test_version(self):
         self.assertRegex(self.run_nullscope("--version").out, r"^\d+\.\d+")
 
+    def test_credits(self):
+        for name in ("Axel Mellinger", "proper credit", "Hipparcos", "d3-celestial"):
+            self.assertIn(name, self.run_nullscope("--credits").out)
+
     def test_scenes_are_listed_and_planned(self):
         lines = self.run_nullscope("scenes").out.splitlines()
         self.assertGreaterEqual(len(lines), 3)

@@ -71,7 +71,7 @@ std::vector<Scene> full_scenes() {
     Material& ball = add_body<BallSpec>(holes).material;
     ball.texture = TextureKind::kFormula, ball.formula = "u"s;
     Material& surface = add_body<SurfaceSpec>(holes).material;
-    surface.texture = TextureKind::kImage, surface.image = assets_directory() / "sky" / "milky-way.png";
+    surface.texture = TextureKind::kImage, surface.image = assets_directory() / "sky" / "milky-way.jpg";
     scenes[1].spacetime.metric = "ellis";
     add_body<BallSpec>(scenes[1]).far = true;
     scenes[2].spacetime.metric = "neutron-star";

@@ -80,7 +80,8 @@ TEST_CASE("an effect set is its content: subsets as map keys") {
 TEST_CASE("a scene calls for exactly the effects of what is in it") {
     const std::vector<std::string> metrics = {"schwarzschild", "minkowski"};
     const std::vector<Vec3> velocities = {{0, 0, 0}, {0.5, 0, 0}, {0, -1e-300, 0}, {0, 0, 0.999999}};
-    const std::vector<SkyKind> skies = {SkyKind::kStars, SkyKind::kImage, SkyKind::kBlack, SkyKind::kPoints};
+    const std::vector<SkyKind> skies = {SkyKind::kStars, SkyKind::kImage, SkyKind::kBlack, SkyKind::kNebula,
+                                        SkyKind::kPoints};
     std::vector<std::optional<DiscSpec>> discs(8);
     discs[1] = DiscSpec{};
     discs[2] = DiscSpec{};

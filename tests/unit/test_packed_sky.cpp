@@ -134,7 +134,7 @@ TEST_CASE("a star beyond an edge or a corner of a face shines into its border") 
          {Vec3{1.02, 1, 0.3}, Vec3{-1.02, 1, 0.3}, Vec3{0.3, 1, 1.02}, Vec3{0.3, 1, -1.02}, Vec3{1.05, 1, 1.05}}) {
         const Vec3 star = normalized(place);  // of the plane of +y beyond the face
         const StarPainter painter({{star, 6.0, 90}}, Mat3{}, 1.0, kFace, kBorder);
-        SkyRows rows{2, kFace, kBorder, -kBorder, kWide, {}};
+        SkyRows rows{2, kFace, kBorder, -kBorder, kWide, {}, {}};
         for (auto& plane : rows.planes) plane.assign(rows.texels(), 0.0f);
         painter.add(rows);
         double worst = 0.0, brightest = 0.0;

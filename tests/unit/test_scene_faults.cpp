@@ -112,7 +112,7 @@ const Broken kBroken[] = {
     {"[camera]\nexposure = 31", 2, "camera.exposure", "allowed: [-30, 30]"},
     // Sky
     {"[sky]\nkind = \"star\"", 2, "sky.kind",
-     "(nearest: stars); allowed: stars, image, black, points, plain, checker, grid, stripes, noise or formula"},
+     "(nearest: stars); allowed: stars, image, black, nebula, points, plain, checker, grid, stripes, noise or formula"},
     {"[sky]\nkind = 1", 2, "sky.kind", "must be a string"},
     {"\n[sky]\nkind = \"image\"", 3, "sky.image", "missing, but kind = \"image\""},
     {"[sky]\nkind = \"image\"\nimage = \"no-such.png\"", 3, "sky.image", "there is no file \"no-such.png\""},

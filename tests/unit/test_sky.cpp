@@ -49,7 +49,7 @@ template <class Paint>
 SkyCube faces_of(int size, const Paint& paint) {
     SkyCube sky = black(size);
     for (int face = 0; face < 6; ++face) {
-        SkyRows rows{face, size, 0, 0, size, {}};
+        SkyRows rows{face, size, 0, 0, size, {}, {}};
         for (auto& plane : rows.planes) plane.assign(rows.texels(), 0.0f);
         paint(rows);
         float* out = sky.faces[static_cast<std::size_t>(face)].data.data();
@@ -165,8 +165,12 @@ TEST_CASE("a star's flux does not depend on where it lies, nor on the size of th
         const double reference = core_sigma(kReferenceFace);
         const double expected =
             kPeakOfMagnitude5 * 2.0 * kPi * reference * reference * std::pow(10.0, -0.4 * (magnitude - 5.0));
-        for (const int size : {64, kSize, 512})
+        for (const int size : {64, kSize, 512, 1024})
             for (const Vec3& place : places) {
+                CAPTURE(size);
+                CAPTURE(place.x);
+                CAPTURE(place.y);
+                CAPTURE(place.z);
                 const SkyCube sky = star_faces(size, {{normalized(place), magnitude, 90}});
                 CHECK(std::fabs(total_flux(sky) / expected - 1.0) < kFluxError);  // Approx is absolute below 1
             }
@@ -265,29 +269,28 @@ TEST_CASE("the star sky is not mirrored and turns with yaw and tilt") {
     CHECK(ratio < 1.6);
 }
 
-TEST_CASE("the Milky Way is brightest near the galactic centre, dark at the poles and has no seams") {
-    const auto haze = MilkyWay::load(kAssets / "sky" / "milky-way.png", Mat3{}, 1.0, kSize, 0);
+TEST_CASE("the Milky Way is bright towards the galactic centre, dark at the poles and has no seams") {
+    constexpr int kFine = 1024;  // texels of half a pixel of the map
+    const auto haze = MilkyWay::load(kAssets / "sky" / "milky-way.jpg", Mat3{}, 1.0, kFine, 0);
     REQUIRE(haze);
-    const SkyCube sky = faces_of(kSize, [&](SkyRows& rows) { haze->paint(rows); });
-    Vec3 brightest{};
+    const SkyCube sky = faces_of(kFine, [&](SkyRows& rows) { haze->paint(rows); });
     double peak = 0.0;
     for (int face = 0; face < 6; ++face)
-        for (int y = 0; y < kSize; ++y)
-            for (int x = 0; x < kSize; ++x) {
+        for (int y = 0; y < kFine; ++y)
+            for (int x = 0; x < kFine; ++x) {
                 const float* c = sky.faces[static_cast<std::size_t>(face)].at(x, y);
-                if (luminance({c[0], c[1], c[2]}) <= peak) continue;
-                peak = luminance({c[0], c[1], c[2]});
-                brightest = cube_direction(face, (x + 0.5) / kSize, (y + 0.5) / kSize);
+                peak = std::max(peak, luminance({c[0], c[1], c[2]}));
             }
-    CHECK(angle_between(brightest, direction(266.405, -28.936)) < 10.0 * kDegree);
-    CHECK(peak > 0.5);
+    CHECK(peak > 0.8 * kMapWhite_S10 * radiance_of_s10());
+    const double centre = luminance(sample_sky(sky, direction(271.5, -29.5)));  // the Large Sagittarius star cloud
+    CHECK(centre > 0.5 * peak);
     for (const double side : {1.0, -1.0})
-        CHECK(luminance(sample_sky(sky, side * direction(192.86, 27.13))) < 0.01 * peak);
-    const double step = 0.5 / kSize;  // half a texel either side of the edge between two faces
+        CHECK(luminance(sample_sky(sky, side * direction(192.86, 27.13))) < 0.04 * centre);
+    const double step = 0.5 / kFine;  // half a texel either side of the edge between two faces
     for (double t = -0.99; t < 1.0; t += 0.02)
         for (const auto& [a, b] : {std::pair{Vec3{1, 1 - step, t}, Vec3{1 - step, 1, t}},
                                    std::pair{Vec3{t, -1, step - 1}, Vec3{t, step - 1, -1}}})
-            CHECK(length(sample_sky(sky, a) - sample_sky(sky, b)) < 0.02);  // its steepest slope a texel
+            CHECK(length(sample_sky(sky, a) - sample_sky(sky, b)) < 0.05 * peak);  // its steepest slope a texel
 }
 
 TEST_CASE("equirectangular images: every direction gets its colour, also rotated, finer and coarser than the face") {
