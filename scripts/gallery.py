@@ -21,15 +21,14 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 
 GROUPS = {
-    "Black holes": "first-light accretion luminet starlight sky-only fast-flyby near-horizon plunge inside-the-hole",
-    "Rotating holes": "kerr kerr-newman kerr-spot kerr-planet kerr-plunge",
+    "Black holes": "first-light accretion luminet photon-ring sky-only einstein-ring starlight fast-flyby near-horizon plunge inside-the-hole",
+    "Rotating holes": "gargantua kerr m87 sgr-a kerr-newman kerr-spot kerr-planet kerr-plunge",
     "Charged holes, and others": "charged-hole extremal-hole naked-charge scalar-mass kottler hayward bardeen",
-    "Wormholes": "wormhole film-wormhole long-wormhole in-the-throat both-sides",
-    "Bodies": "neutron-star ringed-star ball-behind swarm torus formula-surface",
+    "Wormholes": "wormhole wormhole-saturn film-wormhole long-wormhole in-the-throat both-sides",
+    "Bodies": "earth saturn whole-sphere neutron-star s-stars swarm torus",
     "Discs and light": "translucent-disc thick-disc limb-darkening",
-    "Time": "hot-spot moving-ring late-light passing-ball",
-    "Teaching": "flat two-spacetimes panorama band-and-caps",
-    "Test patterns": "sky-grid sky-checker disc-grid whole-sphere mapped-star",
+    "Time": "hot-spot late-light passing-ball",
+    "Teaching": "flat two-spacetimes sky-grid disc-grid",
 }
 # Of a film: the frame that is shown, as a part of its length. Others: half of it.
 FRAMES = {}

@@ -18,7 +18,7 @@ while IFS=, read -r scene size _; do
     case "$scene" in '' | \#* | scene) continue ;; esac
     if [ $# -gt 0 ] && [[ " $* " != *" $scene "* ]]; then continue; fi
     name=$(basename "$scene" .toml)
-    "$build/bin/nullscope" capture "$scene" --renderer reference --samples 4 --size "$size" -o "images/$name.png"
+    "$build/bin/nullscope" capture "$scene" --plain --renderer reference --samples 4 --size "$size" -o "images/$name.png"
     drawn=$((drawn + 1))
 done < <(sed 's/\r$//' cases.csv)
 [ "$drawn" -gt 0 ] || { echo "update-goldens: no case of that name in tests/golden/cases.csv" >&2; exit 2; }
