@@ -187,7 +187,7 @@ class Commands(support.CliTest):
         text = (self.folder / "trial.md").read_text()
         (renderer,) = re.findall(r"^# Figures of (.+)$", text, re.MULTILINE)
         self.assertIn(renderer, self.run_nullscope("info").out)
-        (times,) = re.findall(r"\| Sky only \| ([0-9.]+) \| ([0-9.]+) \| [0-9.]+ \|\n\n## Rays", text)
+        (times,) = re.findall(r"\| A black hole and the sky \| ([0-9.]+) \| ([0-9.]+) \| [0-9.]+ \|\n\n## Rays", text)
         self.assertGreater(float(times[0]), 0.0)
         self.assertIn("1e-4 above the horizon, inwards", text)
         self.assertFalse(list(self.folder.glob("*.part")))

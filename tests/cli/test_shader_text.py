@@ -14,7 +14,7 @@ WORDS = {
     "spin": [r"spin\w*", r"Spin\w*", r"SPIN_\w*"],
     "spin-fall": [r"ingoing\w*"],
     "aberration": [r"aberrat\w*", r"Aberration", r"boost\w*", r"motion", r"stretch"],
-    "disc": [r"disc\w*", r"Disc\w*", r"plane_\w*", r"PlaneMeeting", r"meeting"],
+    "disc": [r"disc(?!ard)\w*", r"Disc\w*", r"plane_\w*", r"PlaneMeeting", r"meeting"],
     "disc-image": [r"disc_texture", r"disc_texel", r"disc_filtered"],
     "disc-pattern": [r"disc_material\w*"],
     "translucent-disc": [r"fade"],
