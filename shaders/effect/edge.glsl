@@ -2,6 +2,7 @@
 #include "shared/frame.glsl"
 
 #define EDGE_LEAST 0.125   // of black to white
+#define EDGE_HARD 0.375    // likewise
 #define EDGE_SCALE 0.125   // of light, beside halves of ways: half floats keep both
 
 // The brightest channel about as the display has it: a shoulder, and the square root for its encoding. 0 ... 1
@@ -13,5 +14,8 @@ float edge_shown(vec3 light) {
 // way: a small whole number; of neighbours with different ones something may lie between that neither met.
 float edge_value(vec3 light, float way) { return EDGE_SCALE * edge_shown(light) + 0.5 * way; }
 
-// Of the difference of two values: 0 neither, 0.5 the light, 1 the way.
-float edge_kind(float off) { return off < EDGE_SCALE * EDGE_LEAST ? 0.0 : off < 0.25 ? 0.5 : 1.0; }
+// Of the difference of two values: 0 neither, 1 or 2 the light, little or much of it, 3 the way; in thirds.
+float edge_kind(float off) {
+    float light = off < EDGE_SCALE * EDGE_LEAST ? 0.0 : off < EDGE_SCALE * EDGE_HARD ? 1.0 : 2.0;
+    return (off < 0.25 ? light : 3.0) * (1.0 / 3.0);
+}

@@ -9,7 +9,7 @@
 #include "shared/frame.glsl"
 
 #ifdef NEEDS_SAMPLING
-#define SAMPLING_SHEARED 8.0   // N from which on the grid is sheared
+#define SAMPLING_SHEARED 6.0   // N from which on the grid is sheared
 #endif
 
 // Of ray `number`: px from the image centre, y up; of the picture that frame.image says, which is as fine as the rays of a pixel lie. N x N rays

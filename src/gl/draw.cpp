@@ -30,9 +30,9 @@ void begin_layer(const Layer& layer) {
         glBlendFunc(GL_CONSTANT_ALPHA, layer.replaces ? GL_ZERO : GL_ONE);
         glBlendColor(0, 0, 0, static_cast<float>(layer.share));
     }
-    if (layer.marked) {
+    if (layer.marked != Marked::kAny) {
         glEnable(GL_STENCIL_TEST);
-        glStencilFunc(GL_EQUAL, 1, 0xff);
+        glStencilFunc(GL_EQUAL, layer.marked == Marked::kOnly ? 1 : 0, 0xff);
         glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     }
 }

@@ -134,11 +134,13 @@ VertexArray make_vertex_array();
 void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height,
                      double share = 1.0);
 void clear_rows(unsigned framebuffer, int width, int first, int last);  // to zeros
+// Which pixels (Marks) are drawn: those that are not marked and those that are need no two variants of a program, on software drivers.
+enum class Marked { kAny, kNot, kOnly };
 // How what is drawn changes what is there.
 struct Layer {
     double share = 1.0;     // below 1: so much of it is added to what is there ...
     bool replaces = false;  // ... or replaces it
-    bool marked = false;    // only in the pixels that are marked (Marks)
+    Marked marked = Marked::kAny;
 };
 // Of it the rows from first (counted from the bottom) up to but not including last.
 void draw_rows(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int first,

@@ -135,7 +135,7 @@ std::span<const Feature> picture_features() {
            [](auto& s) { return &s.picture.samples; }}}},
         {{Effect::kRefine, "refine", "EFFECT_REFINE", "Pixels on edges and thin lines get more rays.",
           "picture.refine is \"on\", picture.samples is 1, and light is bent or there is a disc or a body",
-          "a pass that compares neighbours; 4 x 4 rays for pixels that differ much from one"},
+          "a pass that compares neighbours; 4 to 36 rays for pixels that differ from one"},
          [](const FrameFacts& f) {
              const bool edges =
                  f.bends() || light_path_kind(f.so_far) == LightPathKind::kMino || meets_objects(f.so_far);
@@ -147,7 +147,7 @@ std::span<const Feature> picture_features() {
          [](Scene& s) { s.picture.refine = true; },
          nullptr,
          {on_off_key("picture", "refine", "on",
-                     "Whether pixels that differ much from a neighbour are drawn again with 4 x 4 rays: edges and thin "
+                     "Whether pixels that differ much from a neighbour are drawn again with more rays: edges and thin "
                      "lines become smooth. Where picture.samples is 1.",
                      [](auto& s) { return &s.picture.refine; })}},
     });

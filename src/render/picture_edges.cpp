@@ -24,12 +24,13 @@ void PictureEdges::resize(const std::vector<Pass>& passes, const gl::Target& pic
     seen_.assign(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), 0);
 }
 
+void PictureEdges::begin() {
+    gl::clear_marks(marks_);
+    count_ = 0;
+}
+
 void PictureEdges::compare(const gl::Program& program, const gl::VertexArray& empty, int first, int last) {
     const int height = marks_.height;
-    if (first == 0) {
-        gl::clear_marks(marks_);
-        count_ = 0;
-    }
     const int from = first == 0 ? 0 : blocks_before(first, height), to = blocks_before(last, height);
     if (to > from) {
         unsigned char* rows = seen_.data() + static_cast<std::size_t>(from) * static_cast<std::size_t>(marks_.width);
@@ -43,9 +44,8 @@ void PictureEdges::compare(const gl::Program& program, const gl::VertexArray& em
 }
 
 void PictureEdges::list_blocks() {
-    constexpr unsigned char kThin = 200;  // above half of 255, the mark of a difference in light
     const int across = (marks_.width + kTileSide - 1) / kTileSide * (kTileSide / kBlockSide);
-    std::array<std::vector<unsigned>, 2> numbers;
+    std::array<std::vector<unsigned>, kRefined.size()> numbers;
     std::vector<unsigned char> most(static_cast<std::size_t>(across));
     for (int row = first_ / kBlockSide; row * kBlockSide < last_; ++row) {
         std::fill(most.begin(), most.end(), 0);
@@ -59,7 +59,8 @@ void PictureEdges::list_blocks() {
         }
         for (int column = 0; column < across; ++column)
             if (const unsigned char block = most[static_cast<std::size_t>(column)]; block > 0)
-                numbers[block > kThin ? 1 : 0].push_back(first_number_ + static_cast<unsigned>(row * across + column));
+                numbers[static_cast<std::size_t>((block - 1) / 85)].push_back(
+                    first_number_ + static_cast<unsigned>(row * across + column));  // marks are thirds of 255
     }
     for (std::size_t i = 0; i < numbers.size(); ++i)
         blocks_[i] = numbers[i].empty() ? gl::PointList() : gl::make_point_list(numbers[i]);

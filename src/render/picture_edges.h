@@ -10,13 +10,18 @@
 
 namespace nullscope {
 
-// A side of the rays of a pixel: where light differs; where something thinner than a pixel may lie between rays that went different ways.
-inline constexpr std::array<int, 2> kRefined = {4, 8};
+// A side of the rays of a pixel: where light differs a little, and much; where something thinner than a pixel may lie between rays that went
+// different ways.
+inline constexpr std::array<int, 3> kRefined = {2, 4, 6};
+using BlockLists = std::array<gl::PointList, kRefined.size()>;
 
 class PictureEdges {
 public:
     // Of pictures that these passes draw to a target; frees what they do not need.
     void resize(const std::vector<Pass>& passes, const gl::Target& picture);
+
+    // Before the picture is drawn: nothing is marked.
+    void begin();
 
     // The rows [first, last) of the picture are there; those before are too. Compares with the program of stage kEdges, which must find the
     // picture bound. Cost: two fetches a pixel, and the driver is waited for.
@@ -26,7 +31,7 @@ public:
     // their pixels need (kRefined).
     int first() const { return first_; }
     int last() const { return last_; }
-    const std::array<gl::PointList, 2>& blocks() const { return blocks_; }
+    const BlockLists& blocks() const { return blocks_; }
 
     // How many of the last picture's pixels are marked.
     long long count() const { return count_; }
@@ -39,7 +44,7 @@ private:
     unsigned first_number_ = 0;
     int first_ = 0, last_ = 0;
     long long count_ = 0;
-    std::array<gl::PointList, 2> blocks_;
+    BlockLists blocks_;
 };
 
 }  // namespace nullscope

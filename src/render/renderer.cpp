@@ -25,6 +25,7 @@ constexpr const char* kSamplers[] = {"strip_texture",      "orbit_texture",     
                                      "disc_texture",       "table_texture",       "ends_texture",
                                      "other_side_texture", "disc_matter_texture", "black_body_texture",
                                      "star_lens_texture",  "clearance_texture",   "ball_path_texture"};
+constexpr int kRaysAtOnce = 16;  // that every pixel traces in one draw
 constexpr int kBodyUnit = static_cast<int>(std::size(kSamplers));
 constexpr int kTileUnit = kBodyUnit + kMostBodyImages;
 constexpr int unit_of(std::string_view sampler) {
@@ -262,16 +263,19 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
     bind_inputs();
     const bool keep = linear_.width > 0;
     const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
+    const bool refine = refines(list);
+    if (refine && first == 0) edges_.begin();
     for (const Pass& pass : list) {
         if (is_in_tiles(pass.stage) && !draws_picture(pass.stage)) {
             // With the picture's first rows.
             if (first == 0) picture_tiles_.find(pass.stage, program(pass.stage, pass.output), empty_);
         } else if (draws_picture(pass.stage) && tables_.plan().scene.picture.samples > 1) {
-            draw_samples(tables_.plan().scene.picture.samples, [&](const gl::Layer& layer) {
+            draw_samples(tables_.plan().scene.picture.samples, kRaysAtOnce, [&](const gl::Layer& layer) {
                 draw_picture(pass, picture, width, height, first, last, layer);
             });
         } else if (draws_picture(pass.stage)) {
-            draw_picture(pass, picture, width, height, first, last, {});
+            draw_picture(pass, picture, width, height, first, last,
+                         {.marked = refine ? gl::Marked::kNot : gl::Marked::kAny});
         } else if (pass.stage == Stage::kEdges) {
             refine_rows(list, width, height, first, last);
         } else if (last == height) {
@@ -282,13 +286,12 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
         gl::blit(linear_.colours.front().id(), width, height, framebuffer, width, height);
 }
 
-// samples x samples rays of each pixel: several at once, but not so many that a weak card takes long for it.
+// samples x samples rays of each pixel: at_once of them in a draw, so that a weak card does not take long for it.
 template <class Draw>
-void Renderer::draw_samples(int samples, Draw draw) {
-    constexpr int kAtOnce = 16;
+void Renderer::draw_samples(int samples, int at_once, Draw draw) {
     const int rays = samples * samples;
-    for (int first = 0; first < rays; first += kAtOnce) {
-        const int count = std::min(kAtOnce, rays - first);
+    for (int first = 0; first < rays; first += at_once) {
+        const int count = std::min(at_once, rays - first);
         blocks_.upload_samples(samples, first, count);
         draw(gl::Layer{static_cast<double>(count) / rays, first == 0});
     }
@@ -313,8 +316,8 @@ void Renderer::refine_rows(const std::vector<Pass>& list, int width, int height,
         for (const Pass& pass : list) {
             if (blocks.count == 0 || !draws_picture(pass.stage)) continue;
             const gl::Program& built = program(pass.stage, pass.output);
-            draw_samples(kRefined[i], [&](gl::Layer layer) {
-                layer.marked = true;
+            draw_samples(kRefined[i], kRefined[i] * kRefined[i], [&](gl::Layer layer) {
+                layer.marked = gl::Marked::kOnly;
                 gl::draw_listed_tiles(built, empty_, linear_.framebuffer.id(), width, height, kTileSide, edges_.first(),
                                       edges_.last(), blocks, layer);
             });

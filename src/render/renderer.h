@@ -122,7 +122,7 @@ private:
     void draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last,
                       const gl::Layer& layer);
     template <class Draw>
-    void draw_samples(int samples, Draw draw);
+    void draw_samples(int samples, int at_once, Draw draw);
     void refine_rows(const std::vector<Pass>& list, int width, int height, int first, int last);
     void upload_tables();
     void upload_ends();

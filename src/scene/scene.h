@@ -260,7 +260,7 @@ struct PictureSpec {
     bool auto_exposure = false;  // from the picture's mean luminance; CameraSpec::exposure_ev is added
     bool dither = false;         // noise of half an 8-bit step, against banding
     int samples = 1;             // a pixel is the mean of samples x samples rays
-    bool refine = true;          // where samples is 1: pixels that differ much from a neighbour are means of 4 x 4 rays
+    bool refine = true;          // where samples is 1: pixels that differ much from a neighbour have more rays
     ScaleBar scale_bar = ScaleBar::kOff;
     friend bool operator==(const PictureSpec&, const PictureSpec&) = default;
 };

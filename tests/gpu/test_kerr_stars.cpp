@@ -295,7 +295,8 @@ Scene all_stars() {
     Scene scene = star_scene(0.95, 15, 1.48, 0);
     scene.camera.width = 1280, scene.camera.height = 720;
     scene.sky.magnitude_limit = 20.0;
-    scene.sky.brightness = 0.4 / 3.0;  // what the bounds below were measured with: fainter images are searched less well
+    scene.sky.brightness =
+        0.4 / 3.0;  // what the bounds below were measured with: fainter images are searched less well
     return scene;
 }
 
