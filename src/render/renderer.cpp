@@ -277,7 +277,7 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
             draw_picture(pass, picture, width, height, first, last,
                          {.marked = refine ? gl::Marked::kNot : gl::Marked::kAny});
         } else if (pass.stage == Stage::kEdges) {
-            refine_rows(list, width, height, first, last);
+            if (refining_) refine_rows(list, width, height, first, last);
         } else if (last == height) {
             draw_pass(pass, framebuffer, width, height);
         }

@@ -61,6 +61,9 @@ public:
     // One program of those that are not there, some 0.1 s on software drivers; of a prepared scene. Returns whether one was left.
     bool build_next();
 
+    // Whether pixels on edges get more rays, where the scene calls for it; the programs are the same.
+    void refine(bool wanted) { refining_ = wanted; }
+
     // How the images of point stars in a new view about a rotating hole are found, from the next prepare() on.
     void search_stars(StarField::Search search) { star_search_ = std::move(search); }
     // Whether that search is what a new view waits for; of the prepared scene.
@@ -152,6 +155,7 @@ private:
     gl::Target linear_;  // what passes of light work on, if there are any
     gl::Format linear_format_ = gl::Format::kRgba16F;
     PictureEdges edges_;  // of linear_: pixels with more rays
+    bool refining_ = true;
     BodyText body_text_;
     BodyImages body_images_;
     PictureTexture disc_;

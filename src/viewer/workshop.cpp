@@ -56,8 +56,10 @@ int Workshop::coarseness(const PaintJob& job) const {
     if (!job.coarse_first || job.rays) return 1;
     const CameraSpec& camera = job.scene.camera;
     Scene once = job.scene;
-    once.picture.samples = 1, once.picture.refine = false;  // of pictures in motion
-    const bool known = picture_ms_ > 0.0 && method_ == job.method && effects_ == effect_set(required_effects(once));
+    once.picture.samples = 1;  // of pictures in motion
+    EffectSet effects = effect_set(required_effects(once));
+    effects.erase(Effect::kRefine);
+    const bool known = picture_ms_ > 0.0 && method_ == job.method && effects_ == effects;
     const double whole_ms = picture_ms_ * camera.width * camera.height;
     if (known && whole_ms <= kDear_ms) return 1;
     int times = known ? 2 : kUnknownCoarseness;
@@ -110,7 +112,9 @@ std::optional<Painting> Workshop::picture(const PaintJob& job, int coarseness, b
     Painting painting;
     painting.job = job;
     Scene scene = job.scene;
-    if (first) scene.picture.samples = 1, scene.picture.refine = false;
+    if (first) scene.picture.samples = 1;
+    renderer_.refine(!first);  // by the same programs
+    if (right_ != nullptr) right_->refine(!first);
     scene.camera.width = painting.width = scene.camera.width / coarseness;
     scene.camera.height = painting.height = scene.camera.height / coarseness;
     watch.tell({PaintProgress::Stage::kPreparing, 0, painting.height});
