@@ -16,6 +16,7 @@ using namespace nullscope::test;
 
 Scene bolometric_scene(double r, double theta_deg) {
     Scene scene;
+    scene.picture.refine = false;  // one ray a pixel
     scene.camera.r = r;
     scene.camera.theta = theta_deg * M_PI / 180;
     scene.camera.width = 640;
@@ -115,6 +116,7 @@ TEST_CASE("sky: its light changes as a black body's by g, the same all over it o
         int pixels = 0;
         for (int variant = 0; variant < 8; ++variant) {
             Scene scene;
+            scene.picture.refine = false;
             scene.camera.r = 3.0;
             scene.camera.width = 160;
             scene.camera.height = 90;

@@ -91,6 +91,7 @@ struct View {
 
 Scene scene_of(const View& view) {
     Scene scene;
+    scene.picture.refine = false;
     scene.spacetime = view.spacetime;
     if (view.spacetime.metric != "schwarzschild") scene.camera.observer = ObserverKind::kZamo;
     scene.camera.r = 40;
@@ -207,6 +208,7 @@ TEST_CASE("limb darkening: all light of a far ring is the printed table's at eac
     on_every_context([&](GpuSession& session) {
         const auto all_light = [&](double cosine, bool darkened) {
             Scene scene;
+            scene.picture.refine = false;
             scene.camera.r = 1e5;
             scene.camera.theta = std::acos(cosine);
             scene.camera.width = scene.camera.height = 256;

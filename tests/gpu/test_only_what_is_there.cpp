@@ -120,6 +120,7 @@ TEST_CASE("an effect that is off has no texture, and gives it back when it goes 
 
 // Cost of a scene's picture over that of the frozen shader. same: whether both draw the same.
 double ratio_to_lone_sky(GpuSession& session, Scene scene, bool& same) {
+    scene.picture.refine = false;
     constexpr int kWidth = 960, kHeight = 540;
     const int pairs = by_depth(31, 201, 201);
     scene.camera.width = kWidth, scene.camera.height = kHeight;

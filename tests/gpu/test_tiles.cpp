@@ -20,6 +20,7 @@ using namespace nullscope;
 
 Scene sized(const std::string& name, int width, int height) {
     Scene scene = *load_scene(name);
+    scene.picture.refine = false;  // one ray a pixel
     scene.camera.width = width, scene.camera.height = height;
     return scene;
 }
@@ -118,6 +119,7 @@ TEST_CASE("tiles: thin, small and edge-on discs are not missed") {
             Difference sum;
             for (const View& view : views) {
                 Scene scene;
+                scene.picture.refine = false;
                 scene.spacetime.metric = metric;
                 if (metric == std::string("kerr")) scene.spacetime.parameters["spin"] = 0.9;
                 scene.camera.observer = metric == std::string("kerr") ? ObserverKind::kZamo : ObserverKind::kStatic;
@@ -189,7 +191,9 @@ TEST_CASE("tiles: interpolated rays are those that are traced") {
     const int poses = test::by_depth(3, 8, 24);
     int scenes = 0;
     for (const SceneInfo& info : shipped_scenes()) {
-        const Scene scene = sized(info.name, 643, 363);
+        Scene scene = sized(info.name, 643, 363);
+        scene.sky.brightness *= 0.4 / 3.0;  // light differs as the sky's own; the bound is of one whose stars of magnitude 5 have 0.4
+        if (scene.camera.pixel() < 1e-5) continue;  // the rounding of a ray is more than a hundredth of that
         if (!interpolates(effect_set(required_effects(scene)))) continue;
         ++scenes;
         std::mt19937 random(2);
@@ -255,6 +259,7 @@ TEST_CASE("tiles: a body in a part of the picture costs that part") {
 
 Scene balls_on_orbits(int balls) {
     Scene scene;
+    scene.picture.refine = false;
     scene.camera.r = 26.0, scene.camera.theta = 1.29, scene.camera.plane_width = 0.85;
     scene.camera.width = 640, scene.camera.height = 360;
     for (int i = 0; i < balls; ++i) {
