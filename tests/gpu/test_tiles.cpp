@@ -192,7 +192,8 @@ TEST_CASE("tiles: interpolated rays are those that are traced") {
     int scenes = 0;
     for (const SceneInfo& info : shipped_scenes()) {
         Scene scene = sized(info.name, 643, 363);
-        scene.sky.brightness *= 0.4 / 3.0;  // light differs as the sky's own; the bound is of one whose stars of magnitude 5 have 0.4
+        scene.sky.brightness *=
+            0.4 / 3.0;  // light differs as the sky's own; the bound is of one whose stars of magnitude 5 have 0.4
         if (scene.camera.pixel() < 1e-5) continue;  // the rounding of a ray is more than a hundredth of that
         if (!interpolates(effect_set(required_effects(scene)))) continue;
         ++scenes;
