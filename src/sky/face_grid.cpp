@@ -43,7 +43,7 @@ FaceGrid::FaceGrid(const Mat3& world_from_sky, int size, int border, int most_ce
 }
 
 void FaceGrid::paint(SkyRows& rows, const NodeLight& light) const {
-    const auto side = static_cast<std::size_t>(cells_ + 1 + 2 * before_);
+    const auto side = static_cast<std::size_t>(cells_) + 1 + 2 * static_cast<std::size_t>(before_);
     const int first = (rows.first + rows.border) / fine_,
               last = (rows.first + rows.count - 1 + rows.border) / fine_ + 3;
     const FaceAxes axes = face_axes(rows.face);
