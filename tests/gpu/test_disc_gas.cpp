@@ -19,6 +19,7 @@ constexpr int kWidth = 96, kHeight = 54;
 
 Scene gas_scene(const SpacetimeSpec& spacetime, double theta) {
     Scene scene;
+    scene.picture.refine = false;  // one ray a pixel
     scene.spacetime = spacetime;
     if (spacetime.metric != "schwarzschild") scene.camera.observer = ObserverKind::kZamo;
     scene.camera.r = 25;
@@ -45,6 +46,7 @@ struct Worst {
 void measure(GpuSession& session, Scene scene, std::mt19937& random, Worst& worst) {
     constexpr double kClose =
         4e-2;  // floats: places to 1e-6, angles to 1e-5 of the finest filaments, 1e-3 of ln r wide
+    constexpr double kWidest = 2e-4;  // of r, what a pixel spans: a fifth of the finest filaments
     scene.camera.plane_width = 1e-3;
     std::uniform_real_distribution<double> angle(-0.5, 0.5), time(0, 300);
     scene.camera.yaw = angle(random), scene.camera.pitch = 0.5 * angle(random), scene.time = time(random);
@@ -61,6 +63,12 @@ void measure(GpuSession& session, Scene scene, std::mt19937& random, Worst& wors
         if (hits.size() != 1 || ray->fate() != Fate::kEscaped) continue;
         const double r = std::hypot(hits[0].x, hits[0].y);
         if (r < disc.inner + 0.01 || r > disc.outer - 0.01) continue;
+        const auto beside = tracer->disc_hits(*tracer->ray(x + 1.5, y + 0.5), 2),
+                   above = tracer->disc_hits(*tracer->ray(x + 0.5, y + 1.5), 2);
+        if (beside.size() != 1 || above.size() != 1) continue;
+        const double wide = std::max(std::hypot(beside[0].x - hits[0].x, beside[0].y - hits[0].y),
+                                     std::hypot(above[0].x - hits[0].x, above[0].y - hits[0].y));
+        if (wide > kWidest * r) continue;  // a small image: the finest octaves are averaged there
         const double depth = std::min(r - disc.inner, disc.outer - r) / (disc.outer - disc.inner) / disc.edge,
                      whole = depth < 1 ? depth * depth * (3 - 2 * depth) : 1, opacity = disc.opacity * whole;
         const auto gas = reference::gas_at(disc, r, std::atan2(hits[0].y, hits[0].x), scene.time - hits[0].delay, whole,

@@ -40,6 +40,7 @@ TEST_CASE("display: tone curves, bloom and automatic exposure are those of the h
                     Scene scene = bright_scene();
                     scene.camera.exposure_ev = -0.7;
                     scene.picture = {tone, bloom, automatic, false};
+                    scene.picture.refine = false;  // straight to the display, where nothing else works on the light
                     REQUIRE(session.renderer->prepare(scene));
                     const Image<float> linear = session.renderer->picture();
                     const int worst = worst_step(session.renderer->picture8(),
