@@ -9,8 +9,11 @@
 #include "scenefile/scene_file.h"
 #include "sky/sky.h"
 #include "support/gpu_session.h"
+#include "support/picture_off.h"
 
 using namespace nullscope;
+using test::Off;
+using test::off_between;
 
 namespace {
 
@@ -20,26 +23,6 @@ Scene sized(const char* name, int width, int height) {
     scene->camera.width = width, scene->camera.height = height;
     scene->picture.bloom = 0.0, scene->picture.auto_exposure = false, scene->picture.dither = false;
     return *scene;
-}
-
-struct Off {  // of 255
-    double mean = 0, thousandth = 0;
-};
-
-Off off_between(const Image<unsigned char>& a, const Image<unsigned char>& b) {
-    std::vector<int> worst;
-    double sum = 0;
-    for (std::size_t i = 0; i < a.data.size(); i += 3) {
-        int most = 0;
-        for (std::size_t c = i; c < i + 3; ++c) {
-            const int off = std::abs(a.data[c] - b.data[c]);
-            sum += off, most = std::max(most, off);
-        }
-        worst.push_back(most);
-    }
-    const auto at = worst.begin() + static_cast<std::ptrdiff_t>(worst.size() * 999 / 1000);
-    std::nth_element(worst.begin(), at, worst.end());
-    return {sum / static_cast<double>(a.data.size()), static_cast<double>(*at)};
 }
 
 Image<unsigned char> drawn(Renderer& renderer, Scene scene, bool refine, int samples = 1) {

@@ -1,0 +1,32 @@
+// How far two displayed pictures of one size are apart.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "image/image.h"
+
+namespace nullscope::test {
+
+struct Off {  // of 255: mean of all channels; what a thousandth of the pixels exceeds, by their worst channel
+    double mean = 0, thousandth = 0;
+};
+
+inline Off off_between(const Image<unsigned char>& a, const Image<unsigned char>& b) {
+    std::vector<int> worst;
+    double sum = 0;
+    for (std::size_t i = 0; i < a.data.size(); i += 3) {
+        int most = 0;
+        for (std::size_t c = i; c < i + 3; ++c) {
+            const int off = std::abs(a.data[c] - b.data[c]);
+            sum += off, most = std::max(most, off);
+        }
+        worst.push_back(most);
+    }
+    const auto at = worst.begin() + static_cast<std::ptrdiff_t>(worst.size() * 999 / 1000);
+    std::nth_element(worst.begin(), at, worst.end());
+    return {sum / static_cast<double>(a.data.size()), static_cast<double>(*at)};
+}
+
+}  // namespace nullscope::test
