@@ -70,6 +70,7 @@ int Workshop::coarseness(const PaintJob& job) const {
 
 Status Workshop::prepare(const Scene& scene, const PaintJob& job, const StarField::Search& search) {
     renderer_.search_stars(search);
+    renderer_.refine(!search.quick);  // by the same programs
     renderer_.set_method(job.method);
     renderer_.set_adaptation(job.adaptation);
     split_ = job.rays ? std::nullopt : halves(scene);
@@ -80,6 +81,7 @@ Status Workshop::prepare(const Scene& scene, const PaintJob& job, const StarFiel
         prepare_flight(*right_);
     }
     right_->search_stars(search);
+    right_->refine(!search.quick);
     // The right half's spacetime may not have the left one's method.
     const SpacetimeSpec& other = split_->right.spacetime;
     const auto spacetime = make_spacetime(other.metric, other.parameters);
@@ -113,8 +115,6 @@ std::optional<Painting> Workshop::picture(const PaintJob& job, int coarseness, b
     painting.job = job;
     Scene scene = job.scene;
     if (first) scene.picture.samples = 1;
-    renderer_.refine(!first);  // by the same programs
-    if (right_ != nullptr) right_->refine(!first);
     scene.camera.width = painting.width = scene.camera.width / coarseness;
     scene.camera.height = painting.height = scene.camera.height / coarseness;
     watch.tell({PaintProgress::Stage::kPreparing, 0, painting.height});

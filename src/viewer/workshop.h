@@ -79,7 +79,7 @@ public:
     int coarseness(const PaintJob& job) const;
     // Whether a picture with one ray a pixel, and after a quick search for the images of stars, is worth its time.
     bool drafts(const PaintJob& job) const {
-        return job.scene.picture.samples > 1 || job.scene.picture.refine || searches_stars();
+        return takes_samples(effect_set(required_effects(job.scene))) || searches_stars();
     }
     bool searches_stars() const {
         return renderer_.searches_stars() || (right_ != nullptr && right_->searches_stars());
