@@ -13,7 +13,7 @@ float sampling_rays() {
 // A side of what a ray stands for, over the distance between the rays of neighbouring fragments.
 float sampling_share() {
 #ifdef NEEDS_SAMPLING
-    return frame.sampling.w;
+    return 1.0 / frame.sampling.z;
 #else
     return 1.0;
 #endif
@@ -23,4 +23,8 @@ float sampling_share() {
 // The rays that a fragment traces: number of the first, and how many.
 int sampling_first() { return int(frame.sampling.x); }
 int sampling_count() { return int(frame.sampling.y); }
+
+// Fetches of the sky along the longer side of a ray's footprint, at most. A number that the compiler does not know: Mesa lays loops of known
+// length out in full, and every ray then pays for the longest.
+float sampling_fetches() { return frame.sampling.w; }
 #endif

@@ -299,9 +299,7 @@ Trace trace_pixel(vec2 pixel) {
 }
 
 #ifdef NEEDS_FOOTPRINT
-#ifdef EFFECT_SKY_PATTERN
 PixelSides sky_sides(Trace trace) { return trace.sky_sides; }
-#endif
 #ifdef NEEDS_PLACE
 PixelSides solid_sides(Trace trace, RayPlace place) { return trace.solid_sides; }
 #endif

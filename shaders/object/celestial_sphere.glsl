@@ -1,30 +1,74 @@
 // The celestial sphere at infinity, a cube map in linear light.
 //
-// One trilinear fetch a pixel, so that no frame is dearer than another. The footprint's sides on the sky are the pixel's angle
-// times d(phi)/d(alpha) along the ray's plane and sin(phi)/sin(alpha) across it; the level lies between the two: three fifths of
-// the longer side at least (a trilinear tap spans two texels, so nothing is left out and points do not flicker), and their
-// geometric mean where they are alike.
+// The footprint's sides on the sky are the pixel's angle times d(phi)/d(alpha) along the ray's plane and sin(phi)/sin(alpha) across it.
+// A picture of one ray a pixel takes one trilinear fetch, so that no frame is dearer than another. Its level lies between the two sides:
+// three fifths of the longer one at least (a trilinear tap spans two texels, so nothing is left out and points do not flicker), and their
+// geometric mean where they are alike. A picture whose edges are drawn with more rays takes several fetches along the longer side.
 #include "effect/footprint.glsl"
 #ifdef EFFECT_SKY_SHIFT
 #ifdef EFFECT_ABERRATION
 #include "effect/black_body.glsl"
 #endif
 #endif
+#include "effect/sampling.glsl"
 #include "path/trace"
 #include "shared/frame.glsl"
 
-// log2 of the footprint, texels.
-float sky_detail(Trace trace) {
-    float along = abs(trace.stretch_along);
-    float across = abs(trace.stretch_across);
-    float wide = max(along, across);
-    float side2 = max(0.36 * wide * wide, along * across) * trace.pixel_angle * trace.pixel_angle;
+// Texels per radian: a cube face is denser towards its corners.
+float sky_texels(Trace trace) {
     vec3 size = abs(trace.sky);
-    float texels = frame.sky.x / max(max(size.x, size.y), size.z);   // a cube face is denser towards its corners
-    return 0.5 * log2(side2 * texels * texels);
+    return frame.sky.x / max(max(size.x, size.y), size.z);
 }
 
-float sky_level(Trace trace) { return footprint_level(sky_detail(trace), frame.sky.y); }
+// log2 of what a fetch has to span, texels, for sides in texels.
+float sky_span(float along, float across) {
+    float wide = max(along, across);
+    return 0.5 * log2(max(0.36 * wide * wide, along * across));
+}
+
+float sky_detail(Trace trace) {
+    float scale = trace.pixel_angle * sky_texels(trace);
+    return sky_span(abs(trace.stretch_along) * scale, abs(trace.stretch_across) * scale);
+}
+
+// Where the sky is fetched: at the ray's direction + longer * t, for t at the middles of so many equal parts of -1/2 ... 1/2.
+struct SkyFetches {
+    vec3 longer;   // side of the footprint, rad
+    float count;
+    float level;
+};
+
+#ifdef NEEDS_SAMPLING
+// The parallelogram of the pixel's sides is taken as the ellipse that they are conjugate to.
+SkyFetches sky_fetches(Trace trace) {
+    PixelSides sides = sky_sides(trace);
+    float aa = dot(sides.along, sides.along);
+    float bb = dot(sides.across, sides.across);
+    float ab = dot(sides.along, sides.across);
+    vec3 area = cross(sides.along, sides.across);
+    float apart = sqrt((aa - bb) * (aa - bb) + 4.0 * ab * ab);
+    float turn = (aa - bb) / max(apart, 1.0e-30);   // cosine of twice the angle from `along` to the longer side
+    float c = sqrt(max(0.5 + 0.5 * turn, 0.0));
+    float s = sqrt(max(0.5 - 0.5 * turn, 0.0));
+    float texels = sky_texels(trace);
+    float longer = max(sqrt(0.5 * (aa + bb + apart)) * texels, 1.0e-12);
+    float shorter = min(sqrt(dot(area, area)) * texels * texels / longer, longer);
+    SkyFetches fetches;
+    fetches.longer = c * sides.along + (ab < 0.0 ? -s : s) * sides.across;
+    bool seen = trace.escapes;   // others would take as long, for nothing
+#ifdef EFFECT_FAR_SKY
+    seen = true;
+#endif
+#ifdef NEEDS_SKY_OF_EVERY_RAY
+    seen = true;
+#endif
+    fetches.count = clamp(ceil(longer / max(shorter, 1.0)), 1.0, seen ? sampling_fetches() : 1.0);
+    fetches.level = footprint_level(sky_span(longer / fetches.count, shorter), frame.sky.y);
+    return fetches;
+}
+#else
+SkyFetches sky_fetches(Trace trace) { return SkyFetches(vec3(0.0), 1.0, footprint_level(sky_detail(trace), frame.sky.y)); }
+#endif
 
 #ifdef EFFECT_SKY_SHIFT
 // The sky's light as g changes it: that of a black body of its temperature. Without motion it is the same all over the sky.
@@ -44,16 +88,22 @@ uniform highp sampler2DArray sky_texture;
 // The skies of both ends of a wormhole as layers of one texture: every ray fetches once, whichever sky it ends on. (Software drivers run
 // both sides of a branch: two cube maps would be two fetches a pixel.) Faces as OpenGL's cube maps have them, with a border of the
 // faces beside them, src/sky/sky.h.
-vec3 celestial_sphere(Trace trace, float level) {
+vec3 celestial_sphere(Trace trace, SkyFetches fetches) {
     vec3 d = trace.sky;
     vec3 size = abs(d);
     bool on_x = size.x >= max(size.y, size.z), on_y = !on_x && size.y >= size.z;
-    float major = on_x ? d.x : on_y ? d.y : d.z;
-    float facing = major < 0.0 ? -1.0 : 1.0;
-    vec2 place = on_x ? vec2(-facing * d.z, -d.y) : on_y ? vec2(d.x, facing * d.z) : vec2(facing * d.x, -d.y);
-    float layer = (on_x ? 0.0 : on_y ? 2.0 : 4.0) + (0.5 - 0.5 * facing);
-    float other_side = trace.escapes ? 0.0 : 6.0;
-    vec3 light = textureLod(sky_texture, vec3(place * (frame.sky.w / abs(major)) + 0.5, layer + other_side), level).rgb * frame.sky.z;
+    float facing = (on_x ? d.x : on_y ? d.y : d.z) < 0.0 ? -1.0 : 1.0;
+    float layer = (on_x ? 0.0 : on_y ? 2.0 : 4.0) + (0.5 - 0.5 * facing) + (trace.escapes ? 0.0 : 6.0);
+    vec3 light = vec3(0.0);
+    float part = 0.5;
+    do {   // tested at the end, see disc_cover
+        vec3 at = d + fetches.longer * (part / fetches.count - 0.5);
+        float major = abs(on_x ? at.x : on_y ? at.y : at.z);
+        vec2 place = on_x ? vec2(-facing * at.z, -at.y) : on_y ? vec2(at.x, facing * at.z) : vec2(facing * at.x, -at.y);
+        light += textureLod(sky_texture, vec3(place * (frame.sky.w / major) + 0.5, layer), fetches.level).rgb;
+        part += 1.0;
+    } while (part < fetches.count);
+    light *= frame.sky.z / fetches.count;
 #ifdef EFFECT_SKY_SHIFT
     light *= trace.escapes ? sky_shift(trace) : vec3(1.0);
 #endif
@@ -62,8 +112,14 @@ vec3 celestial_sphere(Trace trace, float level) {
 #else
 uniform samplerCube sky_texture;
 
-vec3 celestial_sphere(Trace trace, float level) {
-    vec3 light = textureLod(sky_texture, trace.sky, level).rgb * frame.sky.z;
+vec3 celestial_sphere(Trace trace, SkyFetches fetches) {
+    vec3 light = vec3(0.0);
+    float part = 0.5;
+    do {
+        light += textureLod(sky_texture, trace.sky + fetches.longer * (part / fetches.count - 0.5), fetches.level).rgb;
+        part += 1.0;
+    } while (part < fetches.count);
+    light *= frame.sky.z / fetches.count;
 #ifdef EFFECT_SKY_SHIFT
     light *= sky_shift(trace);
 #endif

@@ -4,9 +4,7 @@
 #ifdef EFFECT_ABERRATION
 #include "core/aberration.glsl"
 #endif
-#ifdef EFFECT_SKY_PATTERN
 #include "core/pixel_sides.glsl"
-#endif
 #ifdef EFFECT_LENSING
 #include "core/strip.glsl"
 #include "core/sweep.glsl"
@@ -135,7 +133,6 @@ Trace trace_pixel(vec2 pixel) {
     return trace;
 }
 
-#ifdef EFFECT_SKY_PATTERN
 // Sides of the pixel's box on the sky, within the ray's plane and across it.
 #define SKY_WIDEST 4.0   // boxes wider than the sphere are all of it
 PixelSides sky_sides(Trace trace) {
@@ -146,4 +143,3 @@ PixelSides sky_sides(Trace trace) {
     sides.across = across * clamp(trace.stretch_across * trace.pixel_angle, -SKY_WIDEST, SKY_WIDEST);
     return sides;
 }
-#endif

@@ -44,7 +44,7 @@ struct FrameData {
     vec4 point_spread; // log2(e)/(2 sigma^2) (1/px^2), 0, 0, 0
 #endif
 #ifdef NEEDS_SAMPLING
-    vec4 sampling;     // N x N rays a pixel: number of the first that is drawn, how many are; N, 1/N
+    vec4 sampling;     // N x N rays a pixel: number of the first that is drawn, how many are; N; fetches of the sky for each, at most
 #endif
 #ifdef BLOCK_BLOOM
     vec4 bloom;        // share of the light that is scattered, 0, 0, 0

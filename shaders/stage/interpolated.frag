@@ -17,8 +17,12 @@ vec4 ray_light(vec2 pixel) {
     Trace trace = trace_to_sky(pixel, tile_sky_at(sky, at), tile_sky_right(sky, at) * sampling_share(), tile_sky_up(sky, at) * sampling_share());
     vec3 light = vec3(0.0);
 #ifdef EFFECT_SKY
+#ifdef NEEDS_SAMPLING
+    light += celestial_sphere(trace, sky_fetches(trace));
+#else
     float detail = tile_detail.x + at.x * tile_detail.y + at.y * (tile_detail.z + at.x * tile_detail.w);
-    light += celestial_sphere(trace, footprint_level(detail, frame.sky.y));
+    light += celestial_sphere(trace, SkyFetches(vec3(0.0), 1.0, footprint_level(detail, frame.sky.y)));
+#endif
 #endif
 #ifdef EFFECT_SKY_PATTERN
     light += sky_pattern_light(trace);

@@ -19,7 +19,7 @@ vec2 fragment_pixel(int number) {
 #ifdef NEEDS_SAMPLING
     int side = int(frame.sampling.z);
     vec2 cell = vec2(float(number % side), float(number / side));
-    vec2 within = frame.sampling.z < SAMPLING_SHEARED ? vec2(0.0) : (cell.yx + 0.5) * frame.sampling.w - 0.5;
+    vec2 within = frame.sampling.z < SAMPLING_SHEARED ? vec2(0.0) : (cell.yx + 0.5) * sampling_share() - 0.5;
     return (gl_FragCoord.xy - 0.5) * frame.sampling.z + 0.5 - 0.5 * frame.image.xy + cell + within;
 #else
     return gl_FragCoord.xy - 0.5 * frame.image.xy;

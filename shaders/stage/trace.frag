@@ -66,13 +66,13 @@ vec4 ray_light(vec2 pixel) {
 #endif
 #ifdef EFFECT_SKY
 #ifdef NEEDS_SKY_OF_EVERY_RAY
-    if (through > 0.002) light += through * celestial_sphere(trace, sky_level(trace));
+    if (through > 0.002) light += through * celestial_sphere(trace, sky_fetches(trace));
 #else
-    if (trace.escapes && through > 0.002) light += through * celestial_sphere(trace, sky_level(trace));
+    if (trace.escapes && through > 0.002) light += through * celestial_sphere(trace, sky_fetches(trace));
 #endif
 #else
 #ifdef EFFECT_FAR_SKY
-    if (!trace.escapes) light += through * other_side(trace, sky_level(trace));
+    if (!trace.escapes) light += through * other_side(trace, sky_fetches(trace));
 #endif
 #endif
 #ifdef EFFECT_SKY_PATTERN

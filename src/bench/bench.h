@@ -18,6 +18,7 @@ void add_bench_accuracy(Command& bench);
 void add_bench_hard(Command& bench);
 void add_bench_soak(Command& bench);
 void add_bench_metrics(Command& bench);
+void add_bench_pictures(Command& bench);
 void add_bench_spin(Command& bench);
 
 struct BenchOptions {

@@ -4,10 +4,9 @@
 
 #include "base/assets.h"
 #include "base/progress.h"
+#include "command/reference_inputs.h"
 #include "compare/ray_channels.h"
 #include "image/image_file.h"
-#include "image/large_image.h"
-#include "plan/effects.h"
 #include "reference/reference.h"
 #include "render/display.h"
 
@@ -30,36 +29,15 @@ Result<Captured> capture_gl(Session& session, const Scene& scene, const CaptureO
 }
 
 Result<Captured> capture_reference(const Scene& scene, const CaptureOptions& options) {
-    constexpr int kSkyFace = 2048;
-    TRY(sky, build_sky(scene.sky, assets_directory(), kSkyFace));
-    const EffectSet effects = effect_set(required_effects(scene));
-    std::optional<SkyCube> far_sky;
-    if (effects.contains(Effect::kFarSky)) {
-        TRY(built, build_sky(scene.far_sky, assets_directory(), kSkyFace));
-        far_sky = std::move(*built);
-    }
-    std::optional<Image<float>> disc;
-    if (effects.contains(Effect::kDiscImage)) {
-        TRY(image, load_disc_image(*scene.disc));
-        disc = std::move(image->image);
-    }
-    std::map<std::filesystem::path, Image<float>> images;
-    for (const auto& file : body_images(scene)) {
-        TRY(image, load_fitted_image(file));
-        images[file] = std::move(image->image);
-    }
-    reference::Pictures pictures(disc ? &*disc : nullptr);
-    for (const Body& body : scene.bodies)
-        pictures.bodies.push_back(body.material.texture == TextureKind::kImage ? &images.at(body.material.image)
-                                                                               : nullptr);
+    TRY(inputs, load_reference_inputs(scene));
     TRY(stars, point_stars(scene.sky, assets_directory()));
     const long long pixels = static_cast<long long>(scene.camera.width) * scene.camera.height;
     Captured captured;
     {
         Progress progress("reference picture", pixels);
         TRY(image, reference::render_frame(
-                       scene, *sky, pictures, options.samples.value_or(kSamples),
-                       [&](long long n) { progress.advance(n); }, far_sky ? &*far_sky : nullptr, *stars));
+                       scene, (*inputs)->sky, (*inputs)->pictures(scene), options.samples.value_or(kSamples),
+                       [&](long long n) { progress.advance(n); }, (*inputs)->far(), *stars));
         captured.linear = std::move(*image);
     }
     if (options.raydata) {

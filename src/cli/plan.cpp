@@ -74,9 +74,9 @@ void add_tables(const FrameTables& tables, const Scene& scene, std::vector<Line>
 // As Renderer::textures() counts them, once made.
 Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Line>& lines) {
     if (effects.contains(Effect::kSky)) {
-        const long long size = sky_face_size(scene.camera, kMostCubeFace);
+        const long long size = sky_face_size(scene, kMostCubeFace);
         lines.push_back({"sky", 6, size, size, 32 * size * size, "GPU",
-                         "camera.fov and camera.size: a texel a pixel"});  // 4 B, mip levels
+                         "camera.fov and camera.size: a texel a ray"});  // 4 B, mip levels
     }
     if (effects.contains(Effect::kThermalDisc))
         lines.push_back({"disc flow", 1, kDiscFlowCells + 1, kDiscFlowRows, 16 * (kDiscFlowCells + 1) * kDiscFlowRows,

@@ -46,4 +46,14 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
                                   const std::function<void(long long)>& done = {}, const SkyCube* far_sky = nullptr,
                                   const std::vector<PointStar>& stars = {});
 
+// The light of single pixels, and half of the difference of the means over every other ray and over the rest: about what the light is
+// uncertain by. samples: even.
+struct PixelLight {
+    Vec3 light, uncertainty;
+};
+// For columns and rows from the top. Without point stars.
+Result<std::vector<PixelLight>> render_pixels(const Scene& scene, const SkyCube& sky, const Pictures& pictures,
+                                              int samples, const std::vector<std::array<int, 2>>& pixels,
+                                              const SkyCube* far_sky);
+
 }  // namespace nullscope::reference

@@ -175,19 +175,58 @@ double transmission(const Looks& looks, double x, double y) {
     return through;
 }
 
+// Errors of what is to be drawn.
+Status check_pictures(const Pictures& pictures, int samples) {
+    if (samples < 1) return bad_input(fmt::format("samples = {} must be at least 1", samples));
+    if (pictures.disc && (pictures.disc->empty() || pictures.disc->channels < 3 || pictures.disc->channels > 4))
+        return bad_input("the disc's image must have 3 or 4 channels");
+    return Done{};
+}
+
+std::optional<DiscLight> heat_of(const FrameTracer& tracer, const Scene& scene) {
+    if (!scene.disc || scene.disc->emission != DiscEmission::kThermal) return std::nullopt;
+    return std::optional<DiscLight>(std::in_place, tracer.matter(), *scene.disc, scene.light);
+}
+
+// Means over the rays of a pixel, those of even and of odd number as on a chessboard.
+std::array<Vec3, 2> pixel_halves(const Looks& looks, int x, int y, int samples) {
+    std::array<Vec3, 2> sums{};
+    std::array<int, 2> counts{};
+    for (int i = 0; i < samples * samples; ++i) {
+        const int row = i / samples, column = i % samples;
+        const auto half = static_cast<std::size_t>((row + column) % 2);
+        const double dx = (column + 0.5) / samples, dy = (row + 0.5) / samples;
+        sums[half] = sums[half] + ray_colour(looks, x + dx, y + dy);
+        ++counts[half];
+    }
+    for (const std::size_t half : {0, 1}) sums[half] = sums[half] / std::max(counts[half], 1);
+    return sums;
+}
+
 }  // namespace
+
+Result<std::vector<PixelLight>> render_pixels(const Scene& scene, const SkyCube& sky, const Pictures& pictures,
+                                              int samples, const std::vector<std::array<int, 2>>& pixels,
+                                              const SkyCube* far_sky) {
+    TRY(good, check_pictures(pictures, samples));
+    if (samples % 2 != 0) return bad_input(fmt::format("samples = {} must be even", samples));
+    TRY(tracer, FrameTracer::make(scene));
+    const std::optional<DiscLight> heat = heat_of(*tracer, scene);
+    const Looks looks{*tracer, scene, sky, far_sky, pictures, heat ? &*heat : nullptr};
+    std::vector<PixelLight> found(pixels.size());
+    tbb::parallel_for(std::size_t{0}, pixels.size(), [&](std::size_t i) {
+        const auto [even, odd] = pixel_halves(looks, pixels[i][0], pixels[i][1], samples);
+        found[i] = {0.5 * (even + odd), 0.5 * (even - odd)};
+    });
+    return found;
+}
 
 Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const Pictures& pictures, int samples,
                                   const std::function<void(long long)>& done, const SkyCube* far_sky,
                                   const std::vector<PointStar>& stars) {
-    if (samples < 1) return bad_input(fmt::format("samples = {} must be at least 1", samples));
-    if (pictures.disc && (pictures.disc->empty() || pictures.disc->channels < 3 || pictures.disc->channels > 4)) {
-        return bad_input("the disc's image must have 3 or 4 channels");
-    }
+    TRY(good, check_pictures(pictures, samples));
     TRY(tracer, FrameTracer::make(scene));
-    std::optional<DiscLight> heat;
-    if (scene.disc && scene.disc->emission == DiscEmission::kThermal)
-        heat.emplace(tracer->matter(), *scene.disc, scene.light);
+    const std::optional<DiscLight> heat = heat_of(*tracer, scene);
     const Looks looks{*tracer, scene, sky, far_sky, pictures, heat ? &*heat : nullptr};
     Image<float> image(scene.camera.width, scene.camera.height, 3);
     tbb::parallel_for(0, image.height, [&](int y) {

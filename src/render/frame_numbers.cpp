@@ -152,9 +152,9 @@ FrameData sample_numbers(const FramePlan& plan, const LightPath& path, const Tex
     return frame_numbers(fine, path, textures, balls);
 }
 
-void put_samples(FrameData& frame, int samples, int first, int count) {
+void put_samples(FrameData& frame, int samples, int first, int count, int fetches) {
     frame.sampling = {static_cast<double>(first), static_cast<double>(count), static_cast<double>(samples),
-                      1.0 / samples};
+                      std::max(1.0, static_cast<double>(fetches) / samples)};
 }
 
 }  // namespace nullscope

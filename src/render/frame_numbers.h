@@ -23,8 +23,9 @@ FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const Text
 // put_samples() says.
 FrameData sample_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,
                          const BallPaths& balls, int samples);
-// Which of a pixel's rays are drawn, of 0 to samples^2 - 1. With one ray it is that through the pixel's middle.
-void put_samples(FrameData& frame, int samples, int first, int count);
+// Which of a pixel's rays are drawn, of 0 to samples^2 - 1. With one ray it is that through the pixel's middle. fetches: of the sky along the
+// longer side of a pixel's footprint, at most; they are shared out among the rays.
+void put_samples(FrameData& frame, int samples, int first, int count, int fetches);
 
 // cos(theta) of the camera, exactly 0 in the equatorial plane.
 double plane_height(const CameraSpec& camera);

@@ -51,8 +51,9 @@ std::filesystem::path disc_image_file(const DiscSpec& disc) {
 
 }  // namespace
 
-int sky_face_size(const CameraSpec& camera, int max_cube_size) {
-    const double pixel = camera.pixel();
+int sky_face_size(const Scene& scene, int max_cube_size) {
+    const bool refined = effect_set(required_effects(scene)).contains(Effect::kRefine);
+    const double pixel = scene.camera.pixel() / (refined ? kRefined.front() : scene.picture.samples);
     const int wanted = static_cast<int>(std::min(2.0 / pixel, 2048.0));  // a texel in a face's middle spans 2/size rad
     return std::min(std::max(256, static_cast<int>(std::bit_ceil(static_cast<unsigned>(wanted)))), max_cube_size);
 }
@@ -127,9 +128,7 @@ void Renderer::begin_skies() {
     const EffectSet& effects = tables_.effects();
     const auto near = effects.contains(Effect::kSky) ? std::optional(scene.sky) : std::nullopt;
     const auto far = effects.contains(Effect::kFarSky) ? std::optional(scene.far_sky) : std::nullopt;
-    CameraSpec fine = scene.camera;
-    fine.width *= scene.picture.samples;
-    const int wanted = near || far ? sky_face_size(fine, info_.max_cube_size) : 0;
+    const int wanted = near || far ? sky_face_size(scene, info_.max_cube_size) : 0;
     skies_.begin(near, far, keep_finer_sky_ && wanted > 0 ? std::max(wanted, skies_.size()) : wanted);
 }
 
@@ -264,7 +263,10 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
     const bool keep = linear_.width > 0;
     const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
     const bool refine = refines(list);
-    if (refine && first == 0) edges_.begin();
+    if (refine && first == 0) {
+        edges_.begin();
+        blocks_.upload_pixel(refining_);
+    }
     for (const Pass& pass : list) {
         if (is_in_tiles(pass.stage) && !draws_picture(pass.stage)) {
             // With the picture's first rows.
@@ -295,7 +297,7 @@ void Renderer::draw_samples(int samples, int at_once, Draw draw) {
         blocks_.upload_samples(samples, first, count);
         draw(gl::Layer{static_cast<double>(count) / rays, first == 0});
     }
-    blocks_.upload_pixel();
+    blocks_.upload_pixel(refining_);
 }
 
 void Renderer::draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last,

@@ -173,8 +173,8 @@ private:
     } hottest_;
 };
 
-// Face size of the sky's cube map that matches a camera's pixels: a power of two, 256 ... 2048 and what the driver allows.
-int sky_face_size(const CameraSpec& camera, int max_cube_size);
+// Face size of the sky's cube map that matches a camera's rays, where a pixel has several those: a power of two, 256 ... 2048 and what the driver allows.
+int sky_face_size(const Scene& scene, int max_cube_size);
 
 // The image of the disc: the scene's, or the one that ships.
 Result<FittedImage> load_disc_image(const DiscSpec& disc);

@@ -10,6 +10,7 @@ namespace nullscope {
 namespace {
 
 constexpr unsigned kFrameBinding = 0, kObjectBinding = 1;
+constexpr int kSkyFetches = 24;  // a pixel; beyond it light bent by a hole is blurred along its arcs
 constexpr std::size_t kMostObjectVectors = 4 * kMostBodies + 3 * kMostSpots;
 
 float* put(const FrameVector& v, float* to) {
@@ -31,14 +32,18 @@ void UniformBlocks::upload(const FrameTables& tables, const TextureFacts& facts)
     tables_ = &tables, facts_ = facts;
     samples_.clear();
     pixel_ = frame_numbers(tables.plan(), tables.path(), facts, tables.ball_paths());
-    put_samples(pixel_, 1, 0, 1);
-    upload_pixel();
+    upload_pixel(false);
     std::array<float, 4 * kMostObjectVectors> objects{};
     float* next = objects.data();
     for (const FrameVector& v :
          object_numbers(tables.plan(), tables.path().family(), tables.ball_paths(), tables.clearances()))
         next = put(v, next);
     gl::upload_uniforms(objects_, objects.data(), sizeof(objects));
+}
+
+void UniformBlocks::upload_pixel(bool filtered) {
+    put_samples(pixel_, 1, 0, 1, filtered ? kSkyFetches : 1);
+    upload_frame(pixel_);
 }
 
 void UniformBlocks::upload_samples(int samples, int first, int count) {
@@ -48,7 +53,7 @@ void UniformBlocks::upload_samples(int samples, int first, int count) {
                     .emplace(samples,
                              sample_numbers(tables_->plan(), tables_->path(), facts_, tables_->ball_paths(), samples))
                     .first;
-    put_samples(found->second, samples, first, count);
+    put_samples(found->second, samples, first, count, kSkyFetches);
     upload_frame(found->second);
 }
 

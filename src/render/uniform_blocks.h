@@ -17,9 +17,9 @@ public:
 
     void upload(const FrameTables& tables, const TextureFacts& facts);
     // Of the last upload, whose tables must still be there: for some of samples x samples rays of every pixel (put_samples), or for the pixel
-    // itself again.
+    // itself again, whose footprint on the sky is filtered with one fetch or with several.
     void upload_samples(int samples, int first, int count);
-    void upload_pixel() { upload_frame(pixel_); }
+    void upload_pixel(bool filtered);
 
     static void name(const gl::Program& program);  // where its blocks are
     void bind() const;

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import support
 
-COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench metrics", "bench soak", "plan", "scenes", "info", "figure"]
+COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench metrics", "bench pictures", "bench soak", "plan", "scenes", "info", "figure"]
 
 
 def png_size(data):
@@ -295,6 +295,16 @@ class Commands(support.CliTest):
         self.refused("bench", "hard", "--only", "no such case", says=["no such case"])
         broken = self.write("broken.tsv", "flat, sky\n")
         self.refused("bench", "hard", "--only", "flat, sky", "--reference", broken, says=["broken.tsv:1"])
+
+    def test_bench_pictures_judges_what_is_displayed(self):
+        self.run_nullscope("bench", "pictures", "luminet", "--size", "480x270", "--pixels", "200", "--samples", "8", "--json", "p.json")
+        (row,) = json.loads((self.folder / "p.json").read_text())
+        self.assertEqual((row["pixels"], row["within"]), (200, True))
+        self.assertLess(row["difference"]["mean"], 2)
+        coarse = self.write("coarse.toml", '[camera]\nr = 15\n[picture]\nrefine = "off"\n[sky]\nbrightness = 20.0\n')
+        said = self.run_nullscope("bench", "pictures", coarse, "--size", support.SMALL, "--pixels", "2000", "--samples", "8", status=1).out
+        self.assertIn("too much", said)
+        self.refused("bench", "pictures", "flat", "--samples", "3", says=["even"])
 
     @unittest.skipIf(support.QUICK, "18 processor seconds: measured by scripts/test.sh --all")
     def test_bench_soak_counts(self):

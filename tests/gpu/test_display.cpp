@@ -140,6 +140,7 @@ TEST_CASE("display: pictures of a few pixels, down to one") {
                 CAPTURE(width);
                 CAPTURE(height);
                 scene->camera.width = width, scene->camera.height = height;
+                scene->picture.refine = false;  // edges next to the bound are edges in half floats or in floats alone
                 REQUIRE(session.renderer->prepare(*scene));
                 const Image<float> linear = session.renderer->picture();
                 const auto expected = display_encoded(linear, scene->camera.exposure_ev, scene->picture);
