@@ -3,13 +3,10 @@
 #include "planar/delay.glsl"
 #endif
 #include "planar/disc_crossing.glsl"
-#ifdef EFFECT_LENSING
-#ifdef NEEDS_FOOTPRINT
-#include "planar/disc_thin.glsl"
-#define DISC_IS_THIN
-#endif
-#endif
 #include "planar/trace.glsl"
+#ifdef DISC_IS_THIN
+#include "planar/disc_thin.glsl"
+#endif
 #include "shared/frame.glsl"
 
 #ifdef NEEDS_FOOTPRINT
@@ -27,6 +24,17 @@ struct DiscWalk {
     bool thin;
 #endif
 };
+
+#ifdef DISC_IS_THIN
+#ifdef EFFECT_REFINE
+// All pixels that a thin ring may cover differ from their neighbours (effect/edge.glsl): it is one colour only while a pixel has one ray.
+float path_way(Trace trace) {
+    if (!disc_thin_near(trace, disc_meeting(trace))) return 0.0;
+    ivec2 place = ivec2(gl_FragCoord.xy);
+    return 1.0 + float((place.x + place.y) % 2);
+}
+#endif
+#endif
 
 DiscWalk disc_walk_at(Trace trace, DiscWalk walk) {
     walk.more = disc_reachable(trace, walk.meeting, walk.number);

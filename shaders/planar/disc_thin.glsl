@@ -22,11 +22,17 @@ struct DiscThin {
     float covered;
 };
 
+// The limit's next term, as far as it is small.
+float critical_bent(float x, float constant, float logarithm) {
+    float size = max(abs(x), 1.0e-30);
+    return x * clamp(1.0 + size * (constant + logarithm * log2(size)), 0.8, 1.25);
+}
+
 DiscThin disc_thin(Trace trace, PlaneMeeting meeting, int number) {
     float phi = meeting.phi + 3.14159265358979323846 * float(number);
     float shrunk = exp2(-phi * frame.critical.z);
-    float near = frame.critical.x * shrunk;
-    float far = frame.critical.y * shrunk;
+    float near = critical_bent(frame.critical.x * shrunk, frame.critical_bend.x, frame.critical_bend.y);
+    float far = critical_bent(frame.critical.y * shrunk, frame.critical_bend.z, frame.critical_bend.w);
     float offset = (trace.ray.u - 1.0) / frame.strip.z;   // |delta|, the angle from the critical direction
     offset = trace.escapes ? offset : -offset;
     float low = offset - 0.5 * trace.pixel_angle;
@@ -36,6 +42,14 @@ DiscThin disc_thin(Trace trace, PlaneMeeting meeting, int number) {
     ring.more = low < far && high > min(near, 0.0) && far - near > DISC_THIN_LEAST * trace.pixel_angle;
     ring.covered = max(min(high, far) - max(low, near), 0.0) / trace.pixel_angle;
     return ring;
+}
+
+// May the pixel be covered in part by the outermost of them?
+bool disc_thin_near(Trace trace, PlaneMeeting meeting) {
+    float number = ceil((frame.critical.w - meeting.phi) * (1.0 / 3.14159265358979323846));
+    DiscThin ring = disc_thin(trace, meeting, int(max(number, 0.0)));
+    DiscThin next = disc_thin(trace, meeting, int(max(number, 0.0)) + 1);
+    return (ring.thin && ring.more) || (next.thin && next.more);
 }
 
 // What such a ring shows: the disc across half of its width, in the middle.

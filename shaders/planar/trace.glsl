@@ -40,7 +40,16 @@ struct Trace {
 // What every kind of path says of its rays.
 float path_spin() { return 0.0; }                 // a of a rotating hole, r_s
 float path_steps(Trace trace) { return 0.0; }     // that the tracer took
-float path_way(Trace trace) { return 0.0; }       // effect/edge.glsl; thin images of the disc are known here (planar/disc_thin.glsl)
+#ifdef EFFECT_DISC
+#ifdef EFFECT_LENSING
+#ifdef NEEDS_FOOTPRINT
+#define DISC_IS_THIN   // images of the disc may be: planar/disc_thin.glsl
+#endif
+#endif
+#endif
+#ifndef DISC_IS_THIN
+float path_way(Trace trace) { return 0.0; }       // effect/edge.glsl
+#endif
 float swept_angle(float along) { return along; }  // of a place on the ray, by what tells the order of places
 #ifdef NEEDS_PHI_END
 float path_angle(Trace trace) { return trace.phi_end; }   // swept to the end

@@ -35,6 +35,7 @@ struct FrameData {
     vec4 disc_map;     // cos and sin of the image's rotation, each over 2 outer; texels per r_s; highest level
     vec4 disc_surface;    // opacity, rim fade (fraction of the width, 0 = none), brightness; how many of a ray's crossings it is not met by
     vec4 critical;     // images of the disc next to the critical direction: C of its rims, log2(e)/a, first angle
+    vec4 critical_bend;   // the next term, table/critical_images.h: of the inner rim, and of the outer one
 #endif
 #ifdef BLOCK_THERMAL_DISC
     vec4 disc_heat;    // 1/inner, flow cells per unit of ln r, log2 of the hottest ring's temperature (K) and of its luminance

@@ -94,10 +94,11 @@ Result<Counts> soak(Session& session, const Options& options, int width, int hei
         counts.not_finite += std::ranges::count(rays.pixels, false, all_finite);
         if (frame % kSpan == 0) counts.means.push_back(0);
         const int left = kSpan - 1 - frame % kSpan;  // frames of the span
-        if (left < kFramesAScene * kScenes && left % kFramesAScene == 0) counts.means.back() += resident_bytes() / kScenes;
+        if (left < kFramesAScene * kScenes && left % kFramesAScene == 0)
+            counts.means.back() += resident_bytes() / kScenes;
         if ((frame + 1) % (4 * kSpan) == 0) {
-            fmt::print("frame {:6}: {:.1f} MiB resident in the last {}\n", frame + 1,
-                       counts.means.back() / (1 << 20), kSpan);
+            fmt::print("frame {:6}: {:.1f} MiB resident in the last {}\n", frame + 1, counts.means.back() / (1 << 20),
+                       kSpan);
             std::fflush(stdout);
         }
     }

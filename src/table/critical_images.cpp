@@ -6,8 +6,9 @@
 namespace nullscope {
 namespace {
 
-constexpr double kDelta = 1e-7;  // of the critical angle
-constexpr double kNear = 0.3;    // chi from the photon sphere: from here on orbits wind as the limit does
+constexpr double kDelta = 1e-7;                      // of the critical angle
+constexpr double kBentFar = 0.04, kBentNear = 0.01;  // of the critical angle: where the next term is taken from
+constexpr double kNear = 0.3;  // chi from the photon sphere: from here on orbits wind as the limit does
 
 }  // namespace
 
@@ -36,6 +37,31 @@ CriticalImages critical_images(const RayFamily& family, double inner, double out
     };
     images.inner = place(inner);
     images.outer = place(outer);
+    // What x lacks of delta, over delta |delta|, for the ray at that angle; 0 for one that does not come to this radius.
+    const auto lack = [&](double c, double r, double part) {
+        const Segment segment = c > 0 ? Segment::kSky : Segment::kCaptured;
+        const double delta = part * family.critical_angle();
+        if (!(delta < family.delta_limit(segment))) return 0.0;
+        const FanRay ray = family.ray(segment, delta);
+        const double k = family.slope_at_sky(ray.q) / family.slope_at_sky(spacetime.photon_sphere()->q_crit),
+                     omk2 = (1 - k) * (1 + k), sine = std::sin(chi_of(r)) / k;
+        if (omk2 > 0 ? segment == Segment::kCaptured || sine >= 1 : false) return 0.0;
+        const double behind = omk2 > 0 ? family.table().turning_to_sky(k, omk2, std::asin(sine))
+                              : segment == Segment::kSky
+                                  ? family.table().through_from_infinity(k, -omk2, chi_of(r))
+                                  : family.table().through_from_infinity(k, -omk2, family.chi_end()) -
+                                        family.table().through_from_infinity(k, -omk2, chi_of(r));
+        const double x = std::fabs(c) * std::exp(-(ray.phi_end - behind) / rate);
+        return (delta / x - 1) / x;
+    };
+    const auto bend = [&](double c, double r) {
+        const double far = lack(c, r, kBentFar), near = lack(c, r, kBentNear);
+        if (far == 0 || near == 0) return CriticalImages::Bend{};
+        const double logarithm = (far - near) / std::log2(kBentFar / kBentNear);
+        return CriticalImages::Bend{far - logarithm * std::log2(kBentFar * family.critical_angle()), logarithm};
+    };
+    images.inner_bend = bend(images.inner, inner);
+    images.outer_bend = bend(images.outer, outer);
     const double past =
         family.beyond() ? std::min(chi_of(inner), M_PI / 2 - kNear) : std::max(chi_of(outer), M_PI / 2 + kNear);
     if (family.beyond() ? family.chi0() < past : family.chi0() > past)

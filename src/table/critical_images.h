@@ -4,6 +4,8 @@
 // phi by the ray at delta = C(r) exp(-phi / a), C = +-exp((B - T(r)) / a), with T(r) what the ray still sweeps behind r: to the sky
 // outside the photon sphere (C > 0), to the horizon inside it (C < 0). The image of crossing k is the ring between C(inner) and
 // C(outer), times exp(-phi_k / a).
+//
+// The next term of that limit: with x = C(r) exp(-phi / a) the ray is at delta = x (1 + |x| (bend + log_bend log2 |x|)).
 #pragma once
 #include "table/ray_family.h"
 
@@ -12,10 +14,14 @@ namespace nullscope {
 struct CriticalImages {
     double inner = 0, outer = 0;  // C of the rims, rad; positive on the sky's side
     double per_angle = 1;         // 1/a
+    struct Bend {
+        double constant = 0, logarithm = 0;  // 1/rad
+    } inner_bend, outer_bend;
     double from_angle = 0;  // swept angle from which the critical ray is past the disc, close to the photon sphere
 };
 
-// Relative error some 1e-6: limits are taken at |delta| = 1e-7 of the critical angle.
+// Relative error of C some 1e-6: limits are taken at |delta| = 1e-7 of the critical angle. Of delta below 5e-4 for |x| up to 0.03 of the
+// critical angle.
 CriticalImages critical_images(const RayFamily& family, double inner, double outer);
 
 }  // namespace nullscope

@@ -32,15 +32,6 @@ Image<unsigned char> drawn(Renderer& renderer, Scene scene, bool refine, int sam
     return renderer.picture8();
 }
 
-double light_of(Renderer& renderer, Scene scene, bool refine, int samples = 1) {
-    scene.picture.refine = refine;
-    scene.picture.samples = samples;
-    REQUIRE(renderer.prepare(scene));
-    double sum = 0;
-    for (const float light : renderer.picture().data) sum += light;
-    return sum;
-}
-
 TEST_CASE("refine: edges are those of 16 x 16 rays a pixel of the reference") {
     constexpr double kMean = 2.0, kThousandth = 24.0;
     const Scene scene = sized("first-light", 960, 540);
@@ -60,31 +51,6 @@ TEST_CASE("refine: edges are those of 16 x 16 rays a pixel of the reference") {
         CHECK(many.mean < kMean);
         CHECK(many.thousandth <= kThousandth);
         CHECK(one.thousandth > kThousandth);
-    });
-}
-
-// A thin bright disc about a rotating hole and nothing else: its images of higher order are thinner than a pixel.
-Scene ring() {
-    Scene scene = sized("kerr", 480, 270);
-    scene.sky.kind = SkyKind::kBlack;
-    scene.disc->material.texture = TextureKind::kPlain;
-    scene.disc->image.clear();
-    scene.disc->emission = DiscEmission::kImage;
-    scene.disc->edge = 0.0, scene.disc->brightness = 1.0;
-    scene.disc->passed = 2;  // the images of first and second order alone
-    return scene;
-}
-
-TEST_CASE("refine: thin images of the disc about a rotating hole have their light, and no gaps") {
-    constexpr double kLight = 0.01;  // of all of it
-    const Scene scene = ring();
-    test::on_every_context([&](test::GpuSession& session) {
-        Renderer& renderer = *session.renderer;
-        const double all = light_of(renderer, scene, false, 16), refined = light_of(renderer, scene, true),
-                     one = light_of(renderer, scene, false);
-        fmt::print("{}: light of thin images over that of 256 rays a pixel {:.4f}, with one ray {:.4f}\n",
-                   session.context->kind(), refined / all, one / all);
-        CHECK(std::abs(refined / all - 1.0) < kLight);
     });
 }
 

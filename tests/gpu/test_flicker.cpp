@@ -1,0 +1,100 @@
+// A camera that turns slowly: no pixel of a ring or an edge flickers more than the sampling of the reference makes it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "base/assets.h"
+#include "reference/reference.h"
+#include "render/display.h"
+#include "render/renderer.h"
+#include "scenefile/scene_file.h"
+#include "sky/sky.h"
+#include "support/depth.h"
+#include "support/gpu_session.h"
+
+using namespace nullscope;
+
+namespace {
+
+constexpr int kWidth = 1280, kHeight = 720;
+constexpr double kPan_px = 0.05;  // from frame to frame
+
+Scene frame(Scene scene, int number) {
+    scene.camera.yaw += number * kPan_px * scene.camera.pixel();
+    return scene;
+}
+
+// Of a pixel's displayed luminance over the frames: the largest change of the change from one to the next.
+struct Flicker {
+    double before = 0, last = 0, most = 0;
+    int frames = 0;
+    void add(const unsigned char* rgb) {
+        const double shown = 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+        if (frames++ >= 2) most = std::max(most, std::abs(shown - 2 * last + before));
+        before = last, last = shown;
+    }
+};
+
+TEST_CASE("flicker: edges and rings of a slow pan flicker at most twice as much as the reference's") {
+    constexpr double kMost = 2.0, kShare = 0.99;  // of the pixels that flicker most
+    constexpr double kStep = 16.0;                // of 255: one ray of 4 x 4
+    auto scene = load_scene("first-light");
+    REQUIRE(scene);
+    scene->camera.width = kWidth, scene->camera.height = kHeight;
+    scene->picture.dither = false;
+    scene->sky.kind = SkyKind::kBlack;
+    const int frames = test::by_depth(24, 120, 120);
+    const auto sky = build_sky(scene->sky, assets_directory(), 256);
+    const auto disc = load_disc_image(*scene->disc);
+    REQUIRE((sky && disc));
+    const reference::Pictures pictures(&disc->image);
+    test::on_every_context([&](test::GpuSession& session) {
+        std::vector<Flicker> all(static_cast<std::size_t>(kWidth) * kHeight);
+        for (int i = 0; i < frames; ++i) {
+            REQUIRE(session.renderer->prepare(frame(*scene, i)));
+            const Image<unsigned char> shown = session.renderer->picture8();
+            for (std::size_t k = 0; k < all.size(); ++k) all[k].add(&shown.data[3 * k]);
+        }
+        // The reference at those that flicker most.
+        std::vector<std::size_t> order;
+        for (std::size_t k = 0; k < all.size(); ++k)
+            if (all[k].most > 0) order.push_back(k);
+        std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return all[a].most > all[b].most; });
+        REQUIRE(!order.empty());
+        order.resize(std::min<std::size_t>(order.size(), 1000));
+        std::vector<std::array<int, 2>> places;
+        for (const std::size_t k : order)
+            places.push_back({static_cast<int>(k % kWidth), static_cast<int>(k / kWidth)});
+        std::vector<Flicker> exact(order.size());
+        for (int i = 0; i < frames; ++i) {
+            const Scene now = frame(*scene, i);
+            const auto lights = reference::render_pixels(now, *sky, pictures, 16, places, nullptr);
+            REQUIRE(lights);
+            Image<float> row(static_cast<int>(places.size()), 1, 3);
+            for (std::size_t k = 0; k < places.size(); ++k) {
+                const Vec3 light = (*lights)[k].light;
+                float* pixel = row.at(static_cast<int>(k), 0);
+                pixel[0] = static_cast<float>(light.x), pixel[1] = static_cast<float>(light.y),
+                pixel[2] = static_cast<float>(light.z);
+            }
+            const auto shown = display_encoded(row, now.camera.exposure_ev, now.picture);
+            for (std::size_t k = 0; k < places.size(); ++k) exact[k].add(&shown.data[3 * k]);
+        }
+        std::vector<double> over;
+        double most = 0, most_exact = 0;
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            most = std::max(most, all[order[k]].most), most_exact = std::max(most_exact, exact[k].most);
+            over.push_back((all[order[k]].most - kStep) / std::max(1.0, exact[k].most));
+        }
+        std::ranges::sort(over);
+        fmt::print(
+            "{}: {} frames, flicker of {} pixels at most {:.0f} of 255, the reference's {:.0f}; over it {:.2f} at "
+            "most, median "
+            "{:.2f}\n",
+            session.context->kind(), frames, order.size(), most, most_exact, over.back(), over[over.size() / 2]);
+        CHECK(over[static_cast<std::size_t>(kShare * static_cast<double>(over.size()))] <= kMost);
+    });
+}
+
+}  // namespace

@@ -1,0 +1,67 @@
+// Images of the disc of high order by the limit of many windings and its next term, against the reference's isoradials seen from above,
+// which are circles.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "reference/isoradial.h"
+#include "support/metrics.h"
+#include "table/critical_images.h"
+
+namespace {
+
+using namespace nullscope;
+
+constexpr double kCameraR = 60.0;
+
+Scene from_above(const std::string& metric, const MetricParameters& parameters) {
+    Scene scene;
+    scene.spacetime = {metric, parameters};
+    scene.camera.r = kCameraR, scene.camera.theta = 0.0;
+    scene.camera.plane_width = 0.6, scene.camera.focal_distance = 1;
+    scene.camera.width = 800, scene.camera.height = 600;
+    scene.disc.emplace();
+    return scene;
+}
+
+double bent(double c, const CriticalImages::Bend& bend, double per_angle, double phi) {
+    const double x = c * std::exp(-phi * per_angle), size = std::fabs(x);
+    return x * (1 + size * (bend.constant + bend.logarithm * std::log2(size)));
+}
+
+TEST_CASE("critical images: rims of rings of order 2 and 3") {
+    // Of the angle from the critical direction. Order 2 lies at up to 0.03 of the critical angle: without the next term it is off by 2 %.
+    constexpr double kOff[] = {1e-3, 1e-4}, kOffInLimit = 0.01;
+    double most = 0, most_in_limit = 0;
+    for (const auto& [metric, parameters] :
+         {std::pair{"schwarzschild", MetricParameters{}}, {"reissner-nordstrom", MetricParameters{{"charge", 0.8}}}}) {
+        const Scene scene = from_above(metric, parameters);
+        const std::shared_ptr<const SphericalMetric> spacetime = test::spherical(metric, parameters);
+        const auto table = std::make_shared<const DeflectionTable>(*spacetime);
+        const RayFamily family(spacetime, table, kCameraR, frame_at_rest(spacetime->lapse_squared(kCameraR)));
+        for (const double r : {2.6, 5.0, 15.0}) {
+            const CriticalImages images = critical_images(family, r, r);
+            for (const int order : {2, 3}) {
+                const auto curve = reference::isoradial(scene, r, order + 1, 8);
+                REQUIRE(curve);
+                REQUIRE(!curve->empty());
+                const double radius = std::hypot(curve->front()[0] - 400, curve->front()[1] - 300),
+                             exact = std::atan(radius * scene.camera.pixel()) - family.critical_angle(),
+                             phi = M_PI * (0.5 + order);
+                const double off = bent(images.outer, images.outer_bend, images.per_angle, phi) / exact - 1,
+                             in_limit = images.outer * std::exp(-phi * images.per_angle) / exact - 1;
+                CAPTURE(metric);
+                CAPTURE(r);
+                CAPTURE(order);
+                CHECK(std::abs(off) <= kOff[order - 2]);
+                most = std::max(most, std::abs(off)), most_in_limit = std::max(most_in_limit, std::abs(in_limit));
+            }
+        }
+    }
+    CHECK(most_in_limit > kOffInLimit);
+    fmt::print("critical images: rims off by {:.1e} at most, by {:.1e} without the next term\n", most, most_in_limit);
+}
+
+}  // namespace
