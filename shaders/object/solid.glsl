@@ -22,4 +22,7 @@ SolidSpot solid_spot(Trace trace, RayPlace place, vec3 normal) {
     return spot;
 }
 
+// Of light from a far sun, Lambert's law. sun: its direction, and what the side away from it has.
+float solid_day(vec4 sun, vec3 normal) { return sun.w + (1.0 - sun.w) * max(dot(normal, sun.xyz), 0.0); }
+
 float solid_limb(float limb, float cosine) { return 1.0 - limb * (1.0 - cosine); }

@@ -3,4 +3,4 @@
 
 layout(std140) uniform ObjectBlock { vec4 objects[OBJECT_VECTORS]; };
 
-vec4 body_form(int i) { return objects[4 * i]; }   // each kind has its own: shaders/object
+vec4 body_form(int i) { return objects[5 * i]; }   // each kind has its own: shaders/object

@@ -31,12 +31,12 @@ Status check_bodies(const Scene& scene, const Metric& matter) {
     return Done{};
 }
 
-double BodyPart::cosine(Vec3 place, Vec3 back, double t) const {
+Vec3 BodyPart::normal(Vec3 place, double t) const {
     const double tiny = 1e-6 * thinnest;
     const auto along = [&](Vec3 side) { return value(place + side, t) - value(place - side, t); };
     const Vec3 slope{along({tiny, 0, 0}), along({0, tiny, 0}), along({0, 0, tiny})};
-    const double size = length(slope) * length(back);
-    return size > 0 ? std::clamp(dot(slope, back) / size, 0.0, 1.0) : 1.0;
+    const double size = length(slope);
+    return size > 0 ? slope / size : Vec3{0, 0, 0};
 }
 
 namespace {

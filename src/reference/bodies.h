@@ -1,6 +1,7 @@
 // The solid bodies of a scene, as functions of place and time, and their light. Rays enter them in plane_ray.h and
 // kerr_bodies.h.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -24,9 +25,15 @@ struct BodyPart {
     std::function<Vec3(double)> middle{};
     // Of which value is a distance: how fast that changes at most, r_s by r_s/c; else infinite.
     double speed = INFINITY;
-    bool clear = false;                                    // value is at most how far the body is, in r_s and r_s/c
-    double cosine(Vec3 place, Vec3 back, double t) const;  // BodyHit's, of a ray that comes from `back`, of any length
+    bool clear = false;                       // value is at most how far the body is, in r_s and r_s/c
+    Vec3 normal(Vec3 place, double t) const;  // BodyHit's; 0 where there is none
 };
+
+// BodyHit's, of a ray that comes from `back`, of any length.
+inline double cosine_between(Vec3 normal, Vec3 back) {
+    const double size = length(normal) * length(back);
+    return size > 0 ? std::clamp(dot(normal, back) / size, 0.0, 1.0) : 1.0;
+}
 
 // The bodies as functions of place, below 0 inside: what a ray enters first.
 class Bodies {

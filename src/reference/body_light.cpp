@@ -137,7 +137,10 @@ Vec3 body_light(const Scene& scene, const BodyHit& hit, const Image<float>* imag
     } else if (!place.beyond) {
         light = material_light(material, place.u, place.v, at, turned, size);
     }
-    return material.brightness * (1 - material.limb * (1 - hit.cosine)) * light;
+    const Vec3 sun{std::cos(material.sun_latitude) * std::cos(material.sun_longitude),
+                   std::cos(material.sun_latitude) * std::sin(material.sun_longitude), std::sin(material.sun_latitude)};
+    const double day = std::max(dot(hit.normal, sun), 0.0);
+    return material.brightness * (1 - material.limb * (1 - hit.cosine)) * (material.night * (1 - day) + day) * light;
 }
 
 }  // namespace nullscope::reference

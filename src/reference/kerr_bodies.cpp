@@ -86,11 +86,13 @@ void BodyWatch::meet(const BodyPart& part, double along, const KerrStep& step) {
     const Vec3 place = at.flat(),
                back = 4 * (place_at(along - h, step).flat() - place) - (place_at(along - 2 * h, step).flat() - place);
     const double t = time_at(part, at);
+    const Vec3 normal = part.normal(place, t);
     hit_ = BodyHit{along,
                    place,
                    part.number,
                    part.body,
-                   part.cosine(place, back, t),
+                   normal,
+                   cosine_between(normal, back),
                    part.middle ? part.middle(t) : Vec3{0, 0, 0},
                    at.delay};
 }

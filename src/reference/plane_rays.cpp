@@ -100,11 +100,13 @@ std::optional<BodyHit> PlaneRay::first_hit() const {
         const Vec3 place = place_at(*angle);
         const double turn = 1e-6, t = time_at(*angle);
         const Vec3 earlier = place_at(*angle > turn ? *angle - turn : 0);
+        const Vec3 normal = part.normal(place, t);
         first = BodyHit{*angle,
                         place,
                         part.number,
                         part.body,
-                        part.cosine(place, earlier - place, t),
+                        normal,
+                        cosine_between(normal, earlier - place),
                         part.middle ? part.middle(t) : Vec3{0, 0, 0}};
     }
     return first;

@@ -37,6 +37,7 @@ struct BodyHit {
     Vec3 place;                  // r_s, world axes
     int number;                  // in ray data
     std::size_t body;            // of Scene::bodies
+    Vec3 normal;                 // of the surface there, unit, in flat coordinates
     double cosine;               // between the ray and the surface's normal, in flat coordinates
     Vec3 middle{0, 0, 0};        // of the body, when the light left
     double delay = kNotANumber;  // of a ray that is integrated: how long ago, by the camera's clock, the light left

@@ -22,6 +22,14 @@ void put_material(FrameVector& map, FrameVector& colour, FrameVector& second, co
     second = {material.brightness * material.second_colour, material.band_latitude};
 }
 
+// Direction, world axes, and what the side away from it has of the light.
+FrameVector sun_of(const Material& material) {
+    const double across = std::cos(material.sun_latitude);
+    return {{across * std::cos(material.sun_longitude), across * std::sin(material.sun_longitude),
+             std::sin(material.sun_latitude)},
+            material.night};
+}
+
 struct Silhouette {
     double sine, cosine;
 };
@@ -136,8 +144,8 @@ std::vector<FrameVector> object_numbers(const FramePlan& plan, const RayFamily* 
         const BallPath* path = ball != paths.balls.end() ? &ball->second : nullptr;
         FrameVector map, colour, second;
         put_material(map, colour, second, body.material);
-        numbers.insert(numbers.end(),
-                       {std::visit(FormOf{plan, family, path, clearances}, body.shape), map, colour, second});
+        numbers.insert(numbers.end(), {std::visit(FormOf{plan, family, path, clearances}, body.shape), map, colour,
+                                       second, sun_of(body.material)});
     }
     if (plan.scene.disc)
         for (const SpotSpec& spot : plan.scene.spots)

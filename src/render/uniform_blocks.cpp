@@ -11,7 +11,7 @@ namespace {
 
 constexpr unsigned kFrameBinding = 0, kObjectBinding = 1;
 constexpr int kSkyFetches = 24;  // a pixel; beyond it light bent by a hole is blurred along its arcs
-constexpr std::size_t kMostObjectVectors = 4 * kMostBodies + 3 * kMostSpots;
+constexpr std::size_t kMostObjectVectors = 5 * kMostBodies + 3 * kMostSpots;
 
 float* put(const FrameVector& v, float* to) {
     for (const double value : {v.x, v.y, v.z, v.w}) *to++ = static_cast<float>(value);

@@ -65,6 +65,8 @@ struct Material {
     double rotation = 0.0;                      // of the material about the polar axis
     double limb = 0.0;                          // light times 1 - limb (1 - cosine of the angle to the normal), [0, 1]
     double brightness = 1.0;
+    // Of bodies: light of the side away from a far light source over that where it is overhead, [0, 1]; 1: it shines by itself. Where it is.
+    double night = 1.0, sun_longitude = 0.0, sun_latitude = 0.0;  // rad, world axes
     friend bool operator==(const Material&, const Material&) = default;
 };
 

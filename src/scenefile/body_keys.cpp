@@ -64,6 +64,14 @@ SceneKey rows_key(std::string_view section, std::string_view help) {
     return key;
 }
 
+template <class Of, double Material::*kAngle>
+SceneKey sun_key(std::string_view section, std::string_view name, KeyRange range, std::string_view help) {
+    SceneKey key{section, name, KeyType::kNumber, "deg", "0", range, "", help};
+    key.member = [](auto& s) { return &(Of::material(s).*kAngle); };
+    key.meant = [](const Scene& s) { return Of::material(s).night < 1.0; }, key.with = "night below 1";
+    return key;
+}
+
 // The keys that every body has.
 template <class Shape>
 std::vector<SceneKey> material_keys(std::string_view section) {
@@ -94,6 +102,15 @@ std::vector<SceneKey> material_keys(std::string_view section) {
          [](auto& s) { return &Of::material(s).limb; }},
         {section, "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Multiplies its light.",
          [](auto& s) { return &Of::material(s).brightness; }},
+        {section, "night", KeyType::kNumber, "", "1", closed(0.0, 1.0), "",
+         "Light of the side away from a far sun, over that of the place where it is overhead; Lambert's law between. "
+         "1: it shines by itself.",
+         [](auto& s) { return &Of::material(s).night; }},
+        sun_key<Of, &Material::sun_longitude>(section, "sun_longitude", kAnyAngle,
+                                              "Longitude of that sun's direction; needs night below 1."),
+        sun_key<Of, &Material::sun_latitude>(
+            section, "sun_latitude", closed(-90.0, 90.0),
+            "Latitude of that sun's direction, from the equatorial plane; needs night below 1."),
     };
 }
 

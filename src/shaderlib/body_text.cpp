@@ -348,8 +348,8 @@ std::string objects_text(const std::vector<Group>& groups, const Scene& scene) {
     const std::size_t bodies = groups.empty() ? 0 : groups.back().to, spots = scene.disc ? scene.spots.size() : 0;
     if (bodies + spots == 0) return "";
     std::string text =
-        fmt::format("#define OBJECT_VECTORS {}\n#define BODIES_FROM {}\n", 4 * bodies + 3 * spots, kFirstBody);
-    if (spots > 0) text += fmt::format("#define SPOT_FROM {}\n#define SPOT_COUNT {}\n", 4 * bodies, spots);
+        fmt::format("#define OBJECT_VECTORS {}\n#define BODIES_FROM {}\n", 5 * bodies + 3 * spots, kFirstBody);
+    if (spots > 0) text += fmt::format("#define SPOT_FROM {}\n#define SPOT_COUNT {}\n", 5 * bodies, spots);
     for (const Group& group : groups)
         if (group.shape.name == "moving_ball")
             return text +

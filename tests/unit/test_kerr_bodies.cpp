@@ -404,10 +404,11 @@ TEST_CASE("kerr bodies: pictures with almost no spin are the planar ones") {
     slow.sky.kind = SkyKind::kChecker;
     slow.disc = DiscSpec{}, slow.disc->opacity = 0.6, slow.disc->outer = 8,
     slow.disc->material.texture = TextureKind::kPlain;
-    add<BallSpec>(slow), first_shape<BallSpec>(slow)->position = {5, 3, 0},
-                         first_shape<BallSpec>(slow)->motion = BallMotion::kOrbit,
-                         first_body<BallSpec>(slow)->material.limb = 0.7,
-                         first_body<BallSpec>(slow)->material.texture = TextureKind::kStripes;
+    add<BallSpec>(slow),
+        first_shape<BallSpec>(slow)->position = {5, 3, 0}, first_shape<BallSpec>(slow)->motion = BallMotion::kOrbit,
+        first_body<BallSpec>(slow)->material.limb = 0.7, first_body<BallSpec>(slow)->material.night = 0.1,
+        first_body<BallSpec>(slow)->material.sun_longitude = 0.6,
+        first_body<BallSpec>(slow)->material.texture = TextureKind::kStripes;
     add<CylinderSpec>(slow), first_shape<CylinderSpec>(slow)->inner = 9, first_shape<CylinderSpec>(slow)->outer = 11,
                              first_body<CylinderSpec>(slow)->material.texture = TextureKind::kGrid;
     Scene none = slow;
