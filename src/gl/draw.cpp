@@ -58,14 +58,6 @@ void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned 
     end_draw("draw");
 }
 
-void clear_rows(unsigned framebuffer, int width, int first, int last) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    limit_to_rows(width, first, last);
-    glClearColor(0, 0, 0, 0);
-    glClear(GL_COLOR_BUFFER_BIT);
-    end_draw("clear rows");
-}
-
 void draw_rows(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int first,
                int last, const Layer& layer) {
     begin_draw(program, empty, framebuffer, 0, 0, width, height);

@@ -133,7 +133,6 @@ VertexArray make_vertex_array();
 // share below 1: what is there moves so far towards what is drawn.
 void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height,
                      double share = 1.0);
-void clear_rows(unsigned framebuffer, int width, int first, int last);  // to zeros
 // Which pixels (Marks) are drawn: those that are not marked and those that are need no two variants of a program, on software drivers.
 enum class Marked { kAny, kNot, kOnly };
 // How what is drawn changes what is there.
