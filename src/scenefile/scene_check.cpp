@@ -194,6 +194,18 @@ void for_each_section(
     }
 }
 
+void settle_defaults(Scene& scene, const GivenKeys& given) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        if (Material& material = scene.bodies[i].material;
+            material.texture == TextureKind::kImage && !given(body_section(scene, i) + ".colour"))
+            material.colour = {1, 1, 1};
+    if (scene.disc && scene.disc->material.texture == TextureKind::kGas &&
+        scene.disc->emission == DiscEmission::kThermal && !given("disc.colour"))
+        scene.disc->material.colour = {1, 1, 1};
+    if (scene.path && scene.path->kind == PathKind::kKeys && !given("path.frames") && !scene.path->keys.empty())
+        scene.path->frames = std::max(2, static_cast<int>(scene.path->keys.back().frame) + 1);
+}
+
 std::vector<SceneFault> check_camera(const Scene& scene, const GivenKeys& given) {
     Faults faults = check_keys(scene, given, true);
     for (const char* other : {"camera.plane_width", "camera.focal_distance"})

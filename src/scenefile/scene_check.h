@@ -19,6 +19,9 @@ void for_each_section(
     const Scene& scene,
     const std::function<void(std::string_view section, const std::string& label, const Scene& holder)>& f);
 
+// Defaults that depend on other keys, of those that are not given.
+void settle_defaults(Scene& scene, const GivenKeys& given);
+
 std::vector<SceneFault> check_camera(const Scene& scene, const GivenKeys& given);
 // All parts but the camera. Moving bodies are checked last and only if nothing else is wrong, because that costs more.
 std::vector<SceneFault> check_parts(const Scene& scene, const GivenKeys& given);

@@ -82,7 +82,6 @@ private:
     void read_key(std::string_view section, const toml::key& name, const toml::node& node, std::string_view label);
     void read_path_keys(const toml::node& node);
     void report_unknown(std::string_view section, const toml::key& name);
-    void settle_defaults();
     void report(int line, std::string_view name, std::string_view what, std::string_view allowed);
     void report(const SceneFault& fault);
 
@@ -238,20 +237,6 @@ void SceneReader::read_path_keys(const toml::node& node) {
     lines_ = lines;
 }
 
-// Defaults that depend on other keys.
-void SceneReader::settle_defaults() {
-    for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
-        if (Material& material = scene_.bodies[i].material;
-            material.texture == TextureKind::kImage && !given_(body_section(scene_, i) + ".colour"))
-            material.colour = {1, 1, 1};
-    if (scene_.disc && scene_.disc->material.texture == TextureKind::kGas &&
-        scene_.disc->emission == DiscEmission::kThermal && !given_("disc.colour"))
-        scene_.disc->material.colour = {1, 1, 1};
-    if (scene_.path && scene_.path->kind == PathKind::kKeys && !given_("path.frames") && !scene_.path->keys.empty())
-        scene_.path->frames = std::max(2, static_cast<int>(scene_.path->keys.back().frame) + 1);
-    if (scene_.name.empty()) scene_.name = fs::path(label_).stem().string();
-}
-
 Result<Scene> SceneReader::read(const toml::table& root) {
     const std::vector<std::string> words = words_of("", nullptr);
     for (const auto& [name, node] : root) {
@@ -275,7 +260,8 @@ Result<Scene> SceneReader::read(const toml::table& root) {
         for (const SceneFault& fault : check_camera(scene_, given_)) report(fault);
         if (const toml::node* keys = root.at_path("path.key").node(); keys != nullptr && scene_.path)
             read_path_keys(*keys);
-        settle_defaults();
+        settle_defaults(scene_, given_);
+        if (scene_.name.empty()) scene_.name = fs::path(label_).stem().string();
         for (const SceneFault& fault : check_parts(scene_, given_)) report(fault);
     }
     if (reports_.empty()) return scene_;

@@ -1,0 +1,199 @@
+#include "scenefile/scene_writer.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+#include "base/text.h"
+#include "plan/body_kind.h"
+#include "scene/bodies.h"
+#include "scenefile/scene_check.h"
+#include "scenefile/scene_keys.h"
+
+namespace nullscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string toml_string(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += c;
+    }
+    return out + '"';
+}
+
+// The shortest decimal number that `read` makes this value of, next to `guess`; without one, the nearest.
+template <class Read>
+std::optional<std::string> shortest(double value, double guess, Read read) {
+    constexpr int kMostDigits = 17;
+    for (int digits = 1; digits <= kMostDigits; ++digits) {
+        const double rounded = std::stod(fmt::format("{:.{}g}", guess, digits));
+        if (read(rounded) == value) return fmt::format("{}", rounded);
+    }
+    for (const double side : {-INFINITY, INFINITY}) {
+        double beside = guess;
+        for (int k = 0; k < 3; ++k) {
+            beside = std::nextafter(beside, side);
+            if (read(beside) == value) return fmt::format("{}", beside);
+        }
+    }
+    return std::nullopt;
+}
+
+std::string degrees(double radians) {
+    const auto read = [](double d) { return d * std::numbers::pi / 180.0; };
+    const double guess = radians * 180.0 / std::numbers::pi;
+    if (const auto text = shortest(radians, guess, read)) return *text;
+    return shortest(read(guess), guess, read).value_or(fmt::format("{}", guess));
+}
+
+// The field of view of this plane one unit away, if a number of degrees gives it.
+std::optional<std::string> field_of_view(double plane_width) {
+    return shortest(plane_width, 2.0 * std::atan(0.5 * plane_width) * 180.0 / std::numbers::pi,
+                    [](double d) { return 2.0 * std::tan(0.5 * (d * std::numbers::pi / 180.0)); });
+}
+
+std::string path_text(const fs::path& path, const fs::path& base) {
+    if (path.empty()) return toml_string("");
+    const std::string whole = path.string(), folder = base.string() + '/';
+    return toml_string(!base.empty() && whole.starts_with(folder) ? whole.substr(folder.size())
+                                                                  : fs::absolute(path).string());
+}
+
+std::string value_text(const SceneKey& key, const KeyValue& value, const fs::path& base) {
+    switch (key.type) {
+        case KeyType::kNumber: return key.unit == "deg" ? degrees(value.number) : fmt::format("{}", value.number);
+        case KeyType::kVelocity:
+        case KeyType::kPoint:
+        case KeyType::kColour: return fmt::format("[{}, {}, {}]", value.vector.x, value.vector.y, value.vector.z);
+        case KeyType::kWhole: return fmt::format("{}", value.width);
+        case KeyType::kSize: return fmt::format("[{}, {}]", value.width, value.height);
+        case KeyType::kChoice: return toml_string(split(key.choices, ' ')[static_cast<std::size_t>(value.choice)]);
+        case KeyType::kImage: return path_text(value.path, base);
+        case KeyType::kText:
+        case KeyType::kMetric:
+        case KeyType::kFormula: break;
+    }
+    return toml_string(value.text);
+}
+
+// What a file says that has these sections and nothing in them but the words that defaults depend on.
+Scene blank_like(const Scene& holder, std::string_view section) {
+    Scene blank;
+    if (holder.split) blank.split.emplace();
+    if (holder.disc) blank.disc.emplace();
+    if (holder.path) blank.path.emplace().keys = holder.path->keys;
+    blank.spots.resize(holder.spots.size());
+    for (const Body& body : holder.bodies) blank.bodies.push_back(kind_of(body).make());
+    for (const SceneKey& key : scene_keys())
+        if (key.section == section && key.type == KeyType::kChoice && key.member.readable())
+            key.member.set(blank, key.member.get(holder));
+    settle_defaults(blank, [](const std::string&) { return false; });
+    return blank;
+}
+
+class Writer {
+public:
+    Writer(const Scene& scene, fs::path base) : scene_(scene), base_(std::move(base)) {}
+    std::string text() {
+        for_each_section(scene_, [this](std::string_view section, const std::string&, const Scene& holder) {
+            add_section(section, holder);
+            if (section == "path") add_path_keys();
+        });
+        return text_;
+    }
+
+private:
+    // Its lines where they differ from what `before` has.
+    std::string lines(std::string_view section, const Scene& holder, const Scene& before, bool words) const {
+        std::string lines;
+        const bool camera = section == "camera";
+        bool by_angle = false;
+        for (const SceneKey& key : scene_keys()) {
+            if (key.section != section || (key.meant != nullptr && !key.meant(holder))) continue;
+            if (camera && key.key == "fov" && holder.camera.focal_distance == 1.0 &&
+                (holder.camera.plane_width != before.camera.plane_width || before.camera.focal_distance != 1.0))
+                if (const auto fov = field_of_view(holder.camera.plane_width)) {
+                    lines += fmt::format("fov = {}\n", *fov), by_angle = true;
+                    continue;
+                }
+            if (!key.member.readable() || (by_angle && (key.key == "plane_width" || key.key == "focal_distance")))
+                continue;
+            const KeyValue value = key.member.get(holder);
+            const std::string text = value_text(key, value, base_);
+            const bool word = words && key.type == KeyType::kChoice;  // `before` has taken it over
+            const bool is_default =
+                word ? text == toml_string(key.fallback) : text == value_text(key, key.member.get(before), base_);
+            if (value.there && (!is_default || key.needed)) lines += fmt::format("{} = {}\n", key.key, text);
+        }
+        return lines;
+    }
+
+    // All that are given: those that have their default's value say so.
+    std::string parameters(const SpacetimeSpec& spec) const {
+        std::string lines;
+        for (const auto& [name, value] : spec.parameters) lines += fmt::format("{} = {}\n", name, value);
+        for (const auto& [name, formula] : spec.parameters.formulas)
+            lines += fmt::format("{} = {}\n", name, toml_string(formula));
+        return lines;
+    }
+
+    void add(std::string_view head, const std::string& lines) {
+        if (!text_.empty()) text_ += '\n';
+        text_ += fmt::format("{}\n{}", head, lines);
+    }
+
+    void add_section(std::string_view section, const Scene& holder) {
+        std::string found = lines(section, holder, blank_like(holder, section), true);
+        if (section == "spacetime") found += parameters(holder.spacetime);
+        if (section == "split") found += parameters(*holder.split);
+        if (section.empty()) {
+            text_ = found;
+            return;
+        }
+        const bool is_there =
+            section == "split" || section == "disc" || section == "path" || section == "spot" || is_body(section);
+        if (found.empty() && !is_there) return;
+        add(of_several(section) ? fmt::format("[[{}]]", section) : fmt::format("[{}]", section), found);
+    }
+
+    bool is_body(std::string_view section) const {
+        for (const BodyKind* kind : body_kinds())
+            if (section == kind->key) return true;
+        return false;
+    }
+    bool of_several(std::string_view section) const {
+        if (section == "spot") return scene_.spots.size() > 1;
+        std::size_t count = 0;
+        for (const Body& body : scene_.bodies) count += section == kind_of(body).key;
+        return count > 1;
+    }
+
+    // What a key leaves out is as in the one before it, and as in [camera] in the first.
+    void add_path_keys() {
+        Scene before = scene_;
+        for (const PathKey& key : scene_.path->keys) {
+            Scene here = scene_;
+            here.camera = key.camera;
+            add("[[path.key]]", fmt::format("frame = {}\n", key.frame) + lines("camera", here, before, false));
+            before.camera = key.camera;
+        }
+    }
+
+    const Scene& scene_;
+    fs::path base_;
+    std::string text_;
+};
+
+}  // namespace
+
+std::string scene_file_text(const Scene& scene, const fs::path& base_directory) {
+    return Writer(scene, base_directory).text();
+}
+
+}  // namespace nullscope

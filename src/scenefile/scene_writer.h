@@ -1,0 +1,15 @@
+// Scene to the text of a scene file: what parse_scene makes the same Scene of (scenefile/scene_text.h), with only what differs from the
+// defaults. Comments of a file that the scene came from are not in it.
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "scene/scene.h"
+
+namespace nullscope {
+
+// base_directory: of the file that will hold it; images within it are written relative to it. Numbers have as many digits as it takes to
+// read the same ones; angles that no number of degrees gives exactly are the next one, off by a rounding.
+std::string scene_file_text(const Scene& scene, const std::filesystem::path& base_directory);
+
+}  // namespace nullscope
