@@ -8,10 +8,10 @@
 #include <system_error>
 
 #include "base/atomic_file.h"
+#include "base/credits.h"
 #include "base/text.h"
 #include "bench/bench.h"
 #include "cli/command.h"
-#include "cli/credits.h"
 
 namespace nullscope::cli {
 
@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
         "nullscope: draw, trace and measure black holes and other curved spacetimes, without a window.\n"
         "Try: nullscope capture first-light -o first-light.png");
     program.set_version(NULLSCOPE_VERSION);
-    program.set_credits(kCredits);
+    program.set_credits(nullscope::kCredits);
     for (const auto add : {add_capture, add_trace, add_compare, add_bench, add_plan, add_scenes, add_info, add_figure,
                            add_lightcurve, add_light_time})
         add(program);

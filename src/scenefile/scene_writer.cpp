@@ -99,6 +99,12 @@ Scene blank_like(const Scene& holder, std::string_view section) {
 
 class Writer {
 public:
+    std::string view() const {
+        std::string line = lines("camera", scene_, Scene{}, false);
+        for (std::size_t at = line.find('\n'); at != std::string::npos; at = line.find('\n', at))
+            line.replace(at, 1, at + 1 == line.size() ? "" : ", ");
+        return line.empty() ? "camera = {}" : fmt::format("camera = {{ {} }}", line);
+    }
     Writer(const Scene& scene, fs::path base) : scene_(scene), base_(std::move(base)) {}
     std::string text() {
         for_each_section(scene_, [this](std::string_view section, const std::string&, const Scene& holder) {
@@ -194,6 +200,13 @@ private:
 
 std::string scene_file_text(const Scene& scene, const fs::path& base_directory) {
     return Writer(scene, base_directory).text();
+}
+
+std::string view_line(const CameraSpec& camera) {
+    Scene scene;
+    scene.camera = camera;
+    scene.camera.width = CameraSpec{}.width, scene.camera.height = CameraSpec{}.height;
+    return Writer(scene, {}).view();
 }
 
 }  // namespace nullscope

@@ -12,4 +12,7 @@ namespace nullscope {
 // read the same ones; angles that no number of degrees gives exactly are the next one, off by a rounding.
 std::string scene_file_text(const Scene& scene, const std::filesystem::path& base_directory);
 
+// A camera as one line of a scene file, "camera = { r = 15, fov = 60 }", with what differs from the defaults. The picture's size is not in it.
+std::string view_line(const CameraSpec& camera);
+
 }  // namespace nullscope

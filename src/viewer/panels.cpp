@@ -30,13 +30,14 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"P", "show the ray of the pixel under the cursor"},
     {"Tab", "show or hide the panels"},
     {"F1", "show or hide this list"},
+    {"F11", "full screen"},
     {"F12", "save the picture without panels"},
+    {"Ctrl + S", "save the scene as a file"},
+    {"Ctrl + Z Y", "undo, redo"},
+    {"Ctrl + C V", "copy, paste the view as a line of text"},
+    {"Drop a file", "open a scene"},
     {"Escape", "quit"},
 };
-
-constexpr const char* kCredits =
-    "Sky: 118 216 Hipparcos stars (ESA; XHIP, Anderson and Francis 2012) by way of d3-celestial (O. Frohn); "
-    "Milky Way outlines by J. R. Vieira";
 
 float em() { return ImGui::GetFontSize(); }
 float status_height() { return ImGui::GetFrameHeight() + 0.2f * em(); }
@@ -129,10 +130,6 @@ void keys_window() {
             ImGui::SameLine(8.5f * em());
             ImGui::TextDisabled("%s", what);
         }
-        ImGui::Separator();
-        ImGui::PushTextWrapPos(24.0f * em());
-        ImGui::TextUnformatted(kCredits);
-        ImGui::PopTextWrapPos();
     });
 }
 

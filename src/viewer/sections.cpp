@@ -49,6 +49,9 @@ bool scene_section(ViewState& view, bool escape) {
     const float button = ImGui::CalcTextSize("Reload").x + 2.0f * ImGui::GetStyle().FramePadding.x;
     ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemSpacing.x);
     const bool open = choice("##scene", view.source, escape, [&] {
+        for (const std::string& file : std::vector<std::string>(view.own))
+            if (choice_item(file, file == view.source, "A file of your own."))
+                changed = static_cast<bool>(load_into(view, file));
         for (const SceneInfo& info : view.shipped)
             if (choice_item(info.name, info.name == view.source, info.description))
                 changed = static_cast<bool>(load_into(view, info.name));

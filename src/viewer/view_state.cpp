@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "observer/observer.h"
+#include "scenefile/scene_writer.h"
 #include "spacetime/registry.h"
 #include "viewer/fly_camera.h"
 
@@ -18,6 +19,10 @@ Status load_into(ViewState& view, const std::string& file_or_name) {
         return loaded.error();
     }
     view.source = file_or_name;
+    if (std::ranges::none_of(view.shipped, [&](const SceneInfo& info) { return info.name == file_or_name; })) {
+        std::erase(view.own, file_or_name);
+        view.own.insert(view.own.begin(), file_or_name);
+    }
     view.loaded = view.scene = std::move(*loaded);
     if (view.scene.disc) view.hidden_disc = *view.scene.disc;
     if (const double speed = length(view.scene.camera.velocity); speed > 0.0)
@@ -39,6 +44,19 @@ Scene drawn_scene(const ViewState& view) {
     for (const Effect effect : view.off.list())
         if (auto less = without_effect(scene, effect)) scene = std::move(*less);
     return scene;
+}
+
+Status paste_view(ViewState& view, const std::string& line) {
+    if (!line.starts_with("camera"))
+        return bad_input("the clipboard holds no view", "camera = { r = 15, theta = 80, ... }");
+    Scene place;
+    place.spacetime = view.scene.spacetime;
+    place.name = "view";
+    TRY(read, parse_scene(line.substr(0, line.find('\n')) + '\n' + scene_file_text(place, {}), "clipboard", {}));
+    const CameraSpec now = std::exchange(view.scene.camera, read->camera);
+    view.scene.camera.width = now.width, view.scene.camera.height = now.height;
+    view.fall.stop();
+    return Done{};
 }
 
 void reset_camera(ViewState& view) {

@@ -26,7 +26,8 @@ struct ViewState {
     Scene loaded;        // as the file has it
     Scene scene;         // as it is now
     std::vector<SceneInfo> shipped;
-    std::string error;  // of the last change, or nothing
+    std::vector<std::string> own;  // files that were opened or saved, the last first
+    std::string error;             // of the last change, or nothing
     bool show_panels = true, show_keys = false;
     bool show_accuracy = false, show_effects = false;  // the section is open
     bool show_errors = false;                          // over the picture
@@ -45,6 +46,9 @@ struct ViewState {
 Status load_into(ViewState& view, const std::string& file_or_name);
 // What is drawn: the scene without what is switched off.
 Scene drawn_scene(const ViewState& view);
+
+// Of view_line(): the camera that it says, in the scene's spacetime. Errors: as a scene file's.
+Status paste_view(ViewState& view, const std::string& line);
 
 void reset_camera(ViewState& view);  // to the file's, pixels apart
 

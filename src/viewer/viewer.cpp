@@ -96,6 +96,7 @@ bool Viewer::step() {
     // In the frame before: a tooltip goes when the pointer leaves.
     const bool panels_had_pointer = ImGui::GetIO().WantCaptureMouse;
     panel_system_->begin_frame();
+    changed |= open_dropped(input);
     changed |= handle_keys(input);
     changed |= panels(input);
     moving_ = move(input, dt);
@@ -161,8 +162,9 @@ void Viewer::follow_changes(bool changed) {
         fit_to_window();  // a scene that was just loaded has a size of its own
         picture_due_ = true;
         frames_due_ = kSettlingFrames;
-    } else if (adapting()) {
-        picture_due_ = true;
+    } else {
+        if (!ImGui::IsAnyItemActive() && !controls_.dragging() && !in_motion()) history_.rest(view_);
+        picture_due_ = picture_due_ || adapting();
     }
     const bool whole = !picture_.job.scene.split;  // errors are a single spacetime's
     const bool watched = whole && (view_.show_errors || (view_.show_panels && view_.show_accuracy));
@@ -235,10 +237,12 @@ bool Viewer::handle_keys(const Input& input) {
             if (key == own_key) *shown = !*shown;
         if (key == GLFW_KEY_ESCAPE && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) window_->close();
         if (key == GLFW_KEY_F12) save_picture();
+        if (key == GLFW_KEY_F11) window_->toggle_full_screen();
         if (key != GLFW_KEY_R) continue;
         reset_camera(view_);
         changed = true;
     }
+    for (const KeyCommand& command : input.commands) changed |= handle_command(command);
     return changed;
 }
 

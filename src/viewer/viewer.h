@@ -7,6 +7,7 @@
 #include "gl/gl.h"
 #include "viewer/controls.h"
 #include "viewer/frame_accuracy.h"
+#include "viewer/history.h"
 #include "viewer/loop_log.h"
 #include "viewer/panel_system.h"
 #include "viewer/panels.h"
@@ -61,6 +62,12 @@ private:
     void present();
     void measure_rate();
     void save_picture();  // as soon as it is whole
+    // viewer_files.cpp
+    bool handle_command(const KeyCommand& command);  // true if the scene changed
+    bool step_history(bool back);
+    bool open_dropped(const Input& input);
+    void save_scene();
+    bool paste();
     void say(const std::string& message);
 
     ViewerOptions options_;
@@ -88,6 +95,8 @@ private:
     MethodChoice choice_, asked_choice_;    // of the picture that is shown, of the one asked for
     std::unique_ptr<FrameAccuracy> accuracy_;
     Probe probe_;
+    History history_;
+    std::string saved_scene_;  // file that Ctrl+S writes on, once it has made one
     PictureMarks marks_;
     double adapted_at_ = 0.0;     // s: automatic exposure follows like an eye,
     double exposure_left_ = 0.0;  // what share of its way is still before it

@@ -74,12 +74,14 @@ PixelSize fitted(PixelSize size) {
 
 Input& input_of(GLFWwindow* window) { return *static_cast<Input*>(glfwGetWindowUserPointer(window)); }
 
-void on_key(GLFWwindow* window, int key, int, int action, int) {
+void on_key(GLFWwindow* window, int key, int, int action, int mods) {
     Input& input = input_of(window);
     input.happened = true;
     if (key < 0) return;  // a key that GLFW does not know
-    input.held[static_cast<std::size_t>(key)] = action != GLFW_RELEASE;
+    const bool control = (mods & GLFW_MOD_CONTROL) != 0;
+    input.held[static_cast<std::size_t>(key)] = action != GLFW_RELEASE && !control;
     if (action != GLFW_PRESS) return;
+    if (control) return input.commands.push_back({key, (mods & GLFW_MOD_SHIFT) != 0});
     input.pressed.push_back(key);
     input.tapped[static_cast<std::size_t>(key)] = true;
 }
@@ -162,6 +164,10 @@ void Window::listen() {
     glfwSetMouseButtonCallback(handle_, on_button);
     glfwSetScrollCallback(handle_, on_wheel);
     glfwSetCursorPosCallback(handle_, on_move);
+    glfwSetDropCallback(handle_, [](GLFWwindow* w, int count, const char** files) {
+        input_of(w).happened = true;
+        input_of(w).dropped.insert(input_of(w).dropped.end(), files, files + count);
+    });
     glfwSetCursorEnterCallback(handle_, [](GLFWwindow* w, int) { input_of(w).happened = true; });
     glfwSetWindowFocusCallback(handle_, [](GLFWwindow* w, int) { input_of(w).happened = true; });
     glfwSetCharCallback(handle_, [](GLFWwindow* w, unsigned) { input_of(w).happened = true; });
@@ -172,6 +178,8 @@ void Window::listen() {
 
 const Input& Window::poll(double wait_s) {
     input_.pressed.clear();
+    input_.commands.clear();
+    input_.dropped.clear();
     input_.tapped.reset();
     input_.left.pressed = input_.right.pressed = input_.happened = input_.moved = false;
     input_.wheel = input_.wheel_sideways = 0.0;
@@ -181,6 +189,17 @@ const Input& Window::poll(double wait_s) {
         glfwPollEvents();
     input_.shift = input_.held[GLFW_KEY_LEFT_SHIFT] || input_.held[GLFW_KEY_RIGHT_SHIFT];
     return input_;
+}
+
+void Window::toggle_full_screen() {
+    if (glfwGetWindowMonitor(handle_) != nullptr)
+        return glfwSetWindowMonitor(handle_, nullptr, left_, top_, width_, height_, GLFW_DONT_CARE);
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    if (mode == nullptr) return;
+    glfwGetWindowPos(handle_, &left_, &top_);
+    glfwGetWindowSize(handle_, &width_, &height_);
+    glfwSetWindowMonitor(handle_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 SharedContext Window::share() {

@@ -22,16 +22,24 @@ struct Button {
     double pressed_x = 0.0, pressed_y = 0.0, released_x = 0.0, released_y = 0.0;
 };
 
+// A key that went down while Ctrl was.
+struct KeyCommand {
+    int key = 0;
+    bool shift = false;
+};
+
 // Since the last poll. Keys are GLFW's numbers; positions are framebuffer pixels from the top left.
 struct Input {
     static constexpr int kKeys = 512;
-    std::vector<int> pressed;         // keys that went down, in order
-    std::bitset<kKeys> held, tapped;  // down now; went down, even if up again
+    std::vector<int> pressed;          // keys that went down without Ctrl, in order
+    std::bitset<kKeys> held, tapped;   // down now; went down, even if up again; both without Ctrl
+    std::vector<KeyCommand> commands;  // keys that went down with Ctrl, in order
     Button left, right;
     double x = 0.0, y = 0.0;
     double wheel = 0.0, wheel_sideways = 0.0;
     bool shift = false;
-    bool happened = false;  // anything but mere motion of the pointer
+    std::vector<std::string> dropped;  // files
+    bool happened = false;             // anything but mere motion of the pointer
     bool moved = false;
     bool down(int key) const { return held[static_cast<std::size_t>(key)] || tapped[static_cast<std::size_t>(key)]; }
 };
@@ -61,6 +69,7 @@ public:
     PixelSize framebuffer() const;  // 0x0 while minimised
     double pixel_ratio() const;     // framebuffer pixels a unit of the window's coordinates
     double content_scale() const;   // how much larger than usual things must be drawn, in framebuffer pixels
+    void toggle_full_screen();
     void set_title(const std::string& title);
     SharedContext share();  // nullptr where the driver has no second context
     GLFWwindow* handle() const { return handle_; }
@@ -69,6 +78,7 @@ private:
     Window() = default;
     void listen();
     GLFWwindow* handle_ = nullptr;
+    int left_ = 0, top_ = 0, width_ = 0, height_ = 0;  // of the window, while it is full screen
     Input input_;
 };
 

@@ -103,3 +103,22 @@ TEST_CASE("scene writer: what is the default is not written") {
     scene.camera.r = 12.5;
     CHECK(scene_file_text(scene, {}).find("[camera]\nr = 12.5\n") != std::string::npos);
 }
+
+TEST_CASE("scene writer: a view is one line, and a scene file with that line has the same camera") {
+    CHECK(view_line(CameraSpec{}) == "camera = {}");
+    for (const SceneInfo& info : shipped_scenes()) {
+        CAPTURE(info.name);
+        const auto scene = load_scene(info.path.string());
+        REQUIRE(scene);
+        const std::string line = view_line(scene->camera);
+        CAPTURE(line);
+        CHECK(line.find('\n') == std::string::npos);
+        Scene place;
+        place.name = "place", place.spacetime = scene->spacetime;
+        const auto again = parse_scene(line + '\n' + scene_file_text(place, {}), "again.toml", {});
+        REQUIRE_MESSAGE(again, again.error().message());
+        place.camera = scene->camera;
+        place.camera.width = again->camera.width, place.camera.height = again->camera.height;
+        CHECK(difference(place, *again) == "");
+    }
+}

@@ -132,6 +132,44 @@ def test_f12_saves_the_picture_without_panels(v):
     path.unlink()
 
 
+def test_undo_redo_copy_paste_and_save(v):
+    home = v.settle("mousemove", *BESIDE, "key", "r")
+    turned = v.settle("mousemove", 560, 420, "mousedown", 1, "mousemove", 640, 440, "mouseup", 1, "mousemove", *BESIDE)
+    assert turned.changed(home, CHANGED), "a drag does not turn the camera"
+    same(home, v.settle("key", "ctrl+z"), "after undo")
+    same(turned, v.settle("key", "ctrl+shift+z"), "after redo")
+    v.settle("key", "ctrl+c", "key", "r")
+    same(turned, v.settle("key", "ctrl+v"), "the view that was pasted")
+    before = set(Path(v.folder).glob("*.toml"))
+    v.settle("key", "ctrl+s")
+    saved = wait_until("Ctrl+S writes a file", lambda: next(iter(set(Path(v.folder).glob("*.toml")) - before), None))
+    v.hands("keydown", "e")
+    v.changes("E rolls", turned)
+    assert v.settle("keyup", "e").changed(turned, CHANGED), "E does not roll"
+    same(turned, v.settle("key", "r"), "R after a file was saved")
+    for _ in range(8):     # to the scene as it was opened, and to the test's first view
+        v.settle("key", "ctrl+z")
+    v.click(*RELOAD)
+    same(home, v.settle("key", "r"), "after everything was undone")
+    saved.unlink()
+
+
+def test_f11_fills_the_screen(v):
+    def saved_size():
+        for old in Path(v.folder).glob("nullscope-*.png"):
+            old.unlink()
+        v.settle("key", "F12")
+        picture = read_png(next(Path(v.folder).glob("nullscope-*.png")))
+        next(Path(v.folder).glob("nullscope-*.png")).unlink()
+        return picture.width, picture.height
+    before = v.settle()
+    v.hands("key", "F11")
+    wait_until("the window fills the screen", lambda: saved_size() == (WIDTH + 100, HEIGHT + 100))
+    v.hands("key", "F11")
+    wait_until("the window has its size again", lambda: saved_size() == (WIDTH, HEIGHT))
+    same(before, v.settle(), "the window where it was")
+
+
 def test_at_rest_it_leaves_the_processor_alone(v):
     v.settle(measured=True)
     v.rests()
@@ -238,6 +276,7 @@ CASES = [test_the_first_picture_is_coarse_and_none_is_drawn_twice, test_motion_w
          test_a_drag_moves_what_is_grabbed_with_the_hand, test_a_drag_on_a_panel_does_not_turn_the_camera,
          test_right_drag_rolls, test_keys_and_wheel_move_and_r_comes_back, test_typing_a_number_does_not_fly,
          test_a_broken_scene_is_said_and_survived, test_tab_hides_the_panels, test_f1_lists_the_keys,
+         test_undo_redo_copy_paste_and_save, test_f11_fills_the_screen,
          test_at_rest_it_leaves_the_processor_alone, test_h_lays_the_errors_over_the_picture,
          test_p_shows_the_ray_under_the_cursor,
          test_the_accuracy_section_chooses_refuses_and_measures, test_f12_saves_the_picture_without_panels,

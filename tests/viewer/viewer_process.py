@@ -28,7 +28,7 @@ radius = 3
 texture = "noise"
 """
 # Areas of the window, and places in it.
-PICTURE = (320, 300, 820, 560)     # no panel lies here
+PICTURE = (320, 300, 820, 520)     # no panel and no message lies here
 PANEL = (10, 60, 284, 515)
 SIDE, KEYS, FIELD = (10, 60, 280, 300), (300, 10, 830, 180), (110, 92, 180, 106)
 BESIDE = (420, 40)                 # a place for the pointer outside of all these areas

@@ -1,7 +1,7 @@
 // Whose data ship with the program: assets/sky/README.md and assets/images/README.md say more.
 #pragma once
 
-namespace nullscope::cli {
+namespace nullscope {
 
 inline constexpr const char* kCredits =
     R"(Milky Way: all-sky panorama by Axel Mellinger, University of Potsdam, as it comes with Stellarium 0.22.2 (Debian package stellarium-data);
@@ -14,4 +14,4 @@ Earth: Blue Marble Next Generation with topography and bathymetry, Reto Stöckli
     package three-globe 2.45.2.
 The disc's picture and all else: part of nullscope, MIT.)";
 
-}  // namespace nullscope::cli
+}  // namespace nullscope

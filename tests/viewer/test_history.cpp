@@ -1,0 +1,80 @@
+// Undo and redo in the viewer, and views as a line of text.
+#include <doctest/doctest.h>
+
+#include "scenefile/scene_writer.h"
+#include "viewer/history.h"
+
+namespace {
+
+using namespace nullscope;
+using viewer::History;
+using viewer::ViewState;
+
+ViewState opened(const char* name) {
+    ViewState view;
+    REQUIRE(load_into(view, name));
+    return view;
+}
+
+TEST_CASE("history: each rest is a step back and forward, and what was undone is forgotten by a new step") {
+    ViewState view = opened("first-light");
+    History history;
+    std::string what;
+    history.rest(view);
+    CHECK_FALSE(history.undo(view, what));
+    const double home = view.scene.camera.r;
+    for (const double r : {30.0, 40.0, 50.0}) {
+        view.scene.camera.r = r;
+        history.rest(view);
+        history.rest(view);  // no step
+    }
+    REQUIRE(history.undo(view, what));
+    CHECK(what == "camera");
+    CHECK(view.scene.camera.r == 40.0);
+    REQUIRE(history.undo(view, what));
+    REQUIRE(history.undo(view, what));
+    CHECK(view.scene.camera.r == home);
+    CHECK_FALSE(history.undo(view, what));
+    REQUIRE(history.redo(view, what));
+    CHECK(view.scene.camera.r == 30.0);
+    view.scene.disc->brightness *= 2.0;
+    view.scene.sky.brightness *= 2.0;
+    REQUIRE(history.undo(view, what));  // without a rest before
+    CHECK(what == "sky, disc");
+    CHECK(view.scene.camera.r == 30.0);
+    REQUIRE(history.redo(view, what));
+    CHECK_FALSE(history.redo(view, what));  // 40 and 50 are gone
+}
+
+TEST_CASE("history: another scene is a step, the window's size is none") {
+    ViewState view = opened("first-light");
+    History history;
+    std::string what;
+    history.rest(view);
+    view.scene.camera.width += 100;
+    history.rest(view);
+    CHECK_FALSE(history.undo(view, what));
+    const int width = view.scene.camera.width;
+    REQUIRE(load_into(view, "kerr"));
+    view.scene.camera.width = width;
+    history.rest(view);
+    REQUIRE(history.undo(view, what));
+    CHECK(what == "another scene");
+    CHECK(view.source == "first-light");
+    CHECK(view.scene.spacetime.metric == "schwarzschild");
+    CHECK(view.scene.camera.width == width);
+}
+
+TEST_CASE("views: what is copied in one scene is pasted into another, and other text is refused") {
+    ViewState from = opened("first-light"), to = opened("sky-only");
+    const CameraSpec before = to.scene.camera;
+    CHECK_FALSE(paste_view(to, ""));
+    CHECK_FALSE(paste_view(to, "https://example.org"));
+    CHECK_FALSE(paste_view(to, "camera = { r = -3 }"));
+    CHECK(view_line(to.scene.camera) == view_line(before));
+    REQUIRE(paste_view(to, view_line(from.scene.camera) + "\n"));
+    CHECK(view_line(to.scene.camera) == view_line(from.scene.camera));
+    CHECK(to.scene.camera.width == before.width);
+}
+
+}  // namespace
