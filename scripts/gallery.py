@@ -5,7 +5,8 @@
     scripts/gallery.py NAME...     these scenes anew; the others stay as they are on the page
     scripts/gallery.py --page      the page alone, from the figures of the last run
 
-Pictures: docs/gallery/NAME.jpg. Figures: docs/gallery/figures.json, of one driver. A scene belongs to a group of GROUPS below.
+Pictures: assets/gallery/NAME.jpg, which the viewer shows too. Figures: docs/gallery.json, of one driver. A scene belongs to a group of
+assets/gallery/groups.toml.
 """
 import argparse
 import html
@@ -20,16 +21,6 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-GROUPS = {
-    "Black holes": "first-light accretion luminet photon-ring sky-only einstein-ring starlight fast-flyby near-horizon plunge inside-the-hole",
-    "Rotating holes": "gargantua kerr m87 sgr-a kerr-newman kerr-spot kerr-planet kerr-plunge",
-    "Charged holes, and others": "charged-hole extremal-hole naked-charge scalar-mass kottler hayward bardeen",
-    "Wormholes": "wormhole wormhole-saturn film-wormhole long-wormhole in-the-throat both-sides",
-    "Bodies": "earth saturn whole-sphere neutron-star s-stars swarm torus",
-    "Discs and light": "translucent-disc thick-disc limb-darkening",
-    "Time": "hot-spot late-light passing-ball",
-    "Teaching": "flat two-spacetimes sky-grid disc-grid",
-}
 # Of a film: the frame that is shown, as a part of its length. Others: half of it.
 FRAMES = {}
 
@@ -64,15 +55,21 @@ def nullscope(binary, *arguments):
     return done.stdout
 
 
-def load_scenes():
+def load_groups():
+    """Their titles, and the names of their scenes."""
+    groups = tomllib.loads((ROOT / "assets/gallery/groups.toml").read_text())["group"]
+    return {group["title"]: group["scenes"] for group in groups}
+
+
+def load_scenes(groups):
     """The scenes that ship, by name; and that each is in one group."""
     scenes = {path.stem: tomllib.loads(path.read_text()) for path in sorted((ROOT / "assets/scenes").glob("*.toml"))}
-    grouped = [name for names in GROUPS.values() for name in names.split()]
+    grouped = [name for names in groups.values() for name in names]
     twice = {name for name in grouped if grouped.count(name) > 1}
     for words, names in (("in no group", set(scenes) - set(grouped)), ("in two groups", twice),
                          ("in a group, but no scene", set(grouped) - set(scenes))):
         if names:
-            raise Refused(f"{words} of GROUPS: {', '.join(sorted(names))}")
+            raise Refused(f"{words} of groups.toml: {', '.join(sorted(names))}")
     return scenes
 
 
@@ -125,15 +122,15 @@ def error_words(found):
 def card(name, scene, figures):
     title, sentence = (html.escape(scene.get(key, ""), quote=False) for key in ("name", "description"))
     film = ".mp4" if "path" in scene else ".png"
-    return (f'<td width="50%" valign="top"><img src="gallery/{name}.jpg" width="{WIDTH}" alt="{html.escape(title)}"><br>'
+    return (f'<td width="50%" valign="top"><img src="../assets/gallery/{name}.jpg" width="{WIDTH}" alt="{html.escape(title)}"><br>'
             f"<b>{title}</b>. {sentence}<br><code>nullscope capture {name} -o {name}{film}</code><br>"
             f"{figures['core_s']:.2g} core-s; {error_words(figures['error'])}</td>\n")
 
 
-def page(scenes, figures):
+def page(groups, scenes, figures):
     text = PAGE.format(width=WIDTH, height=HEIGHT, samples=SAMPLES, cost_size=COST_SIZE, error=ERROR_WORDS, driver=figures["driver"])
-    for group, names in GROUPS.items():
-        cards = [card(name, scenes[name], figures["scenes"][name]) for name in names.split() if name in figures["scenes"]]
+    for group, names in groups.items():
+        cards = [card(name, scenes[name], figures["scenes"][name]) for name in names if name in figures["scenes"]]
         if not cards:
             continue
         rows = ["<tr>\n" + "".join(cards[i:i + 2]) + "</tr>\n" for i in range(0, len(cards), 2)]
@@ -141,7 +138,7 @@ def page(scenes, figures):
     return text
 
 
-def update(binary, scenes, names, figures, pictures):
+def update(binary, scenes, names, figures, pictures, kept):
     """Scene by scene: what is done is kept if a later one fails."""
     with tempfile.TemporaryDirectory(prefix="nullscope-gallery-") as folder:
         for i, name in enumerate(names):
@@ -152,32 +149,35 @@ def update(binary, scenes, names, figures, pictures):
             figures["driver"] = driver
             draw(binary, name, scenes[name], pictures / f"{name}.jpg", Path(folder))
             figures["scenes"][name] = {"core_s": core_s, "error": error(binary, name, scenes[name], Path(folder))}
-            (pictures / "figures.json").write_text(json.dumps(figures, indent=1, sort_keys=True) + "\n")
+            kept.write_text(json.dumps(figures, indent=1, sort_keys=True) + "\n")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("scenes", nargs="*", metavar="NAME", help="scenes to make anew (default: all)")
     parser.add_argument("--page", action="store_true", help="only the page, from the figures that are there")
-    parser.add_argument("--into", type=Path, default=ROOT / "docs", metavar="FOLDER", help="where gallery.md and gallery/ go (default: docs)")
+    parser.add_argument("--into", type=Path, default=ROOT, metavar="FOLDER",
+                        help="where docs/gallery.md and assets/gallery go (default: this tree)")
     parser.add_argument("--binary", default=str(ROOT / "build/release/bin/nullscope"), metavar="FILE", help="the program that draws")
     options = parser.parse_args()
-    scenes = load_scenes()
+    groups = load_groups()
+    scenes = load_scenes(groups)
     unknown = [name for name in options.scenes if name not in scenes]
     if unknown:
         raise Refused(f"no scene that ships: {', '.join(unknown)}")
-    pictures = options.into / "gallery"
-    pictures.mkdir(parents=True, exist_ok=True)
-    kept = pictures / "figures.json"
+    pictures, docs = options.into / "assets/gallery", options.into / "docs"
+    for folder in (pictures, docs):
+        folder.mkdir(parents=True, exist_ok=True)
+    kept = docs / "gallery.json"
     figures = json.loads(kept.read_text()) if kept.exists() and (options.scenes or options.page) else {"driver": "", "scenes": {}}
     figures["scenes"] = {name: row for name, row in figures["scenes"].items() if name in scenes}
     if not options.page:
-        update(options.binary, scenes, options.scenes or list(scenes), figures, pictures)
+        update(options.binary, scenes, options.scenes or list(scenes), figures, pictures, kept)
     for picture in pictures.glob("*.jpg"):
         if picture.stem not in scenes:
             picture.unlink()
     kept.write_text(json.dumps(figures, indent=1, sort_keys=True) + "\n")
-    (options.into / "gallery.md").write_text(page(scenes, figures))
+    (docs / "gallery.md").write_text(page(groups, scenes, figures))
     size = sum(picture.stat().st_size for picture in pictures.glob("*.jpg"))
     print(f"gallery: {len(figures['scenes'])} scenes, {size / 1e6:.2f} MB of pictures", file=sys.stderr)
     if size > MOST_BYTES:

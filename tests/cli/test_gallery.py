@@ -29,7 +29,7 @@ def faults(page, scenes, pictures):
     """What is wrong with a page. scenes: name -> sentence; pictures: the folder that it names."""
     found = []
     for name, sentence in scenes.items():
-        card = re.search(rf'<img src="gallery/{re.escape(name)}\.jpg".*?</td>', page, re.S)
+        card = re.search(rf'<img src="../assets/gallery/{re.escape(name)}\.jpg".*?</td>', page, re.S)
         if card is None:
             found.append(f"{name} is not on the page")
             continue
@@ -40,9 +40,9 @@ def faults(page, scenes, pictures):
         picture = pictures / f"{name}.jpg"
         if not picture.exists() or jpeg_size(picture.read_bytes()) != (480, 270):
             found.append(f"{name}: no picture of 480x270")
-    shown = set(re.findall(r'<img src="gallery/(.*?)\.jpg"', page))
+    shown = set(re.findall(r'<img src="../assets/gallery/(.*?)\.jpg"', page))
     found += [f"{name} ships no more" for name in sorted(shown - set(scenes))]
-    if sum(picture.stat().st_size for picture in pictures.glob("*")) > MOST_BYTES:
+    if sum(picture.stat().st_size for picture in pictures.glob("*.jpg")) > MOST_BYTES:
         found.append("the pictures take more than 2 MB")
     return found
 
@@ -60,27 +60,26 @@ class Gallery(support.CliTest):
     def test_every_scene_is_on_the_page_and_has_its_picture(self):
         page = ROOT / "docs/gallery.md"
         self.assertTrue(page.exists(), f"docs/gallery.md is not there: {AGAIN}")
-        found = faults(page.read_text(), self.scenes(), ROOT / "docs/gallery")
+        found = faults(page.read_text(), self.scenes(), ROOT / "assets/gallery")
         self.assertFalse(found, f"{AGAIN}: " + "; ".join(found))
 
     def test_the_script_makes_a_page_of_single_scenes(self):
         scenes = {name: sentence for name, sentence in self.scenes().items() if name in ("flat", "two-spacetimes")}
         self.make(*scenes)
-        page = (self.folder / "gallery.md").read_text()
-        self.assertEqual(faults(page, scenes, self.folder / "gallery"), [])
+        page = (self.folder / "docs/gallery.md").read_text()
+        self.assertEqual(faults(page, scenes, self.folder / "assets/gallery"), [])
         self.assertNotRegex(page, r"20\d\d-|/tmp|/home")
-        figures = json.loads((self.folder / "gallery/figures.json").read_text())
+        figures = json.loads((self.folder / "docs/gallery.json").read_text())
         self.assertLess(figures["scenes"]["flat"]["error"]["px"], 0.05)
         self.assertIsNone(figures["scenes"]["two-spacetimes"]["error"])
-        before = (self.folder / "gallery/two-spacetimes.jpg").stat().st_mtime_ns
+        before = (self.folder / "assets/gallery/two-spacetimes.jpg").stat().st_mtime_ns
         self.make("flat")
-        self.assertEqual((self.folder / "gallery/two-spacetimes.jpg").stat().st_mtime_ns, before)
-        self.assertEqual(faults((self.folder / "gallery.md").read_text(), scenes, self.folder / "gallery"), [])
+        self.assertEqual((self.folder / "assets/gallery/two-spacetimes.jpg").stat().st_mtime_ns, before)
+        self.assertEqual(faults((self.folder / "docs/gallery.md").read_text(), scenes, self.folder / "assets/gallery"), [])
         self.assertEqual(self.make("no-such-scene", status=1), "gallery: no scene that ships: no-such-scene\n")
 
     def test_faults_are_found(self):
-        (self.folder / "gallery").mkdir()
-        card = '<td><img src="gallery/{}.jpg"> {} <code>nullscope capture {} -o x</code> 1 core-s; error 0 px</td>'
+        card = '<td><img src="../assets/gallery/{}.jpg"> {} <code>nullscope capture {} -o x</code> 1 core-s; error 0 px</td>'
         self.assertEqual(faults("", {"a": "A."}, self.folder), ["a is not on the page"])
         self.assertEqual(faults(card.format("a", "B.", "a"), {"a": "A."}, self.folder),
                          ["a: its sentence is not that of the page", "a: no picture of 480x270"])
