@@ -146,7 +146,7 @@ Mark divider_mark(int width, int height, double em) {
 
 }  // namespace
 
-Marks make_marks(const Annotations& annotations, int width, int height, int bottom) {
+Marks make_marks(const Annotations& annotations, int width, int height, int top, int bottom) {
     Marks made;
     if (annotations.empty() || std::min(width, height) < kLeastSide_px) return made;
     const double em = std::max(kLetters * height, kLeastLetters_px);
@@ -162,7 +162,7 @@ Marks make_marks(const Annotations& annotations, int width, int height, int bott
     for (const auto& [words, x, align] : {std::tuple(annotations.left, middle - gap, Align::kRight),
                                           std::tuple(annotations.right, middle + gap, Align::kLeft)})
         if (!words.empty())
-            made.marks.push_back(text_mark(*letters, lines_of(*letters, words, room), x, gap, align, em));
+            made.marks.push_back(text_mark(*letters, lines_of(*letters, words, room), x, top + gap, align, em));
     if (annotations.bar) {
         const double length = annotations.bar->length_px;
         const int thick = std::max(2, static_cast<int>(std::lround(0.12 * em))),

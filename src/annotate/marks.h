@@ -20,10 +20,10 @@ struct Marks {
     std::string note;  // why there are no letters, if there should be some
 };
 
-// Of a picture of width by height px: the line between the halves, the labels at its top on either side, the bar in the
-// lower right corner, `bottom` px higher. Letters are a fortieth of the height, at least 11 px. Pictures with a side
+// Of a picture of width by height px: the line between the halves, the labels on either side `top` px below its top, the bar
+// `bottom` px above its lower right corner. Letters are a fortieth of the height, at least 11 px. Pictures with a side
 // below 64 px get nothing. Without a font: the line alone. With lay_over some 30 ms at 3840x2160.
-Marks make_marks(const Annotations& annotations, int width, int height, int bottom = 0);
+Marks make_marks(const Annotations& annotations, int width, int height, int top = 0, int bottom = 0);
 
 // picture: 3 channels, display-encoded.
 void lay_over(const std::vector<Mark>& marks, Image<unsigned char>& picture);

@@ -27,10 +27,18 @@ Result<Scene> parse_scene(std::string_view toml_text, const std::string& file_la
 
 struct SceneInfo {
     std::string name;         // what load_scene takes
+    std::string title;        // the scene's own name; of a broken file as `name`
     std::string description;  // one sentence; the error where the file is broken
     std::filesystem::path path;
 };
 // The scenes in assets_directory()/scenes, sorted by name; empty if there is no such directory.
 std::vector<SceneInfo> shipped_scenes();
+
+// The same in the order and the groups of assets_directory()/gallery/groups.toml; those that are in no group come last, as "Others".
+struct SceneGroup {
+    std::string title;
+    std::vector<SceneInfo> scenes;
+};
+std::vector<SceneGroup> shipped_gallery();
 
 }  // namespace nullscope

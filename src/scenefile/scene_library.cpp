@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include <toml++/toml.h>
 #include "base/assets.h"
+
 #include "base/atomic_file.h"
 #include "base/text.h"
 #include "scenefile/scene_file.h"
@@ -26,6 +28,27 @@ std::vector<fs::path> scene_files() {
     std::sort(files.begin(), files.end(),
               [](const fs::path& a, const fs::path& b) { return a.stem() < b.stem(); });  // by the name that is shown
     return files;
+}
+
+// Titles and names of scenes; nothing where the file is missing or broken.
+std::vector<std::pair<std::string, std::vector<std::string>>> gallery_groups() {
+    std::vector<std::pair<std::string, std::vector<std::string>>> groups;
+    const Result<std::string> text = read_text(assets_directory() / "gallery" / "groups.toml", kLargestSceneFile);
+    if (!text) return groups;
+    try {
+        const toml::table root = toml::parse(*text);
+        const toml::array* tables = root["group"].as_array();
+        for (std::size_t i = 0; tables != nullptr && i < tables->size(); ++i) {
+            const toml::table* table = (*tables)[i].as_table();
+            if (table == nullptr) continue;
+            groups.emplace_back((*table)["title"].value_or(std::string()), std::vector<std::string>());
+            if (const toml::array* names = (*table)["scenes"].as_array())
+                for (const toml::node& name : *names) groups.back().second.push_back(name.value_or(std::string()));
+        }
+    } catch (const toml::parse_error&) {
+        groups.clear();
+    }
+    return groups;
 }
 
 Error no_such_scene(const std::string& name) {
@@ -61,9 +84,28 @@ std::vector<SceneInfo> shipped_scenes() {
     std::vector<SceneInfo> scenes;
     for (const fs::path& file : scene_files()) {
         const Result<Scene> scene = load_scene(file.string());
-        scenes.push_back({file.stem().string(), scene ? scene->description : scene.error().message(), file});
+        const std::string name = file.stem().string();
+        scenes.push_back(
+            {name, scene ? scene->name : name, scene ? scene->description : scene.error().message(), file});
     }
     return scenes;
+}
+
+std::vector<SceneGroup> shipped_gallery() {
+    std::vector<SceneInfo> scenes = shipped_scenes();
+    std::vector<SceneGroup> groups;
+    for (const auto& [title, names] : gallery_groups()) {
+        SceneGroup group{title, {}};
+        for (const std::string& name : names) {
+            const auto found = std::ranges::find(scenes, name, &SceneInfo::name);
+            if (found == scenes.end()) continue;
+            group.scenes.push_back(std::move(*found));
+            scenes.erase(found);
+        }
+        if (!group.scenes.empty()) groups.push_back(std::move(group));
+    }
+    if (!scenes.empty()) groups.push_back({"Others", std::move(scenes)});
+    return groups;
 }
 
 }  // namespace nullscope

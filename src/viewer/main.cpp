@@ -23,22 +23,24 @@ int report(const Error& error) {
 }
 
 constexpr const char* kAbout =
-    "nullscope-viewer: fly through curved spacetimes.\n  nullscope-viewer                                  the default "
-    "scene, first-light\n  nullscope-viewer near-horizon                     a built-in scene (see: nullscope "
+    "nullscope-viewer: fly through curved spacetimes.\n  nullscope-viewer                                  the gallery "
+    "of scenes\n  nullscope-viewer near-horizon                     a built-in scene (see: nullscope "
     "scenes)\n  nullscope-viewer my-scene.toml --size 1920x1080   a scene of your own\n  nullscope-viewer --screenshot "
     "window.png          save what the window shows, with panels, then quit\n";
 
 constexpr const char* kHands =
     "\nIn the window: drag to look around, wheel for the distance, W A S D Space C to fly, Q E to roll, R returns to "
-    "the\nscene's camera, H shows the error of every pixel, Tab hides the panels, F1 lists all keys, F12 saves the "
-    "picture,\nEscape quits. Without a display: nullscope capture SCENE -o FILE.png, or xvfb-run nullscope-viewer "
+    "the\nscene's camera, H shows the error of every pixel, Tab hides the panels, F1 lists all keys, Ctrl+O opens "
+    "the gallery,\nCtrl+S saves the scene, Ctrl+Z undoes, F12 saves the picture, Escape quits. Without a display: "
+    "nullscope capture SCENE -o FILE.png, or xvfb-run nullscope-viewer "
     "...\nFor pictures, films, rays and measurements in files, use nullscope (see: nullscope help).";
 
 Command program_of(viewer::ViewerOptions& options, std::string& size) {
     Command program("nullscope-viewer", kAbout);
     program.set_footer(kHands);
     program.set_version(NULLSCOPE_VERSION);
-    program.add_option("scene", &options.scene, "Scene file, or the name of a built-in scene").show_default();
+    program.add_option("scene", &options.scene, "Scene file, or the name of a built-in scene (default: the gallery)");
+    program.add_flag("--gallery", &options.gallery, "Start with the gallery, before the scene");
     program.add_option(
         "--size", &size,
         "Window size in pixels, WIDTHxHEIGHT (default: the scene's, or the screen's if that is smaller)");

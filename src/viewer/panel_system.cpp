@@ -13,6 +13,7 @@
 namespace nullscope::viewer {
 namespace {
 
+constexpr const char* kShaderVersion = "#version 330 core";
 constexpr float kFontSize = 15.0f;  // units of ImGui's coordinates at a content scale of 1
 
 void load_font(double pixels) {
@@ -36,6 +37,7 @@ void colour(ImGuiStyle& style) {
     c[ImGuiCol_Text] = text;
     c[ImGuiCol_TextDisabled] = dim;
     c[ImGuiCol_WindowBg] = panel;
+    c[ImGuiCol_MenuBarBg] = {panel.x, panel.y, panel.z, 0.97f};
     c[ImGuiCol_PopupBg] = {panel.x, panel.y, panel.z, 0.97f};
     c[ImGuiCol_Border] = c[ImGuiCol_Separator] = faint;
     c[ImGuiCol_FrameBg] = c[ImGuiCol_Button] = field;
@@ -78,7 +80,7 @@ PanelSystem::PanelSystem(Window& window) : window_(window) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;  // leaves no file behind
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
-    ImGui_ImplOpenGL3_Init("#version 330 core");
+    ImGui_ImplOpenGL3_Init(kShaderVersion);
 }
 
 PanelSystem::~PanelSystem() {
@@ -87,12 +89,13 @@ PanelSystem::~PanelSystem() {
     ImGui::DestroyContext();
 }
 
-void PanelSystem::begin_frame() {
-    const double scale = window_.content_scale(), ratio = window_.pixel_ratio();
+void PanelSystem::begin_frame(double text_scale) {
+    const double scale = text_scale * window_.content_scale(), ratio = window_.pixel_ratio();
     if (scale != content_scale_ || ratio != pixel_ratio_) {
         content_scale_ = scale, pixel_ratio_ = ratio;
-        ImGui_ImplOpenGL3_DestroyDeviceObjects();  // made again, with the new font, by the next NewFrame
+        ImGui_ImplOpenGL3_Shutdown();  // version 1.86 keeps the sizes of buffers that it destroys: so all of it anew
         apply_theme(scale, ratio);
+        ImGui_ImplOpenGL3_Init(kShaderVersion);
     }
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();

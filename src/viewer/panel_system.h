@@ -10,7 +10,7 @@ public:
     ~PanelSystem();
     PanelSystem(const PanelSystem&) = delete;
     PanelSystem& operator=(const PanelSystem&) = delete;
-    void begin_frame();  // follows the window to a screen of another scale
+    void begin_frame(double text_scale);  // follows the window to a screen of another scale
 
 private:
     Window& window_;

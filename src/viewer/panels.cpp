@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/credits.h"
+#include "viewer/menu.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
@@ -44,9 +46,10 @@ float status_height() { return ImGui::GetFrameHeight() + 0.2f * em(); }
 
 bool side_panel(ViewState& view, const FrameFacts& facts, bool escape) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float margin = kMargin * em(), tallest = std::max(screen.y - status_height() - 2.0f * margin, 4.0f * em());
+    const float margin = kMargin * em(),
+                tallest = std::max(screen.y - menu_height() - status_height() - 2.0f * margin, 4.0f * em());
     const float width = std::min(kPanelWidth * em(), std::max(screen.x - 2.0f * margin, 4.0f * em()));
-    ImGui::SetNextWindowPos({margin, margin});
+    ImGui::SetNextWindowPos({margin, menu_height() + margin});
     ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, tallest});
     bool changed = false;
     constexpr ImGuiWindowFlags kFlags = (kFixed & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize;
@@ -122,9 +125,9 @@ void status_line(const FrameFacts& facts) {
     ImGui::PopStyleVar(3);
 }
 
-void keys_window() {
+void keys_window(float top) {
     constexpr float kOpacity = 0.95f;  // readable over the side panel in a small window
-    overlay("##keys", ImGui::GetIO().DisplaySize.x - kMargin * em(), kMargin * em(), 1.0f, 0.0f, kOpacity, [] {
+    overlay("##keys", ImGui::GetIO().DisplaySize.x - kMargin * em(), top + kMargin * em(), 1.0f, 0.0f, kOpacity, [] {
         for (const auto& [keys, what] : kKeys) {
             ImGui::TextUnformatted(keys);
             ImGui::SameLine(8.5f * em());
@@ -133,13 +136,35 @@ void keys_window() {
     });
 }
 
-void message_window(const std::string& message) {
+}  // namespace
+
+void draw_message(const std::string& message) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     overlay("##message", 0.5f * screen.x, screen.y - status_height() - em(), 0.5f, 1.0f, 0.82f,
             [&] { ImGui::TextUnformatted(message.c_str()); });
 }
 
-}  // namespace
+void draw_hints() {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    overlay("##hints", 0.5f * screen.x, 0.86f * screen.y, 0.5f, 1.0f, 0.9f, [] {
+        ImGui::TextUnformatted("Drag the picture to look around.");
+        ImGui::TextUnformatted("Turn the wheel to come nearer; W A S D to fly.");
+        ImGui::TextUnformatted("Ctrl + O: more scenes.   F1: all keys.");
+    });
+}
+
+void draw_about(bool& shown, const gl::Info& info) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5f * screen.x, 0.5f * screen.y}, ImGuiCond_Appearing, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(40.0f * em(), 0.9f * screen.x), 0.0f});
+    if (ImGui::Begin("About nullscope", &shown, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
+        const std::string text = fmt::format("nullscope {}\nOpenGL {}\n{}\n{}\n\n{}", NULLSCOPE_VERSION, info.version,
+                                             info.vendor, info.renderer, kCredits);
+        ImGui::TextWrapped("%s", text.c_str());
+        if (ImGui::Button("Copy")) ImGui::SetClipboardText(text.c_str());
+    }
+    ImGui::End();
+}
 
 void draw_first_wait(const std::string& scene, const PaintProgress& progress) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -163,8 +188,9 @@ bool draw_panels(ViewState& view, const FrameFacts& facts, const std::string& me
         changed = side_panel(view, facts, escape);
         status_line(facts);
     }
-    if (view.show_keys) keys_window();
-    if (!message.empty()) message_window(message);
+    if (view.show_keys) keys_window(view.show_panels ? menu_height() : 0.0f);
+    if (view.show_about) draw_about(view.show_about, facts.info);
+    if (!message.empty()) draw_message(message);
     return changed;
 }
 

@@ -9,6 +9,12 @@ namespace nullscope::viewer {
 // Over a window that has no picture yet: what is being done. Between NewFrame and Render.
 void draw_first_wait(const std::string& scene, const PaintProgress& progress);
 
+// How to begin, over the first picture that a user sees. Between NewFrame and Render, as what follows.
+void draw_hints();
+void draw_message(const std::string& message);
+// Version, driver and credits, to be copied. shown: false once it was closed.
+void draw_about(bool& shown, const gl::Info& info);
+
 // Between ImGui's NewFrame and Render. True when the scene changed. message: shown until it is empty again.
 bool draw_panels(ViewState& view, const FrameFacts& facts, const std::string& message, bool escape);
 

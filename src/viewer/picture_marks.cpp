@@ -15,11 +15,11 @@ Annotations annotations_at(Scene scene, PixelSize size) {
 
 }  // namespace
 
-void PictureMarks::show(const Scene& scene, PixelSize size, int bottom) {
+void PictureMarks::show(const Scene& scene, PixelSize size, int top, int bottom) {
     Annotations now = annotations_at(scene, size);
-    if (now == annotations_ && size == size_ && bottom == bottom_) return;
-    annotations_ = std::move(now), size_ = size, bottom_ = bottom;
-    marks_ = make_marks(annotations_, size.width, size.height, bottom).marks;
+    if (now == annotations_ && size == size_ && top == top_ && bottom == bottom_) return;
+    annotations_ = std::move(now), size_ = size, top_ = top, bottom_ = bottom;
+    marks_ = make_marks(annotations_, size.width, size.height, top, bottom).marks;
     textures_.clear();
     for (const Mark& mark : marks_)
         textures_.push_back(gl::make_rgba8_texture(mark.rgba.width, mark.rgba.height, mark.rgba.data.data()));

@@ -10,15 +10,15 @@ namespace nullscope::viewer {
 
 class PictureMarks {
 public:
-    // Of the scene on the screen, drawn in this size; bottom: px that the status line takes. Makes textures where
+    // Of the scene on the screen, drawn in this size; top, bottom: px that the menu and the status line take. Makes textures where
     // something has changed.
-    void show(const Scene& scene, PixelSize size, int bottom);
+    void show(const Scene& scene, PixelSize size, int top, int bottom);
     void draw() const;  // behind the panels, in the current frame of Dear ImGui
 
 private:
     Annotations annotations_;
     PixelSize size_{};
-    int bottom_ = 0;
+    int top_ = 0, bottom_ = 0;
     std::vector<Mark> marks_;
     std::vector<gl::Texture> textures_;
 };

@@ -19,9 +19,9 @@ Status load_into(ViewState& view, const std::string& file_or_name) {
         return loaded.error();
     }
     view.source = file_or_name;
-    if (std::ranges::none_of(view.shipped, [&](const SceneInfo& info) { return info.name == file_or_name; })) {
-        std::erase(view.own, file_or_name);
-        view.own.insert(view.own.begin(), file_or_name);
+    if (std::ranges::find(view.shipped, file_or_name, &SceneInfo::name) == view.shipped.end()) {
+        view.source = std::filesystem::absolute(file_or_name).string();
+        own_file(view, view.source);
     }
     view.loaded = view.scene = std::move(*loaded);
     if (view.scene.disc) view.hidden_disc = *view.scene.disc;
@@ -32,6 +32,11 @@ Status load_into(ViewState& view, const std::string& file_or_name) {
     view.fall.stop();
     view.error.clear();
     return Done{};
+}
+
+void own_file(ViewState& view, const std::string& path) {
+    std::erase(view.own, path);
+    view.own.insert(view.own.begin(), path);
 }
 
 Scene drawn_scene(const ViewState& view) {

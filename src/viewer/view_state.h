@@ -26,9 +26,9 @@ struct ViewState {
     Scene loaded;        // as the file has it
     Scene scene;         // as it is now
     std::vector<SceneInfo> shipped;
-    std::vector<std::string> own;  // files that were opened or saved, the last first
+    std::vector<std::string> own;  // paths of files that were opened or saved, the last first
     std::string error;             // of the last change, or nothing
-    bool show_panels = true, show_keys = false;
+    bool show_panels = true, show_keys = false, show_about = false;
     bool show_accuracy = false, show_effects = false;  // the section is open
     bool show_errors = false;                          // over the picture
     bool show_grid = false;                            // of coordinates, on sky and disc
@@ -44,6 +44,8 @@ struct ViewState {
 
 // Replaces what is shown; on an error everything stays and view.error says why.
 Status load_into(ViewState& view, const std::string& file_or_name);
+// This file was opened or saved: the first of view.own.
+void own_file(ViewState& view, const std::string& path);
 // What is drawn: the scene without what is switched off.
 Scene drawn_scene(const ViewState& view);
 

@@ -17,6 +17,8 @@
 namespace nullscope::viewer {
 namespace {
 
+constexpr double kTextStep = 0.25;
+constexpr const char* kFirstScene = "first-light";
 constexpr int kSettlingFrames = 3;        // panels answer an event a frame later, and take another to find their size
 constexpr int kNewsFrames = 2;            // a measured number may make its panel wider a frame later
 constexpr double kIdleWait = 1.0;         // s
@@ -44,10 +46,17 @@ constexpr double kRateTime = 0.25;        // s between changes of the numbers in
 
 Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     std::unique_ptr<Viewer> viewer(new Viewer(options));
-    if (Status loaded = load_into(viewer->view_, options.scene); !loaded) return loaded.error();
+    Settings& settings = viewer->settings_;
+    if (!viewer->patient()) settings = load_settings();
+    viewer->kept_settings_ = settings;
+    viewer->view_.own = settings.recent;
     viewer->view_.shipped = shipped_scenes();
+    if (Status loaded = load_into(viewer->view_, options.scene.empty() ? kFirstScene : options.scene); !loaded)
+        return loaded.error();
     const CameraSpec& camera = viewer->view_.scene.camera;
-    const PixelSize size = options.size.value_or(PixelSize{camera.width, camera.height});
+    const PixelSize usual =
+        settings.width > 0 ? PixelSize{settings.width, settings.height} : PixelSize{camera.width, camera.height};
+    const PixelSize size = options.size.value_or(usual);
     TRY(window, Window::open(size, !options.size, options.hidden, viewer->view_.scene.name + kTitle));
     viewer->window_ = std::move(*window);
     viewer->info_ = gl::info();
@@ -65,6 +74,7 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     viewer->shown_ = viewer->view_;
     if (viewer->painter_->in_background()) viewer->ask();  // it begins before the panels are there
     viewer->panel_system_ = std::make_unique<PanelSystem>(*viewer->window_);
+    if (options.gallery || (options.scene.empty() && !viewer->patient())) viewer->gallery_.open();
     return viewer;
 }
 
@@ -74,6 +84,8 @@ Status Viewer::run() {
         return options_.screenshot.empty() ? Done{} : save_screenshot();
     }
     if (refusal_) return *refusal_;
+    if (size_.width > 0 && !window_->is_full_screen()) settings_.width = size_.width, settings_.height = size_.height;
+    keep_settings();
     if (painter_->at_work()) end_process();
     return Done{};
 }
@@ -85,7 +97,7 @@ bool Viewer::step() {
     if (window_->closing()) return false;
     const double cpu = thread_cpu_seconds(), dt = elapsed();
     if (input.happened) frames_due_ = kSettlingFrames;
-    if (!input.pressed.empty()) last_key_ = input.pressed.back();
+    if (!input.pressed.empty()) last_key_ = input.pressed.back().key;
     follow_times();
     bool changed = fit_to_window();
     coarse_wanted_ |= changed;
@@ -95,7 +107,7 @@ bool Viewer::step() {
 
     // In the frame before: a tooltip goes when the pointer leaves.
     const bool panels_had_pointer = ImGui::GetIO().WantCaptureMouse;
-    panel_system_->begin_frame();
+    panel_system_->begin_frame(settings_.text_scale);
     changed |= open_dropped(input);
     changed |= handle_keys(input);
     changed |= panels(input);
@@ -107,7 +119,7 @@ bool Viewer::step() {
     // In one context the window's first frame would wait for the first picture.
     if (painter_->in_background() || patient() || drawn_at_ > 0.0) ask();
     if (input.moved && (panels_had_pointer || io.WantCaptureMouse)) frames_due_ = kSettlingFrames;  // tooltips
-    if (io.WantTextInput || patient()) frames_due_ = std::max(frames_due_, 1);
+    if (io.WantTextInput || patient() || gallery_.loading()) frames_due_ = std::max(frames_due_, 1);
     const bool drawn =
         patient() ? settled() : frames_due_ > 0 && (news || !painter_->busy() || seconds() - drawn_at_ >= kBusyWait);
     if (drawn) {
@@ -119,6 +131,7 @@ bool Viewer::step() {
         ImGui::EndFrame();
     }
     log_rest();
+    keep_settings();
     return drawn;
 }
 
@@ -134,7 +147,15 @@ void Viewer::follow_times() {
 }
 
 bool Viewer::panels(const Input& input) {
-    const bool escape = std::ranges::count(input.pressed, GLFW_KEY_ESCAPE) > 0;
+    const bool escape = std::ranges::count(input.pressed, GLFW_KEY_ESCAPE, &KeyPress::key) > 0;
+    const float below_menu = view_.show_panels ? menu_height() : 0.0f, screen = ImGui::GetIO().DisplaySize.y;
+    const auto command = view_.show_panels ? draw_menu(view_, escape) : std::nullopt;
+    bool changed = command && perform(*command);
+    if (gallery_.is_open()) {
+        const std::string chosen = gallery_.draw(below_menu, screen, view_.own, patient(), escape);
+        if (!message_.empty()) draw_message(message_);
+        return chosen.empty() ? changed : open_file(chosen) || changed;
+    }
     if (picture_.texture == 0) draw_first_wait(view_.scene.name, progress_);
     draw_marks();
     if (view_.show_errors && !picture_.job.scene.split) accuracy_->draw_overlay();
@@ -143,12 +164,13 @@ bool Viewer::panels(const Input& input) {
     const FrameFacts facts{picture_,      picture_ms_shown_, moving_ ? fps_shown_ : 0.0, size_,
                            info_,         progress_,         painter_->in_background(),  measured_,
                            not_measured_, choice_,           accuracy_->facts(),         effect_times_};
-    return draw_panels(view_, facts, message_, escape);
+    if (!settings_.hints_seen && !patient() && picture_.texture != 0) draw_hints();
+    return draw_panels(view_, facts, message_, escape) || changed;
 }
 
 bool Viewer::move(const Input& input, double dt) {
     const ImGuiIO& io = ImGui::GetIO();
-    bool moved = controls_.apply(input, view_, dt, io.WantCaptureMouse, io.WantCaptureKeyboard);
+    bool moved = controls_.apply(input, view_, dt, io.WantCaptureMouse, io.WantCaptureKeyboard || gallery_.is_open());
     moved |= view_.fall.step(view_.scene, dt);
     moved |= step_clock(view_, dt);
     if (controls_.dragging()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -226,24 +248,49 @@ double Viewer::elapsed() {
 }
 
 bool Viewer::handle_keys(const Input& input) {
-    if (ImGui::GetIO().WantCaptureKeyboard) return false;
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool in_picture = (input.left.pressed || input.right.pressed) && !io.WantCaptureMouse;
+    if (!gallery_.is_open() && picture_.texture != 0 && (in_picture || !input.pressed.empty()))
+        settings_.hints_seen = true;
+    if (io.WantCaptureKeyboard) return false;
     bool changed = false;
-    const std::pair<int, bool*> switches[] = {{GLFW_KEY_TAB, &view_.show_panels},
-                                              {GLFW_KEY_H, &view_.show_errors},
-                                              {GLFW_KEY_P, &view_.show_probe},
-                                              {GLFW_KEY_F1, &view_.show_keys}};
-    for (const int key : input.pressed) {
-        for (const auto& [own_key, shown] : switches)
-            if (key == own_key) *shown = !*shown;
-        if (key == GLFW_KEY_ESCAPE && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) window_->close();
-        if (key == GLFW_KEY_F12) save_picture();
-        if (key == GLFW_KEY_F11) window_->toggle_full_screen();
-        if (key != GLFW_KEY_R) continue;
-        reset_camera(view_);
-        changed = true;
+    for (const KeyPress& press : input.pressed) {
+        const auto command = command_of(press);
+        const bool shuts =
+            command == Command::kQuit && (gallery_.is_open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
+        if (command && !shuts) changed |= perform(*command);
     }
-    for (const KeyCommand& command : input.commands) changed |= handle_command(command);
     return changed;
+}
+
+bool Viewer::perform(Command command) {
+    const auto toggle = [](bool& shown) { return shown = !shown, false; };
+    const auto scale_text = [&](double by) {
+        settings_.text_scale = std::clamp(settings_.text_scale + by, kLeastTextScale, kMostTextScale);
+        frames_due_ = kSettlingFrames;
+        return false;
+    };
+    switch (command) {
+        case Command::kGallery: return gallery_.open(), false;
+        case Command::kSave: return save_scene(), false;
+        case Command::kSavePicture: return save_picture(), false;
+        case Command::kReload: return open_file(view_.source);
+        case Command::kQuit: return window_->close(), false;
+        case Command::kUndo: return step_history(true);
+        case Command::kRedo: return step_history(false);
+        case Command::kCopyView: return copy_view(), false;
+        case Command::kPasteView: return paste();
+        case Command::kResetCamera: return reset_camera(view_), true;
+        case Command::kPanels: return toggle(view_.show_panels);
+        case Command::kErrors: return toggle(view_.show_errors);
+        case Command::kProbe: return toggle(view_.show_probe);
+        case Command::kFullScreen: return window_->toggle_full_screen(), false;
+        case Command::kLargerText: return scale_text(kTextStep);
+        case Command::kSmallerText: return scale_text(-kTextStep);
+        case Command::kKeys: return toggle(view_.show_keys);
+        case Command::kAbout: return toggle(view_.show_about);
+    }
+    return false;
 }
 
 bool Viewer::fit_to_window() {

@@ -7,18 +7,22 @@
 #include "gl/gl.h"
 #include "viewer/controls.h"
 #include "viewer/frame_accuracy.h"
+#include "viewer/gallery.h"
 #include "viewer/history.h"
 #include "viewer/loop_log.h"
+#include "viewer/menu.h"
 #include "viewer/panel_system.h"
 #include "viewer/panels.h"
 #include "viewer/picture_marks.h"
 #include "viewer/probe.h"
+#include "viewer/user_files.h"
 
 namespace nullscope::viewer {
 
 struct ViewerOptions {
-    std::string scene = "first-light";
-    std::optional<PixelSize> size;  // the scene's, fitted to the screen
+    std::string scene;              // file or name; "": first-light, with the gallery before it
+    std::optional<PixelSize> size;  // that of the last time, or the scene's, fitted to the screen
+    bool gallery = false;           // before the scene
     std::string screenshot;         // written after after_frames frames, panels included; then the viewer ends
     int after_frames = 0;           // 0: run until closed
     bool hidden = false;
@@ -48,9 +52,10 @@ private:
     bool settled() const;                                       // the picture is whole, and of the scene as it is
     double elapsed();                                           // since the last step, for motion
     bool handle_keys(const Input& input);
-    bool fit_to_window();  // true if the picture's size changed
-    void ask();            // for what is due: a picture of view_, ray data or the effects' times
-    bool take();           // what was asked for if it is there: true if there is something new to show
+    bool perform(Command command);  // true if the scene changed
+    bool fit_to_window();           // true if the picture's size changed
+    void ask();                     // for what is due: a picture of view_, ray data or the effects' times
+    bool take();                    // what was asked for if it is there: true if there is something new to show
     void adopt(Painting painting);
     void refuse(const Painting& painting);
     void measure_effects(bool still);
@@ -63,11 +68,13 @@ private:
     void measure_rate();
     void save_picture();  // as soon as it is whole
     // viewer_files.cpp
-    bool handle_command(const KeyCommand& command);  // true if the scene changed
+    bool open_file(const std::string& file_or_name);  // true if the scene changed
     bool step_history(bool back);
     bool open_dropped(const Input& input);
     void save_scene();
+    void copy_view();
     bool paste();
+    void keep_settings();
     void say(const std::string& message);
 
     ViewerOptions options_;
@@ -96,7 +103,9 @@ private:
     std::unique_ptr<FrameAccuracy> accuracy_;
     Probe probe_;
     History history_;
-    std::string saved_scene_;  // file that Ctrl+S writes on, once it has made one
+    Gallery gallery_;
+    Settings settings_, kept_settings_;  // as they are now, and in their file
+    std::string saved_scene_;            // file that Ctrl+S writes on, once it has made one
     PictureMarks marks_;
     double adapted_at_ = 0.0;     // s: automatic exposure follows like an eye,
     double exposure_left_ = 0.0;  // what share of its way is still before it

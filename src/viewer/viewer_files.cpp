@@ -1,6 +1,4 @@
 // What the viewer does with scene files, the clipboard and its history.
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -34,18 +32,9 @@ std::filesystem::path fresh_scene_path(const std::string& name) {
 
 }  // namespace
 
-bool Viewer::handle_command(const KeyCommand& command) {
-    switch (command.key) {
-        case GLFW_KEY_Z: return step_history(!command.shift);
-        case GLFW_KEY_Y: return step_history(false);
-        case GLFW_KEY_V: return paste();
-        case GLFW_KEY_S: save_scene(); return false;
-        case GLFW_KEY_C:
-            ImGui::SetClipboardText(view_line(view_.scene.camera).c_str());
-            say("View copied: one line of text, for Ctrl + V here or for a scene file");
-            return false;
-        default: return false;
-    }
+void Viewer::copy_view() {
+    ImGui::SetClipboardText(view_line(view_.scene.camera).c_str());
+    say("View copied: one line of text, for Ctrl + V here or for a scene file");
 }
 
 bool Viewer::step_history(bool back) {
@@ -63,10 +52,12 @@ bool Viewer::paste() {
     return static_cast<bool>(pasted);
 }
 
-bool Viewer::open_dropped(const Input& input) {
-    if (input.dropped.empty()) return false;
-    const Status opened = load_into(view_, input.dropped.back());
-    say(opened ? "Opened " + input.dropped.back() : opened.error().message());
+bool Viewer::open_dropped(const Input& input) { return !input.dropped.empty() && open_file(input.dropped.back()); }
+
+bool Viewer::open_file(const std::string& file_or_name) {
+    const Status opened = load_into(view_, file_or_name);
+    if (!opened) say(opened.error().message());
+    if (opened) gallery_.close();
     return static_cast<bool>(opened);
 }
 
@@ -80,9 +71,16 @@ void Viewer::save_scene() {
         return say(saved.error().message());
     saved_scene_ = view_.source = path.string();
     view_.loaded = scene;
-    std::erase(view_.own, saved_scene_);
-    view_.own.insert(view_.own.begin(), saved_scene_);
+    own_file(view_, saved_scene_);
     say(fmt::format("Saved {}", saved_scene_));
+}
+
+void Viewer::keep_settings() {
+    if (patient()) return;
+    settings_.recent.assign(view_.own.begin(), view_.own.begin() + std::min(view_.own.size(), Settings::kMostRecent));
+    if (settings_ == kept_settings_) return;
+    kept_settings_ = settings_;
+    if (Status saved = save_settings(settings_); !saved) say(saved.error().message());
 }
 
 }  // namespace nullscope::viewer

@@ -101,9 +101,9 @@ void Viewer::adopt(Painting painting) {
 void Viewer::draw_marks() {
     if (picture_.texture == 0) return;
     const ImGuiIO& io = ImGui::GetIO();
-    const float status = view_.show_panels ? 2.0f * ImGui::GetFontSize() : 0.0f;
-    marks_.show(picture_.job.scene, size_,
-                static_cast<int>(status * static_cast<float>(size_.width) / io.DisplaySize.x));
+    const float pixels = view_.show_panels ? static_cast<float>(size_.width) / io.DisplaySize.x : 0.0f;
+    marks_.show(picture_.job.scene, size_, static_cast<int>(pixels * menu_height()),
+                static_cast<int>(pixels * 2.0f * ImGui::GetFontSize()));
     marks_.draw();
 }
 

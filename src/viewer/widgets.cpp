@@ -1,6 +1,7 @@
 #include "viewer/widgets.h"
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -139,6 +140,10 @@ bool type_number(const char* name, double& value, double low, double high, const
     double edited = draft_or(id, value);
     const bool changed = ImGui::InputDouble(id.c_str(), &edited, 0.0, 0.0, format, ImGuiInputTextFlags_CharsScientific);
     return settled(id, changed, edited) && accept(edited, low, high, value);
+}
+
+bool input_text(const char* id, const char* hint, std::string& text) {
+    return ImGui::InputTextWithHint(id, hint, &text, ImGuiInputTextFlags_EnterReturnsTrue);
 }
 
 bool tick(const char* name, bool& value, const char* help) {

@@ -30,6 +30,9 @@ bool slide_as(const char* name, double& position, double low, double high, const
 // Typed in, taken over on Enter or when left.
 bool type_number(const char* name, double& value, double low, double high, const char* format, const char* help);
 
+// A line of text, with a hint while it is empty. True when Enter was pressed.
+bool input_text(const char* id, const char* hint, std::string& text);
+
 bool tick(const char* name, bool& value, const char* help = "");  // a box to tick
 
 // One of three buttons side by side, `place` 0, 1 or 2 from the left.

@@ -81,9 +81,8 @@ void on_key(GLFWwindow* window, int key, int, int action, int mods) {
     const bool control = (mods & GLFW_MOD_CONTROL) != 0;
     input.held[static_cast<std::size_t>(key)] = action != GLFW_RELEASE && !control;
     if (action != GLFW_PRESS) return;
-    if (control) return input.commands.push_back({key, (mods & GLFW_MOD_SHIFT) != 0});
-    input.pressed.push_back(key);
-    input.tapped[static_cast<std::size_t>(key)] = true;
+    input.pressed.push_back({key, control, (mods & GLFW_MOD_SHIFT) != 0});
+    if (!control) input.tapped[static_cast<std::size_t>(key)] = true;
 }
 
 double ratio_of(GLFWwindow* window) {
@@ -178,7 +177,6 @@ void Window::listen() {
 
 const Input& Window::poll(double wait_s) {
     input_.pressed.clear();
-    input_.commands.clear();
     input_.dropped.clear();
     input_.tapped.reset();
     input_.left.pressed = input_.right.pressed = input_.happened = input_.moved = false;
@@ -191,9 +189,10 @@ const Input& Window::poll(double wait_s) {
     return input_;
 }
 
+bool Window::is_full_screen() const { return glfwGetWindowMonitor(handle_) != nullptr; }
+
 void Window::toggle_full_screen() {
-    if (glfwGetWindowMonitor(handle_) != nullptr)
-        return glfwSetWindowMonitor(handle_, nullptr, left_, top_, width_, height_, GLFW_DONT_CARE);
+    if (is_full_screen()) return glfwSetWindowMonitor(handle_, nullptr, left_, top_, width_, height_, GLFW_DONT_CARE);
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
     const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
     if (mode == nullptr) return;

@@ -22,18 +22,17 @@ struct Button {
     double pressed_x = 0.0, pressed_y = 0.0, released_x = 0.0, released_y = 0.0;
 };
 
-// A key that went down while Ctrl was.
-struct KeyCommand {
+// A key that went down, and whether Ctrl and Shift were.
+struct KeyPress {
     int key = 0;
-    bool shift = false;
+    bool control = false, shift = false;
 };
 
 // Since the last poll. Keys are GLFW's numbers; positions are framebuffer pixels from the top left.
 struct Input {
     static constexpr int kKeys = 512;
-    std::vector<int> pressed;          // keys that went down without Ctrl, in order
-    std::bitset<kKeys> held, tapped;   // down now; went down, even if up again; both without Ctrl
-    std::vector<KeyCommand> commands;  // keys that went down with Ctrl, in order
+    std::vector<KeyPress> pressed;    // in order
+    std::bitset<kKeys> held, tapped;  // down now; went down, even if up again; both without Ctrl
     Button left, right;
     double x = 0.0, y = 0.0;
     double wheel = 0.0, wheel_sideways = 0.0;
@@ -70,6 +69,7 @@ public:
     double pixel_ratio() const;     // framebuffer pixels a unit of the window's coordinates
     double content_scale() const;   // how much larger than usual things must be drawn, in framebuffer pixels
     void toggle_full_screen();
+    bool is_full_screen() const;
     void set_title(const std::string& title);
     SharedContext share();  // nullptr where the driver has no second context
     GLFWwindow* handle() const { return handle_; }

@@ -38,7 +38,8 @@ def one_viewer(binary, scene, size, folder, screen):
     turns = Path(folder) / "turns.txt"
     turns.unlink(missing_ok=True)
     child = subprocess.Popen([binary, scene, "--size", size, "--turns", turns], cwd=folder, stdout=subprocess.DEVNULL,
-                             env={**os.environ, "DISPLAY": screen.display, "LIBGL_ALWAYS_SOFTWARE": "1", "MESA_SHADER_CACHE_DISABLE": "true"})
+                             env={**os.environ, "XDG_CONFIG_HOME": str(folder), "XDG_STATE_HOME": str(folder), "DISPLAY": screen.display,
+                                  "LIBGL_ALWAYS_SOFTWARE": "1", "MESA_SHADER_CACHE_DISABLE": "true"})
     first = None
     while first is None and child.poll() is None:
         time.sleep(0.01)

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <random>
 
+#include "base/assets.h"
 #include "base/atomic_file.h"
 #include "base/text.h"
 #include "plan/body_kind.h"
@@ -217,6 +218,20 @@ TEST_CASE("of several faults the first in the file is reported, whatever the ord
     const Result<Scene> scene = parse("[sky]\nyaw = \"x\"\n[camera]\nr = -1\nfov = 500\n");
     REQUIRE_FALSE(scene);
     CHECK(scene.error().message().starts_with("dir/scene.toml:2: sky.yaw: "));
+}
+
+TEST_CASE("scenes that ship: each has one place in the gallery, in a group that groups.toml names") {
+    std::size_t count = 0;
+    for (const SceneGroup& group : shipped_gallery()) {
+        CHECK(group.title != "Others");
+        for (const SceneInfo& scene : group.scenes) {
+            CAPTURE(scene.name);
+            CHECK_FALSE(scene.title.empty());
+            CHECK(std::filesystem::is_regular_file(assets_directory() / "gallery" / (scene.name + ".jpg")));
+            ++count;
+        }
+    }
+    CHECK(count == shipped_scenes().size());
 }
 
 TEST_CASE("scenes that ship can be read and say what they are") {

@@ -40,13 +40,83 @@ def test_split_screens_have_a_line_and_labels(screen, program, folder):
         assert done.returncode == 0, done.stderr
         shots.append(read_png(path))
     for shot in shots:
-        line = [max(shot.grey(x, y) for x in range(476, 485)) for y in range(540)]
-        assert min(line[:500]) > 600, "no line between the halves"
-    without, labelled = (shot.crop(330, 0, 960, 500) for shot in shots)     # no panel lies here
+        line = [max(shot.grey(x, y) for x in range(476, 485)) for y in range(MENU, 500)]
+        assert min(line) > 600, "no line between the halves"
+    without, labelled = (shot.crop(330, MENU, 960, 500) for shot in shots)     # no panel lies here
     for what, left, right in [("left", 0, 140), ("right", 160, 630)]:
         assert without.crop(left, 0, right, 40).mean() < 1, f"something on the {what} where nothing is asked for"
         assert labelled.crop(left, 0, right, 40).mean() > 2, f"no label on the {what}"
-    same(without.crop(0, 60, 630, 500), labelled.crop(0, 60, 630, 500), "below the labels")
+    same(without.crop(0, 60, 630, 479), labelled.crop(0, 60, 630, 479), "below the labels")
+
+
+def test_the_gallery_finds_and_opens(screen, program, folder):
+    v = Viewer(screen, program, "--gallery", "--size", f"{WIDTH}x{HEIGHT}")
+    try:
+        v.start()
+        cards = v.settle()
+        saturated = sum(max(cards.data[i:i + 3]) > 120 for i in range(0, len(cards.data), 3))
+        assert saturated > 2000, "no pictures of scenes"
+        v.hands("type", "--delay", 100, "kerr planet")
+        found = v.settle()
+        assert found.changed(cards, CHANGED), "the words that are typed find nothing"
+        v.settle("key", "Return")
+        planet = v.settle()
+        assert v.title() == "Kerr planet - nullscope", v.title()
+        v.settle("key", "ctrl+o")
+        same(cards, v.settle(), "the gallery, opened again")
+        same(planet, v.settle("key", "Escape"), "the picture after the gallery was left")
+        v.settle("key", "ctrl+o")
+        v.click(*FIRST_CARD)
+        assert v.title() == "First light - nullscope", v.title()
+        v.settle("key", "ctrl+z")
+        assert v.title() == "Kerr planet - nullscope", "undo does not bring the scene before back"
+    finally:
+        v.kill()
+
+
+def test_the_first_visit_has_hints_and_the_next_has_none(screen, program, folder):
+    shots = []
+    for first_visit in (True, False):
+        v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", first_visit=first_visit)
+        try:
+            v.window = wait_until("the window", v.find)
+            v.hands("windowfocus", v.window, "mousemove", *BESIDE)
+            wait_until("the picture", lambda: any(word == "rest" for word, _ in v.log.since()))
+            shots.append(v.picture(HINTS))
+            shots.append((v.settle("mousedown", 1, "mouseup", 1), v.picture(HINTS))[1])
+            assert "hints_seen = true" in v.settings.read_text(), "that hints were seen is not kept"
+        finally:
+            v.kill()
+    assert shots[0].changed(shots[1], CHANGED), "no hints"
+    same(shots[2], shots[1], "where hints were")
+    same(shots[2], shots[3], "where no hints were")
+
+
+def test_menus_do_what_they_say(screen, program, folder):
+    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}")
+    try:
+        v.start()
+        keys = v.picture(KEYS)
+        v.click(*MENUS["Help"])
+        v.click(MENUS["Help"][0] + 20, MENU_ENTRY(0))
+        assert v.picture(KEYS).changed(keys, CHANGED), "Help, Keys shows no keys"
+        v.settle("key", "F1")
+        small = v.picture(SIDE)
+        v.click(*MENUS["View"])
+        v.click(MENUS["View"][0] + 20, MENU_ENTRY(4))
+        assert v.picture(SIDE).changed(small, CHANGED), "View, Larger text changes nothing"
+        assert "text_scale = 1.25" in v.settings.read_text(), "the size of text is not kept"
+        v.settle("key", "ctrl+minus")
+        same(small, v.picture(SIDE), "the panel with text of the first size")
+        v.click(*MENUS["File"])
+        v.settle("key", "Escape")
+        assert v.process.poll() is None, "Escape quits while a menu is open"
+        v.click(*MENUS["File"])
+        v.hands("mousemove", MENUS["File"][0] + 20, MENU_ENTRY(4), "mousedown", 1)
+        v.hands("mouseup", 1)
+        assert v.process.wait(timeout=HUNG_S) == 0, "File, Quit does not quit"
+    finally:
+        v.kill()
 
 
 class Effects:
@@ -266,6 +336,7 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
          test_several_rays_a_pixel_wait_for_rest,
-         test_exposure_follows_like_an_eye, test_the_clock_runs_and_stops, test_screenshot,
+         test_exposure_follows_like_an_eye, test_the_clock_runs_and_stops, test_screenshot, test_the_gallery_finds_and_opens,
+         test_the_first_visit_has_hints_and_the_next_has_none, test_menus_do_what_they_say,
          test_split_screens_have_a_line_and_labels, test_bad_input,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]

@@ -48,7 +48,7 @@ def test_a_drag_moves_what_is_grabbed_with_the_hand(v):
 
 def test_a_drag_on_a_panel_does_not_turn_the_camera(v):
     before = v.settle()
-    for step in [["mousemove", 60, 450], ["mousedown", 1], ["mousemove", *BESIDE], ["mouseup", 1]]:
+    for step in [["mousemove", 60, 450 + MENU], ["mousedown", 1], ["mousemove", *BESIDE], ["mouseup", 1]]:
         v.settle(*step)
     same(before, v.picture(), "after a drag that began on the panel")
 
@@ -76,7 +76,7 @@ def test_typing_a_number_does_not_fly(v):
     shots = []
     for text in ["14", "w14"]:     # w is no part of a number, and no flight while a field has the keyboard
         before = v.settle("mousemove", *BESIDE, "key", "r")
-        for step in [["mousemove", 200, 98], ["mousedown", 1], ["mouseup", 1]]:
+        for step in [["mousemove", 200, 98 + MENU], ["mousedown", 1], ["mouseup", 1]]:
             v.settle(*step)
         for key in ["ctrl+a", *text, "Return"]:
             for sign in ("keydown", "keyup"):     # Dear ImGui 1.86 sees keys that are down during a frame

@@ -72,6 +72,7 @@ def main():
     os.environ.update(LIBGL_ALWAYS_SOFTWARE="1", MESA_SHADER_CACHE_DISABLE="true")
     chance = random.Random(int(os.environ.get("NULLSCOPE_SEED", "1")))
     screen, folder = Screen(1300, 740), Path(tempfile.mkdtemp(prefix="nullscope-close."))
+    os.environ.update(XDG_CONFIG_HOME=str(folder), XDG_STATE_HOME=str(folder))
     try:
         for scene, latest_s in LATEST_S.items():
             # One in each part of the start, the first as soon as there is a window.

@@ -29,21 +29,25 @@ texture = "noise"
 """
 # Areas of the window, and places in it.
 PICTURE = (320, 300, 820, 520)     # no panel and no message lies here
-PANEL = (10, 60, 284, 515)
-SIDE, KEYS, FIELD = (10, 60, 280, 300), (300, 10, 830, 180), (110, 92, 180, 106)
+MENU = 21                          # px of the menu bar, above the panel
+PANEL = (10, 60 + MENU, 284, 515 + MENU)
+SIDE, KEYS = (10, 60 + MENU, 280, 300), (300, 10 + MENU, 830, 180 + MENU)
 BESIDE = (420, 40)                 # a place for the pointer outside of all these areas
-RELOAD = (240, 26)                 # the button
+RELOAD = (240, 26 + MENU)                 # the button
 LEGEND, BESIDE_LEGEND = (560, 470, 836, 574), (320, 300, 550, 560)   # of the overlay's colours
-HEADERS = [(150, 377), (150, 252), (150, 52)]   # lens, boost, camera; each where it is while those above are open
-ALONE = (150, 227)                 # the accuracy section's header while nothing else is open
-METHOD, WORDS = (190, 413), (14, 453, 284, 515)   # the box and what is chosen and why
+HEADERS = [(150, 377 + MENU), (150, 252 + MENU), (150, 52 + MENU)]   # lens, boost, camera; each where it is while those above are open
+ALONE = (150, 227 + MENU)                 # the accuracy section's header while nothing else is open
+METHOD, WORDS = (190, 413 + MENU), (14, 453 + MENU, 284, 515 + MENU)   # the box and what is chosen and why
 AUTO = (150, 26)                   # the first entry of its list while the list is not scrolled
-LEAST, MOST = (108, 438), (266, 438)              # of the slider for the largest error
+LEAST, MOST = (108, 438 + MENU), (266, 438 + MENU)              # of the slider for the largest error
 INSET = (600, 200, 820, 560)       # the probe's
 # the last header while nothing else is open; its button and its box
-CLOCK, RUN, DELAY = (150, 302), (60, 327), (112, 402)
-EFFECTS = (150, 252)               # the section's header while nothing else is open, and its rows
-EFFECT_ROW = lambda row: (30, 277 + 25 * row)
+CLOCK, RUN, DELAY = (150, 302 + MENU), (60, 327 + MENU), (112, 402 + MENU)
+EFFECTS = (150, 252 + MENU)               # the section's header while nothing else is open, and its rows
+EFFECT_ROW = lambda row: (30, 277 + MENU + 25 * row)
+FIRST_CARD, HINTS = (120, 150), (320, 440, 640, 515)
+MENUS = {name: (x, 10) for name, x in [("File", 24), ("Edit", 62), ("View", 104), ("Help", 148)]}
+MENU_ENTRY = lambda number: 38 + 19 * number
 RIGHT = (560, 200, 820, 560)       # the ball is there, the tooltip of a row is not
 # Colours.
 LETTERS = bytes([230, 232, 237])   # the theme's text
@@ -93,12 +97,16 @@ def shipped(name):
 class Viewer:
     """A running viewer with its window at the screen's corner."""
 
-    def __init__(self, screen, program, *arguments, scene=SCENE):
+    def __init__(self, screen, program, *arguments, scene=SCENE, first_visit=False):
         self.screen, self.folder, self.marks = screen, tempfile.mkdtemp(prefix="nullscope-viewer."), 0
         self.scene = Path(self.folder) / "scene.toml"
         self.scene.write_text(scene if "\n" in scene else shipped(scene))
+        self.settings = Path(self.folder) / "nullscope" / "viewer.toml"
         self.log = Log(Path(self.folder) / "turns.txt")
-        self.env = {**os.environ, "DISPLAY": screen.display}
+        self.env = {**os.environ, "DISPLAY": screen.display, "XDG_CONFIG_HOME": self.folder, "XDG_STATE_HOME": self.folder}
+        if not first_visit:
+            self.settings.parent.mkdir()
+            self.settings.write_text("hints_seen = true\n")
         self.process = subprocess.Popen([program, self.scene.name, "--turns", self.log.path, *arguments],
                                         cwd=self.folder, env=self.env, stderr=subprocess.PIPE, text=True)
         self.window = None
@@ -112,6 +120,9 @@ class Viewer:
         found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "nullscope"], env=self.env,
                                capture_output=True, text=True).stdout.split()
         return found[0] if found else None
+
+    def title(self):
+        return subprocess.run(["xdotool", "getwindowname", self.window], env=self.env, capture_output=True, text=True).stdout.strip()
 
     def hands(self, *words):
         return self.screen.hands(*words)

@@ -1,0 +1,183 @@
+#include "viewer/gallery.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "base/assets.h"
+#include "base/text.h"
+#include "image/image_file.h"
+#include "viewer/widgets.h"
+
+namespace nullscope::viewer {
+namespace {
+
+constexpr float kCardWidth = 18.0f;   // of the font's size, at least
+constexpr float kFieldWidth = 20.0f;  // likewise
+constexpr long long kMostPixels = 4'000'000;
+
+float em() { return ImGui::GetFontSize(); }
+
+std::string lower(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+gl::Texture texture_of(const Image<float>& image) {
+    std::vector<unsigned char> rgba;
+    rgba.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            for (int c = 0; c < 3; ++c)
+                rgba.push_back(static_cast<unsigned char>(255.0f * srgb_from_linear(image.at(x, y)[c]) + 0.5f));
+            rgba.push_back(255);
+        }
+    gl::Texture texture = gl::make_rgba8_texture(image.width, image.height, rgba.data());
+    gl::set_linear(texture);
+    return texture;
+}
+
+ImTextureID id_of(const gl::Texture& texture) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture.id()));
+}
+
+}  // namespace
+
+void Gallery::open() {
+    if (groups_.empty()) groups_ = shipped_gallery();
+    open_ = opened_now_ = true;
+    words_.clear();
+}
+
+std::string Gallery::draw(float top, float bottom, const std::vector<std::string>& recent, bool all, bool escape) {
+    if (!open_) return "";
+    loading_ = read_in_this_frame_ = false;
+    const float width = ImGui::GetIO().DisplaySize.x;
+    ImGui::SetNextWindowPos({0.0f, top});
+    ImGui::SetNextWindowSize({width, std::max(bottom - top, 4.0f * em())});
+    ImGui::SetNextWindowBgAlpha(1.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {1.2f * em(), 0.8f * em()});
+    std::string chosen;
+    if (ImGui::Begin("##gallery", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+        chosen = draw_head(recent, escape);
+        if (ImGui::BeginChild("##cards"))
+            for (const SceneGroup& group : groups_)
+                if (std::string card = draw_cards(group, all); !card.empty()) chosen = std::move(card);
+        ImGui::EndChild();
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    opened_now_ = false;
+    if (!chosen.empty()) close();
+    return chosen;
+}
+
+// Words that find, a path that is typed, files of one's own.
+std::string Gallery::draw_head(const std::vector<std::string>& recent, bool escape) {
+    std::string chosen;
+    if (opened_now_) ImGui::SetKeyboardFocusHere();
+    const float field = std::min(kFieldWidth * em(), 0.4f * ImGui::GetContentRegionAvail().x);
+    ImGui::SetNextItemWidth(field);
+    if (input_text("##words", "Search", words_)) {
+        for (const SceneGroup& group : groups_)
+            for (const SceneInfo& scene : group.scenes)
+                if (chosen.empty() && !words_.empty() && matches(scene)) chosen = scene.name;
+    }
+    tooltip("Words of a scene's name or description. Enter opens the first that is found.");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(field);
+    if (input_text("##path", "File to open: path, or drop it here", path_) && !path_.empty()) chosen = path_;
+    tooltip("A scene file (.toml). Enter opens it.");
+    ImGui::SameLine();
+    if (ImGui::Button("Close") || escape) close();
+    tooltip("Back to the picture (Escape). Ctrl + O opens the gallery again.");
+    if (!recent.empty()) {
+        ImGui::TextDisabled("Recent:");
+        ImGui::SameLine();
+    }
+    for (const std::string& file : recent) {
+        const std::string name = std::filesystem::path(file).stem().string();
+        if (&file != &recent.front() && ImGui::GetItemRectMax().x + ImGui::CalcTextSize(name.c_str()).x + 2.0f * em() <
+                                            ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
+            ImGui::SameLine();
+        ImGui::PushID(file.c_str());
+        if (ImGui::SmallButton(name.c_str())) chosen = file;
+        tooltip(file);
+        ImGui::PopID();
+    }
+    ImGui::Spacing();
+    return chosen;
+}
+
+bool Gallery::matches(const SceneInfo& scene) const {
+    const std::string text = lower(scene.name + ' ' + scene.title + ' ' + scene.description);
+    return std::ranges::all_of(split(lower(words_), ' '),
+                               [&](const std::string& word) { return text.find(word) != text.npos; });
+}
+
+std::string Gallery::draw_cards(const SceneGroup& group, bool all) {
+    std::vector<const SceneInfo*> found;
+    for (const SceneInfo& scene : group.scenes)
+        if (matches(scene)) found.push_back(&scene);
+    if (found.empty()) return "";
+    std::string chosen;
+    ImGui::TextDisabled("%s", group.title.c_str());
+    const float gap = ImGui::GetStyle().ItemSpacing.x + 0.4f * em();
+    const float room = ImGui::GetContentRegionAvail().x;
+    const auto columns = static_cast<std::size_t>(std::max(1.0f, (room + gap) / (kCardWidth * em() + gap)));
+    const float width = (room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (i % columns > 0) ImGui::SameLine(0.0f, gap);
+        if (draw_card(*found[i], width, all)) chosen = found[i]->name;
+    }
+    ImGui::Dummy({0.0f, 0.6f * em()});
+    return chosen;
+}
+
+bool Gallery::draw_card(const SceneInfo& scene, float width, bool all) {
+    const float margin = 0.4f * em(), wrap = width - 2.0f * margin, line = ImGui::GetTextLineHeight();
+    const float shape = Picture().shape;
+    const float words = ImGui::CalcTextSize(scene.description.c_str(), nullptr, false, wrap).y;
+    const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, shape * width + line + words + 3.0f * margin};
+    const bool chosen = ImGui::InvisibleButton(scene.name.c_str(), size);
+    if (!ImGui::IsItemVisible()) return chosen;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 corner{at.x + width, at.y + shape * width};
+    draw.AddRectFilled(at, corner, IM_COL32(0, 0, 0, 255));
+    if (const Picture* shown = picture(scene.name, all)) {
+        const float half = 0.5f * std::max(0.0f, shape - shown->shape) * width;  // wider pictures have bars
+        draw.AddImage(id_of(shown->texture), {at.x, at.y + half}, {corner.x, corner.y - half});
+    }
+    const bool over = ImGui::IsItemHovered();
+    if (over)
+        draw.AddRect({at.x - 1.0f, at.y - 1.0f}, {corner.x + 1.0f, corner.y + 1.0f},
+                     ImGui::GetColorU32(ImGuiCol_CheckMark), 0.0f, 0, 2.0f);
+    const ImVec2 text{at.x + margin, corner.y + margin};
+    draw.AddText(text, ImGui::GetColorU32(over ? ImGuiCol_CheckMark : ImGuiCol_Text), scene.title.c_str());
+    draw.AddText(ImGui::GetFont(), em(), {text.x, text.y + line + 0.3f * margin},
+                 ImGui::GetColorU32(ImGuiCol_TextDisabled), scene.description.c_str(), nullptr, wrap);
+    return chosen;
+}
+
+const Gallery::Picture* Gallery::picture(const std::string& name, bool all) {
+    auto found = pictures_.find(name);
+    if (found == pictures_.end()) {
+        if (read_in_this_frame_ && !all) {
+            loading_ = true;
+            return nullptr;
+        }
+        read_in_this_frame_ = true;
+        found = pictures_.emplace(name, Picture()).first;
+        if (const auto image = load_image(assets_directory() / "gallery" / (name + ".jpg"), kMostPixels)) {
+            found->second.texture = texture_of(*image);
+            found->second.shape = static_cast<float>(image->height) / static_cast<float>(image->width);
+        }
+    }
+    return found->second.texture ? &found->second : nullptr;
+}
+
+}  // namespace nullscope::viewer

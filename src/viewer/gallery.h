@@ -1,0 +1,42 @@
+// The gallery: every scene that ships as a picture with its sentence, found by words, and files of one's own.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gl/gl.h"
+#include "scenefile/scene_file.h"
+
+namespace nullscope::viewer {
+
+class Gallery {
+public:
+    // Cost: every scene's file is read once, 20 ms.
+    void open();
+    void close() { open_ = false; }
+    bool is_open() const { return open_; }
+    // Pictures are still to be read: another frame is due. Each takes 10 ms, one a frame.
+    bool loading() const { return open_ && loading_; }
+
+    // Between NewFrame and Render, between `top` and `bottom` of the window. What load_scene shall be given, or "". all: pictures are not
+    // left for later frames. escape: the key was pressed. throws gl::GlError.
+    std::string draw(float top, float bottom, const std::vector<std::string>& recent, bool all, bool escape);
+
+private:
+    struct Picture {
+        gl::Texture texture;
+        float shape = 9.0f / 16.0f;  // height over width
+    };
+    std::string draw_head(const std::vector<std::string>& recent, bool escape);
+    std::string draw_cards(const SceneGroup& group, bool all);
+    bool draw_card(const SceneInfo& scene, float width, bool all);
+    const Picture* picture(const std::string& name, bool all);  // nullptr: none, or not yet
+    bool matches(const SceneInfo& scene) const;
+
+    bool open_ = false, opened_now_ = false, loading_ = false, read_in_this_frame_ = false;
+    std::vector<SceneGroup> groups_;
+    std::map<std::string, Picture> pictures_;  // by scene; without a texture: it could not be read
+    std::string words_, path_;
+};
+
+}  // namespace nullscope::viewer

@@ -1,0 +1,83 @@
+#include "viewer/menu.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace nullscope::viewer {
+namespace {
+
+struct Entry {
+    Command command;
+    std::string_view menu;
+    const char* name;
+    const char* keys;  // as they are written
+    int key;           // GLFW's; 0: none
+    bool control, shift;
+    bool ViewState::*shown;  // what it switches, or nullptr
+};
+
+constexpr std::array kEntries = {
+    Entry{Command::kGallery, "File", "Open...", "Ctrl+O", GLFW_KEY_O, true, false, nullptr},
+    Entry{Command::kSave, "File", "Save scene", "Ctrl+S", GLFW_KEY_S, true, false, nullptr},
+    Entry{Command::kSavePicture, "File", "Save picture", "F12", GLFW_KEY_F12, false, false, nullptr},
+    Entry{Command::kReload, "File", "Reload", "F5", GLFW_KEY_F5, false, false, nullptr},
+    Entry{Command::kQuit, "File", "Quit", "Esc", GLFW_KEY_ESCAPE, false, false, nullptr},
+    Entry{Command::kUndo, "Edit", "Undo", "Ctrl+Z", GLFW_KEY_Z, true, false, nullptr},
+    Entry{Command::kRedo, "Edit", "Redo", "Ctrl+Shift+Z", GLFW_KEY_Z, true, true, nullptr},
+    Entry{Command::kCopyView, "Edit", "Copy view", "Ctrl+C", GLFW_KEY_C, true, false, nullptr},
+    Entry{Command::kPasteView, "Edit", "Paste view", "Ctrl+V", GLFW_KEY_V, true, false, nullptr},
+    Entry{Command::kResetCamera, "Edit", "Reset camera", "R", GLFW_KEY_R, false, false, nullptr},
+    Entry{Command::kPanels, "View", "Panels", "Tab", GLFW_KEY_TAB, false, false, &ViewState::show_panels},
+    Entry{Command::kErrors, "View", "Errors of pixels", "H", GLFW_KEY_H, false, false, &ViewState::show_errors},
+    Entry{Command::kProbe, "View", "Ray of a pixel", "P", GLFW_KEY_P, false, false, &ViewState::show_probe},
+    Entry{Command::kFullScreen, "View", "Full screen", "F11", GLFW_KEY_F11, false, false, nullptr},
+    Entry{Command::kLargerText, "View", "Larger text", "Ctrl++", GLFW_KEY_EQUAL, true, false, nullptr},
+    Entry{Command::kSmallerText, "View", "Smaller text", "Ctrl+-", GLFW_KEY_MINUS, true, false, nullptr},
+    Entry{Command::kKeys, "Help", "Keys", "F1", GLFW_KEY_F1, false, false, &ViewState::show_keys},
+    Entry{Command::kAbout, "Help", "About", "", 0, false, false, &ViewState::show_about},
+};
+constexpr std::array<std::string_view, 4> kMenus = {"File", "Edit", "View", "Help"};
+
+// Keys that mean the same as one of the list.
+KeyPress usual(KeyPress press) {
+    if (press.control && press.key == GLFW_KEY_Y) press = {GLFW_KEY_Z, true, true};
+    if (press.control && press.key == GLFW_KEY_KP_ADD) press.key = GLFW_KEY_EQUAL;
+    if (press.control && press.key == GLFW_KEY_KP_SUBTRACT) press.key = GLFW_KEY_MINUS;
+    if (press.key != GLFW_KEY_Z) press.shift = false;
+    return press;
+}
+
+}  // namespace
+
+std::optional<Command> command_of(const KeyPress& press) {
+    const KeyPress key = usual(press);
+    const auto found = std::ranges::find_if(kEntries, [&](const Entry& entry) {
+        return entry.key == key.key && entry.control == key.control && entry.shift == key.shift;
+    });
+    return found == kEntries.end() ? std::nullopt : std::optional(found->command);
+}
+
+std::optional<Command> draw_menu(const ViewState& view, bool escape) {
+    std::optional<Command> chosen;
+    if (!ImGui::BeginMainMenuBar()) return chosen;
+    for (const std::string_view menu : kMenus) {
+        if (!ImGui::BeginMenu(menu.data())) continue;
+        if (escape) ImGui::CloseCurrentPopup();
+        for (const Entry& entry : kEntries)
+            if (entry.menu == menu &&
+                ImGui::MenuItem(entry.name, entry.keys, entry.shown != nullptr && view.*entry.shown))
+                chosen = entry.command;
+        ImGui::EndMenu();
+    }
+    ImGui::EndMainMenuBar();
+    return chosen;
+}
+
+float menu_height() { return ImGui::GetFrameHeight(); }
+
+}  // namespace nullscope::viewer

@@ -1,0 +1,80 @@
+#include "viewer/user_files.h"
+
+#include <fmt/format.h>
+
+#include <toml++/toml.h>
+#include <algorithm>
+#include <cstdlib>
+
+#include "base/atomic_file.h"
+#include "base/text.h"
+
+namespace nullscope::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargestSettings = 1u << 14;  // bytes: no depth of tables is dangerous in so few
+constexpr int kLargestWindow = 16384;               // px
+
+fs::path folder_of(const char* variable, const char* below_home) {
+    if (const char* set = std::getenv(variable); set != nullptr && fs::path(set).is_absolute())
+        return fs::path(set) / "nullscope";
+    const char* home = std::getenv("HOME");
+    return home != nullptr && *home != '\0' ? fs::path(home) / below_home / "nullscope" : fs::path();
+}
+
+fs::path settings_file() {
+    const fs::path folder = config_folder();
+    return folder.empty() ? folder : folder / "viewer.toml";
+}
+
+Settings read(const toml::table& root) {
+    Settings settings;
+    settings.hints_seen = root["hints_seen"].value_or(settings.hints_seen);
+    const double scale = root["text_scale"].value_or(settings.text_scale);
+    if (scale >= kLeastTextScale && scale <= kMostTextScale) settings.text_scale = scale;
+    const long width = root["window"][0].value_or(0L), height = root["window"][1].value_or(0L);
+    if (std::min(width, height) > 0 && std::max(width, height) <= kLargestWindow)
+        settings.width = static_cast<int>(width), settings.height = static_cast<int>(height);
+    if (const toml::array* recent = root["recent"].as_array())
+        for (const toml::node& file : *recent)
+            if (auto path = file.value<std::string>(); path && !path->empty() && *path == without_controls(*path) &&
+                                                       settings.recent.size() < Settings::kMostRecent)
+                settings.recent.push_back(std::move(*path));
+    return settings;
+}
+
+}  // namespace
+
+fs::path config_folder() { return folder_of("XDG_CONFIG_HOME", ".config"); }
+fs::path state_folder() { return folder_of("XDG_STATE_HOME", ".local/state"); }
+
+Settings load_settings() {
+    const fs::path file = settings_file();
+    std::error_code error;
+    if (file.empty() || !fs::is_regular_file(file, error)) return {};
+    const Result<std::string> text = read_text(file, kLargestSettings);
+    if (!text) return {};
+    try {
+        return read(toml::parse(*text));
+    } catch (const toml::parse_error&) {
+        return {};
+    }
+}
+
+Status save_settings(const Settings& settings) {
+    const fs::path file = settings_file();
+    if (file.empty()) return Done{};
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);  // if it fails, writing says so
+    toml::array recent;
+    for (const std::string& path : settings.recent) recent.push_back(path);
+    toml::table root{{"hints_seen", settings.hints_seen}, {"text_scale", settings.text_scale}, {"recent", recent}};
+    if (settings.width > 0) root.insert("window", toml::array{settings.width, settings.height});
+    std::ostringstream text;
+    text << root << '\n';
+    return write_text_atomically(file, text.str());
+}
+
+}  // namespace nullscope::viewer
