@@ -11,6 +11,7 @@
 #include "plan/body_kind.h"
 #include "scene/bodies.h"
 #include "scenefile/scene_check.h"
+#include "scenefile/scene_edit.h"
 #include "scenefile/scene_keys.h"
 
 namespace nullscope {
@@ -82,21 +83,6 @@ std::string value_text(const SceneKey& key, const KeyValue& value, const fs::pat
     return toml_string(value.text);
 }
 
-// What a file says that has these sections and nothing in them but the words that defaults depend on.
-Scene blank_like(const Scene& holder, std::string_view section) {
-    Scene blank;
-    if (holder.split) blank.split.emplace();
-    if (holder.disc) blank.disc.emplace();
-    if (holder.path) blank.path.emplace().keys = holder.path->keys;
-    blank.spots.resize(holder.spots.size());
-    for (const Body& body : holder.bodies) blank.bodies.push_back(kind_of(body).make());
-    for (const SceneKey& key : scene_keys())
-        if (key.section == section && key.type == KeyType::kChoice && key.member.readable())
-            key.member.set(blank, key.member.get(holder));
-    settle_defaults(blank, [](const std::string&) { return false; });
-    return blank;
-}
-
 class Writer {
 public:
     std::string view() const {
@@ -155,7 +141,7 @@ private:
     }
 
     void add_section(std::string_view section, const Scene& holder) {
-        std::string found = lines(section, holder, blank_like(holder, section), true);
+        std::string found = lines(section, holder, section_defaults(holder, section), true);
         if (section == "spacetime") found += parameters(holder.spacetime);
         if (section == "split") found += parameters(*holder.split);
         if (section.empty()) {
@@ -197,6 +183,21 @@ private:
 };
 
 }  // namespace
+
+// What a file says that has these sections and nothing in them but the words that defaults depend on.
+Scene section_defaults(const Scene& holder, std::string_view section) {
+    Scene blank;
+    if (holder.split) blank.split.emplace();
+    if (holder.disc) blank.disc.emplace();
+    if (holder.path) blank.path.emplace().keys = holder.path->keys;
+    blank.spots.resize(holder.spots.size());
+    for (const Body& body : holder.bodies) blank.bodies.push_back(kind_of(body).make());
+    for (const SceneKey& key : scene_keys())
+        if (key.section == section && key.type == KeyType::kChoice && key.member.readable())
+            key.member.set(blank, key.member.get(holder));
+    settle_defaults(blank, [](const std::string&) { return false; });
+    return blank;
+}
 
 std::string scene_file_text(const Scene& scene, const fs::path& base_directory) {
     return Writer(scene, base_directory).text();

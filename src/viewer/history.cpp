@@ -20,24 +20,23 @@ std::string text_of(const Scene& scene) {
     return text;
 }
 
-// Of two scenes: the sections in which a key differs, or which only one of them has.
-std::vector<std::string> changed_sections(const Scene& a, const Scene& b) {
-    std::map<std::string, std::string> lines;
-    std::vector<std::string> sections;
-    const auto differs = [&](const std::string& name) {
-        const std::string section = name.find('.') == std::string::npos ? name : name.substr(0, name.find('.'));
-        if (std::ranges::find(sections, section) == sections.end()) sections.push_back(section);
-    };
+// Of two scenes: the keys whose values differ, or that only one of them has; of many the first ones.
+std::string changed_keys(const Scene& a, const Scene& b) {
+    constexpr std::size_t kMostNamed = 3;
+    std::map<std::string, std::string> before;
+    std::vector<std::string> names;
     for (const SceneLine& line : scene_lines(a))
-        if (!is_size(line)) lines[line.name] = line.value;
+        if (!is_size(line)) before[line.name] = line.value;
     for (const SceneLine& line : scene_lines(b)) {
         if (is_size(line)) continue;
-        const auto found = lines.find(line.name);
-        if (found == lines.end() || found->second != line.value) differs(line.name);
-        if (found != lines.end()) lines.erase(found);
+        const auto found = before.find(line.name);
+        if (found == before.end() || found->second != line.value) names.push_back(line.name);
+        if (found != before.end()) before.erase(found);
     }
-    for (const auto& [name, value] : lines) differs(name);
-    return sections;
+    for (const auto& [name, value] : before) names.push_back(name);
+    if (names.size() <= kMostNamed) return fmt::format("{}", fmt::join(names, ", "));
+    return fmt::format("{} and {} more keys", fmt::join(names.begin(), names.begin() + kMostNamed, ", "),
+                       names.size() - kMostNamed);
 }
 
 }  // namespace
@@ -62,8 +61,7 @@ bool History::redo(ViewState& view, std::string& what) {
 
 bool History::go_to(std::size_t step, ViewState& view, std::string& what) {
     const Step& to = steps_[step];
-    what = to.source != view.source ? "another scene"
-                                    : fmt::format("{}", fmt::join(changed_sections(view.scene, to.scene), ", "));
+    what = to.source != view.source ? "another scene" : changed_keys(view.scene, to.scene);
     at_ = step;
     const CameraSpec now = view.scene.camera;
     view.source = to.source, view.loaded = to.loaded, view.scene = to.scene;

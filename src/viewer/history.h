@@ -13,7 +13,7 @@ public:
     // forgotten then. Cost: 0.1 ms where nothing has changed, and a scene is kept for each of the last kMostSteps.
     void rest(const ViewState& view);
 
-    // Goes a step back, or forward again; false: there is none. `what`: the sections that change, for a message.
+    // Goes a step back, or forward again; false: there is none. `what`: the keys that change, for a message.
     bool undo(ViewState& view, std::string& what);
     bool redo(ViewState& view, std::string& what);
 

@@ -33,6 +33,8 @@ constexpr std::array kEntries = {
     Entry{Command::kPasteView, "Edit", "Paste view", "Ctrl+V", GLFW_KEY_V, true, false, nullptr},
     Entry{Command::kResetCamera, "Edit", "Reset camera", "R", GLFW_KEY_R, false, false, nullptr},
     Entry{Command::kPanels, "View", "Panels", "Tab", GLFW_KEY_TAB, false, false, &ViewState::show_panels},
+    Entry{Command::kEditor, "View", "All keys of the scene", "Ctrl+E", GLFW_KEY_E, true, false,
+          &ViewState::show_editor},
     Entry{Command::kErrors, "View", "Errors of pixels", "H", GLFW_KEY_H, false, false, &ViewState::show_errors},
     Entry{Command::kProbe, "View", "Ray of a pixel", "P", GLFW_KEY_P, false, false, &ViewState::show_probe},
     Entry{Command::kFullScreen, "View", "Full screen", "F11", GLFW_KEY_F11, false, false, nullptr},

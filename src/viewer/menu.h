@@ -19,6 +19,7 @@ enum class Command {
     kPasteView,
     kResetCamera,  // edit
     kPanels,
+    kEditor,
     kErrors,
     kProbe,
     kFullScreen,

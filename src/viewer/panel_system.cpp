@@ -44,6 +44,7 @@ void colour(ImGuiStyle& style) {
     c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = c[ImGuiCol_HeaderHovered] = over;
     c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = c[ImGuiCol_HeaderActive] = held;
     c[ImGuiCol_Header] = {0.13f, 0.145f, 0.18f, 0.60f};
+    c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = c[ImGuiCol_Header];
     c[ImGuiCol_CheckMark] = accent;
     c[ImGuiCol_SliderGrab] = {accent.x, accent.y, accent.z, 0.60f};  // the number shows through
     c[ImGuiCol_SliderGrabActive] = {accent.x, accent.y, accent.z, 0.85f};

@@ -36,13 +36,13 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"F12", "save the picture without panels"},
     {"Ctrl + S", "save the scene as a file"},
     {"Ctrl + Z Y", "undo, redo"},
+    {"Ctrl + E", "edit every key of the scene"},
     {"Ctrl + C V", "copy, paste the view as a line of text"},
-    {"Drop a file", "open a scene"},
+    {"Ctrl + O", "gallery; a file can be dropped, too"},
     {"Escape", "quit"},
 };
 
 float em() { return ImGui::GetFontSize(); }
-float status_height() { return ImGui::GetFrameHeight() + 0.2f * em(); }
 
 bool side_panel(ViewState& view, const FrameFacts& facts, bool escape) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -137,6 +137,8 @@ void keys_window(float top) {
 }
 
 }  // namespace
+
+float status_height() { return ImGui::GetFrameHeight() + 0.2f * ImGui::GetFontSize(); }
 
 void draw_message(const std::string& message) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;

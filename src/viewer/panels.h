@@ -9,6 +9,8 @@ namespace nullscope::viewer {
 // Over a window that has no picture yet: what is being done. Between NewFrame and Render.
 void draw_first_wait(const std::string& scene, const PaintProgress& progress);
 
+float status_height();  // of the line at the window's bottom
+
 // How to begin, over the first picture that a user sees. Between NewFrame and Render, as what follows.
 void draw_hints();
 void draw_message(const std::string& message);

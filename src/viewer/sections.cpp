@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kLeastBrightness = 0.01, kMostBrightness = 100.0;
 
+}  // namespace
+
 bool spacetime_rows(SpacetimeSpec& spec, const char* label, const char* id, bool escape) {
     bool changed = false;
     const MetricEntry* entry = find_metric(spec.metric);
@@ -42,13 +44,11 @@ bool spacetime_rows(SpacetimeSpec& spec, const char* label, const char* id, bool
     return changed;
 }
 
-}  // namespace
-
 bool scene_section(ViewState& view, bool escape) {
     bool changed = false;
     const float button = ImGui::CalcTextSize("Reload").x + 2.0f * ImGui::GetStyle().FramePadding.x;
     ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemSpacing.x);
-    const bool open = choice("##scene", view.source, escape, [&] {
+    const bool open = choice("##scene", view.scene.name, escape, [&] {
         for (const std::string& file : std::vector<std::string>(view.own))
             if (choice_item(file, file == view.source, "A file of your own."))
                 changed = static_cast<bool>(load_into(view, file));

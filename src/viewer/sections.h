@@ -23,6 +23,8 @@ bool disc_section(ViewState& view);
 bool sky_section(ViewState& view, bool escape);
 bool light_section(ViewState& view, bool escape);
 bool spacetime_section(ViewState& view, bool escape);
+// The metric and its parameters; id: of the list of metrics.
+bool spacetime_rows(SpacetimeSpec& spec, const char* label, const char* id, bool escape);
 
 // What the panels show and do not edit.
 struct FrameFacts {

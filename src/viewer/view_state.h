@@ -28,7 +28,7 @@ struct ViewState {
     std::vector<SceneInfo> shipped;
     std::vector<std::string> own;  // paths of files that were opened or saved, the last first
     std::string error;             // of the last change, or nothing
-    bool show_panels = true, show_keys = false, show_about = false;
+    bool show_panels = true, show_keys = false, show_about = false, show_editor = false;
     bool show_accuracy = false, show_effects = false;  // the section is open
     bool show_errors = false;                          // over the picture
     bool show_grid = false;                            // of coordinates, on sky and disc

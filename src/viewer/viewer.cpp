@@ -165,6 +165,7 @@ bool Viewer::panels(const Input& input) {
                            info_,         progress_,         painter_->in_background(),  measured_,
                            not_measured_, choice_,           accuracy_->facts(),         effect_times_};
     if (!settings_.hints_seen && !patient() && picture_.texture != 0) draw_hints();
+    if (view_.show_panels) changed |= editor_.draw(view_, below_menu, screen - status_height(), escape);
     return draw_panels(view_, facts, message_, escape) || changed;
 }
 
@@ -282,6 +283,7 @@ bool Viewer::perform(Command command) {
         case Command::kPasteView: return paste();
         case Command::kResetCamera: return reset_camera(view_), true;
         case Command::kPanels: return toggle(view_.show_panels);
+        case Command::kEditor: return toggle(view_.show_editor);
         case Command::kErrors: return toggle(view_.show_errors);
         case Command::kProbe: return toggle(view_.show_probe);
         case Command::kFullScreen: return window_->toggle_full_screen(), false;

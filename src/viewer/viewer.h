@@ -15,6 +15,7 @@
 #include "viewer/panels.h"
 #include "viewer/picture_marks.h"
 #include "viewer/probe.h"
+#include "viewer/scene_editor.h"
 #include "viewer/user_files.h"
 
 namespace nullscope::viewer {
@@ -104,6 +105,7 @@ private:
     Probe probe_;
     History history_;
     Gallery gallery_;
+    SceneEditor editor_;
     Settings settings_, kept_settings_;  // as they are now, and in their file
     std::string saved_scene_;            // file that Ctrl+S writes on, once it has made one
     PictureMarks marks_;

@@ -154,6 +154,33 @@ def test_undo_redo_copy_paste_and_save(v):
     saved.unlink()
 
 
+def test_the_editor_adds_changes_refuses_and_removes(v):
+    home = v.settle("mousemove", *BESIDE, "key", "r")
+    v.settle("key", "ctrl+e")
+    v.click(*EDITOR_ADD)
+    v.click(EDITOR_ADD[0], EDITOR_ADD[1] + 22 + 19 * 5)     # spot, split, path, sphere, cylinder, ball: the disc is there
+    v.settle("key", "ctrl+e")
+    ball = v.settle()
+    assert v.settle().changed(home, NOISE), "no ball is there after it was added"
+    v.settle("key", "ctrl+e")
+    v.click(*EDITOR_SEARCH)
+    v.hands("type", "--delay", 60, "disc inner")
+    v.settle()
+    v.settle("mousemove", *EDITOR_FIELD, "keydown", "ctrl")
+    for step in [["mousedown", 1], ["mouseup", 1], ["keyup", "ctrl"]]:
+        v.settle(*step)
+    for key in ["ctrl+a", *"900", "Return"]:
+        v.settle("key", "--delay", 200, key)
+    v.settle("mousemove", *BESIDE)
+    assert v.refused(EDITOR) > 20, "an inner radius beyond the outer one is not refused"
+    v.click(*EDITOR_SEARCH)
+    for key in ["ctrl+a", "BackSpace", "Escape"]:
+        v.settle("key", "--delay", 200, key)
+    v.settle("mousemove", *BESIDE, "key", "ctrl+e")
+    same(ball, v.settle(), "after a value that was refused")
+    same(home, v.settle("key", "ctrl+z"), "after the ball was undone")
+
+
 def test_f11_fills_the_screen(v):
     def saved_size():
         for old in Path(v.folder).glob("nullscope-*.png"):
@@ -276,7 +303,8 @@ CASES = [test_the_first_picture_is_coarse_and_none_is_drawn_twice, test_motion_w
          test_a_drag_moves_what_is_grabbed_with_the_hand, test_a_drag_on_a_panel_does_not_turn_the_camera,
          test_right_drag_rolls, test_keys_and_wheel_move_and_r_comes_back, test_typing_a_number_does_not_fly,
          test_a_broken_scene_is_said_and_survived, test_tab_hides_the_panels, test_f1_lists_the_keys,
-         test_undo_redo_copy_paste_and_save, test_f11_fills_the_screen,
+         test_undo_redo_copy_paste_and_save,
+         test_the_editor_adds_changes_refuses_and_removes, test_f11_fills_the_screen,
          test_at_rest_it_leaves_the_processor_alone, test_h_lays_the_errors_over_the_picture,
          test_p_shows_the_ray_under_the_cursor,
          test_the_accuracy_section_chooses_refuses_and_measures, test_f12_saves_the_picture_without_panels,

@@ -12,6 +12,7 @@ using viewer::ViewState;
 
 ViewState opened(const char* name) {
     ViewState view;
+    view.shipped = shipped_scenes();
     REQUIRE(load_into(view, name));
     return view;
 }
@@ -29,7 +30,7 @@ TEST_CASE("history: each rest is a step back and forward, and what was undone is
         history.rest(view);  // no step
     }
     REQUIRE(history.undo(view, what));
-    CHECK(what == "camera");
+    CHECK(what == "camera.r");
     CHECK(view.scene.camera.r == 40.0);
     REQUIRE(history.undo(view, what));
     REQUIRE(history.undo(view, what));
@@ -40,7 +41,7 @@ TEST_CASE("history: each rest is a step back and forward, and what was undone is
     view.scene.disc->brightness *= 2.0;
     view.scene.sky.brightness *= 2.0;
     REQUIRE(history.undo(view, what));  // without a rest before
-    CHECK(what == "sky, disc");
+    CHECK(what == "sky.brightness, disc.brightness");
     CHECK(view.scene.camera.r == 30.0);
     REQUIRE(history.redo(view, what));
     CHECK_FALSE(history.redo(view, what));  // 40 and 50 are gone

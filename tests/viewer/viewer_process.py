@@ -45,6 +45,7 @@ INSET = (600, 200, 820, 560)       # the probe's
 CLOCK, RUN, DELAY = (150, 302 + MENU), (60, 327 + MENU), (112, 402 + MENU)
 EFFECTS = (150, 252 + MENU)               # the section's header while nothing else is open, and its rows
 EFFECT_ROW = lambda row: (30, 277 + MENU + 25 * row)
+EDITOR, EDITOR_SEARCH, EDITOR_ADD, EDITOR_FIELD = (480, 60, 830, 200), (560, 69), (770, 69), (720, 142)
 FIRST_CARD, HINTS = (120, 150), (320, 440, 640, 515)
 MENUS = {name: (x, 10) for name, x in [("File", 24), ("Edit", 62), ("View", 104), ("Help", 148)]}
 MENU_ENTRY = lambda number: 38 + 19 * number
@@ -161,9 +162,9 @@ class Viewer:
         data = self.picture(area).data
         return sum(pixel == tuple(colour) for pixel in zip(data[::3], data[1::3], data[2::3]))
 
-    def refused(self):
+    def refused(self, area=WORDS):
         """Pixels of red letters: thin strokes reach (255, 133, 115) in some versions of Dear ImGui only."""
-        data = self.picture(WORDS).data
+        data = self.picture(area).data
         return sum(r > 150 and 2 * g < 1.2 * r and b < g for r, g, b in zip(data[::3], data[1::3], data[2::3]))
 
     def spent(self):

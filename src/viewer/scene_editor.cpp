@@ -1,0 +1,319 @@
+#include "viewer/scene_editor.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "base/text.h"
+#include "plan/body_kind.h"
+#include "scenefile/scene_keys.h"
+#include "viewer/sections.h"
+#include "viewer/widgets.h"
+
+namespace nullscope::viewer {
+namespace {
+
+constexpr float kWidth = 24.0f;      // of the font's size
+constexpr float kNameShare = 0.42f;  // of a row, that names take at most
+constexpr double kPerPixel = 0.005;  // of a number, that a drag over one pixel changes it by
+constexpr double kUnbounded = 1e12;
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+float em() { return ImGui::GetFontSize(); }
+
+std::string lower(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+double unit_of(const SceneKey& key) { return key.unit == "deg" ? kDegree : 1.0; }
+
+// camera.fov has no value of its own: it is the plane's width at distance 1.
+bool is_fov(const SceneKey& key) { return key.section == "camera" && key.key == "fov"; }
+
+std::optional<KeyValue> value_of(const SceneKey& key, const Scene& scene) {
+    if (key.member.readable()) return key.member.get(scene);
+    if (!is_fov(key)) return std::nullopt;
+    KeyValue value;
+    value.number = fov_of(scene.camera);
+    return value;
+}
+
+// As it is on the screen, to compare: what differs by less than a rounding is the same.
+std::string shown(const SceneKey& key, const KeyValue& value) {
+    if (!value.there) return "";
+    switch (key.type) {
+        case KeyType::kNumber: return fmt::format("{:.12g}", value.number / unit_of(key));
+        case KeyType::kVelocity:
+        case KeyType::kPoint:
+        case KeyType::kColour:
+            return fmt::format("{:.12g} {:.12g} {:.12g}", value.vector.x, value.vector.y, value.vector.z);
+        case KeyType::kWhole: return fmt::format("{}", value.width);
+        case KeyType::kSize: return fmt::format("{} {}", value.width, value.height);
+        case KeyType::kChoice: return fmt::format("{}", value.choice);
+        case KeyType::kImage: return value.path.string();
+        default: return value.text;
+    }
+}
+
+// The line that is being typed; only one is at a time.
+struct Line {
+    ImGuiID id = 0;
+    std::string text;
+};
+Line line;
+
+// True, with the text, when it was typed to its end.
+bool text_field(const char* id, std::string& text) {
+    const ImGuiID own = ImGui::GetID(id);
+    std::string edited = line.id == own ? line.text : text;
+    ImGui::InputText(id, &edited);
+    if (ImGui::IsItemActive()) line = {own, edited};
+    if (line.id != own || ImGui::IsItemActive()) return false;
+    text = line.text;
+    line = {};
+    return ImGui::IsItemDeactivatedAfterEdit();
+}
+
+// Numbers that are being typed; only one field is at a time.
+struct Typed {
+    ImGuiID id = 0;
+    std::array<double, 3> values{};
+};
+Typed typed;
+
+// True when the numbers changed: at once while the pointer drags them, at the end while they are typed.
+bool number_field(const SceneKey& key, std::array<double, 3>& values, int count) {
+    const bool bounded = key.range.high > key.range.low;
+    const double low = bounded ? key.range.low : -kUnbounded, high = bounded ? key.range.high : kUnbounded;
+    double size = 0.0;
+    for (int i = 0; i < count; ++i) size = std::max(size, std::fabs(values[static_cast<std::size_t>(i)]));
+    const auto speed = static_cast<float>(std::max(size, std::min(0.1, 0.01 * (high - low))) * kPerPixel);
+    const std::string unit = key.unit.empty() ? "" : key.unit == "deg" ? "\xc2\xb0" : fmt::format(" {}", key.unit);
+    const std::string format = count == 1 ? "%.7g" + unit : "%.4g";
+    const ImGuiID own = ImGui::GetID("##value");
+    if (typed.id == own) values = typed.values;
+    const bool changed =
+        ImGui::DragScalarN("##value", ImGuiDataType_Double, values.data(), count, speed, &low, &high, format.c_str());
+    const bool finite = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+    if (changed && ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) return finite;
+    if (changed) typed = {own, values};
+    if (typed.id != own || ImGui::IsItemActive()) return false;
+    values = typed.values;
+    typed = {};
+    return finite;
+}
+
+// The control of a key: true when the value changed.
+bool field(const SceneKey& key, KeyValue& value, bool escape) {
+    switch (key.type) {
+        case KeyType::kNumber: {
+            std::array<double, 3> v = {value.number / unit_of(key)};
+            if (!number_field(key, v, 1)) return false;
+            value.number = v[0] * unit_of(key);
+            return true;
+        }
+        case KeyType::kVelocity:
+        case KeyType::kPoint: {
+            std::array<double, 3> v = {value.vector.x, value.vector.y, value.vector.z};
+            if (!number_field(key, v, 3)) return false;
+            value.vector = {v[0], v[1], v[2]};
+            return true;
+        }
+        case KeyType::kColour: {
+            std::array<float, 3> c = {static_cast<float>(value.vector.x), static_cast<float>(value.vector.y),
+                                      static_cast<float>(value.vector.z)};
+            if (!ImGui::ColorEdit3("##value", c.data(), ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR))
+                return false;
+            value.vector = {c[0], c[1], c[2]};
+            return true;
+        }
+        case KeyType::kWhole: {
+            const int low = static_cast<int>(key.range.low), high = static_cast<int>(key.range.high);
+            return ImGui::DragScalar("##value", ImGuiDataType_S32, &value.width, 0.2f, &low, &high);
+        }
+        case KeyType::kChoice: {
+            const auto words = split(key.choices, ' ');
+            const int before = value.choice;
+            choice("##value", words[static_cast<std::size_t>(before)], escape, [&] {
+                for (std::size_t i = 0; i < words.size(); ++i)
+                    if (choice_item(words[i], static_cast<int>(i) == before)) value.choice = static_cast<int>(i);
+            });
+            return value.choice != before;
+        }
+        case KeyType::kText:
+        case KeyType::kFormula: return text_field("##value", value.text);
+        case KeyType::kImage: {
+            std::string path = value.path.string();
+            if (!text_field("##value", path)) return false;
+            value.path = path.empty() ? std::filesystem::path() : std::filesystem::absolute(path);
+            return true;
+        }
+        case KeyType::kSize:
+        case KeyType::kMetric: break;
+    }
+    return false;
+}
+
+std::string help_of(const SceneKey& key) {
+    const std::string allowed = allowed_text(key), fallback(key.fallback);
+    return fmt::format("{}\n\n{}{}{}", key.help, full_name(key),
+                       allowed.empty() ? "" : fmt::format("\nallowed: {}", allowed),
+                       fallback.empty() ? "" : fmt::format("\ndefault: {}", fallback));
+}
+
+// What is added by its name.
+std::string help_of_section(std::string_view section) {
+    for (const BodyKind* kind : body_kinds())
+        if (kind->key == section) return std::string(kind->effect.help);
+    if (section == "disc") return "A flat disc about the hole.";
+    if (section == "spot") return "A hot spot that orbits in the disc.";
+    if (section == "split") return "The right half of the picture in another spacetime.";
+    return "Where the camera goes, frame by frame.";
+}
+
+// Keys that are edited elsewhere: the window decides on the size, the metric has rows of its own.
+bool is_edited(const SceneKey& key) { return key.type != KeyType::kSize && key.type != KeyType::kMetric; }
+
+}  // namespace
+
+bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
+    if (!view.show_editor) return false;
+    const float margin = 0.6f * em(), screen = ImGui::GetIO().DisplaySize.x;
+    const float width = std::min(kWidth * em(), screen - 2.0f * margin);
+    ImGui::SetNextWindowPos({screen - width - margin, top + margin});
+    ImGui::SetNextWindowSize({width, std::max(bottom - top - 2.0f * margin, 4.0f * em())});
+    bool changed = false;
+    if (ImGui::Begin("Scene", &view.show_editor,
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoResize)) {
+        ImGui::SetNextItemWidth(0.62f * ImGui::GetContentRegionAvail().x);
+        input_text("##words", "Search keys", words_);
+        tooltip("Words of a key's name or help: \"brightness\", \"disc temperature\".");
+        ImGui::SameLine();
+        ImGui::SetNextItemWidth(-1.0f);
+        choice("##add", "Add...", escape, [&] {
+            for (const std::string& section : optional_sections()) {
+                const bool there = (section == "disc" && view.scene.disc) || (section == "split" && view.scene.split) ||
+                                   (section == "path" && view.scene.path);
+                if (!there && choice_item(section, false, help_of_section(section)))
+                    changed |= take(view, with_section(view.scene, section));
+            }
+        });
+        if (!fault_.empty()) paragraph(fault_, true);
+        ImGui::Separator();
+        if (ImGui::BeginChild("##sections"))
+            for (const SectionRef& at : scene_sections(view.scene)) {
+                ImGui::PushID(at.label.c_str());
+                changed |= draw_section(view, at, escape);
+                ImGui::PopID();
+                if (changed) break;  // the sections may be others
+            }
+        ImGui::EndChild();
+    }
+    ImGui::End();
+    return changed;
+}
+
+bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, bool escape) {
+    const Scene holder = section_holder(view.scene, at);
+    std::vector<const SceneKey*> keys;
+    for (const SceneKey& key : scene_keys())
+        if (key.section == at.section && is_edited(key) && matches(key) &&
+            (key.meant == nullptr || key.meant(holder)) && value_of(key, holder))
+            keys.push_back(&key);
+    const bool metric = at.section == "spacetime" || at.section == "split";
+    if (keys.empty() && !(metric && words_.empty())) return false;
+    const std::string name = at.label.empty() ? "Scene" : at.label;
+    const ImGuiTreeNodeFlags open = words_.empty() ? ImGuiTreeNodeFlags_None : ImGuiTreeNodeFlags_DefaultOpen;
+    ImGui::PushID(words_.empty() ? "all" : "found");  // which sections are open without a search stays as it was
+    const bool is_open = ImGui::CollapsingHeader(name.c_str(), open);
+    bool changed = false;
+    if (is_open) {
+        const auto sections = optional_sections();
+        const bool removable = std::ranges::find(sections, at.section) != sections.end();
+        if (removable && ImGui::SmallButton("Remove")) changed |= take(view, without_section(view.scene, at));
+        if (is_of_several(at.section) && !changed) {
+            ImGui::SameLine();
+            if (ImGui::SmallButton("Copy")) changed |= take(view, with_copy(view.scene, at));
+        }
+        if (metric && !changed && words_.empty()) {
+            Scene edited = view.scene;
+            SpacetimeSpec& spec = at.section == "split" ? *edited.split : edited.spacetime;
+            if (spacetime_rows(spec, "metric", "##metric", escape)) {
+                keep_outside_horizon(edited);
+                changed |= take(view, edited);
+            }
+        }
+        const Scene defaults = section_defaults(holder, at.section);
+        for (const SceneKey* key : keys) {
+            if (changed) break;
+            ImGui::PushID(key->key.data());
+            changed |= draw_key(view, at, holder, defaults, *key, escape);
+            ImGui::PopID();
+        }
+    }
+    ImGui::PopID();
+    return changed;
+}
+
+bool SceneEditor::draw_key(ViewState& view, const SectionRef& at, const Scene& holder, const Scene& defaults,
+                           const SceneKey& key, bool escape) {
+    KeyValue value = *value_of(key, holder), usual = *value_of(key, defaults);
+    if (key.type == KeyType::kChoice) {
+        const auto words = split(key.choices, ' ');
+        usual.choice = static_cast<int>(std::ranges::find(words, key.fallback) - words.begin());
+    }
+    const bool differs = shown(key, value) != shown(key, usual);
+    const float room = ImGui::GetContentRegionAvail().x, column = kNameShare * room, left = ImGui::GetCursorPosX();
+    const std::string name(key.key);
+    ImGui::AlignTextToFramePadding();
+    if (differs)
+        ImGui::TextUnformatted(name.c_str());
+    else
+        ImGui::TextDisabled("%s", name.c_str());
+    tooltip(help_of(key));
+    if (ImGui::CalcTextSize(name.c_str()).x < column)
+        ImGui::SameLine(left + column);
+    else
+        ImGui::SetCursorPosX(left + column);
+    const float button = ImGui::GetFrameHeight();
+    if (!value.there) {
+        if (!ImGui::Button("set")) return false;
+        tooltip("Not set.");
+        value.there = true;
+        value.number = key.range.contains(1.0) ? 1.0 : 0.5 * (key.range.low + key.range.high);
+        return take(view, with_value(view.scene, at, key, value));
+    }
+    ImGui::SetNextItemWidth(differs ? -button - ImGui::GetStyle().ItemInnerSpacing.x : -1.0f);
+    bool changed = field(key, value, escape);
+    if (differs) {
+        ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
+        if (ImGui::Button("x", {button, 0.0f})) value = usual, changed = true;
+        tooltip(key.fallback.empty() ? "Back to the default." : fmt::format("Back to the default, {}.", key.fallback));
+    }
+    return changed && take(view, with_value(view.scene, at, key, value));
+}
+
+bool SceneEditor::matches(const SceneKey& key) const {
+    const std::string text = lower(full_name(key) + ' ' + std::string(key.help));
+    return std::ranges::all_of(split(lower(words_), ' '),
+                               [&](const std::string& word) { return text.find(word) != std::string::npos; });
+}
+
+bool SceneEditor::take(ViewState& view, Result<Scene> edited) {
+    fault_ = edited ? "" : edited.error().message();
+    if (!edited) return false;
+    view.scene = std::move(*edited);
+    if (view.scene.disc) view.hidden_disc = *view.scene.disc;
+    return true;
+}
+
+}  // namespace nullscope::viewer

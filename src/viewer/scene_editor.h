@@ -1,0 +1,27 @@
+// A window with every key of the scene: unit, range and help from the key table, reset to the default, search; sections that can be added,
+// copied and removed.
+#pragma once
+#include <string>
+
+#include "scenefile/scene_edit.h"
+#include "viewer/view_state.h"
+
+namespace nullscope::viewer {
+
+class SceneEditor {
+public:
+    // Between NewFrame and Render, at the right of what lies between top and bottom; nothing while view.show_editor is false. True when the
+    // scene changed; what cannot be is said in the window, and changes nothing. escape: the key was pressed, and shuts an open list.
+    bool draw(ViewState& view, float top, float bottom, bool escape);
+
+private:
+    bool draw_section(ViewState& view, const SectionRef& at, bool escape);
+    bool draw_key(ViewState& view, const SectionRef& at, const Scene& holder, const Scene& defaults,
+                  const SceneKey& key, bool escape);
+    bool take(ViewState& view, Result<Scene> edited);
+    bool matches(const SceneKey& key) const;
+
+    std::string words_, fault_;
+};
+
+}  // namespace nullscope::viewer
