@@ -9,6 +9,7 @@
 #include "base/assets.h"
 #include "base/text.h"
 #include "image/image_file.h"
+#include "viewer/autosave.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
@@ -100,7 +101,8 @@ std::string Gallery::draw_head(const std::vector<std::string>& recent, bool esca
         ImGui::SameLine();
     }
     for (const std::string& file : recent) {
-        const std::string name = std::filesystem::path(file).stem().string();
+        const std::filesystem::path path(file);
+        const std::string name = path == last_session() ? "Last session" : path.stem().string();
         if (&file != &recent.front() && ImGui::GetItemRectMax().x + ImGui::CalcTextSize(name.c_str()).x + 2.0f * em() <
                                             ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
             ImGui::SameLine();

@@ -1,9 +1,12 @@
 #include "viewer/panels.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
+#include <ctime>
 #include <utility>
 
 #include "base/credits.h"
@@ -153,6 +156,29 @@ void draw_hints() {
         ImGui::TextUnformatted("Turn the wheel to come nearer; W A S D to fly.");
         ImGui::TextUnformatted("Ctrl + O: more scenes.   F1: all keys.");
     });
+}
+
+LeftScene draw_left_scene(const std::filesystem::path& file) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    LeftScene answer = LeftScene::kWaits;
+    ImGui::SetNextWindowPos({screen.x - kMargin * em(), 0.3f * screen.y}, ImGuiCond_Always, {1.0f, 0.0f});
+    ImGui::SetNextWindowBgAlpha(1.0f);
+    if (ImGui::Begin("Changes that were not saved", nullptr,
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_AlwaysAutoResize)) {
+        std::error_code error;
+        const auto changed = std::chrono::file_clock::to_sys(std::filesystem::last_write_time(file, error));
+        const std::time_t when = std::chrono::system_clock::to_time_t(
+            std::chrono::time_point_cast<std::chrono::system_clock::duration>(changed));
+        std::tm local{};
+        localtime_r(&when, &local);
+        ImGui::TextUnformatted(fmt::format("The viewer ended unexpectedly on {:%Y-%m-%d at %H:%M}.", local).c_str());
+        if (ImGui::Button("Restore the scene")) answer = LeftScene::kRestored;
+        ImGui::SameLine();
+        if (ImGui::Button("Discard")) answer = LeftScene::kDiscarded;
+    }
+    ImGui::End();
+    return answer;
 }
 
 void draw_about(bool& shown, const gl::Info& info) {

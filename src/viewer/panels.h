@@ -1,5 +1,6 @@
 // What lies over the picture: side panel, status line, keys, messages.
 #pragma once
+#include <filesystem>
 #include <string>
 
 #include "viewer/sections.h"
@@ -14,6 +15,9 @@ float status_height();  // of the line at the window's bottom
 // How to begin, over the first picture that a user sees. Between NewFrame and Render, as what follows.
 void draw_hints();
 void draw_message(const std::string& message);
+// A scene that was changed and not saved, of a viewer that did not end as it should: what the user wants with it.
+enum class LeftScene { kWaits, kRestored, kDiscarded };
+LeftScene draw_left_scene(const std::filesystem::path& file);
 // Version, driver and credits, to be copied. shown: false once it was closed.
 void draw_about(bool& shown, const gl::Info& info);
 

@@ -31,7 +31,7 @@ fs::path settings_file() {
 
 Settings read(const toml::table& root) {
     Settings settings;
-    settings.hints_seen = root["hints_seen"].value_or(settings.hints_seen);
+    settings.hints_seen = root["hints_seen"].value_exact<bool>().value_or(settings.hints_seen);
     const double scale = root["text_scale"].value_or(settings.text_scale);
     if (scale >= kLeastTextScale && scale <= kMostTextScale) settings.text_scale = scale;
     const long width = root["window"][0].value_or(0L), height = root["window"][1].value_or(0L);

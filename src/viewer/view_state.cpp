@@ -8,6 +8,7 @@
 #include "observer/observer.h"
 #include "scenefile/scene_writer.h"
 #include "spacetime/registry.h"
+#include "viewer/autosave.h"
 #include "viewer/fly_camera.h"
 
 namespace nullscope::viewer {
@@ -21,7 +22,7 @@ Status load_into(ViewState& view, const std::string& file_or_name) {
     view.source = file_or_name;
     if (std::ranges::find(view.shipped, file_or_name, &SceneInfo::name) == view.shipped.end()) {
         view.source = std::filesystem::absolute(file_or_name).string();
-        own_file(view, view.source);
+        if (std::filesystem::path(view.source) != last_session()) own_file(view, view.source);
     }
     view.loaded = view.scene = std::move(*loaded);
     if (view.scene.disc) view.hidden_disc = *view.scene.disc;

@@ -42,6 +42,15 @@ constexpr double kRateTime = 0.25;        // s between changes of the numbers in
     std::_Exit(0);
 }
 
+// The last session if there is one, then files of one's own.
+std::vector<std::string> recent_files(const ViewState& view) {
+    std::vector<std::string> files(view.own.begin(), view.own.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                                            view.own.size(), Settings::kMostRecent)));
+    std::error_code error;
+    if (std::filesystem::is_regular_file(last_session(), error)) files.insert(files.begin(), last_session().string());
+    return files;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
@@ -74,6 +83,7 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     viewer->shown_ = viewer->view_;
     if (viewer->painter_->in_background()) viewer->ask();  // it begins before the panels are there
     viewer->panel_system_ = std::make_unique<PanelSystem>(*viewer->window_);
+    if (!viewer->patient()) viewer->left_ = left_scene();
     if (options.gallery || (options.scene.empty() && !viewer->patient())) viewer->gallery_.open();
     return viewer;
 }
@@ -86,6 +96,7 @@ Status Viewer::run() {
     if (refusal_) return *refusal_;
     if (size_.width > 0 && !window_->is_full_screen()) settings_.width = size_.width, settings_.height = size_.height;
     keep_settings();
+    if (!patient()) autosave_.end(view_.scene, view_.loaded);
     if (painter_->at_work()) end_process();
     return Done{};
 }
@@ -132,6 +143,8 @@ bool Viewer::step() {
     }
     log_rest();
     keep_settings();
+    if (!patient())
+        if (Status kept = autosave_.keep(view_.scene, view_.loaded, seconds()); !kept) say(kept.error().message());
     return drawn;
 }
 
@@ -152,7 +165,7 @@ bool Viewer::panels(const Input& input) {
     const auto command = view_.show_panels ? draw_menu(view_, escape) : std::nullopt;
     bool changed = command && perform(*command);
     if (gallery_.is_open()) {
-        const std::string chosen = gallery_.draw(below_menu, screen, view_.own, patient(), escape);
+        const std::string chosen = gallery_.draw(below_menu, screen, recent_files(view_), patient(), escape);
         if (!message_.empty()) draw_message(message_);
         return chosen.empty() ? changed : open_file(chosen) || changed;
     }
@@ -166,7 +179,8 @@ bool Viewer::panels(const Input& input) {
                            not_measured_, choice_,           accuracy_->facts(),         effect_times_};
     if (!settings_.hints_seen && !patient() && picture_.texture != 0) draw_hints();
     if (view_.show_panels) changed |= editor_.draw(view_, below_menu, screen - status_height(), escape);
-    return draw_panels(view_, facts, message_, escape) || changed;
+    changed |= draw_panels(view_, facts, message_, escape);
+    return (left_ && offer_left_scene()) || changed;
 }
 
 bool Viewer::move(const Input& input, double dt) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gl/gl.h"
+#include "viewer/autosave.h"
 #include "viewer/controls.h"
 #include "viewer/frame_accuracy.h"
 #include "viewer/gallery.h"
@@ -76,6 +77,7 @@ private:
     void copy_view();
     bool paste();
     void keep_settings();
+    bool offer_left_scene();  // true if it was taken
     void say(const std::string& message);
 
     ViewerOptions options_;
@@ -106,8 +108,10 @@ private:
     History history_;
     Gallery gallery_;
     SceneEditor editor_;
-    Settings settings_, kept_settings_;  // as they are now, and in their file
-    std::string saved_scene_;            // file that Ctrl+S writes on, once it has made one
+    Autosave autosave_;
+    std::optional<std::filesystem::path> left_;  // scene of a viewer that did not end as it should
+    Settings settings_, kept_settings_;          // as they are now, and in their file
+    std::string saved_scene_;                    // file that Ctrl+S writes on, once it has made one
     PictureMarks marks_;
     double adapted_at_ = 0.0;     // s: automatic exposure follows like an eye,
     double exposure_left_ = 0.0;  // what share of its way is still before it

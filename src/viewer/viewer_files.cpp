@@ -75,6 +75,23 @@ void Viewer::save_scene() {
     say(fmt::format("Saved {}", saved_scene_));
 }
 
+bool Viewer::offer_left_scene() {
+    bool restored = false;
+    std::error_code error;
+    switch (draw_left_scene(*left_)) {
+        case LeftScene::kWaits: return false;
+        case LeftScene::kDiscarded: std::filesystem::remove(*left_, error); break;
+        case LeftScene::kRestored:
+            if (Status taken = take_left_scene(*left_); !taken)
+                say(taken.error().message());
+            else
+                restored = open_file(last_session().string());
+            break;
+    }
+    left_ = left_scene();
+    return restored;
+}
+
 void Viewer::keep_settings() {
     if (patient()) return;
     settings_.recent.assign(view_.own.begin(), view_.own.begin() + std::min(view_.own.size(), Settings::kMostRecent));

@@ -1,7 +1,9 @@
 """Cases that run viewers of their own."""
 import os
+import random
 import subprocess
 import time
+import tomllib
 
 from viewer_process import *
 from x_screen import read_png, wait_until
@@ -103,7 +105,7 @@ def test_menus_do_what_they_say(screen, program, folder):
         v.settle("key", "F1")
         small = v.picture(SIDE)
         v.click(*MENUS["View"])
-        v.click(MENUS["View"][0] + 20, MENU_ENTRY(4))
+        v.click(MENUS["View"][0] + 20, MENU_ENTRY(5))
         assert v.picture(SIDE).changed(small, CHANGED), "View, Larger text changes nothing"
         assert "text_scale = 1.25" in v.settings.read_text(), "the size of text is not kept"
         v.settle("key", "ctrl+minus")
@@ -117,6 +119,50 @@ def test_menus_do_what_they_say(screen, program, folder):
         assert v.process.wait(timeout=HUNG_S) == 0, "File, Quit does not quit"
     finally:
         v.kill()
+
+
+def test_a_killed_viewer_leaves_its_scene(screen, program, folder):
+    """kill -9 at random moments: a whole file is left, and nothing but the last 5 s is lost."""
+    chance = random.Random(int(os.environ.get("NULLSCOPE_SEED", "1")))
+    start = lambda: Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", home=folder)
+    left = folder / "nullscope"
+    for run in range(20 if "NULLSCOPE_EVERYTHING" in os.environ else 6 if EVERYTHING else 2):
+        v = start()
+        try:
+            v.start()
+            begun = time.time()
+            while time.time() < begun + 2.5 or chance.random() < 0.5:
+                v.hands("keydown", chance.choice("eqwsad"))
+                time.sleep(0.3 * chance.random())
+                v.hands(*[word for key in "eqwsad" for word in ("keyup", key)])
+                edited = time.time()
+            if run == 0:     # long enough for what is on the screen to be kept
+                last = v.settle("mousemove", *BESIDE)
+                time.sleep(2.5)
+            else:
+                time.sleep(1.5 * chance.random())
+            v.process.kill()
+            killed = time.time()
+            found = list(left.glob(f"unsaved-{v.process.pid}.toml"))
+            assert found, "nothing is left of the scene"
+            kept = found[0].stat().st_mtime
+            assert kept >= edited or killed - kept <= 5, f"the last {killed - kept:.1f} s are lost"
+            assert "camera" in tomllib.loads(found[0].read_text()), "the file has no camera"
+        finally:
+            v.kill()
+        again = start()
+        try:
+            again.start()
+            again.click(*RESTORE)
+            assert not found[0].exists(), "the scene is not restored"
+            if run == 0:
+                same(last, again.settle(), "the restored picture")
+            again.settle("key", "e")
+            again.hands("key", "Escape")
+            again.process.wait(timeout=HUNG_S)
+            assert not list(left.glob("unsaved-*")), "an end in order leaves an unsaved scene"
+        finally:
+            again.kill()
 
 
 class Effects:
@@ -337,6 +383,6 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
          test_several_rays_a_pixel_wait_for_rest,
          test_exposure_follows_like_an_eye, test_the_clock_runs_and_stops, test_screenshot, test_the_gallery_finds_and_opens,
-         test_the_first_visit_has_hints_and_the_next_has_none, test_menus_do_what_they_say,
+         test_the_first_visit_has_hints_and_the_next_has_none, test_menus_do_what_they_say, test_a_killed_viewer_leaves_its_scene,
          test_split_screens_have_a_line_and_labels, test_bad_input,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]

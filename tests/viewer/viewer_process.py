@@ -46,6 +46,7 @@ CLOCK, RUN, DELAY = (150, 302 + MENU), (60, 327 + MENU), (112, 402 + MENU)
 EFFECTS = (150, 252 + MENU)               # the section's header while nothing else is open, and its rows
 EFFECT_ROW = lambda row: (30, 277 + MENU + 25 * row)
 EDITOR, EDITOR_SEARCH, EDITOR_ADD, EDITOR_FIELD = (480, 60, 830, 200), (560, 69), (770, 69), (720, 142)
+RESTORE = (520, 239)
 FIRST_CARD, HINTS = (120, 150), (320, 440, 640, 515)
 MENUS = {name: (x, 10) for name, x in [("File", 24), ("Edit", 62), ("View", 104), ("Help", 148)]}
 MENU_ENTRY = lambda number: 38 + 19 * number
@@ -98,15 +99,16 @@ def shipped(name):
 class Viewer:
     """A running viewer with its window at the screen's corner."""
 
-    def __init__(self, screen, program, *arguments, scene=SCENE, first_visit=False):
+    def __init__(self, screen, program, *arguments, scene=SCENE, first_visit=False, home=None):
         self.screen, self.folder, self.marks = screen, tempfile.mkdtemp(prefix="nullscope-viewer."), 0
         self.scene = Path(self.folder) / "scene.toml"
         self.scene.write_text(scene if "\n" in scene else shipped(scene))
-        self.settings = Path(self.folder) / "nullscope" / "viewer.toml"
+        self.settings = Path(home or self.folder) / "nullscope" / "viewer.toml"
         self.log = Log(Path(self.folder) / "turns.txt")
-        self.env = {**os.environ, "DISPLAY": screen.display, "XDG_CONFIG_HOME": self.folder, "XDG_STATE_HOME": self.folder}
+        self.env = {**os.environ, "DISPLAY": screen.display, "XDG_CONFIG_HOME": home or self.folder,
+                    "XDG_STATE_HOME": home or self.folder}
         if not first_visit:
-            self.settings.parent.mkdir()
+            self.settings.parent.mkdir(exist_ok=True)
             self.settings.write_text("hints_seen = true\n")
         self.process = subprocess.Popen([program, self.scene.name, "--turns", self.log.path, *arguments],
                                         cwd=self.folder, env=self.env, stderr=subprocess.PIPE, text=True)

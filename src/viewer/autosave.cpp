@@ -1,0 +1,106 @@
+#include "viewer/autosave.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <string_view>
+#include <utility>
+
+#include "base/atomic_file.h"
+#include "scenefile/scene_writer.h"
+#include "viewer/user_files.h"
+
+namespace nullscope::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kPrefix = "unsaved-";
+
+fs::path own_file_of(pid_t process) {
+    const fs::path folder = state_folder();
+    return folder.empty() ? folder : folder / fmt::format("{}{}.toml", kPrefix, process);
+}
+
+// The process that a file belongs to, or 0.
+pid_t process_of(const fs::path& file) {
+    const std::string stem = file.stem().string();
+    if (!stem.starts_with(kPrefix) || file.extension() != ".toml") return 0;
+    pid_t process = 0;
+    const char* end = stem.data() + stem.size();
+    const auto [last, error] = std::from_chars(stem.data() + kPrefix.size(), end, process);
+    return error == std::errc() && last == end ? process : 0;
+}
+
+bool runs(pid_t process) { return ::kill(process, 0) == 0 || errno == EPERM; }
+
+// Size apart, which follows the window.
+std::string text_of(Scene scene) {
+    scene.camera.width = CameraSpec{}.width, scene.camera.height = CameraSpec{}.height;
+    return scene_file_text(scene, {});
+}
+
+}  // namespace
+
+Status Autosave::keep(const Scene& scene, const Scene& loaded, double now) {
+    if (now - kept_at_ < kInterval_s) return Done{};
+    kept_at_ = now;
+    Status written = write(scene, loaded);
+    if (written) return written;
+    return std::exchange(failed_, true) ? Status(Done{}) : written;
+}
+
+Status Autosave::write(const Scene& scene, const Scene& loaded) {
+    const fs::path file = own_file_of(::getpid());
+    if (file.empty()) return Done{};
+    std::string text = text_of(scene);
+    if (text == text_of(loaded)) text.clear();
+    if (text == text_) return Done{};
+    std::error_code error;
+    if (text.empty())
+        fs::remove(file, error);
+    else {
+        fs::create_directories(file.parent_path(), error);
+        TRY(written, write_text_atomically(file, text));
+    }
+    text_ = std::move(text);
+    return Done{};
+}
+
+void Autosave::end(const Scene& scene, const Scene& loaded) {
+    if (!write(scene, loaded) || text_.empty()) return;
+    std::error_code error;
+    fs::rename(own_file_of(::getpid()), last_session(), error);  // else it is offered as after a crash
+}
+
+std::optional<fs::path> left_scene() {
+    std::optional<fs::path> newest;
+    fs::file_time_type when;
+    std::error_code error;
+    for (fs::directory_iterator i(state_folder(), error), end; !error && i != end; i.increment(error)) {
+        const pid_t process = process_of(i->path());
+        if (process <= 0 || runs(process)) continue;
+        std::error_code unknown;
+        const fs::file_time_type changed = i->last_write_time(unknown);
+        if (unknown || (newest && changed <= when)) continue;
+        newest = i->path(), when = changed;
+    }
+    return newest;
+}
+
+Status take_left_scene(const fs::path& file) {
+    std::error_code error;
+    fs::rename(file, last_session(), error);
+    if (error) return failed(fmt::format("{}: {}", file.string(), error.message()));
+    return Done{};
+}
+
+fs::path last_session() {
+    const fs::path folder = state_folder();
+    return folder.empty() ? folder : folder / "last-session.toml";
+}
+
+}  // namespace nullscope::viewer
