@@ -1,6 +1,7 @@
 #include "viewer/painter.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -8,7 +9,8 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr int kTimedFrames = 9, kLeastTimed = 3;  // of each scene, in turn; their median counts
-constexpr double kLongestTiming = 4.0;            // s for an effect, unless its least frames take more
+constexpr std::chrono::milliseconds kRestBeforeWhole{100};
+constexpr double kLongestTiming = 4.0;  // s for an effect, unless its least frames take more
 
 double median(std::vector<double> values) {
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
@@ -123,6 +125,7 @@ void Painter::work(const std::stop_token& stop) {
             // At rest, what makes the next pictures cheaper; a job waits for one program at most.
             while (job && !interrupted() && workshop.build_next()) {
             }
+            if (job && !interrupted()) workshop.warm_up(*job, textures_in_use(), quiet_watch());
             lock.lock();
         }
     } catch (...) {
@@ -143,17 +146,21 @@ DrawWatch Painter::watch(bool whole_job) {
             }};
 }
 
+DrawWatch Painter::quiet_watch() const {
+    return {[this] { return interrupted(); }, [](const PaintProgress&) {}};
+}
+
 void Painter::do_job(Workshop& workshop, const PaintJob& job) {
     if (job.rays) return publish(workshop.rays(job), true);
-    const int coarseness = own_ != nullptr ? 1 : workshop.coarseness(job);
-    const bool first = coarseness > 1 || (own_ == nullptr && job.coarse_first && workshop.drafts(job));
+    const double coarseness = own_ != nullptr ? 1.0 : workshop.coarseness(job);
+    const bool first = coarseness > 1.0 || (own_ == nullptr && job.coarse_first && workshop.drafts(job));
     if (first) {
         auto coarse = workshop.picture(job, coarseness, true, textures_in_use(), watch(true));
         if (!coarse) return;
         const bool good = static_cast<bool>(coarse->ready);
         publish(std::move(*coarse), !good);
         news_();
-        if (!good) return;
+        if (!good || goes_on()) return;
     }
     const bool may_be_left = first || !job.coarse_first;
     if (may_be_left) {
@@ -164,6 +171,14 @@ void Painter::do_job(Workshop& workshop, const PaintJob& job) {
         publish(std::move(*whole), true);
 }
 
+// What moves: a newer job comes soon after the picture was shown.
+bool Painter::goes_on() {
+    std::unique_lock lock(mutex_);
+    const std::stop_token stop = thread_.get_stop_token();
+    wake_.wait_for(lock, stop, kRestBeforeWhole, [this] { return job_.has_value(); });
+    return job_.has_value() || stop.stop_requested();
+}
+
 // With and without in turn, so that what else the machine does falls on both.
 void Painter::do_measure(Workshop& workshop, const PaintJob& order) {
     const AlikeTiles alike(workshop.renderer());
@@ -172,7 +187,7 @@ void Painter::do_measure(Workshop& workshop, const PaintJob& order) {
         const std::lock_guard lock(mutex_);
         times_ = times;
     };
-    const DrawWatch watch{[this] { return interrupted(); }, [](const PaintProgress&) {}};
+    const DrawWatch watch = quiet_watch();
     Renderer& renderer = workshop.renderer();
     renderer.set_method(order.method);
     if (!renderer.prepare(order.scene)) return;

@@ -5,8 +5,8 @@
 // drawn to again only after the one that follows it was taken.
 //
 // A job may give two pictures: a coarse one first (of fewer pixels, of one ray each, of star images found quickly), if the whole one takes long. The
-// coarse one is always finished; the whole one is given up between two bands of rows when a newer job comes, so that what moves is
-// followed and what rests is whole.
+// coarse one is always finished; the whole one is begun when no newer job has come for a tenth of a second, and given up between two bands of
+// rows when one comes, so that what moves is followed and what rests is whole.
 #pragma once
 #include <condition_variable>
 #include <exception>
@@ -53,8 +53,10 @@ private:
     void do_measure(Workshop& workshop, const PaintJob& order);
     void publish(Painting painting, bool last);
     DrawWatch watch(bool whole_job);
+    DrawWatch quiet_watch() const;  // of what nobody waits for
     std::array<unsigned, 2> textures_in_use() const;
     bool interrupted() const;
+    bool goes_on();
 
     SharedContext context_;  // nullptr: jobs are done within ask()
     std::function<void()> news_;

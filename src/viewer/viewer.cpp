@@ -107,6 +107,7 @@ bool Viewer::step() {
     const Input& input = window_->poll(wait);
     if (window_->closing()) return false;
     const double cpu = thread_cpu_seconds(), dt = elapsed();
+    turn_began_at_ = seconds();
     if (input.happened) frames_due_ = kSettlingFrames;
     if (!input.pressed.empty()) last_key_ = input.pressed.back().key;
     follow_times();
@@ -137,7 +138,9 @@ bool Viewer::step() {
         --frames_due_;
         present();
         log_.turn({1e3 * (thread_cpu_seconds() - cpu), painter_->drawn_by_caller(), picture_.programs, pictures_,
-                   picture_.texture != 0, picture_.coarse(), painter_->busy()});
+                   picture_.texture != 0, picture_.coarse(), painter_->busy(),
+                   news_due_at_ ? 1e3 * (seconds() - *news_due_at_) : 0.0});
+        news_due_at_.reset();
     } else {
         ImGui::EndFrame();
     }
@@ -197,6 +200,7 @@ void Viewer::follow_changes(bool changed) {
         exposure_left_ = 1.0;
         coarse_wanted_ |= moving_ || ImGui::IsAnyItemActive() || view_.source != asked_.source;
         fit_to_window();  // a scene that was just loaded has a size of its own
+        if (!picture_due_) due_at_ = turn_began_at_;
         picture_due_ = true;
         frames_due_ = kSettlingFrames;
     } else {

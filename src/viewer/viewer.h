@@ -120,6 +120,9 @@ private:
     int frames_ = 0, frames_due_ = 3;
     bool moving_ = false, waited_ = true;
     double stepped_at_ = 0.0, drawn_at_ = 0.0, adopted_at_ = 0.0, rate_shown_at_ = 0.0, asked_at_ = 0.0;
+    // When the input came that waited longest: for the next picture, for the one asked for, for the one to be shown for the first time.
+    double turn_began_at_ = 0.0, due_at_ = 0.0, asked_due_at_ = 0.0;
+    std::optional<double> news_due_at_;
     PaintProgress progress_;  // that is shown
     double picture_ms_shown_ = 0.0, frame_s_ = 0.0, fps_shown_ = 0.0;
 };

@@ -59,6 +59,7 @@ void Viewer::ask() {
     picture_due_ = coarse_wanted_ = false;
     asked_ = view_;
     asked_at_ = seconds();
+    asked_due_at_ = due_at_;
     asked_choice_ = method_choice(measured_, view_.method, scene);
     painter_->ask({scene, asked_choice_.method, false, adaptation(scene), coarse});
 }
@@ -88,6 +89,7 @@ void Viewer::adopt(Painting painting) {
     }
     picture_ = std::move(painting);
     ++pictures_;
+    news_due_at_ = asked_due_at_;
     measure_rate();
     if (!picture_.notes.empty()) say(picture_.notes.back());
     choice_ = asked_choice_;

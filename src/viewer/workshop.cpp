@@ -1,6 +1,7 @@
 #include "viewer/workshop.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "spacetime/registry.h"
 #include "viewer/bands.h"
@@ -9,11 +10,12 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr double kDear_ms = 150.0;     // a picture that takes less follows the hand as it is
-constexpr double kCoarse_ms = 60.0;    // what a coarse picture should take
-constexpr int kUnknownCoarseness = 4;  // of a picture of unknown cost: a sixteenth of its pixels
-constexpr int kMostCoarse = 8;
-constexpr int kLeastSide_px = 32;  // of a coarse picture: with less there is nothing to see
+constexpr double kMotion_ms = 30.0;         // what a picture in motion should take: 30 a second, with what shows them
+constexpr double kUnknownCoarseness = 4.0;  // of a picture of unknown cost: a sixteenth of its pixels
+constexpr double kMostCoarse = 8.0;
+constexpr double kCoarser = 1.25;       // steps of sizes: textures of each are made once
+constexpr double kFinerBelow = 0.7;     // of the time that the next finer size may take: else sizes would alternate
+constexpr double kLeastSide_px = 32.0;  // of a coarse picture: with less there is nothing to see
 
 // For pictures that follow each other.
 void prepare_flight(Renderer& renderer) {
@@ -52,8 +54,17 @@ Workshop::Workshop() { prepare_flight(renderer_); }
 
 bool Workshop::build_next() { return renderer_.build_next() || (right_ != nullptr && right_->build_next()); }
 
-int Workshop::coarseness(const PaintJob& job) const {
-    if (!job.coarse_first || job.rays) return 1;
+void Workshop::warm_up(const PaintJob& job, const std::array<unsigned, 2>& avoid, const DrawWatch& watch) {
+    if (warm_ == std::pair(effects_, method_) || job.rays) return;
+    const double ray_ms = ray_ms_, picture_ms = picture_ms_, compile_ms = compile_ms_;
+    const auto half_ray_ms = half_ray_ms_;
+    picture(job, kMostCoarse, true, avoid, watch);
+    ray_ms_ = ray_ms, half_ray_ms_ = half_ray_ms, picture_ms_ = picture_ms, compile_ms_ = compile_ms;
+    warm_ = std::pair(effects_, method_);
+}
+
+double Workshop::coarseness(const PaintJob& job) {
+    if (!job.coarse_first || job.rays) return 1.0;
     const CameraSpec& camera = job.scene.camera;
     Scene once = job.scene;
     once.picture.samples = 1;  // of pictures in motion
@@ -61,11 +72,15 @@ int Workshop::coarseness(const PaintJob& job) const {
     effects.erase(Effect::kRefine);
     const bool known = picture_ms_ > 0.0 && method_ == job.method && effects_ == effects;
     const double whole_ms = picture_ms_ * camera.width * camera.height;
-    if (known && whole_ms <= kDear_ms) return 1;
-    int times = known ? 2 : kUnknownCoarseness;
-    while (known && times < kMostCoarse && whole_ms > kCoarse_ms * times * times) times *= 2;
-    while (times > 1 && std::min(camera.width, camera.height) < kLeastSide_px * times) times /= 2;
-    return times;
+    const auto fits = [&](double coarseness, double share) {
+        return whole_ms <= share * kMotion_ms * coarseness * coarseness;
+    };
+    double& times = coarseness_;
+    if (!known) times = kUnknownCoarseness;
+    while (known && times > 1.0 && fits(times / kCoarser, kFinerBelow)) times = std::max(times / kCoarser, 1.0);
+    while (known && times < kMostCoarse && !fits(times, 1.0)) times *= kCoarser;
+    const double most = std::min(camera.width, camera.height) / kLeastSide_px;
+    return std::clamp(times, 1.0, std::max(most, 1.0));
 }
 
 Status Workshop::prepare(const Scene& scene, const PaintJob& job, const StarField::Search& search) {
@@ -108,15 +123,15 @@ std::optional<DrawTimes> Workshop::draw(const gl::Target& target, const DrawWatc
     return sum;
 }
 
-std::optional<Painting> Workshop::picture(const PaintJob& job, int coarseness, bool first,
+std::optional<Painting> Workshop::picture(const PaintJob& job, double coarseness, bool first,
                                           const std::array<unsigned, 2>& avoid, const DrawWatch& watch) {
     if (watch.give_up()) return std::nullopt;
     Painting painting;
     painting.job = job;
     Scene scene = job.scene;
     if (first) scene.picture.samples = 1;
-    scene.camera.width = painting.width = scene.camera.width / coarseness;
-    scene.camera.height = painting.height = scene.camera.height / coarseness;
+    scene.camera.width = painting.width = static_cast<int>(std::lround(scene.camera.width / coarseness));
+    scene.camera.height = painting.height = static_cast<int>(std::lround(scene.camera.height / coarseness));
     watch.tell({PaintProgress::Stage::kPreparing, 0, painting.height});
     painting.ready = prepare(scene, job, {first, watch.give_up});
     if (watch.give_up()) return std::nullopt;

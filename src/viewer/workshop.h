@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gl/gl.h"
@@ -75,8 +76,8 @@ class Workshop {
 public:
     Workshop();
 
-    // How many times smaller than the job's, in each direction, a coarse picture should be; 1: none is worth its time.
-    int coarseness(const PaintJob& job) const;
+    // How many times smaller than the job's, in each direction, a picture in motion should be to hold the frame rate; 1: as large.
+    double coarseness(const PaintJob& job);
     // Whether a picture with one ray a pixel, and after a quick search for the images of stars, is worth its time.
     bool drafts(const PaintJob& job) const {
         return takes_samples(effect_set(required_effects(job.scene))) || searches_stars();
@@ -86,11 +87,13 @@ public:
     }
     // The job's picture, each side divided by `coarseness`; nothing if it was given up. first: another follows. avoid: textures that are in
     // use.
-    std::optional<Painting> picture(const PaintJob& job, int coarseness, bool first,
+    std::optional<Painting> picture(const PaintJob& job, double coarseness, bool first,
                                     const std::array<unsigned, 2>& avoid, const DrawWatch& watch);
     Painting rays(const PaintJob& job);
     // Compiles one of the programs by which further pictures are drawn sooner (Renderer::build_next); false if none is left.
     bool build_next();
+    // Draws a small picture in motion, unseen, once for every set of programs: drivers compile what its state asks for at the first draw.
+    void warm_up(const PaintJob& job, const std::array<unsigned, 2>& avoid, const DrawWatch& watch);
 
     Renderer& renderer() { return renderer_; }
     double& ray_ms() { return ray_ms_; }
@@ -116,7 +119,9 @@ private:
     EffectSet effects_;
     Method method_;
     double picture_ms_ = 0.0;  // the last picture's, a ray; 0: not known
+    double coarseness_ = 1.0;  // of the last picture in motion
     double compile_ms_ = 0.0;
+    std::optional<std::pair<EffectSet, Method>> warm_;
 };
 
 }  // namespace nullscope::viewer
