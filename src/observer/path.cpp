@@ -38,8 +38,6 @@ Result<CameraPath> CameraPath::make(const Scene& scene) {
 
 double CameraPath::proper_time(double frame) const { return duration_ * std::clamp(frame / (frames_ - 1), 0.0, 1.0); }
 
-double CameraPath::clock(double frame) const { return line_ ? line_->clock(proper_time(frame)) : 0.0; }
-
 CameraSpec CameraPath::at(double frame) const {
     if (!line_) return through_keys(frame);
     CameraSpec camera = line_->at(proper_time(frame));
@@ -48,31 +46,44 @@ CameraSpec CameraPath::at(double frame) const {
     return camera;
 }
 
-// Cubic Hermite between keys; slopes of the parabola through a key and its neighbours, straight at the ends.
-CameraSpec CameraPath::through_keys(double frame) const {
+// Cubic Hermite between keys; slopes of the parabola through a key and its neighbours, straight at the ends. of: a number of a key.
+template <class Of>
+double CameraPath::between_keys(double frame, const Of& of) const {
     const auto& keys = path_.keys;
     const double t = std::clamp(frame, keys.front().frame, keys.back().frame);
-    const auto after =
-        std::upper_bound(keys.begin() + 1, keys.end() - 1, t, [](double f, const PathKey& k) { return f < k.frame; });
-    const auto i = static_cast<std::size_t>(after - keys.begin()) - 1;
-    const auto value = [&](const auto& of) {
-        const auto slope = [&](std::size_t k) {
-            const std::size_t low = k > 0 ? k - 1 : k, high = std::min(k + 1, keys.size() - 1);
-            const auto secant = [&](std::size_t a, std::size_t b) {
-                return (of(keys[b].camera) - of(keys[a].camera)) / (keys[b].frame - keys[a].frame);
-            };
-            if (low == k || high == k) return secant(low, high);
-            const double before = keys[k].frame - keys[low].frame, beyond = keys[high].frame - keys[k].frame;
-            return (beyond * secant(low, k) + before * secant(k, high)) / (before + beyond);
+    const std::size_t i = key_before(frame);
+    const auto slope = [&](std::size_t k) {
+        const std::size_t low = k > 0 ? k - 1 : k, high = std::min(k + 1, keys.size() - 1);
+        const auto secant = [&](std::size_t a, std::size_t b) {
+            return (of(keys[b]) - of(keys[a])) / (keys[b].frame - keys[a].frame);
         };
-        const double h = keys[i + 1].frame - keys[i].frame, x = (t - keys[i].frame) / h, y = 1 - x;
-        return y * y * (1 + 2 * x) * of(keys[i].camera) + x * x * (1 + 2 * y) * of(keys[i + 1].camera) +
-               h * x * y * (y * slope(i) - x * slope(i + 1));
+        if (low == k || high == k) return secant(low, high);
+        const double before = keys[k].frame - keys[low].frame, beyond = keys[high].frame - keys[k].frame;
+        return (beyond * secant(low, k) + before * secant(k, high)) / (before + beyond);
     };
-    CameraSpec camera = keys[i].camera;
-    for (const auto member : kNumbers) camera.*member = value([member](const CameraSpec& c) { return c.*member; });
+    const double h = keys[i + 1].frame - keys[i].frame, x = (t - keys[i].frame) / h, y = 1 - x;
+    return y * y * (1 + 2 * x) * of(keys[i]) + x * x * (1 + 2 * y) * of(keys[i + 1]) +
+           h * x * y * (y * slope(i) - x * slope(i + 1));
+}
+
+std::size_t CameraPath::key_before(double frame) const {
+    const auto& keys = path_.keys;
+    const auto after = std::upper_bound(keys.begin() + 1, keys.end() - 1, frame,
+                                        [](double f, const PathKey& k) { return f < k.frame; });
+    return static_cast<std::size_t>(after - keys.begin()) - 1;
+}
+
+double CameraPath::clock(double frame) const {
+    if (line_) return line_->clock(proper_time(frame));
+    return between_keys(frame, [](const PathKey& key) { return key.time; });
+}
+
+CameraSpec CameraPath::through_keys(double frame) const {
+    CameraSpec camera = path_.keys[key_before(frame)].camera;
+    for (const auto member : kNumbers)
+        camera.*member = between_keys(frame, [member](const PathKey& key) { return key.camera.*member; });
     for (const auto axis : kAxes)
-        camera.velocity.*axis = value([axis](const CameraSpec& c) { return c.velocity.*axis; });
+        camera.velocity.*axis = between_keys(frame, [axis](const PathKey& key) { return key.camera.velocity.*axis; });
     return camera;
 }
 

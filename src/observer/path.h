@@ -15,12 +15,15 @@ public:
     int frames() const { return frames_; }
     bool falls() const { return line_.has_value(); }
     CameraSpec at(double frame) const;  // from 0 to frames() - 1; beyond: the first and last
-    double clock(double frame) const;   // Scene::time then, later than the start's: of a fall; 0 where keys say no time
+    double clock(double frame) const;   // Scene::time then, later than the start's
 
 private:
     CameraPath() = default;
     double proper_time(double frame) const;  // of a fall
     CameraSpec through_keys(double frame) const;
+    template <class Of>
+    double between_keys(double frame, const Of& of) const;
+    std::size_t key_before(double frame) const;  // the last that is not the last of all
     PathSpec path_;
     CameraSpec start_;
     int frames_ = 0;

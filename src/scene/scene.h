@@ -274,6 +274,8 @@ enum class PathOrientation { kGyroscope, kCentre };
 struct PathKey {
     double frame = 0.0;
     CameraSpec camera;
+    double time = 0.0;  // later than Scene::time, r_s/c
+    friend bool operator==(const PathKey&, const PathKey&) = default;
 };
 struct PathSpec {
     PathKind kind = PathKind::kFall;
@@ -283,6 +285,7 @@ struct PathSpec {
     // kFall: proper time from the first frame to the last, r_s/c; 0: to the end of the worldline.
     double duration = 0.0;
     std::vector<PathKey> keys;  // kKeys: two or more, by ascending frame
+    friend bool operator==(const PathSpec&, const PathSpec&) = default;
 };
 
 // The object in the sky that the scene stands for.

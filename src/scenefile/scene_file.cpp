@@ -212,17 +212,21 @@ void SceneReader::read_path_keys(const toml::node& node) {
     const auto lines = lines_;
     for (const toml::node& entry : *list) {
         const toml::table& table = *entry.as_table();
-        PathKey key{scene_.path->keys.empty() ? 0.0 : scene_.path->keys.back().frame + 1.0, {}};
+        PathKey key;
+        if (!scene_.path->keys.empty()) key = {scene_.path->keys.back().frame + 1.0, {}, scene_.path->keys.back().time};
         for (const auto& [name, value] : table) {
-            if (name.str() != "frame") {
+            const bool time = name.str() == "time";
+            if (!time && name.str() != "frame") {
                 read_key("camera", name, value, "camera");
                 continue;
             }
-            const auto frame = value.value<double>();
-            if (!frame || !(*frame >= 0.0 && *frame <= 1e6))
-                report(line_of(name), "path.key.frame", "must be a number", "[0, 1000000]");
+            const auto number = value.value<double>();
+            const double low = time ? -1e9 : 0.0, high = time ? 1e9 : 1e6;
+            if (!number || !(*number >= low && *number <= high))
+                report(line_of(name), time ? "path.key.time" : "path.key.frame", "must be a number",
+                       fmt::format("[{:.0f}, {:.0f}]", low, high));
             else
-                key.frame = *frame;
+                (time ? key.time : key.frame) = *number;
         }
         key.camera = scene_.camera;
         const int here = static_cast<int>(entry.source().begin.line);

@@ -55,6 +55,7 @@ std::vector<SceneLine> scene_lines(const Scene& scene) {
         const PathKey& key = scene.path->keys[i];
         const std::string label = fmt::format("path.key[{}]", i);
         lines.push_back({label + ".frame", fmt::format("{:.17g}", key.frame), {}});
+        lines.push_back({label + ".time", fmt::format("{:.17g}", key.time), {}});
         Scene there;
         there.camera = key.camera;
         add_section("camera", label, there);

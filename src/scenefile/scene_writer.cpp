@@ -169,11 +169,13 @@ private:
     // What a key leaves out is as in the one before it, and as in [camera] in the first.
     void add_path_keys() {
         Scene before = scene_;
+        double time_before = 0.0;
         for (const PathKey& key : scene_.path->keys) {
             Scene here = scene_;
             here.camera = key.camera;
-            add("[[path.key]]", fmt::format("frame = {}\n", key.frame) + lines("camera", here, before, false));
-            before.camera = key.camera;
+            const std::string time = key.time != time_before ? fmt::format("time = {}\n", key.time) : "";
+            add("[[path.key]]", fmt::format("frame = {}\n", key.frame) + time + lines("camera", here, before, false));
+            before.camera = key.camera, time_before = key.time;
         }
     }
 

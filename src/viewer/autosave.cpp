@@ -12,6 +12,7 @@
 #include "base/atomic_file.h"
 #include "scenefile/scene_writer.h"
 #include "viewer/user_files.h"
+#include "viewer/view_state.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -39,7 +40,7 @@ bool runs(pid_t process) { return ::kill(process, 0) == 0 || errno == EPERM; }
 
 // Size apart, which follows the window.
 std::string text_of(Scene scene) {
-    scene.camera.width = CameraSpec{}.width, scene.camera.height = CameraSpec{}.height;
+    set_size(scene, CameraSpec{}.width, CameraSpec{}.height);
     return scene_file_text(scene, {});
 }
 

@@ -35,15 +35,18 @@ constexpr std::array kEntries = {
     Entry{Command::kPanels, "View", "Panels", "Tab", GLFW_KEY_TAB, false, false, &ViewState::show_panels},
     Entry{Command::kEditor, "View", "All keys of the scene", "Ctrl+E", GLFW_KEY_E, true, false,
           &ViewState::show_editor},
+    Entry{Command::kTimeline, "View", "Timeline", "Ctrl+T", GLFW_KEY_T, true, false, &ViewState::show_timeline},
     Entry{Command::kErrors, "View", "Errors of pixels", "H", GLFW_KEY_H, false, false, &ViewState::show_errors},
     Entry{Command::kProbe, "View", "Ray of a pixel", "P", GLFW_KEY_P, false, false, &ViewState::show_probe},
     Entry{Command::kFullScreen, "View", "Full screen", "F11", GLFW_KEY_F11, false, false, nullptr},
     Entry{Command::kLargerText, "View", "Larger text", "Ctrl++", GLFW_KEY_EQUAL, true, false, nullptr},
     Entry{Command::kSmallerText, "View", "Smaller text", "Ctrl+-", GLFW_KEY_MINUS, true, false, nullptr},
+    Entry{Command::kPlay, "Path", "Play, pause", "L", GLFW_KEY_L, false, false, nullptr},
+    Entry{Command::kRecord, "Path", "Record, stop", "F9", GLFW_KEY_F9, false, false, nullptr},
     Entry{Command::kKeys, "Help", "Keys", "F1", GLFW_KEY_F1, false, false, &ViewState::show_keys},
     Entry{Command::kAbout, "Help", "About", "", 0, false, false, &ViewState::show_about},
 };
-constexpr std::array<std::string_view, 4> kMenus = {"File", "Edit", "View", "Help"};
+constexpr std::array<std::string_view, 5> kMenus = {"File", "Edit", "View", "Path", "Help"};
 
 // Keys that mean the same as one of the list.
 KeyPress usual(KeyPress press) {

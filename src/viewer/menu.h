@@ -20,6 +20,9 @@ enum class Command {
     kResetCamera,  // edit
     kPanels,
     kEditor,
+    kTimeline,
+    kPlay,
+    kRecord,
     kErrors,
     kProbe,
     kFullScreen,

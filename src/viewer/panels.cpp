@@ -40,6 +40,8 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"Ctrl + S", "save the scene as a file"},
     {"Ctrl + Z Y", "undo, redo"},
     {"Ctrl + E", "edit every key of the scene"},
+    {"F9", "record the flight, stop"},
+    {"L", "play the path, pause"},
     {"Ctrl + C V", "copy, paste the view as a line of text"},
     {"Ctrl + O", "gallery; a file can be dropped, too"},
     {"Escape", "quit"},
@@ -141,11 +143,11 @@ void keys_window(float top) {
 
 }  // namespace
 
+float side_panel_right() { return (kPanelWidth + kMargin) * em(); }
 float status_height() { return ImGui::GetFrameHeight() + 0.2f * ImGui::GetFontSize(); }
 
-void draw_message(const std::string& message) {
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    overlay("##message", 0.5f * screen.x, screen.y - status_height() - em(), 0.5f, 1.0f, 0.82f,
+void draw_message(const std::string& message, float bottom) {
+    overlay("##message", 0.5f * ImGui::GetIO().DisplaySize.x, bottom - em(), 0.5f, 1.0f, 0.9f,
             [&] { ImGui::TextUnformatted(message.c_str()); });
 }
 
@@ -208,7 +210,7 @@ void draw_first_wait(const std::string& scene, const PaintProgress& progress) {
     draw.AddRectFilled({left, top}, {left + share * width, top + height}, ImGui::GetColorU32(ImGuiCol_CheckMark));
 }
 
-bool draw_panels(ViewState& view, const FrameFacts& facts, const std::string& message, bool escape) {
+bool draw_panels(ViewState& view, const FrameFacts& facts, bool escape) {
     bool changed = false;
     if (view.show_errors)
         draw_error_legend(facts.accuracy, ImGui::GetIO().DisplaySize.y - (view.show_panels ? status_height() : 0.0f));
@@ -218,7 +220,6 @@ bool draw_panels(ViewState& view, const FrameFacts& facts, const std::string& me
     }
     if (view.show_keys) keys_window(view.show_panels ? menu_height() : 0.0f);
     if (view.show_about) draw_about(view.show_about, facts.info);
-    if (!message.empty()) draw_message(message);
     return changed;
 }
 

@@ -10,18 +10,19 @@ namespace nullscope::viewer {
 // Over a window that has no picture yet: what is being done. Between NewFrame and Render.
 void draw_first_wait(const std::string& scene, const PaintProgress& progress);
 
-float status_height();  // of the line at the window's bottom
+float side_panel_right();  // where the picture begins that it does not cover
+float status_height();     // of the line at the window's bottom
 
 // How to begin, over the first picture that a user sees. Between NewFrame and Render, as what follows.
 void draw_hints();
-void draw_message(const std::string& message);
+void draw_message(const std::string& message, float bottom);  // above there
 // A scene that was changed and not saved, of a viewer that did not end as it should: what the user wants with it.
 enum class LeftScene { kWaits, kRestored, kDiscarded };
 LeftScene draw_left_scene(const std::filesystem::path& file);
 // Version, driver and credits, to be copied. shown: false once it was closed.
 void draw_about(bool& shown, const gl::Info& info);
 
-// Between ImGui's NewFrame and Render. True when the scene changed. message: shown until it is empty again.
-bool draw_panels(ViewState& view, const FrameFacts& facts, const std::string& message, bool escape);
+// Between ImGui's NewFrame and Render. True when the scene changed.
+bool draw_panels(ViewState& view, const FrameFacts& facts, bool escape);
 
 }  // namespace nullscope::viewer

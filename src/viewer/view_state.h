@@ -28,7 +28,7 @@ struct ViewState {
     std::vector<SceneInfo> shipped;
     std::vector<std::string> own;  // paths of files that were opened or saved, the last first
     std::string error;             // of the last change, or nothing
-    bool show_panels = true, show_keys = false, show_about = false, show_editor = false;
+    bool show_panels = true, show_keys = false, show_about = false, show_editor = false, show_timeline = false;
     bool show_accuracy = false, show_effects = false;  // the section is open
     bool show_errors = false;                          // over the picture
     bool show_grid = false;                            // of coordinates, on sky and disc
@@ -52,7 +52,8 @@ Scene drawn_scene(const ViewState& view);
 // Of view_line(): the camera that it says, in the scene's spacetime. Errors: as a scene file's.
 Status paste_view(ViewState& view, const std::string& line);
 
-void reset_camera(ViewState& view);  // to the file's, pixels apart
+void set_size(Scene& scene, int width, int height);  // of its camera and of its path's keys, px
+void reset_camera(ViewState& view);                  // to the file's, pixels apart
 
 // The scene's spacetime; nullptr while the metric or its parameters are not valid. Cheap.
 std::shared_ptr<const Spacetime> spacetime_of(const Scene& scene);

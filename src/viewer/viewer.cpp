@@ -123,7 +123,9 @@ bool Viewer::step() {
     changed |= open_dropped(input);
     changed |= handle_keys(input);
     changed |= panels(input);
+    follow_path();
     moving_ = move(input, dt);
+    follow_film();
     const ImGuiIO& io = ImGui::GetIO();
     if (input.moved || input.happened || changed || moving_) probe(input);
     follow_changes(changed);
@@ -169,7 +171,7 @@ bool Viewer::panels(const Input& input) {
     bool changed = command && perform(*command);
     if (gallery_.is_open()) {
         const std::string chosen = gallery_.draw(below_menu, screen, recent_files(view_), patient(), escape);
-        if (!message_.empty()) draw_message(message_);
+        if (!message_.empty()) draw_message(message_, screen);
         return chosen.empty() ? changed : open_file(chosen) || changed;
     }
     if (picture_.texture == 0) draw_first_wait(view_.scene.name, progress_);
@@ -181,8 +183,14 @@ bool Viewer::panels(const Input& input) {
                            info_,         progress_,         painter_->in_background(),  measured_,
                            not_measured_, choice_,           accuracy_->facts(),         effect_times_};
     if (!settings_.hints_seen && !patient() && picture_.texture != 0) draw_hints();
-    if (view_.show_panels) changed |= editor_.draw(view_, below_menu, screen - status_height(), escape);
-    changed |= draw_panels(view_, facts, message_, escape);
+    if (view_.show_panels) {
+        changed |= editor_.draw(view_, below_menu, screen - status_height(), escape);
+        changed |= timeline_panel_.draw(view_, timeline_, film_, side_panel_right(), screen - status_height(), escape);
+        if (std::exchange(timeline_panel_.record_pressed, false)) record(), changed = true;
+    }
+    changed |= draw_panels(view_, facts, escape);
+    const float above = view_.show_panels ? status_height() + timeline_panel_.height() : 0.0f;
+    if (!message_.empty()) draw_message(message_, screen - above);
     return (left_ && offer_left_scene()) || changed;
 }
 
@@ -191,6 +199,7 @@ bool Viewer::move(const Input& input, double dt) {
     bool moved = controls_.apply(input, view_, dt, io.WantCaptureMouse, io.WantCaptureKeyboard || gallery_.is_open());
     moved |= view_.fall.step(view_.scene, dt);
     moved |= step_clock(view_, dt);
+    moved |= timeline_.step(view_.scene, dt);
     if (controls_.dragging()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     return moved;
 }
@@ -239,7 +248,9 @@ void Viewer::log_rest() {
     log_.rest(last_key_, accuracy_->at_work() || times_due);
 }
 
-bool Viewer::in_motion() const { return controls_.in_motion() || view_.fall.runs() || view_.clock_runs; }
+bool Viewer::in_motion() const {
+    return controls_.in_motion() || view_.fall.runs() || view_.clock_runs || timeline_.plays();
+}
 
 bool Viewer::settled() const {
     return picture_.texture != 0 && !picture_.coarse() && !picture_due_ && !painter_->busy();
@@ -253,6 +264,7 @@ double Viewer::wait_time() const {
     if (frames_due_ > 0) return busy ? std::clamp(drawn_at_ + kBusyWait - seconds(), 0.0, kBusyWait) : 0.0;
     if (ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().WantTextInput) return kCaretWait;
     if (busy) return kProgressWait;
+    if (timeline_.records() || film_.runs()) return kProgressWait;
     if (adapting()) return kAdaptingWait;
     double idle = std::min(kIdleWait, accuracy_->wait());
     if (view_.show_effects && !times_asked_)
@@ -302,6 +314,9 @@ bool Viewer::perform(Command command) {
         case Command::kResetCamera: return reset_camera(view_), true;
         case Command::kPanels: return toggle(view_.show_panels);
         case Command::kEditor: return toggle(view_.show_editor);
+        case Command::kTimeline: return toggle(view_.show_timeline);
+        case Command::kPlay: return timeline_.play(!timeline_.plays()), false;
+        case Command::kRecord: return record(), true;
         case Command::kErrors: return toggle(view_.show_errors);
         case Command::kProbe: return toggle(view_.show_probe);
         case Command::kFullScreen: return window_->toggle_full_screen(), false;
@@ -315,11 +330,9 @@ bool Viewer::perform(Command command) {
 
 bool Viewer::fit_to_window() {
     const PixelSize size = window_->framebuffer();
-    CameraSpec& camera = view_.scene.camera;
     const bool changed = size != size_;
     size_ = size;
-    camera.width = std::max(size.width, 1);
-    camera.height = std::max(size.height, 1);
+    set_size(view_.scene, std::max(size.width, 1), std::max(size.height, 1));
     return changed;
 }
 

@@ -17,6 +17,7 @@
 #include "viewer/picture_marks.h"
 #include "viewer/probe.h"
 #include "viewer/scene_editor.h"
+#include "viewer/timeline_panel.h"
 #include "viewer/user_files.h"
 
 namespace nullscope::viewer {
@@ -76,6 +77,9 @@ private:
     void save_scene();
     void copy_view();
     bool paste();
+    void record();  // or its end
+    void follow_path();
+    void follow_film();
     void keep_settings();
     bool offer_left_scene();  // true if it was taken
     void say(const std::string& message);
@@ -109,6 +113,11 @@ private:
     Gallery gallery_;
     SceneEditor editor_;
     Autosave autosave_;
+    Timeline timeline_;
+    TimelinePanel timeline_panel_;
+    FilmExport film_;
+    std::string timeline_source_;                // the scene that timeline_ knows
+    double sampled_at_ = 0.0;                    // s: of the record
     std::optional<std::filesystem::path> left_;  // scene of a viewer that did not end as it should
     Settings settings_, kept_settings_;          // as they are now, and in their file
     std::string saved_scene_;                    // file that Ctrl+S writes on, once it has made one

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <utility>
 
 #include "base/atomic_file.h"
 #include "scenefile/scene_writer.h"
@@ -12,6 +13,8 @@
 
 namespace nullscope::viewer {
 namespace {
+
+constexpr int kFilmFrames = 2;  // drawn anew when a film has got on
 
 // NAME.toml in the current folder, absolute; NAME-2, NAME-3 ... where that exists. Of the name its letters and digits.
 std::filesystem::path fresh_scene_path(const std::string& name) {
@@ -65,8 +68,8 @@ bool Viewer::open_file(const std::string& file_or_name) {
 void Viewer::save_scene() {
     const bool again = !saved_scene_.empty() && view_.source == saved_scene_;
     const std::filesystem::path path = again ? std::filesystem::path(saved_scene_) : fresh_scene_path(view_.scene.name);
-    Scene scene = view_.scene;
-    scene.camera.width = view_.loaded.camera.width, scene.camera.height = view_.loaded.camera.height;
+    Scene scene = timeline_.to_save(view_.scene);
+    set_size(scene, view_.loaded.camera.width, view_.loaded.camera.height);
     if (Status saved = write_text_atomically(path, scene_file_text(scene, path.parent_path())); !saved)
         return say(saved.error().message());
     saved_scene_ = view_.source = path.string();
@@ -90,6 +93,41 @@ bool Viewer::offer_left_scene() {
     }
     left_ = left_scene();
     return restored;
+}
+
+void Viewer::record() {
+    if (!timeline_.records()) {
+        timeline_.record(view_.scene);
+        sampled_at_ = seconds();
+        return say("Recording: fly, turn, fall; F9 ends it");
+    }
+    if (!timeline_.stop_record(view_.scene)) return say("Nothing was recorded: too short");
+    view_.fall.stop();
+    say("Recorded: a path of the scene now. Play it (L), draw a film of it, save it (Ctrl + S)");
+}
+
+// The scene's path may be new, and what moves may be recorded.
+void Viewer::follow_path() {
+    timeline_.follow(view_.scene, timeline_source_ != view_.source);
+    timeline_source_ = view_.source;
+    if (!timeline_.records()) return;
+    const double now = seconds();
+    if (!timeline_.sample(view_.scene, now - sampled_at_)) say("Another observer: the record begins anew here");
+    sampled_at_ = now;
+    frames_due_ = std::max(frames_due_, 1);  // the button shows the time
+}
+
+void Viewer::follow_film() {
+    if (!timeline_panel_.refusal.empty()) say(std::exchange(timeline_panel_.refusal, {}));
+    if (const auto wish = std::exchange(timeline_panel_.film_wish, std::nullopt)) {
+        Scene scene = timeline_.to_save(view_.scene);
+        set_size(scene, wish->width, wish->height);
+        if (Status started = film_.start(scene, std::filesystem::absolute(wish->output).string()); !started)
+            say(started.error().message());
+    }
+    if (!film_.poll()) return;
+    frames_due_ = kFilmFrames;
+    if (const std::string message = film_.take_message(); !message.empty()) say(message);
 }
 
 void Viewer::keep_settings() {

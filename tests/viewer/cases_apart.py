@@ -105,7 +105,7 @@ def test_menus_do_what_they_say(screen, program, folder):
         v.settle("key", "F1")
         small = v.picture(SIDE)
         v.click(*MENUS["View"])
-        v.click(MENUS["View"][0] + 20, MENU_ENTRY(5))
+        v.click(MENUS["View"][0] + 20, MENU_ENTRY(6))
         assert v.picture(SIDE).changed(small, CHANGED), "View, Larger text changes nothing"
         assert "text_scale = 1.25" in v.settings.read_text(), "the size of text is not kept"
         v.settle("key", "ctrl+minus")
@@ -163,6 +163,34 @@ def test_a_killed_viewer_leaves_its_scene(screen, program, folder):
             assert not list(left.glob("unsaved-*")), "an end in order leaves an unsaved scene"
         finally:
             again.kill()
+
+
+def test_a_flight_is_recorded_played_saved_and_filmed(screen, program, folder):
+    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}")
+    try:
+        v.start()
+        home = v.settle()
+        v.hands("key", "F9", "keydown", "d")
+        wait_until("it flies", lambda: v.picture().changed(home, CHANGED), HUNG_S)
+        time.sleep(0.6)
+        v.hands("keyup", "d", "key", "F9")
+        v.settle()
+        same(home.crop(0, 0, 500, 160), v.picture((320, 300, 820, 460)), "the first frame of the record, above the timeline")
+        v.hands("key", "l")
+        wait_until("it plays", lambda: v.picture().changed(home, CHANGED), HUNG_S)
+        v.settle("key", "l", "key", "ctrl+s")
+        saved = next(path for path in Path(v.folder).glob("*.toml") if path != v.scene)
+        path = tomllib.loads(saved.read_text())["path"]
+        assert len(path["key"]) >= 4, "the saved path has no keys"
+        frames = path.get("frames", int(path["key"][-1]["frame"]) + 1)
+        for place in FILM:
+            v.click(*place)
+        pictures = lambda: list(Path(v.folder).glob("*.png"))
+        wait_until("the film's frames are drawn", lambda: len(pictures()) == frames, HUNG_S)
+        picture = read_png(pictures()[0])
+        assert (picture.width, picture.height) == (1280, 720), f"frames of {picture.width}x{picture.height}"
+    finally:
+        v.kill()
 
 
 class Effects:
@@ -384,5 +412,6 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_several_rays_a_pixel_wait_for_rest,
          test_exposure_follows_like_an_eye, test_the_clock_runs_and_stops, test_screenshot, test_the_gallery_finds_and_opens,
          test_the_first_visit_has_hints_and_the_next_has_none, test_menus_do_what_they_say, test_a_killed_viewer_leaves_its_scene,
+         test_a_flight_is_recorded_played_saved_and_filmed,
          test_split_screens_have_a_line_and_labels, test_bad_input,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
