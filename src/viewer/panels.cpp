@@ -80,6 +80,7 @@ bool side_panel(ViewState& view, const FrameFacts& facts, bool escape) {
         view.show_effects = part("Effects", kShut, [&] { return effects_section(view, facts); });
         part("Free fall", kShut, [&] { return fall_section(view); });
         part("Clock", kShut, [&] { return clock_section(view); });
+        part("Numbers", kShut, [&] { return numbers_section(view); });
     }
     ImGui::End();
     return changed;

@@ -22,6 +22,7 @@ bool lens_section(ViewState& view);
 bool disc_section(ViewState& view);
 bool sky_section(ViewState& view, bool escape);
 bool light_section(ViewState& view, bool escape);
+bool numbers_section(ViewState& view);  // shows, and changes nothing
 bool spacetime_section(ViewState& view, bool escape);
 // The metric and its parameters; id: of the list of metrics.
 bool spacetime_rows(SpacetimeSpec& spec, const char* label, const char* id, bool escape);

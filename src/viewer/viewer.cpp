@@ -97,6 +97,7 @@ Status Viewer::run() {
     if (size_.width > 0 && !window_->is_full_screen()) settings_.width = size_.width, settings_.height = size_.height;
     keep_settings();
     if (!patient()) autosave_.end(view_.scene, view_.loaded);
+    film_.cancel();
     if (painter_->at_work()) end_process();
     return Done{};
 }

@@ -1,0 +1,63 @@
+#include "observer/landmarks.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "spacetime/circular_orbit.h"
+#include "spacetime/spherical_metric.h"
+
+namespace nullscope {
+namespace {
+
+// alpha^2 = -1/g^tt, which is regular in an ergosphere.
+std::optional<double> lapse_at(const Spacetime& spacetime, double r, double theta) {
+    if (spacetime.planar_rays()) {
+        const double squared = spacetime.lapse_squared(r);
+        return squared > 0.0 ? std::optional(std::sqrt(squared)) : std::nullopt;
+    }
+    if (r <= spacetime.horizon_radius().value_or(0.0)) return std::nullopt;
+    const double inverse = spacetime.inverse_metric(r, theta)[0][0];
+    return inverse < 0.0 ? std::optional(1.0 / std::sqrt(-inverse)) : std::nullopt;
+}
+
+std::optional<double> shadow_at(const Spacetime& spacetime, double r) {
+    const auto sphere = spacetime.photon_sphere();
+    if (!spacetime.planar_rays() || !sphere || !(spacetime.lapse_squared(r) > 0.0)) return std::nullopt;
+    const double sine = std::sqrt(spacetime.lapse_squared(r)) / spacetime.areal_radius(r) / sphere->q_crit;
+    const double angle = std::asin(std::fmin(std::fabs(sine), 1.0));
+    return r >= sphere->radius ? angle : std::numbers::pi - angle;
+}
+
+}  // namespace
+
+Landmarks landmarks_of(const Spacetime& spacetime) {
+    Landmarks found;
+    found.horizon = spacetime.horizon_radius();
+    if (const auto sphere = spacetime.photon_sphere())
+        found.photon_orbit = sphere->radius, found.critical_impact = 1.0 / sphere->q_crit;
+    else if (spacetime.axial() != nullptr && found.horizon)
+        found.photon_orbit = light_orbit(spacetime);
+    if (spacetime.can_have_disc() && !spacetime.by_proper_length()) found.isco = innermost_stable_orbit(spacetime);
+    return found;
+}
+
+CameraNumbers camera_numbers(const Spacetime& spacetime, const CameraSpec& camera) {
+    CameraNumbers found;
+    found.lapse = lapse_at(spacetime, camera.r, camera.theta);
+    found.shadow = shadow_at(spacetime, camera.r);
+    const auto orbit = circular_orbit(spacetime, camera.r);
+    if (orbit && found.lapse && orbit->omega != 0.0) {
+        const double slowness = 1.0 / (*found.lapse * orbit->u_t);  // 1/gamma by observers without angular momentum
+        found.orbit_period = 2.0 * std::numbers::pi / std::fabs(orbit->omega);
+        if (spacetime.planar_rays()) found.orbit_speed = std::sqrt((1.0 - slowness) * (1.0 + slowness));
+    }
+    const double speed = length(camera.velocity), slow = std::sqrt((1.0 - speed) * (1.0 + speed));
+    const bool local =
+        camera.observer == ObserverKind::kZamo || (camera.observer == ObserverKind::kStatic && spacetime.planar_rays());
+    if (local && found.lapse) found.clock_rate = *found.lapse * slow;
+    if (camera.observer == ObserverKind::kOrbit && speed == 0.0 && orbit && spacetime.planar_rays())
+        found.clock_rate = 1.0 / orbit->u_t;
+    return found;
+}
+
+}  // namespace nullscope
