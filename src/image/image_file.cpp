@@ -59,6 +59,20 @@ float srgb_from_linear(float linear) {
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
 }
 
+std::vector<unsigned char> rgba8_of(const Image<float>& image) {
+    std::vector<unsigned char> rgba;
+    rgba.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const float* pixel = image.at(x, y);
+            for (int c = 0; c < 3; ++c)
+                rgba.push_back(static_cast<unsigned char>(255.0f * srgb_from_linear(pixel[c]) + 0.5f));
+            const float alpha = image.channels > 3 ? std::clamp(pixel[3], 0.0f, 1.0f) : 1.0f;
+            rgba.push_back(static_cast<unsigned char>(255.0f * alpha + 0.5f));
+        }
+    return rgba;
+}
+
 float linear_from_srgb(float encoded) {
     if (!(encoded > 0.0f)) return 0.0f;
     if (encoded >= 1.0f) return 1.0f;

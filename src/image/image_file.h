@@ -48,5 +48,7 @@ Result<ChannelImage> decode_exr(std::string_view bytes, const std::string& name,
 // Display encoding of one linear component (IEC 61966-2-1), clamped to [0, 1].
 float srgb_from_linear(float linear);
 float linear_from_srgb(float encoded);
+// Of an image of 3 or 4 channels: RGBA of 8 bits, top row first.
+std::vector<unsigned char> rgba8_of(const Image<float>& image);
 
 }  // namespace nullscope

@@ -27,15 +27,7 @@ std::string lower(std::string text) {
 }
 
 gl::Texture texture_of(const Image<float>& image) {
-    std::vector<unsigned char> rgba;
-    rgba.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            for (int c = 0; c < 3; ++c)
-                rgba.push_back(static_cast<unsigned char>(255.0f * srgb_from_linear(image.at(x, y)[c]) + 0.5f));
-            rgba.push_back(255);
-        }
-    gl::Texture texture = gl::make_rgba8_texture(image.width, image.height, rgba.data());
+    gl::Texture texture = gl::make_rgba8_texture(image.width, image.height, rgba8_of(image).data());
     gl::set_linear(texture);
     return texture;
 }

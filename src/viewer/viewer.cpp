@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/assets.h"
+#include "image/image_file.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -68,6 +69,9 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     const PixelSize size = options.size.value_or(usual);
     TRY(window, Window::open(size, !options.size, options.hidden, viewer->view_.scene.name + kTitle));
     viewer->window_ = std::move(*window);
+    constexpr long long kMostIcon = 1 << 20;
+    if (const auto icon = load_image(assets_directory() / "icon.png", kMostIcon))
+        viewer->window_->set_icon(icon->width, icon->height, rgba8_of(*icon).data());
     viewer->info_ = gl::info();
     viewer->painter_ = std::make_unique<Painter>(*viewer->window_, !options.one_context, [] { glfwPostEmptyEvent(); });
     viewer->accuracy_ = std::make_unique<FrameAccuracy>();

@@ -201,6 +201,12 @@ void Window::toggle_full_screen() {
     glfwSetWindowMonitor(handle_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
+void Window::set_icon(int width, int height, const unsigned char* rgba) {
+    std::vector<unsigned char> pixels(rgba, rgba + static_cast<std::ptrdiff_t>(width) * height * 4);
+    const GLFWimage icon{width, height, pixels.data()};
+    glfwSetWindowIcon(handle_, 1, &icon);
+}
+
 SharedContext Window::share() {
     ask_for_core_context();
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);

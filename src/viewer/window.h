@@ -71,7 +71,8 @@ public:
     void toggle_full_screen();
     bool is_full_screen() const;
     void set_title(const std::string& title);
-    SharedContext share();  // nullptr where the driver has no second context
+    void set_icon(int width, int height, const unsigned char* rgba);  // top row first
+    SharedContext share();                                            // nullptr where the driver has no second context
     GLFWwindow* handle() const { return handle_; }
 
 private:
