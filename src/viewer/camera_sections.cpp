@@ -57,12 +57,12 @@ bool preset_buttons(ViewState& view, const Spacetime& spacetime) {
     const double r = view.scene.camera.r, fall = free_fall_speed(spacetime, r);
     const auto orbit = circular_orbit_speed(spacetime, r);
     const bool falls = button_of_three(
-        0, "Fall in",
+        0, "Inward",
         fmt::format("Towards the hole, at the speed of a fall from rest at infinity: {:.4f} c here.", fall));
     const bool orbits =
-        button_of_three(1, "Orbit",
-                        orbit ? fmt::format("Eastward, at the speed of the circular orbit: {:.4f} c here.", *orbit)
-                              : "Eastward. There is no circular orbit at this radius.");
+        button_of_three(1, "Eastward",
+                        orbit ? fmt::format("At the speed of the circular orbit: {:.4f} c here.", *orbit)
+                              : "There is no circular orbit at this radius: the speed stays.");
     const bool rests = button_of_three(2, "Rest", "At rest in the static frame.");
     if (falls) preset(view, {-1, 0, 0}, fall);
     if (orbits) preset(view, {0, 0, 1}, orbit.value_or(0.0));

@@ -41,6 +41,7 @@ void colour(ImGuiStyle& style) {
     c[ImGuiCol_PopupBg] = {panel.x, panel.y, panel.z, 0.97f};
     c[ImGuiCol_Border] = c[ImGuiCol_Separator] = faint;
     c[ImGuiCol_FrameBg] = c[ImGuiCol_Button] = field;
+    c[ImGuiCol_Border] = {1.00f, 1.00f, 1.00f, 0.16f};  // of boxes over a bright disc too
     c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = c[ImGuiCol_HeaderHovered] = over;
     c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = c[ImGuiCol_HeaderActive] = held;
     c[ImGuiCol_Header] = {0.13f, 0.145f, 0.18f, 0.60f};
@@ -66,7 +67,7 @@ void apply_theme(double content_scale, double pixel_ratio) {
     style.FramePadding = {6.0f, 3.0f};
     style.ItemSpacing = {7.0f, 4.0f};
     style.ItemInnerSpacing = {5.0f, 4.0f};
-    style.WindowBorderSize = style.PopupBorderSize = 1.0f;
+    style.WindowBorderSize = style.PopupBorderSize = style.FrameBorderSize = 1.0f;
     colour(style);
     style.ScaleAllSizes(static_cast<float>(content_scale / pixel_ratio));
     ImGui::GetStyle() = style;

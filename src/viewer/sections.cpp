@@ -15,6 +15,18 @@ namespace {
 
 constexpr double kLeastBrightness = 0.01, kMostBrightness = 100.0;
 
+// Whether g changes what anything here looks like.
+bool spectra_matter(Scene scene) {
+    scene.light.shift = scene.light.beaming = scene.light.doppler = scene.light.gravity = true;
+    const EffectSet effects = effect_set(required_effects(scene));
+    return effects.contains(Effect::kShift) || effects.contains(Effect::kBeaming) ||
+           effects.contains(Effect::kSkyShift) || effects.contains(Effect::kSpot);
+}
+
+bool moves(const CameraSpec& camera) {
+    return length(camera.velocity) > 0.0 || camera.observer != ObserverKind::kStatic;
+}
+
 }  // namespace
 
 bool spacetime_rows(SpacetimeSpec& spec, const char* label, const char* id, bool escape) {
@@ -139,18 +151,25 @@ bool light_section(ViewState& view, bool escape) {
     PictureSpec& picture = view.scene.picture;
     bool changed = tick("Lensing", light.lensing,
                         "Light follows the geodesics of the metric. Off: it travels straight, and all else stays.");
-    changed |= tick("Shift", light.shift,
-                    "Doppler and gravitational shift change the colour of thermal emission: a thermal disc, hot "
-                    "spots, point stars.");
-    changed |=
-        tick("Beaming", light.beaming, "Doppler and gravitational shift change the brightness of thermal emission.");
-    changed |=
-        tick("Doppler", light.doppler, "Frequencies have the Doppler part of g: the motion of matter and camera.");
-    changed |= tick("Gravity", light.gravity, "Frequencies have the gravitational part of g.");
-    changed |=
-        tick("Aberration", light.aberration, "The camera's motion changes the directions from which light arrives.");
-    changed |= tick("All wavelengths", light.bolometric,
-                    "Brightness is power at all wavelengths (bolometric) instead of visible light.");
+    const bool heat = spectra_matter(view.scene);
+    constexpr const char* kNoHeat =
+        "Nothing here: no light in this scene has a spectrum that is known where it leaves (disc.emission = thermal, "
+        "hot spots, "
+        "point stars, or a sky with a temperature).";
+    changed |= tick_if(heat, "Shift", light.shift,
+                       "Doppler and gravitational shift change the colour of thermal emission: a thermal disc, hot "
+                       "spots, point stars.",
+                       kNoHeat);
+    changed |= tick_if(heat, "Beaming", light.beaming,
+                       "Doppler and gravitational shift change the brightness of thermal emission.", kNoHeat);
+    changed |= tick_if(heat, "Doppler", light.doppler,
+                       "Frequencies have the Doppler part of g: the motion of matter and camera.", kNoHeat);
+    changed |= tick_if(heat, "Gravity", light.gravity, "Frequencies have the gravitational part of g.", kNoHeat);
+    changed |= tick_if(moves(view.scene.camera), "Aberration", light.aberration,
+                       "The camera's motion changes the directions from which light arrives.",
+                       "Nothing here: the camera is at rest.");
+    changed |= tick_if(heat, "Bolometric", light.bolometric,
+                       "Brightness is power at all wavelengths (bolometric) instead of visible light.", kNoHeat);
     constexpr std::array kTones = {"shoulder", "film", "neutral"};
     row("Tone", "Tone curve: how bright light is compressed.");
     choice("##tone", kTones[static_cast<std::size_t>(picture.tone)], escape, [&] {
@@ -162,7 +181,7 @@ bool light_section(ViewState& view, bool escape) {
     constexpr double kMostBloom = 0.5;
     changed |= slide("Bloom", picture.bloom, 0.0, kMostBloom, "%.2f",
                      "Fraction of the light that lens and eye scatter into a halo.");
-    changed |= tick("Auto exposure", picture.auto_exposure, "Exposure adapts to the picture's mean luminance.");
+    changed |= tick("Adapt", picture.auto_exposure, "Exposure adapts to the picture's mean luminance.");
     changed |=
         tick("Dither", picture.dither, "Adds noise of half an 8-bit step, so that dark gradients show no bands.");
     constexpr std::array kSamples = {"1", "2 x 2", "3 x 3", "4 x 4"};

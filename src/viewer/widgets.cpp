@@ -65,12 +65,14 @@ void text_row(const char* name, const std::string& help) {
 }
 
 void tooltip(const std::string& text) {
-    if (text.empty() || !ImGui::IsItemHovered()) return;
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0f);  // of what is grey, too
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(22.0f * ImGui::GetFontSize());
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+    ImGui::PopStyleVar();
 }
 
 void paragraph(const std::string& text, bool refusal) {
@@ -149,6 +151,13 @@ bool input_text(const char* id, const char* hint, std::string& text) {
 bool tick(const char* name, bool& value, const char* help) {
     row(name, help);
     return ImGui::Checkbox(hidden_id(name).c_str(), &value);
+}
+
+bool tick_if(bool meant, const char* name, bool& value, const char* help, const char* why_not) {
+    ImGui::BeginDisabled(!meant);
+    const bool changed = tick(name, value, meant ? help : why_not);
+    ImGui::EndDisabled();
+    return changed;
 }
 
 bool button_of_three(int place, const char* name, const std::string& help) {

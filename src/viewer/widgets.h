@@ -35,6 +35,9 @@ bool input_text(const char* id, const char* hint, std::string& text);
 
 bool tick(const char* name, bool& value, const char* help = "");  // a box to tick
 
+// The same where it means something; else grey, and the name says why.
+bool tick_if(bool meant, const char* name, bool& value, const char* help, const char* why_not);
+
 // One of three buttons side by side, `place` 0, 1 or 2 from the left.
 bool button_of_three(int place, const char* name, const std::string& help);
 
