@@ -75,6 +75,15 @@ Result<Scene> with_value(const Scene& scene, const SectionRef& at, const SceneKe
     return checked(edited);
 }
 
+Result<Scene> savable(const Scene& scene) {
+    auto good = checked(scene);
+    if (good || scene.picture.scale_bar == ScaleBar::kOff) return good;
+    Scene without = scene;
+    without.picture.scale_bar = ScaleBar::kOff;
+    auto second = checked(without);
+    return second ? second : good;
+}
+
 std::vector<std::string> optional_sections() {
     std::vector<std::string> sections = {"disc", "spot", "split", "path"};
     for (const BodyKind* kind : body_kinds()) sections.emplace_back(kind->key);

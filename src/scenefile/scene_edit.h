@@ -27,6 +27,9 @@ Scene section_defaults(const Scene& holder, std::string_view section);
 // The scene with another value of a key. Errors: as a scene file's, without file and line. Cost: 0.5 ms, more where bodies move.
 Result<Scene> with_value(const Scene& scene, const SectionRef& at, const SceneKey& key, const KeyValue& value);
 
+// The scene as a file can hold it: checked, and where a camera that was moved rules out the scale bar, without one. Errors: as above.
+Result<Scene> savable(const Scene& scene);
+
 // Sections that can be there or not: split, disc, path, and of several: spot and the kinds of bodies. Errors: as above.
 std::vector<std::string> optional_sections();
 bool is_of_several(std::string_view section);

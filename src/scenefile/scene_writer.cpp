@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -91,7 +92,13 @@ public:
             line.replace(at, 1, at + 1 == line.size() ? "" : ", ");
         return line.empty() ? "camera = {}" : fmt::format("camera = {{ {} }}", line);
     }
-    Writer(const Scene& scene, fs::path base) : scene_(scene), base_(std::move(base)) {}
+    Writer(const Scene& scene, fs::path base) : scene_(scene), base_(std::move(base)) {
+        const auto has_fov = [](const CameraSpec& camera) {
+            return camera.focal_distance == 1.0 && field_of_view(camera.plane_width).has_value();
+        };
+        by_fov_ =
+            has_fov(scene.camera) && (!scene.path || std::ranges::all_of(scene.path->keys, has_fov, &PathKey::camera));
+    }
     std::string text() {
         for_each_section(scene_, [this](std::string_view section, const std::string&, const Scene& holder) {
             add_section(section, holder);
@@ -108,7 +115,7 @@ private:
         bool by_angle = false;
         for (const SceneKey& key : scene_keys()) {
             if (key.section != section || (key.meant != nullptr && !key.meant(holder))) continue;
-            if (camera && key.key == "fov" && holder.camera.focal_distance == 1.0 &&
+            if (camera && key.key == "fov" && by_fov_ && holder.camera.focal_distance == 1.0 &&
                 (holder.camera.plane_width != before.camera.plane_width || before.camera.focal_distance != 1.0))
                 if (const auto fov = field_of_view(holder.camera.plane_width)) {
                     lines += fmt::format("fov = {}\n", *fov), by_angle = true;
@@ -181,6 +188,7 @@ private:
 
     const Scene& scene_;
     fs::path base_;
+    bool by_fov_ = true;  // else by plane_width and focal_distance, throughout: a file may not have both
     std::string text_;
 };
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "scenefile/scene_edit.h"
 #include "scenefile/scene_writer.h"
 #include "viewer/user_files.h"
 #include "viewer/view_state.h"
@@ -59,6 +60,8 @@ Status Autosave::write(const Scene& scene, const Scene& loaded) {
     if (file.empty()) return Done{};
     std::string text = text_of(scene);
     if (text == text_of(loaded)) text.clear();
+    if (!text.empty() && text != text_)
+        if (const auto good = savable(scene)) text = text_of(*good);
     if (text == text_) return Done{};
     std::error_code error;
     if (text.empty())

@@ -60,12 +60,15 @@ std::string Gallery::draw(float top, float bottom, const std::vector<std::string
         if (ImGui::BeginChild("##cards"))
             for (const SceneGroup& group : groups_)
                 if (std::string card = draw_cards(group, all); !card.empty()) chosen = std::move(card);
+        if (!std::ranges::any_of(groups_, [this](const SceneGroup& group) {
+                return std::ranges::any_of(group.scenes, [this](const SceneInfo& scene) { return matches(scene); });
+            }))
+            ImGui::TextDisabled("Nothing found.");
         ImGui::EndChild();
     }
     ImGui::End();
     ImGui::PopStyleVar(2);
     opened_now_ = false;
-    if (!chosen.empty()) close();
     return chosen;
 }
 

@@ -20,22 +20,35 @@ std::string text_of(const Scene& scene) {
     return text;
 }
 
-// Of two scenes: the keys whose values differ, or that only one of them has; of many the first ones.
-std::string changed_keys(const Scene& a, const Scene& b) {
+// "ball[2].radius": "ball[2]".
+std::string section_of(const std::string& name) { return name.substr(0, name.find('.')); }
+
+// Of two scenes: sections that come or go, and the keys whose values differ; of many the first ones.
+std::string changes_between(const Scene& a, const Scene& b) {
     constexpr std::size_t kMostNamed = 3;
-    std::map<std::string, std::string> before;
-    std::vector<std::string> names;
+    std::map<std::string, std::string> before, after;
     for (const SceneLine& line : scene_lines(a))
         if (!is_size(line)) before[line.name] = line.value;
-    for (const SceneLine& line : scene_lines(b)) {
-        if (is_size(line)) continue;
-        const auto found = before.find(line.name);
-        if (found == before.end() || found->second != line.value) names.push_back(line.name);
-        if (found != before.end()) before.erase(found);
+    for (const SceneLine& line : scene_lines(b))
+        if (!is_size(line)) after[line.name] = line.value;
+    std::vector<std::string> names;
+    const auto has_section = [](const auto& lines, const std::string& section) {
+        const auto found = lines.lower_bound(section);
+        return found != lines.end() && section_of(found->first) == section;
+    };
+    const auto name = [&](const std::string& key, const auto& other, const char* verb) {
+        const std::string section = section_of(key);
+        std::string words = key.find('.') != std::string::npos && !has_section(other, section) ? section + verb : key;
+        if (std::ranges::find(names, words) == names.end()) names.push_back(std::move(words));
+    };
+    for (const auto& [key, value] : after) {
+        const auto found = before.find(key);
+        if (found == before.end() || found->second != value) name(key, before, " added");
     }
-    for (const auto& [name, value] : before) names.push_back(name);
+    for (const auto& [key, value] : before)
+        if (!after.contains(key)) name(key, after, " removed");
     if (names.size() <= kMostNamed) return fmt::format("{}", fmt::join(names, ", "));
-    return fmt::format("{} and {} more keys", fmt::join(names.begin(), names.begin() + kMostNamed, ", "),
+    return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + kMostNamed, ", "),
                        names.size() - kMostNamed);
 }
 
@@ -61,7 +74,9 @@ bool History::redo(ViewState& view, std::string& what) {
 
 bool History::go_to(std::size_t step, ViewState& view, std::string& what) {
     const Step& to = steps_[step];
-    what = to.source != view.source ? "another scene" : changed_keys(view.scene, to.scene);
+    what = to.source != view.source ? "another scene"
+           : step < at_             ? changes_between(to.scene, view.scene)
+                                    : changes_between(view.scene, to.scene);
     at_ = step;
     const CameraSpec now = view.scene.camera;
     view.source = to.source, view.loaded = to.loaded, view.scene = to.scene;

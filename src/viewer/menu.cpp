@@ -26,27 +26,34 @@ constexpr std::array kEntries = {
     Entry{Command::kSave, "File", "Save scene", "Ctrl+S", GLFW_KEY_S, true, false, nullptr},
     Entry{Command::kSavePicture, "File", "Save picture", "F12", GLFW_KEY_F12, false, false, nullptr},
     Entry{Command::kReload, "File", "Reload", "F5", GLFW_KEY_F5, false, false, nullptr},
-    Entry{Command::kQuit, "File", "Quit", "Esc", GLFW_KEY_ESCAPE, false, false, nullptr},
+    Entry{Command::kQuit, "File", "Quit", "Ctrl+Q", GLFW_KEY_Q, true, false, nullptr},
     Entry{Command::kUndo, "Edit", "Undo", "Ctrl+Z", GLFW_KEY_Z, true, false, nullptr},
     Entry{Command::kRedo, "Edit", "Redo", "Ctrl+Shift+Z", GLFW_KEY_Z, true, true, nullptr},
     Entry{Command::kCopyView, "Edit", "Copy view", "Ctrl+C", GLFW_KEY_C, true, false, nullptr},
     Entry{Command::kPasteView, "Edit", "Paste view", "Ctrl+V", GLFW_KEY_V, true, false, nullptr},
     Entry{Command::kResetCamera, "Edit", "Reset camera", "R", GLFW_KEY_R, false, false, nullptr},
     Entry{Command::kPanels, "View", "Panels", "Tab", GLFW_KEY_TAB, false, false, &ViewState::show_panels},
-    Entry{Command::kEditor, "View", "All keys of the scene", "Ctrl+E", GLFW_KEY_E, true, false,
-          &ViewState::show_editor},
+    Entry{Command::kEditor, "View", "Scene editor", "Ctrl+E", GLFW_KEY_E, true, false, &ViewState::show_editor},
     Entry{Command::kTimeline, "View", "Timeline", "Ctrl+T", GLFW_KEY_T, true, false, &ViewState::show_timeline},
     Entry{Command::kErrors, "View", "Errors of pixels", "H", GLFW_KEY_H, false, false, &ViewState::show_errors},
     Entry{Command::kProbe, "View", "Ray of a pixel", "P", GLFW_KEY_P, false, false, &ViewState::show_probe},
     Entry{Command::kFullScreen, "View", "Full screen", "F11", GLFW_KEY_F11, false, false, nullptr},
     Entry{Command::kLargerText, "View", "Larger text", "Ctrl++", GLFW_KEY_EQUAL, true, false, nullptr},
     Entry{Command::kSmallerText, "View", "Smaller text", "Ctrl+-", GLFW_KEY_MINUS, true, false, nullptr},
+    Entry{Command::kAddPlanet, "Add", "Planet (ball)", "", 0, false, false, nullptr},
+    Entry{Command::kAddDisc, "Add", "Disc", "", 0, false, false, nullptr},
+    Entry{Command::kAddSpot, "Add", "Hot spot in the disc", "", 0, false, false, nullptr},
+    Entry{Command::kAddRing, "Add", "Ring (cylinder)", "", 0, false, false, nullptr},
+    Entry{Command::kAddSurface, "Add", "Surface by formula", "", 0, false, false, nullptr},
+    Entry{Command::kAddShell, "Add", "Shell about the hole (sphere)", "", 0, false, false, nullptr},
+    Entry{Command::kAddSplit, "Add", "Split screen", "", 0, false, false, nullptr},
+    Entry{Command::kFall, "Path", "Fall freely", "F", GLFW_KEY_F, false, false, nullptr},
     Entry{Command::kPlay, "Path", "Play, pause", "L", GLFW_KEY_L, false, false, nullptr},
     Entry{Command::kRecord, "Path", "Record, stop", "F9", GLFW_KEY_F9, false, false, nullptr},
     Entry{Command::kKeys, "Help", "Keys", "F1", GLFW_KEY_F1, false, false, &ViewState::show_keys},
     Entry{Command::kAbout, "Help", "About", "", 0, false, false, &ViewState::show_about},
 };
-constexpr std::array<std::string_view, 5> kMenus = {"File", "Edit", "View", "Path", "Help"};
+constexpr std::array<std::string_view, 6> kMenus = {"File", "Edit", "View", "Add", "Path", "Help"};
 
 // Keys that mean the same as one of the list.
 KeyPress usual(KeyPress press) {

@@ -39,12 +39,15 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"F12", "save the picture without panels"},
     {"Ctrl + S", "save the scene as a file"},
     {"Ctrl + Z Y", "undo, redo"},
-    {"Ctrl + E", "edit every key of the scene"},
+    {"Ctrl + E", "scene editor: everything in it"},
     {"F9", "record the flight, stop"},
-    {"L", "play the path, pause"},
+    {"L, Ctrl + T", "play the path; timeline"},
+    {"F5", "read the scene again"},
+    {"Ctrl + +, -", "larger, smaller text"},
     {"Ctrl + C V", "copy, paste the view as a line of text"},
     {"Ctrl + O", "gallery; a file can be dropped, too"},
-    {"Escape", "quit"},
+    {"F", "fall freely, pause"},
+    {"Escape", "close what is open, then quit"},
 };
 
 float em() { return ImGui::GetFontSize(); }

@@ -14,6 +14,7 @@
 #include "base/text.h"
 #include "plan/body_kind.h"
 #include "scenefile/scene_keys.h"
+#include "viewer/additions.h"
 #include "viewer/sections.h"
 #include "viewer/widgets.h"
 
@@ -204,7 +205,7 @@ bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
                 const bool there = (section == "disc" && view.scene.disc) || (section == "split" && view.scene.split) ||
                                    (section == "path" && view.scene.path);
                 if (!there && choice_item(section, false, help_of_section(section)))
-                    changed |= take(view, with_section(view.scene, section));
+                    changed |= take(view, with_addition(view.scene, section));
             }
         });
         if (!fault_.empty()) paragraph(fault_, true);
@@ -234,6 +235,12 @@ bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, bool escap
     const std::string name = at.label.empty() ? "Scene" : at.label;
     const ImGuiTreeNodeFlags open = words_.empty() ? ImGuiTreeNodeFlags_None : ImGuiTreeNodeFlags_DefaultOpen;
     ImGui::PushID(words_.empty() ? "all" : "found");  // which sections are open without a search stays as it was
+    const bool revealed = !reveal_.empty() && reveal_ == at.label;
+    if (revealed) {
+        ImGui::SetNextItemOpen(true);
+        ImGui::SetScrollHereY(0.0f);
+        reveal_.clear();
+    }
     const bool is_open = ImGui::CollapsingHeader(name.c_str(), open);
     bool changed = false;
     if (is_open) {
@@ -242,7 +249,7 @@ bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, bool escap
         if (removable && ImGui::SmallButton("Remove")) changed |= take(view, without_section(view.scene, at));
         if (is_of_several(at.section) && !changed) {
             ImGui::SameLine();
-            if (ImGui::SmallButton("Copy")) changed |= take(view, with_copy(view.scene, at));
+            if (ImGui::SmallButton("Duplicate")) changed |= take(view, with_copy(view.scene, at));
         }
         if (metric && !changed && words_.empty()) {
             Scene edited = view.scene;

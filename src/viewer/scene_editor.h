@@ -14,6 +14,9 @@ public:
     // scene changed; what cannot be is said in the window, and changes nothing. escape: the key was pressed, and shuts an open list.
     bool draw(ViewState& view, float top, float bottom, bool escape);
 
+    // Opens this section, and scrolls to it.
+    void reveal(const std::string& label) { reveal_ = label, words_.clear(); }
+
 private:
     bool draw_section(ViewState& view, const SectionRef& at, bool escape);
     bool draw_key(ViewState& view, const SectionRef& at, const Scene& holder, const Scene& defaults,
@@ -21,7 +24,7 @@ private:
     bool take(ViewState& view, Result<Scene> edited);
     bool matches(const SceneKey& key) const;
 
-    std::string words_, fault_;
+    std::string words_, fault_, reveal_;
 };
 
 }  // namespace nullscope::viewer

@@ -50,6 +50,15 @@ void rate_row(double& rate, double least, const char* help) {
 
 }  // namespace
 
+Status release(ViewState& view) {
+    constexpr double kWholeFall_s = 20.0, kLongFall = 1e4;
+    TRY(gone, view.fall.let_go(view.scene));
+    const double whole = view.fall.line().last();
+    if (view.fall.rate == Fall().rate && whole < kLongFall) view.fall.rate = std::max(whole / kWholeFall_s, 0.01);
+    view.clock_runs = false;
+    return Done{};
+}
+
 bool fall_section(ViewState& view) {
     Fall& fall = view.fall;
     const auto spacetime = spacetime_of(view.scene);
@@ -63,7 +72,7 @@ bool fall_section(ViewState& view) {
                         "gyroscopes (parallel transport).")) {
         if (fall.active() && fall.tau() < fall.line().last())
             fall.run(!fall.runs());
-        else if (const Status gone = fall.let_go(view.scene); !gone)
+        else if (const Status gone = release(view); !gone)
             view.error = gone.error().message();
     }
     if (button_of_three(1, "Hover", "At rest here, outside the horizon; in an ergosphere with zero angular momentum."))
@@ -81,6 +90,7 @@ bool fall_section(ViewState& view) {
         fall.seek(view.scene, tau);
         changed = true;
     }
+    if (tau >= fall.line().last()) paragraph("The fall has ended. Drag the proper time to go back, or press R.");
     if (const std::string text = events(fall.line()); !text.empty()) paragraph(text);
     return changed;
 }

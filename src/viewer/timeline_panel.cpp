@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <utility>
 
 #include "viewer/widgets.h"
 
@@ -15,8 +17,9 @@ struct FilmSize {
     const char* words;
     int width, height;  // 0: the window's
 };
-constexpr std::array kSizes = {FilmSize{"the window's", 0, 0}, FilmSize{"1280 x 720", 1280, 720},
-                               FilmSize{"1920 x 1080", 1920, 1080}, FilmSize{"3840 x 2160", 3840, 2160}};
+constexpr std::array kSizes = {FilmSize{"the window's", 0, 0}, FilmSize{"640 x 360", 640, 360},
+                               FilmSize{"1280 x 720", 1280, 720}, FilmSize{"1920 x 1080", 1920, 1080},
+                               FilmSize{"3840 x 2160", 3840, 2160}};
 constexpr double kSlowest = 0.1, kFastest = 10.0;
 
 float em() { return ImGui::GetFontSize(); }
@@ -25,7 +28,7 @@ float em() { return ImGui::GetFontSize(); }
 
 bool TimelinePanel::draw(ViewState& view, Timeline& timeline, FilmExport& film, float left, float bottom, bool escape) {
     height_ = 0.0f;
-    if (!timeline.has_path() && !timeline.records() && !view.show_timeline && !film.runs()) return false;
+    if (!view.show_timeline && !timeline.records() && !film.runs()) return false;
     const float margin = 0.6f * em(), screen = ImGui::GetIO().DisplaySize.x;
     if (screen - left < 20.0f * em()) left = margin;
     ImGui::SetNextWindowPos({left, bottom - margin}, ImGuiCond_Always, {0.0f, 1.0f});
@@ -107,7 +110,10 @@ void TimelinePanel::draw_film(const ViewState& view, FilmExport& film, bool esca
     if (film.runs()) {
         ImGui::ProgressBar(static_cast<float>(film.share()), {-6.0f * em(), 0.0f});
         ImGui::SameLine();
-        if (ImGui::Button("Cancel")) film.cancel();
+        if (ImGui::Button("Cancel")) {
+            film.cancel();
+            refusal = "Film cancelled; frames that were drawn stay, and the same film goes on from there";
+        }
     }
     if (!ImGui::BeginPopup("##film")) return;
     if (escape) ImGui::CloseCurrentPopup();
@@ -121,6 +127,8 @@ void TimelinePanel::draw_film(const ViewState& view, FilmExport& film, bool esca
             if (choice_item(kSizes[i].words, static_cast<int>(i) == size_)) size_ = static_cast<int>(i);
     });
     ImGui::Checkbox("Frames (.png), not a film (.mp4)", &frames_);
+    paragraph(fmt::format("{} frames, into {}", view.scene.path ? view.scene.path->frames : 0,
+                          std::filesystem::absolute(name_).parent_path().string()));
     if (ImGui::Button("Draw") && !name_.empty()) {
         const FilmSize& size = kSizes[static_cast<std::size_t>(size_)];
         film_wish =

@@ -11,8 +11,8 @@ namespace nullscope::viewer {
 
 class TimelinePanel {
 public:
-    // Between NewFrame and Render, from `left` to the window's right edge, above `bottom`; nothing where there is no path, no record and
-    // view.show_timeline is false. True when the scene changed. What the user asks for beyond that is in the members below until it is taken.
+    // Between NewFrame and Render, from `left` to the window's right edge, above `bottom`; nothing where view.show_timeline is
+    // false, unless something is recorded or filmed. True when the scene changed. What the user asks for beyond that is in the members below until it is taken.
     bool draw(ViewState& view, Timeline& timeline, FilmExport& film, float left, float bottom, bool escape);
 
     float height() const { return height_; }  // that it takes, 0: it is not there
@@ -30,7 +30,7 @@ private:
     bool draw_buttons(ViewState& view, Timeline& timeline);
     void draw_film(const ViewState& view, FilmExport& film, bool escape);
     std::string name_;
-    int size_ = 1;  // of kSizes
+    int size_ = 2;  // of kSizes
     bool frames_ = false;
     float height_ = 0.0f;
 };

@@ -52,6 +52,12 @@ std::vector<std::string> recent_files(const ViewState& view) {
     return files;
 }
 
+// Commands that mean nothing to a field of text.
+bool works_while_typing(Command command) {
+    return command == Command::kLargerText || command == Command::kSmallerText || command == Command::kFullScreen ||
+           command == Command::kSave || command == Command::kSavePicture || command == Command::kGallery;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
@@ -132,7 +138,7 @@ bool Viewer::step() {
     moving_ = move(input, dt);
     follow_film();
     const ImGuiIO& io = ImGui::GetIO();
-    if (input.moved || input.happened || changed || moving_) probe(input);
+    if (input.moved || input.happened || changed || moving_ || news) probe(input);
     follow_changes(changed);
     measure_effects(!moving_ && !changed);
     // In one context the window's first frame would wait for the first picture.
@@ -189,7 +195,7 @@ bool Viewer::panels(const Input& input) {
                            not_measured_, choice_,           accuracy_->facts(),         effect_times_};
     if (!settings_.hints_seen && !patient() && picture_.texture != 0) draw_hints();
     if (view_.show_panels) {
-        changed |= editor_.draw(view_, below_menu, screen - status_height(), escape);
+        changed |= editor_.draw(view_, below_menu, screen - status_height() - timeline_panel_.height(), escape);
         changed |= timeline_panel_.draw(view_, timeline_, film_, side_panel_right(), screen - status_height(), escape);
         if (std::exchange(timeline_panel_.record_pressed, false)) record(), changed = true;
     }
@@ -202,7 +208,10 @@ bool Viewer::panels(const Input& input) {
 bool Viewer::move(const Input& input, double dt) {
     const ImGuiIO& io = ImGui::GetIO();
     bool moved = controls_.apply(input, view_, dt, io.WantCaptureMouse, io.WantCaptureKeyboard || gallery_.is_open());
+    const bool fell = view_.fall.runs();
     moved |= view_.fall.step(view_.scene, dt);
+    if (fell && view_.fall.active() && !view_.fall.runs() && view_.fall.tau() >= view_.fall.line().last())
+        say("The fall has ended: R returns to the scene's camera");
     moved |= step_clock(view_, dt);
     moved |= timeline_.step(view_.scene, dt);
     if (controls_.dragging()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -274,7 +283,7 @@ double Viewer::wait_time() const {
     double idle = std::min(kIdleWait, accuracy_->wait());
     if (view_.show_effects && !times_asked_)
         idle = std::min(idle, std::max(changed_at_ + kRestBeforeTimes - seconds(), 0.01));
-    return message_.empty() ? idle : std::clamp(message_until_ - seconds(), 0.01, idle);
+    return message_.empty() ? idle : std::min(std::max(message_until_ - seconds(), 0.01), idle);
 }
 
 double Viewer::elapsed() {
@@ -288,15 +297,22 @@ bool Viewer::handle_keys(const Input& input) {
     const bool in_picture = (input.left.pressed || input.right.pressed) && !io.WantCaptureMouse;
     if (!gallery_.is_open() && picture_.texture != 0 && (in_picture || !input.pressed.empty()))
         settings_.hints_seen = true;
-    if (io.WantCaptureKeyboard) return false;
     bool changed = false;
     for (const KeyPress& press : input.pressed) {
         const auto command = command_of(press);
-        const bool shuts =
-            command == Command::kQuit && (gallery_.is_open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
-        if (command && !shuts) changed |= perform(*command);
+        if (io.WantCaptureKeyboard && (!command || !works_while_typing(*command))) continue;
+        if (press.key == GLFW_KEY_ESCAPE && !press.control) close_topmost();
+        if (command) changed |= perform(*command);
     }
     return changed;
+}
+
+// What is open closes, one thing at a time; when nothing is, the viewer does. Lists and the gallery see to themselves.
+void Viewer::close_topmost() {
+    if (gallery_.is_open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
+    for (bool* shown : {&view_.show_about, &view_.show_editor, &view_.show_keys})
+        if (std::exchange(*shown, false)) return;
+    window_->close();
 }
 
 bool Viewer::perform(Command command) {
@@ -320,6 +336,14 @@ bool Viewer::perform(Command command) {
         case Command::kPanels: return toggle(view_.show_panels);
         case Command::kEditor: return toggle(view_.show_editor);
         case Command::kTimeline: return toggle(view_.show_timeline);
+        case Command::kAddPlanet: return add("ball");
+        case Command::kAddShell: return add("sphere");
+        case Command::kAddRing: return add("cylinder");
+        case Command::kAddSurface: return add("surface");
+        case Command::kAddDisc: return add("disc");
+        case Command::kAddSpot: return add("spot");
+        case Command::kAddSplit: return add("split");
+        case Command::kFall: return fall_freely(), true;
         case Command::kPlay: return timeline_.play(!timeline_.plays()), false;
         case Command::kRecord: return record(), true;
         case Command::kErrors: return toggle(view_.show_errors);

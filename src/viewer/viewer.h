@@ -56,9 +56,12 @@ private:
     double elapsed();                                           // since the last step, for motion
     bool handle_keys(const Input& input);
     bool perform(Command command);  // true if the scene changed
-    bool fit_to_window();           // true if the picture's size changed
-    void ask();                     // for what is due: a picture of view_, ray data or the effects' times
-    bool take();                    // what was asked for if it is there: true if there is something new to show
+    void close_topmost();
+    bool add(const std::string& section);  // true if the scene changed
+    void fall_freely();                    // or a pause of it
+    bool fit_to_window();                  // true if the picture's size changed
+    void ask();                            // for what is due: a picture of view_, ray data or the effects' times
+    bool take();                           // what was asked for if it is there: true if there is something new to show
     void adopt(Painting painting);
     void refuse(const Painting& painting);
     void measure_effects(bool still);

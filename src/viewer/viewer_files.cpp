@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "scenefile/scene_edit.h"
 #include "scenefile/scene_writer.h"
+#include "viewer/additions.h"
 #include "viewer/viewer.h"
 
 namespace nullscope::viewer {
@@ -59,7 +61,7 @@ bool Viewer::open_dropped(const Input& input) { return !input.dropped.empty() &&
 
 bool Viewer::open_file(const std::string& file_or_name) {
     const Status opened = load_into(view_, file_or_name);
-    if (!opened) say(opened.error().message());
+    if (!opened) say(std::exchange(view_.error, {}));
     if (opened) gallery_.close();
     return static_cast<bool>(opened);
 }
@@ -70,6 +72,9 @@ void Viewer::save_scene() {
     const std::filesystem::path path = again ? std::filesystem::path(saved_scene_) : fresh_scene_path(view_.scene.name);
     Scene scene = timeline_.to_save(view_.scene);
     set_size(scene, view_.loaded.camera.width, view_.loaded.camera.height);
+    auto checked = savable(scene);
+    if (!checked) return say("Not saved: " + checked.error().message());
+    scene = std::move(*checked);
     if (Status saved = write_text_atomically(path, scene_file_text(scene, path.parent_path())); !saved)
         return say(saved.error().message());
     saved_scene_ = view_.source = path.string();
@@ -95,6 +100,27 @@ bool Viewer::offer_left_scene() {
     return restored;
 }
 
+bool Viewer::add(const std::string& section) {
+    auto added = with_addition(view_.scene, section);
+    if (!added) return say(added.error().message()), false;
+    view_.scene = std::move(*added);
+    if (view_.scene.disc) view_.hidden_disc = *view_.scene.disc;
+    std::string label = section;
+    for (const SectionRef& at : scene_sections(view_.scene))
+        if (at.section == section) label = at.label;
+    view_.show_editor = true;
+    editor_.reveal(label);
+    say(fmt::format("Added {}: its numbers and colours are in the scene editor; Ctrl + Z takes it back", label));
+    return true;
+}
+
+void Viewer::fall_freely() {
+    Fall& fall = view_.fall;
+    if (fall.active() && fall.tau() < fall.line().last()) return fall.run(!fall.runs());
+    if (const Status gone = release(view_); !gone) return say(gone.error().message());
+    say("Falling freely: F pauses, R returns to the scene's camera");
+}
+
 void Viewer::record() {
     if (!timeline_.records()) {
         timeline_.record(view_.scene);
@@ -108,7 +134,10 @@ void Viewer::record() {
 
 // The scene's path may be new, and what moves may be recorded.
 void Viewer::follow_path() {
+    const bool had_path = timeline_.has_path();
     timeline_.follow(view_.scene, timeline_source_ != view_.source);
+    if (timeline_.has_path() != had_path || timeline_source_ != view_.source)
+        view_.show_timeline = timeline_.has_path();
     timeline_source_ = view_.source;
     if (!timeline_.records()) return;
     const double now = seconds();

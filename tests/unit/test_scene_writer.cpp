@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <random>
 #include <string>
 
@@ -92,6 +93,19 @@ TEST_CASE("scene writer: random scenes are the same when they are read again") {
         CHECK(canonical(*again) == canonical(*third));
     }
     CHECK(read == kScenes);
+}
+
+TEST_CASE("scene writer: a field of view that no number of degrees gives, with a path of keys that have one") {
+    const auto scene = load_scene("first-light");
+    REQUIRE(scene);
+    for (const bool on_key : {false, true}) {
+        Scene other = *scene;
+        other.path.emplace().kind = PathKind::kKeys;
+        other.path->keys = {{0.0, other.camera}, {100.0, other.camera}};
+        CameraSpec& odd = on_key ? other.path->keys[1].camera : other.camera;
+        odd.plane_width = std::nextafter(1.234567890123, 2.0), odd.focal_distance = on_key ? 1.0 : 1.25;
+        check_round_trip(other, {});
+    }
 }
 
 TEST_CASE("scene writer: what is the default is not written") {

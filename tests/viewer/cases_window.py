@@ -155,13 +155,15 @@ def test_undo_redo_copy_paste_and_save(v):
 
 
 def test_the_editor_adds_changes_refuses_and_removes(v):
-    home = v.settle("mousemove", *BESIDE, "key", "r")
+    def seen(*words):
+        v.settle(*words)
+        return v.picture(ADDED)
+    home = seen("mousemove", *BESIDE, "key", "r")
     v.settle("key", "ctrl+e")
     v.click(*EDITOR_ADD)
     v.click(EDITOR_ADD[0], EDITOR_ADD[1] + 22 + 19 * 5)     # spot, split, path, sphere, cylinder, ball: the disc is there
-    v.settle("key", "ctrl+e")
-    ball = v.settle()
-    assert v.settle().changed(home, NOISE), "no ball is there after it was added"
+    ball = seen("key", "ctrl+e")
+    assert ball.changed(home, 4 * NOISE), "no ball is there after it was added"
     v.settle("key", "ctrl+e")
     v.click(*EDITOR_SEARCH)
     v.hands("type", "--delay", 60, "disc inner")
@@ -177,8 +179,8 @@ def test_the_editor_adds_changes_refuses_and_removes(v):
     for key in ["ctrl+a", "BackSpace", "Escape"]:
         v.settle("key", "--delay", 200, key)
     v.settle("mousemove", *BESIDE, "key", "ctrl+e")
-    same(ball, v.settle(), "after a value that was refused")
-    same(home, v.settle("key", "ctrl+z"), "after the ball was undone")
+    same(ball, v.picture(ADDED), "after a value that was refused")
+    same(home, seen("key", "ctrl+z"), "after the ball was undone")
 
 
 def test_f11_fills_the_screen(v):

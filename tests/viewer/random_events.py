@@ -65,7 +65,7 @@ def one_seed(screen, options, seed, width, height):
                     time.sleep(0.2)
                 actions += 1
             if v.process.poll() is not None:
-                assert v.process.returncode == 0, f"status {v.process.returncode}: {v.process.stderr.read()[-2000:]}"
+                assert v.process.returncode == 0, f"status {v.process.returncode}: {v.process.stderr.read()[-6000:]}"
                 continue
             v.hands("keyup", "ctrl", "keyup", "shift", "mouseup", 1, "mouseup", 3)
             at = v.log.size()

@@ -41,10 +41,15 @@ TEST_CASE("history: each rest is a step back and forward, and what was undone is
     view.scene.disc->brightness *= 2.0;
     view.scene.sky.brightness *= 2.0;
     REQUIRE(history.undo(view, what));  // without a rest before
-    CHECK(what == "sky.brightness, disc.brightness");
+    CHECK(what == "disc.brightness, sky.brightness");
     CHECK(view.scene.camera.r == 30.0);
     REQUIRE(history.redo(view, what));
     CHECK_FALSE(history.redo(view, what));  // 40 and 50 are gone
+    view.scene.disc.reset();
+    REQUIRE(history.undo(view, what));
+    CHECK(what == "disc removed");
+    REQUIRE(history.redo(view, what));
+    CHECK(what == "disc removed");
 }
 
 TEST_CASE("history: another scene is a step, the window's size is none") {

@@ -30,6 +30,7 @@ texture = "noise"
 # Areas of the window, and places in it.
 PICTURE = (320, 300, 820, 520)     # no panel and no message lies here
 MENU = 21                          # px of the menu bar, above the panel
+ADDED = (300, 60, 830, 460)       # where a planet is put
 PANEL = (10, 60 + MENU, 284, 515 + MENU)
 SIDE, KEYS = (10, 60 + MENU, 280, 300), (300, 10 + MENU, 830, 180 + MENU)
 BESIDE = (420, 40)                 # a place for the pointer outside of all these areas
@@ -47,9 +48,9 @@ EFFECTS = (150, 252 + MENU)               # the section's header while nothing e
 EFFECT_ROW = lambda row: (30, 277 + MENU + 25 * row)
 EDITOR, EDITOR_SEARCH, EDITOR_ADD, EDITOR_FIELD = (480, 60, 830, 200), (560, 69), (770, 69), (720, 142)
 RESTORE = (520, 239)
-FILM = [(598, 548), (597, 503), (609, 528)]     # the button, the box for frames, and what draws them
+FILM = [(598, 548), (597, 440), (610, 498)]     # the button, the box for frames, and what draws them
 FIRST_CARD, HINTS = (120, 150), (320, 440, 640, 515)
-MENUS = {name: (x, 10) for name, x in [("File", 24), ("Edit", 62), ("View", 104), ("Path", 148), ("Help", 191)]}
+MENUS = {name: (x, 10) for name, x in [("File", 24), ("Edit", 62), ("View", 104), ("Add", 146), ("Path", 188), ("Help", 231)]}
 MENU_ENTRY = lambda number: 38 + 19 * number
 RIGHT = (560, 200, 820, 560)       # the ball is there, the tooltip of a row is not
 # Colours.
