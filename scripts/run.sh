@@ -11,11 +11,11 @@ usage() {
 Usage: scripts/run.sh [SCENE] [VIEWER OPTION...]
 
 Installs the packages that are missing (apt), builds nullscope and shows SCENE.
-SCENE is a scene file or the name of a built-in scene (default: first-light).
+SCENE is a scene file or the name of a built-in scene (default: the gallery of all of them, or without a display first-light).
 
 With a display a window opens. Without one the picture is written to out/SCENE.png in the source tree.
 
-  scripts/run.sh                                the default scene
+  scripts/run.sh                                the gallery
   scripts/run.sh my-scene.toml                  a scene of your own; the shortest has two lines:
                                                     [spacetime]
                                                     metric = "schwarzschild"
@@ -30,7 +30,8 @@ END
 fail() { echo "run: $*" >&2; exit 1; }
 
 case "${1-}" in -h | --help) usage; exit 0 ;; esac
-scene=first-light
+scene=first-light gallery=()
+[[ $# -gt 0 ]] || gallery=(--gallery)
 if [[ $# -gt 0 && $1 != -* ]]; then
     scene=$1
     shift
@@ -66,7 +67,7 @@ fi
 errors=$(mktemp "${TMPDIR:-/tmp}/nullscope-run.XXXXXX")
 trap 'rm -f "$errors"' EXIT
 status=0
-{ "$bin/nullscope-viewer" "$scene" "$@" 2>&1 1>&3 | tee "$errors" >&2; } 3>&1 || status=$?
+{ "$bin/nullscope-viewer" "$scene" ${gallery[@]+"${gallery[@]}"} "$@" 2>&1 1>&3 | tee "$errors" >&2; } 3>&1 || status=$?
 # A DISPLAY that nobody serves (a closed remote session, say) counts as none.
 if [[ $status -eq 1 ]] && grep -qi 'display' "$errors"; then
     capture "$@"
