@@ -77,6 +77,8 @@ enum class SkyKind { kStars, kImage, kBlack, kNebula, kPoints, kPlain, kChecker,
 inline constexpr const char* kSkyKindNames[] = {"stars",   "image", "black",   "nebula", "points", "plain",
                                                 "checker", "grid",  "stripes", "noise",  "formula"};
 inline bool is_procedural(SkyKind kind) { return kind >= SkyKind::kPlain; }
+// Whose stars kStars and kPoints show. kTycho2: to V = 10.5; its file is fetched by scripts/fetch_stars.py.
+enum class StarCatalogue { kHipparcos, kTycho2 };
 enum class SkyMapping { kEquirectangular, kBandAndCaps };
 
 // A made emission nebula (sky/nebula.h): linear colours of its hydrogen and its oxygen.
@@ -100,7 +102,8 @@ struct SkySpec {
     double brightness = 1.0;
     std::optional<double>
         temperature_K;  // g shifts the sky's light as that of a black body of this temperature; unset: not at all
-    double magnitude_limit = 20.0;  // kPoints only: V of the faintest stars that are drawn
+    StarCatalogue catalogue = StarCatalogue::kHipparcos;  // kStars and kPoints only
+    double magnitude_limit = 20.0;                        // kPoints only: V of the faintest stars that are drawn
     int uniform_stars = 0;  // kPoints only; above 0: this many equal stars, uniformly spread, instead of the catalogue
     NebulaSpec nebula{};    // kNebula only
     // is_procedural(kind) only; only colours, formula, columns and rows are used. u = 1/2 - azimuth/2 pi and v = polar angle/pi

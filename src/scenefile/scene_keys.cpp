@@ -171,6 +171,12 @@ constexpr SceneKey kKeys[] = {
      [](auto& s) { return &s.sky.temperature_K; },
      [](const Scene& s) { return !is_procedural(s.sky.kind) && s.sky.kind != SkyKind::kBlack; },
      "kind = \"stars\", \"image\", \"points\" or \"nebula\""},
+    {"sky", "catalogue", KeyType::kChoice, "", "hipparcos", kNoRange, "hipparcos tycho-2",
+     "Stars of the sky: 118 000 of Hipparcos, or with Tycho-2 600 000, to V = 10.5; those have to be fetched once, by "
+     "scripts/fetch_stars.py.",
+     [](auto& s) { return &s.sky.catalogue; },
+     [](const Scene& s) { return s.sky.kind == SkyKind::kStars || s.sky.kind == SkyKind::kPoints; },
+     "kind = \"stars\" or \"points\""},
     {"sky", "magnitude_limit", KeyType::kNumber, "mag", "20", closed(-5.0, 30.0), "",
      "Magnitude limit for kind = \"points\": fainter stars are left out. With uniform_stars: the magnitude of each "
      "star.",

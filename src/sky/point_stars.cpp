@@ -30,7 +30,7 @@ Result<std::vector<PointStar>> point_stars(const SkySpec& spec, const std::files
             stars.push_back({world_from_sky * spiral_place(i, spec.uniform_stars), flux, kSun_K});
         return stars;
     }
-    TRY(catalogue, load_stars(assets / "sky" / "stars.bin"));
+    TRY(catalogue, load_stars(spec.catalogue, assets));
     for (const Star& star : *catalogue) {
         if (star.magnitude > spec.magnitude_limit) break;
         stars.push_back({world_from_sky * star.direction, spec.brightness * star_flux(star.magnitude),

@@ -25,7 +25,7 @@ Result<SkyPainter> SkyPainter::make(const SkySpec& spec, const std::filesystem::
     painter.border_ = border;
     const Mat3 world_from_sky = sky_rotation(spec);
     if (spec.kind == SkyKind::kStars) {
-        TRY(stars, load_stars(assets / "sky" / "stars.bin"));
+        TRY(stars, load_stars(spec.catalogue, assets));
         painter.stars_.emplace(*stars, world_from_sky, spec.brightness, face_size, border);
     }
     if (spec.kind == SkyKind::kStars || spec.kind == SkyKind::kPoints) {

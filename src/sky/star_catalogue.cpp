@@ -53,6 +53,16 @@ Result<std::vector<Star>> load_stars(const std::filesystem::path& file) {
     return stars;
 }
 
+Result<std::vector<Star>> load_stars(StarCatalogue catalogue, const std::filesystem::path& assets) {
+    if (catalogue == StarCatalogue::kHipparcos) return load_stars(assets / "sky" / "stars.bin");
+    const std::filesystem::path file = assets / "sky" / "stars-tycho-2.bin";
+    std::error_code error;
+    if (!std::filesystem::exists(file, error))
+        return bad_input(fmt::format("sky.catalogue: the stars of Tycho-2 are not there ({})", file.string()),
+                         "\"hipparcos\", or scripts/fetch_stars.py first");
+    return load_stars(file);
+}
+
 double b_minus_v(int code) { return code == kColourCodes - 1 ? kAverageColour : 0.01 * code - 0.5; }
 
 double star_temperature(double colour_index) {

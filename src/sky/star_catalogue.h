@@ -1,10 +1,12 @@
-// The star catalogue that ships: assets/sky/stars.bin, layout in scripts/make_sky_assets.py.
+// Star catalogues: assets/sky/stars.bin, which ships, and stars-tycho-2.bin, which scripts/fetch_stars.py makes; layout in
+// scripts/make_sky_assets.py.
 #pragma once
 #include <filesystem>
 #include <vector>
 
 #include "base/result.h"
 #include "base/vec.h"
+#include "scene/scene.h"
 
 namespace nullscope {
 
@@ -18,6 +20,8 @@ constexpr int kColourCodes = 1024;
 
 // Brightest first. Errors: missing, another magic or version, a length that does not fit the count.
 Result<std::vector<Star>> load_stars(const std::filesystem::path& file);
+// Of the assets' folder; if the file is not there, the error says how it is made.
+Result<std::vector<Star>> load_stars(StarCatalogue catalogue, const std::filesystem::path& assets);
 
 // B-V of a code: 0 ... kColourCodes - 1; the Sun's for a star without a measured one.
 double b_minus_v(int code);

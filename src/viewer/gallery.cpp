@@ -76,7 +76,9 @@ std::string Gallery::draw(float top, float bottom, const std::vector<std::string
 std::string Gallery::draw_head(const std::vector<std::string>& recent, bool escape) {
     std::string chosen;
     if (opened_now_) ImGui::SetKeyboardFocusHere();
-    const float field = std::min(kFieldWidth * em(), 0.4f * ImGui::GetContentRegionAvail().x);
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float room = ImGui::GetContentRegionAvail().x - button_width("Close") - 2.0f * gap;
+    const float field = std::min(kFieldWidth * em(), 0.5f * room);
     ImGui::SetNextItemWidth(field);
     if (input_text("##words", "Search", words_)) {
         for (const SceneGroup& group : groups_)
@@ -98,9 +100,7 @@ std::string Gallery::draw_head(const std::vector<std::string>& recent, bool esca
     for (const std::string& file : recent) {
         const std::filesystem::path path(file);
         const std::string name = path == last_session() ? "Last session" : path.stem().string();
-        if (&file != &recent.front() && ImGui::GetItemRectMax().x + ImGui::CalcTextSize(name.c_str()).x + 2.0f * em() <
-                                            ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
-            ImGui::SameLine();
+        if (&file != &recent.front()) next_to(button_width(name.c_str()));
         ImGui::PushID(file.c_str());
         if (ImGui::SmallButton(name.c_str())) chosen = file;
         tooltip(file);

@@ -24,6 +24,7 @@ struct Entry {
 constexpr std::array kEntries = {
     Entry{Command::kGallery, "File", "Open...", "Ctrl+O", GLFW_KEY_O, true, false, nullptr},
     Entry{Command::kSave, "File", "Save scene", "Ctrl+S", GLFW_KEY_S, true, false, nullptr},
+    Entry{Command::kSaveAs, "File", "Save scene as...", "Ctrl+Shift+S", GLFW_KEY_S, true, true, nullptr},
     Entry{Command::kSavePicture, "File", "Save picture", "F12", GLFW_KEY_F12, false, false, nullptr},
     Entry{Command::kReload, "File", "Reload", "F5", GLFW_KEY_F5, false, false, nullptr},
     Entry{Command::kQuit, "File", "Quit", "Ctrl+Q", GLFW_KEY_Q, true, false, nullptr},
@@ -60,7 +61,7 @@ KeyPress usual(KeyPress press) {
     if (press.control && press.key == GLFW_KEY_Y) press = {GLFW_KEY_Z, true, true};
     if (press.control && press.key == GLFW_KEY_KP_ADD) press.key = GLFW_KEY_EQUAL;
     if (press.control && press.key == GLFW_KEY_KP_SUBTRACT) press.key = GLFW_KEY_MINUS;
-    if (press.key != GLFW_KEY_Z) press.shift = false;
+    if (press.key != GLFW_KEY_Z && press.key != GLFW_KEY_S) press.shift = false;
     return press;
 }
 

@@ -10,6 +10,7 @@ namespace nullscope::viewer {
 enum class Command {
     kGallery,
     kSave,
+    kSaveAs,
     kSavePicture,
     kReload,
     kQuit,  // file

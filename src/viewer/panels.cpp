@@ -135,11 +135,19 @@ void status_line(const FrameFacts& facts) {
 }
 
 void keys_window(float top) {
-    constexpr float kOpacity = 0.95f;  // readable over the side panel in a small window
-    overlay("##keys", ImGui::GetIO().DisplaySize.x - kMargin * em(), top + kMargin * em(), 1.0f, 0.0f, kOpacity, [] {
-        for (const auto& [keys, what] : kKeys) {
+    constexpr float kOpacity = 0.95f;               // readable over the side panel in a small window
+    constexpr float kColumn = 8.5f, kBoth = 24.0f;  // of the font's size: of the keys, of a whole column
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float line = ImGui::GetTextLineHeightWithSpacing(), room = screen.y - top - 3.0f * em();
+    const auto fit = std::max(static_cast<std::size_t>(std::max(room / line, 1.0f)), std::size(kKeys) / 2 + 1);
+    overlay("##keys", screen.x - kMargin * em(), top + kMargin * em(), 1.0f, 0.0f, kOpacity, [&] {
+        const ImVec2 corner = ImGui::GetCursorPos();
+        for (std::size_t i = 0; i < std::size(kKeys); ++i) {
+            const auto [keys, what] = kKeys[i];
+            const float left = corner.x + static_cast<float>(i / fit) * kBoth * em();
+            ImGui::SetCursorPos({left, corner.y + static_cast<float>(i % fit) * line});
             ImGui::TextUnformatted(keys);
-            ImGui::SameLine(8.5f * em());
+            ImGui::SameLine(left + kColumn * em());
             ImGui::TextDisabled("%s", what);
         }
     });

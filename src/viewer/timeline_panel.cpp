@@ -75,7 +75,7 @@ bool TimelinePanel::draw_slider(ViewState& view, Timeline& timeline) {
 bool TimelinePanel::draw_buttons(ViewState& view, Timeline& timeline) {
     bool changed = false;
     auto button = [first = true](const char* name, const char* help) mutable -> bool {
-        if (!std::exchange(first, false)) ImGui::SameLine();
+        if (!std::exchange(first, false)) next_to(button_width(name));
         const bool pressed = ImGui::Button(name);
         tooltip(help);
         return pressed;
@@ -95,9 +95,9 @@ bool TimelinePanel::draw_buttons(ViewState& view, Timeline& timeline) {
     if (timeline.has_path()) {
         if (button("Film...", "Draws the path as a film, or as frames, while the viewer goes on."))
             ImGui::OpenPopup("##film");
-        ImGui::SameLine();
+        next_to(button_width("Loop") + ImGui::GetFrameHeight());
         ImGui::Checkbox("Loop", &timeline.loops);
-        ImGui::SameLine();
+        next_to(5.0f * em());
         ImGui::SetNextItemWidth(5.0f * em());
         ImGui::SliderScalar("##speed", ImGuiDataType_Double, &timeline.speed, &kSlowest, &kFastest, "%.2g x",
                             ImGuiSliderFlags_Logarithmic);

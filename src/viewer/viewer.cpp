@@ -202,6 +202,7 @@ bool Viewer::panels(const Input& input) {
     changed |= draw_panels(view_, facts, escape);
     const float above = view_.show_panels ? status_height() + timeline_panel_.height() : 0.0f;
     if (!message_.empty()) draw_message(message_, screen - above);
+    if (const std::string path = save_as_.draw(escape); !path.empty()) save_scene_to(path);
     return (left_ && offer_left_scene()) || changed;
 }
 
@@ -325,6 +326,7 @@ bool Viewer::perform(Command command) {
     switch (command) {
         case Command::kGallery: return gallery_.open(), false;
         case Command::kSave: return save_scene(), false;
+        case Command::kSaveAs: return save_as_.ask(fresh_scene_path(view_.scene.name)), false;
         case Command::kSavePicture: return save_picture(), false;
         case Command::kReload: return open_file(view_.source);
         case Command::kQuit: return window_->close(), false;

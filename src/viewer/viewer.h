@@ -16,6 +16,7 @@
 #include "viewer/panels.h"
 #include "viewer/picture_marks.h"
 #include "viewer/probe.h"
+#include "viewer/save_as.h"
 #include "viewer/scene_editor.h"
 #include "viewer/timeline_panel.h"
 #include "viewer/user_files.h"
@@ -78,6 +79,7 @@ private:
     bool step_history(bool back);
     bool open_dropped(const Input& input);
     void save_scene();
+    void save_scene_to(const std::filesystem::path& path);
     void copy_view();
     bool paste();
     void record();  // or its end
@@ -115,6 +117,7 @@ private:
     History history_;
     Gallery gallery_;
     SceneEditor editor_;
+    SaveAs save_as_;
     Autosave autosave_;
     Timeline timeline_;
     TimelinePanel timeline_panel_;

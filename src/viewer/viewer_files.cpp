@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <utility>
 
@@ -17,23 +16,6 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr int kFilmFrames = 2;  // drawn anew when a film has got on
-
-// NAME.toml in the current folder, absolute; NAME-2, NAME-3 ... where that exists. Of the name its letters and digits.
-std::filesystem::path fresh_scene_path(const std::string& name) {
-    std::string stem;
-    for (const char c : name) {
-        const auto letter = static_cast<unsigned char>(c);
-        if (std::isalnum(letter) != 0)
-            stem += static_cast<char>(std::tolower(letter));
-        else if (!stem.empty() && stem.back() != '-')
-            stem += '-';
-    }
-    while (!stem.empty() && stem.back() == '-') stem.pop_back();
-    if (stem.empty()) stem = "scene";
-    std::filesystem::path path = std::filesystem::absolute(stem + ".toml");
-    for (int n = 2; std::filesystem::exists(path); ++n) path.replace_filename(fmt::format("{}-{}.toml", stem, n));
-    return path;
-}
 
 }  // namespace
 
@@ -69,7 +51,10 @@ bool Viewer::open_file(const std::string& file_or_name) {
 // A file that was opened is never written over: its comments would be lost.
 void Viewer::save_scene() {
     const bool again = !saved_scene_.empty() && view_.source == saved_scene_;
-    const std::filesystem::path path = again ? std::filesystem::path(saved_scene_) : fresh_scene_path(view_.scene.name);
+    save_scene_to(again ? std::filesystem::path(saved_scene_) : fresh_scene_path(view_.scene.name));
+}
+
+void Viewer::save_scene_to(const std::filesystem::path& path) {
     Scene scene = timeline_.to_save(view_.scene);
     set_size(scene, view_.loaded.camera.width, view_.loaded.camera.height);
     auto checked = savable(scene);

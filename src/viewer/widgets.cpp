@@ -13,13 +13,33 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr float kNameColumn = 6.2f;  // of the font's size
+constexpr float kTooltipWidth = 22.0f;  // of the font's size
+constexpr float kNameColumn = 6.2f;     // of the font's size
 const ImVec4 kRefusal{1.0f, 0.52f, 0.45f, 1.0f};
 
 std::string hidden_id(const char* name) { return std::string("##") + name; }
 
 ImGuiSliderFlags flags_of(Scale scale) {
     return scale == Scale::kLogarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
+}
+
+// Lines no wider than that where spaces allow it: Dear ImGui's own wrapping breaks numbers at their point.
+std::string broken_at_spaces(const std::string& text, float width) {
+    std::string lines;
+    for (const std::string& paragraph : split(text, '\n')) {
+        std::string line;
+        for (const std::string& word : split(paragraph, ' ')) {
+            std::string longer = line;
+            if (!line.empty()) longer += " ";
+            longer += word;
+            const bool fits = line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= width;
+            if (!fits) lines.append(line).append("\n");
+            line = fits ? longer : word;
+        }
+        lines.append(line).append("\n");
+    }
+    if (!lines.empty()) lines.pop_back();
+    return lines;
 }
 
 bool accept(double edited, double low, double high, double& value) {
@@ -68,26 +88,25 @@ void tooltip(const std::string& text) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0f);  // of what is grey, too
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(22.0f * ImGui::GetFontSize());
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    ImGui::TextUnformatted(broken_at_spaces(text, kTooltipWidth * ImGui::GetFontSize()).c_str());
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
 }
 
 void paragraph(const std::string& text, bool refusal) {
-    const float width = ImGui::GetContentRegionAvail().x;
-    std::string line, lines;
-    for (const std::string& word : split(text, ' ')) {
-        std::string longer = line;
-        if (!line.empty()) longer += " ";
-        longer += word;
-        const bool fits = line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= width;
-        if (!fits) lines.append(line).append("\n");
-        line = fits ? longer : word;
-    }
     ImGui::TextColored(refusal ? kRefusal : ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled), "%s",
-                       (lines + line).c_str());
+                       broken_at_spaces(text, ImGui::GetContentRegionAvail().x).c_str());
+}
+
+bool next_to(float width) {
+    const float room = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x - ImGui::GetItemRectMax().x;
+    const bool fits = width + ImGui::GetStyle().ItemSpacing.x <= room;
+    if (fits) ImGui::SameLine();
+    return fits;
+}
+
+float button_width(const char* name) {
+    return ImGui::CalcTextSize(name, nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x;
 }
 
 bool drag_number(const char* name, double& value, double speed, double low, double high, const char* format,

@@ -13,6 +13,10 @@ void tooltip(const std::string& text);                          // of the item b
 // Dim words, or the reddish ones of a refusal; broken at spaces alone, not within numbers.
 void paragraph(const std::string& text, bool refusal = false);
 
+// Stays on the line of the item before where so much more fits on it; true if it does.
+bool next_to(float width);
+float button_width(const char* name);
+
 enum class Scale { kLinear, kLogarithmic };
 enum class When { kNow, kOnRelease };  // kOnRelease: for what takes a while to build
 

@@ -122,6 +122,18 @@ void check_colours(const SkyCube& sky, const Mat3& world_from_sky, double tolera
 
 }  // namespace
 
+TEST_CASE("stars: a catalogue that was not fetched is refused with how to fetch it, and one that was is read") {
+    const TemporaryFolder folder("catalogue");
+    std::filesystem::create_directories(folder.path / "sky");
+    const auto refused = load_stars(StarCatalogue::kTycho2, folder.path);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message().find("scripts/fetch_stars.py") != std::string::npos);
+    std::filesystem::copy_file(kAssets / "sky" / "stars.bin", folder.path / "sky" / "stars-tycho-2.bin");
+    const auto read = load_stars(StarCatalogue::kTycho2, folder.path);
+    REQUIRE(read);
+    CHECK(read->size() == load_stars(StarCatalogue::kHipparcos, kAssets)->size());
+}
+
 TEST_CASE("cube_direction and cube_position agree with OpenGL 3.3 table 3.19") {
     struct Row {
         int face;

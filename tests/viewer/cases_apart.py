@@ -114,9 +114,38 @@ def test_menus_do_what_they_say(screen, program, folder):
         v.settle("key", "Escape")
         assert v.process.poll() is None, "Escape quits while a menu is open"
         v.click(*MENUS["File"])
-        v.hands("mousemove", MENUS["File"][0] + 20, MENU_ENTRY(4), "mousedown", 1)
+        v.hands("mousemove", MENUS["File"][0] + 20, MENU_ENTRY(5), "mousedown", 1)
         v.hands("mouseup", 1)
         assert v.process.wait(timeout=HUNG_S) == 0, "File, Quit does not quit"
+    finally:
+        v.kill()
+
+
+def test_a_planet_is_added_saved_under_a_name_and_escape_closes_one_thing_at_a_time(screen, program, folder):
+    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}")
+    try:
+        v.start()
+        v.settle()
+        bare = v.picture(ADDED)
+        v.click(*MENUS["Add"])
+        v.click(MENUS["Add"][0] + 20, MENU_ENTRY(0))
+        v.settle("key", "F1")
+        v.settle("key", "Escape")     # the editor that adding has opened
+        v.settle("key", "Escape")     # the list of keys
+        assert v.process.poll() is None, "Escape quits while something is open"
+        assert v.picture(ADDED).changed(bare, 4 * NOISE), "no planet is to be seen"
+        v.settle("key", "ctrl+shift+s")
+        for key in ["ctrl+a", "BackSpace"]:
+            v.settle("key", "--delay", 200, key)
+        v.hands("type", "--delay", 60, "mine")
+        v.settle()
+        v.settle("key", "Return")
+        file = Path(v.folder) / "mine.toml"
+        wait_until("the file", file.exists)
+        saved = tomllib.loads(file.read_text())
+        assert "ball" in saved, "the planet is not in the file"
+        v.hands("key", "f", "key", "Escape")
+        assert v.process.wait(timeout=HUNG_S) == 0, "Escape does not quit when nothing is open"
     finally:
         v.kill()
 
@@ -412,6 +441,7 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_several_rays_a_pixel_wait_for_rest,
          test_exposure_follows_like_an_eye, test_the_clock_runs_and_stops, test_screenshot, test_the_gallery_finds_and_opens,
          test_the_first_visit_has_hints_and_the_next_has_none, test_menus_do_what_they_say, test_a_killed_viewer_leaves_its_scene,
+         test_a_planet_is_added_saved_under_a_name_and_escape_closes_one_thing_at_a_time,
          test_a_flight_is_recorded_played_saved_and_filmed,
          test_split_screens_have_a_line_and_labels, test_bad_input,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
