@@ -21,7 +21,8 @@ TEST_CASE("additions: planets are in front of the camera, apart from each other,
         auto scene = load_scene(info.path.string());
         REQUIRE(scene);
         const auto spacetime = spacetime_of(*scene);
-        if (!spacetime->can_have_bodies() || spacetime->by_proper_length() || scene->bodies.size() + 2 > kMostBodies) continue;
+        if (!spacetime->can_have_bodies() || spacetime->by_proper_length() || scene->bodies.size() + 2 > kMostBodies)
+            continue;
         std::vector<Vec3> seen;
         for (int i = 0; i < 2; ++i) {
             const auto more = with_addition(*scene, "ball");
