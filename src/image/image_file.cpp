@@ -66,9 +66,9 @@ std::vector<unsigned char> rgba8_of(const Image<float>& image) {
         for (int x = 0; x < image.width; ++x) {
             const float* pixel = image.at(x, y);
             for (int c = 0; c < 3; ++c)
-                rgba.push_back(static_cast<unsigned char>(255.0f * srgb_from_linear(pixel[c]) + 0.5f));
+                rgba.push_back(static_cast<unsigned char>(std::lround(255.0f * srgb_from_linear(pixel[c]))));
             const float alpha = image.channels > 3 ? std::clamp(pixel[3], 0.0f, 1.0f) : 1.0f;
-            rgba.push_back(static_cast<unsigned char>(255.0f * alpha + 0.5f));
+            rgba.push_back(static_cast<unsigned char>(std::lround(255.0f * alpha)));
         }
     return rgba;
 }

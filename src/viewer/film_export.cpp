@@ -58,6 +58,7 @@ Status FilmExport::start(const Scene& scene, const std::string& output) {
              {std::string("--frames"), fmt::format("0:{}", scene.path->frames), std::string("--resume")})
             words.push_back(word);
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     std::array<int, 2> ends{};

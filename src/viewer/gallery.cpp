@@ -33,7 +33,8 @@ gl::Texture texture_of(const Image<float>& image) {
 }
 
 ImTextureID id_of(const gl::Texture& texture) {
-    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture.id()));
+    // NOLINTNEXTLINE: pointer or integer by version.
+    return (ImTextureID)(static_cast<std::intptr_t>(texture.id()));
 }
 
 }  // namespace

@@ -144,8 +144,9 @@ void keys_window(float top) {
         const ImVec2 corner = ImGui::GetCursorPos();
         for (std::size_t i = 0; i < std::size(kKeys); ++i) {
             const auto [keys, what] = kKeys[i];
-            const float left = corner.x + static_cast<float>(i / fit) * kBoth * em();
-            ImGui::SetCursorPos({left, corner.y + static_cast<float>(i % fit) * line});
+            const std::size_t column = i / fit, row = i % fit;
+            const float left = corner.x + static_cast<float>(column) * kBoth * em();
+            ImGui::SetCursorPos({left, corner.y + static_cast<float>(row) * line});
             ImGui::TextUnformatted(keys);
             ImGui::SameLine(left + kColumn * em());
             ImGui::TextDisabled("%s", what);

@@ -94,7 +94,7 @@ bool Timeline::sample(const Scene& scene, double dt_s) {
     }
     Sample next{samples_.back().at_s + dt_s, scene.camera, scene.time};
     unwrap(samples_.back().camera, next.camera);
-    samples_.push_back(std::move(next));
+    samples_.push_back(next);
     return true;
 }
 
