@@ -50,8 +50,6 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"Escape", "close what is open, then quit"},
 };
 
-float em() { return ImGui::GetFontSize(); }
-
 bool side_panel(ViewState& view, const FrameFacts& facts, bool escape) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float margin = kMargin * em(),
@@ -139,7 +137,9 @@ void keys_window(float top) {
     constexpr float kColumn = 8.5f, kBoth = 24.0f;  // of the font's size: of the keys, of a whole column
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float line = ImGui::GetTextLineHeightWithSpacing(), room = screen.y - top - 3.0f * em();
-    const auto fit = std::max(static_cast<std::size_t>(std::max(room / line, 1.0f)), std::size(kKeys) / 2 + 1);
+    const auto whole = [](float number) { return static_cast<std::size_t>(std::max(number, 1.0f)); };
+    const std::size_t most = whole((screen.x - 2.0f * em()) / (kBoth * em()));  // columns
+    const std::size_t fit = std::max(whole(room / line), (std::size(kKeys) + most - 1) / most);
     overlay("##keys", screen.x - kMargin * em(), top + kMargin * em(), 1.0f, 0.0f, kOpacity, [&] {
         const ImVec2 corner = ImGui::GetCursorPos();
         for (std::size_t i = 0; i < std::size(kKeys); ++i) {
