@@ -79,6 +79,12 @@ std::optional<std::pair<int, int>> two_whole_numbers(std::string_view text, char
     return std::pair(static_cast<int>(*a), static_cast<int>(*b));
 }
 
+std::string lower_case(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
 std::vector<std::string> split(std::string_view text, char separator) {
     std::vector<std::string> parts;
     while (true) {

@@ -33,6 +33,7 @@ inline std::uint64_t little_endian(std::string_view bytes) {
 }
 
 std::vector<std::string> split(std::string_view text, char separator);
+std::string lower_case(std::string text);  // of ASCII letters
 std::string trim(std::string_view text);
 
 }  // namespace nullscope

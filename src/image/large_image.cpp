@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -93,10 +92,7 @@ Error unreadable(const std::string& name, std::string_view reason) {
 }
 
 Result<FittedImage> load_fitted_image(const std::filesystem::path& path, const ImageLimits& limits) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (extension == ".exr") {
+    if (lower_case(path.extension().string()) == ".exr") {
         TRY(exr, load_exr(path, std::min(limits.max_pixels, kMaxWhole)));
         TRY(image, image_from_exr(path.string(), *exr));
         return made_smaller(std::move(*image), limits.max_side);

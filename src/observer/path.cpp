@@ -9,11 +9,6 @@ namespace {
 
 constexpr double kLongest = 1e4;  // r_s/c: of a fall to the end that does not come, an orbit
 
-// Numbers of a camera that are interpolated.
-constexpr double CameraSpec::*kNumbers[] = {
-    &CameraSpec::r,           &CameraSpec::theta,     &CameraSpec::phi,         &CameraSpec::yaw,
-    &CameraSpec::pitch,       &CameraSpec::roll,      &CameraSpec::plane_width, &CameraSpec::focal_distance,
-    &CameraSpec::exposure_ev, &CameraSpec::fall_from, &CameraSpec::energy};
 constexpr double Vec3::*kAxes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
 
 }  // namespace
@@ -80,7 +75,7 @@ double CameraPath::clock(double frame) const {
 
 CameraSpec CameraPath::through_keys(double frame) const {
     CameraSpec camera = path_.keys[key_before(frame)].camera;
-    for (const auto member : kNumbers)
+    for (const auto member : kCameraNumbers)
         camera.*member = between_keys(frame, [member](const PathKey& key) { return key.camera.*member; });
     for (const auto axis : kAxes)
         camera.velocity.*axis = between_keys(frame, [axis](const PathKey& key) { return key.camera.velocity.*axis; });

@@ -8,6 +8,12 @@
 
 namespace nullscope {
 
+// Numbers of a camera that are interpolated; its velocity is as well.
+inline constexpr double CameraSpec::*kCameraNumbers[] = {
+    &CameraSpec::r,           &CameraSpec::theta,     &CameraSpec::phi,         &CameraSpec::yaw,
+    &CameraSpec::pitch,       &CameraSpec::roll,      &CameraSpec::plane_width, &CameraSpec::focal_distance,
+    &CameraSpec::exposure_ev, &CameraSpec::fall_from, &CameraSpec::energy};
+
 class CameraPath {
 public:
     // Errors: the scene has no path; no such observer. A fall is integrated here: milliseconds.

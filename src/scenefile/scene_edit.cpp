@@ -13,8 +13,6 @@
 namespace nullscope {
 namespace {
 
-constexpr std::string_view kLabel = "edited";  // of the text that is read again
-
 const BodyKind* body_kind(std::string_view section) {
     const auto kinds = body_kinds();
     const auto found = std::ranges::find(kinds, section, [](const BodyKind* kind) { return kind->key; });
@@ -38,17 +36,13 @@ void exchange_with_last(Scene& scene, const SectionRef& at) {
     }
 }
 
-// "edited:12: ball.radius: ..." without what stands before the key.
-std::string without_place(const std::string& message) {
-    if (!message.starts_with(kLabel)) return message;
-    const std::size_t end = message.find(": ");
-    return end == std::string::npos ? message : message.substr(end + 2);
-}
-
+// The error is one of the scene, not of the text that is read again.
 Result<Scene> checked(const Scene& scene) {
-    auto again = parse_scene(scene_file_text(scene, {}), std::string(kLabel), {});
-    if (!again) return bad_input(without_place(again.error().message()));
-    return again;
+    auto again = parse_scene(scene_file_text(scene, {}), "edited", {});
+    if (again) return again;
+    Error error = again.error();
+    error.file.clear(), error.line = 0;
+    return error;
 }
 
 }  // namespace

@@ -34,11 +34,11 @@ struct SceneInfo {
 // The scenes in assets_directory()/scenes, sorted by name; empty if there is no such directory.
 std::vector<SceneInfo> shipped_scenes();
 
-// The same in the order and the groups of assets_directory()/gallery/groups.toml; those that are in no group come last, as "Others".
+// These in the order and the groups of assets_directory()/gallery/groups.toml; those that are in no group come last, as "Others".
 struct SceneGroup {
     std::string title;
     std::vector<SceneInfo> scenes;
 };
-std::vector<SceneGroup> shipped_gallery();
+std::vector<SceneGroup> in_gallery_groups(std::vector<SceneInfo> scenes);
 
 }  // namespace nullscope

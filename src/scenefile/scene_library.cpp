@@ -91,8 +91,7 @@ std::vector<SceneInfo> shipped_scenes() {
     return scenes;
 }
 
-std::vector<SceneGroup> shipped_gallery() {
-    std::vector<SceneInfo> scenes = shipped_scenes();
+std::vector<SceneGroup> in_gallery_groups(std::vector<SceneInfo> scenes) {
     std::vector<SceneGroup> groups;
     for (const auto& [title, names] : gallery_groups()) {
         SceneGroup group{title, {}};

@@ -155,17 +155,11 @@ private:
             text_ = found;
             return;
         }
-        const bool is_there =
-            section == "split" || section == "disc" || section == "path" || section == "spot" || is_body(section);
+        const bool is_there = section == "split" || section == "disc" || section == "path" || is_of_several(section);
         if (found.empty() && !is_there) return;
         add(of_several(section) ? fmt::format("[[{}]]", section) : fmt::format("[{}]", section), found);
     }
 
-    bool is_body(std::string_view section) const {
-        for (const BodyKind* kind : body_kinds())
-            if (section == kind->key) return true;
-        return false;
-    }
     bool of_several(std::string_view section) const {
         if (section == "spot") return scene_.spots.size() > 1;
         std::size_t count = 0;

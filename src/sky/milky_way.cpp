@@ -15,7 +15,7 @@
 namespace nullscope {
 namespace {
 
-constexpr int kMostCells = 512;   // a side of a face: 0.06 to 0.11 degrees; the map's pixels are of 0.18
+constexpr int kMostCells = 512;   // a side of a face: 0.11 to 0.22 degrees; the map's pixels are of 0.18
 constexpr std::size_t kRun = 64;  // places that are worked out together
 
 // Red, green, blue and what follows: what a processor adds at once. (An extension that gcc and clang share; arrays are added one by one.)

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <utility>
 
 #include "scene/bodies.h"
 #include "scenefile/scene_edit.h"
@@ -48,14 +46,14 @@ Body planet(const Scene& scene, double share) {
 }  // namespace
 
 Result<Scene> with_addition(const Scene& scene, std::string_view section) {
-    if (section != BallSpec::kName) return with_section(scene, section);
-    Result<Scene> added = with_section(scene, section);
-    for (const double share : {0.55, 0.4, 0.25}) {
+    constexpr double kShares[] = {0.55, 0.4, 0.25};  // of the camera's r, where the planet is before it
+    for (const double share : kShares) {
+        if (section != BallSpec::kName) break;
         Scene placed = scene;
         placed.bodies.push_back(planet(scene, share));
         if (auto good = savable(placed)) return good;
     }
-    return added;
+    return with_section(scene, section);
 }
 
 }  // namespace nullscope::viewer

@@ -3,11 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "base/assets.h"
-#include "base/text.h"
 #include "image/image_file.h"
 #include "viewer/autosave.h"
 #include "viewer/widgets.h"
@@ -18,13 +16,6 @@ namespace {
 constexpr float kCardWidth = 18.0f;   // of the font's size, at least
 constexpr float kFieldWidth = 20.0f;  // likewise
 constexpr long long kMostPixels = 4'000'000;
-
-float em() { return ImGui::GetFontSize(); }
-
-std::string lower(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
 
 gl::Texture texture_of(const Image<float>& image) {
     gl::Texture texture = gl::make_rgba8_texture(image.width, image.height, rgba8_of(image).data());
@@ -39,8 +30,8 @@ ImTextureID id_of(const gl::Texture& texture) {
 
 }  // namespace
 
-void Gallery::open() {
-    if (groups_.empty()) groups_ = shipped_gallery();
+void Gallery::open(const std::vector<SceneInfo>& scenes) {
+    if (groups_.empty()) groups_ = in_gallery_groups(scenes);
     open_ = opened_now_ = true;
     words_.clear();
 }
@@ -112,9 +103,7 @@ std::string Gallery::draw_head(const std::vector<std::string>& recent, bool esca
 }
 
 bool Gallery::matches(const SceneInfo& scene) const {
-    const std::string text = lower(scene.name + ' ' + scene.title + ' ' + scene.description);
-    return std::ranges::all_of(split(lower(words_), ' '),
-                               [&](const std::string& word) { return text.find(word) != text.npos; });
+    return has_words(scene.name + ' ' + scene.title + ' ' + scene.description, words_);
 }
 
 std::string Gallery::draw_cards(const SceneGroup& group, bool all) {

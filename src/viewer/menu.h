@@ -8,37 +8,43 @@
 namespace nullscope::viewer {
 
 enum class Command {
+    // file
     kGallery,
     kSave,
     kSaveAs,
     kSavePicture,
     kReload,
-    kQuit,  // file
+    kQuit,
+    // edit
     kUndo,
     kRedo,
     kCopyView,
     kPasteView,
-    kResetCamera,  // edit
+    kResetCamera,
+    // view
     kPanels,
     kEditor,
     kTimeline,
-    kAddPlanet,
-    kAddShell,
-    kAddRing,
-    kAddSurface,
-    kAddDisc,
-    kAddSpot,
-    kAddSplit,
-    kFall,
-    kPlay,
-    kRecord,
     kErrors,
     kProbe,
     kFullScreen,
     kLargerText,
-    kSmallerText,  // view
+    kSmallerText,
+    // add
+    kAddPlanet,
+    kAddDisc,
+    kAddSpot,
+    kAddRing,
+    kAddSurface,
+    kAddShell,
+    kAddSplit,
+    // path
+    kFall,
+    kPlay,
+    kRecord,
+    // help
     kKeys,
-    kAbout,  // help
+    kAbout,
 };
 
 // Of a key that went down, with or without Ctrl.

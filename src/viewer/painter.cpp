@@ -171,7 +171,7 @@ void Painter::do_job(Workshop& workshop, const PaintJob& job) {
         publish(std::move(*whole), true);
 }
 
-// What moves: a newer job comes soon after the picture was shown.
+// In motion: a newer job comes soon after the picture was shown.
 bool Painter::goes_on() {
     std::unique_lock lock(mutex_);
     const std::stop_token stop = thread_.get_stop_token();

@@ -4,9 +4,9 @@
 // Owners: a job is copied in, a painting moved out; the renderers are the thread's alone. A painting's texture is
 // drawn to again only after the one that follows it was taken.
 //
-// A job may give two pictures: a coarse one first (of fewer pixels, of one ray each, of star images found quickly), if the whole one takes long. The
-// coarse one is always finished; the whole one is begun when no newer job has come for a tenth of a second, and given up between two bands of
-// rows when one comes, so that what moves is followed and what rests is whole.
+// A job may give two pictures: a coarse one first (of fewer pixels, of one ray each, of star images found quickly), if the whole
+// one takes long. The coarse one is always finished. The whole one is begun when no newer job has come for a tenth of a second, and
+// given up between two bands of rows when one comes: motion is followed, and a view at rest gets its whole picture.
 #pragma once
 #include <condition_variable>
 #include <exception>

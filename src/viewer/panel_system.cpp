@@ -39,7 +39,7 @@ void colour(ImGuiStyle& style) {
     c[ImGuiCol_WindowBg] = panel;
     c[ImGuiCol_MenuBarBg] = {panel.x, panel.y, panel.z, 0.97f};
     c[ImGuiCol_PopupBg] = {panel.x, panel.y, panel.z, 0.97f};
-    c[ImGuiCol_Border] = c[ImGuiCol_Separator] = faint;
+    c[ImGuiCol_Separator] = faint;
     c[ImGuiCol_FrameBg] = c[ImGuiCol_Button] = field;
     c[ImGuiCol_Border] = {1.00f, 1.00f, 1.00f, 0.16f};  // of boxes over a bright disc too
     c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = c[ImGuiCol_HeaderHovered] = over;

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -26,13 +25,6 @@ constexpr float kNameShare = 0.42f;  // of a row, that names take at most
 constexpr double kPerPixel = 0.005;  // of a number, that a drag over one pixel changes it by
 constexpr double kUnbounded = 1e12;
 constexpr double kDegree = std::numbers::pi / 180.0;
-
-float em() { return ImGui::GetFontSize(); }
-
-std::string lower(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
 
 double unit_of(const SceneKey& key) { return key.unit == "deg" ? kDegree : 1.0; }
 
@@ -310,9 +302,7 @@ bool SceneEditor::draw_key(ViewState& view, const SectionRef& at, const Scene& h
 }
 
 bool SceneEditor::matches(const SceneKey& key) const {
-    const std::string text = lower(full_name(key) + ' ' + std::string(key.help));
-    return std::ranges::all_of(split(lower(words_), ' '),
-                               [&](const std::string& word) { return text.find(word) != std::string::npos; });
+    return has_words(full_name(key) + ' ' + std::string(key.help), words_);
 }
 
 bool SceneEditor::take(ViewState& view, Result<Scene> edited) {

@@ -14,11 +14,6 @@ constexpr double kLeastRecord_s = 0.2;
 
 // Angles that go on where they would begin anew: between two samples none turns by more than half a turn.
 constexpr double CameraSpec::*kAngles[] = {&CameraSpec::phi, &CameraSpec::yaw, &CameraSpec::roll};
-constexpr double CameraSpec::*kNumbers[] = {
-    &CameraSpec::r,           &CameraSpec::theta,     &CameraSpec::phi,         &CameraSpec::yaw,
-    &CameraSpec::pitch,       &CameraSpec::roll,      &CameraSpec::plane_width, &CameraSpec::focal_distance,
-    &CameraSpec::exposure_ev, &CameraSpec::fall_from, &CameraSpec::energy};
-
 void unwrap(const CameraSpec& before, CameraSpec& camera) {
     constexpr double kTurn = 2.0 * std::numbers::pi;
     for (const auto angle : kAngles) camera.*angle += kTurn * std::round((before.*angle - camera.*angle) / kTurn);
@@ -26,7 +21,7 @@ void unwrap(const CameraSpec& before, CameraSpec& camera) {
 
 CameraSpec between(const CameraSpec& a, const CameraSpec& b, double t) {
     CameraSpec camera = a;
-    for (const auto number : kNumbers) camera.*number = std::lerp(a.*number, b.*number, t);
+    for (const auto number : kCameraNumbers) camera.*number = std::lerp(a.*number, b.*number, t);
     camera.velocity = (1.0 - t) * a.velocity + t * b.velocity;
     return camera;
 }

@@ -22,8 +22,6 @@ constexpr std::array kSizes = {FilmSize{"the window's", 0, 0}, FilmSize{"640 x 3
                                FilmSize{"3840 x 2160", 3840, 2160}};
 constexpr double kSlowest = 0.1, kFastest = 10.0;
 
-float em() { return ImGui::GetFontSize(); }
-
 }  // namespace
 
 bool TimelinePanel::draw(ViewState& view, Timeline& timeline, FilmExport& film, float left, float bottom, bool escape) {

@@ -18,9 +18,7 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr double kTextStep = 0.25;
 constexpr const char* kFirstScene = "first-light";
-constexpr int kSettlingFrames = 3;        // panels answer an event a frame later, and take another to find their size
 constexpr int kNewsFrames = 2;            // a measured number may make its panel wider a frame later
 constexpr double kIdleWait = 1.0;         // s
 constexpr double kCaretWait = 0.1;        // s, while a text field shows a blinking caret
@@ -50,12 +48,6 @@ std::vector<std::string> recent_files(const ViewState& view) {
     std::error_code error;
     if (std::filesystem::is_regular_file(last_session(), error)) files.insert(files.begin(), last_session().string());
     return files;
-}
-
-// Commands that mean nothing to a field of text.
-bool works_while_typing(Command command) {
-    return command == Command::kLargerText || command == Command::kSmallerText || command == Command::kFullScreen ||
-           command == Command::kSave || command == Command::kSavePicture || command == Command::kGallery;
 }
 
 }  // namespace
@@ -94,7 +86,7 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     if (viewer->painter_->in_background()) viewer->ask();  // it begins before the panels are there
     viewer->panel_system_ = std::make_unique<PanelSystem>(*viewer->window_);
     if (!viewer->patient()) viewer->left_ = left_scene();
-    if (options.gallery || (options.scene.empty() && !viewer->patient())) viewer->gallery_.open();
+    if (options.gallery || (options.scene.empty() && !viewer->patient())) viewer->gallery_.open(viewer->view_.shipped);
     return viewer;
 }
 
@@ -291,72 +283,6 @@ double Viewer::elapsed() {
     const double now = seconds(), since = now - stepped_at_;
     stepped_at_ = now;
     return waited_ ? kFirstStep : std::min(since, kLongestStep);
-}
-
-bool Viewer::handle_keys(const Input& input) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const bool in_picture = (input.left.pressed || input.right.pressed) && !io.WantCaptureMouse;
-    if (!gallery_.is_open() && picture_.texture != 0 && (in_picture || !input.pressed.empty()))
-        settings_.hints_seen = true;
-    bool changed = false;
-    for (const KeyPress& press : input.pressed) {
-        const auto command = command_of(press);
-        if (io.WantCaptureKeyboard && (!command || !works_while_typing(*command))) continue;
-        if (press.key == GLFW_KEY_ESCAPE && !press.control) close_topmost();
-        if (command) changed |= perform(*command);
-    }
-    return changed;
-}
-
-// What is open closes, one thing at a time; when nothing is, the viewer does. Lists and the gallery see to themselves.
-void Viewer::close_topmost() {
-    if (gallery_.is_open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
-    for (bool* shown : {&view_.show_about, &view_.show_editor, &view_.show_keys})
-        if (std::exchange(*shown, false)) return;
-    window_->close();
-}
-
-bool Viewer::perform(Command command) {
-    const auto toggle = [](bool& shown) { return shown = !shown, false; };
-    const auto scale_text = [&](double by) {
-        settings_.text_scale = std::clamp(settings_.text_scale + by, kLeastTextScale, kMostTextScale);
-        frames_due_ = kSettlingFrames;
-        return false;
-    };
-    switch (command) {
-        case Command::kGallery: return gallery_.open(), false;
-        case Command::kSave: return save_scene(), false;
-        case Command::kSaveAs: return save_as_.ask(fresh_scene_path(view_.scene.name)), false;
-        case Command::kSavePicture: return save_picture(), false;
-        case Command::kReload: return open_file(view_.source);
-        case Command::kQuit: return window_->close(), false;
-        case Command::kUndo: return step_history(true);
-        case Command::kRedo: return step_history(false);
-        case Command::kCopyView: return copy_view(), false;
-        case Command::kPasteView: return paste();
-        case Command::kResetCamera: return reset_camera(view_), true;
-        case Command::kPanels: return toggle(view_.show_panels);
-        case Command::kEditor: return toggle(view_.show_editor);
-        case Command::kTimeline: return toggle(view_.show_timeline);
-        case Command::kAddPlanet: return add("ball");
-        case Command::kAddShell: return add("sphere");
-        case Command::kAddRing: return add("cylinder");
-        case Command::kAddSurface: return add("surface");
-        case Command::kAddDisc: return add("disc");
-        case Command::kAddSpot: return add("spot");
-        case Command::kAddSplit: return add("split");
-        case Command::kFall: return fall_freely(), true;
-        case Command::kPlay: return timeline_.play(!timeline_.plays()), false;
-        case Command::kRecord: return record(), true;
-        case Command::kErrors: return toggle(view_.show_errors);
-        case Command::kProbe: return toggle(view_.show_probe);
-        case Command::kFullScreen: return window_->toggle_full_screen(), false;
-        case Command::kLargerText: return scale_text(kTextStep);
-        case Command::kSmallerText: return scale_text(-kTextStep);
-        case Command::kKeys: return toggle(view_.show_keys);
-        case Command::kAbout: return toggle(view_.show_about);
-    }
-    return false;
 }
 
 bool Viewer::fit_to_window() {

@@ -43,6 +43,8 @@ public:
 private:
     explicit Viewer(const ViewerOptions& options) : options_(options) {}
     static constexpr const char* kTitle = " - nullscope";  // of the window, behind the scene's name
+    static constexpr int kSettlingFrames =
+        3;  // panels answer an event a frame later, and take another to find their size
     Status save_screenshot();
     bool step();                               // one turn of the loop: true if a frame was drawn
     bool panels(const Input& input);           // true if they changed the scene
@@ -55,14 +57,9 @@ private:
     bool in_motion() const;                                     // without a hand: the next picture is due already
     bool settled() const;                                       // the picture is whole, and of the scene as it is
     double elapsed();                                           // since the last step, for motion
-    bool handle_keys(const Input& input);
-    bool perform(Command command);  // true if the scene changed
-    void close_topmost();
-    bool add(const std::string& section);  // true if the scene changed
-    void fall_freely();                    // or a pause of it
-    bool fit_to_window();                  // true if the picture's size changed
-    void ask();                            // for what is due: a picture of view_, ray data or the effects' times
-    bool take();                           // what was asked for if it is there: true if there is something new to show
+    bool fit_to_window();                                       // true if the picture's size changed
+    void ask();   // for what is due: a picture of view_, ray data or the effects' times
+    bool take();  // what was asked for if it is there: true if there is something new to show
     void adopt(Painting painting);
     void refuse(const Painting& painting);
     void measure_effects(bool still);
@@ -74,15 +71,21 @@ private:
     void present();
     void measure_rate();
     void save_picture();  // as soon as it is whole
+    // viewer_commands.cpp; true if the scene changed
+    bool handle_keys(const Input& input);
+    bool perform(Command command);
+    bool step_history(bool back);
+    bool paste();
+    bool add(const std::string& section);
+    void close_topmost();
+    void copy_view();
+    void fall_freely();  // or a pause of it
+    void record();       // or its end
     // viewer_files.cpp
     bool open_file(const std::string& file_or_name);  // true if the scene changed
-    bool step_history(bool back);
     bool open_dropped(const Input& input);
     void save_scene();
     void save_scene_to(const std::filesystem::path& path);
-    void copy_view();
-    bool paste();
-    void record();  // or its end
     void follow_path();
     void follow_film();
     void keep_settings();

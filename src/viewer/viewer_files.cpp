@@ -1,6 +1,5 @@
-// What the viewer does with scene files, the clipboard and its history.
+// What the viewer does with files: scenes, films and settings.
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -9,7 +8,6 @@
 #include "base/atomic_file.h"
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_writer.h"
-#include "viewer/additions.h"
 #include "viewer/viewer.h"
 
 namespace nullscope::viewer {
@@ -18,26 +16,6 @@ namespace {
 constexpr int kFilmFrames = 2;  // drawn anew when a film has got on
 
 }  // namespace
-
-void Viewer::copy_view() {
-    ImGui::SetClipboardText(view_line(view_.scene.camera).c_str());
-    say("View copied: one line of text, for Ctrl + V here or for a scene file");
-}
-
-bool Viewer::step_history(bool back) {
-    std::string what;
-    const bool done = back ? history_.undo(view_, what) : history_.redo(view_, what);
-    say(!done ? (back ? "Nothing to undo" : "Nothing to redo")
-              : fmt::format("{}: {}", back ? "Undone" : "Redone", what));
-    return done;
-}
-
-bool Viewer::paste() {
-    const char* text = ImGui::GetClipboardText();
-    const Status pasted = paste_view(view_, text != nullptr ? text : "");
-    say(pasted ? "View pasted" : pasted.error().message());
-    return static_cast<bool>(pasted);
-}
 
 bool Viewer::open_dropped(const Input& input) { return !input.dropped.empty() && open_file(input.dropped.back()); }
 
@@ -85,39 +63,7 @@ bool Viewer::offer_left_scene() {
     return restored;
 }
 
-bool Viewer::add(const std::string& section) {
-    auto added = with_addition(view_.scene, section);
-    if (!added) return say(added.error().message()), false;
-    view_.scene = std::move(*added);
-    if (view_.scene.disc) view_.hidden_disc = *view_.scene.disc;
-    std::string label = section;
-    for (const SectionRef& at : scene_sections(view_.scene))
-        if (at.section == section) label = at.label;
-    view_.show_editor = true;
-    editor_.reveal(label);
-    say(fmt::format("Added {}: its numbers and colours are in the scene editor; Ctrl + Z takes it back", label));
-    return true;
-}
-
-void Viewer::fall_freely() {
-    Fall& fall = view_.fall;
-    if (fall.active() && fall.tau() < fall.line().last()) return fall.run(!fall.runs());
-    if (const Status gone = release(view_); !gone) return say(gone.error().message());
-    say("Falling freely: F pauses, R returns to the scene's camera");
-}
-
-void Viewer::record() {
-    if (!timeline_.records()) {
-        timeline_.record(view_.scene);
-        sampled_at_ = seconds();
-        return say("Recording: fly, turn, fall; F9 ends it");
-    }
-    if (!timeline_.stop_record(view_.scene)) return say("Nothing was recorded: too short");
-    view_.fall.stop();
-    say("Recorded: a path of the scene now. Play it (L), draw a film of it, save it (Ctrl + S)");
-}
-
-// The scene's path may be new, and what moves may be recorded.
+// The scene's path may be new, and a flight may be recorded.
 void Viewer::follow_path() {
     const bool had_path = timeline_.has_path();
     timeline_.follow(view_.scene, timeline_source_ != view_.source);

@@ -72,6 +72,14 @@ bool settled(const std::string& id, bool changed, double& edited) {
 
 }  // namespace
 
+float em() { return ImGui::GetFontSize(); }
+
+bool has_words(const std::string& text, const std::string& search) {
+    const std::string in = lower_case(text);
+    return std::ranges::all_of(split(lower_case(search), ' '),
+                               [&](const std::string& word) { return in.find(word) != std::string::npos; });
+}
+
 void row(const char* name, const std::string& help) {
     ImGui::AlignTextToFramePadding();
     text_row(name, help);

@@ -5,6 +5,11 @@
 
 namespace nullscope::viewer {
 
+float em();  // the font's size, by which everything is measured
+
+// Whether a text has all the words of a search, in upper or lower case.
+bool has_words(const std::string& text, const std::string& search);
+
 // Starts a row; the control that follows takes its rest. help: shown while the pointer is on the name.
 void row(const char* name, const std::string& help = {});
 void text_row(const char* name, const std::string& help = {});  // the same for words alone: less tall

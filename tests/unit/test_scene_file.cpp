@@ -222,7 +222,7 @@ TEST_CASE("of several faults the first in the file is reported, whatever the ord
 
 TEST_CASE("scenes that ship: each has one place in the gallery, in a group that groups.toml names") {
     std::size_t count = 0;
-    for (const SceneGroup& group : shipped_gallery()) {
+    for (const SceneGroup& group : in_gallery_groups(shipped_scenes())) {
         CHECK(group.title != "Others");
         for (const SceneInfo& scene : group.scenes) {
             CAPTURE(scene.name);

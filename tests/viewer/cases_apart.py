@@ -52,9 +52,7 @@ def test_split_screens_have_a_line_and_labels(screen, program, folder):
 
 
 def test_the_gallery_finds_and_opens(screen, program, folder):
-    v = Viewer(screen, program, "--gallery", "--size", f"{WIDTH}x{HEIGHT}")
-    try:
-        v.start()
+    with Viewer(screen, program, "--gallery", "--size", f"{WIDTH}x{HEIGHT}") as v:
         cards = v.settle()
         saturated = sum(max(cards.data[i:i + 3]) > 120 for i in range(0, len(cards.data), 3))
         assert saturated > 2000, "no pictures of scenes"
@@ -72,8 +70,6 @@ def test_the_gallery_finds_and_opens(screen, program, folder):
         assert v.title() == "First light - nullscope", v.title()
         v.settle("key", "ctrl+z")
         assert v.title() == "Kerr planet - nullscope", "undo does not bring the scene before back"
-    finally:
-        v.kill()
 
 
 def test_the_first_visit_has_hints_and_the_next_has_none(screen, program, folder):
@@ -95,9 +91,7 @@ def test_the_first_visit_has_hints_and_the_next_has_none(screen, program, folder
 
 
 def test_menus_do_what_they_say(screen, program, folder):
-    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}")
-    try:
-        v.start()
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}") as v:
         keys = v.picture(KEYS)
         v.click(*MENUS["Help"])
         v.click(MENUS["Help"][0] + 20, MENU_ENTRY(0))
@@ -117,14 +111,10 @@ def test_menus_do_what_they_say(screen, program, folder):
         v.hands("mousemove", MENUS["File"][0] + 20, MENU_ENTRY(5), "mousedown", 1)
         v.hands("mouseup", 1)
         assert v.process.wait(timeout=HUNG_S) == 0, "File, Quit does not quit"
-    finally:
-        v.kill()
 
 
 def test_a_planet_is_added_saved_under_a_name_and_escape_closes_one_thing_at_a_time(screen, program, folder):
-    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}")
-    try:
-        v.start()
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}") as v:
         v.settle()
         bare = v.picture(ADDED)
         v.click(*MENUS["Add"])
@@ -146,8 +136,6 @@ def test_a_planet_is_added_saved_under_a_name_and_escape_closes_one_thing_at_a_t
         assert "ball" in saved, "the planet is not in the file"
         v.hands("key", "f", "key", "Escape")
         assert v.process.wait(timeout=HUNG_S) == 0, "Escape does not quit when nothing is open"
-    finally:
-        v.kill()
 
 
 def test_a_killed_viewer_leaves_its_scene(screen, program, folder):
@@ -195,9 +183,7 @@ def test_a_killed_viewer_leaves_its_scene(screen, program, folder):
 
 
 def test_a_flight_is_recorded_played_saved_and_filmed(screen, program, folder):
-    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}")
-    try:
-        v.start()
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}") as v:
         home = v.settle()
         v.hands("key", "F9", "keydown", "d")
         wait_until("it flies", lambda: v.picture().changed(home, CHANGED), HUNG_S)
@@ -218,8 +204,6 @@ def test_a_flight_is_recorded_played_saved_and_filmed(screen, program, folder):
         wait_until("the film's frames are drawn", lambda: len(pictures()) == frames, HUNG_S)
         picture = read_png(pictures()[0])
         assert (picture.width, picture.height) == (1280, 720), f"frames of {picture.width}x{picture.height}"
-    finally:
-        v.kill()
 
 
 class Effects:

@@ -19,7 +19,7 @@ import time
 from pathlib import Path
 
 from viewer_process import EVERYTHING, HUNG_S, Log
-from x_screen import Screen, WindowCloser, wait_until
+from x_screen import Screen, WindowCloser, missing_tools, wait_until
 
 MOMENTS = 30 if EVERYTHING else 3
 # Processor time from the close to the end: what is promised, 0.3 s, on two cores. Before its first look at events the
@@ -64,9 +64,7 @@ def close_at(program, scene, moment_s, screen, folder):
 
 
 def main():
-    missing = [tool for tool in ("Xvfb", "xdotool") if shutil.which(tool) is None]
-    if missing:
-        print(f"skipped: {' and '.join(missing)} not installed")
+    if missing_tools():
         return 77
     program, good = str(Path(sys.argv[1]).resolve()), True
     os.environ.update(LIBGL_ALWAYS_SOFTWARE="1", MESA_SHADER_CACHE_DISABLE="true")

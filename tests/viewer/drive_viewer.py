@@ -21,7 +21,7 @@ from pathlib import Path
 import cases_apart
 import cases_window
 from viewer_process import HEIGHT, WIDTH, Viewer
-from x_screen import Screen
+from x_screen import Screen, missing_tools
 
 
 def attempt(test, *arguments):
@@ -38,9 +38,7 @@ def attempt(test, *arguments):
 
 
 def main():
-    missing = [tool for tool in ("Xvfb", "xdotool") if shutil.which(tool) is None]
-    if missing:
-        print(f"skipped: {' and '.join(missing)} not installed")
+    if missing_tools():
         return 77
     program = str(Path(sys.argv[1]).resolve())
     words = sys.argv[2:] or ["window", "apart"]

@@ -9,12 +9,11 @@ Exit status 0: measured, and promises kept; 1: broken; 77: Xvfb or xdotool is mi
 import argparse
 import math
 import os
-import shutil
 import sys
 import time
 
 from viewer_process import EVERYTHING, Viewer
-from x_screen import Screen, wait_until
+from x_screen import Screen, missing_tools, wait_until
 
 LEAST_RATE, MOST_DELAY_MS = 20.0, 100.0
 WHOLE_S = {"kerr": 1.0}    # others: 0.5
@@ -52,9 +51,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=4.0)
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
-    missing = [tool for tool in ("Xvfb", "xdotool") if shutil.which(tool) is None]
-    if missing:
-        print(f"skipped: {' and '.join(missing)} not installed")
+    if missing_tools():
         return 77
     os.environ.update(LIBGL_ALWAYS_SOFTWARE="1")
     width, height = map(int, options.size.split("x"))

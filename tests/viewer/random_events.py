@@ -8,14 +8,13 @@ Exit status 0: all seeds passed; 1: some failed; 77: Xvfb or xdotool is missing.
 import argparse
 import os
 import random
-import shutil
 import subprocess
 import sys
 import time
 from pathlib import Path
 
 from viewer_process import EVERYTHING, HUNG_S, Viewer
-from x_screen import Screen, wait_until
+from x_screen import Screen, missing_tools, wait_until
 
 SCENES = ["first-light", "kerr", "wormhole", "kerr-spot", "kerr-planet", "two-spacetimes", "starlight", "torus", "neutron-star",
           "hot-spot"]
@@ -89,9 +88,7 @@ def main():
     parser.add_argument("--nullscope", help="the program that reads what was saved (default: beside the viewer)")
     options = parser.parse_args()
     options.nullscope = options.nullscope or str(Path(options.viewer).resolve().parent / "nullscope")
-    missing = [tool for tool in ("Xvfb", "xdotool") if shutil.which(tool) is None]
-    if missing:
-        print(f"skipped: {' and '.join(missing)} not installed")
+    if missing_tools():
         return 77
     os.environ.update(LIBGL_ALWAYS_SOFTWARE="1")
     width, height = map(int, options.size.split("x"))

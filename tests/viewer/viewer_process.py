@@ -184,6 +184,13 @@ class Viewer:
             return self.spent() - before < 0.1
         wait_until("less than 0.1 s of processor time in half a second", idle, MEASURED_S)
 
+    def __enter__(self):
+        self.start()
+        return self
+
+    def __exit__(self, *_):
+        self.kill()
+
     def kill(self):
         if self.process.poll() is None:
             self.process.kill()

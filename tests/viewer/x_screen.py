@@ -22,6 +22,14 @@ def wait_until(what, condition, timeout_s=30.0, every_s=0.03):
         time.sleep(every_s)
 
 
+def missing_tools():
+    """Says which programs a screen needs that are not installed; nothing is printed and False returned if all are."""
+    missing = [tool for tool in ("Xvfb", "xdotool") if shutil.which(tool) is None]
+    if missing:
+        print(f"skipped: {' and '.join(missing)} not installed")
+    return bool(missing)
+
+
 class Picture:
     """8-bit RGB rows from the top."""
 

@@ -1,0 +1,147 @@
+// What keys and menus do.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "scenefile/scene_edit.h"
+#include "scenefile/scene_writer.h"
+#include "viewer/additions.h"
+#include "viewer/sections.h"
+#include "viewer/viewer.h"
+
+namespace nullscope::viewer {
+namespace {
+
+constexpr double kTextStep = 0.25;
+
+// Commands that mean nothing to a field of text.
+bool works_while_typing(Command command) {
+    return command == Command::kLargerText || command == Command::kSmallerText || command == Command::kFullScreen ||
+           command == Command::kSave || command == Command::kSavePicture || command == Command::kGallery;
+}
+
+}  // namespace
+
+bool Viewer::handle_keys(const Input& input) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool in_picture = (input.left.pressed || input.right.pressed) && !io.WantCaptureMouse;
+    if (!gallery_.is_open() && picture_.texture != 0 && (in_picture || !input.pressed.empty()))
+        settings_.hints_seen = true;
+    bool changed = false;
+    for (const KeyPress& press : input.pressed) {
+        const auto command = command_of(press);
+        if (io.WantCaptureKeyboard && (!command || !works_while_typing(*command))) continue;
+        if (press.key == GLFW_KEY_ESCAPE && !press.control) close_topmost();
+        if (command) changed |= perform(*command);
+    }
+    return changed;
+}
+
+// What is open closes, one thing at a time; when nothing is, the viewer does. Lists and the gallery see to themselves.
+void Viewer::close_topmost() {
+    if (gallery_.is_open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
+    for (bool* shown : {&view_.show_about, &view_.show_editor, &view_.show_keys})
+        if (std::exchange(*shown, false)) return;
+    window_->close();
+}
+
+bool Viewer::perform(Command command) {
+    const auto toggle = [](bool& shown) { return shown = !shown, false; };
+    const auto scale_text = [&](double by) {
+        settings_.text_scale = std::clamp(settings_.text_scale + by, kLeastTextScale, kMostTextScale);
+        frames_due_ = kSettlingFrames;
+        return false;
+    };
+    switch (command) {
+        case Command::kGallery: return gallery_.open(view_.shipped), false;
+        case Command::kSave: return save_scene(), false;
+        case Command::kSaveAs: return save_as_.ask(fresh_scene_path(view_.scene.name)), false;
+        case Command::kSavePicture: return save_picture(), false;
+        case Command::kReload: return open_file(view_.source);
+        case Command::kQuit: return window_->close(), false;
+        case Command::kUndo: return step_history(true);
+        case Command::kRedo: return step_history(false);
+        case Command::kCopyView: return copy_view(), false;
+        case Command::kPasteView: return paste();
+        case Command::kResetCamera: return reset_camera(view_), true;
+        case Command::kPanels: return toggle(view_.show_panels);
+        case Command::kEditor: return toggle(view_.show_editor);
+        case Command::kTimeline: return toggle(view_.show_timeline);
+        case Command::kAddPlanet: return add("ball");
+        case Command::kAddShell: return add("sphere");
+        case Command::kAddRing: return add("cylinder");
+        case Command::kAddSurface: return add("surface");
+        case Command::kAddDisc: return add("disc");
+        case Command::kAddSpot: return add("spot");
+        case Command::kAddSplit: return add("split");
+        case Command::kFall: return fall_freely(), true;
+        case Command::kPlay: return timeline_.play(!timeline_.plays()), false;
+        case Command::kRecord: return record(), true;
+        case Command::kErrors: return toggle(view_.show_errors);
+        case Command::kProbe: return toggle(view_.show_probe);
+        case Command::kFullScreen: return window_->toggle_full_screen(), false;
+        case Command::kLargerText: return scale_text(kTextStep);
+        case Command::kSmallerText: return scale_text(-kTextStep);
+        case Command::kKeys: return toggle(view_.show_keys);
+        case Command::kAbout: return toggle(view_.show_about);
+    }
+    return false;
+}
+
+bool Viewer::step_history(bool back) {
+    std::string what;
+    const bool done = back ? history_.undo(view_, what) : history_.redo(view_, what);
+    say(!done ? (back ? "Nothing to undo" : "Nothing to redo")
+              : fmt::format("{}: {}", back ? "Undone" : "Redone", what));
+    return done;
+}
+
+void Viewer::copy_view() {
+    ImGui::SetClipboardText(view_line(view_.scene.camera).c_str());
+    say("View copied: one line of text, for Ctrl + V here or for a scene file");
+}
+
+bool Viewer::paste() {
+    const char* text = ImGui::GetClipboardText();
+    const Status pasted = paste_view(view_, text != nullptr ? text : "");
+    say(pasted ? "View pasted" : pasted.error().message());
+    return static_cast<bool>(pasted);
+}
+
+bool Viewer::add(const std::string& section) {
+    auto added = with_addition(view_.scene, section);
+    if (!added) return say(added.error().message()), false;
+    view_.scene = std::move(*added);
+    if (view_.scene.disc) view_.hidden_disc = *view_.scene.disc;
+    std::string label = section;
+    for (const SectionRef& at : scene_sections(view_.scene))
+        if (at.section == section) label = at.label;
+    view_.show_editor = true;
+    editor_.reveal(label);
+    say(fmt::format("Added {}: its numbers and colours are in the scene editor; Ctrl + Z takes it back", label));
+    return true;
+}
+
+void Viewer::fall_freely() {
+    Fall& fall = view_.fall;
+    if (fall.active() && fall.tau() < fall.line().last()) return fall.run(!fall.runs());
+    if (const Status gone = release(view_); !gone) return say(gone.error().message());
+    say("Falling freely: F pauses, R returns to the scene's camera");
+}
+
+void Viewer::record() {
+    if (!timeline_.records()) {
+        timeline_.record(view_.scene);
+        sampled_at_ = seconds();
+        return say("Recording: fly, turn, fall; F9 ends it");
+    }
+    if (!timeline_.stop_record(view_.scene)) return say("Nothing was recorded: too short");
+    view_.fall.stop();
+    say("Recorded: a path of the scene now. Play it (L), draw a film of it, save it (Ctrl + S)");
+}
+
+}  // namespace nullscope::viewer
