@@ -39,7 +39,7 @@ LEGEND, BESIDE_LEGEND = (560, 470, 836, 574), (320, 300, 550, 520)   # of the ov
 HEADERS = [(150, 377 + MENU), (150, 252 + MENU), (150, 52 + MENU)]   # lens, boost, camera; each where it is while those above are open
 ALONE = (150, 227 + MENU)                 # the accuracy section's header while nothing else is open
 METHOD, WORDS = (190, 413 + MENU), (14, 453 + MENU, 284, 515 + MENU)   # the box and what is chosen and why
-AUTO = (150, 26)                   # the first entry of its list while the list is not scrolled
+AUTO = (150, 26 + MENU)                   # the first entry of its list while the list is not scrolled
 LEAST, MOST = (108, 438 + MENU), (266, 438 + MENU)              # of the slider for the largest error
 INSET = (600, 200, 820, 560)       # the probe's
 # the last header while nothing else is open; its button and its box
