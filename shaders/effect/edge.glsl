@@ -1,7 +1,7 @@
 // Where more rays are worth their cost: pixels whose light differs much from a neighbour's as it is displayed, or whose rays went another way.
 #include "shared/frame.glsl"
 
-#define EDGE_LEAST 0.08   // of black to white
+#define EDGE_LEAST 0.1    // of black to white
 #define EDGE_HARD 0.375    // likewise
 #define EDGE_SCALE 0.125   // of light, beside halves of ways: half floats keep both
 
