@@ -41,7 +41,7 @@ double cost_of_bands(int rows, int pairs, bool refined) {
 
 TEST_CASE("bands: a picture in bands costs little more than the whole") {
     constexpr double kMost = 1.1;  // issue: "a viewer's frame at most 1.1 times the bench's"
-    const int pairs = test::by_depth(9, 21, 21);
+    const int pairs = test::by_depth(5, 21, 21);
     // The smallest bands, of pictures that take 3 s and more: not that of a row, which takes as long as four.
     constexpr double kMostSmall = 1.3;
     for (const bool refined : {false, true}) {

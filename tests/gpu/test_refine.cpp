@@ -39,7 +39,7 @@ TEST_CASE("refine: edges are those of 16 x 16 rays a pixel of the reference") {
     const auto disc = load_disc_image(*scene.disc);
     REQUIRE((sky && disc));
     const reference::Pictures pictures(&disc->image);
-    const auto light = reference::render_frame(scene, *sky, pictures, test::by_depth(8, 16, 16), {}, nullptr, {});
+    const auto light = reference::render_frame(scene, *sky, pictures, test::by_depth(6, 16, 16), {}, nullptr, {});
     REQUIRE(light);
     const Image<unsigned char> exact = display_encoded(*light, scene.camera.exposure_ev, scene.picture);
     test::on_every_context([&](test::GpuSession& session) {

@@ -76,7 +76,7 @@ void compare(Renderer& renderer, const Scene& scene, Tiles drawn, Difference& su
 TEST_CASE("tiles: a picture in tiles is the picture") {
     auto session = test::open_gpu("egl");
     REQUIRE(session);
-    const int poses = test::by_depth(2, 8, 24);
+    const int poses = test::by_depth(1, 8, 24);
     int scenes = 0;
     for (const SceneInfo& info : shipped_scenes()) {
         const Scene scene = sized(info.name, 323, 179);  // the last tiles are cut

@@ -143,7 +143,7 @@ def test_a_killed_viewer_leaves_its_scene(screen, program, folder):
     chance = random.Random(int(os.environ.get("NULLSCOPE_SEED", "1")))
     start = lambda: Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", home=folder)
     left = folder / "nullscope"
-    for run in range(20 if "NULLSCOPE_EVERYTHING" in os.environ else 6 if EVERYTHING else 2):
+    for run in range(20 if "NULLSCOPE_EVERYTHING" in os.environ else 6 if EVERYTHING else 1):
         v = start()
         try:
             v.start()

@@ -48,7 +48,7 @@ def main():
     parser.add_argument("viewer")
     parser.add_argument("--scenes", default="first-light,kerr")
     parser.add_argument("--size", default="1280x720")
-    parser.add_argument("--seconds", type=float, default=4.0)
+    parser.add_argument("--seconds", type=float, default=4.0 if EVERYTHING else 2.0)
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
     if missing_tools():

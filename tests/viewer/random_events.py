@@ -81,7 +81,7 @@ def one_seed(screen, options, seed, width, height):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("viewer")
-    parser.add_argument("--seconds", type=float, default=20.0 if EVERYTHING else 6.0)
+    parser.add_argument("--seconds", type=float, default=20.0 if EVERYTHING else 4.0)
     parser.add_argument("--seeds", type=int, default=3 if EVERYTHING else 1)
     parser.add_argument("--first-seed", type=int, default=1)
     parser.add_argument("--size", default="1000x640")
