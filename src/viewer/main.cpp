@@ -55,6 +55,9 @@ Command program_of(viewer::ViewerOptions& options, std::string& size) {
     program.add_option("--turns", &options.turns,
                        "Log the window's event loop to this file: times of the first pictures, iterations with their "
                        "processor time, when it is idle (/dev/stderr: to the terminal)");
+    program.add_option("--layout", &options.layout,
+                       "Write where the words of the panels are to this file whenever the window is idle, with those "
+                       "that are cut off or overlap");
     return program;
 }
 

@@ -105,6 +105,7 @@ void status_line(const FrameFacts& facts) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kMargin * em(), 0.25f * em()});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
     if (ImGui::Begin("##status", nullptr, kFixed | ImGuiWindowFlags_NoInputs)) {
         const Painting& painting = facts.painting;
         const bool picture = painting.texture != 0;
@@ -115,10 +116,14 @@ void status_line(const FrameFacts& facts) {
         const std::string rate = facts.fps > 0.0 ? fmt::format("{:.0f} fps", facts.fps) : "idle";
         ImGui::TextUnformatted((facts.fps <= 0.0 && !work.empty() ? work : took + "  " + rate).c_str());
         const std::string tables =
-            picture ? fmt::format("table {:.0f} ms, rows {:.1f} ms     ", painting.table_ms, painting.rows_ms) : "";
+            picture ? fmt::format("table {:.0f} ms, rows {:.1f} ms", painting.table_ms, painting.rows_ms) : "";
+        std::string rest = fmt::format("{} x {}", facts.size.width, facts.size.height);
+        const float room = screen.x - (9.5f + kMargin) * em();
         const std::string version = facts.info.version.substr(0, facts.info.version.find(' '));
-        const std::string rest = fmt::format("{} x {}     {}OpenGL {}     {}", facts.size.width, facts.size.height,
-                                             tables, version, facts.info.renderer);
+        for (const std::string& part : {tables, "OpenGL " + version, facts.info.renderer})
+            if (const std::string longer = rest + "     " + part;
+                !part.empty() && ImGui::CalcTextSize(longer.c_str()).x < room)
+                rest = longer;
         ImGui::SameLine(9.5f * em());
         ImGui::TextDisabled("%s", rest.c_str());
         const char* hint = "F1 keys   Tab panels";
@@ -129,18 +134,25 @@ void status_line(const FrameFacts& facts) {
         }
     }
     ImGui::End();
-    ImGui::PopStyleVar(3);
+    ImGui::PopStyleVar(4);
 }
 
+// In as many columns as the window has room for; what does not fit is scrolled to.
 void keys_window(float top) {
     constexpr float kOpacity = 0.95f;               // readable over the side panel in a small window
     constexpr float kColumn = 8.5f, kBoth = 24.0f;  // of the font's size: of the keys, of a whole column
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float line = ImGui::GetTextLineHeightWithSpacing(), room = screen.y - top - 3.0f * em();
+    const float margin = kMargin * em(), line = ImGui::GetTextLineHeightWithSpacing(),
+                room = screen.y - top - 2.0f * margin;
     const auto whole = [](float number) { return static_cast<std::size_t>(std::max(number, 1.0f)); };
     const std::size_t most = whole((screen.x - 2.0f * em()) / (kBoth * em()));  // columns
-    const std::size_t fit = std::max(whole(room / line), (std::size(kKeys) + most - 1) / most);
-    overlay("##keys", screen.x - kMargin * em(), top + kMargin * em(), 1.0f, 0.0f, kOpacity, [&] {
+    const std::size_t fit = std::max(whole(room / line - 1.0f), (std::size(kKeys) + most - 1) / most);
+    const bool scrolls = static_cast<float>(fit) * line + em() > room;
+    ImGui::SetNextWindowPos({screen.x - margin, top + margin}, ImGuiCond_Always, {1.0f, 0.0f});
+    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {screen.x, room});
+    ImGui::SetNextWindowBgAlpha(kOpacity);
+    constexpr ImGuiWindowFlags kFlags = (kFixed & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize;
+    if (ImGui::Begin("##keys", nullptr, scrolls ? kFlags : kFlags | ImGuiWindowFlags_NoInputs)) {
         const ImVec2 corner = ImGui::GetCursorPos();
         for (std::size_t i = 0; i < std::size(kKeys); ++i) {
             const auto [keys, what] = kKeys[i];
@@ -151,7 +163,8 @@ void keys_window(float top) {
             ImGui::SameLine(left + kColumn * em());
             ImGui::TextDisabled("%s", what);
         }
-    });
+    }
+    ImGui::End();
 }
 
 }  // namespace

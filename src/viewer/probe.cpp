@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kPathPoints = 400;
 constexpr double kFarthest = 16.0;  // r_s that the inset shows at most
+constexpr float kLines = 11.0f;     // of words below it
 constexpr double kWide = 1.25;      // of the camera's radius that it shows
 
 std::string number(double value, const char* unit = "") {
@@ -164,7 +165,8 @@ void Probe::draw(float bottom) const {
     const float em = ImGui::GetFontSize(), margin = 0.6f * em;
     overlay("##probe", ImGui::GetIO().DisplaySize.x - margin, bottom - margin, 1.0f, 1.0f, 0.92f, [&] {
         const ProbeFacts& f = *facts_;
-        draw_path(f, *spacetime_, scene_, 15.0f * em);
+        const float room = bottom - 2.0f * margin - kLines * ImGui::GetTextLineHeightWithSpacing() - em;
+        draw_path(f, *spacetime_, scene_, std::clamp(room, 5.0f * em, 15.0f * em));
         line("Seen", words_of(f, scene_) + (std::isfinite(f.hit_r) ? fmt::format(" at {:.4g} r_s", f.hit_r) : ""));
         line("q", number(f.q));
         line("zeta_0", number(f.zeta0));

@@ -14,15 +14,17 @@
 #include "plan/body_kind.h"
 #include "scenefile/scene_keys.h"
 #include "viewer/additions.h"
+#include "viewer/panels.h"
 #include "viewer/sections.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
 namespace {
 
-constexpr float kWidth = 24.0f;      // of the font's size
-constexpr float kNameShare = 0.42f;  // of a row, that names take at most
-constexpr double kPerPixel = 0.005;  // of a number, that a drag over one pixel changes it by
+constexpr float kWidth = 24.0f;       // of the font's size
+constexpr float kLeastWidth = 18.0f;  // likewise: below that it lies over the side panel
+constexpr float kNameShare = 0.42f;   // of a row, that names take at most
+constexpr double kPerPixel = 0.005;   // of a number, that a drag over one pixel changes it by
 constexpr double kUnbounded = 1e12;
 constexpr double kDegree = std::numbers::pi / 180.0;
 
@@ -180,7 +182,8 @@ bool is_edited(const SceneKey& key) { return key.type != KeyType::kSize && key.t
 bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
     if (!view.show_editor) return false;
     const float margin = 0.6f * em(), screen = ImGui::GetIO().DisplaySize.x;
-    const float width = std::min(kWidth * em(), screen - 2.0f * margin);
+    const float beside = screen - side_panel_right() - 2.0f * margin;  // the side panel
+    const float width = std::min(kWidth * em(), beside >= kLeastWidth * em() ? beside : screen - 2.0f * margin);
     ImGui::SetNextWindowPos({screen - width - margin, top + margin});
     ImGui::SetNextWindowSize({width, std::max(bottom - top - 2.0f * margin, 4.0f * em())});
     bool changed = false;

@@ -81,6 +81,7 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     if (!options.turns.empty()) {
         TRY(opened, viewer->log_.open(options.turns));
     }
+    viewer->layout_log_.open(options.layout);
     viewer->fit_to_window();
     viewer->shown_ = viewer->view_;
     if (viewer->painter_->in_background()) viewer->ask();  // it begins before the panels are there
@@ -249,9 +250,11 @@ double Viewer::adaptation(const Scene& scene) {
 bool Viewer::adapting() const { return exposure_left_ > kAdapted && view_.scene.picture.auto_exposure && !patient(); }
 
 void Viewer::log_rest() {
-    if (!log_.is_open() || !settled() || frames_due_ > 0 || in_motion() || adapting()) return;
+    if (!(log_.is_open() || layout_log_.is_open()) || !settled() || frames_due_ > 0 || in_motion() || adapting())
+        return;
     const bool times_due = view_.show_panels && view_.show_effects && !effect_times_.complete;
     window_->framebuffer();  // an answer of the display's server: it has shown what it was sent before
+    if (const Status written = layout_log_.rest(last_key_); !written) say(written.error().message());
     log_.rest(last_key_, accuracy_->at_work() || times_due);
 }
 
@@ -321,6 +324,7 @@ void Viewer::measure_effects(bool still) {
 
 void Viewer::present() {
     ImGui::Render();
+    layout_log_.look();
     draw(0);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     gl::finish();  // the picture's texture may be drawn to again

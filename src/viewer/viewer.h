@@ -10,6 +10,7 @@
 #include "viewer/frame_accuracy.h"
 #include "viewer/gallery.h"
 #include "viewer/history.h"
+#include "viewer/layout_log.h"
 #include "viewer/loop_log.h"
 #include "viewer/menu.h"
 #include "viewer/panel_system.h"
@@ -32,6 +33,7 @@ struct ViewerOptions {
     bool hidden = false;
     bool one_context = false;  // draws where the panels are drawn, as where a second context cannot be had
     std::string turns;         // file for what the loop does (viewer/loop_log.h), or nothing
+    std::string layout;        // file for where the panels' words are (viewer/layout_log.h), or nothing
 };
 
 class Viewer {
@@ -110,6 +112,7 @@ private:
     double changed_at_ = 0.0;  // what the effects' times depend on
     bool times_asked_ = false;
     LoopLog log_;
+    LayoutLog layout_log_;
     int last_key_ = 0;
     PixelSize size_;
     std::vector<MeasuredMethod> measured_;  // the frontier that ships

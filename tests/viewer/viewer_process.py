@@ -101,7 +101,7 @@ def shipped(name):
 class Viewer:
     """A running viewer with its window at the screen's corner."""
 
-    def __init__(self, screen, program, *arguments, scene=SCENE, first_visit=False, home=None):
+    def __init__(self, screen, program, *arguments, scene=SCENE, first_visit=False, home=None, settings=""):
         self.screen, self.folder, self.marks = screen, tempfile.mkdtemp(prefix="nullscope-viewer."), 0
         self.scene = Path(self.folder) / "scene.toml"
         self.scene.write_text(scene if "\n" in scene else shipped(scene))
@@ -111,7 +111,7 @@ class Viewer:
                     "XDG_STATE_HOME": home or self.folder}
         if not first_visit:
             self.settings.parent.mkdir(exist_ok=True)
-            self.settings.write_text("hints_seen = true\n")
+            self.settings.write_text("hints_seen = true\n" + settings)
         self.process = subprocess.Popen([program, self.scene.name, "--turns", self.log.path, *arguments],
                                         cwd=self.folder, env=self.env, stderr=subprocess.PIPE, text=True)
         self.window = None

@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+"""Opens every panel of nullscope-viewer at three sizes of the window and three of the text: no words are cut off, none lie on others,
+no window on another or beyond the screen.
+
+Usage: check_layout.py VIEWER [--sizes WxH,...] [--scales S,...] [--pictures FOLDER]
+The viewer says where its words are (src/viewer/layout_log.h); the test finds by them what it clicks. --pictures keeps a picture of each step.
+NULLSCOPE_TESTS=quick: the smallest window with the largest text, without tooltips; all: tooltips in the smallest window alone;
+NULLSCOPE_EVERYTHING: all of it, some 7 minutes.
+Exit status 0: nothing is wrong; 1: something is, and it is listed; 77: Xvfb or xdotool is missing.
+"""
+import argparse
+import itertools
+import os
+import re
+import sys
+from pathlib import Path
+
+from viewer_process import EVERYTHING, Viewer
+from x_screen import Screen, missing_tools
+
+SIZES, SCALES = ["1280x720", "1920x1080", "3840x2160"], ["1", "1.5", "2"]
+SECTIONS = ["Camera", "Boost", "Lens", "Disc", "Sky", "Light", "Spacetime", "Accuracy", "Effects", "Free fall", "Clock", "Numbers"]
+MENUS = ["File", "Edit", "View", "Add", "Path", "Help"]
+OVER_OTHERS = ["##keys", "About_nullscope", "##Tooltip", "##Menu", "##message", "##hints", "##MainMenuBar", "##Popup", "##Combo"]
+
+
+class Layout:
+    def __init__(self, text):
+        self.windows, self.texts, self.faults = {}, [], []
+        for line in text.splitlines():
+            kind, *rest = line.split(" ", 1)
+            if kind == "window":
+                name, *numbers = rest[0].split(" ")
+                self.windows[name] = tuple(map(int, numbers))
+            elif kind == "text":
+                name, x, y, width, height, words = rest[0].split(" ", 5)
+                self.texts.append((name, words, tuple(map(int, (x, y, width, height)))))
+            elif kind == "fault":
+                self.faults.append(rest[0])
+        for (one, a), (other, b) in itertools.combinations(sorted(self.windows.items()), 2):
+            covered = min(a[0] + a[2], b[0] + b[2]) - max(a[0], b[0]), min(a[1] + a[3], b[1] + b[3]) - max(a[1], b[1])
+            if min(covered) > 1 and not any(name.startswith(top) for name in (one, other) for top in OVER_OTHERS):
+                self.faults.append(f"{one} {a} covers {other} {b}")
+
+    def place(self, words, window):
+        """The middle of the first words that begin so."""
+        for name, text, (x, y, width, height) in self.texts:
+            if text.startswith(words) and name.startswith(window):
+                return x + width // 2, y + height // 2
+        return None
+
+
+class Reader:
+    """A viewer, and what was wrong in it."""
+
+    def __init__(self, viewer, label, pictures, with_tooltips):
+        self.viewer, self.label, self.pictures, self.found = viewer, label, pictures, set()
+        self.with_tooltips = with_tooltips
+
+    def look(self, what, *words):
+        self.viewer.settle(*words)
+        layout = Layout((Path(self.viewer.folder) / "layout.txt").read_text())
+        for fault in layout.faults:
+            if fault not in self.found:
+                print(f"{self.label}, {what}: {fault}", flush=True)
+        self.found.update(layout.faults)
+        if self.pictures:
+            width, height = (int(side) for side in self.label.split()[0].split("x"))
+            picture = self.viewer.picture((0, 0, width, height))
+            name = re.sub(r"[^\w.-]+", "-", f"{self.label}-{what}") + ".ppm"
+            (Path(self.pictures) / name).write_bytes(b"P6 %d %d 255\n" % (width, height) + picture.data)
+        return layout
+
+    def find(self, what, words, window):
+        """Where they are, after the window was turned to them."""
+        layout = self.look(what)
+        for button in [4] * 20 + [5] * 40:
+            if place := layout.place(words, window):
+                return place
+            left, top, across, down = layout.windows[window]
+            layout = self.look(what, "mousemove", left + across - 20, top + down // 2, "click", button)
+        raise AssertionError(f"no words {words!r} in {window}: {[t[1] for t in layout.texts]}")
+
+    def click(self, what, words, window):
+        x, y = self.find(what, words, window)
+        for step in [["mousemove", x, y], ["mousedown", 1], ["mouseup", 1]]:
+            self.viewer.settle(*step)
+        return self.look(what)
+
+    def tooltips(self, window):
+        """The pointer on every word at the window's left."""
+        if not self.with_tooltips:
+            return
+        left = self.look(window).windows[window][0]
+        for name, words, (x, y, width, height) in self.look(window).texts:
+            if name == window and x < left + 40 * float(self.label.split("*")[1]):
+                self.look(f"tooltip of {words}", "mousemove", x + width // 2, y + height // 2)
+
+
+def check(reader, width, height):
+    away = ["mousemove", width - 3, height // 2]
+    reader.look("start", *away)
+    for name in MENUS:
+        reader.click(f"menu {name}", name, "##MainMenuBar")
+        reader.look("menu closed", "key", "Escape", *away)
+    for name in ["Camera", "Boost", "Lens"]:     # open at first
+        reader.click(f"section {name}", name, "##side")
+    for name in SECTIONS:
+        reader.click(f"section {name}", name, "##side")
+        reader.tooltips("##side")
+        reader.look("sections", *away)
+        reader.click(f"section {name}", name, "##side")
+    for what, keys in [("list of keys", ["F1"]), ("editor", ["ctrl+e"]), ("timeline", ["ctrl+t"]), ("errors", ["h"]),
+                       ("gallery", ["ctrl+o"])]:
+        reader.look(what, *away, "key", *keys)
+        if what == "editor":
+            reader.tooltips("Scene")
+        reader.look("closed", *away, "key", *(["Escape"] if what == "gallery" else keys))
+    reader.look("editor and timeline", "key", "ctrl+e", "key", "ctrl+t")
+    reader.look("closed", "key", "ctrl+e", "key", "ctrl+t")
+    reader.look("ray of a pixel", "key", "p", "mousemove", 2 * width // 3, height // 2)
+    reader.look("closed", "key", "p", *away)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("viewer")
+    parser.add_argument("--sizes", default=",".join(SIZES))
+    parser.add_argument("--scales", default=",".join(SCALES))
+    parser.add_argument("--pictures")
+    options = parser.parse_args()
+    if missing_tools():
+        return 77
+    os.environ.update(LIBGL_ALWAYS_SOFTWARE="1")
+    sizes, scales = options.sizes.split(","), options.scales.split(",")
+    wrong = 0
+    for size, scale in itertools.product(sizes, scales):
+        if not EVERYTHING and (size, scale) != (sizes[0], scales[-1]):
+            continue
+        width, height = map(int, size.split("x"))
+        screen = Screen(width + 40, height + 40)
+        viewer = Viewer(screen, os.path.abspath(options.viewer), "--size", size, "--layout", "layout.txt",
+                        settings=f"text_scale = {float(scale)}\n")
+        with_tooltips = "NULLSCOPE_EVERYTHING" in os.environ or (EVERYTHING and size == sizes[0])
+        reader = Reader(viewer, f"{size} text *{scale}", options.pictures, with_tooltips)
+        try:
+            viewer.start()
+            check(reader, width, height)
+            wrong += len(reader.found)
+            print(f"{reader.label}: {len(reader.found)} faults", flush=True)
+        finally:
+            viewer.kill()
+            screen.close()
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
