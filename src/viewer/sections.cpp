@@ -149,8 +149,10 @@ bool sky_section(ViewState& view, bool escape) {
 bool light_section(ViewState& view, bool escape) {
     LightSpec& light = view.scene.light;
     PictureSpec& picture = view.scene.picture;
-    bool changed = tick("Lensing", light.lensing,
-                        "Light follows the geodesics of the metric. Off: it travels straight, and all else stays.");
+    bool changed =
+        tick("Lensing", light.lensing,
+             "Light follows the geodesics of the metric. Off: it travels straight, past a black sphere as large as the "
+             "horizon; all else stays.");
     const bool heat = spectra_matter(view.scene);
     constexpr const char* kNoHeat =
         "Nothing here: no light in this scene has a spectrum that is known where it leaves (disc.emission = thermal, "

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "observer/observer.h"
+#include "scene/bodies.h"
 #include "scenefile/scene_writer.h"
 #include "spacetime/registry.h"
 #include "viewer/autosave.h"
@@ -40,6 +41,20 @@ void own_file(ViewState& view, const std::string& path) {
     view.own.insert(view.own.begin(), path);
 }
 
+namespace {
+
+// Light that travels straight would shine through the hole: a black sphere stands where its horizon is.
+void keep_hole_black(Scene& scene) {
+    constexpr double kOutside = 1.0 + 1e-3;  // of the horizon: bodies are
+    const auto spacetime = spacetime_of(scene);
+    if (scene.light.lensing || spacetime == nullptr || spacetime->axial() != nullptr) return;
+    const double radius = spacetime->horizon_radius().value_or(0.0) * kOutside;
+    if (radius == 0.0 || scene.camera.r <= radius || scene.bodies.size() == kMostBodies) return;
+    add_body(scene, SphereSpec{.radius = radius}).material.colour = {0, 0, 0};
+}
+
+}  // namespace
+
 Scene drawn_scene(const ViewState& view) {
     Scene scene = view.scene;
     if (view.show_grid) {  // every 15 degrees; on the disc's radius 12 lines
@@ -49,6 +64,7 @@ Scene drawn_scene(const ViewState& view) {
     }
     for (const Effect effect : view.off.list())
         if (auto less = without_effect(scene, effect)) scene = std::move(*less);
+    keep_hole_black(scene);
     return scene;
 }
 

@@ -46,7 +46,7 @@ struct ViewState {
 Status load_into(ViewState& view, const std::string& file_or_name);
 // This file was opened or saved: the first of view.own.
 void own_file(ViewState& view, const std::string& path);
-// What is drawn: the scene without what is switched off.
+// What is drawn: the scene without what is switched off. A hole without lensing is a black sphere as large as its horizon.
 Scene drawn_scene(const ViewState& view);
 
 // Of view_line(): the camera that it says, in the scene's spacetime. Errors: as a scene file's.
