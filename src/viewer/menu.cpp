@@ -8,6 +8,10 @@
 #include <array>
 #include <string_view>
 
+#include "viewer/critical_overlay.h"
+#include "viewer/potential_plot.h"
+#include "viewer/widgets.h"
+
 namespace nullscope::viewer {
 namespace {
 
@@ -41,6 +45,8 @@ constexpr std::array kEntries = {
     Entry{Command::kFullScreen, "View", "Full screen", "F11", GLFW_KEY_F11, false, false, nullptr},
     Entry{Command::kLargerText, "View", "Larger text", "Ctrl++", GLFW_KEY_EQUAL, true, false, nullptr},
     Entry{Command::kSmallerText, "View", "Smaller text", "Ctrl+-", GLFW_KEY_MINUS, true, false, nullptr},
+    Entry{Command::kCriticalCurve, "View", "Critical curve", "K", GLFW_KEY_K, false, false, &ViewState::show_critical},
+    Entry{Command::kPotential, "View", "Effective potential", "", 0, false, false, &ViewState::show_potential},
     Entry{Command::kAddPlanet, "Add", "Planet (ball)", "", 0, false, false, nullptr},
     Entry{Command::kAddDisc, "Add", "Disc", "", 0, false, false, nullptr},
     Entry{Command::kAddSpot, "Add", "Hot spot in the disc", "", 0, false, false, nullptr},
@@ -81,10 +87,13 @@ std::optional<Command> draw_menu(const ViewState& view, bool escape) {
     for (const std::string_view menu : kMenus) {
         if (!ImGui::BeginMenu(menu.data())) continue;
         if (escape) ImGui::CloseCurrentPopup();
-        for (const Entry& entry : kEntries)
-            if (entry.menu == menu &&
-                ImGui::MenuItem(entry.name, entry.keys, entry.shown != nullptr && view.*entry.shown))
+        for (const Entry& entry : kEntries) {
+            if (entry.menu != menu) continue;
+            if (ImGui::MenuItem(entry.name, entry.keys, entry.shown != nullptr && view.*entry.shown))
                 chosen = entry.command;
+            if (entry.command == Command::kCriticalCurve) tooltip(kCriticalCurveHelp);
+            if (entry.command == Command::kPotential) tooltip(kPotentialHelp);
+        }
         ImGui::EndMenu();
     }
     ImGui::EndMainMenuBar();

@@ -30,6 +30,8 @@ enum class Command {
     kFullScreen,
     kLargerText,
     kSmallerText,
+    kCriticalCurve,
+    kPotential,
     // add
     kAddPlanet,
     kAddDisc,

@@ -33,6 +33,7 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"R", "return to the scene's camera"},
     {"H", "show the error of every pixel"},
     {"P", "show the ray of the pixel under the cursor"},
+    {"K", "show the critical curve"},
     {"Tab", "show or hide the panels"},
     {"F1", "show or hide this list"},
     {"F11", "full screen"},

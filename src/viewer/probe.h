@@ -10,6 +10,7 @@
 #include "reference/traced_ray.h"
 #include "scene/scene.h"
 #include "spacetime/spacetime.h"
+#include "viewer/potential_plot.h"
 
 namespace nullscope::viewer {
 
@@ -25,6 +26,7 @@ struct ProbeFacts {
     std::optional<reference::Shift> shift;    // from what is seen to the camera; of captured rays there is none
     std::vector<std::array<double, 2>> path;  // in the ray's plane, r_s, the camera on the positive x axis
     std::optional<double> disc;               // swept angle where the equatorial plane is first met
+    std::optional<PotentialRay> potential;    // of rays in a plane
 };
 
 class Probe {
@@ -32,8 +34,9 @@ public:
     // Looks at pixel position (x, y) of the scene's picture, from its top left. Under a millisecond, some more for another spacetime.
     void look(const Scene& scene, double x, double y);
     void forget() { facts_.reset(); }
-    // Between NewFrame and Render, in the lower right corner above `bottom`.
-    void draw(float bottom) const;
+    // Between NewFrame and Render, in the lower right corner of what lies between `left`, `top` and `bottom`. potential: with the effective
+    // potential of the ray. Where there is little room, with one chart and the first numbers.
+    void draw(float left, float top, float bottom, bool potential) const;
 
 private:
     bool follow(const Scene& scene);
@@ -45,6 +48,7 @@ private:
     std::unique_ptr<reference::Metric> metric_;
     std::optional<reference::DiscLight> matter_;  // how it moves about metric_
     std::shared_ptr<const Spacetime> spacetime_;
+    std::vector<LandmarkCircle> circles_;
     std::optional<ProbeFacts> facts_;
 };
 

@@ -8,6 +8,8 @@
 #include <array>
 
 #include "spacetime/registry.h"
+#include "viewer/critical_overlay.h"
+#include "viewer/potential_plot.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
@@ -198,6 +200,8 @@ bool light_section(ViewState& view, bool escape) {
     changed |= tick("Grid", view.show_grid, "Coordinate lines on the sky and the disc instead of their images.");
     tick("Probe", view.show_probe,
          "The ray of the pixel under the cursor: its path, its numbers, both parts of g (key P).");
+    tick("Critical", view.show_critical, kCriticalCurveHelp);
+    tick_if(view.show_probe, "Potential", view.show_potential, kPotentialHelp, "Only with the probe.");
     return changed;
 }
 

@@ -33,6 +33,8 @@ struct ViewState {
     bool show_errors = false;                          // over the picture
     bool show_grid = false;                            // of coordinates, on sky and disc
     bool show_probe = false;                           // the ray of the pixel under the cursor
+    bool show_critical = false;                        // the critical curve
+    bool show_potential = false;                       // of the probe's ray
     MethodWish method;
     Fall fall;                       // of the camera, once it was let go
     bool clock_runs = false;         // the scene's own

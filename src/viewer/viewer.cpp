@@ -1,4 +1,5 @@
 #include "viewer/viewer.h"
+#include "viewer/critical_overlay.h"
 #include "viewer/sections.h"
 
 #define GLFW_INCLUDE_NONE
@@ -181,8 +182,10 @@ bool Viewer::panels(const Input& input) {
     if (picture_.texture == 0) draw_first_wait(view_.scene.name, progress_);
     draw_marks();
     if (view_.show_errors && !picture_.job.scene.split) accuracy_->draw_overlay();
+    if (view_.show_critical && picture_.texture != 0) draw_critical_curve(picture_.job.scene);
     if (view_.show_probe)
-        probe_.draw(ImGui::GetIO().DisplaySize.y - (view_.show_panels ? 2.0f * ImGui::GetFontSize() : 0.0f));
+        probe_.draw(view_.show_panels ? side_panel_right() : 0.0f, below_menu,
+                    screen - (view_.show_panels ? 2.0f * ImGui::GetFontSize() : 0.0f), view_.show_potential);
     const FrameFacts facts{picture_,      picture_ms_shown_, moving_ ? fps_shown_ : 0.0, size_,
                            info_,         progress_,         painter_->in_background(),  measured_,
                            not_measured_, choice_,           accuracy_->facts(),         effect_times_};

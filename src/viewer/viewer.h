@@ -80,6 +80,7 @@ private:
     bool paste();
     bool add(const std::string& section);
     void close_topmost();
+    void toggle_critical_curve();
     void copy_view();
     void fall_freely();  // or a pause of it
     void record();       // or its end

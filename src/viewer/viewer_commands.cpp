@@ -10,6 +10,7 @@
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_writer.h"
 #include "viewer/additions.h"
+#include "viewer/critical_overlay.h"
 #include "viewer/sections.h"
 #include "viewer/viewer.h"
 
@@ -83,6 +84,8 @@ bool Viewer::perform(Command command) {
         case Command::kRecord: return record(), true;
         case Command::kErrors: return toggle(view_.show_errors);
         case Command::kProbe: return toggle(view_.show_probe);
+        case Command::kCriticalCurve: return toggle_critical_curve(), false;
+        case Command::kPotential: return toggle(view_.show_potential);
         case Command::kFullScreen: return window_->toggle_full_screen(), false;
         case Command::kLargerText: return scale_text(kTextStep);
         case Command::kSmallerText: return scale_text(-kTextStep);
@@ -124,6 +127,12 @@ bool Viewer::add(const std::string& section) {
     editor_.reveal(label);
     say(fmt::format("Added {}: its numbers and colours are in the scene editor; Ctrl + Z takes it back", label));
     return true;
+}
+
+void Viewer::toggle_critical_curve() {
+    view_.show_critical = !view_.show_critical;
+    if (view_.show_critical && !has_critical_curve(view_.scene))
+        say("There is no critical curve here: no photon sphere");
 }
 
 void Viewer::fall_freely() {

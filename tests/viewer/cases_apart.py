@@ -1,4 +1,5 @@
 """Cases that run viewers of their own."""
+import math
 import os
 import random
 import subprocess
@@ -111,6 +112,39 @@ def test_menus_do_what_they_say(screen, program, folder):
         v.hands("mousemove", MENUS["File"][0] + 20, MENU_ENTRY(5), "mousedown", 1)
         v.hands("mouseup", 1)
         assert v.process.wait(timeout=HUNG_S) == 0, "File, Quit does not quit"
+
+
+def test_the_critical_curve_is_synges_circle_and_the_potential_is_drawn(screen, program, folder):
+    r, curve, potential = 22.0, (120, 255, 150), (245, 171, 84)
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=f'[camera]\nr = {r}\nfov = 30\n[sky]\nkind = "black"\n') as v:
+        v.settle("key", "Tab")
+        area = (0, 0, WIDTH, HEIGHT)
+
+        def places():
+            data = v.picture(area).data
+            return [(i // 3 % WIDTH, i // 3 // WIDTH) for i in range(0, len(data), 3) if tuple(data[i:i + 3]) == curve]
+        assert not places(), "a curve that nobody asked for"
+        v.settle("key", "k")
+        sine = 1.5 * math.sqrt(3) * math.sqrt(1 - 1 / r) / r
+        radius = math.tan(math.asin(sine)) * 0.5 * WIDTH / math.tan(math.radians(15))
+        home = places()
+        assert len(home) > 100, f"{len(home)} pixels of the curve"
+        for x, y in home:
+            away = math.hypot(x + 0.5 - 0.5 * WIDTH, y + 0.5 - 0.5 * HEIGHT)
+            assert abs(away - radius) < 1.5, f"({x}, {y}) is {away:.1f} px from the middle, not {radius:.1f}"
+        v.settle("mousemove", 400, 300, "mousedown", 1)
+        v.settle("mousemove", 460, 300)
+        v.settle("mouseup", 1)
+        middle = lambda found: (min(x for x, _ in found) + max(x for x, _ in found)) / 2
+        assert abs(middle(places()) - middle(home) - 60) < 3, "the curve does not follow a drag"
+        v.settle("key", "r", "key", "Tab", "key", "p", "mousemove", 440, 300)
+        assert v.count(INSET, potential) == 0, "a potential that nobody asked for"
+        v.click(*MENUS["View"])
+        v.click(MENUS["View"][0] + 20, MENU_ENTRY(9))
+        v.settle("mousemove", 440, 300)
+        assert v.count((300, 200, 830, 560), potential) > 20, "View, Effective potential draws none"
+        v.settle("key", "k", "key", "Tab", "key", "p")
+        assert not places(), "the curve is still there"
 
 
 def test_a_planet_is_added_saved_under_a_name_and_escape_closes_one_thing_at_a_time(screen, program, folder):
@@ -424,7 +458,8 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
          test_several_rays_a_pixel_wait_for_rest,
          test_exposure_follows_like_an_eye, test_the_clock_runs_and_stops, test_screenshot, test_the_gallery_finds_and_opens,
-         test_the_first_visit_has_hints_and_the_next_has_none, test_menus_do_what_they_say, test_a_killed_viewer_leaves_its_scene,
+         test_the_first_visit_has_hints_and_the_next_has_none, test_menus_do_what_they_say,
+         test_the_critical_curve_is_synges_circle_and_the_potential_is_drawn, test_a_killed_viewer_leaves_its_scene,
          test_a_planet_is_added_saved_under_a_name_and_escape_closes_one_thing_at_a_time,
          test_a_flight_is_recorded_played_saved_and_filmed,
          test_split_screens_have_a_line_and_labels, test_bad_input,

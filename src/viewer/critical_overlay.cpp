@@ -1,0 +1,58 @@
+#include "viewer/critical_overlay.h"
+
+#include <imgui.h>
+
+#include <vector>
+
+#include "observer/critical_curve.h"
+#include "observer/critical_light.h"
+#include "scene/split.h"
+#include "viewer/view_state.h"
+
+namespace nullscope::viewer {
+namespace {
+
+constexpr float kWidth = 1.5f, kRim = 3.5f;  // of the line, and of what parts it from a bright disc
+constexpr ImU32 kRimColour = IM_COL32(0, 0, 0, 130);
+
+// left, wide: where the scene's picture lies in the window, units of ImGui.
+void draw_lines(const Scene& scene, float left, float wide) {
+    const auto spacetime = spacetime_of(scene);
+    if (spacetime == nullptr) return;
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const double unit = static_cast<double>(wide) / scene.camera.width;  // of a pixel
+    draw.PushClipRect({left, 0.0f}, {left + wide, ImGui::GetIO().DisplaySize.y});
+    for (const PictureLine& line : critical_curve(*spacetime, scene.camera, scene.light)) {
+        std::vector<ImVec2> points;
+        points.reserve(line.size());
+        for (const auto& [x, y] : line)
+            points.emplace_back(left + static_cast<float>(unit * x), static_cast<float>(unit * y));
+        const int count = static_cast<int>(points.size());
+        draw.AddPolyline(points.data(), count, kRimColour, ImDrawFlags_None, kRim);
+        draw.AddPolyline(points.data(), count, kCriticalColour, ImDrawFlags_None, kWidth);
+    }
+    draw.PopClipRect();
+}
+
+bool has_curve(const Scene& scene) {
+    const auto spacetime = spacetime_of(scene);
+    return spacetime != nullptr && CriticalLight::make(*spacetime, scene.camera, scene.light);
+}
+
+}  // namespace
+
+void draw_critical_curve(const Scene& scene) {
+    const float wide = ImGui::GetIO().DisplaySize.x;
+    const auto both = halves(scene);
+    if (!both) return draw_lines(scene, 0.0f, wide);
+    const float part = wide * static_cast<float>(both->left.camera.width) / static_cast<float>(scene.camera.width);
+    draw_lines(both->left, 0.0f, part);
+    draw_lines(both->right, part, wide - part);
+}
+
+bool has_critical_curve(const Scene& scene) {
+    const auto both = halves(scene);
+    return both ? has_curve(both->left) || has_curve(both->right) : has_curve(scene);
+}
+
+}  // namespace nullscope::viewer
