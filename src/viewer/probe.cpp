@@ -96,14 +96,13 @@ ProbeFacts Probe::facts_of(const reference::TracedRay& ray) const {
     } else {
         facts.delay = ray.delay();
     }
-    if (!plane) return facts;  // no orbit, no q
+    if (!plane) return facts;  // no orbit, no impact parameter
     const reference::Orbit& orbit = plane->orbit();
     const auto radius = [&](double zeta) {
         return plane->metric().by_proper_length() ? spacetime_->areal_radius(zeta) : 1 / zeta;
     };
-    facts.q = std::fabs(plane->photon().q);
-    if (const auto sphere = spacetime_->photon_sphere())
-        facts.critical = -std::log(std::fabs(1 - facts.q / sphere->q_crit));
+    facts.impact = 1 / std::fabs(plane->photon().q);
+    if (const auto sphere = spacetime_->photon_sphere()) facts.of_critical = facts.impact * sphere->q_crit;
     if (std::isfinite(orbit.turn())) facts.turn_r = radius(orbit.turn());
     facts.potential = potential_ray(*plane, end, scene_, *spacetime_);
     if (!std::isfinite(end)) return facts;

@@ -18,8 +18,9 @@ struct ProbeFacts {
     Fate fate = Fate::kNoSky;
     int hit = 0;                              // number of what it meets first (object_name)
     double hit_r = kNotANumber;               // and where, r_s
-    double q = kNotANumber, zeta0 = 0;        // E r_s/L (without spin); r_s/r of the camera
-    double critical = kNotANumber;            // Q: |1 - q/q_crit| = e^-Q
+    double zeta0 = 0;                         // r_s/r of the camera
+    double impact = kNotANumber;              // impact parameter b = L/E (without spin), r_s
+    double of_critical = kNotANumber;         // over that of the light that spirals to the photon sphere
     double turn_r = kNotANumber;              // turning point, r_s
     double windings = 0;                      // swept angle over a full turn
     double delay = kNotANumber;               // r_s/c, of rays that reach the sky

@@ -85,11 +85,10 @@ using Rows = std::vector<std::pair<const char*, std::string>>;
 Rows rows_of(const ProbeFacts& f, const Scene& scene) {
     const reference::Shift g = f.shift.value_or(reference::Shift{kNotANumber, kNotANumber});
     return {{"Seen", words_of(f, scene) + (std::isfinite(f.hit_r) ? fmt::format(" at {:.4g} r_s", f.hit_r) : "")},
-            {"q", number(f.q)},
+            {"b = L/E", number(f.impact, " r_s")},
+            {"b / b_crit", number(f.of_critical)},
             {"Turning point", number(f.turn_r, " r_s")},
             {"Windings", number(f.windings)},
-            {"zeta_0", number(f.zeta0)},
-            {"Q", number(f.critical)},
             {"g", number(g.gravity * g.doppler)},
             {"  gravity", number(g.gravity)},
             {"  Doppler", number(g.doppler)},
