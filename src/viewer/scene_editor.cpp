@@ -84,6 +84,27 @@ struct Typed {
 };
 Typed typed;
 
+// One number, or three side by side; those of a point with the names of their axes.
+bool drag_numbers(const SceneKey& key, std::array<double, 3>& values, int count, float speed, double low, double high,
+                  const std::string& format) {
+    constexpr std::array kAxes = {"x ", "y ", "z "};
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x,
+                width = (ImGui::CalcItemWidth() - static_cast<float>(count - 1) * gap) / static_cast<float>(count);
+    bool changed = false;
+    ImGui::BeginGroup();
+    for (int i = 0; i < count; ++i) {
+        const auto part = static_cast<std::size_t>(i);
+        const std::string shown = (key.type == KeyType::kPoint ? kAxes[part] : "") + format;
+        if (i > 0) ImGui::SameLine(0.0f, gap);
+        ImGui::PushID(i);
+        ImGui::SetNextItemWidth(width);
+        changed |= ImGui::DragScalar("##part", ImGuiDataType_Double, &values[part], speed, &low, &high, shown.c_str());
+        ImGui::PopID();
+    }
+    ImGui::EndGroup();
+    return changed;
+}
+
 // True when the numbers changed: at once while the pointer drags them, at the end while they are typed.
 bool number_field(const SceneKey& key, std::array<double, 3>& values, int count) {
     const bool bounded = key.range.high > key.range.low;
@@ -95,8 +116,7 @@ bool number_field(const SceneKey& key, std::array<double, 3>& values, int count)
     const std::string format = count == 1 ? "%.7g" + unit : "%.4g";
     const ImGuiID own = ImGui::GetID("##value");
     if (typed.id == own) values = typed.values;
-    const bool changed =
-        ImGui::DragScalarN("##value", ImGuiDataType_Double, values.data(), count, speed, &low, &high, format.c_str());
+    const bool changed = drag_numbers(key, values, count, speed, low, high, format);
     const bool finite = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
     if (changed && ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) return finite;
     if (changed) typed = {own, values};
@@ -294,7 +314,7 @@ bool SceneEditor::draw_key(ViewState& view, const SectionRef& at, const Scene& h
         value.number = key.range.contains(1.0) ? 1.0 : 0.5 * (key.range.low + key.range.high);
         return take(view, with_value(view.scene, at, key, value));
     }
-    ImGui::SetNextItemWidth(differs ? -button - ImGui::GetStyle().ItemInnerSpacing.x : -1.0f);
+    ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemInnerSpacing.x);
     bool changed = field(key, value, escape);
     if (differs) {
         ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);

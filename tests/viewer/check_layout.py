@@ -119,6 +119,9 @@ def check(reader, width, height):
     reader.look("editor and timeline", "key", "ctrl+e", "key", "ctrl+t")
     reader.look("closed", "key", "ctrl+e", "key", "ctrl+t")
     reader.look("ray of a pixel", "key", "p", "mousemove", 2 * width // 3, height // 2)
+    reader.click("menu View", "View", "##MainMenuBar")
+    reader.click("effective potential", "Effective potential", "##Menu")
+    reader.look("effective potential", "mousemove", 2 * width // 3, height // 2)
     reader.look("closed", "key", "p", *away)
 
 
