@@ -1,15 +1,9 @@
 #include "viewer/film_export.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <spawn.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cstring>
+#include <cstdio>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -18,8 +12,6 @@
 #include "base/text.h"
 #include "scenefile/scene_writer.h"
 #include "viewer/user_files.h"
-
-extern char** environ;
 
 namespace nullscope::viewer {
 namespace {
@@ -57,26 +49,8 @@ Status FilmExport::start(const Scene& scene, const std::string& output) {
         for (const std::string& word :
              {std::string("--frames"), fmt::format("0:{}", scene.path->frames), std::string("--resume")})
             words.push_back(word);
-    std::vector<char*> arguments;
-    arguments.reserve(words.size() + 1);
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) return failed(std::strerror(errno));
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-    const int failure = ::posix_spawn(&process_, program.c_str(), &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    ::close(ends[1]);
-    output_fd_ = ends[0];
-    if (failure != 0) {
-        process_ = 0;
-        ::close(std::exchange(output_fd_, -1));
-        return failed(fmt::format("{}: {}", program.string(), std::strerror(failure)));
-    }
-    ::setpriority(PRIO_PROCESS, static_cast<id_t>(process_), kNiceness);
+    TRY(started, process_.start(std::move(words)));
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(process_.id()), kNiceness);
     share_ = 0.0;
     output_ = output, said_.clear(), line_.clear(), message_.clear();
     return Done{};
@@ -84,45 +58,30 @@ Status FilmExport::start(const Scene& scene, const std::string& output) {
 
 // Lines "frames: 37% (12.1 s, 20 s left)"; of others the last is kept, for it may say what went wrong.
 void FilmExport::read_output() {
-    std::array<char, 4096> bytes;
-    for (ssize_t count = 0; (count = ::read(output_fd_, bytes.data(), bytes.size())) > 0;)
-        for (ssize_t i = 0; i < count; ++i) {
-            const char c = bytes[static_cast<std::size_t>(i)];
-            if (c != '\n') {
-                line_ += c;
-                continue;
-            }
-            int percent = 0;
-            if (std::sscanf(line_.c_str(), "frames: %d%%", &percent) == 1)
-                share_ = 0.01 * percent;
-            else if (!line_.empty())
-                said_ = line_;
-            line_.clear();
+    for (const char c : process_.read()) {
+        if (c != '\n') {
+            line_ += c;
+            continue;
         }
+        int percent = 0;
+        if (std::sscanf(line_.c_str(), "frames: %d%%", &percent) == 1)
+            share_ = 0.01 * percent;
+        else if (!line_.empty())
+            said_ = line_;
+        line_.clear();
+    }
 }
 
 bool FilmExport::poll() {
-    if (process_ == 0) return false;
+    if (!runs()) return false;
     const double before = share_;
+    const auto status = process_.poll();
     read_output();
-    int status = 0;
-    if (::waitpid(process_, &status, WNOHANG) != process_) return share_ != before;
-    read_output();
-    ::close(std::exchange(output_fd_, -1));
-    process_ = 0;
-    message_ = WIFEXITED(status) && WEXITSTATUS(status) == 0 ? fmt::format("Film drawn: {}", output_)
-                                                             : without_controls("No film: " + said_);
+    if (!status) return share_ != before;
+    message_ = *status == 0 ? fmt::format("Film drawn: {}", output_) : without_controls("No film: " + said_);
     return true;
 }
 
 std::string FilmExport::take_message() { return std::exchange(message_, {}); }
-
-void FilmExport::cancel() {
-    if (process_ == 0) return;
-    ::kill(process_, SIGTERM);
-    ::waitpid(process_, nullptr, 0);
-    ::close(std::exchange(output_fd_, -1));
-    process_ = 0;
-}
 
 }  // namespace nullscope::viewer

@@ -8,6 +8,7 @@
 #include "base/assets.h"
 #include "image/image_file.h"
 #include "viewer/autosave.h"
+#include "viewer/file_dialog.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
@@ -69,7 +70,8 @@ std::string Gallery::draw_head(const std::vector<std::string>& recent, bool esca
     std::string chosen;
     if (opened_now_) ImGui::SetKeyboardFocusHere();
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float room = ImGui::GetContentRegionAvail().x - button_width("Close") - 2.0f * gap;
+    const float room = ImGui::GetContentRegionAvail().x - button_width("Close") -
+                       (FileDialog::available() ? button_width("Browse...") + gap : 0.0f) - 2.0f * gap;
     const float field = std::min(kFieldWidth * em(), 0.5f * room);
     ImGui::SetNextItemWidth(field);
     if (input_text("##words", "Search", words_)) {
@@ -83,6 +85,11 @@ std::string Gallery::draw_head(const std::vector<std::string>& recent, bool esca
     if (input_text("##path", "File to open: path, or drop it here", path_) && !path_.empty()) chosen = path_;
     tooltip("A scene file (.toml). Enter opens it.");
     ImGui::SameLine();
+    if (FileDialog::available()) {
+        if (ImGui::Button("Browse...")) browse_pressed = true;
+        tooltip("Choose a scene file in the desktop's dialog.");
+        ImGui::SameLine();
+    }
     if (ImGui::Button("Close") || escape) close();
     tooltip("Back to the picture (Escape). Ctrl + O opens the gallery again.");
     if (!recent.empty()) {

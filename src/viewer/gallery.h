@@ -22,6 +22,8 @@ public:
     // left for later frames. escape: the key was pressed. throws gl::GlError.
     std::string draw(float top, float bottom, const std::vector<std::string>& recent, bool all, bool escape);
 
+    bool browse_pressed = false;  // the button that asks for the desktop's dialog; for the viewer to take
+
 private:
     struct Picture {
         gl::Texture texture;

@@ -125,7 +125,7 @@ bool Viewer::step() {
     // In the frame before: a tooltip goes when the pointer leaves.
     const bool panels_had_pointer = ImGui::GetIO().WantCaptureMouse;
     panel_system_->begin_frame(settings_.text_scale);
-    changed |= open_dropped(input);
+    changed |= open_dropped(input) || open_chosen();
     changed |= handle_keys(input);
     changed |= panels(input);
     follow_path();
@@ -277,7 +277,7 @@ double Viewer::wait_time() const {
     if (frames_due_ > 0) return busy ? std::clamp(drawn_at_ + kBusyWait - seconds(), 0.0, kBusyWait) : 0.0;
     if (ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().WantTextInput) return kCaretWait;
     if (busy) return kProgressWait;
-    if (timeline_.records() || film_.runs()) return kProgressWait;
+    if (timeline_.records() || film_.runs() || file_dialog_.runs()) return kProgressWait;
     if (adapting()) return kAdaptingWait;
     double idle = std::min(kIdleWait, accuracy_->wait());
     if (view_.show_effects && !times_asked_)

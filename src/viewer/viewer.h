@@ -7,6 +7,7 @@
 #include "gl/gl.h"
 #include "viewer/autosave.h"
 #include "viewer/controls.h"
+#include "viewer/file_dialog.h"
 #include "viewer/frame_accuracy.h"
 #include "viewer/gallery.h"
 #include "viewer/history.h"
@@ -87,6 +88,7 @@ private:
     // viewer_files.cpp
     bool open_file(const std::string& file_or_name);  // true if the scene changed
     bool open_dropped(const Input& input);
+    bool open_chosen();  // with the desktop's dialog
     void save_scene();
     void save_scene_to(const std::filesystem::path& path);
     void follow_path();
@@ -123,6 +125,7 @@ private:
     Probe probe_;
     History history_;
     Gallery gallery_;
+    FileDialog file_dialog_;
     SceneEditor editor_;
     SaveAs save_as_;
     Autosave autosave_;

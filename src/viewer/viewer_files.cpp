@@ -19,6 +19,13 @@ constexpr int kFilmFrames = 2;  // drawn anew when a film has got on
 
 bool Viewer::open_dropped(const Input& input) { return !input.dropped.empty() && open_file(input.dropped.back()); }
 
+bool Viewer::open_chosen() {
+    if (std::exchange(gallery_.browse_pressed, false) && !file_dialog_.runs())
+        if (const Status asked = file_dialog_.open(); !asked) say(asked.error().message());
+    const std::string file = file_dialog_.poll();
+    return !file.empty() && open_file(file);
+}
+
 bool Viewer::open_file(const std::string& file_or_name) {
     const Status opened = load_into(view_, file_or_name);
     if (!opened) say(std::exchange(view_.error, {}));

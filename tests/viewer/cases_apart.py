@@ -73,6 +73,26 @@ def test_the_gallery_finds_and_opens(screen, program, folder):
         assert v.title() == "Kerr planet - nullscope", "undo does not bring the scene before back"
 
 
+def test_a_file_is_chosen_in_the_desktops_dialog(screen, program, folder):
+    tools = folder / "tools"
+    tools.mkdir()
+    scene = folder / "chosen.toml"
+    scene.write_text('name = "Chosen one"\n')
+    (tools / "zenity").write_text(f"#!/bin/sh\necho warning >&2\nsleep 0.2\necho {scene}\n")
+    (tools / "zenity").chmod(0o755)
+    path = os.environ["PATH"]
+    os.environ["PATH"] = f"{tools}:{path}"
+    try:
+        with Viewer(screen, program, "--gallery", "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
+            v.settle()
+            rows = [line.split(" ", 6) for line in (Path(v.folder) / "layout.txt").read_text().splitlines() if line.startswith("text")]
+            x, y = next((int(row[2]), int(row[3])) for row in rows if row[6] == "Browse...")
+            v.click(x + 10, y + 5)
+            wait_until("the chosen file is open", lambda: v.title() == "Chosen one - nullscope", HUNG_S)
+    finally:
+        os.environ["PATH"] = path
+
+
 def test_the_first_visit_has_hints_and_the_next_has_none(screen, program, folder):
     shots = []
     for first_visit in (True, False):
@@ -458,6 +478,7 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
          test_several_rays_a_pixel_wait_for_rest,
          test_exposure_follows_like_an_eye, test_the_clock_runs_and_stops, test_screenshot, test_the_gallery_finds_and_opens,
+         test_a_file_is_chosen_in_the_desktops_dialog,
          test_the_first_visit_has_hints_and_the_next_has_none, test_menus_do_what_they_say,
          test_the_critical_curve_is_synges_circle_and_the_potential_is_drawn, test_a_killed_viewer_leaves_its_scene,
          test_a_planet_is_added_saved_under_a_name_and_escape_closes_one_thing_at_a_time,

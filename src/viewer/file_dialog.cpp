@@ -1,0 +1,36 @@
+#include "viewer/file_dialog.h"
+
+#include <filesystem>
+#include <string_view>
+
+namespace nullscope::viewer {
+namespace {
+
+constexpr const char* kZenity = "zenity";
+constexpr const char* kKdialog = "kdialog";
+
+}  // namespace
+
+bool FileDialog::available() {
+    static const bool found = is_in_path(kZenity) || is_in_path(kKdialog);
+    return found;
+}
+
+Status FileDialog::open() {
+    if (is_in_path(kZenity))
+        return process_.start({kZenity, "--file-selection", "--title=Open a scene", "--file-filter=Scenes | *.toml"});
+    std::error_code error;
+    return process_.start(
+        {kKdialog, "--getopenfilename", std::filesystem::current_path(error).string(), "Scenes (*.toml)"});
+}
+
+// Both print the path in a line, after warnings of their libraries; without a choice they end with a status of 1.
+std::string FileDialog::poll() {
+    const auto status = process_.poll();
+    if (!status || *status != 0) return "";
+    std::string said = process_.read();
+    while (said.ends_with('\n')) said.pop_back();
+    return said.substr(said.rfind('\n') + 1);
+}
+
+}  // namespace nullscope::viewer
