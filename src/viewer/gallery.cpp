@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "base/assets.h"
-#include "image/image_file.h"
 #include "viewer/autosave.h"
 #include "viewer/file_dialog.h"
 #include "viewer/widgets.h"
@@ -16,18 +15,6 @@ namespace {
 
 constexpr float kCardWidth = 18.0f;   // of the font's size, at least
 constexpr float kFieldWidth = 20.0f;  // likewise
-constexpr long long kMostPixels = 4'000'000;
-
-gl::Texture texture_of(const Image<float>& image) {
-    gl::Texture texture = gl::make_rgba8_texture(image.width, image.height, rgba8_of(image).data());
-    gl::set_linear(texture);
-    return texture;
-}
-
-ImTextureID id_of(const gl::Texture& texture) {
-    // NOLINTNEXTLINE: pointer or integer by version.
-    return (ImTextureID)(static_cast<std::intptr_t>(texture.id()));
-}
 
 }  // namespace
 
@@ -39,7 +26,7 @@ void Gallery::open(const std::vector<SceneInfo>& scenes) {
 
 std::string Gallery::draw(float top, float bottom, const std::vector<std::string>& recent, bool all, bool escape) {
     if (!open_) return "";
-    loading_ = read_in_this_frame_ = false;
+    pictures_.begin_frame();
     const float width = ImGui::GetIO().DisplaySize.x;
     ImGui::SetNextWindowPos({0.0f, top});
     ImGui::SetNextWindowSize({width, std::max(bottom - top, 4.0f * em())});
@@ -134,44 +121,20 @@ std::string Gallery::draw_cards(const SceneGroup& group, bool all) {
 
 bool Gallery::draw_card(const SceneInfo& scene, float width, bool all) {
     const float margin = 0.4f * em(), wrap = width - 2.0f * margin, line = ImGui::GetTextLineHeight();
-    const float shape = Picture().shape;
+    const float shape = CardPicture::kShape;
     const float words = ImGui::CalcTextSize(scene.description.c_str(), nullptr, false, wrap).y;
     const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, shape * width + line + words + 3.0f * margin};
     const bool chosen = ImGui::InvisibleButton(scene.name.c_str(), size);
     if (!ImGui::IsItemVisible()) return chosen;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 corner{at.x + width, at.y + shape * width};
-    draw.AddRectFilled(at, corner, IM_COL32(0, 0, 0, 255));
-    if (const Picture* shown = picture(scene.name, all)) {
-        const float half = 0.5f * std::max(0.0f, shape - shown->shape) * width;  // wider pictures have bars
-        draw.AddImage(id_of(shown->texture), {at.x, at.y + half}, {corner.x, corner.y - half});
-    }
     const bool over = ImGui::IsItemHovered();
-    if (over)
-        draw.AddRect({at.x - 1.0f, at.y - 1.0f}, {corner.x + 1.0f, corner.y + 1.0f},
-                     ImGui::GetColorU32(ImGuiCol_CheckMark), 0.0f, 0, 2.0f);
+    draw_card_picture(pictures_.find(assets_directory() / "gallery" / (scene.name + ".jpg"), all), at, width, over);
     const ImVec2 text{at.x + margin, corner.y + margin};
     draw.AddText(text, ImGui::GetColorU32(over ? ImGuiCol_CheckMark : ImGuiCol_Text), scene.title.c_str());
     draw.AddText(ImGui::GetFont(), em(), {text.x, text.y + line + 0.3f * margin},
                  ImGui::GetColorU32(ImGuiCol_TextDisabled), scene.description.c_str(), nullptr, wrap);
     return chosen;
-}
-
-const Gallery::Picture* Gallery::picture(const std::string& name, bool all) {
-    auto found = pictures_.find(name);
-    if (found == pictures_.end()) {
-        if (read_in_this_frame_ && !all) {
-            loading_ = true;
-            return nullptr;
-        }
-        read_in_this_frame_ = true;
-        found = pictures_.emplace(name, Picture()).first;
-        if (const auto image = load_image(assets_directory() / "gallery" / (name + ".jpg"), kMostPixels)) {
-            found->second.texture = texture_of(*image);
-            found->second.shape = static_cast<float>(image->height) / static_cast<float>(image->width);
-        }
-    }
-    return found->second.texture ? &found->second : nullptr;
 }
 
 }  // namespace nullscope::viewer

@@ -1,11 +1,10 @@
 // The gallery: every scene that ships as a picture with its sentence, found by words, and files of one's own.
 #pragma once
-#include <map>
 #include <string>
 #include <vector>
 
-#include "gl/gl.h"
 #include "scenefile/scene_file.h"
+#include "viewer/card_pictures.h"
 
 namespace nullscope::viewer {
 
@@ -16,7 +15,7 @@ public:
     void close() { open_ = false; }
     bool is_open() const { return open_; }
     // Pictures are still to be read: another frame is due. Each takes 10 ms, one a frame.
-    bool loading() const { return open_ && loading_; }
+    bool loading() const { return open_ && pictures_.loading(); }
 
     // Between NewFrame and Render, between `top` and `bottom` of the window. What load_scene shall be given, or "". all: pictures are not
     // left for later frames. escape: the key was pressed. throws gl::GlError.
@@ -25,19 +24,14 @@ public:
     bool browse_pressed = false;  // the button that asks for the desktop's dialog; for the viewer to take
 
 private:
-    struct Picture {
-        gl::Texture texture;
-        float shape = 9.0f / 16.0f;  // height over width
-    };
     std::string draw_head(const std::vector<std::string>& recent, bool escape);
     std::string draw_cards(const SceneGroup& group, bool all);
     bool draw_card(const SceneInfo& scene, float width, bool all);
-    const Picture* picture(const std::string& name, bool all);  // nullptr: none, or not yet
     bool matches(const SceneInfo& scene) const;
 
-    bool open_ = false, opened_now_ = false, loading_ = false, read_in_this_frame_ = false;
+    bool open_ = false, opened_now_ = false;
     std::vector<SceneGroup> groups_;
-    std::map<std::string, Picture> pictures_;  // by scene; without a texture: it could not be read
+    CardPictures pictures_;
     std::string words_, path_;
 };
 
