@@ -47,6 +47,8 @@ constexpr std::array kEntries = {
     Entry{Command::kSmallerText, "View", "Smaller text", "Ctrl+-", GLFW_KEY_MINUS, true, false, nullptr},
     Entry{Command::kCriticalCurve, "View", "Critical curve", "K", GLFW_KEY_K, false, false, &ViewState::show_critical},
     Entry{Command::kPotential, "View", "Effective potential", "", 0, false, false, &ViewState::show_potential},
+    Entry{Command::kBookmark, "View", "Bookmark this view", "Ctrl+B", GLFW_KEY_B, true, false, nullptr},
+    Entry{Command::kBookmarks, "View", "Bookmarks", "B", GLFW_KEY_B, false, false, &ViewState::show_bookmarks},
     Entry{Command::kAddPlanet, "Add", "Planet (ball)", "", 0, false, false, nullptr},
     Entry{Command::kAddDisc, "Add", "Disc", "", 0, false, false, nullptr},
     Entry{Command::kAddSpot, "Add", "Hot spot in the disc", "", 0, false, false, nullptr},

@@ -32,6 +32,8 @@ enum class Command {
     kSmallerText,
     kCriticalCurve,
     kPotential,
+    kBookmark,
+    kBookmarks,
     // add
     kAddPlanet,
     kAddDisc,

@@ -46,6 +46,7 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"F5", "read the scene again"},
     {"Ctrl + +, -", "larger, smaller text"},
     {"Ctrl + C V", "copy, paste the view as a line of text"},
+    {"Ctrl + B, B", "bookmark this view; bookmarks"},
     {"Ctrl + O", "gallery; a file can be dropped, too"},
     {"F", "fall freely, pause"},
     {"Escape", "close what is open, then quit"},
@@ -237,10 +238,9 @@ void draw_first_wait(const std::string& scene, const PaintProgress& progress) {
     draw.AddRectFilled({left, top}, {left + share * width, top + height}, ImGui::GetColorU32(ImGuiCol_CheckMark));
 }
 
-bool draw_panels(ViewState& view, const FrameFacts& facts, bool escape) {
+bool draw_panels(ViewState& view, const FrameFacts& facts, float bottom, bool escape) {
     bool changed = false;
-    if (view.show_errors)
-        draw_error_legend(facts.accuracy, ImGui::GetIO().DisplaySize.y - (view.show_panels ? status_height() : 0.0f));
+    if (view.show_errors) draw_error_legend(facts.accuracy, bottom);
     if (view.show_panels) {
         changed = side_panel(view, facts, escape);
         status_line(facts);

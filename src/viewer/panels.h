@@ -22,7 +22,7 @@ LeftScene draw_left_scene(const std::filesystem::path& file);
 // Version, driver and credits, to be copied. shown: false once it was closed.
 void draw_about(bool& shown, const gl::Info& info);
 
-// Between ImGui's NewFrame and Render. True when the scene changed.
-bool draw_panels(ViewState& view, const FrameFacts& facts, bool escape);
+// Between ImGui's NewFrame and Render. bottom: above it lies what explains the picture. True when the scene changed.
+bool draw_panels(ViewState& view, const FrameFacts& facts, float bottom, bool escape);
 
 }  // namespace nullscope::viewer

@@ -37,7 +37,8 @@ public:
     void forget() { facts_.reset(); }
     // Between NewFrame and Render, in the lower right corner of what lies between `left`, `top` and `bottom`. potential: with the effective
     // potential of the ray. Where there is little room, with one chart and the first numbers.
-    void draw(float left, float top, float bottom, bool potential) const;
+    void draw(float left, float top, float bottom, bool potential);
+    float width() const { return facts_ ? width_ : 0.0f; }  // that it took in its last frame, with the gap at its right
 
 private:
     bool follow(const Scene& scene);
@@ -51,6 +52,7 @@ private:
     std::shared_ptr<const Spacetime> spacetime_;
     std::vector<LandmarkCircle> circles_;
     std::optional<ProbeFacts> facts_;
+    float width_ = 0.0f;
 };
 
 }  // namespace nullscope::viewer

@@ -140,7 +140,7 @@ Layout layout_in(ImVec2 room, const std::vector<LandmarkCircle>& circles, bool p
 }  // namespace
 
 // Numbers are below the charts, in two columns below two; in a low window beside a single one.
-void Probe::draw(float left, float top, float bottom, bool potential) const {
+void Probe::draw(float left, float top, float bottom, bool potential) {
     if (!facts_ || !spacetime_) return;
     const float em = ImGui::GetFontSize(), margin = 0.6f * em, right = ImGui::GetIO().DisplaySize.x - margin;
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
@@ -149,6 +149,7 @@ void Probe::draw(float left, float top, float bottom, bool potential) const {
         layout_in({right - left - margin - 2.0f * padding.x, bottom - top - 2.0f * (margin + padding.y)}, circles_,
                   potential && facts_->potential, rows.size());
     overlay("##probe", right, bottom - margin, 1.0f, 1.0f, 0.92f, [&] {
+        width_ = ImGui::GetWindowWidth() + margin;
         const ImVec2 corner = ImGui::GetCursorPos();
         if (layout.potential) draw_potential(*facts_->potential, *spacetime_, circles_, layout.side);
         if (layout.potential && layout.path) ImGui::SameLine();

@@ -35,6 +35,7 @@ struct ViewState {
     bool show_probe = false;                           // the ray of the pixel under the cursor
     bool show_critical = false;                        // the critical curve
     bool show_potential = false;                       // of the probe's ray
+    bool show_bookmarks = false;
     MethodWish method;
     Fall fall;                       // of the camera, once it was let go
     bool clock_runs = false;         // the scene's own

@@ -21,6 +21,7 @@ namespace {
 
 constexpr const char* kFirstScene = "first-light";
 constexpr int kNewsFrames = 2;            // a measured number may make its panel wider a frame later
+constexpr float kStripGap = 0.6f;         // of the font's size, between strips of panels
 constexpr double kIdleWait = 1.0;         // s
 constexpr double kCaretWait = 0.1;        // s, while a text field shows a blinking caret
 constexpr double kAdaptingWait = 0.03;    // s, while exposure follows
@@ -131,6 +132,7 @@ bool Viewer::step() {
     follow_path();
     moving_ = move(input, dt);
     follow_film();
+    keep_bookmark();
     const ImGuiIO& io = ImGui::GetIO();
     if (input.moved || input.happened || changed || moving_ || news) probe(input);
     follow_changes(changed);
@@ -138,7 +140,8 @@ bool Viewer::step() {
     // In one context the window's first frame would wait for the first picture.
     if (painter_->in_background() || patient() || drawn_at_ > 0.0) ask();
     if (input.moved && (panels_had_pointer || io.WantCaptureMouse)) frames_due_ = kSettlingFrames;  // tooltips
-    if (io.WantTextInput || patient() || gallery_.loading()) frames_due_ = std::max(frames_due_, 1);
+    const bool reading = gallery_.is_open() ? gallery_.loading() : view_.show_panels && bookmark_panel_.loading();
+    if (io.WantTextInput || patient() || reading) frames_due_ = std::max(frames_due_, 1);
     const bool drawn =
         patient() ? settled() : frames_due_ > 0 && (news || !painter_->busy() || seconds() - drawn_at_ >= kBusyWait);
     if (drawn) {
@@ -183,20 +186,25 @@ bool Viewer::panels(const Input& input) {
     draw_marks();
     if (view_.show_errors && !picture_.job.scene.split) accuracy_->draw_overlay();
     if (view_.show_critical && picture_.texture != 0) draw_critical_curve(picture_.job.scene);
+    // How tall the strips at the bottom were a frame ago: without the bookmarks, with them.
+    const float timeline = view_.show_panels ? status_height() + timeline_panel_.height() : 0.0f;
+    const float gap = timeline_panel_.height() > 0.0f ? kStripGap * ImGui::GetFontSize() : 0.0f;
+    const bool bookmarks = view_.show_panels && bookmark_panel_.height() > 0.0f;
+    const float above = timeline + (bookmarks ? gap + bookmark_panel_.height() : 0.0f);
     if (view_.show_probe)
-        probe_.draw(view_.show_panels ? side_panel_right() : 0.0f, below_menu,
-                    screen - (view_.show_panels ? 2.0f * ImGui::GetFontSize() : 0.0f), view_.show_potential);
+        probe_.draw(view_.show_panels ? side_panel_right() : 0.0f, below_menu, screen - timeline - gap,
+                    view_.show_potential);
     const FrameFacts facts{picture_,      picture_ms_shown_, moving_ ? fps_shown_ : 0.0, size_,
                            info_,         progress_,         painter_->in_background(),  measured_,
                            not_measured_, choice_,           accuracy_->facts(),         effect_times_};
     if (!settings_.hints_seen && !patient() && picture_.texture != 0) draw_hints();
     if (view_.show_panels) {
-        changed |= editor_.draw(view_, below_menu, screen - status_height() - timeline_panel_.height(), escape);
+        changed |= editor_.draw(view_, below_menu, screen - above, escape);
         changed |= timeline_panel_.draw(view_, timeline_, film_, side_panel_right(), screen - status_height(), escape);
         if (std::exchange(timeline_panel_.record_pressed, false)) record(), changed = true;
+        changed |= draw_bookmarks(screen - timeline - gap, escape);
     }
-    changed |= draw_panels(view_, facts, escape);
-    const float above = view_.show_panels ? status_height() + timeline_panel_.height() : 0.0f;
+    changed |= draw_panels(view_, facts, screen - above, escape);
     if (!message_.empty()) draw_message(message_, screen - above);
     if (const std::string path = save_as_.draw(escape); !path.empty()) save_scene_to(path);
     return (left_ && offer_left_scene()) || changed;

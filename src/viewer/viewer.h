@@ -6,6 +6,7 @@
 
 #include "gl/gl.h"
 #include "viewer/autosave.h"
+#include "viewer/bookmark_panel.h"
 #include "viewer/controls.h"
 #include "viewer/file_dialog.h"
 #include "viewer/frame_accuracy.h"
@@ -96,6 +97,11 @@ private:
     void keep_settings();
     bool offer_left_scene();  // true if it was taken
     void say(const std::string& message);
+    // viewer_bookmarks.cpp; true if the scene changed
+    Image<unsigned char> small_picture() const;
+    void keep_bookmark();
+    bool open_bookmark(const std::string& file);
+    bool draw_bookmarks(float bottom, bool escape);
 
     ViewerOptions options_;
     ViewState view_;
@@ -132,6 +138,9 @@ private:
     Timeline timeline_;
     TimelinePanel timeline_panel_;
     FilmExport film_;
+    Bookmarks bookmarks_{state_folder().empty() ? state_folder() : state_folder() / "bookmarks"};
+    BookmarkPanel bookmark_panel_;
+    bool bookmark_due_ = false;                  // Ctrl+B, while the picture was not whole
     std::string timeline_source_;                // the scene that timeline_ knows
     double sampled_at_ = 0.0;                    // s: of the record
     std::optional<std::filesystem::path> left_;  // scene of a viewer that did not end as it should

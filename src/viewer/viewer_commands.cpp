@@ -45,7 +45,7 @@ bool Viewer::handle_keys(const Input& input) {
 // What is open closes, one thing at a time; when nothing is, the viewer does. Lists and the gallery see to themselves.
 void Viewer::close_topmost() {
     if (gallery_.is_open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
-    for (bool* shown : {&view_.show_about, &view_.show_editor, &view_.show_keys})
+    for (bool* shown : {&view_.show_about, &view_.show_editor, &view_.show_keys, &view_.show_bookmarks})
         if (std::exchange(*shown, false)) return;
     window_->close();
 }
@@ -89,6 +89,8 @@ bool Viewer::perform(Command command) {
         case Command::kFullScreen: return window_->toggle_full_screen(), false;
         case Command::kLargerText: return scale_text(kTextStep);
         case Command::kSmallerText: return scale_text(-kTextStep);
+        case Command::kBookmark: return bookmark_due_ = true, false;
+        case Command::kBookmarks: return toggle(view_.show_bookmarks);
         case Command::kKeys: return toggle(view_.show_keys);
         case Command::kAbout: return toggle(view_.show_about);
     }

@@ -473,6 +473,49 @@ def test_old_opengl(screen, program, folder):
     assert "3.3" in done.stderr and "2.1" in done.stderr and "display" not in done.stderr, done.stderr
 
 
+def test_bookmarks_are_kept_opened_renamed_and_deleted(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}") as v:
+        kept = lambda kind: sorted((v.settings.parent / "bookmarks").glob(f"*.{kind}"), reverse=True)
+        name = lambda: tomllib.loads(kept("toml")[0].read_text())["name"]
+        before = v.settle("key", "ctrl+b")
+        assert name() == "scene 1" and "disc" in tomllib.loads(kept("toml")[0].read_text()), "the scene is not kept"
+        assert kept("jpg")[0].read_bytes()[:2] == b"\xff\xd8", "no picture of it is kept"
+        v.hands("keydown", "w")
+        v.changes("the camera flies", before)
+        v.hands("keyup", "w")
+        elsewhere = v.settle()
+        v.settle("key", "b")
+        assert v.picture(BOOKMARK).mean() > 40, "no card with a picture"
+        v.click(*BOOKMARK_PICTURE)
+        v.settle("key", "b")
+        assert v.title() == "scene 1 - nullscope", v.title()
+        same(before, v.picture(), "the view that was kept")
+        v.settle("key", "ctrl+z")
+        assert v.title() == "scene - nullscope", v.title()
+        same(elsewhere, v.picture(), "the view that was left")
+        v.settle("key", "b")
+
+        def choose(entry):
+            v.settle("mousemove", *BOOKMARK_PICTURE)
+            v.settle("mousedown", 3)
+            v.settle("mouseup", 3)
+            v.click(BOOKMARK_PICTURE[0] + 20, BOOKMARK_PICTURE[1] + 16 + 19 * entry)
+        choose(1)
+        v.hands("type", "--delay", 60, "ring")
+        v.settle("key", "--delay", 200, "Return")
+        assert name() == "ring", f"renamed to {name()}"
+        files = {file: file.read_bytes() for kind in ("toml", "jpg") for file in kept(kind)}
+        choose(2)
+        assert not kept("toml") and not kept("jpg"), "a bookmark that was deleted is there"
+        v.click(*BOOKMARK_RESTORE)
+        assert {file: file.read_bytes() for file in files if file.exists()} == files, "what was deleted does not come back"
+        broken = kept("toml")[0].with_name("broken.toml")
+        broken.write_text("[camera]\nr = ")
+        v.settle("key", "b")
+        v.settle("key", "b")
+        assert v.refused(NOT_SHOWN) > 50, "a broken file is not named"
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -483,5 +526,6 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_the_critical_curve_is_synges_circle_and_the_potential_is_drawn, test_a_killed_viewer_leaves_its_scene,
          test_a_planet_is_added_saved_under_a_name_and_escape_closes_one_thing_at_a_time,
          test_a_flight_is_recorded_played_saved_and_filmed,
+         test_bookmarks_are_kept_opened_renamed_and_deleted,
          test_split_screens_have_a_line_and_labels, test_bad_input,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]

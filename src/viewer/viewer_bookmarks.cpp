@@ -1,0 +1,86 @@
+// What the viewer does with bookmarks.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "image/area_filter.h"
+#include "image/image_file.h"
+#include "viewer/viewer.h"
+
+namespace nullscope::viewer {
+namespace {
+
+constexpr int kPictureWidth = 320;  // px
+
+// Display-encoded, top row first; the mean is one of light. rgba: bottom row first.
+Image<unsigned char> reduced(PixelSize from, const std::vector<unsigned char>& rgba, PixelSize to) {
+    AreaFilter filter(from.width, from.height, 3, to.width, to.height);
+    std::vector<float> row(3 * static_cast<std::size_t>(from.width));
+    for (int y = from.height - 1; y >= 0; --y) {
+        const unsigned char* pixels = rgba.data() + 4 * static_cast<std::size_t>(y) * from.width;
+        for (std::size_t i = 0; i < row.size(); ++i)
+            row[i] = linear_from_srgb(static_cast<float>(pixels[4 * (i / 3) + i % 3]) / 255.0f);
+        filter.add_row(row.data());
+    }
+    const Image<float> small = filter.take();
+    const std::vector<unsigned char> four = rgba8_of(small);
+    Image<unsigned char> image(small.width, small.height, 3);
+    for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = four[4 * (i / 3) + i % 3];
+    return image;
+}
+
+}  // namespace
+
+// Of the picture on the screen. The driver halves it while it is much too large, so that few pixels are read back: 10 ms.
+Image<unsigned char> Viewer::small_picture() const {
+    if (picture_.texture == 0) return {};
+    PixelSize size{picture_.width, picture_.height};
+    gl::Target target;
+    for (unsigned texture = picture_.texture;; texture = target.colours[0].id()) {
+        const bool halve = size.width > 2 * kPictureWidth && size.height > 1;
+        const PixelSize next = halve ? PixelSize{size.width / 2, size.height / 2} : size;
+        gl::Target smaller = gl::make_target(next.width, next.height, gl::Format::kRgba8);
+        gl::blit(texture, size.width, size.height, smaller.framebuffer.id(), next.width, next.height);
+        target = std::move(smaller);
+        size = next;
+        if (!halve) break;
+    }
+    std::vector<unsigned char> rgba(4 * static_cast<std::size_t>(size.width) * size.height);
+    gl::read_rgba8(target, rgba.data());
+    const int width = std::min(size.width, kPictureWidth);
+    return reduced(size, rgba, {width, std::max(1, size.height * width / size.width)});
+}
+
+// With the picture of this view, if it is not too long in coming.
+void Viewer::keep_bookmark() {
+    if (!bookmark_due_ || !(settled() || in_motion() || controls_.dragging())) return;
+    bookmark_due_ = false;
+    Scene scene = view_.scene;
+    set_size(scene, view_.loaded.camera.width, view_.loaded.camera.height);
+    const auto kept = bookmarks_.add(scene, view_.source, small_picture());
+    say(kept ? fmt::format("Bookmarked as {} (B shows the bookmarks)", *kept) : kept.error().message());
+    frames_due_ = kSettlingFrames;
+}
+
+// No recent file: it is found among the bookmarks.
+bool Viewer::open_bookmark(const std::string& file) {
+    history_.rest(view_);
+    const std::vector<std::string> own = view_.own;
+    const bool opened = open_file(file);
+    view_.own = own;
+    return opened;
+}
+
+bool Viewer::draw_bookmarks(float bottom, bool escape) {
+    const std::string chosen = bookmark_panel_.draw(
+        view_, bookmarks_, side_panel_right(),
+        ImGui::GetIO().DisplaySize.x - (view_.show_probe ? probe_.width() : 0.0f), bottom, patient(), escape);
+    bookmark_due_ |= std::exchange(bookmark_panel_.add_pressed, false);
+    if (!bookmark_panel_.message.empty()) say(std::exchange(bookmark_panel_.message, {}));
+    return !chosen.empty() && open_bookmark(chosen);
+}
+
+}  // namespace nullscope::viewer
