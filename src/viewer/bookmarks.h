@@ -1,4 +1,4 @@
-// Bookmarks: scenes kept with their view and a small picture, as files NAME.toml (a scene file) and NAME.jpg in one folder. No window, no OpenGL.
+// Bookmarks: scenes kept with their view and a small picture, as files STEM.toml (a scene file) and STEM.jpg in one folder. No OpenGL.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -34,8 +34,8 @@ public:
     // itself, whose number is not kept. picture: 3 channels of 8 bits; none: the bookmark has no picture. Returns the bookmark's name.
     // Errors: kMost are kept already, no such scene can be saved, a file cannot be written; then nothing is kept.
     Result<std::string> add(const Scene& scene, const std::string& source, const Image<unsigned char>& picture);
-    // name: 1 to kLongestName bytes without control characters; blanks around it are dropped. Errors: another name, the file cannot be read or
-    // written.
+    // name: 1 to kLongestName bytes without control characters; blanks around it are dropped. Errors: another name, the file cannot be
+    // read or written.
     Status rename(const std::string& stem, const std::string& name);
     // Removes the files; they stay in memory for restore(). Errors: they cannot be read or removed.
     Status remove(const std::string& stem);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "observer/pose.h"
 #include "viewer/fly_camera.h"
@@ -42,12 +43,14 @@ bool Controls::apply(const Input& input, ViewState& view, double dt_s, bool pane
 void Controls::start_drag(const Input& input, const CameraSpec& camera, bool panel_has_mouse) {
     if (panel_has_mouse || drag_ != Drag::kNone) return;
     if (input.left.pressed)
-        drag_ = Drag::kLook;
+        drag_ = input.left.alt ? Drag::kOrbit : Drag::kLook, button_ = &Input::left;
     else if (input.right.pressed)
-        drag_ = Drag::kRoll;
+        drag_ = Drag::kRoll, button_ = &Input::right;
+    else if (input.middle.pressed)
+        drag_ = Drag::kOrbit, button_ = &Input::middle;
     else
         return;
-    const Button& button = drag_ == Drag::kLook ? input.left : input.right;
+    const Button& button = input.*button_;
     x_ = button.pressed_x, y_ = button.pressed_y;
     grabbed_ = pixel_direction(camera, x_, y_);
     grabbed_from_ = fly_camera(camera).world_from_camera;
@@ -57,12 +60,15 @@ void Controls::start_drag(const Input& input, const CameraSpec& camera, bool pan
 bool Controls::drag(const Input& input, CameraSpec& camera) {
     if (drag_ == Drag::kNone) return false;
     const Drag kind = drag_;
-    const Button& button = kind == Drag::kLook ? input.left : input.right;
+    const Button& button = input.*button_;
     if (!button.held) drag_ = Drag::kNone;
     const double x = button.held ? input.x : button.released_x, y = button.held ? input.y : button.released_y;
     if (x == x_ && y == y_) return false;
     if (kind == Drag::kLook) {
         store_orientation(dragged(grabbed_from_, grabbed_, pixel_direction(camera, x, y)), camera);
+    } else if (kind == Drag::kOrbit) {
+        const double angle = std::numbers::pi / camera.height;  // of a pixel: half a turn for the picture's height
+        orbit(camera, angle * (x - x_), angle * (y - y_));
     } else {
         const double ax = x_ - 0.5 * camera.width, ay = 0.5 * camera.height - y_;
         const double bx = x - 0.5 * camera.width, by = 0.5 * camera.height - y;

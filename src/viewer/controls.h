@@ -17,15 +17,16 @@ public:
     bool dragging() const { return drag_ != Drag::kNone; }
 
 private:
-    enum class Drag { kNone, kLook, kRoll };
+    enum class Drag { kNone, kLook, kRoll, kOrbit };
     void start_drag(const Input& input, const CameraSpec& camera, bool panel_has_mouse);
     bool drag(const Input& input, CameraSpec& camera);
     bool wheel(const Input& input, ViewState& view, double dt_s, bool panel_has_mouse);
     bool keys(const Input& input, ViewState& view, double dt_s);
 
     Drag drag_ = Drag::kNone;
-    double x_ = 0.0, y_ = 0.0;  // the pointer when the picture was last moved
-    Vec3 grabbed_;              // camera axes, in the orientation grabbed_from_
+    Button Input::*button_ = &Input::left;  // that drags
+    double x_ = 0.0, y_ = 0.0;              // the pointer when the picture was last moved
+    Vec3 grabbed_;                          // camera axes, in the orientation grabbed_from_
     Mat3 grabbed_from_;
     double approach_ = 0.0;  // of log(r - horizon), still to go
     bool in_motion_ = false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "observer/pose.h"
 
@@ -13,6 +14,7 @@ namespace {
 constexpr double kNearest = 5e-4;      // r/horizon - 1: the picture is a small disc of sky, and floats still resolve it
 constexpr double kNearestFlat = 0.01;  // where there is no horizon the centre is a point without a radial direction
 constexpr double kFarthest = 1e4;      // the shadow is a fifth of a pixel at 1280 px and 60 degrees
+constexpr double kNearestPole = 0.01;  // rad, in orbit(): phi has no direction at a pole
 constexpr double kLongestStep = 0.01;  // of one Euler step in fly()
 
 // The smallest rotation that takes unit vector a to unit vector b; not for a = -b.
@@ -62,6 +64,16 @@ Mat3 dragged(const Mat3& world_from_camera, Vec3 grabbed, Vec3 now) {
 Mat3 rolled(const Mat3& world_from_camera, double angle) {
     const double s = std::sin(angle), c = std::cos(angle);
     return world_from_camera * Mat3{{c, -s, 0}, {s, c, 0}, {0, 0, 1}};
+}
+
+void orbit(CameraSpec& camera, double right, double down) {
+    const Mat3 axes = static_from_camera(camera);
+    // A camera that looks outward has its right in the west, one upside down its top in the south.
+    const double east = axes.a.z < 0.0 ? -1.0 : 1.0, north = axes.b.y > 0.0 ? -1.0 : 1.0;
+    const double least = std::min(camera.theta, kNearestPole);
+    const double most = std::max(camera.theta, std::numbers::pi - kNearestPole);
+    camera.phi = std::remainder(camera.phi - east * right, 2.0 * std::numbers::pi);
+    camera.theta = std::clamp(camera.theta - north * down, least, most);
 }
 
 FlightRange flight_range(const Spacetime& spacetime) {

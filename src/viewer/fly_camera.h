@@ -27,6 +27,11 @@ Mat3 dragged(const Mat3& world_from_camera, Vec3 grabbed, Vec3 now);
 // Turned about the line of sight: the camera's top goes to its right.
 Mat3 rolled(const Mat3& world_from_camera, double angle);
 
+// Moves the camera about the centre at constant r, so that what is between the two follows a hand that goes by these angles (rad) to the
+// right and down in the picture: phi and theta change. Seen from the centre it looks and moves as before: yaw, pitch, roll and velocity
+// stay. theta comes no nearer to a pole than 0.01, or than it was.
+void orbit(CameraSpec& camera, double right, double down);
+
 // Radii between which one flies, from the metric's own range of cameras. One outside of them (from a scene file) may stay there, or
 // come back. throat: of a wormhole, through which one flies to negative radii; 0 elsewhere.
 struct FlightRange {

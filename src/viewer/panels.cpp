@@ -25,6 +25,7 @@ constexpr float kMargin = 0.6f;
 constexpr std::pair<const char*, const char*> kKeys[] = {
     {"Left drag", "look around"},
     {"Right drag, Q E", "roll"},
+    {"Middle drag", "go round the hole; Alt + drag, too"},
     {"Wheel", "distance to the horizon"},
     {"Shift + wheel", "field of view"},
     {"W S", "fly forward, back"},

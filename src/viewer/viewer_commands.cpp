@@ -29,7 +29,7 @@ bool works_while_typing(Command command) {
 
 bool Viewer::handle_keys(const Input& input) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool in_picture = (input.left.pressed || input.right.pressed) && !io.WantCaptureMouse;
+    const bool in_picture = (input.left.pressed || input.middle.pressed || input.right.pressed) && !io.WantCaptureMouse;
     if (!gallery_.is_open() && picture_.texture != 0 && (in_picture || !input.pressed.empty()))
         settings_.hints_seen = true;
     bool changed = false;

@@ -92,12 +92,15 @@ double ratio_of(GLFWwindow* window) {
     return width > 0 ? static_cast<double>(pixels) / width : 1.0;
 }
 
-void on_button(GLFWwindow* window, int number, int action, int) {
+void on_button(GLFWwindow* window, int number, int action, int mods) {
     Input& input = input_of(window);
     input.happened = true;
-    if (number != GLFW_MOUSE_BUTTON_LEFT && number != GLFW_MOUSE_BUTTON_RIGHT) return;
-    Button& button = number == GLFW_MOUSE_BUTTON_LEFT ? input.left : input.right;
+    if (number > GLFW_MOUSE_BUTTON_MIDDLE) return;
+    Button& button = number == GLFW_MOUSE_BUTTON_LEFT    ? input.left
+                     : number == GLFW_MOUSE_BUTTON_RIGHT ? input.right
+                                                         : input.middle;
     button.held = action == GLFW_PRESS;
+    if (button.held) button.alt = (mods & GLFW_MOD_ALT) != 0;
     button.pressed |= button.held;
     (button.held ? button.pressed_x : button.released_x) = input.x;
     (button.held ? button.pressed_y : button.released_y) = input.y;
@@ -179,7 +182,7 @@ const Input& Window::poll(double wait_s) {
     input_.pressed.clear();
     input_.dropped.clear();
     input_.tapped.reset();
-    input_.left.pressed = input_.right.pressed = input_.happened = input_.moved = false;
+    input_.left.pressed = input_.middle.pressed = input_.right.pressed = input_.happened = input_.moved = false;
     input_.wheel = input_.wheel_sideways = 0.0;
     if (wait_s > 0.0)
         glfwWaitEventsTimeout(wait_s);

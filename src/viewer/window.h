@@ -19,6 +19,7 @@ struct PixelSize {
 // A mouse button since the last poll, with where it went down and up: the pointer may have moved on since.
 struct Button {
     bool pressed = false, held = false;
+    bool alt = false;  // was down when it was pressed
     double pressed_x = 0.0, pressed_y = 0.0, released_x = 0.0, released_y = 0.0;
 };
 
@@ -33,7 +34,7 @@ struct Input {
     static constexpr int kKeys = 512;
     std::vector<KeyPress> pressed;    // in order
     std::bitset<kKeys> held, tapped;  // down now; went down, even if up again; both without Ctrl
-    Button left, right;
+    Button left, middle, right;
     double x = 0.0, y = 0.0;
     double wheel = 0.0, wheel_sideways = 0.0;
     bool shift = false;

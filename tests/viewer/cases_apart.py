@@ -516,6 +516,31 @@ def test_bookmarks_are_kept_opened_renamed_and_deleted(screen, program, folder):
         assert v.refused(NOT_SHOWN) > 50, "a broken file is not named"
 
 
+def test_a_drag_goes_round_the_hole_at_constant_r(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}") as v:
+        before = v.settle()
+
+        def drag(button, *keys):
+            v.settle(*keys, "mousemove", 560, 300, "mousedown", button)
+            v.hands("mousemove", 660, 350)
+            v.changes("the camera goes round", before)
+            there = v.settle()
+            same(before, v.settle("mousemove", 560, 300), "after the hand came back", CURSOR)
+            v.settle("mousemove", 660, 350, "mouseup", button)
+            return there, v.settle("mousemove", *BESIDE)
+        there, after = drag(2)
+        same(there, after, "after the button was let go", CURSOR)
+        v.settle("key", "ctrl+s")
+        camera = tomllib.loads((Path(v.folder) / "scene-2.toml").read_text())["camera"]
+        angle = 180 / HEIGHT
+        for key, expected in {"r": 22, "roll": -6, "phi": -100 * angle, "theta": 80 - 50 * angle}.items():
+            assert abs(camera[key] - expected) < 1e-9, f"{key} is {camera[key]}, not {expected}"
+        assert not {"yaw", "pitch"} & set(camera), f"the camera looks elsewhere: {camera}"
+        v.settle("key", "ctrl+z", "key", "ctrl+z")     # the file, the drag
+        same(after, drag(1, "keydown", "alt")[1], "after Alt and a left drag")
+        v.settle("keyup", "alt")
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -526,6 +551,6 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_the_critical_curve_is_synges_circle_and_the_potential_is_drawn, test_a_killed_viewer_leaves_its_scene,
          test_a_planet_is_added_saved_under_a_name_and_escape_closes_one_thing_at_a_time,
          test_a_flight_is_recorded_played_saved_and_filmed,
-         test_bookmarks_are_kept_opened_renamed_and_deleted,
+         test_bookmarks_are_kept_opened_renamed_and_deleted, test_a_drag_goes_round_the_hole_at_constant_r,
          test_split_screens_have_a_line_and_labels, test_bad_input,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]

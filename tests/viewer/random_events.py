@@ -31,10 +31,10 @@ def act(v, chance, width, height):
         time.sleep(0.05)
         v.hands("mouseup", 1)
     elif kind < 0.55:
-        v.hands("mousemove", *place(), "mousedown", chance.choice([1, 1, 3]))
+        v.hands("mousemove", *place(), "mousedown", chance.choice([1, 1, 2, 3]))
         for _ in range(chance.randrange(1, 6)):
             v.hands("mousemove", *place())
-        v.hands("mouseup", 1, "mouseup", 3)
+        v.hands("mouseup", 1, "mouseup", 2, "mouseup", 3)
     elif kind < 0.65:
         v.hands("mousemove", *place(), *["click", chance.choice([4, 5])] * chance.randrange(1, 4))
     elif kind < 0.9:
@@ -66,7 +66,7 @@ def one_seed(screen, options, seed, width, height):
             if v.process.poll() is not None:
                 assert v.process.returncode == 0, f"status {v.process.returncode}: {v.process.stderr.read()[-6000:]}"
                 continue
-            v.hands("keyup", "ctrl", "keyup", "shift", "mouseup", 1, "mouseup", 3)
+            v.hands("keyup", "ctrl", "keyup", "shift", "mouseup", 1, "mouseup", 2, "mouseup", 3)
             at = v.log.size()
             v.hands("windowsize", v.window, width, height, "mousemove", width // 2, 4)
             wait_until("it answers", lambda: v.log.turns(at), HUNG_S)

@@ -119,6 +119,54 @@ TEST_CASE("a roll takes the top to the right and leaves the line of sight") {
     CHECK(spec_of(again).roll == doctest::Approx(0.3).epsilon(1e-14));
 }
 
+TEST_CASE("an orbit keeps r, the look and the motion as the hole sees them, and comes back with the hand") {
+    Dice dice;
+    for (int i = 0; i < 1000; ++i) {
+        CameraSpec before = dice.pose();
+        if (i % 2 == 1) before.r = -before.r;  // the far side of a wormhole
+        CameraSpec after = before;
+        const double right = dice.uniform(-3.0, 3.0);
+        const double down = dice.uniform(-1.0, 1.0) * (std::min(before.theta, kPi - before.theta) - 0.01);
+        orbit(after, right, down);
+        CHECK(after.phi >= -kPi);
+        CHECK(after.phi <= kPi);
+        CHECK(std::fabs(std::remainder(after.phi - before.phi, 2.0 * kPi)) ==
+              doctest::Approx(std::fabs(right)).epsilon(1e-12));
+        CHECK(std::fabs(after.theta - before.theta) == doctest::Approx(std::fabs(down)).epsilon(1e-9));
+        orbit(after, -right, -down);
+        CHECK(angle_difference(after.phi, before.phi) < kRoundTrip);
+        CHECK(std::fabs(after.theta - before.theta) < kRoundTrip);
+        after.phi = before.phi, after.theta = before.theta;
+        CHECK(after == before);
+    }
+}
+
+TEST_CASE("an orbit follows the hand, whichever way the camera looks, and stops at the poles") {
+    CameraSpec inward, outward, turned;
+    outward.yaw = kPi, turned.roll = kPi;
+    for (CameraSpec* camera : {&inward, &outward, &turned}) {
+        camera->theta = 1.0, camera->phi = 0.5;
+        orbit(*camera, 0.2, 0.1);
+    }
+    CHECK(inward.phi == doctest::Approx(0.3));
+    CHECK(inward.theta == doctest::Approx(0.9));  // what is near goes down: the camera goes up
+    CHECK(outward.phi == doctest::Approx(0.7));
+    CHECK(outward.theta == doctest::Approx(0.9));
+    CHECK(turned.phi == doctest::Approx(0.7));
+    CHECK(turned.theta == doctest::Approx(1.1));
+    CameraSpec camera = inward;
+    orbit(camera, 0.0, 5.0);
+    CHECK(camera.theta == doctest::Approx(0.01));
+    CHECK(camera.phi == inward.phi);
+    orbit(camera, 0.0, -5.0);
+    CHECK(camera.theta == doctest::Approx(kPi - 0.01));
+    camera.theta = 0.001;  // a scene's own camera stays
+    orbit(camera, 0.1, 1.0);
+    CHECK(camera.theta == 0.001);
+    orbit(camera, 0.1, -1.0);
+    CHECK(camera.theta == doctest::Approx(1.001));
+}
+
 TEST_CASE("the distance to the horizon scales and never ends there") {
     const FlightRange range = flight_range(*spacetime("schwarzschild"));
     CHECK(range.horizon == 1.0);
