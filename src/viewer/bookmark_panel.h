@@ -10,8 +10,8 @@ namespace nullscope::viewer {
 
 class BookmarkPanel {
 public:
-    // Between NewFrame and Render, from `left` to `right` where there is room for a card, above `bottom`. The file to open, or "". all: nothing
-    // is left for later frames. escape: the key was pressed. throws gl::GlError.
+    // Between NewFrame and Render, from `left` to `right` where there is room for a card, above `bottom`. The file to open, or "". all:
+    // nothing is left for later frames. escape: the key was pressed. throws gl::GlError.
     std::string draw(ViewState& view, Bookmarks& bookmarks, float left, float right, float bottom, bool all,
                      bool escape);
     float height() const {

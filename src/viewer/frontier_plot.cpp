@@ -11,10 +11,6 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr ImU32 kAccent = IM_COL32(245, 171, 84, 255), kAsked = IM_COL32(245, 171, 84, 120);
-constexpr ImU32 kTruth = IM_COL32(110, 205, 255, 255);
-constexpr ImU32 kDominated = IM_COL32(148, 156, 168, 150), kGrid = IM_COL32(255, 255, 255, 20);
-
 constexpr const char* kHelp =
     "Every measured method: its largest screen error on the sky, scaled to this frame, against its cost. Ring: the "
     "method in use. Diamond: the true error of this frame on the sky. Grey: another method is at least as accurate and "
@@ -63,16 +59,16 @@ public:
 
     void grid() const {
         const ImU32 ink = ImGui::GetColorU32(ImGuiCol_TextDisabled);
-        draw_.AddRectFilled({x_.from, y_.to}, {x_.to, y_.from}, IM_COL32(255, 255, 255, 8));
+        draw_.AddRectFilled({x_.from, y_.to}, {x_.to, y_.from}, packed(palette().text.with(0.03f)));
         for (int d = 0; d <= x_.high; ++d) {
             const float x = x_.at(std::pow(10.0, d));
-            draw_.AddLine({x, y_.to}, {x, y_.from}, kGrid);
+            draw_.AddLine({x, y_.to}, {x, y_.from}, packed(palette().text.with(0.08f)));
             text(x, y_.from + 0.15f * small_, power(d), d == 0 ? 0.0f : 0.5f, ink);
         }
         const int decades = static_cast<int>(y_.high - y_.low), every = decades > 5 ? 2 : 1;
         for (int d = static_cast<int>(y_.low); d <= y_.high; d += every) {
             const float y = y_.at(std::pow(10.0, d));
-            draw_.AddLine({x_.from, y}, {x_.to, y}, kGrid);
+            draw_.AddLine({x_.from, y}, {x_.to, y}, packed(palette().text.with(0.08f)));
             text(x_.from - 0.35f * em_, y - 0.5f * small_, power(d), 1.0f, ink);
         }
         text(x_.from, y_.to - 1.3f * small_, "error in px of this frame", 0.0f, ink);
@@ -82,13 +78,14 @@ public:
     void points() {
         if (asked_px_) {
             const float y = y_.at(*asked_px_);
-            draw_.AddLine({x_.from, y}, {x_.to, y}, kAsked);
-            text(x_.to - 0.3f * small_, y - 1.15f * small_, "max error", 1.0f, kAsked);
+            draw_.AddLine({x_.from, y}, {x_.to, y}, packed(palette().accent.with(0.5f)));
+            text(x_.to - 0.3f * small_, y - 1.15f * small_, "max error", 1.0f, packed(palette().accent));
         }
         for (const MeasuredMethod* row : rows_) {
             const ImVec2 at = place_of(*row);
             const bool dominated = is_dominated(*row, facts_.measured);
-            draw_.AddCircleFilled(at, (dominated ? 0.16f : 0.2f) * em_, dominated ? kDominated : kAccent);
+            draw_.AddCircleFilled(at, (dominated ? 0.16f : 0.2f) * em_,
+                                  packed(dominated ? palette().dim.with(0.6f) : palette().accent));
             near(at,
                  fmt::format("{}{}\nat most {:.2g} px in this frame\n{:.2f} times flat space", method_name(row->method),
                              dominated ? ", dominated" : ", on the frontier", error_of(*row), row->floor_ratio));
@@ -106,13 +103,13 @@ private:
     void marks(const MeasuredMethod& row) {
         const float half = 0.3f * em_;
         const ImVec2 at = place_of(row);
-        draw_.AddCircle(at, 0.42f * em_, kAccent, 24, 1.5f);
+        draw_.AddCircle(at, 0.42f * em_, packed(palette().accent), 24, 1.5f);
         if (!true_px_ || !(*true_px_ > 0.0)) return;
         const bool over = !std::isfinite(*true_px_);
         const ImVec2 truth{at.x, over ? y_.to : y_.at(*true_px_)};
-        draw_.AddLine(at, truth, (kTruth & 0x00ffffffu) | 0x80000000u, 1.5f);
+        draw_.AddLine(at, truth, packed(palette().measured.with(0.5f)), 1.5f);
         draw_.AddQuadFilled({truth.x - half, truth.y}, {truth.x, truth.y - half}, {truth.x + half, truth.y},
-                            {truth.x, truth.y + half}, kTruth);
+                            {truth.x, truth.y + half}, packed(palette().measured));
         near(truth, fmt::format("this frame, measured:\nat most {:.2g} px on the sky", *true_px_));
     }
 

@@ -49,6 +49,7 @@ constexpr std::array kEntries = {
     Entry{Command::kPotential, "View", "Effective potential", "", 0, false, false, &ViewState::show_potential},
     Entry{Command::kBookmark, "View", "Bookmark this view", "Ctrl+B", GLFW_KEY_B, true, false, nullptr},
     Entry{Command::kBookmarks, "View", "Bookmarks", "B", GLFW_KEY_B, false, false, &ViewState::show_bookmarks},
+    Entry{Command::kLightTheme, "View", "Light theme", "", 0, false, false, &ViewState::light_theme},
     Entry{Command::kAddPlanet, "Add", "Planet (ball)", "", 0, false, false, nullptr},
     Entry{Command::kAddDisc, "Add", "Disc", "", 0, false, false, nullptr},
     Entry{Command::kAddSpot, "Add", "Hot spot in the disc", "", 0, false, false, nullptr},

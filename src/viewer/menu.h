@@ -34,6 +34,7 @@ enum class Command {
     kPotential,
     kBookmark,
     kBookmarks,
+    kLightTheme,
     // add
     kAddPlanet,
     kAddDisc,

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "annotate/lettering.h"
+#include "viewer/palette.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -27,29 +28,29 @@ void load_font(double pixels) {
     fonts.AddFontDefault(&config);
 }
 
-void colour(ImGuiStyle& style) {
-    const ImVec4 text{0.90f, 0.91f, 0.93f, 1.00f}, dim{0.58f, 0.61f, 0.66f, 1.00f},
-        panel{0.045f, 0.050f, 0.065f, 0.82f};
-    const ImVec4 field{0.16f, 0.18f, 0.22f, 0.75f}, over{0.24f, 0.27f, 0.33f, 0.85f}, held{0.31f, 0.34f, 0.41f, 0.95f};
-    const ImVec4 accent{0.96f, 0.67f, 0.33f, 1.00f}, faint{1.00f, 1.00f, 1.00f, 0.07f};
-    ImGui::StyleColorsDark(&style);
+ImVec4 as_imgui(const Colour& c) { return {c.red, c.green, c.blue, c.opacity}; }
+
+void colour(ImGuiStyle& style, const Palette& p) {
+    if (&p == &light_palette())
+        ImGui::StyleColorsLight(&style);
+    else
+        ImGui::StyleColorsDark(&style);
     ImVec4* c = style.Colors;
-    c[ImGuiCol_Text] = text;
-    c[ImGuiCol_TextDisabled] = dim;
-    c[ImGuiCol_WindowBg] = panel;
-    c[ImGuiCol_MenuBarBg] = {panel.x, panel.y, panel.z, 0.97f};
-    c[ImGuiCol_PopupBg] = {panel.x, panel.y, panel.z, 0.97f};
-    c[ImGuiCol_Separator] = faint;
-    c[ImGuiCol_FrameBg] = c[ImGuiCol_Button] = field;
-    c[ImGuiCol_Border] = {1.00f, 1.00f, 1.00f, 0.16f};  // of boxes over a bright disc too
-    c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = c[ImGuiCol_HeaderHovered] = over;
-    c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = c[ImGuiCol_HeaderActive] = held;
-    c[ImGuiCol_Header] = {0.13f, 0.145f, 0.18f, 0.60f};
-    c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = c[ImGuiCol_Header];
-    c[ImGuiCol_CheckMark] = accent;
-    c[ImGuiCol_SliderGrab] = {accent.x, accent.y, accent.z, 0.60f};  // the number shows through
-    c[ImGuiCol_SliderGrabActive] = {accent.x, accent.y, accent.z, 0.85f};
-    c[ImGuiCol_TextSelectedBg] = {accent.x, accent.y, accent.z, 0.35f};
+    c[ImGuiCol_Text] = as_imgui(p.text);
+    c[ImGuiCol_TextDisabled] = as_imgui(p.dim);
+    c[ImGuiCol_WindowBg] = as_imgui(p.panel);
+    c[ImGuiCol_MenuBarBg] = c[ImGuiCol_PopupBg] = as_imgui(p.panel.with(0.97f));
+    c[ImGuiCol_Separator] = as_imgui(p.faint);
+    c[ImGuiCol_FrameBg] = c[ImGuiCol_Button] = as_imgui(p.field);
+    c[ImGuiCol_Border] = as_imgui(p.border);
+    c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = c[ImGuiCol_HeaderHovered] = as_imgui(p.over);
+    c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = c[ImGuiCol_HeaderActive] = as_imgui(p.held);
+    c[ImGuiCol_Header] = as_imgui(p.header);
+    c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = as_imgui(p.title());
+    c[ImGuiCol_CheckMark] = as_imgui(p.accent);
+    c[ImGuiCol_SliderGrab] = c[ImGuiCol_PlotHistogram] = as_imgui(p.grab);
+    c[ImGuiCol_SliderGrabActive] = as_imgui(p.dragged());
+    c[ImGuiCol_TextSelectedBg] = as_imgui(p.grab.with(0.35f));
     c[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};
     c[ImGuiCol_ResizeGrip] = {0, 0, 0, 0};
 }
@@ -68,7 +69,7 @@ void apply_theme(double content_scale, double pixel_ratio) {
     style.ItemSpacing = {7.0f, 4.0f};
     style.ItemInnerSpacing = {5.0f, 4.0f};
     style.WindowBorderSize = style.PopupBorderSize = style.FrameBorderSize = 1.0f;
-    colour(style);
+    colour(style, palette());
     style.ScaleAllSizes(static_cast<float>(content_scale / pixel_ratio));
     ImGui::GetStyle() = style;
     load_font(static_cast<double>(kFontSize) * content_scale);
@@ -91,10 +92,11 @@ PanelSystem::~PanelSystem() {
     ImGui::DestroyContext();
 }
 
-void PanelSystem::begin_frame(double text_scale) {
+void PanelSystem::begin_frame(double text_scale, bool light) {
     const double scale = text_scale * window_.content_scale(), ratio = window_.pixel_ratio();
-    if (scale != content_scale_ || ratio != pixel_ratio_) {
-        content_scale_ = scale, pixel_ratio_ = ratio;
+    if (scale != content_scale_ || ratio != pixel_ratio_ || light != light_) {
+        content_scale_ = scale, pixel_ratio_ = ratio, light_ = light;
+        use_palette(light);
         ImGui_ImplOpenGL3_Shutdown();  // version 1.86 keeps the sizes of buffers that it destroys: so all of it anew
         apply_theme(scale, ratio);
         ImGui_ImplOpenGL3_Init(kShaderVersion);

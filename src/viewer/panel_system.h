@@ -10,11 +10,13 @@ public:
     ~PanelSystem();
     PanelSystem(const PanelSystem&) = delete;
     PanelSystem& operator=(const PanelSystem&) = delete;
-    void begin_frame(double text_scale);  // follows the window to a screen of another scale
+    // Follows the window to a screen of another scale. light: the panels' palette.
+    void begin_frame(double text_scale, bool light);
 
 private:
     Window& window_;
     double content_scale_ = 0.0, pixel_ratio_ = 0.0;
+    bool light_ = false;
 };
 
 }  // namespace nullscope::viewer

@@ -176,7 +176,8 @@ float side_panel_right() { return (kPanelWidth + kMargin) * em(); }
 float status_height() { return ImGui::GetFrameHeight() + 0.2f * ImGui::GetFontSize(); }
 
 void draw_message(const std::string& message, float bottom) {
-    overlay("##message", 0.5f * ImGui::GetIO().DisplaySize.x, bottom - em(), 0.5f, 1.0f, 0.9f,
+    const float lowest = std::max(bottom - em(), menu_height() + 3.0f * em());  // strips may leave no room
+    overlay("##message", 0.5f * ImGui::GetIO().DisplaySize.x, lowest, 0.5f, 1.0f, 0.9f,
             [&] { ImGui::TextUnformatted(message.c_str()); });
 }
 
@@ -232,11 +233,10 @@ void draw_first_wait(const std::string& scene, const PaintProgress& progress) {
     const std::string work = progress_words(progress), words = scene + (work.empty() ? "" : ": " + work);
     const ImVec2 size = ImGui::CalcTextSize(words.c_str());
     const float width = 12.0f * em(), height = 0.15f * em(), left = 0.5f * (screen.x - width), top = 0.5f * screen.y;
-    draw.AddText({0.5f * (screen.x - size.x), top - 1.4f * em()}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
-                 words.c_str());
+    draw.AddText({0.5f * (screen.x - size.x), top - 1.4f * em()}, packed(dark_palette().dim), words.c_str());
     const float share = static_cast<float>(progress.rows) / static_cast<float>(std::max(progress.of, 1));
-    draw.AddRectFilled({left, top}, {left + width, top + height}, ImGui::GetColorU32(ImGuiCol_FrameBg));
-    draw.AddRectFilled({left, top}, {left + share * width, top + height}, ImGui::GetColorU32(ImGuiCol_CheckMark));
+    draw.AddRectFilled({left, top}, {left + width, top + height}, packed(dark_palette().field));
+    draw.AddRectFilled({left, top}, {left + share * width, top + height}, packed(dark_palette().accent));
 }
 
 bool draw_panels(ViewState& view, const FrameFacts& facts, float bottom, bool escape) {

@@ -10,6 +10,8 @@
 
 #include "observer/critical_light.h"
 #include "viewer/critical_overlay.h"
+#include "viewer/palette.h"
+#include "viewer/widgets.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -87,7 +89,7 @@ private:
     }
 
     void grid() const {
-        const ImU32 ink = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+        const ImU32 ink = packed(dark_palette().dim);
         title();
         const bool linear = spacetime_.by_proper_length();
         text(to_.x, from_.y + 1.3f * small_, linear ? "l" : "r / r_s", 1.0f, ink);
@@ -166,7 +168,7 @@ private:
         if (ray_.turn) draw_.AddLine({x_of(*ray_.turn), y + 2.0f}, {x_of(end), y + 2.0f}, kAfter, 1.0f);
         draw_.AddLine({x_of(ray_.camera), y}, {x_of(far), y}, kRay, 2.0f);
         arrow(x_of(end), y + (ray_.turn ? 2.0f : 0.0f), end > far || (!ray_.turn && end > ray_.camera));
-        const ImU32 bright = ImGui::GetColorU32(ImGuiCol_Text);
+        const ImU32 bright = packed(dark_palette().text);
         if (ray_.turn) draw_.AddCircle({x_of(*ray_.turn), y}, 3.5f, bright);
         if (ray_.camera >= low_ && ray_.camera <= high_) draw_.AddCircleFilled({x_of(ray_.camera), y}, 3.0f, bright);
         const std::string words = fmt::format("1/b\u00b2 = {:.3g}", ray_.level);

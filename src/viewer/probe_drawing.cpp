@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "scene/bodies.h"
+#include "viewer/palette.h"
 #include "viewer/probe.h"
 #include "viewer/widgets.h"
 
@@ -51,7 +52,7 @@ void draw_path(const ProbeFacts& facts, const std::vector<LandmarkCircle>& circl
     const auto at = [&](double x, double y) {
         return ImVec2(middle.x + scale * static_cast<float>(x), middle.y - scale * static_cast<float>(y));
     };
-    const ImU32 bright = ImGui::GetColorU32(ImGuiCol_Text);
+    const ImU32 bright = packed(dark_palette().text);
     draw.AddRectFilled(corner, {corner.x + side, corner.y + side}, IM_COL32(6, 8, 14, 255));
     draw.PushClipRect(corner, {corner.x + side, corner.y + side}, true);
     draw_circles(circles, middle.x, middle.y, scale);
@@ -73,7 +74,7 @@ void draw_path(const ProbeFacts& facts, const std::vector<LandmarkCircle>& circl
     if (facts.path.empty() && !facts.potential) {
         const float small = 0.8f * ImGui::GetFontSize();
         draw.AddText(ImGui::GetFont(), small, {corner.x + 0.6f * small, corner.y + side - 1.6f * small},
-                     ImGui::GetColorU32(ImGuiCol_TextDisabled), "equatorial plane; the ray stays in none");
+                     packed(dark_palette().dim), "equatorial plane; the ray stays in none");
     }
     draw.AddCircleFilled(at(std::min(camera, shown), 0), 3.0f, bright);  // the camera, or the edge towards it
     draw.PopClipRect();

@@ -75,7 +75,7 @@ bool scene_section(ViewState& view, bool escape) {
     if (ImGui::Button("Reload")) changed |= static_cast<bool>(load_into(view, view.source));
     tooltip("Reads the scene file again; changes made here are lost.");
     if (!view.error.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, {1.0f, 0.52f, 0.45f, 1.0f});
+        ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().refusal));
         ImGui::TextWrapped("%s", view.error.c_str());
         ImGui::PopStyleColor();
     }

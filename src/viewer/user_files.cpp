@@ -32,6 +32,7 @@ fs::path settings_file() {
 Settings read(const toml::table& root) {
     Settings settings;
     settings.hints_seen = root["hints_seen"].value_exact<bool>().value_or(settings.hints_seen);
+    settings.light_theme = root["theme"].value_exact<std::string>() == "light";
     const double scale = root["text_scale"].value_or(settings.text_scale);
     if (scale >= kLeastTextScale && scale <= kMostTextScale) settings.text_scale = scale;
     const long width = root["window"][0].value_or(0L), height = root["window"][1].value_or(0L);
@@ -70,7 +71,10 @@ Status save_settings(const Settings& settings) {
     fs::create_directories(file.parent_path(), error);  // if it fails, writing says so
     toml::array recent;
     for (const std::string& path : settings.recent) recent.push_back(path);
-    toml::table root{{"hints_seen", settings.hints_seen}, {"text_scale", settings.text_scale}, {"recent", recent}};
+    toml::table root{{"hints_seen", settings.hints_seen},
+                     {"text_scale", settings.text_scale},
+                     {"theme", settings.light_theme ? "light" : "dark"},
+                     {"recent", recent}};
     if (settings.width > 0) root.insert("window", toml::array{settings.width, settings.height});
     std::ostringstream text;
     text << root << '\n';

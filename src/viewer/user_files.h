@@ -18,6 +18,7 @@ struct Settings {
     double text_scale = 1.0;          // 0.75 to 3
     int width = 0, height = 0;        // of the window; 0: none was kept
     std::vector<std::string> recent;  // scene files, the last first
+    bool light_theme = false;         // theme = "light", not "dark"
     friend bool operator==(const Settings&, const Settings&) = default;
 };
 inline constexpr double kLeastTextScale = 0.75, kMostTextScale = 3.0;

@@ -36,6 +36,7 @@ struct ViewState {
     bool show_critical = false;                        // the critical curve
     bool show_potential = false;                       // of the probe's ray
     bool show_bookmarks = false;
+    bool light_theme = false;  // of the panels
     MethodWish method;
     Fall fall;                       // of the camera, once it was let go
     bool clock_runs = false;         // the scene's own

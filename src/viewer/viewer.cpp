@@ -60,6 +60,7 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     if (!viewer->patient()) settings = load_settings();
     viewer->kept_settings_ = settings;
     viewer->view_.own = settings.recent;
+    viewer->view_.light_theme = settings.light_theme;
     viewer->view_.shipped = shipped_scenes();
     if (Status loaded = load_into(viewer->view_, options.scene.empty() ? kFirstScene : options.scene); !loaded)
         return loaded.error();
@@ -125,7 +126,7 @@ bool Viewer::step() {
 
     // In the frame before: a tooltip goes when the pointer leaves.
     const bool panels_had_pointer = ImGui::GetIO().WantCaptureMouse;
-    panel_system_->begin_frame(settings_.text_scale);
+    panel_system_->begin_frame(settings_.text_scale, view_.light_theme);
     changed |= open_dropped(input) || open_chosen();
     changed |= handle_keys(input);
     changed |= panels(input);

@@ -91,6 +91,7 @@ bool Viewer::perform(Command command) {
         case Command::kSmallerText: return scale_text(-kTextStep);
         case Command::kBookmark: return bookmark_due_ = true, false;
         case Command::kBookmarks: return toggle(view_.show_bookmarks);
+        case Command::kLightTheme: return toggle(view_.light_theme);
         case Command::kKeys: return toggle(view_.show_keys);
         case Command::kAbout: return toggle(view_.show_about);
     }

@@ -15,7 +15,6 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr float kTooltipWidth = 22.0f;  // of the font's size
 constexpr float kNameColumn = 6.2f;     // of the font's size
-const ImVec4 kRefusal{1.0f, 0.52f, 0.45f, 1.0f};
 
 std::string hidden_id(const char* name) { return std::string("##") + name; }
 
@@ -74,6 +73,10 @@ bool settled(const std::string& id, bool changed, double& edited) {
 
 float em() { return ImGui::GetFontSize(); }
 
+unsigned packed(const Colour& colour) {
+    return ImGui::ColorConvertFloat4ToU32({colour.red, colour.green, colour.blue, colour.opacity});
+}
+
 bool has_words(const std::string& text, const std::string& search) {
     const std::string in = lower_case(text);
     return std::ranges::all_of(split(lower_case(search), ' '),
@@ -102,8 +105,9 @@ void tooltip(const std::string& text) {
 }
 
 void paragraph(const std::string& text, bool refusal) {
-    ImGui::TextColored(refusal ? kRefusal : ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled), "%s",
-                       broken_at_spaces(text, ImGui::GetContentRegionAvail().x).c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(refusal ? palette().refusal : palette().dim));
+    ImGui::TextUnformatted(broken_at_spaces(text, ImGui::GetContentRegionAvail().x).c_str());
+    ImGui::PopStyleColor();
 }
 
 bool next_to(float width) {

@@ -3,9 +3,12 @@
 #include <functional>
 #include <string>
 
+#include "viewer/palette.h"
+
 namespace nullscope::viewer {
 
-float em();  // the font's size, by which everything is measured
+float em();                             // the font's size, by which everything is measured
+unsigned packed(const Colour& colour);  // as Dear ImGui takes it
 
 // Whether a text has all the words of a search, in upper or lower case.
 bool has_words(const std::string& text, const std::string& search);

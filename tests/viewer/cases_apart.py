@@ -541,6 +541,25 @@ def test_a_drag_goes_round_the_hole_at_constant_r(screen, program, folder):
         v.settle("keyup", "alt")
 
 
+def test_the_light_theme_is_switched_and_kept(screen, program, folder):
+    start = lambda again: Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", first_visit=again, home=folder)
+
+    def switch(v):
+        v.click(*MENUS["View"])
+        v.click(MENUS["View"][0] + 20, MENU_ENTRY(LIGHT_THEME))
+    with start(False) as v:
+        dark, picture = v.picture(SIDE), v.picture()
+        switch(v)
+        light = v.picture(SIDE)
+        assert dark.mean() < 60 and light.mean() > 180, f"means {dark.mean():.0f} of dark panels, {light.mean():.0f} of light ones"
+        same(picture, v.picture(), "the picture beside the panels")
+        wait_until("the settings", lambda: 'theme = "light"' in v.settings.read_text().replace("'", '"'))
+    with start(True) as v:
+        same(light, v.picture(SIDE), "light panels at the next start")
+        switch(v)
+        same(dark, v.picture(SIDE), "dark panels again")
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -552,5 +571,6 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_planet_is_added_saved_under_a_name_and_escape_closes_one_thing_at_a_time,
          test_a_flight_is_recorded_played_saved_and_filmed,
          test_bookmarks_are_kept_opened_renamed_and_deleted, test_a_drag_goes_round_the_hole_at_constant_r,
+         test_the_light_theme_is_switched_and_kept,
          test_split_screens_have_a_line_and_labels, test_bad_input,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]

@@ -52,6 +52,7 @@ FILM = [(598, 548), (597, 440), (610, 498)]     # the button, the box for frames
 FIRST_CARD, HINTS = (120, 150), (320, 440, 640, 515)
 MENUS = {name: (x, 10) for name, x in [("File", 24), ("Edit", 62), ("View", 104), ("Add", 146), ("Path", 188), ("Help", 231)]}
 MENU_ENTRY = lambda number: 38 + 19 * number
+LIGHT_THEME = 12     # of the menu View
 RIGHT = (560, 200, 820, 560)       # the ball is there, the tooltip of a row is not
 BOOKMARK, BOOKMARK_PICTURE, BOOKMARK_RESTORE, NOT_SHOWN = (306, 440, 470, 532), (350, 470), (495, 529), (302, 414, 460, 434)
 # Colours.
