@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <filesystem>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -21,14 +21,17 @@ Image<unsigned char> reduced(PixelSize from, const std::vector<unsigned char>& r
     std::vector<float> row(3 * static_cast<std::size_t>(from.width));
     for (int y = from.height - 1; y >= 0; --y) {
         const unsigned char* pixels = rgba.data() + 4 * static_cast<std::size_t>(y) * from.width;
-        for (std::size_t i = 0; i < row.size(); ++i)
-            row[i] = linear_from_srgb(static_cast<float>(pixels[4 * (i / 3) + i % 3]) / 255.0f);
+        std::size_t i = 0;
+        for (int x = 0; x < from.width; ++x, pixels += 4)
+            for (int c = 0; c < 3; ++c) row[i++] = linear_from_srgb(static_cast<float>(pixels[c]) / 255.0f);
         filter.add_row(row.data());
     }
     const Image<float> small = filter.take();
-    const std::vector<unsigned char> four = rgba8_of(small);
+    const std::vector<unsigned char> encoded = rgba8_of(small);
     Image<unsigned char> image(small.width, small.height, 3);
-    for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = four[4 * (i / 3) + i % 3];
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x)
+            std::copy_n(encoded.data() + 4 * (static_cast<std::size_t>(y) * small.width + x), 3, image.at(x, y));
     return image;
 }
 
