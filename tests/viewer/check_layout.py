@@ -111,11 +111,11 @@ def check(reader, width, height):
         reader.look("sections", *away)
         reader.click(f"section {name}", name, "##side")
     for what, keys in [("list of keys", ["F1"]), ("editor", ["ctrl+e"]), ("timeline", ["ctrl+t"]), ("errors", ["h"]),
-                       ("gallery", ["ctrl+o"])]:
-        reader.look(what, *away, "key", *keys)
+                       ("gallery", ["ctrl+o"]), ("bookmarks", ["ctrl+b", "b"])]:
+        reader.look(what, *away, *(word for key in keys for word in ("key", key)))
         if what == "editor":
             reader.tooltips("Scene")
-        reader.look("closed", *away, "key", *(["Escape"] if what == "gallery" else keys))
+        reader.look("closed", *away, "key", "Escape" if what == "gallery" else keys[-1])
     reader.look("editor and timeline", "key", "ctrl+e", "key", "ctrl+t")
     reader.look("closed", "key", "ctrl+e", "key", "ctrl+t")
     reader.look("ray of a pixel", "key", "p", "mousemove", 2 * width // 3, height // 2)
