@@ -124,7 +124,7 @@ void status_line(const FrameFacts& facts) {
         const float room = screen.x - (9.5f + kMargin) * em();
         const std::string version = facts.info.version.substr(0, facts.info.version.find(' '));
         for (const std::string& part : {tables, "OpenGL " + version, facts.info.renderer})
-            if (const std::string longer = rest + "     " + part;
+            if (const std::string longer = fmt::format("{}     {}", rest, part);
                 !part.empty() && ImGui::CalcTextSize(longer.c_str()).x < room)
                 rest = longer;
         ImGui::SameLine(9.5f * em());

@@ -136,8 +136,9 @@ TEST_CASE("display: pictures of a few pixels, down to one") {
             auto scene = load_scene(info.path.string());
             REQUIRE(scene);
             if (!has_passes(*scene) && !everything_asked()) continue;
-            for (const auto& [width, height] : kSizes) {
+            for (const auto& size : kSizes) {
                 if (!selection.takes_next()) continue;
+                const int width = size.first, height = size.second;
                 CAPTURE(info.name);
                 CAPTURE(width);
                 CAPTURE(height);

@@ -35,7 +35,7 @@ void check_sides(const Scene& scene, int least) {
     int checked = 0;
     for (const PictureLine& line : curve_of(scene)) {
         for (std::size_t i = 1; i + 1 < line.size(); i += 7) {
-            const auto [x, y] = line[i];
+            const double x = line[i][0], y = line[i][1];
             if (x < 0 || y < 0 || x > scene.camera.width || y > scene.camera.height) continue;
             const double dx = line[i + 1][0] - line[i - 1][0], dy = line[i + 1][1] - line[i - 1][1],
                          scale = kAside / std::hypot(dx, dy);
