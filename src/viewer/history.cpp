@@ -56,9 +56,10 @@ std::string changes_between(const Scene& a, const Scene& b) {
 
 void History::rest(const ViewState& view) {
     std::string text = text_of(view.scene);
-    if (!steps_.empty() && steps_[at_].text == text && steps_[at_].source == view.source) return;
+    if (!steps_.empty() && steps_[at_].text == text && steps_[at_].source == view.source && steps_[at_].off == view.off)
+        return;
     if (!steps_.empty()) steps_.resize(at_ + 1);
-    steps_.push_back({view.source, view.loaded, view.scene, std::move(text)});
+    steps_.push_back({view.source, view.loaded, view.scene, view.off, std::move(text)});
     if (steps_.size() > kMostSteps) steps_.erase(steps_.begin());
     at_ = steps_.size() - 1;
 }
@@ -69,7 +70,8 @@ bool History::undo(ViewState& view, std::string& what) {
 }
 
 bool History::redo(ViewState& view, std::string& what) {
-    return at_ + 1 < steps_.size() && steps_[at_].text == text_of(view.scene) && go_to(at_ + 1, view, what);
+    return at_ + 1 < steps_.size() && steps_[at_].text == text_of(view.scene) && steps_[at_].off == view.off &&
+           go_to(at_ + 1, view, what);
 }
 
 bool History::go_to(std::size_t step, ViewState& view, std::string& what) {
@@ -77,9 +79,10 @@ bool History::go_to(std::size_t step, ViewState& view, std::string& what) {
     what = to.source != view.source ? "another scene"
            : step < at_             ? changes_between(to.scene, view.scene)
                                     : changes_between(view.scene, to.scene);
+    if (what.empty()) what = "effects that are switched off";
     at_ = step;
     const CameraSpec now = view.scene.camera;
-    view.source = to.source, view.loaded = to.loaded, view.scene = to.scene;
+    view.source = to.source, view.loaded = to.loaded, view.scene = to.scene, view.off = to.off;
     view.scene.camera.width = now.width, view.scene.camera.height = now.height;
     if (view.scene.disc) view.hidden_disc = *view.scene.disc;
     view.fall.stop();
