@@ -37,12 +37,14 @@ void exchange_with_last(Scene& scene, const SectionRef& at) {
 }
 
 // The error is one of the scene, not of the text that is read again.
-Result<Scene> checked(const Scene& scene) {
-    auto again = parse_scene(scene_file_text(scene, {}), "edited", {});
-    if (again) return again;
-    Error error = again.error();
+Error without_place(Error error) {
     error.file.clear(), error.line = 0;
     return error;
+}
+
+Result<Scene> checked(const Scene& scene) {
+    auto again = parse_scene(scene_file_text(scene, {}), "edited", {});
+    return again ? again : without_place(again.error());
 }
 
 }  // namespace
@@ -76,6 +78,17 @@ Result<Scene> savable(const Scene& scene) {
     without.picture.scale_bar = ScaleBar::kOff;
     auto second = checked(without);
     return second ? second : good;
+}
+
+Result<CameraSpec> camera_of_view(const std::string& line, const Scene& scene) {
+    if (!line.starts_with("camera")) return bad_input("no view", "camera = { r = 15, theta = 80, ... }");
+    Scene place;
+    place.spacetime = scene.spacetime;
+    place.name = "view";
+    auto read = parse_scene(line.substr(0, line.find('\n')) + '\n' + scene_file_text(place, {}), "view", {});
+    if (!read) return without_place(read.error());
+    read->camera.width = scene.camera.width, read->camera.height = scene.camera.height;
+    return read->camera;
 }
 
 std::vector<std::string> optional_sections() {

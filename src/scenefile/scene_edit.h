@@ -30,6 +30,10 @@ Result<Scene> with_value(const Scene& scene, const SectionRef& at, const SceneKe
 // The scene as a file can hold it: checked, and where a camera that was moved rules out the scale bar, without one. Errors: as above.
 Result<Scene> savable(const Scene& scene);
 
+// The camera that a line of view_line() says, in this scene's spacetime; the picture's size is the scene's. Errors: as above, and a line
+// that is no view.
+Result<CameraSpec> camera_of_view(const std::string& line, const Scene& scene);
+
 // Sections that can be there or not: split, disc, path, and of several: spot and the kinds of bodies. Errors: as above.
 std::vector<std::string> optional_sections();
 bool is_of_several(std::string_view section);

@@ -13,16 +13,13 @@
 #include "scenefile/scene_check.h"
 #include "scenefile/scene_keys.h"
 #include "scenefile/scene_value.h"
+#include "scenefile/toml_text.h"
 #include "spacetime/registry.h"
 
 namespace nullscope {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Dotted keys nest one table a dot, and toml++ frees tables recursively: 50 000 levels overflow the stack. It limits
-// arrays and inline tables to 256 levels by itself.
-constexpr std::ptrdiff_t kMostDots = 4096;
 
 // What files written for older versions may say, and the name that it has now.
 struct OldName {
@@ -277,18 +274,8 @@ Result<Scene> SceneReader::read(const toml::table& root) {
 }  // namespace
 
 Result<Scene> parse_scene(std::string_view toml_text, const std::string& file_label, const fs::path& base_directory) {
-    const auto refuse = [&](const std::string& what, int line) {
-        return Error{ErrorKind::kBadInput, without_controls(what), "", "", without_controls(file_label), line};
-    };
-    if (toml_text.size() > kLargestSceneFile) return refuse(fmt::format("larger than {} bytes", kLargestSceneFile), 0);
-    if (std::count(toml_text.begin(), toml_text.end(), '.') > kMostDots)
-        return refuse(fmt::format("more than {} dots: keys could nest too deeply", kMostDots), 1);
-    try {
-        const toml::table root = toml::parse(toml_text);
-        return SceneReader(file_label, base_directory).read(root);
-    } catch (const toml::parse_error& error) {
-        return refuse(std::string(error.description()), static_cast<int>(error.source().begin.line));
-    }
+    TRY(root, toml_of(toml_text, file_label));
+    return SceneReader(file_label, base_directory).read(*root);
 }
 
 }  // namespace nullscope
