@@ -20,6 +20,7 @@ constexpr float kFieldWidth = 20.0f;  // likewise
 
 void Gallery::open(const std::vector<SceneInfo>& scenes) {
     if (groups_.empty()) groups_ = in_gallery_groups(scenes);
+    if (tours_.empty()) tours_ = shipped_tours();
     open_ = opened_now_ = true;
     words_.clear();
 }
@@ -70,7 +71,7 @@ std::string Gallery::draw_head(const std::vector<std::string>& recent, bool esca
     ImGui::SameLine();
     ImGui::SetNextItemWidth(field);
     if (input_text("##path", "File to open: path, or drop it here", path_) && !path_.empty()) chosen = path_;
-    tooltip("A scene file (.toml). Enter opens it.");
+    tooltip("A scene or a tour (.toml). Enter opens it.");
     ImGui::SameLine();
     if (FileDialog::available()) {
         if (ImGui::Button("Browse...")) browse_pressed = true;
@@ -79,6 +80,7 @@ std::string Gallery::draw_head(const std::vector<std::string>& recent, bool esca
     }
     if (ImGui::Button("Close") || escape) close();
     tooltip("Back to the picture (Escape). Ctrl + O opens the gallery again.");
+    if (std::string tour = draw_tours(); !tour.empty()) chosen = std::move(tour);
     if (!recent.empty()) {
         ImGui::TextDisabled("Recent:");
         ImGui::SameLine();
@@ -93,6 +95,21 @@ std::string Gallery::draw_head(const std::vector<std::string>& recent, bool esca
         ImGui::PopID();
     }
     ImGui::Spacing();
+    return chosen;
+}
+
+std::string Gallery::draw_tours() {
+    std::string chosen;
+    if (tours_.empty()) return chosen;
+    ImGui::TextDisabled("Tours:");
+    ImGui::SameLine();
+    for (const TourInfo& tour : tours_) {
+        if (&tour != &tours_.front()) next_to(button_width(tour.title.c_str()));
+        ImGui::PushID(tour.path.c_str());
+        if (ImGui::SmallButton(tour.title.c_str())) chosen = tour.path.string();
+        tooltip(tour.description);
+        ImGui::PopID();
+    }
     return chosen;
 }
 

@@ -62,6 +62,10 @@ constexpr std::array kEntries = {
     Entry{Command::kRecord, "Path", "Record, stop", "F9", GLFW_KEY_F9, false, false, nullptr},
     Entry{Command::kKeys, "Help", "Keys", "F1", GLFW_KEY_F1, false, false, &ViewState::show_keys},
     Entry{Command::kAbout, "Help", "About", "", 0, false, false, &ViewState::show_about},
+    Entry{Command::kTours, "Help", "Guided tours...", "", 0, false, false, &ViewState::show_tours},
+    // keys alone, in no menu
+    Entry{Command::kTourNext, "", "Next step", "Page Down", GLFW_KEY_PAGE_DOWN, false, false, nullptr},
+    Entry{Command::kTourBack, "", "Step before", "Page Up", GLFW_KEY_PAGE_UP, false, false, nullptr},
 };
 constexpr std::array<std::string_view, 6> kMenus = {"File", "Edit", "View", "Add", "Path", "Help"};
 

@@ -50,6 +50,9 @@ enum class Command {
     // help
     kKeys,
     kAbout,
+    kTours,
+    kTourNext,
+    kTourBack,
 };
 
 // Of a key that went down, with or without Ctrl.

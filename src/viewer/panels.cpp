@@ -50,6 +50,7 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"Ctrl + B, B", "bookmark this view; bookmarks"},
     {"Ctrl + O", "gallery; a file can be dropped, too"},
     {"F", "fall freely, pause"},
+    {"Page Up, Down", "tour: back, next"},
     {"Escape", "close what is open, then quit"},
 };
 

@@ -7,7 +7,7 @@
 
 #include "observer/observer.h"
 #include "scene/bodies.h"
-#include "scenefile/scene_writer.h"
+#include "scenefile/scene_edit.h"
 #include "spacetime/registry.h"
 #include "viewer/autosave.h"
 #include "viewer/fly_camera.h"
@@ -69,15 +69,18 @@ Scene drawn_scene(const ViewState& view) {
 }
 
 Status paste_view(ViewState& view, const std::string& line) {
-    if (!line.starts_with("camera"))
-        return bad_input("the clipboard holds no view", "camera = { r = 15, theta = 80, ... }");
-    Scene place;
-    place.spacetime = view.scene.spacetime;
-    place.name = "view";
-    TRY(read, parse_scene(line.substr(0, line.find('\n')) + '\n' + scene_file_text(place, {}), "clipboard", {}));
-    const CameraSpec now = std::exchange(view.scene.camera, read->camera);
-    view.scene.camera.width = now.width, view.scene.camera.height = now.height;
+    TRY(camera, camera_of_view(line, view.scene));
+    view.scene.camera = *camera;
     view.fall.stop();
+    return Done{};
+}
+
+Status load_step(ViewState& view, const TourStep& step) {
+    const std::vector<std::string> own = view.own;
+    if (Status loaded = load_into(view, step.scene); !loaded) return loaded;
+    view.own = own;  // a tour's scenes are none
+    if (step.view) view.scene.camera = view.loaded.camera = *step.view;
+    view.off = step.off;
     return Done{};
 }
 

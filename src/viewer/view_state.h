@@ -9,6 +9,7 @@
 #include "render/frontier.h"
 #include "scene/scene.h"
 #include "scenefile/scene_file.h"
+#include "scenefile/tour_file.h"
 #include "spacetime/spacetime.h"
 #include "viewer/fall.h"
 
@@ -29,6 +30,7 @@ struct ViewState {
     std::vector<std::string> own;  // paths of files that were opened or saved, the last first
     std::string error;             // of the last change, or nothing
     bool show_panels = true, show_keys = false, show_about = false, show_editor = false, show_timeline = false;
+    bool show_tours = false;
     bool show_accuracy = false, show_effects = false;  // the section is open
     bool show_errors = false;                          // over the picture
     bool show_grid = false;                            // of coordinates, on sky and disc
@@ -55,6 +57,8 @@ Scene drawn_scene(const ViewState& view);
 
 // Of view_line(): the camera that it says, in the scene's spacetime. Errors: as a scene file's.
 Status paste_view(ViewState& view, const std::string& line);
+// What a step of a tour shows, its camera as if the file had it (R returns to it). Errors: as load_into's.
+Status load_step(ViewState& view, const TourStep& step);
 
 void set_size(Scene& scene, int width, int height);  // of its camera and of its path's keys, px
 void reset_camera(ViewState& view);                  // to the file's, pixels apart

@@ -62,8 +62,7 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     viewer->view_.own = settings.recent;
     viewer->view_.light_theme = settings.light_theme;
     viewer->view_.shipped = shipped_scenes();
-    if (Status loaded = load_into(viewer->view_, options.scene.empty() ? kFirstScene : options.scene); !loaded)
-        return loaded.error();
+    if (Status opened = viewer->open_first(); !opened) return opened.error();
     const CameraSpec& camera = viewer->view_.scene.camera;
     const PixelSize usual =
         settings.width > 0 ? PixelSize{settings.width, settings.height} : PixelSize{camera.width, camera.height};
@@ -92,6 +91,11 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     if (!viewer->patient()) viewer->left_ = left_scene();
     if (options.gallery || (options.scene.empty() && !viewer->patient())) viewer->gallery_.open(viewer->view_.shipped);
     return viewer;
+}
+
+Status Viewer::open_first() {
+    if (is_tour_file(options_.scene)) return start_tour(options_.scene);
+    return load_into(view_, options_.scene.empty() ? kFirstScene : options_.scene);
 }
 
 Status Viewer::run() {
@@ -198,7 +202,7 @@ bool Viewer::panels(const Input& input) {
     const FrameFacts facts{picture_,      picture_ms_shown_, moving_ ? fps_shown_ : 0.0, size_,
                            info_,         progress_,         painter_->in_background(),  measured_,
                            not_measured_, choice_,           accuracy_->facts(),         effect_times_};
-    if (!settings_.hints_seen && !patient() && picture_.texture != 0) draw_hints();
+    if (!settings_.hints_seen && !patient() && picture_.texture != 0 && !tour_.is_open()) draw_hints();
     if (view_.show_panels) {
         changed |= editor_.draw(view_, below_menu, screen - above, escape);
         changed |= timeline_panel_.draw(view_, timeline_, film_, side_panel_right(), screen - status_height(), escape);
@@ -206,7 +210,8 @@ bool Viewer::panels(const Input& input) {
         changed |= draw_bookmarks(screen - timeline - gap, escape);
     }
     changed |= draw_panels(view_, facts, screen - above, escape);
-    if (!message_.empty()) draw_message(message_, screen - above);
+    changed |= tour_panels(view_.show_panels ? side_panel_right() : 0.0f, screen - above - gap);
+    if (!message_.empty()) draw_message(message_, screen - above - tour_.height());
     if (const std::string path = save_as_.draw(escape); !path.empty()) save_scene_to(path);
     return (left_ && offer_left_scene()) || changed;
 }

@@ -22,6 +22,7 @@
 #include "viewer/save_as.h"
 #include "viewer/scene_editor.h"
 #include "viewer/timeline_panel.h"
+#include "viewer/tour_panel.h"
 #include "viewer/user_files.h"
 
 namespace nullscope::viewer {
@@ -48,7 +49,8 @@ private:
     explicit Viewer(const ViewerOptions& options) : options_(options) {}
     static constexpr const char* kTitle = " - nullscope";  // of the window, behind the scene's name
     static constexpr int kSettlingFrames =
-        3;  // panels answer an event a frame later, and take another to find their size
+        3;                // panels answer an event a frame later, and take another to find their size
+    Status open_first();  // scene or tour
     Status save_screenshot();
     bool step();                               // one turn of the loop: true if a frame was drawn
     bool panels(const Input& input);           // true if they changed the scene
@@ -95,6 +97,11 @@ private:
     void follow_path();
     void follow_film();
     void keep_settings();
+    // viewer_tours.cpp; true if the scene changed
+    Status start_tour(const std::filesystem::path& file);
+    bool open_tour(const std::filesystem::path& file);
+    bool step_tour(int ahead);
+    bool tour_panels(float left, float bottom);
     bool offer_left_scene();  // true if it was taken
     void say(const std::string& message);
     // viewer_bookmarks.cpp; true if the scene changed
@@ -140,7 +147,9 @@ private:
     FilmExport film_;
     Bookmarks bookmarks_{state_folder().empty() ? state_folder() : state_folder() / "bookmarks"};
     BookmarkPanel bookmark_panel_;
-    bool bookmark_due_ = false;                  // Ctrl+B, while the picture was not whole
+    bool bookmark_due_ = false;  // Ctrl+B, while the picture was not whole
+    TourPanel tour_;
+    std::vector<TourInfo> tours_;                // that ship, once they are listed
     std::string timeline_source_;                // the scene that timeline_ knows
     double sampled_at_ = 0.0;                    // s: of the record
     std::optional<std::filesystem::path> left_;  // scene of a viewer that did not end as it should

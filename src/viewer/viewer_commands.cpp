@@ -45,8 +45,10 @@ bool Viewer::handle_keys(const Input& input) {
 // What is open closes, one thing at a time; when nothing is, the viewer does. Lists and the gallery see to themselves.
 void Viewer::close_topmost() {
     if (gallery_.is_open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
-    for (bool* shown : {&view_.show_about, &view_.show_editor, &view_.show_keys, &view_.show_bookmarks})
+    for (bool* shown :
+         {&view_.show_tours, &view_.show_about, &view_.show_editor, &view_.show_keys, &view_.show_bookmarks})
         if (std::exchange(*shown, false)) return;
+    if (tour_.is_open()) return tour_.close();
     window_->close();
 }
 
@@ -94,6 +96,9 @@ bool Viewer::perform(Command command) {
         case Command::kLightTheme: return toggle(view_.light_theme);
         case Command::kKeys: return toggle(view_.show_keys);
         case Command::kAbout: return toggle(view_.show_about);
+        case Command::kTours: return toggle(view_.show_tours);
+        case Command::kTourNext: return step_tour(1);
+        case Command::kTourBack: return step_tour(-1);
     }
     return false;
 }
@@ -114,7 +119,7 @@ void Viewer::copy_view() {
 bool Viewer::paste() {
     const char* text = ImGui::GetClipboardText();
     const Status pasted = paste_view(view_, text != nullptr ? text : "");
-    say(pasted ? "View pasted" : pasted.error().message());
+    say(pasted ? "View pasted" : "Clipboard: " + pasted.error().message());
     return static_cast<bool>(pasted);
 }
 

@@ -22,25 +22,6 @@ ImGuiSliderFlags flags_of(Scale scale) {
     return scale == Scale::kLogarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
 }
 
-// Lines no wider than that where spaces allow it: Dear ImGui's own wrapping breaks numbers at their point.
-std::string broken_at_spaces(const std::string& text, float width) {
-    std::string lines;
-    for (const std::string& paragraph : split(text, '\n')) {
-        std::string line;
-        for (const std::string& word : split(paragraph, ' ')) {
-            std::string longer = line;
-            if (!line.empty()) longer += " ";
-            longer += word;
-            const bool fits = line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= width;
-            if (!fits) lines.append(line).append("\n");
-            line = fits ? longer : word;
-        }
-        lines.append(line).append("\n");
-    }
-    if (!lines.empty()) lines.pop_back();
-    return lines;
-}
-
 bool accept(double edited, double low, double high, double& value) {
     if (!std::isfinite(edited)) return false;  // "nan" can be typed
     value = std::clamp(edited, low, high);     // and so can numbers beyond the ends
@@ -77,6 +58,24 @@ unsigned packed(const Colour& colour) {
     return ImGui::ColorConvertFloat4ToU32({colour.red, colour.green, colour.blue, colour.opacity});
 }
 
+std::string wrapped(const std::string& text, float width) {
+    std::string lines;
+    for (const std::string& paragraph : split(text, '\n')) {
+        std::string line;
+        for (const std::string& word : split(paragraph, ' ')) {
+            std::string longer = line;
+            if (!line.empty()) longer += " ";
+            longer += word;
+            const bool fits = line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= width;
+            if (!fits) lines.append(line).append("\n");
+            line = fits ? longer : word;
+        }
+        lines.append(line).append("\n");
+    }
+    if (!lines.empty()) lines.pop_back();
+    return lines;
+}
+
 bool has_words(const std::string& text, const std::string& search) {
     const std::string in = lower_case(text);
     return std::ranges::all_of(split(lower_case(search), ' '),
@@ -99,14 +98,14 @@ void tooltip(const std::string& text) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0f);  // of what is grey, too
     ImGui::BeginTooltip();
-    ImGui::TextUnformatted(broken_at_spaces(text, kTooltipWidth * ImGui::GetFontSize()).c_str());
+    ImGui::TextUnformatted(wrapped(text, kTooltipWidth * ImGui::GetFontSize()).c_str());
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
 }
 
 void paragraph(const std::string& text, bool refusal) {
     ImGui::PushStyleColor(ImGuiCol_Text, packed(refusal ? palette().refusal : palette().dim));
-    ImGui::TextUnformatted(broken_at_spaces(text, ImGui::GetContentRegionAvail().x).c_str());
+    ImGui::TextUnformatted(wrapped(text, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopStyleColor();
 }
 

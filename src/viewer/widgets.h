@@ -13,6 +13,9 @@ unsigned packed(const Colour& colour);  // as Dear ImGui takes it
 // Whether a text has all the words of a search, in upper or lower case.
 bool has_words(const std::string& text, const std::string& search);
 
+// Lines no wider than that where spaces allow it: Dear ImGui's own wrapping breaks numbers at their point.
+std::string wrapped(const std::string& text, float width);
+
 // Starts a row; the control that follows takes its rest. help: shown while the pointer is on the name.
 void row(const char* name, const std::string& help = {});
 void text_row(const char* name, const std::string& help = {});  // the same for words alone: less tall

@@ -192,6 +192,52 @@ def test_a_planet_is_added_saved_under_a_name_and_escape_closes_one_thing_at_a_t
         assert v.process.wait(timeout=HUNG_S) == 0, "Escape does not quit when nothing is open"
 
 
+def test_a_tour_is_led_forward_and_back_and_closed(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}") as v:
+        home = v.picture(TOUR)
+        v.click(*MENUS["Help"])
+        v.click(MENUS["Help"][0] + 20, MENU_ENTRY(2))
+        v.click(*FIRST_TOUR)
+        assert v.title() == "Black ball - nullscope", v.title()
+        ball, panel = v.picture(TOURED), v.picture(TOUR)
+        assert panel.changed(home, CHANGED), "the tour has no panel"
+        v.click(*TOUR_NEXT)
+        assert v.title() == "A black hole and the sky - nullscope", v.title()
+        hole = v.picture(TOURED)
+        assert hole.changed(ball, CHANGED) and v.picture(TOUR).changed(panel, CHANGED), "Next does not go on"
+        v.settle("key", "e")     # flown elsewhere meanwhile
+        assert v.picture(TOURED).changed(hole, CHANGED), "E does not roll the camera"
+        v.settle("key", "r")
+        same(hole, v.picture(TOURED), "the step's view after R")
+        v.click(*TOUR_BACK)
+        same(ball, v.picture(TOURED), "the first step's picture after Back")
+        same(panel, v.picture(TOUR), "the first step's panel after Back")
+        v.settle("key", "Prior")     # there is none before
+        v.settle("key", "Next")
+        same(hole, v.picture(TOURED), "the second step's picture after Page Down")
+        v.settle("key", "ctrl+z")
+        same(ball, v.picture(TOURED), "the picture after undo")
+        v.settle("key", "Escape")
+        assert v.process.poll() is None, "Escape quits instead of closing the tour"
+        bare = v.picture(TOUR)
+        assert bare.changed(panel, CHANGED), "Escape does not close the tour"
+        v.settle("key", "ctrl+o")
+        v.click(*GALLERY_TOUR)
+        same(panel, v.picture(TOUR), "the panel of the tour that was opened in the gallery")
+        v.click(*TOUR_CLOSE)
+        same(bare, v.picture(TOUR), "where the panel was, after Close")
+
+
+def test_a_file_is_known_as_a_tour(screen, program, folder):
+    tour = 'title = "Mine"\ndescription = "One."\n[[step]]\nscene = "disc-grid"\noff = ["disc"]\ntext = "Words."\n'
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=tour) as v:
+        assert v.title() == "Disc grid - nullscope", v.title()
+    path = folder / "broken.toml"
+    path.write_text(tour.replace("disc-grid", "disc-gird"))
+    done = run(program, path, DISPLAY=screen.display)
+    assert done.returncode == 2 and "broken.toml:4: step[1].scene: " in done.stderr, done.stderr
+
+
 def test_a_killed_viewer_leaves_its_scene(screen, program, folder):
     """kill -9 at random moments: a whole file is left, and nothing but the last 5 s is lost."""
     chance = random.Random(int(os.environ.get("NULLSCOPE_SEED", "1")))
@@ -572,5 +618,6 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_flight_is_recorded_played_saved_and_filmed,
          test_bookmarks_are_kept_opened_renamed_and_deleted, test_a_drag_goes_round_the_hole_at_constant_r,
          test_the_light_theme_is_switched_and_kept,
+         test_a_tour_is_led_forward_and_back_and_closed, test_a_file_is_known_as_a_tour,
          test_split_screens_have_a_line_and_labels, test_bad_input,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]

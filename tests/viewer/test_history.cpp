@@ -71,6 +71,32 @@ TEST_CASE("history: another scene is a step, the window's size is none") {
     CHECK(view.scene.camera.width == width);
 }
 
+TEST_CASE("history: steps of a tour are undone with what they switch off, and R returns to their view") {
+    ViewState view = opened("first-light");
+    view.own = {"mine.toml"};
+    History history;
+    std::string what;
+    history.rest(view);
+    CameraSpec camera = view.scene.camera;
+    camera.r = 40.0;
+    REQUIRE(load_step(view, {"first-light", camera, {Effect::kDisc}, ""}));
+    history.rest(view);
+    REQUIRE(load_step(view, {"first-light", camera, {}, ""}));
+    history.rest(view);
+    CHECK_FALSE(load_step(view, {"no-such-scene", {}, {}, ""}));
+    REQUIRE(history.undo(view, what));
+    CHECK(what == "effects that are switched off");
+    CHECK(view.off == EffectSet{Effect::kDisc});
+    CHECK(view.scene.camera.r == 40.0);
+    view.scene.camera.r = 9.0;
+    reset_camera(view);
+    CHECK(view.scene.camera.r == 40.0);
+    REQUIRE(history.undo(view, what));
+    CHECK(view.off.empty());
+    CHECK(view.scene.camera.r == view.loaded.camera.r);
+    CHECK(view.own == std::vector<std::string>{"mine.toml"});
+}
+
 TEST_CASE("views: what is copied in one scene is pasted into another, and other text is refused") {
     ViewState from = opened("first-light"), to = opened("sky-only");
     const CameraSpec before = to.scene.camera;

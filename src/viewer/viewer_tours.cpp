@@ -1,0 +1,45 @@
+// What the viewer does with guided tours.
+#include <utility>
+
+#include "viewer/viewer.h"
+
+namespace nullscope::viewer {
+
+Status Viewer::start_tour(const std::filesystem::path& file) {
+    TRY(tour, load_tour(file));
+    if (Status loaded = load_step(view_, tour->steps.front()); !loaded) return loaded;
+    tour_.start(std::move(*tour));
+    gallery_.close();
+    view_.show_tours = false;
+    return Done{};
+}
+
+bool Viewer::open_tour(const std::filesystem::path& file) {
+    const Status started = start_tour(file);
+    if (!started) say(started.error().message());
+    view_.error.clear();
+    return static_cast<bool>(started);
+}
+
+bool Viewer::step_tour(int ahead) {
+    const TourStep* step = gallery_.is_open() ? nullptr : tour_.at(ahead);
+    if (step == nullptr) return false;
+    const Status loaded = load_step(view_, *step);
+    if (loaded)
+        tour_.go(ahead);
+    else
+        say(std::exchange(view_.error, {}));
+    return static_cast<bool>(loaded);
+}
+
+bool Viewer::tour_panels(float left, float bottom) {
+    bool changed = false;
+    if (view_.show_tours) {
+        if (tours_.empty()) tours_ = shipped_tours();
+        if (const auto chosen = draw_tour_list(view_.show_tours, tours_)) changed = open_tour(*chosen);
+    }
+    const int ahead = tour_.draw(left, bottom);
+    return (ahead != 0 && step_tour(ahead)) || changed;
+}
+
+}  // namespace nullscope::viewer
