@@ -90,7 +90,7 @@ std::string Gallery::draw_head(const std::vector<std::string>& recent, bool esca
         const std::string name = path == last_session() ? "Last session" : path.stem().string();
         if (&file != &recent.front()) next_to(button_width(name.c_str()));
         ImGui::PushID(file.c_str());
-        if (ImGui::SmallButton(name.c_str())) chosen = file;
+        if (small_button(name.c_str())) chosen = file;
         tooltip(file);
         ImGui::PopID();
     }
@@ -106,7 +106,7 @@ std::string Gallery::draw_tours() {
     for (const TourInfo& tour : tours_) {
         if (&tour != &tours_.front()) next_to(button_width(tour.title.c_str()));
         ImGui::PushID(tour.path.c_str());
-        if (ImGui::SmallButton(tour.title.c_str())) chosen = tour.path.string();
+        if (small_button(tour.title.c_str())) chosen = tour.path.string();
         tooltip(tour.description);
         ImGui::PopID();
     }

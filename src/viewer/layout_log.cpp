@@ -43,7 +43,9 @@ public:
             const ImRect in(texels[0], texels[1], texels[2], texels[3]);
             if (!in.Contains(ImRect(first.uv, last.uv))) continue;
             found.code = code;
-            found.cut_at_side = first.uv.x != in.Min.x || last.uv.x != in.Max.x;
+            const auto missing = [](float drawn, float part, float all) { return drawn * (all / part - 1.0f); };
+            found.cut_at_side = missing(found.place.GetWidth(), last.uv.x - first.uv.x, in.GetWidth()) > kSlack;
+            found.cut_above = missing(found.place.GetHeight(), last.uv.y - first.uv.y, in.GetHeight()) > kSlack;
         }
         return found;
     }

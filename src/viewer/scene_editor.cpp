@@ -261,10 +261,10 @@ bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, bool escap
     if (is_open) {
         const auto sections = optional_sections();
         const bool removable = std::ranges::find(sections, at.section) != sections.end();
-        if (removable && ImGui::SmallButton("Remove")) changed |= take(view, without_section(view.scene, at));
+        if (removable && small_button("Remove")) changed |= take(view, without_section(view.scene, at));
         if (is_of_several(at.section) && !changed) {
             ImGui::SameLine();
-            if (ImGui::SmallButton("Duplicate")) changed |= take(view, with_copy(view.scene, at));
+            if (small_button("Duplicate")) changed |= take(view, with_copy(view.scene, at));
         }
         if (metric && !changed && words_.empty()) {
             Scene edited = view.scene;

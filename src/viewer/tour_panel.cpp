@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kMargin = 0.6f;      // of the font's size, as what follows
 constexpr float kWidest = 46.0f;     // lines that are easily read
-constexpr float kNarrowest = 24.0f;  // else it lies over the side panel, too
+constexpr float kNarrowest = 18.0f;  // else it lies over the side panel, too
 constexpr float kListWidth = 34.0f;
 constexpr float kTallest = 0.3f;  // of the window: longer texts scroll
 

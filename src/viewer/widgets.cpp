@@ -116,6 +116,13 @@ bool next_to(float width) {
     return fits;
 }
 
+bool small_button(const char* name) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0.08f * em()});
+    const bool pressed = ImGui::Button(name);
+    ImGui::PopStyleVar();
+    return pressed;
+}
+
 float button_width(const char* name) {
     return ImGui::CalcTextSize(name, nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x;
 }

@@ -27,6 +27,7 @@ void paragraph(const std::string& text, bool refusal = false);
 // Stays on the line of the item before where so much more fits on it; true if it does.
 bool next_to(float width);
 float button_width(const char* name);
+bool small_button(const char* name);  // as tall as a line of text, tails of letters included
 
 enum class Scale { kLinear, kLogarithmic };
 enum class When { kNow, kOnRelease };  // kOnRelease: for what takes a while to build

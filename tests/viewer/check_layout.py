@@ -21,7 +21,7 @@ from x_screen import Screen, missing_tools
 SIZES, SCALES = ["1280x720", "1920x1080", "3840x2160"], ["1", "1.5", "2"]
 SECTIONS = ["Camera", "Boost", "Lens", "Disc", "Sky", "Light", "Spacetime", "Accuracy", "Effects", "Free fall", "Clock", "Numbers"]
 MENUS = ["File", "Edit", "View", "Add", "Path", "Help"]
-OVER_OTHERS = ["##keys", "About_nullscope", "##Tooltip", "##Menu", "##message", "##hints", "##MainMenuBar", "##Popup", "##Combo"]
+OVER_OTHERS = ["##keys", "About_nullscope", "Guided_tours", "##Tooltip", "##Menu", "##message", "##hints", "##MainMenuBar", "##Popup", "##Combo"]
 
 
 class Layout:
@@ -118,6 +118,12 @@ def check(reader, width, height):
         reader.look("closed", *away, "key", "Escape" if what == "gallery" else keys[-1])
     reader.look("editor and timeline", "key", "ctrl+e", "key", "ctrl+t")
     reader.look("closed", "key", "ctrl+e", "key", "ctrl+t")
+    reader.click("menu Help", "Help", "##MainMenuBar")
+    reader.click("tours", "Guided tours", "##Menu")
+    reader.click("first tour", "Why is the shadow", "Guided_tours")
+    for step in range(2, 8 if EVERYTHING else 4):
+        reader.look(f"step {step} of the tour", "key", "Next")
+    reader.look("closed", "key", "Escape")
     reader.look("ray of a pixel", "key", "p", "mousemove", 2 * width // 3, height // 2)
     reader.click("menu View", "View", "##MainMenuBar")
     reader.click("effective potential", "Effective potential", "##Menu")
