@@ -56,10 +56,13 @@ std::string changes_between(const Scene& a, const Scene& b) {
 
 void History::rest(const ViewState& view) {
     std::string text = text_of(view.scene);
-    if (!steps_.empty() && steps_[at_].text == text && steps_[at_].source == view.source && steps_[at_].off == view.off)
+    if (!steps_.empty() && steps_[at_].text == text && steps_[at_].source == view.source &&
+        steps_[at_].off == view.off) {
+        steps_[at_].hidden = view.hidden;
         return;
+    }
     if (!steps_.empty()) steps_.resize(at_ + 1);
-    steps_.push_back({view.source, view.loaded, view.scene, view.off, std::move(text)});
+    steps_.push_back({view.source, view.loaded, view.scene, view.off, view.hidden, std::move(text)});
     if (steps_.size() > kMostSteps) steps_.erase(steps_.begin());
     at_ = steps_.size() - 1;
 }
@@ -82,7 +85,8 @@ bool History::go_to(std::size_t step, ViewState& view, std::string& what) {
     if (what.empty()) what = "effects that are switched off";
     at_ = step;
     const CameraSpec now = view.scene.camera;
-    view.source = to.source, view.loaded = to.loaded, view.scene = to.scene, view.off = to.off;
+    view.source = to.source, view.loaded = to.loaded, view.scene = to.scene;
+    view.off = to.off, view.hidden = to.hidden;
     view.scene.camera.width = now.width, view.scene.camera.height = now.height;
     if (view.scene.disc) view.hidden_disc = *view.scene.disc;
     view.fall.stop();

@@ -256,16 +256,12 @@ bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, bool escap
         ImGui::SetScrollHereY(0.0f);
         reveal_.clear();
     }
-    const bool is_open = ImGui::CollapsingHeader(name.c_str(), open);
+    const bool hidden = view.hidden.has(at);
+    if (hidden) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    const bool is_open = ImGui::CollapsingHeader((name + (hidden ? " (hidden)###" : "###") + name).c_str(), open);
     bool changed = false;
     if (is_open) {
-        const auto sections = optional_sections();
-        const bool removable = std::ranges::find(sections, at.section) != sections.end();
-        if (removable && small_button("Remove")) changed |= take(view, without_section(view.scene, at));
-        if (is_of_several(at.section) && !changed) {
-            ImGui::SameLine();
-            if (small_button("Duplicate")) changed |= take(view, with_copy(view.scene, at));
-        }
+        changed = draw_buttons(view, at);
         if (metric && !changed && words_.empty()) {
             Scene edited = view.scene;
             SpacetimeSpec& spec = at.section == "split" ? *edited.split : edited.spacetime;
@@ -282,8 +278,39 @@ bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, bool escap
             ImGui::PopID();
         }
     }
+    if (hidden) ImGui::PopStyleColor();
     ImGui::PopID();
     return changed;
+}
+
+// One of them changes what the others stand for: they are left out then.
+bool SceneEditor::draw_buttons(ViewState& view, const SectionRef& at) {
+    const auto sections = optional_sections();
+    if (std::ranges::find(sections, at.section) == sections.end()) return false;
+    const auto button = [](const char* name) {
+        ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().text));
+        const bool pressed = small_button(name);
+        ImGui::PopStyleColor();
+        return pressed;
+    };
+    if (button("Remove")) {
+        if (!take(view, without_section(view.scene, at))) return false;
+        view.hidden.removed(at);
+        return true;
+    }
+    if (!is_of_several(at.section)) return false;
+    ImGui::SameLine();
+    if (button("Duplicate")) {
+        if (!take(view, with_copy(view.scene, at))) return false;
+        view.hidden.copied(at);
+        return true;
+    }
+    if (!HiddenBodies::is_body(at)) return false;
+    ImGui::SameLine();
+    const bool pressed = button(view.hidden.has(at) ? "Show###hide" : "Hide###hide");
+    if (pressed) view.hidden.toggle(at);
+    tooltip("A hidden body stays in the scene and in its file, but is not drawn.");
+    return pressed;
 }
 
 bool SceneEditor::draw_key(ViewState& view, const SectionRef& at, const Scene& holder, const Scene& defaults,

@@ -19,6 +19,7 @@ public:
 
 private:
     bool draw_section(ViewState& view, const SectionRef& at, bool escape);
+    bool draw_buttons(ViewState& view, const SectionRef& at);
     bool draw_key(ViewState& view, const SectionRef& at, const Scene& holder, const Scene& defaults,
                   const SceneKey& key, bool escape);
     bool take(ViewState& view, Result<Scene> edited);

@@ -30,6 +30,7 @@ Status load_into(ViewState& view, const std::string& file_or_name) {
     if (const double speed = length(view.scene.camera.velocity); speed > 0.0)
         view.boost_direction = view.scene.camera.velocity / speed;
     view.off = {};
+    view.hidden.clear();
     view.clock_runs = false;
     view.fall.stop();
     view.error.clear();
@@ -57,6 +58,7 @@ void keep_hole_black(Scene& scene) {
 
 Scene drawn_scene(const ViewState& view) {
     Scene scene = view.scene;
+    view.hidden.leave_out(scene);
     if (view.show_grid) {  // every 15 degrees; on the disc's radius 12 lines
         scene.sky.kind = SkyKind::kGrid;
         scene.sky.material = SkySpec{}.material;

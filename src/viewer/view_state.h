@@ -12,6 +12,7 @@
 #include "scenefile/tour_file.h"
 #include "spacetime/spacetime.h"
 #include "viewer/fall.h"
+#include "viewer/hidden_bodies.h"
 
 namespace nullscope::viewer {
 
@@ -46,13 +47,14 @@ struct ViewState {
     EffectSet off;                   // of the scene's effects, switched off by hand
     Vec3 boost_direction{-1, 0, 0};  // kept while the camera is at rest
     DiscSpec hidden_disc;            // kept while the disc is switched off
+    HiddenBodies hidden;
 };
 
 // Replaces what is shown; on an error everything stays and view.error says why.
 Status load_into(ViewState& view, const std::string& file_or_name);
 // This file was opened or saved: the first of view.own.
 void own_file(ViewState& view, const std::string& path);
-// What is drawn: the scene without what is switched off. A hole without lensing is a black sphere as large as its horizon.
+// What is drawn: the scene without what is hidden or switched off. A hole without lensing is a black sphere as large as its horizon.
 Scene drawn_scene(const ViewState& view);
 
 // Of view_line(): the camera that it says, in the scene's spacetime. Errors: as a scene file's.

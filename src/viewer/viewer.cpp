@@ -321,6 +321,7 @@ void Viewer::refuse(const Painting& painting) {
     view_.loaded = shown_.loaded;
     view_.method = shown_.method;
     view_.off = shown_.off;
+    view_.hidden = shown_.hidden;
     view_.error = painting.ready.error().message();
     frames_due_ = kSettlingFrames;
 }

@@ -606,6 +606,32 @@ def test_the_light_theme_is_switched_and_kept(screen, program, folder):
         same(dark, v.picture(SIDE), "dark panels again")
 
 
+def words_of(v):
+    """What the panels say, each with its middle; of a viewer with --layout layout.txt that rests."""
+    rows = [line.split(" ", 6) for line in (Path(v.folder) / "layout.txt").read_text().splitlines() if line.startswith("text ")]
+    return {row[6]: (int(row[2]) + int(row[4]) // 2, int(row[3]) + int(row[5]) // 2) for row in rows}
+
+
+def test_a_body_is_hidden_and_shown(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene=SCENE + BODIES) as v:
+        v.settle()
+        ball = (560, 200, 820, 500)     # above messages
+        whole = v.picture(ball)
+        v.settle("key", "ctrl+e")
+        v.click(*words_of(v)["ball"])
+        v.click(*words_of(v)["Hide"])
+        assert "ball (hidden)" in words_of(v), "the section does not say that it is hidden"
+        v.settle("key", "ctrl+e")
+        assert v.picture(ball).changed(whole, CHANGED), "a hidden body is drawn"
+        v.settle("key", "ctrl+s")
+        saved = next(path for path in Path(v.folder).glob("*.toml") if path != v.scene)
+        assert "ball" in tomllib.loads(saved.read_text()), "a hidden body is not saved"
+        v.settle("key", "ctrl+e")
+        v.click(*words_of(v)["Show"])
+        v.settle("key", "ctrl+e")
+        same(whole, v.picture(ball), "the picture with the body that is shown again")
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -617,7 +643,7 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_planet_is_added_saved_under_a_name_and_escape_closes_one_thing_at_a_time,
          test_a_flight_is_recorded_played_saved_and_filmed,
          test_bookmarks_are_kept_opened_renamed_and_deleted, test_a_drag_goes_round_the_hole_at_constant_r,
-         test_the_light_theme_is_switched_and_kept,
+         test_the_light_theme_is_switched_and_kept, test_a_body_is_hidden_and_shown,
          test_a_tour_is_led_forward_and_back_and_closed, test_a_file_is_known_as_a_tour,
          test_split_screens_have_a_line_and_labels, test_bad_input,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
