@@ -349,16 +349,20 @@ void set_linear(const Texture& texture) {
     set_sampling(GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
 }
 
-void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_width, int to_height, int to_x) {
+void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_width, int to_height, int to_x,
+          int left_edge) {
     // Framebuffers are no shared objects, and attaching anew shows what another context drew.
     const Framebuffer source(one(glGenFramebuffers));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, source.id());
     glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     glDisable(GL_SCISSOR_TEST);
+    if (left_edge > 0)
+        glEnable(GL_SCISSOR_TEST), glScissor(left_edge, 0, std::max(to_x + to_width - left_edge, 0), to_height);
     const bool same = width == to_width && height == to_height;
     glBlitFramebuffer(0, 0, width, height, to_x, 0, to_x + to_width, to_height, GL_COLOR_BUFFER_BIT,
                       same ? GL_NEAREST : GL_LINEAR);
+    glDisable(GL_SCISSOR_TEST);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, to_width, to_height);
     check("blit");

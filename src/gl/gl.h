@@ -166,8 +166,9 @@ void bind_texture_cube(int unit, const Texture& texture);
 void bind_texture_layers(int unit, const Texture& texture);
 void set_linear(const Texture& texture);  // of a 2D texture without mip levels: filtered between texels
 // Copies a colour texture over a framebuffer of another size or the same (0: the window), or from column to_x on into it. The texture
-// may be another context's.
-void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_width, int to_height, int to_x = 0);
+// may be another context's. Columns of the framebuffer before left_edge stay as they are.
+void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_width, int to_height, int to_x = 0,
+          int left_edge = 0);
 void finish();
 // Asks for the driver's time when everything before is done; from one to the other, ms, waiting for both. A driver without a clock: 0.
 Query timestamp();

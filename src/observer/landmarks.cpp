@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "observer/observer.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/spherical_metric.h"
 
@@ -26,6 +27,15 @@ std::optional<double> shadow_at(const Spacetime& spacetime, double r) {
     const double sine = std::sqrt(spacetime.lapse_squared(r)) / spacetime.areal_radius(r) / sphere->q_crit;
     const double angle = std::asin(std::fmin(std::fabs(sine), 1.0));
     return r >= sphere->radius ? angle : std::numbers::pi - angle;
+}
+
+// Outside of a horizon.
+std::optional<double> planar_clock_rate(const Spacetime& spacetime, const CameraSpec& camera) {
+    const auto observer = observer_of(spacetime, camera);
+    if (!observer) return std::nullopt;
+    const double speed = length(observer->velocity), slow = std::sqrt((1.0 - speed) * (1.0 + speed));
+    const RadialFrame& frame = observer->frame;
+    return spacetime.lapse_squared(camera.r) * slow / (frame.energy() - frame.infall() * observer->velocity.x);
 }
 
 }  // namespace
@@ -52,11 +62,9 @@ CameraNumbers camera_numbers(const Spacetime& spacetime, const CameraSpec& camer
         if (spacetime.planar_rays()) found.orbit_speed = std::sqrt((1.0 - slowness) * (1.0 + slowness));
     }
     const double speed = length(camera.velocity), slow = std::sqrt((1.0 - speed) * (1.0 + speed));
-    const bool local =
-        camera.observer == ObserverKind::kZamo || (camera.observer == ObserverKind::kStatic && spacetime.planar_rays());
-    if (local && found.lapse) found.clock_rate = *found.lapse * slow;
-    if (camera.observer == ObserverKind::kOrbit && speed == 0.0 && orbit && spacetime.planar_rays())
-        found.clock_rate = 1.0 / orbit->u_t;
+    if (!spacetime.planar_rays() && camera.observer == ObserverKind::kZamo && found.lapse)
+        found.clock_rate = *found.lapse * slow;
+    if (spacetime.planar_rays() && found.lapse) found.clock_rate = planar_clock_rate(spacetime, camera);
     return found;
 }
 

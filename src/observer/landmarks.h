@@ -21,7 +21,8 @@ struct CameraNumbers {
     // dtau/dt of an observer there who does not rotate about the hole against the local frames (of a static one without spin); 1 over it is the
     // blueshift of light that comes from far away to it. Nothing inside a horizon.
     std::optional<double> lapse;
-    // dtau/dt of the camera itself: observers static, zamo, orbit and counter-orbit; for the last two without a velocity.
+    // dtau/dt of the camera itself, outside of a horizon: every observer where rays are planar, about a rotating hole zamo. Of a frame of
+    // energy eps and proper velocity w inward (spacetime/radial_frame.h) and a velocity v in it: A/(gamma (eps - w v_r)).
     std::optional<double> clock_rate;
     // Angular radius of the shadow, rad, seen at rest there: sin = sqrt(A)/R / q_crit (Synge 1966), more than pi/2 inside the photon sphere.
     std::optional<double> shadow;

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kFlight = 0.7;       // 1/s: a second of W leaves exp(-0.7), a half, of the distance to the horizon
 constexpr double kTurn = 0.8;         // rad/s of Q and E
+constexpr double kLook = 1.2;         // 1/s, of the field of view: a gamepad's stick
+constexpr double kWidestLook = 1.2;   // rad: no faster than in this
 constexpr double kWheelStep = 0.15;   // of log(r - horizon) a notch
 constexpr double kWheelRate = 12.0;   // 1/s: how fast that is worked off
 constexpr double kWheelRest = 1e-3;   // below this the rest is done at once
@@ -104,11 +106,12 @@ bool Controls::wheel(const Input& input, ViewState& view, double dt_s, bool pane
 }
 
 bool Controls::keys(const Input& input, ViewState& view, double dt_s) {
-    const Vec3 move{axis(input, GLFW_KEY_D, GLFW_KEY_A), axis(input, GLFW_KEY_SPACE, GLFW_KEY_C),
-                    axis(input, GLFW_KEY_S, GLFW_KEY_W)};
-    const double roll = axis(input, GLFW_KEY_E, GLFW_KEY_Q);
-    const bool moves = length(move) > 0.0;
-    if (!moves && roll == 0.0) return false;
+    Vec3 move{axis(input, GLFW_KEY_D, GLFW_KEY_A), axis(input, GLFW_KEY_SPACE, GLFW_KEY_C),
+              axis(input, GLFW_KEY_S, GLFW_KEY_W)};
+    move = length(move) > 0.0 ? normalized(move) : input.pad.fly;
+    const double keys_roll = axis(input, GLFW_KEY_E, GLFW_KEY_Q), roll = keys_roll != 0.0 ? keys_roll : input.pad.roll;
+    const bool moves = length(move) > 0.0, turns = input.pad.right != 0.0 || input.pad.up != 0.0;
+    if (!moves && !turns && roll == 0.0) return false;
     in_motion_ = true;
     const auto spacetime = spacetime_of(view.scene);
     if (spacetime == nullptr) return false;
@@ -117,9 +120,16 @@ bool Controls::keys(const Input& input, ViewState& view, double dt_s) {
         store_orientation(rolled(fly_camera(camera).world_from_camera, roll * kTurn * dt_s), camera);
         drag_ = Drag::kNone;  // what was grabbed is not under the pointer any more
     }
+    if (turns) {
+        const double look = kLook * std::min(fov_of(camera), kWidestLook) * dt_s;
+        const double right = look * input.pad.right, up = look * input.pad.up;
+        const Vec3 towards{std::sin(right) * std::cos(up), std::sin(up), -std::cos(right) * std::cos(up)};
+        store_orientation(dragged(fly_camera(camera).world_from_camera, towards, {0, 0, -1}), camera);
+        drag_ = Drag::kNone;
+    }
     if (moves) {
         FlyCamera flying = fly_camera(camera);
-        fly(flying, kFlight * dt_s * normalized(move), *spacetime);
+        fly(flying, kFlight * dt_s * move, *spacetime);
         write_spec(flying, camera);
     }
     return true;

@@ -1,4 +1,4 @@
-// Hands to camera: drags, wheel and flight keys.
+// Hands to camera: drags, wheel, flight keys and gamepad.
 #pragma once
 
 #include "base/vec.h"
@@ -12,7 +12,7 @@ public:
     // Moves view.scene.camera by what the hands did in the last dt_s seconds; true if anything moved. Mouse and keys
     // are left alone where a panel has them.
     bool apply(const Input& input, ViewState& view, double dt_s, bool panel_has_mouse, bool panel_has_keys);
-    // A key is held or the wheel's motion has not run out: another frame is due without waiting for events.
+    // A key or a stick is held or the wheel's motion has not run out: another frame is due without waiting for events.
     bool in_motion() const { return in_motion_; }
     bool dragging() const { return drag_ != Drag::kNone; }
 

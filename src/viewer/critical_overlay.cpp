@@ -21,7 +21,7 @@ void draw_lines(const Scene& scene, float left, float wide) {
     if (spacetime == nullptr) return;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const double unit = static_cast<double>(wide) / scene.camera.width;  // of a pixel
-    draw.PushClipRect({left, 0.0f}, {left + wide, ImGui::GetIO().DisplaySize.y});
+    draw.PushClipRect({left, 0.0f}, {left + wide, ImGui::GetIO().DisplaySize.y}, true);
     for (const PictureLine& line : critical_curve(*spacetime, scene.camera, scene.light)) {
         std::vector<ImVec2> points;
         points.reserve(line.size());

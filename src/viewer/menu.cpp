@@ -50,6 +50,8 @@ constexpr std::array kEntries = {
     Entry{Command::kBookmark, "View", "Bookmark this view", "Ctrl+B", GLFW_KEY_B, true, false, nullptr},
     Entry{Command::kBookmarks, "View", "Bookmarks", "B", GLFW_KEY_B, false, false, &ViewState::show_bookmarks},
     Entry{Command::kLightTheme, "View", "Light theme", "", 0, false, false, &ViewState::light_theme},
+    Entry{Command::kClockOverlay, "View", "Clock and redshift", "", 0, false, false, &ViewState::show_clock},
+    Entry{Command::kCompare, "View", "Compare with this", "X", GLFW_KEY_X, false, false, nullptr},
     Entry{Command::kAddPlanet, "Add", "Planet (ball)", "", 0, false, false, nullptr},
     Entry{Command::kAddDisc, "Add", "Disc", "", 0, false, false, nullptr},
     Entry{Command::kAddSpot, "Add", "Hot spot in the disc", "", 0, false, false, nullptr},
@@ -96,7 +98,8 @@ std::optional<Command> draw_menu(const ViewState& view, bool escape) {
         if (escape) ImGui::CloseCurrentPopup();
         for (const Entry& entry : kEntries) {
             if (entry.menu != menu) continue;
-            if (ImGui::MenuItem(entry.name, entry.keys, entry.shown != nullptr && view.*entry.shown))
+            const bool compared = entry.command == Command::kCompare && view.side_b != nullptr;
+            if (ImGui::MenuItem(entry.name, entry.keys, compared || (entry.shown != nullptr && view.*entry.shown)))
                 chosen = entry.command;
             if (entry.command == Command::kCriticalCurve) tooltip(kCriticalCurveHelp);
             if (entry.command == Command::kPotential) tooltip(kPotentialHelp);

@@ -35,6 +35,8 @@ enum class Command {
     kBookmark,
     kBookmarks,
     kLightTheme,
+    kClockOverlay,
+    kCompare,
     // add
     kAddPlanet,
     kAddDisc,

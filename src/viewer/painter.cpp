@@ -65,7 +65,7 @@ std::optional<Painting> Painter::take() {
     const std::lock_guard lock(mutex_);
     if (failure_ != nullptr) std::rethrow_exception(std::exchange(failure_, nullptr));
     if (!painting_) return std::nullopt;
-    if (painting_->texture != 0) shown_ = painting_->texture;
+    if (painting_->texture != 0) shown_ = {painting_->texture, painting_->texture_b};
     if (last_) busy_ = false;
     return std::exchange(painting_, std::nullopt);
 }
@@ -99,9 +99,9 @@ bool Painter::interrupted() const {
     return job_.has_value() || thread_.get_stop_token().stop_requested();
 }
 
-std::array<unsigned, 2> Painter::textures_in_use() const {
+TexturesInUse Painter::textures_in_use() const {
     const std::lock_guard lock(mutex_);
-    return {shown_, painting_ ? painting_->texture : 0};
+    return {shown_[0], shown_[1], painting_ ? painting_->texture : 0, painting_ ? painting_->texture_b : 0};
 }
 
 void Painter::work(const std::stop_token& stop) {

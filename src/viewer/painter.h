@@ -54,7 +54,7 @@ private:
     void publish(Painting painting, bool last);
     DrawWatch watch(bool whole_job);
     DrawWatch quiet_watch() const;  // of what nobody waits for
-    std::array<unsigned, 2> textures_in_use() const;
+    TexturesInUse textures_in_use() const;
     bool interrupted() const;
     bool goes_on();
 
@@ -64,8 +64,8 @@ private:
     std::condition_variable_any wake_;
     std::optional<PaintJob> job_, order_;  // order: of the effects' times, for this scene and method
     std::optional<Painting> painting_;
-    unsigned shown_ = 0;  // texture of the painting that was taken last
-    bool last_ = false;   // painting_ is its job's last
+    std::array<unsigned, 2> shown_{};  // textures of the painting that was taken last
+    bool last_ = false;                // painting_ is its job's last
     bool busy_ = false, at_work_ = false, gives_up_ = false;
     PaintProgress progress_;
     std::optional<EffectTimes> times_;  // that were not taken yet

@@ -48,6 +48,7 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"Ctrl + +, -", "larger, smaller text"},
     {"Ctrl + C V", "copy, paste the view as a line of text"},
     {"Ctrl + B, B", "bookmark this view; bookmarks"},
+    {"X", "keep this on the right, to compare"},
     {"Ctrl + O", "gallery; a file can be dropped, too"},
     {"F", "fall freely, pause"},
     {"Page Up, Down", "tour: back, next"},
@@ -176,10 +177,14 @@ void keys_window(float top) {
 float side_panel_right() { return (kPanelWidth + kMargin) * em(); }
 float status_height() { return ImGui::GetFrameHeight() + 0.2f * ImGui::GetFontSize(); }
 
-void draw_message(const std::string& message, float bottom) {
+void draw_message(const std::string& message, float left, float right, float bottom) {
+    constexpr float kLeastWidth = 10.0f;                                        // of the font's size
     const float lowest = std::max(bottom - em(), menu_height() + 3.0f * em());  // strips may leave no room
-    overlay("##message", 0.5f * ImGui::GetIO().DisplaySize.x, lowest, 0.5f, 1.0f, 0.9f,
-            [&] { ImGui::TextUnformatted(message.c_str()); });
+    if (right - left < kLeastWidth * em()) left = 0.0f, right = ImGui::GetIO().DisplaySize.x;
+    const float width = right - left - 2.0f * (kMargin * em() + ImGui::GetStyle().WindowPadding.x);
+    overlay(
+        "##message", 0.5f * (left + right), lowest, 0.5f, 1.0f, 0.9f, [&] { wrapped_text(message, width); },
+        OverlayLayer::kTop);
 }
 
 void draw_hints() {
@@ -240,14 +245,14 @@ void draw_first_wait(const std::string& scene, const PaintProgress& progress) {
     draw.AddRectFilled({left, top}, {left + share * width, top + height}, packed(dark_palette().accent));
 }
 
-bool draw_panels(ViewState& view, const FrameFacts& facts, float bottom, bool escape) {
+bool draw_panels(ViewState& view, const FrameFacts& facts, float top, float bottom, bool escape) {
     bool changed = false;
     if (view.show_errors) draw_error_legend(facts.accuracy, bottom);
     if (view.show_panels) {
         changed = side_panel(view, facts, escape);
         status_line(facts);
     }
-    if (view.show_keys) keys_window(view.show_panels ? menu_height() : 0.0f);
+    if (view.show_keys) keys_window(top);
     if (view.show_about) draw_about(view.show_about, facts.info);
     return changed;
 }

@@ -15,14 +15,16 @@ float status_height();     // of the line at the window's bottom
 
 // How to begin, over the first picture that a user sees. Between NewFrame and Render, as what follows.
 void draw_hints();
-void draw_message(const std::string& message, float bottom);  // above there
+// Between those parts of the window's width, or where they leave little room in its middle, and above `bottom`; in several lines if need be.
+void draw_message(const std::string& message, float left, float right, float bottom);
 // A scene that was changed and not saved, of a viewer that did not end as it should: what the user wants with it.
 enum class LeftScene { kWaits, kRestored, kDiscarded };
 LeftScene draw_left_scene(const std::filesystem::path& file);
 // Version, driver and credits, to be copied. shown: false once it was closed.
 void draw_about(bool& shown, const gl::Info& info);
 
-// Between ImGui's NewFrame and Render. bottom: above it lies what explains the picture. True when the scene changed.
-bool draw_panels(ViewState& view, const FrameFacts& facts, float bottom, bool escape);
+// Between ImGui's NewFrame and Render. The list of keys begins at `top`; what explains the picture lies above
+// `bottom`. True when the scene changed.
+bool draw_panels(ViewState& view, const FrameFacts& facts, float top, float bottom, bool escape);
 
 }  // namespace nullscope::viewer

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -37,6 +38,14 @@ void PictureMarks::draw() const {
         ImGui::GetBackgroundDrawList()->AddImage(texture, at(mark.x, mark.y),
                                                  at(mark.x + mark.rgba.width, mark.y + mark.rgba.height));
     }
+}
+
+float PictureMarks::labels_bottom() const {
+    const int most = size_.height / 4;  // the line between the halves is taller
+    int bottom = 0;
+    for (const Mark& mark : marks_)
+        if (mark.y < most && mark.rgba.height < most) bottom = std::max(bottom, mark.y + mark.rgba.height);
+    return ImGui::GetIO().DisplaySize.x / static_cast<float>(size_.width) * static_cast<float>(bottom);
 }
 
 void mark_saved_picture(const Scene& scene, Image<unsigned char>& picture) {

@@ -13,7 +13,8 @@ public:
     // Of the scene on the screen, drawn in this size; top, bottom: px that the menu and the status line take. Makes textures where
     // something has changed.
     void show(const Scene& scene, PixelSize size, int top, int bottom);
-    void draw() const;  // behind the panels, in the current frame of Dear ImGui
+    float labels_bottom() const;  // of those at the top, in ImGui's units; 0: there are none
+    void draw() const;            // behind the panels, in the current frame of Dear ImGui
 
 private:
     Annotations annotations_;

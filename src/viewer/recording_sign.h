@@ -1,9 +1,10 @@
-// That the camera is being recorded, over the picture.
+// That the camera is being recorded.
 #pragma once
 
 namespace nullscope::viewer {
 
-// With its right upper corner at a place of the window, between NewFrame and Render. Returns how high it is.
-float draw_recording_sign(double recorded_s, float right, float top);
+// In the right upper corner of the picture's part from `left` to `right`, below `top`; where that is narrow, in the menu bar. Between
+// NewFrame and Render. Returns how high it is over the picture.
+float draw_recording_sign(double recorded_s, float left, float right, float top);
 
 }  // namespace nullscope::viewer

@@ -200,10 +200,12 @@ bool is_edited(const SceneKey& key) { return key.type != KeyType::kSize && key.t
 }  // namespace
 
 bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
+    width_ = 0.0f;
     if (!view.show_editor) return false;
     const float margin = 0.6f * em(), screen = ImGui::GetIO().DisplaySize.x;
     const float beside = screen - side_panel_right() - 2.0f * margin;  // the side panel
     const float width = std::min(kWidth * em(), beside >= kLeastWidth * em() ? beside : screen - 2.0f * margin);
+    width_ = width + margin;
     ImGui::SetNextWindowPos({screen - width - margin, top + margin});
     ImGui::SetNextWindowSize({width, std::max(bottom - top - 2.0f * margin, 4.0f * em())});
     bool changed = false;

@@ -14,6 +14,8 @@ public:
     // scene changed; what cannot be is said in the window, and changes nothing. escape: the key was pressed, and shuts an open list.
     bool draw(ViewState& view, float top, float bottom, bool escape);
 
+    float width() const { return width_; }  // that it takes of the window's right in this frame, with the gap beside it
+
     // Opens this section, and scrolls to it.
     void reveal(const std::string& label) { reveal_ = label, words_.clear(); }
 
@@ -26,6 +28,7 @@ private:
     bool matches(const SceneKey& key) const;
 
     std::string words_, fault_, reveal_;
+    float width_ = 0.0f;
 };
 
 }  // namespace nullscope::viewer

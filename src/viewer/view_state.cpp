@@ -31,6 +31,7 @@ Status load_into(ViewState& view, const std::string& file_or_name) {
         view.boost_direction = view.scene.camera.velocity / speed;
     view.off = {};
     view.hidden.clear();
+    view.side_b.reset();
     view.clock_runs = false;
     view.fall.stop();
     view.error.clear();

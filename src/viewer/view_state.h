@@ -23,6 +23,13 @@ struct MethodWish {
     Method method;  // unless automatic
 };
 
+// What a comparison keeps: everything but the camera, the path and the time.
+struct SideB {
+    Scene scene;
+    MethodWish method;
+    EffectSet off;
+};
+
 struct ViewState {
     std::string source;  // what load_scene was given
     Scene loaded;        // as the file has it
@@ -39,7 +46,9 @@ struct ViewState {
     bool show_critical = false;                        // the critical curve
     bool show_potential = false;                       // of the probe's ray
     bool show_bookmarks = false;
-    bool light_theme = false;  // of the panels
+    bool show_clock = false;              // of the camera, over the picture
+    bool light_theme = false;             // of the panels
+    std::shared_ptr<const SideB> side_b;  // right of the divider; nullptr: no comparison
     MethodWish method;
     Fall fall;                       // of the camera, once it was let go
     bool clock_runs = false;         // the scene's own

@@ -1,5 +1,7 @@
 #include "viewer/viewer.h"
+#include "viewer/clock_overlay.h"
 #include "viewer/critical_overlay.h"
+#include "viewer/recording_sign.h"
 #include "viewer/sections.h"
 
 #define GLFW_INCLUDE_NONE
@@ -27,6 +29,7 @@ constexpr double kCaretWait = 0.1;        // s, while a text field shows a blink
 constexpr double kAdaptingWait = 0.03;    // s, while exposure follows
 constexpr double kBusyWait = 0.05;        // s between frames while a picture is awaited: the processor is the painter's
 constexpr double kProgressWait = 0.1;     // s between looks at how far a picture is
+constexpr double kGamepadWait = 0.016;    // s between looks at a gamepad
 constexpr double kProgressAfter = 0.3;    // s that a picture takes before its progress is shown
 constexpr double kFirstStep = 1.0 / 60;   // s of motion that a key's first frame stands for
 constexpr double kLongestStep = 0.1;      // s: a hitch is no leap
@@ -113,7 +116,7 @@ Status Viewer::run() {
 }
 
 bool Viewer::step() {
-    const double wait = wait_time();
+    const double wait = window_->has_gamepad() ? std::min(wait_time(), kGamepadWait) : wait_time();
     waited_ = wait > 0.0 && !in_motion();
     const Input& input = window_->poll(wait);
     if (window_->closing()) return false;
@@ -133,6 +136,7 @@ bool Viewer::step() {
     panel_system_->begin_frame(settings_.text_scale, view_.light_theme);
     changed |= open_dropped(input) || open_chosen();
     changed |= handle_keys(input);
+    drag_divider(input);
     changed |= panels(input);
     follow_path();
     moving_ = move(input, dt);
@@ -184,13 +188,11 @@ bool Viewer::panels(const Input& input) {
     bool changed = command && perform(*command);
     if (gallery_.is_open()) {
         const std::string chosen = gallery_.draw(below_menu, screen, recent_files(view_), patient(), escape);
-        if (!message_.empty()) draw_message(message_, screen);
+        if (!message_.empty()) draw_message(message_, 0.0f, ImGui::GetIO().DisplaySize.x, screen);
         return chosen.empty() ? changed : open_file(chosen) || changed;
     }
     if (picture_.texture == 0) draw_first_wait(view_.scene.name, progress_);
     draw_marks();
-    if (view_.show_errors && !picture_.job.scene.split) accuracy_->draw_overlay();
-    if (view_.show_critical && picture_.texture != 0) draw_critical_curve(picture_.job.scene);
     // How tall the strips at the bottom were a frame ago: without the bookmarks, with them.
     const float timeline = view_.show_panels ? status_height() + timeline_panel_.height() : 0.0f;
     const float gap = timeline_panel_.height() > 0.0f ? kStripGap * ImGui::GetFontSize() : 0.0f;
@@ -199,6 +201,7 @@ bool Viewer::panels(const Input& input) {
     if (view_.show_probe)
         probe_.draw(view_.show_panels ? side_panel_right() : 0.0f, below_menu, screen - timeline - gap,
                     view_.show_potential);
+    draw_over_sides(below_menu, screen - above);
     const FrameFacts facts{picture_,      picture_ms_shown_, moving_ ? fps_shown_ : 0.0, size_,
                            info_,         progress_,         painter_->in_background(),  measured_,
                            not_measured_, choice_,           accuracy_->facts(),         effect_times_};
@@ -209,16 +212,29 @@ bool Viewer::panels(const Input& input) {
         if (std::exchange(timeline_panel_.record_pressed, false)) record(), changed = true;
         changed |= draw_bookmarks(screen - timeline - gap, escape);
     }
-    changed |= draw_panels(view_, facts, screen - above, escape);
+    const float top = overlays(below_menu, screen - above - tour_.height());
+    changed |= draw_panels(view_, facts, top, screen - above, escape);
     changed |= tour_panels(view_.show_panels ? side_panel_right() : 0.0f, screen - above - gap);
-    if (!message_.empty()) draw_message(message_, screen - above - tour_.height());
     if (const std::string path = save_as_.draw(escape); !path.empty()) save_scene_to(path);
     return (left_ && offer_left_scene()) || changed;
 }
 
+// In the part of the picture that side panel and editor leave free.
+float Viewer::overlays(float top, float bottom) {
+    const float gap = kStripGap * ImGui::GetFontSize(), edge = view_.show_panels ? side_panel_right() : 0.0f,
+                right = ImGui::GetIO().DisplaySize.x - (view_.show_panels ? editor_.width() : 0.0f);
+    if (!message_.empty()) draw_message(message_, edge, right, bottom);
+    if (picture_.texture != 0) top = std::max(top, marks_.labels_bottom());
+    float left = edge + gap;
+    if (view_.show_clock) left = draw_clock_overlay(view_, left, right - gap, top + gap);
+    if (!timeline_.records()) return top;
+    return top + gap + draw_recording_sign(timeline_.recorded_s(), left + gap, right - gap, top + gap);
+}
+
 bool Viewer::move(const Input& input, double dt) {
     const ImGuiIO& io = ImGui::GetIO();
-    bool moved = controls_.apply(input, view_, dt, io.WantCaptureMouse, io.WantCaptureKeyboard || gallery_.is_open());
+    bool moved = controls_.apply(input, view_, dt, io.WantCaptureMouse || divider_.has_mouse(),
+                                 io.WantCaptureKeyboard || gallery_.is_open());
     const bool fell = view_.fall.runs();
     moved |= view_.fall.step(view_.scene, dt);
     if (fell && view_.fall.active() && !view_.fall.runs() && view_.fall.tau() >= view_.fall.line().last())
@@ -251,7 +267,8 @@ void Viewer::follow_changes(bool changed) {
 void Viewer::probe(const Input& input) {
     if (!view_.show_probe) return probe_.forget();
     if (ImGui::GetIO().WantCaptureMouse) return;
-    probe_.look(picture_.job.scene, input.x, input.y);
+    const bool on_b = shown_side_b() != nullptr && input.x >= divider_.x();
+    probe_.look(on_b ? shown_side_b()->scene : picture_.job.scene, input.x, input.y);
     frames_due_ = kSettlingFrames;
 }
 
@@ -322,8 +339,12 @@ void Viewer::refuse(const Painting& painting) {
     view_.method = shown_.method;
     view_.off = shown_.off;
     view_.hidden = shown_.hidden;
+    view_.side_b = shown_.side_b;
     view_.error = painting.ready.error().message();
     frames_due_ = kSettlingFrames;
+    if (!picture_.coarse()) return;
+    say(view_.error);  // for the whole picture of what is shown on clears it
+    picture_due_ = true;
 }
 
 // Once for every set of effects, when the picture rests and somebody looks.

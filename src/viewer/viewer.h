@@ -7,7 +7,9 @@
 #include "gl/gl.h"
 #include "viewer/autosave.h"
 #include "viewer/bookmark_panel.h"
+#include "viewer/comparison.h"
 #include "viewer/controls.h"
+#include "viewer/divider.h"
 #include "viewer/file_dialog.h"
 #include "viewer/frame_accuracy.h"
 #include "viewer/gallery.h"
@@ -53,6 +55,7 @@ private:
     Status open_first();  // scene or tour
     Status save_screenshot();
     bool step();                               // one turn of the loop: true if a frame was drawn
+    float overlays(float top, float bottom);   // where they end at the picture's top
     bool panels(const Input& input);           // true if they changed the scene
     bool move(const Input& input, double dt);  // by hands, fall and clock: true if something moved
     void follow_changes(bool changed);
@@ -74,6 +77,9 @@ private:
     void log_rest();
     void draw(unsigned framebuffer);
     void draw_marks();
+    void draw_over_sides(float top, float bottom);  // errors, critical curve, divider
+    void drag_divider(const Input& input);
+    const PaintJob* shown_side_b() const { return picture_.texture_b != 0 ? picture_.job.side_b.get() : nullptr; }
     void present();
     void measure_rate();
     void save_picture();  // as soon as it is whole
@@ -85,6 +91,7 @@ private:
     bool add(const std::string& section);
     void close_topmost();
     void toggle_critical_curve();
+    bool compare();  // or its end
     void copy_view();
     void fall_freely();  // or a pause of it
     void record();       // or its end
@@ -156,8 +163,10 @@ private:
     Settings settings_, kept_settings_;          // as they are now, and in their file
     std::string saved_scene_;                    // file that Ctrl+S writes on, once it has made one
     PictureMarks marks_;
-    double adapted_at_ = 0.0;     // s: automatic exposure follows like an eye,
-    double exposure_left_ = 0.0;  // what share of its way is still before it
+    Divider divider_;
+    std::pair<std::string, std::string> side_words_;  // of the picture that is shown
+    double adapted_at_ = 0.0;                         // s: automatic exposure follows like an eye,
+    double exposure_left_ = 0.0;                      // what share of its way is still before it
     std::string message_;
     double message_until_ = 0.0;
     int frames_ = 0, frames_due_ = 3;

@@ -94,6 +94,8 @@ bool Viewer::perform(Command command) {
         case Command::kBookmark: return bookmark_due_ = true, false;
         case Command::kBookmarks: return toggle(view_.show_bookmarks);
         case Command::kLightTheme: return toggle(view_.light_theme);
+        case Command::kClockOverlay: return toggle(view_.show_clock);
+        case Command::kCompare: return compare();
         case Command::kKeys: return toggle(view_.show_keys);
         case Command::kAbout: return toggle(view_.show_about);
         case Command::kTours: return toggle(view_.show_tours);
@@ -105,10 +107,20 @@ bool Viewer::perform(Command command) {
 
 bool Viewer::step_history(bool back) {
     std::string what;
+    const std::string source = view_.source;
     const bool done = back ? history_.undo(view_, what) : history_.redo(view_, what);
+    if (view_.source != source) view_.side_b.reset();
     say(!done ? (back ? "Nothing to undo" : "Nothing to redo")
               : fmt::format("{}: {}", back ? "Undone" : "Redone", what));
     return done;
+}
+
+bool Viewer::compare() {
+    if (view_.side_b != nullptr) return view_.side_b.reset(), true;
+    if (view_.scene.split) return say("A split screen has two sides already"), false;
+    view_.side_b = std::make_shared<SideB>(SideB{view_.scene, view_.method, view_.off});
+    say("Side B keeps these settings; changes apply to side A. X ends it");
+    return true;
 }
 
 void Viewer::copy_view() {
@@ -139,7 +151,8 @@ bool Viewer::add(const std::string& section) {
 
 void Viewer::toggle_critical_curve() {
     view_.show_critical = !view_.show_critical;
-    if (view_.show_critical && !has_critical_curve(view_.scene))
+    const bool on_b = view_.side_b != nullptr && has_critical_curve(drawn_side_b(view_));
+    if (view_.show_critical && !has_critical_curve(view_.scene) && !on_b)
         say("There is no critical curve here: no photon sphere");
 }
 

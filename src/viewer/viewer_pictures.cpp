@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "image/image_file.h"
+#include "viewer/critical_overlay.h"
 #include "viewer/viewer.h"
 
 namespace nullscope::viewer {
@@ -57,11 +58,18 @@ void Viewer::ask() {
     const bool coarse = coarse_wanted_ && !patient() && !save_due_ && !metered;
     if (busy && !(coarse && painter_->gives_up())) return;
     picture_due_ = coarse_wanted_ = false;
+    if (view_.scene.split) view_.side_b.reset();
     asked_ = view_;
     asked_at_ = seconds();
     asked_due_at_ = due_at_;
     asked_choice_ = method_choice(measured_, view_.method, scene);
-    painter_->ask({scene, asked_choice_.method, false, adaptation(scene), coarse});
+    PaintJob job{scene, asked_choice_.method, false, adaptation(scene), coarse};
+    if (view_.side_b != nullptr) {
+        const Scene b = drawn_side_b(view_);
+        const Method method = method_choice(measured_, view_.side_b->method, b).method;
+        job.side_b = std::make_shared<PaintJob>(PaintJob{b, method, false, job.adaptation, coarse});
+    }
+    painter_->ask(std::move(job));
 }
 
 bool Viewer::take() {
@@ -88,6 +96,7 @@ void Viewer::adopt(Painting painting) {
         changed_at_ = seconds();
     }
     picture_ = std::move(painting);
+    if (const PaintJob* b = shown_side_b()) side_words_ = side_words(picture_.job, *b);
     ++pictures_;
     news_due_at_ = asked_due_at_;
     measure_rate();
@@ -104,7 +113,8 @@ void Viewer::draw_marks() {
     if (picture_.texture == 0) return;
     const ImGuiIO& io = ImGui::GetIO();
     const float pixels = view_.show_panels ? static_cast<float>(size_.width) / io.DisplaySize.x : 0.0f;
-    marks_.show(picture_.job.scene, size_, static_cast<int>(pixels * menu_height()),
+    const PaintJob* b = shown_side_b();  // it has the lower right corner, where the scale bar is
+    marks_.show(b != nullptr ? b->scene : picture_.job.scene, size_, static_cast<int>(pixels * menu_height()),
                 static_cast<int>(pixels * 2.0f * ImGui::GetFontSize()));
     marks_.draw();
 }
@@ -112,6 +122,40 @@ void Viewer::draw_marks() {
 void Viewer::draw(unsigned framebuffer) {
     if (picture_.texture != 0)
         gl::blit(picture_.texture, picture_.width, picture_.height, framebuffer, size_.width, size_.height);
+    if (picture_.texture_b != 0)
+        gl::blit(picture_.texture_b, picture_.width, picture_.height, framebuffer, size_.width, size_.height, 0,
+                 divider_.x());
+}
+
+void Viewer::drag_divider(const Input& input) {
+    if (shown_side_b() == nullptr) return divider_.let_go();
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool panels = view_.show_panels && !gallery_.is_open();
+    const double pixels = size_.width / static_cast<double>(io.DisplaySize.x);
+    const int before = divider_.x();
+    const bool was_under = divider_.under_pointer();
+    divider_.follow(input, size_.width, panels ? pixels * side_panel_right() : 0.0,
+                    io.WantCaptureMouse || controls_.dragging());
+    if (divider_.under_pointer()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (divider_.x() != before || divider_.under_pointer() != was_under) frames_due_ = kSettlingFrames;
+}
+
+void Viewer::draw_over_sides(float top, float bottom) {
+    if (picture_.texture == 0) return;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float unit = screen.x / static_cast<float>(size_.width);
+    const PaintJob* b = shown_side_b();
+    const float parted = b != nullptr ? unit * static_cast<float>(divider_.x()) : screen.x;
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    draw.PushClipRect({0.0f, 0.0f}, {parted, screen.y});
+    if (view_.show_errors && !picture_.job.scene.split) accuracy_->draw_overlay();
+    if (view_.show_critical) draw_critical_curve(picture_.job.scene);
+    draw.PopClipRect();
+    if (b == nullptr) return;
+    draw.PushClipRect({parted, 0.0f}, screen);
+    if (view_.show_critical) draw_critical_curve(b->scene);
+    draw.PopClipRect();
+    divider_.draw(side_words_, view_.show_panels ? side_panel_right() : 0.0f, top, bottom, unit);
 }
 
 Status Viewer::save_screenshot() {

@@ -103,6 +103,12 @@ void tooltip(const std::string& text) {
     ImGui::PopStyleVar();
 }
 
+void wrapped_text(const std::string& text, float width) {
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width + 1.0f);  // a word that is longer
+    ImGui::TextUnformatted(wrapped(text, width).c_str());
+    ImGui::PopTextWrapPos();
+}
+
 void paragraph(const std::string& text, bool refusal) {
     ImGui::PushStyleColor(ImGuiCol_Text, packed(refusal ? palette().refusal : palette().dim));
     ImGui::TextUnformatted(wrapped(text, ImGui::GetContentRegionAvail().x).c_str());
@@ -222,14 +228,14 @@ bool choice_item(const std::string& text, bool chosen, const std::string& help) 
 }
 
 void overlay(const char* id, float x, float y, float pivot_x, float pivot_y, float opacity,
-             const std::function<void()>& content) {
+             const std::function<void()>& content, OverlayLayer layer) {
     ImGui::SetNextWindowPos({x, y}, ImGuiCond_Always, {pivot_x, pivot_y});
     ImGui::SetNextWindowBgAlpha(opacity);
     constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings |
                                         ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize |
                                         ImGuiWindowFlags_NoInputs;
-    if (ImGui::Begin(id, nullptr, kFlags)) content();
+    if (ImGui::Begin(id, nullptr, layer == OverlayLayer::kTop ? kFlags | ImGuiWindowFlags_Tooltip : kFlags)) content();
     ImGui::End();
 }
 

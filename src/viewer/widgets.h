@@ -22,6 +22,7 @@ void text_row(const char* name, const std::string& help = {});  // the same for 
 void tooltip(const std::string& text);                          // of the item before, wrapped
 
 // Dim words, or the reddish ones of a refusal; broken at spaces alone, not within numbers.
+void wrapped_text(const std::string& text, float width);  // broken at spaces where those are enough
 void paragraph(const std::string& text, bool refusal = false);
 
 // Stays on the line of the item before where so much more fits on it; true if it does.
@@ -61,8 +62,10 @@ bool button_of_three(int place, const char* name, const std::string& help);
 bool choice(const char* id, const std::string& shown, bool shut, const std::function<void()>& items);
 bool choice_item(const std::string& text, bool chosen, const std::string& help = {});
 
-// A small window over the picture, with its pivot (0 ... 1, from the top left) at a place.
+// A small window over the picture, with its pivot (0 ... 1, from the top left) at a place. kTop: over all panels, whichever was opened or
+// clicked last.
+enum class OverlayLayer { kPanels, kTop };
 void overlay(const char* id, float x, float y, float pivot_x, float pivot_y, float opacity,
-             const std::function<void()>& content);
+             const std::function<void()>& content, OverlayLayer layer = OverlayLayer::kPanels);
 
 }  // namespace nullscope::viewer

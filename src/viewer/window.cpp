@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
+#include <optional>
+#include <tuple>
 
 #include "gl/gl.h"
 
@@ -128,6 +131,21 @@ void prefer_x11_where_alone() {
 #endif
 }
 
+// The first gamepad that is there.
+std::optional<PadState> gamepad() {
+    for (int id = GLFW_JOYSTICK_1; id <= GLFW_JOYSTICK_LAST; ++id) {
+        GLFWgamepadstate state;
+        if (glfwGetGamepadState(id, &state) != GLFW_TRUE) continue;
+        PadState pad;
+        static_assert(std::size(decltype(state.axes){}) == std::tuple_size_v<decltype(pad.axes)>);
+        std::ranges::copy(state.axes, pad.axes.begin());
+        std::ranges::transform(state.buttons, pad.buttons.begin(),
+                               [](unsigned char button) { return button == GLFW_PRESS; });
+        return pad;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 double seconds() { return glfwGetTime(); }
@@ -189,7 +207,20 @@ const Input& Window::poll(double wait_s) {
     else
         glfwPollEvents();
     input_.shift = input_.held[GLFW_KEY_LEFT_SHIFT] || input_.held[GLFW_KEY_RIGHT_SHIFT];
+    listen_to_gamepad();
     return input_;
+}
+
+// Of another window's gamepad nothing is taken.
+void Window::listen_to_gamepad() {
+    const auto pad = glfwGetWindowAttrib(handle_, GLFW_FOCUSED) == GLFW_TRUE ? gamepad() : std::nullopt;
+    has_gamepad_ = pad.has_value();
+    input_.pad = pad_motion(pad.value_or(PadState{}), pad_);
+    pad_ = pad.value_or(PadState{});
+    if (input_.pad.reset) input_.pressed.push_back({GLFW_KEY_R, false, false});
+    if (input_.pad.close) input_.pressed.push_back({GLFW_KEY_ESCAPE, false, false});
+    if (input_.pad.gallery) input_.pressed.push_back({GLFW_KEY_O, true, false});
+    input_.happened |= input_.pad.reset || input_.pad.close || input_.pad.gallery;
 }
 
 bool Window::is_full_screen() const { return glfwGetWindowMonitor(handle_) != nullptr; }

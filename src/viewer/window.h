@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "viewer/gamepad.h"
 
 struct GLFWwindow;
 
@@ -39,6 +40,7 @@ struct Input {
     double wheel = 0.0, wheel_sideways = 0.0;
     bool shift = false;
     std::vector<std::string> dropped;  // files
+    PadMotion pad;                     // its buttons are among `pressed`, as the keys that mean the same
     bool happened = false;             // anything but mere motion of the pointer
     bool moved = false;
     bool down(int key) const { return held[static_cast<std::size_t>(key)] || tapped[static_cast<std::size_t>(key)]; }
@@ -71,6 +73,7 @@ public:
     double content_scale() const;   // how much larger than usual things must be drawn, in framebuffer pixels
     void toggle_full_screen();
     bool is_full_screen() const;
+    bool has_gamepad() const { return has_gamepad_; }  // to be listened to: it sends no events
     void set_title(const std::string& title);
     void set_icon(int width, int height, const unsigned char* rgba);  // top row first
     SharedContext share();                                            // nullptr where the driver has no second context
@@ -81,7 +84,10 @@ private:
     void listen();
     GLFWwindow* handle_ = nullptr;
     int left_ = 0, top_ = 0, width_ = 0, height_ = 0;  // of the window, while it is full screen
+    void listen_to_gamepad();
     Input input_;
+    PadState pad_;
+    bool has_gamepad_ = false;
 };
 
 double seconds();  // of a steady clock

@@ -52,26 +52,39 @@ std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& tar
 
 Workshop::Workshop() { prepare_flight(renderer_); }
 
-bool Workshop::build_next() { return renderer_.build_next() || (right_ != nullptr && right_->build_next()); }
+bool Workshop::build_next() {
+    return renderer_.build_next() || (right_ != nullptr && right_->build_next()) ||
+           (side_b_ != nullptr && side_b_->build_next());
+}
 
-void Workshop::warm_up(const PaintJob& job, const std::array<unsigned, 2>& avoid, const DrawWatch& watch) {
+void Workshop::warm_up(const PaintJob& job, const TexturesInUse& avoid, const DrawWatch& watch) {
+    if (job.side_b != nullptr && side_b_ != nullptr) side_b_->warm_up(*job.side_b, avoid, watch);
     if (warm_ == std::pair(effects_, method_) || job.rays) return;
     const double ray_ms = ray_ms_, picture_ms = picture_ms_, compile_ms = compile_ms_;
     const auto half_ray_ms = half_ray_ms_;
-    picture(job, kMostCoarse, true, avoid, watch);
+    one_picture(job, kMostCoarse, true, avoid, watch);
     ray_ms_ = ray_ms, half_ray_ms_ = half_ray_ms, picture_ms_ = picture_ms, compile_ms_ = compile_ms;
     warm_ = std::pair(effects_, method_);
+}
+
+// Of a picture in motion, both sides together; 0: not known.
+double Workshop::ray_picture_ms(const PaintJob& job) const {
+    Scene once = job.scene;
+    once.picture.samples = 1;  // of pictures in motion
+    EffectSet effects = effect_set(required_effects(once));
+    effects.erase(Effect::kRefine);
+    if (method_ != job.method || effects_ != effects) return 0.0;
+    if (job.side_b == nullptr) return picture_ms_;
+    const double other = side_b_ != nullptr ? side_b_->ray_picture_ms(*job.side_b) : 0.0;
+    return picture_ms_ > 0.0 && other > 0.0 ? picture_ms_ + other : 0.0;
 }
 
 double Workshop::coarseness(const PaintJob& job) {
     if (!job.coarse_first || job.rays) return 1.0;
     const CameraSpec& camera = job.scene.camera;
-    Scene once = job.scene;
-    once.picture.samples = 1;  // of pictures in motion
-    EffectSet effects = effect_set(required_effects(once));
-    effects.erase(Effect::kRefine);
-    const bool known = picture_ms_ > 0.0 && method_ == job.method && effects_ == effects;
-    const double whole_ms = picture_ms_ * camera.width * camera.height;
+    const double ray_ms = ray_picture_ms(job);
+    const bool known = ray_ms > 0.0;
+    const double whole_ms = ray_ms * camera.width * camera.height;
     const auto fits = [&](double coarseness, double share) {
         return whole_ms <= share * kMotion_ms * coarseness * coarseness;
     };
@@ -124,7 +137,29 @@ std::optional<DrawTimes> Workshop::draw(const gl::Target& target, const DrawWatc
 }
 
 std::optional<Painting> Workshop::picture(const PaintJob& job, double coarseness, bool first,
-                                          const std::array<unsigned, 2>& avoid, const DrawWatch& watch) {
+                                          const TexturesInUse& avoid, const DrawWatch& watch) {
+    const bool b_in_use = avoid[1] != 0 || avoid[3] != 0;
+    if (job.side_b == nullptr && !b_in_use) side_b_.reset();
+    auto painting = one_picture(job, coarseness, first, avoid, watch);
+    if (!painting || !painting->ready || job.side_b == nullptr) return painting;
+    if (side_b_ == nullptr) side_b_ = std::make_unique<Workshop>();
+    auto other = side_b_->one_picture(*job.side_b, coarseness, first, avoid, watch);
+    if (!other) return std::nullopt;
+    if (!other->ready) {
+        Error error = other->ready.error();
+        error.file = "side B";  // where it is, as a file's name says it
+        painting->ready = std::move(error);
+        painting->texture = 0;
+        return painting;
+    }
+    painting->texture_b = other->texture;
+    painting->draft |= other->draft;
+    painting->draw_ms += other->draw_ms;
+    return painting;
+}
+
+std::optional<Painting> Workshop::one_picture(const PaintJob& job, double coarseness, bool first,
+                                              const TexturesInUse& avoid, const DrawWatch& watch) {
     if (watch.give_up()) return std::nullopt;
     Painting painting;
     painting.job = job;
@@ -172,7 +207,7 @@ void Workshop::add_facts(Painting& painting) {
     painting.rows_ms = renderer_.tables().path().rows_ms;
 }
 
-const gl::Target& Workshop::target(int width, int height, const std::array<unsigned, 2>& avoid) {
+const gl::Target& Workshop::target(int width, int height, const TexturesInUse& avoid) {
     gl::Target* free = nullptr;
     for (gl::Target& each : targets_) {
         const unsigned id = each.colours.empty() ? 0 : each.colours.front().id();

@@ -24,6 +24,8 @@ struct PaintJob {
     bool rays = false;          // ray data instead of a picture
     double adaptation = 1.0;    // Renderer::set_adaptation
     bool coarse_first = false;  // a coarse picture may come before the whole one, if that takes long
+    std::shared_ptr<const PaintJob> side_b =
+        nullptr;  // a second picture of the same size, by the same camera; has none itself
 };
 
 // How far a job is, for people.
@@ -45,6 +47,7 @@ struct Painting {
     PaintJob job;
     Status ready{Done{}};       // what prepare() said; else there is nothing below
     unsigned texture = 0;       // RGBA8, display-encoded; valid until the painting after it was taken
+    unsigned texture_b = 0;     // likewise, of job.side_b; 0: there is none
     int width = 0, height = 0;  // of the texture; of a coarse picture less than the job's
     std::optional<RayFrame> rays;
     double draw_ms = 0.0;            // the picture's, finished; compiling apart
@@ -56,6 +59,9 @@ struct Painting {
 
     bool coarse() const { return draft || width < job.scene.camera.width || height < job.scene.camera.height; }
 };
+
+// Of both sides of the painting that is shown, and of the one that waits; 0: none.
+using TexturesInUse = std::array<unsigned, 4>;
 
 // What a picture is told and asked while it is drawn.
 struct DrawWatch {
@@ -80,20 +86,21 @@ public:
     double coarseness(const PaintJob& job);
     // Whether a picture with one ray a pixel, and after a quick search for the images of stars, is worth its time.
     bool drafts(const PaintJob& job) const {
-        return takes_samples(effect_set(required_effects(job.scene))) || searches_stars();
+        return takes_samples(effect_set(required_effects(job.scene))) || searches_stars() ||
+               (job.side_b != nullptr && side_b_ != nullptr && side_b_->drafts(*job.side_b));
     }
     bool searches_stars() const {
         return renderer_.searches_stars() || (right_ != nullptr && right_->searches_stars());
     }
     // The job's picture, each side divided by `coarseness`; nothing if it was given up. first: another follows. avoid: textures that are in
     // use.
-    std::optional<Painting> picture(const PaintJob& job, double coarseness, bool first,
-                                    const std::array<unsigned, 2>& avoid, const DrawWatch& watch);
+    std::optional<Painting> picture(const PaintJob& job, double coarseness, bool first, const TexturesInUse& avoid,
+                                    const DrawWatch& watch);
     Painting rays(const PaintJob& job);
     // Compiles one of the programs by which further pictures are drawn sooner (Renderer::build_next); false if none is left.
     bool build_next();
     // Draws a small picture in motion, unseen, once for every set of programs: drivers compile what its state asks for at the first draw.
-    void warm_up(const PaintJob& job, const std::array<unsigned, 2>& avoid, const DrawWatch& watch);
+    void warm_up(const PaintJob& job, const TexturesInUse& avoid, const DrawWatch& watch);
 
     Renderer& renderer() { return renderer_; }
     double& ray_ms() { return ray_ms_; }
@@ -102,15 +109,19 @@ public:
     void drop_other() { other_.reset(); }
 
 private:
+    double ray_picture_ms(const PaintJob& job) const;
+    std::optional<Painting> one_picture(const PaintJob& job, double coarseness, bool first, const TexturesInUse& avoid,
+                                        const DrawWatch& watch);
     Status prepare(const Scene& scene, const PaintJob& job, const StarField::Search& search);
     std::optional<DrawTimes> draw(const gl::Target& target, const DrawWatch& watch);
-    const gl::Target& target(int width, int height, const std::array<unsigned, 2>& avoid);
+    const gl::Target& target(int width, int height, const TexturesInUse& avoid);
     void add_facts(Painting& painting);
 
     Renderer renderer_;
-    std::unique_ptr<Renderer> right_;  // of a split screen
-    std::unique_ptr<Renderer> other_;  // while effects are measured
-    std::optional<Halves> split_;      // that is prepared
+    std::unique_ptr<Renderer> right_;   // of a split screen
+    std::unique_ptr<Workshop> side_b_;  // of comparisons
+    std::unique_ptr<Renderer> other_;   // while effects are measured
+    std::optional<Halves> split_;       // that is prepared
     std::array<gl::Target, 2> halves_;
     std::array<double, 2> half_ray_ms_{};
     // Shown, waiting to be shown, drawn to; one more, as coarse and whole take turns.

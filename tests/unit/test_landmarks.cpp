@@ -69,7 +69,16 @@ TEST_CASE("landmarks: clocks, shadow and orbits of a camera") {
     camera.r = 15.0, camera.velocity = {0, 0.6, 0};
     CHECK(camera_numbers(*hole, camera).clock_rate.value() ==
           doctest::Approx(0.8 * std::sqrt(14.0 / 15.0)).epsilon(1e-14));
-    camera.velocity = {}, camera.r = 0.5, camera.observer = ObserverKind::kRain;
+    camera.velocity = {}, camera.r = 4.0, camera.observer = ObserverKind::kRain;
+    CHECK(camera_numbers(*hole, camera).clock_rate.value() == doctest::Approx(1 - 1 / 4.0).epsilon(1e-14));
+    camera.velocity = {0.5, 0, 0};  // of the speed of the fall: at rest
+    CHECK(camera_numbers(*hole, camera).clock_rate.value() == doctest::Approx(std::sqrt(0.75)).epsilon(1e-14));
+    camera.velocity = {}, camera.observer = ObserverKind::kThrow, camera.energy = 2.0;
+    CHECK(camera_numbers(*hole, camera).clock_rate.value() == doctest::Approx(0.375).epsilon(1e-14));
+    camera.observer = ObserverKind::kCounterOrbit;
+    CHECK(camera_numbers(*hole, camera).clock_rate.value() == doctest::Approx(std::sqrt(1 - 1.5 / 4)).epsilon(1e-14));
+    camera.r = 0.5, camera.observer = ObserverKind::kRain;
+    CHECK_FALSE(camera_numbers(*hole, camera).clock_rate);
     CHECK_FALSE(camera_numbers(*hole, camera).lapse);
     CHECK_FALSE(camera_numbers(*hole, camera).shadow);
     MetricParameters spin;

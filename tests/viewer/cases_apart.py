@@ -612,6 +612,54 @@ def words_of(v):
     return {row[6]: (int(row[2]) + int(row[4]) // 2, int(row[3]) + int(row[5]) // 2) for row in rows}
 
 
+def windows_of(v):
+    """Left, top, width and height of each; likewise."""
+    rows = [line.split() for line in (Path(v.folder) / "layout.txt").read_text().splitlines() if line.startswith("window ")]
+    return {row[1]: tuple(map(int, row[2:])) for row in rows}
+
+
+def test_messages_and_the_sign_of_a_record_keep_beside_the_panels(screen, program, folder):
+    red, corner = bytes([240, 60, 50]), (700, MENU, 840, 80)
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
+        v.settle("key", "ctrl+e", "key", "ctrl+c")
+        windows = windows_of(v)
+        side, (left, _, width, _), editor = windows["##side"], windows["##message"], windows["Scene"]
+        assert side[0] + side[2] < left and left + width < editor[0], f"the message lies on a panel: {windows}"
+        v.settle("key", "ctrl+e")
+        assert v.count(corner, red) == 0, "a sign without a record"
+        signed = lambda: v.count(corner, red) > 20
+        v.hands("key", "F9")
+        wait_until("the sign", signed, HUNG_S)
+        v.hands("key", "Tab", "key", "F12")
+        wait_until("the picture's file", lambda: list(Path(v.folder).glob("*.png")), HUNG_S)
+        assert signed(), "no sign without panels"
+        saved = read_png(next(Path(v.folder).glob("*.png"))).crop(*(700, 0, 840, 80))
+        assert red not in (saved.data[i:i + 3] for i in range(0, len(saved.data), 3)), "the sign is in the saved picture"
+        v.hands("key", "F9")
+        wait_until("the sign goes", lambda: v.count(corner, red) == 0, HUNG_S)
+
+
+def test_the_cameras_clock_is_shown_and_follows(screen, program, folder):
+    def value(name):
+        at = words_of(v)
+        x, y = at[name]
+        return float(min((place, words) for words, place in at.items() if abs(place[1] - y) < 6 and place[0] > x)[1].split()[0])
+    at_rest, shift = "dtau/dt at rest", "g from far away, at rest"
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
+        v.settle()
+        assert shift not in words_of(v), "shown before it was asked for"
+        v.click(*MENUS["View"])
+        v.click(*words_of(v)["Clock and redshift"])
+        assert abs(value(at_rest) - math.sqrt(1 - 1 / 22)) < 1e-6 and abs(value(shift) * value(at_rest) - 1) < 1e-5
+        v.hands("key", "f")
+        time.sleep(1.0)
+        v.settle("key", "f")
+        assert value("tau since release") > 0.5, "the clock stands while the camera falls"
+        assert abs(value("dtau/dt of the camera") - value(at_rest) ** 2 / math.sqrt(1 - 1 / 22)) < 3e-6, "A/E of the fall"
+        v.settle("key", "r")
+        assert abs(value(at_rest) - math.sqrt(1 - 1 / 22)) < 1e-6 and "tau since release" not in words_of(v)
+
+
 def test_a_body_is_hidden_and_shown(screen, program, folder):
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene=SCENE + BODIES) as v:
         v.settle()
@@ -632,6 +680,46 @@ def test_a_body_is_hidden_and_shown(screen, program, folder):
         same(whole, v.picture(ball), "the picture with the body that is shown again")
 
 
+def test_two_settings_are_compared_across_a_line_to_drag(screen, program, folder):
+    left, middle, right = (320, 300, 400, 520), (440, 300, 590, 520), (640, 300, 820, 520)
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}") as v:
+        for header in HEADERS:
+            v.click(*header)
+        v.click(*LIGHT)
+        areas = lambda: [v.picture(area) for area in (left, middle, right)]
+        before = areas()
+        v.settle("key", "x")
+        for one, other in zip(before, areas()):
+            same(one, other, "both sides are alike")
+        v.click(*LENSING)
+        straight = areas()
+        assert straight[0].changed(before[0], CHANGED), "side A does not follow the switch"
+        for place in (1, 2):
+            same(before[place], straight[place], "side B keeps its setting", 0.0)
+
+        def drag(start, end):
+            v.settle("mousemove", *start, "mousedown", 1)
+            v.settle("mousemove", *end)
+            v.settle("mouseup", 1)
+            v.settle("mousemove", 700, 200)
+            return areas()
+        dragged = drag((420, 500), (620, 420))
+        same(straight[0], dragged[0], "left of the line after it was dragged", 0.0)
+        assert dragged[1].changed(before[1], CHANGED), "the line does not follow the pointer"
+        same(before[2], dragged[2], "right of the line after it was dragged", 0.0)
+        turned = drag((740, 450), (700, 450))
+        for place in (0, 1, 2):
+            assert turned[place].changed(dragged[place], CHANGED), "the camera does not turn on both sides"
+        v.settle("key", "ctrl+z")
+        for one, other in zip(dragged, areas()):
+            same(one, other, "after the turn was undone")
+        v.settle("key", "x")
+        assert v.picture(right).changed(before[2], CHANGED), "side A is not all of the picture"
+        v.click(*LENSING)
+        for one, other in zip(before, areas()):
+            same(one, other, "after the comparison")
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -645,5 +733,8 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_bookmarks_are_kept_opened_renamed_and_deleted, test_a_drag_goes_round_the_hole_at_constant_r,
          test_the_light_theme_is_switched_and_kept, test_a_body_is_hidden_and_shown,
          test_a_tour_is_led_forward_and_back_and_closed, test_a_file_is_known_as_a_tour,
+         test_the_cameras_clock_is_shown_and_follows,
+         test_messages_and_the_sign_of_a_record_keep_beside_the_panels,
+         test_two_settings_are_compared_across_a_line_to_drag,
          test_split_screens_have_a_line_and_labels, test_bad_input,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]

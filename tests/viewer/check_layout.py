@@ -111,7 +111,7 @@ def check(reader, width, height):
         reader.look("sections", *away)
         reader.click(f"section {name}", name, "##side")
     for what, keys in [("list of keys", ["F1"]), ("editor", ["ctrl+e"]), ("timeline", ["ctrl+t"]), ("errors", ["h"]),
-                       ("gallery", ["ctrl+o"]), ("bookmarks", ["ctrl+b", "b"])]:
+                       ("gallery", ["ctrl+o"]), ("bookmarks", ["ctrl+b", "b"]), ("comparison", ["x"])]:
         reader.look(what, *away, *(word for key in keys for word in ("key", key)))
         if what == "editor":
             reader.tooltips("Scene")

@@ -19,7 +19,7 @@ from x_screen import Screen, missing_tools, wait_until
 SCENES = ["first-light", "kerr", "wormhole", "kerr-spot", "kerr-planet", "two-spacetimes", "starlight", "torus", "neutron-star",
           "hot-spot"]
 KEYS = ["w", "a", "s", "d", "q", "e", "c", "space", "r", "h", "p", "l", "Tab", "F1", "F9", "F11", "F12", "F5", "Return", "BackSpace",
-        "ctrl+z", "ctrl+shift+z", "ctrl+y", "ctrl+o", "ctrl+e", "ctrl+t", "ctrl+s", "ctrl+c", "ctrl+v", "ctrl+plus", "ctrl+minus", "b", "ctrl+b",
+        "ctrl+z", "ctrl+shift+z", "ctrl+y", "ctrl+o", "ctrl+e", "ctrl+t", "ctrl+s", "ctrl+c", "ctrl+v", "ctrl+plus", "ctrl+minus", "b", "ctrl+b", "x",
         "1", "7", "0", "minus", "period", "Left", "Right"]
 
 

@@ -44,6 +44,7 @@ LEAST, MOST = (108, 438 + MENU), (266, 438 + MENU)              # of the slider 
 INSET = (600, 200, 820, 560)       # the probe's
 # the last header while nothing else is open; its button and its box
 CLOCK, RUN, DELAY = (150, 302 + MENU), (60, 327 + MENU), (112, 402 + MENU)
+LIGHT, LENSING = (150, 177 + MENU), (112, 202 + MENU)   # the section's header while nothing else is open, and its first box
 EFFECTS = (150, 252 + MENU)               # the section's header while nothing else is open, and its rows
 EFFECT_ROW = lambda row: (30, 277 + MENU + 25 * row)
 EDITOR, EDITOR_SEARCH, EDITOR_ADD, EDITOR_FIELD = (480, 60, 830, 200), (560, 69), (770, 69), (720, 142)

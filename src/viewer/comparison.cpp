@@ -1,0 +1,78 @@
+#include "viewer/comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "annotate/annotations.h"
+#include "scenefile/scene_text.h"
+
+namespace nullscope::viewer {
+namespace {
+
+using Words = std::pair<std::string, std::string>;
+
+std::map<std::string, std::string> settings_of(const Scene& scene) {
+    constexpr std::array kShared = {"camera", "path", "key", "time", "name", "description", "split"};
+    std::map<std::string, std::string> settings;
+    for (const SceneLine& line : scene_lines(scene))
+        if (std::ranges::none_of(kShared, [&](const char* name) { return line.name.starts_with(name); }))
+            settings[line.name] = line.value + line.file.string();
+    return settings;
+}
+
+std::set<std::string> sections_of(const std::map<std::string, std::string>& settings) {
+    std::set<std::string> sections;
+    for (const auto& [key, value] : settings) sections.insert(key.substr(0, key.find('.')));
+    return sections;
+}
+
+// Sections that one scene alone has, then keys whose values differ.
+Words changed_settings(const Scene& a, const Scene& b) {
+    constexpr int kMostNamed = 2;
+    const auto of_a = settings_of(a), of_b = settings_of(b);
+    const auto in_a = sections_of(of_a), in_b = sections_of(of_b);
+    Words words;
+    int named = 0;
+    const auto add = [&](const std::string& here, const std::string& there) {
+        if (++named > kMostNamed) return;
+        const char* comma = named > 1 ? ", " : "";
+        words.first += comma + here, words.second += comma + there;
+    };
+    for (const std::string& name : in_a)
+        if (!in_b.contains(name)) add("with " + name, "without " + name);
+    for (const std::string& name : in_b)
+        if (!in_a.contains(name)) add("without " + name, "with " + name);
+    for (const auto& [key, value] : of_a) {
+        const auto other = of_b.find(key);
+        if (other != of_b.end() && other->second != value) add(key + " changed", key + " as stored");
+    }
+    if (named > kMostNamed) words.first += " ...", words.second += " ...";
+    return words;
+}
+
+}  // namespace
+
+Scene drawn_side_b(const ViewState& view) {
+    ViewState b;
+    b.scene = view.side_b->scene, b.off = view.side_b->off;
+    b.scene.camera = view.scene.camera, b.scene.path = view.scene.path, b.scene.time = view.scene.time;
+    b.show_grid = view.show_grid;
+    return drawn_scene(b);
+}
+
+Words side_words(const PaintJob& a, const PaintJob& b) {
+    Halves sides{a.scene, b.scene};
+    sides.left.name = sides.right.name = "";
+    Scene plain = a.scene;
+    plain.split_labels = {};
+    const Annotations known = annotations_of(plain, sides);
+    Words words{known.left, known.right};
+    if (words.first.empty()) words = changed_settings(a.scene, b.scene);
+    if (words.first.empty() && a.method != b.method) words = {method_name(a.method), method_name(b.method)};
+    const char* colon = words.first.empty() ? "" : ": ";
+    return {"A" + (colon + words.first), "B" + (colon + words.second)};
+}
+
+}  // namespace nullscope::viewer

@@ -1,0 +1,18 @@
+// Two settings of one view, side by side: A, which is edited, left of a divider, and B, as it was stored, right of it.
+#pragma once
+#include <string>
+#include <utility>
+
+#include "viewer/view_state.h"
+#include "viewer/workshop.h"
+
+namespace nullscope::viewer {
+
+// What side B shows: its settings, seen by the view's camera at the view's time. The view has a side B.
+Scene drawn_side_b(const ViewState& view);
+
+// What differs between both sides' jobs, in words for either: spacetimes and light, or else at most two keys of the scene, or else the
+// methods. Camera, path and time are the same. Where nothing differs: "A" and "B" alone. Cost: 0.1 ms.
+std::pair<std::string, std::string> side_words(const PaintJob& a, const PaintJob& b);
+
+}  // namespace nullscope::viewer

@@ -1,0 +1,64 @@
+#include "viewer/comparison.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+
+using namespace nullscope;
+using namespace nullscope::viewer;
+
+ViewState with_side_b() {
+    ViewState view;
+    view.scene.spacetime = {"kerr", {{"spin", 0.9}}};
+    view.scene.disc.emplace();
+    view.side_b = std::make_shared<SideB>(SideB{view.scene, view.method, view.off});
+    return view;
+}
+
+std::pair<std::string, std::string> words_of(const ViewState& view) {
+    return side_words({drawn_scene(view), {}}, {drawn_side_b(view), {}});
+}
+
+TEST_CASE("comparison: side B keeps its settings and has the view's camera and time") {
+    ViewState view = with_side_b();
+    view.scene.spacetime = {"schwarzschild", {}};
+    view.scene.light.beaming = false;
+    view.off.insert(Effect::kDisc);
+    view.scene.camera.r = 33.0, view.scene.camera.width = 321;
+    view.scene.time = 7.0;
+    const Scene b = drawn_side_b(view);
+    CHECK(b.spacetime == SpacetimeSpec{"kerr", {{"spin", 0.9}}});
+    CHECK(b.light.beaming);
+    CHECK(b.disc);
+    CHECK(b.camera.r == 33.0);
+    CHECK(b.camera.width == 321);
+    CHECK(b.time == 7.0);
+    CHECK(!drawn_scene(view).disc);
+}
+
+TEST_CASE("comparison: labels say what differs") {
+    ViewState view = with_side_b();
+    CHECK(words_of(view) == std::pair<std::string, std::string>{"A", "B"});
+    view.scene.camera.r = 40.0, view.scene.time = 3.0;
+    CHECK(words_of(view) == std::pair<std::string, std::string>{"A", "B"});
+    view.scene.light.beaming = false;
+    CHECK(words_of(view) == std::pair<std::string, std::string>{"A: Beaming off", "B: Beaming on"});
+    view = with_side_b();
+    view.scene.spacetime = {"schwarzschild", {}};
+    CHECK(words_of(view).first == "A: Schwarzschild");
+    CHECK(words_of(view).second.starts_with("B: Kerr"));
+    view = with_side_b();
+    view.scene.disc.reset();
+    CHECK(words_of(view) == std::pair<std::string, std::string>{"A: without disc", "B: with disc"});
+    view = with_side_b();
+    view.scene.disc->outer = 9.0;
+    CHECK(words_of(view) == std::pair<std::string, std::string>{"A: disc.outer changed", "B: disc.outer as stored"});
+    view = with_side_b();
+    Method table;
+    table.kind = MethodKind::kTable;
+    const auto methods = side_words({drawn_scene(view), table}, {drawn_side_b(view), {}});
+    CHECK(methods.first.starts_with("A: table"));
+    CHECK(methods.second.starts_with("B: strip"));
+}
+
+}  // namespace
