@@ -15,7 +15,7 @@ float status_height();     // of the line at the window's bottom
 
 // How to begin, over the first picture that a user sees. Between NewFrame and Render, as what follows.
 void draw_hints();
-// Between those parts of the window's width, or where they leave little room in its middle, and above `bottom`; in several lines if need be.
+// From `left` to `right`, in the window's middle where those leave little room, and above `bottom`; in several lines if need be.
 void draw_message(const std::string& message, float left, float right, float bottom);
 // A scene that was changed and not saved, of a viewer that did not end as it should: what the user wants with it.
 enum class LeftScene { kWaits, kRestored, kDiscarded };

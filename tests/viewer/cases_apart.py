@@ -660,6 +660,40 @@ def test_the_cameras_clock_is_shown_and_follows(screen, program, folder):
         assert abs(value(at_rest) - math.sqrt(1 - 1 / 22)) < 1e-6 and "tau since release" not in words_of(v)
 
 
+def test_a_gamepad_flies_and_its_buttons_do_what_keys_do(screen, program, folder):
+    """A library in place of a device answers for GLFW."""
+    linked = subprocess.run(["ldd", program], capture_output=True, text=True).stdout
+    if "libglfw" not in linked or "libasan" in linked:
+        return     # GLFW's function cannot be replaced; a sanitizer must be loaded first
+    shim, state = folder / "gamepad.so", folder / "gamepad.txt"
+    source = Path(__file__).with_name("gamepad_shim.c")
+    subprocess.run([os.environ.get("CC", "cc"), "-shared", "-fPIC", "-o", shim, source], check=True)
+
+    def pad(sticks="0 0 0 0", buttons=""):
+        (folder / "next.txt").write_text(f"{sticks} -1 -1 {buttons}")
+        os.replace(folder / "next.txt", state)     # never half written
+
+    def press(button):
+        pad(buttons=button)
+        time.sleep(0.4)
+        pad()
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}",
+                environment={"LD_PRELOAD": str(shim), "NULLSCOPE_TEST_PAD": str(state)}) as v:
+        home = v.settle()
+        v.rests()
+        for what, sticks in [("flies", "0 -1 0 0"), ("looks around", "0 0 1 0")]:
+            pad(sticks)
+            wait_until(f"a stick {what}", lambda: v.picture().changed(home, CHANGED), HUNG_S)
+            press("0")
+            same(home, v.settle(), "the scene's camera after A")
+        press("7")
+        assert v.settle().changed(home, CHANGED), "Start does not open the gallery"
+        press("1")
+        same(home, v.settle(), "B does not close the gallery")
+        press("1")
+        assert v.process.wait(timeout=HUNG_S) == 0, "B does not quit when nothing is open"
+
+
 def test_a_body_is_hidden_and_shown(screen, program, folder):
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene=SCENE + BODIES) as v:
         v.settle()
@@ -733,6 +767,7 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_bookmarks_are_kept_opened_renamed_and_deleted, test_a_drag_goes_round_the_hole_at_constant_r,
          test_the_light_theme_is_switched_and_kept, test_a_body_is_hidden_and_shown,
          test_a_tour_is_led_forward_and_back_and_closed, test_a_file_is_known_as_a_tour,
+         test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
          test_the_cameras_clock_is_shown_and_follows,
          test_messages_and_the_sign_of_a_record_keep_beside_the_panels,
          test_two_settings_are_compared_across_a_line_to_drag,

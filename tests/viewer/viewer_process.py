@@ -107,14 +107,14 @@ def shipped(name):
 class Viewer:
     """A running viewer with its window at the screen's corner."""
 
-    def __init__(self, screen, program, *arguments, scene=SCENE, first_visit=False, home=None, settings=""):
+    def __init__(self, screen, program, *arguments, scene=SCENE, first_visit=False, home=None, settings="", environment={}):
         self.screen, self.folder, self.marks = screen, tempfile.mkdtemp(prefix="nullscope-viewer."), 0
         self.scene = Path(self.folder) / "scene.toml"
         self.scene.write_text(scene if "\n" in scene else shipped(scene))
         self.settings = Path(home or self.folder) / "nullscope" / "viewer.toml"
         self.log = Log(Path(self.folder) / "turns.txt")
         self.env = {**os.environ, "DISPLAY": screen.display, "XDG_CONFIG_HOME": home or self.folder,
-                    "XDG_STATE_HOME": home or self.folder}
+                    "XDG_STATE_HOME": home or self.folder, **environment}
         if not first_visit:
             self.settings.parent.mkdir(exist_ok=True)
             self.settings.write_text("hints_seen = true\n" + settings)
