@@ -290,7 +290,7 @@ def test_a_flight_is_recorded_played_saved_and_filmed(screen, program, folder):
         time.sleep(0.6)
         v.hands("keyup", "d", "key", "F9")
         v.settle()
-        same(home.crop(0, 0, 500, 160), v.picture((320, 300, 820, 460)), "the first frame of the record, above the timeline")
+        same(home.crop(0, 0, 500, 120), v.picture((320, 300, 820, 420)), "the first frame of the record, above the timeline and its message")
         v.hands("key", "l")
         wait_until("it plays", lambda: v.picture().changed(home, CHANGED), HUNG_S)
         v.settle("key", "l", "key", "ctrl+s")
@@ -697,21 +697,20 @@ def test_a_gamepad_flies_and_its_buttons_do_what_keys_do(screen, program, folder
 def test_a_body_is_hidden_and_shown(screen, program, folder):
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene=SCENE + BODIES) as v:
         v.settle()
-        ball = (560, 200, 820, 500)     # above messages
-        whole = v.picture(ball)
+        whole = v.picture(RIGHT)
         v.settle("key", "ctrl+e")
         v.click(*words_of(v)["ball"])
         v.click(*words_of(v)["Hide"])
         assert "ball (hidden)" in words_of(v), "the section does not say that it is hidden"
         v.settle("key", "ctrl+e")
-        assert v.picture(ball).changed(whole, CHANGED), "a hidden body is drawn"
+        assert v.picture(RIGHT).changed(whole, CHANGED), "a hidden body is drawn"
         v.settle("key", "ctrl+s")
         saved = next(path for path in Path(v.folder).glob("*.toml") if path != v.scene)
         assert "ball" in tomllib.loads(saved.read_text()), "a hidden body is not saved"
         v.settle("key", "ctrl+e")
         v.click(*words_of(v)["Show"])
         v.settle("key", "ctrl+e")
-        same(whole, v.picture(ball), "the picture with the body that is shown again")
+        same(whole, v.picture(RIGHT), "the picture with the body that is shown again")
 
 
 def test_two_settings_are_compared_across_a_line_to_drag(screen, program, folder):

@@ -28,20 +28,20 @@ radius = 3
 texture = "noise"
 """
 # Areas of the window, and places in it.
-PICTURE = (320, 300, 820, 520)     # no panel and no message lies here
+PICTURE = (320, 300, 820, 490)     # no panel and no message lies here
 MENU = 21                          # px of the menu bar, above the panel
 ADDED = (300, 60, 830, 460)       # where a planet is put
 PANEL = (10, 60 + MENU, 284, 515 + MENU)
 SIDE, KEYS = (10, 60 + MENU, 280, 300), (300, 10 + MENU, 830, 180 + MENU)
 BESIDE = (420, 40)                 # a place for the pointer outside of all these areas
 RELOAD = (240, 26 + MENU)                 # the button
-LEGEND, BESIDE_LEGEND = (560, 470, 836, 574), (320, 300, 550, 520)   # of the overlay's colours
+LEGEND, BESIDE_LEGEND = (560, 470, 836, 574), (320, 300, 550, 490)   # of the overlay's colours
 HEADERS = [(150, 377 + MENU), (150, 252 + MENU), (150, 52 + MENU)]   # lens, boost, camera; each where it is while those above are open
 ALONE = (150, 227 + MENU)                 # the accuracy section's header while nothing else is open
 METHOD, WORDS = (190, 413 + MENU), (14, 453 + MENU, 284, 515 + MENU)   # the box and what is chosen and why
 AUTO = (150, 26 + MENU)                   # the first entry of its list while the list is not scrolled
 LEAST, MOST = (108, 438 + MENU), (266, 438 + MENU)              # of the slider for the largest error
-INSET = (600, 200, 820, 560)       # the probe's
+INSET = (600, 200, 820, 490)       # the probe's
 # the last header while nothing else is open; its button and its box
 CLOCK, RUN, DELAY = (150, 302 + MENU), (60, 327 + MENU), (112, 402 + MENU)
 LIGHT, LENSING = (150, 177 + MENU), (112, 202 + MENU)   # the section's header while nothing else is open, and its first box
@@ -57,7 +57,7 @@ FIRST_CARD, HINTS = (120, 150), (320, 440, 640, 515)
 MENUS = {name: (x, 10) for name, x in [("File", 24), ("Edit", 62), ("View", 104), ("Add", 146), ("Path", 188), ("Help", 231)]}
 MENU_ENTRY = lambda number: 38 + 19 * number
 LIGHT_THEME = 12     # of the menu View
-RIGHT = (560, 200, 820, 560)       # the ball is there, the tooltip of a row is not
+RIGHT = (560, 200, 820, 490)       # the ball is there, the tooltip of a row is not
 BOOKMARK, BOOKMARK_PICTURE, BOOKMARK_RESTORE, NOT_SHOWN = (306, 440, 470, 532), (350, 470), (495, 529), (302, 414, 460, 434)
 # Colours.
 LETTERS = bytes([230, 232, 237])   # the theme's text
