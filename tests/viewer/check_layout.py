@@ -129,6 +129,11 @@ def check(reader, width, height):
     reader.click("effective potential", "Effective potential", "##Menu")
     reader.look("effective potential", "mousemove", 2 * width // 3, height // 2)
     reader.look("closed", "key", "p", *away)
+    reader.click("menu View", "View", "##MainMenuBar")
+    reader.click("clock and redshift", "Clock and redshift", "##Menu")
+    reader.look("clock and record", *away, "key", "F9")
+    reader.look("clock, record and editor", "key", "ctrl+e")
+    reader.look("closed", "key", "F9", "key", "ctrl+e")
 
 
 def main():
