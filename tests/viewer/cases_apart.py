@@ -753,6 +753,22 @@ def test_two_settings_are_compared_across_a_line_to_drag(screen, program, folder
             same(one, other, "after the comparison")
 
 
+def test_a_camera_that_side_b_cannot_have_is_refused(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene="[camera]\nr = 6.0\nyaw = 30\n[disc]\n") as v:
+        for header in HEADERS:
+            v.click(*header)
+        v.settle("key", "x")
+        v.click(*SPACETIME)
+        v.click(*METRIC)
+        v.click(*FLAT)
+        near = lambda: [v.settle("mousemove", 700, 400, *["click", 4] * 10) for _ in range(3)][-1]
+        near()
+        assert v.refused(REFUSAL) > 50, "the panel does not refuse a camera inside side B's horizon"
+        kept = v.picture()
+        v.settle("key", "x")
+        assert near().changed(kept, CHANGED), "flat spacetime alone refuses the camera, too"
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -770,5 +786,6 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_the_cameras_clock_is_shown_and_follows,
          test_messages_and_the_sign_of_a_record_keep_beside_the_panels,
          test_two_settings_are_compared_across_a_line_to_drag,
+         test_a_camera_that_side_b_cannot_have_is_refused,
          test_split_screens_have_a_line_and_labels, test_bad_input,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]

@@ -45,6 +45,8 @@ INSET = (600, 200, 820, 490)       # the probe's
 # the last header while nothing else is open; its button and its box
 CLOCK, RUN, DELAY = (150, 302 + MENU), (60, 327 + MENU), (112, 402 + MENU)
 LIGHT, LENSING = (150, 177 + MENU), (112, 202 + MENU)   # the section's header while nothing else is open, and its first box
+# the section's header while nothing else is open, its box and the last entry of the box's list; what the panel refuses
+SPACETIME, METRIC, FLAT, REFUSAL = (150, 202 + MENU), (190, 227 + MENU), (140, 424 + MENU), (14, 40 + MENU, 284, 90 + MENU)
 EFFECTS = (150, 252 + MENU)               # the section's header while nothing else is open, and its rows
 EFFECT_ROW = lambda row: (30, 277 + MENU + 25 * row)
 EDITOR, EDITOR_SEARCH, EDITOR_ADD, EDITOR_FIELD = (480, 60, 830, 200), (560, 69), (770, 69), (720, 142)
