@@ -33,7 +33,7 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"Space C", "fly up, down"},
     {"R", "return to the scene's camera"},
     {"H", "show the error of every pixel"},
-    {"P", "show the ray of the pixel under the cursor"},
+    {"P", "show the ray under the cursor"},
     {"K", "show the critical curve"},
     {"Tab", "show or hide the panels"},
     {"F1", "show or hide this list"},
@@ -46,7 +46,7 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"L, Ctrl + T", "play the path; timeline"},
     {"F5", "read the scene again"},
     {"Ctrl + +, -", "larger, smaller text"},
-    {"Ctrl + C V", "copy, paste the view as a line of text"},
+    {"Ctrl + C V", "copy, paste the view as text"},
     {"Ctrl + B, B", "bookmark this view; bookmarks"},
     {"X", "keep this on the right, to compare"},
     {"Ctrl + O", "gallery; a file can be dropped, too"},
@@ -151,7 +151,9 @@ void keys_window(float top) {
                 room = screen.y - top - 2.0f * margin;
     const auto whole = [](float number) { return static_cast<std::size_t>(std::max(number, 1.0f)); };
     const std::size_t most = whole((screen.x - 2.0f * em()) / (kBoth * em()));  // columns
-    const std::size_t fit = std::max(whole(room / line - 1.0f), (std::size(kKeys) + most - 1) / most);
+    const auto shared = [](std::size_t columns) { return (std::size(kKeys) + columns - 1) / columns; };
+    const std::size_t rows = std::max(whole(room / line - 1.0f), shared(most));
+    const std::size_t fit = shared((std::size(kKeys) + rows - 1) / rows);  // columns as long as each other
     const bool scrolls = static_cast<float>(fit) * line + em() > room;
     ImGui::SetNextWindowPos({screen.x - margin, top + margin}, ImGuiCond_Always, {1.0f, 0.0f});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {screen.x, room});
