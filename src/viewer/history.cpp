@@ -47,6 +47,8 @@ std::string changes_between(const Scene& a, const Scene& b) {
     }
     for (const auto& [key, value] : before)
         if (!after.contains(key)) name(key, after, " removed");
+    const auto of_camera = [](const std::string& name_of) { return name_of.starts_with("camera."); };
+    if (names.size() > 1 && std::ranges::all_of(names, of_camera)) return "camera";
     if (names.size() <= kMostNamed) return fmt::format("{}", fmt::join(names, ", "));
     return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + kMostNamed, ", "),
                        names.size() - kMostNamed);

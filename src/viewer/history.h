@@ -9,9 +9,9 @@ namespace nullscope::viewer {
 
 class History {
 public:
-    // The view has come to rest: a step, if its scene or what is switched off differs from the step before. The window's size and which bodies
-    // are hidden are none. What was undone is forgotten then. Cost: 0.1 ms where nothing has changed, and a scene is kept for each of the last
-    // kMostSteps.
+    // The view has come to rest: a step, if its scene or what is switched off differs from the step before. Another size of the
+    // window and other hidden bodies are no step. Steps that were undone are forgotten then. Cost: 0.1 ms where nothing has changed, and a
+    // scene is kept for each of the last kMostSteps.
     void rest(const ViewState& view);
 
     // Goes a step back, or forward again; false: there is none. `what`: the keys that change, for a message.

@@ -40,14 +40,16 @@ bool numbers_section(ViewState& view) {
     radius("Photon orbit", marks.photon_orbit,
            "Where light can run in a circle. About a rotating hole: with its rotation, in the equatorial plane.");
     radius("ISCO", marks.isco, "Innermost stable circular orbit of matter; with the rotation of the hole.");
-    radius("Critical b", marks.critical_impact,
-           "Impact parameter of the light that spirals to the photon sphere: the radius of the shadow, seen from far "
-           "away.");
+    if (scene.light.lensing)
+        radius(
+            "Critical b", marks.critical_impact,
+            "Impact parameter of the light that spirals to the photon sphere: the radius of the shadow, seen from far "
+            "away.");
     if (!marks.horizon && !marks.photon_orbit && !marks.isco)
         paragraph("This spacetime has no horizon and no orbits to name.");
     ImGui::Separator();
     const CameraNumbers here = camera_numbers(*spacetime, scene.camera);
-    if (here.shadow)
+    if (here.shadow && scene.light.lensing)
         number("Shadow", fmt::format("{:.3f}\xc2\xb0", *here.shadow * 180.0 / std::numbers::pi),
                "Angular radius of the shadow, seen from here at rest.");
     if (here.clock_rate)

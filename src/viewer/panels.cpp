@@ -52,7 +52,7 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"Ctrl + O", "gallery; a file can be dropped, too"},
     {"F", "fall freely, pause"},
     {"Page Up, Down", "tour: back, next"},
-    {"Escape", "close what is open, then quit"},
+    {"Escape, Ctrl + Q", "close what is open; quit"},
 };
 
 bool side_panel(ViewState& view, const FrameFacts& facts, bool escape) {

@@ -74,7 +74,7 @@ void draw_path(const ProbeFacts& facts, const std::vector<LandmarkCircle>& circl
     if (facts.path.empty() && !facts.potential) {
         const float small = 0.8f * ImGui::GetFontSize();
         draw.AddText(ImGui::GetFont(), small, {corner.x + 0.6f * small, corner.y + side - 1.6f * small},
-                     packed(dark_palette().dim), "equatorial plane; the ray stays in none");
+                     packed(dark_palette().dim), "seen from the pole; the ray is not drawn");
     }
     draw.AddCircleFilled(at(std::min(camera, shown), 0), 3.0f, bright);  // the camera, or the edge towards it
     draw.PopClipRect();

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <utility>
 
+#include "base/atomic_file.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
@@ -28,10 +29,15 @@ std::filesystem::path fresh_scene_path(const std::string& name) {
     return path;
 }
 
+bool may_be_replaced(const std::filesystem::path& file) {
+    const auto text = read_text(file);
+    return text && text->starts_with(kSavedMark) && text->find('#', 1) == std::string::npos;
+}
+
 void SaveAs::ask(const std::filesystem::path& proposed) {
     open_ = asked_now_ = true;
     path_ = proposed.string();
-    refusal_.clear();
+    refusal_.clear(), replaced_.clear();
 }
 
 std::string SaveAs::draw(bool escape) {
@@ -54,10 +60,13 @@ std::string SaveAs::draw(bool escape) {
             std::filesystem::path path = std::filesystem::absolute(path_);
             if (path.extension() != ".toml") path += ".toml";
             std::error_code error;
-            if (std::filesystem::exists(path, error))
-                refusal_ = fmt::format("{} exists: choose another name.", path.filename().string());
-            else
+            const std::string name = path.filename().string();
+            if (!std::filesystem::exists(path, error) || replaced_ == path.string())
                 open_ = false, chosen = path.string();
+            else if (!may_be_replaced(path))
+                refusal_ = fmt::format("{} exists and holds more than this program wrote: choose another name.", name);
+            else
+                refusal_ = fmt::format("{} exists. Save once more to replace it.", name), replaced_ = path.string();
         }
         if (!refusal_.empty()) paragraph(refusal_, true);
     }

@@ -164,7 +164,11 @@ bool field(const SceneKey& key, KeyValue& value, bool escape) {
             return value.choice != before;
         }
         case KeyType::kText:
-        case KeyType::kFormula: return text_field("##value", value.text);
+        case KeyType::kFormula: {
+            if (!text_field("##value", value.text)) return false;
+            if (key.key == "name" && !key.section.empty()) std::ranges::replace(value.text, ' ', '-');  // of a body
+            return true;
+        }
         case KeyType::kImage: {
             std::string path = value.path.string();
             if (!text_field("##value", path)) return false;

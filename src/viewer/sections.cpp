@@ -151,10 +151,13 @@ bool sky_section(ViewState& view, bool escape) {
 bool light_section(ViewState& view, bool escape) {
     LightSpec& light = view.scene.light;
     PictureSpec& picture = view.scene.picture;
-    bool changed =
-        tick("Lensing", light.lensing,
-             "Light follows the geodesics of the metric. Off: it travels straight, past a black sphere as large as the "
-             "horizon; all else stays.");
+    const auto spacetime = spacetime_of(view.scene);
+    const bool rotates = spacetime != nullptr && spacetime->axial() != nullptr;
+    bool changed = tick_if(
+        !rotates, "Lensing", light.lensing,
+        "Light follows the geodesics of the metric. Off: it travels straight, past a black sphere as large as the "
+        "horizon; all else stays.",
+        "Not for a rotating hole: compare it with another spacetime (X), or set its spin to 0.");
     const bool heat = spectra_matter(view.scene);
     constexpr const char* kNoHeat =
         "Nothing here: no light in this scene has a spectrum that is known where it leaves (disc.emission = thermal, "

@@ -215,7 +215,7 @@ bool Viewer::panels(const Input& input) {
     const float top = overlays(below_menu, screen - above - tour_.height());
     changed |= draw_panels(view_, facts, top, screen - above, escape);
     changed |= tour_panels(view_.show_panels ? side_panel_right() : 0.0f, screen - above - gap);
-    if (const std::string path = save_as_.draw(escape); !path.empty()) save_scene_to(path);
+    if (const std::string path = save_as_.draw(escape); !path.empty()) save_scene_as(path);
     return (left_ && offer_left_scene()) || changed;
 }
 

@@ -101,6 +101,7 @@ private:
     bool open_chosen();  // with the desktop's dialog
     void save_scene();
     void save_scene_to(const std::filesystem::path& path);
+    void save_scene_as(const std::filesystem::path& path);
     void follow_path();
     void follow_film();
     void keep_settings();
@@ -161,7 +162,7 @@ private:
     double sampled_at_ = 0.0;                    // s: of the record
     std::optional<std::filesystem::path> left_;  // scene of a viewer that did not end as it should
     Settings settings_, kept_settings_;          // as they are now, and in their file
-    std::string saved_scene_;                    // file that Ctrl+S writes on, once it has made one
+    double escaped_at_ = -1e9;                   // when Escape had nothing to close: pressed again, it quits
     PictureMarks marks_;
     Divider divider_;
     std::pair<std::string, std::string> side_words_;  // of the picture that is shown

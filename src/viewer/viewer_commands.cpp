@@ -18,6 +18,7 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr double kTextStep = 0.25;
+constexpr double kQuitWithin_s = 6.0;  // of an Escape that had nothing to close: as long as it says so
 
 // Commands that mean nothing to a field of text.
 bool works_while_typing(Command command) {
@@ -42,14 +43,16 @@ bool Viewer::handle_keys(const Input& input) {
     return changed;
 }
 
-// What is open closes, one thing at a time; when nothing is, the viewer does. Lists and the gallery see to themselves.
+// What is open closes, one thing at a time; when nothing is, a second Escape quits. Lists and the gallery see to themselves.
 void Viewer::close_topmost() {
     if (gallery_.is_open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
     for (bool* shown :
          {&view_.show_tours, &view_.show_about, &view_.show_editor, &view_.show_keys, &view_.show_bookmarks})
         if (std::exchange(*shown, false)) return;
+    if (std::exchange(view_.show_probe, false)) return;
     if (tour_.is_open()) return tour_.close();
-    window_->close();
+    if (seconds() - std::exchange(escaped_at_, seconds()) < kQuitWithin_s) return window_->close();
+    say("Escape once more, or Ctrl + Q, quits");
 }
 
 bool Viewer::perform(Command command) {
@@ -62,7 +65,10 @@ bool Viewer::perform(Command command) {
     switch (command) {
         case Command::kGallery: return gallery_.open(view_.shipped), false;
         case Command::kSave: return save_scene(), false;
-        case Command::kSaveAs: return save_as_.ask(fresh_scene_path(view_.scene.name)), false;
+        case Command::kSaveAs:
+            return save_as_.ask(may_be_replaced(view_.source) ? std::filesystem::path(view_.source)
+                                                              : fresh_scene_path(view_.scene.name)),
+                   false;
         case Command::kSavePicture: return save_picture(), false;
         case Command::kReload: return open_file(view_.source);
         case Command::kQuit: return window_->close(), false;

@@ -34,10 +34,17 @@ bool Viewer::open_file(const std::string& file_or_name) {
     return static_cast<bool>(opened);
 }
 
-// A file that was opened is never written over: its comments would be lost.
+// Files with comments of somebody are not written over: they would be lost.
 void Viewer::save_scene() {
-    const bool again = !saved_scene_.empty() && view_.source == saved_scene_;
-    save_scene_to(again ? std::filesystem::path(saved_scene_) : fresh_scene_path(view_.scene.name));
+    save_scene_to(may_be_replaced(view_.source) ? std::filesystem::path(view_.source)
+                                                : fresh_scene_path(view_.scene.name));
+}
+
+// Under a name that was chosen, which is the scene's from then on.
+void Viewer::save_scene_as(const std::filesystem::path& path) {
+    view_.scene.name = path.stem().string();
+    save_scene_to(path);
+    window_->set_title(view_.scene.name + kTitle);
 }
 
 void Viewer::save_scene_to(const std::filesystem::path& path) {
@@ -46,12 +53,12 @@ void Viewer::save_scene_to(const std::filesystem::path& path) {
     auto checked = savable(scene);
     if (!checked) return say("Not saved: " + checked.error().message());
     scene = std::move(*checked);
-    if (Status saved = write_text_atomically(path, scene_file_text(scene, path.parent_path())); !saved)
+    if (Status saved = write_text_atomically(path, kSavedMark + scene_file_text(scene, path.parent_path())); !saved)
         return say(saved.error().message());
-    saved_scene_ = view_.source = path.string();
+    view_.source = path.string();
     view_.loaded = scene;
-    own_file(view_, saved_scene_);
-    say(fmt::format("Saved {}", saved_scene_));
+    own_file(view_, view_.source);
+    say(fmt::format("Saved {}", view_.source));
 }
 
 bool Viewer::offer_left_scene() {

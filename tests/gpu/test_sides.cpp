@@ -90,7 +90,7 @@ const std::vector<Case>& cases() {
 TEST_CASE("sides: hits, places and fates are the reference's at every pixel") {
     MeasuredOnce measured;
     on_every_context([&](GpuSession& session) {
-        Selection selection(8);
+        Selection selection(16);
         for (const Case& c : cases()) {
             if (!selection.takes_next()) continue;
             const std::string name = c.name;

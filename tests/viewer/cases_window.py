@@ -298,6 +298,8 @@ def test_resizing_keeps_the_horizontal_field_of_view(v):
 
 
 def test_escape_quits(v):
+    v.settle("key", "Escape")
+    assert v.process.poll() is None, "one Escape quits"
     v.hands("key", "Escape")
     assert v.process.wait(timeout=HUNG_S) == 0, f"exit status {v.process.returncode}"
 
