@@ -201,6 +201,16 @@ std::string help_of_section(std::string_view section) {
 // Keys that are edited elsewhere: the window decides on the size, the metric has rows of its own.
 bool is_edited(const SceneKey& key) { return key.type != KeyType::kSize && key.type != KeyType::kMetric; }
 
+// "ball: Terra" where the body has a name of its own.
+std::string heading(const SectionRef& at, const Scene& holder) {
+    if (at.label.empty()) return "Scene";
+    for (const SceneKey& key : scene_keys())
+        if (key.section == at.section && key.key == "name")
+            if (const auto value = value_of(key, holder); value && !value->text.empty())
+                return fmt::format("{}: {}", at.label, value->text);
+    return at.label;
+}
+
 }  // namespace
 
 bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
@@ -253,7 +263,6 @@ bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, bool escap
             keys.push_back(&key);
     const bool metric = at.section == "spacetime" || at.section == "split";
     if (keys.empty() && !(metric && words_.empty())) return false;
-    const std::string name = at.label.empty() ? "Scene" : at.label;
     const ImGuiTreeNodeFlags open = words_.empty() ? ImGuiTreeNodeFlags_None : ImGuiTreeNodeFlags_DefaultOpen;
     ImGui::PushID(words_.empty() ? "all" : "found");  // which sections are open without a search stays as it was
     const bool revealed = !reveal_.empty() && reveal_ == at.label;
@@ -264,7 +273,8 @@ bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, bool escap
     }
     const bool hidden = view.hidden.has(at);
     if (hidden) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    const bool is_open = ImGui::CollapsingHeader((name + (hidden ? " (hidden)###" : "###") + name).c_str(), open);
+    const std::string words = heading(at, holder) + (hidden ? " (hidden)" : "");
+    const bool is_open = ImGui::CollapsingHeader(fmt::format("{}###{}", words, at.label).c_str(), open);
     bool changed = false;
     if (is_open) {
         changed = draw_buttons(view, at);

@@ -91,6 +91,7 @@ private:
     bool add(const std::string& section);
     void close_topmost();
     void toggle_critical_curve();
+    void toggle_potential();
     bool compare();  // or its end
     void copy_view();
     void fall_freely();  // or a pause of it

@@ -93,7 +93,7 @@ bool Viewer::perform(Command command) {
         case Command::kErrors: return toggle(view_.show_errors);
         case Command::kProbe: return toggle(view_.show_probe);
         case Command::kCriticalCurve: return toggle_critical_curve(), false;
-        case Command::kPotential: return toggle(view_.show_potential);
+        case Command::kPotential: return toggle_potential(), false;
         case Command::kFullScreen: return window_->toggle_full_screen(), false;
         case Command::kLargerText: return scale_text(kTextStep);
         case Command::kSmallerText: return scale_text(-kTextStep);
@@ -160,6 +160,16 @@ void Viewer::toggle_critical_curve() {
     const bool on_b = view_.side_b != nullptr && has_critical_curve(drawn_side_b(view_));
     if (view_.show_critical && !has_critical_curve(view_.scene) && !on_b)
         say("There is no critical curve here: no photon sphere");
+}
+
+void Viewer::toggle_potential() {
+    view_.show_potential = !view_.show_potential;
+    const auto spacetime = spacetime_of(view_.scene);
+    if (!view_.show_potential || spacetime == nullptr) return;
+    if (spacetime->axial() != nullptr)
+        say("There is no effective potential about a rotating hole: a ray stays in no plane");
+    else if (!view_.show_probe)
+        say("Effective potential: shown with the ray of a pixel (P)");
 }
 
 void Viewer::fall_freely() {
