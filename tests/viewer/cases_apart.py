@@ -775,8 +775,7 @@ def test_a_camera_that_side_b_cannot_have_is_refused(screen, program, folder):
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
-         test_several_rays_a_pixel_wait_for_rest,
-         test_exposure_follows_like_an_eye, test_the_clock_runs_and_stops, test_screenshot, test_the_gallery_finds_and_opens,
+         test_the_clock_runs_and_stops, test_screenshot, test_the_gallery_finds_and_opens,
          test_a_file_is_chosen_in_the_desktops_dialog,
          test_the_first_visit_has_hints_and_the_next_has_none, test_menus_do_what_they_say,
          test_the_critical_curve_is_synges_circle_and_the_potential_is_drawn, test_a_killed_viewer_leaves_its_scene,
@@ -785,7 +784,6 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_bookmarks_are_kept_opened_renamed_and_deleted, test_a_drag_goes_round_the_hole_at_constant_r,
          test_the_light_theme_is_switched_and_kept, test_a_body_is_hidden_and_shown,
          test_a_tour_is_led_forward_and_back_and_closed, test_a_file_is_known_as_a_tour,
-         test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
          test_the_cameras_clock_is_shown_and_follows,
          test_messages_and_the_sign_of_a_record_keep_beside_the_panels,
          test_two_settings_are_compared_across_a_line_to_drag,
@@ -793,4 +791,5 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
 # Of every depth but quick.
 if EVERYTHING:
-    CASES.append(test_a_camera_that_side_b_cannot_have_is_refused)
+    CASES += [test_a_camera_that_side_b_cannot_have_is_refused, test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
+              test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]
