@@ -266,9 +266,7 @@ Result<Scene> SceneReader::read(const toml::table& root) {
         for (const SceneFault& fault : check_parts(scene_, given_)) report(fault);
     }
     if (reports_.empty()) return scene_;
-    Error first = reports_.begin()->second;
-    for (std::string* part : {&first.what, &first.allowed, &first.key, &first.file}) *part = without_controls(*part);
-    return first;
+    return without_controls(reports_.begin()->second);
 }
 
 }  // namespace

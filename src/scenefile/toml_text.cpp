@@ -30,4 +30,9 @@ Result<toml::table> toml_of(std::string_view text, const std::string& file_label
     }
 }
 
+Error without_controls(Error error) {
+    for (std::string* part : {&error.what, &error.allowed, &error.key, &error.file}) *part = without_controls(*part);
+    return error;
+}
+
 }  // namespace nullscope

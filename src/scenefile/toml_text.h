@@ -13,4 +13,7 @@ namespace nullscope {
 // control characters. file_label: named in errors.
 Result<toml::table> toml_of(std::string_view text, const std::string& file_label);
 
+// The same, fit for a line of a terminal: no part of it has control characters.
+Error without_controls(Error error);
+
 }  // namespace nullscope

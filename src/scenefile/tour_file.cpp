@@ -174,9 +174,7 @@ Result<Tour> TourReader::read(const toml::table& root) {
     else
         report(1, "step", "missing", kStepsWords);
     if (reports_.empty()) return tour_;
-    Error first = reports_.begin()->second;
-    for (std::string* part : {&first.what, &first.allowed, &first.key, &first.file}) *part = without_controls(*part);
-    return first;
+    return without_controls(reports_.begin()->second);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "viewer/card_pictures.h"
 
 #include <algorithm>
-#include <cstdint>
 
 #include "image/image_file.h"
+#include "viewer/texture_id.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -14,11 +14,6 @@ gl::Texture texture_of(const Image<float>& image) {
     gl::Texture texture = gl::make_rgba8_texture(image.width, image.height, rgba8_of(image).data());
     gl::set_linear(texture);
     return texture;
-}
-
-ImTextureID id_of(const gl::Texture& texture) {
-    // NOLINTNEXTLINE: pointer or integer by version.
-    return (ImTextureID)(static_cast<std::intptr_t>(texture.id()));
 }
 
 }  // namespace

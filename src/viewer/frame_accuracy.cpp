@@ -7,13 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
 
 #include "compare/heat_map.h"
 #include "plan/effects.h"
 #include "plan/moving.h"
+#include "viewer/texture_id.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
@@ -120,9 +120,7 @@ void FrameAccuracy::draw_overlay() {
     if (!begun_ || !error_.empty()) return;
     if (watch_.take_heat(heat_)) overlay_ = gl::make_rgba8_texture(heat_.width, heat_.height, heat_.data.data());
     if (!overlay_) return;
-    // NOLINTNEXTLINE: pointer or integer by version.
-    const auto texture = (ImTextureID)(static_cast<std::intptr_t>(overlay_.id()));
-    ImGui::GetBackgroundDrawList()->AddImage(texture, {0.0f, 0.0f}, ImGui::GetIO().DisplaySize);
+    ImGui::GetBackgroundDrawList()->AddImage(id_of(overlay_), {0.0f, 0.0f}, ImGui::GetIO().DisplaySize);
 }
 
 AccuracyFacts FrameAccuracy::facts() const { return {watch_.summary(), begun_, error_}; }

@@ -18,9 +18,9 @@ constexpr float kFieldWidth = 20.0f;  // likewise
 
 }  // namespace
 
-void Gallery::open(const std::vector<SceneInfo>& scenes) {
+void Gallery::open(const std::vector<SceneInfo>& scenes, const std::vector<TourInfo>& tours) {
     if (groups_.empty()) groups_ = in_gallery_groups(scenes);
-    if (tours_.empty()) tours_ = shipped_tours();
+    tours_ = tours;
     open_ = opened_now_ = true;
     words_.clear();
 }

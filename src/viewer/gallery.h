@@ -11,8 +11,8 @@ namespace nullscope::viewer {
 
 class Gallery {
 public:
-    // scenes: those that ship.
-    void open(const std::vector<SceneInfo>& scenes);
+    // scenes, tours: those that ship.
+    void open(const std::vector<SceneInfo>& scenes, const std::vector<TourInfo>& tours);
     void close() { open_ = false; }
     bool is_open() const { return open_; }
     // Pictures are still to be read: another frame is due. Each takes 10 ms, one a frame.

@@ -3,8 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
+
+#include "viewer/texture_id.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -33,9 +34,7 @@ void PictureMarks::draw() const {
         const auto at = [&](int x, int y) {
             return ImVec2(unit * static_cast<float>(x), unit * static_cast<float>(y));
         };
-        // NOLINTNEXTLINE: pointer or integer by version.
-        const auto texture = (ImTextureID)(static_cast<std::intptr_t>(textures_[i].id()));
-        ImGui::GetBackgroundDrawList()->AddImage(texture, at(mark.x, mark.y),
+        ImGui::GetBackgroundDrawList()->AddImage(id_of(textures_[i]), at(mark.x, mark.y),
                                                  at(mark.x + mark.rgba.width, mark.y + mark.rgba.height));
     }
 }

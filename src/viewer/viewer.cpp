@@ -92,7 +92,8 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     if (viewer->painter_->in_background()) viewer->ask();  // it begins before the panels are there
     viewer->panel_system_ = std::make_unique<PanelSystem>(*viewer->window_);
     if (!viewer->patient()) viewer->left_ = left_scene();
-    if (options.gallery || (options.scene.empty() && !viewer->patient())) viewer->gallery_.open(viewer->view_.shipped);
+    if (options.gallery || (options.scene.empty() && !viewer->patient()))
+        viewer->gallery_.open(viewer->view_.shipped, viewer->tours());
     return viewer;
 }
 

@@ -99,7 +99,8 @@ private:
     // viewer_files.cpp
     bool open_file(const std::string& file_or_name);  // true if the scene changed
     bool open_dropped(const Input& input);
-    bool open_chosen();  // with the desktop's dialog
+    bool open_chosen();                        // with the desktop's dialog
+    std::filesystem::path usual_path() const;  // of a saved scene
     void save_scene();
     void save_scene_to(const std::filesystem::path& path);
     void save_scene_as(const std::filesystem::path& path);
@@ -111,7 +112,8 @@ private:
     bool open_tour(const std::filesystem::path& file);
     bool step_tour(int ahead);
     bool tour_panels(float left, float bottom);
-    bool offer_left_scene();  // true if it was taken
+    const std::vector<TourInfo>& tours();  // that ship, read once
+    bool offer_left_scene();               // true if it was taken
     void say(const std::string& message);
     // viewer_bookmarks.cpp; true if the scene changed
     Image<unsigned char> small_picture() const;
@@ -158,7 +160,7 @@ private:
     BookmarkPanel bookmark_panel_;
     bool bookmark_due_ = false;  // Ctrl+B, while the picture was not whole
     TourPanel tour_;
-    std::vector<TourInfo> tours_;                // that ship, once they are listed
+    std::vector<TourInfo> tours_;                // tours()
     std::string timeline_source_;                // the scene that timeline_ knows
     double sampled_at_ = 0.0;                    // s: of the record
     std::optional<std::filesystem::path> left_;  // scene of a viewer that did not end as it should

@@ -63,12 +63,9 @@ bool Viewer::perform(Command command) {
         return false;
     };
     switch (command) {
-        case Command::kGallery: return gallery_.open(view_.shipped), false;
+        case Command::kGallery: return gallery_.open(view_.shipped, tours()), false;
         case Command::kSave: return save_scene(), false;
-        case Command::kSaveAs:
-            return save_as_.ask(may_be_replaced(view_.source) ? std::filesystem::path(view_.source)
-                                                              : fresh_scene_path(view_.scene.name)),
-                   false;
+        case Command::kSaveAs: return save_as_.ask(usual_path()), false;
         case Command::kSavePicture: return save_picture(), false;
         case Command::kReload: return open_file(view_.source);
         case Command::kQuit: return window_->close(), false;

@@ -35,10 +35,11 @@ bool Viewer::open_file(const std::string& file_or_name) {
 }
 
 // Files with comments of somebody are not written over: they would be lost.
-void Viewer::save_scene() {
-    save_scene_to(may_be_replaced(view_.source) ? std::filesystem::path(view_.source)
-                                                : fresh_scene_path(view_.scene.name));
+std::filesystem::path Viewer::usual_path() const {
+    return may_be_replaced(view_.source) ? std::filesystem::path(view_.source) : fresh_scene_path(view_.scene.name);
 }
+
+void Viewer::save_scene() { save_scene_to(usual_path()); }
 
 // Under a name that was chosen, which is the scene's from then on.
 void Viewer::save_scene_as(const std::filesystem::path& path) {

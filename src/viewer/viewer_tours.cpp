@@ -32,11 +32,15 @@ bool Viewer::step_tour(int ahead) {
     return static_cast<bool>(loaded);
 }
 
+const std::vector<TourInfo>& Viewer::tours() {
+    if (tours_.empty()) tours_ = shipped_tours();
+    return tours_;
+}
+
 bool Viewer::tour_panels(float left, float bottom) {
     bool changed = false;
     if (view_.show_tours) {
-        if (tours_.empty()) tours_ = shipped_tours();
-        if (const auto chosen = draw_tour_list(view_.show_tours, tours_)) changed = open_tour(*chosen);
+        if (const auto chosen = draw_tour_list(view_.show_tours, tours())) changed = open_tour(*chosen);
     }
     const int ahead = tour_.draw(left, bottom);
     return (ahead != 0 && step_tour(ahead)) || changed;

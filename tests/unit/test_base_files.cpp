@@ -11,7 +11,7 @@
 #include "base/assets.h"
 #include "base/atomic_file.h"
 #include "base/progress.h"
-#include "base_temporary_folder.h"
+#include "support/temporary_folder.h"
 
 using namespace nullscope;
 namespace fs = std::filesystem;

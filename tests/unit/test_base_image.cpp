@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "base/atomic_file.h"
-#include "base_temporary_folder.h"
 #include "image/image_file.h"
 #include "support/folders.h"
+#include "support/temporary_folder.h"
 
 using namespace nullscope;
 namespace fs = std::filesystem;

@@ -14,7 +14,7 @@
 #include "compare/ray_channels.h"
 #include "compare/ray_metrics.h"
 #include "support/report.h"
-#include "unit/base_temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace {
 

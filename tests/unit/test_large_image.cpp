@@ -6,11 +6,11 @@
 #include <string>
 
 #include "base/atomic_file.h"
-#include "base_temporary_folder.h"
 #include "image/area_filter.h"
 #include "image/image_file.h"
 #include "image/large_image.h"
 #include "support/folders.h"
+#include "support/temporary_folder.h"
 
 using namespace nullscope;
 namespace fs = std::filesystem;

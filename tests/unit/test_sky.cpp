@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "base/atomic_file.h"
-#include "base_temporary_folder.h"
 #include "image/image_file.h"
 #include "sky/milky_way.h"
 #include "sky/packed_sky.h"
@@ -16,6 +15,7 @@
 #include "sky/star_catalogue.h"
 #include "sky/star_light.h"
 #include "support/folders.h"
+#include "support/temporary_folder.h"
 
 using namespace nullscope;
 namespace fs = std::filesystem;

@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "base/assets.h"
-#include "base_temporary_folder.h"
 #include "observer/landmarks.h"
 #include "scenefile/scene_file.h"
 #include "scenefile/tour_file.h"
 #include "spacetime/registry.h"
+#include "support/temporary_folder.h"
 
 using namespace nullscope;
 

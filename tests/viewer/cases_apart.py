@@ -85,9 +85,7 @@ def test_a_file_is_chosen_in_the_desktops_dialog(screen, program, folder):
     try:
         with Viewer(screen, program, "--gallery", "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
             v.settle()
-            rows = [line.split(" ", 6) for line in (Path(v.folder) / "layout.txt").read_text().splitlines() if line.startswith("text")]
-            x, y = next((int(row[2]), int(row[3])) for row in rows if row[6] == "Browse...")
-            v.click(x + 10, y + 5)
+            v.click(*v.layout().words()["Browse..."])
             wait_until("the chosen file is open", lambda: v.title() == "Chosen one - nullscope", HUNG_S)
     finally:
         os.environ["PATH"] = path
@@ -606,23 +604,11 @@ def test_the_light_theme_is_switched_and_kept(screen, program, folder):
         same(dark, v.picture(SIDE), "dark panels again")
 
 
-def words_of(v):
-    """What the panels say, each with its middle; of a viewer with --layout layout.txt that rests."""
-    rows = [line.split(" ", 6) for line in (Path(v.folder) / "layout.txt").read_text().splitlines() if line.startswith("text ")]
-    return {row[6]: (int(row[2]) + int(row[4]) // 2, int(row[3]) + int(row[5]) // 2) for row in rows}
-
-
-def windows_of(v):
-    """Left, top, width and height of each; likewise."""
-    rows = [line.split() for line in (Path(v.folder) / "layout.txt").read_text().splitlines() if line.startswith("window ")]
-    return {row[1]: tuple(map(int, row[2:])) for row in rows}
-
-
 def test_messages_and_the_sign_of_a_record_keep_beside_the_panels(screen, program, folder):
     red, corner = bytes([240, 60, 50]), (700, MENU, 840, 80)
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
         v.settle("key", "ctrl+e", "key", "ctrl+c")
-        windows = windows_of(v)
+        windows = v.layout().windows
         side, (left, _, width, _), editor = windows["##side"], windows["##message"], windows["Scene"]
         assert side[0] + side[2] < left and left + width < editor[0], f"the message lies on a panel: {windows}"
         v.settle("key", "ctrl+e")
@@ -641,15 +627,15 @@ def test_messages_and_the_sign_of_a_record_keep_beside_the_panels(screen, progra
 
 def test_the_cameras_clock_is_shown_and_follows(screen, program, folder):
     def value(name):
-        at = words_of(v)
+        at = v.layout().words()
         x, y = at[name]
         return float(min((place, words) for words, place in at.items() if abs(place[1] - y) < 6 and place[0] > x)[1].split()[0])
     at_rest, shift = "dtau/dt at rest", "g from far away, at rest"
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
         v.settle()
-        assert shift not in words_of(v), "shown before it was asked for"
+        assert shift not in v.layout().words(), "shown before it was asked for"
         v.click(*MENUS["View"])
-        v.click(*words_of(v)["Clock and redshift"])
+        v.click(*v.layout().words()["Clock and redshift"])
         assert abs(value(at_rest) - math.sqrt(1 - 1 / 22)) < 1e-6 and abs(value(shift) * value(at_rest) - 1) < 1e-5
         v.hands("key", "f")
         time.sleep(1.0)
@@ -657,7 +643,7 @@ def test_the_cameras_clock_is_shown_and_follows(screen, program, folder):
         assert value("tau since release") > 0.5, "the clock stands while the camera falls"
         assert abs(value("dtau/dt of the camera") - value(at_rest) ** 2 / math.sqrt(1 - 1 / 22)) < 3e-6, "A/E of the fall"
         v.settle("key", "r")
-        assert abs(value(at_rest) - math.sqrt(1 - 1 / 22)) < 1e-6 and "tau since release" not in words_of(v)
+        assert abs(value(at_rest) - math.sqrt(1 - 1 / 22)) < 1e-6 and "tau since release" not in v.layout().words()
 
 
 def test_a_gamepad_flies_and_its_buttons_do_what_keys_do(screen, program, folder):
@@ -702,16 +688,16 @@ def test_a_body_is_hidden_and_shown(screen, program, folder):
         v.settle()
         whole = v.picture(RIGHT)
         v.settle("key", "ctrl+e")
-        v.click(*words_of(v)["ball"])
-        v.click(*words_of(v)["Hide"])
-        assert "ball (hidden)" in words_of(v), "the section does not say that it is hidden"
+        v.click(*v.layout().words()["ball"])
+        v.click(*v.layout().words()["Hide"])
+        assert "ball (hidden)" in v.layout().words(), "the section does not say that it is hidden"
         v.settle("key", "ctrl+e")
         assert v.picture(RIGHT).changed(whole, CHANGED), "a hidden body is drawn"
         v.settle("key", "ctrl+s")
         saved = next(path for path in Path(v.folder).glob("*.toml") if path != v.scene)
         assert "ball" in tomllib.loads(saved.read_text()), "a hidden body is not saved"
         v.settle("key", "ctrl+e")
-        v.click(*words_of(v)["Show"])
+        v.click(*v.layout().words()["Show"])
         v.settle("key", "ctrl+e")
         same(whole, v.picture(RIGHT), "the picture with the body that is shown again")
 

@@ -24,30 +24,12 @@ MENUS = ["File", "Edit", "View", "Add", "Path", "Help"]
 OVER_OTHERS = ["##keys", "About_nullscope", "Guided_tours", "##Tooltip", "##Menu", "##message", "##hints", "##MainMenuBar", "##Popup", "##Combo"]
 
 
-class Layout:
-    def __init__(self, text):
-        self.windows, self.texts, self.faults = {}, [], []
-        for line in text.splitlines():
-            kind, *rest = line.split(" ", 1)
-            if kind == "window":
-                name, *numbers = rest[0].split(" ")
-                self.windows[name] = tuple(map(int, numbers))
-            elif kind == "text":
-                name, x, y, width, height, words = rest[0].split(" ", 5)
-                self.texts.append((name, words, tuple(map(int, (x, y, width, height)))))
-            elif kind == "fault":
-                self.faults.append(rest[0])
-        for (one, a), (other, b) in itertools.combinations(sorted(self.windows.items()), 2):
-            covered = min(a[0] + a[2], b[0] + b[2]) - max(a[0], b[0]), min(a[1] + a[3], b[1] + b[3]) - max(a[1], b[1])
-            if min(covered) > 1 and not any(name.startswith(top) for name in (one, other) for top in OVER_OTHERS):
-                self.faults.append(f"{one} {a} covers {other} {b}")
-
-    def place(self, words, window):
-        """The middle of the first words that begin so."""
-        for name, text, (x, y, width, height) in self.texts:
-            if text.startswith(words) and name.startswith(window):
-                return x + width // 2, y + height // 2
-        return None
+def covers(layout):
+    """Which windows lie on others."""
+    for (one, a), (other, b) in itertools.combinations(sorted(layout.windows.items()), 2):
+        covered = min(a[0] + a[2], b[0] + b[2]) - max(a[0], b[0]), min(a[1] + a[3], b[1] + b[3]) - max(a[1], b[1])
+        if min(covered) > 1 and not any(name.startswith(top) for name in (one, other) for top in OVER_OTHERS):
+            yield f"{one} {a} covers {other} {b}"
 
 
 class Reader:
@@ -59,11 +41,12 @@ class Reader:
 
     def look(self, what, *words):
         self.viewer.settle(*words)
-        layout = Layout((Path(self.viewer.folder) / "layout.txt").read_text())
-        for fault in layout.faults:
+        layout = self.viewer.layout()
+        faults = [*layout.faults, *covers(layout)]
+        for fault in faults:
             if fault not in self.found:
                 print(f"{self.label}, {what}: {fault}", flush=True)
-        self.found.update(layout.faults)
+        self.found.update(faults)
         if self.pictures:
             width, height = (int(side) for side in self.label.split()[0].split("x"))
             picture = self.viewer.picture((0, 0, width, height))

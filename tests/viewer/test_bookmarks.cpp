@@ -1,6 +1,5 @@
 // Bookmarks: what is kept, renamed, deleted and brought back, and files that are broken.
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -8,6 +7,7 @@
 
 #include "image/image_file.h"
 #include "scenefile/scene_file.h"
+#include "support/temporary_folder.h"
 #include "viewer/bookmarks.h"
 
 namespace {
@@ -17,10 +17,8 @@ using namespace nullscope::viewer;
 namespace fs = std::filesystem;
 
 struct Folder {
-    fs::path home = fs::temp_directory_path() / ("nullscope-bookmarks." + std::to_string(::getpid()));
-    fs::path path = home / "bookmarks";
-    Folder() { fs::remove_all(home); }
-    ~Folder() { fs::remove_all(home); }
+    TemporaryFolder home{"bookmarks"};
+    fs::path path = home.path / "bookmarks";  // not there yet
     void write(const std::string& name, const std::string& text) const {
         fs::create_directories(path);
         std::ofstream(path / name) << text;

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "scenefile/scene_file.h"
+#include "support/temporary_folder.h"
 #include "viewer/autosave.h"
 #include "viewer/user_files.h"
 
@@ -18,14 +19,12 @@ namespace fs = std::filesystem;
 
 // A home of the test's own.
 struct Home {
-    fs::path folder = fs::temp_directory_path() / ("nullscope-home." + std::to_string(::getpid()));
+    TemporaryFolder made{"home"};
+    fs::path folder = made.path;
     Home() {
-        fs::remove_all(folder);
-        fs::create_directories(folder);
         ::setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
         ::setenv("XDG_STATE_HOME", folder.c_str(), 1);
     }
-    ~Home() { fs::remove_all(folder); }
     void write(const char* name, const std::string& text) const {
         fs::create_directories(folder / "nullscope");
         std::ofstream(folder / "nullscope" / name) << text;

@@ -102,6 +102,34 @@ class Log:
         return [values for word, values in self.since(at) if word == "turn"]
 
 
+class Layout:
+    """What --layout layout.txt wrote (src/viewer/layout_log.h): windows, texts as (window, words, rectangle), and faults."""
+
+    def __init__(self, text):
+        self.windows, self.texts, self.faults = {}, [], []
+        for line in text.splitlines():
+            kind, *rest = line.split(" ", 1)
+            if kind == "window":
+                name, *numbers = rest[0].split(" ")
+                self.windows[name] = tuple(map(int, numbers))
+            elif kind == "text":
+                name, x, y, width, height, words = rest[0].split(" ", 5)
+                self.texts.append((name, words, tuple(map(int, (x, y, width, height)))))
+            elif kind == "fault":
+                self.faults.append(rest[0])
+
+    def place(self, words, window):
+        """The middle of the first words that begin so."""
+        for name, text, (x, y, width, height) in self.texts:
+            if text.startswith(words) and name.startswith(window):
+                return x + width // 2, y + height // 2
+        return None
+
+    def words(self):
+        """What the panels say, each with its middle."""
+        return {words: (x + width // 2, y + height // 2) for _, words, (x, y, width, height) in self.texts}
+
+
 def shipped(name):
     return (Path(__file__).resolve().parents[2] / "assets" / "scenes" / f"{name}.toml").read_text()
 
@@ -169,6 +197,10 @@ class Viewer:
 
     def changes(self, what, before, area=PICTURE):
         wait_until(what, lambda: self.picture(area).changed(before, CHANGED), HUNG_S)
+
+    def layout(self):
+        """Of a viewer with --layout layout.txt that rests."""
+        return Layout((Path(self.folder) / "layout.txt").read_text())
 
     def count(self, area, colour):
         data = self.picture(area).data
