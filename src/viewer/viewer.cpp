@@ -253,6 +253,7 @@ void Viewer::follow_changes(bool changed) {
         fit_to_window();  // a scene that was just loaded has a size of its own
         if (!picture_due_) due_at_ = turn_began_at_;
         picture_due_ = true;
+        error_stays_ = false;
         frames_due_ = kSettlingFrames;
     } else {
         if (!ImGui::IsAnyItemActive() && !controls_.dragging() && !in_motion()) history_.rest(view_);
@@ -342,10 +343,10 @@ void Viewer::refuse(const Painting& painting) {
     view_.hidden = shown_.hidden;
     view_.side_b = shown_.side_b;
     view_.error = painting.ready.error().message();
+    error_stays_ = true;
     frames_due_ = kSettlingFrames;
-    if (!picture_.coarse()) return;
-    say(view_.error);  // for the whole picture of what is shown on clears it
-    picture_due_ = true;
+    if (!view_.show_panels) say(view_.error);
+    picture_due_ = picture_.coarse();
 }
 
 // Once for every set of effects, when the picture rests and somebody looks.

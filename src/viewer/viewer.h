@@ -131,6 +131,7 @@ private:
     Painting picture_;              // that is shown
     int pictures_ = 0;              // until now
     bool picture_due_ = true;       // view_ has changed since the last was asked for
+    bool error_stays_ = false;      // view_.error is of the last change, which was undone: until the next one
     bool coarse_wanted_ = true;     // a picture soon rather than a whole one: hands are at work
     bool save_due_ = false;         // F12, while the picture was not whole
     std::optional<Error> refusal_;  // of the first scene: there is nothing to show

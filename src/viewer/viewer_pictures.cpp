@@ -103,7 +103,7 @@ void Viewer::adopt(Painting painting) {
     if (!picture_.notes.empty()) say(picture_.notes.back());
     choice_ = asked_choice_;
     accuracy_->frame_is(picture_.job.scene, picture_.job.method);
-    view_.error.clear();
+    if (!error_stays_) view_.error.clear();
     shown_ = asked_;
     if (save_due_ && !picture_.coarse()) save_picture();
 }

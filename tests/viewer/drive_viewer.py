@@ -43,6 +43,9 @@ def main():
     program = str(Path(sys.argv[1]).resolve())
     words = sys.argv[2:] or ["window", "apart"]
     groups = {"window": cases_window.CASES, "apart": cases_apart.CASES}
+    known = {"window", "apart"} | {t.__name__.removeprefix("test_") for group in groups.values() for t in group}
+    if set(words) - known:
+        sys.exit(f"no such case (without test_; some need NULLSCOPE_EVERYTHING=1): {' '.join(sorted(set(words) - known))}")
     chosen = lambda group: [t for t in groups[group] if group in words or t.__name__.removeprefix("test_") in words]
     os.environ.update(LIBGL_ALWAYS_SOFTWARE="1", MESA_SHADER_CACHE_DISABLE="true")
     screen, folder, good = Screen(WIDTH + 100, HEIGHT + 100), Path(tempfile.mkdtemp(prefix="nullscope-drive.")), True
