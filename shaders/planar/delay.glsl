@@ -63,15 +63,24 @@ float light_time(Trace trace, float phi, float r, float zeta_along) {
 #ifdef EFFECT_INNER_HORIZON
     logarithm -= inner_horizon_time(zeta);
 #endif
-    return start - w * r + sigma * logarithm - (trace.escapes ? frame.delay.z : frame.delay.w) +
-           delay_rest(trace.escapes, trace.ray.u, phi, trace.phi_end);
+    float time = start - w * r + sigma * logarithm - (trace.escapes ? frame.delay.z : frame.delay.w) +
+                 delay_rest(trace.escapes, trace.ray.u, phi, trace.phi_end);
+#ifdef EFFECT_ZOOM
+    time += ring_part(phi, frame.ring.y);
+#endif
+    return time;
 }
 
 // T = v_cam - v_inf, v = t + r_*, of a ray that ends in the sky.
 float sky_delay(Trace trace) {
     vec2 sides = delay_at_camera(trace);
     float energy = energy_at(trace.c);
-    return sides.y / (energy * frame.shift.y) - log(max(0.5 * sides.x / energy, 1.0e-30)) + delay_rest(true, trace.ray.u, trace.phi_end, trace.phi_end);
+    float time = sides.y / (energy * frame.shift.y) - log(max(0.5 * sides.x / energy, 1.0e-30)) +
+                 delay_rest(true, trace.ray.u, trace.phi_end, trace.phi_end);
+#ifdef EFFECT_ZOOM
+    time += ring_part(trace.phi_end, frame.ring.y);
+#endif
+    return time;
 }
 #else
 // Straight light: the distance.

@@ -6,7 +6,11 @@
 #include "planar/trace.glsl"
 #include "shared/frame.glsl"
 
+#ifdef EFFECT_ZOOM
+#define DISC_MOST_CROSSINGS 24   // ... down to kFinestRing
+#else
 #define DISC_MOST_CROSSINGS 12   // tables resolve windings down to 1e-13 of the critical angle: phi_end < 12 pi
+#endif
 
 struct DiscCrossing {
     bool hit;

@@ -57,6 +57,11 @@ float path_angle(Trace trace) { return trace.phi_end; }   // swept to the end
 
 vec3 radial_direction() { return vec3(frame.radial.x, frame.radial.y, frame.radial.z); }
 
+#ifdef EFFECT_ZOOM
+// What a zoom leaves out of what a ray has swept, and of its light's time: rays that have come past the middle of it have all.
+float ring_part(float phi, float all) { return phi > frame.ring.z ? all : 0.0; }
+#endif
+
 // Across the radial direction, in world axes.
 vec3 sideways(vec2 side) {
     return side.x * vec3(frame.meridian.x, frame.meridian.y, frame.meridian.z) +
@@ -89,9 +94,21 @@ Trace trace_pixel(vec2 pixel) {
 #ifdef EFFECT_ABERRATION
     Aberration seen = aberrate(look_direction(pixel, inverse_length), vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w,
                                frame.boost_colour.x);
-    vec3 n = seen.direction;
     trace.doppler = seen.doppler;
     trace.pixel_angle *= seen.squeeze;
+#endif
+#ifdef EFFECT_ZOOM
+    // No direction is formed before what is small in it: next to the critical curve each keeps its digits, in motion too.
+    float square = dot(pixel, pixel) * (frame.image.z * frame.image.z);
+    float longer = square * inverse_length / (1.0 + inverse_length);   // |v| - 1
+    float scale = 1.0 / (frame.polar_weight.x + pixel.x * frame.polar_weight.y + pixel.y * frame.polar_weight.z + longer * frame.polar_weight.w);
+    vec4 polar = (frame.polar_0 + pixel.x * frame.polar_x + pixel.y * frame.polar_y + longer * frame.polar_length) * scale;
+    trace.side = vec2(polar.x, polar.y);
+    trace.c = polar.z;
+    float tangent = polar.w;
+#else
+#ifdef EFFECT_ABERRATION
+    vec3 n = seen.direction;
     trace.side = vec2(dot(n, vec3(frame.meridian.x, frame.meridian.y, frame.meridian.z)),
                       dot(n, vec3(frame.transverse.x, frame.transverse.y, frame.transverse.z)));
     trace.c = dot(n, radial_direction());
@@ -106,6 +123,7 @@ Trace trace_pixel(vec2 pixel) {
     float tangent = polar.w;
 #else
     vec3 n = look_direction(pixel, inverse_length);
+#endif
 #endif
 #endif
     trace.s = sqrt(dot(trace.side, trace.side));

@@ -18,6 +18,12 @@ struct FrameData {
     vec4 orbit;        // sin(theta_c) = k sin(alpha), cos(chi0), a0, a1 of the deflection table
     vec4 series;       // a2 of the deflection table, chi0; rays that come back: their first row by the centre, tan(theta_c/4)
 #endif
+#ifdef BLOCK_ZOOM
+    vec4 polar_length; // of a zoom the polar forms are those of the direction before aberration, v = ray_0 + x ray_x + y ray_y, seen by an
+                       //   observer at rest: this times (|v| - 1) is to be added,
+    vec4 polar_weight; //   and the sum to be divided by x + px y + py z + (|v| - 1) w
+    vec4 ring;         // observer/ring_view.h: swept angle and light time that the picture leaves out, rays that have swept .z before half of it
+#endif
 #ifdef BLOCK_ABERRATION
     vec4 boost;        // direction of motion in world axes, .w = stretch sqrt((1+v)/(1-v)) of directions, 1 without aberration
     vec4 boost_colour; // the stretch of frequencies, 1 without Doppler shift; log2 of the brightness of the sky's temperature, 0, 0

@@ -78,6 +78,9 @@ PixelData pixel_data(vec2 pixel) {
                           1.57079632679489661923 - arc_tangent2(sqrt(place.x * place.x + place.y * place.y), place.z), 0.0);
     }
 #endif
+#ifdef EFFECT_ZOOM
+    data.angle += ring_part(data.angle, frame.ring.x);
+#endif
     bool sky = data.fate == 0.0 || data.fate == 2.0;
 #ifdef EFFECT_DELAY
     if (data.fate == 0.0) data.delay = sky_delay(trace);

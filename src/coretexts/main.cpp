@@ -58,6 +58,10 @@ std::vector<Variant> variants(const std::string& block) {
         moving.name += "_moving";
         moving.defines.emplace_back("EFFECT_ABERRATION");
         all.push_back(moving);
+        if (all[i].name != "lensed") continue;
+        moving.name = "zoomed_moving";
+        moving.defines.emplace_back("EFFECT_ZOOM");
+        all.push_back(moving);
     }
     return all;
 }

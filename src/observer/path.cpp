@@ -79,6 +79,10 @@ CameraSpec CameraPath::through_keys(double frame) const {
         camera.*member = between_keys(frame, [member](const PathKey& key) { return key.camera.*member; });
     for (const auto axis : kAxes)
         camera.velocity.*axis = between_keys(frame, [axis](const PathKey& key) { return key.camera.velocity.*axis; });
+    if (camera.zoom)
+        for (const auto member : {&ZoomSpec::depth, &ZoomSpec::angle})
+            *camera.zoom.*member = between_keys(
+                frame, [member](const PathKey& key) { return key.camera.zoom.value_or(ZoomSpec{}).*member; });
     return camera;
 }
 

@@ -62,6 +62,7 @@ enum class Effect {
     kSamples,
     kDiscGas,
     kRefine,
+    kZoom,
     kEnd  // no effect: how many there are
 };
 inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);

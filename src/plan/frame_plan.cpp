@@ -45,6 +45,11 @@ Result<FramePlan> plan_frame(const Scene& scene, bool delays, const FramePlan* l
     TRY(observer, observer_of(*plan.matter, scene.camera));
     plan.observer = *observer;
     if (Status parts = check_light_parts(*plan.matter, scene); !parts) return parts.error();
+    if (scene.camera.zoom) {
+        TRY(view, ring_view(*plan.matter, scene.camera, scene.light));
+        plan.scene.camera = view->camera;
+        plan.ring = *view;
+    }
     plan.reasons = required_effects(scene, &*plan.matter, &plan.observer);
     plan.effects = effect_set(plan.reasons);
     if (Status objects = check_objects(plan); !objects) return objects.error();

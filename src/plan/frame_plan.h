@@ -5,6 +5,7 @@
 
 #include "base/result.h"
 #include "observer/observer.h"
+#include "observer/ring_view.h"
 #include "plan/effects.h"
 #include "scene/scene.h"
 #include "spacetime/spacetime.h"
@@ -12,7 +13,8 @@
 namespace nullscope {
 
 struct FramePlan {
-    Scene scene;
+    Scene scene;                              // of a zoom, with the camera that shows the same as it
+    std::optional<RingView> ring;             // of a zoom
     std::shared_ptr<const Spacetime> matter;  // the scene's: observers, and the matter that light comes from
     std::shared_ptr<const Spacetime> light;   // what rays follow: flat where light.lensing is off, else the same
     Observer observer;

@@ -91,6 +91,16 @@ std::span<const Feature> light_features() {
          [](Scene& s) {
              s.camera.velocity = {0.1, 0.2, 0.3};
          }},
+        {{Effect::kZoom, "zoom", "EFFECT_ZOOM", "Directions are counted from the critical curve, to any depth.",
+          "there is a [zoom] about a hole, star or wormhole that does not rotate",
+          "of moving cameras two more vectors of a few multiplications"},
+         [](const FrameFacts& f) -> Reason {
+             if (!f.bends() || !f.scene.camera.zoom) return kNot;
+             return fmt::format("zoom.depth = {}", f.scene.camera.zoom->depth);
+         },
+         [](Scene& s) { s.camera.zoom.reset(); },
+         hole,
+         [](Scene& s) { s.camera.zoom.emplace(); }},
         {{Effect::kShift, "shift", "EFFECT_SHIFT", "Doppler and gravitational shift change the colour of light.",
           "something emits thermal light, light.shift is not \"off\", nor are both light.doppler and light.gravity",
           "one logarithm a crossing or star"},

@@ -8,6 +8,7 @@
 
 #include "observer/observer.h"
 #include "observer/pose.h"
+#include "observer/ring_view.h"
 #include "plan/moving.h"
 #include "plan/sides.h"
 #include "reference/reference.h"
@@ -32,7 +33,11 @@ Status check_disc(const DiscSpec& disc) {
 
 }  // namespace
 
-Result<FrameTracer> FrameTracer::make(const Scene& scene) {
+Result<FrameTracer> FrameTracer::make(const Scene& given) {
+    TRY(spacetime, make_spacetime(given.spacetime.metric, given.spacetime.parameters));
+    TRY(plain, without_zoom(**spacetime, given.camera, given.light));
+    Scene scene = given;
+    scene.camera = *plain;
     FrameTracer tracer;
     tracer.camera_ = scene.camera;
     tracer.disc_ = scene.disc;
@@ -44,7 +49,6 @@ Result<FrameTracer> FrameTracer::make(const Scene& scene) {
             fmt::format("camera: theta = {} must lie in [0, pi] and phi = {} be finite", camera.theta, camera.phi));
     if (Status ok = scene.disc ? check_disc(*scene.disc) : Done{}; !ok) return ok.error();
     TRY(metric, make_metric(scene.spacetime));
-    TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     if (Status followed = check_bodies(scene, **metric); !followed) return followed.error();
     if (Status sides = check_sides(**spacetime, scene); !sides) return sides.error();
     if (const auto observer = observer_of(**spacetime, camera); !observer) return observer.error();

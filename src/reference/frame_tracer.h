@@ -23,7 +23,8 @@ struct DiscHit {
 
 class FrameTracer {
 public:
-    // Errors: unknown metric, no such observer at the camera, a camera or disc out of range.
+    // Errors: unknown metric, no such observer at the camera, a camera or disc out of range, a zoom deeper than directions in double
+    // resolve.
     static Result<FrameTracer> make(const Scene& scene);
     // Pixel position: column, row from the top, centres at +0.5. In a plane about a microsecond, else 0.2 ms and its
     // looks at bodies. The tracer outlives it.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "light/black_body.h"
+#include "numeric/one_minus_square.h"
 #include "observer/pose.h"
 #include "render/body_numbers.h"
 #include "scene/ray.h"
@@ -44,9 +45,10 @@ Fate inner_fate(InnerEnd end) {
 }
 
 // Directions of view, in world axes (shown) and in those of the ray's plane.
-void put_view(FrameData& frame, const Scene& scene, const Observer& observer, const Mat3& shown, const Mat3& world,
-              const RayFamily* family, double g_factor) {
-    const CameraSpec& camera = scene.camera;
+void put_view(FrameData& frame, const FramePlan& plan, const Mat3& shown, const Mat3& world, const RayFamily* family,
+              double g_factor) {
+    const Observer& observer = plan.observer;
+    const CameraSpec& camera = plan.scene.camera;
     const Mat3 axes = observer.turn * static_from_camera(camera);
     const double pixel = camera.pixel();
     const Vec3 ahead = -axes.c, right = pixel * axes.a, up = pixel * axes.b;  // the last two: a pixel
@@ -55,17 +57,32 @@ void put_view(FrameData& frame, const Scene& scene, const Observer& observer, co
     frame.ray_0 = {shown * ahead, 0};
     frame.ray_x = {shown * right, 0};
     frame.ray_y = {shown * up, 0};
-    const double off_axis = std::hypot(ahead.y, ahead.z);
-    const Vec3 meridian = off_axis > 0.0 ? Vec3{0, ahead.y, ahead.z} / off_axis : Vec3{0, 1, 0}, radial{1, 0, 0};
+    // A zoom's directions as the observer at rest sees them: not yet of unit length, and linear in the unit vector before that.
+    const bool aberrates = plan.ring && plan.scene.light.aberration;
+    const Vec3 motion = aberrates ? observer.velocity : Vec3{};
+    const double gamma = 1.0 / std::sqrt(static_cast<double>(one_minus_square(motion.x, motion.y, motion.z)));
+    const auto at_rest = [&](Vec3 v, double length) {
+        return v + (gamma * gamma / (1.0 + gamma) * dot(motion, v) - gamma * length) * motion;
+    };
+    const auto weight = [&](Vec3 v, double length) { return gamma * (length - dot(motion, v)); };
+    const Vec3 middle = at_rest(ahead, 1.0);
+    const double off_axis = std::hypot(middle.y, middle.z);
+    const Vec3 meridian = off_axis > 0.0 ? Vec3{0, middle.y, middle.z} / off_axis : Vec3{0, 1, 0}, radial{1, 0, 0};
     const Vec3 transverse = cross(radial, meridian);
     const double critical_cosine = family != nullptr ? family->critical_cosine() : -1.0;
     const double critical_sine = family != nullptr ? family->critical_sine() : 0.0;
     const auto polar = [&](Vec3 v) -> FrameVector {
         return {dot(v, meridian), dot(v, transverse), v.x, critical_sine * v.x - critical_cosine * dot(v, meridian)};
     };
-    frame.polar_0 = polar(ahead);
-    frame.polar_x = polar(right);
-    frame.polar_y = polar(up);
+    frame.polar_0 = polar(middle);
+    frame.polar_x = polar(at_rest(right, 0.0));
+    frame.polar_y = polar(at_rest(up, 0.0));
+    if (plan.ring) {
+        frame.polar_0.y = frame.polar_0.w = 0.0;  // the middle is in the meridian and on the critical curve
+        frame.polar_length = polar(at_rest({}, 1.0));
+        frame.polar_weight = {weight(ahead, 1.0), weight(right, 0.0), weight(up, 0.0), weight({}, 1.0)};
+        frame.ring = {2.0 * M_PI * plan.ring->turns, plan.ring->lag, plan.ring->half_way, 0};
+    }
     frame.radial = {world * radial, g_factor};
     frame.meridian = {world * meridian, 0};
     frame.transverse = {world * transverse, 0};
@@ -120,7 +137,7 @@ FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const Text
     const double g_gravity = scene.light.gravity ? 1.0 / observer.frame.energy() : 1.0;
     const double g_factor = plan.straight() || !scene.light.gravity ? g_gravity * radial.energy() : 1.0;
     FrameData frame;
-    put_view(frame, scene, observer, axes, world, path.family(), g_factor);
+    put_view(frame, plan, axes, world, path.family(), g_factor);
     const auto horizon = spacetime.horizon_radius();
     const Fate lost = horizon && camera.r <= *horizon ? Fate::kNoSky : inner_fate(spacetime.inner_end());
     frame.shift = {radial.energy(), 1.0 / matter.areal_radius(camera.r), radial.infall(), static_cast<double>(lost)};

@@ -35,6 +35,7 @@ CoreInput FrameTables::core_input() const {
     CoreInput input;
     input.frame = frame_numbers(plan_, *path_, {}, ball_paths_);
     input.aberration = plan_.effects.contains(Effect::kAberration);
+    input.zoom = plan_.effects.contains(Effect::kZoom);
     path_->give(plan_, input);
     return input;
 }

@@ -76,7 +76,12 @@ void PlanarPath::build(const FramePlan& plan) {
 }
 
 RayFamily PlanarPath::camera_family(const FramePlan& plan) const {
-    return {metric_, table_, plan.scene.camera.r, plan.observer.frame, smallest_pixel(plan)};
+    return {metric_,
+            table_,
+            plan.scene.camera.r,
+            plan.observer.frame,
+            smallest_pixel(plan),
+            plan.ring ? RayFamily::kFinestRing : RayFamily::kFinest};
 }
 
 void PlanarPath::write(const FramePlan& plan, FrameData& frame) const {

@@ -21,6 +21,14 @@ struct SpacetimeSpec {
 // Motion of the observer (observer/observer.h).
 enum class ObserverKind { kStatic, kRain, kFall, kThrow, kOrbit, kZamo, kCarter, kCounterOrbit };
 
+// A zoom towards the photon ring: the picture's middle lies on the critical curve, exactly, and its directions are exp(-depth) as wide
+// as the camera's field of view (observer/ring_view.h).
+struct ZoomSpec {
+    double depth = 0.0;  // ln of the magnification, >= 0
+    double angle = 0.0;  // along the ring, CriticalLight's psi: 0 is left of the hole, pi/2 above it
+    friend bool operator==(const ZoomSpec&, const ZoomSpec&) = default;
+};
+
 // A pinhole camera. The unrotated camera looks at the centre (forward = -e_r), up = -e_theta (towards the north pole),
 // right = forward x up (observer/pose.h). yaw turns to the right, then pitch turns up, then roll turns the picture's top to
 // the right.
@@ -36,7 +44,8 @@ struct CameraSpec {
     double plane_width = 1.1547005383792517;  // width of the projection plane ...
     double focal_distance = 1.0;     // ... and its distance: fov = 2 atan(plane_width / 2 focal_distance), 60 degrees
     int width = 1280, height = 720;  // pixels, square
-    double exposure_ev = 0.0;        // display brightness is multiplied by 2^exposure_ev
+    double exposure_ev = 0.0;        // display brightness is multiplied by 2^exposure
+    std::optional<ZoomSpec> zoom{};  // then yaw and pitch follow from it
     double pixel() const { return plane_width / width / focal_distance; }  // tangent of what one spans in the middle
     friend bool operator==(const CameraSpec&, const CameraSpec&) = default;
 };

@@ -179,6 +179,7 @@ void for_each_section(
     f("", "", scene);
     for (const char* section : {"spacetime", "camera", "sky", "far_sky", "light", "picture", "object"})
         f(section, section, scene);
+    if (scene.camera.zoom) f("zoom", "zoom", scene);
     if (scene.split) f("split", "split", scene);
     if (scene.disc) f("disc", "disc", scene);
     if (scene.path) f("path", "path", scene);

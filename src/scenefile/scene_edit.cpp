@@ -85,14 +85,16 @@ Result<CameraSpec> camera_of_view(const std::string& line, const Scene& scene) {
     Scene place;
     place.spacetime = scene.spacetime;
     place.name = "view";
-    auto read = parse_scene(line.substr(0, line.find('\n')) + '\n' + scene_file_text(place, {}), "view", {});
+    std::string lines = line.substr(0, line.find('\n')) + '\n';
+    if (const auto zoom = lines.find(" zoom = {"); zoom != std::string::npos) lines[zoom] = '\n';
+    auto read = parse_scene(lines + scene_file_text(place, {}), "view", {});
     if (!read) return without_place(read.error());
     read->camera.width = scene.camera.width, read->camera.height = scene.camera.height;
     return read->camera;
 }
 
 std::vector<std::string> optional_sections() {
-    std::vector<std::string> sections = {"disc", "spot", "split", "path"};
+    std::vector<std::string> sections = {"disc", "spot", "split", "path", "zoom"};
     for (const BodyKind* kind : body_kinds()) sections.emplace_back(kind->key);
     return sections;
 }
@@ -104,6 +106,7 @@ Result<Scene> with_section(const Scene& scene, std::string_view section) {
     if (section == "disc" && !edited.disc) edited.disc.emplace();
     if (section == "split" && !edited.split) edited.split = SpacetimeSpec{"minkowski", {}};
     if (section == "path" && !edited.path) edited.path.emplace();
+    if (section == "zoom" && !edited.camera.zoom) edited.camera.zoom.emplace();
     if (section == "spot") edited.spots.emplace_back();
     if (const BodyKind* kind = body_kind(section)) edited.bodies.push_back(kind->make());
     return checked(edited);
@@ -125,6 +128,7 @@ Result<Scene> without_section(const Scene& scene, const SectionRef& at) {
     if (at.section == "disc") edited.disc.reset();
     if (at.section == "split") edited.split.reset();
     if (at.section == "path") edited.path.reset();
+    if (at.section == "zoom") edited.camera.zoom.reset();
     if (at.section == "spot" && at.index < edited.spots.size())
         edited.spots.erase(edited.spots.begin() + static_cast<std::ptrdiff_t>(at.index));
     if (const BodyKind* kind = body_kind(at.section))

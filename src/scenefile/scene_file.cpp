@@ -181,6 +181,7 @@ void SceneReader::read_section(std::string_view section, const toml::table& tabl
     for (const BodyKind* kind : body_kinds())
         if (section == kind->key) scene_.bodies.push_back(kind->make());
     if (section == "path") scene_.path.emplace();
+    if (section == "zoom") scene_.camera.zoom.emplace();
     if (scene_.bodies.size() > kMostBodies || scene_.spots.size() > kMostSpots)
         return report(line, section, "one too many", section == "spot" ? "at most 64 [[spot]]" : "at most 64 bodies");
     sections_[label] = line;
@@ -195,7 +196,7 @@ void SceneReader::read_section(std::string_view section, const toml::table& tabl
     }
 }
 
-// [[path.key]]: the camera's own keys, and the frame where they hold. What a key leaves out is as in the one before it, and as in [camera]
+// [[path.key]]: the camera's own keys, those of [zoom], and the frame where they hold. What a key leaves out is as in the one before it, and as in [camera]
 // in the first.
 void SceneReader::read_path_keys(const toml::node& node) {
     constexpr std::size_t kMostKeys = 10000;
@@ -214,7 +215,10 @@ void SceneReader::read_path_keys(const toml::node& node) {
         for (const auto& [name, value] : table) {
             const bool time = name.str() == "time";
             if (!time && name.str() != "frame") {
-                read_key("camera", name, value, "camera");
+                const bool zooms = name.str() == "depth" || name.str() == "angle";
+                if (zooms && !scene_.camera.zoom) scene_.camera.zoom.emplace();
+                const char* section = zooms ? "zoom" : "camera";
+                read_key(section, name, value, section);
                 continue;
             }
             const auto number = value.value<double>();

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "observer/ring_view.h"
 #include "plan/feature.h"
 #include "scenefile/body_keys.h"
 
@@ -123,6 +124,14 @@ constexpr SceneKey kKeys[] = {
      "Width and height of the picture; pixels are square.", kPictureSize},
     {"camera", "exposure", KeyType::kNumber, "EV", "0", closed(-30.0, 30.0), "",
      "The displayed brightness is multiplied by 2^exposure.", [](auto& s) { return &s.camera.exposure_ev; }},
+
+    {"zoom", "depth", KeyType::kNumber, "", "0", closed(0.0, kDeepestZoom), "",
+     "Natural logarithm of the magnification: the picture spans camera.fov times exp(-depth) about a point of the "
+     "critical curve. camera.yaw and camera.pitch follow from it.",
+     [](auto& s) { return &s.camera.zoom->depth; }},
+    {"zoom", "angle", KeyType::kNumber, "deg", "0", kAnyAngle, "",
+     "Which point of the critical curve: 0 at the left of the shadow, 90 at its top.",
+     [](auto& s) { return &s.camera.zoom->angle; }},
 
     {"path", "kind", KeyType::kChoice, "", "fall", kNoRange, "fall keys",
      "How the camera moves: in free fall from frame 0 on, or smoothly through the places given by [[path.key]].",

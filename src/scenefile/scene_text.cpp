@@ -59,6 +59,7 @@ std::vector<SceneLine> scene_lines(const Scene& scene) {
         Scene there;
         there.camera = key.camera;
         add_section("camera", label, there);
+        if (key.camera.zoom) add_section("zoom", label, there);
     }
     return lines;
 }

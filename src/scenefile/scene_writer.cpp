@@ -87,10 +87,15 @@ std::string value_text(const SceneKey& key, const KeyValue& value, const fs::pat
 class Writer {
 public:
     std::string view() const {
-        std::string line = lines("camera", scene_, Scene{}, false);
-        for (std::size_t at = line.find('\n'); at != std::string::npos; at = line.find('\n', at))
-            line.replace(at, 1, at + 1 == line.size() ? "" : ", ");
-        return line.empty() ? "camera = {}" : fmt::format("camera = {{ {} }}", line);
+        Scene blank;
+        if (scene_.camera.zoom) blank.camera.zoom.emplace();
+        const auto table = [&](std::string_view section) {
+            std::string line = lines(section, scene_, blank, false);
+            for (std::size_t at = line.find('\n'); at != std::string::npos; at = line.find('\n', at))
+                line.replace(at, 1, at + 1 == line.size() ? "" : ", ");
+            return line.empty() ? fmt::format("{} = {{}}", section) : fmt::format("{} = {{ {} }}", section, line);
+        };
+        return scene_.camera.zoom ? table("camera") + ' ' + table("zoom") : table("camera");
     }
     Writer(const Scene& scene, fs::path base) : scene_(scene), base_(std::move(base)) {
         const auto has_fov = [](const CameraSpec& camera) {
@@ -155,7 +160,8 @@ private:
             text_ = found;
             return;
         }
-        const bool is_there = section == "split" || section == "disc" || section == "path" || is_of_several(section);
+        const bool is_there =
+            section == "split" || section == "disc" || section == "path" || section == "zoom" || is_of_several(section);
         if (found.empty() && !is_there) return;
         add(of_several(section) ? fmt::format("[[{}]]", section) : fmt::format("[{}]", section), found);
     }
@@ -175,7 +181,13 @@ private:
             Scene here = scene_;
             here.camera = key.camera;
             const std::string time = key.time != time_before ? fmt::format("time = {}\n", key.time) : "";
-            add("[[path.key]]", fmt::format("frame = {}\n", key.frame) + time + lines("camera", here, before, false));
+            std::string zoom;
+            if (here.camera.zoom) {
+                if (!before.camera.zoom) before.camera.zoom.emplace();
+                zoom = lines("zoom", here, before, false);
+            }
+            add("[[path.key]]",
+                fmt::format("frame = {}\n", key.frame) + time + lines("camera", here, before, false) + zoom);
             before.camera = key.camera, time_before = key.time;
         }
     }
@@ -193,6 +205,7 @@ Scene section_defaults(const Scene& holder, std::string_view section) {
     Scene blank;
     if (holder.split) blank.split.emplace();
     if (holder.disc) blank.disc.emplace();
+    if (holder.camera.zoom) blank.camera.zoom.emplace();
     if (holder.path) blank.path.emplace().keys = holder.path->keys;
     blank.spots.resize(holder.spots.size());
     for (const Body& body : holder.bodies) blank.bodies.push_back(kind_of(body).make());

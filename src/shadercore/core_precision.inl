@@ -33,6 +33,7 @@ RayPixel dispatch(const CoreInput& input, double x, double y) {
     static constexpr TraceOne kPlane[3][2] = {{flat::trace_one, flat_moving::trace_one},
                                               {lensed::trace_one, lensed_moving::trace_one},
                                               {cubic::trace_one, cubic_moving::trace_one}};
+    if (input.zoom) return zoomed_moving::trace_one(input, x, y);
     if (input.spin) return kRotating[input.spin_fall][input.spin_delay][input.aberration](input, x, y);
     return kPlane[!input.lensing ? 0 : input.cubic ? 2 : 1][input.aberration](input, x, y);
 }

@@ -18,7 +18,7 @@ double square(double x) { return x * x; }
 }  // namespace
 
 RayFamily::RayFamily(std::shared_ptr<const SphericalMetric> spacetime, std::shared_ptr<const DeflectionTable> table,
-                     double r, RadialFrame frame, double pixel)
+                     double r, RadialFrame frame, double pixel, double finest)
     : spacetime_(std::move(spacetime)),
       table_(std::move(table)),
       frame_(frame),
@@ -58,7 +58,7 @@ RayFamily::RayFamily(std::shared_ptr<const SphericalMetric> spacetime, std::shar
     from_inward_ = !(separatrix_.t < 1.0);
     theta_c_ = 2.0 * std::atan(from_inward_ ? 1.0 / separatrix_.t : separatrix_.t);
     const double scale = theta_c_ > 0.0 ? theta_c_ : 1.0;
-    const double wanted = std::clamp(kPixelPart * pixel / scale, kFinest, kResolution);
+    const double wanted = std::clamp(kPixelPart * pixel / scale, finest, kResolution);
     w0_ = kResolution * std::exp2(4.0 * std::floor(0.25 * std::log2(wanted / kResolution))) * scale;
 }
 

@@ -37,7 +37,7 @@ public:
     // frame: of a camera at radius r. The table must belong to the spacetime; nullptr where there is a barrier. pixel: angle that the
     // frame's smallest pixel spans, rad: deep zooms get finer cells next to the critical ray.
     RayFamily(std::shared_ptr<const SphericalMetric> spacetime, std::shared_ptr<const DeflectionTable> table, double r,
-              RadialFrame frame, double pixel = 1.0);
+              RadialFrame frame, double pixel = 1.0, double finest = kFinest);
 
     bool beyond() const { return c_ > 0.0; }            // of where the dividing ray winds: outside the photon sphere
     double critical_angle() const { return theta_c_; }  // from the nearer radial direction, (0, pi/2]
@@ -78,8 +78,8 @@ public:
 
     // Distance from the critical direction, relative to its angle, below which windings are no longer told apart: 1e-6 of the
     // shadow's radius is 0.004 px for a shadow that fills a 4K screen. Less for pixels of less than 1/kPixelPart of that, in steps
-    // of 16, down to what doubles tell apart.
-    static constexpr double kResolution = 1e-6, kPixelPart = 1.0 / 16, kFinest = 1e-13;
+    // of 16, down to what doubles tell apart; for directions that are counted from the critical one (a zoom) to kFinestRing.
+    static constexpr double kResolution = 1e-6, kPixelPart = 1.0 / 16, kFinest = 1e-13, kFinestRing = 1e-25;
 
 private:
     struct Separatrix {

@@ -21,6 +21,7 @@ namespace {
 Scene full_scene() {
     Scene scene;
     scene.split.emplace();
+    scene.camera.zoom.emplace();
     scene.disc.emplace().accretion.emplace();
     scene.spots.emplace_back();
     for (const BodyKind* kind : body_kinds()) scene.bodies.push_back(kind->make());

@@ -42,10 +42,11 @@ void check_round_trip(const Scene& scene, const std::filesystem::path& base) {
 
 // Another value of some number keys, among those that have a meaning here.
 Scene changed(Scene scene, std::mt19937& random) {
+    if (random() % 8 == 0) scene.camera.zoom = ZoomSpec{1.0, 0.0};
     for (const SceneKey& key : scene_keys()) {
         const bool there = key.section.empty() || key.section == "camera" || key.section == "sky" ||
                            key.section == "picture" || (key.section == "disc" && scene.disc) ||
-                           (key.section == "path" && scene.path);
+                           (key.section == "path" && scene.path) || (key.section == "zoom" && scene.camera.zoom);
         if (!there || key.type != KeyType::kNumber || !key.member.readable() || random() % 3 != 0) continue;
         if (key.meant != nullptr && !key.meant(scene)) continue;
         KeyValue value = key.member.get(scene);

@@ -66,6 +66,7 @@ std::vector<Scene> all_scenes() {
             scene.light.delay = !(has(0) && has(7));
             scene.picture.samples = has(2) && has(6) ? 2 : 1;
             scene.picture.refine = !(has(0) && has(9));
+            if (has(3) && has(5) && !has(1)) scene.camera.zoom.emplace();
             scenes.push_back(scene);
         }
     return scenes;
@@ -82,6 +83,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kSpin, {"spin_step", "spin_ray", "SpinState", "vec4 spin_hole;", "vec4 spin_place;"}},
     {Effect::kSpinFall, {"ingoing", "INGOING_DELTA"}},
     {Effect::kAberration, {"aberrate", "Aberration", "vec4 boost;", "vec4 boost_colour;"}},
+    {Effect::kZoom, {"ring_part", "vec4 polar_length;", "vec4 polar_weight;", "vec4 ring;"}},
     {Effect::kDisc, {"disc_cross", "DiscCrossing", "plane_meet", "disc_normal", "disc_map", "disc_surface"}},
     {Effect::kDiscImage, {"disc_texture", "disc_filtered"}},
     {Effect::kDiscPattern, {"disc_material_pattern", "vec4 disc_material_map;"}},
@@ -245,7 +247,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow* row : effect_rows()) all.insert(row->effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 52);
+    CHECK(members.size() == 55);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {

@@ -1,0 +1,107 @@
+#include "observer/ring_view.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "observer/critical_light.h"
+#include "observer/pose.h"
+#include "spacetime/spherical_metric.h"
+
+namespace nullscope {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+// a: a view of kSimilar then lets light go round at least once and a half; windings that grow faster than a logarithm have none.
+constexpr double kLeastRate = 0.5, kMostRate = 50.0;
+constexpr double kLeastClimb = 1e-4;  // 1 - V/q_crit^2 of a camera outside of a barrier
+
+Error refused(std::string what, std::string allowed) { return bad_key("zoom", std::move(what), std::move(allowed)); }
+
+// a. Through a barrier's top light passes twice, and inside of it sweeps twice as much.
+Result<double> winding_rate(const Spacetime& spacetime) {
+    const SphericalMetric* metric = spacetime.spherical();
+    if (metric == nullptr)
+        return refused("there is no zoom about a rotating hole", "spacetime.spin = 0, or camera.fov alone");
+    if (!open_photon_sphere(spacetime))
+        return refused("no light winds about a photon sphere here", "a metric with one");
+    double rate = NAN;
+    if (const auto barrier = metric->barrier())
+        rate = 1.0 / std::sqrt(-barrier->c[1]);
+    else if (metric->tube_beyond(-kAnyRadius) == 0.0)
+        rate = metric->chi()->bending_density(0.5 * std::numbers::pi);
+    if (rate > kLeastRate && rate < kMostRate) return rate;
+    return refused("the photon ring has no images that shrink by the same factor each",
+                   "a metric with one unstable photon sphere and no tube");
+}
+
+CameraSpec towards(const CriticalLight& light, CameraSpec camera) {
+    const Vec3 seen = light.direction(camera.zoom->angle);  // along the axes of the camera that looks at the centre
+    CameraSpec plain;
+    const Vec3 back = -(static_from_camera(plain) * seen);
+    camera.yaw = std::atan2(-back.z, back.x);
+    camera.pitch = std::atan2(back.y, std::hypot(back.x, back.z));
+    return camera;
+}
+
+struct Found {
+    CameraSpec camera;  // still as wide as without a zoom
+    double rate, speed, b;
+    double scale;  // angles from the critical direction over e, for an observer who does not move across
+};
+
+Result<Found> find(const Spacetime& spacetime, const CameraSpec& camera, const LightSpec& light) {
+    TRY(rate, winding_rate(spacetime));
+    CameraSpec ahead = camera;
+    ahead.yaw = ahead.pitch = ahead.roll = 0.0;
+    TRY(observer, observer_of(spacetime, ahead));
+    const auto critical = CriticalLight::make(spacetime, ahead, light);
+    if (!critical) return refused("light runs straight", "light.lensing = \"on\"");
+    CameraSpec still = ahead;
+    still.velocity = {};
+    if (!falls(camera)) still.observer = ObserverKind::kStatic;
+    const Vec3 ring = CriticalLight::make(spacetime, still, light)->direction(0.0);
+    const PhotonSphere sphere = *open_photon_sphere(spacetime);
+    double scale = std::hypot(ring.x, ring.y);
+    if (spacetime.spherical()->barrier()) {  // some rays pass the photon sphere twice: there e grows as 1/climb
+        const double root_v = spacetime.spherical()->root_v(camera.r) / sphere.q_crit,
+                     climb = (1.0 - root_v) * (1.0 + root_v);
+        if (climb < kLeastClimb) return refused("the camera is too close to the photon sphere", "camera.r further out");
+        scale *= climb;
+    }
+    return Found{towards(*critical, camera), *rate, light.aberration ? length(observer->velocity) : 0.0,
+                 1.0 / sphere.q_crit, scale};
+}
+
+}  // namespace
+
+Result<RingView> ring_view(const Spacetime& spacetime, const CameraSpec& camera, const LightSpec& light) {
+    TRY(found, find(spacetime, camera, light));
+    // e of the corner at most: its logarithm.
+    const double across = std::hypot(camera.width, camera.height) * 0.5 * camera.pixel(),
+                 corner =
+                     std::log(across * std::sqrt((1.0 + found->speed) / (1.0 - found->speed))) - camera.zoom->depth,
+                 turn = kTurn / found->rate;
+    RingView view{found->camera, std::fmax(std::floor((std::log(kSimilar) - corner) / turn), 0.0)};
+    view.lag = view.turns * kTurn * found->b;
+    view.half_way = -0.5 * found->rate * std::log(kSimilar);
+    view.camera.plane_width *= std::exp(view.turns * turn - camera.zoom->depth);
+    return view;
+}
+
+Result<CameraSpec> without_zoom(const Spacetime& spacetime, const CameraSpec& camera, const LightSpec& light) {
+    if (!camera.zoom) return camera;
+    TRY(found, find(spacetime, camera, light));
+    const double deepest = std::log(camera.pixel() / kFinestDirection);
+    if (camera.zoom->depth > deepest)
+        return bad_key("zoom.depth",
+                       fmt::format("at {} a pixel is less than {} rad", camera.zoom->depth, kFinestDirection),
+                       fmt::format("at most {:.4g} for this picture, where rays are traced one by one", deepest));
+    CameraSpec plain = found->camera;
+    plain.plane_width *= std::exp(-camera.zoom->depth);
+    plain.zoom.reset();
+    return plain;
+}
+
+}  // namespace nullscope
