@@ -10,13 +10,31 @@ constexpr double kDelta = 1e-7;                      // of the critical angle
 constexpr double kBentFar = 0.04, kBentNear = 0.01;  // of the critical angle: where the next term is taken from
 constexpr double kNear = 0.3;  // chi from the photon sphere: from here on orbits wind as the limit does
 
+// Discs: where there is a horizon.
+double chi_of(const SphericalMetric& spacetime, double r) {
+    const double least = spacetime.horizon_radius().value_or(spacetime.photon_sphere()->radius);
+    return spacetime.chi()->chi_from_radius(std::max(r, least));
+}
+
 }  // namespace
+
+double swept_to(const RayFamily& family, Segment segment, double delta, double r) {
+    if (!(delta < family.delta_limit(segment))) return NAN;
+    const SphericalMetric& spacetime = family.spacetime();
+    const double chi = chi_of(spacetime, r);
+    const FanRay ray = family.ray(segment, delta);
+    const double k = family.slope_at_sky(ray.q) / family.slope_at_sky(spacetime.photon_sphere()->q_crit),
+                 omk2 = (1 - k) * (1 + k), sine = std::sin(chi) / k;
+    if (omk2 > 0 ? segment == Segment::kCaptured || sine >= 1 : false) return NAN;
+    const DeflectionTable& table = family.table();
+    const auto through = [&](double to) { return table.through_from_infinity(k, -omk2, to); };
+    return ray.phi_end - (omk2 > 0                   ? table.turning_to_sky(k, omk2, std::asin(sine))
+                          : segment == Segment::kSky ? through(chi)
+                                                     : through(family.chi_end()) - through(chi));
+}
 
 CriticalImages critical_images(const RayFamily& family, double inner, double outer) {
     const SphericalMetric& spacetime = family.spacetime();
-    // Discs: where there is a horizon.
-    const double least = spacetime.horizon_radius().value_or(spacetime.photon_sphere()->radius);
-    const auto chi_of = [&](double r) { return spacetime.chi()->chi_from_radius(std::max(r, least)); };
     // Of a ray next to the critical one: what it sweeps between infinity and chi.
     constexpr double d2 = 1e-12;
     const auto from_infinity = [&](double chi) {
@@ -29,7 +47,7 @@ CriticalImages critical_images(const RayFamily& family, double inner, double out
     const double rate = (swept(Segment::kSky, kDelta) - swept(Segment::kSky, 10 * kDelta)) / std::log(10.0);
     images.per_angle = 1.0 / rate;
     const auto place = [&](double r) {
-        const double chi = chi_of(r);
+        const double chi = chi_of(spacetime, r);
         const bool sky = chi < M_PI / 2;
         const double behind = sky ? from_infinity(chi) : from_infinity(family.chi_end()) - from_infinity(chi);
         const double angle = swept(sky ? Segment::kSky : Segment::kCaptured, kDelta) - behind;
@@ -41,17 +59,9 @@ CriticalImages critical_images(const RayFamily& family, double inner, double out
     const auto lack = [&](double c, double r, double part) {
         const Segment segment = c > 0 ? Segment::kSky : Segment::kCaptured;
         const double delta = part * family.critical_angle();
-        if (!(delta < family.delta_limit(segment))) return 0.0;
-        const FanRay ray = family.ray(segment, delta);
-        const double k = family.slope_at_sky(ray.q) / family.slope_at_sky(spacetime.photon_sphere()->q_crit),
-                     omk2 = (1 - k) * (1 + k), sine = std::sin(chi_of(r)) / k;
-        if (omk2 > 0 ? segment == Segment::kCaptured || sine >= 1 : false) return 0.0;
-        const double behind = omk2 > 0 ? family.table().turning_to_sky(k, omk2, std::asin(sine))
-                              : segment == Segment::kSky
-                                  ? family.table().through_from_infinity(k, -omk2, chi_of(r))
-                                  : family.table().through_from_infinity(k, -omk2, family.chi_end()) -
-                                        family.table().through_from_infinity(k, -omk2, chi_of(r));
-        const double x = std::fabs(c) * std::exp(-(ray.phi_end - behind) / rate);
+        const double phi = swept_to(family, segment, delta, r);
+        if (std::isnan(phi)) return 0.0;
+        const double x = std::fabs(c) * std::exp(-phi / rate);
         return (delta / x - 1) / x;
     };
     const auto bend = [&](double c, double r) {
@@ -62,12 +72,29 @@ CriticalImages critical_images(const RayFamily& family, double inner, double out
     };
     images.inner_bend = bend(images.inner, inner);
     images.outer_bend = bend(images.outer, outer);
-    const double past =
-        family.beyond() ? std::min(chi_of(inner), M_PI / 2 - kNear) : std::max(chi_of(outer), M_PI / 2 + kNear);
+    const double past = family.beyond() ? std::min(chi_of(spacetime, inner), M_PI / 2 - kNear)
+                                        : std::max(chi_of(spacetime, outer), M_PI / 2 + kNear);
     if (family.beyond() ? family.chi0() < past : family.chi0() > past)
         images.from_angle = std::fabs(from_infinity(past) - from_infinity(family.chi0())) +
                             family.swept_inside(spacetime.photon_sphere()->q_crit);
     return images;
+}
+
+// Newton's steps in ln |delta|, of which phi is linear but for O(delta).
+double delta_of_image(const RayFamily& family, double r, double phi) {
+    constexpr int kSteps = 40;
+    constexpr double kSame = 2e-15;
+    const SphericalMetric& spacetime = family.spacetime();
+    const double rate = spacetime.chi()->bending_density(0.5 * M_PI);
+    const Segment segment = r > spacetime.photon_sphere()->radius ? Segment::kSky : Segment::kCaptured;
+    double log_delta = std::log(kDelta * family.critical_angle());
+    for (int i = 0; i < kSteps; ++i) {
+        const double step = (swept_to(family, segment, std::exp(log_delta), r) - phi) / rate;
+        log_delta += step;
+        if (!(std::fabs(step) > kSame * std::fabs(log_delta)))
+            return (segment == Segment::kSky ? 1.0 : -1.0) * std::exp(log_delta);
+    }
+    return NAN;
 }
 
 }  // namespace nullscope

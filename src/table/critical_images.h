@@ -24,4 +24,11 @@ struct CriticalImages {
 // critical angle.
 CriticalImages critical_images(const RayFamily& family, double inner, double outer);
 
+// Swept from the camera to where the ray at delta is at r for the last time: on its way to the sky, or to its end. NaN: it does not come
+// there. Outside the horizon.
+double swept_to(const RayFamily& family, Segment segment, double delta, double r);
+// The ray that is at r for the last time after the swept angle phi, without the limit: its delta, below 0 where r is within the photon
+// sphere, down to 1e-300 of the critical angle. NaN: none next to the critical direction. Some microseconds.
+double delta_of_image(const RayFamily& family, double r, double phi);
+
 }  // namespace nullscope

@@ -66,4 +66,30 @@ TEST_CASE("critical images: rims of rings of order 2 and 3") {
     fmt::print("critical images: rims off by {:.1e} at most, by {:.1e} without the next term\n", most, most_in_limit);
 }
 
+// A ring's ratio tends to exp(-pi) by delta ln(delta): 1e-9 from the tenth crossing on, down to what is left of a double.
+TEST_CASE("critical images: successive rings are exp(-pi) as wide, without the limit") {
+    const auto spacetime = test::spherical("schwarzschild");
+    const RayFamily family(spacetime, std::make_shared<const DeflectionTable>(*spacetime), kCameraR,
+                           frame_at_rest(spacetime->lapse_squared(kCameraR)));
+    double before = 0, most = 0;
+    int within = 0;
+    for (int n = 3; n <= 200; ++n) {
+        const double phi = M_PI * (n - 0.5), outer = delta_of_image(family, 10.0, phi),
+                     width = outer - delta_of_image(family, 3.0, phi), x = outer / family.critical_angle();
+        const double off = std::fabs(width / before * std::exp(M_PI) - 1), x_before = x * std::exp(M_PI);
+        CAPTURE(n);
+        if (n > 3) CHECK(off <= 2 * x_before * -std::log(x_before) + 1e-9);
+        if (within == 0 && off <= 1e-9) within = n;
+        if (n >= 10) most = std::max(most, off);
+        CHECK(std::fabs(swept_to(family, Segment::kSky, outer, 10.0) - phi) <= 1e-11);
+        const double inside = delta_of_image(family, 1.2, phi);
+        CHECK(inside < 0);
+        CHECK(std::fabs(swept_to(family, Segment::kCaptured, -inside, 1.2) - phi) <= 1e-11);
+        before = width;
+    }
+    CHECK(most <= 1e-9);
+    CHECK(within <= 10);
+    fmt::print("critical images: rings exp(-pi) as wide as the ones before to 1e-9 from crossing {} on\n", within);
+}
+
 }  // namespace
