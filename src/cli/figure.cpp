@@ -1,12 +1,14 @@
-// nullscope figure: the slides' figures and Luminet's isoradials, drawn from the reference tracer as SVG.
+// nullscope figure: the slides' figures, Luminet's isoradials and photon rings, drawn from the reference tracer as SVG.
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <vector>
 
 #include "base/atomic_file.h"
 #include "cli/command.h"
+#include "cli/photon_ring_figure.h"
 #include "command/svg.h"
 #include "reference/isoradial.h"
 #include "reference/reference.h"
@@ -127,14 +129,30 @@ Result<std::string> isoradials(const std::string& name) {
 }
 
 struct Options {
-    std::string name, output, scene = "luminet";
+    std::string name, output, scene;
+    int rings = 8;
+    std::vector<int> angles;
 };
+
+// file and, beside it, the table as CSV.
+Result<int> photon_ring(const Options& options, const std::filesystem::path& file) {
+    TRY(scene, load_scene(options.scene.empty() ? "photon-ring" : options.scene));
+    TRY(figure, photon_ring_figure(*scene, options.rings, options.angles));
+    const auto table = std::filesystem::path(file).replace_extension(".csv");
+    if (table == file)
+        return bad_input(fmt::format("-o {}: the table beside it has that name", file.string()), "a name in .svg");
+    TRY(csv, write_text_atomically(table, figure->csv));
+    TRY(svg, write_text_atomically(file, figure->svg));
+    fmt::print("{}\n{}, {}\n", figure->table, file.string(), table.string());
+    return 0;
+}
 
 Result<int> run(const Options& options) {
     const std::string file = options.output.empty() ? options.name + ".svg" : options.output;
+    if (options.name == "photon-ring") return photon_ring(options, file);
     TRY(svg, options.name == "bending"     ? bending()
              : options.name == "ray-types" ? ray_types()
-                                           : isoradials(options.scene));
+                                           : isoradials(options.scene.empty() ? "luminet" : options.scene));
     TRY(written, write_text_atomically(file, *svg));
     fmt::print("{}\n", file);
     return 0;
@@ -145,12 +163,19 @@ Result<int> run(const Options& options) {
 void add_figure(Command& parent) {
     auto [command, options] = add_command<Options>(
         parent, "figure",
-        "Draw a figure as SVG: rays near the critical one, types of rays, or isoradials (images of rings of the disc)",
+        "Draw a figure as SVG: rays near the critical one, types of rays, isoradials (images of rings of the disc), or "
+        "the widths of a photon ring's subrings",
         run);
-    command.add_option("name", &options.name, "bending, ray-types or isoradials")
+    command.add_option("name", &options.name, "bending, ray-types, isoradials or photon-ring")
         .required()
-        .one_of({"bending", "ray-types", "isoradials"});
-    text_option(command, "--scene", options.scene, "For isoradials: the scene whose camera is used");
+        .one_of({"bending", "ray-types", "isoradials", "photon-ring"});
+    command.add_option("scene,--scene", &options.scene,
+                       "For isoradials and photon-ring: the scene whose camera is used (default luminet, photon-ring)");
+    number_option(command, "--rings", options.rings, 2, 16, "For photon-ring: number of subrings");
+    command.add_option(
+        "--angles", &options.angles,
+        "For photon-ring: where along the ring, degrees from the left over the top, as the unturned camera "
+        "sees it (default: 90; about a rotating hole 30, 90, ..., 330)");
     command.add_option("-o,--output", &options.output, "File to write (default NAME.svg)");
 }
 

@@ -52,8 +52,12 @@ RayPtr PhotonRing::ray(const Place& place, double delta) const {
 PhotonRing::Place PhotonRing::place(double psi) const {
     const Vec3 critical = critical_->direction(psi),
                along = critical_->direction(psi + kAside) - critical_->direction(psi - kAside);
-    Place place{psi, critical, normalized(cross(along, critical)), 0.0,
-                photon_orbit(*spacetime_, scene_.camera.theta, psi)->r};
+    Place place{psi,
+                critical,
+                normalized(cross(along, critical)),
+                0.0,
+                photon_orbit(*spacetime_, scene_.camera.theta, psi)->r,
+                0.5 * angle_between(critical, critical_->direction(psi + M_PI))};
     if (spacetime_->axial() == nullptr) return place;
     double inside = -kEdge, outside = kEdge;
     for (double middle = 0.0; middle > inside && middle < outside; middle = 0.5 * (inside + outside)) {
@@ -69,35 +73,39 @@ std::optional<PhotonRing::Image> PhotonRing::image_at(const Place& place, int cr
     const auto list = traced->crossings(crossing);
     if (static_cast<int>(list.size()) < crossing) return std::nullopt;
     const PlaneCrossing& there = list.back();
-    return Image{delta, traced->swept(there.along), traced->delay(there.along), there.phi};
+    const bool areal = spacetime_->axial() != nullptr || spacetime_->orbit_equation() != nullptr;
+    return Image{delta, traced->swept(there.along), areal ? traced->delay(there.along) : kNotANumber, there.phi};
 }
 
-std::optional<PhotonRing::Image> PhotonRing::image(const Place& place, int crossing, double r, double below) const {
-    // Rays next to the critical one come to circles outside of the orbit of light on their way to the sky, to others on the way in.
-    const double side = r > place.sphere ? 1.0 : -1.0;
-    const auto further_in = [&](double log_delta) {
+std::optional<PhotonRing::Image> PhotonRing::image_on(double side, const Place& place, int crossing, double r,
+                                                      double below) const {
+    const auto within = [&](double log_delta) {
         const auto list = ray(place, side * std::exp(log_delta))->crossings(crossing);
-        if (static_cast<int>(list.size()) == crossing) return 1.0 / list.back().r - 1.0 / r;
-        return side > 0.0 ? -1.0 / r : kEndsBefore;
+        if (static_cast<int>(list.size()) == crossing) return side * (1.0 / list.back().r - 1.0 / r);
+        return side > 0.0 ? -1.0 / r : -kEndsBefore;
     };
-    double high = std::log(below), at_high = side * further_in(high);
+    double high = std::log(side > 0.0 ? below : std::min(below, place.radius)), at_high = within(high);
     while (high > std::log(kLeastDelta)) {
-        const double low = high - kStep, at_low = side * further_in(low);
+        const double low = high - kStep, at_low = within(low);
         if (at_high < 0.0 && at_low >= 0.0)
-            return image_at(place, crossing,
-                            side * std::exp(root_of([&](double x) { return side * further_in(x); }, low, high, at_low,
-                                                    at_high, kBits)));
+            return image_at(place, crossing, side * std::exp(root_of(within, low, high, at_low, at_high, kBits)));
         high = low, at_high = at_low;
     }
     return std::nullopt;
 }
 
+std::optional<PhotonRing::Image> PhotonRing::image(const Place& place, int crossing, double r, double below) const {
+    const double side = r > place.sphere ? 1.0 : -1.0;
+    const auto found = image_on(side, place, crossing, r, below);
+    return found ? found : image_on(-side, place, crossing, r, below);
+}
+
 std::optional<PhotonRing::HalfOrbit> PhotonRing::half_orbit(const Place& place, double r) const {
-    const double radius = 0.5 * angle_between(place.critical, critical_->direction(place.psi + M_PI));
+    const double side = r > place.sphere ? 1.0 : -1.0;
     std::vector<Image> images;
-    double below = radius;
-    for (int crossing = 2; below > kEnd * radius; ++crossing) {
-        const auto image = crossing <= kMostCrossings ? this->image(place, crossing, r, below) : std::nullopt;
+    double below = place.radius;
+    for (int crossing = 2; below > kEnd * place.radius; ++crossing) {
+        const auto image = crossing <= kMostCrossings ? image_on(side, place, crossing, r, below) : std::nullopt;
         if (!image && (!images.empty() || crossing > kMostCrossings)) return std::nullopt;
         if (image) images.push_back(*image), below = std::fabs(image->delta);
     }
@@ -105,14 +113,16 @@ std::optional<PhotonRing::HalfOrbit> PhotonRing::half_orbit(const Place& place, 
     images.erase(images.begin(), images.end() - 4);
     const double ratio = images[3].delta / images[2].delta;
     const auto limit = [&](const auto& between) {
-        const auto step = [&](double before, double after) { return (after - ratio * before) / (1.0 - ratio); };
-        const double first = between(images[0], images[1]), second = between(images[1], images[2]),
-                     third = between(images[2], images[3]);
-        return step(step(first, second), step(second, third));
+        return limit_of(between(images[0], images[1]), between(images[1], images[2]), between(images[2], images[3]),
+                        ratio);
+    };
+    // Over the poles the azimuth jumps by pi, either way.
+    const double turn = images[2].azimuth - images[3].azimuth;
+    const auto apart = [turn](const Image& a, const Image& b) {
+        return std::remainder(a.azimuth - b.azimuth - turn, 2.0 * M_PI);
     };
     return HalfOrbit{limit([](const Image& a, const Image& b) { return std::log(a.delta / b.delta); }),
-                     limit([](const Image& a, const Image& b) { return b.delay - a.delay; }),
-                     limit([](const Image& a, const Image& b) { return a.azimuth - b.azimuth; })};
+                     limit([](const Image& a, const Image& b) { return b.delay - a.delay; }), turn + limit(apart)};
 }
 
 }  // namespace nullscope::reference

@@ -39,6 +39,13 @@ class Usage(support.CliTest):
             self.refused("capture", "flat", "--size", "16x9", "--renderer", "reference", option, value, says=[option, "--renderer gl"])
         self.refused("lightcurve", "hot-spot", "--size", "16x9", "--samples", "2", says=["--samples", "--renderer reference"])
 
+    def test_photon_rings(self):
+        self.refused("figure", "photon-ring", "flat", says=["minkowski: there is no photon sphere"])
+        self.refused("figure", "photon-ring", "neutron-star", says=["r = 1.5, is not outside of the surface, r = 1.6"])
+        self.refused("figure", "photon-ring", "long-wormhole", says=["in the tube", "allowed: length = 0"])
+        self.refused("figure", "photon-ring", "-o", "ring.csv", says=["ring.csv", ".svg"])
+        self.refused("figure", "photon-ring", "--rings", "17", says=["--rings", "2 to 16"])
+
     def test_names_of_a_sequence(self):
         for name in ("a.png", "a%05d%d.png", "a#b#.png", "a%s.png", "a%020d.png"):
             self.refused("capture", "flat", "--size", "4x2", "--frames", "0:2", "-o", name, says=[name, "allowed", "%05d"])

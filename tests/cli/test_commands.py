@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Every subcommand answers --help, and good runs give complete, valid files."""
+import csv
 import json
+import math
 import os
 import re
 import shutil
@@ -198,6 +200,26 @@ class Commands(support.CliTest):
             text = (self.folder / (name + ".svg")).read_text()
             self.assertGreater(text.count("<polyline") + text.count("<polygon"), 3)
             self.assertTrue(text.rstrip().endswith("</svg>"))
+
+    def test_figure_of_a_photon_ring(self):
+        def rows(*words):
+            self.run_nullscope("figure", "photon-ring", *words, "-o", "ring.svg")
+            self.assertTrue((self.folder / "ring.svg").read_text().rstrip().endswith("</svg>"))
+            lines = (self.folder / "ring.csv").read_text().splitlines()
+            self.assertTrue(lines[0].startswith("# "))
+            return list(csv.DictReader(lines[1:]))
+        rings = rows()
+        self.assertEqual([int(row["n"]) for row in rings], list(range(1, 9)))
+        self.assertEqual(rings[0]["ratio"], "")
+        for row in rings[5:]:
+            self.assertAlmostEqual(float(row["ratio_theory"]), math.exp(-math.pi), delta=1e-15)
+            self.assertLess(abs(float(row["ratio_off"])), 3e-5)
+            self.assertLess(abs(float(row["ratio_off_limit"])), 1e-8 if row["n"] == "6" else 1e-9)
+            self.assertAlmostEqual(float(row["delay"]), math.pi * 1.5 * math.sqrt(3), delta=3e-5)
+        (first, *_, last) = rows("kerr", "--angles", "60", "--rings", "5")
+        self.assertEqual(float(first["psi_deg"]), 60)
+        self.assertLess(abs(float(last["ratio_off"])), 1e-3)
+        self.assertLess(abs(float(last["azimuth"]) - float(last["azimuth_theory"])), 1e-2)
 
     def test_the_smallest_scene(self):
         scene = self.write("least.toml", '[spacetime]\nmetric = "schwarzschild"\n')
