@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "light/black_body.h"
-#include "numeric/one_minus_square.h"
 #include "observer/pose.h"
 #include "render/body_numbers.h"
 #include "scene/ray.h"
@@ -60,7 +59,7 @@ void put_view(FrameData& frame, const FramePlan& plan, const Mat3& shown, const 
     // A zoom's directions as the observer at rest sees them: not yet of unit length, and linear in the unit vector before that.
     const bool aberrates = plan.ring && plan.scene.light.aberration;
     const Vec3 motion = aberrates ? observer.velocity : Vec3{};
-    const double gamma = 1.0 / std::sqrt(static_cast<double>(one_minus_square(motion.x, motion.y, motion.z)));
+    const double speed = length(motion), gamma = 1.0 / std::sqrt((1.0 - speed) * (1.0 + speed));
     const auto at_rest = [&](Vec3 v, double length) {
         return v + (gamma * gamma / (1.0 + gamma) * dot(motion, v) - gamma * length) * motion;
     };
