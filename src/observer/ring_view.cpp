@@ -7,33 +7,27 @@
 
 #include "observer/critical_light.h"
 #include "observer/pose.h"
+#include "spacetime/photon_shell.h"
 #include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 // a: a view of kSimilar then lets light go round at least once and a half; windings that grow faster than a logarithm have none.
 constexpr double kLeastRate = 0.5, kMostRate = 50.0;
 constexpr double kLeastClimb = 1e-4;  // 1 - V/q_crit^2 of a camera outside of a barrier
 
 Error refused(std::string what, std::string allowed) { return bad_key("zoom", std::move(what), std::move(allowed)); }
 
-// a. Through a barrier's top light passes twice, and inside of it sweeps twice as much.
-Result<double> winding_rate(const Spacetime& spacetime) {
-    const SphericalMetric* metric = spacetime.spherical();
-    if (metric == nullptr)
+// A photon sphere's. Through a barrier's top light passes twice, and inside of it sweeps twice as much.
+Result<PhotonOrbit> similar_orbit(const Spacetime& spacetime) {
+    if (spacetime.spherical() == nullptr)
         return refused("there is no zoom about a rotating hole", "spacetime.spin = 0, or camera.fov alone");
-    if (!open_photon_sphere(spacetime))
-        return refused("no light winds about a photon sphere here", "a metric with one");
-    double rate = NAN;
-    if (const auto barrier = metric->barrier())
-        rate = 1.0 / std::sqrt(-barrier->c[1]);
-    else if (metric->tube_beyond(-kAnyRadius) == 0.0)
-        rate = metric->chi()->bending_density(0.5 * std::numbers::pi);
-    if (rate > kLeastRate && rate < kMostRate) return rate;
-    return refused("the photon ring has no images that shrink by the same factor each",
-                   "a metric with one unstable photon sphere and no tube");
+    const auto orbit = photon_orbit(spacetime, 0.5 * std::numbers::pi, 0.0);
+    if (!orbit) return refused(orbit.error().what, "a metric with a photon sphere that light can reach, and no tube");
+    if (const double rate = std::numbers::pi / orbit->gamma; rate > kLeastRate && rate < kMostRate) return *orbit;
+    return refused("the images of the photon ring shrink too little or too much each",
+                   "another parameter of the metric");
 }
 
 CameraSpec towards(const CriticalLight& light, CameraSpec camera) {
@@ -47,12 +41,13 @@ CameraSpec towards(const CriticalLight& light, CameraSpec camera) {
 
 struct Found {
     CameraSpec camera;  // still as wide as without a zoom
-    double rate, speed, b;
+    PhotonOrbit orbit;
+    double speed;
     double scale;  // angles from the critical direction over e, for an observer who does not move across
 };
 
 Result<Found> find(const Spacetime& spacetime, const CameraSpec& camera, const LightSpec& light) {
-    TRY(rate, winding_rate(spacetime));
+    TRY(orbit, similar_orbit(spacetime));
     CameraSpec ahead = camera;
     ahead.yaw = ahead.pitch = ahead.roll = 0.0;
     TRY(observer, observer_of(spacetime, ahead));
@@ -62,16 +57,14 @@ Result<Found> find(const Spacetime& spacetime, const CameraSpec& camera, const L
     still.velocity = {};
     if (!falls(camera)) still.observer = ObserverKind::kStatic;
     const Vec3 ring = CriticalLight::make(spacetime, still, light)->direction(0.0);
-    const PhotonSphere sphere = *open_photon_sphere(spacetime);
     double scale = std::hypot(ring.x, ring.y);
     if (spacetime.spherical()->barrier()) {  // some rays pass the photon sphere twice: there e grows as 1/climb
-        const double root_v = spacetime.spherical()->root_v(camera.r) / sphere.q_crit,
+        const double root_v = spacetime.spherical()->root_v(camera.r) / open_photon_sphere(spacetime)->q_crit,
                      climb = (1.0 - root_v) * (1.0 + root_v);
         if (climb < kLeastClimb) return refused("the camera is too close to the photon sphere", "camera.r further out");
         scale *= climb;
     }
-    return Found{towards(*critical, camera), *rate, light.aberration ? length(observer->velocity) : 0.0,
-                 1.0 / sphere.q_crit, scale};
+    return Found{towards(*critical, camera), *orbit, light.aberration ? length(observer->velocity) : 0.0, scale};
 }
 
 }  // namespace
@@ -80,12 +73,12 @@ Result<RingView> ring_view(const Spacetime& spacetime, const CameraSpec& camera,
     TRY(found, find(spacetime, camera, light));
     // e of the corner at most: its logarithm.
     const double across = std::hypot(camera.width, camera.height) * 0.5 * camera.pixel(),
-                 corner =
-                     std::log(across * std::sqrt((1.0 + found->speed) / (1.0 - found->speed))) - camera.zoom->depth,
-                 turn = kTurn / found->rate;
+                 stretch = std::sqrt((1.0 + found->speed) / (1.0 - found->speed)),
+                 corner = std::log(across * stretch / found->scale) - camera.zoom->depth,
+                 turn = 2.0 * found->orbit.gamma;
     RingView view{found->camera, std::fmax(std::floor((std::log(kSimilar) - corner) / turn), 0.0)};
-    view.lag = view.turns * kTurn * found->b;
-    view.half_way = -0.5 * found->rate * std::log(kSimilar);
+    view.lag = 2.0 * view.turns * found->orbit.delay;
+    view.half_way = -0.5 * std::numbers::pi / found->orbit.gamma * std::log(kSimilar);
     view.camera.plane_width *= std::exp(view.turns * turn - camera.zoom->depth);
     return view;
 }

@@ -132,3 +132,61 @@ TEST_CASE("zoom: directions and disc places are those of exact arithmetic, to 1e
             }
         }
 }
+
+namespace {
+
+// What decides which tables a depth is drawn with.
+std::array<double, 2> tables_of(FrameTables& tables, const Scene& scene) {
+    REQUIRE(tables.update(scene));
+    return {tables.plan().ring->turns, tables.path().family()->w0()};
+}
+
+}  // namespace
+
+TEST_CASE("zoom: a film of 2000 frames does not jump where tables or turns change") {
+    constexpr double kJump_px = 1e-3, kStep = 0.05, kHalvings = 30;
+    constexpr int kFrames = 2000;
+    const int frames =
+        test::by_depth(kFrames / 4, kFrames, kFrames);  // to a depth of 25, over the first change of turns
+    Scene film = zoomed(1e-3), sky = film;
+    sky.disc.reset();
+    FrameTables tables, before, after;
+    Random random(seed());
+    const auto at = [&](Scene& scene, double depth) -> const Scene& { return scene.camera.zoom->depth = depth, scene; };
+    int changes = 0;
+    double worst = 0;
+    auto last = tables_of(tables, at(sky, 0));
+    for (int frame = 1; frame < frames; ++frame) {
+        const auto here = tables_of(tables, at(sky, kStep * frame));
+        if (here == last) continue;
+        double low = kStep * (frame - 1), high = kStep * frame;
+        for (int i = 0; i < kHalvings; ++i) {
+            const double middle = 0.5 * (low + high);
+            (tables_of(tables, at(sky, middle)) == last ? low : high) = middle;
+        }
+        last = here;
+        ++changes;
+        REQUIRE(before.update(at(film, low)));
+        REQUIRE(after.update(at(film, high)));
+        const CoreInput one = before.core_input(), other = after.core_input();
+        for (int i = 0; i < 200; ++i) {
+            const double x = random.between(-640, 640), y = random.between(-360, 360);
+            const auto seen = [&](const CoreInput& input, double dx, double dy) {
+                return trace_core64(input, x + dx, y + dy);
+            };
+            const RayPixel a = seen(one, 0, 0), b = seen(other, 0, 0), right = seen(one, 0.01, 0),
+                           up = seen(one, 0, 0.01);
+            if (a.fate != b.fate || a.hit != b.hit || right.hit != a.hit || up.hit != a.hit || right.fate != a.fate ||
+                up.fate != a.fate)
+                continue;
+            const auto off = [&](const RayPixel& p, const RayPixel& q) {
+                return a.hit == kDiscHit ? std::hypot(p.u - q.u, p.v - q.v) : length(p.sky - q.sky);
+            };
+            const double motion = std::max(off(a, right), off(a, up)) / 0.01;
+            if (motion > 0) worst = std::max(worst, off(a, b) / motion);
+        }
+    }
+    MESSAGE(fmt::format("{} changes, largest jump {:.1e} px", changes, worst));
+    CHECK(changes > frames / 100);
+    CHECK(worst <= kJump_px);
+}

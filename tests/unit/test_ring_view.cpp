@@ -79,12 +79,15 @@ TEST_CASE("ring view: a view that is a turn less deep shows the same, about ever
                 const auto view = ring_view(*metric, camera, {});
                 if (!view) continue;
                 REQUIRE(view->turns > 0);
+                const double corner = 0.5 * std::hypot(camera.width, camera.height) * view->camera.pixel();
                 const double rate =
                     2 * M_PI * view->turns / (60 + std::log(view->camera.plane_width / camera.plane_width));
                 const auto frame = observer_of(*metric, camera)->frame;
                 const RayFamily family(metric, table, r, frame, 1e-20, RayFamily::kFinestRing);
                 const double root_v = metric->root_v(r) / sphere->q_crit,
                              scale = family.critical_sine() * (metric->barrier() ? 1 - root_v * root_v : 1);
+                CHECK(corner <= kSimilar * scale * (1 + 1e-9));
+                CHECK(corner > kSimilar * scale * std::exp(-2 * M_PI / rate) * (1 - 1e-9));
                 for (const Segment segment : {Segment::kSky, Segment::kCaptured})
                     for (const double delta : {kSimilar * scale, 1e-4 * kSimilar * scale}) {
                         const double near = family.ray(segment, delta).phi_end,
