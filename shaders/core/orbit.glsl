@@ -1,6 +1,6 @@
 // The orbit table: where a ray is after a swept angle, for every ray of this frame's zeta0. Bicubic Hermite patches over
 //   across: octave cells of u as in strip.glsl, 12 an octave (each octave has 13 columns, its own copy of both ends),
-//   along:  v = swept angle / phi_end, kOrbitRows cells.
+//   along:  v = swept angle / phi_end, ORBIT_ROWS cells.
 // Texels: (Z, dZ/dx, dZ/dv, d2Z/dxdv), derivatives per cell. Z = zeta for captured rays, zeta/(1-v) for rays to the sky, so that
 // a distant disc keeps its relative accuracy. Segments below each other: sky first. Through a wormhole Z is W/(1-v) of all rays
 // (table/throat_orbit.h), and zeta is W.
@@ -18,8 +18,14 @@ vec4 orbit_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(x, y), 0
 #endif
 #endif
 
+// As RayFamily::orbit_cells and orbit_rows.
+#ifdef EFFECT_ZOOM
+#define ORBIT_CELLS_PER_OCTAVE 24
+#define ORBIT_ROWS 256
+#else
 #define ORBIT_CELLS_PER_OCTAVE 12
 #define ORBIT_ROWS 128
+#endif
 
 struct OrbitPoint {
     float zeta;         // r_s / r

@@ -35,6 +35,16 @@ double smallest_pixel(const FramePlan& plan) {
     return squeeze * smallest_pixel_angle(plan.scene.camera);
 }
 
+// From the picture's middle, with room for pixels beside the picture, as an observer sees it that does not move, rad.
+double farthest_pixel(const FramePlan& plan) {
+    constexpr double kRoom = 1.25;
+    const CameraSpec& camera = plan.scene.camera;
+    const double speed = plan.scene.light.aberration ? length(plan.observer.velocity) : 0.0,
+                 stretch = std::sqrt((1.0 + speed) / (1.0 - speed)),
+                 corner = std::atan(0.5 * std::hypot(camera.width, camera.height) * camera.pixel());
+    return std::min(kRoom * stretch * corner, M_PI);
+}
+
 }  // namespace
 
 PlanarPath::PlanarPath(std::shared_ptr<const SphericalMetric> metric) : metric_(std::move(metric)) {
@@ -49,7 +59,7 @@ bool PlanarPath::update(const FramePlan& plan) {
     const Rows wanted = rows_of(plan.effects), had = rows_;
     const bool stale = !family_ || family_->camera_r() != camera.r || !(family_->frame() == plan.observer.frame) ||
                        (wanted.tables.orbits && !had.tables.orbits) || (wanted.tables.delays && !had.tables.delays) ||
-                       (wanted.points && !had.points) || family_->w0() != camera_family(plan).w0();
+                       (wanted.points && !had.points) || !family_->same_cells(camera_family(plan));
     rows_ = wanted;
     if (stale) {
         build(plan);
@@ -65,7 +75,7 @@ bool PlanarPath::update(const FramePlan& plan) {
 void PlanarPath::build(const FramePlan& plan) {
     const Stopwatch watch;
     family_.emplace(camera_family(plan));
-    if (!follows_camera)
+    if (!follows_camera || plan.ring)
         steps_.reset();
     else if (!steps_)
         steps_.emplace(metric_, table_);
@@ -81,7 +91,7 @@ RayFamily PlanarPath::camera_family(const FramePlan& plan) const {
             plan.scene.camera.r,
             plan.observer.frame,
             smallest_pixel(plan),
-            plan.ring ? RayFamily::kFinestRing : RayFamily::kFinest};
+            plan.ring ? std::optional(farthest_pixel(plan)) : std::nullopt};
 }
 
 void PlanarPath::write(const FramePlan& plan, FrameData& frame) const {

@@ -9,7 +9,6 @@
 
 namespace nullscope {
 
-inline constexpr int kOrbitRows = 128;                   // ORBIT_ROWS
 using OrbitTexels = std::vector<std::array<double, 4>>;  // (Z, Z_d, Z_v, Z_dv) at v = 0 ... 1, by delta and by row
 
 // What is followed by the swept angle phi, zeta or the W of table/throat_orbit.h; its slope, and the derivatives of
@@ -19,28 +18,29 @@ struct OrbitState {
 };
 
 struct MetOrbit {
-    std::array<OrbitState, kOrbitRows + 1> states;  // at equal steps of phi from the camera to the end
-    double end_per_delta;                           // d phi_end/d delta
+    std::vector<OrbitState> states;  // at equal steps of phi from the camera to the end
+    double end_per_delta;            // d phi_end/d delta
 };
 
-// start: at the camera; end: at the ray's end, of the orbit that is followed backward. follow(state, rows): the states
+// rows: steps. start: at the camera; end: at the ray's end, of the orbit that is followed backward. follow(state, rows): the states
 // of that many more rows, written behind it; bend(at): at''.
 template <class Follow, class Bend>
-MetOrbit meet(const OrbitState& start, const OrbitState& end, const Follow& follow, const Bend& bend) {
-    constexpr int kMiddle = kOrbitRows / 2, kRest = kOrbitRows - kMiddle;
-    MetOrbit orbit{};
+MetOrbit meet(int rows, const OrbitState& start, const OrbitState& end, const Follow& follow, const Bend& bend) {
+    const int middle = rows / 2, rest = rows - middle;
+    const auto places = [](int count) { return std::vector<OrbitState>(static_cast<std::size_t>(count) + 1); };
+    MetOrbit orbit{places(rows), 0.0};
     auto& states = orbit.states;
     states[0] = start;
-    follow(states.data(), kMiddle);
-    std::array<OrbitState, kRest + 1> from_end{};
+    follow(states.data(), middle);
+    std::vector<OrbitState> from_end = places(rest);
     from_end[0] = end;
-    follow(from_end.data(), kRest);
-    const OrbitState &f = states[kMiddle], &b = from_end[kRest];
+    follow(from_end.data(), rest);
+    const OrbitState &f = states[middle], &b = from_end.back();
     const double curvature = bend(b.at);
     orbit.end_per_delta = ((f.vary - b.vary) * b.slope - (f.vary_slope + b.vary_slope) * curvature) /
                           (b.slope * b.slope + curvature * curvature);
-    for (int i = kMiddle + 1; i <= kOrbitRows; ++i) {
-        const OrbitState& back = from_end[kOrbitRows - i];
+    for (int i = middle + 1; i <= rows; ++i) {
+        const OrbitState& back = from_end[rows - i];
         states[i] = {back.at, -back.slope, back.vary + back.slope * orbit.end_per_delta,
                      -(back.vary_slope + bend(back.at) * orbit.end_per_delta)};
     }
@@ -50,20 +50,21 @@ MetOrbit meet(const OrbitState& start, const OrbitState& end, const Follow& foll
 // from_sky: Z is the state over 1 - v, at v = 1 its limit where the bend vanishes; else the state.
 template <class Bend>
 OrbitTexels place_texels(const MetOrbit& orbit, double phi_end, bool from_sky, const Bend& bend) {
-    OrbitTexels texels(kOrbitRows + 1);
-    for (int i = 0; i <= kOrbitRows; ++i) {
-        const double v = static_cast<double>(i) / kOrbitRows, rest = 1.0 - v;
+    const int rows = static_cast<int>(orbit.states.size()) - 1;
+    OrbitTexels texels(orbit.states.size());
+    for (int i = 0; i <= rows; ++i) {
+        const double v = static_cast<double>(i) / rows, rest = 1.0 - v;
         const OrbitState& o = orbit.states[i];
         double z = o.at, z_v = o.slope * phi_end, z_d = o.vary + o.slope * v * orbit.end_per_delta;
         double z_dv = phi_end * (o.vary_slope + bend(o.at) * v * orbit.end_per_delta) + o.slope * orbit.end_per_delta;
-        if (from_sky && i < kOrbitRows) {
+        if (from_sky && i < rows) {
             z /= rest, z_d /= rest;
             z_v = (z_v + z) / rest, z_dv = (z_dv + z_d) / rest;
         } else if (from_sky) {
             z = -z_v, z_d = -z_dv;
             z_v = 0.0, z_dv = 0.0;
         }
-        texels[static_cast<std::size_t>(i)] = {z, z_d, z_v / kOrbitRows, z_dv / kOrbitRows};
+        texels[static_cast<std::size_t>(i)] = {z, z_d, z_v / rows, z_dv / rows};
     }
     return texels;
 }

@@ -13,8 +13,6 @@
 namespace nullscope {
 namespace {
 
-constexpr int kCellsPerOctave = 12;  // ORBIT_CELLS_PER_OCTAVE
-constexpr int kRows = kOrbitRows;
 constexpr double kLargestStep = 0.08;  // rad; local error 1e-12, between its ends 1e-10
 
 MetOrbit integrate(const RayFamily& family, Segment segment, const FanRay& ray) {
@@ -22,7 +20,7 @@ MetOrbit integrate(const RayFamily& family, Segment segment, const FanRay& ray) 
     const bool sky = segment == Segment::kSky;
     const double q = ray.q;
     const double beta_per_delta = sky ? 1.0 : -1.0;  // beta grows away from the shadow's middle
-    const double cell = ray.phi_end / kRows;
+    const double cell = ray.phi_end / family.orbit_rows();
     // Its derivatives by delta follow the variational equation.
     const auto force = [&](double zeta, double vary) {
         return std::array{-equation.half_v_slope(zeta), -equation.half_v_curvature(zeta) * vary};
@@ -49,7 +47,7 @@ MetOrbit integrate(const RayFamily& family, Segment segment, const FanRay& ray) 
     const double inward = sky ? 1.0 : -1.0;
     const double q_per_delta = -ray.slope / ray.sin_beta * beta_per_delta;
     const double end_slope = sky ? family.slope_at_sky(q) : q;
-    return meet({family.zeta0(), ray.slope, 0.0, -beta_per_delta * q / ray.sin_beta},
+    return meet(family.orbit_rows(), {family.zeta0(), ray.slope, 0.0, -beta_per_delta * q / ray.sin_beta},
                 {sky ? 0.0 : 1.0 / *family.spacetime().horizon_radius(), inward * end_slope, 0.0,
                  inward * q_per_delta * (q / end_slope)},
                 follow, [&](double zeta) { return -equation.half_v_slope(zeta); });
@@ -58,23 +56,23 @@ MetOrbit integrate(const RayFamily& family, Segment segment, const FanRay& ray) 
 }  // namespace
 
 OrbitTable build_orbit_table(const RayFamily& family, bool delays) {
-    constexpr int kColumns = kCellsPerOctave + 1;
-    const int sky = family.octaves(Segment::kSky) * kColumns, captured = family.octaves(Segment::kCaptured) * kColumns;
-    OrbitTable map{{std::max(sky, captured), 2 * (kRows + 1), {}}, {}};
+    const int cells = family.orbit_cells(), columns = cells + 1, rows = family.orbit_rows();
+    const int sky = family.octaves(Segment::kSky) * columns, captured = family.octaves(Segment::kCaptured) * columns;
+    OrbitTable map{{std::max(sky, captured), 2 * (rows + 1), {}}, {}};
     map.places.texels.assign(static_cast<std::size_t>(map.places.width) * map.places.height * 4, 0.0f);
     if (delays) map.delays = map.places;
     tbb::parallel_for(0, sky + captured, [&](int i) {
         const Segment segment = i < sky ? Segment::kSky : Segment::kCaptured;
         const int at = i < sky ? i : i - sky;
-        const double u_octave = std::exp2(at / kColumns);
-        const double u = u_octave * (1.0 + static_cast<double>(at % kColumns) / kCellsPerOctave);
+        const double u_octave = std::exp2(at / columns);
+        const double u = u_octave * (1.0 + static_cast<double>(at % columns) / cells);
         // The very first column would be the critical ray itself: it stands for 1/64 of the first cell.
-        const double node = std::max(family.delta_at(u), family.w0() / (64.0 * kCellsPerOctave));
+        const double node = std::max(family.delta_at(u), family.w0() / (64.0 * cells));
         const double delta = family.mirrored(segment, node);
-        const double delta_per_cell = (delta == node ? 1.0 : -1.0) * family.delta_slope(u) * u_octave / kCellsPerOctave;
+        const double delta_per_cell = (delta == node ? 1.0 : -1.0) * family.delta_slope(u) * u_octave / cells;
         const auto put = [&](TexelGrid& grid, const OrbitTexels& texels) {
-            for (int row = 0; row <= kRows; ++row) {
-                const std::size_t line = row + (segment == Segment::kSky ? 0 : kRows + 1);
+            for (int row = 0; row <= rows; ++row) {
+                const std::size_t line = row + (segment == Segment::kSky ? 0 : rows + 1);
                 float* out = grid.texels.data() + 4 * (line * grid.width + at);
                 const auto& texel = texels[static_cast<std::size_t>(row)];
                 out[0] = static_cast<float>(texel[0]);

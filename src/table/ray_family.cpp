@@ -18,10 +18,11 @@ double square(double x) { return x * x; }
 }  // namespace
 
 RayFamily::RayFamily(std::shared_ptr<const SphericalMetric> spacetime, std::shared_ptr<const DeflectionTable> table,
-                     double r, RadialFrame frame, double pixel, double finest)
+                     double r, RadialFrame frame, double pixel, std::optional<double> zoom)
     : spacetime_(std::move(spacetime)),
       table_(std::move(table)),
       frame_(frame),
+      zoom_(zoom),
       r_(r),
       radius_(spacetime_->areal_radius(r)),
       zeta0_(1.0 / radius_) {
@@ -58,7 +59,7 @@ RayFamily::RayFamily(std::shared_ptr<const SphericalMetric> spacetime, std::shar
     from_inward_ = !(separatrix_.t < 1.0);
     theta_c_ = 2.0 * std::atan(from_inward_ ? 1.0 / separatrix_.t : separatrix_.t);
     const double scale = theta_c_ > 0.0 ? theta_c_ : 1.0;
-    const double wanted = std::clamp(kPixelPart * pixel / scale, finest, kResolution);
+    const double wanted = std::clamp(kPixelPart * pixel / scale, zoom ? kFinestRing : kFinest, kResolution);
     w0_ = kResolution * std::exp2(4.0 * std::floor(0.25 * std::log2(wanted / kResolution))) * scale;
 }
 
@@ -128,8 +129,16 @@ double RayFamily::delta_slope(double u) const {
 }
 
 int RayFamily::octaves(Segment segment) const {
-    return static_cast<int>(std::floor(std::log2(1.0 + 2.0 * std::tan(0.5 * delta_limit(segment)) / w0()))) + 1 +
-           spare_octaves_;
+    double limit = delta_limit(segment);
+    // What comes back from a barrier is told by its angle from the centre, too, in as many octaves.
+    if (zoom_ && spacetime_->inner_end() != InnerEnd::kSameSky) limit = std::min(limit, *zoom_);
+    return static_cast<int>(std::floor(std::log2(1.0 + 2.0 * std::tan(0.5 * limit) / w0()))) + 1 + spare_octaves_;
+}
+
+bool RayFamily::same_cells(const RayFamily& other) const {
+    return w0_ == other.w0_ && orbit_rows() == other.orbit_rows() &&
+           octaves(Segment::kSky) == other.octaves(Segment::kSky) &&
+           octaves(Segment::kCaptured) == other.octaves(Segment::kCaptured);
 }
 
 FanRay RayFamily::ray(Segment segment, double delta) const {

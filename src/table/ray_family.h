@@ -35,9 +35,10 @@ struct FanRay {
 class RayFamily {
 public:
     // frame: of a camera at radius r. The table must belong to the spacetime; nullptr where there is a barrier. pixel: angle that the
-    // frame's smallest pixel spans, rad: deep zooms get finer cells next to the critical ray.
+    // frame's smallest pixel spans, rad: small ones get finer cells next to the critical ray. zoom: of a view whose directions are counted
+    // from the critical one; no ray is further from that, rad.
     RayFamily(std::shared_ptr<const SphericalMetric> spacetime, std::shared_ptr<const DeflectionTable> table, double r,
-              RadialFrame frame, double pixel = 1.0, double finest = kFinest);
+              RadialFrame frame, double pixel = 1.0, std::optional<double> zoom = {});
 
     bool beyond() const { return c_ > 0.0; }            // of where the dividing ray winds: outside the photon sphere
     double critical_angle() const { return theta_c_; }  // from the nearer radial direction, (0, pi/2]
@@ -57,9 +58,13 @@ public:
     // The place u >= 1 in the cells of shaders/core/strip.glsl: u = 1 + w/w0, w = 2 tan(delta/2).
     double w0() const { return w0_; }  // innermost cell scale, rad
     double delta_at(double u) const { return 2.0 * std::atan(0.5 * w0() * (u - 1.0)); }
-    double delta_slope(double u) const;        // d delta / d u
-    int octaves(Segment segment) const;        // of u, until delta_limit
-    void add_octave() { spare_octaves_ = 1; }  // one more of each, of rays beyond the radial one
+    double delta_slope(double u) const;  // d delta / d u
+    int octaves(Segment segment) const;  // of u, until delta_limit, or what a zoom sees
+    // Of the orbit table: cells of the swept angle, and of u in an octave.
+    int orbit_rows() const { return zoom_ ? 256 : 128; }  // ORBIT_ROWS
+    int orbit_cells() const { return zoom_ ? 24 : 12; }   // ORBIT_CELLS_PER_OCTAVE
+    bool same_cells(const RayFamily& other) const;        // whether the tables of both have the same nodes in delta
+    void add_octave() { spare_octaves_ = 1; }             // one more of each, of rays beyond the radial one
 
     double zeta0() const { return zeta0_; }  // 1/R
     double camera_r() const { return r_; }
@@ -78,7 +83,7 @@ public:
 
     // Distance from the critical direction, relative to its angle, below which windings are no longer told apart: 1e-6 of the
     // shadow's radius is 0.004 px for a shadow that fills a 4K screen. Less for pixels of less than 1/kPixelPart of that, in steps
-    // of 16, down to what doubles tell apart; for directions that are counted from the critical one (a zoom) to kFinestRing.
+    // of 16, down to what doubles tell apart, of a zoom to kFinestRing.
     static constexpr double kResolution = 1e-6, kPixelPart = 1.0 / 16, kFinest = 1e-13, kFinestRing = 1e-25;
 
 private:
@@ -94,6 +99,7 @@ private:
     std::shared_ptr<const SphericalMetric> spacetime_;
     std::shared_ptr<const DeflectionTable> table_;
     RadialFrame frame_;
+    std::optional<double> zoom_;
     double r_, radius_, zeta0_, chi0_ = 0, q_crit_, theta_c_, c_, w0_;
     int spare_octaves_ = 0;
     double lapse_ = 0;                   // sqrt(A); 0 inside the horizon

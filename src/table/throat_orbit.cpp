@@ -173,19 +173,20 @@ OrbitTexels throat_column(const RayFamily& family, Segment segment, double delta
     const double start = shape.angle(end * family.camera_r() / throat),
                  per_slope = -end * radius * radius * throat / shape.length_slope(start);
     const auto bend = [&](double w) { return pull(w, 0.0)[0]; };
+    const int rows = family.orbit_rows();
     const MetOrbit orbit = meet(
-        {start, per_slope * ray.slope, 0.0, per_slope * (-end * ray.q / ray.sin_beta)},
+        rows, {start, per_slope * ray.slope, 0.0, per_slope * (-end * ray.q / ray.sin_beta)},
         {0.0, pull.q, 0.0, pull.q_slope},
-        [&](State* states, int rows) {
-            for (int row = 0; row < rows; ++row) states[row + 1] = advance(pull, states[row], ray.phi_end / kOrbitRows);
+        [&](State* states, int count) {
+            for (int row = 0; row < count; ++row) states[row + 1] = advance(pull, states[row], ray.phi_end / rows);
         },
         bend);
     OrbitTexels texels = place_texels(orbit, ray.phi_end, true, bend);
     // The limits at v = 1: W = q phi' + W'' phi'^2/2 of the angle phi' from the sky.
     const double bent = pull(0.0, 0.0)[0], bent_slope = pull(0.0, 0.0)[1], end_per_delta = orbit.end_per_delta;
-    texels[kOrbitRows] = {pull.q * ray.phi_end, pull.q_slope * ray.phi_end + pull.q * end_per_delta,
-                          -0.5 * bent * ray.phi_end * ray.phi_end / kOrbitRows,
-                          -0.5 * ray.phi_end * (bent_slope * ray.phi_end + 2.0 * bent * end_per_delta) / kOrbitRows};
+    texels.back() = {pull.q * ray.phi_end, pull.q_slope * ray.phi_end + pull.q * end_per_delta,
+                     -0.5 * bent * ray.phi_end * ray.phi_end / rows,
+                     -0.5 * ray.phi_end * (bent_slope * ray.phi_end + 2.0 * bent * end_per_delta) / rows};
     return texels;
 }
 

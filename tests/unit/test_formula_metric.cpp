@@ -240,8 +240,8 @@ TEST_CASE("formula: places along rays are the reference's, also where V does not
         const double delta = family.delta_at(std::exp2(octave));
         const FanRay ray = family.ray(Segment::kSky, delta);
         const auto orbit = world.reference->orbits()->from_static({30, -std::cos(ray.beta), ray.sin_beta});
-        for (int row = 1; row < kOrbitRows; ++row) {
-            const double v = double(row) / kOrbitRows;
+        for (int row = 1; row < family.orbit_rows(); ++row) {
+            const double v = double(row) / family.orbit_rows();
             const std::size_t at =
                 4 * (std::size_t(row) * std::size_t(map.places.width) + std::size_t(octave * kColumns));
             const double zeta = double(map.places.texels[at]) * (1 - v), wanted = orbit->zeta_at(v * ray.phi_end);

@@ -83,7 +83,7 @@ TEST_CASE("ring view: a view that is a turn less deep shows the same, about ever
                 const double rate =
                     2 * M_PI * view->turns / (60 + std::log(view->camera.plane_width / camera.plane_width));
                 const auto frame = observer_of(*metric, camera)->frame;
-                const RayFamily family(metric, table, r, frame, 1e-20, RayFamily::kFinestRing);
+                const RayFamily family(metric, table, r, frame, 1e-20, M_PI);
                 const double root_v = metric->root_v(r) / sphere->q_crit,
                              scale = family.critical_sine() * (metric->barrier() ? 1 - root_v * root_v : 1);
                 CHECK(corner <= kSimilar * scale * (1 + 1e-9));

@@ -52,12 +52,12 @@ double worst_place(const World& world, double r) {
             const auto orbit = world.reference->orbits()->from_static({r, -std::cos(ray.beta), ray.sin_beta});
             const OrbitTexels column = throat_column(family, segment, delta);
             const double end = segment == Segment::kSky ? 1.0 : -1.0;
-            for (int i = 1; i < kOrbitRows; ++i) {
-                const double v = static_cast<double>(i) / kOrbitRows, w = column[i][0] * (1.0 - v);
+            for (int i = 1; i < family.orbit_rows(); ++i) {
+                const double v = static_cast<double>(i) / family.orbit_rows(), w = column[i][0] * (1.0 - v);
                 const double l = end * shape.throat() * shape.length(w), exact = orbit->zeta_at(v * orbit->angle());
                 const double slope = shape.throat() * shape.length_slope(w);
                 const double moved = std::fabs(slope * (1.0 - v)) *
-                                     (std::fabs(column[i][1]) * delta + std::fabs(column[i][2]) * kOrbitRows);
+                                     (std::fabs(column[i][1]) * delta + std::fabs(column[i][2]) * family.orbit_rows());
                 worst = std::fmax(worst, std::fabs(l - exact) / (shape.throat() + std::fabs(exact) + moved));
             }
         }
