@@ -125,6 +125,7 @@ DiscGas disc_gas(DiscCrossing crossing, float delay, float whole) {
     vec2 wide2 = GAS_CELLS * GAS_CELLS * cells * cells + rings * rings / (GAS_RING * GAS_RING);
     vec2 longer = 0.25 * (wide2.x > wide2.y ? along : across);
     float wide = sqrt(max(0.25 * max(wide2.x, wide2.y), min(wide2.x, wide2.y)));
+    longer = wide < GAS_WIDEST ? longer : vec2(0.0);   // nothing of it is seen, and far out its rate is no number
     DiscGas sum = DiscGas(0.0, 0.0);
     float side = -1.0;
     do {

@@ -40,6 +40,7 @@ vec2 disc_outward(PlaneMeeting meeting, int number) {
 // Two bounds that cost nothing. |d zeta / d phi| <= q outside the horizon, so zeta grows from zeta0 and falls to
 // 0 at the sky no faster than q phi. (Inside, zeta0 alone is above that of any disc; q < 0 there is light that never met one.) DISC_WIDENED leaves room for the rims' covered fractions (see margin).
 #define DISC_WIDENED 1.15
+#define DISC_LONGEST 64.0   // of its outer radius: a longer footprint shows no less of the disc, and its square has no room in a float
 
 // Does the ray still reach crossing `number` (counted from 0), and, on its way out, may any later one be within the disc?
 bool disc_reachable(Trace trace, PlaneMeeting meeting, int number) {
@@ -86,9 +87,9 @@ DiscCrossing disc_cross(Trace trace, PlaneMeeting meeting, int number, float mar
     float turn = frame.disc_normal.w / max((1.0 - orbital) * (1.0 + orbital), 1.0e-6) * inverse_s * trace.pixel_angle;
     float across_r = r_along * orbital * turn;
     float across_t = r * turn;
-    float along_r = r_across * trace.pixel_angle;
     float inner = frame.disc_x.w;
     float outer = frame.disc_y.w;
+    float along_r = clamp(r_across * trace.pixel_angle, -DISC_LONGEST * outer, DISC_LONGEST * outer);
     float reach = min(margin * sqrt(along_r * along_r + across_r * across_r), 0.125 * (outer - inner));   // DISC_WIDENED
     crossing.r = r;
     crossing.hit = r >= inner - reach && r <= outer + reach;

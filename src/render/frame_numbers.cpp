@@ -87,14 +87,22 @@ void put_view(FrameData& frame, const FramePlan& plan, const Mat3& shown, const 
     frame.transverse = {world * transverse, 0};
 }
 
-void put_sky(FrameData& frame, const TextureFacts& textures) {
+// What a zoom leaves of a star's peak: it is as bright as without the zoom, and none where a pixel is narrower than the digits of its place.
+double star_share(const FramePlan& plan) {
+    constexpr double kFinestPlace = 2e-6;  // rad
+    if (!plan.ring) return 1.0;
+    if (plan.scene.camera.pixel() < kFinestPlace) return 0.0;
+    return std::exp(-2.0 * plan.scene.camera.zoom->depth);
+}
+
+void put_sky(FrameData& frame, const FramePlan& plan, const TextureFacts& textures) {
     const int size = std::max(textures.sky_size, 1);
     if (textures.two_skies)
         frame.sky = {0.5 * size, sky_levels(size, true) - 1.0, 1.0, 0.5 * size / bordered_size(size)};
     else
         frame.sky = {0.5 * textures.sky_size, std::log2(size), 1.0, 0};
-    frame.point_stars = {point_peak(), 2.0 * kPointSigma_px * kPointSigma_px * M_LN2, 1.0 / kFaintestPoint,
-                         kPointMargin_px};
+    frame.point_stars = {star_share(plan) * point_peak(), 2.0 * kPointSigma_px * kPointSigma_px * M_LN2,
+                         1.0 / kFaintestPoint, kPointMargin_px};
     frame.point_spread = {M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0};
 }
 
@@ -150,7 +158,7 @@ FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const Text
     if (sky_K)
         frame.sky_light = {sky_light(scene.light, *sky_K, g_gravity, motion_is_seen(matter, observer, scene)),
                            std::log2(*sky_K)};
-    put_sky(frame, textures);
+    put_sky(frame, plan, textures);
     put_disc(frame, scene, textures);
     frame.bloom = {scene.picture.bloom, 0, 0, 0};
     put_march(frame, plan, balls);

@@ -81,7 +81,10 @@ void PlanarPath::build(const FramePlan& plan) {
         steps_.emplace(metric_, table_);
     auto between = steps_ ? steps_->tables(*family_, smallest_pixel(plan), rows_.tables) : std::nullopt;
     tables_ = between ? std::move(*between) : build_camera_tables(*family_, rows_.tables);
-    star_lens_ = rows_.points ? star_lens_row(*family_) : TexelGrid{};
+    // The star lens knows no zoom: images come from all directions.
+    star_lens_ = rows_.points
+                     ? star_lens_row({metric_, table_, plan.scene.camera.r, plan.observer.frame, smallest_pixel(plan)})
+                     : TexelGrid{};
     rows_ms = watch.ms();
 }
 

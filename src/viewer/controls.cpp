@@ -9,6 +9,7 @@
 
 #include "observer/pose.h"
 #include "viewer/fly_camera.h"
+#include "viewer/ring_zoom.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -20,6 +21,7 @@ constexpr double kWidestLook = 1.2;   // rad: no faster than in this
 constexpr double kWheelStep = 0.15;   // of log(r - horizon) a notch
 constexpr double kWheelRate = 12.0;   // 1/s: how fast that is worked off
 constexpr double kWheelRest = 1e-3;   // below this the rest is done at once
+constexpr double kDiveStep = 0.35;    // of zoom.depth a notch
 constexpr double kZoomStep = 0.08;    // of log tan(fov/2) a notch
 constexpr double kRollRadius = 12.0;  // px about the picture's middle where the angle of the pointer says nothing
 
@@ -36,7 +38,7 @@ void store_orientation(const Mat3& world_from_camera, CameraSpec& camera) {
 bool Controls::apply(const Input& input, ViewState& view, double dt_s, bool panel_has_mouse, bool panel_has_keys) {
     in_motion_ = false;
     start_drag(input, view.scene.camera, panel_has_mouse);
-    bool changed = drag(input, view.scene.camera);
+    bool changed = drag(input, view.scene);
     changed |= wheel(input, view, dt_s, panel_has_mouse);
     if (!panel_has_keys) changed |= keys(input, view, dt_s);
     return changed;
@@ -59,14 +61,17 @@ void Controls::start_drag(const Input& input, const CameraSpec& camera, bool pan
 }
 
 // The view follows from where it was grabbed, not from the last frame: a hand that comes back brings the picture back.
-bool Controls::drag(const Input& input, CameraSpec& camera) {
+bool Controls::drag(const Input& input, Scene& scene) {
+    CameraSpec& camera = scene.camera;
     if (drag_ == Drag::kNone) return false;
     const Drag kind = drag_;
     const Button& button = input.*button_;
     if (!button.held) drag_ = Drag::kNone;
     const double x = button.held ? input.x : button.released_x, y = button.held ? input.y : button.released_y;
     if (x == x_ && y == y_) return false;
-    if (kind == Drag::kLook) {
+    if (kind == Drag::kLook && camera.zoom) {
+        zoom_along(scene, x - x_, y_ - y);
+    } else if (kind == Drag::kLook) {
         store_orientation(dragged(grabbed_from_, grabbed_, pixel_direction(camera, x, y)), camera);
     } else if (kind == Drag::kOrbit) {
         const double angle = std::numbers::pi / camera.height;  // of a pixel: half a turn for the picture's height
@@ -88,18 +93,26 @@ bool Controls::wheel(const Input& input, ViewState& view, double dt_s, bool pane
     const double notches = input.wheel + (input.shift ? input.wheel_sideways : 0.0);
     if (!panel_has_mouse && notches != 0.0) {
         CameraSpec& camera = view.scene.camera;
-        if (input.shift) {
+        if (input.down(GLFW_KEY_Z)) {
+            dive_ += kDiveStep * notches;
+        } else if (input.shift) {
             set_fov(camera, 2.0 * std::atan(std::tan(0.5 * fov_of(camera)) * std::exp(-kZoomStep * notches)));
             changed = true;
         } else {
             approach_ -= kWheelStep * notches;
         }
     }
+    const auto worked_off = [dt_s](double& left) {
+        const double part = std::fabs(left) < kWheelRest ? left : left * (1.0 - std::exp(-kWheelRate * dt_s));
+        left -= part;
+        return part;
+    };
+    if (dive_ != 0.0) changed |= zoom_by(view.scene, worked_off(dive_), view.error);
+    if (!view.error.empty()) dive_ = 0.0;
+    in_motion_ |= dive_ != 0.0;
     if (approach_ == 0.0) return changed;
-    const double part =
-        std::fabs(approach_) < kWheelRest ? approach_ : approach_ * (1.0 - std::exp(-kWheelRate * dt_s));
-    approach_ -= part;
-    in_motion_ = approach_ != 0.0;
+    const double part = worked_off(approach_);
+    in_motion_ |= approach_ != 0.0;
     if (const auto spacetime = spacetime_of(view.scene))
         view.scene.camera.r = scaled_radius(view.scene.camera.r, part, flight_range(*spacetime));
     return true;

@@ -19,7 +19,7 @@ public:
 private:
     enum class Drag { kNone, kLook, kRoll, kOrbit };
     void start_drag(const Input& input, const CameraSpec& camera, bool panel_has_mouse);
-    bool drag(const Input& input, CameraSpec& camera);
+    bool drag(const Input& input, Scene& scene);
     bool wheel(const Input& input, ViewState& view, double dt_s, bool panel_has_mouse);
     bool keys(const Input& input, ViewState& view, double dt_s);
 
@@ -29,6 +29,7 @@ private:
     Vec3 grabbed_;                          // camera axes, in the orientation grabbed_from_
     Mat3 grabbed_from_;
     double approach_ = 0.0;  // of log(r - horizon), still to go
+    double dive_ = 0.0;      // of zoom.depth, still to go
     bool in_motion_ = false;
 };
 

@@ -6,6 +6,7 @@
 
 #include "observer/critical_curve.h"
 #include "observer/critical_light.h"
+#include "observer/ring_view.h"
 #include "scene/split.h"
 #include "viewer/view_state.h"
 
@@ -22,7 +23,9 @@ void draw_lines(const Scene& scene, float left, float wide) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const double unit = static_cast<double>(wide) / scene.camera.width;  // of a pixel
     draw.PushClipRect({left, 0.0f}, {left + wide, ImGui::GetIO().DisplaySize.y}, true);
-    for (const PictureLine& line : critical_curve(*spacetime, scene.camera, scene.light)) {
+    const auto camera = without_zoom(*spacetime, scene.camera, scene.light);
+    if (!camera) return;  // deeper than lines can be told
+    for (const PictureLine& line : critical_curve(*spacetime, *camera, scene.light)) {
         std::vector<ImVec2> points;
         points.reserve(line.size());
         for (const auto& [x, y] : line)

@@ -28,6 +28,7 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"Middle drag", "go round the hole; Alt + drag, too"},
     {"Wheel", "distance to the horizon"},
     {"Shift + wheel", "field of view"},
+    {"Z + wheel", "zoom into the photon ring"},
     {"W S", "fly forward, back"},
     {"A D", "fly left, right"},
     {"Space C", "fly up, down"},

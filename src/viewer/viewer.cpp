@@ -2,6 +2,7 @@
 #include "viewer/clock_overlay.h"
 #include "viewer/critical_overlay.h"
 #include "viewer/recording_sign.h"
+#include "viewer/ring_zoom.h"
 #include "viewer/sections.h"
 
 #define GLFW_INCLUDE_NONE
@@ -228,6 +229,7 @@ float Viewer::overlays(float top, float bottom) {
     if (picture_.texture != 0) top = std::max(top, marks_.labels_bottom());
     float left = edge + gap;
     if (view_.show_clock) left = draw_clock_overlay(view_, left, right - gap, top + gap);
+    draw_zoom_overlay(picture_.job.scene, left, right - gap, top + gap);
     if (!timeline_.records()) return top;
     return top + gap + draw_recording_sign(timeline_.recorded_s(), left + gap, right - gap, top + gap);
 }
