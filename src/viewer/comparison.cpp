@@ -58,6 +58,7 @@ Scene drawn_side_b(const ViewState& view) {
     ViewState b;
     b.scene = view.side_b->scene, b.off = view.side_b->off;
     b.scene.camera = view.scene.camera, b.scene.path = view.scene.path, b.scene.time = view.scene.time;
+    view.hidden.leave_out_of(b.scene, view.scene);
     b.show_grid = view.show_grid;
     return drawn_scene(b);
 }

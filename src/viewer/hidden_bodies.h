@@ -22,6 +22,9 @@ public:
     void copied(const SectionRef& at);
 
     void leave_out(Scene& scene) const;
+    // Of another scene whose bodies were the same once: what has the number of a hidden one of `scene`, as long as there are as many of its
+    // kind, else what equals one.
+    void leave_out_of(Scene& other, const Scene& scene) const;
 
 private:
     void shift_behind(const SectionRef& at, int by);

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include "scene/bodies.h"
+#include "scenefile/scene_edit.h"
+
 namespace {
 
 using namespace nullscope;
@@ -34,6 +37,28 @@ TEST_CASE("comparison: side B keeps its settings and has the view's camera and t
     CHECK(b.camera.width == 321);
     CHECK(b.time == 7.0);
     CHECK(!drawn_scene(view).disc);
+}
+
+TEST_CASE("comparison: a body that is hidden is hidden on both sides, also where others have come or gone") {
+    ViewState view = with_side_b();
+    const auto radii = [](const Scene& scene) {
+        std::vector<double> all;
+        for (const Body& body : scene.bodies)
+            if (const auto* ball = std::get_if<BallSpec>(&body.shape)) all.push_back(ball->radius);
+        return all;
+    };
+    for (const double radius : {1.0, 0.9, 0.8}) add_body(view.scene, BallSpec{.radius = radius});
+    view.side_b = std::make_shared<SideB>(SideB{view.scene, view.method, view.off});
+    view.hidden.toggle({"ball", 1, ""});
+    CHECK(radii(drawn_side_b(view)) == std::vector{1.0, 0.8});
+    std::get<BallSpec>(view.scene.bodies[1].shape).radius = 0.5;  // the second on either side
+    CHECK(radii(drawn_side_b(view)) == std::vector{1.0, 0.8});
+    view.hidden.toggle({"ball", 1, ""});
+    view.hidden.toggle({"ball", 2, ""});
+    view.scene = *without_section(view.scene, {"ball", 0, ""});
+    view.hidden.removed({"ball", 0, ""});
+    CHECK(radii(drawn_scene(view)) == std::vector{0.5});
+    CHECK(radii(drawn_side_b(view)) == std::vector{1.0, 0.9});
 }
 
 TEST_CASE("comparison: labels say what differs") {
