@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "observer/critical_light.h"
 #include "observer/observer.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/spherical_metric.h"
@@ -29,6 +30,27 @@ std::optional<double> shadow_at(const Spacetime& spacetime, double r) {
     return r >= sphere->radius ? angle : std::numbers::pi - angle;
 }
 
+// The curve is the same above and below: its height is twice that of its top, its width lies between the angles 0 and pi.
+std::optional<std::array<double, 2>> shadow_size_at(const Spacetime& spacetime, const CameraSpec& camera) {
+    if (spacetime.planar_rays()) return std::nullopt;
+    CameraSpec zamo;
+    zamo.r = camera.r, zamo.theta = camera.theta, zamo.observer = ObserverKind::kZamo;
+    const auto curve = CriticalLight::make(spacetime, zamo, {});
+    if (!curve) return std::nullopt;
+    const auto height = [&](double angle) { return std::asin(std::fabs(curve->direction(angle).y)); };
+    double low = 0.0, high = std::numbers::pi;  // the top is between them: thirds of it are left out
+    while (high - low > 1e-6) {
+        const double third = (high - low) / 3.0;
+        if (height(low + third) < height(high - third))
+            low += third;
+        else
+            high -= third;
+    }
+    const Vec3 one = curve->direction(0.0), other = curve->direction(std::numbers::pi), top = curve->direction(low);
+    if (!(one.z < 0.0 && other.z < 0.0 && top.z < 0.0)) return std::nullopt;
+    return std::array{std::fabs(std::atan2(one.x, -one.z) - std::atan2(other.x, -other.z)), 2.0 * height(low)};
+}
+
 // Outside of a horizon.
 std::optional<double> planar_clock_rate(const Spacetime& spacetime, const CameraSpec& camera) {
     const auto observer = observer_of(spacetime, camera);
@@ -48,6 +70,10 @@ Landmarks landmarks_of(const Spacetime& spacetime) {
     else if (spacetime.axial() != nullptr && found.horizon)
         found.photon_orbit = light_orbit(spacetime);
     if (spacetime.can_have_disc() && !spacetime.by_proper_length()) found.isco = innermost_stable_orbit(spacetime);
+    if (spacetime.axial() != nullptr && found.horizon) {
+        found.retrograde_photon_orbit = light_orbit(spacetime, Sense::kRetrograde);
+        found.retrograde_isco = innermost_stable_orbit(spacetime, Sense::kRetrograde);
+    }
     return found;
 }
 
@@ -55,6 +81,7 @@ CameraNumbers camera_numbers(const Spacetime& spacetime, const CameraSpec& camer
     CameraNumbers found;
     found.lapse = lapse_at(spacetime, camera.r, camera.theta);
     found.shadow = shadow_at(spacetime, camera.r);
+    found.shadow_size = shadow_size_at(spacetime, camera);
     const auto orbit = circular_orbit(spacetime, camera.r);
     if (orbit && found.lapse && orbit->omega != 0.0) {
         const double slowness = 1.0 / (*found.lapse * orbit->u_t);  // 1/gamma by observers without angular momentum

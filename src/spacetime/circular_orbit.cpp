@@ -21,6 +21,13 @@ std::optional<CircularOrbit> orbit_in(const Equator& e) {
     return CircularOrbit{u_t, omega, -u_t * (e.g.tt + e.g.tphi * omega), u_t * (e.g.tphi + e.g.phiphi * omega)};
 }
 
+// phi counted in that sense.
+Equator seen_in(Sense sense, Equator e) {
+    if (sense == Sense::kRetrograde)
+        for (Equator::Components* of : {&e.g, &e.slope, &e.curvature}) of->tphi = -of->tphi;
+    return e;
+}
+
 bool stable(const Equator& e) {
     const auto orbit = orbit_in(e);
     if (!orbit || e.slope.tphi * e.slope.tphi < e.slope.tt * e.slope.phiphi)
@@ -53,16 +60,19 @@ std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r
     return equator ? orbit_in(*equator) : std::nullopt;
 }
 
-double light_orbit(const Spacetime& spacetime) {
-    return 1.0 /
-           divided(*spacetime.horizon_radius(), [&](double r) { return circular_orbit(spacetime, r).has_value(); })[1];
+double light_orbit(const Spacetime& spacetime, Sense sense) {
+    const auto has_orbit = [&](double r) {
+        const auto equator = spacetime.equator(r);
+        return equator && orbit_in(seen_in(sense, *equator));
+    };
+    return 1.0 / divided(*spacetime.horizon_radius(), has_orbit)[1];
 }
 
-std::optional<double> innermost_stable_orbit(const Spacetime& spacetime) {
+std::optional<double> innermost_stable_orbit(const Spacetime& spacetime, Sense sense) {
     const auto sphere = spacetime.photon_sphere();
     const auto least = sphere ? sphere->radius : spacetime.horizon_radius();
     if (!least || !spacetime.equator(*least)) return std::nullopt;
-    const auto is_stable = [&](double r) { return stable(*spacetime.equator(r)); };
+    const auto is_stable = [&](double r) { return stable(seen_in(sense, *spacetime.equator(r))); };
     // Where a cosmological constant pulls outward, there are none far out, or none at all.
     double from = kFarthestStable;
     while (from > *least && !is_stable(from)) from *= kInward;

@@ -23,12 +23,15 @@ struct CircularOrbit {
 // Equator. Flat space: matter at rest.
 std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r);
 
-// Radius in r_s, a rounding inward, of light's own circular orbit towards growing phi, the innermost of all circular
-// orbits: light that is on its way in there does not turn any more. The spacetime must have an Equator and a horizon.
-double light_orbit(const Spacetime& spacetime);
+// Towards growing phi, or against it; the same without rotation.
+enum class Sense { kPrograde, kRetrograde };
+
+// Radius in r_s, a rounding inward, of light's own circular orbit, the innermost of all circular orbits of that sense:
+// light that is on its way in there does not turn any more. The spacetime must have an Equator and a horizon.
+double light_orbit(const Spacetime& spacetime, Sense sense = Sense::kPrograde);
 
 // Radius in r_s of the innermost stable circular orbit; nothing where light runs straight, or no orbit is stable.
-std::optional<double> innermost_stable_orbit(const Spacetime& spacetime);
+std::optional<double> innermost_stable_orbit(const Spacetime& spacetime, Sense sense = Sense::kPrograde);
 
 // Contravariant four-velocity (u^t, u^r, u^phi) of the disc's matter at r outside the horizon: circular down to the
 // innermost stable orbit, falling with that orbit's energy and angular momentum inside. Continuous, with a continuous

@@ -14,8 +14,11 @@ namespace {
 constexpr double kRadiusOfSun_km = 2.95325;  // r_s of one solar mass, 2 G M/c^2
 
 void number(const char* name, const std::string& value, const char* help) {
-    text_row(name, help);
+    ImGui::BeginGroup();
+    text_row(name);
     ImGui::TextUnformatted(value.c_str());
+    ImGui::EndGroup();
+    tooltip(help);
 }
 
 // In r_s and in M = r_s/2, and in km where the scene says a mass; of wormholes in their own unit.
@@ -37,9 +40,16 @@ bool numbers_section(ViewState& view) {
         if (r) number(name, radius_words(*r, *spacetime, scene.object), help);
     };
     radius("Horizon", marks.horizon, "Nothing comes back from inside it. About a rotating hole: the outer one.");
+    const bool rotates = spacetime->axial() != nullptr;
     radius("Photon orbit", marks.photon_orbit,
-           "Where light can run in a circle. About a rotating hole: with its rotation, in the equatorial plane.");
-    radius("ISCO", marks.isco, "Innermost stable circular orbit of matter; with the rotation of the hole.");
+           rotates ? "Prograde: where light can run in a circle with the rotation of the hole, in the equatorial plane."
+                   : "Where light can run in a circle.");
+    radius("retrograde", marks.retrograde_photon_orbit, "Where light can run in a circle against the hole's rotation.");
+    radius("ISCO", marks.isco,
+           rotates ? "Prograde: innermost stable circular orbit of matter with the rotation of the hole."
+                   : "Innermost stable circular orbit of matter.");
+    radius("retrograde", marks.retrograde_isco,
+           "Innermost stable circular orbit of matter against the hole's rotation.");
     if (scene.light.lensing)
         radius(
             "Critical b", marks.critical_impact,
@@ -52,6 +62,12 @@ bool numbers_section(ViewState& view) {
     if (here.shadow && scene.light.lensing)
         number("Shadow", fmt::format("{:.3f}\xc2\xb0", *here.shadow * 180.0 / std::numbers::pi),
                "Angular radius of the shadow, seen from here at rest.");
+    if (const auto size = here.shadow_size; size && scene.light.lensing)
+        number("Shadow",
+               fmt::format("{:.3f}\xc2\xb0 wide\n{:.3f}\xc2\xb0 high", (*size)[0] * 180.0 / std::numbers::pi,
+                           (*size)[1] * 180.0 / std::numbers::pi),
+               "Angular diameters of the shadow in the direction of the rotation and across it, seen from here by an "
+               "observer without angular momentum.");
     if (here.clock_rate)
         number("Clock", fmt::format("{:.6f}", *here.clock_rate),
                "Proper time of the camera over time far away, dtau/dt.");

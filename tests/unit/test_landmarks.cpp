@@ -17,11 +17,11 @@ std::shared_ptr<const Spacetime> spacetime_of(const char* metric, MetricParamete
     return *made;
 }
 
-// Innermost stable orbit of Kerr in M, towards the rotation.
-double kerr_isco(double a) {
+// Innermost stable orbit of Kerr in M, with the rotation or (sense -1) against it.
+double kerr_isco(double a, int sense = 1) {
     const double z1 = 1 + std::cbrt(1 - a * a) * (std::cbrt(1 + a) + std::cbrt(1 - a)),
                  z2 = std::sqrt(3 * a * a + z1 * z1);
-    return 3 + z2 - std::sqrt((3 - z1) * (3 + z1 + 2 * z2));
+    return 3 + z2 - sense * std::sqrt((3 - z1) * (3 + z1 + 2 * z2));
 }
 
 }  // namespace
@@ -40,12 +40,42 @@ TEST_CASE("landmarks: Schwarzschild and Kerr have their textbook radii") {
         CHECK(hole.horizon.value() == doctest::Approx(0.5 * (1 + std::sqrt(1 - a * a))).epsilon(1e-12));
         CHECK(hole.isco.value() == doctest::Approx(0.5 * kerr_isco(a)).epsilon(1e-9));
         CHECK(hole.photon_orbit.value() == doctest::Approx(1 + std::cos(2.0 / 3.0 * std::acos(-a))).epsilon(1e-9));
+        CHECK(hole.retrograde_isco.value() == doctest::Approx(0.5 * kerr_isco(a, -1)).epsilon(1e-9));
+        CHECK(hole.retrograde_photon_orbit.value() ==
+              doctest::Approx(1 + std::cos(2.0 / 3.0 * std::acos(a))).epsilon(1e-9));
         CHECK_FALSE(hole.critical_impact);
     }
+    CHECK_FALSE(flat_hole.retrograde_isco);
     const Landmarks nothing = landmarks_of(*spacetime_of("minkowski"));
     CHECK_FALSE(nothing.horizon);
     CHECK_FALSE(nothing.photon_orbit);
     CHECK_FALSE(nothing.isco);
+}
+
+TEST_CASE("landmarks: the shadow of a rotating hole is as wide and high as its critical impact parameters say") {
+    for (const double a : {0.1, 0.9, 0.998}) {
+        CAPTURE(a);
+        MetricParameters spin;
+        spin["spin"] = a;
+        const auto hole = spacetime_of("kerr", spin);
+        CameraSpec camera;
+        camera.r = 1e6, camera.theta = std::numbers::pi / 2, camera.yaw = 1.0;
+        const auto size = camera_numbers(*hole, camera).shadow_size.value();
+        // Bardeen 1973: b = 3 sqrt(M r) -+ a of the two orbits in the plane; as high as without spin.
+        const double with = 2 + 2 * std::cos(2.0 / 3.0 * std::acos(-a)),
+                     against = 2 + 2 * std::cos(2.0 / 3.0 * std::acos(a));
+        CHECK(size[0] * camera.r == doctest::Approx(1.5 * (std::sqrt(with) + std::sqrt(against))).epsilon(1e-5));
+        CHECK(size[1] * camera.r == doctest::Approx(3 * std::sqrt(3.0)).epsilon(1e-5));
+        camera.r = 1.0;
+        CHECK_FALSE(camera_numbers(*hole, camera).shadow_size);
+    }
+    MetricParameters still;
+    still["spin"] = 1e-6;
+    CameraSpec near;
+    near.r = 4.0, near.theta = 1.0;
+    const double radius = camera_numbers(*spacetime_of("schwarzschild"), near).shadow.value();
+    for (const double diameter : camera_numbers(*spacetime_of("kerr", still), near).shadow_size.value())
+        CHECK(diameter == doctest::Approx(2 * radius).epsilon(1e-5));
 }
 
 TEST_CASE("landmarks: clocks, shadow and orbits of a camera") {
