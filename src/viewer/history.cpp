@@ -13,11 +13,9 @@ namespace {
 
 bool is_size(const SceneLine& line) { return line.name == "camera.size"; }
 
-std::string text_of(const Scene& scene) {
-    std::string text;
-    for (const SceneLine& line : scene_lines(scene))
-        if (!is_size(line)) text += fmt::format("{} = {}\n", line.name, line.value);
-    return text;
+// What flights, drags, falls and clocks change.
+bool is_of_place(const std::string& name) {
+    return (name.starts_with("camera.") && name != "camera.exposure") || name == "time";
 }
 
 // "ball[2].radius": "ball[2]".
@@ -47,8 +45,7 @@ std::string changes_between(const Scene& a, const Scene& b) {
     }
     for (const auto& [key, value] : before)
         if (!after.contains(key)) name(key, after, " removed");
-    const auto of_camera = [](const std::string& name_of) { return name_of.starts_with("camera."); };
-    if (names.size() > 1 && std::ranges::all_of(names, of_camera)) return "camera";
+    if (names.size() > 1 && std::ranges::all_of(names, is_of_place)) return "camera";
     if (names.size() <= kMostNamed) return fmt::format("{}", fmt::join(names, ", "));
     return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + kMostNamed, ", "),
                        names.size() - kMostNamed);
@@ -56,15 +53,35 @@ std::string changes_between(const Scene& a, const Scene& b) {
 
 }  // namespace
 
+History::Words History::words_of(const Scene& scene) {
+    Words words;
+    for (const SceneLine& line : scene_lines(scene))
+        if (!is_size(line))
+            (is_of_place(line.name) ? words.place : words.rest) += fmt::format("{} = {}\n", line.name, line.value);
+    return words;
+}
+
+// The camera alone, or nothing at all.
+bool History::moved_since(const Step& step, const ViewState& view, const Words& words) {
+    return step.words.rest == words.rest && step.source == view.source && step.off == view.off;
+}
+
 void History::rest(const ViewState& view) {
-    std::string text = text_of(view.scene);
-    if (!steps_.empty() && steps_[at_].text == text && steps_[at_].source == view.source &&
-        steps_[at_].off == view.off) {
-        steps_[at_].hidden = view.hidden;
-        return;
+    Words words = words_of(view.scene);
+    bool moved = false;
+    if (!steps_.empty()) {
+        Step& last = steps_[at_];
+        moved = moved_since(last, view, words);
+        if (moved && last.words.place == words.place) {
+            last.hidden = view.hidden, last.jumps = view.jumps;
+            return;
+        }
+        moved = moved && last.jumps == view.jumps;
+        steps_.resize(at_ + 1);
+        if (moved && steps_.back().moved) steps_.pop_back();
     }
-    if (!steps_.empty()) steps_.resize(at_ + 1);
-    steps_.push_back({view.source, view.loaded, view.scene, view.off, view.hidden, std::move(text)});
+    steps_.push_back(
+        {view.source, view.loaded, view.scene, view.off, view.hidden, std::move(words), view.jumps, moved});
     if (steps_.size() > kMostSteps) steps_.erase(steps_.begin());
     at_ = steps_.size() - 1;
 }
@@ -75,7 +92,9 @@ bool History::undo(ViewState& view, std::string& what) {
 }
 
 bool History::redo(ViewState& view, std::string& what) {
-    return at_ + 1 < steps_.size() && steps_[at_].text == text_of(view.scene) && steps_[at_].off == view.off &&
+    if (at_ + 1 >= steps_.size()) return false;
+    const Words words = words_of(view.scene);
+    return moved_since(steps_[at_], view, words) && steps_[at_].words.place == words.place &&
            go_to(at_ + 1, view, what);
 }
 
@@ -88,7 +107,7 @@ bool History::go_to(std::size_t step, ViewState& view, std::string& what) {
     at_ = step;
     const CameraSpec now = view.scene.camera;
     view.source = to.source, view.loaded = to.loaded, view.scene = to.scene;
-    view.off = to.off, view.hidden = to.hidden;
+    view.off = to.off, view.hidden = to.hidden, view.jumps = to.jumps;
     view.scene.camera.width = now.width, view.scene.camera.height = now.height;
     if (view.scene.disc) view.hidden_disc = *view.scene.disc;
     view.fall.stop();

@@ -9,9 +9,10 @@ namespace nullscope::viewer {
 
 class History {
 public:
-    // The view has come to rest: a step, if its scene or what is switched off differs from the step before. Another size of the
-    // window and other hidden bodies are no step. Steps that were undone are forgotten then. Cost: 0.1 ms where nothing has changed, and a
-    // scene is kept for each of the last kMostSteps.
+    // The view has come to rest: a step, if its scene or what is switched off differs from the step before. Moves of the camera that follow
+    // each other are one step, unless view.jumps says that a command put it elsewhere between them. Another size of the window and other
+    // hidden bodies are no step. Steps that were undone are forgotten then. Cost: 0.1 ms where nothing has changed, and a scene is kept for
+    // each of the last kMostSteps.
     void rest(const ViewState& view);
 
     // Goes a step back, or forward again; false: there is none. `what`: the keys that change, for a message.
@@ -20,13 +21,21 @@ public:
 
 private:
     static constexpr std::size_t kMostSteps = 500;
+    struct Words {          // the scene as text, without the picture's size
+        std::string place;  // of the camera and the clock: what a move changes
+        std::string rest;
+    };
     struct Step {
         std::string source;
         Scene loaded, scene;
         EffectSet off;
         HiddenBodies hidden;  // when it was last at rest
-        std::string text;     // of the scene, without the size
+        Words words;
+        int jumps;   // ViewState::jumps
+        bool moved;  // the camera alone: a further move is the same step
     };
+    static Words words_of(const Scene& scene);
+    static bool moved_since(const Step& step, const ViewState& view, const Words& words);
     bool go_to(std::size_t step, ViewState& view, std::string& what);
     std::vector<Step> steps_;
     std::size_t at_ = 0;

@@ -31,6 +31,7 @@ Status load_into(ViewState& view, const std::string& file_or_name) {
         view.boost_direction = view.scene.camera.velocity / speed;
     view.off = {};
     view.hidden.clear();
+    ++view.jumps;
     view.side_b.reset();
     view.clock_runs = false;
     view.fall.stop();
@@ -74,6 +75,7 @@ Scene drawn_scene(const ViewState& view) {
 Status paste_view(ViewState& view, const std::string& line) {
     TRY(camera, camera_of_view(line, view.scene));
     view.scene.camera = *camera;
+    ++view.jumps;
     view.fall.stop();
     return Done{};
 }
@@ -96,6 +98,7 @@ void set_size(Scene& scene, int width, int height) {
 void reset_camera(ViewState& view) {
     const CameraSpec now = std::exchange(view.scene.camera, view.loaded.camera);
     view.scene.camera.width = now.width, view.scene.camera.height = now.height;
+    ++view.jumps;
     view.fall.stop();
     keep_outside_horizon(view.scene);
 }

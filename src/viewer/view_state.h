@@ -58,6 +58,7 @@ struct ViewState {
     DiscSpec hidden_disc;            // kept while the disc is switched off
     HiddenBodies hidden;
 };
+    int jumps = 0;  // how often a command put the camera elsewhere: undo does not join what lies on both sides of it
 
 // Replaces what is shown; on an error everything stays and view.error says why.
 Status load_into(ViewState& view, const std::string& file_or_name);

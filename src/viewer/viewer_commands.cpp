@@ -62,6 +62,7 @@ bool Viewer::perform(Command command) {
         frames_due_ = kSettlingFrames;
         return false;
     };
+    history_.rest(view_);  // what was flown until now
     switch (command) {
         case Command::kGallery: return gallery_.open(view_.shipped, tours()), false;
         case Command::kSave: return save_scene(), false;

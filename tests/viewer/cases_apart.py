@@ -758,6 +758,27 @@ def test_a_camera_that_side_b_cannot_have_is_refused(screen, program, folder):
         assert near().changed(kept, CHANGED), "flat spacetime alone refuses the camera, too"
 
 
+def test_an_edit_before_a_flight_is_two_steps_of_undo_away(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}") as v:
+        for header in [*HEADERS, LIGHT]:
+            v.click(*header)
+        home, panel = v.settle(), v.picture(PANEL)
+        v.click(*LENSING)
+        edited = v.settle("mousemove", *BESIDE)
+        assert edited.changed(home, CHANGED), "the switch changes nothing"
+        v.settle("mousemove", 560, 420, "mousedown", 1)
+        v.settle("mousemove", 640, 440, "mouseup", 1)
+        v.settle("click", 4)
+        flown = v.settle("key", "--delay", 200, "e", "mousemove", *BESIDE)
+        v.settle("key", "r")
+        same(flown, v.settle("key", "ctrl+z"), "after R was undone")
+        same(edited, v.settle("key", "ctrl+z"), "after drag, wheel and keys were undone")
+        same(home, v.settle("key", "ctrl+z"), "after the switch was undone")
+        same(panel, v.picture(PANEL), "the panel then")
+        v.settle("key", "ctrl+y")
+        same(flown, v.settle("key", "ctrl+y"), "after the flight was done again")
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -777,5 +798,6 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_a_camera_that_side_b_cannot_have_is_refused, test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
+    CASES += [test_an_edit_before_a_flight_is_two_steps_of_undo_away,
+              test_a_camera_that_side_b_cannot_have_is_refused, test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]

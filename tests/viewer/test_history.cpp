@@ -17,34 +17,83 @@ ViewState opened(const char* name) {
     return view;
 }
 
-TEST_CASE("history: each rest is a step back and forward, and what was undone is forgotten by a new step") {
+TEST_CASE("history: moves of the camera are one step, and an edit before them is the second") {
     ViewState view = opened("first-light");
     History history;
     std::string what;
     history.rest(view);
     CHECK_FALSE(history.undo(view, what));
-    const double home = view.scene.camera.r;
+    const CameraSpec home = view.scene.camera;
+    view.scene.sky.brightness *= 2.0;
+    history.rest(view);
     for (const double r : {30.0, 40.0, 50.0}) {
-        view.scene.camera.r = r;
+        view.scene.camera.r = r, view.scene.camera.yaw += 0.1, view.scene.time += 1.0;
+        history.rest(view);
+        history.rest(view);
+    }
+    REQUIRE(history.undo(view, what));
+    CHECK(what == "camera");
+    CHECK(view.scene.camera.r == home.r);
+    CHECK(view.scene.time == 0.0);
+    REQUIRE(history.undo(view, what));
+    CHECK(what == "sky.brightness");
+    REQUIRE(history.redo(view, what));
+    REQUIRE(history.redo(view, what));
+    CHECK(view.scene.camera.r == 50.0);
+    CHECK_FALSE(history.redo(view, what));
+    view.scene.camera.r = 60.0;  // the same flight goes on
+    REQUIRE(history.undo(view, what));
+    CHECK(view.scene.camera.r == home.r);
+    REQUIRE(history.undo(view, what));
+    CHECK_FALSE(history.undo(view, what));
+}
+
+TEST_CASE("history: a command that puts the camera elsewhere is a step by itself, between the moves") {
+    ViewState view = opened("first-light");
+    History history;
+    std::string what;
+    history.rest(view);
+    view.scene.camera.r = 30.0;
+    history.rest(view);
+    view.scene.camera.r = 40.0;
+    ++view.jumps;
+    history.rest(view);
+    view.scene.camera.r = 50.0;
+    history.rest(view);
+    view.scene.camera.exposure_ev = 1.0;  // no move
+    for (const double r : {50.0, 40.0, 30.0}) {
+        REQUIRE(history.undo(view, what));
+        CHECK(view.scene.camera.r == r);
+    }
+}
+
+TEST_CASE("history: each edit is a step back and forward, and what was undone is forgotten by a new step") {
+    ViewState view = opened("first-light");
+    History history;
+    std::string what;
+    history.rest(view);
+    const double home = view.scene.sky.brightness;
+    for (const double brightness : {3.0, 4.0, 5.0}) {
+        view.scene.sky.brightness = brightness;
         history.rest(view);
         history.rest(view);  // no step
     }
     REQUIRE(history.undo(view, what));
-    CHECK(what == "camera.r");
-    CHECK(view.scene.camera.r == 40.0);
+    CHECK(what == "sky.brightness");
+    CHECK(view.scene.sky.brightness == 4.0);
     REQUIRE(history.undo(view, what));
     REQUIRE(history.undo(view, what));
-    CHECK(view.scene.camera.r == home);
+    CHECK(view.scene.sky.brightness == home);
     CHECK_FALSE(history.undo(view, what));
     REQUIRE(history.redo(view, what));
-    CHECK(view.scene.camera.r == 30.0);
+    CHECK(view.scene.sky.brightness == 3.0);
     view.scene.disc->brightness *= 2.0;
     view.scene.sky.brightness *= 2.0;
     REQUIRE(history.undo(view, what));  // without a rest before
     CHECK(what == "disc.brightness, sky.brightness");
-    CHECK(view.scene.camera.r == 30.0);
+    CHECK(view.scene.sky.brightness == 3.0);
     REQUIRE(history.redo(view, what));
-    CHECK_FALSE(history.redo(view, what));  // 40 and 50 are gone
+    CHECK_FALSE(history.redo(view, what));  // 4 and 5 are gone
     view.scene.disc.reset();
     REQUIRE(history.undo(view, what));
     CHECK(what == "disc removed");
