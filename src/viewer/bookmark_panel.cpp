@@ -38,11 +38,11 @@ void draw_broken(const std::vector<Bookmark>& all) {
 
 }  // namespace
 
-std::string BookmarkPanel::draw(ViewState& view, Bookmarks& bookmarks, float left, float right, float bottom, bool all,
-                                bool escape) {
+BookmarkPanel::Chosen BookmarkPanel::draw(ViewState& view, Bookmarks& bookmarks, float left, float right, float bottom,
+                                          bool all, bool escape) {
     height_ = 0.0f;
     loading_ = false;
-    if (!view.show_bookmarks) return shown_ = false, renamed_.clear(), "";
+    if (!view.show_bookmarks) return shown_ = false, renamed_.clear(), Chosen();
     if (!std::exchange(shown_, true)) bookmarks.list();
     pictures_.begin_frame();
     read_one(bookmarks, all);
@@ -53,7 +53,7 @@ std::string BookmarkPanel::draw(ViewState& view, Bookmarks& bookmarks, float lef
     if (right - left < card + 4.0f * margin) left = margin;
     ImGui::SetNextWindowPos({left, bottom - margin}, ImGuiCond_Always, {0.0f, 1.0f});
     ImGui::SetNextWindowSize({right - left - margin, 0.0f});
-    std::string chosen;
+    Chosen chosen;
     if (ImGui::Begin("##bookmarks", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize)) {
@@ -88,20 +88,20 @@ void BookmarkPanel::draw_buttons(ViewState& view, Bookmarks& bookmarks) {
     tooltip(fmt::format("Brings back {}, which was deleted last.", removed));
 }
 
-std::string BookmarkPanel::draw_cards(Bookmarks& bookmarks, float width, bool all, bool escape) {
+BookmarkPanel::Chosen BookmarkPanel::draw_cards(Bookmarks& bookmarks, float width, bool all, bool escape) {
     std::vector<Bookmark> cards;
     for (const Bookmark& bookmark : bookmarks.all())
         if (bookmark.error.empty()) cards.push_back(bookmark);
     if (cards.empty()) {
         paragraph("No bookmarks yet.");
-        return "";
+        return {};
     }
     const ImGuiStyle& style = ImGui::GetStyle();
     const float gap = style.ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
     const bool scrolls = static_cast<float>(cards.size()) * (width + gap) - gap + 2.0f * kEdge > room;
     const float height = CardPicture::kShape * width + style.ItemSpacing.y + ImGui::GetFrameHeight() + 2.0f * kEdge +
                          (scrolls ? style.ScrollbarSize : 0.0f);
-    std::string chosen;
+    Chosen chosen;
     if (ImGui::BeginChild("##cards", {0.0f, height}, false, ImGuiWindowFlags_HorizontalScrollbar)) {
         if (ImGui::IsWindowHovered() && ImGui::GetIO().MouseWheel != 0.0f)
             ImGui::SetScrollX(ImGui::GetScrollX() - 0.5f * width * ImGui::GetIO().MouseWheel);
@@ -109,7 +109,8 @@ std::string BookmarkPanel::draw_cards(Bookmarks& bookmarks, float width, bool al
         ImGui::SetCursorPos({kEdge, kEdge});
         for (const Bookmark& card : cards) {
             if (&card != &cards.front()) ImGui::SameLine(0.0f, gap);
-            if (draw_card(bookmarks, card, width, all, escape)) chosen = bookmarks.scene_file(card.stem).string();
+            if (Chosen of_card = draw_card(bookmarks, card, width, all, escape); !of_card.file.empty())
+                chosen = std::move(of_card);
         }
     }
     ImGui::EndChild();
@@ -121,7 +122,8 @@ std::string BookmarkPanel::draw_cards(Bookmarks& bookmarks, float width, bool al
     return chosen;
 }
 
-bool BookmarkPanel::draw_card(Bookmarks& bookmarks, const Bookmark& bookmark, float width, bool all, bool escape) {
+BookmarkPanel::Chosen BookmarkPanel::draw_card(Bookmarks& bookmarks, const Bookmark& bookmark, float width, bool all,
+                                               bool escape) {
     ImGui::PushID(bookmark.stem.c_str());
     ImGui::BeginGroup();
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -130,18 +132,22 @@ bool BookmarkPanel::draw_card(Bookmarks& bookmarks, const Bookmark& bookmark, fl
     if (ImGui::IsItemVisible())
         draw_card_picture(pictures_.find(bookmarks.picture_file(bookmark.stem), all), at, width, over);
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup("##what");
-    if (!ImGui::IsPopupOpen("##what")) tooltip(bookmark.name + "\nClick: open. Right click: rename, delete.");
+    if (!ImGui::IsPopupOpen("##what"))
+        tooltip(bookmark.name + "\nClick: open. Shift and click: the camera only. Right click: rename, delete.");
     chosen |= draw_name(bookmarks, bookmark, width);
+    bool camera_only = chosen && ImGui::GetIO().KeyShift;
     if (ImGui::BeginPopup("##what")) {
         if (escape) ImGui::CloseCurrentPopup();
         chosen |= ImGui::MenuItem("Open");
+        camera_only |= ImGui::MenuItem("Camera only");
         if (ImGui::MenuItem("Rename")) renamed_ = bookmark.stem, new_name_ = bookmark.name, rename_begins_ = true;
         if (ImGui::MenuItem("Delete")) deleted_ = bookmark.stem;
         ImGui::EndPopup();
     }
     ImGui::EndGroup();
     ImGui::PopID();
-    return chosen;
+    if (!chosen && !camera_only) return {};
+    return {bookmarks.scene_file(bookmark.stem).string(), camera_only};
 }
 
 // The name, or a field for another; true if it was clicked on.
@@ -165,7 +171,7 @@ bool BookmarkPanel::draw_name(Bookmarks& bookmarks, const Bookmark& bookmark, fl
                                         name.c_str(), nullptr, 0.0f, &clip);
     ImGui::SameLine(0.0f, gap);
     if (ImGui::Button("...")) ImGui::OpenPopup("##what");
-    tooltip("Open, rename, delete.");
+    tooltip("Open, take its camera only, rename, delete.");
     return chosen;
 }
 

@@ -10,10 +10,13 @@ namespace nullscope::viewer {
 
 class BookmarkPanel {
 public:
-    // Between NewFrame and Render, from `left` to `right` where there is room for a card, above `bottom`. The file to open, or "". all:
+    struct Chosen {
+        std::string file;          // to open, or ""
+        bool camera_only = false;  // what is shown stays, the camera goes where that scene's is
+    };
+    // Between NewFrame and Render, from `left` to `right` where there is room for a card, above `bottom`. all:
     // nothing is left for later frames. escape: the key was pressed. throws gl::GlError.
-    std::string draw(ViewState& view, Bookmarks& bookmarks, float left, float right, float bottom, bool all,
-                     bool escape);
+    Chosen draw(ViewState& view, Bookmarks& bookmarks, float left, float right, float bottom, bool all, bool escape);
     float height() const {
         return height_;
     }  // that it took in its last frame, with the gap below; 0 while it is hidden
@@ -25,8 +28,8 @@ public:
 private:
     void read_one(Bookmarks& bookmarks, bool all);
     void draw_buttons(ViewState& view, Bookmarks& bookmarks);
-    std::string draw_cards(Bookmarks& bookmarks, float width, bool all, bool escape);
-    bool draw_card(Bookmarks& bookmarks, const Bookmark& bookmark, float width, bool all, bool escape);
+    Chosen draw_cards(Bookmarks& bookmarks, float width, bool all, bool escape);
+    Chosen draw_card(Bookmarks& bookmarks, const Bookmark& bookmark, float width, bool all, bool escape);
     bool draw_name(Bookmarks& bookmarks, const Bookmark& bookmark, float width);
     void rename(Bookmarks& bookmarks, const std::string& stem);
 

@@ -120,6 +120,7 @@ private:
     void keep_bookmark();
     bool open_bookmark(const std::string& file);
     bool draw_bookmarks(float bottom, bool escape);
+    bool take_camera(const std::string& file);
 
     ViewerOptions options_;
     ViewState view_;

@@ -8,6 +8,7 @@
 
 #include "image/area_filter.h"
 #include "image/image_file.h"
+#include "scenefile/scene_writer.h"
 #include "viewer/viewer.h"
 
 namespace nullscope::viewer {
@@ -70,20 +71,31 @@ void Viewer::keep_bookmark() {
 
 // No recent file: it is found among the bookmarks.
 bool Viewer::open_bookmark(const std::string& file) {
-    history_.rest(view_);
     const std::vector<std::string> own = view_.own;
     const bool opened = open_file(file);
     view_.own = own;
     return opened;
 }
 
+// What is shown stays, where an observer can be as the bookmark's camera is.
+bool Viewer::take_camera(const std::string& file) {
+    const auto kept = load_scene(file);
+    if (!kept) return say(kept.error().message()), false;
+    history_.rest(view_);
+    const Status taken = paste_view(view_, view_line(kept->camera));
+    say(taken ? fmt::format("The camera of {}", kept->name)
+              : fmt::format("No camera here as in {}: {}", kept->name, taken.error().message()));
+    return static_cast<bool>(taken);
+}
+
 bool Viewer::draw_bookmarks(float bottom, bool escape) {
-    const std::string chosen = bookmark_panel_.draw(
+    const BookmarkPanel::Chosen chosen = bookmark_panel_.draw(
         view_, bookmarks_, side_panel_right(),
         ImGui::GetIO().DisplaySize.x - (view_.show_probe ? probe_.width() : 0.0f), bottom, patient(), escape);
     bookmark_due_ |= std::exchange(bookmark_panel_.add_pressed, false);
     if (!bookmark_panel_.message.empty()) say(std::exchange(bookmark_panel_.message, {}));
-    return !chosen.empty() && open_bookmark(chosen);
+    if (chosen.file.empty()) return false;
+    return chosen.camera_only ? take_camera(chosen.file) : open_bookmark(chosen.file);
 }
 
 }  // namespace nullscope::viewer

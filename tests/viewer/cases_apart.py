@@ -544,12 +544,12 @@ def test_bookmarks_are_kept_opened_renamed_and_deleted(screen, program, folder):
             v.settle("mousedown", 3)
             v.settle("mouseup", 3)
             v.click(BOOKMARK_PICTURE[0] + 20, BOOKMARK_PICTURE[1] + 16 + 19 * entry)
-        choose(1)
+        choose(2)
         v.hands("type", "--delay", 60, "ring")
         v.settle("key", "--delay", 200, "Return")
         assert name() == "ring", f"renamed to {name()}"
         files = {file: file.read_bytes() for kind in ("toml", "jpg") for file in kept(kind)}
-        choose(2)
+        choose(3)
         assert not kept("toml") and not kept("jpg"), "a bookmark that was deleted is there"
         v.click(*BOOKMARK_RESTORE)
         assert {file: file.read_bytes() for file in files if file.exists()} == files, "what was deleted does not come back"
@@ -779,6 +779,39 @@ def test_an_edit_before_a_flight_is_two_steps_of_undo_away(screen, program, fold
         same(flown, v.settle("key", "ctrl+y"), "after the flight was done again")
 
 
+def test_a_bookmarks_camera_is_taken_into_another_scene(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", home=folder) as v:
+        v.settle("key", "--delay", 200, "e")
+        v.settle("key", "ctrl+b")
+    other = SCENE.replace("[disc]", "[sphere]\nradius = 1.8")
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", home=folder, scene=other) as v:
+        above = (320, 60, 820, 350)     # neither the bookmarks nor a message lie there
+        v.settle("key", "b")
+        before = v.picture(above)
+        v.settle("keydown", "Shift_L")
+        v.click(*BOOKMARK_PICTURE)
+        v.settle("keyup", "Shift_L")
+        taken = v.picture(above)
+        assert v.title() == "scene - nullscope", f"Shift and a click open {v.title()}"
+        assert taken.changed(before, CHANGED), "the camera stays where it was"
+        v.settle("key", "ctrl+s")
+        saved = tomllib.loads((Path(v.folder) / "scene-2.toml").read_text())
+        assert "sphere" in saved and "disc" not in saved, f"another scene: {saved}"
+        assert saved["camera"]["roll"] != -6, "not the bookmark's camera"
+        v.settle("key", "ctrl+z")     # the file
+        v.settle("key", "ctrl+z")
+        same(before, v.picture(above), "after undo")
+    far_side = '[spacetime]\nmetric = "ellis"\n[camera]\nr = -8\n'
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", home=folder, scene=far_side) as v:
+        v.settle("key", "ctrl+b")
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", home=folder) as v:
+        v.settle("key", "b")
+        v.settle("keydown", "Shift_L")
+        v.click(*BOOKMARK_PICTURE)
+        v.settle("keyup", "Shift_L")
+        assert v.layout().place("No camera here as in scene 2", ""), v.layout().words()
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -799,5 +832,6 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
 # Of every depth but quick.
 if EVERYTHING:
     CASES += [test_an_edit_before_a_flight_is_two_steps_of_undo_away,
+              test_a_bookmarks_camera_is_taken_into_another_scene,
               test_a_camera_that_side_b_cannot_have_is_refused, test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]
