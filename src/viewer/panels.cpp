@@ -66,7 +66,7 @@ bool side_panel(ViewState& view, const FrameFacts& facts, bool escape) {
     bool changed = false;
     constexpr ImGuiWindowFlags kFlags = (kFixed & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize;
     if (ImGui::Begin("##side", nullptr, kFlags)) {
-        changed = scene_section(view, escape);
+        scene_section(view, escape);
         // True if it is open. ImGui names widgets by section: several have a "Brightness".
         constexpr ImGuiTreeNodeFlags kShut = ImGuiTreeNodeFlags_None, kOpen = ImGuiTreeNodeFlags_DefaultOpen;
         const auto part = [&](const char* name, ImGuiTreeNodeFlags flags, auto&& body) {

@@ -58,28 +58,24 @@ bool spacetime_rows(SpacetimeSpec& spec, const char* label, const char* id, bool
     return changed;
 }
 
-bool scene_section(ViewState& view, bool escape) {
-    bool changed = false;
+void scene_section(ViewState& view, bool escape) {
     const float button = ImGui::CalcTextSize("Reload").x + 2.0f * ImGui::GetStyle().FramePadding.x;
     ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemSpacing.x);
     const bool open = choice("##scene", view.scene.name, escape, [&] {
-        for (const std::string& file : std::vector<std::string>(view.own))
-            if (choice_item(file, file == view.source, "A file of your own."))
-                changed = static_cast<bool>(load_into(view, file));
+        for (const std::string& file : view.own)
+            if (choice_item(file, file == view.source, "A file of your own.")) view.wanted = file;
         for (const SceneInfo& info : view.shipped)
-            if (choice_item(info.name, info.name == view.source, info.description))
-                changed = static_cast<bool>(load_into(view, info.name));
+            if (choice_item(info.name, info.name == view.source, info.description)) view.wanted = info.name;
     });
     if (!open) tooltip(view.scene.description);
     ImGui::SameLine();
-    if (ImGui::Button("Reload")) changed |= static_cast<bool>(load_into(view, view.source));
+    if (ImGui::Button("Reload")) view.wanted = view.source;
     tooltip("Reads the scene file again; changes made here are lost.");
     if (!view.error.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().refusal));
         ImGui::TextWrapped("%s", view.error.c_str());
         ImGui::PopStyleColor();
     }
-    return changed;
 }
 
 bool disc_section(ViewState& view) {

@@ -11,7 +11,7 @@
 namespace nullscope::viewer {
 
 // escape: the key was just pressed; an open list takes it.
-bool scene_section(ViewState& view, bool escape);
+void scene_section(ViewState& view, bool escape);  // what is to be opened: view.wanted
 bool camera_section(ViewState& view);
 bool boost_section(ViewState& view);
 bool fall_section(ViewState& view);

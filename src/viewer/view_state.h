@@ -32,6 +32,7 @@ struct SideB {
 
 struct ViewState {
     std::string source;  // what load_scene was given
+    std::string wanted;  // what the panel asks to open next, or ""
     Scene loaded;        // as the file has it
     Scene scene;         // as it is now
     std::vector<SceneInfo> shipped;
@@ -57,8 +58,8 @@ struct ViewState {
     Vec3 boost_direction{-1, 0, 0};  // kept while the camera is at rest
     DiscSpec hidden_disc;            // kept while the disc is switched off
     HiddenBodies hidden;
-};
     int jumps = 0;  // how often a command put the camera elsewhere: undo does not join what lies on both sides of it
+};
 
 // Replaces what is shown; on an error everything stays and view.error says why.
 Status load_into(ViewState& view, const std::string& file_or_name);

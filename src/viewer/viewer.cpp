@@ -216,6 +216,10 @@ bool Viewer::panels(const Input& input) {
     }
     const float top = overlays(below_menu, screen - above - tour_.height());
     changed |= draw_panels(view_, facts, top, screen - above, escape);
+    if (const std::string wanted = std::exchange(view_.wanted, {}); !wanted.empty()) {
+        leave_scene();
+        changed |= static_cast<bool>(load_into(view_, wanted));  // an error is in the panel
+    }
     changed |= tour_panels(view_.show_panels ? side_panel_right() : 0.0f, screen - above - gap);
     if (const std::string path = save_as_.draw(escape); !path.empty()) save_scene_as(path);
     return (left_ && offer_left_scene()) || changed;

@@ -96,6 +96,7 @@ private:
     void copy_view();
     void fall_freely();  // or a pause of it
     void record();       // or its end
+    void leave_scene();  // for another: what was flown and recorded can be brought back
     // viewer_files.cpp
     bool open_file(const std::string& file_or_name);  // true if the scene changed
     bool open_dropped(const Input& input);
@@ -119,8 +120,8 @@ private:
     Image<unsigned char> small_picture() const;
     void keep_bookmark();
     bool open_bookmark(const std::string& file);
-    bool draw_bookmarks(float bottom, bool escape);
     bool take_camera(const std::string& file);
+    bool draw_bookmarks(float bottom, bool escape);
 
     ViewerOptions options_;
     ViewState view_;

@@ -183,9 +183,20 @@ void Viewer::record() {
         sampled_at_ = seconds();
         return say("Recording: fly, turn, fall; F9 ends it");
     }
+    const bool had_path = view_.scene.path.has_value();
     if (!timeline_.stop_record(view_.scene)) return say("Nothing was recorded: too short");
     view_.fall.stop();
-    say("Recorded: a path of the scene now. Play it (L), draw a film of it, save it (Ctrl + S)");
+    say(had_path ? "Recorded. The path before was put aside: Ctrl + Z brings it back"
+                 : "Recorded: a path of the scene now. Play it (L), draw a film of it, save it (Ctrl + S)");
+}
+
+void Viewer::leave_scene() {
+    history_.rest(view_);
+    if (timeline_.records() && timeline_.stop_record(view_.scene)) history_.rest(view_);
+    Scene loaded = view_.loaded;
+    set_size(loaded, view_.scene.camera.width, view_.scene.camera.height);
+    if (view_.scene.path && view_.scene.path != loaded.path)
+        say("The recording was put aside: Ctrl + Z brings it back");
 }
 
 }  // namespace nullscope::viewer

@@ -28,6 +28,7 @@ bool Viewer::open_chosen() {
 
 bool Viewer::open_file(const std::string& file_or_name) {
     if (is_tour_file(file_or_name)) return open_tour(file_or_name);
+    leave_scene();
     const Status opened = load_into(view_, file_or_name);
     if (!opened) say(std::exchange(view_.error, {}));
     if (opened) gallery_.close();

@@ -15,6 +15,7 @@ Status Viewer::start_tour(const std::filesystem::path& file) {
 }
 
 bool Viewer::open_tour(const std::filesystem::path& file) {
+    leave_scene();
     const Status started = start_tour(file);
     if (!started) say(started.error().message());
     view_.error.clear();
@@ -24,6 +25,7 @@ bool Viewer::open_tour(const std::filesystem::path& file) {
 bool Viewer::step_tour(int ahead) {
     const TourStep* step = gallery_.is_open() ? nullptr : tour_.at(ahead);
     if (step == nullptr) return false;
+    leave_scene();
     const Status loaded = load_step(view_, *step);
     if (loaded)
         tour_.go(ahead);

@@ -812,6 +812,29 @@ def test_a_bookmarks_camera_is_taken_into_another_scene(screen, program, folder)
         assert v.layout().place("No camera here as in scene 2", ""), v.layout().words()
 
 
+def test_a_recording_is_put_aside_and_brought_back(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
+        def record(key):
+            before = v.settle("key", "F9")
+            v.hands("keydown", key)
+            v.changes("it flies", before)
+            time.sleep(0.4)
+            v.hands("keyup", key)
+            v.settle("key", "F9")
+        record("d")
+        record("e")
+        assert v.layout().place("Recorded. The path before was put aside", ""), v.layout().words()
+        v.settle("key", "F9")     # a third, which goes on when another scene is opened
+        v.hands("keydown", "q")
+        time.sleep(0.6)
+        v.hands("keyup", "q")
+        v.settle("key", "F5")
+        assert v.layout().place("The recording was put aside", ""), v.layout().words()
+        assert not v.layout().place("Play", "##timeline"), "the scene that was read again has a path"
+        v.settle("key", "ctrl+z")
+        assert v.layout().place("Play", "##timeline"), "undo brings no recording back"
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -832,6 +855,6 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
 # Of every depth but quick.
 if EVERYTHING:
     CASES += [test_an_edit_before_a_flight_is_two_steps_of_undo_away,
-              test_a_bookmarks_camera_is_taken_into_another_scene,
+              test_a_bookmarks_camera_is_taken_into_another_scene, test_a_recording_is_put_aside_and_brought_back,
               test_a_camera_that_side_b_cannot_have_is_refused, test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]
