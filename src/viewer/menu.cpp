@@ -101,8 +101,8 @@ std::optional<Command> draw_menu(const ViewState& view, bool escape) {
             const bool compared = entry.command == Command::kCompare && view.side_b != nullptr;
             if (ImGui::MenuItem(entry.name, entry.keys, compared || (entry.shown != nullptr && view.*entry.shown)))
                 chosen = entry.command;
-            if (entry.command == Command::kCriticalCurve) tooltip(kCriticalCurveHelp);
-            if (entry.command == Command::kPotential) tooltip(kPotentialHelp);
+            if (entry.command == Command::kCriticalCurve) tooltip(kCriticalCurveHelp, TooltipPlace::kBesideWindow);
+            if (entry.command == Command::kPotential) tooltip(kPotentialHelp, TooltipPlace::kBesideWindow);
         }
         ImGui::EndMenu();
     }

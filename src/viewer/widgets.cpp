@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr float kTooltipWidth = 22.0f;  // of the font's size
+constexpr float kTooltipGap = 0.25f;    // likewise, to the item
 constexpr float kNameColumn = 6.2f;     // of the font's size
 
 std::string hidden_id(const char* name) { return std::string("##") + name; }
@@ -48,6 +49,23 @@ bool settled(const std::string& id, bool changed, double& edited) {
     edited = draft.value;
     draft = {};
     return ImGui::IsItemDeactivatedAfterEdit();
+}
+
+// Places of something that tall and wide, within the screen: below the row of the item before, above it where there is more room.
+ImVec2 below_item(const ImVec2& size) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize, from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    const float gap = ImGui::GetStyle().FramePadding.y + kTooltipGap * em();  // names are less tall than their rows
+    const float below = to.y + gap, above = from.y - gap - size.y;
+    const bool fits = below + size.y <= screen.y || above < 0.0f;
+    return {std::clamp(from.x, 0.0f, std::max(screen.x - size.x, 0.0f)), fits ? below : above};
+}
+
+// Level with the item before, beside its window.
+ImVec2 beside_window(const ImVec2& size) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize, at = ImGui::GetWindowPos();
+    const float gap = kTooltipGap * em(), right = at.x + ImGui::GetWindowWidth() + gap, left = at.x - gap - size.x;
+    const float y = std::clamp(ImGui::GetItemRectMin().y, 0.0f, std::max(screen.y - size.y, 0.0f));
+    return {right + size.x <= screen.x || left < 0.0f ? right : left, y};
 }
 
 }  // namespace
@@ -94,11 +112,16 @@ void text_row(const char* name, const std::string& help) {
     ImGui::SameLine(kNameColumn * ImGui::GetFontSize());
 }
 
-void tooltip(const std::string& text) {
+void tooltip(const std::string& text, TooltipPlace place) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0f);  // of what is grey, too
+    const std::string lines = wrapped(text, kTooltipWidth * em());
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const ImVec2 words = ImGui::CalcTextSize(lines.c_str());
+    const ImVec2 size{words.x + 2.0f * style.WindowPadding.x, words.y + 2.0f * style.WindowPadding.y};
+    ImGui::SetNextWindowPos(place == TooltipPlace::kBelow ? below_item(size) : beside_window(size));
     ImGui::BeginTooltip();
-    ImGui::TextUnformatted(wrapped(text, kTooltipWidth * ImGui::GetFontSize()).c_str());
+    ImGui::TextUnformatted(lines.c_str());
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
 }
@@ -222,7 +245,7 @@ bool choice(const char* id, const std::string& shown, bool shut, const std::func
 
 bool choice_item(const std::string& text, bool chosen, const std::string& help) {
     const bool picked = ImGui::Selectable(text.c_str(), chosen);
-    tooltip(help);
+    tooltip(help, TooltipPlace::kBesideWindow);
     if (chosen) ImGui::SetItemDefaultFocus();
     return picked;
 }

@@ -19,7 +19,10 @@ std::string wrapped(const std::string& text, float width);
 // Starts a row; the control that follows takes its rest. help: shown while the pointer is on the name.
 void row(const char* name, const std::string& help = {});
 void text_row(const char* name, const std::string& help = {});  // the same for words alone: less tall
-void tooltip(const std::string& text);                          // of the item before, wrapped
+
+// Of the item before, wrapped: below or above its row, or, of the entries of a list, beside the list.
+enum class TooltipPlace { kBelow, kBesideWindow };
+void tooltip(const std::string& text, TooltipPlace place = TooltipPlace::kBelow);
 
 // Dim words, or the reddish ones of a refusal; broken at spaces alone, not within numbers.
 void wrapped_text(const std::string& text, float width);  // broken at spaces where those are enough

@@ -835,6 +835,27 @@ def test_a_recording_is_put_aside_and_brought_back(screen, program, folder):
         assert v.layout().place("Play", "##timeline"), "undo brings no recording back"
 
 
+def test_tooltips_leave_the_row_free_that_they_explain(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
+        def tooltip(*place):
+            v.settle("mousemove", *place)
+            return next(place for name, place in v.layout().windows.items() if name.startswith("##Tooltip"))
+        x, y = v.layout().place("phi", "##side")
+        left, top, width, height = tooltip(x, y)
+        assert top > y + 10, f"a tooltip at {top} for a row at {y}"
+        v.settle("key", "ctrl+plus", "key", "ctrl+plus", "mousemove", *BESIDE)
+        lowest = max((place for name, words, place in v.layout().texts if name == "##side" and words in ("theta", "phi", "Yaw", "Pitch", "Roll", "Speed", "beta")),
+                     key=lambda place: place[1])
+        left, top, width, height = tooltip(lowest[0] + 4, lowest[1] + 4)
+        assert top + height < lowest[1] or top > lowest[1] + lowest[3], f"a tooltip from {top} to {top + height} over a row at {lowest[1]}"
+        assert top + height <= HEIGHT, "a tooltip leaves the window"
+        v.settle("key", "ctrl+minus", "key", "ctrl+minus", "mousemove", *BESIDE)
+        v.click(*MENUS["View"])
+        x, y = v.layout().place("Critical curve", "##Menu")
+        menu = next(place for name, place in v.layout().windows.items() if name.startswith("##Menu"))
+        assert tooltip(x, y)[0] >= menu[0] + menu[2], "an entry's tooltip lies over the menu"
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -856,5 +877,6 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
 if EVERYTHING:
     CASES += [test_an_edit_before_a_flight_is_two_steps_of_undo_away,
               test_a_bookmarks_camera_is_taken_into_another_scene, test_a_recording_is_put_aside_and_brought_back,
+              test_tooltips_leave_the_row_free_that_they_explain,
               test_a_camera_that_side_b_cannot_have_is_refused, test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]
