@@ -13,7 +13,6 @@
 #include "base/text.h"
 #include "plan/body_kind.h"
 #include "scenefile/scene_keys.h"
-#include "viewer/additions.h"
 #include "viewer/panels.h"
 #include "viewer/sections.h"
 #include "viewer/widgets.h"
@@ -23,6 +22,7 @@ namespace {
 
 constexpr float kWidth = 24.0f;       // of the font's size
 constexpr float kLeastWidth = 18.0f;  // likewise: below that it lies over the side panel
+constexpr float kMargin = 0.6f;       // likewise
 constexpr float kNameShare = 0.42f;   // of a row, that names take at most
 constexpr double kPerPixel = 0.005;   // of a number, that a drag over one pixel changes it by
 constexpr double kUnbounded = 1e12;
@@ -211,14 +211,28 @@ std::string heading(const SectionRef& at, const Scene& holder) {
     return at.label;
 }
 
+// All of the screen's where there is too little room beside the side panel.
+float window_width() {
+    const float margin = kMargin * em(), screen = ImGui::GetIO().DisplaySize.x;
+    const float beside = screen - side_panel_right() - 2.0f * margin;
+    return std::min(kWidth * em(), beside >= kLeastWidth * em() ? beside : screen - 2.0f * margin);
+}
+
 }  // namespace
+
+FreePart SceneEditor::free_part(float top, float bottom) {
+    constexpr double kLeast = 0.15;  // of the screen
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    FreePart part;
+    part.left = side_panel_right() / screen.x, part.right = 1.0 - (window_width() + kMargin * em()) / screen.x;
+    part.top = top / screen.y, part.bottom = bottom / screen.y;
+    return part.right - part.left > kLeast && part.bottom - part.top > kLeast ? part : FreePart();
+}
 
 bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
     width_ = 0.0f;
     if (!view.show_editor) return false;
-    const float margin = 0.6f * em(), screen = ImGui::GetIO().DisplaySize.x;
-    const float beside = screen - side_panel_right() - 2.0f * margin;  // the side panel
-    const float width = std::min(kWidth * em(), beside >= kLeastWidth * em() ? beside : screen - 2.0f * margin);
+    const float margin = kMargin * em(), screen = ImGui::GetIO().DisplaySize.x, width = window_width();
     width_ = width + margin;
     ImGui::SetNextWindowPos({screen - width - margin, top + margin});
     ImGui::SetNextWindowSize({width, std::max(bottom - top - 2.0f * margin, 4.0f * em())});
@@ -236,7 +250,7 @@ bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
                 const bool there = (section == "disc" && view.scene.disc) || (section == "split" && view.scene.split) ||
                                    (section == "path" && view.scene.path);
                 if (!there && choice_item(section, false, help_of_section(section)))
-                    changed |= take(view, with_addition(view.scene, section));
+                    changed |= take(view, with_addition(view.scene, section, free_part(top, bottom)));
             }
         });
         if (!fault_.empty()) paragraph(fault_, true);

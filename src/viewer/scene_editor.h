@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scenefile/scene_edit.h"
+#include "viewer/additions.h"
 #include "viewer/view_state.h"
 
 namespace nullscope::viewer {
@@ -15,6 +16,9 @@ public:
     bool draw(ViewState& view, float top, float bottom, bool escape);
 
     float width() const { return width_; }  // that it takes of the window's right in this frame, with the gap beside it
+
+    // What of the window is free between top and bottom, beside the side panel and the editor, open or not; all of it where little is left.
+    static FreePart free_part(float top, float bottom);
 
     // Opens this section, and scrolls to it.
     void reveal(const std::string& label) { reveal_ = label, words_.clear(); }

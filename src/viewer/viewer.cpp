@@ -200,27 +200,28 @@ bool Viewer::panels(const Input& input) {
     const float gap = timeline_panel_.height() > 0.0f ? kStripGap * ImGui::GetFontSize() : 0.0f;
     const bool bookmarks = view_.show_panels && bookmark_panel_.height() > 0.0f;
     const float above = timeline + (bookmarks ? gap + bookmark_panel_.height() : 0.0f);
+    strips_top_ = screen - above;
     if (view_.show_probe)
         probe_.draw(view_.show_panels ? side_panel_right() : 0.0f, below_menu, screen - timeline - gap,
                     view_.show_potential);
-    draw_over_sides(below_menu, screen - above);
+    draw_over_sides(below_menu, strips_top_);
     const FrameFacts facts{picture_,      picture_ms_shown_, moving_ ? fps_shown_ : 0.0, size_,
                            info_,         progress_,         painter_->in_background(),  measured_,
                            not_measured_, choice_,           accuracy_->facts(),         effect_times_};
     if (!settings_.hints_seen && !patient() && picture_.texture != 0 && !tour_.is_open()) draw_hints();
     if (view_.show_panels) {
-        changed |= editor_.draw(view_, below_menu, screen - above, escape);
+        changed |= editor_.draw(view_, below_menu, strips_top_, escape);
         changed |= timeline_panel_.draw(view_, timeline_, film_, side_panel_right(), screen - status_height(), escape);
         if (std::exchange(timeline_panel_.record_pressed, false)) record(), changed = true;
         changed |= draw_bookmarks(screen - timeline - gap, escape);
     }
-    const float top = overlays(below_menu, screen - above - tour_.height());
-    changed |= draw_panels(view_, facts, top, screen - above, escape);
+    const float top = overlays(below_menu, strips_top_ - tour_.height());
+    changed |= draw_panels(view_, facts, top, strips_top_, escape);
     if (const std::string wanted = std::exchange(view_.wanted, {}); !wanted.empty()) {
         leave_scene();
         changed |= static_cast<bool>(load_into(view_, wanted));  // an error is in the panel
     }
-    changed |= tour_panels(view_.show_panels ? side_panel_right() : 0.0f, screen - above - gap);
+    changed |= tour_panels(view_.show_panels ? side_panel_right() : 0.0f, strips_top_ - gap);
     if (const std::string path = save_as_.draw(escape); !path.empty()) save_scene_as(path);
     return (left_ && offer_left_scene()) || changed;
 }

@@ -154,6 +154,7 @@ private:
     Gallery gallery_;
     FileDialog file_dialog_;
     SceneEditor editor_;
+    float strips_top_ = 0.0f;  // of timeline, bookmarks and status line at the window's bottom, in the last frame
     SaveAs save_as_;
     Autosave autosave_;
     Timeline timeline_;

@@ -9,7 +9,6 @@
 
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_writer.h"
-#include "viewer/additions.h"
 #include "viewer/critical_overlay.h"
 #include "viewer/sections.h"
 #include "viewer/viewer.h"
@@ -140,7 +139,7 @@ bool Viewer::paste() {
 }
 
 bool Viewer::add(const std::string& section) {
-    auto added = with_addition(view_.scene, section);
+    auto added = with_addition(view_.scene, section, SceneEditor::free_part(menu_height(), strips_top_));
     if (!added) return say(added.error().message()), false;
     view_.scene = std::move(*added);
     if (view_.scene.disc) view_.hidden_disc = *view_.scene.disc;

@@ -44,4 +44,25 @@ TEST_CASE("additions: planets are in front of the camera, apart from each other,
     }
 }
 
+TEST_CASE("additions: planets lie in the part of the picture that no panel covers") {
+    auto scene = load_scene("first-light");
+    REQUIRE(scene);
+    const FreePart free{0.3, 0.6, 0.1, 0.5};
+    for (int i = 0; i < 6; ++i) {
+        scene = with_addition(*scene, "ball", free);
+        REQUIRE(scene);
+        const auto& ball = std::get<BallSpec>(scene->bodies.back().shape);
+        const CameraSpec& camera = scene->camera;
+        const FlyCamera at = fly_camera(camera);
+        const Vec3 to = transposed(at.world_from_camera) * (ball.position - camera.r * at.place);
+        const double across = camera.plane_width / camera.focal_distance, size = ball.radius / -to.z / across;
+        const double x = 0.5 - to.x / to.z / across, y = 0.5 + to.y / to.z / across * camera.width / camera.height,
+                     tall = size * camera.width / camera.height;
+        CHECK(x - size > free.left);
+        CHECK(x + size < free.right);
+        CHECK(y - tall > free.top);
+        CHECK(y + tall < free.bottom);
+    }
+}
+
 }  // namespace
