@@ -14,6 +14,7 @@
 namespace nullscope::viewer {
 namespace {
 
+constexpr double kClick_px = 3.0;     // that the pointer of a click may move
 constexpr double kFlight = 0.7;       // 1/s: a second of W leaves exp(-0.7), a half, of the distance to the horizon
 constexpr double kTurn = 0.8;         // rad/s of Q and E
 constexpr double kLook = 1.2;         // 1/s, of the field of view: a gamepad's stick
@@ -37,6 +38,7 @@ void store_orientation(const Mat3& world_from_camera, CameraSpec& camera) {
 
 bool Controls::apply(const Input& input, ViewState& view, double dt_s, bool panel_has_mouse, bool panel_has_keys) {
     in_motion_ = false;
+    click_.reset();
     start_drag(input, view.scene.camera, panel_has_mouse);
     bool changed = drag(input, view.scene);
     changed |= wheel(input, view, dt_s, panel_has_mouse);
@@ -56,6 +58,7 @@ void Controls::start_drag(const Input& input, const CameraSpec& camera, bool pan
         return;
     const Button& button = input.*button_;
     x_ = button.pressed_x, y_ = button.pressed_y;
+    farthest_ = 0.0;
     grabbed_ = pixel_direction(camera, x_, y_);
     grabbed_from_ = fly_camera(camera).world_from_camera;
 }
@@ -68,6 +71,8 @@ bool Controls::drag(const Input& input, Scene& scene) {
     const Button& button = input.*button_;
     if (!button.held) drag_ = Drag::kNone;
     const double x = button.held ? input.x : button.released_x, y = button.held ? input.y : button.released_y;
+    farthest_ = std::max(farthest_, std::hypot(x - button.pressed_x, y - button.pressed_y));
+    if (!button.held && kind == Drag::kLook && farthest_ < kClick_px) click_ = {{x, y}};
     if (x == x_ && y == y_) return false;
     if (kind == Drag::kLook && camera.zoom) {
         zoom_along(scene, x - x_, y_ - y);

@@ -24,6 +24,7 @@ constexpr float kMargin = 0.6f;
 
 constexpr std::pair<const char*, const char*> kKeys[] = {
     {"Left drag", "look around"},
+    {"Click on a body", "its section of the scene editor"},
     {"Right drag, Q E", "roll"},
     {"Middle drag", "go round the hole; Alt + drag, too"},
     {"Wheel", "distance to the horizon"},

@@ -286,9 +286,11 @@ bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, bool escap
         reveal_.clear();
     }
     const bool hidden = view.hidden.has(at);
-    if (hidden) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    const Colour ink = hidden ? palette().dim : marked_ == at.label ? palette().accent : palette().text;
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(ink));
     const std::string words = heading(at, holder) + (hidden ? " (hidden)" : "");
     const bool is_open = ImGui::CollapsingHeader(fmt::format("{}###{}", words, at.label).c_str(), open);
+    if (!hidden) ImGui::PopStyleColor();
     bool changed = false;
     if (is_open) {
         changed = draw_buttons(view, at);
@@ -326,6 +328,7 @@ bool SceneEditor::draw_buttons(ViewState& view, const SectionRef& at) {
     if (button("Remove")) {
         if (!take(view, without_section(view.scene, at))) return false;
         view.hidden.removed(at);
+        marked_.clear();
         return true;
     }
     if (!is_of_several(at.section)) return false;
@@ -333,6 +336,7 @@ bool SceneEditor::draw_buttons(ViewState& view, const SectionRef& at) {
     if (button("Duplicate")) {
         if (!take(view, with_copy(view.scene, at))) return false;
         view.hidden.copied(at);
+        marked_.clear();
         return true;
     }
     if (!HiddenBodies::is_body(at)) return false;

@@ -20,8 +20,8 @@ public:
     // What of the window is free between top and bottom, beside the side panel and the editor, open or not; all of it where little is left.
     static FreePart free_part(float top, float bottom);
 
-    // Opens this section, and scrolls to it.
-    void reveal(const std::string& label) { reveal_ = label, words_.clear(); }
+    // Opens this section, scrolls to it and marks it, until another one is or sections are removed or copied.
+    void reveal(const std::string& label) { reveal_ = marked_ = label, words_.clear(); }
 
 private:
     bool draw_section(ViewState& view, const SectionRef& at, bool escape);
@@ -31,7 +31,7 @@ private:
     bool take(ViewState& view, Result<Scene> edited);
     bool matches(const SceneKey& key) const;
 
-    std::string words_, fault_, reveal_;
+    std::string words_, fault_, reveal_, marked_;
     float width_ = 0.0f;
 };
 

@@ -243,6 +243,7 @@ bool Viewer::move(const Input& input, double dt) {
     const ImGuiIO& io = ImGui::GetIO();
     bool moved = controls_.apply(input, view_, dt, io.WantCaptureMouse || divider_.has_mouse(),
                                  io.WantCaptureKeyboard || gallery_.is_open());
+    if (const auto place = controls_.click(); place && view_.show_panels) pick((*place)[0], (*place)[1]);
     const bool fell = view_.fall.runs();
     moved |= view_.fall.step(view_.scene, dt);
     if (fell && view_.fall.active() && !view_.fall.runs() && view_.fall.tau() >= view_.fall.line().last())

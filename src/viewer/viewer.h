@@ -89,6 +89,7 @@ private:
     bool step_history(bool back);
     bool paste();
     bool add(const std::string& section);
+    void pick(double x, double y);  // the body there
     void close_topmost();
     void toggle_critical_curve();
     void toggle_potential();

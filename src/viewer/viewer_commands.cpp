@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/bodies.h"
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_writer.h"
 #include "viewer/critical_overlay.h"
+#include "viewer/picking.h"
 #include "viewer/sections.h"
 #include "viewer/viewer.h"
 
@@ -150,6 +152,19 @@ bool Viewer::add(const std::string& section) {
     editor_.reveal(label);
     say(fmt::format("Added {}: its numbers and colours are in the scene editor; Ctrl + Z takes it back", label));
     return true;
+}
+
+// What is on the screen is asked, and looked for in the scene as it is now.
+void Viewer::pick(double x, double y) {
+    const Scene& drawn = shown_side_b() != nullptr && x >= divider_.x() ? shown_side_b()->scene : picture_.job.scene;
+    const auto hit = picture_.texture != 0 ? body_at(drawn, x, y) : std::nullopt;
+    if (!hit) return;
+    const auto found = std::ranges::find(view_.scene.bodies, drawn.bodies[*hit]);
+    if (found == view_.scene.bodies.end()) return;
+    const auto number = static_cast<std::size_t>(found - view_.scene.bodies.begin());
+    view_.show_editor = true;
+    editor_.reveal(body_section(view_.scene, number));
+    frames_due_ = kSettlingFrames;
 }
 
 void Viewer::toggle_critical_curve() {

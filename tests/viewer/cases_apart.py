@@ -856,6 +856,25 @@ def test_tooltips_leave_the_row_free_that_they_explain(screen, program, folder):
         assert tooltip(x, y)[0] >= menu[0] + menu[2], "an entry's tooltip lies over the menu"
 
 
+def test_a_click_on_a_body_opens_it_in_the_editor(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene=SCENE + BODIES) as v:
+        def press(x, y, *drag):
+            for step in [["mousemove", x, y], ["mousedown", 1], [*drag, "mouseup", 1], ["mousemove", *BESIDE]]:
+                v.settle(*step)
+            return "Scene" in v.layout().windows
+        assert not press(665, 400), "a click on the disc before the ball opens the editor"
+        assert not press(600, 60), "a click on the sky opens the editor"
+        assert not press(665, 500, "mousemove", 680, 500), "a drag that begins on the ball opens the editor"
+        v.settle("key", "r")
+        assert press(420, 270), "a click on the sphere does not open the editor"
+        assert v.layout().place("Remove", "Scene"), v.layout().words()
+        assert "radius" in v.layout().words(), v.layout().words()
+        v.settle("key", "ctrl+e")
+        v.settle("mousemove", 665, 500, "mousedown", 1)
+        v.settle("mouseup", 1, "mousemove", *BESIDE)
+        assert v.layout().place("position", "Scene"), f"the ball's section is shut: {v.layout().words()}"
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -877,6 +896,6 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
 if EVERYTHING:
     CASES += [test_an_edit_before_a_flight_is_two_steps_of_undo_away,
               test_a_bookmarks_camera_is_taken_into_another_scene, test_a_recording_is_put_aside_and_brought_back,
-              test_tooltips_leave_the_row_free_that_they_explain,
+              test_tooltips_leave_the_row_free_that_they_explain, test_a_click_on_a_body_opens_it_in_the_editor,
               test_a_camera_that_side_b_cannot_have_is_refused, test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]
