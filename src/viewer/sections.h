@@ -15,8 +15,7 @@ void scene_section(ViewState& view, bool escape);  // what is to be opened: view
 bool camera_section(ViewState& view);
 bool boost_section(ViewState& view);
 bool fall_section(ViewState& view);
-Status release(
-    ViewState& view);  // the camera falls freely from here, the whole of it in some 20 s unless a rate was chosen
+Status release(ViewState& view);  // the camera falls freely from here
 bool clock_section(ViewState& view);
 inline constexpr double kClockStep_s = 0.1;
 bool step_clock(ViewState& view, double dt_s);  // the scene's clock goes on; true if anything moved

@@ -43,23 +43,18 @@ std::string events(const Worldline& line) {
     return text;
 }
 
-// Real time to scene time or the camera's own.
-void rate_row(double& rate, double least, const char* help) {
-    slide_as("Rate", rate, least, 1e3, fmt::format("{:.3g} r_s/c per second", rate), help, Scale::kLogarithmic);
-}
+std::string rate_words(double rate) { return fmt::format("{:.3g} r_s/c per second", rate); }
 
 }  // namespace
 
 Status release(ViewState& view) {
-    constexpr double kWholeFall_s = 20.0, kLongFall = 1e4;
     TRY(gone, view.fall.let_go(view.scene));
-    const double whole = view.fall.line().last();
-    if (view.fall.rate == Fall().rate && whole < kLongFall) view.fall.rate = std::max(whole / kWholeFall_s, 0.01);
     view.clock_runs = false;
     return Done{};
 }
 
 bool fall_section(ViewState& view) {
+    constexpr double kLongSlider = 1e4;  // r_s/c, of an orbit
     Fall& fall = view.fall;
     const auto spacetime = spacetime_of(view.scene);
     if (spacetime == nullptr) return false;
@@ -81,11 +76,16 @@ bool fall_section(ViewState& view) {
                         "On the circular geodesic of this radius, outside the photon sphere; in free fall it stays "
                         "there."))
         changed = hold(view, ObserverKind::kOrbit, *spacetime);
-    rate_row(fall.rate, 1e-3, "Proper time of the camera per second of real time, r_s/c.");
+    slide_as("Rate", fall.haste, 1e-2, 1e2, rate_words(fall.rate()),
+             "Proper time of the camera per second of real time. A fall slows down as it comes near, and takes some 20 "
+             "s from "
+             "anywhere; drag to hurry it or to slow it down.",
+             Scale::kLogarithmic);
     if (!fall.active()) return changed;
     double tau = fall.tau();
-    if (slide_as("Proper time", tau, 0.0, std::min(fall.line().last(), 1e4), fmt::format("{:.4f} r_s/c", tau),
-                 "Proper time since the camera was released. Drag to change it.")) {
+    const bool ends = fall.line().end() != WorldlineEnd::kOpen;
+    if (slide_as("Proper time", tau, 0.0, ends ? fall.line().last() : std::min(fall.line().last(), kLongSlider),
+                 fmt::format("{:.4f} r_s/c", tau), "Proper time since the camera was released. Drag to change it.")) {
         fall.run(false);
         fall.seek(view.scene, tau);
         changed = true;
@@ -109,7 +109,8 @@ bool clock_section(ViewState& view) {
     if (button_of_three(1, "Step back", "A tenth of a second at this rate.")) steps = -1.0;
     if (button_of_three(2, "Step", "A tenth of a second at this rate.")) steps = 1.0;
     scene.time += steps * kClockStep_s * view.clock_rate;
-    rate_row(view.clock_rate, 1e-2, "Scene time per second of real time, r_s/c.");
+    slide_as("Rate", view.clock_rate, 1e-2, 1e3, rate_words(view.clock_rate), "Scene time per second of real time.",
+             Scale::kLogarithmic);
     bool changed = slide_as("Time", scene.time, 0.0, kSpan, fmt::format("{:.3f} r_s/c", scene.time),
                             "Drag to change the time.", Scale::kLogarithmic);
     changed |= steps != 0.0;

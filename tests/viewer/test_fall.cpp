@@ -25,12 +25,12 @@ TEST_CASE("fall: a clock that runs, stops, is turned back, and ends") {
     CHECK(fall.runs());
     CHECK(fall.step(scene, 1.0));
     CHECK(scene.camera.r < 5.0);
-    const double r = scene.camera.r;
+    const double r = scene.camera.r, tau = fall.tau();
     fall.run(false);
     CHECK_FALSE(fall.step(scene, 1.0));
     fall.seek(scene, 0.0);
     CHECK(std::fabs(scene.camera.r - 5.0) < 1e-9);
-    fall.seek(scene, 1.0);
+    fall.seek(scene, tau);
     CHECK(scene.camera.r == doctest::Approx(r));
     fall.run(true);
     for (int i = 0; i < 100 && fall.runs(); ++i) fall.step(scene, 1.0);
@@ -54,11 +54,33 @@ TEST_CASE("fall: who turns the camera lets it fall on from there") {
     CHECK(fall.runs());
 }
 
+TEST_CASE("fall: from anywhere it takes 20 s, the end of it slowly, also for who turns meanwhile") {
+    constexpr double kStep_s = 1.0 / 16;
+    for (const ObserverKind observer : {ObserverKind::kStatic, ObserverKind::kRain})
+        for (const double r : {2.0, 10.0, 300.0, 1e4, 1e6, 1e9})
+            for (const bool turns : {false, true}) {
+                CAPTURE(r);
+                Scene scene = scene_at(r, observer);
+                Fall fall;
+                REQUIRE(fall.let_go(scene));
+                double passed_s = 0.0, inside_s = 0.0;
+                for (; fall.runs() && passed_s < 60.0; passed_s += kStep_s) {
+                    CHECK(fall.step(scene, kStep_s));
+                    if (turns) scene.camera.yaw += 0.01;
+                    if (scene.camera.r < 1.0) inside_s += kStep_s;
+                }
+                CHECK_FALSE(fall.runs());
+                CHECK(std::fabs(passed_s - 20.0) < (turns ? 1.0 : 2 * kStep_s));
+                CHECK(inside_s > 0.9);
+                CHECK(fall.rate() < 0.26);
+            }
+}
+
 TEST_CASE("fall: an orbit stays an orbit") {
     Scene scene = scene_at(6.0, ObserverKind::kOrbit);
     Fall fall;
     REQUIRE(fall.let_go(scene));
-    fall.rate = 50.0;
+    fall.haste = 50.0;
     for (int i = 0; i < 20; ++i) fall.step(scene, 1.0);
     CHECK(std::fabs(scene.camera.r - 6.0) < 1e-6);
 }
@@ -71,7 +93,7 @@ TEST_CASE("fall: about a rotating hole the clock runs through the horizon and en
     REQUIRE(fall.let_go(scene));
     REQUIRE(fall.line().horizon_time());
     CHECK(fall.line().end() == WorldlineEnd::kSurface);
-    fall.rate = 100.0;
+    fall.haste = 1e4;
     CHECK(fall.step(scene, 1.0));
     CHECK_FALSE(fall.runs());
     CHECK(scene.camera.observer == ObserverKind::kRain);
