@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -29,6 +30,16 @@ fs::path capture_program() {
 
 }  // namespace
 
+std::string film_words(double share, int frames, std::optional<double> left_s) {
+    if (share <= 0.0) return fmt::format("{} frames", frames);
+    std::string words = fmt::format("frame {:.0f} of {}", share * frames, frames);
+    constexpr double kMinute = 60.0, kHour = 3600.0;
+    if (!left_s) return words;
+    if (*left_s < kMinute) return words + fmt::format(", {:.0f} s left", *left_s);
+    if (*left_s < 1.5 * kHour) return words + fmt::format(", {:.0f} min left", *left_s / kMinute);
+    return words + fmt::format(", {:.1f} h left", *left_s / kHour);
+}
+
 Status FilmExport::start(const Scene& scene, const std::string& output) {
     cancel();
     const fs::path program = capture_program();
@@ -36,11 +47,13 @@ Status FilmExport::start(const Scene& scene, const std::string& output) {
     std::error_code error;
     const fs::path home = state_folder(), folder = home.empty() ? fs::temp_directory_path(error) : home;
     fs::create_directories(folder, error);
-    const fs::path file = folder / "film.toml";  // one name: the same film goes on where it was left
-    TRY(written, write_text_atomically(file, scene_file_text(scene, {})));
+    file_ = folder / fmt::format("film-{}.toml", ::getpid());
+    Scene named = scene;
+    if (named.name.empty()) named.name = "film";  // not the file's name: the same film goes on where it was left
+    TRY(written, write_text_atomically(file_, scene_file_text(named, {})));
     std::vector<std::string> words = {program.string(),
                                       "capture",
-                                      file.string(),
+                                      file_.string(),
                                       "-o",
                                       output,
                                       "--size",
@@ -51,10 +64,22 @@ Status FilmExport::start(const Scene& scene, const std::string& output) {
             words.push_back(word);
     TRY(started, process_.start(std::move(words)));
     ::setpriority(PRIO_PROCESS, static_cast<id_t>(process_.id()), kNiceness);
-    share_ = 0.0;
+    share_ = 0.0, left_s_.reset(), frames_ = scene.path->frames;
     output_ = output, said_.clear(), line_.clear(), message_.clear();
     return Done{};
 }
+
+void FilmExport::cancel() {
+    process_.end();
+    remove_file();
+}
+
+void FilmExport::remove_file() {
+    std::error_code error;
+    if (!file_.empty()) fs::remove(std::exchange(file_, {}), error);
+}
+
+std::string FilmExport::progress_words() const { return film_words(share_, frames_, left_s_); }
 
 // Lines "frames: 37% (12.1 s, 20 s left)"; of others the last is kept, for it may say what went wrong.
 void FilmExport::read_output() {
@@ -64,8 +89,11 @@ void FilmExport::read_output() {
             continue;
         }
         int percent = 0;
-        if (std::sscanf(line_.c_str(), "frames: %d%%", &percent) == 1)
-            share_ = 0.01 * percent;
+        double passed_s = 0.0, left_s = 0.0;
+        if (const int read =
+                std::sscanf(line_.c_str(), "frames: %d%% (%lf s, %lf s left)", &percent, &passed_s, &left_s);
+            read >= 1)
+            share_ = 0.01 * percent, left_s_ = read == 3 ? std::optional(left_s) : std::nullopt;
         else if (!line_.empty())
             said_ = line_;
         line_.clear();
@@ -78,6 +106,7 @@ bool FilmExport::poll() {
     const auto status = process_.poll();
     read_output();
     if (!status) return share_ != before;
+    remove_file();
     message_ = *status == 0 ? fmt::format("Film drawn: {}", output_) : without_controls("No film: " + said_);
     return true;
 }

@@ -106,7 +106,7 @@ bool TimelinePanel::draw_buttons(ViewState& view, Timeline& timeline) {
 
 void TimelinePanel::draw_film(const ViewState& view, FilmExport& film, bool escape) {
     if (film.runs()) {
-        ImGui::ProgressBar(static_cast<float>(film.share()), {-6.0f * em(), 0.0f});
+        ImGui::ProgressBar(static_cast<float>(film.share()), {-6.0f * em(), 0.0f}, film.progress_words().c_str());
         ImGui::SameLine();
         if (ImGui::Button("Cancel")) {
             film.cancel();

@@ -299,7 +299,9 @@ def test_a_flight_is_recorded_played_saved_and_filmed(screen, program, folder):
         for place in FILM:
             v.click(*place)
         pictures = lambda: list(Path(v.folder).glob("*.png"))
+        wait_until("a file of this viewer's own has the film's scene", (v.settings.parent / f"film-{v.process.pid}.toml").exists, HUNG_S)
         wait_until("the film's frames are drawn", lambda: len(pictures()) == frames, HUNG_S)
+        wait_until("the film's scene file is removed", lambda: not list(v.settings.parent.glob("film*")), HUNG_S)
         picture = read_png(pictures()[0])
         assert (picture.width, picture.height) == (1280, 720), f"frames of {picture.width}x{picture.height}"
 
