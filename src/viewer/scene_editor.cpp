@@ -343,7 +343,7 @@ bool SceneEditor::draw_buttons(ViewState& view, const SectionRef& at) {
     ImGui::SameLine();
     const bool pressed = button(view.hidden.has(at) ? "Show###hide" : "Hide###hide");
     if (pressed) view.hidden.toggle(at);
-    tooltip("A hidden body stays in the scene and in its file, but is not drawn.");
+    tooltip("A hidden body stays in the scene and in its file, but is not drawn, nor in films.");
     return pressed;
 }
 

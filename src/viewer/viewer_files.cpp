@@ -98,6 +98,7 @@ void Viewer::follow_film() {
     if (!timeline_panel_.refusal.empty()) say(std::exchange(timeline_panel_.refusal, {}));
     if (const auto wish = std::exchange(timeline_panel_.film_wish, std::nullopt)) {
         Scene scene = timeline_.to_save(view_.scene);
+        view_.hidden.leave_out(scene);
         set_size(scene, wish->width, wish->height);
         if (Status started = film_.start(scene, std::filesystem::absolute(wish->output).string()); !started)
             say(started.error().message());

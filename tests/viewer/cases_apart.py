@@ -877,6 +877,24 @@ def test_a_click_on_a_body_opens_it_in_the_editor(screen, program, folder):
         assert v.layout().place("position", "Scene"), f"the ball's section is shut: {v.layout().words()}"
 
 
+def test_a_hidden_body_is_left_out_of_films(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene=SCENE + BODIES) as v:
+        press = lambda words, window="": v.click(*v.layout().place(words, window))
+        v.settle("mousemove", 420, 270, "mousedown", 1)
+        v.settle("mouseup", 1, "mousemove", *BESIDE)     # the sphere's section
+        press("Hide", "Scene")
+        v.settle("key", "ctrl+e", "key", "ctrl+t")
+        press("Set key", "##timeline")
+        press("Film...", "##timeline")
+        press("Frames (.png)")
+        press("Draw")
+        file = v.settings.parent / f"film-{v.process.pid}.toml"
+        scene = tomllib.loads(wait_until("the film's scene", lambda: file.exists() and file.read_text(), HUNG_S))
+        assert "ball" in scene and "sphere" not in scene, f"the film has {list(scene)}"
+        press("Cancel", "##timeline")
+        assert not file.exists(), "the scene of a film that was cancelled stays"
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -899,5 +917,6 @@ if EVERYTHING:
     CASES += [test_an_edit_before_a_flight_is_two_steps_of_undo_away,
               test_a_bookmarks_camera_is_taken_into_another_scene, test_a_recording_is_put_aside_and_brought_back,
               test_tooltips_leave_the_row_free_that_they_explain, test_a_click_on_a_body_opens_it_in_the_editor,
+              test_a_hidden_body_is_left_out_of_films,
               test_a_camera_that_side_b_cannot_have_is_refused, test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]
