@@ -22,36 +22,37 @@ struct Entry {
     const char* keys;  // as they are written
     int key;           // GLFW's; 0: none
     bool control, shift;
-    bool ViewState::*shown;  // what it switches, or nullptr
+    bool ViewState::*shown;     // what it switches, or nullptr
+    bool begins_group = false;  // a line is above it
 };
 
 constexpr std::array kEntries = {
     Entry{Command::kGallery, "File", "Open...", "Ctrl+O", GLFW_KEY_O, true, false, nullptr},
-    Entry{Command::kSave, "File", "Save scene", "Ctrl+S", GLFW_KEY_S, true, false, nullptr},
+    Entry{Command::kSave, "File", "Save scene", "Ctrl+S", GLFW_KEY_S, true, false, nullptr, true},
     Entry{Command::kSaveAs, "File", "Save scene as...", "Ctrl+Shift+S", GLFW_KEY_S, true, true, nullptr},
     Entry{Command::kSavePicture, "File", "Save picture", "F12", GLFW_KEY_F12, false, false, nullptr},
     Entry{Command::kReload, "File", "Reload", "F5", GLFW_KEY_F5, false, false, nullptr},
-    Entry{Command::kQuit, "File", "Quit", "Ctrl+Q", GLFW_KEY_Q, true, false, nullptr},
+    Entry{Command::kQuit, "File", "Quit", "Ctrl+Q", GLFW_KEY_Q, true, false, nullptr, true},
     Entry{Command::kUndo, "Edit", "Undo", "Ctrl+Z", GLFW_KEY_Z, true, false, nullptr},
     Entry{Command::kRedo, "Edit", "Redo", "Ctrl+Shift+Z", GLFW_KEY_Z, true, true, nullptr},
-    Entry{Command::kCopyView, "Edit", "Copy view", "Ctrl+C", GLFW_KEY_C, true, false, nullptr},
+    Entry{Command::kCopyView, "Edit", "Copy view", "Ctrl+C", GLFW_KEY_C, true, false, nullptr, true},
     Entry{Command::kPasteView, "Edit", "Paste view", "Ctrl+V", GLFW_KEY_V, true, false, nullptr},
-    Entry{Command::kResetCamera, "Edit", "Reset camera", "R", GLFW_KEY_R, false, false, nullptr},
+    Entry{Command::kResetCamera, "Edit", "Reset camera", "R", GLFW_KEY_R, false, false, nullptr, true},
     Entry{Command::kPanels, "View", "Panels", "Tab", GLFW_KEY_TAB, false, false, &ViewState::show_panels},
     Entry{Command::kEditor, "View", "Scene editor", "Ctrl+E", GLFW_KEY_E, true, false, &ViewState::show_editor},
     Entry{Command::kTimeline, "View", "Timeline", "Ctrl+T", GLFW_KEY_T, true, false, &ViewState::show_timeline},
-    Entry{Command::kErrors, "View", "Errors of pixels", "H", GLFW_KEY_H, false, false, &ViewState::show_errors},
+    Entry{Command::kErrors, "View", "Errors of pixels", "H", GLFW_KEY_H, false, false, &ViewState::show_errors, true},
     Entry{Command::kProbe, "View", "Ray of a pixel", "P", GLFW_KEY_P, false, false, &ViewState::show_probe},
-    Entry{Command::kFullScreen, "View", "Full screen", "F11", GLFW_KEY_F11, false, false, nullptr},
+    Entry{Command::kPotential, "View", "Effective potential", "", 0, false, false, &ViewState::show_potential},
+    Entry{Command::kCriticalCurve, "View", "Critical curve", "K", GLFW_KEY_K, false, false, &ViewState::show_critical},
+    Entry{Command::kClockOverlay, "View", "Clock and redshift", "", 0, false, false, &ViewState::show_clock},
+    Entry{Command::kCompare, "View", "Compare with this", "X", GLFW_KEY_X, false, false, nullptr, true},
+    Entry{Command::kBookmark, "View", "Bookmark this view", "Ctrl+B", GLFW_KEY_B, true, false, nullptr, true},
+    Entry{Command::kBookmarks, "View", "Bookmarks", "B", GLFW_KEY_B, false, false, &ViewState::show_bookmarks},
+    Entry{Command::kFullScreen, "View", "Full screen", "F11", GLFW_KEY_F11, false, false, nullptr, true},
     Entry{Command::kLargerText, "View", "Larger text", "Ctrl++", GLFW_KEY_EQUAL, true, false, nullptr},
     Entry{Command::kSmallerText, "View", "Smaller text", "Ctrl+-", GLFW_KEY_MINUS, true, false, nullptr},
-    Entry{Command::kCriticalCurve, "View", "Critical curve", "K", GLFW_KEY_K, false, false, &ViewState::show_critical},
-    Entry{Command::kPotential, "View", "Effective potential", "", 0, false, false, &ViewState::show_potential},
-    Entry{Command::kBookmark, "View", "Bookmark this view", "Ctrl+B", GLFW_KEY_B, true, false, nullptr},
-    Entry{Command::kBookmarks, "View", "Bookmarks", "B", GLFW_KEY_B, false, false, &ViewState::show_bookmarks},
     Entry{Command::kLightTheme, "View", "Light theme", "", 0, false, false, &ViewState::light_theme},
-    Entry{Command::kClockOverlay, "View", "Clock and redshift", "", 0, false, false, &ViewState::show_clock},
-    Entry{Command::kCompare, "View", "Compare with this", "X", GLFW_KEY_X, false, false, nullptr},
     Entry{Command::kAddPlanet, "Add", "Planet (ball)", "", 0, false, false, nullptr},
     Entry{Command::kAddDisc, "Add", "Disc", "", 0, false, false, nullptr},
     Entry{Command::kAddSpot, "Add", "Hot spot in the disc", "", 0, false, false, nullptr},
@@ -98,6 +99,7 @@ std::optional<Command> draw_menu(const ViewState& view, bool escape) {
         if (escape) ImGui::CloseCurrentPopup();
         for (const Entry& entry : kEntries) {
             if (entry.menu != menu) continue;
+            if (entry.begins_group) ImGui::Separator();
             const bool compared = entry.command == Command::kCompare && view.side_b != nullptr;
             if (ImGui::MenuItem(entry.name, entry.keys, compared || (entry.shown != nullptr && view.*entry.shown)))
                 chosen = entry.command;

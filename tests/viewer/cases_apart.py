@@ -110,15 +110,13 @@ def test_the_first_visit_has_hints_and_the_next_has_none(screen, program, folder
 
 
 def test_menus_do_what_they_say(screen, program, folder):
-    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}") as v:
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
         keys = v.picture(KEYS)
-        v.click(*MENUS["Help"])
-        v.click(MENUS["Help"][0] + 20, MENU_ENTRY(0))
+        v.choose("Help", "Keys")
         assert v.picture(KEYS).changed(keys, CHANGED), "Help, Keys shows no keys"
         v.settle("key", "F1")
         small = v.picture(SIDE)
-        v.click(*MENUS["View"])
-        v.click(MENUS["View"][0] + 20, MENU_ENTRY(6))
+        v.choose("View", "Larger text")
         assert v.picture(SIDE).changed(small, CHANGED), "View, Larger text changes nothing"
         assert "text_scale = 1.25" in v.settings.read_text(), "the size of text is not kept"
         v.settle("key", "ctrl+minus")
@@ -127,14 +125,14 @@ def test_menus_do_what_they_say(screen, program, folder):
         v.settle("key", "Escape")
         assert v.process.poll() is None, "Escape quits while a menu is open"
         v.click(*MENUS["File"])
-        v.hands("mousemove", MENUS["File"][0] + 20, MENU_ENTRY(5), "mousedown", 1)
+        v.hands("mousemove", *v.layout().place("Quit", "##Menu"), "mousedown", 1)
         v.hands("mouseup", 1)
         assert v.process.wait(timeout=HUNG_S) == 0, "File, Quit does not quit"
 
 
 def test_the_critical_curve_is_synges_circle_and_the_potential_is_drawn(screen, program, folder):
     r, curve, potential = 22.0, (120, 255, 150), (245, 171, 84)
-    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=f'[camera]\nr = {r}\nfov = 30\n[sky]\nkind = "black"\n') as v:
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene=f'[camera]\nr = {r}\nfov = 30\n[sky]\nkind = "black"\n') as v:
         v.settle("key", "Tab")
         area = (0, 0, WIDTH, HEIGHT)
 
@@ -157,8 +155,7 @@ def test_the_critical_curve_is_synges_circle_and_the_potential_is_drawn(screen, 
         assert abs(middle(places()) - middle(home) - 60) < 3, "the curve does not follow a drag"
         v.settle("key", "r", "key", "Tab", "key", "p", "mousemove", 440, 300)
         assert v.count(INSET, potential) == 0, "a potential that nobody asked for"
-        v.click(*MENUS["View"])
-        v.click(MENUS["View"][0] + 20, MENU_ENTRY(9))
+        v.choose("View", "Effective potential")
         v.settle("mousemove", 440, 300)
         assert v.count((300, 200, 830, 560), potential) > 20, "View, Effective potential draws none"
         v.settle("key", "k", "key", "Tab", "key", "p")
@@ -166,11 +163,10 @@ def test_the_critical_curve_is_synges_circle_and_the_potential_is_drawn(screen, 
 
 
 def test_a_planet_is_added_saved_under_a_name_and_escape_closes_one_thing_at_a_time(screen, program, folder):
-    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}") as v:
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
         v.settle()
         bare = v.picture(ADDED)
-        v.click(*MENUS["Add"])
-        v.click(MENUS["Add"][0] + 20, MENU_ENTRY(0))
+        v.choose("Add", "Planet")
         v.settle("key", "F1")
         v.settle("key", "Escape")     # the editor that adding has opened
         v.settle("key", "Escape")     # the list of keys
@@ -191,10 +187,9 @@ def test_a_planet_is_added_saved_under_a_name_and_escape_closes_one_thing_at_a_t
 
 
 def test_a_tour_is_led_forward_and_back_and_closed(screen, program, folder):
-    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}") as v:
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
         home = v.picture(TOUR)
-        v.click(*MENUS["Help"])
-        v.click(MENUS["Help"][0] + 20, MENU_ENTRY(2))
+        v.choose("Help", "Guided tours")
         v.click(*FIRST_TOUR)
         assert v.title() == "Black ball - nullscope", v.title()
         ball, panel = v.picture(TOURED), v.picture(TOUR)
@@ -588,11 +583,10 @@ def test_a_drag_goes_round_the_hole_at_constant_r(screen, program, folder):
 
 
 def test_the_light_theme_is_switched_and_kept(screen, program, folder):
-    start = lambda again: Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", first_visit=again, home=folder)
+    start = lambda again: Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", first_visit=again, home=folder)
 
     def switch(v):
-        v.click(*MENUS["View"])
-        v.click(MENUS["View"][0] + 20, MENU_ENTRY(LIGHT_THEME))
+        v.choose("View", "Light theme")
     with start(False) as v:
         dark, picture = v.picture(SIDE), v.picture()
         switch(v)

@@ -57,8 +57,6 @@ TOURED, GALLERY_TOUR = (320, 60, 820, 400), (160, 65)     # no panel and no mess
 FILM = [(598, 548), (597, 440), (610, 498)]     # the button, the box for frames, and what draws them
 FIRST_CARD, HINTS = (120, 150), (320, 440, 640, 515)
 MENUS = {name: (x, 10) for name, x in [("File", 24), ("Edit", 62), ("View", 104), ("Add", 146), ("Path", 188), ("Help", 231)]}
-MENU_ENTRY = lambda number: 38 + 19 * number
-LIGHT_THEME = 12     # of the menu View
 RIGHT = (560, 200, 820, 490)       # the ball is there, the tooltip of a row is not
 BOOKMARK, BOOKMARK_PICTURE, BOOKMARK_RESTORE, NOT_SHOWN = (306, 440, 470, 532), (350, 470), (495, 529), (302, 414, 460, 434)
 # Colours.
@@ -189,6 +187,11 @@ class Viewer:
         """On a panel; Dear ImGui 1.86 sees the pointer where it is during a frame, not where it was at the click."""
         for step in [["mousemove", x, y], ["mousedown", 1], ["mouseup", 1], ["mousemove", *BESIDE]]:
             self.settle(*step)
+
+    def choose(self, menu, entry):
+        """Of a viewer with --layout layout.txt."""
+        self.click(*MENUS[menu])
+        self.click(*self.layout().place(entry, "##Menu"))
 
     def toggle(self, x, y):
         before = self.picture(PANEL)
