@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "viewer/boost_words.h"
 #include "viewer/fly_camera.h"
 #include "viewer/sections.h"
 #include "viewer/widgets.h"
@@ -63,7 +64,7 @@ bool preset_buttons(ViewState& view, const Spacetime& spacetime) {
         button_of_three(1, "Eastward",
                         orbit ? fmt::format("At the speed of the circular orbit: {:.4f} c here.", *orbit)
                               : "There is no circular orbit at this radius: the speed stays.");
-    const bool rests = button_of_three(2, "Rest", "At rest in the static frame.");
+    const bool rests = button_of_three(2, "Rest", "At rest in the frame of the observer.");
     if (falls) preset(view, {-1, 0, 0}, fall);
     if (orbits) preset(view, {0, 0, 1}, orbit.value_or(0.0));
     if (rests) view.scene.camera.velocity = {};
@@ -71,7 +72,9 @@ bool preset_buttons(ViewState& view, const Spacetime& spacetime) {
 }
 
 bool direction_row(ViewState& view) {
-    row("Direction", "Direction of the motion in the static frame: outward, south, east. Normalised to length 1.");
+    row("Direction",
+        "Direction of the boost in the frame of the observer (camera.observer): outward, south, east. Normalised to "
+        "length 1.");
     double parts[3] = {view.boost_direction.x, view.boost_direction.y, view.boost_direction.z};
     if (!ImGui::DragScalarN("##direction", ImGuiDataType_Double, parts, 3, 0.01f, nullptr, nullptr, "%.2f"))
         return false;
@@ -108,17 +111,19 @@ bool boost_section(ViewState& view) {
     if (speed > 0.0) view.boost_direction = camera.velocity / speed;
     double rapidity = std::atanh(std::min(speed, kFastest));
     const double gamma = 1.0 / std::sqrt((1.0 - speed) * (1.0 + speed));
-    bool changed = slide_as(
-        "Speed", rapidity, 0.0, std::atanh(kFastest), fmt::format("gamma = {:.4g}", gamma),
-        "Speed of the camera in the static frame, as a fraction of the speed of light; the slider is linear in "
-        "rapidity.");
+    bool changed = slide_as("Speed", rapidity, 0.0, std::atanh(kFastest), fmt::format("gamma = {:.4g}", gamma),
+                            "Speed of the camera in the frame of the observer, as a fraction of the speed of light; "
+                            "the slider is linear in "
+                            "rapidity.");
     if (changed) set_velocity(view, std::tanh(rapidity));
     speed = length(camera.velocity);
     const bool typed = type_number("beta", speed, 0.0, kFastest, "%.6f c", "v/c as a number to type.");
     if (typed) set_velocity(view, speed);
     changed |= direction_row(view) || typed;
     const auto spacetime = spacetime_of(view.scene);
-    return (spacetime != nullptr && preset_buttons(view, *spacetime)) || changed;
+    changed |= spacetime != nullptr && preset_buttons(view, *spacetime);
+    if (length(camera.velocity) > 0.0) paragraph(boost_words(camera));
+    return changed;
 }
 
 bool lens_section(ViewState& view) {
