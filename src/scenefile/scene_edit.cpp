@@ -27,15 +27,6 @@ std::vector<std::size_t> places_of(const Scene& scene, const BodyKind& kind) {
     return places;
 }
 
-// Makes the section the last of its kind, or undoes that.
-void exchange_with_last(Scene& scene, const SectionRef& at) {
-    if (at.section == "spot" && at.index < scene.spots.size()) std::swap(scene.spots[at.index], scene.spots.back());
-    if (const BodyKind* kind = body_kind(at.section)) {
-        const auto places = places_of(scene, *kind);
-        if (at.index < places.size()) std::swap(scene.bodies[places[at.index]], scene.bodies[places.back()]);
-    }
-}
-
 // The error is one of the scene, not of the text that is read again.
 Error without_place(Error error) {
     error.file.clear(), error.line = 0;
@@ -56,6 +47,14 @@ std::vector<SectionRef> scene_sections(const Scene& scene) {
         sections.push_back({std::string(section), seen[std::string(section)]++, label});
     });
     return sections;
+}
+
+void exchange_with_last(Scene& scene, const SectionRef& at) {
+    if (at.section == "spot" && at.index < scene.spots.size()) std::swap(scene.spots[at.index], scene.spots.back());
+    if (const BodyKind* kind = body_kind(at.section)) {
+        const auto places = places_of(scene, *kind);
+        if (at.index < places.size()) std::swap(scene.bodies[places[at.index]], scene.bodies[places.back()]);
+    }
 }
 
 Scene section_holder(const Scene& scene, const SectionRef& at) {

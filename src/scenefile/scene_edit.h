@@ -22,6 +22,8 @@ std::vector<SectionRef> scene_sections(const Scene& scene);
 // A scene that has this section last of its kind, as the key table's functions want it; and the same where a file says no more of the section
 // than words (KeyType::kChoice).
 Scene section_holder(const Scene& scene, const SectionRef& at);
+void exchange_with_last(Scene& scene,
+                        const SectionRef& at);  // makes a scene its holder; once more undoes that. No copy
 Scene section_defaults(const Scene& holder, std::string_view section);
 
 // The scene with another value of a key. Errors: as a scene file's, without file and line. Cost: 0.5 ms, more where bodies move.

@@ -255,21 +255,24 @@ bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
         });
         if (!fault_.empty()) paragraph(fault_, true);
         ImGui::Separator();
-        if (ImGui::BeginChild("##sections"))
+        if (ImGui::BeginChild("##sections")) {
+            Scene holder = view.scene;  // of each section in turn
             for (const SectionRef& at : scene_sections(view.scene)) {
+                exchange_with_last(holder, at);
                 ImGui::PushID(at.label.c_str());
-                changed |= draw_section(view, at, escape);
+                changed |= draw_section(view, at, holder, escape);
                 ImGui::PopID();
                 if (changed) break;  // the sections may be others
+                exchange_with_last(holder, at);
             }
+        }
         ImGui::EndChild();
     }
     ImGui::End();
     return changed;
 }
 
-bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, bool escape) {
-    const Scene holder = section_holder(view.scene, at);
+bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, const Scene& holder, bool escape) {
     std::vector<const SceneKey*> keys;
     for (const SceneKey& key : scene_keys())
         if (key.section == at.section && is_edited(key) && matches(key) &&
@@ -295,9 +298,10 @@ bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, bool escap
     if (is_open) {
         changed = draw_buttons(view, at);
         if (metric && !changed && words_.empty()) {
-            Scene edited = view.scene;
-            SpacetimeSpec& spec = at.section == "split" ? *edited.split : edited.spacetime;
+            SpacetimeSpec spec = at.section == "split" ? *view.scene.split : view.scene.spacetime;
             if (spacetime_rows(spec, "metric", "##metric", escape)) {
+                Scene edited = view.scene;
+                (at.section == "split" ? *edited.split : edited.spacetime) = spec;
                 keep_outside_horizon(edited);
                 changed |= take(view, edited);
             }

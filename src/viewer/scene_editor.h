@@ -24,7 +24,7 @@ public:
     void reveal(const std::string& label) { reveal_ = marked_ = label, words_.clear(); }
 
 private:
-    bool draw_section(ViewState& view, const SectionRef& at, bool escape);
+    bool draw_section(ViewState& view, const SectionRef& at, const Scene& holder, bool escape);
     bool draw_buttons(ViewState& view, const SectionRef& at);
     bool draw_key(ViewState& view, const SectionRef& at, const Scene& holder, const Scene& defaults,
                   const SceneKey& key, bool escape);
