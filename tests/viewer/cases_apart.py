@@ -889,6 +889,26 @@ def test_a_hidden_body_is_left_out_of_films(screen, program, folder):
         assert not file.exists(), "the scene of a film that was cancelled stays"
 
 
+def test_f12_saves_both_sides_of_a_comparison_without_line_and_labels(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}") as v:
+        def saved():
+            v.settle("key", "F12")
+            path = wait_until("F12 saves a file", lambda: next(Path(v.folder).glob("nullscope-*.png"), None))
+            picture = read_png(path)
+            path.unlink()
+            return picture
+        v.settle()
+        alone = saved()
+        v.settle("key", "x")
+        same(alone, saved(), "both sides, which are the same")
+        for header in [*HEADERS, LIGHT, LENSING]:
+            v.click(*header)
+        both = saved()
+        right = (WIDTH // 2 + 4, 0, WIDTH, HEIGHT)
+        same(alone.crop(*right), both.crop(*right), "side B")
+        assert both.crop(0, 0, WIDTH // 2 - 4, HEIGHT).changed(alone.crop(0, 0, WIDTH // 2 - 4, HEIGHT), CHANGED), "side A is not saved"
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -912,5 +932,6 @@ if EVERYTHING:
               test_a_bookmarks_camera_is_taken_into_another_scene, test_a_recording_is_put_aside_and_brought_back,
               test_tooltips_leave_the_row_free_that_they_explain, test_a_click_on_a_body_opens_it_in_the_editor,
               test_a_hidden_body_is_left_out_of_films,
+              test_f12_saves_both_sides_of_a_comparison_without_line_and_labels,
               test_a_camera_that_side_b_cannot_have_is_refused, test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]
