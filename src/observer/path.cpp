@@ -1,6 +1,7 @@
 #include "observer/path.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "spacetime/registry.h"
 
@@ -10,6 +11,14 @@ namespace {
 constexpr double kLongest = 1e4;  // r_s/c: of a fall to the end that does not come, an orbit
 
 constexpr double Vec3::*kAxes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
+
+template <class Of>
+double between_ends(const PathSpec& path, double frame, const Of& of) {
+    if (path.easing == PathEasing::kNone || path.kind != PathKind::kKeys) return frame;
+    const double first = path.keys.front().frame, last = path.keys.back().frame;
+    if (frame < first || frame > last) return frame;
+    return first + (last - first) * of((frame - first) / (last - first));
+}
 
 }  // namespace
 
@@ -29,6 +38,14 @@ Result<CameraPath> CameraPath::make(const Scene& scene) {
     path.start_.yaw = first.yaw, path.start_.pitch = first.pitch, path.start_.roll = first.roll;
     path.line_ = std::move(*line);
     return path;
+}
+
+double eased(const PathSpec& path, double frame) {
+    return between_ends(path, frame, [](double u) { return u * u * (3 - 2 * u); });
+}
+
+double frame_of_key(const PathSpec& path, double key_frame) {
+    return between_ends(path, key_frame, [](double s) { return 0.5 - std::sin(std::asin(1 - 2 * s) / 3); });
 }
 
 double CameraPath::proper_time(double frame) const { return duration_ * std::clamp(frame / (frames_ - 1), 0.0, 1.0); }
@@ -70,10 +87,11 @@ std::size_t CameraPath::key_before(double frame) const {
 
 double CameraPath::clock(double frame) const {
     if (line_) return line_->clock(proper_time(frame));
-    return between_keys(frame, [](const PathKey& key) { return key.time; });
+    return between_keys(eased(path_, frame), [](const PathKey& key) { return key.time; });
 }
 
-CameraSpec CameraPath::through_keys(double frame) const {
+CameraSpec CameraPath::through_keys(double at) const {
+    const double frame = eased(path_, at);
     CameraSpec camera = path_.keys[key_before(frame)].camera;
     for (const auto member : kCameraNumbers)
         camera.*member = between_keys(frame, [member](const PathKey& key) { return key.camera.*member; });

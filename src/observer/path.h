@@ -14,6 +14,11 @@ inline constexpr double CameraSpec::*kCameraNumbers[] = {
     &CameraSpec::pitch,       &CameraSpec::roll,      &CameraSpec::plane_width, &CameraSpec::focal_distance,
     &CameraSpec::exposure_ev, &CameraSpec::fall_from, &CameraSpec::energy};
 
+// Where among the keys' frames the path is in a frame, by its easing: u, of the way from the first key to the last, becomes 3u^2 - 2u^3.
+// And the frame in which it is there. Of a fall, and beyond the keys, the same.
+double eased(const PathSpec& path, double frame);
+double frame_of_key(const PathSpec& path, double key_frame);
+
 class CameraPath {
 public:
     // Errors: the scene has no path; no such observer. A fall is integrated here: milliseconds.

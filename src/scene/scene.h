@@ -283,6 +283,7 @@ struct PictureSpec {
 // parallel-transported (kGyroscope), or turned to keep their angle to the centre. kKeys: a smooth curve through keys.
 enum class PathKind { kFall, kKeys };
 enum class PathOrientation { kGyroscope, kCentre };
+enum class PathEasing { kNone, kSmooth };
 struct PathKey {
     double frame = 0.0;
     CameraSpec camera;
@@ -293,7 +294,8 @@ struct PathSpec {
     PathKind kind = PathKind::kFall;
     PathOrientation orientation = PathOrientation::kGyroscope;
     int frames = 240;
-    double rate = 24.0;  // frames per second
+    double rate = 24.0;                     // frames per second
+    PathEasing easing = PathEasing::kNone;  // kKeys; kSmooth: from rest to rest (observer/path.h)
     // kFall: proper time from the first frame to the last, r_s/c; 0: to the end of the worldline.
     double duration = 0.0;
     std::vector<PathKey> keys;  // kKeys: two or more, by ascending frame

@@ -146,6 +146,10 @@ constexpr SceneKey kKeys[] = {
     {"path", "duration", KeyType::kNumber, "r_s/c", "0", closed(0.0, 1e7), "",
      "For kind = \"fall\": proper time from the first frame to the last; 0: to the worldline's end.",
      [](auto& s) { return &s.path->duration; }, path_is<PathKind::kFall>, "kind = \"fall\""},
+    {"path", "easing", KeyType::kChoice, "", "none", kNoRange, "none smooth",
+     "For kind = \"keys\": frames pass at an even rate, or slowly at both ends, so that the camera starts and ends at "
+     "rest.",
+     [](auto& s) { return &s.path->easing; }, path_is<PathKind::kKeys>, "kind = \"keys\""},
 
     {"sky", "kind", KeyType::kChoice, "", "stars", kNoRange,
      "stars image black nebula points plain checker grid stripes noise formula",

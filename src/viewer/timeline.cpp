@@ -118,7 +118,7 @@ bool Timeline::stop_record(Scene& scene) {
 }
 
 bool Timeline::set_key(Scene& scene) {
-    const PathKey key{std::round(frame), scene.camera, scene.time - time_};
+    PathKey key{std::round(frame), scene.camera, scene.time - time_};
     if (!scene.path) {
         scene.path.emplace().kind = PathKind::kKeys;
         scene.path->keys = {{0.0, key.camera, 0.0}, {scene.path->frames - 1.0, key.camera, 0.0}};
@@ -126,20 +126,21 @@ bool Timeline::set_key(Scene& scene) {
     }
     auto& keys = scene.path->keys;
     if (scene.path->kind != PathKind::kKeys || keys.front().camera.observer != key.camera.observer) return false;
+    key.frame = eased(*scene.path, key.frame);
     const auto at = std::ranges::lower_bound(keys, key.frame, {}, &PathKey::frame);
-    PathKey added = key;
-    if (at != keys.begin()) unwrap((at - 1)->camera, added.camera);
+    if (at != keys.begin()) unwrap((at - 1)->camera, key.camera);
     if (at != keys.end() && at->frame == key.frame)
-        *at = added;
+        *at = key;
     else
-        keys.insert(at, added);
+        keys.insert(at, key);
     return true;
 }
 
 bool Timeline::delete_key(Scene& scene) {
     if (!scene.path || scene.path->keys.size() <= 2) return false;
     auto& keys = scene.path->keys;
-    keys.erase(std::ranges::min_element(keys, {}, [&](const PathKey& key) { return std::fabs(key.frame - frame); }));
+    keys.erase(std::ranges::min_element(
+        keys, {}, [&](const PathKey& key) { return std::fabs(frame_of_key(*scene.path, key.frame) - frame); }));
     return true;
 }
 

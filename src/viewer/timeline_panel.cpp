@@ -60,7 +60,8 @@ bool TimelinePanel::draw_slider(ViewState& view, Timeline& timeline) {
     // Keys as ticks below the slider.
     const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
     for (const PathKey& key : view.scene.path->keys) {
-        const float x = from.x + static_cast<float>(std::clamp(key.frame / last, 0.0, 1.0)) * (to.x - from.x);
+        const double at = frame_of_key(*view.scene.path, key.frame);
+        const float x = from.x + static_cast<float>(std::clamp(at / last, 0.0, 1.0)) * (to.x - from.x);
         ImGui::GetWindowDrawList()->AddLine({x, to.y - 0.3f * em()}, {x, to.y}, ImGui::GetColorU32(ImGuiCol_CheckMark),
                                             1.5f);
     }
@@ -93,10 +94,17 @@ bool TimelinePanel::draw_buttons(ViewState& view, Timeline& timeline) {
     if (timeline.has_path()) {
         if (button("Film...", "Draws the path as a film, or as frames, while the viewer goes on."))
             ImGui::OpenPopup("##film");
+        if (!view.scene.path->keys.empty()) {
+            bool smooth = view.scene.path->easing == PathEasing::kSmooth;
+            next_to(button_width("Ease") + ImGui::GetFrameHeight());
+            changed |= ImGui::Checkbox("Ease", &smooth);
+            tooltip("The motion starts and ends at rest (path.easing).");
+            view.scene.path->easing = smooth ? PathEasing::kSmooth : PathEasing::kNone;
+        }
         next_to(button_width("Loop") + ImGui::GetFrameHeight());
         ImGui::Checkbox("Loop", &timeline.loops);
-        next_to(5.0f * em());
-        ImGui::SetNextItemWidth(5.0f * em());
+        next_to(3.8f * em());
+        ImGui::SetNextItemWidth(3.8f * em());
         ImGui::SliderScalar("##speed", ImGuiDataType_Double, &timeline.speed, &kSlowest, &kFastest, "%.2g x",
                             ImGuiSliderFlags_Logarithmic);
         tooltip("Speed of playing; films have the path's own.");

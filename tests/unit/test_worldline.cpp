@@ -204,6 +204,24 @@ TEST_CASE("paths: keys are met, and the way between them is smooth") {
     CHECK(std::fabs(left - right) < 1e-4);
     CHECK(path->at(-5).r == path->at(0).r);
     CHECK(path->at(99).r == path->at(30).r);
+
+    scene.path->easing = PathEasing::kSmooth;
+    scene.path->keys.back().time = 4.0;
+    const auto smooth = CameraPath::make(scene);
+    REQUIRE(smooth);
+    constexpr double kStep = 1e-4;
+    CHECK(std::fabs(smooth->at(kStep).r - 10.0) < 1e-8);  // at rest at both ends
+    CHECK(std::fabs(smooth->at(30 - kStep).r - 4.0) < 1e-8);
+    CHECK(std::fabs(smooth->clock(30 - kStep) - 4.0) < 1e-8);
+    CHECK(std::fabs(smooth->at(15).r - path->at(15).r) < 1e-12);  // the middle is met halfway
+    for (const PathKey& key : scene.path->keys) {
+        const double frame = frame_of_key(*scene.path, key.frame);
+        CHECK(std::fabs(eased(*scene.path, frame) - key.frame) < 1e-12);
+        CHECK(std::fabs(smooth->at(frame).r - key.camera.r) < 1e-12);
+    }
+    CHECK(std::fabs(eased(*scene.path, 7.5) - 30 * 0.15625) < 1e-12);  // 3/16 - 2/64 of the way
+    CHECK(smooth->at(-5).r == 10.0);
+    CHECK(smooth->at(99).r == 4.0);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ import traceback
 from pathlib import Path
 
 import cases_apart
+import cases_overlays
 import cases_window
 from viewer_process import HEIGHT, WIDTH, Viewer
 from x_screen import Screen, missing_tools
@@ -42,7 +43,7 @@ def main():
         return 77
     program = str(Path(sys.argv[1]).resolve())
     words = sys.argv[2:] or ["window", "apart"]
-    groups = {"window": cases_window.CASES, "apart": cases_apart.CASES}
+    groups = {"window": cases_window.CASES, "apart": cases_apart.CASES + cases_overlays.CASES}
     known = {"window", "apart"} | {t.__name__.removeprefix("test_") for group in groups.values() for t in group}
     if set(words) - known:
         sys.exit(f"no such case (without test_; some need NULLSCOPE_EVERYTHING=1): {' '.join(sorted(set(words) - known))}")

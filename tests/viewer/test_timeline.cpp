@@ -104,6 +104,20 @@ TEST_CASE("timeline: keys are set, replaced and deleted; a path is of one observ
     scene.camera.r = 41.0;
     REQUIRE(timeline.set_key(scene));
     CHECK(scene.path->keys.size() == 3);
+    scene.path->easing = PathEasing::kSmooth;  // a key is met in the frame where it is set
+    timeline.follow(scene, false);
+    timeline.seek(scene, 60.0);
+    scene.camera.r = 50.0;
+    REQUIRE(timeline.set_key(scene));
+    REQUIRE(scene.path->keys.size() == 4);
+    CHECK(scene.path->keys[1].frame < 60.0);
+    timeline.follow(scene, false);
+    timeline.seek(scene, 60.0);
+    CHECK(scene.camera.r == doctest::Approx(50.0).epsilon(1e-12));
+    REQUIRE(timeline.delete_key(scene));
+    CHECK(scene.path->keys.size() == 3);
+    scene.path->easing = PathEasing::kNone;
+    timeline.follow(scene, false);
     scene.camera.observer = ObserverKind::kRain;
     CHECK_FALSE(timeline.set_key(scene));
     timeline.frame = 90.0;
