@@ -1,17 +1,15 @@
 // The numbers that textbooks name: radii of the spacetime, clocks and angles of the camera.
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <numbers>
 
 #include "observer/landmarks.h"
+#include "viewer/clock_overlay.h"
 #include "viewer/sections.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
 namespace {
-
-constexpr double kRadiusOfSun_km = 2.95325;  // r_s of one solar mass, 2 G M/c^2
 
 void number(const char* name, const std::string& value, const char* help) {
     ImGui::BeginGroup();
@@ -21,12 +19,31 @@ void number(const char* name, const std::string& value, const char* help) {
     tooltip(help);
 }
 
-// In r_s and in M = r_s/2, and in km where the scene says a mass; of wormholes in their own unit.
-std::string radius_words(double r, const Spacetime& spacetime, const ObjectSpec& object) {
-    if (spacetime.by_proper_length()) return fmt::format("{:.5g}", r);
-    std::string words = fmt::format("{:.5g} r_s = {:.5g} M", r, 2.0 * r);
-    if (object.mass_suns) words += fmt::format("\n{:.4g} km", r * kRadiusOfSun_km * *object.mass_suns);
-    return words;
+void style_rows(NumberStyle& wish, const Scene& scene, const Spacetime& spacetime) {
+    const bool own = spacetime.by_proper_length();
+    ImGui::BeginDisabled(own);
+    row("Units",
+        own ? "Lengths in wormholes have no unit."
+            : "Of lengths and times here, in the probe and in the clocks: r_s = 2 GM/c\u00b2, M = GM/c\u00b2, or km "
+              "and seconds for a mass. Controls and files stay in r_s.");
+    for (std::size_t i = 0; i < std::size(kLengthUnitNames); ++i) {
+        if (i > 0) ImGui::SameLine();
+        if (ImGui::RadioButton(kLengthUnitNames[i], wish.unit == static_cast<LengthUnit>(i)))
+            wish.unit = static_cast<LengthUnit>(i);
+    }
+    ImGui::EndDisabled();
+    if (wish.unit == LengthUnit::kKilometre && !own) {
+        double suns = scene.object.mass_suns.value_or(wish.mass_suns);
+        ImGui::BeginDisabled(scene.object.mass_suns.has_value());
+        if (type_number("Mass", suns, kLeastMass_suns, kMostMass_suns, "%.6g suns",
+                        scene.object.mass_suns ? "The scene says it: object.mass_suns."
+                                               : "Mass of the hole for km and seconds."))
+            wish.mass_suns = suns;
+        ImGui::EndDisabled();
+    }
+    tick("Comma", wish.decimal_comma,
+         "Decimal comma: 3,14 in place of 3.14 here, in the probe and in the clocks; files keep the point.");
+    ImGui::Separator();
 }
 
 }  // namespace
@@ -35,9 +52,11 @@ bool numbers_section(ViewState& view) {
     const Scene& scene = view.scene;
     const auto spacetime = spacetime_of(scene);
     if (spacetime == nullptr) return false;
+    style_rows(view.numbers, scene, *spacetime);
+    const NumberStyle style = style_in(scene, *spacetime, view.numbers);
     const Landmarks marks = landmarks_of(*spacetime);
     const auto radius = [&](const char* name, const std::optional<double>& r, const char* help) {
-        if (r) number(name, radius_words(*r, *spacetime, scene.object), help);
+        if (r) number(name, length_words(*r, style, 5), help);
     };
     radius("Horizon", marks.horizon, "Nothing comes back from inside it. About a rotating hole: the outer one.");
     const bool rotates = spacetime->axial() != nullptr;
@@ -60,29 +79,20 @@ bool numbers_section(ViewState& view) {
     ImGui::Separator();
     const CameraNumbers here = camera_numbers(*spacetime, scene.camera);
     if (here.shadow && scene.light.lensing)
-        number("Shadow", fmt::format("{:.3f}\xc2\xb0", *here.shadow * 180.0 / std::numbers::pi),
+        number("Shadow", fixed_words(*here.shadow * 180.0 / std::numbers::pi, style, 3) + "\u00b0",
                "Angular radius of the shadow, seen from here at rest.");
     if (const auto size = here.shadow_size; size && scene.light.lensing)
         number("Shadow",
-               fmt::format("{:.3f}\xc2\xb0 wide\n{:.3f}\xc2\xb0 high", (*size)[0] * 180.0 / std::numbers::pi,
-                           (*size)[1] * 180.0 / std::numbers::pi),
+               fixed_words((*size)[0] * 180.0 / std::numbers::pi, style, 3) + "\u00b0 wide\n" +
+                   fixed_words((*size)[1] * 180.0 / std::numbers::pi, style, 3) + "\u00b0 high",
                "Angular diameters of the shadow in the direction of the rotation and across it, seen from here by an "
                "observer without angular momentum.");
-    if (here.clock_rate)
-        number("Clock", fmt::format("{:.6f}", *here.clock_rate),
-               "Proper time of the camera over time far away, dtau/dt.");
-    else if (here.lapse)
-        number("Clock", fmt::format("{:.6f} at rest", *here.lapse),
-               "Proper time over time far away, of an observer at rest here.");
-    if (here.lapse && *here.lapse > 0.0)
-        number("Blueshift", fmt::format("{:.6g}", 1.0 / *here.lapse),
-               "g of light from far away, seen from here at rest: frequency over that at its source.");
+    for (const ClockRow& row : clock_rows(view, *spacetime)) number(row.short_name, row.value, row.help);
     if (here.orbit_speed)
-        number("Orbit speed", fmt::format("{:.5f} c", *here.orbit_speed),
+        number("Orbit speed", fixed_words(*here.orbit_speed, style, 5) + " c",
                "Of a circular geodesic here, measured by observers at rest.");
     if (here.orbit_period)
-        number("Orbit period", fmt::format("{:.5g} r_s/c", *here.orbit_period),
-               "Of a circular geodesic here, in time far away.");
+        number("Orbit period", time_words(*here.orbit_period, style), "Of a circular geodesic here, in time far away.");
     return false;
 }
 

@@ -10,6 +10,7 @@
 #include "reference/traced_ray.h"
 #include "scene/scene.h"
 #include "spacetime/spacetime.h"
+#include "viewer/number_words.h"
 #include "viewer/potential_plot.h"
 
 namespace nullscope::viewer {
@@ -37,7 +38,7 @@ public:
     void forget() { facts_.reset(); }
     // Between NewFrame and Render, in the lower right corner of what lies between `left`, `top` and `bottom`. potential: with the effective
     // potential of the ray. Where there is little room, with one chart and the first numbers.
-    void draw(float left, float top, float bottom, bool potential);
+    void draw(float left, float top, float bottom, bool potential, const NumberStyle& numbers);
     float width() const { return facts_ ? width_ : 0.0f; }  // that it took in its last frame, with the gap at its right
 
 private:

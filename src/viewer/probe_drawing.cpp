@@ -1,5 +1,4 @@
 // How the probe is drawn: charts, their legend, and numbers.
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -23,10 +22,6 @@ constexpr double kWide = 1.25;      // of the camera's radius that it shows
 constexpr float kSide = 15.0f, kSideOfTwo = 12.0f, kLeastSide = 8.0f, kNames = 7.2f, kShortNames = 5.0f,
                 kFirstColumn = 14.0f, kBeside = 16.0f, kColumns = 26.0f;
 constexpr std::size_t kFewRows = 4;  // that are shown at least
-
-std::string number(double value, const char* unit = "") {
-    return std::isfinite(value) ? fmt::format("{:.6g}{}", value, unit) : "none";
-}
 
 std::string words_of(const ProbeFacts& facts, const Scene& scene) {
     if (facts.hit == kStarHit) return "the star's surface";
@@ -83,17 +78,18 @@ void draw_path(const ProbeFacts& facts, const std::vector<LandmarkCircle>& circl
 
 using Rows = std::vector<std::pair<const char*, std::string>>;
 
-Rows rows_of(const ProbeFacts& f, const Scene& scene) {
+Rows rows_of(const ProbeFacts& f, const Scene& scene, const NumberStyle& style) {
     const reference::Shift g = f.shift.value_or(reference::Shift{kNotANumber, kNotANumber});
-    return {{"Seen", words_of(f, scene) + (std::isfinite(f.hit_r) ? fmt::format(" at {:.4g} r_s", f.hit_r) : "")},
-            {"b = L/E", number(f.impact, " r_s")},
+    const auto number = [&](double value) { return number_words(value, style); };
+    return {{"Seen", words_of(f, scene) + (std::isfinite(f.hit_r) ? " at " + length_words(f.hit_r, style, 4) : "")},
+            {"b = L/E", length_words(f.impact, style)},
             {"b / b_crit", number(f.of_critical)},
-            {"Turning point", number(f.turn_r, " r_s")},
+            {"Turning point", length_words(f.turn_r, style)},
             {"Windings", number(f.windings)},
             {"g", number(g.gravity * g.doppler)},
             {"  gravity", number(g.gravity)},
             {"  Doppler", number(g.doppler)},
-            {"Delay", number(f.delay, " r_s/c")}};
+            {"Delay", time_words(f.delay, style)}};
 }
 
 void draw_rows(const Rows& rows, std::size_t first, std::size_t last, float x) {
@@ -141,11 +137,11 @@ Layout layout_in(ImVec2 room, const std::vector<LandmarkCircle>& circles, bool p
 }  // namespace
 
 // Numbers are below the charts, in two columns below two; in a low window beside a single one.
-void Probe::draw(float left, float top, float bottom, bool potential) {
+void Probe::draw(float left, float top, float bottom, bool potential, const NumberStyle& numbers) {
     if (!facts_ || !spacetime_) return;
     const float em = ImGui::GetFontSize(), margin = 0.6f * em, right = ImGui::GetIO().DisplaySize.x - margin;
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
-    const Rows rows = rows_of(*facts_, scene_);
+    const Rows rows = rows_of(*facts_, scene_, style_in(scene_, *spacetime_, numbers));
     const Layout layout =
         layout_in({right - left - margin - 2.0f * padding.x, bottom - top - 2.0f * (margin + padding.y)}, circles_,
                   potential && facts_->potential, rows.size());

@@ -34,11 +34,11 @@ bool hold(ViewState& view, ObserverKind observer, const Spacetime& spacetime) {
     return true;
 }
 
-std::string events(const Worldline& line) {
+std::string events(const Worldline& line, const NumberStyle& style) {
     std::string text =
-        line.horizon_time() ? fmt::format("Horizon crossed at {:.4g} r_s/c. ", *line.horizon_time()) : "";
+        line.horizon_time() ? fmt::format("Horizon crossed at {}. ", time_words(*line.horizon_time(), style)) : "";
     if (line.end() != WorldlineEnd::kOpen)
-        text += fmt::format("The worldline ends at {:.4g} r_s/c{}.", line.end_time(),
+        text += fmt::format("The worldline ends at {}{}.", time_words(line.end_time(), style),
                             line.end() == WorldlineEnd::kSingularity ? ", in the singularity" : "");
     return text;
 }
@@ -84,14 +84,15 @@ bool fall_section(ViewState& view) {
     if (!fall.active()) return changed;
     double tau = fall.tau();
     const bool ends = fall.line().end() != WorldlineEnd::kOpen;
+    const NumberStyle style = style_in(view.scene, *spacetime, view.numbers);
     if (slide_as("Proper time", tau, 0.0, ends ? fall.line().last() : std::min(fall.line().last(), kLongSlider),
-                 fmt::format("{:.4f} r_s/c", tau), "Proper time since the camera was released. Drag to change it.")) {
+                 time_words(tau, style), "Proper time since the camera was released. Drag to change it.")) {
         fall.run(false);
         fall.seek(view.scene, tau);
         changed = true;
     }
     if (tau >= fall.line().last()) paragraph("The fall has ended. Drag the proper time to go back, or press R.");
-    if (const std::string text = events(fall.line()); !text.empty()) paragraph(text);
+    if (const std::string text = events(fall.line(), style); !text.empty()) paragraph(text);
     return changed;
 }
 
@@ -109,19 +110,20 @@ bool clock_section(ViewState& view) {
     if (button_of_three(1, "Step back", "A tenth of a second at this rate.")) steps = -1.0;
     if (button_of_three(2, "Step", "A tenth of a second at this rate.")) steps = 1.0;
     scene.time += steps * kClockStep_s * view.clock_rate;
+    const auto spacetime = spacetime_of(scene);
+    if (spacetime == nullptr) return false;
+    const NumberStyle style = style_in(scene, *spacetime, view.numbers);
     slide_as("Rate", view.clock_rate, 1e-2, 1e3, rate_words(view.clock_rate), "Scene time per second of real time.",
              Scale::kLogarithmic);
-    bool changed = slide_as("Time", scene.time, 0.0, kSpan, fmt::format("{:.3f} r_s/c", scene.time),
-                            "Drag to change the time.", Scale::kLogarithmic);
+    bool changed = slide_as("Time", scene.time, 0.0, kSpan, time_words(scene.time, style), "Drag to change the time.",
+                            Scale::kLogarithmic);
     changed |= steps != 0.0;
     if (changed) view.clock_runs = false;
     changed |= tick("Delay", scene.light.delay,
                     "On: moving things appear where they were when their light left. Off: where they are now.");
-    const auto spacetime = spacetime_of(scene);
-    if (spacetime != nullptr && scene.camera.observer == ObserverKind::kStatic &&
-        spacetime->lapse_squared(scene.camera.r) > 0.0)
-        paragraph(fmt::format("Proper time of the camera: {:.3f} r_s/c.",
-                              std::sqrt(spacetime->lapse_squared(scene.camera.r)) * scene.time));
+    if (scene.camera.observer == ObserverKind::kStatic && spacetime->lapse_squared(scene.camera.r) > 0.0)
+        paragraph(fmt::format("Proper time of the camera: {}.",
+                              time_words(std::sqrt(spacetime->lapse_squared(scene.camera.r)) * scene.time, style)));
     return changed;
 }
 

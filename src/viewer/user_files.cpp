@@ -33,6 +33,12 @@ Settings read(const toml::table& root) {
     Settings settings;
     settings.hints_seen = root["hints_seen"].value_exact<bool>().value_or(settings.hints_seen);
     settings.light_theme = root["theme"].value_exact<std::string>() == "light";
+    const auto unit = std::ranges::find(kLengthUnitNames, root["units"].value_or(std::string()));
+    if (unit != std::end(kLengthUnitNames))
+        settings.numbers.unit = static_cast<LengthUnit>(unit - std::begin(kLengthUnitNames));
+    const double suns = root["mass_suns"].value_or(settings.numbers.mass_suns);
+    if (suns >= kLeastMass_suns && suns <= kMostMass_suns) settings.numbers.mass_suns = suns;
+    settings.numbers.decimal_comma = root["decimal_comma"].value_exact<bool>().value_or(false);
     const double scale = root["text_scale"].value_or(settings.text_scale);
     if (scale >= kLeastTextScale && scale <= kMostTextScale) settings.text_scale = scale;
     const long width = root["window"][0].value_or(0L), height = root["window"][1].value_or(0L);
@@ -74,6 +80,9 @@ Status save_settings(const Settings& settings) {
     toml::table root{{"hints_seen", settings.hints_seen},
                      {"text_scale", settings.text_scale},
                      {"theme", settings.light_theme ? "light" : "dark"},
+                     {"units", kLengthUnitNames[static_cast<std::size_t>(settings.numbers.unit)]},
+                     {"mass_suns", settings.numbers.mass_suns},
+                     {"decimal_comma", settings.numbers.decimal_comma},
                      {"recent", recent}};
     if (settings.width > 0) root.insert("window", toml::array{settings.width, settings.height});
     std::ostringstream text;

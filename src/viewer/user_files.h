@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "viewer/number_words.h"
 
 namespace nullscope::viewer {
 
@@ -19,6 +20,7 @@ struct Settings {
     int width = 0, height = 0;        // of the window; 0: none was kept
     std::vector<std::string> recent;  // scene files, the last first
     bool light_theme = false;         // theme = "light", not "dark"
+    NumberStyle numbers;              // units = "r_s", "M" or "km", mass_suns, decimal_comma
     friend bool operator==(const Settings&, const Settings&) = default;
 };
 inline constexpr double kLeastTextScale = 0.75, kMostTextScale = 3.0;

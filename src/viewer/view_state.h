@@ -13,6 +13,7 @@
 #include "spacetime/spacetime.h"
 #include "viewer/fall.h"
 #include "viewer/hidden_bodies.h"
+#include "viewer/number_words.h"
 
 namespace nullscope::viewer {
 
@@ -49,6 +50,7 @@ struct ViewState {
     bool show_bookmarks = false;
     bool show_clock = false;              // of the camera, over the picture
     bool light_theme = false;             // of the panels
+    NumberStyle numbers;                  // how Numbers, probe and clocks are written
     std::shared_ptr<const SideB> side_b;  // right of the divider; nullptr: no comparison
     MethodWish method;
     Fall fall;                       // of the camera, once it was let go

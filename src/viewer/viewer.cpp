@@ -65,6 +65,7 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     viewer->kept_settings_ = settings;
     viewer->view_.own = settings.recent;
     viewer->view_.light_theme = settings.light_theme;
+    viewer->view_.numbers = settings.numbers;
     viewer->view_.shipped = shipped_scenes();
     if (Status opened = viewer->open_first(); !opened) return opened.error();
     const CameraSpec& camera = viewer->view_.scene.camera;
@@ -203,7 +204,7 @@ bool Viewer::panels(const Input& input) {
     strips_top_ = screen - above;
     if (view_.show_probe)
         probe_.draw(view_.show_panels ? side_panel_right() : 0.0f, below_menu, screen - timeline - gap,
-                    view_.show_potential);
+                    view_.show_potential, view_.numbers);
     draw_over_sides(below_menu, strips_top_);
     const FrameFacts facts{picture_,      picture_ms_shown_, moving_ ? fps_shown_ : 0.0, size_,
                            info_,         progress_,         painter_->in_background(),  measured_,

@@ -111,6 +111,7 @@ void Viewer::follow_film() {
 void Viewer::keep_settings() {
     if (patient()) return;
     settings_.light_theme = view_.light_theme;
+    settings_.numbers = view_.numbers;
     settings_.recent.assign(view_.own.begin(), view_.own.begin() + std::min(view_.own.size(), Settings::kMostRecent));
     if (settings_ == kept_settings_) return;
     kept_settings_ = settings_;
