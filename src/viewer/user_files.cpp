@@ -44,6 +44,8 @@ Settings read(const toml::table& root) {
     const long width = root["window"][0].value_or(0L), height = root["window"][1].value_or(0L);
     if (std::min(width, height) > 0 && std::max(width, height) <= kLargestWindow)
         settings.width = static_cast<int>(width), settings.height = static_cast<int>(height);
+    const auto x = root["window_place"][0].value<int>(), y = root["window_place"][1].value<int>();
+    if (x && y) settings.place = ScreenPlace{*x, *y};
     if (const toml::array* recent = root["recent"].as_array())
         for (const toml::node& file : *recent)
             if (auto path = file.value<std::string>(); path && !path->empty() && *path == without_controls(*path) &&
@@ -85,6 +87,7 @@ Status save_settings(const Settings& settings) {
                      {"decimal_comma", settings.numbers.decimal_comma},
                      {"recent", recent}};
     if (settings.width > 0) root.insert("window", toml::array{settings.width, settings.height});
+    if (settings.place) root.insert("window_place", toml::array{settings.place->x, settings.place->y});
     std::ostringstream text;
     text << root << '\n';
     return write_text_atomically(file, text.str());

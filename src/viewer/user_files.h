@@ -1,11 +1,13 @@
 // The viewer's own files in the user's folders, as the XDG base directory specification has them: settings, and scenes that are not saved yet.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "viewer/number_words.h"
+#include "viewer/window_place.h"
 
 namespace nullscope::viewer {
 
@@ -15,12 +17,13 @@ std::filesystem::path state_folder();
 
 struct Settings {
     static constexpr std::size_t kMostRecent = 12;
-    bool hints_seen = false;          // those of the first visit
-    double text_scale = 1.0;          // 0.75 to 3
-    int width = 0, height = 0;        // of the window; 0: none was kept
-    std::vector<std::string> recent;  // scene files, the last first
-    bool light_theme = false;         // theme = "light", not "dark"
-    NumberStyle numbers;              // units = "r_s", "M" or "km", mass_suns, decimal_comma
+    bool hints_seen = false;           // those of the first visit
+    double text_scale = 1.0;           // 0.75 to 3
+    int width = 0, height = 0;         // of the window; 0: none was kept
+    std::vector<std::string> recent;   // scene files, the last first
+    bool light_theme = false;          // theme = "light", not "dark"
+    std::optional<ScreenPlace> place;  // of the window; nothing: none was kept
+    NumberStyle numbers;               // units = "r_s", "M" or "km", mass_suns, decimal_comma
     friend bool operator==(const Settings&, const Settings&) = default;
 };
 inline constexpr double kLeastTextScale = 0.75, kMostTextScale = 3.0;

@@ -72,7 +72,7 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     const PixelSize usual =
         settings.width > 0 ? PixelSize{settings.width, settings.height} : PixelSize{camera.width, camera.height};
     const PixelSize size = options.size.value_or(usual);
-    TRY(window, Window::open(size, !options.size, options.hidden, viewer->view_.scene.name + kTitle));
+    TRY(window, Window::open(size, !options.size, options.hidden, viewer->view_.scene.name + kTitle, settings.place));
     viewer->window_ = std::move(*window);
     constexpr long long kMostIcon = 1 << 20;
     if (const auto icon = load_image(assets_directory() / "icon.png", kMostIcon))
@@ -110,7 +110,10 @@ Status Viewer::run() {
         return options_.screenshot.empty() ? Done{} : save_screenshot();
     }
     if (refusal_) return *refusal_;
-    if (size_.width > 0 && !window_->is_full_screen()) settings_.width = size_.width, settings_.height = size_.height;
+    if (size_.width > 0 && !window_->is_full_screen()) {
+        settings_.width = size_.width, settings_.height = size_.height;
+        settings_.place = window_->place();
+    }
     keep_settings();
     if (!patient()) autosave_.end(view_.scene, view_.loaded);
     film_.cancel();

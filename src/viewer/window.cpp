@@ -9,6 +9,7 @@
 #include <iterator>
 #include <optional>
 #include <tuple>
+#include <vector>
 
 #include "gl/gl.h"
 
@@ -64,6 +65,20 @@ std::string no_opengl() {
         "OpenGL 3.3 core is needed; {}; update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw "
         "with the processor",
         found);
+}
+
+// Puts a window that is not shown yet where it can be seen.
+void put(GLFWwindow* window, ScreenPlace place) {
+    ScreenArea area{place.x, place.y};
+    glfwGetWindowSize(window, &area.width, &area.height);
+    int count = 0;
+    GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    std::vector<ScreenArea> areas(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        ScreenArea& room = areas[static_cast<std::size_t>(i)];
+        glfwGetMonitorWorkarea(monitors[i], &room.x, &room.y, &room.width, &room.height);
+    }
+    if (const auto visible = visible_place(area, areas)) glfwSetWindowPos(window, visible->x, visible->y);
 }
 
 PixelSize fitted(PixelSize size) {
@@ -150,14 +165,14 @@ std::optional<PadState> gamepad() {
 
 double seconds() { return glfwGetTime(); }
 
-Result<std::unique_ptr<Window>> Window::open(PixelSize size, bool fit_to_screen, bool hidden,
-                                             const std::string& title) {
+Result<std::unique_ptr<Window>> Window::open(PixelSize size, bool fit_to_screen, bool hidden, const std::string& title,
+                                             std::optional<ScreenPlace> place) {
     prefer_x11_where_alone();
     if (glfwInit() != GLFW_TRUE) return failed(no_display());
     std::unique_ptr<Window> window(new Window);  // from here on its end is GLFW's
     if (fit_to_screen) size = fitted(size);
     ask_for_core_context();
-    glfwWindowHint(GLFW_VISIBLE, hidden ? GLFW_FALSE : GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, hidden || place ? GLFW_FALSE : GLFW_TRUE);
     window->handle_ = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
     if (window->handle_ == nullptr) return failed(no_opengl());
     glfwMakeContextCurrent(window->handle_);
@@ -166,6 +181,10 @@ Result<std::unique_ptr<Window>> Window::open(PixelSize size, bool fit_to_screen,
     constexpr int kLeastWidth = 320, kLeastHeight = 200;
     glfwSetWindowSizeLimits(window->handle_, std::min(kLeastWidth, size.width), std::min(kLeastHeight, size.height),
                             GLFW_DONT_CARE, GLFW_DONT_CARE);
+    if (place && !hidden) {
+        put(window->handle_, *place);
+        glfwShowWindow(window->handle_);
+    }
     window->listen();
     return window;
 }
@@ -263,6 +282,14 @@ PixelSize Window::framebuffer() const {
     PixelSize size;
     glfwGetFramebufferSize(handle_, &size.width, &size.height);
     return size;
+}
+
+std::optional<ScreenPlace> Window::place() const {
+    glfwGetError(nullptr);
+    ScreenPlace place;
+    glfwGetWindowPos(handle_, &place.x, &place.y);
+    if (glfwGetError(nullptr) != GLFW_NO_ERROR) return std::nullopt;
+    return place;
 }
 
 double Window::pixel_ratio() const { return ratio_of(handle_); }

@@ -2,11 +2,13 @@
 #pragma once
 #include <bitset>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "viewer/gamepad.h"
+#include "viewer/window_place.h"
 
 struct GLFWwindow;
 
@@ -57,8 +59,9 @@ void leave_context();
 class Window {
 public:
     // fit_to_screen: smaller where the screen is smaller. Errors say what is missing and what to do: no display, no OpenGL 3.3.
+    // place: where it was the last time; it is moved to where it can be seen.
     static Result<std::unique_ptr<Window>> open(PixelSize size, bool fit_to_screen, bool hidden,
-                                                const std::string& title);
+                                                const std::string& title, std::optional<ScreenPlace> place = {});
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -68,9 +71,10 @@ public:
     void swap();
     bool closing() const;
     void close();
-    PixelSize framebuffer() const;  // 0x0 while minimised
-    double pixel_ratio() const;     // framebuffer pixels a unit of the window's coordinates
-    double content_scale() const;   // how much larger than usual things must be drawn, in framebuffer pixels
+    PixelSize framebuffer() const;             // 0x0 while minimised
+    std::optional<ScreenPlace> place() const;  // nothing where the window system does not tell (Wayland)
+    double pixel_ratio() const;                // framebuffer pixels a unit of the window's coordinates
+    double content_scale() const;              // how much larger than usual things must be drawn, in framebuffer pixels
     void toggle_full_screen();
     bool is_full_screen() const;
     bool has_gamepad() const { return has_gamepad_; }  // to be listened to: it sends no events

@@ -59,7 +59,25 @@ def test_a_path_is_eased(screen, program, folder):
         assert tomllib.loads(saved.read_text())["path"]["easing"] == "smooth", "Ease does not change the path"
 
 
+def test_the_windows_place_is_kept(screen, program, folder):
+    def place(v):
+        words = subprocess.run(["xdotool", "getwindowgeometry", v.window], env=v.env, capture_output=True, text=True).stdout
+        return tuple(map(int, re.search(r"Position: (-?\d+),(-?\d+)", words).groups()))
+    size = ["--size", "500x400"]
+    with Viewer(screen, program, *size, home=folder) as v:
+        v.settle("windowmove", v.window, 60, 35)
+        v.hands("key", "ctrl+q")
+        assert v.process.wait(timeout=HUNG_S) == 0
+        kept = v.settings.read_text()
+        assert tomllib.loads(kept)["window_place"] == [60, 35], kept
+    with Viewer(screen, program, *size, home=folder, settings="window_place = [60, 35]\n") as v:
+        assert place(v) == (60, 35), f"it is at {place(v)}"
+    with Viewer(screen, program, *size, home=folder, settings="window_place = [90000, -90000]\n") as v:
+        left, top = place(v)
+        assert 0 <= left <= WIDTH and top == 0, f"a window beyond the screen is put at {left}, {top}"
+
+
 CASES = []
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_units_are_chosen_and_kept, test_a_path_is_eased]
+    CASES += [test_units_are_chosen_and_kept, test_a_path_is_eased, test_the_windows_place_is_kept]

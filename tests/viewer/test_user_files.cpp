@@ -36,11 +36,13 @@ TEST_CASE("settings: what is saved is read again, and a broken file is as none")
     CHECK(load_settings() == Settings());
     Settings settings{true, 1.5, 1280, 720, {"/a b/\"c\".toml", "/d\\e.toml"}, true};
     settings.numbers = {LengthUnit::kKilometre, 6.5e9, true};
+    settings.place = ScreenPlace{-7, 300};
     REQUIRE(save_settings(settings));
     CHECK(load_settings() == settings);
-    for (const char* text : {"", "hints_seen = ", "hints_seen = 3\ntext_scale = \"x\"\nrecent = 7\nwindow = [1]",
-                             "theme = 3", "theme = \"blue\"", "units = \"mile\"\nmass_suns = -1\ndecimal_comma = 1",
-                             "text_scale = 1e9\nwindow = [-5, 99999999]\nrecent = [1, [2], \"\\u0007\"]", "\x01\xff"}) {
+    for (const char* text :
+         {"", "hints_seen = ", "hints_seen = 3\ntext_scale = \"x\"\nrecent = 7\nwindow = [1]\nwindow_place = [1, 1e30]",
+          "theme = 3", "theme = \"blue\"", "units = \"mile\"\nmass_suns = -1\ndecimal_comma = 1",
+          "text_scale = 1e9\nwindow = [-5, 99999999]\nrecent = [1, [2], \"\\u0007\"]", "\x01\xff"}) {
         home.write("viewer.toml", text);
         CHECK(load_settings() == Settings());
     }
