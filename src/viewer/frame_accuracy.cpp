@@ -11,32 +11,11 @@
 #include <utility>
 
 #include "compare/heat_map.h"
-#include "plan/effects.h"
-#include "plan/moving.h"
 #include "viewer/texture_id.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
 namespace {
-
-constexpr double kRest = 0.2;  // s without a change before a frame is measured
-
-// Colours and brightness apart.
-bool same_rays(const Scene& a, const Scene& b) {
-    CameraSpec exposed = a.camera;
-    exposed.exposure_ev = b.camera.exposure_ev;
-    if (exposed != b.camera || a.spacetime != b.spacetime) return false;
-    if (effect_set(required_effects(a)) != effect_set(required_effects(b))) return false;
-    const auto same_solid = [](const Body& x, const Body& y) { return x.shape == y.shape && x.far == y.far; };
-    if (!std::ranges::equal(a.bodies, b.bodies, same_solid)) return false;
-    if (a.light.aberration != b.light.aberration || a.light.doppler != b.light.doppler ||
-        a.light.gravity != b.light.gravity)
-        return false;
-    if (!moving_parts(a).empty() && (a.time != b.time || a.light.delay != b.light.delay)) return false;
-    if (a.disc.has_value() != b.disc.has_value()) return false;
-    return !a.disc || (a.disc->inner == b.disc->inner && a.disc->outer == b.disc->outer &&
-                       (a.disc->opacity < 1.0) == (b.disc->opacity < 1.0));
-}
 
 ImU32 heat(double value) {
     const auto colour = heat_colour(value, kPixelHeat);
@@ -83,47 +62,34 @@ FrameAccuracy::FrameAccuracy()
       }) {}
 
 void FrameAccuracy::frame_is(const Scene& scene, const Method& method) {
-    if (same_rays(scene, scene_) && method == method_) return;
-    scene_ = scene;
-    method_ = method;
-    watch_.cancel();
-    begun_ = asks_ = false;
-    changed_at_ = seconds();
+    if (frame_.frame_is(scene, method)) watch_.cancel();
 }
 
 bool FrameAccuracy::update(bool wanted, bool moving) {
-    wanted_ = wanted;
-    if (!wanted && begun_ && watch_.measuring()) {
+    if (!wanted && frame_.has_rays() && watch_.measuring()) {
         watch_.cancel();
-        begun_ = false;
+        frame_.forget_rays();
     }
-    asks_ = wanted && !begun_ && !moving && seconds() - changed_at_ >= kRest;
-    return news_.exchange(false) && begun_ && wanted;
+    frame_.update(wanted, moving);
+    return news_.exchange(false) && frame_.has_rays() && wanted;
 }
 
 void FrameAccuracy::take_rays(const Scene& scene, RayFrame rays) {
-    if (!asks_ || !same_rays(scene, scene_)) return;
-    asks_ = false;
-    begun_ = true;
-    const Status started = watch_.start(scene_, std::move(rays));
+    if (!frame_.takes(scene)) return;
+    const Status started = watch_.start(frame_.scene(), std::move(rays));
     error_ = started ? std::string() : started.error().message();
 }
 
-double FrameAccuracy::wait() const {
-    if (!wanted_ || begun_ || asks_) return std::numeric_limits<double>::infinity();
-    return std::max(changed_at_ + kRest - seconds(), 0.001);
-}
-
-bool FrameAccuracy::at_work() const { return asks_ || watch_.measuring() || news_ || std::isfinite(wait()); }
+bool FrameAccuracy::at_work() const { return asks_for_rays() || watch_.measuring() || news_ || std::isfinite(wait()); }
 
 void FrameAccuracy::draw_overlay() {
-    if (!begun_ || !error_.empty()) return;
+    if (!frame_.has_rays() || !error_.empty()) return;
     if (watch_.take_heat(heat_)) overlay_ = gl::make_rgba8_texture(heat_.width, heat_.height, heat_.data.data());
     if (!overlay_) return;
     ImGui::GetBackgroundDrawList()->AddImage(id_of(overlay_), {0.0f, 0.0f}, ImGui::GetIO().DisplaySize);
 }
 
-AccuracyFacts FrameAccuracy::facts() const { return {watch_.summary(), begun_, error_}; }
+AccuracyFacts FrameAccuracy::facts() const { return {watch_.summary(), frame_.has_rays(), error_}; }
 
 void draw_error_legend(const AccuracyFacts& facts, float bottom) {
     const float em = ImGui::GetFontSize(), margin = 0.6f * em, screen = ImGui::GetIO().DisplaySize.x;

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "gl/gl.h"
-#include "render/renderer.h"
 #include "viewer/error_watch.h"
+#include "viewer/resting_frame.h"
 #include "viewer/window.h"
 
 namespace nullscope::viewer {
@@ -26,20 +26,17 @@ public:
     void frame_is(const Scene& scene, const Method& method);
     // Starts, stops and takes over what was found. True if there is something new to draw.
     bool update(bool wanted, bool moving);
-    bool asks_for_rays() const { return asks_; }        // of the frame that rests; until they come
-    void take_rays(const Scene& scene, RayFrame rays);  // nothing if the frame is another by now
-    double wait() const;   // s until update() has something to do of its own; infinite: nothing
-    bool at_work() const;  // there will be more to show, without a hand
-    void draw_overlay();   // between NewFrame and Render: below the panels
+    bool asks_for_rays() const { return frame_.asks_for_rays(); }  // of the frame that rests; until they come
+    void take_rays(const Scene& scene, RayFrame rays);             // nothing if the frame is another by now
+    double wait() const { return frame_.wait(); }  // s until update() has something to do of its own; infinite: nothing
+    bool at_work() const;                          // there will be more to show, without a hand
+    void draw_overlay();                           // between NewFrame and Render: below the panels
     AccuracyFacts facts() const;
 
 private:
     std::string error_;
     std::atomic<bool> news_ = false;
-    bool wanted_ = false, asks_ = false, begun_ = false;  // begun: this frame is or was measured, or cannot be
-    double changed_at_ = 0.0;
-    Scene scene_;
-    Method method_;
+    RestingFrame frame_;  // with rays: it is or was measured, or cannot be
     Image<unsigned char> heat_;
     gl::Texture overlay_;
     ErrorWatch watch_;  // last: its threads end before the rest

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "viewer/critical_overlay.h"
+#include "viewer/order_overlay.h"
 #include "viewer/potential_plot.h"
 #include "viewer/widgets.h"
 
@@ -45,6 +46,7 @@ constexpr std::array kEntries = {
     Entry{Command::kProbe, "View", "Ray of a pixel", "P", GLFW_KEY_P, false, false, &ViewState::show_probe},
     Entry{Command::kPotential, "View", "Effective potential", "", 0, false, false, &ViewState::show_potential},
     Entry{Command::kCriticalCurve, "View", "Critical curve", "K", GLFW_KEY_K, false, false, &ViewState::show_critical},
+    Entry{Command::kOrders, "View", "Image orders", "O", GLFW_KEY_O, false, false, &ViewState::show_orders},
     Entry{Command::kClockOverlay, "View", "Clock and redshift", "", 0, false, false, &ViewState::show_clock},
     Entry{Command::kCompare, "View", "Compare with this", "X", GLFW_KEY_X, false, false, nullptr, true},
     Entry{Command::kBookmark, "View", "Bookmark this view", "Ctrl+B", GLFW_KEY_B, true, false, nullptr, true},
@@ -81,6 +83,15 @@ KeyPress usual(KeyPress press) {
     return press;
 }
 
+const char* help_of(Command command) {
+    switch (command) {
+        case Command::kCriticalCurve: return kCriticalCurveHelp;
+        case Command::kPotential: return kPotentialHelp;
+        case Command::kOrders: return kOrdersHelp;
+        default: return "";
+    }
+}
+
 }  // namespace
 
 std::optional<Command> command_of(const KeyPress& press) {
@@ -89,6 +100,13 @@ std::optional<Command> command_of(const KeyPress& press) {
         return entry.key == key.key && entry.control == key.control && entry.shift == key.shift;
     });
     return found == kEntries.end() ? std::nullopt : std::optional(found->command);
+}
+
+std::string why_not(Command command, const ViewState& view) {
+    switch (command) {
+        case Command::kOrders: return no_orders(view.scene);
+        default: return {};
+    }
 }
 
 std::optional<Command> draw_menu(const ViewState& view, bool escape) {
@@ -101,10 +119,11 @@ std::optional<Command> draw_menu(const ViewState& view, bool escape) {
             if (entry.menu != menu) continue;
             if (entry.begins_group) ImGui::Separator();
             const bool compared = entry.command == Command::kCompare && view.side_b != nullptr;
-            if (ImGui::MenuItem(entry.name, entry.keys, compared || (entry.shown != nullptr && view.*entry.shown)))
+            const std::string reason = why_not(entry.command, view);
+            const bool shown = compared || (entry.shown != nullptr && view.*entry.shown);
+            if (ImGui::MenuItem(entry.name, entry.keys, shown && reason.empty(), reason.empty()))
                 chosen = entry.command;
-            if (entry.command == Command::kCriticalCurve) tooltip(kCriticalCurveHelp, TooltipPlace::kBesideWindow);
-            if (entry.command == Command::kPotential) tooltip(kPotentialHelp, TooltipPlace::kBesideWindow);
+            tooltip(reason.empty() ? help_of(entry.command) : reason, TooltipPlace::kBesideWindow);
         }
         ImGui::EndMenu();
     }

@@ -1,6 +1,7 @@
 // The menu bar, and the commands that menus and keys share.
 #pragma once
 #include <optional>
+#include <string>
 
 #include "viewer/view_state.h"
 #include "viewer/window.h"
@@ -36,6 +37,7 @@ enum class Command {
     kBookmarks,
     kLightTheme,
     kClockOverlay,
+    kOrders,
     kCompare,
     // add
     kAddPlanet,
@@ -59,6 +61,9 @@ enum class Command {
 
 // Of a key that went down, with or without Ctrl.
 std::optional<Command> command_of(const KeyPress& press);
+
+// Why it cannot be done here, or nothing.
+std::string why_not(Command command, const ViewState& view);
 
 // At the window's top, between NewFrame and Render; what was chosen. escape: the key was pressed, and shuts an open menu.
 std::optional<Command> draw_menu(const ViewState& view, bool escape);

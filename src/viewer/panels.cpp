@@ -37,6 +37,7 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"H", "show the error of every pixel"},
     {"P", "show the ray under the cursor"},
     {"K", "show the critical curve"},
+    {"O", "colour image orders"},
     {"Tab", "show or hide the panels"},
     {"F1", "show or hide this list"},
     {"F11", "full screen"},

@@ -220,6 +220,7 @@ bool Viewer::panels(const Input& input) {
         changed |= draw_bookmarks(screen - timeline - gap, escape);
     }
     const float top = overlays(below_menu, strips_top_ - tour_.height());
+    if (picture_.texture != 0) left_corner(strips_top_ - tour_.height());
     changed |= draw_panels(view_, facts, top, strips_top_, escape);
     if (const std::string wanted = std::exchange(view_.wanted, {}); !wanted.empty()) {
         leave_scene();
@@ -241,6 +242,13 @@ float Viewer::overlays(float top, float bottom) {
     draw_zoom_overlay(picture_.job.scene, left, right - gap, top + gap);
     if (!timeline_.records()) return top;
     return top + gap + draw_recording_sign(timeline_.recorded_s(), left + gap, right - gap, top + gap);
+}
+
+// What explains the picture there.
+void Viewer::left_corner(float bottom) {
+    const float left = view_.show_panels ? side_panel_right() : 0.0f;
+    const Scene& scene = picture_.job.scene;
+    if (view_.show_orders && no_orders(scene).empty()) draw_order_legend(left, bottom);
 }
 
 bool Viewer::move(const Input& input, double dt) {
@@ -275,6 +283,7 @@ void Viewer::follow_changes(bool changed) {
     const bool watched = whole && (view_.show_errors || (view_.show_panels && view_.show_accuracy));
     if (accuracy_->update(watched, moving_ || changed || picture_due_))
         frames_due_ = std::max(frames_due_, kNewsFrames);
+    orders_.update(view_.show_orders && no_orders(view_.scene).empty(), moving_ || changed || picture_due_);
 }
 
 // Under the panels' pointer it stays what it was.
@@ -303,7 +312,7 @@ void Viewer::log_rest() {
     const bool times_due = view_.show_panels && view_.show_effects && !effect_times_.complete;
     window_->framebuffer();  // an answer of the display's server: it has shown what it was sent before
     if (const Status written = layout_log_.rest(last_key_); !written) say(written.error().message());
-    log_.rest(last_key_, accuracy_->at_work() || times_due);
+    log_.rest(last_key_, accuracy_->at_work() || orders_.at_work() || times_due);
 }
 
 bool Viewer::in_motion() const {
@@ -324,7 +333,7 @@ double Viewer::wait_time() const {
     if (busy) return kProgressWait;
     if (timeline_.records() || film_.runs() || file_dialog_.runs()) return kProgressWait;
     if (adapting()) return kAdaptingWait;
-    double idle = std::min(kIdleWait, accuracy_->wait());
+    double idle = std::min({kIdleWait, accuracy_->wait(), orders_.wait()});
     if (view_.show_effects && !times_asked_)
         idle = std::min(idle, std::max(changed_at_ + kRestBeforeTimes - seconds(), 0.01));
     return message_.empty() ? idle : std::min(std::max(message_until_ - seconds(), 0.01), idle);

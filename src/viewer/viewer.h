@@ -17,6 +17,7 @@
 #include "viewer/layout_log.h"
 #include "viewer/loop_log.h"
 #include "viewer/menu.h"
+#include "viewer/order_overlay.h"
 #include "viewer/panel_system.h"
 #include "viewer/panels.h"
 #include "viewer/picture_marks.h"
@@ -56,6 +57,7 @@ private:
     Status save_screenshot();
     bool step();                               // one turn of the loop: true if a frame was drawn
     float overlays(float top, float bottom);   // where they end at the picture's top
+    void left_corner(float bottom);            // of the picture
     bool panels(const Input& input);           // true if they changed the scene
     bool move(const Input& input, double dt);  // by hands, fall and clock: true if something moved
     void follow_changes(bool changed);
@@ -150,6 +152,7 @@ private:
     std::string not_measured_;              // why it could not be read, or nothing
     MethodChoice choice_, asked_choice_;    // of the picture that is shown, of the one asked for
     std::unique_ptr<FrameAccuracy> accuracy_;
+    OrderOverlay orders_;
     Probe probe_;
     History history_;
     Gallery gallery_;

@@ -63,6 +63,7 @@ bool Viewer::perform(Command command) {
         frames_due_ = kSettlingFrames;
         return false;
     };
+    if (const std::string reason = why_not(command, view_); !reason.empty()) return say(reason), false;
     history_.rest(view_);  // what was flown until now
     switch (command) {
         case Command::kGallery: return gallery_.open(view_.shipped, tours()), false;
@@ -100,6 +101,7 @@ bool Viewer::perform(Command command) {
         case Command::kBookmarks: return toggle(view_.show_bookmarks);
         case Command::kLightTheme: return toggle(view_.light_theme);
         case Command::kClockOverlay: return toggle(view_.show_clock);
+        case Command::kOrders: return toggle(view_.show_orders);
         case Command::kCompare: return compare();
         case Command::kKeys: return toggle(view_.show_keys);
         case Command::kAbout: return toggle(view_.show_about);

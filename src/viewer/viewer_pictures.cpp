@@ -49,7 +49,8 @@ std::filesystem::path fresh_screenshot_path() {
 void Viewer::ask() {
     const bool busy = painter_->busy();
     if (!picture_due_) {
-        if (!busy && accuracy_->asks_for_rays()) painter_->ask({picture_.job.scene, picture_.job.method, true});
+        if (!busy && (accuracy_->asks_for_rays() || orders_.asks_for_rays()))
+            painter_->ask({picture_.job.scene, picture_.job.method, true});
         return;
     }
     const Scene scene = drawn_scene(view_);
@@ -75,9 +76,10 @@ void Viewer::ask() {
 bool Viewer::take() {
     auto painting = painter_->take();
     if (!painting) return false;
-    if (painting->rays)
+    if (painting->rays) {
+        orders_.take_rays(painting->job.scene, *painting->rays);
         accuracy_->take_rays(painting->job.scene, std::move(*painting->rays));
-    else if (painting->ready)
+    } else if (painting->ready)
         adopt(std::move(*painting));
     else if (picture_.texture == 0 && !picture_due_)
         refusal_ = painting->ready.error();
@@ -103,6 +105,7 @@ void Viewer::adopt(Painting painting) {
     if (!picture_.notes.empty()) say(picture_.notes.back());
     choice_ = asked_choice_;
     accuracy_->frame_is(picture_.job.scene, picture_.job.method);
+    orders_.frame_is(picture_.job.scene, picture_.job.method);
     if (!error_stays_) view_.error.clear();
     shown_ = asked_;
     if (save_due_ && !picture_.coarse()) save_picture();
@@ -148,6 +151,7 @@ void Viewer::draw_over_sides(float top, float bottom) {
     const float parted = b != nullptr ? unit * static_cast<float>(divider_.x()) : screen.x;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     draw.PushClipRect({0.0f, 0.0f}, {parted, screen.y});
+    if (view_.show_orders && no_orders(picture_.job.scene).empty()) orders_.draw();
     if (view_.show_errors && !picture_.job.scene.split) accuracy_->draw_overlay();
     if (view_.show_critical) draw_critical_curve(picture_.job.scene);
     draw.PopClipRect();

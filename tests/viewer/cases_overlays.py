@@ -1,7 +1,10 @@
 """Cases of what lies over the picture and beside it; each runs viewers of its own."""
+import math
 import tomllib
 
 from viewer_process import *
+
+DARK = '[camera]\nr = 22.0\nfov = 60.0\n[sky]\nkind = "black"\n'
 
 
 def opened(screen, program, *arguments, **more):
@@ -20,6 +23,25 @@ def from_menu(v, menu, entry):
 def shut_sections(v):
     for section in ("Camera", "Boost", "Lens"):
         v.click(*v.layout().place(section, "##side"))
+
+
+def swept(r, alpha):
+    """Angle that light sweeps to infinity about a hole of r_s = 1, from r, alpha from the direction to the hole: u'' = 1.5 u^2 - u."""
+    u, slope = 1 / r, math.sqrt(1 - 1 / r) / (r * math.tan(alpha))
+    angle, step = 0.0, 1e-4
+    while u > 0:
+        def force(x):
+            return 1.5 * x * x - x
+        k1, l1 = slope, force(u)
+        k2, l2 = slope + step / 2 * l1, force(u + step / 2 * k1)
+        k3, l3 = slope + step / 2 * l2, force(u + step / 2 * k2)
+        k4, l4 = slope + step * l3, force(u + step * k3)
+        u += step / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+        slope += step / 6 * (l1 + 2 * l2 + 2 * l3 + l4)
+        angle += step
+        if u > 1:
+            return math.inf
+    return angle
 
 
 def test_units_are_chosen_and_kept(screen, program, folder):
@@ -59,6 +81,37 @@ def test_a_path_is_eased(screen, program, folder):
         assert tomllib.loads(saved.read_text())["path"]["easing"] == "smooth", "Ease does not change the path"
 
 
+def test_image_orders_are_coloured(screen, program, folder):
+    direct, first = (19, 52, 120), (120, 89, 14)     # over black
+    near = lambda pixel, colour: max(abs(a - b) for a, b in zip(pixel, colour)) <= 3
+    with opened(screen, program, scene=DARK) as v:
+        v.settle("key", "Tab")
+        v.settle("key", "o")
+        data = v.picture((0, HEIGHT // 2, WIDTH, HEIGHT // 2 + 1)).data
+        row = [tuple(data[i:i + 3]) for i in range(0, len(data), 3)]
+        assert near(row[0], direct), f"the direct sky is {row[0]}"
+        assert row[WIDTH // 2] == (0, 0, 0), "the shadow is coloured"
+        low, high = 0.13, 0.6     # rad, on either side of the ring where the angle is pi
+        for _ in range(30):
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if swept(22.0, middle) > math.pi else (low, middle)
+        ring = WIDTH / 2 / math.tan(math.radians(30)) * math.tan(low)
+        edge = next(x for x, pixel in enumerate(row) if near(pixel, first))
+        assert abs(WIDTH / 2 - edge - ring) < 1.5, f"the first order begins {WIDTH / 2 - edge} px from the middle, not {ring:.1f}"
+        coloured = v.picture()
+        v.settle("key", "o")
+        assert v.picture().changed(coloured, CHANGED), "O does not take the colours away"
+    kerr = DARK + '[spacetime]\nmetric = "kerr"\n'
+    with opened(screen, program, scene=kerr) as v:
+        plain = v.settle()
+        v.settle("key", "o")
+        assert says(v, "Not about a rotating hole"), "no reason is given"
+        same(plain, v.picture((320, 300, 820, 490)), "a picture that cannot be coloured")
+        v.click(*v.layout().place("View", "##MainMenuBar"))
+        v.settle("mousemove", *v.layout().place("Image orders", "##Menu"))
+        assert any(name.startswith("##Tooltip") and "rotating" in words for name, words, _ in v.layout().texts), "no tooltip says why"
+
+
 def test_the_windows_place_is_kept(screen, program, folder):
     def place(v):
         words = subprocess.run(["xdotool", "getwindowgeometry", v.window], env=v.env, capture_output=True, text=True).stdout
@@ -80,4 +133,4 @@ def test_the_windows_place_is_kept(screen, program, folder):
 CASES = []
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_units_are_chosen_and_kept, test_a_path_is_eased, test_the_windows_place_is_kept]
+    CASES += [test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured, test_the_windows_place_is_kept]
