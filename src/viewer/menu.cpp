@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "viewer/critical_overlay.h"
+#include "viewer/embedding_panel.h"
 #include "viewer/order_overlay.h"
 #include "viewer/potential_plot.h"
 #include "viewer/widgets.h"
@@ -47,6 +48,7 @@ constexpr std::array kEntries = {
     Entry{Command::kPotential, "View", "Effective potential", "", 0, false, false, &ViewState::show_potential},
     Entry{Command::kCriticalCurve, "View", "Critical curve", "K", GLFW_KEY_K, false, false, &ViewState::show_critical},
     Entry{Command::kOrders, "View", "Image orders", "O", GLFW_KEY_O, false, false, &ViewState::show_orders},
+    Entry{Command::kEmbedding, "View", "Embedding diagram", "", 0, false, false, &ViewState::show_embedding},
     Entry{Command::kClockOverlay, "View", "Clock and redshift", "", 0, false, false, &ViewState::show_clock},
     Entry{Command::kCompare, "View", "Compare with this", "X", GLFW_KEY_X, false, false, nullptr, true},
     Entry{Command::kBookmark, "View", "Bookmark this view", "Ctrl+B", GLFW_KEY_B, true, false, nullptr, true},
@@ -88,6 +90,7 @@ const char* help_of(Command command) {
         case Command::kCriticalCurve: return kCriticalCurveHelp;
         case Command::kPotential: return kPotentialHelp;
         case Command::kOrders: return kOrdersHelp;
+        case Command::kEmbedding: return kEmbeddingHelp;
         default: return "";
     }
 }
@@ -105,6 +108,7 @@ std::optional<Command> command_of(const KeyPress& press) {
 std::string why_not(Command command, const ViewState& view) {
     switch (command) {
         case Command::kOrders: return no_orders(view.scene);
+        case Command::kEmbedding: return no_embedding(view.scene);
         default: return {};
     }
 }

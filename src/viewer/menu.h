@@ -38,6 +38,7 @@ enum class Command {
     kLightTheme,
     kClockOverlay,
     kOrders,
+    kEmbedding,
     kCompare,
     // add
     kAddPlanet,

@@ -108,8 +108,10 @@ ProbeFacts Probe::facts_of(const reference::TracedRay& ray) const {
     if (!std::isfinite(end)) return facts;
     facts.windings = end / (2 * M_PI);
     for (int i = 0; i <= kPathPoints; ++i) {
-        const double angle = end * i / kPathPoints, r = radius(orbit.zeta_at(std::min(angle, end * (1 - 1e-9))));
-        if (std::isfinite(r)) facts.path.push_back({r * std::cos(angle), r * std::sin(angle)});
+        const double angle = end * i / kPathPoints, zeta = orbit.zeta_at(std::min(angle, end * (1 - 1e-9))),
+                     r = radius(zeta);
+        if (std::isfinite(r))
+            facts.path.push_back({r * std::cos(angle), r * std::sin(angle), spacetime_->by_proper_length() ? zeta : r});
     }
     if (const double met = plane->plane().crossing(1); met <= end * (1 + 1e-9)) facts.disc = met;
     return facts;

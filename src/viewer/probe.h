@@ -1,6 +1,5 @@
 // The ray of the pixel under the cursor, by the reference tracer: its numbers, and an inset that draws its way.
 #pragma once
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -15,20 +14,25 @@
 
 namespace nullscope::viewer {
 
+// In the ray's plane, r_s, the camera on the positive x axis; r: the metric's own radius there.
+struct PathPoint {
+    double x, y, r;
+};
+
 struct ProbeFacts {
     Fate fate = Fate::kNoSky;
-    int hit = 0;                              // number of what it meets first (object_name)
-    double hit_r = kNotANumber;               // and where, r_s
-    double zeta0 = 0;                         // r_s/r of the camera
-    double impact = kNotANumber;              // impact parameter b = L/E (without spin), r_s
-    double of_critical = kNotANumber;         // over that of the light that spirals to the photon sphere
-    double turn_r = kNotANumber;              // turning point, r_s
-    double windings = 0;                      // swept angle over a full turn
-    double delay = kNotANumber;               // r_s/c, of rays that reach the sky
-    std::optional<reference::Shift> shift;    // from what is seen to the camera; of captured rays there is none
-    std::vector<std::array<double, 2>> path;  // in the ray's plane, r_s, the camera on the positive x axis
-    std::optional<double> disc;               // swept angle where the equatorial plane is first met
-    std::optional<PotentialRay> potential;    // of rays in a plane
+    int hit = 0;                            // number of what it meets first (object_name)
+    double hit_r = kNotANumber;             // and where, r_s
+    double zeta0 = 0;                       // r_s/r of the camera
+    double impact = kNotANumber;            // impact parameter b = L/E (without spin), r_s
+    double of_critical = kNotANumber;       // over that of the light that spirals to the photon sphere
+    double turn_r = kNotANumber;            // turning point, r_s
+    double windings = 0;                    // swept angle over a full turn
+    double delay = kNotANumber;             // r_s/c, of rays that reach the sky
+    std::optional<reference::Shift> shift;  // from what is seen to the camera; of captured rays there is none
+    std::vector<PathPoint> path;
+    std::optional<double> disc;             // swept angle where the equatorial plane is first met
+    std::optional<PotentialRay> potential;  // of rays in a plane
 };
 
 class Probe {
@@ -39,6 +43,10 @@ public:
     // Between NewFrame and Render, in the lower right corner of what lies between `left`, `top` and `bottom`. potential: with the effective
     // potential of the ray. Where there is little room, with one chart and the first numbers.
     void draw(float left, float top, float bottom, bool potential, const NumberStyle& numbers);
+    // Of what was looked at last, if it was in this spacetime; else nullptr.
+    const ProbeFacts* facts_in(const SpacetimeSpec& spacetime) const {
+        return facts_ && scene_.spacetime == spacetime ? &*facts_ : nullptr;
+    }
     float width() const { return facts_ ? width_ : 0.0f; }  // that it took in its last frame, with the gap at its right
 
 private:

@@ -59,12 +59,12 @@ void draw_path(const ProbeFacts& facts, const std::vector<LandmarkCircle>& circl
                          2.0f);
     }
     for (std::size_t i = 1; i < facts.path.size(); ++i)
-        draw.AddLine(at(facts.path[i - 1][0], facts.path[i - 1][1]), at(facts.path[i][0], facts.path[i][1]),
+        draw.AddLine(at(facts.path[i - 1].x, facts.path[i - 1].y), at(facts.path[i].x, facts.path[i].y),
                      IM_COL32(120, 200, 255, 255), 1.5f);
     if (!facts.path.empty() && std::isfinite(facts.turn_r)) {
-        const auto nearest =
-            std::ranges::min_element(facts.path, {}, [](const auto& place) { return std::hypot(place[0], place[1]); });
-        draw.AddCircle(at((*nearest)[0], (*nearest)[1]), 3.5f, bright);
+        const auto nearest = std::ranges::min_element(
+            facts.path, {}, [](const PathPoint& place) { return std::hypot(place.x, place.y); });
+        draw.AddCircle(at(nearest->x, nearest->y), 3.5f, bright);
     }
     if (facts.path.empty() && !facts.potential) {
         const float small = 0.8f * ImGui::GetFontSize();

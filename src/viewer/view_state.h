@@ -50,6 +50,7 @@ struct ViewState {
     bool show_bookmarks = false;
     bool show_clock = false;              // of the camera, over the picture
     bool show_orders = false;             // image orders in colours
+    bool show_embedding = false;          // the embedding diagram
     bool light_theme = false;             // of the panels
     NumberStyle numbers;                  // how Numbers, probe and clocks are written
     std::shared_ptr<const SideB> side_b;  // right of the divider; nullptr: no comparison

@@ -1,6 +1,7 @@
 #include "viewer/viewer.h"
 #include "viewer/clock_overlay.h"
 #include "viewer/critical_overlay.h"
+#include "viewer/embedding_panel.h"
 #include "viewer/recording_sign.h"
 #include "viewer/ring_zoom.h"
 #include "viewer/sections.h"
@@ -244,10 +245,13 @@ float Viewer::overlays(float top, float bottom) {
     return top + gap + draw_recording_sign(timeline_.recorded_s(), left + gap, right - gap, top + gap);
 }
 
-// What explains the picture there.
+// What explains the picture there, one above the other.
 void Viewer::left_corner(float bottom) {
-    const float left = view_.show_panels ? side_panel_right() : 0.0f;
+    const float left = view_.show_panels ? side_panel_right() : 0.0f,
+                right = ImGui::GetIO().DisplaySize.x -
+                        std::max(view_.show_panels ? editor_.width() : 0.0f, view_.show_probe ? probe_.width() : 0.0f);
     const Scene& scene = picture_.job.scene;
+    if (view_.show_embedding) bottom = draw_embedding(scene, probe_.facts_in(scene.spacetime), left, right, bottom);
     if (view_.show_orders && no_orders(scene).empty()) draw_order_legend(left, bottom);
 }
 

@@ -102,6 +102,7 @@ bool Viewer::perform(Command command) {
         case Command::kLightTheme: return toggle(view_.light_theme);
         case Command::kClockOverlay: return toggle(view_.show_clock);
         case Command::kOrders: return toggle(view_.show_orders);
+        case Command::kEmbedding: return toggle(view_.show_embedding);
         case Command::kCompare: return compare();
         case Command::kKeys: return toggle(view_.show_keys);
         case Command::kAbout: return toggle(view_.show_about);

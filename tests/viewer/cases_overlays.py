@@ -5,6 +5,7 @@ import tomllib
 from viewer_process import *
 
 DARK = '[camera]\nr = 22.0\nfov = 60.0\n[sky]\nkind = "black"\n'
+FLAMM = (120, 255, 150)     # of the photon sphere's circle
 
 
 def opened(screen, program, *arguments, **more):
@@ -112,6 +113,23 @@ def test_image_orders_are_coloured(screen, program, folder):
         assert any(name.startswith("##Tooltip") and "rotating" in words for name, words, _ in v.layout().texts), "no tooltip says why"
 
 
+def test_the_embedding_diagram_is_drawn(screen, program, folder):
+    with opened(screen, program, scene=DARK) as v:
+        area = (300, 300, 600, 580)
+        assert v.count(area, FLAMM) == 0, "a diagram that nobody asked for"
+        from_menu(v, "View", "Embedding diagram")
+        assert says(v, "Embedding diagram") and v.count(area, FLAMM) > 20, "no photon sphere in the diagram"
+        before = v.count(area, RAY)
+        v.settle("key", "p", "mousemove", 500, 200)
+        assert v.count(area, RAY) > before + 20, "the probe's ray is not in the diagram"
+        from_menu(v, "View", "Embedding diagram")
+        assert v.count(area, FLAMM) == 0, "the diagram stays"
+    with opened(screen, program, scene=DARK + '[spacetime]\nmetric = "kerr"\n') as v:
+        v.click(*v.layout().place("View", "##MainMenuBar"))
+        v.settle("mousemove", *v.layout().place("Embedding diagram", "##Menu"))
+        assert any(name.startswith("##Tooltip") and "rotating" in words for name, words, _ in v.layout().texts), "no tooltip says why"
+
+
 def test_the_windows_place_is_kept(screen, program, folder):
     def place(v):
         words = subprocess.run(["xdotool", "getwindowgeometry", v.window], env=v.env, capture_output=True, text=True).stdout
@@ -133,4 +151,5 @@ def test_the_windows_place_is_kept(screen, program, folder):
 CASES = []
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured, test_the_windows_place_is_kept]
+    CASES += [test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
+              test_the_embedding_diagram_is_drawn, test_the_windows_place_is_kept]
