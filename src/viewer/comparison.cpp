@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <memory>
 #include <set>
+#include <utility>
 
 #include "annotate/annotations.h"
 #include "scenefile/scene_text.h"
@@ -52,12 +54,25 @@ Words changed_settings(const Scene& a, const Scene& b) {
     return words;
 }
 
+Scene seen_in(const ViewState& view, Scene scene) {
+    scene.camera = view.scene.camera, scene.path = view.scene.path, scene.time = view.scene.time;
+    return scene;
+}
+
 }  // namespace
+
+void swap_sides(ViewState& view) {
+    if (view.side_b == nullptr) return;
+    const auto b = std::exchange(view.side_b, std::make_shared<SideB>(SideB{view.scene, view.method, view.off}));
+    if (b->scene.bodies != view.scene.bodies) view.hidden.clear();
+    view.scene = seen_in(view, b->scene), view.method = b->method, view.off = b->off;
+    if (view.scene.disc) view.hidden_disc = *view.scene.disc;
+    view.sides ^= 1;
+}
 
 Scene drawn_side_b(const ViewState& view) {
     ViewState b;
-    b.scene = view.side_b->scene, b.off = view.side_b->off;
-    b.scene.camera = view.scene.camera, b.scene.path = view.scene.path, b.scene.time = view.scene.time;
+    b.scene = seen_in(view, view.side_b->scene), b.off = view.side_b->off;
     view.hidden.leave_out_of(b.scene, view.scene);
     b.show_grid = view.show_grid;
     return drawn_scene(b);

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "scenefile/scene_text.h"
+#include "viewer/comparison.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -15,7 +16,7 @@ bool is_size(const SceneLine& line) { return line.name == "camera.size"; }
 
 // What flights, drags, falls and clocks change.
 bool is_of_place(const std::string& name) {
-    return (name.starts_with("camera.") && name != "camera.exposure") || name == "time";
+    return (name.starts_with("camera.") && name != "camera.exposure") || name.starts_with("zoom.") || name == "time";
 }
 
 // "ball[2].radius": "ball[2]".
@@ -71,17 +72,17 @@ void History::rest(const ViewState& view) {
     bool moved = false;
     if (!steps_.empty()) {
         Step& last = steps_[at_];
-        moved = moved_since(last, view, words);
+        moved = moved_since(last, view, words) && !sides_swapped(last.sides, view.sides);
         if (moved && last.words.place == words.place) {
-            last.hidden = view.hidden, last.jumps = view.jumps;
+            last.hidden = view.hidden, last.jumps = view.jumps, last.sides = view.sides;
             return;
         }
         moved = moved && last.jumps == view.jumps;
         steps_.resize(at_ + 1);
         if (moved && steps_.back().moved) steps_.pop_back();
     }
-    steps_.push_back(
-        {view.source, view.loaded, view.scene, view.off, view.hidden, std::move(words), view.jumps, moved});
+    steps_.push_back({view.source, view.loaded, view.scene, view.off, view.hidden, view.sides, std::move(words),
+                      view.jumps, moved});
     if (steps_.size() > kMostSteps) steps_.erase(steps_.begin());
     at_ = steps_.size() - 1;
 }
@@ -104,6 +105,10 @@ bool History::go_to(std::size_t step, ViewState& view, std::string& what) {
            : step < at_             ? changes_between(to.scene, view.scene)
                                     : changes_between(view.scene, to.scene);
     if (what.empty()) what = "effects that are switched off";
+    if (view.side_b != nullptr && sides_swapped(to.sides, view.sides)) {
+        what = "sides swapped";
+        swap_sides(view);
+    }
     at_ = step;
     const CameraSpec now = view.scene.camera;
     view.source = to.source, view.loaded = to.loaded, view.scene = to.scene;

@@ -30,6 +30,7 @@ private:
         Scene loaded, scene;
         EffectSet off;
         HiddenBodies hidden;  // when it was last at rest
+        int sides;            // ViewState::sides, likewise
         Words words;
         int jumps;   // ViewState::jumps
         bool moved;  // the camera alone: a further move is the same step

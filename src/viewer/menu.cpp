@@ -51,6 +51,7 @@ constexpr std::array kEntries = {
     Entry{Command::kEmbedding, "View", "Embedding diagram", "", 0, false, false, &ViewState::show_embedding},
     Entry{Command::kClockOverlay, "View", "Clock and redshift", "", 0, false, false, &ViewState::show_clock},
     Entry{Command::kCompare, "View", "Compare with this", "X", GLFW_KEY_X, false, false, nullptr, true},
+    Entry{Command::kSwapSides, "View", "Swap sides A and B", "Shift+X", GLFW_KEY_X, false, true, nullptr},
     Entry{Command::kBookmark, "View", "Bookmark this view", "Ctrl+B", GLFW_KEY_B, true, false, nullptr, true},
     Entry{Command::kBookmarks, "View", "Bookmarks", "B", GLFW_KEY_B, false, false, &ViewState::show_bookmarks},
     Entry{Command::kFullScreen, "View", "Full screen", "F11", GLFW_KEY_F11, false, false, nullptr, true},
@@ -81,7 +82,7 @@ KeyPress usual(KeyPress press) {
     if (press.control && press.key == GLFW_KEY_Y) press = {GLFW_KEY_Z, true, true};
     if (press.control && press.key == GLFW_KEY_KP_ADD) press.key = GLFW_KEY_EQUAL;
     if (press.control && press.key == GLFW_KEY_KP_SUBTRACT) press.key = GLFW_KEY_MINUS;
-    if (press.key != GLFW_KEY_Z && press.key != GLFW_KEY_S) press.shift = false;
+    if (press.key != GLFW_KEY_Z && press.key != GLFW_KEY_S && press.key != GLFW_KEY_X) press.shift = false;
     return press;
 }
 
@@ -109,6 +110,7 @@ std::string why_not(Command command, const ViewState& view) {
     switch (command) {
         case Command::kOrders: return no_orders(view.scene);
         case Command::kEmbedding: return no_embedding(view.scene);
+        case Command::kSwapSides: return view.side_b == nullptr ? "Only in a comparison (X)" : "";
         default: return {};
     }
 }

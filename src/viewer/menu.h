@@ -40,6 +40,7 @@ enum class Command {
     kOrders,
     kEmbedding,
     kCompare,
+    kSwapSides,
     // add
     kAddPlanet,
     kAddDisc,

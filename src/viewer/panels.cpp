@@ -52,6 +52,7 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"Ctrl + C V", "copy, paste the view as text"},
     {"Ctrl + B, B", "bookmark this view; bookmarks"},
     {"X", "keep this on the right, to compare"},
+    {"Shift + X", "swap both sides"},
     {"Ctrl + O", "gallery; a file can be dropped, too"},
     {"F", "fall freely, pause"},
     {"Page Up, Down", "tour: back, next"},

@@ -54,6 +54,7 @@ struct ViewState {
     bool light_theme = false;             // of the panels
     NumberStyle numbers;                  // how Numbers, probe and clocks are written
     std::shared_ptr<const SideB> side_b;  // right of the divider; nullptr: no comparison
+    int sides = 0;                        // twice the number of comparisons until now, 1 more while sides are swapped
     MethodWish method;
     Fall fall;                       // of the camera, once it was let go
     bool clock_runs = false;         // the scene's own

@@ -366,7 +366,7 @@ void Viewer::refuse(const Painting& painting) {
     view_.method = shown_.method;
     view_.off = shown_.off;
     view_.hidden = shown_.hidden;
-    view_.side_b = shown_.side_b;
+    view_.side_b = shown_.side_b, view_.sides = shown_.sides;
     view_.error = painting.ready.error().message();
     error_stays_ = true;
     frames_due_ = kSettlingFrames;

@@ -10,6 +10,7 @@
 #include "scene/bodies.h"
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_writer.h"
+#include "viewer/comparison.h"
 #include "viewer/critical_overlay.h"
 #include "viewer/picking.h"
 #include "viewer/sections.h"
@@ -104,6 +105,7 @@ bool Viewer::perform(Command command) {
         case Command::kOrders: return toggle(view_.show_orders);
         case Command::kEmbedding: return toggle(view_.show_embedding);
         case Command::kCompare: return compare();
+        case Command::kSwapSides: return history_.rest(view_), swap_sides(view_), history_.rest(view_), true;
         case Command::kKeys: return toggle(view_.show_keys);
         case Command::kAbout: return toggle(view_.show_about);
         case Command::kTours: return toggle(view_.show_tours);
@@ -124,6 +126,7 @@ bool Viewer::step_history(bool back) {
 }
 
 bool Viewer::compare() {
+    view_.sides = 2 * (view_.sides / 2 + 1);
     if (view_.side_b != nullptr) return view_.side_b.reset(), true;
     if (view_.scene.split) return say("A split screen has two sides already"), false;
     view_.side_b = std::make_shared<SideB>(SideB{view_.scene, view_.method, view_.off});

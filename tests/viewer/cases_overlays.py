@@ -148,8 +148,34 @@ def test_the_windows_place_is_kept(screen, program, folder):
         assert 0 <= left <= WIDTH and top == 0, f"a window beyond the screen is put at {left}, {top}"
 
 
+def test_the_sides_of_a_comparison_are_swapped(screen, program, folder):
+    left, right = (320, 300, 400, 520), (640, 300, 820, 520)
+    with opened(screen, program) as v:
+        shut_sections(v)
+        v.settle("key", "shift+x")
+        assert says(v, "Only in a comparison"), "Shift+X says nothing where there is no side B"
+        v.settle("key", "x")
+        v.click(*v.layout().place("Light", "##side"))
+        v.click(*LENSING)
+        sides = lambda: (v.picture(left), v.picture(right))
+        straight, bent = sides()
+        v.settle("key", "shift+x", "mousemove", *BESIDE)
+        swapped = sides()
+        assert swapped[0].changed(straight, CHANGED) and swapped[1].changed(bent, CHANGED), "the sides are not swapped"
+        v.click(*LENSING)      # of what was side B
+        v.settle("key", "ctrl+z")
+        for one, other in zip(swapped, sides()):
+            same(one, other, "after the switch was undone")
+        v.settle("key", "ctrl+z")
+        for one, other in zip((straight, bent), sides()):
+            same(one, other, "after the swap was undone")
+        v.settle("key", "ctrl+shift+z")
+        for one, other in zip(swapped, sides()):
+            same(one, other, "after the swap was done again")
+
+
 CASES = []
 # Of every depth but quick.
 if EVERYTHING:
     CASES += [test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
-              test_the_embedding_diagram_is_drawn, test_the_windows_place_is_kept]
+              test_the_embedding_diagram_is_drawn, test_the_windows_place_is_kept, test_the_sides_of_a_comparison_are_swapped]

@@ -4,6 +4,7 @@
 
 #include "scene/bodies.h"
 #include "scenefile/scene_edit.h"
+#include "viewer/history.h"
 
 namespace {
 
@@ -59,6 +60,36 @@ TEST_CASE("comparison: a body that is hidden is hidden on both sides, also where
     view.hidden.removed({"ball", 0, ""});
     CHECK(radii(drawn_scene(view)) == std::vector{0.5});
     CHECK(radii(drawn_side_b(view)) == std::vector{1.0, 0.9});
+}
+
+TEST_CASE("comparison: sides are swapped, and undo swaps them back") {
+    ViewState view = with_side_b();
+    view.sides = 2;
+    History history;
+    std::string what;
+    history.rest(view);
+    view.scene.disc->outer = 9.0, view.method.automatic = false;
+    const double outer = view.side_b->scene.disc->outer;
+    history.rest(view);
+    view.scene.camera.r = 40.0;
+    history.rest(view);
+    swap_sides(view);
+    CHECK(view.scene.disc->outer == outer);
+    CHECK(view.side_b->scene.disc->outer == 9.0);
+    CHECK(view.method.automatic);
+    CHECK(!view.side_b->method.automatic);
+    CHECK(view.scene.camera.r == 40.0);
+    REQUIRE(history.undo(view, what));
+    CHECK(what == "sides swapped");
+    CHECK(view.scene.disc->outer == 9.0);
+    CHECK(view.side_b->scene.disc->outer == outer);
+    REQUIRE(history.redo(view, what));
+    CHECK(view.scene.disc->outer == outer);
+    CHECK(view.side_b->scene.disc->outer == 9.0);
+    REQUIRE(history.undo(view, what));
+    REQUIRE(history.undo(view, what));
+    CHECK(view.scene.camera.r != 40.0);
+    CHECK(view.side_b->scene.disc->outer == outer);
 }
 
 TEST_CASE("comparison: labels say what differs") {
