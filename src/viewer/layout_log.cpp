@@ -151,9 +151,10 @@ std::string rectangle(const ImRect& r) {
     return fmt::format("{:.0f} {:.0f} {:.0f} {:.0f}", r.Min.x, r.Min.y, r.GetWidth(), r.GetHeight());
 }
 
-// Children's names hold their parents' after a slash, and numbers.
+// From "##" on. Children's names hold their parents' after a slash, and numbers.
 std::string name_of(const char* owner) {
     std::string name = owner != nullptr ? owner : "";
+    if (const auto id = name.find("##"); id != std::string::npos) name.erase(0, id);
     std::ranges::replace(name, ' ', '_');
     return name;
 }

@@ -17,6 +17,10 @@
 namespace nullscope::viewer {
 namespace {
 
+constexpr const char* kNavigateHelp =
+    "Arrow keys go through the panels and Enter presses what they are on; Ctrl+Tab goes to the next panel, Escape back "
+    "to the picture.";
+
 struct Entry {
     Command command;
     std::string_view menu;
@@ -41,6 +45,7 @@ constexpr std::array kEntries = {
     Entry{Command::kPasteView, "Edit", "Paste view", "Ctrl+V", GLFW_KEY_V, true, false, nullptr},
     Entry{Command::kResetCamera, "Edit", "Reset camera", "R", GLFW_KEY_R, false, false, nullptr, true},
     Entry{Command::kPanels, "View", "Panels", "Tab", GLFW_KEY_TAB, false, false, &ViewState::show_panels},
+    Entry{Command::kNavigate, "View", "Panels by keyboard", "Ctrl+Tab", GLFW_KEY_TAB, true, false, nullptr},
     Entry{Command::kEditor, "View", "Scene editor", "Ctrl+E", GLFW_KEY_E, true, false, &ViewState::show_editor},
     Entry{Command::kTimeline, "View", "Timeline", "Ctrl+T", GLFW_KEY_T, true, false, &ViewState::show_timeline},
     Entry{Command::kErrors, "View", "Errors of pixels", "H", GLFW_KEY_H, false, false, &ViewState::show_errors, true},
@@ -92,6 +97,7 @@ const char* help_of(Command command) {
         case Command::kPotential: return kPotentialHelp;
         case Command::kOrders: return kOrdersHelp;
         case Command::kEmbedding: return kEmbeddingHelp;
+        case Command::kNavigate: return kNavigateHelp;
         default: return "";
     }
 }

@@ -41,6 +41,7 @@ enum class Command {
     kEmbedding,
     kCompare,
     kSwapSides,
+    kNavigate,
     // add
     kAddPlanet,
     kAddDisc,

@@ -103,7 +103,26 @@ void PanelSystem::begin_frame(double text_scale, bool light) {
     }
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+#if IMGUI_VERSION_NUM < 18700  // there Enter alone presses no button
+    if (navigates() && glfwGetKey(window_.handle(), GLFW_KEY_ENTER) == GLFW_PRESS)
+        ImGui::GetIO().NavInputs[ImGuiNavInput_Activate] = 1.0f;
+#endif
+    had_control_ = ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     ImGui::NewFrame();
+    if (!enters_ || glfwGetKey(window_.handle(), GLFW_KEY_TAB) == GLFW_PRESS)
+        return;  // Tab itself goes from field to field
+    enters_ = false;
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    ImGui::SetWindowFocus(kSidePanel);
+}
+
+bool PanelSystem::navigates() const { return (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0; }
+
+void PanelSystem::navigate(bool on) {
+    enters_ = on && !navigates();
+    if (on || !navigates()) return;
+    ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    ImGui::SetWindowFocus(nullptr);
 }
 
 }  // namespace nullscope::viewer

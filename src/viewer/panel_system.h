@@ -4,6 +4,8 @@
 
 namespace nullscope::viewer {
 
+inline constexpr const char* kSidePanel = "Panels##side";  // Dear ImGui lists the name before ##
+
 class PanelSystem {
 public:
     explicit PanelSystem(Window& window);
@@ -13,10 +15,17 @@ public:
     // Follows the window to a screen of another scale. light: the panels' palette.
     void begin_frame(double text_scale, bool light);
 
+    // Arrow keys, Enter and Space in the panels, beginning with the side panel; Dear ImGui then has the keyboard. Within a frame.
+    void navigate(bool on);
+    bool navigates() const;
+    // A control was being edited or a list was open before this frame: Escape is theirs.
+    bool had_control() const { return had_control_; }
+
 private:
     Window& window_;
     double content_scale_ = 0.0, pixel_ratio_ = 0.0;
-    bool light_ = false;
+    bool light_ = false, had_control_ = false;
+    bool enters_ = false;  // once Tab is up
 };
 
 }  // namespace nullscope::viewer

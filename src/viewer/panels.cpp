@@ -11,6 +11,7 @@
 
 #include "base/credits.h"
 #include "viewer/menu.h"
+#include "viewer/panel_system.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
@@ -39,6 +40,7 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"K", "show the critical curve"},
     {"O", "colour image orders"},
     {"Tab", "show or hide the panels"},
+    {"Ctrl + Tab", "panels by arrow keys and Enter"},
     {"F1", "show or hide this list"},
     {"F11", "full screen"},
     {"F12", "save the picture without panels"},
@@ -67,8 +69,9 @@ bool side_panel(ViewState& view, const FrameFacts& facts, bool escape) {
     ImGui::SetNextWindowPos({margin, menu_height() + margin});
     ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, tallest});
     bool changed = false;
-    constexpr ImGuiWindowFlags kFlags = (kFixed & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize;
-    if (ImGui::Begin("##side", nullptr, kFlags)) {
+    constexpr ImGuiWindowFlags kFlags =
+        (kFixed & ~ImGuiWindowFlags_NoScrollbar & ~ImGuiWindowFlags_NoNav) | ImGuiWindowFlags_AlwaysAutoResize;
+    if (ImGui::Begin(kSidePanel, nullptr, kFlags)) {
         scene_section(view, escape);
         // True if it is open. ImGui names widgets by section: several have a "Brightness".
         constexpr ImGuiTreeNodeFlags kShut = ImGuiTreeNodeFlags_None, kOpen = ImGuiTreeNodeFlags_DefaultOpen;

@@ -32,7 +32,7 @@ bool TimelinePanel::draw(ViewState& view, Timeline& timeline, FilmExport& film, 
     ImGui::SetNextWindowPos({left, bottom - margin}, ImGuiCond_Always, {0.0f, 1.0f});
     ImGui::SetNextWindowSize({screen - left - margin, 0.0f});
     bool changed = false;
-    if (ImGui::Begin("##timeline", nullptr,
+    if (ImGui::Begin("Timeline##timeline", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize)) {
         changed |= draw_slider(view, timeline);

@@ -96,6 +96,7 @@ private:
     void toggle_critical_curve();
     void toggle_potential();
     bool compare();  // or its end
+    void navigate();
     void copy_view();
     void fall_freely();  // or a pause of it
     void record();       // or its end

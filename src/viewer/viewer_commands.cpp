@@ -36,7 +36,12 @@ bool Viewer::handle_keys(const Input& input) {
     if (!gallery_.is_open() && picture_.texture != 0 && (in_picture || !input.pressed.empty()))
         settings_.hints_seen = true;
     bool changed = false;
+    if (in_picture) panel_system_->navigate(false);
     for (const KeyPress& press : input.pressed) {
+        if (press.key == GLFW_KEY_ESCAPE && panel_system_->navigates()) {
+            if (!panel_system_->had_control()) panel_system_->navigate(false);
+            continue;
+        }
         const auto command = command_of(press);
         if (io.WantCaptureKeyboard && (!command || !works_while_typing(*command))) continue;
         if (press.key == GLFW_KEY_ESCAPE && !press.control) close_topmost();
@@ -106,6 +111,7 @@ bool Viewer::perform(Command command) {
         case Command::kEmbedding: return toggle(view_.show_embedding);
         case Command::kCompare: return compare();
         case Command::kSwapSides: return history_.rest(view_), swap_sides(view_), history_.rest(view_), true;
+        case Command::kNavigate: return navigate(), false;
         case Command::kKeys: return toggle(view_.show_keys);
         case Command::kAbout: return toggle(view_.show_about);
         case Command::kTours: return toggle(view_.show_tours);
@@ -132,6 +138,13 @@ bool Viewer::compare() {
     view_.side_b = std::make_shared<SideB>(SideB{view_.scene, view_.method, view_.off});
     say("Side B keeps these settings; changes apply to side A. X ends it");
     return true;
+}
+
+void Viewer::navigate() {
+    view_.show_panels = true;
+    panel_system_->navigate(true);
+    frames_due_ = kSettlingFrames;
+    say("Arrow keys and Enter work in the panels; Escape returns to the picture");
 }
 
 void Viewer::copy_view() {

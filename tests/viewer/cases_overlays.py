@@ -148,6 +148,43 @@ def test_the_windows_place_is_kept(screen, program, folder):
         assert 0 <= left <= WIDTH and top == 0, f"a window beyond the screen is put at {left}, {top}"
 
 
+def press(v, *keys):
+    """Down and up in frames of their own, as Dear ImGui 1.86 wants it. On a slow machine an arrow key is repeated meanwhile."""
+    for key in keys:
+        v.settle("keydown", key)
+        v.settle("keyup", key)
+
+
+def test_panels_are_used_by_keyboard(screen, program, folder):
+    with opened(screen, program) as v:
+        shut_sections(v)
+        home = v.settle("key", "ctrl+Tab")
+        press(v, "Down", "End")     # the last header
+        press(v, "Return")
+        assert says(v, "Photon orbit"), "Enter does not open the section Numbers"
+        v.settle("key", "w")
+        press(v, "End", "Return")   # the last control there
+        assert says(v, "0,977008"), "Enter does not tick a box"
+        press(v, "End", "space")
+        assert says(v, "0.977008"), "Space does not take the tick away"
+        same(home, v.picture(), "W in the panels flies the camera")
+        press(v, "Home", "Return")
+        assert says(v, "accretion"), "Enter does not open the list of scenes"
+        press(v, "Escape")
+        assert not says(v, "accretion"), "Escape does not shut the list"
+        v.settle("key", "w")
+        same(home, v.picture(), "Escape leaves the panels with the list")
+        v.settle("key", "Escape")
+        v.settle("key", "w")
+        assert v.picture().changed(home, CHANGED), "after Escape W does not fly"
+        v.settle("key", "r")
+        v.settle("key", "ctrl+Tab")
+        v.settle("mousemove", 600, 400, "mousedown", 1)
+        v.settle("mouseup", 1)
+        v.settle("key", "w")
+        assert v.picture().changed(home, CHANGED), "after a click on the picture W does not fly"
+
+
 def test_the_sides_of_a_comparison_are_swapped(screen, program, folder):
     left, right = (320, 300, 400, 520), (640, 300, 820, 520)
     with opened(screen, program) as v:
@@ -178,4 +215,5 @@ CASES = []
 # Of every depth but quick.
 if EVERYTHING:
     CASES += [test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
-              test_the_embedding_diagram_is_drawn, test_the_windows_place_is_kept, test_the_sides_of_a_comparison_are_swapped]
+              test_the_embedding_diagram_is_drawn, test_the_windows_place_is_kept,
+              test_panels_are_used_by_keyboard, test_the_sides_of_a_comparison_are_swapped]
