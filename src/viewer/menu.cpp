@@ -124,7 +124,10 @@ std::string why_not(Command command, const ViewState& view) {
 std::optional<Command> draw_menu(const ViewState& view, bool escape) {
     std::optional<Command> chosen;
     if (!ImGui::BeginMainMenuBar()) return chosen;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
     for (const std::string_view menu : kMenus) {
+        // What does not fit below its name is scrolled to, in place of lying over it.
+        ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {screen.x, std::max(screen.y - menu_height(), 1.0f)});
         if (!ImGui::BeginMenu(menu.data())) continue;
         if (escape) ImGui::CloseCurrentPopup();
         for (const Entry& entry : kEntries) {
