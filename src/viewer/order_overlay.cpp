@@ -48,25 +48,27 @@ void OrderOverlay::draw() const {
         ImGui::GetBackgroundDrawList()->AddImage(id_of(tint_), {0.0f, 0.0f}, ImGui::GetIO().DisplaySize);
 }
 
-float draw_order_legend(float left, float bottom) {
-    const float margin = 0.6f * em(), swatch = 0.75f * em();
-    float top = bottom;
+void draw_order_legend(float left, float right, float bottom) {
+    const float margin = 0.6f * em(), swatch = 0.75f * em(), gap = 0.4f * em();
+    const float padding = ImGui::GetStyle().WindowPadding.x, end = right - margin - padding;
+    const char* title = "Image order";
+    if (left + margin + padding + ImGui::CalcTextSize(title).x > end) return;
     overlay("##orders", left + margin, bottom - margin, 0.0f, 1.0f, 0.92f, [&] {
-        ImGui::TextUnformatted("Image order");
+        ImGui::TextUnformatted(title);
         for (int order = 0; order <= kMostOrder; ++order) {
+            const std::string words = fmt::format("{}{}", order, order < kMostOrder ? "" : " or more");
             ImGui::SameLine();
+            if (ImGui::GetCursorScreenPos().x + swatch + gap + ImGui::CalcTextSize(words.c_str()).x > end)
+                ImGui::NewLine();
             const Rgb& c = kColours[static_cast<std::size_t>(order)];
             const ImVec2 at = ImGui::GetCursorScreenPos();
             const float y = at.y + 0.5f * (ImGui::GetTextLineHeight() - swatch);
             ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + swatch, y + swatch},
                                                       IM_COL32(c[0], c[1], c[2], 255), 0.15f * em());
-            ImGui::SetCursorPosX(ImGui::GetCursorPosX() + swatch + 0.4f * em());
-            ImGui::TextUnformatted(order < kMostOrder ? fmt::format("{}", order).c_str()
-                                                      : fmt::format("{} or more", order).c_str());
+            ImGui::SetCursorPosX(ImGui::GetCursorPosX() + swatch + gap);
+            ImGui::TextUnformatted(words.c_str());
         }
-        top = ImGui::GetWindowPos().y;
     });
-    return top;
 }
 
 }  // namespace nullscope::viewer

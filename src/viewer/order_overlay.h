@@ -29,7 +29,8 @@ private:
     gl::Texture tint_;
 };
 
-// The colours and their orders, in the picture's lower left corner. Returns where it begins at the top.
-float draw_order_legend(float left, float bottom);
+// The colours and their orders, in the lower left corner of what lies between `left` and `right` above `bottom`; in
+// lines, and nothing where that is too narrow.
+void draw_order_legend(float left, float right, float bottom);
 
 }  // namespace nullscope::viewer

@@ -252,7 +252,7 @@ void Viewer::left_corner(float bottom) {
                         std::max(view_.show_panels ? editor_.width() : 0.0f, view_.show_probe ? probe_.width() : 0.0f);
     const Scene& scene = picture_.job.scene;
     if (view_.show_embedding) bottom = draw_embedding(scene, probe_.facts_in(scene.spacetime), left, right, bottom);
-    if (view_.show_orders && no_orders(scene).empty()) draw_order_legend(left, bottom);
+    if (view_.show_orders && no_orders(scene).empty()) draw_order_legend(left, right, bottom);
 }
 
 bool Viewer::move(const Input& input, double dt) {
