@@ -30,8 +30,9 @@ constexpr const char* kAbout =
 
 constexpr const char* kHands =
     "\nIn the window: drag to look around, wheel for the distance, W A S D Space C to fly, Q E to roll, R returns to "
-    "the\nscene's camera, H shows the error of every pixel, Tab hides the panels, F1 lists all keys, Ctrl+O opens "
-    "the gallery,\nCtrl+S saves the scene, Ctrl+Z undoes, F12 saves the picture, Ctrl+Q quits. Without a display: "
+    "the\nscene's camera, H shows the error of every pixel, O colours image orders, Tab hides the panels, Ctrl+Tab "
+    "enters them\nby keyboard, F1 lists all keys, Ctrl+O opens the gallery,\nCtrl+S saves the scene, Ctrl+Z undoes, "
+    "F12 saves the picture, Ctrl+Q quits. Without a display: "
     "nullscope capture SCENE -o FILE.png, or xvfb-run nullscope-viewer "
     "...\nFor pictures, films, rays and measurements in files, use nullscope (see: nullscope help).";
 

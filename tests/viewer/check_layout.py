@@ -60,7 +60,8 @@ class Reader:
         for button in [4] * 20 + [5] * 40:
             if place := layout.place(words, window):
                 return place
-            left, top, across, down = layout.windows[window]
+            name = next(name for name in layout.windows if name.startswith(window))
+            left, top, across, down = layout.windows[name]
             layout = self.look(what, "mousemove", left + across - 20, top + down // 2, "click", button)
         raise AssertionError(f"no words {words!r} in {window}: {[t[1] for t in layout.texts]}")
 
@@ -101,6 +102,19 @@ def check(reader, width, height):
         reader.look("closed", *away, "key", "Escape" if what == "gallery" else keys[-1])
     reader.look("editor and timeline", "key", "ctrl+e", "key", "ctrl+t")
     reader.look("closed", "key", "ctrl+e", "key", "ctrl+t")
+    reader.click("menu View", "View", "##MainMenuBar")
+    reader.click("embedding diagram", "Embedding diagram", "##Menu")
+    reader.look("embedding diagram, image orders and ray", "key", "o", "key", "p", "mousemove", 2 * width // 3, height // 2)
+    reader.look("embedding diagram and image orders", "key", "p", *away)
+    reader.look("embedding diagram, image orders and editor", "key", "ctrl+e", *away)
+    reader.look("embedding diagram, image orders and timeline", "key", "ctrl+e", "key", "ctrl+t", *away)
+    reader.look("closed", "key", "ctrl+t", "key", "o")
+    reader.click("menu View", "View", "##MainMenuBar")
+    reader.click("closed", "Embedding diagram", "##Menu")
+    for words in ["Numbers", "km", "Numbers"]:
+        reader.click("numbers in km", words, "##side")
+    reader.look("ray in km", "key", "p", "mousemove", 2 * width // 3, height // 2)
+    reader.look("closed", "key", "p", *away)
     reader.click("menu Help", "Help", "##MainMenuBar")
     reader.click("tours", "Guided tours", "##Menu")
     reader.click("first tour", "Why is the shadow", "Guided_tours")
