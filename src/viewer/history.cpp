@@ -81,8 +81,8 @@ void History::rest(const ViewState& view) {
         steps_.resize(at_ + 1);
         if (moved && steps_.back().moved) steps_.pop_back();
     }
-    steps_.push_back({view.source, view.loaded, view.scene, view.off, view.hidden, view.sides, std::move(words),
-                      view.jumps, moved});
+    steps_.push_back(
+        {view.source, view.loaded, view.scene, view.off, view.hidden, view.sides, std::move(words), view.jumps, moved});
     if (steps_.size() > kMostSteps) steps_.erase(steps_.begin());
     at_ = steps_.size() - 1;
 }

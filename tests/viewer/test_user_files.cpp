@@ -34,7 +34,7 @@ struct Home {
 TEST_CASE("settings: what is saved is read again, and a broken file is as none") {
     const Home home;
     CHECK(load_settings() == Settings());
-    Settings settings{true, 1.5, 1280, 720, {"/a b/\"c\".toml", "/d\\e.toml"}, true};
+    Settings settings{true, 1.5, 1280, 720, {"/a b/\"c\".toml", "/d\\e.toml"}, true, {}, {}};
     settings.numbers = {LengthUnit::kKilometre, 6.5e9, true};
     settings.place = ScreenPlace{-7, 300};
     REQUIRE(save_settings(settings));
