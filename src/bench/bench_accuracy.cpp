@@ -135,6 +135,7 @@ Status measure_costs(const Bench& bench, Scene scene, int frames, std::vector<Ro
     scene.camera.width = kTimeWidth, scene.camera.height = kTimeHeight;
     Scene flat = scene;
     flat.spacetime = {"minkowski", {}};
+    flat.camera.zoom.reset();
     TRY(flat_ready, bench.other->prepare(flat));
     bench.draw(*bench.other);
     Renderer& renderer = bench.renderer();

@@ -34,6 +34,7 @@ Json row_of(const Bench& bench, const Scene& scene, int frames) {
 Result<Json> measure(const Bench& bench, const Scene& scene, int frames) {
     Scene flat = scene;
     flat.spacetime = {"minkowski", {}};
+    flat.camera.zoom.reset();
     if (!camera_can_rest(Minkowski{}, flat.camera.r)) flat.camera.r = 1.0;  // a wormhole's throat is no place there
     const Stopwatch prepare_watch;
     TRY(ready, bench.renderer().prepare(scene));

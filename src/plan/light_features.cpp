@@ -44,6 +44,7 @@ std::span<const Feature> light_features() {
              // Straight light is that of an observer at rest: what falls is put into flat space.
              s.light.lensing = falls(s.camera);
              if (s.light.lensing) s.spacetime = {"minkowski", {}};
+             s.camera.zoom.reset();
          },
          nothing,
          hole},

@@ -29,7 +29,8 @@ constexpr const char* kAbout =
     "window.png          save what the window shows, with panels, then quit\n";
 
 constexpr const char* kHands =
-    "\nIn the window: drag to look around, wheel for the distance, W A S D Space C to fly, Q E to roll, R returns to "
+    "\nIn the window: drag to look around, wheel for the distance, Z and wheel\nto zoom into the photon ring, W A S D "
+    "Space C to fly, Q E to roll, R returns to "
     "the\nscene's camera, H shows the error of every pixel, O colours image orders, Tab hides the panels, Ctrl+Tab "
     "enters them\nby keyboard, F1 lists all keys, Ctrl+O opens the gallery,\nCtrl+S saves the scene, Ctrl+Z undoes, "
     "F12 saves the picture, Ctrl+Q quits. Without a display: "

@@ -863,12 +863,12 @@ def test_a_click_on_a_body_opens_it_in_the_editor(screen, program, folder):
         assert not press(665, 500, "mousemove", 680, 500), "a drag that begins on the ball opens the editor"
         v.settle("key", "r")
         assert press(420, 270), "a click on the sphere does not open the editor"
-        assert v.layout().place("Remove", "Scene"), v.layout().words()
+        assert v.layout().place("Remove", "##sections"), v.layout().words()
         assert "radius" in v.layout().words(), v.layout().words()
         v.settle("key", "ctrl+e")
         v.settle("mousemove", 665, 500, "mousedown", 1)
         v.settle("mouseup", 1, "mousemove", *BESIDE)
-        assert v.layout().place("position", "Scene"), f"the ball's section is shut: {v.layout().words()}"
+        assert v.layout().place("position", "##sections"), f"the ball's section is shut: {v.layout().words()}"
 
 
 def test_a_hidden_body_is_left_out_of_films(screen, program, folder):
@@ -876,7 +876,7 @@ def test_a_hidden_body_is_left_out_of_films(screen, program, folder):
         press = lambda words, window="": v.click(*v.layout().place(words, window))
         v.settle("mousemove", 420, 270, "mousedown", 1)
         v.settle("mouseup", 1, "mousemove", *BESIDE)     # the sphere's section
-        press("Hide", "Scene")
+        press("Hide", "##sections")
         v.settle("key", "ctrl+e", "key", "ctrl+t")
         press("Set key", "##timeline")
         press("Film...", "##timeline")

@@ -211,9 +211,28 @@ def test_the_sides_of_a_comparison_are_swapped(screen, program, folder):
             same(one, other, "after the swap was done again")
 
 
+def test_z_and_the_wheel_zoom_into_the_photon_ring(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene="photon-ring") as v:
+        def zoomed(button, notches):
+            v.settle("mousemove", 600, 300, "keydown", "z", *["click", button] * notches, "keyup", "z")
+            return next((words for words in v.layout().words() if words.startswith("zoom")), "")
+        plain = v.picture()
+        assert zoomed(4, 5).startswith("zoom 5"), "five notches are not e^1.75"
+        deep = zoomed(4, 60)
+        assert deep.startswith("zoom 10^") and int(deep.rsplit(" ", 1)[1]) >= 6, deep
+        before = v.picture()
+        zoomed(4, 3)
+        v.changes("the wheel goes on", before)
+        v.settle("key", "ctrl+z")
+        v.settle("key", "ctrl+z")
+        assert not v.picture().changed(plain, CHANGED), "undo does not lead out"
+        assert zoomed(5, 3) == "", "a zoom begins by going back"
+        v.settle("key", "ctrl+c")
+
+
 CASES = []
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
+    CASES += [test_z_and_the_wheel_zoom_into_the_photon_ring, test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
               test_the_embedding_diagram_is_drawn, test_the_windows_place_is_kept,
               test_panels_are_used_by_keyboard, test_the_sides_of_a_comparison_are_swapped]

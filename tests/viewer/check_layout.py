@@ -20,6 +20,7 @@ from x_screen import Screen, missing_tools
 
 SIZES, SCALES = ["1280x720", "1920x1080", "3840x2160"], ["1", "1.5", "2"]
 SECTIONS = ["Camera", "Boost", "Lens", "Disc", "Sky", "Light", "Spacetime", "Accuracy", "Effects", "Free fall", "Clock", "Numbers"]
+INSIDE = {"Scene": "##sections"}     # a window's own part that is scrolled
 MENUS = ["File", "Edit", "View", "Add", "Path", "Help"]
 OVER_OTHERS = ["##keys", "About_nullscope", "Guided_tours", "##Tooltip", "##Menu", "##message", "##hints", "##MainMenuBar", "##Popup", "##Combo"]
 
@@ -77,7 +78,7 @@ class Reader:
             return
         left = self.look(window).windows[window][0]
         for name, words, (x, y, width, height) in self.look(window).texts:
-            if name == window and x < left + 40 * float(self.label.split("*")[1]):
+            if name.startswith((window, INSIDE.get(window, window))) and x < left + 40 * float(self.label.split("*")[1]):
                 self.look(f"tooltip of {words}", "mousemove", x + width // 2, y + height // 2)
 
 
@@ -100,6 +101,8 @@ def check(reader, width, height):
         if what == "editor":
             reader.tooltips("Scene")
         reader.look("closed", *away, "key", "Escape" if what == "gallery" else keys[-1])
+    reader.look("zoom", "mousemove", 2 * width // 3, height // 2, "keydown", "z", *["click", 4] * 20, "keyup", "z")
+    reader.look("closed", *away, "key", "r")
     reader.look("editor and timeline", "key", "ctrl+e", "key", "ctrl+t")
     reader.look("closed", "key", "ctrl+e", "key", "ctrl+t")
     reader.click("menu View", "View", "##MainMenuBar")
