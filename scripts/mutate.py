@@ -96,12 +96,12 @@ MUTANTS = [Mutant(*row) for row in [
     ("stale", "tables kept when the camera moves", "src/render/planar_path.cpp",
      "family_->camera_r() != camera.r || !(family_->frame() == plan.observer.frame) ||\n"
      "                       (wanted.tables.orbits && !had.tables.orbits) || (wanted.tables.delays && !had.tables.delays) ||\n"
-     "                       (wanted.points && !had.points) || family_->w0() != camera_family(plan).w0();",
+     "                       (wanted.points && !had.points) || !family_->same_cells(camera_family(plan));",
      "(wanted.tables.orbits && !had.tables.orbits) || (wanted.tables.delays && !had.tables.delays) || "
      "(wanted.points && !had.points);",
      HARD),   # the radius alone is an equivalent mutant: another radius is another w0
     ("stale-zoom", "tables kept when the view narrows", "src/render/planar_path.cpp",
-     "family_->w0() != camera_family(plan).w0();", "false;", HARD),
+     "!family_->same_cells(camera_family(plan));", "false;", HARD),
     ("nystrom", "a wrong coefficient of the integrator", "src/numeric/nystrom.h",
      "25. / 522", "25. / 525", HARD),
     ("cube", "a mirrored face of the sky", "src/sky/cube.cpp",

@@ -84,9 +84,7 @@ Result<CameraSpec> camera_of_view(const std::string& line, const Scene& scene) {
     Scene place;
     place.spacetime = scene.spacetime;
     place.name = "view";
-    std::string lines = line.substr(0, line.find('\n')) + '\n';
-    if (const auto zoom = lines.find(" zoom = {"); zoom != std::string::npos) lines[zoom] = '\n';
-    auto read = parse_scene(lines + scene_file_text(place, {}), "view", {});
+    auto read = parse_scene(line.substr(0, line.find('\n')) + '\n' + scene_file_text(place, {}), "view", {});
     if (!read) return without_place(read.error());
     read->camera.width = scene.camera.width, read->camera.height = scene.camera.height;
     return read->camera;

@@ -192,6 +192,10 @@ void SceneReader::read_section(std::string_view section, const toml::table& tabl
     }
     for (const auto& [name, node] : table) {
         if (section == "path" && name.str() == "key") continue;  // read_path_keys
+        if (const toml::table* zoom = node.as_table(); section == "camera" && name.str() == "zoom" && zoom != nullptr) {
+            read_section("zoom", *zoom, "zoom");  // a view in one line: camera = { r = 9, zoom = { depth = 3 } }
+            continue;
+        }
         if (of_metric == metrics_.end() || name.str() != "metric") read_key(section, name, node, label);
     }
 }

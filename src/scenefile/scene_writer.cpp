@@ -89,13 +89,18 @@ public:
     std::string view() const {
         Scene blank;
         if (scene_.camera.zoom) blank.camera.zoom.emplace();
-        const auto table = [&](std::string_view section) {
+        const auto inside = [&](std::string_view section) {
             std::string line = lines(section, scene_, blank, false);
             for (std::size_t at = line.find('\n'); at != std::string::npos; at = line.find('\n', at))
                 line.replace(at, 1, at + 1 == line.size() ? "" : ", ");
-            return line.empty() ? fmt::format("{} = {{}}", section) : fmt::format("{} = {{ {} }}", section, line);
+            return line;
         };
-        return scene_.camera.zoom ? table("camera") + ' ' + table("zoom") : table("camera");
+        const auto table = [](std::string_view name, const std::string& inner) {
+            return inner.empty() ? fmt::format("{} = {{}}", name) : fmt::format("{} = {{ {} }}", name, inner);
+        };
+        std::string camera = inside("camera");
+        if (scene_.camera.zoom) camera += (camera.empty() ? "" : ", ") + table("zoom", inside("zoom"));
+        return table("camera", camera);
     }
     Writer(const Scene& scene, fs::path base) : scene_(scene), base_(std::move(base)) {
         const auto has_fov = [](const CameraSpec& camera) {

@@ -1,13 +1,18 @@
 #include "viewer/comparison.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <set>
 #include <utility>
 
 #include "annotate/annotations.h"
+#include "scenefile/scene_keys.h"
 #include "scenefile/scene_text.h"
 
 namespace nullscope::viewer {
@@ -19,7 +24,8 @@ std::map<std::string, std::string> settings_of(const Scene& scene) {
     constexpr std::array kShared = {"camera", "path", "key", "time", "name", "description", "split"};
     std::map<std::string, std::string> settings;
     for (const SceneLine& line : scene_lines(scene))
-        if (std::ranges::none_of(kShared, [&](const char* name) { return line.name.starts_with(name); }))
+        if (line.name == "camera.exposure" ||
+            std::ranges::none_of(kShared, [&](const char* name) { return line.name.starts_with(name); }))
             settings[line.name] = line.value + line.file.string();
     return settings;
 }
@@ -28,6 +34,21 @@ std::set<std::string> sections_of(const std::map<std::string, std::string>& sett
     std::set<std::string> sections;
     for (const auto& [key, value] : settings) sections.insert(key.substr(0, key.find('.')));
     return sections;
+}
+
+// As a label says it: numbers in the unit of scene files.
+std::string value_words(const std::string& name, const std::string& value) {
+    constexpr std::size_t kLongest = 24;
+    char* end = nullptr;
+    const double number = std::strtod(value.c_str(), &end);
+    if (value.empty() || *end != '\0') return value.substr(0, kLongest);
+    const std::string section = name.substr(0, name.find_first_of(".[")), key = name.substr(name.rfind('.') + 1);
+    for (const SceneKey& row : scene_keys()) {
+        if (row.section != section || row.key != key) continue;
+        if (row.unit == "deg") return fmt::format("{:.5g}\u00b0", number * 180.0 / std::numbers::pi);
+        return row.unit.empty() ? fmt::format("{:.5g}", number) : fmt::format("{:.5g} {}", number, row.unit);
+    }
+    return fmt::format("{:.5g}", number);
 }
 
 // Sections that one scene alone has, then keys whose values differ.
@@ -48,14 +69,17 @@ Words changed_settings(const Scene& a, const Scene& b) {
         if (!in_a.contains(name)) add("without " + name, "with " + name);
     for (const auto& [key, value] : of_a) {
         const auto other = of_b.find(key);
-        if (other != of_b.end() && other->second != value) add(key + " changed", key + " as stored");
+        if (other != of_b.end() && other->second != value)
+            add(key + ' ' + value_words(key, value), key + ' ' + value_words(key, other->second));
     }
     if (named > kMostNamed) words.first += " ...", words.second += " ...";
     return words;
 }
 
 Scene seen_in(const ViewState& view, Scene scene) {
+    const double exposure_ev = scene.camera.exposure_ev;
     scene.camera = view.scene.camera, scene.path = view.scene.path, scene.time = view.scene.time;
+    scene.camera.exposure_ev = exposure_ev;
     return scene;
 }
 

@@ -8,10 +8,10 @@
 
 namespace nullscope::viewer {
 
-// What side B shows: its settings, seen by the view's camera at the view's time. The view has a side B.
+// What side B shows: its settings and exposure, seen by the view's camera at the view's time. The view has a side B.
 Scene drawn_side_b(const ViewState& view);
 
-// The settings of both sides change places; camera, path and time stay. Nothing without a side B.
+// The settings of both sides change places, exposures too; camera, path and time stay. Nothing without a side B.
 void swap_sides(ViewState& view);
 // Between two values of ViewState::sides.
 inline bool sides_swapped(int before, int after) { return (before ^ after) == 1; }

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <fmt/format.h>
+
 #include "scene/bodies.h"
 #include "scenefile/scene_edit.h"
 #include "viewer/history.h"
@@ -108,7 +110,9 @@ TEST_CASE("comparison: labels say what differs") {
     CHECK(words_of(view) == std::pair<std::string, std::string>{"A: without disc", "B: with disc"});
     view = with_side_b();
     view.scene.disc->outer = 9.0;
-    CHECK(words_of(view) == std::pair<std::string, std::string>{"A: disc.outer changed", "B: disc.outer as stored"});
+    CHECK(words_of(view) ==
+          std::pair<std::string, std::string>{"A: disc.outer 9 r_s",
+                                              "B: disc.outer " + fmt::format("{:.5g}", DiscSpec{}.outer) + " r_s"});
     view = with_side_b();
     Method table;
     table.kind = MethodKind::kTable;
