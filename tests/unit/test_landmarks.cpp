@@ -75,8 +75,7 @@ TEST_CASE("landmarks: the shadow of a rotating hole is as wide and high as its c
     near.r = 4.0, near.theta = 1.0;
     const double radius = camera_numbers(*spacetime_of("schwarzschild"), near).shadow.value();
     const auto size = camera_numbers(*spacetime_of("kerr", still), near).shadow_size.value();
-    for (const double diameter : size)
-        CHECK(diameter == doctest::Approx(2 * radius).epsilon(1e-5));
+    for (const double diameter : size) CHECK(diameter == doctest::Approx(2 * radius).epsilon(1e-5));
 }
 
 TEST_CASE("landmarks: clocks, shadow and orbits of a camera") {
