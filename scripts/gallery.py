@@ -103,7 +103,7 @@ def error(binary, name, scene, folder):
     words of a number into error_words().
     """
     if "split" in scene or "beside" in scene or "zoom" in scene or name in SLOW_REFERENCE:
-        return None  # ray data are of one spacetime; the reference traces no zoom this deep
+        return None  # ray data are of one spacetime; in a zoom no screen error tells what is off along the ring
     for renderer, more in (("gl", ()), ("reference", ("--samples", 1))):
         nullscope(binary, "capture", name, "--size", ERROR_SIZE, "--raydata", "--renderer", renderer, *more, "-o", folder / f"{renderer}.exr")
     said = nullscope(binary, "compare", folder / "gl.exr", folder / "reference.exr", "--scene", name)

@@ -36,7 +36,20 @@ float path_way(Trace trace) {
 #endif
 #endif
 
+#ifdef EFFECT_ZOOM
+// In the middle of its way a ray that winds is next to the photon sphere, not in the disc: the first crossing behind that. ring.w: table/
+// critical_images.h.
+int disc_past_winding(Trace trace, PlaneMeeting meeting, int number) {
+    float phi = meeting.phi + 3.14159265358979323846 * float(number);
+    float rest = trace.phi_end - frame.ring.w - phi;
+    return phi > frame.ring.w && rest > 0.0 ? number + int(ceil(rest * (1.0 / 3.14159265358979323846))) : number;
+}
+#endif
+
 DiscWalk disc_walk_at(Trace trace, DiscWalk walk) {
+#ifdef EFFECT_ZOOM
+    walk.number = disc_past_winding(trace, walk.meeting, walk.number);
+#endif
     walk.more = disc_reachable(trace, walk.meeting, walk.number);
     walk.covered = 1.0;
 #ifdef DISC_IS_THIN

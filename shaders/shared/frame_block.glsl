@@ -22,7 +22,8 @@ struct FrameData {
     vec4 polar_length; // of a zoom the polar forms are those of the direction before aberration, v = ray_0 + x ray_x + y ray_y, seen by an
                        //   observer at rest: this times (|v| - 1) is to be added,
     vec4 polar_weight; //   and the sum to be divided by x + px y + py z + (|v| - 1) w
-    vec4 ring;         // observer/ring_view.h: swept angle and light time that the picture leaves out, rays that have swept .z before half of it
+    vec4 ring;         // observer/ring_view.h: swept angle and light time that the picture leaves out, rays that have swept .z before half of it;
+                       //   how much a ray that winds sweeps at most between the disc and either of its ends
 #endif
 #ifdef BLOCK_ABERRATION
     vec4 boost;        // direction of motion in world axes, .w = stretch sqrt((1+v)/(1-v)) of directions, 1 without aberration

@@ -36,6 +36,7 @@ CameraSpec towards(const CriticalLight& light, CameraSpec camera) {
     const Vec3 back = -(static_from_camera(plain) * seen);
     camera.yaw = std::atan2(-back.z, back.x);
     camera.pitch = std::atan2(back.y, std::hypot(back.x, back.z));
+    camera.zoom.reset();
     return camera;
 }
 
@@ -72,11 +73,12 @@ Result<Found> find(const Spacetime& spacetime, const CameraSpec& camera, const L
 Result<RingView> ring_view(const Spacetime& spacetime, const CameraSpec& camera, const LightSpec& light) {
     TRY(found, find(spacetime, camera, light));
     // e of the corner at most: its logarithm.
-    const double across = std::hypot(camera.width, camera.height) * 0.5 * camera.pixel(),
+    const double across = std::hypot(camera.width, camera.height) * 0.5 * found->camera.pixel(),
                  stretch = std::sqrt((1.0 + found->speed) / (1.0 - found->speed)),
                  corner = std::log(across * stretch / found->scale) - camera.zoom->depth,
                  turn = 2.0 * found->orbit.gamma;
     RingView view{found->camera, std::fmax(std::floor((std::log(kSimilar) - corner) / turn), 0.0)};
+    view.depth = camera.zoom->depth;
     view.lag = 2.0 * view.turns * found->orbit.delay;
     view.half_way = -0.5 * std::numbers::pi / found->orbit.gamma * std::log(kSimilar);
     view.camera.plane_width *= std::exp(view.turns * turn - camera.zoom->depth);
@@ -86,14 +88,13 @@ Result<RingView> ring_view(const Spacetime& spacetime, const CameraSpec& camera,
 Result<CameraSpec> without_zoom(const Spacetime& spacetime, const CameraSpec& camera, const LightSpec& light) {
     if (!camera.zoom) return camera;
     TRY(found, find(spacetime, camera, light));
-    const double deepest = std::log(camera.pixel() / kFinestDirection);
+    const double deepest = std::log(found->camera.pixel() / kFinestDirection);
     if (camera.zoom->depth > deepest)
         return bad_key("zoom.depth",
                        fmt::format("at {} a pixel is less than {} rad", camera.zoom->depth, kFinestDirection),
                        fmt::format("at most {:.4g} for this picture, where rays are traced one by one", deepest));
     CameraSpec plain = found->camera;
     plain.plane_width *= std::exp(-camera.zoom->depth);
-    plain.zoom.reset();
     return plain;
 }
 

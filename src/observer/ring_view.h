@@ -21,9 +21,10 @@ inline constexpr double kSimilar = 1e-8;
 
 struct RingView {
     CameraSpec
-        camera;  // yaw, pitch and plane_width are those of a view that shows the same; the middle is on the critical curve to
+        camera;  // without a zoom: yaw, pitch and plane_width of a view that shows the same; the middle is on the critical curve to
                  // 1e-16 rad
     double turns = 0;     // m
+    double depth = 0;     // the zoom's own
     double lag = 0;       // m 2 pi b_c, r_s/c
     double half_way = 0;  // swept angle at which every ray of a view with m > 0 is next to the photon sphere, rad
 };

@@ -92,7 +92,7 @@ double star_share(const FramePlan& plan) {
     constexpr double kFinestPlace = 2e-6;  // rad
     if (!plan.ring) return 1.0;
     if (plan.scene.camera.pixel() < kFinestPlace) return 0.0;
-    return std::exp(-2.0 * plan.scene.camera.zoom->depth);
+    return std::exp(-2.0 * plan.ring->depth);
 }
 
 void put_sky(FrameData& frame, const FramePlan& plan, const TextureFacts& textures) {

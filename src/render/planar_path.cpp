@@ -108,6 +108,7 @@ void PlanarPath::write(const FramePlan& plan, FrameData& frame) const {
     if (const auto& disc = plan.scene.disc) {
         const CriticalImages images = critical_images(*family_, disc->inner, disc->outer);
         frame.critical = {images.inner, images.outer, images.per_angle * M_LOG2E, images.from_angle};
+        if (plan.ring) frame.ring.w = angle_about_disc(*family_, disc->inner, disc->outer);
         frame.critical_bend = {images.inner_bend.constant, images.inner_bend.logarithm, images.outer_bend.constant,
                                images.outer_bend.logarithm};
     }

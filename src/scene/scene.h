@@ -1,5 +1,6 @@
 // Scene: plain data that describes what is there. Units: lengths in r_s, angles in rad, speeds in c, r_s = c = 1.
 #pragma once
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -46,7 +47,8 @@ struct CameraSpec {
     int width = 1280, height = 720;  // pixels, square
     double exposure_ev = 0.0;        // display brightness is multiplied by 2^exposure
     std::optional<ZoomSpec> zoom{};  // then yaw and pitch follow from it
-    double pixel() const { return plane_width / width / focal_distance; }  // tangent of what one spans in the middle
+    // Tangent of what one spans in the middle, in a zoom too; 0 from a depth of some 700 on.
+    double pixel() const { return plane_width / width / focal_distance * (zoom ? std::exp(-zoom->depth) : 1.0); }
     friend bool operator==(const CameraSpec&, const CameraSpec&) = default;
 };
 

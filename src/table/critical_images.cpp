@@ -97,4 +97,19 @@ double delta_of_image(const RayFamily& family, double r, double phi) {
     return NAN;
 }
 
+double angle_about_disc(const RayFamily& family, double inner, double outer) {
+    constexpr double kNone = 1e30, kRoom = 1.0;  // rad; rays beside the critical one are in reach for a little longer
+    const ChiMap* chi = family.spacetime().chi();
+    const auto horizon = family.spacetime().horizon_radius();
+    if (chi == nullptr || !horizon) return kNone;
+    constexpr double d2 = 1e-12;  // of a ray next to the critical one
+    const auto from_infinity = [&](double place) {
+        return family.table().through_from_infinity(std::sqrt(1.0 + d2), d2, place);
+    };
+    const double deepest = chi->chi_from_radius(std::max(inner, *horizon)), highest = chi->chi_from_radius(outer);
+    if (deepest < 0.5 * M_PI - kDiscAside) return from_infinity(deepest) + kRoom;
+    if (highest > 0.5 * M_PI + kDiscAside) return from_infinity(family.chi_end()) - from_infinity(highest) + kRoom;
+    return kNone;
+}
+
 }  // namespace nullscope

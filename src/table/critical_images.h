@@ -31,4 +31,9 @@ double swept_to(const RayFamily& family, Segment segment, double delta, double r
 // sphere, down to 1e-300 of the critical angle. NaN: none next to the critical direction. Some microseconds.
 double delta_of_image(const RayFamily& family, double r, double phi);
 
+// What a ray that winds about the photon sphere sweeps at most within reach of a disc, between that and the sky, the horizon or the camera:
+// further from both of its ends it meets none. Without bound where the disc comes within kDiscAside of the photon sphere's chi. rad.
+inline constexpr double kDiscAside = 0.02;
+double angle_about_disc(const RayFamily& family, double inner, double outer);
+
 }  // namespace nullscope

@@ -97,6 +97,8 @@ ErrorWatch::~ErrorWatch() {
 }
 
 Status ErrorWatch::start(const Scene& scene, RayFrame tested) {
+    if (scene.camera.zoom)  // what is off along the ring is no number of pixels: nothing moves there
+        return bad_input("errors of pixels are not measured in a zoom", "camera.fov without [zoom]");
     TRY(tracer, reference::FrameTracer::make(scene));
     const int width = tested.width, height = tested.height;
     auto job = std::make_shared<Job>(Job{scene.camera, std::move(*tracer), std::move(tested), tasks_of(width, height)});

@@ -42,7 +42,7 @@ std::string Gallery::draw(float top, float bottom, const std::vector<std::string
             for (const SceneGroup& group : groups_)
                 if (std::string card = draw_cards(group, all); !card.empty()) chosen = std::move(card);
         if (!std::ranges::any_of(groups_, [this](const SceneGroup& group) {
-                return std::ranges::any_of(group.scenes, [this](const SceneInfo& scene) { return matches(scene); });
+                return std::ranges::any_of(group.scenes, [&](const SceneInfo& scene) { return matches(scene, group); });
             }))
             ImGui::TextDisabled("Nothing found.");
         ImGui::EndChild();
@@ -65,9 +65,9 @@ std::string Gallery::draw_head(const std::vector<std::string>& recent, bool esca
     if (input_text("##words", "Search", words_)) {
         for (const SceneGroup& group : groups_)
             for (const SceneInfo& scene : group.scenes)
-                if (chosen.empty() && !words_.empty() && matches(scene)) chosen = scene.name;
+                if (chosen.empty() && !words_.empty() && matches(scene, group)) chosen = scene.name;
     }
-    tooltip("Words of a scene's name or description. Enter opens the first that is found.");
+    tooltip("Words of a scene's name, description or group. Enter opens the first that is found.");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(field);
     if (input_text("##path", "File to open: path, or drop it here", path_) && !path_.empty()) chosen = path_;
@@ -113,14 +113,14 @@ std::string Gallery::draw_tours() {
     return chosen;
 }
 
-bool Gallery::matches(const SceneInfo& scene) const {
-    return has_words(scene.name + ' ' + scene.title + ' ' + scene.description, words_);
+bool Gallery::matches(const SceneInfo& scene, const SceneGroup& group) const {
+    return has_words(scene.name + ' ' + scene.title + ' ' + scene.description + ' ' + group.title, words_);
 }
 
 std::string Gallery::draw_cards(const SceneGroup& group, bool all) {
     std::vector<const SceneInfo*> found;
     for (const SceneInfo& scene : group.scenes)
-        if (matches(scene)) found.push_back(&scene);
+        if (matches(scene, group)) found.push_back(&scene);
     if (found.empty()) return "";
     std::string chosen;
     ImGui::TextDisabled("%s", group.title.c_str());

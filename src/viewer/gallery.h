@@ -29,7 +29,7 @@ private:
     std::string draw_tours();
     std::string draw_cards(const SceneGroup& group, bool all);
     bool draw_card(const SceneInfo& scene, float width, bool all);
-    bool matches(const SceneInfo& scene) const;
+    bool matches(const SceneInfo& scene, const SceneGroup& group) const;
 
     bool open_ = false, opened_now_ = false;
     std::vector<SceneGroup> groups_;

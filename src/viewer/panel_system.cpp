@@ -48,8 +48,10 @@ void colour(ImGuiStyle& style, const Palette& p) {
     c[ImGuiCol_Header] = as_imgui(p.header);
     c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = as_imgui(p.title());
     c[ImGuiCol_CheckMark] = as_imgui(p.accent);
-    c[ImGuiCol_SliderGrab] = c[ImGuiCol_PlotHistogram] = as_imgui(p.grab);
-    c[ImGuiCol_SliderGrabActive] = as_imgui(p.dragged());
+    constexpr float kGrab = 0.5f;  // so that the number over a slider's handle can be read
+    c[ImGuiCol_PlotHistogram] = as_imgui(p.grab);
+    c[ImGuiCol_SliderGrab] = as_imgui(p.grab.with(kGrab));
+    c[ImGuiCol_SliderGrabActive] = as_imgui(p.dragged().with(kGrab));
     c[ImGuiCol_TextSelectedBg] = as_imgui(p.grab.with(0.35f));
     c[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};
     c[ImGuiCol_ResizeGrip] = {0, 0, 0, 0};

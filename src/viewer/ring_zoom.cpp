@@ -62,7 +62,7 @@ void zoom_along(Scene& scene, double right, double up) {
     if (!critical) return;
     const Vec3 way =
         (critical->direction(zoom.angle + kBeside) - critical->direction(zoom.angle - kBeside)) / (2.0 * kBeside);
-    const double pixel = scene.camera.pixel() * std::exp(-zoom.depth);
+    const double pixel = scene.camera.pixel();
     const double length2 = way.x * way.x + way.y * way.y;
     zoom.angle = std::remainder(zoom.angle - pixel * (right * way.x + up * way.y) / length2, 2.0 * std::numbers::pi);
 }
@@ -78,7 +78,6 @@ std::string zoom_words(const Scene& scene) {
     if (!view) return words;
     Scene plain = scene;
     plain.camera = view->camera;
-    plain.camera.zoom.reset();
     plain.disc.reset(), plain.spots.clear(), plain.bodies.clear();
     const auto tracer = reference::FrameTracer::make(plain);
     if (!tracer) return words;

@@ -24,8 +24,9 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr const char* kFirstScene = "first-light";
-constexpr int kNewsFrames = 2;            // a measured number may make its panel wider a frame later
-constexpr float kStripGap = 0.6f;         // of the font's size, between strips of panels
+constexpr int kNewsFrames = 2;     // a measured number may make its panel wider a frame later
+constexpr float kStripGap = 0.6f;  // of the font's size, between strips of panels
+constexpr const char* kFallen = "The fall has ended: R returns to the scene's camera";
 constexpr double kIdleWait = 1.0;         // s
 constexpr double kCaretWait = 0.1;        // s, while a text field shows a blinking caret
 constexpr double kAdaptingWait = 0.03;    // s, while exposure follows
@@ -236,7 +237,8 @@ bool Viewer::panels(const Input& input) {
 float Viewer::overlays(float top, float bottom) {
     const float gap = kStripGap * ImGui::GetFontSize(), edge = view_.show_panels ? side_panel_right() : 0.0f,
                 right = ImGui::GetIO().DisplaySize.x - (view_.show_panels ? editor_.width() : 0.0f);
-    if (!message_.empty()) draw_message(message_, edge, right, bottom);
+    const bool fallen = view_.fall.active() && !view_.fall.runs() && view_.fall.tau() >= view_.fall.line().last();
+    if (!message_.empty() || fallen) draw_message(message_.empty() ? kFallen : message_, edge, right, bottom);
     if (picture_.texture != 0) top = std::max(top, marks_.labels_bottom());
     float left = edge + gap;
     if (view_.show_clock) left = draw_clock_overlay(view_, left, right - gap, top + gap);
@@ -260,10 +262,7 @@ bool Viewer::move(const Input& input, double dt) {
     bool moved = controls_.apply(input, view_, dt, io.WantCaptureMouse || divider_.has_mouse(),
                                  io.WantCaptureKeyboard || gallery_.is_open());
     if (const auto place = controls_.click(); place && view_.show_panels) pick((*place)[0], (*place)[1]);
-    const bool fell = view_.fall.runs();
     moved |= view_.fall.step(view_.scene, dt);
-    if (fell && view_.fall.active() && !view_.fall.runs() && view_.fall.tau() >= view_.fall.line().last())
-        say("The fall has ended: R returns to the scene's camera");
     moved |= step_clock(view_, dt);
     moved |= timeline_.step(view_.scene, dt);
     if (controls_.dragging()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

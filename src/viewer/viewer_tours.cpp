@@ -10,7 +10,11 @@ Status Viewer::start_tour(const std::filesystem::path& file) {
     if (Status loaded = load_step(view_, tour->steps.front()); !loaded) return loaded;
     tour_.start(std::move(*tour));
     gallery_.close();
-    view_.show_tours = false;
+    // What lies over the picture is not what its text speaks of.
+    for (bool ViewState::*overlay :
+         {&ViewState::show_tours, &ViewState::show_errors, &ViewState::show_critical, &ViewState::show_orders,
+          &ViewState::show_embedding, &ViewState::show_probe, &ViewState::show_potential, &ViewState::show_clock})
+        view_.*overlay = false;
     return Done{};
 }
 

@@ -1,10 +1,13 @@
 // Zooms into the photon ring as drawn: the shader core's rays, and a number in every pixel, at any depth.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <vector>
 
 #include "render/frame_tables.h"
 #include "scenefile/scene_file.h"
 #include "support/gpu_session.h"
+#include "support/paired_cost.h"
 
 using namespace nullscope;
 using namespace nullscope::test;
@@ -64,4 +67,51 @@ TEST_CASE("ring view: every pixel of a picture is a number, however deep") {
             CHECK(std::all_of(picture.at(0, 0), picture.at(0, 0) + count, [](float v) { return std::isfinite(v); }));
         }
     });
+}
+
+TEST_CASE("ring view: the film of zoom ends where it began") {
+    on_every_context([](GpuSession& session) {
+        auto scene = load_scene("zoom");
+        REQUIRE(scene);
+        scene->camera.width = 320, scene->camera.height = 180;
+        std::vector<Image<unsigned char>> ends;
+        for (const double turns : {0.0, 1.0}) {
+            scene->camera.zoom->depth = scene->path->keys[turns > 0 ? 1 : 0].camera.zoom->depth;
+            REQUIRE(session.renderer->prepare(*scene));
+            ends.push_back(session.renderer->picture8());
+        }
+        int worst = 0;
+        for (int y = 0; y < 180; ++y)
+            for (int i = 0; i < 3 * 320; ++i)
+                worst = std::max(worst, std::abs(ends[0].at(0, y)[i] - ends[1].at(0, y)[i]));
+        CHECK(worst <= 1);
+    });
+}
+
+TEST_CASE("ring view: depth costs nothing") {
+    constexpr double kMost = 1.2;
+    const auto costs = [](double depth) {
+        auto session = open_gpu("egl");
+        REQUIRE(session);
+        Scene scene = zoom_of("photon-ring", depth, 2.0);
+        scene.camera.width = 1280, scene.camera.height = 180;
+        session->renderer->refine(false);
+        REQUIRE(session->renderer->prepare(scene));
+        return std::move(*session);
+    };
+    const double worst = least_cost(kMost, [&] {
+        double seconds[2] = {};
+        int which = 0;
+        for (const double depth : {1.0, 100 * M_LN10}) {
+            GpuSession session = costs(depth);
+            const gl::Target target = gl::make_target(1280, 180, gl::Format::kRgba8);
+            const auto draw = [&] { session.renderer->draw(target.framebuffer.id(), 1280, 180, Output::kDisplay); };
+            draw();
+            seconds[which++] = paired_cost(by_depth(3, 9, 21), draw, draw).first_s;
+        }
+        fmt::print("zoom: a frame at 10^-100 {:.4f} core-s, at e^-1 {:.4f}, ratio {:.2f}\n", seconds[1], seconds[0],
+                   seconds[1] / seconds[0]);
+        return seconds[1] / seconds[0];
+    });
+    CHECK(worst <= kMost);
 }
