@@ -191,8 +191,8 @@ private:
                 if (!before.camera.zoom) before.camera.zoom.emplace();
                 zoom = lines("zoom", here, before, false);
             }
-            add("[[path.key]]",
-                fmt::format("frame = {}\n", key.frame) + time + lines("camera", here, before, false) + zoom);
+            const std::string camera = lines("camera", here, before, false);
+            add("[[path.key]]", fmt::format("frame = {}\n{}{}{}", key.frame, time, camera, zoom));
             before.camera = key.camera, time_before = key.time;
         }
     }
