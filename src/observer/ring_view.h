@@ -22,7 +22,7 @@ inline constexpr double kSimilar = 1e-8;
 struct RingView {
     CameraSpec
         camera;  // without a zoom: yaw, pitch and plane_width of a view that shows the same; the middle is on the critical curve to
-                 // 1e-16 rad
+        // 1e-16 rad
     double turns = 0;     // m
     double depth = 0;     // the zoom's own
     double lag = 0;       // m 2 pi b_c, r_s/c

@@ -150,7 +150,8 @@ void run_case(const GoldenCase& golden, GpuSession& session, MeasuredOnce& measu
         rays.rays = gl_ray_data(session, part);
         rays.picture = session.renderer->picture8();
         // In a zoom the sky does not move along the ring, and no screen error says what is off there: tests/proof/test_ring_view.cpp.
-        const bool known = part.camera.zoom || measured.known(golden.name + (&part == &parts.back() ? "" : ", left"), rays.rays);
+        const bool known =
+            part.camera.zoom || measured.known(golden.name + (&part == &parts.back() ? "" : ", left"), rays.rays);
         if (!known) rays.measures = measure_rays(rays.rays, part.camera, reference_trace(part), kRowStep);
         const Image<unsigned char> before = std::move(colours.picture);
         colours = rays;
