@@ -20,9 +20,8 @@ inline constexpr double kDeepestZoom = 1000.0;  // depth; e^-1000 = 10^-434
 inline constexpr double kSimilar = 1e-8;
 
 struct RingView {
-    CameraSpec
-        camera;  // without a zoom: yaw, pitch and plane_width of a view that shows the same; the middle is on the critical curve to
-        // 1e-16 rad
+    // Without a zoom: yaw, pitch and plane_width of a view that shows the same; the middle is on the critical curve to 1e-16 rad.
+    CameraSpec camera;
     double turns = 0;     // m
     double depth = 0;     // the zoom's own
     double lag = 0;       // m 2 pi b_c, r_s/c
