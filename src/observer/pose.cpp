@@ -123,12 +123,16 @@ Result<TetradPair> ingoing_hat_pair(const Spacetime& spacetime, const CameraSpec
     return as_pair(rows);
 }
 
+// backward is (cos yaw cos pitch, sin pitch, -sin yaw cos pitch).
+void set_direction(CameraSpec& camera, Vec3 backward) {
+    camera.yaw = std::atan2(-backward.z, backward.x);
+    camera.pitch = std::atan2(backward.y, std::hypot(backward.x, backward.z));
+}
+
 // Forward fixes yaw and pitch. Roll is what is left of the turn after both, not an angle of its own: where forward is
 // along a pole of yaw, an arbitrary yaw is undone by it.
 void set_axes(CameraSpec& camera, const Mat3& axes) {
-    const Vec3 back = axes.c;  // (cos yaw cos pitch, sin pitch, -sin yaw cos pitch) along (e_r, e_theta, e_phi)
-    camera.yaw = std::atan2(-back.z, back.x);
-    camera.pitch = std::atan2(back.y, std::hypot(back.x, back.z));
+    set_direction(camera, axes.c);
     camera.roll = 0.0;
     const Mat3 left = transposed(static_from_camera(camera)) * axes;
     camera.roll = std::atan2(left.b.x - left.a.y, left.a.x + left.b.y);

@@ -18,6 +18,8 @@ Mat3 world_from_static(double theta, double phi);
 // the axes as they then are: yaw takes forward towards right, pitch takes forward towards up, roll takes up towards
 // right.
 Mat3 static_from_camera(const CameraSpec& camera);
+// Yaw and pitch of a backward axis along (e_r, e_theta, e_phi); roll stays.
+void set_direction(CameraSpec& camera, Vec3 backward);
 // Its inverse: yaw, pitch and roll that give these axes.
 void set_axes(CameraSpec& camera, const Mat3& axes);
 

@@ -32,10 +32,7 @@ Result<PhotonOrbit> similar_orbit(const Spacetime& spacetime) {
 
 CameraSpec towards(const CriticalLight& light, CameraSpec camera) {
     const Vec3 seen = light.direction(camera.zoom->angle);  // along the axes of the camera that looks at the centre
-    CameraSpec plain;
-    const Vec3 back = -(static_from_camera(plain) * seen);
-    camera.yaw = std::atan2(-back.z, back.x);
-    camera.pitch = std::atan2(back.y, std::hypot(back.x, back.z));
+    set_direction(camera, -(static_from_camera(CameraSpec{}) * seen));
     camera.zoom.reset();
     return camera;
 }

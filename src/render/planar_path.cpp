@@ -28,21 +28,21 @@ FrameVector delay_numbers(const CameraSpec& camera, const SphericalMetric& metri
     return {roots->outer, roots->inner, falls(camera) ? 0.0 : ahead, falls(camera) ? -2.0 * ahead : -ahead};
 }
 
-// As an observer sees it that does not move, rad.
-double smallest_pixel(const FramePlan& plan) {
-    const double speed = plan.scene.light.aberration ? length(plan.observer.velocity) : 0.0,
-                 squeeze = std::sqrt((1.0 - speed) / (1.0 + speed));
-    return squeeze * smallest_pixel_angle(plan.scene.camera);
+// How much wider an angle of the camera's is to an observer who does not move, at most; at least it is as much narrower.
+double stretch_of(const FramePlan& plan) {
+    const double speed = plan.scene.light.aberration ? length(plan.observer.velocity) : 0.0;
+    return std::sqrt((1.0 + speed) / (1.0 - speed));
 }
 
-// From the picture's middle, with room for pixels beside the picture, as an observer sees it that does not move, rad.
+// As an observer sees it that does not move, rad.
+double smallest_pixel(const FramePlan& plan) { return smallest_pixel_angle(plan.scene.camera) / stretch_of(plan); }
+
+// From the picture's middle, with room for pixels beside the picture; likewise.
 double farthest_pixel(const FramePlan& plan) {
     constexpr double kRoom = 1.25;
     const CameraSpec& camera = plan.scene.camera;
-    const double speed = plan.scene.light.aberration ? length(plan.observer.velocity) : 0.0,
-                 stretch = std::sqrt((1.0 + speed) / (1.0 - speed)),
-                 corner = std::atan(0.5 * std::hypot(camera.width, camera.height) * camera.pixel());
-    return std::min(kRoom * stretch * corner, M_PI);
+    const double corner = std::atan(0.5 * std::hypot(camera.width, camera.height) * camera.pixel());
+    return std::min(kRoom * stretch_of(plan) * corner, M_PI);
 }
 
 }  // namespace

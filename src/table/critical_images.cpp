@@ -16,6 +16,12 @@ double chi_of(const SphericalMetric& spacetime, double r) {
     return spacetime.chi()->chi_from_radius(std::max(r, least));
 }
 
+// Of a ray next to the critical one: what it sweeps between infinity and chi.
+double from_infinity(const RayFamily& family, double chi) {
+    constexpr double d2 = 1e-12;
+    return family.table().through_from_infinity(std::sqrt(1.0 + d2), d2, chi);
+}
+
 }  // namespace
 
 double swept_to(const RayFamily& family, Segment segment, double delta, double r) {
@@ -35,11 +41,6 @@ double swept_to(const RayFamily& family, Segment segment, double delta, double r
 
 CriticalImages critical_images(const RayFamily& family, double inner, double outer) {
     const SphericalMetric& spacetime = family.spacetime();
-    // Of a ray next to the critical one: what it sweeps between infinity and chi.
-    constexpr double d2 = 1e-12;
-    const auto from_infinity = [&](double chi) {
-        return family.table().through_from_infinity(std::sqrt(1.0 + d2), d2, chi);
-    };
     const auto swept = [&](Segment segment, double part) {
         return family.ray(segment, part * family.critical_angle()).phi_end;
     };
@@ -49,7 +50,8 @@ CriticalImages critical_images(const RayFamily& family, double inner, double out
     const auto place = [&](double r) {
         const double chi = chi_of(spacetime, r);
         const bool sky = chi < M_PI / 2;
-        const double behind = sky ? from_infinity(chi) : from_infinity(family.chi_end()) - from_infinity(chi);
+        const double behind =
+            sky ? from_infinity(family, chi) : from_infinity(family, family.chi_end()) - from_infinity(family, chi);
         const double angle = swept(sky ? Segment::kSky : Segment::kCaptured, kDelta) - behind;
         return (sky ? 1.0 : -1.0) * kDelta * family.critical_angle() * std::exp(angle / rate);
     };
@@ -75,7 +77,7 @@ CriticalImages critical_images(const RayFamily& family, double inner, double out
     const double past = family.beyond() ? std::min(chi_of(spacetime, inner), M_PI / 2 - kNear)
                                         : std::max(chi_of(spacetime, outer), M_PI / 2 + kNear);
     if (family.beyond() ? family.chi0() < past : family.chi0() > past)
-        images.from_angle = std::fabs(from_infinity(past) - from_infinity(family.chi0())) +
+        images.from_angle = std::fabs(from_infinity(family, past) - from_infinity(family, family.chi0())) +
                             family.swept_inside(spacetime.photon_sphere()->q_crit);
     return images;
 }
@@ -99,16 +101,12 @@ double delta_of_image(const RayFamily& family, double r, double phi) {
 
 double angle_about_disc(const RayFamily& family, double inner, double outer) {
     constexpr double kNone = 1e30, kRoom = 1.0;  // rad; rays beside the critical one are in reach for a little longer
-    const ChiMap* chi = family.spacetime().chi();
-    const auto horizon = family.spacetime().horizon_radius();
-    if (chi == nullptr || !horizon) return kNone;
-    constexpr double d2 = 1e-12;  // of a ray next to the critical one
-    const auto from_infinity = [&](double place) {
-        return family.table().through_from_infinity(std::sqrt(1.0 + d2), d2, place);
-    };
-    const double deepest = chi->chi_from_radius(std::max(inner, *horizon)), highest = chi->chi_from_radius(outer);
-    if (deepest < 0.5 * M_PI - kDiscAside) return from_infinity(deepest) + kRoom;
-    if (highest > 0.5 * M_PI + kDiscAside) return from_infinity(family.chi_end()) - from_infinity(highest) + kRoom;
+    const SphericalMetric& spacetime = family.spacetime();
+    if (spacetime.chi() == nullptr || !spacetime.horizon_radius()) return kNone;
+    const double deepest = chi_of(spacetime, inner), highest = chi_of(spacetime, outer);
+    if (deepest < 0.5 * M_PI - kDiscAside) return from_infinity(family, deepest) + kRoom;
+    if (highest > 0.5 * M_PI + kDiscAside)
+        return from_infinity(family, family.chi_end()) - from_infinity(family, highest) + kRoom;
     return kNone;
 }
 

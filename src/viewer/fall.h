@@ -14,6 +14,7 @@ public:
     void stop() { line_.reset(), runs_ = false; }
     bool active() const { return line_.has_value(); }
     bool runs() const { return runs_; }
+    bool ended() const { return active() && !runs_ && left() <= 0.0; }  // it has come to its end
     void run(bool on) { runs_ = on && active(); }
     // Proper time per second, r_s/c: of a fall that ends it falls with what is left, so that from any radius the end comes after 20 s, the last
     // r_s/c of them slowly; else 1. haste: a factor on it, of the hand's.

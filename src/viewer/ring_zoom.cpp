@@ -70,7 +70,7 @@ void zoom_along(Scene& scene, double right, double up) {
 std::string zoom_words(const Scene& scene) {
     if (!scene.camera.zoom) return {};
     const double power = scene.camera.zoom->depth / std::numbers::ln10;
-    const std::string words =
+    std::string words =
         power < 3.0 ? fmt::format("zoom {:.3g}", std::pow(10.0, power)) : fmt::format("zoom 10^{:.1f}", power);
     const auto spacetime = spacetime_of(scene);
     const auto view = spacetime != nullptr ? ring_view(*spacetime, scene.camera, scene.light)
@@ -88,8 +88,7 @@ std::string zoom_words(const Scene& scene) {
     return fmt::format("{}, image {}", words, order + 2 * static_cast<int>(view->turns));
 }
 
-void draw_zoom_overlay(const Scene& scene, float left, float right, float top) {
-    const std::string words = zoom_words(scene);
+void draw_zoom_overlay(const std::string& words, float left, float right, float top) {
     const float width = ImGui::CalcTextSize(words.c_str()).x + 2.0f * ImGui::GetStyle().WindowPadding.x;
     if (words.empty() || width > right - left) return;
     overlay("##zoom", left, top, 0.0f, 0.0f, 0.9f, [&] { ImGui::TextUnformatted(words.c_str()); });

@@ -13,11 +13,11 @@ bool zoom_by(Scene& scene, double depth, std::string& error);
 // Along the ring, as what was under the pointer follows it: px to the right, and up. Of a scene with a zoom.
 void zoom_along(Scene& scene, double right, double up);
 
-// "zoom 10^37, image 27": the magnification and the highest order of an image at the picture's corners. Empty without a zoom.
-// Some 10 us.
+// "zoom 10^37.0, image 27": the magnification and the highest order of an image at the picture's corners. Empty without a zoom. Makes the
+// spacetime and traces four rays: once for a picture.
 std::string zoom_words(const Scene& scene);
 
-// These words over the picture, as far as there is room between left and right; units of Dear ImGui.
-void draw_zoom_overlay(const Scene& scene, float left, float right, float top);
+// These words over the picture, if there is room between left and right; units of Dear ImGui.
+void draw_zoom_overlay(const std::string& words, float left, float right, float top);
 
 }  // namespace nullscope::viewer

@@ -237,12 +237,12 @@ bool Viewer::panels(const Input& input) {
 float Viewer::overlays(float top, float bottom) {
     const float gap = kStripGap * ImGui::GetFontSize(), edge = view_.show_panels ? side_panel_right() : 0.0f,
                 right = ImGui::GetIO().DisplaySize.x - (view_.show_panels ? editor_.width() : 0.0f);
-    const bool fallen = view_.fall.active() && !view_.fall.runs() && view_.fall.tau() >= view_.fall.line().last();
-    if (!message_.empty() || fallen) draw_message(message_.empty() ? kFallen : message_, edge, right, bottom);
+    if (!message_.empty() || view_.fall.ended())
+        draw_message(message_.empty() ? kFallen : message_, edge, right, bottom);
     if (picture_.texture != 0) top = std::max(top, marks_.labels_bottom());
     float left = edge + gap;
     if (view_.show_clock) left = draw_clock_overlay(view_, left, right - gap, top + gap);
-    draw_zoom_overlay(picture_.job.scene, left, right - gap, top + gap);
+    draw_zoom_overlay(zoom_words_, left, right - gap, top + gap);
     if (!timeline_.records()) return top;
     return top + gap + draw_recording_sign(timeline_.recorded_s(), left + gap, right - gap, top + gap);
 }

@@ -178,6 +178,7 @@ private:
     PictureMarks marks_;
     Divider divider_;
     std::pair<std::string, std::string> side_words_;  // of the picture that is shown
+    std::string zoom_words_;                          // likewise; of no zoom empty
     double adapted_at_ = 0.0;                         // s: automatic exposure follows like an eye,
     double exposure_left_ = 0.0;                      // what share of its way is still before it
     std::string message_;

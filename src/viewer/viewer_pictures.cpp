@@ -13,6 +13,7 @@
 
 #include "image/image_file.h"
 #include "viewer/critical_overlay.h"
+#include "viewer/ring_zoom.h"
 #include "viewer/viewer.h"
 
 namespace nullscope::viewer {
@@ -99,6 +100,7 @@ void Viewer::adopt(Painting painting) {
     }
     picture_ = std::move(painting);
     if (const PaintJob* b = shown_side_b()) side_words_ = side_words(picture_.job, *b);
+    zoom_words_ = zoom_words(picture_.job.scene);
     ++pictures_;
     news_due_at_ = asked_due_at_;
     measure_rate();
