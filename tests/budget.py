@@ -3,25 +3,28 @@
 
 Usage: budget.py TIMES TIER [--budgets FILE]
 
-TIMES holds the lines of measured.py. The budgets (tests/budget.csv beside this script) are processor seconds, not wall time: they
-hardly depend on what else the machine does. Exit status: 0 within, 1 over or nothing measured.
+TIMES holds the lines of measured.py. The budgets (tests/budget.csv beside this script) are processor seconds of the machine
+on which they were set: each entry counts divided by the slowness that was measured beside it (machine.py). Exit status: 0 within, 1 over or nothing measured.
 """
 import csv
+import statistics
 import sys
 from collections import defaultdict
 from pathlib import Path
 
 
 def read_times(file):
-    """{kind: {label: seconds}}, and the costliest single entries; kind is programs, build, test or check."""
-    sums, entries = defaultdict(lambda: defaultdict(float)), []
+    """{kind: {label: seconds}}, the costliest single entries, the median slowness; kind is programs, build, test or check."""
+    sums, entries, slow = defaultdict(lambda: defaultdict(float)), [], []
     for line in Path(file).read_text(encoding="utf-8").splitlines():
-        name, processor, wall = line.split("\t")
+        name, processor, wall, slowness = line.split("\t")
+        used = float(processor) / float(slowness)
         first, _, rest = name.partition(": ")
         kind, label = (first, rest) if first in ("programs", "build", "check") else ("test", rest.split(",")[0] if first == "whole" else first)
-        sums[kind][label] += float(processor)
-        entries.append((float(processor), float(wall), name))
-    return sums, sorted(entries, reverse=True)
+        sums[kind][label] += used
+        entries.append((used, float(wall), name))
+        slow.append(float(slowness))
+    return sums, sorted(entries, reverse=True), statistics.median(slow)
 
 
 def read_budgets(file, tier):
@@ -38,9 +41,10 @@ def main():
         budgets_file = arguments[at + 1]
         del arguments[at:at + 2]
     file, tier = arguments
-    sums, entries = read_times(file)
+    sums, entries, slow = read_times(file)
     budgets = read_budgets(budgets_file, tier)
-    print(f"\n{'processor seconds':<34}{'used':>8}{'budget':>9}")
+    print(f"\nslowness of this machine: {slow:.2f} (tests/machine.py); what was used is divided by it")
+    print(f"{'processor seconds':<34}{'used':>8}{'budget':>9}")
     over = [kind for kind in budgets if kind not in sums]
     for kind in over:
         print(f"{kind}: nothing was measured")

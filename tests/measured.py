@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Runs a command and notes what it cost: adds a line "NAME<tab>processor seconds<tab>wall seconds" to FILE.
+"""Runs a command and notes what it cost: adds a line to FILE: NAME, processor seconds, wall seconds and
+the slowness of the machine meanwhile (machine.py), between tabs.
 
 Usage: measured.py [--failures-first] FILE NAME COMMAND...
 
 Exit status: the command's. Processor seconds are those of the command and of everything it started and waited for, user and
-system, so they hardly depend on what else the machine does. With --failures-first what the command prints comes when it
+system. With --failures-first what the command prints comes when it
 has ended, and what failed in it (doctest's ERROR, unittest's FAIL and ERROR, FAILED) before all else: who reads the
 beginning of a log sees it.
 """
@@ -15,6 +16,7 @@ import subprocess
 import sys
 import time
 
+from machine import slowness
 
 FAILURE = re.compile(r"^(FAIL|FAILED|ERROR)\b|: (FATAL )?ERROR: ")
 
@@ -44,13 +46,15 @@ def run(command, failures_first):
 def main():
     failures_first = sys.argv[1] == "--failures-first"
     file, name, *command = sys.argv[2 if failures_first else 1:]
+    slow = slowness()
     began = time.monotonic()
     status = run(command, failures_first)
     wall = time.monotonic() - began
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    slow = (slow + slowness()) / 2
     os.makedirs(os.path.dirname(file), exist_ok=True)
     with open(file, "a", encoding="utf-8") as out:   # one short write each, so that two tests at once do not mix
-        out.write(f"{name}\t{used.ru_utime + used.ru_stime:.2f}\t{wall:.2f}\n")
+        out.write(f"{name}\t{used.ru_utime + used.ru_stime:.2f}\t{wall:.2f}\t{slow:.2f}\n")
     return status if status >= 0 else 128 - status
 
 

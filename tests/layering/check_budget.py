@@ -18,16 +18,16 @@ def budget(folder, times):
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        within = budget(folder, "whole: gpu, others\t4.0\t9.0\ncli: films\t5.5\t1.0\nbuild: gpu\t99\t50\n")
+        within = budget(folder, "whole: gpu, others\t8.0\t9.0\t2.0\ncli: films\t5.5\t1.0\t1.0\nbuild: gpu\t99\t50\t1\n")
         assert within.returncode == 0 and "gpu" in within.stdout, within
-        over = budget(folder, "whole: gpu, others\t4.0\t9.0\ncli: films\t6.5\t1.0\n")
+        over = budget(folder, "whole: gpu, others\t8.0\t9.0\t2.0\ncli: films\t6.5\t1.0\t1.0\n")
         assert over.returncode == 1 and "OVER BUDGET" in over.stdout and "10.5" in over.stdout, over
-        assert budget(folder, "build: gpu\t1\t1\n").returncode == 1, "nothing measured is no pass"
+        assert budget(folder, "build: gpu\t1\t1\t1\n").returncode == 1, "nothing measured is no pass"
         times = folder / "new" / "times.tsv"
         command = [sys.executable, "-B", TESTS / "measured.py", times, "name", sys.executable, "-c", "sum(range(5000000)); exit(3)"]
         assert subprocess.run(command).returncode == 3
-        said, processor, _ = times.read_text().split("\t")
-        assert said == "name" and 0.01 < float(processor) < 60, times.read_text()
+        said, processor, _, slowness = times.read_text().split("\t")
+        assert said == "name" and 0.01 < float(processor) < 60 and 1 <= float(slowness) < 100, times.read_text()
     return 0
 
 
