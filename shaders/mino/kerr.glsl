@@ -14,6 +14,9 @@
 // zeta'^2 = X^2 - Delta zeta^4 K
 //     psi~' = -a (E + K zeta^2 / (X - zeta')),   zeta' < 0,
 // until the horizon is some way behind, or the ray slows down to turn, where zeta' by a root would lose its digits.
+#ifdef EFFECT_SPIN_RING
+#include "mino/ring.glsl"
+#endif
 #include "shared/frame.glsl"
 
 struct SpinRay {
@@ -28,6 +31,9 @@ struct SpinRay {
     float momentum;   // L, the same
     float outer;      // radii of the horizons
     float inner;
+#ifdef EFFECT_SPIN_RING
+    RingBarrier barrier;
+#endif
 };
 
 // y = (n, zeta), v = y', f = y'' in Mino's time; drag = psi'.
@@ -35,6 +41,9 @@ struct SpinState {
     vec4 y;
     vec4 v;
     vec4 f;
+#ifdef EFFECT_SPIN_RING
+    float fine;       // of zeta (mino/ring.glsl)
+#endif
     float psi;
     float drag;
 #ifdef EFFECT_DELAY
@@ -45,10 +54,15 @@ struct SpinState {
 #endif
 };
 
-vec4 spin_force(SpinRay ray, vec4 y) {
+// fine: of zeta, 0 but next to the critical curve.
+vec4 spin_force(SpinRay ray, vec4 y, float fine) {
     float across = -(ray.j2 + 2.0 * ray.a2e2 * y.z * y.z);
-    return vec4(across * y.x, across * y.y, (across + ray.a2e2) * y.z,
-                y.w * (ray.a2e2 - ray.j2 + y.w * (1.5 * ray.k - 2.0 * ray.cubic * y.w)));
+    float outward = y.w * (ray.a2e2 - ray.j2 + y.w * (1.5 * ray.k - 2.0 * ray.cubic * y.w));
+#ifdef EFFECT_SPIN_RING
+    float w = y.w - ray.barrier.saddle + fine;
+    outward = abs(w) < ray.barrier.beside ? ring_force(ray.barrier, w) : outward;
+#endif
+    return vec4(across * y.x, across * y.y, (across + ray.a2e2) * y.z, outward);
 }
 
 // Delta zeta^2, a product: exact next to the horizon.
@@ -134,7 +148,7 @@ float travel_time_rate(SpinRay ray, bool keeps, vec4 y) {
     float level = (1.0 + ray.a * ray.a * zeta * zeta) * ray.k / max(x + speed, 1.0e-12);
     float energy = max(-ray.energy, LAG_LEAST_ENERGY);
     float inverse = 1.0 / max(zeta, 1.0e-12);
-    float turning = x * (x * (inverse - ray.a2c) - ray.a * ray.momentum) / (energy * max(delta, 1.0e-7)) + delta * ray.k / energy + spin_force(ray, y).w * inverse / energy;
+    float turning = x * (x * (inverse - ray.a2c) - ray.a * ray.momentum) / (energy * max(delta, 1.0e-7)) + delta * ray.k / energy + spin_force(ray, y, 0.0).w * inverse / energy;
     return round + (keeps ? level : turning);
 }
 

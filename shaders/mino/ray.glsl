@@ -8,6 +8,7 @@
 
 // Where a pixel looks.
 struct SpinView {
+    vec2 pixel;           // px from the picture's middle, y up
     vec3 direction;       // unit, along (e_r, e_theta, e_phi)
     float doppler;        // frequency in the camera over that in the observer's frame
     float pixel_angle;    // angle that one pixel spans there, rad, in the observer's frame
@@ -16,6 +17,7 @@ struct SpinView {
 // pixel: px from the image centre, x to the right, y up.
 SpinView spin_view(vec2 pixel) {
     SpinView view;
+    view.pixel = pixel;
     float inverse_length = inversesqrt(1.0 + dot(pixel, pixel) * (frame.image.z * frame.image.z));
     vec4 direction = (frame.ray_0 + pixel.x * frame.ray_x + pixel.y * frame.ray_y) * inverse_length;
     view.direction = vec3(direction.x, direction.y, direction.z);
@@ -32,8 +34,9 @@ SpinView spin_view(vec2 pixel) {
 
 float spin_form(vec4 form, vec3 n) { return form.x + form.y * n.x + form.z * n.z; }
 
-// n: unit view direction along (e_r, e_theta, e_phi). Every constant is a product or a sum that keeps its digits.
-SpinRay spin_ray(vec3 n) {
+// Every constant is a product or a sum that keeps its digits.
+SpinRay spin_ray(SpinView view) {
+    vec3 n = view.direction;
     SpinRay ray;
     ray.a = frame.spin_hole.x;
     ray.outer = frame.spin_hole.z;
@@ -51,6 +54,9 @@ SpinRay spin_ray(vec3 n) {
     ray.cubic = a2q + frame.spin_turn.z * ray.k;
     ray.pull = ray.a * ray.momentum + frame.spin_turn.z * ray.energy;
     ray.a2c = ray.a * ray.a + frame.spin_turn.z;
+#ifdef EFFECT_SPIN_RING
+    ray.barrier = ring_barrier(view.pixel, ray.energy, ray.j2 - ray.a2e2, ray.k, ray.cubic, ray.outer);
+#endif
     return ray;
 }
 
@@ -64,7 +70,10 @@ SpinState spin_start(SpinRay ray, vec3 n) {
     SpinState at;
     at.y = vec4(sine * c, sine * s, cosine, frame.shift.y);
     at.v = vec4(p_theta * cosine * c - across * s, p_theta * cosine * s + across * c, -p_theta * sine, spin_form(frame.spin_climb, n));
-    at.f = spin_force(ray, at.y);
+#ifdef EFFECT_SPIN_RING
+    at.fine = 0.0;
+#endif
+    at.f = spin_force(ray, at.y, 0.0);
     at.psi = 0.0;
 #ifdef EFFECT_DELAY
     at.travel_time = 0.0;

@@ -4,14 +4,41 @@
 // A ray that winds for long is one whose end moves fast with its direction: its errors weigh less, and its steps may grow.
 #ifndef METHOD_MINO
 #define SPIN_STEP 0.6          // of a step, times the fastest rate at work there: twice the error at 0.7, half at 0.55
+#ifdef EFFECT_SPIN_RING
+#define SPIN_MOST_STEPS 256   // next to the ring of the fastest holes, whose light winds some 50 times until it is 1e-8 closer
+#define SPIN_GROWTH 0.0
+#else
 #define SPIN_MOST_STEPS 64
-#define SPIN_GROW_AFTER 20
 #define SPIN_GROWTH 0.07
+#endif
+#define SPIN_GROW_AFTER 20
 #else                          // SPIN_STEP and SPIN_MOST_STEPS by the method; all steps of a ray in the same proportion
 #include "generated/method"
 #define SPIN_SHARE (SPIN_STEP / 0.6)
 #define SPIN_GROW_AFTER int(20.0 / SPIN_SHARE + 0.5)
 #define SPIN_GROWTH (0.07 * SPIN_SHARE)
+#endif
+
+#ifdef EFFECT_SPIN_RING
+// What is lost of a sum zeta + more.
+float spin_fine(SpinState from, float more, float to) { return from.fine + (more - (to - from.y.w)); }
+
+// The place after a step or a part of it, and what of zeta is lost in it.
+vec4 spin_moved(SpinState from, vec4 more) {
+    vec4 to = from.y + more;
+    to.w = ring_sum(from.y.w, more.w);
+    return to;
+}
+
+// From a state that comes towards the saddle to one that leaves it.
+bool ring_leaves(SpinRay ray, SpinState from, SpinState to) {
+    float before = (from.y.w - ray.barrier.saddle + from.fine) * from.v.w;
+    float after = (to.y.w - ray.barrier.saddle + to.fine) * to.v.w;
+    return ray.barrier.beside > 0.0 && before < 0.0 && after >= 0.0;
+}
+#else
+float spin_fine(SpinState from, float more, float to) { return 0.0; }
+vec4 spin_moved(SpinState from, vec4 more) { return from.y + more; }
 #endif
 
 #ifndef METHOD_MINO_4
@@ -20,21 +47,32 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
     float hh = h * h;
     vec4 v = h * from.v;
     vec4 f0 = hh * from.f;
-    vec4 y1 = from.y + 0.1 * v + f0 * (1.0 / 200.0);
-    vec4 f1 = hh * spin_force(ray, y1);
-    vec4 y2 = from.y + 0.3 * v - f0 * (1.0 / 2200.0) + f1 * (1.0 / 22.0);
-    vec4 f2 = hh * spin_force(ray, y2);
-    vec4 y3 = from.y + 0.7 * v + f0 * (637.0 / 6600.0) - f1 * (7.0 / 110.0) + f2 * (7.0 / 33.0);
-    vec4 f3 = hh * spin_force(ray, y3);
-    vec4 y4 = from.y + 0.68 * v + f0 * (225437.0 / 1968750.0) - f1 * (30073.0 / 281250.0) + f2 * (65569.0 / 281250.0) -
-              f3 * (9367.0 / 984375.0);
-    vec4 f4 = hh * spin_force(ray, y4);
+    vec4 more = 0.1 * v + f0 * (1.0 / 200.0);
+    vec4 y1 = spin_moved(from, more);
+    vec4 f1 = hh * spin_force(ray, y1, spin_fine(from, more.w, y1.w));
+    more = 0.3 * v - f0 * (1.0 / 2200.0) + f1 * (1.0 / 22.0);
+    vec4 y2 = spin_moved(from, more);
+    vec4 f2 = hh * spin_force(ray, y2, spin_fine(from, more.w, y2.w));
+    more = 0.7 * v + f0 * (637.0 / 6600.0) - f1 * (7.0 / 110.0) + f2 * (7.0 / 33.0);
+    vec4 y3 = spin_moved(from, more);
+    vec4 f3 = hh * spin_force(ray, y3, spin_fine(from, more.w, y3.w));
+    more = 0.68 * v + f0 * (225437.0 / 1968750.0) - f1 * (30073.0 / 281250.0) + f2 * (65569.0 / 281250.0) -
+           f3 * (9367.0 / 984375.0);
+    vec4 y4 = spin_moved(from, more);
+    vec4 f4 = hh * spin_force(ray, y4, spin_fine(from, more.w, y4.w));
     SpinState to;
-    to.y = from.y + v + f0 * (151.0 / 2142.0) + f1 * (5.0 / 116.0) + f2 * (385.0 / 1368.0) + f3 * (55.0 / 168.0) -
+    more = v + f0 * (151.0 / 2142.0) + f1 * (5.0 / 116.0) + f2 * (385.0 / 1368.0) + f3 * (55.0 / 168.0) -
            f4 * (6250.0 / 28101.0);
-    to.f = spin_force(ray, to.y);
+    to.y = spin_moved(from, more);
+    float fine = spin_fine(from, more.w, to.y.w);
+    to.f = spin_force(ray, to.y, fine);
     to.v = from.v + (f0 * (151.0 / 2142.0) + f1 * (25.0 / 522.0) + f2 * (275.0 / 684.0) + f3 * (275.0 / 252.0) -
                      f4 * (78125.0 / 112404.0) + (hh / 12.0) * to.f) / h;
+#ifdef EFFECT_SPIN_RING
+    vec2 settling = ring_settling(ray.barrier, to.y.w - ray.barrier.saddle + fine, to.v.w);
+    to.fine = fine + settling.x;
+    to.v.w += settling.y;
+#endif
 #ifdef EFFECT_SPIN_FALL
     to.ingoing = from.ingoing;
     // Rounding of a large zeta' deep inside is much, relative to what is left of it where rays wind: by the root while that is exact.

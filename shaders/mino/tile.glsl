@@ -31,7 +31,7 @@ uvec2 tile_bodies(vec2 middle) {
     bool captured = true;   // all of them, and those between: a shadow is convex
     for (int k = 0; k < TILE_RAYS; ++k) {
         SpinView view = spin_view(middle + tile_ray(k));
-        rays[k] = spin_ray(view.direction);
+        rays[k] = spin_ray(view);
         now[k] = spin_start(rays[k], view.direction);
         behind[k] = 0.0;
         captured = captured && spin_captured(rays[k], now[k]);

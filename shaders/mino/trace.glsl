@@ -76,6 +76,9 @@ float path_spin() { return frame.spin_hole.x; }
 float path_steps(Trace trace) { return float(trace.steps); }
 float swept_angle(float along) { return 0.0; }   // Mino's time is none
 float path_angle(Trace trace) { return 0.0; }
+#ifdef EFFECT_ZOOM
+float ring_part(float phi, float all) { return 0.0; }   // trace_pixel() counts it
+#endif
 #ifdef EFFECT_REFINE
 float path_way(Trace trace) { return trace.way; }
 #endif
@@ -107,7 +110,7 @@ Trace trace_pixel(vec2 pixel) {
     SpinView view = spin_view(pixel);
     vec3 n = view.direction;
     trace.pixel_angle = view.pixel_angle;
-    SpinRay ray = spin_ray(n);
+    SpinRay ray = spin_ray(view);
     trace.energy = -ray.energy;
     trace.momentum = -ray.momentum;
     trace.doppler = view.doppler;
@@ -179,6 +182,18 @@ Trace trace_pixel(vec2 pixel) {
             SpinState before = now;
             float h = spin_step_length(ray, before, left);
             now = spin_step(ray, before, h);
+#ifdef EFFECT_ZOOM
+            // Half of its way: from here on all that the picture leaves out is behind the ray.
+            if (ring_leaves(ray, before, now)) {
+                now.psi += frame.ring.x;
+#ifdef EFFECT_DISC
+                number += frame.ring.z;
+#endif
+#ifdef EFFECT_DELAY
+                now.travel_time += frame.ring.y;
+#endif
+            }
+#endif
             --left;
 #ifdef TRACE_STOPS
             bool crosses = false;

@@ -23,7 +23,8 @@ struct FrameData {
                        //   observer at rest: this times (|v| - 1) is to be added,
     vec4 polar_weight; //   and the sum to be divided by x + px y + py z + (|v| - 1) w
     vec4 ring;         // observer/ring_view.h: swept angle and light time that the picture leaves out, rays that have swept .z before half of it;
-                       //   how much a ray that winds sweeps at most between the disc and either of its ends
+                       //   how much a ray that winds sweeps at most between the disc and either of its ends. About a rotating hole: azimuth, light
+                       //   time and crossings of the equatorial plane that the picture leaves out, 0
 #endif
 #ifdef BLOCK_ABERRATION
     vec4 boost;        // direction of motion in world axes, .w = stretch sqrt((1+v)/(1-v)) of directions, 1 without aberration
@@ -93,6 +94,11 @@ struct FrameData {
     vec4 spin_climb;   // d zeta/d tau = x + y n_r + z n_phi
     vec4 spin_place;   // sin(theta), cos(theta) (exactly 0 in the equatorial plane), cos(phi), sin(phi)
     vec4 spin_turn;    // ingoing azimuth less Boyer and Lindquist's at the camera (0 inside the horizon), a over the horizons' distance; (charge/2M)^2, 0
+#endif
+#ifdef BLOCK_SPIN_RING
+    vec4 ring_peak;    // peak of the ray at (x, y) px (observer/spin_ring.h): x + y x + z y + w x^2
+    vec4 ring_peak_2;  //   + x xy + y y^2 + z x^3 + w x^2 y
+    vec4 ring_peak_3;  //   + x x y^2 + y y^3; 1 where that is so, else 0; -1e30
 #endif
 #ifdef BLOCK_SIDES
     vec4 throat;       // radius of a wormhole's throat, mu of table/throat_orbit.h, 0, 0

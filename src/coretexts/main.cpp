@@ -46,13 +46,16 @@ std::vector<Variant> variants(const std::string& block) {
         if (plane.name != "flat") plane.defines.emplace_back("EFFECT_LENSING");
         all.push_back(plane);
     }
-    for (const bool falling : {false, true}) {
-        all.push_back({falling ? "rotating_falling" : "rotating", always, "mino"});
-        if (falling) all.back().defines.emplace_back("EFFECT_SPIN_FALL");
-        all.push_back(all.back());
-        all.back().name += "_delayed";
-        all.back().defines.emplace_back("EFFECT_DELAY");
-    }
+    for (const bool ring : {false, true})
+        for (const bool falling : {false, true}) {
+            all.push_back({ring ? "rotating_ring" : "rotating", always, "mino"});
+            std::vector<std::string>& defines = all.back().defines;
+            if (ring) defines.insert(defines.end(), {"EFFECT_SPIN_RING", "EFFECT_ZOOM"});  // no zoom: it adds 0
+            if (falling) all.back().name += "_falling", defines.emplace_back("EFFECT_SPIN_FALL");
+            all.push_back(all.back());
+            all.back().name += "_delayed";
+            all.back().defines.emplace_back("EFFECT_DELAY");
+        }
     for (std::size_t i = all.size(); i-- > 0;) {
         Variant moving = all[i];
         moving.name += "_moving";

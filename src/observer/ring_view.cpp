@@ -7,6 +7,7 @@
 
 #include "observer/critical_light.h"
 #include "observer/pose.h"
+#include "observer/spin_ring.h"
 #include "spacetime/photon_shell.h"
 #include "spacetime/spherical_metric.h"
 
@@ -19,11 +20,13 @@ constexpr double kLeastClimb = 1e-4;  // 1 - V/q_crit^2 of a camera outside of a
 
 Error refused(std::string what, std::string allowed) { return bad_key("zoom", std::move(what), std::move(allowed)); }
 
-// A photon sphere's. Through a barrier's top light passes twice, and inside of it sweeps twice as much.
-Result<PhotonOrbit> similar_orbit(const Spacetime& spacetime) {
-    if (spacetime.spherical() == nullptr)
-        return refused("there is no zoom about a rotating hole", "spacetime.spin = 0, or camera.fov alone");
-    const auto orbit = photon_orbit(spacetime, 0.5 * std::numbers::pi, 0.0);
+// A photon sphere's, or the spherical orbit of this point of the ring. Through a barrier's top light passes twice, and inside of it sweeps
+// twice as much.
+Result<PhotonOrbit> similar_orbit(const Spacetime& spacetime, const CameraSpec& camera) {
+    const bool rotates = spacetime.axial() != nullptr;
+    const auto orbit =
+        photon_orbit(spacetime, rotates ? camera.theta : 0.5 * std::numbers::pi,
+                     rotates ? std::fabs(std::remainder(camera.zoom->angle, 2.0 * std::numbers::pi)) : 0.0);
     if (!orbit) return refused(orbit.error().what, "a metric with a photon sphere that light can reach, and no tube");
     if (const double rate = std::numbers::pi / orbit->gamma; rate > kLeastRate && rate < kMostRate) return *orbit;
     return refused("the images of the photon ring shrink too little or too much each",
@@ -40,29 +43,37 @@ CameraSpec towards(const CriticalLight& light, CameraSpec camera) {
 struct Found {
     CameraSpec camera;  // still as wide as without a zoom
     PhotonOrbit orbit;
-    double speed;
-    double scale;  // angles from the critical direction over e, for an observer who does not move across
+    double per_pixel;  // e, at most
 };
 
 Result<Found> find(const Spacetime& spacetime, const CameraSpec& camera, const LightSpec& light) {
-    TRY(orbit, similar_orbit(spacetime));
+    TRY(orbit, similar_orbit(spacetime, camera));
     CameraSpec ahead = camera;
     ahead.yaw = ahead.pitch = ahead.roll = 0.0;
     TRY(observer, observer_of(spacetime, ahead));
     const auto critical = CriticalLight::make(spacetime, ahead, light);
     if (!critical) return refused("light runs straight", "light.lensing = \"on\"");
+    if (spacetime.axial() != nullptr) {
+        Found found{towards(*critical, camera), *orbit, 0.0};
+        found.per_pixel = ring_distance_per_pixel(*spacetime.axial(), found.camera, *observer, light);
+        return found;
+    }
     CameraSpec still = ahead;
     still.velocity = {};
     if (!falls(camera)) still.observer = ObserverKind::kStatic;
     const Vec3 ring = CriticalLight::make(spacetime, still, light)->direction(0.0);
-    double scale = std::hypot(ring.x, ring.y);
+    double scale = std::hypot(
+        ring.x, ring.y);  // angles from the critical direction over e, of an observer who does not move across
     if (spacetime.spherical()->barrier()) {  // some rays pass the photon sphere twice: there e grows as 1/climb
         const double root_v = spacetime.spherical()->root_v(camera.r) / open_photon_sphere(spacetime)->q_crit,
                      climb = (1.0 - root_v) * (1.0 + root_v);
         if (climb < kLeastClimb) return refused("the camera is too close to the photon sphere", "camera.r further out");
         scale *= climb;
     }
-    return Found{towards(*critical, camera), *orbit, light.aberration ? length(observer->velocity) : 0.0, scale};
+    Found found{towards(*critical, camera), *orbit, 0.0};
+    const double speed = light.aberration ? length(observer->velocity) : 0.0;
+    found.per_pixel = found.camera.pixel() * std::sqrt((1.0 + speed) / (1.0 - speed)) / scale;
+    return found;
 }
 
 }  // namespace
@@ -70,13 +81,13 @@ Result<Found> find(const Spacetime& spacetime, const CameraSpec& camera, const L
 Result<RingView> ring_view(const Spacetime& spacetime, const CameraSpec& camera, const LightSpec& light) {
     TRY(found, find(spacetime, camera, light));
     // e of the corner at most: its logarithm.
-    const double across = std::hypot(camera.width, camera.height) * 0.5 * found->camera.pixel(),
-                 stretch = std::sqrt((1.0 + found->speed) / (1.0 - found->speed)),
-                 corner = std::log(across * stretch / found->scale) - camera.zoom->depth,
+    const double corner =
+                     std::log(0.5 * std::hypot(camera.width, camera.height) * found->per_pixel) - camera.zoom->depth,
                  turn = 2.0 * found->orbit.gamma;
     RingView view{found->camera, std::fmax(std::floor((std::log(kSimilar) - corner) / turn), 0.0)};
     view.depth = camera.zoom->depth;
     view.lag = 2.0 * view.turns * found->orbit.delay;
+    view.azimuth = std::remainder(-2.0 * view.turns * found->orbit.azimuth, 2.0 * std::numbers::pi);
     view.half_way = -0.5 * std::numbers::pi / found->orbit.gamma * std::log(kSimilar);
     view.camera.plane_width *= std::exp(view.turns * turn - camera.zoom->depth);
     return view;

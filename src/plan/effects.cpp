@@ -64,6 +64,7 @@ bool has_marched(const EffectSet& effects) {
     return false;
 }
 bool has_tiles(const EffectSet& effects) {
+    if (effects.contains(Effect::kSpinRing) && effects.contains(Effect::kZoom)) return false;
     return has_marched(effects) && !effects.contains(Effect::kSides) && !effects.contains(Effect::kSpinFall);
 }
 bool tiles_tell_disc(const EffectSet& effects) { return effects.contains(Effect::kDisc) && ends_are_plain(effects); }
@@ -104,7 +105,8 @@ namespace {
 
 FrameFacts facts_of(const Scene& scene, const Spacetime* spacetime, const Observer* observer) {
     const LightSpec& light = scene.light;
-    FrameFacts f{scene, spacetime, spacetime != nullptr && spacetime->planar_rays(), false, false, false, nullptr, {}};
+    FrameFacts f{scene, spacetime, observer, spacetime != nullptr && spacetime->planar_rays(), false, false,
+                 false, nullptr,   {}};
     f.moves = observer != nullptr && motion_is_seen(*spacetime, *observer, scene);
     f.sky_light = !is_procedural(scene.sky.kind) && scene.sky.kind != SkyKind::kBlack && scene.sky.uniform_stars == 0;
     const bool other_g = (f.moves && light.doppler) ||

@@ -63,6 +63,7 @@ enum class Effect {
     kDiscGas,
     kRefine,
     kZoom,
+    kSpinRing,
     kEnd  // no effect: how many there are
 };
 inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);

@@ -23,6 +23,7 @@ namespace nullscope {
 struct FrameFacts {
     const Scene& scene;
     const Spacetime* spacetime;  // nullptr: an unknown metric
+    const Observer* observer;    // nullptr: there is none
     bool planar;                 // its rays stay in planes
     bool moves;                  // the camera's motion changes something
     bool sky_light, sky_shift;   // the sky is a picture; its light is shifted

@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
+#include "observer/spin_ring.h"
 #include "plan/feature.h"
 #include "plan/moving.h"
 #include "scene/bodies.h"
@@ -93,15 +96,31 @@ std::span<const Feature> light_features() {
              s.camera.velocity = {0.1, 0.2, 0.3};
          }},
         {{Effect::kZoom, "zoom", "EFFECT_ZOOM", "Directions are counted from the critical curve, to any depth.",
-          "there is a [zoom] about a hole, star or wormhole that does not rotate",
-          "of moving cameras two more vectors of a few multiplications"},
+          "there is a [zoom], and light is bent", "of moving cameras two more vectors of a few multiplications"},
          [](const FrameFacts& f) -> Reason {
-             if (!f.bends() || !f.scene.camera.zoom) return kNot;
+             if (!(f.bends() || rotates(f)) || !f.scene.camera.zoom) return kNot;
              return fmt::format("zoom.depth = {}", f.scene.camera.zoom->depth);
          },
          [](Scene& s) { s.camera.zoom.reset(); },
          hole,
          [](Scene& s) { s.camera.zoom.emplace(); }},
+        {{Effect::kSpinRing, "spin-ring", "EFFECT_SPIN_RING",
+          "Rays next to the critical curve of a rotating hole keep their distance from it to all digits.",
+          "the hole rotates and the view is next to its critical curve, so narrow that the curve would be over 2700 px "
+          "wide, "
+          "or there is a [zoom]",
+          "a seventh of a step more"},
+         [](const FrameFacts& f) -> Reason {
+             if (!rotates(f) || f.observer == nullptr) return kNot;
+             const CameraSpec& camera = f.scene.camera;
+             if (camera.zoom) return fmt::format("zoom.depth = {}", camera.zoom->depth);
+             return reason_if(is_next_to_ring(*f.spacetime->axial(), camera, *f.observer, f.scene.light),
+                              fmt::format("camera.fov = {:.3g}",
+                                          360.0 / M_PI * std::atan(0.5 * camera.plane_width / camera.focal_distance)));
+         },
+         nullptr,
+         [](Scene& s) { s.spacetime.metric = "kerr"; },
+         [](Scene& s) { s.camera.plane_width = 0.01, s.camera.yaw = -0.17; }},
         {{Effect::kShift, "shift", "EFFECT_SHIFT", "Doppler and gravitational shift change the colour of light.",
           "something emits thermal light, light.shift is not \"off\", nor are both light.doppler and light.gravity",
           "one logarithm a crossing or star"},

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "observer/spin_forms.h"
+#include "observer/spin_ring.h"
 #include "render/frame_numbers.h"
 #include "spacetime/tortoise.h"
 
@@ -25,13 +27,29 @@ void MinoPath::write(const FramePlan& plan, FrameData& frame) const {
     frame.spin_place = {std::sin(camera.theta), plane_height(camera), std::cos(camera.phi), std::sin(camera.phi)};
     frame.spin_turn = {camera.r > outer ? azimuth_ahead(*metric_, camera.r) : 0.0, a / (outer - inner),
                        metric_->charge2(), 0};
+    if (plan.effects.contains(Effect::kSpinRing)) write_ring(plan, frame);
     // r_* of the camera, or r where its clock is v - r: what T less r_* of a place is delayed by.
     frame.delay = {0, 0, camera.r + (falls(camera) ? 0.0 : time_ahead(*metric_, camera.r)), 0};
+}
+
+void MinoPath::write_ring(const FramePlan& plan, FrameData& frame) const {
+    constexpr double kFarBelow = -1e30;  // every zeta
+    const auto form = peak_form(*metric_, plan.scene.camera, plan.observer, plan.scene.light);
+    std::array<double, 10> c{};
+    if (form) c = form->c;
+    if (plan.ring) {
+        c[0] = 0.0;  // the middle is on the critical curve
+        frame.ring = {plan.ring->azimuth, plan.ring->lag, 2.0 * plan.ring->turns, 0};
+    }
+    frame.ring_peak = {c[0], c[1], c[2], c[3]};
+    frame.ring_peak_2 = {c[4], c[5], c[6], c[7]};
+    frame.ring_peak_3 = {c[8], c[9], form ? 1.0 : 0.0, kFarBelow};
 }
 
 void MinoPath::give(const FramePlan& plan, CoreInput& input) const {
     input.lensing = false;
     input.spin = true;
+    input.spin_ring = plan.effects.contains(Effect::kSpinRing);
     input.spin_fall = falls(plan.scene.camera);
     input.spin_delay = plan.effects.contains(Effect::kDelay);
 }

@@ -16,6 +16,7 @@ public:
     Status check(const Method& method, const FramePlan& plan) const override;
 
 private:
+    void write_ring(const FramePlan& plan, FrameData& frame) const;
     std::shared_ptr<const AxialMetric> metric_;
 };
 

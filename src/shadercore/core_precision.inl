@@ -25,15 +25,20 @@ vec4 delay_fetch(int x, int y) { return fetch(texels.delay, x, y); }
 
 RayPixel dispatch(const CoreInput& input, double x, double y) {
     using TraceOne = RayPixel (*)(const CoreInput&, double, double);
-    static constexpr TraceOne kRotating[2][2][2] = {   // falling, delayed, moving
-        {{rotating::trace_one, rotating_moving::trace_one},
-         {rotating_delayed::trace_one, rotating_delayed_moving::trace_one}},
-        {{rotating_falling::trace_one, rotating_falling_moving::trace_one},
-         {rotating_falling_delayed::trace_one, rotating_falling_delayed_moving::trace_one}}};
+    static constexpr TraceOne kRotating[2][2][2][2] = {   // next to the ring, falling, delayed, moving
+        {{{rotating::trace_one, rotating_moving::trace_one},
+          {rotating_delayed::trace_one, rotating_delayed_moving::trace_one}},
+         {{rotating_falling::trace_one, rotating_falling_moving::trace_one},
+          {rotating_falling_delayed::trace_one, rotating_falling_delayed_moving::trace_one}}},
+        {{{rotating_ring::trace_one, rotating_ring_moving::trace_one},
+          {rotating_ring_delayed::trace_one, rotating_ring_delayed_moving::trace_one}},
+         {{rotating_ring_falling::trace_one, rotating_ring_falling_moving::trace_one},
+          {rotating_ring_falling_delayed::trace_one, rotating_ring_falling_delayed_moving::trace_one}}}};
     static constexpr TraceOne kPlane[3][2] = {{flat::trace_one, flat_moving::trace_one},
                                               {lensed::trace_one, lensed_moving::trace_one},
                                               {cubic::trace_one, cubic_moving::trace_one}};
+    if (input.spin)
+        return kRotating[input.spin_ring][input.spin_fall][input.spin_delay][input.aberration](input, x, y);
     if (input.zoom) return zoomed_moving::trace_one(input, x, y);
-    if (input.spin) return kRotating[input.spin_fall][input.spin_delay][input.aberration](input, x, y);
     return kPlane[!input.lensing ? 0 : input.cubic ? 2 : 1][input.aberration](input, x, y);
 }

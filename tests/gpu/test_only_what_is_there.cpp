@@ -92,7 +92,7 @@ std::vector<Scene> full_scenes() {
     scenes[6].disc->effects.limb_darkening = true;
     scenes[6].disc->material.texture = TextureKind::kGas;
     scenes[6].camera.observer = ObserverKind::kRain;
-    scenes[3].camera.zoom = ZoomSpec{5.0, 0.0};
+    scenes[3].camera.zoom = scenes[6].camera.zoom = ZoomSpec{5.0, 0.0};
     scenes[1].picture = {ToneCurve::kFilm, 0.1, false, true};
     scenes[2].picture = {ToneCurve::kNeutral, 0.0, true, false, 2};
     return scenes;

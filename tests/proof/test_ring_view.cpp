@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "observer/ring_view.h"
 #include "proof/exact_ring.h"
 #include "proof/settings.h"
 #include "render/frame_tables.h"
 #include "shadercore/core_trace.h"
+#include "spacetime/registry.h"
 
 namespace {
 
@@ -189,4 +191,49 @@ TEST_CASE("zoom: a film of 2000 frames does not jump where tables or turns chang
     MESSAGE(fmt::format("{} changes, largest jump {:.1e} px", changes, worst));
     CHECK(changes > frames / 100);
     CHECK(worst <= kJump_px);
+}
+
+TEST_CASE("zoom: about a rotating hole nothing jumps where another swing is left out") {
+    constexpr double kStep_px = 1e-4, kRotatingJump_px = 1e-3;
+    double most = 0;
+    int rays = 0;
+    for (const double spin : {0.3, 0.9, 0.998})
+        for (const double angle : {0.4, 1.7, 2.9}) {
+            Scene scene;
+            scene.spacetime = {"kerr", {{"spin", spin}}};
+            CameraSpec& camera = scene.camera;
+            camera.r = 12, camera.observer = ObserverKind::kZamo, camera.zoom.emplace();
+            camera.theta = 1.1, camera.zoom->angle = angle, camera.velocity = {0.1, 0.2, -0.2};
+            const auto spacetime = *make_spacetime("kerr", scene.spacetime.parameters);
+            const auto turns = [&](double depth) {
+                CameraSpec deeper = camera;
+                deeper.zoom->depth = depth;
+                return ring_view(*spacetime, deeper, {})->turns;
+            };
+            double before = 40, after = 60;  // of the change next to 40
+            while (turns(after) - turns(before) > 1 || after - before > 1e-9) {
+                const double middle = 0.5 * (before + after);
+                (turns(middle) > turns(before) ? after : before) = middle;
+            }
+            const auto core = [&](double depth) {
+                scene.camera.zoom->depth = depth;
+                FrameTables tables;
+                REQUIRE(tables.update(scene));
+                return tables.core_input();
+            };
+            const CoreInput near = core(before), deep = core(after);
+            for (double x = -600; x <= 600; x += 37)
+                for (const double y : {-300.0, 20.0, 310.0}) {
+                    const RayPixel a = trace_core64(near, x, y), b = trace_core64(deep, x, y);
+                    CHECK(a.fate == b.fate);
+                    if (a.fate != Fate::kEscaped || b.fate != a.fate) continue;
+                    const double motion = std::hypot(length(trace_core64(near, x + kStep_px, y).sky - a.sky),
+                                                     length(trace_core64(near, x, y + kStep_px).sky - a.sky)) /
+                                          kStep_px;
+                    most = std::max(most, length(a.sky - b.sky) / motion), ++rays;
+                }
+        }
+    fmt::print("rotating: {} rays before and after a swing less, {:.1e} px apart\n", rays, most);
+    CHECK(rays > 200);
+    CHECK(most < kRotatingJump_px);
 }

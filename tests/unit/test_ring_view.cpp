@@ -137,9 +137,8 @@ TEST_CASE("ring view: left and above, as docs/scenes.md says") {
 
 TEST_CASE("ring view: refusals are one line each") {
     const auto refused = [](const Result<RingView>& view) { return view ? std::string() : view.error().message(); };
-    for (const std::string& message :
-         {refused(view_of("minkowski", zoomed(20, 5))), refused(view_of("kerr", zoomed(20, 5), {{"spin", 0.5}})),
-          refused(view_of("neutron-star", zoomed(20, 5), {{"radius", 3.0}}))}) {
+    for (const std::string& message : {refused(view_of("minkowski", zoomed(20, 5))),
+                                       refused(view_of("neutron-star", zoomed(20, 5), {{"radius", 3.0}}))}) {
         CAPTURE(message);
         CHECK(message.starts_with("zoom: "));
         CHECK(message.find('\n') == std::string::npos);

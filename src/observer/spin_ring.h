@@ -1,0 +1,39 @@
+// How far rays about a rotating hole are from the critical curve, to all digits, in views that are small beside the hole.
+//
+// Radial motion in Mino's time, zeta = 1/r (shaders/mino/kerr.glsl): zeta'^2 = P(zeta), whose least value between the hole and the sky,
+// the peak, is 0 on the critical curve, positive inside of it and negative outside. The peak decides what a ray next to the curve does,
+// and rounding of the ray's constants in float, 1e-7, moves it by as much as a microradian. So it is formed here in double, as a cubic of
+// the pixel's place.
+#pragma once
+#include <array>
+#include <optional>
+
+#include "observer/observer.h"
+#include "scene/scene.h"
+#include "spacetime/axial_metric.h"
+
+namespace nullscope {
+
+// The peak over P'' zeta^2/2 at its place, "e": some two thirds of the relative distance from the curve. How it changes in a pixel's step at
+// the picture's middle, at most.
+double ring_distance_per_pixel(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,
+                               const LightSpec& light);
+
+// May the picture show the critical curve, with pixels of less than kNarrow of it?
+inline constexpr double kNarrow = 5e-4;
+bool is_next_to_ring(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,
+                     const LightSpec& light);
+
+struct PeakForm {
+    // Of x^i y^j, px from the picture's middle, y up: 1, x, y, x^2, xy, y^2, x^3, x^2 y, x y^2, y^3. Per squared unit of frequency in the
+    // observer's own frame.
+    std::array<double, 10> c;
+};
+
+// Nothing where a cubic is off by more than kPeakOff_px of the picture, which is then not small beside the hole: there float has digits
+// enough. 10 microseconds.
+inline constexpr double kPeakOff_px = 0.004;
+std::optional<PeakForm> peak_form(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,
+                                  const LightSpec& light);
+
+}  // namespace nullscope
