@@ -5,7 +5,7 @@
 #ifndef METHOD_MINO
 #define SPIN_STEP 0.6          // of a step, times the fastest rate at work there: twice the error at 0.7, half at 0.55
 #ifdef EFFECT_SPIN_RING
-#define SPIN_MOST_STEPS 256   // next to the ring of the fastest holes, whose light winds some 50 times until it is 1e-8 closer
+#define SPIN_MOST_STEPS 512   // next to the ring of fast holes, whose light winds up to 35 times until it is 1e-8 closer
 #define SPIN_GROWTH 0.0
 #else
 #define SPIN_MOST_STEPS 64

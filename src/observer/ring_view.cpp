@@ -16,7 +16,8 @@ namespace {
 
 // a: a view of kSimilar then lets light go round at least once and a half; windings that grow faster than a logarithm have none.
 constexpr double kLeastRate = 0.5, kMostRate = 50.0;
-constexpr double kLeastClimb = 1e-4;  // 1 - V/q_crit^2 of a camera outside of a barrier
+constexpr double kMostRotatingRate = 12.0;  // SPIN_MOST_STEPS of shaders/mino/step.glsl then suffice
+constexpr double kLeastClimb = 1e-4;        // 1 - V/q_crit^2 of a camera outside of a barrier
 
 Error refused(std::string what, std::string allowed) { return bad_key("zoom", std::move(what), std::move(allowed)); }
 
@@ -28,7 +29,9 @@ Result<PhotonOrbit> similar_orbit(const Spacetime& spacetime, const CameraSpec& 
         photon_orbit(spacetime, rotates ? camera.theta : 0.5 * std::numbers::pi,
                      rotates ? std::fabs(std::remainder(camera.zoom->angle, 2.0 * std::numbers::pi)) : 0.0);
     if (!orbit) return refused(orbit.error().what, "a metric with a photon sphere that light can reach, and no tube");
-    if (const double rate = std::numbers::pi / orbit->gamma; rate > kLeastRate && rate < kMostRate) return *orbit;
+    if (const double rate = std::numbers::pi / orbit->gamma;
+        rate > kLeastRate && rate < (rotates ? kMostRotatingRate : kMostRate))
+        return *orbit;
     return refused("the images of the photon ring shrink too little or too much each",
                    "another parameter of the metric");
 }
