@@ -114,7 +114,8 @@ std::optional<Command> command_of(const KeyPress& press) {
 
 std::string why_not(Command command, const ViewState& view) {
     switch (command) {
-        case Command::kOrders: return no_orders(view.scene);
+        case Command::kOrders:  // one side may have them
+            return view.side_b != nullptr && no_orders(view.side_b->scene).empty() ? "" : no_orders(view.scene);
         case Command::kEmbedding: return no_embedding(view.scene);
         case Command::kSwapSides: return view.side_b == nullptr ? "Only in a comparison (X)" : "";
         default: return {};

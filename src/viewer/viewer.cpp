@@ -254,7 +254,7 @@ void Viewer::left_corner(float bottom) {
                         std::max(view_.show_panels ? editor_.width() : 0.0f, view_.show_probe ? probe_.width() : 0.0f);
     const Scene& scene = picture_.job.scene;
     if (view_.show_embedding) bottom = draw_embedding(scene, probe_.facts_in(scene.spacetime), left, right, bottom);
-    if (view_.show_orders && no_orders(scene).empty()) draw_order_legend(left, right, bottom);
+    if (shows_orders(0) || shows_orders(1)) draw_order_legend(left, right, bottom);
 }
 
 bool Viewer::move(const Input& input, double dt) {
@@ -286,7 +286,8 @@ void Viewer::follow_changes(bool changed) {
     const bool watched = whole && (view_.show_errors || (view_.show_panels && view_.show_accuracy));
     if (accuracy_->update(watched, moving_ || changed || picture_due_))
         frames_due_ = std::max(frames_due_, kNewsFrames);
-    orders_.update(view_.show_orders && no_orders(view_.scene).empty(), moving_ || changed || picture_due_);
+    for (std::size_t side = 0; side < orders_.size(); ++side)
+        orders_[side].update(shows_orders(side), moving_ || changed || picture_due_);
 }
 
 // Under the panels' pointer it stays what it was.
@@ -315,7 +316,7 @@ void Viewer::log_rest() {
     const bool times_due = view_.show_panels && view_.show_effects && !effect_times_.complete;
     window_->framebuffer();  // an answer of the display's server: it has shown what it was sent before
     if (const Status written = layout_log_.rest(last_key_); !written) say(written.error().message());
-    log_.rest(last_key_, accuracy_->at_work() || orders_.at_work() || times_due);
+    log_.rest(last_key_, accuracy_->at_work() || orders_at_work() || times_due);
 }
 
 bool Viewer::in_motion() const {
@@ -336,7 +337,7 @@ double Viewer::wait_time() const {
     if (busy) return kProgressWait;
     if (timeline_.records() || film_.runs() || file_dialog_.runs()) return kProgressWait;
     if (adapting()) return kAdaptingWait;
-    double idle = std::min({kIdleWait, accuracy_->wait(), orders_.wait()});
+    double idle = std::min({kIdleWait, accuracy_->wait(), orders_[0].wait(), orders_[1].wait()});
     if (view_.show_effects && !times_asked_)
         idle = std::min(idle, std::max(changed_at_ + kRestBeforeTimes - seconds(), 0.01));
     return message_.empty() ? idle : std::min(std::max(message_until_ - seconds(), 0.01), idle);

@@ -1,5 +1,7 @@
 // The viewer itself: window, panels, hands and renderer, and the loop that draws when there is something to draw.
 #pragma once
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -82,6 +84,9 @@ private:
     void draw_over_sides(float top, float bottom);  // errors, critical curve, divider
     void drag_divider(const Input& input);
     const PaintJob* shown_side_b() const { return picture_.texture_b != 0 ? picture_.job.side_b.get() : nullptr; }
+    const PaintJob* shown_side(std::size_t side) const { return side == 0 ? &picture_.job : shown_side_b(); }
+    bool shows_orders(std::size_t side) const;  // that side has image orders, and they are switched on
+    bool orders_at_work() const { return std::ranges::any_of(orders_, &OrderOverlay::at_work); }
     void present();
     void measure_rate();
     void save_picture();  // as soon as it is whole
@@ -153,7 +158,7 @@ private:
     std::string not_measured_;              // why it could not be read, or nothing
     MethodChoice choice_, asked_choice_;    // of the picture that is shown, of the one asked for
     std::unique_ptr<FrameAccuracy> accuracy_;
-    OrderOverlay orders_;
+    std::array<OrderOverlay, 2> orders_;  // of both sides
     Probe probe_;
     History history_;
     Gallery gallery_;

@@ -50,8 +50,10 @@ std::filesystem::path fresh_screenshot_path() {
 void Viewer::ask() {
     const bool busy = painter_->busy();
     if (!picture_due_) {
-        if (!busy && (accuracy_->asks_for_rays() || orders_.asks_for_rays()))
-            painter_->ask({picture_.job.scene, picture_.job.method, true});
+        const bool of_b = orders_[1].asks_for_rays();
+        if (!busy && (accuracy_->asks_for_rays() || orders_[0].asks_for_rays() || of_b))
+            painter_->ask(
+                {picture_.job.scene, picture_.job.method, true, 1.0, false, of_b ? picture_.job.side_b : nullptr});
         return;
     }
     const Scene scene = drawn_scene(view_);
@@ -78,7 +80,8 @@ bool Viewer::take() {
     auto painting = painter_->take();
     if (!painting) return false;
     if (painting->rays) {
-        orders_.take_rays(painting->job.scene, *painting->rays);
+        orders_[0].take_rays(painting->job.scene, *painting->rays);
+        if (painting->rays_b) orders_[1].take_rays(painting->job.side_b->scene, *painting->rays_b);
         accuracy_->take_rays(painting->job.scene, std::move(*painting->rays));
     } else if (painting->ready)
         adopt(std::move(*painting));
@@ -107,7 +110,8 @@ void Viewer::adopt(Painting painting) {
     if (!picture_.notes.empty()) say(picture_.notes.back());
     choice_ = asked_choice_;
     accuracy_->frame_is(picture_.job.scene, picture_.job.method);
-    orders_.frame_is(picture_.job.scene, picture_.job.method);
+    for (std::size_t side = 0; side < orders_.size(); ++side)
+        if (const PaintJob* job = shown_side(side)) orders_[side].frame_is(job->scene, job->method);
     if (!error_stays_) view_.error.clear();
     shown_ = asked_;
     if (save_due_ && !picture_.coarse()) save_picture();
@@ -132,6 +136,11 @@ void Viewer::draw(unsigned framebuffer) {
                  divider_.x());
 }
 
+bool Viewer::shows_orders(std::size_t side) const {
+    const PaintJob* job = shown_side(side);
+    return view_.show_orders && picture_.texture != 0 && job != nullptr && no_orders(job->scene).empty();
+}
+
 void Viewer::drag_divider(const Input& input) {
     if (shown_side_b() == nullptr) return divider_.let_go();
     const ImGuiIO& io = ImGui::GetIO();
@@ -153,12 +162,13 @@ void Viewer::draw_over_sides(float top, float bottom) {
     const float parted = b != nullptr ? unit * static_cast<float>(divider_.x()) : screen.x;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     draw.PushClipRect({0.0f, 0.0f}, {parted, screen.y});
-    if (view_.show_orders && no_orders(picture_.job.scene).empty()) orders_.draw();
+    if (shows_orders(0)) orders_[0].draw();
     if (view_.show_errors && !picture_.job.scene.split) accuracy_->draw_overlay();
     if (view_.show_critical) draw_critical_curve(picture_.job.scene);
     draw.PopClipRect();
     if (b == nullptr) return;
     draw.PushClipRect({parted, 0.0f}, screen);
+    if (shows_orders(1)) orders_[1].draw();
     if (view_.show_critical) draw_critical_curve(b->scene);
     draw.PopClipRect();
     divider_.draw(side_words_, view_.show_panels ? side_panel_right() : 0.0f, top, bottom, unit);

@@ -195,6 +195,10 @@ Painting Workshop::rays(const PaintJob& job) {
     painting.job = job;
     painting.ready = prepare(job.scene, job, {});
     if (painting.ready) painting.rays = renderer_.ray_data();
+    if (painting.ready && job.side_b != nullptr) {
+        if (side_b_ == nullptr) side_b_ = std::make_unique<Workshop>();
+        painting.rays_b = side_b_->rays(*job.side_b).rays;
+    }
     add_facts(painting);
     return painting;
 }

@@ -45,14 +45,14 @@ struct EffectTimes {
 
 struct Painting {
     PaintJob job;
-    Status ready{Done{}};       // what prepare() said; else there is nothing below
-    unsigned texture = 0;       // RGBA8, display-encoded; valid until the painting after it was taken
-    unsigned texture_b = 0;     // likewise, of job.side_b; 0: there is none
-    int width = 0, height = 0;  // of the texture; of a coarse picture less than the job's
-    std::optional<RayFrame> rays;
-    double draw_ms = 0.0;            // the picture's, finished; compiling apart
-    std::vector<std::string> notes;  // what was done to images
-    int programs = 0;                // compiled for pictures until now
+    Status ready{Done{}};                  // what prepare() said; else there is nothing below
+    unsigned texture = 0;                  // RGBA8, display-encoded; valid until the painting after it was taken
+    unsigned texture_b = 0;                // likewise, of job.side_b; 0: there is none
+    int width = 0, height = 0;             // of the texture; of a coarse picture less than the job's
+    std::optional<RayFrame> rays, rays_b;  // of the job, and of job.side_b
+    double draw_ms = 0.0;                  // the picture's, finished; compiling apart
+    std::vector<std::string> notes;        // what was done to images
+    int programs = 0;                      // compiled for pictures until now
     double compile_ms = 0.0 /* of them all, with the driver's own at the first rows */, table_ms = 0.0, rows_ms = 0.0;
 
     bool draft = false;  // with fewer rays or stars than the job's

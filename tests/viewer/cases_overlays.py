@@ -113,6 +113,31 @@ def test_image_orders_are_coloured(screen, program, folder):
         assert any(name.startswith("##Tooltip") and "rotating" in words for name, words, _ in v.layout().texts), "no tooltip says why"
 
 
+def test_both_sides_of_a_comparison_have_image_orders(screen, program, folder):
+    direct = (19, 52, 120)     # over black
+    flat_direct = lambda v, x: max(abs(a - b) for a, b in zip(v.picture((x, 300, x + 1, 301)).data, direct)) <= 3
+    with opened(screen, program, scene=DARK) as v:
+        shut_sections(v)
+        v.settle("key", "x")
+        v.click(*v.layout().place("Light", "##side"))
+        v.click(*LENSING)
+        v.settle("key", "o")
+        v.settle("mousemove", 700, 560)
+        assert flat_direct(v, WIDTH // 2 - 100), "side A is not coloured"
+        assert flat_direct(v, WIDTH - 20), "side B is not coloured"
+        assert v.picture((WIDTH // 2 + 20, 300, WIDTH // 2 + 21, 301)).mean() == 0, "the shadow of side B is coloured"
+        v.settle("key", "x")
+        assert flat_direct(v, WIDTH - 20), "A alone is not coloured"
+    with opened(screen, program, scene=DARK) as v:
+        shut_sections(v)
+        v.settle("key", "x")
+        v.click(*v.layout().place("Spacetime", "##side"))
+        v.click(*METRIC)
+        v.click(*v.layout().place("kerr", "##Combo"))
+        v.settle("key", "o", "mousemove", 700, 560)
+        assert flat_direct(v, WIDTH - 20) and not flat_direct(v, WIDTH // 2 - 100), "not the side that does not rotate alone"
+
+
 def test_the_embedding_diagram_is_drawn(screen, program, folder):
     with opened(screen, program, scene=DARK) as v:
         area = (300, 300, 600, 580)
@@ -232,6 +257,7 @@ def test_z_and_the_wheel_zoom_into_the_photon_ring(screen, program, folder):
 CASES = []
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_z_and_the_wheel_zoom_into_the_photon_ring, test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
+    CASES += [test_both_sides_of_a_comparison_have_image_orders,
+              test_z_and_the_wheel_zoom_into_the_photon_ring, test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
               test_the_embedding_diagram_is_drawn, test_the_windows_place_is_kept,
               test_panels_are_used_by_keyboard, test_the_sides_of_a_comparison_are_swapped]
