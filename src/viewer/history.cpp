@@ -22,13 +22,20 @@ bool is_of_place(const std::string& name) {
 // "ball[2].radius": "ball[2]".
 std::string section_of(const std::string& name) { return name.substr(0, name.find('.')); }
 
-// Of two scenes: sections that come or go, and the keys whose values differ; of many the first ones.
-std::string changes_between(const Scene& a, const Scene& b) {
+// Of ViewState, as far as its changes are named.
+struct Settings {
+    const Scene& scene;
+    const EffectSet& off;
+    const MethodWish& method;
+};
+
+// Sections that come or go, the keys whose values differ, and switches; of many the first ones. Empty: all is the same.
+std::string changes_between(const Settings& a, const Settings& b) {
     constexpr std::size_t kMostNamed = 3;
     std::map<std::string, std::string> before, after;
-    for (const SceneLine& line : scene_lines(a))
+    for (const SceneLine& line : scene_lines(a.scene))
         if (!is_size(line)) before[line.name] = line.value;
-    for (const SceneLine& line : scene_lines(b))
+    for (const SceneLine& line : scene_lines(b.scene))
         if (!is_size(line)) after[line.name] = line.value;
     std::vector<std::string> names;
     const auto has_section = [](const auto& lines, const std::string& section) {
@@ -46,6 +53,11 @@ std::string changes_between(const Scene& a, const Scene& b) {
     }
     for (const auto& [key, value] : before)
         if (!after.contains(key)) name(key, after, " removed");
+    for (const EffectRow* row : effect_rows())
+        if (a.off.contains(row->effect) != b.off.contains(row->effect))
+            names.push_back(
+                fmt::format("effect {} {}", row->key, b.off.contains(row->effect) ? "switched off" : "switched on"));
+    if (a.method != b.method) names.emplace_back("method");
     if (names.size() > 1 && std::ranges::all_of(names, is_of_place)) return "camera";
     if (names.size() <= kMostNamed) return fmt::format("{}", fmt::join(names, ", "));
     return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + kMostNamed, ", "),
@@ -64,7 +76,8 @@ History::Words History::words_of(const Scene& scene) {
 
 // The camera alone, or nothing at all.
 bool History::moved_since(const Step& step, const ViewState& view, const Words& words) {
-    return step.words.rest == words.rest && step.source == view.source && step.off == view.off;
+    return step.words.rest == words.rest && step.source == view.source && step.off == view.off &&
+           step.method == view.method;
 }
 
 void History::rest(const ViewState& view) {
@@ -81,8 +94,8 @@ void History::rest(const ViewState& view) {
         steps_.resize(at_ + 1);
         if (moved && steps_.back().moved) steps_.pop_back();
     }
-    steps_.push_back(
-        {view.source, view.loaded, view.scene, view.off, view.hidden, view.sides, std::move(words), view.jumps, moved});
+    steps_.push_back({view.source, view.loaded, view.scene, view.off, view.method, view.hidden, view.sides,
+                      std::move(words), view.jumps, moved});
     if (steps_.size() > kMostSteps) steps_.erase(steps_.begin());
     at_ = steps_.size() - 1;
 }
@@ -101,18 +114,18 @@ bool History::redo(ViewState& view, std::string& what) {
 
 bool History::go_to(std::size_t step, ViewState& view, std::string& what) {
     const Step& to = steps_[step];
+    const Settings there{to.scene, to.off, to.method}, here{view.scene, view.off, view.method};
+    const bool swapped = view.side_b != nullptr && sides_swapped(to.sides, view.sides);
     what = to.source != view.source ? "another scene"
-           : step < at_             ? changes_between(to.scene, view.scene)
-                                    : changes_between(view.scene, to.scene);
-    if (what.empty()) what = "effects that are switched off";
-    if (view.side_b != nullptr && sides_swapped(to.sides, view.sides)) {
-        what = "sides swapped";
-        swap_sides(view);
-    }
+           : swapped                ? ""
+           : step < at_             ? changes_between(there, here)
+                                    : changes_between(here, there);
+    if (what.empty()) what = "sides swapped";  // also of a comparison that has ended
+    if (swapped) swap_sides(view);
     at_ = step;
     const CameraSpec now = view.scene.camera;
     view.source = to.source, view.loaded = to.loaded, view.scene = to.scene;
-    view.off = to.off, view.hidden = to.hidden, view.jumps = to.jumps;
+    view.off = to.off, view.method = to.method, view.hidden = to.hidden, view.jumps = to.jumps;
     view.scene.camera.width = now.width, view.scene.camera.height = now.height;
     if (view.scene.disc) view.hidden_disc = *view.scene.disc;
     view.fall.stop();

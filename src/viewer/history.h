@@ -9,13 +9,14 @@ namespace nullscope::viewer {
 
 class History {
 public:
-    // The view has come to rest: a step, if its scene or what is switched off differs from the step before. Moves of the camera that follow
+    // The view has come to rest: a step, if its scene, its method or what is switched off differs from the step before. Moves of the camera that follow
     // each other are one step, unless view.jumps says that a command put it elsewhere between them. Another size of the window and other
     // hidden bodies are no step. Steps that were undone are forgotten then. Cost: 0.1 ms where nothing has changed, and a scene is kept for
     // each of the last kMostSteps.
     void rest(const ViewState& view);
 
-    // Goes a step back, or forward again; false: there is none. `what`: the keys that change, for a message.
+    // Goes a step back, or forward again; false: there is none. `what`: the keys that change, the effects that are switched
+    // and whether sides are swapped, for a message.
     bool undo(ViewState& view, std::string& what);
     bool redo(ViewState& view, std::string& what);
 
@@ -29,6 +30,7 @@ private:
         std::string source;
         Scene loaded, scene;
         EffectSet off;
+        MethodWish method;
         HiddenBodies hidden;  // when it was last at rest
         int sides;            // ViewState::sides, likewise
         Words words;

@@ -22,6 +22,7 @@ struct MethodWish {
     bool automatic = true;  // the cheapest that keeps max_error_px
     double max_error_px = kDefaultMaxError_px;
     Method method;  // unless automatic
+    friend bool operator==(const MethodWish&, const MethodWish&) = default;
 };
 
 // What a comparison keeps: everything but the camera, the path and the time.

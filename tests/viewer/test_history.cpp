@@ -2,12 +2,15 @@
 #include <doctest/doctest.h>
 
 #include "scenefile/scene_writer.h"
+#include "viewer/comparison.h"
 #include "viewer/history.h"
 
 namespace {
 
 using namespace nullscope;
 using viewer::History;
+using viewer::SideB;
+using viewer::swap_sides;
 using viewer::ViewState;
 
 ViewState opened(const char* name) {
@@ -134,7 +137,7 @@ TEST_CASE("history: steps of a tour are undone with what they switch off, and R 
     history.rest(view);
     CHECK_FALSE(load_step(view, {"no-such-scene", {}, {}, ""}));
     REQUIRE(history.undo(view, what));
-    CHECK(what == "effects that are switched off");
+    CHECK(what == "effect disc switched on");
     CHECK(view.off == EffectSet{Effect::kDisc});
     CHECK(view.scene.camera.r == 40.0);
     view.scene.camera.r = 9.0;
@@ -144,6 +147,49 @@ TEST_CASE("history: steps of a tour are undone with what they switch off, and R 
     CHECK(view.off.empty());
     CHECK(view.scene.camera.r == view.loaded.camera.r);
     CHECK(view.own == std::vector<std::string>{"mine.toml"});
+}
+
+TEST_CASE("history: effects, the method and sides that are swapped are steps with names") {
+    ViewState view = opened("first-light");
+    History history;
+    std::string what;
+    history.rest(view);
+    view.side_b = std::make_shared<SideB>(SideB{view.scene, view.method, view.off});
+    view.sides = 2;
+    history.rest(view);
+    view.off = {Effect::kDisc};
+    history.rest(view);
+    view.method.automatic = false;
+    history.rest(view);
+    swap_sides(view);
+    history.rest(view);
+    CHECK(view.off.empty());
+    for (const char* words : {"sides swapped", "method", "effect disc switched off"}) {
+        REQUIRE(history.undo(view, what));
+        CHECK(what == words);
+    }
+    CHECK(view.method.automatic);
+    CHECK_FALSE(history.undo(view, what));
+    REQUIRE(history.redo(view, what));
+    CHECK(what == "effect disc switched off");
+    CHECK(view.off == EffectSet{Effect::kDisc});
+}
+
+TEST_CASE("history: two sides that were alike, swapped in a comparison that has ended, are named") {
+    ViewState view = opened("first-light");
+    History history;
+    std::string what;
+    history.rest(view);
+    view.side_b = std::make_shared<SideB>(SideB{view.scene, view.method, view.off});
+    view.sides = 2;
+    history.rest(view);
+    swap_sides(view);
+    history.rest(view);
+    view.side_b.reset();
+    view.sides = 4;
+    history.rest(view);
+    REQUIRE(history.undo(view, what));
+    CHECK(what == "sides swapped");
 }
 
 TEST_CASE("views: what is copied in one scene is pasted into another, and other text is refused") {
