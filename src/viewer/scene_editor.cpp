@@ -126,6 +126,16 @@ bool number_field(const SceneKey& key, std::array<double, 3>& values, int count)
     return finite;
 }
 
+// Dear ImGui does so by itself only while panels are used by keyboard. id: the colour's.
+void shut_picker(const char* id) {
+    ImGui::PushID(id);
+    if (ImGui::BeginPopup("picker")) {
+        ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+    }
+    ImGui::PopID();
+}
+
 // The control of a key: true when the value changed.
 bool field(const SceneKey& key, KeyValue& value, bool escape) {
     switch (key.type) {
@@ -145,8 +155,10 @@ bool field(const SceneKey& key, KeyValue& value, bool escape) {
         case KeyType::kColour: {
             std::array<float, 3> c = {static_cast<float>(value.vector.x), static_cast<float>(value.vector.y),
                                       static_cast<float>(value.vector.z)};
-            if (!ImGui::ColorEdit3("##value", c.data(), ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR))
-                return false;
+            const bool picked =
+                ImGui::ColorEdit3("##value", c.data(), ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR);
+            if (escape) shut_picker("##value");
+            if (!picked) return false;
             value.vector = {c[0], c[1], c[2]};
             return true;
         }
@@ -256,14 +268,24 @@ bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
         if (!fault_.empty()) paragraph(fault_, true);
         ImGui::Separator();
         if (ImGui::BeginChild("##sections")) {
+            const float height = ImGui::GetScrollMaxY() + ImGui::GetWindowHeight();
             Scene holder = view.scene;  // of each section in turn
-            for (const SectionRef& at : scene_sections(view.scene)) {
+            const auto sections = scene_sections(view.scene);
+            for (const SectionRef& at : sections) {
                 exchange_with_last(holder, at);
                 ImGui::PushID(at.label.c_str());
-                changed |= draw_section(view, at, holder, escape);
+                const bool edited = draw_section(view, at, holder, escape);
                 ImGui::PopID();
-                if (changed) break;  // the sections may be others
-                exchange_with_last(holder, at);
+                changed |= edited;
+                if (edited && !std::ranges::equal(sections, scene_sections(view.scene), {}, &SectionRef::label,
+                                                  &SectionRef::label)) {
+                    ImGui::Dummy({0.0f, height});  // what is left out in this frame: else it would be scrolled
+                    break;
+                }
+                if (edited)
+                    holder = view.scene;
+                else
+                    exchange_with_last(holder, at);
             }
         }
         ImGui::EndChild();
@@ -296,8 +318,8 @@ bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, const Scen
     if (!hidden) ImGui::PopStyleColor();
     bool changed = false;
     if (is_open) {
-        changed = draw_buttons(view, at);
-        if (metric && !changed && words_.empty()) {
+        const bool others = changed = draw_buttons(view, at);
+        if (metric && !others && words_.empty()) {
             SpacetimeSpec spec = at.section == "split" ? *view.scene.split : view.scene.spacetime;
             if (spacetime_rows(spec, "metric", "##metric", escape)) {
                 Scene edited = view.scene;
@@ -308,7 +330,7 @@ bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, const Scen
         }
         const Scene defaults = section_defaults(holder, at.section);
         for (const SceneKey* key : keys) {
-            if (changed) break;
+            if (others) break;
             ImGui::PushID(key->key.data());
             changed |= draw_key(view, at, holder, defaults, *key, escape);
             ImGui::PopID();

@@ -831,6 +831,40 @@ def test_a_recording_is_put_aside_and_brought_back(screen, program, folder):
         assert v.layout().place("Play", "##timeline"), "undo brings no recording back"
 
 
+def test_the_editor_stays_where_it_is_and_escape_closes_a_picker_alone(screen, program, folder):
+    scene = SCENE + "".join(f"[[ball]]\nposition = [{x}, 6, -3]\nradius = 1\n" for x in (4, 8, 12))
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene=scene) as v:
+        def turn_to(words):     # scrolls down
+            for _ in range(40):
+                if place := v.layout().place(words, "##sections"):
+                    return place
+                v.settle("mousemove", 800, 350, "click", 5)
+            raise AssertionError(f"no {words} in {v.layout().words()}")
+        v.settle("key", "ctrl+e")
+        v.click(*turn_to("ball[2]"))
+        turn_to("ball[3]")
+        x, y = turn_to("colour")
+        v.settle("mousemove", 800, 350, *["click", 5] * 20)
+        x, y = turn_to("colour")
+        for right in range(800, 700, -6):     # the square that opens the picker
+            for step in [["mousemove", right, y], ["mousedown", 1], ["mouseup", 1]]:
+                v.settle(*step)
+            if any(name.startswith("##Popup") for name in v.layout().windows):
+                break
+        popup = next(place for name, place in v.layout().windows.items() if name.startswith("##Popup"))
+        left, top = popup[0] + 60, popup[1] + 60
+        v.settle("mousemove", left, top, "mousedown", 1)
+        v.settle("mousemove", left + 20, top + 30)
+        v.settle("mouseup", 1)
+        assert v.layout().place("colour", "##sections") == (x, y), "an edit scrolls the editor"
+        v.settle("key", "Escape")
+        assert not any(name.startswith("##Popup") for name in v.layout().windows), "Escape leaves the picker open"
+        assert "Scene" in v.layout().windows, "Escape closes the editor with the picker"
+        assert v.layout().place("colour", "##sections") == (x, y), "the editor is scrolled"
+        v.settle("key", "Escape")
+        assert "Scene" not in v.layout().windows, "a second Escape does not close the editor"
+
+
 def test_tooltips_leave_the_row_free_that_they_explain(screen, program, folder):
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
         def tooltip(*place):
@@ -928,7 +962,8 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_an_edit_before_a_flight_is_two_steps_of_undo_away,
+    CASES += [test_the_editor_stays_where_it_is_and_escape_closes_a_picker_alone,
+              test_an_edit_before_a_flight_is_two_steps_of_undo_away,
               test_a_bookmarks_camera_is_taken_into_another_scene, test_a_recording_is_put_aside_and_brought_back,
               test_tooltips_leave_the_row_free_that_they_explain, test_a_click_on_a_body_opens_it_in_the_editor,
               test_a_hidden_body_is_left_out_of_films,
