@@ -61,12 +61,14 @@ int TourPanel::draw(float left, float bottom) {
     if (ImGui::Begin("##tour", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav)) {
-        const std::string place = fmt::format("{} of {}", step_ + 1, tour_->steps.size());
+        const std::string place =
+            fmt::format("{} of {}{}", step_ + 1, tour_->steps.size(), at_last() ? ": the last step" : "");
         const float room = ImGui::CalcTextSize(place.c_str()).x;
         ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s",
                            wrapped(tour_->title, ImGui::GetContentRegionAvail().x - room - em()).c_str());
         align_right(room);
         ImGui::TextDisabled("%s", place.c_str());
+        tooltip("Page Up and Page Down go through the steps, from anywhere; R returns to the view of this one.");
         ImGui::PushID(static_cast<int>(step_));  // each text is scrolled by itself
         const float inside = ImGui::GetContentRegionAvail().x;
         const auto tall = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).y; };
@@ -95,7 +97,11 @@ int TourPanel::draw_buttons() {
     };
     button("Back", -1, "The step before (Page Up).");
     ImGui::SameLine();
-    button("Next", 1, "The step after this one (Page Down).");
+    if (at_last()) {
+        others_pressed |= ImGui::Button("Other tours...");
+        tooltip("This tour has ended: start another one, or close it.");
+    } else
+        button("Next", 1, "The step after this one (Page Down).");
     align_right(button_width("Close"));
     if (ImGui::Button("Close")) close();
     tooltip("Ends the tour; the scene stays (Escape).");

@@ -19,10 +19,12 @@ public:
     // The step by so many before or after the one that is shown; nullptr: there is none, or no tour.
     const TourStep* at(int ahead) const;
     void go(int ahead);  // where at(ahead) is one
+    bool at_last() const { return tour_ && at(1) == nullptr; }
 
     // Between NewFrame and Render, in the middle between `left` and the window's right edge, above `bottom`. -1: Back was pressed, 1:
     // Next, else 0.
     int draw(float left, float bottom);
+    bool others_pressed = false;  // of the last step: the list of tours is asked for
 
 private:
     int draw_buttons();

@@ -28,7 +28,11 @@ bool Viewer::open_tour(const std::filesystem::path& file) {
 
 bool Viewer::step_tour(int ahead) {
     const TourStep* step = gallery_.is_open() ? nullptr : tour_.at(ahead);
-    if (step == nullptr) return false;
+    if (step == nullptr) {
+        if (ahead > 0 && !gallery_.is_open() && tour_.at_last())
+            say("This was the tour's last step. Escape closes it; Help has other tours");
+        return false;
+    }
     leave_scene();
     const Status loaded = load_step(view_, *step);
     if (loaded)
@@ -49,6 +53,7 @@ bool Viewer::tour_panels(float left, float bottom) {
         if (const auto chosen = draw_tour_list(view_.show_tours, tours())) changed = open_tour(*chosen);
     }
     const int ahead = tour_.draw(left, bottom);
+    if (std::exchange(tour_.others_pressed, false)) view_.show_tours = true, frames_due_ = kSettlingFrames;
     return (ahead != 0 && step_tour(ahead)) || changed;
 }
 

@@ -865,6 +865,21 @@ def test_the_editor_stays_where_it_is_and_escape_closes_a_picker_alone(screen, p
         assert "Scene" not in v.layout().windows, "a second Escape does not close the editor"
 
 
+def test_a_tours_last_step_says_so_and_offers_others(screen, program, folder):
+    steps = "".join(f'[[step]]\nscene = "disc-grid"\ntext = "Step {n}."\n' for n in (1, 2))
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt",
+                scene=f'title = "Mine"\ndescription = "One."\n{steps}') as v:
+        has = lambda words: v.layout().place(words, "##tour")
+        assert has("Next") and not has("Other tours"), v.layout().words()
+        v.settle("key", "Next")
+        assert has("2 of 2: the last step") and not has("Next"), v.layout().words()
+        v.settle("key", "Next")
+        assert v.layout().place("This was the tour's last step", ""), v.layout().words()
+        v.click(*has("Other tours"))
+        v.click(*v.layout().place("Why is the shadow", "Guided_tours"))
+        assert has("1 of 7"), v.layout().words()
+
+
 def test_tooltips_leave_the_row_free_that_they_explain(screen, program, folder):
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
         def tooltip(*place):
@@ -962,7 +977,8 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_the_editor_stays_where_it_is_and_escape_closes_a_picker_alone,
+    CASES += [test_a_tours_last_step_says_so_and_offers_others,
+              test_the_editor_stays_where_it_is_and_escape_closes_a_picker_alone,
               test_an_edit_before_a_flight_is_two_steps_of_undo_away,
               test_a_bookmarks_camera_is_taken_into_another_scene, test_a_recording_is_put_aside_and_brought_back,
               test_tooltips_leave_the_row_free_that_they_explain, test_a_click_on_a_body_opens_it_in_the_editor,
