@@ -22,10 +22,12 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kPrefix = "unsaved-";
 
-fs::path own_file_of(pid_t process) {
+fs::path state_file(const std::string& name) {
     const fs::path folder = state_folder();
-    return folder.empty() ? folder : folder / fmt::format("{}{}.toml", kPrefix, process);
+    return folder.empty() ? folder : folder / name;
 }
+
+fs::path own_file_of(pid_t process) { return state_file(fmt::format("{}{}.toml", kPrefix, process)); }
 
 // The process that a file belongs to, or 0.
 pid_t process_of(const fs::path& file) {
@@ -102,9 +104,16 @@ Status take_left_scene(const fs::path& file) {
     return Done{};
 }
 
-fs::path last_session() {
-    const fs::path folder = state_folder();
-    return folder.empty() ? folder : folder / "last-session.toml";
+Status keep_recording(const Scene& scene) {
+    const fs::path file = last_recording();
+    if (file.empty()) return Done{};
+    TRY(good, savable(scene));
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    return write_text_atomically(file, text_of(*good));
 }
+
+fs::path last_session() { return state_file("last-session.toml"); }
+fs::path last_recording() { return state_file("last-recording.toml"); }
 
 }  // namespace nullscope::viewer

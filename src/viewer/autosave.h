@@ -32,6 +32,11 @@ std::optional<std::filesystem::path> left_scene();
 // Makes it the last session, to be opened from there.
 Status take_left_scene(const std::filesystem::path& file);
 
-std::filesystem::path last_session();  // its file, whether it is there or not; empty without a home
+// A recorded flight that another scene replaces, with its scene, to be opened after the viewer has ended, too.
+Status keep_recording(const Scene& scene);
+
+// Their files, whether they are there or not; empty without a home.
+std::filesystem::path last_session();
+std::filesystem::path last_recording();
 
 }  // namespace nullscope::viewer

@@ -87,7 +87,9 @@ std::string Gallery::draw_head(const std::vector<std::string>& recent, bool esca
     }
     for (const std::string& file : recent) {
         const std::filesystem::path path(file);
-        const std::string name = path == last_session() ? "Last session" : path.stem().string();
+        const std::string name = path == last_session()     ? "Last session"
+                                 : path == last_recording() ? "Last recording"
+                                                            : path.stem().string();
         if (&file != &recent.front()) next_to(button_width(name.c_str()));
         ImGui::PushID(file.c_str());
         if (small_button(name.c_str())) chosen = file;

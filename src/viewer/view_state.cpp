@@ -23,7 +23,8 @@ Status load_into(ViewState& view, const std::string& file_or_name) {
     view.source = file_or_name;
     if (std::ranges::find(view.shipped, file_or_name, &SceneInfo::name) == view.shipped.end()) {
         view.source = std::filesystem::absolute(file_or_name).string();
-        if (std::filesystem::path(view.source) != last_session()) own_file(view, view.source);
+        const std::filesystem::path path(view.source);
+        if (path != last_session() && path != last_recording()) own_file(view, view.source);
     }
     view.loaded = view.scene = std::move(*loaded);
     if (view.scene.disc) view.hidden_disc = *view.scene.disc;

@@ -49,12 +49,13 @@ constexpr double kRateTime = 0.25;        // s between changes of the numbers in
     std::_Exit(0);
 }
 
-// The last session if there is one, then files of one's own.
+// The last session and the last recording if there are such, then files of one's own.
 std::vector<std::string> recent_files(const ViewState& view) {
     std::vector<std::string> files(view.own.begin(), view.own.begin() + static_cast<std::ptrdiff_t>(std::min(
                                                                             view.own.size(), Settings::kMostRecent)));
     std::error_code error;
-    if (std::filesystem::is_regular_file(last_session(), error)) files.insert(files.begin(), last_session().string());
+    for (const auto& kept : {last_recording(), last_session()})
+        if (std::filesystem::is_regular_file(kept, error)) files.insert(files.begin(), kept.string());
     return files;
 }
 

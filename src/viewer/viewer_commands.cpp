@@ -228,8 +228,10 @@ void Viewer::leave_scene() {
     if (timeline_.records() && timeline_.stop_record(view_.scene)) history_.rest(view_);
     Scene loaded = view_.loaded;
     set_size(loaded, view_.scene.camera.width, view_.scene.camera.height);
-    if (view_.scene.path && view_.scene.path != loaded.path)
-        say("The recording was put aside: Ctrl + Z brings it back");
+    if (!view_.scene.path || view_.scene.path == loaded.path) return;
+    const Status kept = keep_recording(timeline_.to_save(view_.scene));
+    say(kept ? "The recording was put aside: Ctrl + Z or Last recording in the gallery brings it back"
+             : "The recording was put aside: Ctrl + Z brings it back. " + kept.error().message());
 }
 
 }  // namespace nullscope::viewer

@@ -880,6 +880,25 @@ def test_a_tours_last_step_says_so_and_offers_others(screen, program, folder):
         assert has("1 of 7"), v.layout().words()
 
 
+def test_a_recording_that_was_left_is_in_the_gallery_of_the_next_viewer(screen, program, folder):
+    for last in (False, True):
+        with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", home=folder) as v:
+            if not last:
+                before = v.settle("key", "F9")
+                v.hands("keydown", "d")
+                v.changes("it flies", before)
+                time.sleep(0.4)
+                v.hands("keyup", "d")
+                v.settle("key", "F9")
+            v.settle("key", "ctrl+o")
+            if last:
+                v.click(*v.layout().place("Last recording", "##gallery"))
+                assert v.layout().place("Play", "##timeline"), "the recording is not in its file"
+                continue
+            v.click(*FIRST_CARD)
+            assert v.layout().place("The recording was put aside", ""), v.layout().words()
+
+
 def test_tooltips_leave_the_row_free_that_they_explain(screen, program, folder):
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
         def tooltip(*place):
@@ -977,7 +996,8 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_a_tours_last_step_says_so_and_offers_others,
+    CASES += [test_a_recording_that_was_left_is_in_the_gallery_of_the_next_viewer,
+              test_a_tours_last_step_says_so_and_offers_others,
               test_the_editor_stays_where_it_is_and_escape_closes_a_picker_alone,
               test_an_edit_before_a_flight_is_two_steps_of_undo_away,
               test_a_bookmarks_camera_is_taken_into_another_scene, test_a_recording_is_put_aside_and_brought_back,
