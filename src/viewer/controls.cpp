@@ -14,10 +14,10 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr double kClick_px = 3.0;     // that the pointer of a click may move
-constexpr double kFlight = 0.7;       // 1/s: a second of W leaves exp(-0.7), a half, of the distance to the horizon
-constexpr double kTurn = 0.8;         // rad/s of Q and E
-constexpr double kLook = 1.2;         // 1/s, of the field of view: a gamepad's stick
+constexpr double kClick_px = 3.0;  // that the pointer of a click may move
+constexpr double kFlight = 0.7;  // 1/s: far away a second of W leaves exp(-0.7), a half, of the distance to the horizon
+constexpr double kTurn = 0.8;    // rad/s of Q and E
+constexpr double kLook = 1.2;    // 1/s, of the field of view: a gamepad's stick
 constexpr double kWidestLook = 1.2;   // rad: no faster than in this
 constexpr double kWheelStep = 0.15;   // of log(r - horizon) a notch
 constexpr double kWheelRate = 12.0;   // 1/s: how fast that is worked off
@@ -147,7 +147,7 @@ bool Controls::keys(const Input& input, ViewState& view, double dt_s) {
     }
     if (moves) {
         FlyCamera flying = fly_camera(camera);
-        fly(flying, kFlight * dt_s * move, *spacetime);
+        fly(flying, kFlight * flight_range(*spacetime).pace(camera.r) * dt_s * move, *spacetime);
         write_spec(flying, camera);
     }
     return true;

@@ -87,6 +87,11 @@ FlightRange flight_range(const Spacetime& spacetime) {
 
 double FlightRange::unit(double r) const { return throat > 0.0 ? std::hypot(r, throat) : r - horizon; }
 
+double FlightRange::pace(double r) const {
+    const double away = std::fabs(r - horizon);
+    return horizon > 0.0 ? (away + horizon) / (away + 3.0 * horizon) : 1.0;
+}
+
 double scaled_radius(double r, double change, const FlightRange& range) {
     const double wanted = range.throat > 0.0 ? range.throat * std::sinh(std::asinh(r / range.throat) + change)
                                              : range.horizon + (r - range.horizon) * std::exp(change);

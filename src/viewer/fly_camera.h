@@ -38,6 +38,8 @@ struct FlightRange {
     double horizon, nearest, farthest;  // horizon: the metric's least radius, or 0
     double throat = 0.0;
     double unit(double r) const;  // of flight at r: r - horizon, in a wormhole sqrt(r^2 + throat^2)
+    // How fast a hand flies in such units: 1 far away and where there is no horizon, a third near one.
+    double pace(double r) const;
 };
 FlightRange flight_range(const Spacetime& spacetime);
 

@@ -180,6 +180,15 @@ TEST_CASE("the distance to the horizon scales and never ends there") {
     CHECK(scaled_radius(1e6, -1.0, range) < 1e6);
 }
 
+TEST_CASE("a hand flies slower near a horizon, and as fast as ever where there is none") {
+    const FlightRange hole = flight_range(*spacetime("schwarzschild"));
+    CHECK(hole.pace(1.0) == doctest::Approx(1.0 / 3.0));
+    CHECK(hole.pace(2.0) == doctest::Approx(0.5));
+    CHECK(hole.pace(1e4) == doctest::Approx(1.0).epsilon(1e-3));
+    CHECK(flight_range(*spacetime("ellis")).pace(0.0) == 1.0);
+    CHECK(flight_range(*spacetime("minkowski")).pace(0.5) == 1.0);
+}
+
 TEST_CASE("flight through a wormhole: the same pace all the way, through l = 0 to the far side and back") {
     for (const char* metric : {"ellis", "dneg-wormhole"}) {
         const auto hole = spacetime(metric);
