@@ -257,7 +257,7 @@ bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
         tooltip("Words of a key's name or help: \"brightness\", \"disc temperature\".");
         ImGui::SameLine();
         ImGui::SetNextItemWidth(-1.0f);
-        choice("##add", "Add...", escape, [&] {
+        const bool adds = choice("##add", "Add...", escape, [&] {
             for (const std::string& section : optional_sections()) {
                 const bool there = (section == "disc" && view.scene.disc) || (section == "split" && view.scene.split) ||
                                    (section == "path" && view.scene.path);
@@ -265,6 +265,7 @@ bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
                     changed |= take(view, with_addition(view.scene, section, free_part(top, bottom)));
             }
         });
+        if (!adds) tooltip("A body, a disc, a path or a split screen that the scene does not have yet.");
         if (!fault_.empty()) paragraph(fault_, true);
         ImGui::Separator();
         if (ImGui::BeginChild("##sections")) {

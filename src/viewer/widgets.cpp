@@ -113,7 +113,11 @@ void text_row(const char* name, const std::string& help) {
 }
 
 void tooltip(const std::string& text, TooltipPlace place) {
-    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    // A text field that is typed in takes the tooltips of nothing but itself away.
+    const ImGuiHoveredFlags flags =
+        ImGuiHoveredFlags_AllowWhenDisabled |
+        (ImGui::GetIO().WantTextInput ? ImGuiHoveredFlags_AllowWhenBlockedByActiveItem : ImGuiHoveredFlags_None);
+    if (text.empty() || !ImGui::IsItemHovered(flags)) return;
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0f);  // of what is grey, too
     const std::string lines = wrapped(text, kTooltipWidth * em());
     const ImGuiStyle& style = ImGui::GetStyle();

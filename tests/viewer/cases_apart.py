@@ -899,6 +899,24 @@ def test_a_recording_that_was_left_is_in_the_gallery_of_the_next_viewer(screen, 
             assert v.layout().place("The recording was put aside", ""), v.layout().words()
 
 
+def test_controls_have_tooltips_while_a_search_is_typed(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
+        def explained(words, window):
+            v.settle("mousemove", *v.layout().place(words, window))
+            return any(name.startswith("##Tooltip") for name in v.layout().windows)
+        v.settle("key", "ctrl+e")
+        assert explained("Search keys", "Scene") and explained("Add...", "Scene"), "no tooltip in the editor"
+        v.click(*v.layout().place("Search keys", "Scene"))
+        assert explained("Add...", "Scene"), "no tooltip while a search is typed"
+        v.settle("key", "Escape", "key", "Escape")
+        v.settle("key", "ctrl+o")
+        for words in ["Search", "File to open", "Why is the shadow", "Close"]:
+            assert explained(words, "##gallery"), f"no tooltip on {words} in the gallery"
+        v.click(*v.layout().place("Why is the shadow", "##gallery"))
+        for words in ["1 of", "Back", "Next", "Close"]:
+            assert explained(words, "##tour"), f"no tooltip on {words} in a tour"
+
+
 def test_tooltips_leave_the_row_free_that_they_explain(screen, program, folder):
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
         def tooltip(*place):
@@ -996,7 +1014,8 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_a_recording_that_was_left_is_in_the_gallery_of_the_next_viewer,
+    CASES += [test_controls_have_tooltips_while_a_search_is_typed,
+              test_a_recording_that_was_left_is_in_the_gallery_of_the_next_viewer,
               test_a_tours_last_step_says_so_and_offers_others,
               test_the_editor_stays_where_it_is_and_escape_closes_a_picker_alone,
               test_an_edit_before_a_flight_is_two_steps_of_undo_away,
