@@ -15,7 +15,7 @@ const char* observer_words(ObserverKind observer) {
     switch (observer) {
         case ObserverKind::kRain:
         case ObserverKind::kFall:
-        case ObserverKind::kThrow: return "who falls here";
+        case ObserverKind::kThrow: return "in free fall here";
         case ObserverKind::kOrbit:
         case ObserverKind::kCounterOrbit: return "on the circular orbit here";
         case ObserverKind::kZamo: return "without angular momentum here";
@@ -38,7 +38,7 @@ std::string boost_words(const CameraSpec& camera) {
     for (std::size_t i = 0; i < parts.size(); ++i)
         if (std::fabs(parts[i].first) > kNamed * speed)
             words += fmt::format("{}{}", i == 0 ? ", " : " and ", parts[i].second);
-    return words + fmt::format(", against an observer {}", observer_words(camera.observer));
+    return words + fmt::format(", relative to an observer {}", observer_words(camera.observer));
 }
 
 }  // namespace nullscope::viewer

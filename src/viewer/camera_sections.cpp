@@ -8,6 +8,7 @@
 
 #include "viewer/boost_words.h"
 #include "viewer/fly_camera.h"
+#include "viewer/length_fields.h"
 #include "viewer/sections.h"
 #include "viewer/widgets.h"
 
@@ -21,7 +22,7 @@ constexpr double kDefaultSpeed = 0.5;  // of a preset where the spacetime sugges
 
 double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
 
-bool radius_rows(CameraSpec& camera, const FlightRange& range) {
+bool radius_rows(CameraSpec& camera, const FlightRange& range, const NumberStyle& style) {
     if (range.throat > 0.0) {  // wormholes: through the throat, in equal steps of asinh(l/throat)
         double place = std::asinh(camera.r / range.throat);
         const double end = std::asinh(kFarSlider);
@@ -33,13 +34,14 @@ bool radius_rows(CameraSpec& camera, const FlightRange& range) {
     }
     double above = camera.r - range.horizon;
     const bool slid =
-        slide_as("Distance", above, range.nearest - range.horizon, kFarSlider, fmt::format("{:.4g} r_s", above),
+        slide_as("Distance", above, range.nearest - range.horizon, kFarSlider, length_words(above, style, 4),
                  "Distance to the horizon, r - r_horizon (to the centre if there is no horizon), on a logarithmic "
                  "scale. The wheel changes it too.",
                  Scale::kLogarithmic);
     if (slid) camera.r = std::max(range.horizon + above, range.nearest);
-    return type_number("r", camera.r, range.nearest, 1e9, "%.6f r_s",
-                       "The radial coordinate. The circumference of a circle about the hole is 2 pi r.") ||
+    return type_length("r", camera.r, range.nearest, 1e9, style,
+                       "The radial coordinate. The circumference of a circle about the hole is 2 pi r. The section "
+                       "Numbers chooses the unit.") ||
            slid;
 }
 
@@ -73,7 +75,8 @@ bool preset_buttons(ViewState& view, const Spacetime& spacetime) {
 
 bool direction_row(ViewState& view) {
     row("Direction",
-        "Direction of the boost in the frame of the observer (camera.observer): outward, south, east. Normalised to "
+        "Direction of the camera's speed in the frame of the observer (camera.observer): outward, south, east. "
+        "Normalised to "
         "length 1.");
     double parts[3] = {view.boost_direction.x, view.boost_direction.y, view.boost_direction.z};
     if (!ImGui::DragScalarN("##direction", ImGuiDataType_Double, parts, 3, 0.01f, nullptr, nullptr, "%.2f"))
@@ -92,10 +95,11 @@ bool direction_row(ViewState& view) {
 bool camera_section(ViewState& view) {
     CameraSpec& camera = view.scene.camera;
     const auto spacetime = spacetime_of(view.scene);
-    const bool changed = spacetime != nullptr && radius_rows(camera, flight_range(*spacetime));
+    const bool changed = spacetime != nullptr &&
+                         radius_rows(camera, flight_range(*spacetime), style_in(view.scene, *spacetime, view.numbers));
     bool turned =
-        drag_degrees("theta", camera.theta, 0.0, 180.0, "Polar angle: 0 above the north pole, 90 in the disc's plane.");
-    turned |= drag_degrees("phi", camera.phi, -kTurns, kTurns, "Azimuth.");
+        drag_degrees("Polar angle", camera.theta, 0.0, 180.0, "theta: 0 above the north pole, 90 in the disc's plane.");
+    turned |= drag_degrees("Azimuth", camera.phi, -kTurns, kTurns, "phi: about the axis of the poles.");
     turned |=
         drag_degrees("Yaw", camera.yaw, -kTurns, kTurns, "Rotation to the right; at 0 the camera looks at the centre.");
     turned |= drag_degrees("Pitch", camera.pitch, -kTurns, kTurns, "Rotation upward, after yaw.");

@@ -27,6 +27,16 @@ NumberStyle style_in(const Scene& scene, const Spacetime& spacetime, NumberStyle
     return wish;
 }
 
+LengthScale length_scale(const NumberStyle& style) {
+    switch (style.unit) {
+        case LengthUnit::kSchwarzschildRadius: return {1.0, "r_s"};
+        case LengthUnit::kMass: return {2.0, "M"};
+        case LengthUnit::kKilometre: return {kRadiusOfSun_km * style.mass_suns, "km"};
+        case LengthUnit::kOwn: break;
+    }
+    return {1.0, ""};
+}
+
 std::string number_words(double value, const NumberStyle& style, int digits) {
     return std::isfinite(value) ? with_decimal_sign(fmt::format("{:.{}g}", value, digits), style) : "none";
 }
@@ -37,21 +47,14 @@ std::string fixed_words(double value, const NumberStyle& style, int decimals) {
 
 std::string length_words(double length, const NumberStyle& style, int digits) {
     if (!std::isfinite(length)) return "none";
-    const auto words = [&](double units, const char* unit) {
-        return with_unit(number_words(units, style, digits), unit);
-    };
-    switch (style.unit) {
-        case LengthUnit::kSchwarzschildRadius: return words(length, "r_s");
-        case LengthUnit::kMass: return words(2.0 * length, "M");
-        case LengthUnit::kKilometre: return words(length * kRadiusOfSun_km * style.mass_suns, "km");
-        case LengthUnit::kOwn: break;
-    }
-    return number_words(length, style, digits);
+    const LengthScale scale = length_scale(style);
+    const std::string number = number_words(scale.one * length, style, digits);
+    return *scale.name != '\0' ? with_unit(number, scale.name) : number;
 }
 
-std::string time_words(double time, const NumberStyle& style) {
+std::string time_words(double time, const NumberStyle& style, int digits) {
     if (!std::isfinite(time)) return "none";
-    const auto number = [&](double units) { return with_decimal_sign(fmt::format("{:#.6g}", units), style); };
+    const auto number = [&](double units) { return with_decimal_sign(fmt::format("{:#.{}g}", units, digits), style); };
     switch (style.unit) {
         case LengthUnit::kSchwarzschildRadius: return with_unit(number(time), "r_s/c");
         case LengthUnit::kMass: return with_unit(number(2.0 * time), "M/c");

@@ -1,4 +1,4 @@
-// How Numbers, probe and clock write their numbers: units of lengths and times, and the decimal sign.
+// How the panels write lengths, times and other numbers: units of lengths and times, and the decimal sign.
 #pragma once
 #include <string>
 
@@ -24,11 +24,17 @@ struct NumberStyle {
 // What the wish means in a scene: the scene's mass if it has one, no unit in wormholes.
 NumberStyle style_in(const Scene& scene, const Spacetime& spacetime, NumberStyle wish);
 
+struct LengthScale {
+    double one;        // r_s in the unit
+    const char* name;  // of the unit; "": it has none
+};
+LengthScale length_scale(const NumberStyle& style);
+
 // digits: significant ones. What is not finite is "none".
 std::string number_words(double value, const NumberStyle& style, int digits = 6);
 std::string fixed_words(double value, const NumberStyle& style, int decimals);
 std::string length_words(double length, const NumberStyle& style, int digits = 6);  // given in r_s
 // Given in r_s/c; in r_s/c, M/c, or s, min, h. Trailing zeros stay: the words of a running clock keep their width.
-std::string time_words(double time, const NumberStyle& style);
+std::string time_words(double time, const NumberStyle& style, int digits = 6);
 
 }  // namespace nullscope::viewer

@@ -24,8 +24,8 @@ void style_rows(NumberStyle& wish, const Scene& scene, const Spacetime& spacetim
     ImGui::BeginDisabled(own);
     row("Units",
         own ? "Lengths in wormholes have no unit."
-            : "Of lengths and times here, in the probe and in the clocks: r_s = 2 GM/c\u00b2, M = GM/c\u00b2, or km "
-              "and seconds for a mass. Controls and files stay in r_s.");
+            : "Of lengths and times in panels, probe and clocks: r_s = 2 GM/c\u00b2, M = GM/c\u00b2, or km and seconds "
+              "for a mass. Files stay in r_s, and the scene editor shows r_s first.");
     for (std::size_t i = 0; i < std::size(kLengthUnitNames); ++i) {
         if (i > 0) ImGui::SameLine();
         if (ImGui::RadioButton(kLengthUnitNames[i], wish.unit == static_cast<LengthUnit>(i)))
@@ -41,8 +41,12 @@ void style_rows(NumberStyle& wish, const Scene& scene, const Spacetime& spacetim
             wish.mass_suns = suns;
         ImGui::EndDisabled();
     }
-    tick("Comma", wish.decimal_comma,
-         "Decimal comma: 3,14 in place of 3.14 here, in the probe and in the clocks; files keep the point.");
+    row("Decimals",
+        "With a decimal point or a decimal comma here, in the probe and in the clocks; files keep the point.");
+    for (const bool comma : {false, true}) {
+        if (comma) ImGui::SameLine();
+        if (ImGui::RadioButton(comma ? "comma" : "point", wish.decimal_comma == comma)) wish.decimal_comma = comma;
+    }
     ImGui::Separator();
 }
 

@@ -83,7 +83,7 @@ bool side_panel(ViewState& view, const FrameFacts& facts, bool escape) {
             return true;
         };
         part("Camera", kOpen, [&] { return camera_section(view); });
-        part("Boost", kOpen, [&] { return boost_section(view); });
+        part("Speed of the camera", kOpen, [&] { return boost_section(view); });
         part("Lens", kOpen, [&] { return lens_section(view); });
         part("Disc", kShut, [&] { return disc_section(view); });
         part("Sky", kShut, [&] { return sky_section(view, escape); });

@@ -85,7 +85,7 @@ std::string zoom_words(const Scene& scene) {
     int order = 0;
     for (const auto& [x, y] : {std::pair{0.0, 0.0}, {w, 0.0}, {0.0, h}, {w, h}})
         order = std::max(order, tracer->pixel(x, y, false).order);
-    return fmt::format("{}, image {}", words, order + 2 * static_cast<int>(view->turns));
+    return fmt::format("{}, image order {}", words, order + 2 * static_cast<int>(view->turns));
 }
 
 void draw_zoom_overlay(const std::string& words, float left, float right, float top) {

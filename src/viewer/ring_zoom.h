@@ -13,7 +13,7 @@ bool zoom_by(Scene& scene, double depth, std::string& error);
 // Along the ring, as what was under the pointer follows it: px to the right, and up. Of a scene with a zoom.
 void zoom_along(Scene& scene, double right, double up);
 
-// "zoom 10^37.0, image 27": the magnification and the highest order of an image at the picture's corners. Empty without a zoom. Makes the
+// "zoom 10^37.0, image order 27": the magnification and the highest image order at the picture's corners. Empty without a zoom. Makes the
 // spacetime and traces four rays: once for a picture.
 std::string zoom_words(const Scene& scene);
 

@@ -105,17 +105,30 @@ bool drag_numbers(const SceneKey& key, std::array<double, 3>& values, int count,
     return changed;
 }
 
-// True when the numbers changed: at once while the pointer drags them, at the end while they are typed.
-bool number_field(const SceneKey& key, std::array<double, 3>& values, int count) {
+// Lengths in the unit that is chosen for numbers, where files have another: "= 6 M". Else empty.
+std::string other_unit(const SceneKey& key, const KeyValue& value, const NumberStyle& style) {
+    if (key.unit != "r_s" || !value.there || length_scale(style).one == 1.0) return "";
+    constexpr int kDigits = 4;
+    if (key.type != KeyType::kPoint) return "= " + length_words(value.number, style, kDigits);
+    const auto words = [&](double length) { return length_words(length, style, kDigits); };
+    return fmt::format("= {}, {}, {}", words(value.vector.x), words(value.vector.y), words(value.vector.z));
+}
+
+// True when the numbers changed: at once while the pointer drags them, at the end while they are typed. note: behind one number, where
+// there is room.
+bool number_field(const SceneKey& key, std::array<double, 3>& values, int count, const std::string& note) {
     const bool bounded = key.range.high > key.range.low;
     const double low = bounded ? key.range.low : -kUnbounded, high = bounded ? key.range.high : kUnbounded;
     double size = 0.0;
     for (int i = 0; i < count; ++i) size = std::max(size, std::fabs(values[static_cast<std::size_t>(i)]));
     const auto speed = static_cast<float>(std::max(size, std::min(0.1, 0.01 * (high - low))) * kPerPixel);
     const std::string unit = key.unit.empty() ? "" : key.unit == "deg" ? "\xc2\xb0" : fmt::format(" {}", key.unit);
-    const std::string format = count == 1 ? "%.7g" + unit : "%.4g";
     const ImGuiID own = ImGui::GetID("##value");
     if (typed.id == own) values = typed.values;
+    std::string format = count == 1 ? "%.7g" + unit : "%.4g";
+    const std::string longer = fmt::format("{:.7g}{} {}", values[0], unit, note);
+    const float room = ImGui::CalcItemWidth() - 2.0f * ImGui::GetStyle().FramePadding.x;
+    if (count == 1 && !note.empty() && ImGui::CalcTextSize(longer.c_str()).x <= room) format += ' ' + note;
     const bool changed = drag_numbers(key, values, count, speed, low, high, format);
     const bool finite = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
     if (changed && ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) return finite;
@@ -137,18 +150,18 @@ void shut_picker(const char* id) {
 }
 
 // The control of a key: true when the value changed.
-bool field(const SceneKey& key, KeyValue& value, bool escape) {
+bool field(const SceneKey& key, KeyValue& value, bool escape, const std::string& note) {
     switch (key.type) {
         case KeyType::kNumber: {
             std::array<double, 3> v = {value.number / unit_of(key)};
-            if (!number_field(key, v, 1)) return false;
+            if (!number_field(key, v, 1, note)) return false;
             value.number = v[0] * unit_of(key);
             return true;
         }
         case KeyType::kVelocity:
         case KeyType::kPoint: {
             std::array<double, 3> v = {value.vector.x, value.vector.y, value.vector.z};
-            if (!number_field(key, v, 3)) return false;
+            if (!number_field(key, v, 3, note)) return false;
             value.vector = {v[0], v[1], v[2]};
             return true;
         }
@@ -244,6 +257,8 @@ FreePart SceneEditor::free_part(float top, float bottom) {
 bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
     width_ = 0.0f;
     if (!view.show_editor) return false;
+    const auto spacetime = spacetime_of(view.scene);
+    style_ = spacetime != nullptr ? style_in(view.scene, *spacetime, view.numbers) : NumberStyle();
     const float margin = kMargin * em(), screen = ImGui::GetIO().DisplaySize.x, width = window_width();
     width_ = width + margin;
     ImGui::SetNextWindowPos({screen - width - margin, top + margin});
@@ -389,7 +404,8 @@ bool SceneEditor::draw_key(ViewState& view, const SectionRef& at, const Scene& h
         ImGui::TextUnformatted(name.c_str());
     else
         ImGui::TextDisabled("%s", name.c_str());
-    tooltip(help_of(key));
+    const std::string note = other_unit(key, value, style_);
+    tooltip(help_of(key) + (note.empty() ? "" : "\nvalue " + note));
     if (ImGui::CalcTextSize(name.c_str()).x < column)
         ImGui::SameLine(left + column);
     else
@@ -403,7 +419,7 @@ bool SceneEditor::draw_key(ViewState& view, const SectionRef& at, const Scene& h
         return take(view, with_value(view.scene, at, key, value));
     }
     ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemInnerSpacing.x);
-    bool changed = field(key, value, escape);
+    bool changed = field(key, value, escape, note);
     if (differs) {
         ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
         if (ImGui::Button("x", {button, 0.0f})) value = usual, changed = true;

@@ -33,6 +33,7 @@ private:
 
     std::string words_, fault_, reveal_, marked_;
     float width_ = 0.0f;
+    NumberStyle style_;  // of the scene that is drawn
 };
 
 }  // namespace nullscope::viewer

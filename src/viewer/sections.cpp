@@ -9,6 +9,7 @@
 
 #include "spacetime/registry.h"
 #include "viewer/critical_overlay.h"
+#include "viewer/length_fields.h"
 #include "viewer/potential_plot.h"
 #include "viewer/widgets.h"
 
@@ -88,10 +89,12 @@ bool disc_section(ViewState& view) {
     if (!view.scene.disc) return changed;
     constexpr double kNarrow = 0.999, kWidest = 1000.0;  // inner over outer at most; r_s
     DiscSpec& disc = *view.scene.disc;
-    changed |= drag_number("Inner", disc.inner, 0.02, (1.0 - kNarrow) * disc.outer, kNarrow * disc.outer, "%.2f r_s",
+    const auto spacetime = spacetime_of(view.scene);
+    const NumberStyle style = spacetime ? style_in(view.scene, *spacetime, view.numbers) : NumberStyle();
+    changed |= drag_length("Inner", disc.inner, 0.02, (1.0 - kNarrow) * disc.outer, kNarrow * disc.outer, style,
                            "Inner radius. 3 r_s is the innermost stable circular orbit of a hole without spin.");
-    changed |= drag_number("Outer", disc.outer, 0.05, disc.inner / kNarrow, std::max(kWidest, 2.0 * disc.inner),
-                           "%.2f r_s", "Outer radius.");
+    changed |= drag_length("Outer", disc.outer, 0.05, disc.inner / kNarrow, std::max(kWidest, 2.0 * disc.inner), style,
+                           "Outer radius.");
     bool thermal = disc.emission == DiscEmission::kThermal;
     changed |= tick("Thermal", thermal, "Thermal emission powered by accretion; an image then gives the emissivity.");
     disc.emission = thermal ? DiscEmission::kThermal : DiscEmission::kImage;

@@ -43,7 +43,7 @@ std::string events(const Worldline& line, const NumberStyle& style) {
     return text;
 }
 
-std::string rate_words(double rate) { return fmt::format("{:.3g} r_s/c per second", rate); }
+std::string rate_words(double rate, const NumberStyle& style) { return time_words(rate, style, 3) + " per second"; }
 
 }  // namespace
 
@@ -76,7 +76,8 @@ bool fall_section(ViewState& view) {
                         "On the circular geodesic of this radius, outside the photon sphere; in free fall it stays "
                         "there."))
         changed = hold(view, ObserverKind::kOrbit, *spacetime);
-    slide_as("Rate", fall.haste, 1e-2, 1e2, rate_words(fall.rate()),
+    const NumberStyle style = style_in(view.scene, *spacetime, view.numbers);
+    slide_as("Rate", fall.haste, 1e-2, 1e2, rate_words(fall.rate(), style),
              "Proper time of the camera per second of real time. A fall slows down as it comes near, and takes some 20 "
              "s from "
              "anywhere; drag to hurry it or to slow it down.",
@@ -84,7 +85,6 @@ bool fall_section(ViewState& view) {
     if (!fall.active()) return changed;
     double tau = fall.tau();
     const bool ends = fall.line().end() != WorldlineEnd::kOpen;
-    const NumberStyle style = style_in(view.scene, *spacetime, view.numbers);
     if (slide_as("Proper time", tau, 0.0, ends ? fall.line().last() : std::min(fall.line().last(), kLongSlider),
                  time_words(tau, style), "Proper time since the camera was released. Drag to change it.")) {
         fall.run(false);
@@ -113,8 +113,8 @@ bool clock_section(ViewState& view) {
     const auto spacetime = spacetime_of(scene);
     if (spacetime == nullptr) return false;
     const NumberStyle style = style_in(scene, *spacetime, view.numbers);
-    slide_as("Rate", view.clock_rate, 1e-2, 1e3, rate_words(view.clock_rate), "Scene time per second of real time.",
-             Scale::kLogarithmic);
+    slide_as("Rate", view.clock_rate, 1e-2, 1e3, rate_words(view.clock_rate, style),
+             "Scene time per second of real time.", Scale::kLogarithmic);
     bool changed = slide_as("Time", scene.time, 0.0, kSpan, time_words(scene.time, style), "Drag to change the time.",
                             Scale::kLogarithmic);
     changed |= steps != 0.0;

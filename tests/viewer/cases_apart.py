@@ -831,6 +831,25 @@ def test_a_recording_is_put_aside_and_brought_back(screen, program, folder):
         assert v.layout().place("Play", "##timeline"), "undo brings no recording back"
 
 
+def test_a_recording_that_was_left_is_in_the_gallery_of_the_next_viewer(screen, program, folder):
+    for last in (False, True):
+        with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", home=folder) as v:
+            if not last:
+                before = v.settle("key", "F9")
+                v.hands("keydown", "d")
+                v.changes("it flies", before)
+                time.sleep(0.4)
+                v.hands("keyup", "d")
+                v.settle("key", "F9")
+            v.settle("key", "ctrl+o")
+            if last:
+                v.click(*v.layout().place("Last recording", "##gallery"))
+                assert v.layout().place("Play", "##timeline"), "the recording is not in its file"
+                continue
+            v.click(*FIRST_CARD)
+            assert v.layout().place("The recording was put aside", ""), v.layout().words()
+
+
 def test_the_editor_stays_where_it_is_and_escape_closes_a_picker_alone(screen, program, folder):
     scene = SCENE + "".join(f"[[ball]]\nposition = [{x}, 6, -3]\nradius = 1\n" for x in (4, 8, 12))
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene=scene) as v:
@@ -865,40 +884,6 @@ def test_the_editor_stays_where_it_is_and_escape_closes_a_picker_alone(screen, p
         assert "Scene" not in v.layout().windows, "a second Escape does not close the editor"
 
 
-def test_a_tours_last_step_says_so_and_offers_others(screen, program, folder):
-    steps = "".join(f'[[step]]\nscene = "disc-grid"\ntext = "Step {n}."\n' for n in (1, 2))
-    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt",
-                scene=f'title = "Mine"\ndescription = "One."\n{steps}') as v:
-        has = lambda words: v.layout().place(words, "##tour")
-        assert has("Next") and not has("Other tours"), v.layout().words()
-        v.settle("key", "Next")
-        assert has("2 of 2: the last step") and not has("Next"), v.layout().words()
-        v.settle("key", "Next")
-        assert v.layout().place("This was the tour's last step", ""), v.layout().words()
-        v.click(*has("Other tours"))
-        v.click(*v.layout().place("Why is the shadow", "Guided_tours"))
-        assert has("1 of 7"), v.layout().words()
-
-
-def test_a_recording_that_was_left_is_in_the_gallery_of_the_next_viewer(screen, program, folder):
-    for last in (False, True):
-        with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", home=folder) as v:
-            if not last:
-                before = v.settle("key", "F9")
-                v.hands("keydown", "d")
-                v.changes("it flies", before)
-                time.sleep(0.4)
-                v.hands("keyup", "d")
-                v.settle("key", "F9")
-            v.settle("key", "ctrl+o")
-            if last:
-                v.click(*v.layout().place("Last recording", "##gallery"))
-                assert v.layout().place("Play", "##timeline"), "the recording is not in its file"
-                continue
-            v.click(*FIRST_CARD)
-            assert v.layout().place("The recording was put aside", ""), v.layout().words()
-
-
 def test_controls_have_tooltips_while_a_search_is_typed(screen, program, folder):
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
         def explained(words, window):
@@ -917,16 +902,31 @@ def test_controls_have_tooltips_while_a_search_is_typed(screen, program, folder)
             assert explained(words, "##tour"), f"no tooltip on {words} in a tour"
 
 
+def test_a_tours_last_step_says_so_and_offers_others(screen, program, folder):
+    steps = "".join(f'[[step]]\nscene = "disc-grid"\ntext = "Step {n}."\n' for n in (1, 2))
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt",
+                scene=f'title = "Mine"\ndescription = "One."\n{steps}') as v:
+        has = lambda words: v.layout().place(words, "##tour")
+        assert has("Next") and not has("Other tours"), v.layout().words()
+        v.settle("key", "Next")
+        assert has("2 of 2: the last step") and not has("Next"), v.layout().words()
+        v.settle("key", "Next")
+        assert v.layout().place("This was the tour's last step", ""), v.layout().words()
+        v.click(*has("Other tours"))
+        v.click(*v.layout().place("Why is the shadow", "Guided_tours"))
+        assert has("1 of 7"), v.layout().words()
+
+
 def test_tooltips_leave_the_row_free_that_they_explain(screen, program, folder):
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
         def tooltip(*place):
             v.settle("mousemove", *place)
             return next(place for name, place in v.layout().windows.items() if name.startswith("##Tooltip"))
-        x, y = v.layout().place("phi", "##side")
+        x, y = v.layout().place("Azimuth", "##side")
         left, top, width, height = tooltip(x, y)
         assert top > y + 10, f"a tooltip at {top} for a row at {y}"
         v.settle("key", "ctrl+plus", "key", "ctrl+plus", "mousemove", *BESIDE)
-        lowest = max((place for name, words, place in v.layout().texts if name == "##side" and words in ("theta", "phi", "Yaw", "Pitch", "Roll", "Speed", "beta")),
+        lowest = max((place for name, words, place in v.layout().texts if name == "##side" and words in ("Polar angle", "Azimuth", "Yaw", "Pitch", "Roll", "Speed", "beta")),
                      key=lambda place: place[1])
         left, top, width, height = tooltip(lowest[0] + 4, lowest[1] + 4)
         assert top + height < lowest[1] or top > lowest[1] + lowest[3], f"a tooltip from {top} to {top + height} over a row at {lowest[1]}"
@@ -1014,10 +1014,9 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_controls_have_tooltips_while_a_search_is_typed,
-              test_a_recording_that_was_left_is_in_the_gallery_of_the_next_viewer,
-              test_a_tours_last_step_says_so_and_offers_others,
+    CASES += [test_a_recording_that_was_left_is_in_the_gallery_of_the_next_viewer,
               test_the_editor_stays_where_it_is_and_escape_closes_a_picker_alone,
+              test_controls_have_tooltips_while_a_search_is_typed, test_a_tours_last_step_says_so_and_offers_others,
               test_an_edit_before_a_flight_is_two_steps_of_undo_away,
               test_a_bookmarks_camera_is_taken_into_another_scene, test_a_recording_is_put_aside_and_brought_back,
               test_tooltips_leave_the_row_free_that_they_explain, test_a_click_on_a_body_opens_it_in_the_editor,

@@ -22,7 +22,7 @@ def from_menu(v, menu, entry):
 
 
 def shut_sections(v):
-    for section in ("Camera", "Boost", "Lens"):
+    for section in ("Camera", "Speed of the camera", "Lens"):
         v.click(*v.layout().place(section, "##side"))
 
 
@@ -56,7 +56,8 @@ def test_units_are_chosen_and_kept(screen, program, folder):
         assert says(v, " M/c") or says(v, " M"), "the probe is not in M"
         v.click(*v.layout().place("km", "##side"))
         assert says(v, "1.9035e+07 km"), "the photon orbit about Sgr A* is not in km"
-        v.click(LENSING[0], v.layout().place("Comma", "##side")[1])
+        assert says(v, "1.9035e+07 km") and "km" in v.layout().words(), v.layout().words()
+        v.click(*v.layout().place("comma", "##side"))
         assert says(v, "1,9035e+07 km"), "there is no decimal comma"
         v.settle("mousemove", 600, 250)
         from_menu(v, "View", "Clock and redshift")
@@ -136,6 +137,31 @@ def test_both_sides_of_a_comparison_have_image_orders(screen, program, folder):
         v.click(*v.layout().place("kerr", "##Combo"))
         v.settle("key", "o", "mousemove", 700, 560)
         assert flat_direct(v, WIDTH - 20) and not flat_direct(v, WIDTH // 2 - 100), "not the side that does not rotate alone"
+
+
+def test_lengths_of_the_panels_are_in_the_chosen_unit(screen, program, folder):
+    units = 'units = "M"\n'
+    scene = "[camera]\nr = 22.0\n[disc]\n[ball]\nposition = [6, 6, -3]\nradius = 3\n"
+    with opened(screen, program, scene=scene, settings=units) as v:
+        assert says(v, "44 M") and says(v, "42 M"), v.layout().words()
+        x, y = v.layout().place("44 M", "##side")
+        v.click(x, y)
+        v.settle("mousemove", x, y, "mousedown", 1)
+        v.settle("mouseup", 1, "key", "ctrl+a")
+        v.hands("type", "--delay", 60, "60")
+        v.settle("key", "Return", "mousemove", *BESIDE)
+        assert says(v, "60 M") and says(v, "58 M"), v.layout().words()
+        shut_sections(v)
+        v.click(*v.layout().place("Disc", "##side"))
+        assert says(v, "6 M") and says(v, "24 M"), v.layout().words()
+        v.settle("key", "ctrl+e")
+        v.click(*v.layout().place("ball", "##sections"))
+        assert says(v, "3 r_s = 6 M"), v.layout().words()
+        v.settle("mousemove", *v.layout().place("position", "##sections"))
+        assert says(v, "value = 12 M, 12 M, -6 M"), v.layout().words()
+        v.settle("key", "ctrl+s", "mousemove", *BESIDE)
+        saved = next(path for path in Path(v.folder).glob("*.toml") if path != v.scene)
+        assert tomllib.loads(saved.read_text())["camera"]["r"] == 30.0, "60 M are not 30 r_s"
 
 
 def test_the_embedding_diagram_is_drawn(screen, program, folder):
@@ -257,7 +283,7 @@ def test_z_and_the_wheel_zoom_into_the_photon_ring(screen, program, folder):
 CASES = []
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_both_sides_of_a_comparison_have_image_orders,
+    CASES += [test_both_sides_of_a_comparison_have_image_orders, test_lengths_of_the_panels_are_in_the_chosen_unit,
               test_z_and_the_wheel_zoom_into_the_photon_ring, test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
               test_the_embedding_diagram_is_drawn, test_the_windows_place_is_kept,
               test_panels_are_used_by_keyboard, test_the_sides_of_a_comparison_are_swapped]

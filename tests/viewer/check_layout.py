@@ -19,7 +19,7 @@ from viewer_process import EVERYTHING, Viewer
 from x_screen import Screen, missing_tools
 
 SIZES, SCALES = ["1280x720", "1920x1080", "3840x2160"], ["1", "1.5", "2"]
-SECTIONS = ["Camera", "Boost", "Lens", "Disc", "Sky", "Light", "Spacetime", "Accuracy", "Effects", "Free fall", "Clock", "Numbers"]
+SECTIONS = ["Camera", "Speed of the camera", "Lens", "Disc", "Sky", "Light", "Spacetime", "Accuracy", "Effects", "Free fall", "Clock", "Numbers"]
 INSIDE = {"Scene": "##sections"}     # a window's own part that is scrolled
 MENUS = ["File", "Edit", "View", "Add", "Path", "Help"]
 OVER_OTHERS = ["##keys", "About_nullscope", "Guided_tours", "##Tooltip", "##Menu", "##message", "##hints", "##MainMenuBar", "##Popup", "##Combo"]
@@ -88,7 +88,7 @@ def check(reader, width, height):
     for name in MENUS:
         reader.click(f"menu {name}", name, "##MainMenuBar")
         reader.look("menu closed", "key", "Escape", *away)
-    for name in ["Camera", "Boost", "Lens"]:     # open at first
+    for name in ["Camera", "Speed of the camera", "Lens"]:     # open at first
         reader.click(f"section {name}", name, "##side")
     for name in SECTIONS:
         reader.click(f"section {name}", name, "##side")
