@@ -157,7 +157,8 @@ bool Viewer::step() {
     measure_effects(!moving_ && !changed);
     // In one context the window's first frame would wait for the first picture.
     if (painter_->in_background() || patient() || drawn_at_ > 0.0) ask();
-    if (input.moved && (panels_had_pointer || io.WantCaptureMouse)) frames_due_ = kSettlingFrames;  // tooltips
+    if (input.moved && (panels_had_pointer || io.WantCaptureMouse))  // tooltips
+        frames_due_ = std::max(frames_due_, kSettlingFrames);
     const bool reading = gallery_.is_open() ? gallery_.loading() : view_.show_panels && bookmark_panel_.loading();
     if (io.WantTextInput || patient() || reading) frames_due_ = std::max(frames_due_, 1);
     const bool drawn =
@@ -278,7 +279,7 @@ void Viewer::follow_changes(bool changed) {
         if (!picture_due_) due_at_ = turn_began_at_;
         picture_due_ = true;
         error_stays_ = false;
-        frames_due_ = kSettlingFrames;
+        frames_due_ = std::max(frames_due_, kSettlingFrames);
     } else {
         if (!ImGui::IsAnyItemActive() && !controls_.dragging() && !in_motion()) history_.rest(view_);
         picture_due_ = picture_due_ || adapting();
@@ -297,7 +298,7 @@ void Viewer::probe(const Input& input) {
     if (ImGui::GetIO().WantCaptureMouse) return;
     const bool on_b = shown_side_b() != nullptr && input.x >= divider_.x();
     probe_.look(on_b ? shown_side_b()->scene : picture_.job.scene, input.x, input.y);
-    frames_due_ = kSettlingFrames;
+    frames_due_ = kSettlingFrames + 1;  // then what stands beside its window finds its own size
 }
 
 // Screenshots' runs do not depend on time.
