@@ -54,6 +54,11 @@ Command program_of(viewer::ViewerOptions& options, std::string& size) {
     program.add_flag("--hidden", &options.hidden, "Show no window; use with --screenshot or --after-frames");
     program.add_flag("--one-context", &options.one_context,
                      "Draw pictures in the window's own OpenGL context, not in a background thread");
+    program
+        .add_option("--coarse", &options.coarse,
+                    "Draw pictures so many times smaller than the window in each direction, for slow machines with "
+                    "large screens (default: 1)")
+        .in_range(1, 16);
     program.add_option("--turns", &options.turns,
                        "Log the window's event loop to this file: times of the first pictures, iterations with their "
                        "processor time, when it is idle (/dev/stderr: to the terminal)");

@@ -75,7 +75,8 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     const PixelSize usual =
         settings.width > 0 ? PixelSize{settings.width, settings.height} : PixelSize{camera.width, camera.height};
     const PixelSize size = options.size.value_or(usual);
-    TRY(window, Window::open(size, !options.size, options.hidden, viewer->view_.scene.name + kTitle, settings.place));
+    TRY(window, Window::open(size, !options.size, options.hidden, viewer->view_.scene.name + kTitle, settings.place,
+                             options.coarse));
     viewer->window_ = std::move(*window);
     constexpr long long kMostIcon = 1 << 20;
     if (const auto icon = load_image(assets_directory() / "icon.png", kMostIcon))
@@ -114,7 +115,8 @@ Status Viewer::run() {
     }
     if (refusal_) return *refusal_;
     if (size_.width > 0 && !window_->is_full_screen()) {
-        settings_.width = size_.width, settings_.height = size_.height;
+        const PixelSize size = window_->framebuffer();
+        settings_.width = size.width, settings_.height = size.height;
         settings_.place = window_->place();
     }
     keep_settings();
@@ -352,7 +354,7 @@ double Viewer::elapsed() {
 }
 
 bool Viewer::fit_to_window() {
-    const PixelSize size = window_->framebuffer();
+    const PixelSize size = window_->picture();
     const bool changed = size != size_;
     size_ = size;
     set_size(view_.scene, std::max(size.width, 1), std::max(size.height, 1));
@@ -393,7 +395,7 @@ void Viewer::measure_effects(bool still) {
 void Viewer::present() {
     ImGui::Render();
     layout_log_.look();
-    draw(0);
+    draw(0, window_->framebuffer());
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     gl::finish();  // the picture's texture may be drawn to again
     window_->swap();

@@ -40,6 +40,7 @@ struct ViewerOptions {
     int after_frames = 0;           // 0: run until closed
     bool hidden = false;
     bool one_context = false;  // draws where the panels are drawn, as where a second context cannot be had
+    int coarse = 1;            // pictures so many times smaller than the window in each direction
     std::string turns;         // file for what the loop does (viewer/loop_log.h), or nothing
     std::string layout;        // file for where the panels' words are (viewer/layout_log.h), or nothing
 };
@@ -79,7 +80,7 @@ private:
     void probe(const Input& input);
     double adaptation(const Scene& scene);  // what share of its way exposure goes in the next picture
     void log_rest();
-    void draw(unsigned framebuffer);
+    void draw(unsigned framebuffer, PixelSize to);
     void draw_marks();
     void draw_over_sides(float top, float bottom);  // errors, critical curve, divider
     void drag_divider(const Input& input);
@@ -153,7 +154,7 @@ private:
     LoopLog log_;
     LayoutLog layout_log_;
     int last_key_ = 0;
-    PixelSize size_;
+    PixelSize size_;                        // of the picture
     std::vector<MeasuredMethod> measured_;  // the frontier that ships
     std::string not_measured_;              // why it could not be read, or nothing
     MethodChoice choice_, asked_choice_;    // of the picture that is shown, of the one asked for

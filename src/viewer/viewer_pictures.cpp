@@ -121,19 +121,20 @@ void Viewer::adopt(Painting painting) {
 void Viewer::draw_marks() {
     if (picture_.texture == 0) return;
     const ImGuiIO& io = ImGui::GetIO();
-    const float pixels = view_.show_panels ? static_cast<float>(size_.width) / io.DisplaySize.x : 0.0f;
+    const PixelSize size = window_->framebuffer();  // sharp where pictures are coarse, too
+    const float pixels = view_.show_panels ? static_cast<float>(size.width) / io.DisplaySize.x : 0.0f;
     const PaintJob* b = shown_side_b();  // it has the lower right corner, where the scale bar is
-    marks_.show(b != nullptr ? b->scene : picture_.job.scene, size_, static_cast<int>(pixels * menu_height()),
+    marks_.show(b != nullptr ? b->scene : picture_.job.scene, size, static_cast<int>(pixels * menu_height()),
                 static_cast<int>(pixels * 2.0f * ImGui::GetFontSize()));
     marks_.draw();
 }
 
-void Viewer::draw(unsigned framebuffer) {
+void Viewer::draw(unsigned framebuffer, PixelSize to) {
     if (picture_.texture != 0)
-        gl::blit(picture_.texture, picture_.width, picture_.height, framebuffer, size_.width, size_.height);
+        gl::blit(picture_.texture, picture_.width, picture_.height, framebuffer, to.width, to.height);
     if (picture_.texture_b != 0)
-        gl::blit(picture_.texture_b, picture_.width, picture_.height, framebuffer, size_.width, size_.height, 0,
-                 divider_.x());
+        gl::blit(picture_.texture_b, picture_.width, picture_.height, framebuffer, to.width, to.height, 0,
+                 divider_.x() * to.width / size_.width);
 }
 
 bool Viewer::shows_orders(std::size_t side) const {
@@ -175,8 +176,9 @@ void Viewer::draw_over_sides(float top, float bottom) {
 }
 
 Status Viewer::save_screenshot() {
-    return save_png(options_.screenshot, drawn_apart(size_, [this](unsigned framebuffer) {
-                        draw(framebuffer);
+    const PixelSize size = window_->framebuffer();
+    return save_png(options_.screenshot, drawn_apart(size, [this, size](unsigned framebuffer) {
+                        draw(framebuffer, size);
                         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
                     }));
 }
@@ -185,7 +187,7 @@ void Viewer::save_picture() {
     save_due_ = picture_.texture == 0 || picture_.coarse();
     if (save_due_) return;
     const auto path = fresh_screenshot_path();
-    Image<unsigned char> picture = drawn_apart(size_, [this](unsigned framebuffer) { draw(framebuffer); });
+    Image<unsigned char> picture = drawn_apart(size_, [this](unsigned framebuffer) { draw(framebuffer, size_); });
     mark_saved_picture(picture_.job.scene, picture);
     const Status saved = save_png(path, picture);
     say(saved ? fmt::format("Saved {}", path.string()) : saved.error().message());

@@ -127,7 +127,7 @@ void on_button(GLFWwindow* window, int number, int action, int mods) {
 // glfwGetCursorPos tells where the pointer is by now, not where it was when a button went down.
 void on_move(GLFWwindow* window, double x, double y) {
     Input& input = input_of(window);
-    const double ratio = ratio_of(window);
+    const double ratio = ratio_of(window) / input.coarse;
     input.x = ratio * x, input.y = ratio * y;
     input.moved = true;
 }
@@ -166,10 +166,11 @@ std::optional<PadState> gamepad() {
 double seconds() { return glfwGetTime(); }
 
 Result<std::unique_ptr<Window>> Window::open(PixelSize size, bool fit_to_screen, bool hidden, const std::string& title,
-                                             std::optional<ScreenPlace> place) {
+                                             std::optional<ScreenPlace> place, int coarse) {
     prefer_x11_where_alone();
     if (glfwInit() != GLFW_TRUE) return failed(no_display());
     std::unique_ptr<Window> window(new Window);  // from here on its end is GLFW's
+    window->input_.coarse = coarse;
     if (fit_to_screen) size = fitted(size);
     ask_for_core_context();
     glfwWindowHint(GLFW_VISIBLE, hidden || place ? GLFW_FALSE : GLFW_TRUE);
@@ -282,6 +283,12 @@ PixelSize Window::framebuffer() const {
     PixelSize size;
     glfwGetFramebufferSize(handle_, &size.width, &size.height);
     return size;
+}
+
+PixelSize Window::picture() const {
+    const PixelSize size = framebuffer();
+    const auto part = [this](int side) { return side > 0 ? std::max(side / input_.coarse, 1) : 0; };
+    return {part(size.width), part(size.height)};
 }
 
 std::optional<ScreenPlace> Window::place() const {

@@ -32,7 +32,7 @@ struct KeyPress {
     bool control = false, shift = false;
 };
 
-// Since the last poll. Keys are GLFW's numbers; positions are framebuffer pixels from the top left.
+// Since the last poll. Keys are GLFW's numbers; positions are the picture's pixels from the top left.
 struct Input {
     static constexpr int kKeys = 512;
     std::vector<KeyPress> pressed;    // in order
@@ -45,6 +45,7 @@ struct Input {
     PadMotion pad;                     // its buttons are among `pressed`, as the keys that mean the same
     bool happened = false;             // anything but mere motion of the pointer
     bool moved = false;
+    int coarse = 1;  // framebuffer pixels a pixel of the picture, in each direction
     bool down(int key) const { return held[static_cast<std::size_t>(key)] || tapped[static_cast<std::size_t>(key)]; }
 };
 
@@ -59,9 +60,10 @@ void leave_context();
 class Window {
 public:
     // fit_to_screen: smaller where the screen is smaller. Errors say what is missing and what to do: no display, no OpenGL 3.3.
-    // place: where it was the last time; it is moved to where it can be seen.
+    // place: where it was the last time; it is moved to where it can be seen. coarse: Input::coarse.
     static Result<std::unique_ptr<Window>> open(PixelSize size, bool fit_to_screen, bool hidden,
-                                                const std::string& title, std::optional<ScreenPlace> place = {});
+                                                const std::string& title, std::optional<ScreenPlace> place = {},
+                                                int coarse = 1);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -72,6 +74,7 @@ public:
     bool closing() const;
     void close();
     PixelSize framebuffer() const;             // 0x0 while minimised
+    PixelSize picture() const;                 // the framebuffer's size / Input::coarse
     std::optional<ScreenPlace> place() const;  // nothing where the window system does not tell (Wayland)
     double pixel_ratio() const;                // framebuffer pixels a unit of the window's coordinates
     double content_scale() const;              // how much larger than usual things must be drawn, in framebuffer pixels

@@ -957,6 +957,19 @@ def test_a_click_on_a_body_opens_it_in_the_editor(screen, program, folder):
         assert v.layout().place("position", "##sections"), f"the ball's section is shut: {v.layout().words()}"
 
 
+def test_coarse_pictures_fill_the_window_and_are_clicked_on(screen, program, folder):
+    arguments = ["--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt"]
+    with Viewer(screen, program, *arguments, scene=SCENE + BODIES) as v:
+        fine = v.settle()
+    with Viewer(screen, program, *arguments, "--coarse", "4", scene=SCENE + BODIES) as v:
+        coarse = v.settle()
+        assert coarse.changed(fine, CHANGED), "the picture is as fine as ever"
+        assert coarse.differing(fine, tolerance=60) < CHANGED, "another picture"
+        v.settle("mousemove", 420, 270, "mousedown", 1)
+        v.settle("mouseup", 1, "mousemove", *BESIDE)
+        assert v.layout().place("Remove", "##sections"), "a click on the sphere does not open the editor"
+
+
 def test_a_hidden_body_is_left_out_of_films(screen, program, folder):
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene=SCENE + BODIES) as v:
         press = lambda words, window="": v.click(*v.layout().place(words, window))
@@ -1014,7 +1027,8 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_a_recording_that_was_left_is_in_the_gallery_of_the_next_viewer,
+    CASES += [test_coarse_pictures_fill_the_window_and_are_clicked_on,
+              test_a_recording_that_was_left_is_in_the_gallery_of_the_next_viewer,
               test_the_editor_stays_where_it_is_and_escape_closes_a_picker_alone,
               test_controls_have_tooltips_while_a_search_is_typed, test_a_tours_last_step_says_so_and_offers_others,
               test_an_edit_before_a_flight_is_two_steps_of_undo_away,

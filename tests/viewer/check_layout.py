@@ -37,11 +37,11 @@ class Reader:
     """A viewer, and what was wrong in it."""
 
     def __init__(self, viewer, label, pictures, with_tooltips):
-        self.viewer, self.label, self.pictures, self.found = viewer, label, pictures, set()
+        self.viewer, self.label, self.pictures, self.found, self.layout = viewer, label, pictures, set(), None
         self.with_tooltips = with_tooltips
 
     def look(self, what, *words):
-        self.viewer.settle(*words)
+        self.viewer.settle(*words, at_once=True)
         layout = self.viewer.layout()
         faults = [*layout.faults, *covers(layout)]
         for fault in faults:
@@ -53,11 +53,12 @@ class Reader:
             picture = self.viewer.picture((0, 0, width, height))
             name = re.sub(r"[^\w.-]+", "-", f"{self.label}-{what}") + ".ppm"
             (Path(self.pictures) / name).write_bytes(b"P6 %d %d 255\n" % (width, height) + picture.data)
+        self.layout = layout
         return layout
 
     def find(self, what, words, window):
         """Where they are, after the window was turned to them."""
-        layout = self.look(what)
+        layout = self.layout
         for button in [4] * 20 + [5] * 40:
             if place := layout.place(words, window):
                 return place
@@ -68,16 +69,16 @@ class Reader:
 
     def click(self, what, words, window):
         x, y = self.find(what, words, window)
-        for step in [["mousemove", x, y], ["mousedown", 1], ["mouseup", 1]]:
-            self.viewer.settle(*step)
-        return self.look(what)
+        for step in [["mousemove", x, y], ["mousedown", 1]]:
+            self.viewer.settle(*step, at_once=True)
+        return self.look(what, "mouseup", 1)
 
     def tooltips(self, window):
         """The pointer on every word at the window's left."""
         if not self.with_tooltips:
             return
-        left = self.look(window).windows[window][0]
-        for name, words, (x, y, width, height) in self.look(window).texts:
+        left = self.layout.windows[window][0]
+        for name, words, (x, y, width, height) in self.layout.texts:
             if name.startswith((window, INSIDE.get(window, window))) and x < left + 40 * float(self.label.split("*")[1]):
                 self.look(f"tooltip of {words}", "mousemove", x + width // 2, y + height // 2)
 
@@ -142,6 +143,7 @@ def main():
     parser.add_argument("--sizes", default=",".join(SIZES))
     parser.add_argument("--scales", default=",".join(SCALES))
     parser.add_argument("--pictures")
+    parser.add_argument("--coarse", default="8", help="pictures under the panels are so many times smaller than the window (default: 8)")
     options = parser.parse_args()
     if missing_tools():
         return 77
@@ -153,7 +155,7 @@ def main():
             continue
         width, height = map(int, size.split("x"))
         screen = Screen(width + 40, height + 40)
-        viewer = Viewer(screen, os.path.abspath(options.viewer), "--size", size, "--layout", "layout.txt",
+        viewer = Viewer(screen, os.path.abspath(options.viewer), "--size", size, "--coarse", options.coarse, "--layout", "layout.txt",
                         settings=f"text_scale = {float(scale)}\n")
         with_tooltips = "NULLSCOPE_EVERYTHING" in os.environ or (EVERYTHING and size == sizes[0])
         reader = Reader(viewer, f"{size} text *{scale}", options.pictures, with_tooltips)
