@@ -76,7 +76,9 @@ public:
         draw_.AddPolyline(line.data(), static_cast<int>(line.size()), kRay, ImDrawFlags_None, 1.8f);
     }
     void camera(double r, const Spacetime& spacetime) const {
-        const double shown = std::clamp(r, spacetime.by_proper_length() ? surface_.front().r : r, surface_.back().r);
+        // Beyond the rim it is on the rim; inside the innermost circle of a surface with one side it is nowhere.
+        const double shown =
+            std::min(spacetime.by_proper_length() ? std::max(r, surface_.front().r) : r, surface_.back().r);
         if (const auto z = height_at(surface_, shown))
             draw_.AddCircleFilled(at(spacetime.areal_radius(shown), 0.0, *z), 0.25f * em(),
                                   packed(dark_palette().text));
