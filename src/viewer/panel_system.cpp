@@ -5,6 +5,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <cmath>
 
@@ -55,6 +56,13 @@ void colour(ImGuiStyle& style, const Palette& p) {
     c[ImGuiCol_TextSelectedBg] = as_imgui(p.grab.with(0.35f));
     c[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};
     c[ImGuiCol_ResizeGrip] = {0, 0, 0, 0};
+}
+
+// Dear ImGui 1.86 keeps the undo stack of the last field of text for when it is entered again. By then the text may be another: to undo
+// would write outside of it.
+void forget_text_that_was_left() {
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (context.ActiveId != context.InputTextState.ID) context.InputTextState.ID = 0;
 }
 
 // Sets style and fonts anew. content_scale: how much larger than usual, in framebuffer pixels; pixel_ratio: framebuffer
@@ -111,6 +119,7 @@ void PanelSystem::begin_frame(double text_scale, bool light) {
 #endif
     had_control_ = ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     ImGui::NewFrame();
+    forget_text_that_was_left();
     if (!enters_ || glfwGetKey(window_.handle(), GLFW_KEY_TAB) == GLFW_PRESS)
         return;  // Tab itself goes from field to field
     enters_ = false;

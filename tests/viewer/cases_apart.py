@@ -73,6 +73,22 @@ def test_the_gallery_finds_and_opens(screen, program, folder):
         assert v.title() == "Kerr planet - nullscope", "undo does not bring the scene before back"
 
 
+def test_undo_in_a_search_that_was_left_does_not_touch_the_next(screen, program, folder):
+    """Of fields whose text is another when they are entered again, Dear ImGui undoes what is not there."""
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
+        v.settle("key", "ctrl+o")
+        v.hands("type", "--delay", 60, "kerr planet")
+        v.settle("key", "Escape")
+        v.settle("key", "Escape")
+        for _ in range(3):
+            v.settle("key", "ctrl+o")
+            v.settle("key", "--delay", 200, "ctrl+z")
+            v.hands("type", "--delay", 60, "torus")
+            v.settle()
+            assert v.layout().place("torus", "##gallery"), v.layout().words()
+            v.settle("key", "Escape")
+
+
 def test_a_file_is_chosen_in_the_desktops_dialog(screen, program, folder):
     tools = folder / "tools"
     tools.mkdir()
@@ -1027,7 +1043,8 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_coarse_pictures_fill_the_window_and_are_clicked_on,
+    CASES += [test_undo_in_a_search_that_was_left_does_not_touch_the_next,
+              test_coarse_pictures_fill_the_window_and_are_clicked_on,
               test_a_recording_that_was_left_is_in_the_gallery_of_the_next_viewer,
               test_the_editor_stays_where_it_is_and_escape_closes_a_picker_alone,
               test_controls_have_tooltips_while_a_search_is_typed, test_a_tours_last_step_says_so_and_offers_others,
