@@ -150,6 +150,7 @@ bool Viewer::step() {
     drag_divider(input);
     changed |= panels(input);
     follow_path();
+    sample_flight();
     moving_ = move(input, dt);
     follow_film();
     keep_bookmark();
@@ -221,6 +222,7 @@ bool Viewer::panels(const Input& input) {
     if (!settings_.hints_seen && !patient() && picture_.texture != 0 && !tour_.is_open()) draw_hints();
     if (view_.show_panels) {
         changed |= editor_.draw(view_, below_menu, strips_top_, escape);
+        follow_path();  // keys and the editor may have taken it away
         changed |= timeline_panel_.draw(view_, timeline_, film_, side_panel_right(), screen - status_height(), escape);
         if (std::exchange(timeline_panel_.record_pressed, false)) record(), changed = true;
         changed |= draw_bookmarks(screen - timeline - gap, escape);

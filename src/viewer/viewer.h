@@ -115,7 +115,8 @@ private:
     void save_scene();
     void save_scene_to(const std::filesystem::path& path);
     void save_scene_as(const std::filesystem::path& path);
-    void follow_path();
+    void follow_path();    // before the timeline is drawn or moved
+    void sample_flight();  // while one is recorded
     void follow_film();
     void keep_settings();
     // viewer_tours.cpp; true if the scene changed

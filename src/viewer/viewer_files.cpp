@@ -80,13 +80,16 @@ bool Viewer::offer_left_scene() {
     return restored;
 }
 
-// The scene's path may be new, and a flight may be recorded.
+// The scene's path may be new, or gone.
 void Viewer::follow_path() {
     const bool had_path = timeline_.has_path();
     timeline_.follow(view_.scene, timeline_source_ != view_.source);
     if (timeline_.has_path() != had_path || timeline_source_ != view_.source)
         view_.show_timeline = timeline_.has_path();
     timeline_source_ = view_.source;
+}
+
+void Viewer::sample_flight() {
     if (!timeline_.records()) return;
     const double now = seconds();
     if (!timeline_.sample(view_.scene, now - sampled_at_)) say("Another observer: the record begins anew here");

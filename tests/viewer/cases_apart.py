@@ -845,6 +845,9 @@ def test_a_recording_is_put_aside_and_brought_back(screen, program, folder):
         assert not v.layout().place("Play", "##timeline"), "the scene that was read again has a path"
         v.settle("key", "ctrl+z")
         assert v.layout().place("Play", "##timeline"), "undo brings no recording back"
+        while "Play" in v.layout().words():     # under the timeline, which is open
+            v.settle("key", "ctrl+z")
+        assert v.layout().place("Nothing to undo", "") is None, "the path cannot be undone"
 
 
 def test_a_recording_that_was_left_is_in_the_gallery_of_the_next_viewer(screen, program, folder):
