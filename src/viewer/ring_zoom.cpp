@@ -29,6 +29,13 @@ double nearest_angle(const Spacetime& spacetime, const Scene& scene) {
     return nearest;
 }
 
+// Half turns of the light at this place of the picture; about a rotating hole its crossings of the equatorial plane.
+int image_order(const reference::FrameTracer& tracer, double x, double y) {
+    constexpr int kMost = 1000;
+    if (tracer.plane_rays() != nullptr) return tracer.pixel(x, y, false).order;
+    return static_cast<int>(tracer.ray(x, y)->crossings(kMost).size());
+}
+
 }  // namespace
 
 bool zoom_by(Scene& scene, double depth, std::string& error) {
@@ -79,12 +86,13 @@ std::string zoom_words(const Scene& scene) {
     Scene plain = scene;
     plain.camera = view->camera;
     plain.disc.reset(), plain.spots.clear(), plain.bodies.clear();
+    if (spacetime->axial() != nullptr) plain.disc.emplace();  // image_order(): the reference then counts crossings
     const auto tracer = reference::FrameTracer::make(plain);
     if (!tracer) return words;
     const double w = plain.camera.width, h = plain.camera.height;
     int order = 0;
     for (const auto& [x, y] : {std::pair{0.0, 0.0}, {w, 0.0}, {0.0, h}, {w, h}})
-        order = std::max(order, tracer->pixel(x, y, false).order);
+        order = std::max(order, image_order(*tracer, x, y));
     return fmt::format("{}, image order {}", words, order + 2 * static_cast<int>(view->turns));
 }
 

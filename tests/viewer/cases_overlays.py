@@ -280,10 +280,20 @@ def test_z_and_the_wheel_zoom_into_the_photon_ring(screen, program, folder):
         assert zoomed(5, 3) == "", "a zoom begins by going back"
 
 
+def test_the_ring_of_a_rotating_hole_can_be_zoomed_into(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene="kerr") as v:
+        plain = v.picture()
+        v.settle("mousemove", 600, 300, "keydown", "z", *["click", 4] * 60, "keyup", "z")
+        words = next((words for words in v.layout().words() if words.startswith("zoom")), "")
+        assert words.startswith("zoom 10^") and int(words.rsplit(" ", 1)[1]) >= 6, words
+        v.changes("the picture is the ring", plain)
+
+
 CASES = []
 # Of every depth but quick.
 if EVERYTHING:
     CASES += [test_both_sides_of_a_comparison_have_image_orders, test_lengths_of_the_panels_are_in_the_chosen_unit,
-              test_z_and_the_wheel_zoom_into_the_photon_ring, test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
+              test_z_and_the_wheel_zoom_into_the_photon_ring, test_the_ring_of_a_rotating_hole_can_be_zoomed_into,
+              test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
               test_the_embedding_diagram_is_drawn, test_the_windows_place_is_kept,
               test_panels_are_used_by_keyboard, test_the_sides_of_a_comparison_are_swapped]
