@@ -70,9 +70,7 @@ Result<Observer> axial_observer(const AxialMetric& metric, const CameraSpec& cam
     return observer(falling_frame(place, *energy));
 }
 
-}  // namespace
-
-Result<Observer> observer_of(const Spacetime& spacetime, const CameraSpec& camera) {
+Result<Observer> any_observer(const Spacetime& spacetime, const CameraSpec& camera) {
     const bool rests = !falls(camera);
     if (rests ? !camera_can_rest(spacetime, camera.r) : !camera_can_be(spacetime, camera.r))
         return refused(fmt::format("no camera can be {} at camera.r = {}", rests ? "at rest" : "falling", camera.r),
@@ -93,6 +91,16 @@ Result<Observer> observer_of(const Spacetime& spacetime, const CameraSpec& camer
         return refused(fmt::format("no circular orbit at camera.r = {}", camera.r), "outside of the photon sphere");
     const double speed = camera.r * orbit->omega / std::sqrt(lapse2);
     return boosted(frame_at_rest(lapse2), {0.0, 0.0, onward ? speed : -speed}, camera.velocity);
+}
+
+}  // namespace
+
+Result<Observer> observer_of(const Spacetime& spacetime, const CameraSpec& camera) {
+    TRY(observer, any_observer(spacetime, camera));
+    // Orbits next to the photon sphere, and what is boosted there: rounding may leave no difference to light.
+    if (length(observer->velocity) < 1.0) return observer;
+    return refused("the camera is as fast as light to the last digit",
+                   "camera.r further from the photon sphere, or a lower camera.velocity");
 }
 
 Status check_light_parts(const Spacetime& spacetime, const Scene& scene) {
