@@ -38,7 +38,8 @@ Result<Method> chosen_method(const CaptureOptions& options, const Scene& scene) 
     TRY(measured, load_frontier(assets_directory() / "frontier.csv"));
     TRY(choice,
         options.max_error ? choose_method(*measured, scene, *options.max_error) : default_method(*measured, scene));
-    if (options.max_error || choice->error_px > kDefaultMaxError_px) fmt::print(stderr, "method {}\n", choice->reason);
+    if (options.max_error || choice->says || choice->error_px > kDefaultMaxError_px)
+        fmt::print(stderr, "method {}\n", choice->reason);
     return choice->method;
 }
 

@@ -118,6 +118,10 @@ bool is_next_to_ring(const AxialMetric& metric, const CameraSpec& camera, const 
     return slope < kNarrow && std::fabs(peaks.distance(0, 0)) < slope * corner;
 }
 
+bool is_hard_ring(const AxialMetric& metric, double camera_r) {
+    return 2.0 * metric.a() > kFastest || camera_r < metric.outer_horizon() + kNearest;
+}
+
 std::optional<PeakForm> peak_form(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,
                                   const LightSpec& light) {
     const Peaks peaks(metric, camera, observer, light);

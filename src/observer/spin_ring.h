@@ -24,6 +24,12 @@ inline constexpr double kNarrow = 5e-4;
 bool is_next_to_ring(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,
                      const LightSpec& light);
 
+// What is promised of rays in such a view: errors across the curve, px, and along it, rad of where their light ends. Beyond the spin kFastest
+// and nearer to the horizon than kNearest, r_s, light winds so long that no more than kHardest_px is promised, and nothing along the curve.
+inline constexpr double kFastest = 0.999, kNearest = 0.1;
+inline constexpr double kAcross_px = 0.05, kAlong = 2e-3, kHardest_px = 0.5;
+bool is_hard_ring(const AxialMetric& metric, double camera_r);
+
 struct PeakForm {
     // Of x^i y^j, px from the picture's middle, y up: 1, x, y, x^2, xy, y^2, x^3, x^2 y, x y^2, y^3. Per squared unit of frequency in the
     // observer's own frame.

@@ -8,7 +8,10 @@
 #include "base/atomic_file.h"
 #include "base/csv.h"
 #include "base/text.h"
+#include "observer/spin_ring.h"
+#include "plan/effects.h"
 #include "scene/pixel_angle.h"
+#include "spacetime/registry.h"
 
 namespace nullscope {
 namespace {
@@ -18,6 +21,26 @@ constexpr double kBenchPixel_rad = 2.0 / 3840.0;
 // A bound above this is not told: scaling takes the sky to move by no more than the pixel's own angle from one pixel to
 // the next. Deep zooms look at a hole that moves it by millions of that, and err by as much less.
 constexpr double kTellsNothing_px = 1.0;
+
+// Of a view next to the ring of a rotating hole, whose bounds are not of the bench (observer/spin_ring.h).
+std::optional<Choice> next_to_ring(const Scene& scene) {
+    const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+    if (!spacetime || (*spacetime)->axial() == nullptr ||
+        !effect_set(required_effects(scene)).contains(Effect::kSpinRing))
+        return std::nullopt;
+    if (is_hard_ring(*(*spacetime)->axial(), scene.camera.r))
+        return Choice{
+            Method{}, kHardest_px,
+            fmt::format("mino: next to the ring of so fast a hole, or so near to it, at most {} px across the "
+                        "ring are guaranteed, and not which rays come out",
+                        kHardest_px),
+            true};
+    return Choice{Method{}, kAcross_px,
+                  fmt::format("mino: next to the ring at most {} px across it are guaranteed, and along it {} rad of "
+                              "where the light ends",
+                              kAcross_px, kAlong),
+                  true};
+}
 
 }  // namespace
 
@@ -72,6 +95,11 @@ const MeasuredMethod* most_exact(const std::vector<MeasuredMethod>& methods, con
 }
 
 Result<Choice> choose_method(const std::vector<MeasuredMethod>& methods, const Scene& scene, double max_error_px) {
+    if (const auto ring = next_to_ring(scene)) {
+        if (ring->error_px <= max_error_px) return *ring;
+        return bad_input(fmt::format("--max-error {}: no method is that accurate in this frame", max_error_px),
+                         fmt::format("{:.2g} px and more", ring->error_px));
+    }
     const MeasuredMethod* best = nullptr;
     int known = 0;
     for (const MeasuredMethod& m : methods) {
@@ -96,6 +124,7 @@ Result<Choice> choose_method(const std::vector<MeasuredMethod>& methods, const S
 }
 
 Choice default_method(const std::vector<MeasuredMethod>& methods, const Scene& scene) {
+    if (const auto ring = next_to_ring(scene)) return *ring;
     if (auto choice = choose_method(methods, scene, kDefaultMaxError_px)) return *choice;
     const MeasuredMethod& best = *most_exact(methods, scene.spacetime.metric);
     const double error = error_in_frame(best, scene);

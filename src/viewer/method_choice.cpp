@@ -27,7 +27,8 @@ MethodChoice method_choice(const std::vector<MeasuredMethod>& measured, const Me
                             kept ? "" : fmt::format(", more than {:.2g} px", wish.max_error_px), row->floor_ratio)};
     }
     const auto choice = choose_method(measured, scene, wish.max_error_px);
-    if (choice && choice->error_px == 0.0) return {choice->method, true, choice->reason};  // nothing to choose from
+    if (choice && (choice->error_px == 0.0 || choice->says))  // nothing to choose from
+        return {choice->method, true, choice->reason};
     if (choice) {
         const MeasuredMethod* row = row_of(measured, choice->method, metric);
         return {
@@ -36,7 +37,11 @@ MethodChoice method_choice(const std::vector<MeasuredMethod>& measured, const Me
                 "{}, the fastest method below {:.2g} px: at most {:.2g} px on the sky here, {:.2f} times flat space",
                 method_name(choice->method), wish.max_error_px, choice->error_px, row->floor_ratio)};
     }
-    const MeasuredMethod* best = most_exact(measured, metric);  // there is one: else the choice is the default
+    const MeasuredMethod* best = most_exact(measured, metric);
+    if (best == nullptr) {  // about a rotating hole, next to its ring
+        const Choice only = default_method(measured, scene);
+        return {only.method, false, only.reason};
+    }
     return {best->method, false,
             fmt::format("No method is known to stay below {:.2g} px in this frame. The lowest error, {:.2g} px, is "
                         "that of {}, which is used.",

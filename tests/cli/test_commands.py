@@ -139,6 +139,13 @@ class Commands(support.CliTest):
                            "[[path.key]]\nr = 5\n": ["path.key", "kind is not keys"]}.items():
             self.refused("plan", self.write("broken.toml", text), says=says)
 
+    def test_capture_says_what_it_promises_next_to_a_rotating_ring(self):
+        for spin, promised in (0.9, "at most 0.05 px across it"), (0.9995, "at most 0.5 px across the ring"):
+            scene = self.write("ring.toml", f'[spacetime]\nmetric = "kerr"\nspin = {spin}\n[zoom]\ndepth = 8\nangle = 180\n')
+            said = self.run_nullscope("capture", scene, "--size", support.SMALL, "-o", os.path.join(self.folder, "ring.png")).err
+            self.assertIn(promised, said)
+        self.refused("capture", scene, "--size", support.SMALL, "--max-error", "0.1", says=["--max-error 0.1", "0.5 px and more"])
+
     def test_plan_says_why(self):
         text = '[camera]\nvelocity = [0.0, 0.0, 0.5]\n[sky]\nkind = "black"\n[disc]\nopacity = 0.5\n'
         plan = self.write("two.toml", text)

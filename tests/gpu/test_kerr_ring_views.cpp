@@ -19,11 +19,6 @@ using namespace nullscope;
 using namespace nullscope::test;
 
 constexpr double kDegree = M_PI / 180;
-constexpr double kAcross_px = 0.05;
-constexpr double kAlong =
-    2e-3;  // rad; 5e-5 mostly, but light winds some 30 times about fast holes, and rounds each time
-// What is promised holds for holes up to this spin, and from this far outside of the horizon, r_s. Beyond, across the curve: kHardest_px.
-constexpr double kFastest = 0.999, kNearest = 0.1, kHardest_px = 0.5;
 constexpr double kDeepestAlong = 19;  // depth: further in the reference's own rounding shows along the curve
 constexpr double kEdge_px = 0.01;     // of the critical curve: closer to it fates may differ
 
@@ -91,8 +86,7 @@ struct Most {
     int views = 0, hard_views = 0;
     void add(const Scene& scene, Off off) {
         const auto spacetime = *make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
-        const bool is_hard = scene.spacetime.parameters.at("spin") > kFastest ||
-                             scene.camera.r < *spacetime->horizon_radius() + kNearest;
+        const bool is_hard = is_hard_ring(*spacetime->axial(), scene.camera.r);
         if (scene.camera.zoom && scene.camera.zoom->depth > kDeepestAlong) off.along = 0;
         if (!is_hard && (off.across_px > kAcross_px || off.along > kAlong || off.fates > 0))
             fmt::print("{}\n", words(scene, off));

@@ -214,10 +214,10 @@ def test_panels_are_used_by_keyboard(screen, program, folder):
         press(v, "Return")
         assert says(v, "Photon orbit"), "Enter does not open the section Numbers"
         v.settle("key", "w")
-        press(v, "End", "Return")   # the last control there
-        assert says(v, "0,977008"), "Enter does not tick a box"
-        press(v, "End", "space")
-        assert says(v, "0.977008"), "Space does not take the tick away"
+        press(v, "End", "Right", "Return")   # the last controls there: Decimals, point and comma
+        assert says(v, "0,977008"), "Enter does not choose the comma"
+        press(v, "Left", "space")
+        assert says(v, "0.977008"), "Space does not choose the point"
         same(home, v.picture(), "W in the panels flies the camera")
         press(v, "Home", "Return")
         assert says(v, "accretion"), "Enter does not open the list of scenes"

@@ -44,6 +44,24 @@ TEST_CASE("method: the wish comes to what capture --method auto would take, refu
     CHECK(method_choice({}, wish, scene).kept);
 }
 
+TEST_CASE("method: next to the ring of a rotating hole its own bounds are told") {
+    Scene scene;
+    scene.spacetime = {"kerr", {{"spin", 0.9}}};
+    scene.camera.observer = ObserverKind::kZamo;
+    scene.camera.zoom.emplace().depth = 5;
+    MethodWish wish;
+    const MethodChoice kept = method_choice({}, wish, scene);
+    CHECK(kept.kept);
+    CHECK(kept.words.find("at most 0.05 px across") != std::string::npos);
+    wish.max_error_px = 0.01;
+    CHECK(!method_choice({}, wish, scene).kept);
+    wish = {};
+    scene.spacetime.parameters["spin"] = 0.9995;
+    const MethodChoice hard = method_choice({}, wish, scene);
+    CHECK(!hard.kept);
+    CHECK(hard.words.find("at most 0.5 px across") != std::string::npos);
+}
+
 TEST_CASE("method: dominated is what another beats in one and equals in the other") {
     const std::vector<MeasuredMethod> measured = {{"a", method_of("strip"), 0.01, 2.0},
                                                   {"a", method_of("closed-form"), 0.01, 3.0},
