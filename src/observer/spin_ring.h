@@ -38,7 +38,7 @@ struct PeakForm {
 
 // Nothing where a cubic is off by more than kPeakOff_px of the picture, which is then not small beside the hole: there float has digits
 // enough. 10 microseconds.
-inline constexpr double kPeakOff_px = 0.004;
+inline constexpr double kPeakOff_px = 5e-4;
 std::optional<PeakForm> peak_form(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,
                                   const LightSpec& light);
 
