@@ -8,7 +8,8 @@
 #       -R photon -V     those whose name matches, with all their output
 #
 # The first two end with a table of what was built and tested, in processor seconds, and fail when a sum is over its
-# budget in tests/budget.csv (times the slowness of this machine, tests/machine.py). NULLSCOPE_TESTS=all scripts/test.sh -R NAME runs a single test at the depth of --all.
+# budget in tests/budget.csv (times the slowness of this machine, tests/machine.py).
+# NULLSCOPE_TESTS=all scripts/test.sh -R NAME runs a single test at the depth of --all.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -4,7 +4,8 @@
 Usage: budget.py TIMES TIER [--budgets FILE]
 
 TIMES holds the lines of measured.py. The budgets (tests/budget.csv beside this script) are processor seconds of the machine
-on which they were set: each entry counts divided by the slowness that was measured beside it (machine.py). Exit status: 0 within, 1 over or nothing measured.
+on which they were set: each entry counts divided by the slowness that was measured beside it (machine.py). Exit status: 0
+within, 1 over or nothing measured.
 """
 import csv
 import statistics

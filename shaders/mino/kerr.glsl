@@ -59,7 +59,7 @@ vec4 spin_force(SpinRay ray, vec4 y, float fine) {
     float across = -(ray.j2 + 2.0 * ray.a2e2 * y.z * y.z);
     float outward = y.w * (ray.a2e2 - ray.j2 + y.w * (1.5 * ray.k - 2.0 * ray.cubic * y.w));
 #ifdef EFFECT_SPIN_RING
-    float w = y.w - ray.barrier.saddle + fine;
+    float w = ring_offset(ray.barrier, y.w, fine);
     outward = abs(w) < ray.barrier.beside ? ring_force(ray.barrier, w) : outward;
 #endif
     return vec4(across * y.x, across * y.y, (across + ray.a2e2) * y.z, outward);

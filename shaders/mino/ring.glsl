@@ -45,6 +45,9 @@ RingBarrier ring_barrier(vec2 pixel, float energy, float fall, float k, float qu
     return barrier;
 }
 
+// w
+float ring_offset(RingBarrier barrier, float zeta, float fine) { return zeta - barrier.saddle + fine; }
+
 // zeta'' at w.
 float ring_force(RingBarrier barrier, float w) { return w * (barrier.steep + w * (1.5 * barrier.tilt - 2.0 * barrier.quartic * w)); }
 

@@ -23,7 +23,7 @@
 // What is lost of a sum zeta + more.
 float spin_fine(SpinState from, float more, float to) { return from.fine + (more - (to - from.y.w)); }
 
-// The place after a step or a part of it, and what of zeta is lost in it.
+// The place after a step or a part of it.
 vec4 spin_moved(SpinState from, vec4 more) {
     vec4 to = from.y + more;
     to.w = ring_sum(from.y.w, more.w);
@@ -32,8 +32,8 @@ vec4 spin_moved(SpinState from, vec4 more) {
 
 // From a state that comes towards the saddle to one that leaves it.
 bool ring_leaves(SpinRay ray, SpinState from, SpinState to) {
-    float before = (from.y.w - ray.barrier.saddle + from.fine) * from.v.w;
-    float after = (to.y.w - ray.barrier.saddle + to.fine) * to.v.w;
+    float before = ring_offset(ray.barrier, from.y.w, from.fine) * from.v.w;
+    float after = ring_offset(ray.barrier, to.y.w, to.fine) * to.v.w;
     return ray.barrier.beside > 0.0 && before < 0.0 && after >= 0.0;
 }
 #else
@@ -69,7 +69,7 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
     to.v = from.v + (f0 * (151.0 / 2142.0) + f1 * (25.0 / 522.0) + f2 * (275.0 / 684.0) + f3 * (275.0 / 252.0) -
                      f4 * (78125.0 / 112404.0) + (hh / 12.0) * to.f) / h;
 #ifdef EFFECT_SPIN_RING
-    vec2 settling = ring_settling(ray.barrier, to.y.w - ray.barrier.saddle + fine, to.v.w);
+    vec2 settling = ring_settling(ray.barrier, ring_offset(ray.barrier, to.y.w, fine), to.v.w);
     to.fine = fine + settling.x;
     to.v.w += settling.y;
 #endif

@@ -18,10 +18,10 @@ Mat3 world_from_static(double theta, double phi);
 // the axes as they then are: yaw takes forward towards right, pitch takes forward towards up, roll takes up towards
 // right.
 Mat3 static_from_camera(const CameraSpec& camera);
-// Yaw and pitch of a backward axis along (e_r, e_theta, e_phi); roll stays.
-void set_direction(CameraSpec& camera, Vec3 backward);
 // Its inverse: yaw, pitch and roll that give these axes.
 void set_axes(CameraSpec& camera, const Mat3& axes);
+// Yaw and pitch that give this backward axis; roll stays.
+void set_direction(CameraSpec& camera, Vec3 backward);
 
 // The camera's tetrad: rows e_0 (4-velocity), e_1 right, e_2 up, e_3 backward, each component as an unevaluated sum high + low of two
 // doubles. A double holds a component of size gamma only to gamma 2^-53, so the products that are summed for g(e_i, e_j) = eta_ij leave

@@ -56,27 +56,25 @@ Result<Found> find(const Spacetime& spacetime, const CameraSpec& camera, const L
     TRY(observer, observer_of(spacetime, ahead));
     const auto critical = CriticalLight::make(spacetime, ahead, light);
     if (!critical) return refused("light runs straight", "light.lensing = \"on\"");
+    const CameraSpec aimed = towards(*critical, camera);
     if (spacetime.axial() != nullptr) {
-        Found found{towards(*critical, camera), *orbit, 0.0};
-        found.per_pixel = ring_distance_per_pixel(*spacetime.axial(), found.camera, *observer, light);
-        return found;
+        const double per_pixel = ring_distance_per_pixel(*spacetime.axial(), aimed, *observer, light);
+        return Found{aimed, *orbit, per_pixel};
     }
     CameraSpec still = ahead;
     still.velocity = {};
     if (!falls(camera)) still.observer = ObserverKind::kStatic;
     const Vec3 ring = CriticalLight::make(spacetime, still, light)->direction(0.0);
-    double scale = std::hypot(
-        ring.x, ring.y);  // angles from the critical direction over e, of an observer who does not move across
+    // Angles from the critical direction over e, of an observer who does not move across.
+    double scale = std::hypot(ring.x, ring.y);
     if (spacetime.spherical()->barrier()) {  // some rays pass the photon sphere twice: there e grows as 1/climb
         const double root_v = spacetime.spherical()->root_v(camera.r) / open_photon_sphere(spacetime)->q_crit,
                      climb = (1.0 - root_v) * (1.0 + root_v);
         if (climb < kLeastClimb) return refused("the camera is too close to the photon sphere", "camera.r further out");
         scale *= climb;
     }
-    Found found{towards(*critical, camera), *orbit, 0.0};
     const double speed = light.aberration ? length(observer->velocity) : 0.0;
-    found.per_pixel = found.camera.pixel() * std::sqrt((1.0 + speed) / (1.0 - speed)) / scale;
-    return found;
+    return Found{aimed, *orbit, aimed.pixel() * std::sqrt((1.0 + speed) / (1.0 - speed)) / scale};
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ bool is_next_to_ring(const AxialMetric& metric, const CameraSpec& camera, const 
 }
 
 bool is_hard_ring(const AxialMetric& metric, double camera_r) {
-    return 2.0 * metric.a() > kFastest || camera_r < metric.outer_horizon() + kNearest;
+    return 2.0 * metric.a() > kRingFastest || camera_r < metric.outer_horizon() + kRingNearest;
 }
 
 std::optional<PeakForm> peak_form(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,

@@ -24,10 +24,10 @@ inline constexpr double kNarrow = 5e-4;
 bool is_next_to_ring(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,
                      const LightSpec& light);
 
-// What is promised of rays in such a view: errors across the curve, px, and along it, rad of where their light ends. Beyond the spin kFastest
-// and nearer to the horizon than kNearest, r_s, light winds so long that no more than kHardest_px is promised, and nothing along the curve.
-inline constexpr double kFastest = 0.999, kNearest = 0.1;
-inline constexpr double kAcross_px = 0.05, kAlong = 2e-3, kHardest_px = 0.5;
+// What is promised of rays in such a view: errors across the curve, px, and along it, rad of where their light ends. Beyond the spin kRingFastest
+// and nearer to the horizon than kRingNearest, r_s, light winds so long that no more than kRingHardest_px is promised, and nothing along the curve.
+inline constexpr double kRingFastest = 0.999, kRingNearest = 0.1;
+inline constexpr double kRingAcross_px = 0.05, kRingAlong = 2e-3, kRingHardest_px = 0.5;
 bool is_hard_ring(const AxialMetric& metric, double camera_r);
 
 struct PeakForm {

@@ -64,6 +64,7 @@ bool has_marched(const EffectSet& effects) {
     return false;
 }
 bool has_tiles(const EffectSet& effects) {
+    // Rays of tiles know nothing of the swings that a zoom leaves out.
     if (effects.contains(Effect::kSpinRing) && effects.contains(Effect::kZoom)) return false;
     return has_marched(effects) && !effects.contains(Effect::kSides) && !effects.contains(Effect::kSpinFall);
 }

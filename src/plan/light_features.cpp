@@ -107,9 +107,8 @@ std::span<const Feature> light_features() {
         {{Effect::kSpinRing, "spin-ring", "EFFECT_SPIN_RING",
           "Rays next to the critical curve of a rotating hole keep their distance from it to all digits.",
           "the hole rotates and the view is next to its critical curve, so narrow that the curve would be over 2700 px "
-          "wide, "
-          "or there is a [zoom]",
-          "a seventh of a step more"},
+          "wide, or there is a [zoom]",
+          "steps of a tenth more work, at most 512"},
          [](const FrameFacts& f) -> Reason {
              if (!rotates(f) || f.observer == nullptr) return kNot;
              const CameraSpec& camera = f.scene.camera;

@@ -22,7 +22,7 @@ constexpr double kBenchPixel_rad = 2.0 / 3840.0;
 // the next. Deep zooms look at a hole that moves it by millions of that, and err by as much less.
 constexpr double kTellsNothing_px = 1.0;
 
-// Of a view next to the ring of a rotating hole, whose bounds are not of the bench (observer/spin_ring.h).
+// Of metrics that were not measured: a view next to the ring of a rotating hole, whose bounds are not of the bench (observer/spin_ring.h).
 std::optional<Choice> next_to_ring(const Scene& scene) {
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     if (!spacetime || (*spacetime)->axial() == nullptr ||
@@ -30,15 +30,15 @@ std::optional<Choice> next_to_ring(const Scene& scene) {
         return std::nullopt;
     if (is_hard_ring(*(*spacetime)->axial(), scene.camera.r))
         return Choice{
-            Method{}, kHardest_px,
+            Method{}, kRingHardest_px,
             fmt::format("mino: next to the ring of so fast a hole, or so near to it, at most {} px across the "
                         "ring are guaranteed, and not which rays come out",
-                        kHardest_px),
+                        kRingHardest_px),
             true};
-    return Choice{Method{}, kAcross_px,
+    return Choice{Method{}, kRingAcross_px,
                   fmt::format("mino: next to the ring at most {} px across it are guaranteed, and along it {} rad of "
                               "where the light ends",
-                              kAcross_px, kAlong),
+                              kRingAcross_px, kRingAlong),
                   true};
 }
 
@@ -95,11 +95,6 @@ const MeasuredMethod* most_exact(const std::vector<MeasuredMethod>& methods, con
 }
 
 Result<Choice> choose_method(const std::vector<MeasuredMethod>& methods, const Scene& scene, double max_error_px) {
-    if (const auto ring = next_to_ring(scene)) {
-        if (ring->error_px <= max_error_px) return *ring;
-        return bad_input(fmt::format("--max-error {}: no method is that accurate in this frame", max_error_px),
-                         fmt::format("{:.2g} px and more", ring->error_px));
-    }
     const MeasuredMethod* best = nullptr;
     int known = 0;
     for (const MeasuredMethod& m : methods) {
@@ -108,14 +103,20 @@ Result<Choice> choose_method(const std::vector<MeasuredMethod>& methods, const S
         if (error_in_frame(m, scene) <= max_error_px && (best == nullptr || m.floor_ratio < best->floor_ratio))
             best = &m;
     }
-    if (known == 0)
+    const auto refused = [&](double least_px) {
+        return bad_input(fmt::format("--max-error {}: no method is that accurate in this frame", max_error_px),
+                         fmt::format("{:.2g} px and more", least_px));
+    };
+    if (known == 0) {
+        if (const auto ring = next_to_ring(scene)) {
+            if (ring->error_px <= max_error_px) return *ring;
+            return refused(ring->error_px);
+        }
         return Choice{
             Method{}, 0.0,
             fmt::format("{}: rays are straight or no method was measured; using the default", scene.spacetime.metric)};
-    if (best == nullptr)
-        return bad_input(
-            fmt::format("--max-error {}: no method is that accurate in this frame", max_error_px),
-            fmt::format("{:.2g} px and more", error_in_frame(*most_exact(methods, scene.spacetime.metric), scene)));
+    }
+    if (best == nullptr) return refused(error_in_frame(*most_exact(methods, scene.spacetime.metric), scene));
     return Choice{
         best->method, error_in_frame(*best, scene),
         fmt::format(
@@ -124,9 +125,10 @@ Result<Choice> choose_method(const std::vector<MeasuredMethod>& methods, const S
 }
 
 Choice default_method(const std::vector<MeasuredMethod>& methods, const Scene& scene) {
-    if (const auto ring = next_to_ring(scene)) return *ring;
     if (auto choice = choose_method(methods, scene, kDefaultMaxError_px)) return *choice;
-    const MeasuredMethod& best = *most_exact(methods, scene.spacetime.metric);
+    const MeasuredMethod* most = most_exact(methods, scene.spacetime.metric);
+    if (most == nullptr) return *next_to_ring(scene);  // what choose_method refused
+    const MeasuredMethod& best = *most;
     const double error = error_in_frame(best, scene);
     if (error > kTellsNothing_px)
         return {

@@ -40,8 +40,7 @@ struct Choice {
     Method method;
     double error_px;     // expected at most, px of this camera's frame
     std::string reason;  // one sentence
-    bool says =
-        false;  // also where nothing was asked: of a view next to the ring of a rotating hole, where there is one method
+    bool says = false;   // even where nothing was asked: next to the ring of a rotating hole, where there is one method
 };
 
 // The cheapest method whose error stays under max_error_px in this camera's frame.

@@ -43,7 +43,7 @@ WORDS = {
     "tone-neutral": [r"tone_neutral"],
     "dither": [r"dither_noise"],
     "samples": [r"sampling_(?:first|count)"],
-    "spin-ring": [r"ring_(?:barrier|peak|force|settling|sum|leaves)\w*", r"RingBarrier"],
+    "spin-ring": [r"ring_(?:barrier|peak|force|offset|settling|sum|leaves)\w*", r"RingBarrier"],
     "zoom": [r"ring_part", r"polar_(?:length|weight)", r"frame\.ring"],
     "refine": [r"edge_(?:shown|value)"],
     "star": [r"star_(?:surface|square)\w*"],

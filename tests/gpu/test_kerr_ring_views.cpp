@@ -89,7 +89,7 @@ struct Most {
         const auto spacetime = *make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
         const bool is_hard = is_hard_ring(*spacetime->axial(), scene.camera.r);
         if (scene.camera.zoom && scene.camera.zoom->depth > kDeepestAlong) off.along = 0;
-        if (!is_hard && (off.across_px > kAcross_px || off.along > kAlong || off.fates > 0))
+        if (!is_hard && (off.across_px > kRingAcross_px || off.along > kRingAlong || off.fates > 0))
             fmt::print("{}\n", words(scene, off));
         ++(is_hard ? hard_views : views);
         (is_hard ? hard : promised).add(off);
@@ -98,11 +98,11 @@ struct Most {
         fmt::print("{} views, {} rays: {:.4f} px across the critical curve, {:.1e} rad along it, fate errors {}\n",
                    views, promised.rays, promised.across_px, promised.along, promised.fates);
         fmt::print("{} views at spin > {} or nearer to the horizon than {}: {:.4f} px, {:.1e} rad, fate errors {}\n",
-                   hard_views, kFastest, kNearest, hard.across_px, hard.along, hard.fates);
-        CHECK(promised.across_px <= kAcross_px);
-        CHECK(promised.along <= kAlong);
+                   hard_views, kRingFastest, kRingNearest, hard.across_px, hard.along, hard.fates);
+        CHECK(promised.across_px <= kRingAcross_px);
+        CHECK(promised.along <= kRingAlong);
         CHECK(promised.fates == 0);
-        CHECK(hard.across_px <= kHardest_px);
+        CHECK(hard.across_px <= kRingHardest_px);
     }
 };
 

@@ -149,13 +149,17 @@ TEST_CASE("history: steps of a tour are undone with what they switch off, and R 
     CHECK(view.own == std::vector<std::string>{"mine.toml"});
 }
 
+void compare_sides(ViewState& view) {
+    view.side_b = std::make_shared<SideB>(SideB{view.scene, view.method, view.off});
+    view.sides = 2;
+}
+
 TEST_CASE("history: effects, the method and sides that are swapped are steps with names") {
     ViewState view = opened("first-light");
     History history;
     std::string what;
     history.rest(view);
-    view.side_b = std::make_shared<SideB>(SideB{view.scene, view.method, view.off});
-    view.sides = 2;
+    compare_sides(view);
     history.rest(view);
     view.off = {Effect::kDisc};
     history.rest(view);
@@ -180,8 +184,7 @@ TEST_CASE("history: two sides that were alike, swapped in a comparison that has 
     History history;
     std::string what;
     history.rest(view);
-    view.side_b = std::make_shared<SideB>(SideB{view.scene, view.method, view.off});
-    view.sides = 2;
+    compare_sides(view);
     history.rest(view);
     swap_sides(view);
     history.rest(view);
