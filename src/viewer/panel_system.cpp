@@ -86,6 +86,27 @@ void apply_theme(double content_scale, double pixel_ratio) {
     ImGui::GetIO().FontGlobalScale = static_cast<float>(1.0 / pixel_ratio);
 }
 
+#if IMGUI_VERSION_NUM < 18700
+// That version sees which keys are down when a frame begins: a key that went down and up since the frame before would be lost.
+void press_keys(const std::vector<KeyPress>& pressed) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
+    io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
+    for (const KeyPress& press : pressed) {
+        io.KeysDown[press.key] = true;
+        io.KeysDownDuration[press.key] = -1.0f;
+        // With Ctrl no text is taken.
+        io.KeyCtrl |= press.control && io.InputQueueCharacters.empty();
+        io.KeyShift |= press.shift;
+    }
+}
+
+void release_keys(const std::vector<KeyPress>& pressed, GLFWwindow* window) {
+    for (const KeyPress& press : pressed)
+        ImGui::GetIO().KeysDown[press.key] = glfwGetKey(window, press.key) == GLFW_PRESS;
+}
+#endif
+
 }  // namespace
 
 PanelSystem::PanelSystem(Window& window) : window_(window) {
@@ -102,7 +123,7 @@ PanelSystem::~PanelSystem() {
     ImGui::DestroyContext();
 }
 
-void PanelSystem::begin_frame(double text_scale, bool light) {
+void PanelSystem::begin_frame(double text_scale, bool light, const std::vector<KeyPress>& pressed) {
     const double scale = text_scale * window_.content_scale(), ratio = window_.pixel_ratio();
     if (scale != content_scale_ || ratio != pixel_ratio_ || light != light_) {
         content_scale_ = scale, pixel_ratio_ = ratio, light_ = light;
@@ -113,12 +134,17 @@ void PanelSystem::begin_frame(double text_scale, bool light) {
     }
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-#if IMGUI_VERSION_NUM < 18700  // there Enter alone presses no button
+#if IMGUI_VERSION_NUM < 18700
+    press_keys(pressed);
+    // There Enter alone presses no button.
     if (navigates() && glfwGetKey(window_.handle(), GLFW_KEY_ENTER) == GLFW_PRESS)
         ImGui::GetIO().NavInputs[ImGuiNavInput_Activate] = 1.0f;
 #endif
     had_control_ = ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     ImGui::NewFrame();
+#if IMGUI_VERSION_NUM < 18700
+    release_keys(pressed, window_.handle());
+#endif
     forget_text_that_was_left();
     if (!enters_ || glfwGetKey(window_.handle(), GLFW_KEY_TAB) == GLFW_PRESS)
         return;  // Tab itself goes from field to field

@@ -12,8 +12,8 @@ public:
     ~PanelSystem();
     PanelSystem(const PanelSystem&) = delete;
     PanelSystem& operator=(const PanelSystem&) = delete;
-    // Follows the window to a screen of another scale. light: the panels' palette.
-    void begin_frame(double text_scale, bool light);
+    // Follows the window to a screen of another scale. light: the panels' palette. pressed: since the frame before.
+    void begin_frame(double text_scale, bool light, const std::vector<KeyPress>& pressed);
 
     // Arrow keys, Enter and Space in the panels, beginning with the side panel; Dear ImGui then has the keyboard. Within a frame.
     void navigate(bool on);

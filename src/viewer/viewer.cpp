@@ -144,7 +144,7 @@ bool Viewer::step() {
 
     // In the frame before: a tooltip goes when the pointer leaves.
     const bool panels_had_pointer = ImGui::GetIO().WantCaptureMouse;
-    panel_system_->begin_frame(settings_.text_scale, view_.light_theme);
+    panel_system_->begin_frame(settings_.text_scale, view_.light_theme, input.pressed);
     changed |= open_dropped(input) || open_chosen();
     changed |= handle_keys(input);
     drag_divider(input);
