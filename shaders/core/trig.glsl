@@ -24,3 +24,22 @@ float arc_tangent2(float y, float x) {
     a = y > ax ? 1.57079632679489661923 - a : a;
     return x < 0.0 ? 3.14159265358979323846 - a : a;
 }
+
+// sin(x) for |x| <= pi/2: the series, whose next term is below 6e-8.
+float sine_quarter(float x) {
+    float z = x * x;
+    float p = -1.0 / 39916800.0;
+    p = p * z + 1.0 / 362880.0;
+    p = p * z - 1.0 / 5040.0;
+    p = p * z + 1.0 / 120.0;
+    p = p * z - 1.0 / 6.0;
+    return x + x * z * p;
+}
+
+// Sine and cosine of any angle of a few turns, to 2e-7. (Drivers may be off by 5e-4.)
+vec2 sine_cosine(float angle) {
+    float turn = angle - 6.28318530717958647692 * floor(angle * 0.15915494309189533577 + 0.5);   // [-pi, pi]
+    float to_side = 1.57079632679489661923 - abs(turn);
+    float sine = sine_quarter(to_side < 0.0 ? (1.57079632679489661923 + to_side) : abs(turn));   // pi - |turn| beyond a quarter
+    return vec2(turn < 0.0 ? -sine : sine, sine_quarter(to_side));
+}

@@ -1,4 +1,7 @@
 // From linear light to the display: exposure, a tone curve, sRGB encoding.
+#ifdef EFFECT_DITHER
+#include "shared/frame.glsl"
+#endif
 
 // IEC 61966-2-1 without pow: three square roots a channel, error below 1/800; straight next to black, as the standard is.
 vec3 srgb_encode(vec3 c) {
@@ -46,7 +49,7 @@ vec3 display_encode(vec3 linear, float exposure) {
 #endif
     c = srgb_encode(clamp(c, 0.0, 1.0));
 #ifdef EFFECT_DITHER
-    c += dither_noise(gl_FragCoord.xy);
+    c += dither_noise(gl_FragCoord.xy + frame.dither.xy);
 #endif
     return c;
 }

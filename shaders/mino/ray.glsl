@@ -3,31 +3,32 @@
 #ifdef EFFECT_ABERRATION
 #include "core/aberration.glsl"
 #endif
+#include "core/view.glsl"
 #include "mino/kerr.glsl"
 #include "shared/frame.glsl"
 
 // Where a pixel looks.
 struct SpinView {
-    vec2 pixel;           // px from the picture's middle, y up
+    vec2 pixel;           // picture_place()
     vec3 direction;       // unit, along (e_r, e_theta, e_phi)
     float doppler;        // frequency in the camera over that in the observer's frame
     float pixel_angle;    // angle that one pixel spans there, rad, in the observer's frame
 };
 
-// pixel: px from the image centre, x to the right, y up.
+// pixel: picture_place().
 SpinView spin_view(vec2 pixel) {
     SpinView view;
     view.pixel = pixel;
-    float inverse_length = inversesqrt(1.0 + dot(pixel, pixel) * (frame.image.z * frame.image.z));
-    vec4 direction = (frame.ray_0 + pixel.x * frame.ray_x + pixel.y * frame.ray_y) * inverse_length;
+    PixelView seen = pixel_view(pixel);
+    vec4 direction = view_form(frame.ray_0, frame.ray_x, frame.ray_y, seen);
     view.direction = vec3(direction.x, direction.y, direction.z);
-    view.pixel_angle = frame.image.z * inverse_length * sqrt(inverse_length);
+    view.pixel_angle = seen.angle;
     view.doppler = 1.0;
 #ifdef EFFECT_ABERRATION
-    Aberration seen = aberrate(view.direction, vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w, frame.boost_colour.x);
-    view.direction = seen.direction;
-    view.doppler = seen.doppler;
-    view.pixel_angle *= seen.squeeze;
+    Aberration moved = aberrate(view.direction, vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w, frame.boost_colour.x);
+    view.direction = moved.direction;
+    view.doppler = moved.doppler;
+    view.pixel_angle *= moved.squeeze;
 #endif
     return view;
 }

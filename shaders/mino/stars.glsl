@@ -3,11 +3,11 @@
 #include "effect/star_point.glsl"
 #include "shared/frame.glsl"
 
-// place: px from the picture's middle, y up; g. make: as planar/stars.glsl, the first for an image over the sky in a pixel.
+// place: picture_place(); g. make: as planar/stars.glsl, the first for an image over the sky in a pixel.
 StarPoint star_point(vec3 place, vec2 make) {
     StarPoint point;
     point.peak = seen_black_body(make.y, place.z, -make.x) * frame.point_stars.x;
     point.pixel = vec2(place.x, place.y);
-    point.ahead = 1.0;
+    point.seen = true;
     return point;
 }

@@ -2,6 +2,7 @@
 #ifdef EFFECT_ABERRATION
 #include "core/aberration.glsl"
 #endif
+#include "core/view_place.glsl"
 #include "effect/black_body.glsl"
 #include "effect/star_point.glsl"
 #include "planar/star_image.glsl"
@@ -21,18 +22,15 @@ StarPoint star_point(vec3 place, vec2 make) {
     Aberration seen = aberrate(d, motion, 1.0 / frame.boost.w, 1.0);   // back to the camera
     d = seen.direction;
     squeeze = seen.squeeze;
-    float ahead = dot(d, frame.ray_0.xyz);
-    vec2 at = vec2(dot(d, frame.ray_x.xyz), dot(d, frame.ray_y.xyz));
+    vec3 view = vec3(vec2(dot(d, frame.ray_x.xyz), dot(d, frame.ray_y.xyz)) / frame.image.z, dot(d, frame.ray_0.xyz));
 #else
     // Along the axes through the hole: keeps its digits at a hole of a few microradians.
-    float ahead = dot(d, frame.polar_0.xyz);
-    vec2 at = vec2(dot(d, frame.polar_x.xyz), dot(d, frame.polar_y.xyz));
+    vec3 view = vec3(vec2(dot(d, frame.polar_x.xyz), dot(d, frame.polar_y.xyz)) / frame.image.z, dot(d, frame.polar_0.xyz));
 #endif
     vec3 light = seen_black_body(make.y, g, -make.x);
-    point.pixel = at / (max(ahead, 1.0e-6) * frame.image.z * frame.image.z);
-    // A pixel spans image.z^2 cos^3 of solid angle; the spread squeezed by aberration.
-    float pixels = frame.image.z * frame.image.z * ahead * ahead * ahead;
-    point.peak = light * (image.spread * squeeze * squeeze / max(pixels, 1.0e-30) * frame.point_stars.x);
-    point.ahead = ahead;
+    ViewPlace place_seen = view_place(view);
+    point.pixel = place_seen.at;
+    point.seen = place_seen.seen;
+    point.peak = light * (image.spread * squeeze * squeeze / max(place_seen.pixels, 1.0e-30) * frame.point_stars.x);
     return point;
 }

@@ -5,6 +5,7 @@
 #include "core/aberration.glsl"
 #endif
 #include "core/pixel_sides.glsl"
+#include "core/view.glsl"
 #ifdef EFFECT_LENSING
 #include "core/strip.glsl"
 #include "core/sweep.glsl"
@@ -80,19 +81,19 @@ float q_sine(float c) { return frame.shift.y * energy_at(c); }
 // n x e
 vec3 crossed_direction(Trace trace) { return sideways(vec2(trace.side.y, -trace.side.x)); }
 
-vec3 look_direction(vec2 pixel, float inverse_length) {
-    vec4 ray = (frame.ray_0 + pixel.x * frame.ray_x + pixel.y * frame.ray_y) * inverse_length;
+vec3 look_direction(PixelView view) {
+    vec4 ray = view_form(frame.ray_0, frame.ray_x, frame.ray_y, view);
     return vec3(ray.x, ray.y, ray.z);
 }
 
-// pixel: px from the image centre, x to the right, y up.
+// pixel: picture_place().
 Trace trace_pixel(vec2 pixel) {
     Trace trace;
-    float inverse_length = inversesqrt(1.0 + dot(pixel, pixel) * (frame.image.z * frame.image.z));
+    PixelView view = pixel_view(pixel);
     trace.doppler = 1.0;
-    trace.pixel_angle = frame.image.z * inverse_length * sqrt(inverse_length);
+    trace.pixel_angle = view.angle;
 #ifdef EFFECT_ABERRATION
-    Aberration seen = aberrate(look_direction(pixel, inverse_length), vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w,
+    Aberration seen = aberrate(look_direction(view), vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w,
                                frame.boost_colour.x);
     trace.doppler = seen.doppler;
     trace.pixel_angle *= seen.squeeze;
@@ -100,7 +101,7 @@ Trace trace_pixel(vec2 pixel) {
 #ifdef EFFECT_ZOOM
     // No direction is formed before what is small in it: next to the critical curve each keeps its digits, in motion too.
     float square = dot(pixel, pixel) * (frame.image.z * frame.image.z);
-    float longer = square * inverse_length / (1.0 + inverse_length);   // |v| - 1
+    float longer = square * view.inverse_length / (1.0 + view.inverse_length);   // |v| - 1
     float scale = 1.0 / (frame.polar_weight.x + pixel.x * frame.polar_weight.y + pixel.y * frame.polar_weight.z + longer * frame.polar_weight.w);
     vec4 polar = (frame.polar_0 + pixel.x * frame.polar_x + pixel.y * frame.polar_y + longer * frame.polar_length) * scale;
     trace.side = vec2(polar.x, polar.y);
@@ -116,13 +117,13 @@ Trace trace_pixel(vec2 pixel) {
     float tangent = frame.strip.y * trace.c - frame.strip.x * trace.side.x;
 #endif
 #else
-    vec4 polar = (frame.polar_0 + pixel.x * frame.polar_x + pixel.y * frame.polar_y) * inverse_length;
+    vec4 polar = view_form(frame.polar_0, frame.polar_x, frame.polar_y, view);
     trace.side = vec2(polar.x, polar.y);
     trace.c = polar.z;
 #ifdef EFFECT_LENSING
     float tangent = polar.w;
 #else
-    vec3 n = look_direction(pixel, inverse_length);
+    vec3 n = look_direction(view);
 #endif
 #endif
 #endif

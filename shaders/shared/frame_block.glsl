@@ -2,9 +2,10 @@
 // a test compares the driver's offsets with offsetof. Everything that would cancel in float is formed in double on the host.
 // Members of an effect that is off are not in the block; C++ has them all.
 struct FrameData {
-    vec4 image;        // width, height in px, pixel's angle at the image centre (rad), exposure factor
-    vec4 ray_0;        // view direction of pixel (x, y), not normalised: ray_0 + x ray_x + y ray_y, world axes, .w = 0;
-    vec4 ray_x;        //   x, y in px from the image centre, y up
+    vec4 image;        // width, height in px, angle of a pixel's height in the line of sight (rad, of a pinhole its tangent), exposure factor
+    vec4 sight;        // the line of sight, px from the lower left corner; a pixel's width over its height, and that's square root
+    vec4 ray_0;        // view direction of pixel (x, y) of a pinhole, not normalised: ray_0 + x ray_x + y ray_y, world axes, .w = 0;
+    vec4 ray_x;        //   x, y: picture_place(), core/view.glsl
     vec4 ray_y;
     vec4 polar_0;      // the same direction along `meridian`, `transverse`, `radial` and (.w) along the critical direction's
     vec4 polar_x;      //   tangent in the meridian's plane, towards the sky: each keeps its digits where it is small, at a hole of
@@ -13,6 +14,10 @@ struct FrameData {
     vec4 meridian;     //   in the plane of e and the image's centre, .w = 0
     vec4 transverse;   //   e x meridian, .w = 0
     vec4 shift;        // energy and (.z) infall of the radial frame (spacetime/radial_frame.h), .y zeta0, .w fate of rays that do not escape
+#ifdef BLOCK_PROJECTION
+    vec4 projection;   // its number (scene/scene.h); how far from the line of sight it shows anything, px of a pixel's height: a fisheye's
+                       //   radius, else the height; px between places that see the same, 0 if there are none; 0
+#endif
 #ifdef BLOCK_LENSING
     vec4 strip;        // cosine and sine of the critical direction's angle from e (a ray nearer to e escapes), 1/w0, first row of the inner rays in the strip
     vec4 orbit;        // sin(theta_c) = k sin(alpha), cos(chi0), a0, a1 of the deflection table
@@ -54,6 +59,9 @@ struct FrameData {
 #endif
 #ifdef NEEDS_SAMPLING
     vec4 sampling;     // N x N rays a pixel: number of the first that is drawn, how many are; N; fetches of the sky for each, at most
+#endif
+#ifdef BLOCK_DITHER
+    vec4 dither;       // where this part begins in the picture, px from the lower left corner, 0, 0
 #endif
 #ifdef BLOCK_BLOOM
     vec4 bloom;        // share of the light that is scattered, 0, 0, 0

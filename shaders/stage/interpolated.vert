@@ -1,4 +1,5 @@
 // A tile of the picture whose rays are interpolated, as a point.
+#include "core/view.glsl"
 #include "effect/sampling.glsl"
 #ifdef EFFECT_SKY
 #include "object/celestial_sphere.glsl"
@@ -38,7 +39,7 @@ void main() {
     tile_detail = vec4(0.0);
 #ifdef EFFECT_SKY
     // Bilinear between the corners: the neighbours have the same there.
-    vec2 pixel = tile_at.xy * sampling_rays() - 0.5 * frame.image.xy;
+    vec2 pixel = picture_place(tile_at.xy * sampling_rays());
     float a = detail_at(sky, pixel, vec2(-0.5, -0.5));
     float b = detail_at(sky, pixel, vec2(0.5, -0.5));
     float c = detail_at(sky, pixel, vec2(-0.5, 0.5));

@@ -11,11 +11,12 @@
 #ifdef EFFECT_DELAY
 #include "path/delay"
 #endif
+#include "core/view.glsl"
 #include "path/trace"
 #include "shared/frame.glsl"
 
 struct PixelData {
-    float fate;     // 0 escaped, 1 captured, 2 other side, 4 hit (scene/ray.h)
+    float fate;     // 0 escaped, 1 captured, 2 other side, 3 none, 4 hit (scene/ray.h)
     vec3 sky;       // unit direction on the celestial sphere; zero unless the ray ends on a sky; of a star, the place hit
     float g;        // frequency in the camera over frequency at infinity; 0 unless escaped
     float delay;    // T of an escaped ray; from where an opaque object is hit, the light time; 0 without EFFECT_DELAY
@@ -26,8 +27,21 @@ struct PixelData {
 };
 
 PixelData pixel_data(vec2 pixel) {
-    Trace trace = trace_pixel(pixel);
     PixelData data;
+#ifdef BLOCK_PROJECTION
+    if (frame.projection.x > 0.0 && beyond_view(pixel) > 0.0) {   // no ray
+        data.fate = 3.0;
+        data.sky = vec3(0.0, 0.0, 0.0);
+        data.g = 0.0;
+        data.delay = 0.0;
+        data.angle = 0.0;
+        data.hit = 0.0;
+        data.place = vec3(0.0, 0.0, 0.0);
+        data.steps = 0.0;
+        return data;
+    }
+#endif
+    Trace trace = trace_pixel(pixel);
     data.fate = trace.escapes ? 0.0 : frame.shift.w;
     data.angle = path_angle(trace);
     data.steps = path_steps(trace);

@@ -1,4 +1,5 @@
 // The ray data of a frame: what is known of each pixel's ray before any colour (docs/ray-data.md).
+#include "core/view.glsl"
 #include "stage/pixel_data.glsl"
 #include "shared/frame.glsl"
 
@@ -7,7 +8,7 @@ layout(location = 1) out vec4 g_delay_angle_order;
 layout(location = 2) out vec4 hit_place;         // object number, place
 
 void main() {
-    PixelData data = pixel_data(gl_FragCoord.xy - 0.5 * frame.image.xy);
+    PixelData data = pixel_data(picture_place(gl_FragCoord.xy));
     fate_sky = vec4(data.fate, data.sky);
     g_delay_angle_order = vec4(data.g, data.delay, data.angle, floor(data.angle * 0.31830988618379067154));
     hit_place = vec4(data.hit, data.place);

@@ -1,4 +1,5 @@
 // A star's light in one pixel: the display's point spread, a Gaussian.
+#include "core/view.glsl"
 #include "shared/frame.glsl"
 
 flat in vec3 star_peak;
@@ -6,6 +7,6 @@ flat in vec2 star_middle;
 out vec4 colour;
 
 void main() {
-    vec2 off = gl_FragCoord.xy - star_middle;
+    vec2 off = (picture_place(gl_FragCoord.xy) - star_middle) / vec2(frame.sight.z, 1.0);
     colour = vec4(star_peak * exp2(-dot(off, off) * frame.point_spread.x), 1.0);
 }

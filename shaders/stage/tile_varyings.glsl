@@ -1,4 +1,5 @@
 // A tile whose rays are interpolated, as its fragments have it (stage/interpolated.vert).
+#include "core/view.glsl"
 #include "effect/sampling.glsl"
 #include "shared/frame.glsl"
 #include "stage/tile_sky.glsl"
@@ -23,6 +24,6 @@ TileSky tile_sky() {
 
 // From the tile's middle, of a fragment_pixel().
 vec2 tile_place(vec2 pixel) {
-    return ((pixel + 0.5 * frame.image.xy) * sampling_share() - tile_at.xy) * (1.0 / float(TILE_SIDE));
+    return (picture_fragment(pixel) * sampling_share() - tile_at.xy) * (1.0 / float(TILE_SIDE));
 }
 bool tile_escapes() { return tile_at.z > 0.0; }

@@ -1,4 +1,5 @@
 // What the picture's tiles may show, a texel a tile: the set of bodies (core/bits.glsl), or neither body nor disc.
+#include "core/view.glsl"
 #include "generated/tiles"
 #include "shared/frame.glsl"
 #include "stage/tile_kind.glsl"
@@ -19,7 +20,7 @@ void main() {
     vec4 bodies = vec4(0.0);
     bool sky = true;
 #ifdef TILES_OF_BODIES
-    bodies = texel_of(tile_bodies(gl_FragCoord.xy * float(TILE_SIDE) - 0.5 * frame.image.xy));
+    bodies = texel_of(tile_bodies(picture_place(gl_FragCoord.xy * float(TILE_SIDE))));
     sky = max(max(bodies.x, bodies.y), max(bodies.z, bodies.w)) == 0.0;
 #endif
 #ifdef TILES_OF_DISC

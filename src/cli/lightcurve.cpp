@@ -17,6 +17,7 @@
 #include "plan/moving.h"
 #include "reference/reference.h"
 #include "scene/bodies.h"
+#include "scene/projection.h"
 #include "sky/sky.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
@@ -39,14 +40,12 @@ struct Sample {
 
 bool dimmer(const Sample& a, const Sample& b) { return a.flux[0] < b.flux[0]; }
 
-// Sum over the region of light times the solid angle of each pixel of the pinhole.
+// Sum over the region of light times the solid angle of each pixel.
 std::array<double, 4> flux_of(const Image<float>& picture, const CameraSpec& camera, const std::vector<int>& region) {
-    const double pixel = camera.pixel();
     std::array<double, 4> sum{};
     for (int y = region[1]; y < region[3]; ++y)
         for (int x = region[0]; x < region[2]; ++x) {
-            const double u = (x + 0.5 - 0.5 * camera.width) * pixel, v = (y + 0.5 - 0.5 * camera.height) * pixel;
-            const double angle = pixel * pixel / std::pow(1 + u * u + v * v, 1.5);
+            const double angle = pixel_solid_angle(camera, x + 0.5, y + 0.5);
             const float* p = picture.at(x, y);
             for (int c = 0; c < 3; ++c) sum[static_cast<std::size_t>(c) + 1] += angle * p[c];
         }

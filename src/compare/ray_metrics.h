@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compare/ray_errors.h"
-#include "scene/pixel_angle.h"
+#include "scene/projection.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
 

@@ -110,13 +110,13 @@ void draw_listed_tiles(const Program& program, const VertexArray& empty, unsigne
     });
 }
 
-void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width,
-                 int height, int margin) {
+void draw_points(const Program& program, const VertexList& vertices, int count, int copies, unsigned framebuffer,
+                 int width, int height, int margin) {
     begin_draw(program, vertices.layout, framebuffer, -margin, -margin, width + 2 * margin, height + 2 * margin);
     glEnable(GL_PROGRAM_POINT_SIZE);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
-    glDrawArrays(GL_POINTS, 0, count);
+    glDrawArraysInstanced(GL_POINTS, 0, count, copies);
     end_draw("draw points");
 }
 

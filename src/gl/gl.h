@@ -157,8 +157,9 @@ void draw_listed_tiles(const Program& program, const VertexArray& empty, unsigne
                        int side, int first, int last, const PointList& list, const Layer& layer);
 // Adds points to what is in the framebuffer: colour += colour of the point x alpha that is there; alpha stays. The viewport is
 // `margin` px wider on every side, so that a point whose middle is outside still shows its rim.
-void draw_points(const Program& program, const VertexList& vertices, int count, unsigned framebuffer, int width,
-                 int height, int margin);
+// copies: of every point, numbered by gl_InstanceID.
+void draw_points(const Program& program, const VertexList& vertices, int count, int copies, unsigned framebuffer,
+                 int width, int height, int margin);
 void set_integer(const Program& program, const char* uniform,
                  int value);  // a sampler's is its unit; silent if there is none
 void bind_texture_2d(int unit, const Texture& texture);

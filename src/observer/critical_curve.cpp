@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "observer/critical_light.h"
+#include "scene/projection.h"
 
 namespace nullscope {
 namespace {
@@ -38,9 +39,9 @@ public:
 private:
     Point point(double angle) const {
         const Vec3 d = light_.direction(angle);
-        const double forward = -d.z, px = camera_.pixel();
-        if (!(forward > kBefore)) return {angle, d, false, 0.0, 0.0};
-        return {angle, d, true, 0.5 * camera_.width + d.x / forward / px, 0.5 * camera_.height - d.y / forward / px};
+        const bool before = camera_.projection != Projection::kPinhole || -d.z > kBefore;
+        const auto seen = before ? pixel_of(camera_, d) : std::nullopt;
+        return seen ? Point{angle, d, true, (*seen)[0], (*seen)[1]} : Point{angle, d, false, 0.0, 0.0};
     }
 
     // All but its first point.
@@ -62,6 +63,8 @@ private:
 
     void add(const Point& point) {
         if (!point.before) return end();
+        if (!line_.empty() && std::fabs(point.x - line_.back()[0]) > 0.5 * turn_px(camera_) && turn_px(camera_) > 0.0)
+            end();  // round the camera
         line_.push_back({point.x, point.y});
     }
     void end() {

@@ -12,7 +12,8 @@ namespace nullscope {
 inline constexpr double CameraSpec::*kCameraNumbers[] = {
     &CameraSpec::r,           &CameraSpec::theta,     &CameraSpec::phi,         &CameraSpec::yaw,
     &CameraSpec::pitch,       &CameraSpec::roll,      &CameraSpec::plane_width, &CameraSpec::focal_distance,
-    &CameraSpec::exposure_ev, &CameraSpec::fall_from, &CameraSpec::energy};
+    &CameraSpec::exposure_ev, &CameraSpec::fall_from, &CameraSpec::energy,      &CameraSpec::shift_x,
+    &CameraSpec::shift_y};
 
 // Where among the keys' frames the path is in a frame, by its easing: u, of the way from the first key to the last, becomes 3u^2 - 2u^3.
 // And the frame in which it is there. Of a fall, and beyond the keys, the same.

@@ -19,6 +19,7 @@ bool has_scale(const Spacetime& spacetime) { return !spacetime.by_proper_length(
 double PictureScale::px(double length) const { return 2.0 * std::tan(std::asin(0.5 * length * sine)) / per_px; }
 
 std::optional<PictureScale> picture_scale(const Spacetime& spacetime, const CameraSpec& camera) {
+    if (camera.projection != Projection::kPinhole || camera.pixel_aspect != 1.0) return std::nullopt;
     if (!has_scale(spacetime) || !at_rest(camera) || !(camera.r >= kLeastScaleRadius)) return std::nullopt;
     if (std::cos(camera.yaw) * std::cos(camera.pitch) < std::cos(kMostAside)) return std::nullopt;
     return PictureScale{std::sqrt(spacetime.lapse_squared(camera.r)) / spacetime.areal_radius(camera.r),

@@ -22,7 +22,7 @@ struct PictureScale {
     double px(double length) const;
 };
 // Nothing where there is none: the camera moves, is nearer than kLeastScaleRadius, or looks aside, by more than 3
-// degrees; in wormholes.
+// degrees; in wormholes; where the projection is no pinhole's with square pixels.
 std::optional<PictureScale> picture_scale(const Spacetime& spacetime, const CameraSpec& camera);
 
 }  // namespace nullscope

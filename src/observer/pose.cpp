@@ -138,9 +138,4 @@ void set_axes(CameraSpec& camera, const Mat3& axes) {
     camera.roll = std::atan2(left.b.x - left.a.y, left.a.x + left.b.y);
 }
 
-Vec3 pixel_direction(const CameraSpec& camera, double x, double y) {
-    const double pixel = camera.pixel();  // square pixels
-    return {(x - 0.5 * camera.width) * pixel, (0.5 * camera.height - y) * pixel, -1.0};
-}
-
 }  // namespace nullscope

@@ -1,4 +1,4 @@
-// The observer: position, orthonormal tetrad, boost, and the pinhole's rays.
+// The observer: position, orthonormal tetrad, boost.
 //
 // Local static frame at (r, theta, phi): e_r, e_theta, e_phi. World axes: the flat Cartesian directions that these have
 // at that (theta, phi): by spherical symmetry a ray's plane and its sky direction are vectors in world axes.
@@ -41,9 +41,5 @@ Result<TetradPair> camera_rows_pair(const CameraSpec& camera);
 Result<TetradPair> ingoing_tetrad_pair(const Spacetime& spacetime, const CameraSpec& camera);
 // The same with components along d_phi/sin(theta): on the axis too.
 Result<TetradPair> ingoing_hat_pair(const Spacetime& spacetime, const CameraSpec& camera);
-
-// Pixel position on the projection plane: column x, row y from the top, pixel centres at +0.5. View direction in camera
-// axes (right, up, backward), not normalised: (X, Y, -1).
-Vec3 pixel_direction(const CameraSpec& camera, double x, double y);
 
 }  // namespace nullscope

@@ -8,6 +8,7 @@
 #include "observer/critical_light.h"
 #include "observer/pose.h"
 #include "observer/spin_ring.h"
+#include "scene/projection.h"
 #include "spacetime/photon_shell.h"
 #include "spacetime/spherical_metric.h"
 
@@ -82,8 +83,7 @@ Result<Found> find(const Spacetime& spacetime, const CameraSpec& camera, const L
 Result<RingView> ring_view(const Spacetime& spacetime, const CameraSpec& camera, const LightSpec& light) {
     TRY(found, find(spacetime, camera, light));
     // e of the corner at most: its logarithm.
-    const double corner =
-                     std::log(0.5 * std::hypot(camera.width, camera.height) * found->per_pixel) - camera.zoom->depth,
+    const double corner = std::log(reach_px(camera) * found->per_pixel) - camera.zoom->depth,
                  turn = 2.0 * found->orbit.gamma;
     RingView view{found->camera, std::fmax(std::floor((std::log(kSimilar) - corner) / turn), 0.0)};
     view.depth = camera.zoom->depth;

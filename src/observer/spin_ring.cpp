@@ -5,6 +5,7 @@
 #include "observer/lorentz.h"
 #include "observer/pose.h"
 #include "observer/spin_forms.h"
+#include "scene/projection.h"
 
 namespace nullscope {
 namespace {
@@ -114,7 +115,7 @@ double ring_distance_per_pixel(const AxialMetric& metric, const CameraSpec& came
 bool is_next_to_ring(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,
                      const LightSpec& light) {
     const Peaks peaks(metric, camera, observer, light);
-    const double slope = slope_of(peaks), corner = std::hypot(camera.width, camera.height);  // twice as far as it is
+    const double slope = slope_of(peaks), corner = 2.0 * reach_px(camera);
     return slope < kNarrow && std::fabs(peaks.distance(0, 0)) < slope * corner;
 }
 
@@ -125,8 +126,8 @@ bool is_hard_ring(const AxialMetric& metric, double camera_r) {
 std::optional<PeakForm> peak_form(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,
                                   const LightSpec& light) {
     const Peaks peaks(metric, camera, observer, light);
-    const double half_width = 0.5 * camera.width, half_height = 0.5 * camera.height,
-                 diagonal = std::hypot(half_width, half_height);
+    const auto [half_width, half_height] = reach(camera);
+    const double diagonal = reach_px(camera);
     if (!(diagonal * camera.pixel() < 0.5)) return std::nullopt;
     const double fitted_px = kSmallestFitted / slope_of(peaks);
     PeakForm form{fitted(peaks, std::fmax(diagonal, fitted_px))};

@@ -75,6 +75,10 @@ bool tiles_tell_full_disc(const EffectSet& effects) {
 bool interpolates(const EffectSet& effects) {
     return light_path_kind(effects) == LightPathKind::kMino && ends_are_plain(effects);
 }
+bool has_projection(const EffectSet& effects) {
+    return effects.contains(Effect::kFisheye) || effects.contains(Effect::kEquirectangular) ||
+           effects.contains(Effect::kCylindrical);
+}
 bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
 bool shades_heat(const EffectSet& effects) {
     return effects.contains(Effect::kThermalDisc) || effects.contains(Effect::kSpot) ||

@@ -64,6 +64,9 @@ enum class Effect {
     kRefine,
     kZoom,
     kSpinRing,
+    kFisheye,
+    kEquirectangular,
+    kCylindrical,
     kEnd  // no effect: how many there are
 };
 inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);
@@ -126,11 +129,12 @@ bool tiles_tell_full_disc(const EffectSet& effects);
 bool interpolates(const EffectSet& effects);
 bool has_marched(
     const EffectSet& effects);  // bodies that are found by steps: all but the sphere, and that about a rotating hole
-bool has_solids(const EffectSet& effects);     // any solid body
-bool shades_heat(const EffectSet& effects);    // black bodies in the picture's shader: the table of their light
-bool takes_samples(const EffectSet& effects);  // pixels with several rays each
-bool meets_objects(const EffectSet& effects);  // anything that needs positions along rays: ray ends, orbit table
-bool moves(const EffectSet& effects);          // a body that is elsewhere, or another, at another time
+bool has_projection(const EffectSet& effects);  // other than the pinhole
+bool has_solids(const EffectSet& effects);      // any solid body
+bool shades_heat(const EffectSet& effects);     // black bodies in the picture's shader: the table of their light
+bool takes_samples(const EffectSet& effects);   // pixels with several rays each
+bool meets_objects(const EffectSet& effects);   // anything that needs positions along rays: ray ends, orbit table
+bool moves(const EffectSet& effects);           // a body that is elsewhere, or another, at another time
 
 struct EffectReason {
     Effect effect;

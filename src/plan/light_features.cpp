@@ -8,6 +8,7 @@
 #include "plan/feature.h"
 #include "plan/moving.h"
 #include "scene/bodies.h"
+#include "scene/projection.h"
 #include "spacetime/axial_metric.h"
 #include "spacetime/registry.h"
 #include "spacetime/spherical_metric.h"
@@ -114,8 +115,7 @@ std::span<const Feature> light_features() {
              const CameraSpec& camera = f.scene.camera;
              if (camera.zoom) return fmt::format("zoom.depth = {}", camera.zoom->depth);
              return reason_if(is_next_to_ring(*f.spacetime->axial(), camera, *f.observer, f.scene.light),
-                              fmt::format("camera.fov = {:.3g}",
-                                          360.0 / M_PI * std::atan(0.5 * camera.plane_width / camera.focal_distance)));
+                              fmt::format("camera.fov = {:.3g}", 180.0 / M_PI * field_of_view(camera)));
          },
          nullptr,
          [](Scene& s) { s.spacetime.metric = "kerr"; },

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "plan/feature.h"
+#include "scene/projection.h"
 #include "spacetime/spacetime.h"
 
 namespace nullscope {
@@ -12,6 +13,17 @@ constexpr KeyRange kSamples{1.0, 16.0};
 
 const char* name_of(SkyKind kind) { return kSkyKindNames[static_cast<int>(kind)]; }
 std::string sky_words(const FrameFacts& f) { return fmt::format("sky.kind = \"{}\"", name_of(f.scene.sky.kind)); }
+
+template <Projection projection>
+Reason projection_is(const FrameFacts& f) {
+    return reason_if(f.scene.camera.projection == projection,
+                     fmt::format("camera.projection = \"{}\"", projection_name(projection)));
+}
+template <Projection projection>
+void set_projection(Scene& s) {
+    s.camera.projection = projection;
+    set_field_of_view(s.camera, usual_field_of_view(projection));
+}
 
 }  // namespace
 
@@ -150,6 +162,25 @@ std::span<const Feature> picture_features() {
                      "Whether pixels that differ much from a neighbour are drawn again with more rays: edges and thin "
                      "lines become smooth. Where picture.samples is 1.",
                      [](auto& s) { return &s.picture.refine; })}},
+        {{Effect::kFisheye, "fisheye", "EFFECT_FISHEYE", "The camera has a fisheye lens, as for a dome.",
+          "camera.projection is \"fisheye\"", "sine and cosine a pixel"},
+         projection_is<Projection::kFisheye>,
+         set_projection<Projection::kPinhole>,
+         nothing,
+         set_projection<Projection::kFisheye>},
+        {{Effect::kEquirectangular, "equirectangular", "EFFECT_EQUIRECTANGULAR",
+          "The picture has longitude and latitude, all round the camera.", "camera.projection is \"equirectangular\"",
+          "two sines and cosines a pixel"},
+         projection_is<Projection::kEquirectangular>,
+         set_projection<Projection::kPinhole>,
+         nothing,
+         set_projection<Projection::kEquirectangular>},
+        {{Effect::kCylindrical, "cylindrical", "EFFECT_CYLINDRICAL", "The picture lies on a cylinder round the camera.",
+          "camera.projection is \"cylindrical\"", "sine and cosine a pixel"},
+         projection_is<Projection::kCylindrical>,
+         set_projection<Projection::kPinhole>,
+         nothing,
+         set_projection<Projection::kCylindrical>},
     });
     return features;
 }

@@ -12,6 +12,7 @@
 #include "plan/moving.h"
 #include "plan/sides.h"
 #include "reference/reference.h"
+#include "scene/projection.h"
 #include "spacetime/registry.h"
 
 namespace nullscope::reference {
@@ -76,8 +77,9 @@ std::vector<DiscHit> FrameTracer::disc_hits(const TracedRay& ray, int max_hits) 
 }
 
 RayPixel FrameTracer::pixel(double x, double y, bool with_delay) const {
-    const RayPtr traced = ray(x, y);
     RayPixel pixel;
+    if (!shows(camera_, x, y)) return pixel;
+    const RayPtr traced = ray(x, y);
     double end = traced->end();
     pixel.fate = traced->fate();
     pixel.g = traced->g > 0 && std::isfinite(traced->g)

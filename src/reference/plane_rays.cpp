@@ -6,6 +6,7 @@
 #include "observer/observer.h"
 #include "reference/plane_metrics.h"
 #include "reference/plane_ray.h"
+#include "scene/projection.h"
 
 namespace nullscope::reference {
 namespace {
@@ -202,10 +203,15 @@ std::optional<std::array<double, 2>> PlaneRays::position(Vec3 view) const {
         return -e[0] - view.x * e[1] - view.y * e[2] - view.z * e[3];
     };
     const long double ahead = -product(3) / product(0);  // the third axis points backward
+    if (camera_.projection != Projection::kPinhole)
+        return pixel_of(camera_, {static_cast<double>(product(1) / product(0)),
+                                  static_cast<double>(product(2) / product(0)), static_cast<double>(-ahead)});
     if (!(ahead > 0)) return std::nullopt;
     const long double pixel = camera_.pixel();
-    const long double x = product(1) / product(0) / (ahead * pixel), y = product(2) / product(0) / (ahead * pixel);
-    return std::array{0.5 * camera_.width + static_cast<double>(x), 0.5 * camera_.height - static_cast<double>(y)};
+    const long double x = product(1) / product(0) / (ahead * pixel * camera_.pixel_aspect),
+                      y = product(2) / product(0) / (ahead * pixel);
+    const auto [middle_x, middle_y] = line_of_sight(camera_);
+    return std::array{middle_x + static_cast<double>(x), middle_y - static_cast<double>(y)};
 }
 
 }  // namespace nullscope::reference

@@ -12,6 +12,7 @@
 #include "reference/reference.h"
 #include "reference/seen_light.h"
 #include "reference/star_images.h"
+#include "scene/projection.h"
 
 namespace nullscope::reference {
 namespace {
@@ -135,6 +136,7 @@ Vec3 spot_colour(const Metric& matter, const Scene& scene, const SpotSpec& spot,
 }
 
 Vec3 ray_colour(const Looks& looks, double x, double y) {
+    if (!shows(looks.scene.camera, x, y)) return {};
     const Scene& scene = looks.scene;
     const RayPtr traced = looks.tracer.ray(x, y);
     const TracedRay& ray = *traced;

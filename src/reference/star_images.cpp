@@ -10,6 +10,7 @@
 #include "observer/pose.h"
 #include "reference/root.h"
 #include "reference/seen_light.h"
+#include "scene/projection.h"
 
 namespace nullscope::reference {
 namespace {
@@ -59,19 +60,23 @@ std::vector<StarImage> StarImages::of(Vec3 direction, double margin_px) const {
                      side = (odd ? -1 : 1) * std::sin(alpha) / std::max(across, 1e-300);
         const auto position = tracer_.plane_rays()->position({std::cos(alpha), side * local.y, side * local.z});
         if (!position) continue;
-        const auto [x, y] = *position;
-        if (!(x > -margin_px && x < camera_.width + margin_px && y > -margin_px && y < camera_.height + margin_px))
-            continue;
-        const auto sky = [&, x = x, y = y](double dx, double dy) {
-            return tracer_.ray(x + dx, y + dy)->end_direction();
-        };
-        const Vec3 by_x = (sky(kStep_px, 0) - sky(-kStep_px, 0)) / (2 * kStep_px),
-                   by_y = (sky(0, kStep_px) - sky(0, -kStep_px)) / (2 * kStep_px);
-        const double solid_angle = length(cross(by_x, by_y));
-        if (std::isfinite(solid_angle) && solid_angle > 0)
-            images.push_back({x, y, order, solid_angle, tracer_.ray(x, y)->g});
+        const double turn = turn_px(camera_);
+        add_image((*position)[0], (*position)[1], order, margin_px, images);
+        for (const double by : {-turn, turn})
+            if (turn > 0) add_image((*position)[0] + by, (*position)[1], order, margin_px, images);
     }
     return images;
+}
+
+// If the picture shows it, or its margin does.
+void StarImages::add_image(double x, double y, int order, double margin_px, std::vector<StarImage>& images) const {
+    if (!(x > -margin_px && x < camera_.width + margin_px && y > -margin_px && y < camera_.height + margin_px)) return;
+    const auto sky = [&](double dx, double dy) { return tracer_.ray(x + dx, y + dy)->end_direction(); };
+    const Vec3 by_x = (sky(kStep_px, 0) - sky(-kStep_px, 0)) / (2 * kStep_px),
+               by_y = (sky(0, kStep_px) - sky(0, -kStep_px)) / (2 * kStep_px);
+    const double solid_angle = length(cross(by_x, by_y));
+    if (std::isfinite(solid_angle) && solid_angle > 0)
+        images.push_back({x, y, order, solid_angle, tracer_.ray(x, y)->g});
 }
 
 Vec3 star_light(const PointStar& star, double g, const LightSpec& light) {
@@ -111,6 +116,7 @@ void add_point_stars(const FrameTracer& tracer, const Scene& scene, const std::v
                  row < std::min(picture.height, static_cast<int>(spot.y) + kReach + 1); ++row)
                 for (int column = std::max(0, static_cast<int>(spot.x) - kReach);
                      column < std::min(picture.width, static_cast<int>(spot.x) + kReach + 1); ++column) {
+                    if (!shows(scene.camera, column + 0.5, row + 0.5)) continue;
                     const double dx = column + 0.5 - spot.x, dy = row + 0.5 - spot.y;
                     const double share = std::exp(-(dx * dx + dy * dy) / (2 * kPointSigma_px * kPointSigma_px));
                     float* pixel = picture.at(column, row);

@@ -29,6 +29,7 @@ private:
     struct Sample {
         double alpha, swept;
     };
+    void add_image(double x, double y, int order, double margin_px, std::vector<StarImage>& images) const;
     double swept(double alpha) const;  // NaN for rays that do not reach the sky
 
     const FrameTracer& tracer_;

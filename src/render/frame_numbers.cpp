@@ -6,6 +6,7 @@
 #include "light/black_body.h"
 #include "observer/pose.h"
 #include "render/body_numbers.h"
+#include "scene/projection.h"
 #include "scene/ray.h"
 #include "sky/packed_sky.h"
 #include "sky/point_stars.h"
@@ -53,6 +54,10 @@ void put_view(FrameData& frame, const FramePlan& plan, const Mat3& shown, const 
     const Vec3 ahead = -axes.c, right = pixel * axes.a, up = pixel * axes.b;  // the last two: a pixel
     frame.image = {static_cast<double>(camera.width), static_cast<double>(camera.height), pixel,
                    std::exp2(camera.exposure_ev)};
+    const auto [right_px, down_px] = line_of_sight(camera);
+    frame.sight = {right_px, camera.height - down_px, camera.pixel_aspect, std::sqrt(camera.pixel_aspect)};
+    frame.projection = {static_cast<double>(camera.projection), shown_px(camera), turn_px(camera) * camera.pixel_aspect,
+                        0};
     frame.ray_0 = {shown * ahead, 0};
     frame.ray_x = {shown * right, 0};
     frame.ray_y = {shown * up, 0};
@@ -161,6 +166,9 @@ FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const Text
     put_sky(frame, plan, textures);
     put_disc(frame, scene, textures);
     frame.bloom = {scene.picture.bloom, 0, 0, 0};
+    if (const auto& part = camera.part)
+        frame.dither = {static_cast<double>(part->left), static_cast<double>(part->height - part->top - camera.height),
+                        0, 0};
     put_march(frame, plan, balls);
     put_patterns(frame, scene);
     put_moving(frame, plan);
@@ -173,6 +181,8 @@ FrameData sample_numbers(const FramePlan& plan, const LightPath& path, const Tex
     FramePlan fine = plan;
     CameraSpec& camera = fine.scene.camera;
     camera.width *= samples, camera.height *= samples;
+    if (auto& part = camera.part)
+        part->left *= samples, part->top *= samples, part->width *= samples, part->height *= samples;
     return frame_numbers(fine, path, textures, balls);
 }
 

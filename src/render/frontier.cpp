@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "observer/spin_ring.h"
 #include "plan/effects.h"
-#include "scene/pixel_angle.h"
+#include "scene/projection.h"
 #include "spacetime/registry.h"
 
 namespace nullscope {

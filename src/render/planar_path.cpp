@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/stopwatch.h"
-#include "scene/pixel_angle.h"
+#include "scene/projection.h"
 #include "spacetime/tortoise.h"
 #include "table/critical_images.h"
 #include "table/star_lens.h"
@@ -37,12 +37,10 @@ double stretch_of(const FramePlan& plan) {
 // As an observer sees it that does not move, rad.
 double smallest_pixel(const FramePlan& plan) { return smallest_pixel_angle(plan.scene.camera) / stretch_of(plan); }
 
-// From the picture's middle, with room for pixels beside the picture; likewise.
+// From the line of sight, with room for pixels beside the picture; likewise.
 double farthest_pixel(const FramePlan& plan) {
     constexpr double kRoom = 1.25;
-    const CameraSpec& camera = plan.scene.camera;
-    const double corner = std::atan(0.5 * std::hypot(camera.width, camera.height) * camera.pixel());
-    return std::min(kRoom * stretch_of(plan) * corner, M_PI);
+    return std::min(kRoom * stretch_of(plan) * reach_angle(plan.scene.camera), M_PI);
 }
 
 }  // namespace

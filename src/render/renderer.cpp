@@ -10,6 +10,7 @@
 #include "base/stopwatch.h"
 #include "image/large_image.h"
 #include "scene/bodies.h"
+#include "scene/projection.h"
 #include "shaderlib/passes.h"
 #include "sky/packed_sky.h"
 #include "table/disc_light.h"
@@ -372,7 +373,8 @@ void Renderer::draw_pass(const Pass& pass, unsigned framebuffer, int width, int 
     switch (pass.stage) {
         case Stage::kStars:
             return stars_.draw(built, picture, width, height,
-                               tables_.effects().contains(Effect::kLensing) ? kStarImages : 1);
+                               tables_.effects().contains(Effect::kLensing) ? kStarImages : 1,
+                               turn_px(tables_.plan().scene.camera) > 0.0);
         case Stage::kBloomDown: return bloom_.draw_down(built, empty_, linear_.colours.front(), kSourceUnit);
         case Stage::kBloomUp: return bloom_.draw_up(built, empty_, kSourceUnit, kHaloUnit);
         case Stage::kMeter: return bloom_.draw_meter(built, empty_, kSourceUnit, adaptation_);

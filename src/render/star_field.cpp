@@ -37,7 +37,9 @@ Status StarField::update(const Scene& scene, const FrameTables& tables, const Se
 }
 
 void StarField::find_images(const Scene& scene, const FrameTables& tables, const Search& search) {
-    const auto key = std::make_tuple(scene.spacetime, scene.camera, scene.light);
+    CameraSpec whole = scene.camera;
+    if (whole.part) whole.width = whole.part->width, whole.height = whole.part->height, whole.part.reset();
+    const auto key = std::make_tuple(scene.spacetime, whole, scene.light);
     if (view_key_ == key && (search.quick || !quick_)) return;
     const double magnitude_limit = std::log2(kFaintestPoint / point_peak()) - scene.camera.exposure_ev;
     CoreInput input = tables.core_input();  // rays to the sky, whatever is in their way
@@ -45,12 +47,13 @@ void StarField::find_images(const Scene& scene, const FrameTables& tables, const
     input.spin_delay = false;
     const auto give_up = [&] { return search.give_up && search.give_up(); };
     const std::vector<MeshImage> images =
-        mesh_->images(input, scene.camera.width, scene.camera.height, kPointMargin_px,
+        mesh_->images(input, mesh_area(scene.camera, kPointMargin_px),
                       {scene.light.shift, scene.light.beaming, magnitude_limit, search.quick}, give_up);
     if (give_up()) return;
     std::vector<float> values;
     for (const MeshImage& image : images)
-        for (const double value : {image.x, image.y, image.g, mesh_->light(image.star).light - std::log2(image.area),
+        for (const double value : {image.x, image.y, image.g,
+                                   mesh_->light(image.star).light - std::log2(image.area * scene.camera.pixel_aspect),
                                    mesh_->light(image.star).temperature})
             values.push_back(static_cast<float>(value));
     vertices_ = gl::make_vertex_list(values, {3, 2});
@@ -58,10 +61,12 @@ void StarField::find_images(const Scene& scene, const FrameTables& tables, const
     quick_ = search.quick;
 }
 
-void StarField::draw(const gl::Program& program, unsigned framebuffer, int width, int height, int images) const {
+void StarField::draw(const gl::Program& program, unsigned framebuffer, int width, int height, int images,
+                     bool round) const {
     for (int image = 0; image < images; ++image) {
         gl::set_integer(program, "image_order", image);
-        gl::draw_points(program, vertices_, vertices_.count, framebuffer, width, height, kPointMargin_px);
+        gl::draw_points(program, vertices_, vertices_.count, round && !searches() ? 2 : 1, framebuffer, width, height,
+                        kPointMargin_px);
     }
 }
 

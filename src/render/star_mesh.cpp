@@ -3,12 +3,14 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
 #include "render/star_cell.h"
+#include "scene/projection.h"
 
 namespace nullscope {
 namespace {
@@ -51,16 +53,16 @@ class MeshWalk {
     using Known = std::unordered_map<long long, Node>;  // of a row's cells that are divided
 
 public:
-    MeshWalk(const StarGrid& stars, const CoreInput& input, int width, int height, double margin,
-             const StarMesh::Seeing& seeing, const std::function<bool()>& give_up)
+    MeshWalk(const StarGrid& stars, const CoreInput& input, const MeshArea& area, const StarMesh::Seeing& seeing,
+             const std::function<bool()>& give_up)
         : stars_(stars),
           input_(input),
           seeing_(seeing),
-          across_(0.5 * width + margin),
-          up_(0.5 * height + margin),
-          pitch_(std::max(1.0, std::sqrt(4 * across_ * up_ / (seeing.quick ? kQuickCells : kMeshCells)))),
-          columns_(static_cast<int>(std::ceil(2 * across_ / pitch_))),
-          rows_(static_cast<int>(std::ceil(2 * up_ / pitch_))),
+          area_(area),
+          pitch_(std::max(1.0, std::sqrt((area.right - area.left) * (area.top - area.bottom) /
+                                         (seeing.quick ? kQuickCells : kMeshCells)))),
+          columns_(static_cast<int>(std::ceil((area.right - area.left) / pitch_))),
+          rows_(static_cast<int>(std::ceil((area.top - area.bottom) / pitch_))),
           nodes_(static_cast<std::size_t>((columns_ + 3) * (rows_ + 3))) {
         tbb::parallel_for(-1, rows_ + 2, [&](int j) {
             if (give_up()) return;
@@ -94,8 +96,8 @@ public:
     }
 
 private:
-    double x_of(int i) const { return i * pitch_ - across_; }
-    double y_of(int j) const { return j * pitch_ - up_; }
+    double x_of(int i) const { return area_.left + i * pitch_; }
+    double y_of(int j) const { return area_.bottom + j * pitch_; }
     std::size_t number(int i, int j) const {
         return static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(columns_ + 3) +
                static_cast<std::size_t>(i + 1);
@@ -110,7 +112,7 @@ private:
     // At a corner, side or middle of a divided cell: traced once a row of the mesh.
     Node cached(double x, double y, Known& known) const {
         const double unit = 0.5 * kMeshFinest * pitch_;
-        const long long key = (std::llround((y + up_) / unit) << 32) + std::llround((x + across_) / unit);
+        const long long key = (std::llround((y - area_.bottom) / unit) << 32) + std::llround((x - area_.left) / unit);
         const auto [at, is_new] = known.try_emplace(key);
         if (is_new) at->second = traced(x, y);
         return at->second;
@@ -246,7 +248,8 @@ private:
     }
 
     void add(const MeshImage& image, std::vector<MeshImage>& found) const {
-        if (std::fabs(image.x) < across_ && std::fabs(image.y) < up_ && seen(image.star, image.area, image.g))
+        if (image.x > area_.left && image.x < area_.right && image.y > area_.bottom && image.y < area_.top &&
+            seen(image.star, image.area, image.g))
             found.push_back(image);
     }
 
@@ -284,16 +287,25 @@ private:
     const StarGrid& stars_;
     const CoreInput& input_;
     const StarMesh::Seeing& seeing_;
-    double across_, up_, pitch_;
+    MeshArea area_;
+    double pitch_;
     int columns_, rows_;
     std::vector<Node> nodes_;
 };
 
-std::vector<MeshImage> StarMesh::images(const CoreInput& input, int width, int height, double margin_px,
-                                        const Seeing& seeing, const std::function<bool()>& give_up) const {
+MeshArea mesh_area(const CameraSpec& camera, double margin_px) {
+    const auto [x, y] = line_of_sight(camera);
+    const auto [left, top] = camera.part ? std::array{camera.part->left, camera.part->top} : std::array{0, 0};
+    const double right = (left + x) * camera.pixel_aspect, down = top + y;
+    return {-right - margin_px, camera.whole_width() * camera.pixel_aspect - right + margin_px,
+            down - camera.whole_height() - margin_px, down + margin_px};
+}
+
+std::vector<MeshImage> StarMesh::images(const CoreInput& input, const MeshArea& area, const Seeing& seeing,
+                                        const std::function<bool()>& give_up) const {
     std::vector<MeshImage> all;
     if (stars_.levels().empty()) return all;
-    const MeshWalk walk(stars_, input, width, height, margin_px, seeing, give_up);
+    const MeshWalk walk(stars_, input, area, seeing, give_up);
     std::vector<std::vector<MeshImage>> rows(static_cast<std::size_t>(walk.rows()));
     tbb::parallel_for(0, walk.rows(), [&](int j) {
         if (!give_up()) walk.row(j, rows[static_cast<std::size_t>(j)]);

@@ -5,16 +5,22 @@
 #include <vector>
 
 #include "render/star_grid.h"
+#include "scene/scene.h"
 #include "shadercore/core_trace.h"
 
 namespace nullscope {
 
 struct MeshImage {
-    double x, y;  // px from the picture's middle, y up
+    double x, y;  // px of a pixel's height from the line of sight, y up
     double g;     // frequency in the camera over frequency at infinity
     double area;  // of sky that a pixel's area at (x, y) covers, sr/px^2
     int star;     // number in the list
 };
+
+struct MeshArea {
+    double left, right, bottom, top;  // as MeshImage's x and y
+};
+MeshArea mesh_area(const CameraSpec& camera, double margin_px);  // the whole picture, and so much more on every side
 
 class StarMesh {
 public:
@@ -22,7 +28,7 @@ public:
 
     const StarLight& light(int star) const { return stars_.light(star); }  // number i of the list
 
-    // The images that can be seen within margin_px of the picture, by star: each within 0.01 px and 1 % of its area, next to the shadow
+    // The images that can be seen in this part of the picture, by star: each within 0.01 px and 1 % of its area, next to the shadow
     // too. Closer to the shadow's edge than kMeshFinest cells there are none. kMeshCells rays and some six times as many along the edge
     // for the whole catalogue, on all cores: half a second on two. Thread-safe; same result for the same input.
     // quick: kQuickCells rays and no more, a fifth of the time: 93 of 100 images are found; those next to the shadow are missing.
@@ -34,7 +40,7 @@ public:
     };
     // give_up: asked between rows of cells; once it is true, the list is of no use.
     std::vector<MeshImage> images(
-        const CoreInput& input, int width, int height, double margin_px, const Seeing& seeing,
+        const CoreInput& input, const MeshArea& area, const Seeing& seeing,
         const std::function<bool()>& give_up = [] { return false; }) const;
 
 private:

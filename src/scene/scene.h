@@ -30,7 +30,18 @@ struct ZoomSpec {
     friend bool operator==(const ZoomSpec&, const ZoomSpec&) = default;
 };
 
-// A pinhole camera. The unrotated camera looks at the centre (forward = -e_r), up = -e_theta (towards the north pole),
+// How directions are laid out in the picture (scene/projection.h).
+enum class Projection { kPinhole, kFisheye, kEquirectangular, kCylindrical };
+inline constexpr const char* kProjectionNames[] = {"pinhole", "fisheye", "equirectangular", "cylindrical"};
+inline const char* projection_name(Projection projection) { return kProjectionNames[static_cast<int>(projection)]; }
+
+// Of a picture that is drawn in parts: where a part begins, px from the upper left corner, and the size of the whole.
+struct PicturePart {
+    int left = 0, top = 0, width = 0, height = 0;
+    friend bool operator==(const PicturePart&, const PicturePart&) = default;
+};
+
+// A camera. The unrotated camera looks at the centre (forward = -e_r), up = -e_theta (towards the north pole),
 // right = forward x up (observer/pose.h). yaw turns to the right, then pitch turns up, then roll turns the picture's top to
 // the right.
 struct CameraSpec {
@@ -42,13 +53,26 @@ struct CameraSpec {
     double fall_from = 1e6;  // kFall: radius of rest, r_s
     double energy = 1.0;     // kThrow: per rest mass, > 0
     Vec3 velocity{0, 0, 0};  // of the camera in the observer's frame, components along (e_r, e_theta, e_phi), |v| < 1
-    double plane_width = 1.1547005383792517;  // width of the projection plane ...
-    double focal_distance = 1.0;     // ... and its distance: fov = 2 atan(plane_width / 2 focal_distance), 60 degrees
-    int width = 1280, height = 720;  // pixels, square
-    double exposure_ev = 0.0;        // display brightness is multiplied by 2^exposure
-    std::optional<ZoomSpec> zoom{};  // then yaw and pitch follow from it
-    // Tangent of what one spans in the middle, in a zoom too; 0 from a depth of some 700 on.
-    double pixel() const { return plane_width / width / focal_distance * (zoom ? std::exp(-zoom->depth) : 1.0); }
+    Projection projection = Projection::kPinhole;
+    // Pinhole: width of the projection plane and its distance, fov = 2 atan(plane_width / 2 focal_distance), 60 degrees. Others: the
+    // angle that the picture spans, rad, across its width, of a fisheye across its smaller side; and 1.
+    double plane_width = 1.1547005383792517;
+    double focal_distance = 1.0;
+    double shift_x = 0.0,
+           shift_y = 0.0;  // of the picture's middle from the line of sight, right and up, of its width and height
+    int width = 1280, height = 720;     // pixels ...
+    double pixel_aspect = 1.0;          // ... and the width of one over its height
+    double exposure_ev = 0.0;           // display brightness is multiplied by 2^exposure
+    std::optional<ZoomSpec> zoom{};     // then yaw and pitch follow from it
+    std::optional<PicturePart> part{};  // of a larger picture, whose width plane_width spans
+    int whole_width() const { return part ? part->width : width; }
+    int whole_height() const { return part ? part->height : height; }
+    // Tangent, of other projections than the pinhole angle, of the height of one in the middle, in a zoom too; 0 from a depth of some 700 on.
+    double pixel() const {
+        const double across = whole_width() * pixel_aspect,
+                     side = projection == Projection::kFisheye ? std::fmin(across, whole_height()) : across;
+        return plane_width / side / focal_distance * (zoom ? std::exp(-zoom->depth) : 1.0);
+    }
     friend bool operator==(const CameraSpec&, const CameraSpec&) = default;
 };
 

@@ -12,6 +12,7 @@
 #include "plan/moving.h"
 #include "plan/sides.h"
 #include "scene/bodies.h"
+#include "scene/projection.h"
 #include "scenefile/scene_keys.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
@@ -20,6 +21,7 @@ namespace nullscope {
 namespace {
 
 using Faults = std::vector<SceneFault>;
+constexpr double kWidestPlane = 1e13;  // at distance 1: fov a rounding below 180 degrees
 using World = std::shared_ptr<const Spacetime>;
 
 // nullptr: check_place() says what is wrong with it.
@@ -51,6 +53,28 @@ Faults check_keys(const Scene& scene, const GivenKeys& given, bool camera) {
         }
     });
     return faults;
+}
+
+bool same_picture(const CameraSpec& a, const CameraSpec& b) {
+    return a.width == b.width && a.height == b.height && a.projection == b.projection &&
+           a.pixel_aspect == b.pixel_aspect;
+}
+
+Faults check_lens(const Scene& scene) {
+    const CameraSpec& camera = scene.camera;
+    const char *fov = "camera.fov", *projection = "camera.projection";
+    if (camera.projection == Projection::kPinhole) {
+        if (camera.plane_width > 0.0 && std::isfinite(camera.plane_width) && camera.plane_width < kWidestPlane)
+            return {};
+        return {{fov, "too wide for a pinhole", "(0, 180), or another projection", fov}};
+    }
+    if (camera.plane_width < (1.0 - 1e-12) * kNarrowestWide)
+        return {{fov, fmt::format("too narrow for projection = \"{}\"", projection_name(camera.projection)),
+                 "[10, 360], or projection = \"pinhole\"", fov}};
+    if (camera.zoom) return {{projection, "a [zoom] is a pinhole's", "pinhole where there is a [zoom]", projection}};
+    if (scene.split)
+        return {{projection, "a [split] picture is a pinhole's", "pinhole where there is a [split]", projection}};
+    return {};
 }
 
 // In one of the scene's spacetimes.
@@ -85,10 +109,9 @@ Faults check_path(const Scene& scene) {
         faults.push_back({"path.key", keys ? "fewer than two keys, but kind is keys" : "keys, but kind is not keys",
                           keys ? "two [[path.key]] or more" : "with kind = \"keys\" only"});
     for (const PathKey& key : path.keys)
-        if (key.camera.observer != path.keys.front().camera.observer || key.camera.width != scene.camera.width ||
-            key.camera.height != scene.camera.height)
-            faults.push_back(
-                {"path.key", "observer and size change on the way", "one observer and one size for all keys"});
+        if (key.camera.observer != path.keys.front().camera.observer || !same_picture(key.camera, scene.camera))
+            faults.push_back({"path.key", "observer, projection or size change on the way",
+                              "one observer, projection, size and pixel_aspect for all keys"});
     return faults;
 }
 
@@ -213,6 +236,7 @@ std::vector<SceneFault> check_camera(const Scene& scene, const GivenKeys& given)
         if (given("camera.fov") && given(other))
             faults.push_back({"camera.fov", fmt::format("says the same as {}", other),
                               "either fov, or plane_width and focal_distance", other});
+    append(faults, check_lens(scene));
     append(faults, check_place(scene, "spacetime", scene.spacetime));
     const World world = world_of(scene.spacetime);
     if (const Status parts = world ? check_light_parts(*world, scene) : Done{}; !parts)

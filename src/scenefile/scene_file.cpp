@@ -190,8 +190,12 @@ void SceneReader::read_section(std::string_view section, const toml::table& tabl
         read_key(section, metric->first, metric->second, section);  // first: it decides which other keys there are
         of_metric->second = reports_.empty() ? find_metric(spec_of(section).metric) : nullptr;
     }
+    const auto projection = section == "camera" ? table.find("projection") : table.end();
+    if (projection != table.end())
+        read_key(section, projection->first, projection->second, label);  // first: it decides what fov means
     for (const auto& [name, node] : table) {
         if (section == "path" && name.str() == "key") continue;  // read_path_keys
+        if (section == "camera" && name.str() == "projection") continue;
         if (const toml::table* zoom = node.as_table(); section == "camera" && name.str() == "zoom" && zoom != nullptr) {
             read_section("zoom", *zoom, "zoom");  // a view in one line: camera = { r = 9, zoom = { depth = 3 } }
             continue;

@@ -8,20 +8,29 @@
 
 #include "observer/ring_view.h"
 #include "plan/feature.h"
+#include "scene/projection.h"
 #include "scenefile/body_keys.h"
 
 namespace nullscope {
 namespace {
 
 constexpr KeyRange kPlane = closed(1e-6, 1e6);  // so that no ratio of two overflows
+constexpr KeyRange kFov{0.0, 360.0, true, false};
+constexpr KeyRange kShift = closed(-10.0, 10.0);
 constexpr KeyRange kRadius = closed(-1e9, 1e9);
 constexpr KeyRange kTemperature = closed(1e3, 1e9);
 
 // Keys that are more than one member of the scene.
-constexpr KeyMember kFieldOfView = {nullptr, [](Scene& s, const KeyValue& v) {
-                                        s.camera.plane_width = 2.0 * std::tan(0.5 * v.number);
-                                        s.camera.focal_distance = 1.0;
-                                    }};
+constexpr KeyMember kFieldOfView = {nullptr,
+                                    [](Scene& s, const KeyValue& v) { set_field_of_view(s.camera, v.number); }};
+constexpr KeyMember kProjection = {
+    [](const Scene& s) { return KeyValue{.choice = static_cast<int>(s.camera.projection)}; },
+    [](Scene& s, const KeyValue& v) {
+        const auto projection = static_cast<Projection>(v.choice);
+        if (projection == s.camera.projection) return;
+        s.camera.projection = projection;
+        set_field_of_view(s.camera, usual_field_of_view(projection));
+    }};
 constexpr KeyMember kPictureSize = {
     [](const Scene& s) { return KeyValue{.width = s.camera.width, .height = s.camera.height}; },
     [](Scene& s, const KeyValue& v) { s.camera.width = v.width, s.camera.height = v.height; }};
@@ -43,6 +52,7 @@ template <SkyKind kind>
 bool sky_is(const Scene& s) {
     return s.sky.kind == kind;
 }
+bool is_pinhole(const Scene& s) { return s.camera.projection == Projection::kPinhole; }
 bool far_is_nebula(const Scene& s) { return s.far_sky.kind == SkyKind::kNebula; }
 bool has_caps(const Scene& s) { return s.sky.mapping == SkyMapping::kBandAndCaps; }
 template <PathKind kind>
@@ -114,14 +124,31 @@ constexpr SceneKey kKeys[] = {
     {"camera", "velocity", KeyType::kVelocity, "c", "[0, 0, 0]", kNoRange, "",
      "Velocity in the observer's frame along (e_r, e_theta, e_phi): outward, southward, towards growing phi.",
      [](auto& s) { return &s.camera.velocity; }},
-    {"camera", "fov", KeyType::kNumber, "deg", "60", open(0.0, 180.0), "",
-     "Horizontal field of view; instead of plane_width and focal_distance.", kFieldOfView},
+    {"camera", "projection", KeyType::kChoice, "", "pinhole", kNoRange, "pinhole fisheye equirectangular cylindrical",
+     "How directions are laid out: pinhole; fisheye (azimuthal equidistant, a dome master where the picture is "
+     "square); "
+     "equirectangular (longitude and latitude); cylindrical.",
+     kProjection},
+    {"camera", "fov", KeyType::kNumber, "deg", "60", kFov, "",
+     "Horizontal field of view, of a fisheye across the smaller side of the picture. Below 180 for a pinhole, from 10 "
+     "on "
+     "for others, whose defaults are 180 (fisheye) and 360.",
+     kFieldOfView},
     {"camera", "plane_width", KeyType::kNumber, "", "1.1547", kPlane, "",
-     "Width of the projection plane, in the unit of focal_distance.", [](auto& s) { return &s.camera.plane_width; }},
-    {"camera", "focal_distance", KeyType::kNumber, "", "1", kPlane, "",
-     "Distance of the projection plane from the focal point.", [](auto& s) { return &s.camera.focal_distance; }},
+     "Width of a pinhole's projection plane, in the unit of focal_distance; instead of fov.",
+     [](auto& s) { return &s.camera.plane_width; }, is_pinhole, "projection = \"pinhole\""},
+    {"camera", "focal_distance", KeyType::kNumber, "", "1", kPlane, "", "Distance of that plane from the focal point.",
+     [](auto& s) { return &s.camera.focal_distance; }, is_pinhole, "projection = \"pinhole\""},
+    {"camera", "shift_x", KeyType::kNumber, "", "0", kShift, "",
+     "How far the picture's middle lies to the right of the line of sight, in widths of the picture: an off-axis "
+     "camera.",
+     [](auto& s) { return &s.camera.shift_x; }},
+    {"camera", "shift_y", KeyType::kNumber, "", "0", kShift, "", "Likewise upward, in heights of the picture.",
+     [](auto& s) { return &s.camera.shift_y; }},
     {"camera", "size", KeyType::kSize, "px", "[1280, 720]", closed(1.0, 16384.0), "",
-     "Width and height of the picture; pixels are square.", kPictureSize},
+     "Width and height of the picture.", kPictureSize},
+    {"camera", "pixel_aspect", KeyType::kNumber, "", "1", closed(0.1, 10.0), "", "Width of a pixel over its height.",
+     [](auto& s) { return &s.camera.pixel_aspect; }},
     {"camera", "exposure", KeyType::kNumber, "EV", "0", closed(-30.0, 30.0), "",
      "The displayed brightness is multiplied by 2^exposure.", [](auto& s) { return &s.camera.exposure_ev; }},
 

@@ -54,9 +54,10 @@ std::string degrees(double radians) {
     return shortest(read(guess), guess, read).value_or(fmt::format("{}", guess));
 }
 
-// The field of view of this plane one unit away, if a number of degrees gives it.
-std::optional<std::string> field_of_view(double plane_width) {
-    return shortest(plane_width, 2.0 * std::atan(0.5 * plane_width) * 180.0 / std::numbers::pi,
+// A pinhole's: if a number of degrees gives it.
+std::optional<std::string> fov_text(const CameraSpec& camera) {
+    if (camera.projection != Projection::kPinhole) return degrees(camera.plane_width);
+    return shortest(camera.plane_width, 2.0 * std::atan(0.5 * camera.plane_width) * 180.0 / std::numbers::pi,
                     [](double d) { return 2.0 * std::tan(0.5 * (d * std::numbers::pi / 180.0)); });
 }
 
@@ -104,7 +105,7 @@ public:
     }
     Writer(const Scene& scene, fs::path base) : scene_(scene), base_(std::move(base)) {
         const auto has_fov = [](const CameraSpec& camera) {
-            return camera.focal_distance == 1.0 && field_of_view(camera.plane_width).has_value();
+            return camera.focal_distance == 1.0 && fov_text(camera).has_value();
         };
         by_fov_ =
             has_fov(scene.camera) && (!scene.path || std::ranges::all_of(scene.path->keys, has_fov, &PathKey::camera));
@@ -127,7 +128,7 @@ private:
             if (key.section != section || (key.meant != nullptr && !key.meant(holder))) continue;
             if (camera && key.key == "fov" && by_fov_ && holder.camera.focal_distance == 1.0 &&
                 (holder.camera.plane_width != before.camera.plane_width || before.camera.focal_distance != 1.0))
-                if (const auto fov = field_of_view(holder.camera.plane_width)) {
+                if (const auto fov = fov_text(holder.camera)) {
                     lines += fmt::format("fov = {}\n", *fov), by_angle = true;
                     continue;
                 }

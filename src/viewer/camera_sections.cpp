@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/projection.h"
 #include "viewer/boost_words.h"
 #include "viewer/fly_camera.h"
 #include "viewer/length_fields.h"
@@ -132,9 +133,10 @@ bool boost_section(ViewState& view) {
 
 bool lens_section(ViewState& view) {
     CameraSpec& camera = view.scene.camera;
-    double fov = fov_of(camera);
-    const bool zoomed =
-        slide_degrees("View", fov, 1.0, 170.0, "Horizontal field of view. Shift and the wheel change it too.");
+    double fov = field_of_view(camera);
+    const bool pinhole = camera.projection == Projection::kPinhole;
+    const bool zoomed = slide_degrees("View", fov, pinhole ? 1.0 : 10.0, pinhole ? 170.0 : 360.0,
+                                      "Horizontal field of view. Shift and the wheel change it too.");
     if (zoomed) set_fov(camera, fov);
     return slide("Exposure", camera.exposure_ev, -10.0, 10.0, "%+.2f EV",
                  "The picture's brightness is multiplied by 2^EV.") ||

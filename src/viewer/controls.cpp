@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "observer/pose.h"
+#include "scene/projection.h"
 #include "viewer/fly_camera.h"
 #include "viewer/ring_zoom.h"
 
@@ -32,6 +33,13 @@ double axis(const Input& input, int plus, int minus) {
 
 void store_orientation(const Mat3& world_from_camera, CameraSpec& camera) {
     set_axes(camera, transposed(world_from_static(camera.theta, camera.phi)) * world_from_camera);
+}
+
+// By a factor on the field of view, of a pinhole on its tangent.
+void zoom_lens(CameraSpec& camera, double factor) {
+    const double fov = field_of_view(camera);
+    const bool pinhole = camera.projection == Projection::kPinhole;
+    set_fov(camera, pinhole ? 2.0 * std::atan(std::tan(0.5 * fov) * factor) : factor * fov);
 }
 
 }  // namespace
@@ -101,7 +109,7 @@ bool Controls::wheel(const Input& input, ViewState& view, double dt_s, bool pane
         if (input.down(GLFW_KEY_Z)) {
             dive_ += kDiveStep * notches;
         } else if (input.shift) {
-            set_fov(camera, 2.0 * std::atan(std::tan(0.5 * fov_of(camera)) * std::exp(-kZoomStep * notches)));
+            zoom_lens(camera, std::exp(-kZoomStep * notches));
             changed = true;
         } else {
             approach_ -= kWheelStep * notches;
@@ -139,7 +147,7 @@ bool Controls::keys(const Input& input, ViewState& view, double dt_s) {
         drag_ = Drag::kNone;  // what was grabbed is not under the pointer any more
     }
     if (turns) {
-        const double look = kLook * std::min(fov_of(camera), kWidestLook) * dt_s;
+        const double look = kLook * std::min(field_of_view(camera), kWidestLook) * dt_s;
         const double right = look * input.pad.right, up = look * input.pad.up;
         const Vec3 towards{std::sin(right) * std::cos(up), std::sin(up), -std::cos(right) * std::cos(up)};
         store_orientation(dragged(fly_camera(camera).world_from_camera, towards, {0, 0, -1}), camera);

@@ -12,6 +12,7 @@
 
 #include "base/text.h"
 #include "plan/body_kind.h"
+#include "scene/projection.h"
 #include "scenefile/scene_keys.h"
 #include "viewer/panels.h"
 #include "viewer/sections.h"
@@ -37,7 +38,7 @@ std::optional<KeyValue> value_of(const SceneKey& key, const Scene& scene) {
     if (key.member.readable()) return key.member.get(scene);
     if (!is_fov(key)) return std::nullopt;
     KeyValue value;
-    value.number = fov_of(scene.camera);
+    value.number = field_of_view(scene.camera);
     return value;
 }
 

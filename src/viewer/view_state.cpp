@@ -7,6 +7,7 @@
 
 #include "observer/observer.h"
 #include "scene/bodies.h"
+#include "scene/projection.h"
 #include "scenefile/scene_edit.h"
 #include "spacetime/registry.h"
 #include "viewer/autosave.h"
@@ -117,11 +118,13 @@ void keep_outside_horizon(Scene& scene) {
         scene.camera.r = range.throat > 0.0 ? range.throat : range.nearest;
 }
 
-double fov_of(const CameraSpec& camera) { return 2.0 * std::atan2(0.5 * camera.plane_width, camera.focal_distance); }
-
 void set_fov(CameraSpec& camera, double fov) {
     constexpr double kDegree = std::numbers::pi / 180.0;
-    camera.plane_width = 2.0 * camera.focal_distance * std::tan(0.5 * std::clamp(fov, 1.0 * kDegree, 170.0 * kDegree));
+    if (camera.projection == Projection::kPinhole)
+        camera.plane_width =
+            2.0 * camera.focal_distance * std::tan(0.5 * std::clamp(fov, 1.0 * kDegree, 170.0 * kDegree));
+    else
+        camera.plane_width = std::clamp(fov, kNarrowestWide, 2.0 * std::numbers::pi);
 }
 
 }  // namespace nullscope::viewer

@@ -88,7 +88,6 @@ std::shared_ptr<const Spacetime> spacetime_of(const Scene& scene);
 // For cameras that came with another spacetime: at least the flight range's nearest radius.
 void keep_outside_horizon(Scene& scene);
 
-double fov_of(const CameraSpec& camera);       // horizontal, rad
-void set_fov(CameraSpec& camera, double fov);  // clamped to what can be steered: 1 to 170 degrees
+void set_fov(CameraSpec& camera, double fov);  // clamped to what can be steered: of a pinhole 1 to 170 degrees
 
 }  // namespace nullscope::viewer

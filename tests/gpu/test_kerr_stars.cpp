@@ -100,8 +100,7 @@ Both both_of(const Scene& scene) {
     FrameTables tables;
     REQUIRE(tables.update(scene));
     const StarMesh mesh(both.stars, false);
-    both.mesh =
-        mesh.images(tables.core_input(), scene.camera.width, scene.camera.height, kPointMargin_px, {true, true, -1e9});
+    both.mesh = mesh.images(tables.core_input(), mesh_area(scene.camera, kPointMargin_px), {true, true, -1e9});
     return both;
 }
 
@@ -310,11 +309,11 @@ TEST_CASE("kerr point stars: the whole catalogue's images, the same every time")
     const StarMesh mesh(*stars, false);
     const StarMesh::Seeing seeing{true, true, std::log2(kFaintestPoint / point_peak())};
     const auto start = std::chrono::steady_clock::now();
-    const auto images = mesh.images(input, scene.camera.width, scene.camera.height, kPointMargin_px, seeing);
+    const auto images = mesh.images(input, mesh_area(scene.camera, kPointMargin_px), seeing);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print("{} images of {} stars in {:.2f} s\n", images.size(), stars->size(), seconds);
     CHECK(images.size() > 10000);
-    const auto again = mesh.images(input, scene.camera.width, scene.camera.height, kPointMargin_px, seeing);
+    const auto again = mesh.images(input, mesh_area(scene.camera, kPointMargin_px), seeing);
     REQUIRE(again.size() == images.size());
     bool same = true;
     for (std::size_t i = 0; i < images.size(); ++i)
@@ -335,7 +334,7 @@ TEST_CASE(
     const StarMesh mesh(*stars, false);
     const auto search = [&](bool quick, const std::function<bool()>& give_up) {
         const std::clock_t start = std::clock();
-        auto images = mesh.images(input, scene.camera.width, scene.camera.height, kPointMargin_px,
+        auto images = mesh.images(input, mesh_area(scene.camera, kPointMargin_px),
                                   {true, true, std::log2(kFaintestPoint / point_peak()), quick}, give_up);
         return std::pair(std::move(images), static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     };

@@ -18,6 +18,7 @@
 #include "proof/kerr_schild.h"
 #include "proof/taylor_orbit.h"
 #include "reference/frame_tracer.h"
+#include "scene/projection.h"
 #include "spacetime/registry.h"
 #include "support/depth.h"
 #include "support/folders.h"

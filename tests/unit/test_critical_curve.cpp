@@ -8,6 +8,7 @@
 #include "observer/critical_curve.h"
 #include "observer/pose.h"
 #include "reference/frame_tracer.h"
+#include "scene/projection.h"
 #include "spacetime/registry.h"
 
 namespace {

@@ -19,6 +19,7 @@
 #include "reference/reference.h"
 #include "scene/bodies.h"
 #include "scene/named_surface.h"
+#include "scene/projection.h"
 #include "support/depth.h"
 
 namespace {

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "observer/pose.h"
+#include "scene/projection.h"
 #include "scene/ray.h"
 #include "spacetime/registry.h"
 #include "support/observer.h"

@@ -7,6 +7,7 @@
 
 #include "observer/pose.h"
 #include "reference/reference.h"
+#include "scene/projection.h"
 #include "support/observer.h"
 
 namespace {

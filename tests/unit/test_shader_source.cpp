@@ -85,6 +85,9 @@ const std::vector<Mark> kMarks = {
     {Effect::kAberration, {"aberrate", "Aberration", "vec4 boost;", "vec4 boost_colour;"}},
     {Effect::kZoom, {"ring_part", "vec4 polar_length;", "vec4 polar_weight;", "vec4 ring;"}},
     {Effect::kSpinRing, {"ring_settling", "RingBarrier", "vec4 ring_peak;"}},
+    {Effect::kFisheye, {"fisheye_view"}},
+    {Effect::kEquirectangular, {"equirectangular_view"}},
+    {Effect::kCylindrical, {"cylindrical_view"}},
     {Effect::kDisc, {"disc_cross", "DiscCrossing", "plane_meet", "disc_normal", "disc_map", "disc_surface"}},
     {Effect::kDiscImage, {"disc_texture", "disc_filtered"}},
     {Effect::kDiscPattern, {"disc_material_pattern", "vec4 disc_material_map;"}},
@@ -242,13 +245,13 @@ TEST_CASE("shader source: of a wormhole with bodies, on either side") {
 }
 
 TEST_CASE("shader source: the block's members are those of the effects that are on") {
-    CHECK(block_members({}).size() == 11);
-    CHECK(block_members({Effect::kSky}).size() == 12);
+    CHECK(block_members({}).size() == 12);
+    CHECK(block_members({Effect::kSky}).size() == 13);
     EffectSet all;
     for (const EffectRow* row : effect_rows()) all.insert(row->effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 58);
+    CHECK(members.size() == 61);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "observer/pose.h"
+#include "scene/projection.h"
 #include "spacetime/registry.h"
 #include "viewer/fly_camera.h"
 

@@ -1,0 +1,159 @@
+#include "scene/projection.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nullscope {
+namespace {
+
+// sin(angle)/angle
+double sinc(double angle) { return angle == 0.0 ? 1.0 : std::sin(angle) / angle; }
+
+struct Place {
+    double u, v;
+};
+
+Place place_of(const CameraSpec& camera, double x, double y) {
+    const auto [middle_x, middle_y] = line_of_sight(camera);
+    const double pixel = camera.pixel();
+    return {(x - middle_x) * camera.pixel_aspect * pixel, (middle_y - y) * pixel};
+}
+
+double part_angle(Projection projection, double pixel, Place at) {
+    switch (projection) {
+        case Projection::kFisheye:
+        case Projection::kEquirectangular: return pixel;
+        case Projection::kCylindrical: at.u = 0.0; break;
+        case Projection::kPinhole: break;
+    }
+    const double inverse = 1 / std::sqrt(1 + at.u * at.u + at.v * at.v);
+    return pixel * inverse * std::sqrt(inverse);
+}
+
+}  // namespace
+
+std::array<double, 2> line_of_sight(const CameraSpec& camera) {
+    return {(0.5 - camera.shift_x) * camera.whole_width() - (camera.part ? camera.part->left : 0),
+            (0.5 + camera.shift_y) * camera.whole_height() - (camera.part ? camera.part->top : 0)};
+}
+
+Vec3 pixel_direction(const CameraSpec& camera, double x, double y) {
+    const auto [u, v] = place_of(camera, x, y);
+    switch (camera.projection) {
+        case Projection::kFisheye: {
+            const double angle = std::hypot(u, v), scale = sinc(angle);
+            return {scale * u, scale * v, -std::cos(angle)};
+        }
+        case Projection::kEquirectangular: return {std::cos(v) * std::sin(u), std::sin(v), -std::cos(v) * std::cos(u)};
+        case Projection::kCylindrical: return {std::sin(u), v, -std::cos(u)};
+        case Projection::kPinhole: break;
+    }
+    return {u, v, -1.0};
+}
+
+std::optional<std::array<double, 2>> pixel_of(const CameraSpec& camera, Vec3 direction) {
+    const double right = direction.x, up = direction.y, ahead = -direction.z, level = std::hypot(right, ahead);
+    Place at{};
+    switch (camera.projection) {
+        case Projection::kPinhole:
+            if (!(ahead > 0.0)) return std::nullopt;
+            at = {right / ahead, up / ahead};
+            break;
+        case Projection::kFisheye: {
+            const double aside = std::hypot(right, up), angle = std::atan2(aside, ahead);
+            at = aside > 0.0 ? Place{angle * right / aside, angle * up / aside} : Place{angle, 0.0};
+            break;
+        }
+        case Projection::kEquirectangular: at = {std::atan2(right, ahead), std::atan2(up, level)}; break;
+        case Projection::kCylindrical:
+            if (!(level > 0.0)) return std::nullopt;
+            at = {std::atan2(right, ahead), up / level};
+            break;
+    }
+    const auto [middle_x, middle_y] = line_of_sight(camera);
+    const double pixel = camera.pixel();
+    return std::array{middle_x + at.u / (camera.pixel_aspect * pixel), middle_y - at.v / pixel};
+}
+
+bool shows(const CameraSpec& camera, double x, double y) {
+    const auto [middle_x, middle_y] = line_of_sight(camera);
+    const double right = (x - middle_x) * camera.pixel_aspect, up = middle_y - y;
+    return (camera.projection == Projection::kFisheye ? std::hypot(right, up) : std::fabs(up)) <= shown_px(camera);
+}
+
+double shown_px(const CameraSpec& camera) {
+    if (camera.projection == Projection::kFisheye) return 0.5 * camera.plane_width / camera.pixel();
+    return camera.projection == Projection::kEquirectangular ? 0.5 * M_PI / camera.pixel() : 1e9;
+}
+
+double pixel_solid_angle(const CameraSpec& camera, double x, double y) {
+    const double pixel = camera.pixel(), square = pixel * pixel * camera.pixel_aspect;
+    const auto [u, v] = place_of(camera, x, y);
+    switch (camera.projection) {
+        case Projection::kFisheye: return square * std::fabs(sinc(std::hypot(u, v)));
+        case Projection::kEquirectangular: return square * std::fabs(std::cos(v));
+        case Projection::kCylindrical: return square * std::pow(1 + v * v, -1.5);
+        case Projection::kPinhole: break;
+    }
+    return square * std::pow(1 + u * u + v * v, -1.5);
+}
+
+double pixel_angle(const CameraSpec& camera, double x, double y) {
+    return part_angle(camera.projection, camera.pixel(), place_of(camera, x, y)) * std::sqrt(camera.pixel_aspect);
+}
+
+double smallest_pixel_angle(const CameraSpec& camera) {
+    const auto [right, up] = reach(camera);
+    const double pixel = camera.pixel();
+    return part_angle(camera.projection, pixel, {right * pixel, up * pixel}) * std::sqrt(camera.pixel_aspect);
+}
+
+double turn_px(const CameraSpec& camera) {
+    const bool round =
+        camera.projection == Projection::kEquirectangular || camera.projection == Projection::kCylindrical;
+    return round ? 2.0 * M_PI / (camera.pixel_aspect * camera.pixel()) : 0.0;
+}
+
+std::array<double, 2> reach(const CameraSpec& camera) {
+    const double right = (0.5 + std::fabs(camera.shift_x)) * camera.whole_width() * camera.pixel_aspect;
+    return {right, (0.5 + std::fabs(camera.shift_y)) * camera.whole_height()};
+}
+
+double reach_px(const CameraSpec& camera) {
+    const auto [right, up] = reach(camera);
+    return std::hypot(right, up);
+}
+
+double reach_angle(const CameraSpec& camera) {
+    const auto [right, up] = reach(camera);
+    const double pixel = camera.pixel();
+    switch (camera.projection) {
+        case Projection::kPinhole: return std::atan(std::hypot(right, up) * pixel);
+        case Projection::kCylindrical: return std::min(std::hypot(right * pixel, std::atan(up * pixel)), M_PI);
+        case Projection::kFisheye:
+        case Projection::kEquirectangular: break;
+    }
+    return std::min(std::hypot(right, up) * pixel, M_PI);
+}
+
+double field_of_view(const CameraSpec& camera) {
+    return camera.projection == Projection::kPinhole ? 2.0 * std::atan2(0.5 * camera.plane_width, camera.focal_distance)
+                                                     : camera.plane_width;
+}
+
+void set_field_of_view(CameraSpec& camera, double angle) {
+    camera.plane_width = camera.projection == Projection::kPinhole ? 2.0 * std::tan(0.5 * angle) : angle;
+    camera.focal_distance = 1.0;
+}
+
+double usual_field_of_view(Projection projection) {
+    switch (projection) {
+        case Projection::kPinhole: break;
+        case Projection::kFisheye: return M_PI;
+        case Projection::kEquirectangular:
+        case Projection::kCylindrical: return 2.0 * M_PI;
+    }
+    return M_PI / 3.0;
+}
+
+}  // namespace nullscope
