@@ -16,6 +16,7 @@
 #include "image/image_file.h"
 #include "observer/path.h"
 #include "render/frontier.h"
+#include "render/picture_bands.h"
 #include "scene/split.h"
 #include "scenefile/scene_file.h"
 #include "scenefile/scene_keys.h"
@@ -65,6 +66,9 @@ Status check_options(const CaptureOptions& options) {
         return bad_input(fmt::format("-o {}: unknown kind of file", options.output),
                          "names that end in .png, .jpg, .exr or .mp4");
     if (options.quality && !options.to_jpeg()) return bad_input("--quality is of a JPEG; give -o FILE.jpg");
+    if (options.half && (!options.to_exr() || options.raydata || !options.split.empty() || options.renderer != "gl"))
+        return bad_input("--half is of an .exr of colours that the shader draws",
+                         "-o FILE.exr, without --raydata, --split and --renderer reference");
     if (options.raydata && !options.to_exr()) return bad_input("--raydata goes into an .exr; give -o FILE.exr");
     if (options.renderer == "reference")
         for (const auto& [option, given] : {std::pair{"--method", options.method != "auto"},
@@ -116,6 +120,9 @@ void annotate(const Scene& scene, const std::optional<Halves>& split, Image<unsi
 // One picture, or two side by side, into a file. Returns what it was made by.
 Result<std::string> draw(const Job& job, Session* session, const Scene& scene, const CaptureOptions& options,
                          const std::string& file) {
+    if (session != nullptr && options.to_exr() && !options.raydata && !job.split && !scene.split &&
+        (options.half || is_drawn_in_bands(scene)))
+        return capture_large_exr(*session, scene, options, file);
     const std::optional<Halves> split = job.split ? halves(scene, *job.split) : halves(scene);
     TRY(captured, capture_picture(session, split ? split->left : scene, options));
     if (split) {
@@ -136,6 +143,7 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
     }
     if (options.raydata && (!options.split.empty() || job.scene.split))
         return bad_input("--raydata is of one spacetime; leave out --split, or [split] of the scene");
+    if (options.half && job.scene.split) return bad_input("--half is of one picture; leave out [split] of the scene");
     if (!options.split.empty()) {
         TRY(other, load_scene(options.split));
         job.split = std::move(*other);
@@ -273,6 +281,9 @@ void add_capture(Command& parent) {
                   fmt::format("Quality of a .jpg: less makes smaller files (default {})", kJpegQuality));
     command.add_flag("--plain", &options.plain,
                      "No dividing line, labels or scale bar over a .png, .jpg or .mp4 (an .exr has none)");
+    command.add_flag(
+        "--half", &options.half,
+        "Write an EXR's colours as half floats: half the size, three digits; without --raydata and --split");
     command.add_flag("--raydata", &options.raydata,
                      "Also write where each pixel's ray ends, as channels of the EXR (docs/ray-data.md)");
     command.add_flag("--dump-shader", &options.dump_shader, "Print the shaders of this scene's passes and stop");

@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
 #include "base/assets.h"
 #include "base/progress.h"
 #include "command/reference_inputs.h"
@@ -9,22 +14,54 @@
 #include "image/image_file.h"
 #include "reference/reference.h"
 #include "render/display.h"
+#include "render/picture_bands.h"
 
 namespace nullscope::cli {
 namespace {
 
-Result<Captured> capture_gl(Session& session, const Scene& scene, const CaptureOptions& options) {
+void begin(Session& session, const CaptureOptions& options) {
     session.renderer->want_delays(options.raydata);
     if (options.largest_texture) session.renderer->limit_pictures(*options.largest_texture);
-    TRY(ready, session.renderer->prepare(scene));
+}
+
+std::string made_by(const Session& session) {
+    return session.context->kind() + ", " + session.renderer->info().renderer;
+}
+
+void print_notes(Session& session) {
     for (const std::string& note : session.renderer->take_notes()) fmt::print(stderr, "{}\n", note);
+}
+
+// 8 bits a colour: a picture of 16384x16384 px is held.
+Result<Image<unsigned char>> large_picture8(Session& session, const Scene& scene) {
+    const CameraSpec& camera = scene.camera;
+    Image<unsigned char> picture(camera.width, camera.height, 3);
+    Progress progress("large picture", camera.height);
+    for (const PictureBand& band : picture_bands(camera)) {
+        TRY(rows, draw_band8(*session.renderer, scene, band));
+        print_notes(session);
+        std::ranges::copy(rows->data, picture.at(0, band.top));
+        progress.advance(band.rows);
+    }
+    return picture;
+}
+
+Result<Captured> capture_gl(Session& session, const Scene& scene, const CaptureOptions& options) {
+    begin(session, options);
     Captured captured;
+    captured.made_by = made_by(session);
+    if (is_drawn_in_bands(scene) && !options.to_exr()) {
+        TRY(picture, large_picture8(session, scene));
+        captured.display = std::move(*picture);
+        return captured;
+    }
+    TRY(ready, session.renderer->prepare(scene));
+    print_notes(session);
     if (options.to_exr())
         captured.linear = session.renderer->picture();
     else
         captured.display = session.renderer->picture8();
     if (options.raydata) captured.rays = session.renderer->ray_data();
-    captured.made_by = session.context->kind() + ", " + session.renderer->info().renderer;
     return captured;
 }
 
@@ -50,10 +87,31 @@ Result<Captured> capture_reference(const Scene& scene, const CaptureOptions& opt
     return captured;
 }
 
+std::map<std::string, std::string> exr_attributes(const Scene& scene, const std::string& made_by) {
+    return {{"nullscope.scene", scene.name}, {"nullscope.renderer", made_by}, {"nullscope.version", NULLSCOPE_VERSION}};
+}
+
 }  // namespace
 
 Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options) {
     return session != nullptr ? capture_gl(*session, scene, options) : capture_reference(scene, options);
+}
+
+Result<std::string> capture_large_exr(Session& session, const Scene& scene, const CaptureOptions& options,
+                                      const std::string& file_name) {
+    begin(session, options);
+    const std::vector<PictureBand> bands = picture_bands(scene.camera);
+    Progress progress("large picture", scene.camera.height);
+    const BandedImage image{scene.camera.width, scene.camera.height, options.half,
+                            exr_attributes(scene, made_by(session))};
+    TRY(saved, save_exr_bands(file_name, image, [&](int y) -> Result<Image<float>> {
+            const PictureBand band = *std::ranges::find(bands, y, &PictureBand::top);
+            TRY(rows, draw_band(*session.renderer, scene, band));
+            print_notes(session);
+            progress.advance(band.rows);
+            return std::move(*rows);
+        }));
+    return made_by(session);
 }
 
 Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured, int jpeg_quality) {
@@ -70,9 +128,7 @@ Status write_picture(const std::string& file_name, const Scene& scene, const Cap
             channel.push_back(captured.linear.data[i]);
     }
     if (captured.rays) add_ray_channels(*captured.rays, file);
-    file.attributes = {{"nullscope.scene", scene.name},
-                       {"nullscope.renderer", captured.made_by},
-                       {"nullscope.version", NULLSCOPE_VERSION}};
+    file.attributes = exr_attributes(scene, captured.made_by);
     return save_exr(file_name, file);
 }
 

@@ -22,6 +22,10 @@ struct Captured {
 // session: what the shader draws on; null: the reference draws.
 Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options);
 
+// The same of pictures that are too large to be held whole, which go straight into an .exr. Returns what it was made by.
+Result<std::string> capture_large_exr(Session& session, const Scene& scene, const CaptureOptions& options,
+                                      const std::string& file_name);
+
 // In the format that the name says: .exr, .jpg (.jpeg) or .png.
 // jpeg_quality: image/image_file.h.
 Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured, int jpeg_quality);

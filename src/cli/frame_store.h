@@ -36,7 +36,7 @@ struct CaptureOptions {
     double time_step = 0;
     std::optional<double> max_error;
     std::optional<int> largest_texture, quality;  // quality: of a JPEG
-    bool raydata = false, dump_shader = false, resume = false, plain = false;
+    bool raydata = false, half = false, dump_shader = false, resume = false, plain = false;
 
     bool to_exr() const { return output.ends_with(".exr"); }  // linear light
     bool to_jpeg() const { return output.ends_with(".jpg") || output.ends_with(".jpeg"); }

@@ -12,10 +12,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdint>
 #include <exception>
+#include <fstream>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "base/atomic_file.h"
@@ -277,6 +280,79 @@ Status save_exr(const std::filesystem::path& path, const ChannelImage& image) {
         return invalid(exception.what());
     }
     return write_text_atomically(path, bytes);
+}
+
+namespace {
+
+// Errors are kept by the stream, for OpenEXR's destructors swallow them.
+class FileStream final : public Imf::OStream {
+public:
+    FileStream(std::ostream& to, const std::string& name) : OStream(name.c_str()), to_(to) {}
+    void write(const char* from, int count) override { to_.write(from, count); }
+    uint64_t tellp() override { return static_cast<uint64_t>(to_.tellp()); }
+    void seekp(uint64_t at) override { to_.seekp(static_cast<std::streamoff>(at)); }
+
+private:
+    std::ostream& to_;
+};
+
+// Throws what OpenEXR throws.
+Status write_bands(std::ostream& to, const BandedImage& image,
+                   const std::function<Result<Image<float>>(int y)>& rows_from) {
+    Imf::Header header(image.width, image.height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const char* name : {"R", "G", "B"})
+        header.channels().insert(name, Imf::Channel(image.half ? Imf::HALF : Imf::FLOAT));
+    for (const auto& [name, text] : image.attributes) header.insert(name, Imf::StringAttribute(text));
+    FileStream stream(to, "");
+    Imf::OutputFile file(stream, header);
+    for (int y = 0; y < image.height;) {
+        TRY(rows, rows_from(y));
+        if (rows->width != image.width || rows->channels != 3 || rows->height < 1 || rows->height > image.height - y)
+            return failed(fmt::format("a band of {}x{} from row {}", rows->width, rows->height, y));
+        std::vector<half> halves;
+        if (image.half) halves.assign(rows->data.begin(), rows->data.end());
+        const std::size_t size = image.half ? sizeof(half) : sizeof(float),
+                          row = 3 * size * static_cast<std::size_t>(image.width);
+        char* base = image.half ? reinterpret_cast<char*>(halves.data()) : reinterpret_cast<char*>(rows->data.data());
+        Imf::FrameBuffer buffer;
+        const Imath::Box2i window({0, y}, {image.width - 1, y + rows->height - 1});
+        for (const char* name : {"R", "G", "B"}) {
+            buffer.insert(name, Imf::Slice::Make(image.half ? Imf::HALF : Imf::FLOAT, base, window, 3 * size, row));
+            base += size;
+        }
+        file.setFrameBuffer(buffer);
+        file.writePixels(rows->height);
+        if (!to) break;
+        y += rows->height;
+    }
+    return Done{};
+}
+
+}  // namespace
+
+Status save_exr_bands(const std::filesystem::path& path, const BandedImage& image,
+                      const std::function<Result<Image<float>>(int y)>& rows_from) {
+    return write_atomically(path, [&](const std::filesystem::path& temporary) -> Status {
+        const auto invalid = [&](const std::string& reason) {
+            return failed(fmt::format("cannot write '{}': {}", path.string(), reason));
+        };
+        errno = 0;
+        std::ofstream to(temporary, std::ios::binary);
+        const auto reason = [] {
+            return errno != 0 ? std::error_code(errno, std::generic_category()).message() : "write error";
+        };
+        if (!to) return invalid(reason());
+        try {
+            const Status written = write_bands(to, image, rows_from);
+            if (!to) return invalid(reason());
+            if (!written) return written;
+        } catch (const std::exception& exception) {
+            return invalid(exception.what());
+        }
+        to.close();
+        return to ? Status(Done{}) : invalid(reason());
+    });
 }
 
 }  // namespace nullscope

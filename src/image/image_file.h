@@ -4,6 +4,7 @@
 // Every writer writes to a temporary name beside the target and renames: a file appears only when it is complete.
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -40,6 +41,16 @@ struct ChannelImage {
     std::map<std::string, std::string> attributes;
 };
 Status save_exr(const std::filesystem::path& path, const ChannelImage& image);
+
+// The same of colours R, G and B that come in bands of rows, from the top: no more than a band of them is held. half: as half floats.
+struct BandedImage {
+    int width = 0, height = 0;
+    bool half = false;
+    std::map<std::string, std::string> attributes;
+};
+// rows_from(y): the rows from y on, at least one, 3 channels; errors of it are returned.
+Status save_exr_bands(const std::filesystem::path& path, const BandedImage& image,
+                      const std::function<Result<Image<float>>(int y)>& rows_from);
 // Errors: as load_image.
 Result<ChannelImage> load_exr(const std::filesystem::path& path, long long max_pixels = 500'000'000);
 // The same for a file in memory; name: what errors call it.
