@@ -132,13 +132,18 @@ void TimelinePanel::draw_film(const ViewState& view, FilmExport& film, bool esca
         for (std::size_t i = 0; i < kSizes.size(); ++i)
             if (choice_item(kSizes[i].words, static_cast<int>(i) == size_)) size_ = static_cast<int>(i);
     });
-    ImGui::Checkbox("Frames (.png), not a film (.mp4)", &frames_);
+    const bool films = is_in_path("ffmpeg");
+    bool frames = frames_ || !films;
+    ImGui::BeginDisabled(!films);
+    if (ImGui::Checkbox("Frames (.png), not a film (.mp4)", &frames)) frames_ = frames;
+    ImGui::EndDisabled();
+    if (!films) paragraph("A film needs ffmpeg, which is not installed.");
     paragraph(fmt::format("{} frames, into {}", view.scene.path ? view.scene.path->frames : 0,
                           std::filesystem::absolute(name_).parent_path().string()));
     if (ImGui::Button("Draw") && !name_.empty()) {
         const FilmSize& size = kSizes[static_cast<std::size_t>(size_)];
         film_wish =
-            FilmWish{name_ + (frames_ ? "-%05d.png" : ".mp4"), size.width > 0 ? size.width : view.scene.camera.width,
+            FilmWish{name_ + (frames ? "-%05d.png" : ".mp4"), size.width > 0 ? size.width : view.scene.camera.width,
                      size.height > 0 ? size.height : view.scene.camera.height};
         ImGui::CloseCurrentPopup();
     }

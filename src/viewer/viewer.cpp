@@ -419,6 +419,7 @@ void Viewer::measure_rate() {
 void Viewer::say(const std::string& message) {
     message_ = message;
     message_until_ = seconds() + kMessageTime;
+    frames_due_ = std::max(frames_due_, kSettlingFrames);  // a window that appears is drawn a frame later
 }
 
 }  // namespace nullscope::viewer

@@ -2,6 +2,7 @@
 import math
 import os
 import random
+import shutil
 import subprocess
 import time
 import tomllib
@@ -292,7 +293,7 @@ def test_a_killed_viewer_leaves_its_scene(screen, program, folder):
 
 
 def test_a_flight_is_recorded_played_saved_and_filmed(screen, program, folder):
-    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}") as v:
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
         home = v.settle()
         v.hands("key", "F9", "keydown", "d")
         wait_until("it flies", lambda: v.picture().changed(home, CHANGED), HUNG_S)
@@ -307,8 +308,10 @@ def test_a_flight_is_recorded_played_saved_and_filmed(screen, program, folder):
         path = tomllib.loads(saved.read_text())["path"]
         assert len(path["key"]) >= 4, "the saved path has no keys"
         frames = path.get("frames", int(path["key"][-1]["frame"]) + 1)
-        for place in FILM:
-            v.click(*place)
+        v.click(*v.layout().place("Film...", "##timeline"))
+        if not v.layout().place("A film needs ffmpeg", ""):
+            v.click(*v.layout().place("Frames (.png)", ""))
+        v.click(*v.layout().place("Draw", ""))
         pictures = lambda: list(Path(v.folder).glob("*.png"))
         wait_until("a file of this viewer's own has the film's scene", (v.settings.parent / f"film-{v.process.pid}.toml").exists, HUNG_S)
         wait_until("the film's frames are drawn", lambda: len(pictures()) == frames, HUNG_S)
@@ -1027,6 +1030,23 @@ def test_f12_saves_both_sides_of_a_comparison_without_line_and_labels(screen, pr
         assert both.crop(0, 0, WIDTH // 2 - 4, HEIGHT).changed(alone.crop(0, 0, WIDTH // 2 - 4, HEIGHT), CHANGED), "side A is not saved"
 
 
+def test_a_film_without_ffmpeg_is_frames_and_a_failure_is_told_at_once(screen, program, folder):
+    (folder / "xdotool").symlink_to(shutil.which("xdotool"))     # and nothing else
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", environment={"PATH": str(folder)}) as v:
+        v.settle("key", "ctrl+t")
+        v.click(*v.layout().place("Set key", "##timeline"))
+        v.click(*v.layout().place("Film...", "##timeline"))
+        assert v.layout().place("A film needs ffmpeg", ""), v.layout().words()
+        v.settle("mousemove", *v.layout().place(v.scene.stem, "##Popup"), "mousedown", 1)
+        v.settle("mouseup", 1)
+        v.settle("key", "ctrl+a")
+        v.hands("type", "--delay", 60, "nowhere/film")
+        v.settle()
+        v.settle("mousemove", *v.layout().place("Draw", ""), "mousedown", 1)
+        v.hands("mouseup", 1)     # nothing else happens to the window
+        wait_until("the message", lambda: v.layout().place("No film", ""), HUNG_S)
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -1057,4 +1077,5 @@ if EVERYTHING:
               test_a_hidden_body_is_left_out_of_films,
               test_f12_saves_both_sides_of_a_comparison_without_line_and_labels,
               test_a_camera_that_side_b_cannot_have_is_refused, test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
+              test_a_film_without_ffmpeg_is_frames_and_a_failure_is_told_at_once,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]

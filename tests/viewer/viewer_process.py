@@ -55,7 +55,6 @@ RESTORE = (520, 239)
 FIRST_TOUR, TOUR, TOUR_NEXT, TOUR_BACK = (260, 190), (300, 470, 830, 570), (400, 555), (333, 555)
 TOUR_CLOSE = (800, 555)
 TOURED, GALLERY_TOUR = (320, 60, 820, 400), (160, 65)     # no panel and no message lies in the first
-FILM = [(598, 548), (597, 440), (610, 498)]     # the button, the box for frames, and what draws them
 FIRST_CARD, HINTS = (120, 150), (320, 440, 640, 515)
 MENUS = {name: (x, 10) for name, x in [("File", 24), ("Edit", 62), ("View", 104), ("Add", 146), ("Path", 188), ("Help", 231)]}
 RIGHT = (560, 200, 820, 490)       # the ball is there, the tooltip of a row is not
