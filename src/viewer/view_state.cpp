@@ -5,10 +5,12 @@
 #include <numbers>
 #include <utility>
 
+#include "base/text.h"
 #include "observer/observer.h"
 #include "scene/bodies.h"
 #include "scene/projection.h"
 #include "scenefile/scene_edit.h"
+#include "scenefile/scene_writer.h"
 #include "spacetime/registry.h"
 #include "viewer/autosave.h"
 #include "viewer/fly_camera.h"
@@ -58,6 +60,8 @@ void keep_hole_black(Scene& scene) {
     add_body(scene, SphereSpec{.radius = radius}).material.colour = {0, 0, 0};
 }
 
+const std::string kOfScene = " # of the scene ";  // behind a view that is copied
+
 }  // namespace
 
 Scene drawn_scene(const ViewState& view) {
@@ -72,6 +76,19 @@ Scene drawn_scene(const ViewState& view) {
         if (auto less = without_effect(scene, effect)) scene = std::move(*less);
     keep_hole_black(scene);
     return scene;
+}
+
+std::string copied_view(const Scene& scene) {
+    return view_line(scene.camera) + (scene.name.empty() ? "" : kOfScene + without_controls(scene.name));
+}
+
+bool is_view(const std::string& text) { return text.starts_with("camera = {"); }
+
+std::string scene_of_view(const std::string& line) {
+    const std::size_t at = line.find(kOfScene);
+    if (at == std::string::npos) return "";
+    const std::size_t name = at + kOfScene.size();
+    return line.substr(name, line.find_first_of("\r\n", name) - name);
 }
 
 Status paste_view(ViewState& view, const std::string& line) {

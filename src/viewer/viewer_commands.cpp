@@ -28,6 +28,11 @@ bool works_while_typing(Command command) {
            command == Command::kSave || command == Command::kSavePicture || command == Command::kGallery;
 }
 
+std::string clipboard() {
+    const char* text = ImGui::GetClipboardText();
+    return text != nullptr ? text : "";
+}
+
 }  // namespace
 
 bool Viewer::handle_keys(const Input& input) {
@@ -43,7 +48,8 @@ bool Viewer::handle_keys(const Input& input) {
             continue;
         }
         const auto command = command_of(press);
-        if (io.WantCaptureKeyboard && (!command || !works_while_typing(*command))) continue;
+        const bool pastes = command == Command::kPasteView && gallery_.is_open() && is_view(clipboard());
+        if (io.WantCaptureKeyboard && !pastes && (!command || !works_while_typing(*command))) continue;
         if (press.key == GLFW_KEY_ESCAPE && !press.control) close_topmost();
         if (command) changed |= perform(*command);
     }
@@ -148,15 +154,24 @@ void Viewer::navigate() {
 }
 
 void Viewer::copy_view() {
-    ImGui::SetClipboardText(view_line(view_.scene.camera).c_str());
-    say("View copied: one line of text, for Ctrl + V here or for a scene file");
+    ImGui::SetClipboardText(copied_view(view_.scene).c_str());
+    say("Camera copied as one line of text, for Ctrl + V here, in another window or in a scene file");
 }
 
+// In the gallery no scene is chosen yet: the view's own opens if it ships.
 bool Viewer::paste() {
-    const char* text = ImGui::GetClipboardText();
-    const Status pasted = paste_view(view_, text != nullptr ? text : "");
-    say(pasted ? "View pasted" : "Clipboard: " + pasted.error().message());
-    return static_cast<bool>(pasted);
+    const std::string line = clipboard(), of = scene_of_view(line);
+    const auto own = std::ranges::find(view_.shipped, of, &SceneInfo::title);
+    const bool opens = gallery_.is_open() && own != view_.shipped.end() && of != view_.scene.name;
+    if (opens && !open_file(own->name)) return false;
+    const Status pasted = paste_view(view_, line);
+    if (!pasted) return say("Clipboard: " + pasted.error().message()), opens;
+    gallery_.close();
+    say(of.empty() || of == view_.scene.name
+            ? "View pasted"
+            : fmt::format("View pasted: the camera alone. It is of the scene {}, this one is {}", of,
+                          view_.scene.name));
+    return true;
 }
 
 bool Viewer::add(const std::string& section) {

@@ -1047,6 +1047,25 @@ def test_a_film_without_ffmpeg_is_frames_and_a_failure_is_told_at_once(screen, p
         wait_until("the message", lambda: v.layout().place("No film", ""), HUNG_S)
 
 
+def test_a_view_that_is_pasted_in_the_gallery_opens_its_scene(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene="disc-grid") as v:
+        turned = v.settle("key", "e")
+        v.settle("key", "ctrl+c")
+        for paste in (lambda: v.settle("key", "ctrl+v"), lambda: v.choose("Edit", "Paste view")):
+            v.settle("key", "ctrl+o")
+            v.click(*FIRST_CARD)
+            assert v.title() == "First light - nullscope", v.title()
+            v.settle("key", "ctrl+o")
+            paste()
+            assert v.title() == "Disc grid - nullscope", v.title()
+            same(turned, v.settle(), "the view that was pasted")
+        v.settle("key", "ctrl+o")
+        v.click(*FIRST_CARD)
+        v.settle("key", "ctrl+v")
+        assert v.title() == "First light - nullscope", v.title()
+        assert v.layout().place("View pasted: the camera alone", ""), v.layout().words()
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -1078,4 +1097,5 @@ if EVERYTHING:
               test_f12_saves_both_sides_of_a_comparison_without_line_and_labels,
               test_a_camera_that_side_b_cannot_have_is_refused, test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
               test_a_film_without_ffmpeg_is_frames_and_a_failure_is_told_at_once,
+              test_a_view_that_is_pasted_in_the_gallery_opens_its_scene,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]

@@ -8,7 +8,10 @@
 namespace {
 
 using namespace nullscope;
+using viewer::copied_view;
 using viewer::History;
+using viewer::is_view;
+using viewer::scene_of_view;
 using viewer::SideB;
 using viewer::swap_sides;
 using viewer::ViewState;
@@ -205,6 +208,22 @@ TEST_CASE("views: what is copied in one scene is pasted into another, and other 
     REQUIRE(paste_view(to, view_line(from.scene.camera) + "\n"));
     CHECK(view_line(to.scene.camera) == view_line(from.scene.camera));
     CHECK(to.scene.camera.width == before.width);
+}
+
+TEST_CASE("views: a copied line is a view that says its scene, and is pasted with it") {
+    ViewState from = opened("first-light"), to = opened("sky-only");
+    const std::string line = copied_view(from.scene);
+    CHECK(line.find('\n') == std::string::npos);
+    CHECK(is_view(line));
+    CHECK_FALSE(is_view("kerr.toml"));
+    CHECK(scene_of_view(line) == "First light");
+    CHECK(scene_of_view(line + "\r\nmore") == "First light");
+    CHECK(scene_of_view(view_line(from.scene.camera)).empty());
+    REQUIRE(paste_view(to, line));
+    CHECK(view_line(to.scene.camera) == view_line(from.scene.camera));
+    from.scene.name = "two\nlines # \"of\"";
+    CHECK(scene_of_view(copied_view(from.scene)) == "two?lines # \"of\"");
+    REQUIRE(paste_view(to, copied_view(from.scene)));
 }
 
 }  // namespace
