@@ -67,11 +67,11 @@ std::string Gallery::draw_head(const std::vector<std::string>& recent, bool esca
             for (const SceneInfo& scene : group.scenes)
                 if (chosen.empty() && !words_.empty() && matches(scene, group)) chosen = scene.name;
     }
-    tooltip("Words of a scene's name, description or group. Enter opens the first that is found.");
+    if (words_.empty()) tooltip("Words of a scene's name, description or group. Enter opens the first that is found.");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(field);
     if (input_text("##path", "File to open: path, or drop it here", path_) && !path_.empty()) chosen = path_;
-    tooltip("A scene or a tour (.toml). Enter opens it.");
+    if (path_.empty()) tooltip("A scene or a tour (.toml). Enter opens it.");
     ImGui::SameLine();
     if (FileDialog::available()) {
         if (ImGui::Button("Browse...")) browse_pressed = true;

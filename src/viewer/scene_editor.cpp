@@ -270,7 +270,7 @@ bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
                          ImGuiWindowFlags_NoResize)) {
         ImGui::SetNextItemWidth(0.62f * ImGui::GetContentRegionAvail().x);
         input_text("##words", "Search keys", words_);
-        tooltip("Words of a key's name or help: \"brightness\", \"disc temperature\".");
+        if (words_.empty()) tooltip("Words of a key's name or help: \"brightness\", \"disc temperature\".");
         ImGui::SameLine();
         ImGui::SetNextItemWidth(-1.0f);
         const bool adds = choice("##add", "Add...", escape, [&] {
@@ -286,6 +286,7 @@ bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
         ImGui::Separator();
         if (ImGui::BeginChild("##sections")) {
             const float height = ImGui::GetScrollMaxY() + ImGui::GetWindowHeight();
+            const float start = ImGui::GetCursorPosY();
             Scene holder = view.scene;  // of each section in turn
             const auto sections = scene_sections(view.scene);
             for (const SectionRef& at : sections) {
@@ -304,6 +305,7 @@ bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
                 else
                     exchange_with_last(holder, at);
             }
+            if (ImGui::GetCursorPosY() == start) paragraph("No key of this scene has these words.");
         }
         ImGui::EndChild();
     }

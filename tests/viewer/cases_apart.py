@@ -1066,6 +1066,23 @@ def test_a_view_that_is_pasted_in_the_gallery_opens_its_scene(screen, program, f
         assert v.layout().place("View pasted: the camera alone", ""), v.layout().words()
 
 
+def test_a_search_shows_what_it_finds_and_says_when_it_finds_nothing(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
+        def typed(words, hint, window):     # the pointer stays where it was clicked
+            for step in [["mousemove", *v.layout().place(hint, window)], ["mousedown", 1], ["mouseup", 1]]:
+                v.settle(*step)
+            v.hands("type", "--delay", 60, words)
+            v.settle()
+            assert not any(name.startswith("##Tooltip") for name in v.layout().windows), f"a tooltip over what {words} finds"
+        v.settle("key", "ctrl+e")
+        typed("fov", "Search keys", "Scene")
+        assert v.layout().place("fov", "##sections") and not v.layout().place("No key", ""), v.layout().words()
+        typed("xyz", "fov", "Scene")
+        assert v.layout().place("No key of this scene", ""), v.layout().words()
+        v.settle("key", "ctrl+o")
+        typed("kerr.toml", "File to open", "##gallery")
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -1098,4 +1115,5 @@ if EVERYTHING:
               test_a_camera_that_side_b_cannot_have_is_refused, test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
               test_a_film_without_ffmpeg_is_frames_and_a_failure_is_told_at_once,
               test_a_view_that_is_pasted_in_the_gallery_opens_its_scene,
+              test_a_search_shows_what_it_finds_and_says_when_it_finds_nothing,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]
