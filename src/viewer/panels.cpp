@@ -77,9 +77,12 @@ bool side_panel(ViewState& view, const FrameFacts& facts, bool escape) {
         constexpr ImGuiTreeNodeFlags kShut = ImGuiTreeNodeFlags_None, kOpen = ImGuiTreeNodeFlags_DefaultOpen;
         const auto part = [&](const char* name, ImGuiTreeNodeFlags flags, auto&& body) {
             if (!ImGui::CollapsingHeader(name, flags)) return false;
+            const bool opened = ImGui::IsItemToggledOpen();
+            const float start = ImGui::GetItemRectMin().y;
             ImGui::PushID(name);
             changed |= body();
             ImGui::PopID();
+            if (opened) scroll_into_view(start);
             return true;
         };
         part("Camera", kOpen, [&] { return camera_section(view); });

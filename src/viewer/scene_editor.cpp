@@ -335,6 +335,8 @@ bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, const Scen
     const std::string words = heading(at, holder) + (hidden ? " (hidden)" : "");
     const bool is_open = ImGui::CollapsingHeader(fmt::format("{}###{}", words, at.label).c_str(), open);
     if (!hidden) ImGui::PopStyleColor();
+    const bool opened = ImGui::IsItemToggledOpen();
+    const float start = ImGui::GetItemRectMin().y;
     bool changed = false;
     if (is_open) {
         const bool others = changed = draw_buttons(view, at);
@@ -354,6 +356,7 @@ bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, const Scen
             changed |= draw_key(view, at, holder, defaults, *key, escape);
             ImGui::PopID();
         }
+        if (opened) scroll_into_view(start);
     }
     if (hidden) ImGui::PopStyleColor();
     ImGui::PopID();

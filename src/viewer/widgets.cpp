@@ -160,6 +160,14 @@ float button_width(const char* name) {
     return ImGui::CalcTextSize(name, nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x;
 }
 
+void scroll_into_view(float y) {
+    constexpr float kEnough = 8.0f;  // of the font's size: a header and four rows
+    const float end = ImGui::GetCursorScreenPos().y, top = ImGui::GetWindowPos().y, height = ImGui::GetWindowHeight();
+    if (end <= top + height || top + height - y > kEnough * em()) return;
+    const bool fits = end - y <= height;
+    ImGui::SetScrollFromPosY((fits ? end : y) - top, fits ? 1.0f : 0.0f);
+}
+
 bool drag_number(const char* name, double& value, double speed, double low, double high, const char* format,
                  const char* help) {
     row(name, help);

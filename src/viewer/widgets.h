@@ -33,6 +33,10 @@ bool next_to(float width);
 float button_width(const char* name);
 bool small_button(const char* name);  // as tall as a line of text, tails of letters included
 
+// Where little of what lies between y (of the screen) and the cursor is seen: scrolls so far that all of it is, or, of what is taller than
+// the window, its top.
+void scroll_into_view(float y);
+
 enum class Scale { kLinear, kLogarithmic };
 enum class When { kNow, kOnRelease };  // kOnRelease: for what takes a while to build
 

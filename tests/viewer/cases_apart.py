@@ -1083,6 +1083,18 @@ def test_a_search_shows_what_it_finds_and_says_when_it_finds_nothing(screen, pro
         typed("kerr.toml", "File to open", "##gallery")
 
 
+def test_a_section_that_is_opened_is_seen(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
+        v.settle("mousemove", 150, 400, *["click", 5] * 20)
+        v.click(*v.layout().place("Numbers", "##side"))
+        assert v.layout().place("Decimals", "##side"), v.layout().words()
+        v.settle("key", "ctrl+e")
+        lowest = max((y, words) for name, words, (_, y, _, _) in v.layout().texts if "##sections" in name)[1]
+        v.click(*v.layout().place(lowest, "##sections"))
+        assert any(y > v.layout().place(lowest, "##sections")[1] for name, _, (_, y, _, _) in v.layout().texts
+                   if "##sections" in name), f"what {lowest} has is not seen"
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -1115,5 +1127,5 @@ if EVERYTHING:
               test_a_camera_that_side_b_cannot_have_is_refused, test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
               test_a_film_without_ffmpeg_is_frames_and_a_failure_is_told_at_once,
               test_a_view_that_is_pasted_in_the_gallery_opens_its_scene,
-              test_a_search_shows_what_it_finds_and_says_when_it_finds_nothing,
+              test_a_search_shows_what_it_finds_and_says_when_it_finds_nothing, test_a_section_that_is_opened_is_seen,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]
