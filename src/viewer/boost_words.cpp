@@ -13,9 +13,9 @@ namespace {
 
 const char* observer_words(ObserverKind observer) {
     switch (observer) {
-        case ObserverKind::kRain:
-        case ObserverKind::kFall:
-        case ObserverKind::kThrow: return "in free fall here";
+        case ObserverKind::kRain: return "who fell from rest at infinity";
+        case ObserverKind::kFall: return "who fell from rest at r = fall_from";
+        case ObserverKind::kThrow: return "who falls with the scene's energy";
         case ObserverKind::kOrbit:
         case ObserverKind::kCounterOrbit: return "on the circular orbit here";
         case ObserverKind::kZamo: return "without angular momentum here";
@@ -34,7 +34,7 @@ std::string boost_words(const CameraSpec& camera) {
                                                             {velocity.z, velocity.z < 0.0 ? "west" : "east"}}};
     std::ranges::stable_sort(parts, std::greater(), [](const auto& part) { return std::fabs(part.first); });
     const double speed = length(velocity);
-    std::string words = fmt::format("{:.4g} c", speed);
+    std::string words = speed > 0.0 ? fmt::format("{:.4g} c", speed) : "at rest";
     for (std::size_t i = 0; i < parts.size(); ++i)
         if (std::fabs(parts[i].first) > kNamed * speed)
             words += fmt::format("{}{}", i == 0 ? ", " : " and ", parts[i].second);

@@ -127,7 +127,7 @@ bool boost_section(ViewState& view) {
     changed |= direction_row(view) || typed;
     const auto spacetime = spacetime_of(view.scene);
     changed |= spacetime != nullptr && preset_buttons(view, *spacetime);
-    if (length(camera.velocity) > 0.0) paragraph(boost_words(camera));
+    if (length(camera.velocity) > 0.0 || falls(camera)) paragraph(boost_words(camera));
     return changed;
 }
 

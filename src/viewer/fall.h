@@ -11,7 +11,7 @@ class Fall {
 public:
     // From the scene's camera, its clock at 0 and running. Errors: no such observer.
     Status let_go(const Scene& scene);
-    void stop() { line_.reset(), runs_ = false; }
+    void stop() { line_.reset(), runs_ = false, least_ = 1.0, slowing_ = 0.0; }
     bool active() const { return line_.has_value(); }
     bool runs() const { return runs_; }
     bool ended() const { return active() && !runs_ && left() <= 0.0; }  // it has come to its end

@@ -15,7 +15,8 @@ void scene_section(ViewState& view, bool escape);  // what is to be opened: view
 bool camera_section(ViewState& view);
 bool boost_section(ViewState& view);
 bool fall_section(ViewState& view);
-Status release(ViewState& view);  // the camera falls freely from here
+Status release(ViewState& view);                 // the camera falls freely from here
+std::string end_of_fall(const ViewState& view);  // where a fall that has ended did, in words
 bool clock_section(ViewState& view);
 inline constexpr double kClockStep_s = 0.1;
 bool step_clock(ViewState& view, double dt_s);  // the scene's clock goes on; true if anything moved

@@ -53,6 +53,20 @@ Status release(ViewState& view) {
     return Done{};
 }
 
+std::string end_of_fall(const ViewState& view) {
+    const auto spacetime = spacetime_of(view.scene);
+    const double r = view.scene.camera.r;
+    std::string where;
+    if (view.fall.line().end() == WorldlineEnd::kSingularity)
+        where = " in the singularity";
+    else if (spacetime != nullptr && r < spacetime->horizon_radius().value_or(0.0))
+        where = fmt::format(" inside the hole at r = {}, as far in as light is traced",
+                            length_words(r, style_in(view.scene, *spacetime, view.numbers), 4));
+    else if (spacetime != nullptr && spacetime->surface_radius())
+        where = " on the surface";
+    return fmt::format("The fall has ended{}: R returns to the scene's camera", where);
+}
+
 bool fall_section(ViewState& view) {
     constexpr double kLongSlider = 1e4;  // r_s/c, of an orbit
     Fall& fall = view.fall;

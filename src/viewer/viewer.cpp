@@ -24,9 +24,8 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr const char* kFirstScene = "first-light";
-constexpr int kNewsFrames = 2;     // a measured number may make its panel wider a frame later
-constexpr float kStripGap = 0.6f;  // of the font's size, between strips of panels
-constexpr const char* kFallen = "The fall has ended: R returns to the scene's camera";
+constexpr int kNewsFrames = 2;            // a measured number may make its panel wider a frame later
+constexpr float kStripGap = 0.6f;         // of the font's size, between strips of panels
 constexpr double kIdleWait = 1.0;         // s
 constexpr double kCaretWait = 0.1;        // s, while a text field shows a blinking caret
 constexpr double kAdaptingWait = 0.03;    // s, while exposure follows
@@ -244,7 +243,7 @@ float Viewer::overlays(float top, float bottom) {
     const float gap = kStripGap * ImGui::GetFontSize(), edge = view_.show_panels ? side_panel_right() : 0.0f,
                 right = ImGui::GetIO().DisplaySize.x - (view_.show_panels ? editor_.width() : 0.0f);
     if (!message_.empty() || view_.fall.ended())
-        draw_message(message_.empty() ? kFallen : message_, edge, right, bottom);
+        draw_message(message_.empty() ? end_of_fall(view_) : message_, edge, right, bottom);
     if (picture_.texture != 0) top = std::max(top, marks_.labels_bottom());
     float left = edge + gap;
     if (view_.show_clock) left = draw_clock_overlay(view_, left, right - gap, top + gap);

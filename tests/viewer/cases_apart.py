@@ -1095,6 +1095,22 @@ def test_a_section_that_is_opened_is_seen(screen, program, folder):
                    if "##sections" in name), f"what {lowest} has is not seen"
 
 
+def test_a_fall_says_where_it_ended(screen, program, folder):
+    black = '[camera]\nr = 8\n[sky]\nkind = "black"\n'
+    for scene, where in [(black, "in the singularity"),
+                         (black + '[spacetime]\nmetric = "kerr"\nspin = 0.9\n', "inside the hole at r = 0.")]:
+        with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene=scene) as v:
+            for header in HEADERS:
+                v.click(*header)
+            v.settle("key", "f", "key", "f", at_once=True)     # released, and held at once
+            v.click(*v.layout().place("Free fall", "##side"))
+            x, y = v.layout().place("Proper time", "##side")
+            v.settle("mousemove", 150, y, "mousedown", 1)
+            v.settle("mousemove", 400, y)
+            v.settle("mouseup", 1)
+            wait_until(f"the fall ends {where}", lambda: v.layout().place(f"The fall has ended {where}", ""), HUNG_S)
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -1128,4 +1144,5 @@ if EVERYTHING:
               test_a_film_without_ffmpeg_is_frames_and_a_failure_is_told_at_once,
               test_a_view_that_is_pasted_in_the_gallery_opens_its_scene,
               test_a_search_shows_what_it_finds_and_says_when_it_finds_nothing, test_a_section_that_is_opened_is_seen,
+              test_a_fall_says_where_it_ended,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]

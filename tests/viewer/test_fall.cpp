@@ -37,6 +37,8 @@ TEST_CASE("fall: a clock that runs, stops, is turned back, and ends") {
     CHECK_FALSE(fall.runs());
     CHECK(scene.camera.r < 0.01);  // 35.124 M = 17.562 r_s/c from rest at 10 M
     CHECK(fall.tau() == doctest::Approx(17.562).epsilon(1e-3));
+    fall.stop();
+    CHECK(fall.rate() == Fall().rate());
 }
 
 TEST_CASE("fall: who turns the camera lets it fall on from there") {
