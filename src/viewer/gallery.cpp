@@ -85,11 +85,15 @@ std::string Gallery::draw_head(const std::vector<std::string>& recent, bool esca
         ImGui::TextDisabled("Recent:");
         ImGui::SameLine();
     }
+    const auto stem = [](const std::string& file) { return std::filesystem::path(file).stem().string(); };
     for (const std::string& file : recent) {
         const std::filesystem::path path(file);
+        const std::string own = std::ranges::count(recent, stem(file), stem) == 1
+                                    ? stem(file)
+                                    : path.parent_path().filename().string() + '/' + stem(file);
         const std::string name = path == last_session()     ? "Last session"
                                  : path == last_recording() ? "Last recording"
-                                                            : path.stem().string();
+                                                            : own;
         if (&file != &recent.front()) next_to(button_width(name.c_str()));
         ImGui::PushID(file.c_str());
         if (small_button(name.c_str())) chosen = file;

@@ -48,13 +48,15 @@ constexpr double kRateTime = 0.25;        // s between changes of the numbers in
     std::_Exit(0);
 }
 
-// The last session and the last recording if there are such, then files of one's own.
+// The last session and the last recording, then files of one's own: those that are there.
 std::vector<std::string> recent_files(const ViewState& view) {
     std::vector<std::string> files(view.own.begin(), view.own.begin() + static_cast<std::ptrdiff_t>(std::min(
                                                                             view.own.size(), Settings::kMostRecent)));
-    std::error_code error;
-    for (const auto& kept : {last_recording(), last_session()})
-        if (std::filesystem::is_regular_file(kept, error)) files.insert(files.begin(), kept.string());
+    for (const auto& kept : {last_recording(), last_session()}) files.insert(files.begin(), kept.string());
+    std::erase_if(files, [](const std::string& file) {
+        std::error_code error;
+        return !std::filesystem::is_regular_file(file, error);
+    });
     return files;
 }
 

@@ -1111,6 +1111,19 @@ def test_a_fall_says_where_it_ended(screen, program, folder):
             wait_until(f"the fall ends {where}", lambda: v.layout().place(f"The fall has ended {where}", ""), HUNG_S)
 
 
+def test_recent_files_are_told_apart_and_are_there(screen, program, folder):
+    for name in ("one", "two"):
+        (folder / name).mkdir()
+        (folder / name / "mine.toml").write_text(f'name = "Mine {name}"\n')
+    files = [str(folder / file) for file in ("one/mine.toml", "two/mine.toml", "gone.toml")]
+    with Viewer(screen, program, "--gallery", "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", settings=f"recent = {files}\n") as v:
+        v.settle()
+        has = lambda words: v.layout().place(words, "##gallery")
+        assert has("one/mine") and not has("gone"), v.layout().words()
+        v.click(*has("two/mine"))
+        assert v.title() == "Mine two - nullscope", v.title()
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -1144,5 +1157,5 @@ if EVERYTHING:
               test_a_film_without_ffmpeg_is_frames_and_a_failure_is_told_at_once,
               test_a_view_that_is_pasted_in_the_gallery_opens_its_scene,
               test_a_search_shows_what_it_finds_and_says_when_it_finds_nothing, test_a_section_that_is_opened_is_seen,
-              test_a_fall_says_where_it_ended,
+              test_a_fall_says_where_it_ended, test_recent_files_are_told_apart_and_are_there,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]
