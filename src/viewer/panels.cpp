@@ -244,10 +244,11 @@ void draw_about(bool& shown, const gl::Info& info) {
     ImGui::End();
 }
 
-void draw_first_wait(const std::string& scene, const PaintProgress& progress) {
+void draw_wait(const std::string& scene, const PaintProgress& progress, bool over_picture) {
+    constexpr int kDimmed = 200;  // of 255
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    draw.AddRectFilled({0.0f, 0.0f}, screen, IM_COL32(0, 0, 0, 255));
+    draw.AddRectFilled({0.0f, 0.0f}, screen, IM_COL32(0, 0, 0, over_picture ? kDimmed : 255));
     const std::string work = progress_words(progress), words = scene + (work.empty() ? "" : ": " + work);
     const ImVec2 size = ImGui::CalcTextSize(words.c_str());
     const float width = 12.0f * em(), height = 0.15f * em(), left = 0.5f * (screen.x - width), top = 0.5f * screen.y;

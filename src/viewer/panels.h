@@ -7,8 +7,8 @@
 
 namespace nullscope::viewer {
 
-// Over a window that has no picture yet: what is being done. Between NewFrame and Render.
-void draw_first_wait(const std::string& scene, const PaintProgress& progress);
+// Over a window that has no picture yet, or that of another scene: what is being done. Between NewFrame and Render.
+void draw_wait(const std::string& scene, const PaintProgress& progress, bool over_picture);
 
 float side_panel_right();  // where the picture begins that it does not cover
 float status_height();     // of the line at the window's bottom

@@ -205,8 +205,10 @@ bool Viewer::panels(const Input& input) {
         if (!message_.empty()) draw_message(message_, 0.0f, ImGui::GetIO().DisplaySize.x, screen);
         return chosen.empty() ? changed : open_file(chosen) || changed;
     }
-    if (picture_.texture == 0) draw_first_wait(view_.scene.name, progress_);
     draw_marks();
+    const bool of_another = picture_.texture != 0 && shown_.source != view_.source;
+    if (picture_.texture == 0 || (of_another && progress_ != PaintProgress()))
+        draw_wait(view_.scene.name, progress_, of_another);
     // How tall the strips at the bottom were a frame ago: without the bookmarks, with them.
     const float timeline = view_.show_panels ? status_height() + timeline_panel_.height() : 0.0f;
     const float gap = timeline_panel_.height() > 0.0f ? kStripGap * ImGui::GetFontSize() : 0.0f;

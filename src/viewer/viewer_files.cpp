@@ -57,7 +57,7 @@ void Viewer::save_scene_to(const std::filesystem::path& path) {
     scene = std::move(*checked);
     if (Status saved = write_text_atomically(path, kSavedMark + scene_file_text(scene, path.parent_path())); !saved)
         return say(saved.error().message());
-    view_.source = path.string();
+    view_.source = shown_.source = path.string();
     view_.loaded = scene;
     own_file(view_, view_.source);
     say(fmt::format("Saved {}", view_.source));

@@ -8,7 +8,7 @@ import time
 import tomllib
 
 from viewer_process import *
-from x_screen import read_png, wait_until
+from x_screen import Picture, read_png, wait_until
 
 # of the processor time that a whole picture costs the window's thread where it draws it: it must stay far below
 WINDOWS_SHARE = 0.5
@@ -1124,6 +1124,22 @@ def test_recent_files_are_told_apart_and_are_there(screen, program, folder):
         assert v.title() == "Mine two - nullscope", v.title()
 
 
+def test_a_scene_that_is_not_there_yet_is_named(screen, program, folder):
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}") as v:
+        area = (320, 310, 820, 490)     # below the words
+        before = v.picture(area)
+        dimmed = Picture(before.width, before.height, bytes(round(byte * 55 / 255) for byte in before.data))
+        v.settle("key", "ctrl+o")
+        v.hands("type", "--delay", 100, "kerr planet")
+        v.settle()
+        v.hands("key", "Return")     # its shaders are compiled for a second or more
+        wait_until("the picture of the scene before is dimmed", lambda: not v.picture(area).changed(dimmed, CHANGED), HUNG_S)
+        v.settle()
+        assert v.title() == "Kerr planet - nullscope", v.title()
+        v.settle("key", "ctrl+z")
+        same(before, v.picture(area), "the scene before, after undo")
+
+
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
@@ -1158,4 +1174,5 @@ if EVERYTHING:
               test_a_view_that_is_pasted_in_the_gallery_opens_its_scene,
               test_a_search_shows_what_it_finds_and_says_when_it_finds_nothing, test_a_section_that_is_opened_is_seen,
               test_a_fall_says_where_it_ended, test_recent_files_are_told_apart_and_are_there,
+              test_a_scene_that_is_not_there_yet_is_named,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]
