@@ -119,10 +119,10 @@ void annotate(const Scene& scene, const std::optional<Halves>& split, Image<unsi
 
 // One picture, or two side by side, into a file. Returns what it was made by.
 Result<std::string> draw(const Job& job, Session* session, const Scene& scene, const CaptureOptions& options,
-                         const std::string& file) {
+                         const std::string& file, std::optional<int> frame) {
     if (session != nullptr && options.to_exr() && !options.raydata && !job.split && !scene.split &&
         (options.half || is_drawn_in_bands(scene)))
-        return capture_large_exr(*session, scene, options, file);
+        return capture_large_exr(*session, scene, options, file, frame);
     const std::optional<Halves> split = job.split ? halves(scene, *job.split) : halves(scene);
     TRY(captured, capture_picture(session, split ? split->left : scene, options));
     if (split) {
@@ -131,7 +131,7 @@ Result<std::string> draw(const Job& job, Session* session, const Scene& scene, c
         captured->display = side_by_side(captured->display, right->display);
     }
     if (!options.plain && !options.to_exr()) annotate(scene, split, captured->display);
-    TRY(written, write_picture(file, scene, *captured, options.quality.value_or(kJpegQuality)));
+    TRY(written, write_picture(file, scene, *captured, options.quality.value_or(kJpegQuality), frame));
     return captured->made_by;
 }
 
@@ -193,7 +193,8 @@ Status draw_frames(const Job& job, Session* session, const CaptureOptions& optio
     for (int frame = job.frames.first; frame < job.frames.end; ++frame) {
         const std::string file = store != nullptr ? store->file(frame) : options.output;
         if (store == nullptr || !(options.resume || options.to_film()) || !store->has(frame)) {
-            TRY(made_by, draw(job, session, scene_at(job, options.time_step, frame), options, file));
+            TRY(made_by, draw(job, session, scene_at(job, options.time_step, frame), options, file,
+                              store != nullptr ? std::optional(frame) : std::nullopt));
             if (store != nullptr) store->drew_one();
             if (!options.to_film())
                 fmt::print("{}: {}x{}, {}\n", file, job.scene.camera.width, job.scene.camera.height, *made_by);

@@ -9,12 +9,14 @@
 
 #include "base/assets.h"
 #include "base/progress.h"
+#include "base/text.h"
 #include "command/reference_inputs.h"
 #include "compare/ray_channels.h"
 #include "image/image_file.h"
 #include "reference/reference.h"
 #include "render/display.h"
 #include "render/picture_bands.h"
+#include "scenefile/scene_writer.h"
 
 namespace nullscope::cli {
 namespace {
@@ -87,8 +89,17 @@ Result<Captured> capture_reference(const Scene& scene, const CaptureOptions& opt
     return captured;
 }
 
-std::map<std::string, std::string> exr_attributes(const Scene& scene, const std::string& made_by) {
-    return {{"nullscope.scene", scene.name}, {"nullscope.renderer", made_by}, {"nullscope.version", NULLSCOPE_VERSION}};
+std::map<std::string, std::string> words_of(const Scene& scene, const std::string& made_by, std::optional<int> frame) {
+    Scene still = scene;
+    still.path.reset();  // its camera is where the path has led it
+    const std::string text = scene_file_text(still, {});
+    std::map<std::string, std::string> words = {{"nullscope.scene", scene.name},
+                                                {"nullscope.scene_text", text},
+                                                {"nullscope.scene_hash", fmt::format("{:016x}", fnv1a(text))},
+                                                {"nullscope.renderer", made_by},
+                                                {"nullscope.version", NULLSCOPE_VERSION}};
+    if (frame) words["nullscope.frame"] = fmt::format("{}", *frame);
+    return words;
 }
 
 }  // namespace
@@ -98,12 +109,12 @@ Result<Captured> capture_picture(Session* session, const Scene& scene, const Cap
 }
 
 Result<std::string> capture_large_exr(Session& session, const Scene& scene, const CaptureOptions& options,
-                                      const std::string& file_name) {
+                                      const std::string& file_name, std::optional<int> frame) {
     begin(session, options);
     const std::vector<PictureBand> bands = picture_bands(scene.camera);
     Progress progress("large picture", scene.camera.height);
     const BandedImage image{scene.camera.width, scene.camera.height, options.half,
-                            exr_attributes(scene, made_by(session))};
+                            words_of(scene, made_by(session), frame)};
     TRY(saved, save_exr_bands(file_name, image, [&](int y) -> Result<Image<float>> {
             const PictureBand band = *std::ranges::find(bands, y, &PictureBand::top);
             TRY(rows, draw_band(*session.renderer, scene, band));
@@ -114,12 +125,15 @@ Result<std::string> capture_large_exr(Session& session, const Scene& scene, cons
     return made_by(session);
 }
 
-Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured, int jpeg_quality) {
+Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured, int jpeg_quality,
+                     std::optional<int> frame) {
     if (file_name.ends_with(".jpg") || file_name.ends_with(".jpeg"))
         return save_jpeg(file_name, captured.display, scene.name + "\nnullscope " NULLSCOPE_VERSION, jpeg_quality);
-    if (!file_name.ends_with(".exr"))
-        return save_png(file_name, captured.display,
-                        {{"Title", scene.name}, {"Software", "nullscope " NULLSCOPE_VERSION}});
+    std::map<std::string, std::string> words = words_of(scene, captured.made_by, frame);
+    if (!file_name.ends_with(".exr")) {
+        words.insert({{"Title", scene.name}, {"Software", "nullscope " NULLSCOPE_VERSION}});
+        return save_png(file_name, captured.display, words);
+    }
     ChannelImage file{captured.linear.width, captured.linear.height, {}, {}};
     std::size_t place = 0;
     for (const char* name : {"R", "G", "B"}) {
@@ -128,7 +142,7 @@ Status write_picture(const std::string& file_name, const Scene& scene, const Cap
             channel.push_back(captured.linear.data[i]);
     }
     if (captured.rays) add_ray_channels(*captured.rays, file);
-    file.attributes = exr_attributes(scene, captured.made_by);
+    file.attributes = std::move(words);
     return save_exr(file_name, file);
 }
 

@@ -23,11 +23,13 @@ struct Captured {
 Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options);
 
 // The same of pictures that are too large to be held whole, which go straight into an .exr. Returns what it was made by.
+// frame: of a sequence or film.
 Result<std::string> capture_large_exr(Session& session, const Scene& scene, const CaptureOptions& options,
-                                      const std::string& file_name);
+                                      const std::string& file_name, std::optional<int> frame);
 
 // In the format that the name says: .exr, .jpg (.jpeg) or .png.
-// jpeg_quality: image/image_file.h.
-Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured, int jpeg_quality);
+// jpeg_quality: image/image_file.h. What a file says of itself: docs/command-line.md.
+Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured, int jpeg_quality,
+                     std::optional<int> frame);
 
 }  // namespace nullscope::cli

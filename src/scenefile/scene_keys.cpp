@@ -145,7 +145,7 @@ constexpr SceneKey kKeys[] = {
      [](auto& s) { return &s.camera.shift_x; }},
     {"camera", "shift_y", KeyType::kNumber, "", "0", kShift, "", "Likewise upward, in heights of the picture.",
      [](auto& s) { return &s.camera.shift_y; }},
-    {"camera", "size", KeyType::kSize, "px", "[1280, 720]", closed(1.0, 16384.0), "",
+    {"camera", "size", KeyType::kSize, "px", "[1280, 720]", closed(1.0, 65536.0), "",
      "Width and height of the picture.", kPictureSize},
     {"camera", "pixel_aspect", KeyType::kNumber, "", "1", closed(0.1, 10.0), "", "Width of a pixel over its height.",
      [](auto& s) { return &s.camera.pixel_aspect; }},

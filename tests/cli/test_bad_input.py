@@ -117,7 +117,7 @@ class Scenes(support.CliTest):
             "[camera]\nvelocity = [0.0, 0.6, 0.8]\n": [":2:", "camera.velocity", "below 1"],
             "[camera]\nvelocity = [2.0, 0.0, 0.0]\n": [":2:", "camera.velocity", "below 1"],
             "[camera]\nfov = 180\n": [":2:", "camera.fov", "(0, 180)"],
-            "[camera]\nsize = [0, 10]\n": [":2:", "camera.size", "16384"],
+            "[camera]\nsize = [0, 10]\n": [":2:", "camera.size", "65536"],
             "[camera]\ntheta = nan\n": [":2:", "camera.theta", "[0, 180]"],
             "[camera]\nr = \"far\"\n": [":2:", "camera.r"],
             "[spacetime]\nmetric = \"schwarzshild\"\n": [":2:", "spacetime.metric", "schwarzschild"],

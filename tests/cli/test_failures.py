@@ -16,6 +16,7 @@ OLD_OPENGL = {"MESA_GL_VERSION_OVERRIDE": "2.1"}             # Mesa then refuses
 SANITIZED = b"__asan_init" in Path(support.BINARY).read_bytes()   # reserves terabytes of addresses, so no limit on them
 SMALL = ("--size", "16x9")
 
+BLOOM = '[spacetime]\nmetric = "minkowski"\n[picture]\nbloom = 0.1\n'
 
 class Drivers(support.CliTest):
     def test_no_egl_driver(self):
@@ -43,7 +44,9 @@ class Drivers(support.CliTest):
 
 class Memory(support.CliTest):
     def test_a_frame_beyond_the_driver(self):
-        self.refused("capture", "flat", "--size", "32768x32768", "-o", "a.png", says=["32768x32768", "allowed: 1x1 to"])
+        bloom = self.write("bloom.toml", BLOOM)   # which needs the picture at once
+        self.refused("capture", bloom, "--size", "32768x32768", "-o", "a.png", says=["32768x32768", "allowed: 1x1 to"])
+        self.refused("capture", "flat", "--size", "32768x32768", "--raydata", "-o", "a.exr", says=["32768x32768", "allowed: 1x1 to"])
 
     @unittest.skipIf(SANITIZED, "the sanitizer's addresses are beyond any limit")
     def test_a_frame_beyond_the_memory(self):
@@ -52,11 +55,22 @@ class Memory(support.CliTest):
 
         for context in self.contexts()[:1 if support.QUICK else None]:   # seconds each
             for output in ("a.exr",) if support.QUICK else ("a.png", "a.exr"):
-                self.refused("capture", "flat", "--size", "16384x16384", "--context", context, "-o", output, status=1,
-                             says=["out of memory"], before=little)
+                self.refused("capture", self.write("bloom.toml", BLOOM), "--size", "16384x16384", "--context", context, "-o", output,
+                             status=1, says=["out of memory"], before=little)
         self.refused("capture", "flat", "--size", "65536x65536", "--renderer", "reference", "-o", "a.exr", status=1,
                      says=["out of memory"], before=little)
         self.assertEqual(self.run_nullscope("capture", "flat", *SMALL, "-o", "a.png", before=little).err, "")
+
+
+    @unittest.skipIf(SANITIZED or support.QUICK, "ten seconds: with --all")
+    def test_a_large_picture_takes_little_memory(self):
+        def little():
+            resource.setrlimit(resource.RLIMIT_AS, (3 << 29, 3 << 29))   # 1.5 GiB
+
+        dome = self.write("dome.toml", '[spacetime]\nmetric = "kerr"\n[camera]\nprojection = "fisheye"\nr = 30\n[sky]\nkind = "plain"\n'
+                                       '[picture]\nrefine = "off"\n')
+        for output in ("a.png", "a.exr"):
+            self.run_nullscope("capture", dome, "--size", "8192x8192", "-o", output, before=little)
 
 
 class Room(support.CliTest):

@@ -149,7 +149,7 @@ TEST_CASE("every key arrives in its field and its unit") {
     CHECK(plane->camera.focal_distance == 2.5);
     CHECK(parse("[camera]\ntheta = 180")->camera.theta <= std::numbers::pi);
     CHECK(parse("camera.r = 7")->camera.r == 7.0);
-    CHECK(parse("camera = { r = 7, size = [1, 16384] }")->camera.height == 16384);
+    CHECK(parse("camera = { r = 7, size = [1, 65536] }")->camera.height == 65536);
     CHECK(parse("[camera]\nvelocity = [0, 0.999999, 0]")->camera.velocity.y == 0.999999);
 }
 
