@@ -1,4 +1,5 @@
 // Where in the picture a direction is seen: the inverse of core/view.glsl.
+#include "core/view.glsl"
 #include "shared/frame.glsl"
 #ifdef BLOCK_PROJECTION
 #include "core/trig.glsl"
@@ -24,6 +25,13 @@ ViewPlace view_place(vec3 view) {
     float square = unit * unit * frame.sight.w * frame.sight.w;
     float ahead = max(view.z, 1.0e-6);
     ViewPlace place = ViewPlace(view.xy / (ahead * unit), view.z > 0.0, square * view.z * view.z * view.z);
+#ifdef EFFECT_CUBE
+    int face = 0;
+    for (int other = 1; other < 6; ++other)
+        if (on_face(view, other).z > on_face(view, face).z) face = other;
+    vec3 turned = on_face(view, face);
+    place = ViewPlace(turned.xy / (turned.z * unit) + cube_middle(face), true, square * turned.z * turned.z * turned.z);
+#endif
 #ifdef EFFECT_FISHEYE
     float aside = length(view.xy);
     float angle = arc_tangent2(aside, view.z);

@@ -7,13 +7,27 @@ layout(location = 0) in vec3 star_place;   // what star_point takes
 layout(location = 1) in vec2 star_make;
 flat out vec3 star_peak;
 flat out vec2 star_middle;                 // picture_place()
+#ifdef EFFECT_CUBE
+flat out int star_face;                    // that it is drawn on
+#endif
 
 void main() {
     StarPoint point = star_point(star_place, star_make);
     star_peak = point.peak;
+#ifdef EFFECT_CUBE
+    // On every face: the rim of its light too.
+    PixelView looks = cube_view(point.pixel);
+    star_face = gl_InstanceID;
+    vec3 turned = on_face(vec3(looks.at.xy * frame.image.z, looks.at.z), star_face);
+    point.seen = point.seen && turned.z > 0.0;
+    vec2 on_plane = turned.xy / max(turned.z, 1.0e-6);
+    point.seen = point.seen && max(abs(on_plane.x), abs(on_plane.y)) < 1.0 + frame.point_stars.w * frame.image.z;
+    point.pixel = on_plane / frame.image.z + cube_middle(star_face);
+#else
 #ifdef BLOCK_PROJECTION
     // Round the camera: again at the picture's other side.
     if (gl_InstanceID == 1) point.pixel.x -= point.pixel.x < 0.0 ? -frame.projection.z : frame.projection.z;
+#endif
 #endif
     star_middle = point.pixel;
     vec2 fragment = picture_fragment(point.pixel);

@@ -181,6 +181,12 @@ std::span<const Feature> picture_features() {
          set_projection<Projection::kPinhole>,
          nothing,
          set_projection<Projection::kCylindrical>},
+        {{Effect::kCube, "cube", "EFFECT_CUBE", "The picture is the six faces of a cube round the camera.",
+          "camera.projection is \"cube\"", "a choice among six a pixel"},
+         projection_is<Projection::kCube>,
+         set_projection<Projection::kPinhole>,
+         nothing,
+         set_projection<Projection::kCube>},
     });
     return features;
 }

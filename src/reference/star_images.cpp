@@ -97,26 +97,35 @@ void add_point_stars(const FrameTracer& tracer, const Scene& scene, const std::v
     struct Spot {
         double x, y;
         Vec3 peak;
+        int face;
     };
     const auto images = images_of(tracer, scene);
     std::vector<std::vector<Spot>> spots(stars.size());
     tbb::parallel_for(std::size_t{0}, stars.size(), [&](std::size_t i) {
         for (const StarImage& image : images(stars[i].direction)) {
             const double through = transmission(image.x, image.y);
-            if (through > 0)
-                spots[i].push_back(
-                    {image.x, image.y,
-                     point_peak() * through / image.solid_angle * star_light(stars[i], image.g, scene.light)});
+            if (!(through > 0)) continue;
+            const Vec3 peak = point_peak() * through / image.solid_angle * star_light(stars[i], image.g, scene.light);
+            const int face = cube_face(scene.camera, image.x, image.y);
+            spots[i].push_back({image.x, image.y, peak, face});
+            if (scene.camera.projection != Projection::kCube) continue;
+            for (int other = 0; other < 6; ++other)  // the rim of its light on the faces beside it
+                if (const auto seen =
+                        pixel_on_face(scene.camera, other, pixel_direction(scene.camera, image.x, image.y));
+                    seen && other != face)
+                    spots[i].push_back({(*seen)[0], (*seen)[1], peak, other});
         }
     });
     constexpr int kReach = 6;  // px: 8 sigma
     for (const auto& list : spots)
         for (const Spot& spot : list)
-            for (int row = std::max(0, static_cast<int>(spot.y) - kReach);
+            for (int row = std::max(0, static_cast<int>(std::fmin(spot.y, 1e6)) - kReach);
                  row < std::min(picture.height, static_cast<int>(spot.y) + kReach + 1); ++row)
-                for (int column = std::max(0, static_cast<int>(spot.x) - kReach);
+                for (int column = std::max(0, static_cast<int>(std::fmin(spot.x, 1e6)) - kReach);
                      column < std::min(picture.width, static_cast<int>(spot.x) + kReach + 1); ++column) {
-                    if (!shows(scene.camera, column + 0.5, row + 0.5)) continue;
+                    if (!shows(scene.camera, column + 0.5, row + 0.5) ||
+                        cube_face(scene.camera, column + 0.5, row + 0.5) != spot.face)
+                        continue;
                     const double dx = column + 0.5 - spot.x, dy = row + 0.5 - spot.y;
                     const double share = std::exp(-(dx * dx + dy * dy) / (2 * kPointSigma_px * kPointSigma_px));
                     float* pixel = picture.at(column, row);

@@ -374,7 +374,7 @@ void Renderer::draw_pass(const Pass& pass, unsigned framebuffer, int width, int 
         case Stage::kStars:
             return stars_.draw(built, picture, width, height,
                                tables_.effects().contains(Effect::kLensing) ? kStarImages : 1,
-                               turn_px(tables_.plan().scene.camera) > 0.0);
+                               tables_.plan().scene.camera.projection);
         case Stage::kBloomDown: return bloom_.draw_down(built, empty_, linear_.colours.front(), kSourceUnit);
         case Stage::kBloomUp: return bloom_.draw_up(built, empty_, kSourceUnit, kHaloUnit);
         case Stage::kMeter: return bloom_.draw_meter(built, empty_, kSourceUnit, adaptation_);

@@ -62,11 +62,12 @@ void StarField::find_images(const Scene& scene, const FrameTables& tables, const
 }
 
 void StarField::draw(const gl::Program& program, unsigned framebuffer, int width, int height, int images,
-                     bool round) const {
+                     Projection projection) const {
+    const bool round = projection == Projection::kEquirectangular || projection == Projection::kCylindrical;
+    const int copies = projection == Projection::kCube ? 6 : round && !searches() ? 2 : 1;
     for (int image = 0; image < images; ++image) {
         gl::set_integer(program, "image_order", image);
-        gl::draw_points(program, vertices_, vertices_.count, round && !searches() ? 2 : 1, framebuffer, width, height,
-                        kPointMargin_px);
+        gl::draw_points(program, vertices_, vertices_.count, copies, framebuffer, width, height, kPointMargin_px);
     }
 }
 

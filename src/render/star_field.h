@@ -25,8 +25,8 @@ public:
     };
     Status update(const Scene& scene, const FrameTables& tables, const Search& search);
     // Adds the stars to a picture in linear light whose alpha says what shines through. images: how many of each star.
-    // round: the picture may show a place twice, at both of its sides.
-    void draw(const gl::Program& program, unsigned framebuffer, int width, int height, int images, bool round) const;
+    void draw(const gl::Program& program, unsigned framebuffer, int width, int height, int images,
+              Projection projection) const;
     bool searches() const { return mesh_.has_value(); }  // for images, in every new view
     int count() const { return vertices_.count; }
     std::size_t bytes() const { return static_cast<std::size_t>(vertices_.count) * 5 * sizeof(float); }

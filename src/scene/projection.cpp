@@ -19,11 +19,37 @@ Place place_of(const CameraSpec& camera, double x, double y) {
     return {(x - middle_x) * camera.pixel_aspect * pixel, (middle_y - y) * pixel};
 }
 
+std::array<double, 2> pixel_at(const CameraSpec& camera, Place at) {
+    const auto [middle_x, middle_y] = line_of_sight(camera);
+    const double pixel = camera.pixel();
+    return {middle_x + at.u / (camera.pixel_aspect * pixel), middle_y - at.v / pixel};
+}
+
+// A face's axes: to the right and upward in it, and ahead through its middle.
+struct Face {
+    Vec3 right, up, ahead;
+};
+constexpr Face kFaces[] = {{{0, 0, -1}, {0, 1, 0}, {-1, 0, 0}}, {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}},
+                           {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}},   {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
+                           {{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}},  {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}};
+
+// at: u and v, of which a face has 2 along each side.
+int face_at(Place at) {
+    const int column = std::clamp(static_cast<int>(std::floor(0.5 * at.u + 1.5)), 0, 2);
+    return at.v >= 0.0 ? column : 3 + column;
+}
+Place face_middle(int face) { return {2.0 * (face % 3 - 1), face < 3 ? 1.0 : -1.0}; }
+Place within_face(Place at) {
+    const Place middle = face_middle(face_at(at));
+    return {at.u - middle.u, at.v - middle.v};
+}
+
 double part_angle(Projection projection, double pixel, Place at) {
     switch (projection) {
         case Projection::kFisheye:
         case Projection::kEquirectangular: return pixel;
         case Projection::kCylindrical: at.u = 0.0; break;
+        case Projection::kCube: at = within_face(at); break;
         case Projection::kPinhole: break;
     }
     const double inverse = 1 / std::sqrt(1 + at.u * at.u + at.v * at.v);
@@ -46,6 +72,11 @@ Vec3 pixel_direction(const CameraSpec& camera, double x, double y) {
         }
         case Projection::kEquirectangular: return {std::cos(v) * std::sin(u), std::sin(v), -std::cos(v) * std::cos(u)};
         case Projection::kCylindrical: return {std::sin(u), v, -std::cos(u)};
+        case Projection::kCube: {
+            const Face& face = kFaces[face_at({u, v})];
+            const Place in = within_face({u, v});
+            return in.u * face.right + in.v * face.up + face.ahead;
+        }
         case Projection::kPinhole: break;
     }
     return {u, v, -1.0};
@@ -69,10 +100,26 @@ std::optional<std::array<double, 2>> pixel_of(const CameraSpec& camera, Vec3 dir
             if (!(level > 0.0)) return std::nullopt;
             at = {std::atan2(right, ahead), up / level};
             break;
+        case Projection::kCube: {
+            int face = 0;
+            for (int i = 1; i < 6; ++i)
+                if (dot(direction, kFaces[i].ahead) > dot(direction, kFaces[face].ahead)) face = i;
+            return pixel_on_face(camera, face, direction);
+        }
     }
-    const auto [middle_x, middle_y] = line_of_sight(camera);
-    const double pixel = camera.pixel();
-    return std::array{middle_x + at.u / (camera.pixel_aspect * pixel), middle_y - at.v / pixel};
+    return pixel_at(camera, at);
+}
+
+std::optional<std::array<double, 2>> pixel_on_face(const CameraSpec& camera, int face, Vec3 direction) {
+    const Face& on = kFaces[face];
+    const double far = dot(direction, on.ahead);
+    if (!(far > 0.0)) return std::nullopt;
+    const Place middle = face_middle(face);
+    return pixel_at(camera, {middle.u + dot(direction, on.right) / far, middle.v + dot(direction, on.up) / far});
+}
+
+int cube_face(const CameraSpec& camera, double x, double y) {
+    return camera.projection == Projection::kCube ? face_at(place_of(camera, x, y)) : 0;
 }
 
 bool shows(const CameraSpec& camera, double x, double y) {
@@ -83,13 +130,19 @@ bool shows(const CameraSpec& camera, double x, double y) {
 
 double shown_px(const CameraSpec& camera) {
     if (camera.projection == Projection::kFisheye) return 0.5 * camera.plane_width / camera.pixel();
+    if (camera.projection == Projection::kCube) return 2.0 / camera.pixel();
     return camera.projection == Projection::kEquirectangular ? 0.5 * M_PI / camera.pixel() : 1e9;
 }
 
 double pixel_solid_angle(const CameraSpec& camera, double x, double y) {
     const double pixel = camera.pixel(), square = pixel * pixel * camera.pixel_aspect;
-    const auto [u, v] = place_of(camera, x, y);
+    auto [u, v] = place_of(camera, x, y);
     switch (camera.projection) {
+        case Projection::kCube: {
+            const Place in = within_face({u, v});
+            u = in.u, v = in.v;
+            break;
+        }
         case Projection::kFisheye: return square * std::fabs(sinc(std::hypot(u, v)));
         case Projection::kEquirectangular: return square * std::fabs(std::cos(v));
         case Projection::kCylindrical: return square * std::pow(1 + v * v, -1.5);
@@ -105,6 +158,7 @@ double pixel_angle(const CameraSpec& camera, double x, double y) {
 double smallest_pixel_angle(const CameraSpec& camera) {
     const auto [right, up] = reach(camera);
     const double pixel = camera.pixel();
+    if (camera.projection == Projection::kCube) return part_angle(Projection::kPinhole, pixel, {1.0, 1.0});
     return part_angle(camera.projection, pixel, {right * pixel, up * pixel}) * std::sqrt(camera.pixel_aspect);
 }
 
@@ -130,6 +184,7 @@ double reach_angle(const CameraSpec& camera) {
     switch (camera.projection) {
         case Projection::kPinhole: return std::atan(std::hypot(right, up) * pixel);
         case Projection::kCylindrical: return std::min(std::hypot(right * pixel, std::atan(up * pixel)), M_PI);
+        case Projection::kCube: return M_PI;
         case Projection::kFisheye:
         case Projection::kEquirectangular: break;
     }
@@ -152,6 +207,7 @@ double usual_field_of_view(Projection projection) {
         case Projection::kFisheye: return M_PI;
         case Projection::kEquirectangular:
         case Projection::kCylindrical: return 2.0 * M_PI;
+        case Projection::kCube: return 6.0;
     }
     return M_PI / 3.0;
 }

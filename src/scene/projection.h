@@ -15,12 +15,18 @@ namespace nullscope {
 //   fisheye           azimuthal equidistant: hypot(u, v) from the line of sight, towards (u, v)
 //   equirectangular   longitude u to the right, latitude v
 //   cylindrical       longitude u, tangent v of the latitude
+//   cube              three columns and two rows of square faces, each a pinhole's picture of 90 degrees: left, ahead, right above down,
+//                     behind, up. The line of sight counts as the picture's middle.
 Vec3 pixel_direction(const CameraSpec& camera, double x, double y);
 // Where a direction of any length is seen, also beside the picture; nothing behind a pinhole. Of several places (longitudes, the
 // fisheye's antipode) the one nearest to the line of sight.
 std::optional<std::array<double, 2>> pixel_of(const CameraSpec& camera, Vec3 direction);
 // Of the line of sight.
 std::array<double, 2> line_of_sight(const CameraSpec& camera);
+// Of a cube: the face, 0 to 5 in the order above; 0 of other projections.
+int cube_face(const CameraSpec& camera, double x, double y);
+// Where a direction is seen in the plane of one face, also beyond its square; nothing behind it.
+std::optional<std::array<double, 2>> pixel_on_face(const CameraSpec& camera, int face, Vec3 direction);
 // Whether the picture shows anything there: of a fisheye within its circle, of equirectangular pictures between the poles.
 bool shows(const CameraSpec& camera, double x, double y);
 // How far from the line of sight that is, px of a pixel's height: a fisheye's radius, an equirectangular picture's height; else 1e9.
@@ -46,7 +52,7 @@ double field_of_view(const CameraSpec& camera);
 void set_field_of_view(CameraSpec& camera, double angle);
 // Of other projections than the pinhole, rad: narrower views need its exactness next to the line of sight.
 inline constexpr double kNarrowestWide = 10.0 * M_PI / 180.0;
-// What a projection has unless a scene says otherwise: 60, 180, 360 and 360 degrees.
+// What a projection has unless a scene says otherwise: 60, 180, 360 and 360 degrees; of a cube what stands for three faces.
 double usual_field_of_view(Projection projection);
 
 }  // namespace nullscope

@@ -31,8 +31,8 @@ struct ZoomSpec {
 };
 
 // How directions are laid out in the picture (scene/projection.h).
-enum class Projection { kPinhole, kFisheye, kEquirectangular, kCylindrical };
-inline constexpr const char* kProjectionNames[] = {"pinhole", "fisheye", "equirectangular", "cylindrical"};
+enum class Projection { kPinhole, kFisheye, kEquirectangular, kCylindrical, kCube };
+inline constexpr const char* kProjectionNames[] = {"pinhole", "fisheye", "equirectangular", "cylindrical", "cube"};
 inline const char* projection_name(Projection projection) { return kProjectionNames[static_cast<int>(projection)]; }
 
 // Of a picture that is drawn in parts: where a part begins, px from the upper left corner, and the size of the whole.
@@ -55,7 +55,7 @@ struct CameraSpec {
     Vec3 velocity{0, 0, 0};  // of the camera in the observer's frame, components along (e_r, e_theta, e_phi), |v| < 1
     Projection projection = Projection::kPinhole;
     // Pinhole: width of the projection plane and its distance, fov = 2 atan(plane_width / 2 focal_distance), 60 degrees. Others: the
-    // angle that the picture spans, rad, across its width, of a fisheye across its smaller side; and 1.
+    // angle that the picture spans, rad, across its width, of a fisheye across its smaller side; and 1. Cube: 6, three faces, and 1.
     double plane_width = 1.1547005383792517;
     double focal_distance = 1.0;
     double shift_x = 0.0,

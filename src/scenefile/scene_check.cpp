@@ -68,7 +68,12 @@ Faults check_lens(const Scene& scene) {
             return {};
         return {{fov, "too wide for a pinhole", "(0, 180), or another projection", fov}};
     }
-    if (camera.plane_width < (1.0 - 1e-12) * kNarrowestWide)
+    if (camera.projection == Projection::kCube &&
+        (camera.width % 3 != 0 || camera.width * 2 != camera.height * 3 || camera.pixel_aspect != 1.0 ||
+         camera.shift_x != 0.0 || camera.shift_y != 0.0))
+        return {{"camera.size", "a cube's faces are squares",
+                 "three columns and two rows of them, as [1536, 1024]; no shift", projection}};
+    if (camera.projection != Projection::kCube && camera.plane_width < (1.0 - 1e-12) * kNarrowestWide)
         return {{fov, fmt::format("too narrow for projection = \"{}\"", projection_name(camera.projection)),
                  "[10, 360], or projection = \"pinhole\"", fov}};
     if (camera.zoom) return {{projection, "a [zoom] is a pinhole's", "pinhole where there is a [zoom]", projection}};

@@ -53,6 +53,7 @@ bool sky_is(const Scene& s) {
     return s.sky.kind == kind;
 }
 bool is_pinhole(const Scene& s) { return s.camera.projection == Projection::kPinhole; }
+bool has_fov(const Scene& s) { return s.camera.projection != Projection::kCube; }
 bool far_is_nebula(const Scene& s) { return s.far_sky.kind == SkyKind::kNebula; }
 bool has_caps(const Scene& s) { return s.sky.mapping == SkyMapping::kBandAndCaps; }
 template <PathKind kind>
@@ -124,16 +125,18 @@ constexpr SceneKey kKeys[] = {
     {"camera", "velocity", KeyType::kVelocity, "c", "[0, 0, 0]", kNoRange, "",
      "Velocity in the observer's frame along (e_r, e_theta, e_phi): outward, southward, towards growing phi.",
      [](auto& s) { return &s.camera.velocity; }},
-    {"camera", "projection", KeyType::kChoice, "", "pinhole", kNoRange, "pinhole fisheye equirectangular cylindrical",
+    {"camera", "projection", KeyType::kChoice, "", "pinhole", kNoRange,
+     "pinhole fisheye equirectangular cylindrical cube",
      "How directions are laid out: pinhole; fisheye (azimuthal equidistant, a dome master where the picture is "
      "square); "
-     "equirectangular (longitude and latitude); cylindrical.",
+     "equirectangular (longitude and latitude); cylindrical; cube (six faces, left, ahead, right above down, behind, "
+     "up).",
      kProjection},
     {"camera", "fov", KeyType::kNumber, "deg", "60", kFov, "",
      "Horizontal field of view, of a fisheye across the smaller side of the picture. Below 180 for a pinhole, from 10 "
      "on "
      "for others, whose defaults are 180 (fisheye) and 360.",
-     kFieldOfView},
+     kFieldOfView, has_fov, "a projection that is no cube"},
     {"camera", "plane_width", KeyType::kNumber, "", "1.1547", kPlane, "",
      "Width of a pinhole's projection plane, in the unit of focal_distance; instead of fov.",
      [](auto& s) { return &s.camera.plane_width; }, is_pinhole, "projection = \"pinhole\""},

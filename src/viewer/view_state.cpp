@@ -137,6 +137,7 @@ void keep_outside_horizon(Scene& scene) {
 
 void set_fov(CameraSpec& camera, double fov) {
     constexpr double kDegree = std::numbers::pi / 180.0;
+    if (camera.projection == Projection::kCube) return;
     if (camera.projection == Projection::kPinhole)
         camera.plane_width =
             2.0 * camera.focal_distance * std::tan(0.5 * std::clamp(fov, 1.0 * kDegree, 170.0 * kDegree));

@@ -150,7 +150,7 @@ class Sequences(FilmTest):
 
     def test_a_run_that_draws_nothing_leaves_nothing(self):
         self.refused("capture", "scene.toml", *SIZE, "--frames", "0:2", "-o", "nowhere/f%d.png", status=1, says=["nowhere"])
-        self.refused("capture", "flat", "--size", "32768x32768", "--frames", "0:2", "-o", "f%d.png", says=["32768x32768"])
+        self.refused("capture", "flat", "--size", "32768x32768", "--raydata", "--frames", "0:2", "-o", "f%d.exr", says=["32768x32768"])
 
 
 if __name__ == "__main__":

@@ -38,6 +38,13 @@ Vec3 by_turns(Projection projection, double fov, double u, double v) {
         case Projection::kFisheye: return rolled(turned_right(forward, half * std::hypot(u, v)), std::atan2(v, u));
         case Projection::kEquirectangular: return turned_right(turned_up(forward, half * v), half * u);
         case Projection::kCylindrical: return turned_right(turned_up(forward, std::atan(half * v)), half * u);
+        case Projection::kCube: {
+            const int column = static_cast<int>(std::floor(1.5 * u + 1.5));
+            const double a = 3 * u - 2 * (column - 1), b = 3 * v - (v > 0 ? 1 : -1);
+            const Vec3 ahead = by_turns(Projection::kPinhole, M_PI / 2, a, b);
+            if (v > 0) return turned_right(ahead, 0.5 * M_PI * (column - 1));
+            return column == 1 ? turned_right(ahead, M_PI) : turned_up(ahead, 0.5 * M_PI * (column - 1));
+        }
         case Projection::kPinhole: break;
     }
     return turned_right(turned_up(forward, std::atan(std::tan(half) * v * std::cos(std::atan(std::tan(half) * u)))),
@@ -49,14 +56,18 @@ struct Case {
     int width, height;
     double fov;
 };
-constexpr Case kCases[] = {
-    {Projection::kPinhole, 300, 200, 1.2},         {Projection::kFisheye, 200, 200, M_PI},
-    {Projection::kFisheye, 300, 200, 2 * M_PI},    {Projection::kEquirectangular, 400, 200, 2 * M_PI},
-    {Projection::kEquirectangular, 300, 200, 1.5}, {Projection::kCylindrical, 400, 300, 2 * M_PI}};
+constexpr Case kCases[] = {{Projection::kPinhole, 300, 200, 1.2},
+                           {Projection::kFisheye, 200, 200, M_PI},
+                           {Projection::kFisheye, 300, 200, 2 * M_PI},
+                           {Projection::kEquirectangular, 400, 200, 2 * M_PI},
+                           {Projection::kEquirectangular, 300, 200, 1.5},
+                           {Projection::kCylindrical, 400, 300, 2 * M_PI},
+                           {Projection::kCube, 300, 200, 6.0}};
 
 TEST_CASE("projection: directions are those of turns about the camera's axes, and are found again") {
     for (const Case& one : kCases)
         for (const double aspect : {1.0, 1.6}) {
+            if (one.projection == Projection::kCube && aspect != 1.0) continue;
             CameraSpec camera = camera_of(one.projection, one.width, one.height, one.fov);
             camera.pixel_aspect = aspect, camera.shift_x = aspect - 1.0, camera.shift_y = 0.2 * (aspect - 1.0);
             const double across = one.width * aspect,
@@ -67,7 +78,8 @@ TEST_CASE("projection: directions are those of turns about the camera's axes, an
                     const double u = (x - (0.5 - camera.shift_x) * one.width) * aspect / (0.5 * side),
                                  v = ((0.5 + camera.shift_y) * one.height - y) / (0.5 * side);
                     if (!shows(camera, x, y)) continue;
-                    if (std::fabs(u * one.fov) > 2 * M_PI) continue;  // round the camera: the place is another one
+                    if (one.projection != Projection::kCube && std::fabs(u * one.fov) > 2 * M_PI)
+                        continue;  // round the camera: the place is another one
                     const Vec3 direction = pixel_direction(camera, x, y);
                     off = std::fmax(off, length(normalized(direction) - by_turns(one.projection, one.fov, u, v)));
                     const auto place = pixel_of(camera, direction);
@@ -95,8 +107,9 @@ TEST_CASE("projection: a pixel's solid angle is that of its corners, and all of 
             }
     }
     for (const auto& [projection, width] :
-         {std::pair{Projection::kFisheye, 400}, {Projection::kEquirectangular, 800}}) {
-        const CameraSpec camera = camera_of(projection, width, 400, 2 * M_PI);
+
+         {std::pair{Projection::kFisheye, 400}, {Projection::kEquirectangular, 800}, {Projection::kCube, 600}}) {
+        const CameraSpec camera = camera_of(projection, width, 400, projection == Projection::kCube ? 6.0 : 2 * M_PI);
         double sum = 0.0;
         for (int y = 0; y < camera.height; ++y)
             for (int x = 0; x < camera.width; ++x)
@@ -108,7 +121,7 @@ TEST_CASE("projection: a pixel's solid angle is that of its corners, and all of 
 TEST_CASE("projection: a part of a picture shows the whole's directions, bit by bit") {
     for (const Case& one : kCases) {
         CameraSpec whole = camera_of(one.projection, one.width, one.height, one.fov);
-        whole.shift_x = 0.25;
+        whole.shift_x = one.projection == Projection::kCube ? 0.0 : 0.25;
         CameraSpec part = whole;
         part.part = PicturePart{64, 40, whole.width, whole.height};
         part.width = 32, part.height = 16;
@@ -137,6 +150,29 @@ TEST_CASE("projection: how far a picture reaches, and where it comes round") {
         CameraSpec camera = camera_of(one.projection, one.width, one.height, one.fov);
         CHECK(field_of_view(camera) == doctest::Approx(one.fov));
     }
+}
+
+TEST_CASE("projection: the faces of a cube meet without a seam") {
+    const CameraSpec cube = camera_of(Projection::kCube, 300, 200, 6.0);
+    // Along the edges of the face ahead: the same direction in the plane of the face beside it.
+    constexpr int kBeside[] = {0, 2, 3, 5};
+    for (const int face : kBeside)
+        for (int i = 0; i <= 100; ++i) {
+            const double x = face == 0 ? 100 : face == 2 ? 200 : 100 + i, y = face == 5 ? 0 : face == 3 ? 100 : i;
+            const Vec3 d =
+                pixel_direction(cube, std::fmin(std::fmax(x, 100 + 1e-9), 200 - 1e-9), std::fmin(y, 100 - 1e-9));
+            const auto on = pixel_on_face(cube, face, d);
+            REQUIRE(on);
+            // Left and right of it edge to edge in the picture; up and down are the lower row's.
+            const double wanted_x = face == 0   ? 100
+                                    : face == 2 ? 200
+                                    : face == 3 ? i
+                                                : 200 + i,
+                         wanted_y = face == 5   ? 200
+                                    : face == 3 ? 100
+                                                : i;
+            CHECK(std::hypot((*on)[0] - wanted_x, (*on)[1] - wanted_y) < 1e-6);
+        }
 }
 
 }  // namespace
