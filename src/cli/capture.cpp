@@ -5,10 +5,12 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "annotate/marks.h"
 #include "base/assets.h"
 #include "base/progress.h"
+#include "cli/capture.h"
 #include "cli/capture_picture.h"
 #include "cli/command.h"
 #include "cli/frame_store.h"
@@ -173,7 +175,7 @@ Result<std::unique_ptr<FrameStore>> store_of(const Job& job, const CaptureOption
     const std::string stamp = frame_stamp({job.scene, job.split ? &*job.split : nullptr, options,
                                            method_name(job.method), first_time, NULLSCOPE_VERSION});
     return options.to_film() ? FrameStore::open_film(film_folder(options), stamp)
-                             : FrameStore::open_sequence(*job.names, job.frames, stamp, options.resume);
+                             : FrameStore::open_sequence(*job.names, stamp, options.resume);
 }
 
 // Do the programs of a picture in tiles, a few tenths of a second to compile, save more than that? By what there is to draw, whether it
@@ -185,20 +187,42 @@ bool worth_tiles(const Job& job) {
     return rays * (job.frames.end - job.frames.first) >= kWorth_px;
 }
 
-// Those that the store has not.
+// Draws a frame unless the store has it. False: another run is drawing it.
+Result<bool> draw_frame(const Job& job, Session* session, const CaptureOptions& options, FrameStore* store, int frame,
+                        bool wait) {
+    const std::string file = store != nullptr ? store->file(frame) : options.output;
+    const bool keeps = store != nullptr && (options.resume || options.to_film());
+    if (keeps && store->has(frame)) return true;
+    if (keeps) {
+        TRY(reserved, store->reserve(frame, wait));
+        if (!*reserved) return false;
+    }
+    if (!keeps || !store->has(frame)) {  // another run may have drawn it until now
+        TRY(made_by, draw(job, session, scene_at(job, options.time_step, frame), options, file,
+                          store != nullptr ? std::optional(frame) : std::nullopt));
+        if (store != nullptr) store->drew_one();
+        if (!options.to_film())
+            fmt::print("{}: {}x{}, {}\n", file, job.scene.camera.width, job.scene.camera.height, *made_by);
+    }
+    if (keeps) store->release(frame);
+    return true;
+}
+
+// Those that the store has not. What other runs are drawing comes last: it is drawn here if they end before.
 Status draw_frames(const Job& job, Session* session, const CaptureOptions& options, FrameStore* store) {
     const int count = job.frames.end - job.frames.first;
     std::optional<Progress> progress;
     if (count > 1) progress.emplace("frames", count);
+    std::vector<int> left;
     for (int frame = job.frames.first; frame < job.frames.end; ++frame) {
-        const std::string file = store != nullptr ? store->file(frame) : options.output;
-        if (store == nullptr || !(options.resume || options.to_film()) || !store->has(frame)) {
-            TRY(made_by, draw(job, session, scene_at(job, options.time_step, frame), options, file,
-                              store != nullptr ? std::optional(frame) : std::nullopt));
-            if (store != nullptr) store->drew_one();
-            if (!options.to_film())
-                fmt::print("{}: {}x{}, {}\n", file, job.scene.camera.width, job.scene.camera.height, *made_by);
-        }
+        TRY(done, draw_frame(job, session, options, store, frame, false));
+        if (!*done)
+            left.push_back(frame);
+        else if (progress)
+            progress->advance();
+    }
+    for (const int frame : left) {
+        TRY(done, draw_frame(job, session, options, store, frame, true));
         if (progress) progress->advance();
     }
     return Done{};
@@ -215,10 +239,15 @@ Status finish_film(const Job& job, const CaptureOptions& options) {
     return Done{};
 }
 
-Status run(const CaptureOptions& options) {
+Result<Scene> scene_of(const CaptureOptions& options) {
     TRY(scene, load_scene_sized(options.scene, options.size));
     if (options.time) scene->time = *options.time;
     if (options.samples && options.renderer == "gl") scene->picture.samples = *options.samples;
+    return scene;
+}
+
+Status run(const CaptureOptions& options) {
+    TRY(scene, scene_of(options));
     if (options.dump_shader) return dump_shader(*scene);
     TRY(job, job_of(options, std::move(*scene)));
     TRY(store, store_of(*job, options));
@@ -235,10 +264,21 @@ Status run(const CaptureOptions& options) {
 
 }  // namespace
 
-void add_capture(Command& parent) {
+Status check_sequence(const CaptureOptions& options) {
+    if (options.to_film())
+        return bad_input(fmt::format("-o {}: a film is made by one run", options.output),
+                         "names that end in .png, .jpg or .exr");
+    TRY(scene, scene_of(options));
+    TRY(job, job_of(options, std::move(*scene)));
+    return Done{};
+}
+
+void add_capture(Command& parent) { add_capture_to(parent, run); }
+
+void add_capture_to(Command& parent, const std::function<Status(const CaptureOptions&)>& run_it) {
     auto [command, options] = add_command<CaptureOptions>(
         parent, "capture", "Draw a scene to a PNG or JPEG (display-ready) or an EXR (linear light, optional ray data)",
-        run);
+        run_it);
     const KeyRange times = key_range("time");
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene (see: nullscope scenes)");
@@ -269,8 +309,10 @@ void add_capture(Command& parent) {
     command.add_option("--frames", &options.frames,
                        "A:B draws frames A to B-1 of the scene's [path], or in steps of --time-step; -o then needs a "
                        "place for the frame number (%05d, %d or #####) or ends in .mp4");
-    command.add_flag("--resume", &options.resume,
-                     "Skip frames whose files exist: resumes an interrupted sequence of the same scene and options");
+    command.add_flag(
+        "--resume", &options.resume,
+        "Skip frames whose files exist: resumes an interrupted sequence of the same scene and options; several "
+        "runs may draw it at once (see: nullscope frames --help)");
     number_option(
         command, "--samples", options.samples, 1, 16,
         fmt::format("N x N rays per pixel (default: the scene's picture.samples; with --renderer reference {})",

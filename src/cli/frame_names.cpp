@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 
 namespace nullscope::cli {
 namespace {
@@ -30,10 +31,11 @@ Place next_place(const std::string& text, std::size_t from) {
 
 Result<FrameNames> FrameNames::parse(const std::string& pattern) {
     const Place place = next_place(pattern, 0);
-    const bool single = place.length > 0 && next_place(pattern, place.at + place.length).length == 0;
+    const bool single = place.length > 0 && next_place(pattern, place.at + place.length).length == 0 &&
+                        pattern.find('/', place.at) == std::string::npos;
     if (!single || place.digits > kMostDigits)
         return bad_input(
-            fmt::format("-o {}: a sequence needs one place for the frame's number; "
+            fmt::format("-o {}: a sequence needs one place for the frame's number, in the file's name; "
                         "allowed: names with one of %05d, %d or ##### (up to {} digits)",
                         pattern, kMostDigits));
     return FrameNames(pattern, pattern.substr(0, place.at), pattern.substr(place.at + place.length),
@@ -48,5 +50,24 @@ std::string FrameNames::stamp_file() const {
 }
 
 std::string FrameNames::of(int frame) const { return fmt::format("{}{:0{}d}{}", before_, frame, digits_, after_); }
+
+std::vector<int> FrameNames::on_disk() const {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::path(before_).parent_path();
+    const std::string begin = fs::path(before_).filename().string();
+    std::vector<int> numbers;
+    std::error_code error;
+    for (fs::directory_iterator i(folder.empty() ? "." : folder, error), end; !error && i != end; i.increment(error)) {
+        const std::string name = i->path().filename().string();
+        if (name.size() <= begin.size() + after_.size() || !name.starts_with(begin) || !name.ends_with(after_))
+            continue;
+        const std::string digits = name.substr(begin.size(), name.size() - begin.size() - after_.size());
+        if (digits.size() > kMostDigits || digits.find_first_not_of("0123456789") != std::string::npos) continue;
+        const int number = std::atoi(digits.c_str());
+        if (fs::path(of(number)).filename() == name) numbers.push_back(number);
+    }
+    std::ranges::sort(numbers);
+    return numbers;
+}
 
 }  // namespace nullscope::cli

@@ -2,14 +2,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <thread>
 
 #include "base/atomic_file.h"
 
@@ -35,6 +36,22 @@ bool is_picture_of_film(const fs::path& file) {
     return file.extension() == ".png" && stem.size() >= 5 && stem.find_first_not_of("0123456789") == std::string::npos;
 }
 
+// Byte 0 of the stamp file stands for the stamp, byte 1 + N for frame N; they need not exist to be locked. A lock of the
+// descriptor's own is converted in one step. 0, or the error's number.
+int set_lock(int descriptor, short type, long long byte, bool wait = false) {
+    struct flock range {};
+    range.l_type = type;
+    range.l_whence = SEEK_SET;
+    range.l_start = byte;
+    range.l_len = 1;
+    while (::fcntl(descriptor, wait ? F_OFD_SETLKW : F_OFD_SETLK, &range) != 0)
+        if (errno != EINTR) return errno == EACCES ? EAGAIN : errno;
+    return 0;
+}
+
+constexpr long long kStampByte = 0;
+long long byte_of(int frame) { return 1LL + frame; }
+
 // How many there were.
 Result<int> remove_pictures(const std::string& folder) {
     int count = 0;
@@ -50,26 +67,32 @@ Result<int> remove_pictures(const std::string& folder) {
 FrameStore::FrameStore(FrameNames names, std::string stamp_file, int descriptor)
     : names_(std::move(names)), stamp_file_(std::move(stamp_file)), descriptor_(descriptor) {}
 
+// A stamp stays that other runs draw under, or have drawn under.
 FrameStore::~FrameStore() {
     if (descriptor_ < 0) return;
-    if (new_ && is_named(descriptor_, stamp_file_)) ::unlink(stamp_file_.c_str());
-    ::close(descriptor_);  // which frees the lock
+    const bool alone =
+        new_ && set_lock(descriptor_, F_WRLCK, kStampByte) == 0 && (!shared_ || names_.on_disk().empty());
+    if (alone && is_named(descriptor_, stamp_file_)) ::unlink(stamp_file_.c_str());
+    ::close(descriptor_);  // which frees the locks
 }
 
 // The descriptor is inherited by ffmpeg on purpose: an encoder that outlives a killed run keeps the pictures locked.
 Result<std::unique_ptr<FrameStore>> FrameStore::lock(const FrameNames& names, const std::string& stamp_file,
-                                                     const std::string& what) {
+                                                     const std::string& what, Lock kind, double patience_s) {
+    using Clock = std::chrono::steady_clock;
+    const auto deadline = Clock::now() + std::chrono::duration<double>(patience_s);
     for (;;) {
         const int descriptor = ::open(stamp_file.c_str(), O_RDWR | O_CREAT, 0666);
         if (descriptor < 0) return system_error(stamp_file, errno);
         std::unique_ptr<FrameStore> store(new FrameStore(names, stamp_file, descriptor));
-        if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-            if (errno == EWOULDBLOCK)
-                return failed(
-                    fmt::format("{}: another run is drawing it; wait for it to end, or choose another -o", what));
-            return failed(fmt::format("{}: cannot be locked: {}", stamp_file, std::generic_category().message(errno)));
-        }
-        if (is_named(descriptor, stamp_file)) return store;
+        const int error = set_lock(descriptor, kind == Lock::kShared ? F_RDLCK : F_WRLCK, kStampByte);
+        if (error == 0 && is_named(descriptor, stamp_file)) return store;
+        if (error == 0) continue;
+        if (error != EAGAIN)
+            return failed(fmt::format("{}: cannot be locked: {}", stamp_file, std::generic_category().message(error)));
+        if (Clock::now() >= deadline)
+            return failed(fmt::format("{}: another run is drawing it; wait for it to end, or choose another -o", what));
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
 }
 
@@ -84,7 +107,7 @@ Result<std::unique_ptr<FrameStore>> FrameStore::open_film(const std::string& fol
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) return failed(fmt::format("{}: {}", folder, error.message()));
-    auto store = lock(FrameNames::in_folder(folder), folder + "/stamp", folder);
+    auto store = lock(FrameNames::in_folder(folder), folder + "/stamp", folder, Lock::kExclusive, 0);
     if (!store) return store;
     TRY(before, read_text(folder + "/stamp"));
     if (*before == stamp) return store;
@@ -97,23 +120,52 @@ Result<std::unique_ptr<FrameStore>> FrameStore::open_film(const std::string& fol
     return store;
 }
 
-Result<std::unique_ptr<FrameStore>> FrameStore::open_sequence(const FrameNames& names, Frames frames,
-                                                              const std::string& stamp, bool resume) {
+// before: the stamp that is there.
+Status FrameStore::check_no_picture(const std::string& before, const std::string& stamp) const {
+    const std::size_t there = names_.on_disk().size();
+    if (there == 0) return Done{};
+    return bad_input(
+        fmt::format("--resume: {} pictures of {} do not match: {}; start over without --resume, or choose another -o",
+                    there, names_.pattern(), stamp_difference(before, stamp)));
+}
+
+// To resume, a run holds the exclusive lock only while it writes the stamp: others that begin at the same time wait.
+Result<std::unique_ptr<FrameStore>> FrameStore::open_sequence(const FrameNames& names, const std::string& stamp,
+                                                              bool resume) {
+    constexpr double kPatience_s = 2;
     const std::string stamp_file = names.stamp_file();
-    auto store = lock(names, stamp_file, names.pattern());
+    if (resume) {
+        auto store = lock(names, stamp_file, names.pattern(), Lock::kShared, kPatience_s);
+        if (!store) return store;
+        TRY(now, read_text(stamp_file));
+        if (*now == stamp) return store;
+        if (!now->empty()) {
+            TRY(none, (*store)->check_no_picture(*now, stamp));
+        }
+    }
+    auto store = lock(names, stamp_file, names.pattern(), Lock::kExclusive, resume ? kPatience_s : 0);
     if (!store) return store;
     TRY(before, read_text(stamp_file));
-    if (resume && *before == stamp) return store;
     (*store)->new_ = before->empty();
-    int there = 0;
-    for (int frame = frames.first; resume && frame < frames.end; ++frame) there += fs::exists(names.of(frame));
-    if (there > 0)
-        return bad_input(fmt::format(
-            "--resume: {} pictures of {} do not match: {}; start over without --resume, or choose another -o", there,
-            names.pattern(), stamp_difference(*before, stamp)));
-    TRY(written, (*store)->write(stamp));
+    if (resume && *before != stamp) {
+        TRY(none, (*store)->check_no_picture(*before, stamp));
+    }
+    if (!resume || *before != stamp) {
+        TRY(written, (*store)->write(stamp));
+    }
+    if (!resume) return store;
+    (*store)->shared_ = true;
+    if (const int error = set_lock((*store)->descriptor_, F_RDLCK, kStampByte)) return system_error(stamp_file, error);
     return store;
 }
+
+Result<bool> FrameStore::reserve(int frame, bool wait) const {
+    const int error = set_lock(descriptor_, F_WRLCK, byte_of(frame), wait);
+    if (error != 0 && error != EAGAIN) return system_error(stamp_file_, error);
+    return error == 0;
+}
+
+void FrameStore::release(int frame) const { set_lock(descriptor_, F_UNLCK, byte_of(frame)); }
 
 bool FrameStore::has(int frame) const {
     struct stat picture {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/result.h"
 #include "command/arguments.h"
@@ -19,7 +20,8 @@ public:
     static FrameNames in_folder(const std::string& folder);  // folder/00000.png ...
     std::string of(int frame) const;                         // with zeros in front, as many digits as there are places
     const std::string& pattern() const { return pattern_; }
-    std::string stamp_file() const;  // NAME.png.stamp for NAME%05d.png
+    std::string stamp_file() const;    // NAME.png.stamp for NAME%05d.png
+    std::vector<int> on_disk() const;  // the numbers of the files that are there, ascending
 
 private:
     FrameNames(std::string pattern, std::string before, std::string after, int digits)
@@ -61,17 +63,18 @@ std::string frame_stamp(const StampInput& input);
 std::string stamp_difference(const std::string& before, const std::string& now);
 
 // The pictures, and the stamp file with them: the text that frame_stamp() makes. Pictures are kept from one run to the
-// next only under an equal stamp. The stamp file is locked while a run draws; the kernel frees it when the process
-// ends, however it ends.
+// next only under an equal stamp. While a run draws, it holds a lock on the stamp file: one that no other run can share,
+// or, to resume a sequence, one that runs with an equal stamp share. The kernel frees locks when the process ends,
+// however it ends. They are open file description locks, which NFS passes on to its server.
 class FrameStore {
 public:
     // A folder of the film's own, made if it is missing. Under another stamp its pictures are removed, and one line on
     // standard error says so. Errors: another run draws there (1), what the system says.
     static Result<std::unique_ptr<FrameStore>> open_film(const std::string& folder, const std::string& stamp);
-    // The stamp file is NAME.png.stamp for NAME%05d.png. resume: pictures that are there stay. Errors: as above; pictures
-    // of another stamp, or of none (bad input).
-    static Result<std::unique_ptr<FrameStore>> open_sequence(const FrameNames& names, Frames frames,
-                                                             const std::string& stamp, bool resume);
+    // The stamp file is NAME.png.stamp for NAME%05d.png. resume: pictures that are there stay, and other runs that resume
+    // may draw as well. Errors: as above; pictures of another stamp, or of none (bad input).
+    static Result<std::unique_ptr<FrameStore>> open_sequence(const FrameNames& names, const std::string& stamp,
+                                                             bool resume);
 
     FrameStore(const FrameStore&) = delete;
     FrameStore& operator=(const FrameStore&) = delete;
@@ -80,18 +83,26 @@ public:
     std::string file(int frame) const { return names_.of(frame); }
     // Whether that picture is there and was drawn under this stamp: it is not older than the stamp file.
     bool has(int frame) const;
+    // Reserves a frame, so that runs which share the stamp do not both draw it. False: another run is drawing it; wait:
+    // until that run has ended or released it. Errors: what the system says.
+    Result<bool> reserve(int frame, bool wait) const;
+    void release(int frame) const;
     void drew_one() { new_ = false; }
 
 private:
+    enum class Lock { kShared, kExclusive };
     FrameStore(FrameNames names, std::string stamp_file, int descriptor);
+    // patience_s: how long to wait for another run's lock.
     static Result<std::unique_ptr<FrameStore>> lock(const FrameNames& names, const std::string& stamp_file,
-                                                    const std::string& what);
+                                                    const std::string& what, Lock kind, double patience_s);
+    Status check_no_picture(const std::string& before, const std::string& stamp) const;
     Status write(const std::string& stamp) const;
 
     FrameNames names_;
     std::string stamp_file_;
     int descriptor_;
-    bool new_ = false;  // the stamp is this run's, and there is no picture yet
+    bool new_ = false;     // the stamp is this run's, and it has drawn no picture yet
+    bool shared_ = false;  // others may have drawn
 };
 
 // A film from numbered pictures, by the ffmpeg program where that is installed.

@@ -131,7 +131,7 @@ TEST_CASE("names of a sequence's files have one place for the number") {
     CHECK(name("a%02d.png", 123) == "a123.png");
     CHECK(name("x/#####.exr", 7) == "x/00007.exr");
     CHECK(name("100%_%d.png", 7) == "100%_7.png");
-    for (const char* pattern : {"a.png", "%d%d.png", "#a#.png", "%s.png", "%010d.png", "##########.png"})
+    for (const char* pattern : {"a.png", "%d%d.png", "#a#.png", "%s.png", "%d/a.png", "%010d.png", "##########.png"})
         CHECK(name(pattern, 0).find("allowed: names with one of") != std::string::npos);
     CHECK(FrameNames::parse("x/a%d.png")->stamp_file() == "x/a.png.stamp");
     CHECK(FrameNames::parse("x/%05d.png")->stamp_file() == "x/frames.png.stamp");

@@ -1,0 +1,118 @@
+// nullscope frames: a sequence in chunks, each a command line for one of many machines.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "cli/capture.h"
+#include "observer/path.h"
+#include "scenefile/scene_file.h"
+
+namespace nullscope::cli {
+namespace {
+
+using Words = std::vector<std::string>;
+
+struct FramesOptions {
+    std::string scene, output = "frame%05d.png", range;
+    Words more;  // capture's options; without a range the first of them is in its place
+    int chunk = 10;
+    bool commands = false;
+};
+
+// As a POSIX shell reads it back.
+std::string shell_word(const std::string& word) {
+    constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    return quoted + "'";
+}
+
+Result<std::string> whole_path(const std::string& name) {
+    TRY(scene, load_scene(name));
+    if (!scene->path)
+        return bad_input(fmt::format("{}: it has no [path], so say which frames, A:B, and -- --time-step DT", name));
+    TRY(path, CameraPath::make(*scene));
+    return fmt::format("0:{}", path->frames());
+}
+
+Words capture_words(const FramesOptions& options, const Frames& frames, const Words& more) {
+    Words words{"nullscope", "capture", options.scene, "--frames", fmt::format("{}:{}", frames.first, frames.end),
+                "--resume",  "-o",      options.output};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+// By capture itself.
+Status check(const Words& words) {
+    Command program("nullscope", "");
+    add_capture_to(program, check_sequence);
+    std::vector<const char*> argv;
+    for (const std::string& word : words) argv.push_back(word.c_str());
+    TRY(asked, parse_command_line(program, static_cast<int>(argv.size()), argv.data()));
+    if (!asked->run) return bad_input("after --: options of capture that draw");
+    TRY(ran, asked->run());
+    return Done{};
+}
+
+// "0:10 15:18"; numbers: ascending.
+std::string ranges_text(const std::vector<int>& numbers) {
+    std::string text;
+    for (std::size_t i = 0, end = 0; i < numbers.size(); i = end) {
+        for (end = i + 1; end < numbers.size() && numbers[end] == numbers[end - 1] + 1;) ++end;
+        text += fmt::format("{}{}:{}", text.empty() ? "  " : " ", numbers[i], numbers[end - 1] + 1);
+    }
+    return text;
+}
+
+Status run(const FramesOptions& options) {
+    Words more = options.more;
+    std::string range = options.range;
+    if (range.empty() || range.starts_with('-')) {
+        if (!range.empty()) more.insert(more.begin(), range);
+        TRY(whole, whole_path(options.scene));
+        range = *whole;
+    }
+    TRY(frames, parse_frames(range));
+    const Words all = capture_words(options, *frames, more);
+    if (std::ranges::any_of(all,
+                            [](const std::string& word) { return word.find_first_of("\n\r") != std::string::npos; }))
+        return bad_input("a line break in a word: each chunk is one line");
+    TRY(good, check(all));
+    const int count = frames->end - frames->first;
+    if (!options.commands) {
+        TRY(names, FrameNames::parse(options.output));
+        std::vector<int> there = names->on_disk();
+        std::erase_if(there, [&](int frame) { return frame < frames->first || frame >= frames->end; });
+        fmt::print("frames  {:>8}  {}\n", count, range);
+        fmt::print("chunks  {:>8}  of {}\n", (count - 1) / options.chunk + 1, options.chunk);
+        fmt::print("there   {:>8}{}\n", there.size(), ranges_text(there));
+        return Done{};
+    }
+    for (int first = frames->first; first < frames->end; first += std::min(options.chunk, frames->end - first)) {
+        std::string line;
+        for (const std::string& word :
+             capture_words(options, {first, first + std::min(options.chunk, frames->end - first)}, more))
+            line += (line.empty() ? "" : " ") + shell_word(word);
+        fmt::print("{}\n", line);
+    }
+    return Done{};
+}
+
+}  // namespace
+
+void add_frames(Command& parent) {
+    auto [command, options] = add_command<FramesOptions>(
+        parent, "frames", "Divide a sequence into chunks that several machines draw at once (docs/farm.md)", run);
+    required_option(command, "scene", options.scene, "Scene file, or the name of a built-in scene");
+    command.add_option("frames", &options.range, "A:B, frames A to B-1 (default: all of the scene's [path])");
+    command.add_option("options", &options.more, "After --: options of capture, as in -- --size 640x360");
+    text_option(command, "-o,--output", options.output, "Files to write, as capture's: one place for the frame number");
+    number_option(command, "--chunk", options.chunk, 1, 1000000, "Frames of a chunk");
+    command.add_flag("--commands", &options.commands,
+                     "Print a line for the shell for each chunk; one that is run again draws only what is missing");
+}
+
+}  // namespace nullscope::cli
