@@ -2,6 +2,7 @@
 """Sequences in chunks: the lines of `nullscope frames` draw one sequence together, whatever is killed and run again."""
 import os
 import random
+import shutil
 import signal
 import subprocess
 import time
@@ -10,6 +11,7 @@ from pathlib import Path
 import support
 
 PATH = {"PATH": str(Path(support.BINARY).parent) + os.pathsep + os.environ["PATH"]}
+SCRIPTS = Path(support.__file__).resolve().parents[2] / "scripts" / "farm"
 FRAMES = 48
 SCENE = """[sky]
 kind = "grid"
@@ -171,6 +173,57 @@ class Workers(FarmTest):
         self.assertIn("sky.kind", self.ended(self.begin(wrong), 2))   # though none of its frames is there
         self.run_lines([others])
         self.check_whole()
+
+
+FAKE_SBATCH = """#!/bin/bash
+printf '%s\\n' "$@" > words.txt
+cat > job.sh
+while [[ $1 != --array ]]; do shift; done
+range=${2%%%*}
+for ((task = ${range%-*}; task <= ${range#*-}; ++task)); do SLURM_ARRAY_TASK_ID=$task bash job.sh || exit 1; done
+"""
+FAKE_PARALLEL = """#!/bin/bash
+if [[ $1 == --version ]]; then echo GNU parallel 1; exit; fi
+printf '%s\\n' "$@" > words.txt
+sh -e
+"""
+
+
+class Scripts(FarmTest):
+    def run_script(self, name, *words, lines="", path="bin", status=0):
+        done = subprocess.run([SCRIPTS / name, *words], cwd=self.folder, input="\n".join(lines), text=True, capture_output=True,
+                              env={**os.environ, "PATH": f"{self.folder / path}:{PATH['PATH']}"}, timeout=support.LONGEST_S)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return done.stdout if status == 0 else done.stderr
+
+    def test_each_line_is_run(self):
+        (self.folder / "bin").mkdir()
+        for name, program, fake, words in (("slurm.sh", "sbatch", FAKE_SBATCH, ("--gpus", "1", "--array", "%2")),
+                                           ("parallel.sh", "parallel", FAKE_PARALLEL, ("--jobs", "2"))):
+            (self.folder / "bin" / program).write_text(fake)
+            (self.folder / "bin" / program).chmod(0o755)
+            begins = f"it's $HOME {program} "
+            lines = self.lines("0:6", chunk=2, output=begins + "%03d.png")
+            self.run_script(name, *words, lines=[lines[0], "", lines[1], "  "])
+            self.assertEqual(len(self.pictures(begins)), 4)
+            self.assertIn("\n".join(words[:2]), (self.folder / "words.txt").read_text())
+            (self.folder / "lines.txt").write_text("\n".join(lines))   # the last without an end
+            self.assertEqual(self.run_script(name, "-f", "lines.txt", *words).count(begins), 2)
+            self.assertEqual(len(self.pictures(begins)), 6)
+            self.assertIn("no lines", self.run_script(name, status=1))
+            self.assertIn("cannot be read", self.run_script(name, "-f", "nowhere.txt", status=1))
+            self.assertIn(name, self.run_script(name, "--help"))
+        self.assertIn("only %N", self.run_script("slurm.sh", "--array", "1-5", status=1))
+
+    def test_a_missing_program_is_named(self):
+        (self.folder / "tools").mkdir()
+        for tool in ("env", "bash", "grep", "wc"):
+            (self.folder / "tools" / tool).symlink_to(shutil.which(tool))
+        for name, says in (("slurm.sh", "sbatch is not installed"), ("parallel.sh", "GNU parallel is not installed")):
+            done = subprocess.run([SCRIPTS / name], cwd=self.folder, input="true\n", text=True, capture_output=True,
+                                  env={"PATH": str(self.folder / "tools")}, timeout=support.LONGEST_S)
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+            self.assertIn(says, done.stderr)
 
 
 if __name__ == "__main__":
