@@ -96,14 +96,14 @@ struct Job {
     std::optional<Scene> split{};  // of --split
     std::optional<CameraPath> path{};
     Frames frames{};
+    int time_frame = 0;                 // that has the scene's time
     std::optional<FrameNames> names{};  // of a sequence's files; a film's pictures have a folder of their own
     Method method{};                    // of the shader
 };
 
-// The scene of a frame. Without a path the first frame that is drawn has the scene's time.
 Scene scene_at(const Job& job, double time_step, int frame) {
     Scene now = job.scene;
-    now.time += (frame - (job.path ? 0 : job.frames.first)) * time_step;
+    now.time += (frame - job.time_frame) * time_step;
     if (!job.path) return now;
     now.camera = job.path->at(frame);
     now.time += job.path->clock(frame);
@@ -158,6 +158,9 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
                          "scenes whose path.kind is not fall");
     TRY(frames, frames_of(options, job.path ? &*job.path : nullptr));
     job.frames = *frames;
+    if (job.path && options.time_frame)
+        return bad_input("--time-frame: a path begins in frame 0", "scenes without a [path]");
+    if (!job.path) job.time_frame = options.time_frame.value_or(job.frames.first);
     if (!options.to_film() && !options.frames.empty()) {
         TRY(names, FrameNames::parse(options.output));
         job.names = std::move(*names);
@@ -171,7 +174,7 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
 // Where the pictures of a film or a sequence go, and which of them are there. Nothing: one picture.
 Result<std::unique_ptr<FrameStore>> store_of(const Job& job, const CaptureOptions& options) {
     if (!options.to_film() && !job.names) return std::unique_ptr<FrameStore>();
-    const double first_time = job.scene.time - (job.path ? 0 : job.frames.first) * options.time_step;
+    const double first_time = job.scene.time - job.time_frame * options.time_step;
     const std::string stamp = frame_stamp({job.scene, job.split ? &*job.split : nullptr, options,
                                            method_name(job.method), first_time, NULLSCOPE_VERSION});
     return options.to_film() ? FrameStore::open_film(film_folder(options), stamp)
@@ -306,6 +309,9 @@ void add_capture_to(Command& parent, const std::function<Status(const CaptureOpt
     number_option(command, "--time-step", options.time_step, -1e6, 1e6,
                   "Scene time between two frames of --frames and films, r_s/c; not for a falling camera, whose path "
                   "sets the time");
+    number_option(command, "--time-frame", options.time_frame, 0, 1e8,
+                  "Frame that has the scene's time, for a scene without a [path] (default: the first of --frames)")
+        .needs("--frames");
     command.add_option("--frames", &options.frames,
                        "A:B draws frames A to B-1 of the scene's [path], or in steps of --time-step; -o then needs a "
                        "place for the frame number (%05d, %d or #####) or ends in .mp4");

@@ -36,6 +36,7 @@ struct CaptureOptions {
     std::optional<int> samples;  // reference: a side of a pixel; else kSamples
     std::optional<double> time;
     double time_step = 0;
+    std::optional<int> time_frame;  // that has the scene's time
     std::optional<double> max_error;
     std::optional<int> largest_texture, quality;  // quality: of a JPEG
     bool raydata = false, half = false, dump_shader = false, resume = false, plain = false;

@@ -30,14 +30,6 @@ std::string shell_word(const std::string& word) {
     return quoted + "'";
 }
 
-Result<std::string> whole_path(const std::string& name) {
-    TRY(scene, load_scene(name));
-    if (!scene->path)
-        return bad_input(fmt::format("{}: it has no [path], so say which frames, A:B, and -- --time-step DT", name));
-    TRY(path, CameraPath::make(*scene));
-    return fmt::format("0:{}", path->frames());
-}
-
 Words capture_words(const FramesOptions& options, const Frames& frames, const Words& more) {
     Words words{"nullscope", "capture", options.scene, "--frames", fmt::format("{}:{}", frames.first, frames.end),
                 "--resume",  "-o",      options.output};
@@ -70,12 +62,18 @@ std::string ranges_text(const std::vector<int>& numbers) {
 Status run(const FramesOptions& options) {
     Words more = options.more;
     std::string range = options.range;
-    if (range.empty() || range.starts_with('-')) {
-        if (!range.empty()) more.insert(more.begin(), range);
-        TRY(whole, whole_path(options.scene));
-        range = *whole;
+    if (range.starts_with('-')) {
+        more.insert(more.begin(), range);
+        range.clear();
+    }
+    TRY(scene, load_scene(options.scene));
+    if (range.empty()) {
+        if (!scene->path) return bad_input("no [path] in the scene, so say which frames: A:B, and -- --time-step DT");
+        TRY(path, CameraPath::make(*scene));
+        range = fmt::format("0:{}", path->frames());
     }
     TRY(frames, parse_frames(range));
+    if (!scene->path) more.insert(more.end(), {"--time-frame", fmt::format("{}", frames->first)});  // of all chunks
     const Words all = capture_words(options, *frames, more);
     if (std::ranges::any_of(all,
                             [](const std::string& word) { return word.find_first_of("\n\r") != std::string::npos; }))

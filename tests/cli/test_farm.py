@@ -80,6 +80,15 @@ class Lines(FarmTest):
         self.assertEqual(self.run_lines(lines), [0, 0, 0])
         self.assertEqual(self.pictures("it's $1 "), before)
 
+    def test_time_goes_on_from_chunk_to_chunk(self):
+        words = ("hot-spot", "--size", "32x18", "--time-step", "0.7")
+        self.run_nullscope("capture", *words, "--frames", "3:9", "-o", "whole%d.png")
+        lines = self.run_nullscope("frames", words[0], "3:9", "--chunk", "2", "-o", "f%d.png", "--commands", "--", *words[1:]).out
+        self.assertEqual(self.run_lines(lines.splitlines()), [2, 2, 2])
+        drawn = {(self.folder / f"f{frame}.png").read_bytes() for frame in range(3, 9)}
+        self.assertEqual(drawn, {(self.folder / f"whole{frame}.png").read_bytes() for frame in range(3, 9)})
+        self.assertEqual(len(drawn), 6)
+
     def test_table(self):
         words = ("frames", "scene.toml", "--chunk", "20", "-o", "f%03d.png", *SIZE)
         self.assertEqual(self.run_nullscope(*words).out.split(), f"frames {FRAMES} 0:{FRAMES} chunks 3 of 20 there 0".split())
@@ -89,7 +98,7 @@ class Lines(FarmTest):
         self.assertEqual(self.run_nullscope(*words).out.split()[-4:], "there 5 3:5 6:9".split())
 
     def test_bad_input(self):
-        for words, says in ((("flat",), "it has no [path]"), (("scene.toml", "0:99"), f"allowed: 0:{FRAMES}"),
+        for words, says in ((("flat",), "no [path] in the scene"), (("scene.toml", "0:99"), f"allowed: 0:{FRAMES}"),
                             (("scene.toml", "5:5"), "not a range"), (("scene.toml", "-o", "f.png"), "one place"),
                             (("scene.toml", "-o", "f%d.mp4"), "one run"), (("scene.toml", "-o", "f%d/a.png"), "in the file's name"),
                             (("scene.toml", "-o", "a\n%d.png"), "line break"), (("scene.toml", "--", "--sise", "8x8"), "nearest: --size"),
@@ -103,6 +112,16 @@ class Lines(FarmTest):
 class Workers(FarmTest):
     def count_mine(self):
         return sum(int(name[:3]) < FRAMES // 2 for name in self.pictures())
+
+    def stopped(self, line):
+        """A worker that stands still after its first pictures."""
+        worker = self.begin(line)
+        deadline = time.monotonic() + support.LONGEST_S
+        while not self.pictures() and time.monotonic() < deadline:
+            time.sleep(0.001)
+        worker.send_signal(signal.SIGSTOP)
+        os.waitpid(worker.pid, os.WUNTRACED)
+        return worker
 
     def test_a_worker_is_killed_again_and_again(self):
         chance = random.Random()
@@ -137,13 +156,10 @@ class Workers(FarmTest):
     def test_what_a_killed_worker_was_drawing_is_drawn(self):
         """A worker stands still with a picture reserved; the other waits for that one alone, and draws it."""
         line, = self.lines(chunk=FRAMES)
-        first = self.begin(line)
-        while not self.pictures():
-            time.sleep(0.001)
-        first.send_signal(signal.SIGSTOP)
+        first = self.stopped(line)
         second = self.begin(line)
         deadline = time.monotonic() + support.LONGEST_S
-        while len(self.pictures()) < FRAMES - 1 and time.monotonic() < deadline:
+        while len(self.pictures()) < FRAMES - 1 and second.poll() is None and time.monotonic() < deadline:
             time.sleep(0.01)
         first.kill()
         first.communicate()
@@ -164,11 +180,10 @@ class Workers(FarmTest):
     def test_another_scene_is_refused(self):
         mine, others = self.lines()
         _, wrong = self.lines(scene="other.toml")
-        worker = self.begin(mine)
-        while not self.pictures():
-            time.sleep(0.001)
+        worker = self.stopped(mine)
         self.assertIn("sky.kind", self.ended(self.begin(wrong), 2))
         self.assertIn("another run is drawing it", self.ended(self.begin(mine.replace(" --resume", "")), 1))
+        worker.send_signal(signal.SIGCONT)
         self.ended(worker)
         self.assertIn("sky.kind", self.ended(self.begin(wrong), 2))   # though none of its frames is there
         self.run_lines([others])
