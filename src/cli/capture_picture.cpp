@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -37,6 +38,11 @@ void print_notes(Session& session) {
 // 8 bits a colour: a picture of 16384x16384 px is held.
 Result<Image<unsigned char>> large_picture8(Session& session, const Scene& scene) {
     const CameraSpec& camera = scene.camera;
+    constexpr long long kMostBytes = std::numeric_limits<int>::max();  // of the packages that write it
+    if (3LL * camera.width * camera.height > kMostBytes)
+        return bad_input(
+            fmt::format("a picture of {}x{} px is too large for .png and .jpg", camera.width, camera.height),
+            fmt::format("{} million pixels, or -o FILE.exr", kMostBytes / 3'000'000));
     Image<unsigned char> picture(camera.width, camera.height, 3);
     Progress progress("large picture", camera.height);
     for (const PictureBand& band : picture_bands(camera)) {
@@ -131,6 +137,7 @@ Status write_picture(const std::string& file_name, const Scene& scene, const Cap
         return save_jpeg(file_name, captured.display, scene.name + "\nnullscope " NULLSCOPE_VERSION, jpeg_quality);
     std::map<std::string, std::string> words = words_of(scene, captured.made_by, frame);
     if (!file_name.ends_with(".exr")) {
+        words.erase("nullscope.renderer");  // the same picture is the same file
         words.insert({{"Title", scene.name}, {"Software", "nullscope " NULLSCOPE_VERSION}});
         return save_png(file_name, captured.display, words);
     }

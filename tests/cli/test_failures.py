@@ -44,6 +44,7 @@ class Drivers(support.CliTest):
 
 class Memory(support.CliTest):
     def test_a_frame_beyond_the_driver(self):
+        self.refused("capture", "flat", "--size", "32768x32768", "-o", "a.png", says=["32768x32768", "-o FILE.exr"])
         bloom = self.write("bloom.toml", BLOOM)   # which needs the picture at once
         self.refused("capture", bloom, "--size", "32768x32768", "-o", "a.png", says=["32768x32768", "allowed: 1x1 to"])
         self.refused("capture", "flat", "--size", "32768x32768", "--raydata", "-o", "a.exr", says=["32768x32768", "allowed: 1x1 to"])
