@@ -288,4 +288,13 @@ Result<Scene> parse_scene(std::string_view toml_text, const std::string& file_la
     return SceneReader(file_label, base_directory).read(*root);
 }
 
+bool is_scene_line(std::string_view text) { return text.starts_with("scene = {"); }
+
+Result<Scene> scene_of_line(std::string_view line) {
+    TRY(root, toml_of(line.substr(0, line.find('\n')), "scene"));
+    const toml::table* scene = root->get_as<toml::table>("scene");
+    if (scene == nullptr || root->size() != 1) return bad_input("no scene", "scene = { camera = { r = 15 }, ... }");
+    return SceneReader("scene", {}).read(*scene);
+}
+
 }  // namespace nullscope

@@ -25,6 +25,10 @@ Result<Scene> load_scene(const std::string& file_or_name);
 Result<Scene> parse_scene(std::string_view toml_text, const std::string& file_label,
                           const std::filesystem::path& base_directory);
 
+// Of scene_line()'s text (scenefile/scene_writer.h); what follows the line is left out. is_scene_line: whether it begins like one.
+bool is_scene_line(std::string_view text);
+Result<Scene> scene_of_line(std::string_view line);
+
 struct SceneInfo {
     std::string name;         // what load_scene takes
     std::string title;        // the scene's own name; of a broken file as `name`

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
 #include "base/text.h"
@@ -14,6 +15,7 @@
 #include "scenefile/scene_check.h"
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_keys.h"
+#include "scenefile/toml_text.h"
 
 namespace nullscope {
 namespace {
@@ -204,6 +206,15 @@ private:
     std::string text_;
 };
 
+void make_inline(toml::node& node) {
+    if (toml::table* table = node.as_table()) {
+        table->is_inline(true);
+        for (auto&& [key, value] : *table) make_inline(value);
+    }
+    if (toml::array* array = node.as_array())
+        for (toml::node& value : *array) make_inline(value);
+}
+
 }  // namespace
 
 // What a file says that has these sections and nothing in them but the words that defaults depend on.
@@ -224,6 +235,19 @@ Scene section_defaults(const Scene& holder, std::string_view section) {
 
 std::string scene_file_text(const Scene& scene, const fs::path& base_directory) {
     return Writer(scene, base_directory).text();
+}
+
+std::string scene_line(const Scene& scene) {
+    auto text = toml_of(scene_file_text(scene, {}), "scene");
+    if (!text) return "";  // larger than a scene file may be
+    make_inline(*text);
+    toml::table line;
+    line.insert("scene", std::move(*text));
+    std::ostringstream out;
+    out << line;
+    std::string words = out.str();
+    std::ranges::replace(words, '\n', ' ');  // within arrays
+    return words;
 }
 
 std::string view_line(const CameraSpec& camera) {

@@ -12,6 +12,10 @@ namespace nullscope {
 // read the same ones; angles that no number of degrees gives exactly are the next one, off by a rounding.
 std::string scene_file_text(const Scene& scene, const std::filesystem::path& base_directory);
 
+// The whole scene as one line, "scene = { camera = { r = 15 }, ... }", that scene_of_line() reads (scenefile/scene_file.h). Images are
+// named by their absolute paths.
+std::string scene_line(const Scene& scene);
+
 // A camera as one line of a scene file, "camera = { r = 15, fov = 60 }", with what differs from the defaults. The picture's size is not in it.
 std::string view_line(const CameraSpec& camera);
 

@@ -47,6 +47,13 @@ std::string text_of(Scene scene) {
     return scene_file_text(scene, {});
 }
 
+Status keep(const fs::path& file, const Scene& scene) {
+    TRY(good, savable(scene));
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    return write_text_atomically(file, text_of(*good));
+}
+
 }  // namespace
 
 Status Autosave::keep(const Scene& scene, const Scene& loaded, double now) {
@@ -105,15 +112,16 @@ Status take_left_scene(const fs::path& file) {
 }
 
 Status keep_recording(const Scene& scene) {
-    const fs::path file = last_recording();
-    if (file.empty()) return Done{};
-    TRY(good, savable(scene));
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    return write_text_atomically(file, text_of(*good));
+    return last_recording().empty() ? Status(Done{}) : keep(last_recording(), scene);
+}
+
+Status keep_pasted(const Scene& scene) {
+    return last_pasted().empty() ? failed("HOME is not set, so there is no place for a pasted scene")
+                                 : keep(last_pasted(), scene);
 }
 
 fs::path last_session() { return state_file("last-session.toml"); }
 fs::path last_recording() { return state_file("last-recording.toml"); }
+fs::path last_pasted() { return state_file("last-pasted.toml"); }
 
 }  // namespace nullscope::viewer

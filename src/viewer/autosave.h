@@ -34,9 +34,12 @@ Status take_left_scene(const std::filesystem::path& file);
 
 // A recorded flight that another scene replaces, with its scene, to be opened after the viewer has ended, too.
 Status keep_recording(const Scene& scene);
+// A scene that was pasted, to be opened from there. Errors: it cannot be written, there is no home.
+Status keep_pasted(const Scene& scene);
 
 // Their files, whether they are there or not; empty without a home.
 std::filesystem::path last_session();
 std::filesystem::path last_recording();
+std::filesystem::path last_pasted();
 
 }  // namespace nullscope::viewer

@@ -10,6 +10,7 @@
 #include "scene/bodies.h"
 #include "scene/projection.h"
 #include "scenefile/scene_edit.h"
+#include "scenefile/scene_text.h"
 #include "scenefile/scene_writer.h"
 #include "spacetime/registry.h"
 #include "viewer/autosave.h"
@@ -27,7 +28,7 @@ Status load_into(ViewState& view, const std::string& file_or_name) {
     if (std::ranges::find(view.shipped, file_or_name, &SceneInfo::name) == view.shipped.end()) {
         view.source = std::filesystem::absolute(file_or_name).string();
         const std::filesystem::path path(view.source);
-        if (path != last_session() && path != last_recording()) own_file(view, view.source);
+        if (path != last_session() && path != last_recording() && path != last_pasted()) own_file(view, view.source);
     }
     view.loaded = view.scene = std::move(*loaded);
     if (view.scene.disc) view.hidden_disc = *view.scene.disc;
@@ -78,11 +79,26 @@ Scene drawn_scene(const ViewState& view) {
     return scene;
 }
 
-std::string copied_view(const Scene& scene) {
-    return view_line(scene.camera) + (scene.name.empty() ? "" : kOfScene + without_controls(scene.name));
+bool is_as_shipped(const ViewState& view) {
+    const auto own = std::ranges::find(view.shipped, view.scene.name, &SceneInfo::title);
+    auto shipped = own != view.shipped.end() ? load_scene(own->path.string()) : bad_input("not one that ships");
+    if (!shipped) return false;
+    shipped->camera = view.scene.camera;
+    set_size(*shipped, shipped->camera.width, shipped->camera.height);
+    const auto is_same = [](const SceneLine& a, const SceneLine& b) {
+        return a.name == b.name && a.value == b.value && a.file == b.file;
+    };
+    return std::ranges::equal(scene_lines(*shipped), scene_lines(view.scene), is_same);
 }
 
-bool is_view(const std::string& text) { return text.starts_with("camera = {"); }
+std::string copied_view(const ViewState& view) {
+    if (is_as_shipped(view)) return view_line(view.scene.camera) + kOfScene + without_controls(view.scene.name);
+    Scene scene = view.scene;
+    set_size(scene, CameraSpec{}.width, CameraSpec{}.height);
+    return scene_line(scene);
+}
+
+bool is_view(const std::string& text) { return text.starts_with("camera = {") || is_scene_line(text); }
 
 std::string scene_of_view(const std::string& line) {
     const std::size_t at = line.find(kOfScene);

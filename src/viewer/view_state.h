@@ -74,11 +74,13 @@ void own_file(ViewState& view, const std::string& path);
 // What is drawn: the scene without what is hidden or switched off. A hole without lensing is a black sphere as large as its horizon.
 Scene drawn_scene(const ViewState& view);
 
-// One line: view_line() of the camera, and the scene's name as a comment.
-std::string copied_view(const Scene& scene);
+// The scene is one that ships, but for its camera. Reads the file: a millisecond.
+bool is_as_shipped(const ViewState& view);
+// One line. Of a scene that ships view_line() of the camera, and the scene's name as a comment; of any other scene_line().
+std::string copied_view(const ViewState& view);
 bool is_view(const std::string& text);               // it begins as such a line does
 std::string scene_of_view(const std::string& line);  // the name, or ""
-// Of such a line: the camera that it says, in the scene's spacetime. Errors: as a scene file's.
+// Of a camera's line: the camera that it says, in the scene's spacetime. Errors: as a scene file's.
 Status paste_view(ViewState& view, const std::string& line);
 // What a step of a tour shows, its camera as if the file had it (R returns to it). Errors: as load_into's.
 Status load_step(ViewState& view, const TourStep& step);

@@ -96,6 +96,7 @@ private:
     bool perform(Command command);
     bool step_history(bool back);
     bool paste();
+    bool paste_scene(const std::string& line);
     bool add(const std::string& section);
     void pick(double x, double y);  // the body there
     void close_topmost();

@@ -154,13 +154,29 @@ void Viewer::navigate() {
 }
 
 void Viewer::copy_view() {
-    ImGui::SetClipboardText(copied_view(view_.scene).c_str());
-    say("Camera copied as one line of text, for Ctrl + V here, in another window or in a scene file");
+    const std::string line = copied_view(view_);
+    if (line.empty()) return say("Not copied: the scene is too large for a line");
+    ImGui::SetClipboardText(line.c_str());
+    say(is_scene_line(line)
+            ? "Scene copied as one line of text, for Ctrl + V here or in another window"
+            : "Camera copied as one line of text, for Ctrl + V here, in another window or in a scene file");
+}
+
+// As a file that is opened: what was shown before can be opened again, and saving asks for a name.
+bool Viewer::paste_scene(const std::string& line) {
+    const auto scene = scene_of_line(line);
+    const Status kept = scene ? keep_pasted(*scene) : Status(scene.error());
+    if (!kept) return say("Clipboard: " + kept.error().message()), false;
+    if (!open_file(last_pasted().string())) return false;
+    gallery_.close();
+    say("Scene pasted");
+    return true;
 }
 
 // In the gallery no scene is chosen yet: the view's own opens if it ships.
 bool Viewer::paste() {
     const std::string line = clipboard(), of = scene_of_view(line);
+    if (is_scene_line(line)) return paste_scene(line);
     const auto own = std::ranges::find(view_.shipped, of, &SceneInfo::title);
     const bool opens = gallery_.is_open() && own != view_.shipped.end() && of != view_.scene.name;
     if (opens && !open_file(own->name)) return false;

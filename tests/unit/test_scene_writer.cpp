@@ -92,6 +92,11 @@ TEST_CASE("scene writer: random scenes are the same when they are read again") {
         const auto third = parse_scene(second, "again.toml", info.path.parent_path());
         REQUIRE(third);
         CHECK(canonical(*again) == canonical(*third));
+        const std::string line = scene_line(*again);
+        CHECK(line.find('\n') == std::string::npos);
+        const auto of_line = scene_of_line(line);
+        REQUIRE_MESSAGE(of_line, of_line.error().message());
+        CHECK(canonical(*of_line) == canonical(*third));
     }
     CHECK(read == kScenes);
 }

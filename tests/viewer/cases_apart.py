@@ -1066,6 +1066,19 @@ def test_a_view_that_is_pasted_in_the_gallery_opens_its_scene(screen, program, f
         assert v.layout().place("View pasted: the camera alone", ""), v.layout().words()
 
 
+def test_a_scene_that_was_changed_is_sent_as_one_line(screen, program, folder):
+    scene = 'name = "mine"\n[camera]\nr = 20\n[[ball]]\nposition = [4, 3, 1]\n[[ball]]\nposition = [4, -3, 1]\n'
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene=scene) as v:
+        turned = v.settle("key", "e")
+        v.settle("key", "ctrl+c")
+        v.settle("key", "ctrl+o")
+        v.click(*FIRST_CARD)
+        assert v.title() == "First light - nullscope", v.title()
+        v.settle("key", "ctrl+v")
+        assert v.title() == "mine - nullscope", v.title()
+        same(turned, v.settle(), "the scene that was pasted")
+
+
 def test_a_search_shows_what_it_finds_and_says_when_it_finds_nothing(screen, program, folder):
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
         def typed(words, hint, window):     # the pointer stays where it was clicked
@@ -1172,6 +1185,7 @@ if EVERYTHING:
               test_a_camera_that_side_b_cannot_have_is_refused, test_a_gamepad_flies_and_its_buttons_do_what_keys_do,
               test_a_film_without_ffmpeg_is_frames_and_a_failure_is_told_at_once,
               test_a_view_that_is_pasted_in_the_gallery_opens_its_scene,
+              test_a_scene_that_was_changed_is_sent_as_one_line,
               test_a_search_shows_what_it_finds_and_says_when_it_finds_nothing, test_a_section_that_is_opened_is_seen,
               test_a_fall_says_where_it_ended, test_recent_files_are_told_apart_and_are_there,
               test_a_scene_that_is_not_there_yet_is_named,

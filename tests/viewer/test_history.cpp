@@ -1,6 +1,8 @@
 // Undo and redo in the viewer, and views as a line of text.
 #include <doctest/doctest.h>
 
+#include "scene/bodies.h"
+#include "scenefile/scene_text.h"
 #include "scenefile/scene_writer.h"
 #include "viewer/comparison.h"
 #include "viewer/history.h"
@@ -10,8 +12,10 @@ namespace {
 using namespace nullscope;
 using viewer::copied_view;
 using viewer::History;
+using viewer::is_as_shipped;
 using viewer::is_view;
 using viewer::scene_of_view;
+using viewer::set_size;
 using viewer::SideB;
 using viewer::swap_sides;
 using viewer::ViewState;
@@ -212,7 +216,8 @@ TEST_CASE("views: what is copied in one scene is pasted into another, and other 
 
 TEST_CASE("views: a copied line is a view that says its scene, and is pasted with it") {
     ViewState from = opened("first-light"), to = opened("sky-only");
-    const std::string line = copied_view(from.scene);
+    from.scene.camera.yaw = 0.25;
+    const std::string line = copied_view(from);
     CHECK(line.find('\n') == std::string::npos);
     CHECK(is_view(line));
     CHECK_FALSE(is_view("kerr.toml"));
@@ -221,9 +226,25 @@ TEST_CASE("views: a copied line is a view that says its scene, and is pasted wit
     CHECK(scene_of_view(view_line(from.scene.camera)).empty());
     REQUIRE(paste_view(to, line));
     CHECK(view_line(to.scene.camera) == view_line(from.scene.camera));
-    from.scene.name = "two\nlines # \"of\"";
-    CHECK(scene_of_view(copied_view(from.scene)) == "two?lines # \"of\"");
-    REQUIRE(paste_view(to, copied_view(from.scene)));
+}
+
+TEST_CASE("views: of a scene that was changed the copied line is all of it") {
+    ViewState from = opened("first-light");
+    CHECK(is_as_shipped(from));
+    add_body(from.scene, BallSpec{.position = {5, 1, 2}, .radius = 0.5});
+    CHECK_FALSE(is_as_shipped(from));
+    const std::string line = copied_view(from);
+    CHECK(line.find('\n') == std::string::npos);
+    CHECK(is_view(line));
+    CHECK(is_scene_line(line));
+    auto again = scene_of_line(line + "\nmore");
+    REQUIRE_MESSAGE(again, again.error().message());
+    set_size(*again, from.scene.camera.width, from.scene.camera.height);
+    const auto one = scene_lines(from.scene), other = scene_lines(*again);
+    REQUIRE(one.size() == other.size());
+    for (std::size_t i = 0; i < one.size(); ++i) CHECK(one[i].name + one[i].value == other[i].name + other[i].value);
+    CHECK_FALSE(scene_of_line("scene = { camera = { r = -3 } }"));
+    CHECK_FALSE(scene_of_line("scene = 3"));
 }
 
 }  // namespace
