@@ -12,7 +12,7 @@ vec2 picture_fragment(vec2 place) { return vec2(place.x / frame.sight.z + frame.
 struct PixelView {
     vec3 at;                // the view direction in pixels to the right and upward, and ahead:
     float inverse_length;   //   times this it is a unit vector
-    float angle;            // that the pixel spans, rad: the square root of its solid angle
+    float angle;            // that the pixel spans, rad: the square root of its solid angle; of a pinhole as if pixels were square
 };
 
 // form: of pixels to the right and upward, and ahead (frame.ray_x, ray_y, ray_0); the unit direction's.
@@ -40,7 +40,7 @@ PixelView fisheye_view(vec2 place) {
     PixelView view;
     view.at = vec3(place * scale, turn.y);
     view.inverse_length = 1.0;
-    view.angle = frame.image.z * frame.sight.w * view_share(scale);
+    view.angle = frame.sight.w * view_share(scale);
     return view;
 }
 #endif
@@ -51,7 +51,7 @@ PixelView equirectangular_view(vec2 place) {
     PixelView view;
     view.at = vec3(latitude.y * longitude.x / frame.image.z, latitude.x / frame.image.z, latitude.y * longitude.y);
     view.inverse_length = 1.0;
-    view.angle = frame.image.z * frame.sight.w * view_share(latitude.y);
+    view.angle = frame.sight.w * view_share(latitude.y);
     return view;
 }
 #endif
@@ -62,25 +62,25 @@ PixelView cylindrical_view(vec2 place) {
     PixelView view;
     view.at = vec3(longitude.x / frame.image.z, place.y, longitude.y);
     view.inverse_length = inversesqrt(1.0 + slope * slope);
-    view.angle = frame.image.z * frame.sight.w * view.inverse_length * sqrt(view.inverse_length);
+    view.angle = frame.sight.w * view.inverse_length * sqrt(view.inverse_length);
     return view;
 }
 #endif
 
-#ifdef EFFECT_CUBE
+#ifdef EFFECT_CUBE_FACES
 // The faces of a picture of three columns and two rows: left, ahead, right above down, behind, up.
-int cube_face(vec2 place) {
+int face_of(vec2 place) {
     float side = 2.0 / frame.image.z;
     int column = int(clamp(floor(place.x / side + 1.5), 0.0, 2.0));
     return place.y >= 0.0 ? column : 3 + column;
 }
-vec2 cube_middle(int face) {
+vec2 face_middle(int face) {
     float side = 2.0 / frame.image.z;
     return vec2(float(face % 3 - 1) * side, face < 3 ? 0.5 * side : -0.5 * side);
 }
-PixelView cube_view(vec2 place) {
-    int face = cube_face(place);
-    vec2 at = place - cube_middle(face);
+PixelView faces_view(vec2 place) {
+    int face = face_of(place);
+    vec2 at = place - face_middle(face);
     float far = 1.0 / frame.image.z;
     PixelView view;
     view.at = vec3(at, 1.0);
@@ -90,7 +90,7 @@ PixelView cube_view(vec2 place) {
     if (face == 4) view.at = vec3(-at.x, at.y, -1.0);
     if (face == 5) view.at = vec3(at.x, far, -at.y * frame.image.z);
     view.inverse_length = inversesqrt(1.0 + dot(at, at) * (frame.image.z * frame.image.z));
-    view.angle = frame.image.z * frame.sight.w * view.inverse_length * sqrt(view.inverse_length);
+    view.angle = frame.sight.w * view.inverse_length * sqrt(view.inverse_length);
     return view;
 }
 // In a face's own axes: to its right, upward and ahead. view: to the camera's right, upward, ahead.
@@ -106,8 +106,8 @@ vec3 on_face(vec3 view, int face) {
 #endif
 
 PixelView pixel_view(vec2 place) {
-#ifdef EFFECT_CUBE
-    if (frame.projection.x == 4.0) return cube_view(place);
+#ifdef EFFECT_CUBE_FACES
+    if (frame.projection.x == 4.0) return faces_view(place);
 #endif
 #ifdef EFFECT_FISHEYE
     if (frame.projection.x == 1.0) return fisheye_view(place);
@@ -121,6 +121,6 @@ PixelView pixel_view(vec2 place) {
     PixelView view;
     view.at = vec3(place, 1.0);
     view.inverse_length = inversesqrt(1.0 + dot(place, place) * (frame.image.z * frame.image.z));
-    view.angle = frame.image.z * frame.sight.w * view.inverse_length * sqrt(view.inverse_length);
+    view.angle = frame.image.z * view.inverse_length * sqrt(view.inverse_length);
     return view;
 }

@@ -22,15 +22,15 @@ float bearing(float y, float x) {
 // view: unit; to the right, upward, ahead.
 ViewPlace view_place(vec3 view) {
     float unit = frame.image.z;
-    float square = unit * unit * frame.sight.w * frame.sight.w;
+    float square = frame.sight.w * frame.sight.w;
     float ahead = max(view.z, 1.0e-6);
     ViewPlace place = ViewPlace(view.xy / (ahead * unit), view.z > 0.0, square * view.z * view.z * view.z);
-#ifdef EFFECT_CUBE
+#ifdef EFFECT_CUBE_FACES
     int face = 0;
     for (int other = 1; other < 6; ++other)
         if (on_face(view, other).z > on_face(view, face).z) face = other;
     vec3 turned = on_face(view, face);
-    place = ViewPlace(turned.xy / (turned.z * unit) + cube_middle(face), true, square * turned.z * turned.z * turned.z);
+    place = ViewPlace(turned.xy / (turned.z * unit) + face_middle(face), true, square * turned.z * turned.z * turned.z);
 #endif
 #ifdef EFFECT_FISHEYE
     float aside = length(view.xy);

@@ -3,7 +3,7 @@
 // Members of an effect that is off are not in the block; C++ has them all.
 struct FrameData {
     vec4 image;        // width, height in px, angle of a pixel's height in the line of sight (rad, of a pinhole its tangent), exposure factor
-    vec4 sight;        // the line of sight, px from the lower left corner; a pixel's width over its height, and that's square root
+    vec4 sight;        // the line of sight, px from the lower left corner; a pixel's width over its height; the root of its solid angle there, rad
     vec4 ray_0;        // view direction of pixel (x, y) of a pinhole, not normalised: ray_0 + x ray_x + y ray_y, world axes, .w = 0;
     vec4 ray_x;        //   x, y: picture_place(), core/view.glsl
     vec4 ray_y;

@@ -7,22 +7,22 @@ layout(location = 0) in vec3 star_place;   // what star_point takes
 layout(location = 1) in vec2 star_make;
 flat out vec3 star_peak;
 flat out vec2 star_middle;                 // picture_place()
-#ifdef EFFECT_CUBE
+#ifdef EFFECT_CUBE_FACES
 flat out int star_face;                    // that it is drawn on
 #endif
 
 void main() {
     StarPoint point = star_point(star_place, star_make);
     star_peak = point.peak;
-#ifdef EFFECT_CUBE
+#ifdef EFFECT_CUBE_FACES
     // On every face: the rim of its light too.
-    PixelView looks = cube_view(point.pixel);
+    PixelView looks = faces_view(point.pixel);
     star_face = gl_InstanceID;
     vec3 turned = on_face(vec3(looks.at.xy * frame.image.z, looks.at.z), star_face);
     point.seen = point.seen && turned.z > 0.0;
     vec2 on_plane = turned.xy / max(turned.z, 1.0e-6);
     point.seen = point.seen && max(abs(on_plane.x), abs(on_plane.y)) < 1.0 + frame.point_stars.w * frame.image.z;
-    point.pixel = on_plane / frame.image.z + cube_middle(star_face);
+    point.pixel = on_plane / frame.image.z + face_middle(star_face);
 #else
 #ifdef BLOCK_PROJECTION
     // Round the camera: again at the picture's other side.

@@ -35,8 +35,9 @@ std::vector<std::string> block_names(const std::string& block) {
 // The code of discs and of all projections is always compiled, and that of rays that pass the critical direction: where they end in a horizon
 // they fetch nothing.
 std::vector<Variant> variants(const std::string& block) {
-    std::vector<std::string> always = {"__cplusplus",        "EFFECT_DISC", "EFFECT_FISHEYE", "EFFECT_EQUIRECTANGULAR",
-                                       "EFFECT_CYLINDRICAL", "EFFECT_CUBE"};
+    std::vector<std::string> always = {"__cplusplus",        "EFFECT_DISC",
+                                       "EFFECT_FISHEYE",     "EFFECT_EQUIRECTANGULAR",
+                                       "EFFECT_CYLINDRICAL", "EFFECT_CUBE_FACES"};
     for (std::string& name : block_names(block)) always.push_back(std::move(name));  // FrameData has all members
     std::vector<Variant> all;
     for (const char* name : {"flat", "lensed", "cubic"}) {

@@ -67,7 +67,7 @@ enum class Effect {
     kFisheye,
     kEquirectangular,
     kCylindrical,
-    kCube,
+    kCubeFaces,
     kEnd  // no effect: how many there are
 };
 inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);

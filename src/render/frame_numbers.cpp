@@ -55,7 +55,7 @@ void put_view(FrameData& frame, const FramePlan& plan, const Mat3& shown, const 
     frame.image = {static_cast<double>(camera.width), static_cast<double>(camera.height), pixel,
                    std::exp2(camera.exposure_ev)};
     const auto [right_px, down_px] = line_of_sight(camera);
-    frame.sight = {right_px, camera.height - down_px, camera.pixel_aspect, std::sqrt(camera.pixel_aspect)};
+    frame.sight = {right_px, camera.height - down_px, camera.pixel_aspect, pixel * std::sqrt(camera.pixel_aspect)};
     frame.projection = {static_cast<double>(camera.projection), shown_px(camera), turn_px(camera) * camera.pixel_aspect,
                         0};
     frame.ray_0 = {shown * ahead, 0};

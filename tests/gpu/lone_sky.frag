@@ -3,6 +3,7 @@ precision highp float;
 precision highp int;
 struct FrameData {
     vec4 image;
+    vec4 sight;
     vec4 ray_0;
     vec4 ray_x;
     vec4 ray_y;

@@ -8,6 +8,7 @@
 #include "base/assets.h"
 #include "base/atomic_file.h"
 #include "scene/bodies.h"
+#include "scene/projection.h"
 #include "shaderlib/shader_source.h"
 #include "support/folders.h"
 #include "support/gpu_session.h"
@@ -93,6 +94,14 @@ std::vector<Scene> full_scenes() {
     scenes[6].disc->material.texture = TextureKind::kGas;
     scenes[6].camera.observer = ObserverKind::kRain;
     scenes[3].camera.zoom = scenes[6].camera.zoom = ZoomSpec{5.0, 0.0};
+    for (const auto& [scene, projection] : {std::pair{1, Projection::kFisheye},
+                                            {2, Projection::kEquirectangular},
+                                            {5, Projection::kCylindrical},
+                                            {4, Projection::kCube}}) {
+        CameraSpec& camera = scenes[static_cast<std::size_t>(scene)].camera;
+        camera.projection = projection;
+        set_field_of_view(camera, usual_field_of_view(projection));
+    }
     scenes[1].picture = {ToneCurve::kFilm, 0.1, false, true};
     scenes[2].picture = {ToneCurve::kNeutral, 0.0, true, false, 2};
     return scenes;

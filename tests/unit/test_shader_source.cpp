@@ -88,7 +88,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kFisheye, {"fisheye_view"}},
     {Effect::kEquirectangular, {"equirectangular_view"}},
     {Effect::kCylindrical, {"cylindrical_view"}},
-    {Effect::kCube, {"cube_view"}},
+    {Effect::kCubeFaces, {"faces_view"}},
     {Effect::kDisc, {"disc_cross", "DiscCrossing", "plane_meet", "disc_normal", "disc_map", "disc_surface"}},
     {Effect::kDiscImage, {"disc_texture", "disc_filtered"}},
     {Effect::kDiscPattern, {"disc_material_pattern", "vec4 disc_material_map;"}},
