@@ -344,7 +344,7 @@ Status save_exr_bands(const std::filesystem::path& path, const BandedImage& imag
         };
         if (!to) return invalid(reason());
         try {
-            const Status written = write_bands(to, image, rows_from);
+            Status written = write_bands(to, image, rows_from);
             if (!to) return invalid(reason());
             if (!written) return written;
         } catch (const std::exception& exception) {
