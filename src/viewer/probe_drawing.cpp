@@ -20,7 +20,7 @@ constexpr double kWide = 1.25;      // of the camera's radius that it shows
 // em: a chart's side, alone, beside another, and at least; names of numbers, in the first column and in the second; where that begins;
 // numbers beside a chart, and in two columns
 constexpr float kSide = 15.0f, kSideOfTwo = 12.0f, kLeastSide = 8.0f, kNames = 7.2f, kShortNames = 5.0f,
-                kFirstColumn = 14.0f, kBeside = 16.0f, kColumns = 26.0f;
+                kFirstColumn = 15.0f, kBeside = 16.0f, kColumns = 27.0f;
 constexpr std::size_t kFewRows = 4;  // that are shown at least
 
 std::string words_of(const ProbeFacts& facts, const Scene& scene) {
