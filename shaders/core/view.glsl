@@ -1,4 +1,4 @@
-// Where a pixel looks: the camera's projection (scene/projection.h), and the inverse. Places in the picture are px of a pixel's height from
+// Where a pixel looks: the camera's projection (scene/projection.h; the inverse: core/view_place.glsl). Places in the picture are px of a pixel's height from
 // the line of sight, x to the right, y up.
 #ifdef BLOCK_PROJECTION
 #include "core/trig.glsl"

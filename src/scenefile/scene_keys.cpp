@@ -128,14 +128,12 @@ constexpr SceneKey kKeys[] = {
     {"camera", "projection", KeyType::kChoice, "", "pinhole", kNoRange,
      "pinhole fisheye equirectangular cylindrical cube",
      "How directions are laid out: pinhole; fisheye (azimuthal equidistant, a dome master where the picture is "
-     "square); "
-     "equirectangular (longitude and latitude); cylindrical; cube (six faces, left, ahead, right above down, behind, "
-     "up).",
+     "square); equirectangular (longitude and latitude); cylindrical; cube (six faces, left, ahead, right above down, "
+     "behind, up).",
      kProjection},
     {"camera", "fov", KeyType::kNumber, "deg", "60", kFov, "",
      "Horizontal field of view, of a fisheye across the smaller side of the picture. Below 180 for a pinhole, from 10 "
-     "on "
-     "for others, whose defaults are 180 (fisheye) and 360.",
+     "on for others, whose defaults are 180 (fisheye) and 360.",
      kFieldOfView, has_fov, "a projection that is no cube"},
     {"camera", "plane_width", KeyType::kNumber, "", "1.1547", kPlane, "",
      "Width of a pinhole's projection plane, in the unit of focal_distance; instead of fov.",

@@ -13,6 +13,7 @@ struct SceneLine {
     std::string name;            // as the key of a scene file: "camera.r"
     std::string value;           // in the units of Scene; numbers with 17 digits, kinds by their number
     std::filesystem::path file;  // of an image; what is in it is not part of value
+    friend bool operator==(const SceneLine&, const SceneLine&) = default;
 };
 
 std::vector<SceneLine> scene_lines(const Scene& scene);

@@ -85,10 +85,7 @@ bool is_as_shipped(const ViewState& view) {
     if (!shipped) return false;
     shipped->camera = view.scene.camera;
     set_size(*shipped, shipped->camera.width, shipped->camera.height);
-    const auto is_same = [](const SceneLine& a, const SceneLine& b) {
-        return a.name == b.name && a.value == b.value && a.file == b.file;
-    };
-    return std::ranges::equal(scene_lines(*shipped), scene_lines(view.scene), is_same);
+    return scene_lines(*shipped) == scene_lines(view.scene);
 }
 
 std::string copied_view(const ViewState& view) {
