@@ -35,6 +35,12 @@ enum class Projection { kPinhole, kFisheye, kEquirectangular, kCylindrical, kCub
 inline constexpr const char* kProjectionNames[] = {"pinhole", "fisheye", "equirectangular", "cylindrical", "cube"};
 inline const char* projection_name(Projection projection) { return kProjectionNames[static_cast<int>(projection)]; }
 
+// Pictures for two eyes, which lie eye_distance apart along the camera's right axis and look the same way (scene/stereo.h). kPair: two
+// pictures side by side, the left eye's first. kAllRound: omnidirectional stereo, of equirectangular pictures: in every column the eyes
+// lie across that column's direction; the left eye's picture is above the right one's.
+enum class Stereo { kOff, kPair, kAllRound };
+inline constexpr const char* kStereoNames[] = {"off", "pair", "all-round"};
+
 // Of a picture that is drawn in parts: where a part begins, px from the upper left corner, and the size of the whole.
 struct PicturePart {
     int left = 0, top = 0, width = 0, height = 0;
@@ -60,9 +66,12 @@ struct CameraSpec {
     double focal_distance = 1.0;
     double shift_x = 0.0,
            shift_y = 0.0;  // of the picture's middle from the line of sight, right and up, of its width and height
-    int width = 1280, height = 720;     // pixels ...
-    double pixel_aspect = 1.0;          // ... and the width of one over its height
-    double exposure_ev = 0.0;           // display brightness is multiplied by 2^exposure
+    int width = 1280, height = 720;  // pixels ...
+    double pixel_aspect = 1.0;       // ... and the width of one over its height
+    double exposure_ev = 0.0;        // display brightness is multiplied by 2^exposure
+    Stereo stereo = Stereo::kOff;
+    double eye_distance = 0.1;     // r_s
+    std::filesystem::path warp{};  // mesh that lays the projection's picture out anew (scene/warp_mesh.h); empty: none
     std::optional<ZoomSpec> zoom{};     // then yaw and pitch follow from it
     std::optional<PicturePart> part{};  // of a larger picture, whose width plane_width spans
     int whole_width() const { return part ? part->width : width; }
@@ -302,6 +311,9 @@ struct PictureSpec {
     int samples = 1;             // a pixel is the mean of samples x samples rays
     bool refine = true;          // where samples is 1: pixels that differ much from a neighbour have more rays
     ScaleBar scale_bar = ScaleBar::kOff;
+    double shutter =
+        0.0;  // of films: share of a frame's time for which light is gathered, [0, 1], about the frame's own time
+    int sub_frames = 16;  // of which its light is then the mean
     friend bool operator==(const PictureSpec&, const PictureSpec&) = default;
 };
 
