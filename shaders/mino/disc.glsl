@@ -39,6 +39,10 @@ DiscCrossing disc_walk_crossing(Trace trace, DiscWalk walk) {
     return crossing;
 }
 
+#ifdef LAYERS
+int disc_walk_order(DiscWalk walk, DiscCrossing crossing) { return int(crossing.number) - 1; }
+#endif
+
 #ifdef EFFECT_DELAY
 float disc_delay(Trace trace, DiscCrossing crossing) { return crossing.delay; }
 #endif

@@ -84,6 +84,11 @@ DiscCrossing disc_walk_crossing(Trace trace, DiscWalk walk) {
     return crossing;
 }
 
+#ifdef LAYERS
+// 0: the direct image.
+int disc_walk_order(DiscWalk walk, DiscCrossing crossing) { return walk.number; }
+#endif
+
 // Crossing `number`, where it is known to be within the disc.
 DiscCrossing disc_crossing_within(Trace trace, int number) { return disc_cross(trace, disc_meeting(trace), number, 0.0); }
 

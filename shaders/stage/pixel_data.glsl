@@ -23,6 +23,7 @@ struct PixelData {
     float angle;    // swept from the camera to the end
     float hit;      // number of the first object met, 0 for none
     vec3 place;     // of that meeting: x, y, z in r_s; of methods that count their steps, where nothing is met, x is their number
+    float along;    // where that is on the ray, by what tells the order of places; 0 for none
     float steps;    // that the tracer took; 0 of planar rays
 };
 
@@ -37,6 +38,7 @@ PixelData pixel_data(vec2 pixel) {
         data.angle = 0.0;
         data.hit = 0.0;
         data.place = vec3(0.0, 0.0, 0.0);
+        data.along = 0.0;
         data.steps = 0.0;
         return data;
     }
@@ -47,6 +49,7 @@ PixelData pixel_data(vec2 pixel) {
     data.steps = path_steps(trace);
     data.hit = 0.0;
     data.place = vec3(0.0, 0.0, 0.0);
+    data.along = 0.0;
     data.delay = 0.0;
 #ifdef NEEDS_PLACE
     SolidHit solid = solid_hit(trace, 0.0);
@@ -61,6 +64,7 @@ PixelData pixel_data(vec2 pixel) {
         if (crossing.hit) {
             data.hit = 1.0;
             data.place = vec3(crossing.place.x, crossing.place.y, 0.0);
+            data.along = crossing.phi;
             if (frame.disc_surface.x >= 1.0) {   // opaque: the ray ends here
                 data.fate = 4.0;
                 data.angle = swept_angle(crossing.phi);
@@ -80,6 +84,7 @@ PixelData pixel_data(vec2 pixel) {
         if (data.hit == 0.0) {
             data.hit = float(solid.object);
             data.place = solid.place.at;
+            data.along = solid.phi;
         }
     }
 #endif

@@ -24,6 +24,7 @@
 #include "effect/sampling.glsl"
 #include "path/trace"
 #include "shared/frame.glsl"
+#include "stage/layer.glsl"
 #include "stage/pixel.glsl"
 #ifdef TILES_WITH_BODIES
 #include "core/bits.glsl"
@@ -48,43 +49,50 @@ vec4 ray_light(vec2 pixel) {
         DiscCrossing crossing = disc_walk_crossing(trace, walk);
 #ifdef NEEDS_PLACE
         if (crossing.phi > solid.phi) {
-            light += through * body.rgb;
+            light += layer_light(through * body.rgb, through * body.a, LAYER_BODIES);
             through -= through * body.a;
             body = vec4(0.0);
         }
 #endif
         vec4 over = disc_colour(trace, crossing) * walk.covered;
         over = walk.more && crossing.hit ? over * through : vec4(0.0);
-        light += over.rgb;
+        light += layer_light(over.rgb, over.a, LAYER_DISC + min(disc_walk_order(walk, crossing), 2));
         through -= over.a;
         walk = disc_walk_on(trace, walk);
     } while (walk.more && through > 0.002);
 #endif
 #ifdef NEEDS_PLACE
-    light += through * body.rgb;
+    light += layer_light(through * body.rgb, through * body.a, LAYER_BODIES);
     through -= through * body.a;
 #endif
 #ifdef EFFECT_SKY
 #ifdef NEEDS_SKY_OF_EVERY_RAY
-    if (through > 0.002) light += through * celestial_sphere(trace, sky_fetches(trace));
+    if (through > 0.002) light += layer_light(through * celestial_sphere(trace, sky_fetches(trace)), through, LAYER_SKY);
 #else
-    if (trace.escapes && through > 0.002) light += through * celestial_sphere(trace, sky_fetches(trace));
+    if (trace.escapes && through > 0.002) light += layer_light(through * celestial_sphere(trace, sky_fetches(trace)), through, LAYER_SKY);
 #endif
 #else
 #ifdef EFFECT_FAR_SKY
-    if (!trace.escapes) light += through * other_side(trace, sky_fetches(trace));
+    if (!trace.escapes) light += layer_light(through * other_side(trace, sky_fetches(trace)), through, LAYER_SKY);
 #endif
 #endif
 #ifdef EFFECT_SKY_PATTERN
 #ifdef EFFECT_BOUNCE
-    if (through > 0.002) light += through * sky_pattern_light(trace);
+    if (through > 0.002) light += layer_light(through * sky_pattern_light(trace), through, LAYER_SKY);
 #else
-    if (trace.escapes && through > 0.002) light += through * sky_pattern_light(trace);
+    if (trace.escapes && through > 0.002) light += layer_light(through * sky_pattern_light(trace), through, LAYER_SKY);
+#endif
+#endif
+#ifdef LAYERS
+#ifndef EFFECT_SKY
+#ifndef EFFECT_SKY_PATTERN
+    if (trace.escapes) light += layer_light(vec3(0.0), through, LAYER_SKY);   // a black one can be replaced
+#endif
 #endif
 #endif
 #ifdef EFFECT_STAR
     if (!trace.escapes) {
-        light += through * star_surface(trace);
+        light += layer_light(through * star_surface(trace), through, LAYER_BODIES);
         through = 0.0;
     }
 #endif

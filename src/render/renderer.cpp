@@ -265,7 +265,7 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
     const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
     const bool refine = refines(list);
     if (refine && first == 0) {
-        edges_.begin();
+        if (layer_ == PictureLayer::kAll) edges_.begin();
         blocks_.upload_pixel(refining_);
     }
     for (const Pass& pass : list) {
@@ -281,7 +281,7 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
                          {.marked = refine ? gl::Marked::kNot : gl::Marked::kAny});
         } else if (pass.stage == Stage::kEdges) {
             if (refining_) refine_rows(list, width, height, first, last);
-        } else if (last == height) {
+        } else if (last == height && (layer_ == PictureLayer::kAll || layer_ == PictureLayer::kSky)) {
             draw_pass(pass, framebuffer, width, height);
         }
     }
@@ -304,6 +304,7 @@ void Renderer::draw_samples(int samples, int at_once, Draw draw) {
 void Renderer::draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last,
                             const gl::Layer& layer) {
     const gl::Program& built = program(pass.stage, pass.output);
+    if (pass.output == Output::kLayers) gl::set_integer(built, "layer_shown", static_cast<int>(layer_));
     if (is_in_tiles(pass.stage))
         gl::draw_tiles(built, empty_, picture, width, height, kTileSide, first, last, layer);
     else
@@ -312,7 +313,7 @@ void Renderer::draw_picture(const Pass& pass, unsigned picture, int width, int h
 
 void Renderer::refine_rows(const std::vector<Pass>& list, int width, int height, int first, int last) {
     gl::bind_texture_2d(kPictureUnit, linear_.colours.front());
-    edges_.compare(program(Stage::kEdges, Output::kLinear), empty_, first, last);
+    if (layer_ == PictureLayer::kAll) edges_.compare(program(Stage::kEdges, Output::kLinear), empty_, first, last);
     bind_inputs();
     for (std::size_t i = 0; i < kRefined.size(); ++i) {
         const gl::PointList& blocks = edges_.blocks()[i];
@@ -417,6 +418,14 @@ Image<float> Renderer::picture() {
                         [](const gl::Target& target, float* out) { gl::read_rgba32f(target, 0, out); });
 }
 
+Image<float> Renderer::layer(PictureLayer shown) {
+    layer_ = shown;
+    Image<float> image = drawn<float>(gl::Format::kRgba32F, Output::kLayers,
+                                      [](const gl::Target& target, float* out) { gl::read_rgba32f(target, 0, out); });
+    layer_ = PictureLayer::kAll;
+    return image;
+}
+
 Image<float> Renderer::interpolated_rays() {
     const int w = tables_.plan().scene.camera.width, h = tables_.plan().scene.camera.height;
     Image<float> image(w, h, 4);
@@ -432,6 +441,22 @@ Image<float> Renderer::interpolated_rays() {
                    0, h);
     for (int y = 0; y < h; ++y) gl::read_rgba32f_row(target, 0, h - 1 - y, image.at(0, y));
     return image;
+}
+
+Renderer::RayDepths Renderer::ray_depths() {
+    const int w = tables_.plan().scene.camera.width, h = tables_.plan().scene.camera.height;
+    const gl::Target target = gl::make_target(w, h, gl::Format::kRgba32F);
+    upload_ends();
+    const gl::Program& built = program(Stage::kRayDepth, Output::kLinear);
+    bind_inputs();
+    gl::draw_fullscreen(built, empty_, target.framebuffer.id(), w, h);
+    RayDepths depths;
+    std::vector<float> row(static_cast<std::size_t>(w) * 4);
+    for (int y = 0; y < h; ++y) {
+        gl::read_rgba32f_row(target, 0, h - 1 - y, row.data());
+        for (std::size_t i = 0; i < row.size(); i += 4) depths.depth.push_back(row[i]), depths.g.push_back(row[i + 1]);
+    }
+    return depths;
 }
 
 RayFrame Renderer::ray_data(int row_step) {

@@ -17,6 +17,7 @@
 #include "render/frame_numbers.h"
 #include "render/frame_tables.h"
 #include "render/picture_edges.h"
+#include "render/picture_layers.h"
 #include "render/picture_tiles.h"
 #include "render/sky_textures.h"
 #include "render/star_field.h"
@@ -88,8 +89,16 @@ public:
     // The prepared scene, read back; rows from the top.
     Image<unsigned char> picture8();  // RGB, display-encoded
     Image<float> picture();           // RGB, linear light
+    // One layer of it, or shares. kAll comes first: which pixels have more rays is found in it (draw_layers()).
+    Image<float> layer(PictureLayer shown);
     // Where rays are interpolated: the sky's direction, and 1 (escapes) or 2 (captured); elsewhere 0. Rows from the top, four channels.
     Image<float> interpolated_rays();
+    // Of the first thing that each pixel's ray meets, top row first, 0 where there is none or the metric has no light times (wormholes, zooms):
+    // the affine parameter, r_s, of a photon of unit frequency in the camera; on a thermal disc the camera's frequency over its matter's.
+    struct RayDepths {
+        std::vector<float> depth, g;
+    };
+    RayDepths ray_depths();               // want_delays(true) first
     RayFrame ray_data(int row_step = 1);  // row_step: draws and reads only rows 0, row_step, ...; the same bits there
 
     // The ray through the middle of each view's picture, in order; no picture of sky or disc is loaded. Needs no prepare(),
@@ -156,6 +165,7 @@ private:
     gl::Format linear_format_ = gl::Format::kRgba16F;
     PictureEdges edges_;  // of linear_: pixels with more rays
     bool refining_ = true;
+    PictureLayer layer_ = PictureLayer::kAll;  // of Output::kLayers
     BodyText body_text_;
     BodyImages body_images_;
     PictureTexture disc_;

@@ -5,6 +5,7 @@
 namespace nullscope {
 
 std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
+    if (output == Output::kLayers) tiles = std::min(tiles, Tiles::kBodies);  // their programs know all layers
     const bool stars = effects.contains(Effect::kPointStars);
     const bool bloom = effects.contains(Effect::kBloom), meter = effects.contains(Effect::kAutoExposure);
     const bool refine = effects.contains(Effect::kRefine), samples = takes_samples(effects);

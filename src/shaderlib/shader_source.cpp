@@ -102,6 +102,7 @@ constexpr StageFiles kStageFiles[] = {  // by Stage
     {kFullscreen, "stage/meter.frag"},
     {kFullscreen, "stage/develop.frag"},
     {kFullscreen, "stage/raydata.frag"},
+    {kFullscreen, "stage/raydepth.frag"},
     {kFullscreen, "stage/bare_fetch.frag"},
     {kFullscreen, "stage/rays.frag"},
     {kFullscreen, "stage/tiles.frag"},
@@ -155,8 +156,9 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
                no_bodies =
                    sky_alone || stage == Stage::kFullDisc || stage == Stage::kDiscTiles || stage == Stage::kRays;
     const bool objects = (!no_bodies && has_solids(effects)) || (!sky_alone && effects.contains(Effect::kDisc));
-    if (stage == Stage::kRayData || objects || effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PHI_END");
-    if (stage == Stage::kRayData && effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PLACE_LATE");
+    const bool data = stage == Stage::kRayData || stage == Stage::kRayDepth;
+    if (data || objects || effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PHI_END");
+    if (data && effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PLACE_LATE");
     if (no_bodies) std::erase(defines, "NEEDS_PLACE");
     if (sky_alone) std::erase(defines, "EFFECT_DISC");
     if (stage == Stage::kSkyTiles) defines.emplace_back("TILES_OF_SKY");
@@ -172,6 +174,7 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
     if (stage == Stage::kBodyTiles) defines.emplace_back("TILES_WITH_BODIES");
     if (draws_picture(stage)) defines.emplace_back("NEEDS_FOOTPRINT");
     if (draws_picture(stage) && output == Output::kDisplay) defines.emplace_back("DISPLAY_ENCODE");
+    if (draws_picture(stage) && output == Output::kLayers) defines.emplace_back("LAYERS");
     for (std::string& define : method_defines(method)) defines.push_back(std::move(define));
     std::map<std::string_view, std::string> generated = {
         {"generated/method", method_text(method, metric)},

@@ -11,7 +11,7 @@
 namespace nullscope {
 
 // kEdges: marks the picture's pixels that differ much from a neighbour. kStars: points added to the picture. kBloomDown, kBloomUp, kMeter: of the picture in
-// linear light. kDevelop: from it to the display. kBareFetch: one cube-map fetch a pixel,
+// linear light. kDevelop: from it to the display. kRayDepth: beside ray data, for layers. kBareFetch: one cube-map fetch a pixel,
 // a baseline of cost. Tiles are squares of the picture. kRays: the rays through their corners. kTiles: which bodies they may show;
 // kTilesTraced: and whether the disc; kTilesInterpolated: and whether their rays may be interpolated. The picture in these: kInterpolated;
 // in the others kSkyTiles, where neither body nor disc is seen; kFullDisc, where nothing but the disc is; kDiscTiles, where no body is;
@@ -25,6 +25,7 @@ enum class Stage {
     kMeter,
     kDevelop,
     kRayData,
+    kRayDepth,
     kBareFetch,
     kRays,
     kTiles,
@@ -47,7 +48,8 @@ int rays_a_tile(
 constexpr bool knows_scene(Stage stage) {
     return stage != Stage::kBloomDown && stage != Stage::kBloomUp && stage != Stage::kMeter;
 }
-enum class Output { kLinear, kDisplay };  // kDisplay: exposure and sRGB encoding in the shader (8-bit targets)
+// kDisplay: exposure and sRGB encoding in the shader (8-bit targets). kLayers: linear light of one layer (render/layers.h).
+enum class Output { kLinear, kDisplay, kLayers };
 
 // Does a stage draw the picture, whole or in part?
 constexpr bool draws_picture(Stage stage) {
@@ -73,7 +75,7 @@ struct ShaderSource {
 };
 
 // method counts only if the effects contain lensing; metric: the registry's key, for methods that need the metric's formula.
-// bodies: body_text of a scene with these effects. Stage kRayData leaves out the looks of sky, disc and bodies. Output concerns the picture only.
+// bodies: body_text of a scene with these effects. Stages kRayData and kRayDepth leave out the looks of sky, disc and bodies. Output concerns the picture only.
 ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method = {},
                            std::string_view metric = "schwarzschild", const BodyText& bodies = {});
 
