@@ -68,9 +68,15 @@ Status check_options(const CaptureOptions& options) {
         return bad_input(fmt::format("-o {}: unknown kind of file", options.output),
                          "names that end in .png, .jpg, .exr or .mp4");
     if (options.quality && !options.to_jpeg()) return bad_input("--quality is of a JPEG; give -o FILE.jpg");
-    if (options.half && (!options.to_exr() || options.raydata || !options.split.empty() || options.renderer != "gl"))
+    if (options.layers && (!options.to_exr() || !options.split.empty() || options.renderer != "gl"))
+        return bad_input("--layers are of an .exr that the shader draws",
+                         "-o FILE.exr, without --split and --renderer reference");
+    if (!options.st_map.empty() && (!options.to_exr() || !options.split.empty() || options.raydata || options.layers))
+        return bad_input("--st-map is what an .exr holds", "-o FILE.exr, without --split, --raydata and --layers");
+    if (options.half && (!options.to_exr() || options.raydata || options.layers || !options.st_map.empty() ||
+                         !options.split.empty() || options.renderer != "gl"))
         return bad_input("--half is of an .exr of colours that the shader draws",
-                         "-o FILE.exr, without --raydata, --split and --renderer reference");
+                         "-o FILE.exr, without --raydata, --layers, --st-map, --split and --renderer reference");
     if (options.raydata && !options.to_exr()) return bad_input("--raydata goes into an .exr; give -o FILE.exr");
     if (options.renderer == "reference")
         for (const auto& [option, given] : {std::pair{"--method", options.method != "auto"},
@@ -111,6 +117,12 @@ Scene scene_at(const Job& job, double time_step, int frame) {
     return now;
 }
 
+// Of the frame after this one; nothing after a path's last.
+std::optional<Scene> next_scene(const Job& job, double time_step, int frame) {
+    if (job.path ? frame + 1 >= job.path->frames() : time_step == 0) return {};
+    return scene_at(job, time_step, frame + 1);
+}
+
 // Says once why there are no letters.
 void annotate(const Scene& scene, const std::optional<Halves>& split, Image<unsigned char>& picture) {
     static bool said = false;
@@ -122,11 +134,13 @@ void annotate(const Scene& scene, const std::optional<Halves>& split, Image<unsi
 // One picture, or two side by side, into a file. Returns what it was made by.
 Result<std::string> draw(const Job& job, Session* session, const Scene& scene, const CaptureOptions& options,
                          const std::string& file, std::optional<int> frame) {
-    if (session != nullptr && options.to_exr() && !options.raydata && !job.split && !scene.split &&
-        (options.half || is_drawn_in_bands(scene)))
+    if (session != nullptr && options.to_exr() && !options.raydata && !options.layers && options.st_map.empty() &&
+        !job.split && !scene.split && (options.half || is_drawn_in_bands(scene)))
         return capture_large_exr(*session, scene, options, file, frame);
     const std::optional<Halves> split = job.split ? halves(scene, *job.split) : halves(scene);
-    TRY(captured, capture_picture(session, split ? split->left : scene, options));
+    const std::optional<Scene> next =
+        options.layers && frame ? next_scene(job, options.time_step, *frame) : std::nullopt;
+    TRY(captured, capture_picture(session, split ? split->left : scene, options, next ? &*next : nullptr));
     if (split) {
         TRY(right, capture_picture(session, split->right, options));
         captured->linear = side_by_side(captured->linear, right->linear);
@@ -145,6 +159,8 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
     }
     if (options.raydata && (!options.split.empty() || job.scene.split))
         return bad_input("--raydata is of one spacetime; leave out --split, or [split] of the scene");
+    if ((options.layers || !options.st_map.empty()) && job.scene.split)
+        return bad_input("--layers and --st-map are of one spacetime; leave out [split] of the scene");
     if (options.half && job.scene.split) return bad_input("--half is of one picture; leave out [split] of the scene");
     if (!options.split.empty()) {
         TRY(other, load_scene(options.split));
@@ -335,6 +351,16 @@ void add_capture_to(Command& parent, const std::function<Status(const CaptureOpt
         "Write an EXR's colours as half floats: half the size, three digits; without --raydata and --split");
     command.add_flag("--raydata", &options.raydata,
                      "Also write where each pixel's ray ends, as channels of the EXR (docs/ray-data.md)");
+    command.add_flag(
+        "--layers", &options.layers,
+        "Write what compositing needs as channels of the EXR: the disc's image orders, bodies and sky apart, what "
+        "covers the sky, ray data, ST maps, in sequences motion vectors (docs/layers.md)");
+    command
+        .add_option(
+            "--st-map", &options.st_map,
+            "Instead of colours write where each pixel looks: on a panorama of the sky, or on a flat plate that the "
+            "same camera would see if light ran straight (docs/layers.md)")
+        .one_of({"sky", "plate"});
     command.add_flag("--dump-shader", &options.dump_shader, "Print the shaders of this scene's passes and stop");
 }
 

@@ -11,8 +11,10 @@
 #include "base/assets.h"
 #include "base/progress.h"
 #include "base/text.h"
+#include "cli/capture_layers.h"
 #include "command/reference_inputs.h"
 #include "compare/ray_channels.h"
+#include "image/channels.h"
 #include "image/image_file.h"
 #include "reference/reference.h"
 #include "render/display.h"
@@ -23,7 +25,7 @@ namespace nullscope::cli {
 namespace {
 
 void begin(Session& session, const CaptureOptions& options) {
-    session.renderer->want_delays(options.raydata);
+    session.renderer->want_delays(options.raydata || options.layers);
     if (options.largest_texture) session.renderer->limit_pictures(*options.largest_texture);
 }
 
@@ -54,10 +56,17 @@ Result<Image<unsigned char>> large_picture8(Session& session, const Scene& scene
     return picture;
 }
 
-Result<Captured> capture_gl(Session& session, const Scene& scene, const CaptureOptions& options) {
+Result<Captured> capture_gl(Session& session, const Scene& scene, const CaptureOptions& options, const Scene* next) {
     begin(session, options);
     Captured captured;
     captured.made_by = made_by(session);
+    if (options.layers) {
+        TRY(layers, capture_layers(session, scene, next));
+        print_notes(session);
+        captured.linear = std::move(layers->layers.all);
+        captured.layers = std::move(*layers);
+        return captured;
+    }
     if (is_drawn_in_bands(scene) && !options.to_exr()) {
         TRY(picture, large_picture8(session, scene));
         captured.display = std::move(*picture);
@@ -65,7 +74,9 @@ Result<Captured> capture_gl(Session& session, const Scene& scene, const CaptureO
     }
     TRY(ready, session.renderer->prepare(scene));
     print_notes(session);
-    if (options.to_exr())
+    if (!options.st_map.empty())
+        captured.linear = st_map_of(session.renderer->ray_data(), scene, options.st_map);
+    else if (options.to_exr())
         captured.linear = session.renderer->picture();
     else
         captured.display = session.renderer->picture8();
@@ -78,6 +89,13 @@ Result<Captured> capture_reference(const Scene& scene, const CaptureOptions& opt
     TRY(stars, point_stars(scene.sky, assets_directory()));
     const long long pixels = static_cast<long long>(scene.camera.width) * scene.camera.height;
     Captured captured;
+    if (!options.st_map.empty()) {
+        Progress progress("reference rays", pixels);
+        TRY(rays, reference::trace_frame(scene, [&](long long n) { progress.advance(n); }));
+        captured.linear = st_map_of(*rays, scene, options.st_map);
+        captured.made_by = "reference tracer";
+        return captured;
+    }
     {
         Progress progress("reference picture", pixels);
         TRY(image, reference::render_frame(
@@ -110,8 +128,9 @@ std::map<std::string, std::string> words_of(const Scene& scene, const std::strin
 
 }  // namespace
 
-Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options) {
-    return session != nullptr ? capture_gl(*session, scene, options) : capture_reference(scene, options);
+Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options,
+                                 const Scene* next) {
+    return session != nullptr ? capture_gl(*session, scene, options, next) : capture_reference(scene, options);
 }
 
 Result<std::string> capture_large_exr(Session& session, const Scene& scene, const CaptureOptions& options,
@@ -142,13 +161,9 @@ Status write_picture(const std::string& file_name, const Scene& scene, const Cap
         return save_png(file_name, captured.display, words);
     }
     ChannelImage file{captured.linear.width, captured.linear.height, {}, {}};
-    std::size_t place = 0;
-    for (const char* name : {"R", "G", "B"}) {
-        auto& channel = file.channels[name];
-        for (std::size_t i = place++; i < captured.linear.data.size(); i += 3)
-            channel.push_back(captured.linear.data[i]);
-    }
+    for (int c = 0; c < 3; ++c) file.channels[std::string(1, "RGB"[c])] = channel_of(captured.linear, c);
     if (captured.rays) add_ray_channels(*captured.rays, file);
+    if (captured.layers) add_layer_channels(*captured.layers, scene, file);
     file.attributes = std::move(words);
     return save_exr(file_name, file);
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "cli/capture_layers.h"
 #include "cli/frame_store.h"
 #include "command/session.h"
 #include "image/image.h"
@@ -13,14 +14,16 @@
 namespace nullscope::cli {
 
 struct Captured {
-    Image<float> linear;           // for .exr
-    Image<unsigned char> display;  // for .png and .jpg
-    std::optional<RayFrame> rays;  // with options.raydata
+    Image<float> linear;                   // for .exr
+    Image<unsigned char> display;          // for .png and .jpg
+    std::optional<RayFrame> rays;          // with options.raydata
+    std::optional<LayeredPicture> layers;  // with options.layers
     std::string made_by;
 };
 
-// session: what the shader draws on; null: the reference draws.
-Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options);
+// session: what the shader draws on; null: the reference draws. next: the next frame's scene, for motion vectors; null: there is none.
+Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options,
+                                 const Scene* next = nullptr);
 
 // The same of pictures that are too large to be held whole, which go straight into an .exr. Returns what it was made by.
 // frame: of a sequence or film.

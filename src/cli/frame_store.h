@@ -32,14 +32,15 @@ private:
 
 // What nullscope capture was asked for.
 struct CaptureOptions {
-    std::string scene, split, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
+    std::string scene, split, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames,
+                              st_map;
     std::optional<int> samples;  // reference: a side of a pixel; else kSamples
     std::optional<double> time;
     double time_step = 0;
     std::optional<int> time_frame;  // that has the scene's time
     std::optional<double> max_error;
     std::optional<int> largest_texture, quality;  // quality: of a JPEG
-    bool raydata = false, half = false, dump_shader = false, resume = false, plain = false;
+    bool raydata = false, layers = false, half = false, dump_shader = false, resume = false, plain = false;
 
     bool to_exr() const { return output.ends_with(".exr"); }  // linear light
     bool to_jpeg() const { return output.ends_with(".jpg") || output.ends_with(".jpeg"); }

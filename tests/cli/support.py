@@ -3,6 +3,7 @@
 Usage of every test here: test_NAME.py PATH-OF-NULLSCOPE [unittest options]
 """
 import os
+import struct
 import subprocess
 import sys
 import tempfile
@@ -26,6 +27,29 @@ class Ran:
 
     def __str__(self):
         return f"status {self.status}\nstdout: {self.out[:2000]}\nstderr: {self.err[:2000]}"
+
+
+def exr_header(data):
+    """Of a single-part EXR: (name, kind) of its channels, the data window's size, and where the table of its blocks begins."""
+    if data[:4] != b"\x76\x2f\x31\x01":
+        raise ValueError("not an EXR")
+    at, channels, size = 8, [], None
+    while data[at] != 0:
+        name_end = data.index(b"\0", at)
+        kind_end = data.index(b"\0", name_end + 1)
+        length = struct.unpack("<i", data[kind_end + 1:kind_end + 5])[0]
+        body = data[kind_end + 5:kind_end + 5 + length]
+        if data[at:name_end] == b"channels":
+            place = 0
+            while body[place] != 0:
+                end = body.index(b"\0", place)
+                channels.append((body[place:end].decode(), struct.unpack("<i", body[end + 1:end + 5])[0]))
+                place = end + 17
+        if data[at:name_end] == b"dataWindow":
+            low_x, low_y, high_x, high_y = struct.unpack("<4i", body)
+            size = (high_x - low_x + 1, high_y - low_y + 1)
+        at = kind_end + 5 + length
+    return channels, size, at + 1
 
 
 class CliTest(unittest.TestCase):

@@ -41,26 +41,9 @@ def png_size(data):
 
 def read_exr(data):
     """Channels (name -> kind), data window's size and the blocks of pixels of a single-part ZIP EXR."""
-    if data[:4] != b"\x76\x2f\x31\x01":
-        raise ValueError("not an EXR")
-    at, names, size = 8, [], None
-    while data[at] != 0:
-        name_end = data.index(b"\0", at)
-        kind_end = data.index(b"\0", name_end + 1)
-        length = struct.unpack("<i", data[kind_end + 1:kind_end + 5])[0]
-        body = data[kind_end + 5:kind_end + 5 + length]
-        if data[at:name_end] == b"channels":
-            place = 0
-            while body[place] != 0:
-                end = body.index(b"\0", place)
-                names.append((body[place:end].decode(), struct.unpack("<i", body[end + 1:end + 5])[0]))
-                place = end + 17
-        if data[at:name_end] == b"dataWindow":
-            low_x, low_y, high_x, high_y = struct.unpack("<4i", body)
-            size = (high_x - low_x + 1, high_y - low_y + 1)
-        at = kind_end + 5 + length
+    channels, size, at = support.exr_header(data)
     blocks = -(-size[1] // 16)   # ZIP packs 16 rows together; a table of their places goes before them
-    return dict(names), size, data[at + 1 + 8 * blocks:]
+    return dict(channels), size, data[at + 8 * blocks:]
 
 
 class Commands(support.CliTest):

@@ -1,0 +1,113 @@
+#include "cli/capture_layers.h"
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "compare/ray_channels.h"
+#include "compare/st_map.h"
+#include "image/channels.h"
+#include "observer/ball_motion.h"
+#include "scene/bodies.h"
+#include "sky/sky.h"
+#include "spacetime/circular_orbit.h"
+#include "spacetime/registry.h"
+
+namespace nullscope::cli {
+namespace {
+
+void add_colours(const std::string& prefix, const Image<float>& image, ChannelImage& file) {
+    for (int c = 0; c < 3; ++c) file.channels[prefix + "RGB"[c]] = channel_of(image, c);
+}
+
+// What the scene's things do between two pictures. Balls do not turn about themselves.
+class Motions {
+public:
+    explicit Motions(const Scene& scene) : scene_(scene), spacetime_(spacetime_of(scene)) {
+        for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+            const auto* ball = std::get_if<BallSpec>(&scene.bodies[i].shape);
+            if (ball == nullptr || !ball->moves()) continue;
+            if (auto motion = ball_motion(*spacetime_, *ball))
+                balls_.emplace(object_number(scene, i), std::move(*motion));
+        }
+    }
+
+    Vec3 moved(const RayPixel& pixel, double time) const {
+        const Vec3 place{pixel.u, pixel.v, pixel.w};
+        if (pixel.hit == kDiscHit) return on_disc(place, time);
+        const auto ball = balls_.find(pixel.hit);
+        if (ball == balls_.end()) return place;
+        const double left = scene_.time - pixel.delay;  // when the light did
+        return place + ball->second(left + time).place - ball->second(left).place;
+    }
+
+private:
+    Vec3 on_disc(Vec3 place, double time) const {
+        if (scene_.disc->flow == DiscFlowKind::kStill) return place;
+        const auto orbit = circular_orbit(*spacetime_, std::hypot(place.x, place.y));
+        const double turned = orbit ? orbit->omega * time : 0.0, c = std::cos(turned), s = std::sin(turned);
+        return {c * place.x - s * place.y, s * place.x + c * place.y, 0.0};
+    }
+
+    static std::shared_ptr<const Spacetime> spacetime_of(const Scene& scene) {
+        return *make_spacetime(scene.spacetime.metric,
+                               scene.spacetime.parameters);  // there is one: the picture is drawn
+    }
+
+    const Scene& scene_;
+    std::shared_ptr<const Spacetime> spacetime_;
+    std::map<int, BallMotionAt> balls_;
+};
+
+}  // namespace
+
+Result<LayeredPicture> capture_layers(Session& session, const Scene& scene, const Scene* next) {
+    Renderer& renderer = *session.renderer;
+    LayeredPicture picture;
+    RayFrame later;
+    if (next != nullptr) {
+        if (Status ready = renderer.prepare(*next); !ready) return ready.error();
+        later = renderer.ray_data();
+    }
+    if (Status ready = renderer.prepare(scene); !ready) return ready.error();
+    picture.layers = draw_layers(renderer, scene);
+    picture.rays = renderer.ray_data();
+    picture.depths = renderer.ray_depths();
+    if (next != nullptr) {
+        const Motions motions(scene);
+        picture.motion = ray_motion(picture.rays, later, next->time - scene.time,
+                                    [&](const RayPixel& pixel, double time) { return motions.moved(pixel, time); });
+    }
+    return picture;
+}
+
+Image<float> st_map_of(const RayFrame& rays, const Scene& scene, const std::string& of) {
+    if (of == "plate") return st_map(rays, [&](Vec3 direction) { return plate_place(scene.camera, direction); });
+    const Mat3 sky_from_world = transposed(sky_rotation(scene.sky));
+    return st_map(rays, [&](Vec3 direction) { return std::optional(panorama_place(sky_from_world * direction)); });
+}
+
+void add_layer_channels(const LayeredPicture& picture, const Scene& scene, ChannelImage& file) {
+    file.channels["A"] = picture.layers.covered;
+    for (const LayerImage& layer : picture.layers.each) {
+        add_colours(layer.name + ".", layer.light, file);
+        file.channels[layer.name + ".A"] = layer.share;
+    }
+    add_ray_channels(picture.rays, file);
+    file.channels["depth.affine"] = picture.depths.depth;
+    file.channels["g_hit"] = picture.depths.g;
+    for (const char* of : {"sky", "plate"}) {
+        const Image<float> map = st_map_of(picture.rays, scene, of);
+        for (int c = 0; c < 2; ++c) file.channels[std::string("st_") + of + "." + "uv"[c]] = channel_of(map, c);
+    }
+    if (!picture.motion) return;
+    file.channels["forward.u"] = picture.motion->right;
+    file.channels["forward.v"] = picture.motion->up;
+    file.channels["forward.known"] = picture.motion->known;
+}
+
+}  // namespace nullscope::cli

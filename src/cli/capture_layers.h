@@ -1,0 +1,34 @@
+// What compositors ask for beside a picture (docs/layers.md): its layers, motion vectors, ST maps.
+#pragma once
+#include <optional>
+
+#include "base/result.h"
+#include "command/session.h"
+#include "compare/ray_motion.h"
+#include "image/image.h"
+#include "image/image_file.h"
+#include "render/picture_layers.h"
+#include "scene/ray.h"
+#include "scene/scene.h"
+
+namespace nullscope::cli {
+
+// The picture in layers, its ray data and, where there is a next picture, how far things move until then.
+struct LayeredPicture {
+    PictureLayers layers;
+    RayFrame rays;
+    Renderer::RayDepths depths;
+    std::optional<RayMotion> motion;
+};
+
+// next: the scene of the next frame; null: none. The session's renderer is prepared here. Errors: as of pictures.
+Result<LayeredPicture> capture_layers(Session& session, const Scene& scene, const Scene* next);
+
+// Beside R, G and B of the picture: A of what covers the sky; NAME.R ... NAME.A of every layer; ray data; depth.affine and g_hit; st_sky.u, st_sky.v, st_plate.u, st_plate.v;
+// forward.u, forward.v, forward.known.
+void add_layer_channels(const LayeredPicture& picture, const Scene& scene, ChannelImage& file);
+
+// of: "sky" or "plate" (compare/st_map.h).
+Image<float> st_map_of(const RayFrame& rays, const Scene& scene, const std::string& of);
+
+}  // namespace nullscope::cli
