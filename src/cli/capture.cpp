@@ -14,12 +14,14 @@
 #include "cli/capture_picture.h"
 #include "cli/command.h"
 #include "cli/frame_store.h"
+#include "cli/stereo_capture.h"
 #include "command/arguments.h"
 #include "image/image_file.h"
 #include "observer/path.h"
 #include "render/frontier.h"
 #include "render/picture_bands.h"
 #include "scene/split.h"
+#include "scene/stereo.h"
 #include "scenefile/scene_file.h"
 #include "scenefile/scene_keys.h"
 #include "shaderlib/passes.h"
@@ -134,20 +136,25 @@ void annotate(const Scene& scene, const std::optional<Halves>& split, Image<unsi
 // One picture, or two side by side, into a file. Returns what it was made by.
 Result<std::string> draw(const Job& job, Session* session, const Scene& scene, const CaptureOptions& options,
                          const std::string& file, std::optional<int> frame) {
+    const bool all_round = scene.camera.stereo == Stereo::kAllRound;
     if (session != nullptr && options.to_exr() && !options.raydata && !options.layers && options.st_map.empty() &&
-        !job.split && !scene.split && (options.half || is_drawn_in_bands(scene)))
-        return capture_large_exr(*session, scene, options, file, frame);
+        !job.split && !scene.split && !all_round && (options.half || is_drawn_in_bands(scene))) {
+        TRY(shown, side_by_side_scenes(scene));
+        return capture_large_exr(*session, scene, *shown, options, file, frame);
+    }
     const std::optional<Halves> split = job.split ? halves(scene, *job.split) : halves(scene);
     const std::optional<Scene> next =
         options.layers && frame ? next_scene(job, options.time_step, *frame) : std::nullopt;
-    TRY(captured, capture_picture(session, split ? split->left : scene, options, next ? &*next : nullptr));
+    TRY(captured, scene.camera.stereo != Stereo::kOff
+                      ? capture_stereo(session, scene, options)
+                      : capture_picture(session, split ? split->left : scene, options, next ? &*next : nullptr));
     if (split) {
         TRY(right, capture_picture(session, split->right, options));
         captured->linear = side_by_side(captured->linear, right->linear);
         captured->display = side_by_side(captured->display, right->display);
     }
     if (!options.plain && !options.to_exr()) annotate(scene, split, captured->display);
-    TRY(written, write_picture(file, scene, *captured, options.quality.value_or(kJpegQuality), frame));
+    TRY(written, write_picture(file, scene, *captured, options, frame));
     return captured->made_by;
 }
 
@@ -169,11 +176,15 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
         if (options.samples) job.split->picture.samples = job.scene.picture.samples;
     }
     TRY(good, check_options(options));
+    TRY(seen, check_stereo(job.scene, options));
     if (job.path && job.path->falls() && options.time_step != 0)
         return bad_input("--time-step: the scene's time goes with the camera that falls",
                          "scenes whose path.kind is not fall");
     TRY(frames, frames_of(options, job.path ? &*job.path : nullptr));
     job.frames = *frames;
+    if (job.path) {
+        TRY(eyes, check_stereo_frames(*job.path, job.scene, job.frames.first, job.frames.end));
+    }
     if (job.path && options.time_frame)
         return bad_input("--time-frame: a path begins in frame 0", "scenes without a [path]");
     if (!job.path) job.time_frame = options.time_frame.value_or(job.frames.first);
@@ -220,8 +231,8 @@ Result<bool> draw_frame(const Job& job, Session* session, const CaptureOptions& 
         TRY(made_by, draw(job, session, scene_at(job, options.time_step, frame), options, file,
                           store != nullptr ? std::optional(frame) : std::nullopt));
         if (store != nullptr) store->drew_one();
-        if (!options.to_film())
-            fmt::print("{}: {}x{}, {}\n", file, job.scene.camera.width, job.scene.camera.height, *made_by);
+        const auto [width, height] = stereo_size(job.scene.camera);
+        if (!options.to_film()) fmt::print("{}: {}x{}, {}\n", file, width, height, *made_by);
     }
     if (keeps) store->release(frame);
     return true;
@@ -253,8 +264,8 @@ Status finish_film(const Job& job, const CaptureOptions& options) {
     TRY(made, encode_film(film_folder(options), job.frames.first, count, rate, options.output));
     std::error_code error;
     std::filesystem::remove_all(film_folder(options), error);
-    fmt::print("{}: {}x{}, {} frames at {} a second\n", options.output, job.scene.camera.width, job.scene.camera.height,
-               count, rate);
+    const auto [width, height] = stereo_size(job.scene.camera);
+    fmt::print("{}: {}x{}, {} frames at {} a second\n", options.output, width, height, count, rate);
     return Done{};
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -84,9 +85,13 @@ Result<Captured> capture_gl(Session& session, const Scene& scene, const CaptureO
     return captured;
 }
 
-Result<Captured> capture_reference(const Scene& scene, const CaptureOptions& options) {
-    TRY(inputs, load_reference_inputs(scene));
-    TRY(stars, point_stars(scene.sky, assets_directory()));
+// What the reference has of a scene's files.
+struct Inputs {
+    std::unique_ptr<const ReferenceInputs> loaded;
+    std::vector<PointStar> stars;
+};
+
+Result<Captured> capture_reference(const Inputs& inputs, const Scene& scene, const CaptureOptions& options) {
     const long long pixels = static_cast<long long>(scene.camera.width) * scene.camera.height;
     Captured captured;
     if (!options.st_map.empty()) {
@@ -99,8 +104,8 @@ Result<Captured> capture_reference(const Scene& scene, const CaptureOptions& opt
     {
         Progress progress("reference picture", pixels);
         TRY(image, reference::render_frame(
-                       scene, (*inputs)->sky, (*inputs)->pictures(scene), options.samples.value_or(kSamples),
-                       [&](long long n) { progress.advance(n); }, (*inputs)->far(), *stars));
+                       scene, inputs.loaded->sky, inputs.loaded->pictures(scene), options.samples.value_or(kSamples),
+                       [&](long long n) { progress.advance(n); }, inputs.loaded->far(), inputs.stars));
         captured.linear = std::move(*image);
     }
     if (options.raydata) {
@@ -128,38 +133,59 @@ std::map<std::string, std::string> words_of(const Scene& scene, const std::strin
 
 }  // namespace
 
-Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options,
-                                 const Scene* next) {
-    return session != nullptr ? capture_gl(*session, scene, options, next) : capture_reference(scene, options);
+Result<PictureDrawer> picture_drawer(Session* session, const Scene& scene, const CaptureOptions& options) {
+    if (session != nullptr)
+        return PictureDrawer(
+            [session, options](const Scene& shown) { return capture_gl(*session, shown, options, nullptr); });
+    TRY(loaded, load_reference_inputs(scene));
+    TRY(stars, point_stars(scene.sky, assets_directory()));
+    const auto inputs = std::make_shared<const Inputs>(Inputs{std::move(*loaded), std::move(*stars)});
+    return PictureDrawer([inputs, options](const Scene& shown) { return capture_reference(*inputs, shown, options); });
 }
 
-Result<std::string> capture_large_exr(Session& session, const Scene& scene, const CaptureOptions& options,
-                                      const std::string& file_name, std::optional<int> frame) {
+Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options,
+                                 const Scene* next) {
+    if (session != nullptr) return capture_gl(*session, scene, options, next);
+    TRY(draw, picture_drawer(nullptr, scene, options));
+    return (*draw)(scene);
+}
+
+Result<std::string> capture_large_exr(Session& session, const Scene& scene, const std::vector<Scene>& shown,
+                                      const CaptureOptions& options, const std::string& file_name,
+                                      std::optional<int> frame) {
     begin(session, options);
     const std::vector<PictureBand> bands = picture_bands(scene.camera);
     Progress progress("large picture", scene.camera.height);
-    const BandedImage image{scene.camera.width, scene.camera.height, options.half,
+    const BandedImage image{scene.camera.width * static_cast<int>(shown.size()), scene.camera.height, options.half,
                             words_of(scene, made_by(session), frame)};
     TRY(saved, save_exr_bands(file_name, image, [&](int y) -> Result<Image<float>> {
             const PictureBand band = *std::ranges::find(bands, y, &PictureBand::top);
-            TRY(rows, draw_band(*session.renderer, scene, band));
+            Image<float> all;
+            for (const Scene& one : shown) {
+                TRY(rows, draw_band(*session.renderer, one, band));
+                all = all.empty() ? std::move(*rows) : side_by_side(all, *rows);
+            }
             print_notes(session);
             progress.advance(band.rows);
-            return std::move(*rows);
+            return all;
         }));
     return made_by(session);
 }
 
-Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured, int jpeg_quality,
-                     std::optional<int> frame) {
+Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured,
+                     const CaptureOptions& options, std::optional<int> frame) {
     if (file_name.ends_with(".jpg") || file_name.ends_with(".jpeg"))
-        return save_jpeg(file_name, captured.display, scene.name + "\nnullscope " NULLSCOPE_VERSION, jpeg_quality);
+        return save_jpeg(file_name, captured.display, scene.name + "\nnullscope " NULLSCOPE_VERSION,
+                         options.quality.value_or(kJpegQuality));
     std::map<std::string, std::string> words = words_of(scene, captured.made_by, frame);
     if (!file_name.ends_with(".exr")) {
         words.erase("nullscope.renderer");  // the same picture is the same file
         words.insert({{"Title", scene.name}, {"Software", "nullscope " NULLSCOPE_VERSION}});
         return save_png(file_name, captured.display, words);
     }
+    if (options.half)
+        return save_exr_bands(file_name, {captured.linear.width, captured.linear.height, true, std::move(words)},
+                              [&](int) -> Result<Image<float>> { return captured.linear; });
     ChannelImage file{captured.linear.width, captured.linear.height, {}, {}};
     for (int c = 0; c < 3; ++c) file.channels[std::string(1, "RGB"[c])] = channel_of(captured.linear, c);
     if (captured.rays) add_ray_channels(*captured.rays, file);

@@ -1,7 +1,9 @@
 // One picture of a scene, drawn by the shader or by the reference, and its file.
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "cli/capture_layers.h"
@@ -25,14 +27,18 @@ struct Captured {
 Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options,
                                  const Scene* next = nullptr);
 
-// The same of pictures that are too large to be held whole, which go straight into an .exr. Returns what it was made by.
-// frame: of a sequence or film.
-Result<std::string> capture_large_exr(Session& session, const Scene& scene, const CaptureOptions& options,
-                                      const std::string& file_name, std::optional<int> frame);
+// The same for many pictures of what this scene shows: of it by other cameras, or at other times.
+using PictureDrawer = std::function<Result<Captured>(const Scene&)>;
+Result<PictureDrawer> picture_drawer(Session* session, const Scene& scene, const CaptureOptions& options);
 
-// In the format that the name says: .exr, .jpg (.jpeg) or .png.
-// jpeg_quality: image/image_file.h. What a file says of itself: docs/command-line.md.
-Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured, int jpeg_quality,
-                     std::optional<int> frame);
+// The same of pictures that are too large to be held whole, which go straight into an .exr. Returns what it was made by.
+// shown: what stands side by side in it; scene: what the file says of itself. frame: of a sequence or film.
+Result<std::string> capture_large_exr(Session& session, const Scene& scene, const std::vector<Scene>& shown,
+                                      const CaptureOptions& options, const std::string& file_name,
+                                      std::optional<int> frame);
+
+// In the format that the name says: .exr, .jpg (.jpeg) or .png. What a file says of itself: docs/command-line.md.
+Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured,
+                     const CaptureOptions& options, std::optional<int> frame);
 
 }  // namespace nullscope::cli

@@ -27,10 +27,10 @@ public:
     const TexelGrid* texels(std::string_view name) const;        // of LightPath::tables(); nullptr if it is not there
     const BallPaths& ball_paths() const { return ball_paths_; }  // made anew by every update
     const SurfaceClearances& clearances() const { return clearances_; }
-    int clearances_revision() const { return clearances_revision_; }  // grows whenever they change
-    void want_delays(bool wanted) { delays_wanted_ = wanted; }        // for ray data, whatever the scene
-    void follow_camera() { follows_camera_ = true; }                  // LightPath::follows_camera
-    int revision() const { return revision_; }                        // grows whenever a table changes
+    int clearances_revision() const { return clearances_revision_; }      // grows whenever they change
+    void want_delays(bool wanted) { delays_wanted_ = wanted; }            // for ray data, whatever the scene
+    void follow_camera(bool wanted = true) { follows_camera_ = wanted; }  // LightPath::follows_camera
+    int revision() const { return revision_; }                            // grows whenever a table changes
 
     // For the shader core as C++; views into this object.
     CoreInput core_input() const;

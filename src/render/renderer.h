@@ -41,8 +41,9 @@ public:
     // before. For windows only.
     void keep_finer_sky() { keep_finer_sky_ = true; }
 
-    // Tables of a camera whose radius changes little from picture to picture are made for less (LightPath::follows_camera). For windows.
-    void follow_camera() { tables_.follow_camera(); }
+    // Tables of a camera whose radius changes little from picture to picture are made for less (LightPath::follows_camera). For windows, and
+    // for pictures that are drawn by many cameras next to each other.
+    void follow_camera(bool wanted = true) { tables_.follow_camera(wanted); }
 
     // The longest side of the textures of images from the next prepare() on; larger images are made smaller while they are read.
     // Without it: the driver's limit, at most kLargestPicture.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "observer/ball_motion.h"
+#include "observer/eye.h"
 #include "observer/observer.h"
 #include "observer/picture_scale.h"
 #include "plan/body_kind.h"
@@ -57,7 +58,7 @@ Faults check_keys(const Scene& scene, const GivenKeys& given, bool camera) {
 
 bool same_picture(const CameraSpec& a, const CameraSpec& b) {
     return a.width == b.width && a.height == b.height && a.projection == b.projection &&
-           a.pixel_aspect == b.pixel_aspect;
+           a.pixel_aspect == b.pixel_aspect && a.stereo == b.stereo;
 }
 
 Faults check_lens(const Scene& scene) {
@@ -105,6 +106,28 @@ Faults check_place(const Scene& scene, const std::string& section, const Spaceti
     return {};
 }
 
+Faults check_stereo(const Scene& scene) {
+    const CameraSpec& camera = scene.camera;
+    if (camera.stereo == Stereo::kOff) return {};
+    const std::string key = "camera.stereo";
+    const bool all_round = camera.stereo == Stereo::kAllRound;
+    if (camera.zoom) return {{key, "a [zoom] has one eye", "off where there is a [zoom]", key}};
+    if (scene.split) return {{key, "a [split] picture has one eye", "off where there is a [split]", key}};
+    if (!camera.warp.empty()) return {{key, "a warped picture has one eye", "off where there is a camera.warp", key}};
+    if (scene.picture.scale_bar != ScaleBar::kOff)
+        return {{key, "a scale bar is of one picture", "off where there is a picture.scale_bar", key}};
+    if (scene.picture.auto_exposure)
+        return {{key, "each eye's picture would be exposed by itself", "picture.auto_exposure = \"off\"", key}};
+    if (all_round && scene.picture.bloom > 0.0)
+        return {{key, "all-round pictures are drawn in strips, bloom goes beyond them", "picture.bloom = 0", key}};
+    if (all_round && camera.projection != Projection::kEquirectangular)
+        return {{key, "all-round eyes go round with the columns", "projection = \"equirectangular\"", key}};
+    const World world = world_of(scene.spacetime);
+    if (!world || !observer_of(*world, camera)) return {};
+    const Status there = check_eyes(*world, camera);
+    return there ? Faults{} : one(there.error(), key);
+}
+
 Faults check_path(const Scene& scene) {
     if (!scene.path) return {};
     Faults faults;
@@ -115,8 +138,8 @@ Faults check_path(const Scene& scene) {
                           keys ? "two [[path.key]] or more" : "with kind = \"keys\" only"});
     for (const PathKey& key : path.keys)
         if (key.camera.observer != path.keys.front().camera.observer || !same_picture(key.camera, scene.camera))
-            faults.push_back({"path.key", "observer, projection or size change on the way",
-                              "one observer, projection, size and pixel_aspect for all keys"});
+            faults.push_back({"path.key", "observer, projection, size or stereo change on the way",
+                              "one observer, projection, size, pixel_aspect and stereo for all keys"});
     return faults;
 }
 
@@ -243,6 +266,7 @@ std::vector<SceneFault> check_camera(const Scene& scene, const GivenKeys& given)
                               "either fov, or plane_width and focal_distance", other});
     append(faults, check_lens(scene));
     append(faults, check_place(scene, "spacetime", scene.spacetime));
+    append(faults, check_stereo(scene));
     const World world = world_of(scene.spacetime);
     if (const Status parts = world ? check_light_parts(*world, scene) : Done{}; !parts)
         append(faults, one(parts.error(), "camera.observer"));

@@ -53,6 +53,7 @@ bool sky_is(const Scene& s) {
     return s.sky.kind == kind;
 }
 bool is_pinhole(const Scene& s) { return s.camera.projection == Projection::kPinhole; }
+bool has_eyes(const Scene& s) { return s.camera.stereo != Stereo::kOff; }
 bool has_fov(const Scene& s) { return s.camera.projection != Projection::kCube; }
 bool far_is_nebula(const Scene& s) { return s.far_sky.kind == SkyKind::kNebula; }
 bool has_caps(const Scene& s) { return s.sky.mapping == SkyMapping::kBandAndCaps; }
@@ -152,6 +153,15 @@ constexpr SceneKey kKeys[] = {
      [](auto& s) { return &s.camera.pixel_aspect; }},
     {"camera", "exposure", KeyType::kNumber, "EV", "0", closed(-30.0, 30.0), "",
      "The displayed brightness is multiplied by 2^exposure.", [](auto& s) { return &s.camera.exposure_ev; }},
+
+    {"camera", "stereo", KeyType::kChoice, "", "off", kNoRange, "off pair all-round",
+     "Pictures for two eyes that look the same way: pair (side by side, left eye first, twice as wide as size); "
+     "all-round "
+     "(omnidirectional stereo of an equirectangular picture, the left eye's above the right one's, twice as high).",
+     [](auto& s) { return &s.camera.stereo; }},
+    {"camera", "eye_distance", KeyType::kNumber, "r_s", "0.1", kPositive, "",
+     "Proper distance of the eyes; at most a half of the areal radius.", [](auto& s) { return &s.camera.eye_distance; },
+     has_eyes, "stereo = \"pair\" or \"all-round\""},
 
     {"zoom", "depth", KeyType::kNumber, "", "0", closed(0.0, kDeepestZoom), "",
      "Natural logarithm of the magnification: the picture spans camera.fov times exp(-depth) about a point of the "

@@ -101,6 +101,8 @@ void Viewer::adopt(Painting painting) {
         times_asked_ = false;
         changed_at_ = seconds();
     }
+    const auto has_eyes = [](const Painting& one) { return one.job.scene.camera.stereo != Stereo::kOff; };
+    const bool of_two_eyes = has_eyes(painting) && !has_eyes(picture_);
     picture_ = std::move(painting);
     if (const PaintJob* b = shown_side_b()) side_words_ = side_words(picture_.job, *b);
     zoom_words_ = zoom_words(picture_.job.scene);
@@ -108,6 +110,7 @@ void Viewer::adopt(Painting painting) {
     news_due_at_ = asked_due_at_;
     measure_rate();
     if (!picture_.notes.empty()) say(picture_.notes.back());
+    if (of_two_eyes) say("The window shows what is seen from between the eyes; nullscope capture draws both");
     choice_ = asked_choice_;
     accuracy_->frame_is(picture_.job.scene, picture_.job.method);
     for (std::size_t side = 0; side < orders_.size(); ++side)

@@ -1108,6 +1108,12 @@ def test_a_section_that_is_opened_is_seen(screen, program, folder):
                    if "##sections" in name), f"what {lowest} has is not seen"
 
 
+def test_a_stereo_scene_says_that_one_picture_is_shown(screen, program, folder):
+    pair = '[camera]\nstereo = "pair"\n[sky]\nkind = "plain"\n'
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt", scene=pair) as v:
+        wait_until("the message", lambda: v.layout().place("The window shows what is seen from between the eyes", ""), HUNG_S)
+
+
 def test_a_fall_says_where_it_ended(screen, program, folder):
     black = '[camera]\nr = 8\n[sky]\nkind = "black"\n'
     for scene, where in [(black, "in the singularity"),
@@ -1187,6 +1193,6 @@ if EVERYTHING:
               test_a_view_that_is_pasted_in_the_gallery_opens_its_scene,
               test_a_scene_that_was_changed_is_sent_as_one_line,
               test_a_search_shows_what_it_finds_and_says_when_it_finds_nothing, test_a_section_that_is_opened_is_seen,
-              test_a_fall_says_where_it_ended, test_recent_files_are_told_apart_and_are_there,
+              test_a_fall_says_where_it_ended, test_a_stereo_scene_says_that_one_picture_is_shown, test_recent_files_are_told_apart_and_are_there,
               test_a_scene_that_is_not_there_yet_is_named,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]

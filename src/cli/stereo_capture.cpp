@@ -1,0 +1,114 @@
+#include "cli/stereo_capture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "base/progress.h"
+#include "observer/eye.h"
+#include "scene/stereo.h"
+#include "spacetime/registry.h"
+
+namespace nullscope::cli {
+namespace {
+
+Result<Scene> scene_of_eye(const Scene& scene, const Spacetime& spacetime, const EyePart& part) {
+    TRY(eye, eye_beside(spacetime, part.camera, part.offset));
+    Scene seen = scene;
+    seen.camera = eye->camera;
+    seen.time += eye->later;
+    return seen;
+}
+
+template <class T>
+void paste(const Image<T>& from, const EyePart& part, Image<T>& to) {
+    if (from.empty() || to.empty()) return;
+    for (int y = 0; y < from.height; ++y)
+        std::copy_n(from.at(part.skip, y), from.channels * part.columns, to.at(part.left, part.top + y));
+}
+
+// Tables of the strips, whose radii differ little, are made from each other's: not from those of a picture before, so that a frame does
+// not depend on which frames were drawn.
+Status begin_strips(Renderer& renderer, const Scene& scene, const EyePart& first) {
+    Scene middle = scene;
+    middle.camera = first.camera;
+    renderer.follow_camera(false);
+    const Status ready = renderer.prepare(middle);
+    renderer.follow_camera();
+    return ready;
+}
+
+}  // namespace
+
+Status check_stereo(const Scene& scene, const CaptureOptions& options) {
+    if (scene.camera.stereo == Stereo::kOff) return Done{};
+    for (const auto& [option, given] : {std::pair{"--split", !options.split.empty()},
+                                        {"--raydata", options.raydata},
+                                        {"--layers", options.layers},
+                                        {"--st-map", !options.st_map.empty()}})
+        if (given)
+            return bad_input(fmt::format("{} is of one picture, and the scene has camera.stereo", option),
+                             fmt::format("stereo = \"off\", or no {}", option));
+    constexpr long long kMostBytes = std::numeric_limits<int>::max();
+    const auto [width, height] = stereo_size(scene.camera);
+    if (!options.to_exr() && 3LL * width * height > kMostBytes)
+        return bad_input(fmt::format("a picture of {}x{} px is too large for .png and .jpg", width, height),
+                         fmt::format("{} million pixels, or -o FILE.exr", kMostBytes / 3'000'000));
+    return Done{};
+}
+
+Status check_stereo_frames(const CameraPath& path, const Scene& scene, int first, int end) {
+    if (scene.camera.stereo == Stereo::kOff) return Done{};
+    TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
+    for (int frame = first; frame < end; ++frame)
+        if (Status there = check_eyes(**spacetime, path.at(frame)); !there) {
+            Error error = there.error();
+            error.what = fmt::format("frame {}: {}", frame, error.what);
+            return error;
+        }
+    return Done{};
+}
+
+Result<std::vector<Scene>> side_by_side_scenes(const Scene& scene) {
+    if (scene.camera.stereo != Stereo::kPair) return std::vector{scene};
+    TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
+    std::vector<Scene> scenes;
+    for (const EyePart& part : eye_parts(scene.camera)) {
+        TRY(seen, scene_of_eye(scene, **spacetime, part));
+        scenes.push_back(std::move(*seen));
+    }
+    return scenes;
+}
+
+Result<Captured> capture_stereo(Session* session, const Scene& scene, const CaptureOptions& options) {
+    TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
+    TRY(draw, picture_drawer(session, scene, options));
+    const auto [width, height] = stereo_size(scene.camera);
+    Captured both;
+    if (options.to_exr())
+        both.linear = Image<float>(width, height, 3);
+    else
+        both.display = Image<unsigned char>(width, height, 3);
+    const std::vector<EyePart> parts = eye_parts(scene.camera);
+    std::optional<Progress> progress;
+    if (scene.camera.stereo == Stereo::kAllRound) {
+        progress.emplace("strips", static_cast<long long>(parts.size()));
+        if (session != nullptr) {
+            TRY(ready, begin_strips(*session->renderer, scene, parts.front()));
+        }
+    }
+    for (const EyePart& part : parts) {
+        TRY(seen, scene_of_eye(scene, **spacetime, part));
+        TRY(captured, (*draw)(*seen));
+        paste(captured->linear, part, both.linear);
+        paste(captured->display, part, both.display);
+        both.made_by = captured->made_by;
+        if (progress) progress->advance();
+    }
+    return both;
+}
+
+}  // namespace nullscope::cli

@@ -1,0 +1,22 @@
+// Stereo pictures (scene/stereo.h): each eye's, put together.
+#pragma once
+#include <vector>
+
+#include "base/result.h"
+#include "cli/capture_picture.h"
+#include "observer/path.h"
+
+namespace nullscope::cli {
+
+// What stereo pictures cannot be asked for. Errors: bad input.
+Status check_stereo(const Scene& scene, const CaptureOptions& options);
+// Whether there is a place for the eyes of all frames. A millisecond a frame.
+Status check_stereo_frames(const CameraPath& path, const Scene& scene, int first, int end);
+
+// The scenes whose pictures stand side by side: those of a pair's eyes, left eye first; of other scenes the scene itself.
+Result<std::vector<Scene>> side_by_side_scenes(const Scene& scene);
+
+// scene.camera.stereo is not kOff.
+Result<Captured> capture_stereo(Session* session, const Scene& scene, const CaptureOptions& options);
+
+}  // namespace nullscope::cli
