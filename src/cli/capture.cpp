@@ -13,6 +13,7 @@
 #include "cli/capture.h"
 #include "cli/capture_picture.h"
 #include "cli/command.h"
+#include "cli/cube_faces.h"
 #include "cli/frame_store.h"
 #include "cli/stereo_capture.h"
 #include "command/arguments.h"
@@ -138,7 +139,8 @@ Result<std::string> draw(const Job& job, Session* session, const Scene& scene, c
                          const std::string& file, std::optional<int> frame) {
     const bool all_round = scene.camera.stereo == Stereo::kAllRound;
     if (session != nullptr && options.to_exr() && !options.raydata && !options.layers && options.st_map.empty() &&
-        !job.split && !scene.split && !all_round && (options.half || is_drawn_in_bands(scene))) {
+        !job.split && !scene.split && !all_round && !names_faces(options) &&
+        (options.half || is_drawn_in_bands(scene))) {
         TRY(shown, side_by_side_scenes(scene));
         return capture_large_exr(*session, scene, *shown, options, file, frame);
     }
@@ -154,7 +156,8 @@ Result<std::string> draw(const Job& job, Session* session, const Scene& scene, c
         captured->display = side_by_side(captured->display, right->display);
     }
     if (!options.plain && !options.to_exr()) annotate(scene, split, captured->display);
-    TRY(written, write_picture(file, scene, *captured, options, frame));
+    TRY(written, names_faces(options) ? write_faces(scene, *captured, options)
+                                      : write_picture(file, scene, *captured, options, frame));
     return captured->made_by;
 }
 
@@ -177,6 +180,7 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
     }
     TRY(good, check_options(options));
     TRY(seen, check_stereo(job.scene, options));
+    TRY(faces, check_faces(job.scene, options));
     if (job.path && job.path->falls() && options.time_step != 0)
         return bad_input("--time-step: the scene's time goes with the camera that falls",
                          "scenes whose path.kind is not fall");
@@ -315,7 +319,7 @@ void add_capture_to(Command& parent, const std::function<Status(const CaptureOpt
     text_option(
         command, "-o,--output", options.output,
         "File to write, .png, .jpg or .exr; for a scene with a [path] also .mp4, which needs ffmpeg and resumes "
-        "an interrupted run of the same scene and options");
+        "an interrupted run of the same scene and options; NAME-%s.png writes the six faces of a cube");
     command.add_option("--size", &options.size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
     command.add_option(
         "--split,--beside", &options.split,

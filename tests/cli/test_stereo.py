@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Each eye's half of a stereo picture is the picture of a camera that is there."""
+"""Each eye's half of a stereo picture is the picture of a camera that is there, and a cube's faces are six pinhole pictures."""
 import math
 import sys
 import unittest
@@ -8,6 +8,7 @@ from pathlib import Path
 import support
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "viewer"))
+from test_pictures import png_texts  # noqa: E402
 from x_screen import read_png  # noqa: E402
 
 WIDTH, HEIGHT = 160, 90
@@ -122,6 +123,24 @@ class Stereo(support.CliTest):
         self.refused("capture", path, "--frames", "0:40", "-o", "c%d.png", says=("eye_distance", "frame 39"))
         for option in (["--raydata", "-o", "d.exr"], ["--split", "flat", "-o", "d.png"]):
             self.refused("capture", path, *option, says=("camera.stereo", option[0]))
+
+    def test_faces_of_a_cube(self):
+        camera = 'r = 10\nyaw = 20\npitch = 10\nsize = [192, 128]\nprojection = "cube"'
+        path = self.write("scene.toml", scene(camera))
+        self.run_nullscope("capture", path, "-o", "all.png")
+        self.run_nullscope("capture", path, "-o", "face-%s.png")
+        together = read_png(self.folder / "all.png")
+        for i, name in enumerate(("left", "front", "right", "down", "back", "up")):
+            face = read_png(self.folder / f"face-{name}.png")
+            left, top = i % 3 * 64, i // 3 * 64
+            self.assertEqual(face.data, together.crop(left, top, left + 64, top + 64).data, name)
+            texts = png_texts((self.folder / f"face-{name}.png").read_bytes())   # a pinhole camera of its own
+            self.assertNotIn("cube", texts["nullscope.scene_text"])
+            self.assert_same(face, self.picture(texts["nullscope.scene_text"], "alone.png"), 0, 0.3)
+        for text, options, says in ((scene("r = 10"), ["-o", "f%s.png"], "cube"),
+                                    (scene(camera), ["-o", "f%s-%s.png"], "one place"),
+                                    (scene(camera), ["--frames", "0:2", "-o", "f%s%d.png"], "one picture")):
+            self.refused("capture", self.write("scene.toml", text), *options, says=(says,))
 
 
 if __name__ == "__main__":
