@@ -105,7 +105,12 @@ vec3 on_face(vec3 view, int face) {
 }
 #endif
 
-PixelView pixel_view(vec2 place) {
+#ifdef EFFECT_WARP
+float pixel_share = 1.0;   // of a pixel's angle: what a mesh leaves of it at the place that is looked at (effect/warp.glsl)
+#endif
+
+// As if the picture had no mesh.
+PixelView projection_view(vec2 place) {
 #ifdef EFFECT_CUBE_FACES
     if (frame.projection.x == 4.0) return faces_view(place);
 #endif
@@ -122,5 +127,13 @@ PixelView pixel_view(vec2 place) {
     view.at = vec3(place, 1.0);
     view.inverse_length = inversesqrt(1.0 + dot(place, place) * (frame.image.z * frame.image.z));
     view.angle = frame.image.z * view.inverse_length * sqrt(view.inverse_length);
+    return view;
+}
+
+PixelView pixel_view(vec2 place) {
+    PixelView view = projection_view(place);
+#ifdef EFFECT_WARP
+    view.angle *= pixel_share;
+#endif
     return view;
 }

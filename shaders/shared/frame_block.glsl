@@ -18,6 +18,9 @@ struct FrameData {
     vec4 projection;   // its number (scene/scene.h); how far from the line of sight it shows anything, px of a pixel's height: a fisheye's
                        //   radius, else the height; px between places that see the same, 0 if there are none; 0
 #endif
+#ifdef BLOCK_WARP
+    vec4 warp;         // half the picture's height, px; its middle from the line of sight, to the right and upward, px of a pixel's height; 0
+#endif
 #ifdef BLOCK_LENSING
     vec4 strip;        // cosine and sine of the critical direction's angle from e (a ray nearer to e escapes), 1/w0, first row of the inner rays in the strip
     vec4 orbit;        // sin(theta_c) = k sin(alpha), cos(chi0), a0, a1 of the deflection table

@@ -7,6 +7,12 @@
 #endif
 #include "core/view.glsl"
 #include "effect/sampling.glsl"
+#ifdef EFFECT_WARP
+#include "effect/warp.glsl"
+#ifdef LAYERS
+#include "stage/layer.glsl"
+#endif
+#endif
 #include "shared/frame.glsl"
 
 #ifdef NEEDS_SAMPLING
@@ -16,7 +22,7 @@
 // Of ray `number`: picture_place() of the picture that frame.image says, which is as fine as the rays of a pixel lie. N x N rays
 // lie on a square grid, so that what they stand for fills the pixel. Where they are many each has a column and a row of its own, of N^2 by
 // N^2: lines thinner than their distance are met evenly, along either axis too.
-vec2 fragment_pixel(int number) {
+vec2 fragment_place(int number) {
 #ifdef NEEDS_SAMPLING
     int side = int(frame.sampling.z);
     vec2 cell = vec2(float(number % side), float(number / side));
@@ -28,11 +34,39 @@ vec2 fragment_pixel(int number) {
 #endif
 }
 
+// And where that ray looks: picture_place() of the projection's own picture.
+vec2 fragment_pixel(int number) {
+#ifdef EFFECT_WARP
+    return warp_ray(fragment_place(number));
+#else
+    return fragment_place(number);
+#endif
+}
+
+// Of a ray's light, and what else ray_light says, what is left behind a mesh. Called next after the ray's fragment_pixel().
+vec4 fragment_light(vec4 light) {
+#ifdef EFFECT_WARP
+#ifdef LAYERS
+    if (layer_shown >= LAYER_DISC_SHARES) warp_light = sign(warp_light);   // shares are no light
+#endif
+    return warp_light > 0.0 ? vec4(warp_light * light.rgb, light.a) : vec4(0.0);
+#else
+    return light;
+#endif
+}
+
 // rgb: light; a: what of a point behind shines through, or the way that edges ask for.
 vec4 fragment_colour(vec4 light) {
 #ifdef BLOCK_PROJECTION
     // The part of the pixel that is in the picture: a fisheye's circle has a smooth edge.
-    light *= clamp(0.5 - beyond_view(picture_place(gl_FragCoord.xy * sampling_rays())) * sampling_share(), 0.0, 1.0);
+    vec2 middle = picture_place(gl_FragCoord.xy * sampling_rays());
+    float ray_px = sampling_share();
+#ifdef EFFECT_WARP
+    WarpPlace seen = warp_place(middle);
+    middle = seen.light < 0.0 ? vec2(0.0) : seen.at;
+    ray_px /= seen.share;
+#endif
+    light *= clamp(0.5 - beyond_view(middle) * ray_px, 0.0, 1.0);
 #endif
     vec4 colour = vec4(light.rgb, 1.0);
 #ifdef DISPLAY_ENCODE

@@ -27,22 +27,26 @@ struct PixelData {
     float steps;    // that the tracer took; 0 of planar rays
 };
 
-PixelData pixel_data(vec2 pixel) {
+// Of a pixel that shows nothing.
+PixelData no_ray() {
     PixelData data;
+    data.fate = 3.0;
+    data.sky = vec3(0.0, 0.0, 0.0);
+    data.g = 0.0;
+    data.delay = 0.0;
+    data.angle = 0.0;
+    data.hit = 0.0;
+    data.place = vec3(0.0, 0.0, 0.0);
+    data.along = 0.0;
+    data.steps = 0.0;
+    return data;
+}
+
+PixelData pixel_data(vec2 pixel) {
 #ifdef BLOCK_PROJECTION
-    if (frame.projection.x > 0.0 && beyond_view(pixel) > 0.0) {   // no ray
-        data.fate = 3.0;
-        data.sky = vec3(0.0, 0.0, 0.0);
-        data.g = 0.0;
-        data.delay = 0.0;
-        data.angle = 0.0;
-        data.hit = 0.0;
-        data.place = vec3(0.0, 0.0, 0.0);
-        data.along = 0.0;
-        data.steps = 0.0;
-        return data;
-    }
+    if (frame.projection.x > 0.0 && beyond_view(pixel) > 0.0) return no_ray();
 #endif
+    PixelData data;
     Trace trace = trace_pixel(pixel);
     data.fate = trace.escapes ? 0.0 : frame.shift.w;
     data.angle = path_angle(trace);

@@ -10,8 +10,8 @@
 #ifdef EFFECT_THERMAL_DISC
 #include "object/disc_matter.glsl"
 #endif
-#include "core/view.glsl"
 #include "path/trace"
+#include "stage/fragment_ray.glsl"
 #include "stage/pixel_data.glsl"
 
 out vec4 depth_g;   // affine parameter, camera frequency over that in the matter; 0 where there is none
@@ -29,12 +29,12 @@ float matter_g(Trace trace, float along) {
 #endif
 
 void main() {
-    vec2 pixel = picture_place(gl_FragCoord.xy);
-    PixelData data = pixel_data(pixel);
-    Trace trace = trace_pixel(pixel);
+    FragmentRay ray = fragment_ray();
+    PixelData data = fragment_data(ray);
+    Trace trace = trace_pixel(ray.pixel);
     depth_g = vec4(0.0);
 #ifdef KNOWS_DEPTH
-    if (data.hit != 0.0) depth_g.x = affine_depth(pixel, trace, data.along);
+    if (data.hit != 0.0) depth_g.x = affine_depth(ray.pixel, trace, data.along);
 #endif
 #ifdef EFFECT_THERMAL_DISC
     if (data.hit == 1.0) depth_g.y = matter_g(trace, data.along);

@@ -120,12 +120,12 @@ void main() {
     int left = sampling_count();
     vec4 sum = vec4(0.0);
     do {   // tested at the end, see disc_cover
-        sum += ray_light(fragment_pixel(number));
+        sum += fragment_light(ray_light(fragment_pixel(number)));
         ++number;
         --left;
     } while (left > 0);
     colour = fragment_colour(sum / float(sampling_count()));
 #else
-    colour = fragment_colour(ray_light(fragment_pixel(0)));
+    colour = fragment_colour(fragment_light(ray_light(fragment_pixel(0))));
 #endif
 }

@@ -24,10 +24,10 @@ const std::array<const Feature*, kEffectCount>& features() {
     return all;
 }
 
-// Rays outside of the horizon, to one sky, that turn smoothly with the pixel: at a cube's edges they do not.
+// Rays outside of the horizon, to one sky, that turn smoothly with the pixel: at a cube's and a mesh's edges they do not.
 bool ends_are_plain(const EffectSet& effects) {
-    for (const Effect effect : {Effect::kCubeFaces, Effect::kSpinFall, Effect::kSides, Effect::kInner, Effect::kBounce,
-                                Effect::kFarSky, Effect::kStar})
+    for (const Effect effect : {Effect::kCubeFaces, Effect::kWarp, Effect::kSpinFall, Effect::kSides, Effect::kInner,
+                                Effect::kBounce, Effect::kFarSky, Effect::kStar})
         if (effects.contains(effect)) return false;
     return effects.contains(Effect::kLensing) || effects.contains(Effect::kSpin);
 }
@@ -66,7 +66,7 @@ bool has_marched(const EffectSet& effects) {
 bool has_tiles(const EffectSet& effects) {
     // Rays of tiles know nothing of the swings that a zoom leaves out.
     if (effects.contains(Effect::kSpinRing) && effects.contains(Effect::kZoom)) return false;
-    if (effects.contains(Effect::kCubeFaces)) return false;
+    if (effects.contains(Effect::kCubeFaces) || effects.contains(Effect::kWarp)) return false;
     return has_marched(effects) && !effects.contains(Effect::kSides) && !effects.contains(Effect::kSpinFall);
 }
 bool tiles_tell_disc(const EffectSet& effects) { return effects.contains(Effect::kDisc) && ends_are_plain(effects); }

@@ -68,6 +68,7 @@ enum class Effect {
     kEquirectangular,
     kCylindrical,
     kCubeFaces,
+    kWarp,
     kEnd  // no effect: how many there are
 };
 inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);

@@ -188,6 +188,21 @@ std::span<const Feature> picture_features() {
          set_projection<Projection::kPinhole>,
          nothing,
          set_projection<Projection::kCube>},
+        {{Effect::kWarp, "warp", "EFFECT_WARP", "A mesh lays the picture out anew, for a mirror or a curved screen.",
+          "there is a camera.warp", "the mesh's cell and triangle, looked up a ray; no tiles"},
+         [](const FrameFacts& f) {
+             const auto& file = f.scene.camera.warp;
+             return reason_if(!file.empty(), fmt::format("camera.warp = \"{}\"", file.filename().string()));
+         },
+         [](Scene& s) { s.camera.warp.clear(); },
+         nothing,
+         [](Scene& s) { s.camera.warp = assets_directory() / "warp" / "mirror.data"; },
+         nullptr,
+         {{"camera", "warp", KeyType::kImage, "", "", kNoRange, "warp mesh",
+           "Mesh in Paul Bourke's format that lays the projection's picture out anew, for mirror domes and curved "
+           "screens.",
+           [](auto& s) { return &s.camera.warp; },
+           [](const Scene& s) { return s.camera.projection != Projection::kCube; }, "a projection that is no cube"}}},
     });
     return features;
 }

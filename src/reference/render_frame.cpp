@@ -13,6 +13,7 @@
 #include "reference/seen_light.h"
 #include "reference/star_images.h"
 #include "scene/projection.h"
+#include "scene/warp_mesh.h"
 
 namespace nullscope::reference {
 namespace {
@@ -136,7 +137,8 @@ Vec3 spot_colour(const Metric& matter, const Scene& scene, const SpotSpec& spot,
 }
 
 Vec3 ray_colour(const Looks& looks, double x, double y) {
-    if (!shows(looks.scene.camera, x, y)) return {};
+    const double through_mesh = shows(looks.scene.camera, x, y) ? warp_light(looks.scene.camera, x, y) : 0.0;
+    if (through_mesh == 0.0) return {};
     const Scene& scene = looks.scene;
     const RayPtr traced = looks.tracer.ray(x, y);
     const TracedRay& ray = *traced;
@@ -156,7 +158,7 @@ Vec3 ray_colour(const Looks& looks, double x, double y) {
             colour = colour + through * spot_colour(looks.tracer.matter(), scene, spot, ray, hit);
         through *= 1 - paint.alpha;
     }
-    if (body) return colour + through * body_light(scene, *body, looks.pictures.of(body->body));
+    if (body) return through_mesh * (colour + through * body_light(scene, *body, looks.pictures.of(body->body)));
     if (ray.fate() == Fate::kEscaped && through > 0) {
         const Vec3 at = ray.end_direction();
         colour = colour + through * (is_procedural(scene.sky.kind) ? sky_material_of(scene.sky, at)
@@ -165,7 +167,7 @@ Vec3 ray_colour(const Looks& looks, double x, double y) {
     if (ray.fate() == Fate::kHit) colour = colour + through * star_colour(ray.end_direction());
     if (ray.fate() == Fate::kOtherSide && looks.far_sky != nullptr)
         colour = colour + through * sample_sky(*looks.far_sky, ray.end_direction());
-    return colour;
+    return through_mesh * colour;
 }
 
 // What of a point behind shines through.

@@ -58,6 +58,8 @@ void put_view(FrameData& frame, const FramePlan& plan, const Mat3& shown, const 
     frame.sight = {right_px, camera.height - down_px, camera.pixel_aspect, pixel * std::sqrt(camera.pixel_aspect)};
     frame.projection = {static_cast<double>(camera.projection), shown_px(camera), turn_px(camera) * camera.pixel_aspect,
                         0};
+    frame.warp = {0.5 * camera.whole_height(), camera.shift_x * camera.whole_width() * camera.pixel_aspect,
+                  camera.shift_y * camera.whole_height(), 0};
     frame.ray_0 = {shown * ahead, 0};
     frame.ray_x = {shown * right, 0};
     frame.ray_y = {shown * up, 0};

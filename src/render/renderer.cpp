@@ -22,10 +22,10 @@ namespace nullscope {
 namespace {
 
 // Units of textures by the samplers' names; those of the images on bodies follow.
-constexpr const char* kSamplers[] = {"strip_texture",      "orbit_texture",       "sky_texture",
-                                     "disc_texture",       "table_texture",       "ends_texture",
-                                     "other_side_texture", "disc_matter_texture", "black_body_texture",
-                                     "star_lens_texture",  "clearance_texture",   "ball_path_texture"};
+constexpr const char* kSamplers[] = {
+    "strip_texture",     "orbit_texture",      "sky_texture",         "disc_texture",       "table_texture",
+    "ends_texture",      "other_side_texture", "disc_matter_texture", "black_body_texture", "star_lens_texture",
+    "clearance_texture", "ball_path_texture",  "warp_texture"};
 constexpr int kRaysAtOnce = 16;  // that every pixel traces in one draw
 constexpr int kBodyUnit = static_cast<int>(std::size(kSamplers));
 constexpr int kTileUnit = kBodyUnit + kMostBodyImages;
@@ -84,6 +84,7 @@ Status Renderer::prepare(const Scene& scene) {
     if (Status status = disc_.update(disc_file, largest_picture_, notes_); !status) return status;
     body_text_ = body_text(scene, tables_.effects());
     if (Status status = body_images_.update(scene, largest_picture_, notes_); !status) return status;
+    if (Status status = warp_.update(scene.camera, info_.max_texture_size); !status) return status;
     load_table();
     load_heat();
     load_black_body();
@@ -225,6 +226,7 @@ void Renderer::bind_inputs() {
                                            {"clearance_texture", &clearances_},
                                            {"ball_path_texture", &ball_paths_}})
         gl::bind_texture_2d(unit_of(sampler), *texture);
+    gl::bind_texture_2d(unit_of("warp_texture"), warp_.texture());
     skies_.bind(kSkyUnit, kFarSkyUnit);
     body_images_.bind(kBodyUnit);
     picture_tiles_.bind(kTileUnit);
@@ -550,6 +552,7 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
             add(body_image_sampler(image), picture.width, picture.height, kPicture);
     if (flow_key_) add("disc flow", kDiscFlowCells + 1, kDiscFlowRows, kTexel);
     if (black_body_) add("black body", kBlackBodyCells + 1, 1, kTexel);
+    if (warp_.rows() > 0) add("warp mesh", kWarpRow, warp_.rows(), kTexel);
     if (stars_.count() > 0) lines.push_back({"stars", stars_.count(), 1, stars_.bytes()});
     if (linear_.width > 0) add("linear picture", linear_.width, linear_.height, 24);
     if (bloom_.bytes() > 0)

@@ -22,6 +22,7 @@
 #include "render/sky_textures.h"
 #include "render/star_field.h"
 #include "render/uniform_blocks.h"
+#include "render/warp_texture.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
 #include "shaderlib/passes.h"
@@ -155,6 +156,7 @@ private:
     FrameTables tables_;
     int rows_revision_ = -1, clearances_revision_ = 0;
     gl::Texture strip_, ends_, orbit_table_, ball_paths_, clearances_, table_, disc_flow_, black_body_, star_lens_;
+    WarpTexture warp_;
     StarField stars_;
     StarField::Search star_search_;
     Bloom bloom_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/warp_mesh.h"
+
 namespace nullscope {
 namespace {
 
@@ -13,16 +15,45 @@ struct Place {
     double u, v;
 };
 
-Place place_of(const CameraSpec& camera, double x, double y) {
-    const auto [middle_x, middle_y] = line_of_sight(camera);
-    const double pixel = camera.pixel();
-    return {(x - middle_x) * camera.pixel_aspect * pixel, (middle_y - y) * pixel};
+// The picture's middle from the line of sight, px of a pixel's height, right and up.
+Place shifted_middle(const CameraSpec& camera) {
+    return {camera.shift_x * camera.whole_width() * camera.pixel_aspect, camera.shift_y * camera.whole_height()};
 }
 
-std::array<double, 2> pixel_at(const CameraSpec& camera, Place at) {
+// From the line of sight, px of a pixel's height.
+Place place_px(const CameraSpec& camera, double x, double y) {
+    if (!camera.warp.empty())
+        if (const auto warped = warped_place(camera, x, y)) {
+            const Place middle = shifted_middle(camera);
+            return {warped->at[0] + middle.u, warped->at[1] + middle.v};
+        }
+    const auto [middle_x, middle_y] = line_of_sight(camera);
+    return {(x - middle_x) * camera.pixel_aspect, middle_y - y};
+}
+
+Place place_of(const CameraSpec& camera, double x, double y) {
+    const Place px = place_px(camera, x, y);
+    return {px.u * camera.pixel(), px.v * camera.pixel()};
+}
+
+std::optional<std::array<double, 2>> pixel_at(const CameraSpec& camera, Place at) {
     const auto [middle_x, middle_y] = line_of_sight(camera);
     const double pixel = camera.pixel();
-    return {middle_x + at.u / (camera.pixel_aspect * pixel), middle_y - at.v / pixel};
+    if (!camera.warp.empty()) {
+        const Place middle = shifted_middle(camera);
+        const double turn = turn_px(camera) * camera.pixel_aspect;
+        for (const double u : {at.u / pixel, at.u / pixel - turn, at.u / pixel + turn})
+            if (const auto place = unwarped_place(camera, {u - middle.u, at.v / pixel - middle.v})) return place;
+        return std::nullopt;
+    }
+    return std::array{middle_x + at.u / (camera.pixel_aspect * pixel), middle_y - at.v / pixel};
+}
+
+// Of a pixel's width, the root of areas: what the mesh makes of it.
+double warp_share(const CameraSpec& camera, double x, double y) {
+    if (camera.warp.empty()) return 1.0;
+    const auto warped = warped_place(camera, x, y);
+    return warped ? warped->share : 1.0;
 }
 
 // A face's axes: to the right and upward in it, and ahead through its middle.
@@ -123,8 +154,8 @@ int cube_face(const CameraSpec& camera, double x, double y) {
 }
 
 bool shows(const CameraSpec& camera, double x, double y) {
-    const auto [middle_x, middle_y] = line_of_sight(camera);
-    const double right = (x - middle_x) * camera.pixel_aspect, up = middle_y - y;
+    if (!camera.warp.empty() && !warped_place(camera, x, y)) return false;
+    const auto [right, up] = place_px(camera, x, y);
     return (camera.projection == Projection::kFisheye ? std::hypot(right, up) : std::fabs(up)) <= shown_px(camera);
 }
 
@@ -135,7 +166,8 @@ double shown_px(const CameraSpec& camera) {
 }
 
 double pixel_solid_angle(const CameraSpec& camera, double x, double y) {
-    const double pixel = camera.pixel(), square = pixel * pixel * camera.pixel_aspect;
+    const double pixel = camera.pixel(), share = warp_share(camera, x, y),
+                 square = pixel * pixel * camera.pixel_aspect * share * share;
     auto [u, v] = place_of(camera, x, y);
     switch (camera.projection) {
         case Projection::kCube: {
@@ -152,14 +184,16 @@ double pixel_solid_angle(const CameraSpec& camera, double x, double y) {
 }
 
 double pixel_angle(const CameraSpec& camera, double x, double y) {
-    return part_angle(camera.projection, camera.pixel(), place_of(camera, x, y)) * std::sqrt(camera.pixel_aspect);
+    return part_angle(camera.projection, camera.pixel(), place_of(camera, x, y)) * std::sqrt(camera.pixel_aspect) *
+           std::max(warp_share(camera, x, y), kNarrowestShare);
 }
 
 double smallest_pixel_angle(const CameraSpec& camera) {
     const auto [right, up] = reach(camera);
     const double pixel = camera.pixel();
     if (camera.projection == Projection::kCube) return part_angle(Projection::kPinhole, pixel, {1.0, 1.0});
-    return part_angle(camera.projection, pixel, {right * pixel, up * pixel}) * std::sqrt(camera.pixel_aspect);
+    return part_angle(camera.projection, pixel, {right * pixel, up * pixel}) * std::sqrt(camera.pixel_aspect) *
+           smallest_warp_share(camera);
 }
 
 double turn_px(const CameraSpec& camera) {

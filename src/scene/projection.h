@@ -17,8 +17,9 @@ namespace nullscope {
 //   cylindrical       longitude u, tangent v of the latitude
 //   cube              three columns and two rows of square faces, each a pinhole's picture of 90 degrees: left, ahead, right above down,
 //                     behind, up. The line of sight counts as the picture's middle.
+// Where a camera has a mesh (scene/warp_mesh.h), (u, v) is where that takes the pixel; beside it as without one.
 Vec3 pixel_direction(const CameraSpec& camera, double x, double y);
-// Where a direction of any length is seen, also beside the picture; nothing behind a pinhole. Of several places (longitudes, the
+// Where a direction of any length is seen, also beside the picture; nothing behind a pinhole, nor beside a mesh. Of several places (longitudes, the
 // fisheye's antipode) the one nearest to the line of sight.
 std::optional<std::array<double, 2>> pixel_of(const CameraSpec& camera, Vec3 direction);
 // Of the line of sight.
@@ -27,7 +28,8 @@ std::array<double, 2> line_of_sight(const CameraSpec& camera);
 int cube_face(const CameraSpec& camera, double x, double y);
 // Where a direction is seen in the plane of one face, also beyond its square; nothing behind it.
 std::optional<std::array<double, 2>> pixel_on_face(const CameraSpec& camera, int face, Vec3 direction);
-// Whether the picture shows anything there: of a fisheye within its circle, of equirectangular pictures between the poles.
+// Whether the picture shows anything there: of a fisheye within its circle, of equirectangular pictures between the poles, of a mesh
+// within it.
 bool shows(const CameraSpec& camera, double x, double y);
 // How far from the line of sight that is, px of a pixel's height: a fisheye's radius, an equirectangular picture's height; else 1e9.
 double shown_px(const CameraSpec& camera);

@@ -31,10 +31,11 @@ struct SceneKey {
     std::string_view section;  // "" for the top level
     std::string_view key;
     KeyType type;
-    std::string_view unit = {};             // of the file: "deg", "r_s", ...; degrees become radians in Scene
-    std::string_view fallback = {};         // default, as it would be written in a file; "" for none
-    KeyRange range = {};                    // kNumber, in the file's unit; arrays: of every number
-    std::string_view choices = {};          // kChoice: words separated by one blank; kFormula: variables
+    std::string_view unit = {};      // of the file: "deg", "r_s", ...; degrees become radians in Scene
+    std::string_view fallback = {};  // default, as it would be written in a file; "" for none
+    KeyRange range = {};             // kNumber, in the file's unit; arrays: of every number
+    std::string_view choices =
+        {};  // kChoice: words separated by one blank; kFormula: variables; kImage: what the file is, "" an image
     std::string_view help = {};             // one sentence
     KeyMember member = {};                  // of what a scene may have several of: of the last
     bool (*meant)(const Scene&) = nullptr;  // whether the key means anything in this scene; null: in every one ...

@@ -14,7 +14,9 @@
 #include "plan/sides.h"
 #include "scene/bodies.h"
 #include "scene/projection.h"
+#include "scene/warp_mesh.h"
 #include "scenefile/scene_keys.h"
+#include "scenefile/scene_value.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
 
@@ -58,7 +60,7 @@ Faults check_keys(const Scene& scene, const GivenKeys& given, bool camera) {
 
 bool same_picture(const CameraSpec& a, const CameraSpec& b) {
     return a.width == b.width && a.height == b.height && a.projection == b.projection &&
-           a.pixel_aspect == b.pixel_aspect && a.stereo == b.stereo;
+           a.pixel_aspect == b.pixel_aspect && a.stereo == b.stereo && a.warp == b.warp;
 }
 
 Faults check_lens(const Scene& scene) {
@@ -81,6 +83,23 @@ Faults check_lens(const Scene& scene) {
     if (scene.split)
         return {{projection, "a [split] picture is a pinhole's", "pinhole where there is a [split]", projection}};
     return {};
+}
+
+Faults check_warp(const Scene& scene) {
+    const char* warp = "camera.warp";
+    if (scene.camera.warp.empty()) return {};
+    for (const auto& [there, what] : {std::pair{scene.camera.zoom.has_value(), "[zoom]"},
+                                      {scene.split.has_value(), "[split]"},
+                                      {scene.camera.stereo != Stereo::kOff, "camera.stereo"},
+                                      {scene.sky.kind == SkyKind::kPoints, "sky.kind = \"points\""}})
+        if (there) return {{warp, fmt::format("does not go together with {}", what), "one of both", warp}};
+    const auto mesh = load_warp_mesh(scene.camera.warp);
+    if (mesh) return {};
+    const Error& error = mesh.error();
+    const std::string at =
+        error.line > 0 ? fmt::format("line {} of {}: ", error.line, in_quotes(scene.camera.warp.filename().string()))
+                       : "";
+    return {{warp, at + error.what, error.allowed.empty() ? "a warp mesh" : error.allowed, warp}};
 }
 
 // In one of the scene's spacetimes.
@@ -138,8 +157,8 @@ Faults check_path(const Scene& scene) {
                           keys ? "two [[path.key]] or more" : "with kind = \"keys\" only"});
     for (const PathKey& key : path.keys)
         if (key.camera.observer != path.keys.front().camera.observer || !same_picture(key.camera, scene.camera))
-            faults.push_back({"path.key", "observer, projection, size or stereo change on the way",
-                              "one observer, projection, size, pixel_aspect and stereo for all keys"});
+            faults.push_back({"path.key", "observer, projection, size, stereo or warp change on the way",
+                              "one observer, projection, size, pixel_aspect, stereo and warp for all keys"});
     return faults;
 }
 
@@ -265,6 +284,7 @@ std::vector<SceneFault> check_camera(const Scene& scene, const GivenKeys& given)
             faults.push_back({"camera.fov", fmt::format("says the same as {}", other),
                               "either fov, or plane_width and focal_distance", other});
     append(faults, check_lens(scene));
+    append(faults, check_warp(scene));
     append(faults, check_place(scene, "spacetime", scene.spacetime));
     append(faults, check_stereo(scene));
     const World world = world_of(scene.spacetime);

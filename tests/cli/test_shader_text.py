@@ -6,7 +6,9 @@ import re
 
 import support
 
-IMAGE = pathlib.Path(__file__).resolve().parents[2] / "assets" / "images" / "accretion-disc.png"
+ASSETS = pathlib.Path(__file__).resolve().parents[2] / "assets"
+IMAGE = ASSETS / "images" / "accretion-disc.png"
+MESH = ASSETS / "warp" / "mirror.data"
 
 # Identifiers that belong to an effect, as regular expressions of whole words; members of the uniform block too.
 WORDS = {
@@ -49,6 +51,7 @@ WORDS = {
     "equirectangular": [r"equirectangular_view"],
     "cylindrical": [r"cylindrical_view"],
     "cube-faces": [r"faces_view", r"face_(?:of|middle)", r"on_face"],
+    "warp": [r"warp_\w+", r"WarpPlace", r"WarpNode", r"pixel_share", r"frame\.warp"],
     "refine": [r"edge_(?:shown|value)"],
     "star": [r"star_(?:surface|square)\w*"],
     "delay": [r"light_time", r"delay_\w+"],
@@ -111,6 +114,7 @@ SCENES = {
     "fisheye": '[camera]\nprojection = "fisheye"\n',
     "equirectangular": '[spacetime]\nmetric = "minkowski"\n[camera]\nprojection = "equirectangular"\n',
     "cube-faces, points": '[camera]\nprojection = "cube"\nsize = [36, 24]\n[sky]\nkind = "points"\neven_stars = 10\n',
+    "fisheye, warp": '[camera]\nprojection = "fisheye"\nwarp = "WARP"\n',
     "spin, cylindrical": '[spacetime]\nmetric = "kerr"\n[camera]\nprojection = "cylindrical"\n[sky]\nkind = "black"\n',
     "star": '[spacetime]\nmetric = "neutron-star"\n',
     "delay, flow, spot": '[sky]\nkind = "black"\n[disc]\ntexture = "noise"\nflow = "kepler"\n[spot]\n',
@@ -132,7 +136,7 @@ class ShaderText(support.CliTest):
     def test_nothing_of_an_effect_that_is_off(self):
         seen_on = set()
         for name, text in SCENES.items():
-            scene = self.write("scene.toml", text.replace("IMAGE", str(IMAGE)))
+            scene = self.write("scene.toml", text.replace("IMAGE", str(IMAGE)).replace("WARP", str(MESH)))
             plan = json.loads(self.run_nullscope("plan", scene, "--json").out)
             on = {e["effect"] for e in plan["effects"]}
             off = {e["effect"] for e in plan["left_out"]}

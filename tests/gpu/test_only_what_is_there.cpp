@@ -38,6 +38,7 @@ Names textures_for(const EffectSet& effects, const Scene& scene) {
     if (effects.contains(Effect::kPointStars) && lensing) names.insert("star lens");
     if (effects.contains(Effect::kSky)) names.insert("sky");
     if (effects.contains(Effect::kFarSky)) names.insert("far sky");
+    if (effects.contains(Effect::kWarp)) names.insert("warp mesh");
     if (effects.contains(Effect::kBodyImage))
         for (std::size_t i = 0; i < body_images(scene).size(); ++i)
             names.insert(body_image_sampler(static_cast<int>(i)));
@@ -102,6 +103,7 @@ std::vector<Scene> full_scenes() {
         camera.projection = projection;
         set_field_of_view(camera, usual_field_of_view(projection));
     }
+    scenes[5].camera.warp = assets_directory() / "warp" / "mirror.data";
     scenes[1].picture = {ToneCurve::kFilm, 0.1, false, true};
     scenes[2].picture = {ToneCurve::kNeutral, 0.0, true, false, 2};
     return scenes;

@@ -97,6 +97,8 @@ const Broken kBroken[] = {
     {"[camera]\nprojection = \"fisheye\"\nplane_width = 1", 3, "camera.plane_width", "has no meaning here"},
     {"[camera]\nprojection = \"cylindrical\"\n[zoom]", 2, "camera.projection", "a [zoom] is a pinhole's"},
     {"[camera]\nprojection = \"fisheye\"\n[split]\nmetric = \"kerr\"", 2, "camera.projection", "a [split] picture"},
+    {"[camera]\nwarp = \"none.data\"", 2, "camera.warp", "there is no file"},
+    {"[camera]\nwarp = 3", 2, "camera.warp", "a warp mesh file, relative to the scene file"},
     {"[path]\nkind = \"keys\"\n[[path.key]]\n[[path.key]]\nprojection = \"fisheye\"", 1, "path.key", "projection"},
     {"[camera]\nfov = 60\nplane_width = 1", 2, "camera.fov", "says the same as camera.plane_width"},
     {"[camera]\nfocal_distance = 1\nfov = 60", 3, "camera.fov", "says the same as camera.focal_distance"},

@@ -67,6 +67,7 @@ std::vector<Scene> all_scenes() {
             scene.picture.samples = has(2) && has(6) ? 2 : 1;
             scene.picture.refine = !(has(0) && has(9));
             if (has(3) && has(5) && !has(1)) scene.camera.zoom.emplace();
+            if (has(2) && has(5) && !has(3)) scene.camera.warp = "mesh.data";
             scenes.push_back(scene);
         }
     return scenes;
@@ -89,6 +90,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kEquirectangular, {"equirectangular_view"}},
     {Effect::kCylindrical, {"cylindrical_view"}},
     {Effect::kCubeFaces, {"faces_view"}},
+    {Effect::kWarp, {"warp_place", "warp_texture", "vec4 warp;", "pixel_share"}},
     {Effect::kDisc, {"disc_cross", "DiscCrossing", "plane_meet", "disc_normal", "disc_map", "disc_surface"}},
     {Effect::kDiscImage, {"disc_texture", "disc_filtered"}},
     {Effect::kDiscPattern, {"disc_material_pattern", "vec4 disc_material_map;"}},
@@ -252,7 +254,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow* row : effect_rows()) all.insert(row->effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 61);
+    CHECK(members.size() == 62);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {
