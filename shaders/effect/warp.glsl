@@ -5,10 +5,12 @@
 
 uniform highp sampler2D warp_texture;   // render/warp_texture.h: texels by number
 
-#define WARP_ROW 1024      // texels
-#define WARP_HEAD 2        // the first texels: bins, input picture
-#define WARP_RIM 1.0e-4    // of a triangle beyond its sides, so that nothing is missed between two
-#define WARP_NARROWEST 0.1 // as kNarrowestShare of scene/warp_mesh.h
+#define WARP_ROW 1024       // texels
+#define WARP_PICTURE 0      // the first of the two that tell of the bins by the place on the screen,
+#define WARP_STARS 2        // and of those by the place in the picture
+#define WARP_HALF 4         // half the picture's width and height
+#define WARP_RIM 1.0e-4     // of a triangle beyond its sides, so that nothing is missed between two
+#define WARP_NARROWEST 0.1  // as kNarrowestShare of scene/warp_mesh.h
 
 struct WarpPlace {
     vec2 at;       // picture_place() of the projection's own picture
@@ -50,24 +52,27 @@ WarpPlace warp_triangle(vec2 at, WarpNode a, WarpNode b, WarpNode c, WarpPlace f
     return here;
 }
 
-// place: picture_place().
-WarpPlace warp_place(vec2 place) {
-    WarpPlace dark = WarpPlace(place, -1.0, 1.0);
-    WarpPlace found = dark;
-    vec2 at = (place - frame.warp.yz) / frame.warp.x;
-    vec4 bins = warp_texel(0);   // of the lower left one, and how many there are in a length
-    vec4 input_picture = warp_texel(1);   // numbers of bins, half its width and height
+// Of a node: it lies where it is seen on the screen, or where it is in the picture.
+WarpNode warp_sided(WarpNode node, bool in_picture) {
+    return in_picture ? WarpNode(node.place + node.move, -node.move, node.light) : node;
+}
+
+// The last cell at a place, half heights; light is below 0 where there is none. at: the move from there.
+WarpPlace warp_search(vec2 at, int head, bool in_picture) {
+    WarpPlace found = WarpPlace(vec2(0.0), -1.0, 1.0);
+    vec4 bins = warp_texel(head);          // of the lower left one, and how many there are in a length
+    vec4 counts = warp_texel(head + 1);    // along both sides; the first one's texel
     vec2 bin = floor((at - bins.xy) * bins.zw);
-    if (bin.x < 0.0 || bin.y < 0.0 || bin.x >= input_picture.x || bin.y >= input_picture.y) return dark;
-    vec4 list = warp_texel(WARP_HEAD + int(bin.x) + int(bin.y) * int(input_picture.x));   // its first cell, how many
+    if (bin.x < 0.0 || bin.y < 0.0 || bin.x >= counts.x || bin.y >= counts.y) return found;
+    vec4 list = warp_texel(int(counts.z) + int(bin.x) + int(bin.y) * int(counts.x));   // its first cell, how many
     int cell = int(list.x);
     int end = cell + int(list.y);
     while (cell < end) {
         vec4 corners = warp_texel(cell);
-        WarpNode a = warp_node(corners.x);
-        WarpNode b = warp_node(corners.y);
-        WarpNode c = warp_node(corners.z);
-        WarpNode d = warp_node(corners.w);
+        WarpNode a = warp_sided(warp_node(corners.x), in_picture);
+        WarpNode b = warp_sided(warp_node(corners.y), in_picture);
+        WarpNode c = warp_sided(warp_node(corners.z), in_picture);
+        WarpNode d = warp_sided(warp_node(corners.w), in_picture);
         WarpNode middle = WarpNode(0.25 * (a.place + b.place + c.place + d.place), 0.25 * (a.move + b.move + c.move + d.move),
                                    0.25 * (a.light + b.light + c.light + d.light));
         found = warp_triangle(at, middle, a, b, found);
@@ -76,13 +81,35 @@ WarpPlace warp_place(vec2 place) {
         found = warp_triangle(at, middle, d, a, found);
         ++cell;
     }
-    if (found.light < 0.0) return dark;
-    vec2 beyond = abs(at + found.at) - input_picture.zw;
-    if (max(beyond.x, beyond.y) > 0.0) return dark;
+    return found;
+}
+
+vec2 warp_half_heights(vec2 place) { return (place - frame.warp.yz) / frame.warp.x; }
+bool warp_beyond(vec2 at) {
+    vec2 beyond = abs(at) - warp_texel(WARP_HALF).xy;
+    return max(beyond.x, beyond.y) > 0.0;
+}
+
+// place: picture_place().
+WarpPlace warp_place(vec2 place) {
+    vec2 at = warp_half_heights(place);
+    WarpPlace found = warp_search(at, WARP_PICTURE, false);
+    if (found.light < 0.0 || warp_beyond(at + found.at)) return WarpPlace(place, -1.0, 1.0);
     found.at = place + frame.warp.x * found.at;
     found.share = max(found.share, WARP_NARROWEST);
     return found;
 }
+
+#ifdef EFFECT_POINT_STARS
+// Where on the screen a place of the projection's own picture is; share: of the screen over the picture.
+WarpPlace warp_seen(vec2 place) {
+    vec2 at = warp_half_heights(place);
+    WarpPlace found = warp_search(at, WARP_STARS, true);
+    if (warp_beyond(at)) found.light = -1.0;
+    found.at = place + frame.warp.x * found.at;
+    return found;
+}
+#endif
 
 float warp_light = 1.0;   // of the ray that was looked for last: factor on its light
 

@@ -1,5 +1,8 @@
 // One image of one star: where in the picture it is, and the light that its pixels share.
 #include "core/view.glsl"
+#ifdef EFFECT_WARP
+#include "effect/warp.glsl"
+#endif
 #include "path/stars"
 #include "shared/frame.glsl"
 
@@ -28,6 +31,12 @@ void main() {
     // Round the camera: again at the picture's other side.
     if (gl_InstanceID == 1) point.pixel.x -= point.pixel.x < 0.0 ? -frame.projection.z : frame.projection.z;
 #endif
+#endif
+#ifdef EFFECT_WARP
+    WarpPlace on_screen = warp_seen(point.pixel);
+    point.pixel = on_screen.at;
+    point.seen = point.seen && on_screen.light > 0.0;
+    star_peak *= max(on_screen.light, 0.0) * on_screen.share * on_screen.share;
 #endif
     star_middle = point.pixel;
     vec2 fragment = picture_fragment(point.pixel);

@@ -11,6 +11,7 @@
 #include "reference/root.h"
 #include "reference/seen_light.h"
 #include "scene/projection.h"
+#include "scene/warp_mesh.h"
 
 namespace nullscope::reference {
 namespace {
@@ -103,7 +104,8 @@ void add_point_stars(const FrameTracer& tracer, const Scene& scene, const std::v
     std::vector<std::vector<Spot>> spots(stars.size());
     tbb::parallel_for(std::size_t{0}, stars.size(), [&](std::size_t i) {
         for (const StarImage& image : images(stars[i].direction)) {
-            const double through = transmission(image.x, image.y);
+            const double dimmed = warp_light(scene.camera, image.x, image.y),
+                         through = dimmed > 0.0 ? dimmed * transmission(image.x, image.y) : 0.0;
             if (!(through > 0)) continue;
             const Vec3 peak = point_peak() * through / image.solid_angle * star_light(stars[i], image.g, scene.light);
             const int face = cube_face(scene.camera, image.x, image.y);

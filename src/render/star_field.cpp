@@ -4,6 +4,7 @@
 
 #include "base/assets.h"
 #include "render/frame_tables.h"
+#include "scene/warp_mesh.h"
 
 namespace nullscope {
 
@@ -41,7 +42,8 @@ void StarField::find_images(const Scene& scene, const FrameTables& tables, const
     if (whole.part) whole.width = whole.part->width, whole.height = whole.part->height, whole.part.reset();
     const auto key = std::make_tuple(scene.spacetime, whole, scene.light);
     if (view_key_ == key && (search.quick || !quick_)) return;
-    const double magnitude_limit = std::log2(kFaintestPoint / point_peak()) - scene.camera.exposure_ev;
+    const double magnitude_limit = std::log2(kFaintestPoint / point_peak()) - scene.camera.exposure_ev +
+                                   2.0 * std::log2(smallest_warp_share(scene.camera));
     CoreInput input = tables.core_input();  // rays to the sky, whatever is in their way
     input.frame.disc_x.w = 1e30, input.frame.disc_y.w = 0.0;
     input.spin_delay = false;

@@ -11,6 +11,7 @@
 
 #include "render/star_cell.h"
 #include "scene/projection.h"
+#include "scene/warp_mesh.h"
 
 namespace nullscope {
 namespace {
@@ -297,6 +298,8 @@ MeshArea mesh_area(const CameraSpec& camera, double margin_px) {
     const auto [x, y] = line_of_sight(camera);
     const auto [left, top] = camera.part ? std::array{camera.part->left, camera.part->top} : std::array{0, 0};
     const double right = (left + x) * camera.pixel_aspect, down = top + y;
+    // With a warp mesh the projection's own picture, which may be higher than the screen, and never wider.
+    if (!camera.warp.empty()) margin_px += std::max(0.5 * camera.whole_height() * (input_half(camera)[1] - 1.0), 0.0);
     return {-right - margin_px, camera.whole_width() * camera.pixel_aspect - right + margin_px,
             down - camera.whole_height() - margin_px, down + margin_px};
 }

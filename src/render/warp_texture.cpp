@@ -5,27 +5,44 @@
 namespace nullscope {
 namespace {
 
-constexpr int kHead = 2;  // WARP_HEAD of shaders/effect/warp.glsl
+constexpr int kHead = 5;  // two for each kind of bins, and WARP_HALF of shaders/effect/warp.glsl
 
 }  // namespace
 
 std::vector<float> warp_texels(const WarpMesh& mesh, std::array<double, 2> half) {
-    const CellBins& bins = mesh.bins();
-    const std::size_t bin_count = bins.first.empty() ? 0 : bins.first.size() - 1, first_cell = kHead + bin_count,
-                      first_node = first_cell + bins.cells.size(), count = first_node + 2 * mesh.nodes().size();
+    const std::array<const CellBins*, 2> kinds{&mesh.bins(), &mesh.picture_bins()};
+    std::array<std::size_t, 2> first_bin{}, first_cell{};
+    std::size_t count = kHead;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        first_bin[i] = count, first_cell[i] = count + kinds[i]->size();
+        count = first_cell[i] + kinds[i]->cells.size();
+    }
+    const std::size_t first_node = count;
+    count += 2 * mesh.nodes().size();
     std::vector<float> texels;
     texels.reserve((count + kWarpRow) * 4);
     const auto add = [&](double x, double y, double z, double w) {
         for (const double value : {x, y, z, w}) texels.push_back(static_cast<float>(value));
     };
-    add(bins.left, bins.bottom, bins.columns / (bins.right - bins.left), bins.rows / (bins.top - bins.bottom));
-    add(bin_count == 0 ? 0 : bins.columns, bin_count == 0 ? 0 : bins.rows, half[0], half[1]);
-    for (std::size_t bin = 0; bin < bin_count; ++bin)
-        add(static_cast<double>(first_cell) + bins.first[bin], bins.first[bin + 1] - bins.first[bin], 0, 0);
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const CellBins& bins = *kinds[i];
+        const bool picture = i == 1;  // by u and v
+        const double x = picture ? 2 * half[0] : 1.0, y = picture ? 2 * half[1] : 1.0;
+        add(bins.left * x - (picture ? half[0] : 0.0), bins.bottom * y - (picture ? half[1] : 0.0),
+            bins.columns / ((bins.right - bins.left) * x), bins.rows / ((bins.top - bins.bottom) * y));
+        add(bins.size() == 0 ? 0 : bins.columns, bins.size() == 0 ? 0 : bins.rows, static_cast<double>(first_bin[i]),
+            0);
+    }
+    add(half[0], half[1], 0, 0);
     const auto node = [&](int number) { return static_cast<double>(first_node) + 2.0 * number; };
-    for (const int cell : bins.cells) {
-        const auto& corners = mesh.cells()[static_cast<std::size_t>(cell)];
-        add(node(corners[0]), node(corners[1]), node(corners[2]), node(corners[3]));
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const CellBins& bins = *kinds[i];
+        for (std::size_t bin = 0; bin < bins.size(); ++bin)
+            add(static_cast<double>(first_cell[i]) + bins.first[bin], bins.first[bin + 1] - bins.first[bin], 0, 0);
+        for (const int cell : bins.cells) {
+            const auto& corners = mesh.cells()[static_cast<std::size_t>(cell)];
+            add(node(corners[0]), node(corners[1]), node(corners[2]), node(corners[3]));
+        }
     }
     for (const WarpNode& at : mesh.nodes()) {
         add(at.x, at.y, (2 * at.u - 1) * half[0] - at.x, (2 * at.v - 1) * half[1] - at.y);

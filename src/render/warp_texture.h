@@ -10,9 +10,10 @@
 
 namespace nullscope {
 
-// Rows of kWarpRow texels of four numbers, by number: the lower left corner of the bins and how many there are in a length, right and up;
-// numbers of bins, and `half`; of each bin its first cell and how many it has; of each of these the first texels of its four nodes; of
-// each node its place and how far from there its place in the input picture is, and its light. Lengths are half heights of the screen.
+// Rows of kWarpRow texels of four numbers, by number. First the bins by place on the screen and those by place in the picture, each: the
+// lower left corner and how many there are in a length, right and up; numbers of bins, the first one's texel. Then `half`; and of each
+// kind of bins: of each bin its first cell and how many it has; of each of these the first texels of its four nodes. At last the nodes:
+// place and how far from there the place in the picture is; light. Lengths are half heights of the screen.
 inline constexpr int kWarpRow = 1024;
 // half: input_half().
 std::vector<float> warp_texels(const WarpMesh& mesh, std::array<double, 2> half);

@@ -37,6 +37,7 @@ struct CellBins {
     int columns = 1, rows = 1;
     std::vector<int> first;  // columns * rows + 1 places in `cells`, row by row from the lower left
     std::vector<int> cells;  // in growing order within a bin
+    std::size_t size() const { return first.empty() ? 0 : first.size() - 1; }
 };
 
 // What is at a place of the screen.
@@ -60,8 +61,9 @@ public:
     const std::vector<WarpNode>& nodes() const { return nodes_; }
     const std::vector<std::array<int, 4>>& cells() const {
         return cells_;
-    }                                               // that are drawn: numbers of nodes, going round
-    const CellBins& bins() const { return bins_; }  // by x, y
+    }                                                                  // that are drawn: numbers of nodes, going round
+    const CellBins& bins() const { return bins_; }                     // by x, y
+    const CellBins& picture_bins() const { return bins_of_picture_; }  // by u, v
 
 private:
     Status find_bins();

@@ -90,8 +90,7 @@ Faults check_warp(const Scene& scene) {
     if (scene.camera.warp.empty()) return {};
     for (const auto& [there, what] : {std::pair{scene.camera.zoom.has_value(), "[zoom]"},
                                       {scene.split.has_value(), "[split]"},
-                                      {scene.camera.stereo != Stereo::kOff, "camera.stereo"},
-                                      {scene.sky.kind == SkyKind::kPoints, "sky.kind = \"points\""}})
+                                      {scene.camera.stereo != Stereo::kOff, "camera.stereo"}})
         if (there) return {{warp, fmt::format("does not go together with {}", what), "one of both", warp}};
     const auto mesh = load_warp_mesh(scene.camera.warp);
     if (mesh) return {};

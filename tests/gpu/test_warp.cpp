@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assets.h"
 #include "observer/pose.h"
 #include "render/picture_bands.h"
 #include "scene/projection.h"
 #include "scenefile/scene_file.h"
+#include "sky/point_stars.h"
+#include "sky/sky.h"
 #include "support/gpu_session.h"
 #include "support/warp_files.h"
 
@@ -210,6 +213,64 @@ TEST_CASE("warp: rays are the reference's about every kind of hole, and pictures
         }
         fmt::print("in parts: {} of {} numbers differ\n", off, whole.data.size());
         CHECK(off == 0);
+    });
+}
+
+TEST_CASE("warp: point stars are where the mesh has them, and as bright as their pixels are wide") {
+    constexpr double kPeak = 0.05;   // of the brightest pixel: no others are compared
+    constexpr double kLight = 0.02;  // the driver's half floats and the cut tails of point spreads
+    constexpr double kBeside =
+        0.02;  // of the pixels: stars on two triangles, whose light the reference takes from the one
+    const TrialFolder folder;
+    Scene scene;
+    scene.sky.kind = SkyKind::kPoints, scene.sky.uniform_stars = 300, scene.sky.magnitude_limit = -2.0;
+    scene.picture.refine = false;
+    CameraSpec& camera = scene.camera;
+    camera.r = 10.0, camera.pitch = 0.5;
+    camera.projection = Projection::kFisheye;
+    set_field_of_view(camera, M_PI);
+    camera.width = camera.height = 96;
+    const auto identity = folder.path() / "identity.data", dimmed = folder.path() / "dimmed.data";
+    write_warp(identity, warp_text(5, 5, 1.0, [](WarpNode&) {}));
+    write_warp(dimmed, warp_text(33, 33, 1.0, [](WarpNode& n) {
+                   const auto at = bent(n.x, n.y);
+                   n.light = 1.0 - 0.3 * n.x;
+                   n.u = static_cast<double>(0.5L * at[0] + 0.5L), n.v = static_cast<double>(0.5L * at[1] + 0.5L);
+               }));
+    on_every_context([&](GpuSession& session) {
+        if (session.context->kind() == std::string("osmesa")) return;  // the same driver
+        for (const bool rotating : {false, true}) {
+            scene.spacetime = {rotating ? "kerr" : "schwarzschild", {}};
+            camera.warp.clear();
+            REQUIRE(session.renderer->prepare(scene));
+            const Image<float> plain = session.renderer->picture();
+            camera.warp = identity;
+            REQUIRE(session.renderer->prepare(scene));
+            const Image<float> same = session.renderer->picture();
+            long long off = 0;
+            for (int y = 8; y < camera.height - 8; ++y)  // those beside the picture are not in the mesh
+                for (int x = 8; x < camera.width - 8; ++x) off += plain.at(x, y)[1] != same.at(x, y)[1];
+            CHECK(off == 0);
+        }
+        scene.spacetime = {"schwarzschild", {}};
+        camera.warp = dimmed;
+        REQUIRE(session.renderer->prepare(scene));
+        const Image<float> drawn = session.renderer->picture();
+        const auto sky = build_sky(scene.sky, assets_directory(), 16);
+        const auto stars = point_stars(scene.sky, assets_directory());
+        REQUIRE(sky);
+        REQUIRE(stars);
+        const auto exact = reference::render_frame(scene, *sky, {}, 1, {}, nullptr, *stars);
+        REQUIRE(exact);
+        const float most = *std::ranges::max_element(exact->data);
+        std::vector<double> ratios;
+        for (std::size_t i = 0; i < exact->data.size(); ++i)
+            if (exact->data[i] > kPeak * most) ratios.push_back(drawn.data[i] / exact->data[i]);
+        const auto good = std::ranges::count_if(ratios, [&](double r) { return std::fabs(r - 1.0) < kLight; });
+        fmt::print("{} of {} bright numbers are the reference's within {}\n", good, ratios.size(), kLight);
+        CHECK(ratios.size() > 300);
+        CHECK(static_cast<double>(ratios.size()) - static_cast<double>(good) <=
+              kBeside * static_cast<double>(ratios.size()));
     });
 }
 
