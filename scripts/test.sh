@@ -24,7 +24,7 @@ targets_of() {
         proof) echo proof_tests nullscope ;;
         cli) echo nullscope ;;
         viewer) echo viewer_tests nullscope-viewer ;;
-        fuzz) echo fuzz_scene fuzz_tour fuzz_picture fuzz_exr fuzz_rays fuzz_words fuzz_formula ;;
+        fuzz) echo fuzz_scene fuzz_tour fuzz_picture fuzz_exr fuzz_rays fuzz_words fuzz_formula fuzz_warp ;;
         layering | recipes) echo nullscope ;;   # so that the build folder exists
         *) echo all ;;
     esac

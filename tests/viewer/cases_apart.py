@@ -452,6 +452,24 @@ def test_several_rays_a_pixel_wait_for_rest(screen, program, folder):
         v.kill()
 
 
+def test_a_warp_mesh_is_looked_through_and_dragged(screen, program, folder):
+    """Its right side is at x = 570: the window is dark beyond."""
+    (folder / "mesh.data").write_text("2\n2 2\n-1 -1 .3 .3 1\n.5 -1 .7 .3 1\n-1 1 .3 .7 1\n.5 1 .7 .7 1\n")
+    scene = f'[camera]\nprojection = "fisheye"\nwarp = "{folder}/mesh.data"\n[sky]\nkind = "checker"\n'
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=scene) as v:
+        left, top, right, bottom = PICTURE
+        inside, beside = lambda: v.picture((left, top, 565, bottom)), lambda: v.picture((575, top, right, bottom))
+        v.settle("mousemove", *BESIDE)
+        before = inside()
+        assert before.mean() > 5, "the mesh shows nothing"
+        assert beside().mean() < 0.1, "there is light beside the mesh"
+        v.settle("mousemove", 520, 400, "mousedown", 1)
+        v.settle("mousemove", 440, 420)
+        v.settle("mouseup", 1, "mousemove", *BESIDE)
+        assert inside().changed(before, CHANGED), "the drag does not turn the camera"
+        assert beside().mean() < 0.1, "there is light beside the mesh after a drag"
+
+
 def test_exposure_follows_like_an_eye(screen, program, folder):
     """Towards the dark sky: the picture is there, and goes on growing brighter without a hand."""
     v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=SCENE + '[picture]\nauto_exposure = "on"\n')
@@ -1195,4 +1213,5 @@ if EVERYTHING:
               test_a_search_shows_what_it_finds_and_says_when_it_finds_nothing, test_a_section_that_is_opened_is_seen,
               test_a_fall_says_where_it_ended, test_a_stereo_scene_says_that_one_picture_is_shown, test_recent_files_are_told_apart_and_are_there,
               test_a_scene_that_is_not_there_yet_is_named,
+              test_a_warp_mesh_is_looked_through_and_dragged,
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest]
