@@ -11,6 +11,7 @@
 #include "image/large_image.h"
 #include "plan/moving.h"
 #include "render/renderer.h"
+#include "render/warp_texture.h"
 #include "scene/bodies.h"
 #include "scenefile/scene_file.h"
 #include "shaderlib/passes.h"
@@ -88,6 +89,11 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Li
         TRY(stars, point_stars(scene.sky, assets_directory()));
         const long long count = static_cast<long long>(stars->size());
         lines.push_back({"stars", 1, count, 1, 20 * count, "GPU", "sky.kind, sky.magnitude_limit"});
+    }
+    if (effects.contains(Effect::kWarp)) {
+        TRY(mesh, load_warp_mesh(scene.camera.warp));
+        const auto bytes = static_cast<long long>(sizeof(float) * warp_texels(**mesh, input_half(scene.camera)).size());
+        lines.push_back({"warp mesh", 1, kWarpRow, bytes / (16 * kWarpRow), bytes, "GPU", "camera.warp"});
     }
     if (keeps_light(passes(effects, Output::kDisplay))) {
         const long long w = scene.camera.width, h = scene.camera.height;

@@ -88,9 +88,8 @@ Faults check_lens(const Scene& scene) {
 Faults check_warp(const Scene& scene) {
     const char* warp = "camera.warp";
     if (scene.camera.warp.empty()) return {};
-    for (const auto& [there, what] : {std::pair{scene.camera.zoom.has_value(), "[zoom]"},
-                                      {scene.split.has_value(), "[split]"},
-                                      {scene.camera.stereo != Stereo::kOff, "camera.stereo"}})
+    for (const auto& [there, what] :
+         {std::pair{scene.camera.zoom.has_value(), "[zoom]"}, {scene.split.has_value(), "[split]"}})
         if (there) return {{warp, fmt::format("does not go together with {}", what), "one of both", warp}};
     const auto mesh = load_warp_mesh(scene.camera.warp);
     if (mesh) return {};

@@ -146,6 +146,7 @@ class Commands(support.CliTest):
         tables = {t["name"] for t in found["tables"]}
         self.assertLessEqual({"deflection table", "strip", "orbit table", "disc image"}, tables)
         self.assertNotIn("sky", tables)
+        self.assertNotIn("warp mesh", tables)
         text = self.run_nullscope("plan", plan).out
         for word in ("aberration", "camera.velocity = [0, 0, 0.5]", "orbit table", "Left out"):
             self.assertIn(word, text)
