@@ -105,7 +105,7 @@ class Stereo(support.CliTest):
 
     def test_all_round_eyes_turn_with_the_columns(self):
         """Red balls ahead, behind and at the right: seen by the left eye farther to the right, everywhere."""
-        for position in ("[7, 0, 0]", "[13, 0, 0]", "[10, 3, 0]"):
+        for position, longitude in (("[7, 0, 0]", -60), ("[13, 0, 0]", 120), ("[10, 3, 0]", 30)):
             things = THINGS.replace("[6, 0.8, 0.5]", position)
             text = scene('r = 10\nyaw = 60\nsize = [256, 128]\nprojection = "equirectangular"\nstereo = "all-round"\neye_distance = 0.6',
                          things, "minkowski")
@@ -113,6 +113,7 @@ class Stereo(support.CliTest):
             left, right = (redness(both.crop(0, 128 * i, 256, 128 * (i + 1))) for i in range(2))
             apart_px = 2 * math.asin(0.3 / 3) * 256 / (2 * math.pi)
             self.assertAlmostEqual(left - right, apart_px, delta=0.3)
+            self.assertAlmostEqual(0.5 * (left + right) + 0.5, 128 + longitude / 360 * 256, delta=0.2)
 
     def test_frames_do_not_depend_on_those_before(self):
         text = scene('r = 8\nsize = [64, 32]\nprojection = "equirectangular"\nstereo = "all-round"') + '[path]\nkind = "fall"\nframes = 40\n'
