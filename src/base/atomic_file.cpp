@@ -98,15 +98,22 @@ Status write_atomically(const fs::path& target, const std::function<Status(const
     return Done{};
 }
 
-Status write_text_atomically(const fs::path& target, std::string_view text) {
+Status write_stream_atomically(const fs::path& target, const std::function<Status(std::ostream&)>& write) {
     return write_atomically(target, [&](const fs::path& path) -> Status {
         errno = 0;
         std::ofstream file(path, std::ios::binary);
-        file.write(text.data(), static_cast<std::streamsize>(text.size()));
-        file.close();
-        if (file) return Done{};
+        Status written = file ? write(file) : Done{};
+        if (file) file.close();
+        if (file) return written;
         const std::error_code reason(errno, std::generic_category());
         return failed(fmt::format("cannot write '{}': {}", target.string(), errno ? reason.message() : "write error"));
+    });
+}
+
+Status write_text_atomically(const fs::path& target, std::string_view text) {
+    return write_stream_atomically(target, [&](std::ostream& file) -> Status {
+        file.write(text.data(), static_cast<std::streamsize>(text.size()));
+        return Done{};
     });
 }
 

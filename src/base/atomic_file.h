@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,9 @@ void clean_up_on_signals();
 // Calls write(temporary path beside target); on success renames it to target, otherwise removes it.
 Status write_atomically(const std::filesystem::path& target,
                         const std::function<Status(const std::filesystem::path&)>& write);
+
+// The same into a stream. Errors: what the system says of it, before what `write` returns.
+Status write_stream_atomically(const std::filesystem::path& target, const std::function<Status(std::ostream&)>& write);
 
 // The same for text.
 Status write_text_atomically(const std::filesystem::path& target, std::string_view text);

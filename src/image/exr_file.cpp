@@ -12,13 +12,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdint>
 #include <exception>
-#include <fstream>
 #include <optional>
+#include <ostream>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 #include "base/atomic_file.h"
@@ -333,25 +331,12 @@ Status write_bands(std::ostream& to, const BandedImage& image,
 
 Status save_exr_bands(const std::filesystem::path& path, const BandedImage& image,
                       const std::function<Result<Image<float>>(int y)>& rows_from) {
-    return write_atomically(path, [&](const std::filesystem::path& temporary) -> Status {
-        const auto invalid = [&](const std::string& reason) {
-            return failed(fmt::format("cannot write '{}': {}", path.string(), reason));
-        };
-        errno = 0;
-        std::ofstream to(temporary, std::ios::binary);
-        const auto reason = [] {
-            return errno != 0 ? std::error_code(errno, std::generic_category()).message() : "write error";
-        };
-        if (!to) return invalid(reason());
+    return write_stream_atomically(path, [&](std::ostream& to) -> Status {
         try {
-            Status written = write_bands(to, image, rows_from);
-            if (!to) return invalid(reason());
-            if (!written) return written;
+            return write_bands(to, image, rows_from);
         } catch (const std::exception& exception) {
-            return invalid(exception.what());
+            return failed(fmt::format("cannot write '{}': {}", path.string(), exception.what()));
         }
-        to.close();
-        return to ? Status(Done{}) : invalid(reason());
     });
 }
 
