@@ -9,15 +9,18 @@ build=(g++ cmake ninja-build pkg-config python3 python3-glad libglfw3-dev libglm
        libpng-dev libjpeg-dev libfreetype-dev doctest-dev)
 run=(libegl1 libgl1 libgl1-mesa-dri fonts-dejavu-core)
 test=(xvfb xauth xdotool)
+# scripts/test.sh --all: films
+all_tests=(ffmpeg)
 checks=(clang libclang-rt-dev clang-format clang-tidy)   # scripts/check.sh
 # Used where they exist: a faster second build; a second way to render without a window system (it left Mesa in 25.1).
 optional=(ccache libosmesa6)
 
 usage() {
     cat <<'END'
-Usage: install-packages.sh [--quiet] [--checks]
+Usage: install-packages.sh [--quiet] [--all] [--checks]
 Installs the packages that nullscope needs by apt, if any are missing. Needs root or sudo for that.
   --quiet    say nothing unless something is missing or goes wrong
+  --all      also what scripts/test.sh --all needs: ffmpeg
   --checks   also what scripts/check.sh needs: clang, clang-format and clang-tidy
 END
 }
@@ -26,6 +29,7 @@ quiet=no
 for argument in "$@"; do
     case $argument in
         --quiet) quiet=yes ;;
+        --all) test+=("${all_tests[@]}") ;;
         --checks) test+=("${checks[@]}") ;;
         -h | --help) usage; exit 0 ;;
         *) usage >&2; exit 2 ;;

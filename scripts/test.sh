@@ -47,10 +47,10 @@ if [[ $# -gt 0 && $1 != --all ]]; then
     exit
 fi
 
-tier=quick
-[[ $# -eq 0 ]] || tier=all
+tier=quick packages=()
+[[ $# -eq 0 ]] || tier=all packages=(--all)
 rm -f "$times" "$build/reports/cases.tsv"
-"$root/scripts/install-packages.sh" --quiet
+"$root/scripts/install-packages.sh" --quiet ${packages[@]+"${packages[@]}"}
 measured "programs: both" "$root/scripts/build.sh" nullscope nullscope-viewer
 targets=$(for label in unit contract gpu golden proof fuzz viewer; do targets_of "$label"; done)
 # shellcheck disable=SC2086

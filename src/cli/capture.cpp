@@ -14,6 +14,7 @@
 #include "cli/capture_picture.h"
 #include "cli/command.h"
 #include "cli/cube_faces.h"
+#include "cli/film.h"
 #include "cli/frame_store.h"
 #include "cli/stereo_capture.h"
 #include "command/arguments.h"
@@ -69,7 +70,10 @@ Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) 
 Status check_options(const CaptureOptions& options) {
     if (!options.to_exr() && !options.to_film() && !options.to_jpeg() && !options.output.ends_with(".png"))
         return bad_input(fmt::format("-o {}: unknown kind of file", options.output),
-                         "names that end in .png, .jpg, .exr or .mp4");
+                         fmt::format("names that end in .png, .jpg, .exr or {}", film_endings()));
+    if (!options.ffmpeg.empty() && (!options.to_film() || !options.ffmpeg.front().starts_with('-')))
+        return bad_input(
+            fmt::format("{}: not expected here; after -- are ffmpeg's options for a film", options.ffmpeg.front()));
     if (options.quality && !options.to_jpeg()) return bad_input("--quality is of a JPEG; give -o FILE.jpg");
     if (options.layers && (!options.to_exr() || !options.split.empty() || options.renderer != "gl"))
         return bad_input("--layers are of an .exr that the shader draws",
@@ -265,7 +269,7 @@ Status draw_frames(const Job& job, Session* session, const CaptureOptions& optio
 Status finish_film(const Job& job, const CaptureOptions& options) {
     const double rate = job.scene.path ? job.scene.path->rate : PathSpec{}.rate;
     const int count = job.frames.end - job.frames.first;
-    TRY(made, encode_film(film_folder(options), job.frames.first, count, rate, options.output));
+    TRY(made, encode_film({film_folder(options), job.frames.first, count, rate, options.output, options.ffmpeg}));
     std::error_code error;
     std::filesystem::remove_all(film_folder(options), error);
     const auto [width, height] = stereo_size(job.scene.camera);
@@ -318,8 +322,11 @@ void add_capture_to(Command& parent, const std::function<Status(const CaptureOpt
                     "Scene file, or the name of a built-in scene (see: nullscope scenes)");
     text_option(
         command, "-o,--output", options.output,
-        "File to write, .png, .jpg or .exr; for a scene with a [path] also .mp4, which needs ffmpeg and resumes "
-        "an interrupted run of the same scene and options; NAME-%s.png writes the six faces of a cube");
+        fmt::format(
+            "File to write, .png, .jpg or .exr, or a film: {}, which needs ffmpeg and resumes an interrupted run "
+            "of the same scene and options; NAME-%s.png writes the six faces of a cube",
+            film_endings()));
+    command.add_option("ffmpeg", &options.ffmpeg, "After --: options of ffmpeg for a film, as in -- -crf 12");
     command.add_option("--size", &options.size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
     command.add_option(
         "--split,--beside", &options.split,
@@ -345,7 +352,7 @@ void add_capture_to(Command& parent, const std::function<Status(const CaptureOpt
         .needs("--frames");
     command.add_option("--frames", &options.frames,
                        "A:B draws frames A to B-1 of the scene's [path], or in steps of --time-step; -o then needs a "
-                       "place for the frame number (%05d, %d or #####) or ends in .mp4");
+                       "place for the frame number (%05d, %d or #####) or is a film");
     command.add_flag(
         "--resume", &options.resume,
         "Skip frames whose files exist: resumes an interrupted sequence of the same scene and options; several "
@@ -360,7 +367,7 @@ void add_capture_to(Command& parent, const std::function<Status(const CaptureOpt
     number_option(command, "--quality", options.quality, 1, 100,
                   fmt::format("Quality of a .jpg: less makes smaller files (default {})", kJpegQuality));
     command.add_flag("--plain", &options.plain,
-                     "No dividing line, labels or scale bar over a .png, .jpg or .mp4 (an .exr has none)");
+                     "No dividing line, labels or scale bar over a .png, .jpg or film (an .exr has none)");
     command.add_flag(
         "--half", &options.half,
         "Write an EXR's colours as half floats: half the size, three digits; without --raydata and --split");

@@ -1,37 +1,80 @@
-#include "cli/frame_store.h"
+#include "cli/film.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
+#include <unistd.h>
 
-#include <filesystem>
-#include <vector>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <optional>
 
+#include "base/atomic_file.h"
 #include "base/text.h"
-
-extern char** environ;
+#include "cli/child.h"
 
 namespace nullscope::cli {
 namespace {
 
-// The program's exit status, -1 if it could not be started. No shell: names are passed as they are.
-int run_quietly(std::vector<std::string> words) {
+using Words = std::vector<std::string>;
+
+// What a name's ending stands for, as options of ffmpeg.
+struct Kind {
+    const char *ending, *options;
+    bool is_rgb = false;
+};
+constexpr std::array kKinds{
+    Kind{".mp4", "-c:v libx264 -crf 16 -pix_fmt yuv420p -movflags +faststart"},      // plays everywhere
+    Kind{".mov", "-c:v prores_ks -profile:v hq -vendor apl0 -pix_fmt yuv422p10le"},  // ProRes 422 HQ, to be edited
+    Kind{".mkv", "-c:v ffv1 -level 3 -slicecrc 1 -pix_fmt bgr0", true},              // without loss
+    Kind{".webm", "-c:v libvpx-vp9 -crf 18 -b:v 0 -row-mt 1 -pix_fmt yuv420p"},
+};
+constexpr const char* kEvenSides = "crop=trunc(iw/2)*2:trunc(ih/2)*2";  // 4:2:0 halves them
+// Pictures are sRGB, and the film says so; where it does not, players guess by its size.
+constexpr const char* kYuv =
+    ",scale=out_color_matrix=bt709,"
+    "setparams=colorspace=bt709:color_primaries=bt709:color_trc=iec61966-2-1:range=tv";
+
+const Kind* kind_of(const std::string& name) {
+    const auto* const kind = std::ranges::find_if(kKinds, [&](const Kind& k) { return name.ends_with(k.ending); });
+    return kind == kKinds.end() ? nullptr : kind;
+}
+
+struct Ended {
+    std::string how;   // end_of_child()
+    std::string said;  // the first line on its standard error
+    bool found = true;
+};
+
+constexpr int kNotFound = 127;  // as a shell says it
+
+// No shell: words are passed as they are.
+Ended run_quietly(Words words) {
     std::vector<char*> argv;
     argv.reserve(words.size() + 1);
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-    pid_t child = 0;
-    const int started = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (started != 0) return -1;
-    int status = 0;
-    if (waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
-    return WEXITSTATUS(status) == 127 ? -1 : WEXITSTATUS(status);
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return {std::strerror(errno), ""};
+    const pid_t child = fork_child([&] {
+        const int nothing = ::open("/dev/null", O_RDWR);
+        ::dup2(nothing, STDIN_FILENO), ::dup2(nothing, STDOUT_FILENO), ::dup2(ends[1], STDERR_FILENO);
+        ::execvp(argv[0], argv.data());
+        return kNotFound;
+    });
+    ::close(ends[1]);
+    std::string text;
+    std::array<char, 4096> bytes;
+    for (ssize_t count = 0; child > 0 && (count = ::read(ends[0], bytes.data(), bytes.size())) != 0;)
+        if (count > 0 && text.find('\n') == std::string::npos)
+            text.append(bytes.data(), static_cast<std::size_t>(count));
+        else if (count < 0 && errno != EINTR)
+            break;
+    ::close(ends[0]);
+    if (child < 0) return {std::strerror(errno), ""};
+    const std::string how = end_of_child(child);
+    return {how, without_controls(text.substr(0, text.find('\n'))), how != fmt::format("exit status {}", kNotFound)};
 }
 
 // For names that ffmpeg reads as a pattern.
@@ -41,30 +84,46 @@ std::string percent_doubled(const std::string& name) {
     return doubled;
 }
 
+void append(Words& words, const std::string& blanks_between) {
+    for (std::string& word : split(blanks_between, ' ')) words.push_back(std::move(word));
+}
+
+bool names_codec(const std::string& option) {
+    constexpr std::array kNames{"-c", "-codec", "-vcodec", "-c:v", "-codec:v", "-c:v:0", "-codec:v:0"};
+    return std::ranges::find(kNames, option) != kNames.end();
+}
+
 }  // namespace
 
-bool have_ffmpeg() { return run_quietly({"ffmpeg", "-loglevel", "quiet", "-version"}) == 0; }
+bool is_film(const std::string& name) { return kind_of(name) != nullptr; }
 
-Status encode_film(const std::string& folder, int first, int count, double rate, const std::string& output) {
-    const std::string part = output + ".part.mp4";
-    std::vector<std::string> words =
-        split(fmt::format("ffmpeg -y -loglevel error -framerate {} -start_number {} -i", rate, first), ' ');
-    words.push_back(percent_doubled(folder) + "/%05d.png");
-    // Sides are made even: 4:2:0 halves them.
-    for (const std::string& word : split(fmt::format("-frames:v {} -vf crop=trunc(iw/2)*2:trunc(ih/2)*2 -c:v libx264 "
-                                                     "-crf 16 -pix_fmt yuv420p -movflags +faststart",
-                                                     count),
-                                         ' '))
-        words.push_back(word);
-    words.push_back(part);
-    const int status = run_quietly(std::move(words));
-    std::error_code error;
-    if (status == 0) std::filesystem::rename(part, output, error);
-    if (status == 0 && !error) return Done{};
-    std::filesystem::remove(part, error);
-    return failed(status < 0 ? "ffmpeg is not installed; the pictures are in " + folder
-                             : fmt::format("ffmpeg could not write {} (exit status {}); the pictures are in {}", output,
-                                           status, folder));
+std::string film_endings() {
+    std::string text;
+    for (const Kind& kind : kKinds) text += (text.empty() ? "" : ", ") + std::string(kind.ending);
+    return text;
+}
+
+bool have_ffmpeg() { return run_quietly({"ffmpeg", "-loglevel", "quiet", "-version"}).how.empty(); }
+
+Status encode_film(const Film& film) {
+    return write_atomically(film.output, [&](const std::filesystem::path& part) -> Status {
+        Words words;
+        // -xerror: without it the status is 0 also where the film's end could not be written.
+        append(words, fmt::format("ffmpeg -y -xerror -loglevel error -framerate {} -start_number {} -i", film.rate,
+                                  film.first));
+        words.push_back(percent_doubled(film.folder) + "/%05d.png");
+        const Kind& kind = *kind_of(film.output);
+        append(words, fmt::format("-frames:v {} -vf {}{}", film.count, kEvenSides, kind.is_rgb ? "" : kYuv));
+        if (std::ranges::none_of(film.options, names_codec)) append(words, kind.options);
+        words.insert(words.end(), film.options.begin(), film.options.end());
+        words.push_back(part.string());
+        const Ended ended = run_quietly(std::move(words));
+        if (ended.how.empty()) return Done{};
+        const std::string why = ended.said.empty() ? ended.how : fmt::format("{}: {}", ended.how, ended.said);
+        return failed((ended.found ? fmt::format("ffmpeg could not write {} ({})", film.output, why)
+                                   : std::string("ffmpeg is not installed")) +
+                      "; the pictures are in " + film.folder);
+    });
 }
 
 }  // namespace nullscope::cli

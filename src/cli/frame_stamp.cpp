@@ -51,7 +51,7 @@ std::string frame_stamp(const StampInput& input) {
     const CaptureOptions& options = input.options;
     const std::string kind = options.output.substr(std::min(options.output.rfind('.'), options.output.size()));
     std::string text = fmt::format("program version = {}\n", input.version);
-    text += fmt::format("kind of file = {}\n", kind == ".mp4" ? ".png" : kind);
+    text += fmt::format("kind of file = {}\n", options.to_film() ? ".png" : kind);
     text += fmt::format("--raydata = {}\n", options.raydata);
     text += fmt::format("--layers = {}\n--st-map = {}\n", options.layers, options.st_map);
     text += fmt::format("--half = {}\n", options.half);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "cli/film.h"
 #include "command/arguments.h"
 #include "scene/scene.h"
 
@@ -40,11 +41,12 @@ struct CaptureOptions {
     std::optional<int> time_frame;  // that has the scene's time
     std::optional<double> max_error;
     std::optional<int> largest_texture, quality;  // quality: of a JPEG
+    std::vector<std::string> ffmpeg;              // options for the film
     bool raydata = false, layers = false, half = false, dump_shader = false, resume = false, plain = false;
 
     bool to_exr() const { return output.ends_with(".exr"); }  // linear light
     bool to_jpeg() const { return output.ends_with(".jpg") || output.ends_with(".jpeg"); }
-    bool to_film() const { return output.ends_with(".mp4"); }
+    bool to_film() const { return is_film(output); }
 };
 inline constexpr int kSamples = 3;
 
@@ -106,11 +108,5 @@ private:
     bool new_ = false;     // the stamp is this run's, and it has drawn no picture yet
     bool shared_ = false;  // others may have drawn
 };
-
-// A film from numbered pictures, by the ffmpeg program where that is installed.
-bool have_ffmpeg();
-// The `count` pictures folder/00000.png ... from number `first` on to an H.264 film; under its name only when complete.
-// Errors: ffmpeg is missing or fails.
-Status encode_film(const std::string& folder, int first, int count, double rate, const std::string& output);
 
 }  // namespace nullscope::cli

@@ -5,9 +5,12 @@ ffmpeg is replaced by a program that writes down which pictures it was given.
 """
 import json
 import os
+import resource
+import shutil
 import signal
 import subprocess
 import time
+import unittest
 
 import support
 
@@ -22,7 +25,13 @@ rows = []
 for frame in range(first, first + count):
     file = pattern % frame
     rows.append({"hash": hashlib.sha256(open(file, "rb").read()).hexdigest(), "time": os.stat(file).st_mtime_ns})
-json.dump(rows, open(words[-1], "w"))
+json.dump({"rows": rows, "words": words}, open(words[-1], "w"))
+"""
+DYING_FFMPEG = """#!/bin/sh
+case "$*" in *-version*) exit ;; esac
+for output; do :; done
+echo half of a film > "$output"
+%s
 """
 SIZE = ("--size", "16x9")
 FRAMES = 40
@@ -34,12 +43,14 @@ SCENE = 'time = 1\n[sky]\nkind = "grid"\n[camera]\nr = 9\n'
 class FilmTest(support.CliTest):
     def setUp(self):
         super().setUp()
-        folder = self.folder / "bin"
-        folder.mkdir()
-        (folder / "ffmpeg").write_text(FAKE_FFMPEG)
-        (folder / "ffmpeg").chmod(0o755)
-        self.environment = {**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"}
+        self.environment = {**os.environ, "PATH": f"{self.folder / 'bin'}:{os.environ['PATH']}"}
+        self.install(FAKE_FFMPEG)
         self.write("scene.toml", SCENE)
+
+    def install(self, ffmpeg):
+        (self.folder / "bin").mkdir(exist_ok=True)
+        (self.folder / "bin" / "ffmpeg").write_text(ffmpeg)
+        (self.folder / "bin" / "ffmpeg").chmod(0o755)
 
     def capture(self, *words, status=0):
         return self.run_nullscope("capture", "scene.toml", *words, status=status, environment=self.environment)
@@ -67,7 +78,10 @@ class FilmTest(support.CliTest):
         return {int(p.stem): p.stat().st_mtime_ns for p in pictures[:FRAMES]} if folder != "." else {}
 
     def film(self, name):
-        return json.loads((self.folder / name).read_text())
+        return json.loads((self.folder / name).read_text())["rows"]
+
+    def words(self, name):
+        return json.loads((self.folder / name).read_text())["words"]
 
     def hashes(self, name):
         return [row["hash"] for row in self.film(name)]
@@ -116,6 +130,124 @@ class Films(FilmTest):
             process.kill()
             process.wait(timeout=support.LONGEST_S)
             self.run_nullscope(*short, "--resume", environment=self.environment)   # the lock went with the process
+
+
+class Encoders(FilmTest):
+    SHORT = (*SIZE, "--time-step", "0.25", "--frames", "0:3")
+
+    def test_ffmpeg_fails_in_the_middle(self):
+        """One line, the pictures stay, and the next run makes the film of them."""
+        for how, says in (("kill -9 $$", "Killed"), ("echo no space >&2; echo left >&2; exit 3", "exit status 3: no space)"),
+                          ("exit 127", "not installed")):
+            self.install(DYING_FFMPEG % how)
+            ran = self.capture(*self.SHORT, "-o", "film.mp4", status=1)
+            self.assertEqual((ran.out, ran.err.count("\n")), ("", 1), ran)
+            self.assertIn(says, ran.err)
+            self.assertIn("the pictures are in film.mp4.frames", ran.err)
+            self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["bin", "film.mp4.frames", "scene.toml"])
+            times = [p.stat().st_mtime_ns for p in self.pictures("film.mp4.frames")]
+        self.install(FAKE_FFMPEG)
+        self.capture(*self.SHORT, "-o", "film.mp4")
+        self.assertEqual([row["time"] for row in self.film("film.mp4")], times)
+
+    def test_ffmpeg_is_missing(self):
+        """Nothing is drawn for nothing."""
+        self.refused("capture", "scene.toml", *self.SHORT, "-o", "film.mov", status=1, says=["ffmpeg is not installed"],
+                     environment={"PATH": str(self.folder)})
+
+    def test_each_ending_has_its_codec_unless_one_is_named(self):
+        for ending, codec in ((".mp4", "libx264"), (".mov", "prores_ks"), (".mkv", "ffv1"), (".webm", "libvpx-vp9")):
+            self.capture(*self.SHORT, "-o", f"film{ending}", "--", "-metadata", "title=A  fall")
+            words = self.words(f"film{ending}")
+            self.assertEqual(words[words.index("-c:v") + 1], codec)
+            self.assertEqual(words[-3:-1], ["-metadata", "title=A  fall"])
+        self.capture(*self.SHORT, "-o", "film.mp4", "--", "-c:v", "libx265")
+        words = self.words("film.mp4")
+        self.assertEqual((words.count("-c:v"), words[words.index("-c:v") + 1], "-crf" in words), (1, "libx265", False))
+
+    def test_words_for_ffmpeg_without_a_film(self):
+        for words in (("-o", "a.png", "--", "-crf", "12"), ("more", "-o", "film.mp4"), ("more",)):
+            self.refused("capture", "scene.toml", *self.SHORT, *words, says=["not expected here", "after --"],
+                         environment=self.environment)
+
+
+@unittest.skipIf(support.QUICK, "ffmpeg itself: with --all")
+class RealFfmpeg(support.CliTest):
+    MOVING = ("--size", "65x37", "--time-step", "0.25", "--frames", "0:5")
+
+    def setUp(self):
+        super().setUp()
+        for program in ("ffmpeg", "ffprobe"):
+            self.assertTrue(shutil.which(program), f"{program} is not here: scripts/install-packages.sh --all installs it")
+        self.write("scene.toml", SCENE)
+
+    def probe(self, name):
+        out = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v", "-of", "json", "-show_entries",
+                              "stream=codec_name,profile,pix_fmt,width,height,r_frame_rate,nb_read_frames,color_space", name],
+                             cwd=self.folder, capture_output=True, check=True).stdout
+        return json.loads(out)["streams"][0]
+
+    def frame(self, name, kind, *words):
+        """The samples of its first frame, in a format of ffmpeg's."""
+        return subprocess.run(["ffmpeg", "-v", "error", *words, "-i", name, "-frames:v", "1", "-f", "rawvideo", "-pix_fmt", kind, "-"],
+                              cwd=self.folder, capture_output=True, check=True).stdout
+
+    def test_films(self):
+        self.run_nullscope("capture", "scene.toml", "--size", "64x36", "-o", "one.png")
+        for ending, codec, kind in ((".mp4", "h264", "yuv420p"), (".mov", "prores", "yuv422p10le"), (".mkv", "ffv1", "bgr0"),
+                                    (".webm", "vp9", "yuv420p")):
+            name = "film" + ending
+            self.run_nullscope("capture", "scene.toml", *self.MOVING, "-o", name)
+            film = self.probe(name)
+            self.assertEqual((film["codec_name"], film["pix_fmt"], film["width"], film["height"], film["nb_read_frames"]),
+                             (codec, kind, 64, 36, "5"), film)
+            self.assertEqual(film["r_frame_rate"], "24/1")
+            if codec == "prores":
+                self.assertEqual(film["profile"], "HQ")
+            self.assertEqual(film.get("color_space"), "gbr" if codec == "ffv1" else "bt709")
+        self.run_nullscope("capture", "scene.toml", *self.MOVING, "-o", "film.mp4", "--", "-c:v", "mpeg4", "-q:v", "2")
+        self.assertEqual(self.probe("film.mp4")["codec_name"], "mpeg4")
+
+    def test_colours(self):
+        """A plain saturated sky: a player shows the colour of the picture."""
+        self.write("scene.toml", '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "plain"\ncolour = [0.8, 0.1, 0.05]\n')
+        self.run_nullscope("capture", "scene.toml", *self.MOVING, "-o", "f%d.png")
+        middle = 3 * (18 * 64 + 32)
+        for name in ("film.mp4", "film.mov", "film.mkv", "film.webm"):
+            self.run_nullscope("capture", "scene.toml", *self.MOVING, "-o", name)
+            shown = self.frame(name, "rgb24")[middle:middle + 3]
+            meant = self.frame("f0.png", "rgb24")[middle:middle + 3]
+            for a, b in zip(shown, meant):
+                self.assertLessEqual(abs(a - b), 0 if name.endswith(".mkv") else 4, (name, list(shown), list(meant)))
+
+    def test_ffmpeg_refuses(self):
+        words = ("capture", "scene.toml", *self.MOVING, "-o", "film.mp4")
+        for more, says in ((("-c:v", "no-such-codec"), "no-such-codec"), (("-no-such-option", "1"), "no-such-option")):
+            ran = self.run_nullscope(*words, "--", *more, status=1)
+            self.assertEqual(ran.err.count("\n"), 1, ran)
+            self.assertIn(says, ran.err)
+
+    def test_no_room_for_the_film(self):
+        def little():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (8000, 8000))   # a picture, and no film
+
+        words = ("capture", "scene.toml", *self.MOVING, "-o", "film.mkv")
+        ran = self.run_nullscope(*words, status=1, before=little)
+        self.assertEqual(ran.err.count("\n"), 1, ran)
+        self.assertIn("File too large", ran.err)
+        self.assertEqual(len(list((self.folder / "film.mkv.frames").glob("[0-9]*.png"))), 5)
+        self.assertFalse(list(self.folder.glob(".*")))
+        self.run_nullscope(*words)
+        self.assertEqual(self.probe("film.mkv")["nb_read_frames"], "5")
+
+    def test_exr_files_are_read(self):
+        """A stored sequence, by ffmpeg, which writes the same values."""
+        self.run_nullscope("capture", "scene.toml", *self.MOVING, "-o", "colours%d.exr")
+        for words, meant in (((), "colours1.exr"), (("--half",), "f1.exr"), (("--raydata",), "colours1.exr")):
+            self.run_nullscope("capture", "scene.toml", *self.MOVING, *words, "-o", "f%d.exr")
+            subprocess.run(["ffmpeg", "-v", "error", "-y", "-start_number", "1", "-i", "f%d.exr", "-frames:v", "1", "-c:v", "exr", "read.exr"],
+                           cwd=self.folder, check=True, timeout=support.LONGEST_S)
+            self.assertIn("max 0 ", self.run_nullscope("compare", meant, "read.exr").out, words)
 
 
 class Sequences(FilmTest):

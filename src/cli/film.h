@@ -1,0 +1,30 @@
+// Films: numbered pictures made into one file by the ffmpeg program.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace nullscope::cli {
+
+// Whether the name ends as a film's does.
+bool is_film(const std::string& name);
+// ".mp4, .mov, .mkv, .webm"
+std::string film_endings();
+
+bool have_ffmpeg();
+
+// Pictures folder/00000.png ..., `count` from number `first` on.
+struct Film {
+    std::string folder;
+    int first = 0, count = 0;
+    double rate = 0;  // pictures a second
+    std::string output;
+    // Options of ffmpeg for the output, after those that go with its name; where one of them names a codec, those are
+    // left out.
+    std::vector<std::string> options{};
+};
+// Under its name only when complete. Errors: ffmpeg is missing or fails; one line, with the first that it said.
+Status encode_film(const Film& film);
+
+}  // namespace nullscope::cli
