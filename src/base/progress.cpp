@@ -34,6 +34,11 @@ void Progress::advance(long long units) {
     print(elapsed_s, false);
 }
 
+void Progress::clear() {
+    const std::lock_guard lock(mutex_);
+    if (printed_ && terminal_) fmt::print(stderr, "\r\033[K");
+}
+
 // Called with mutex_ held.
 void Progress::print(double elapsed_s, bool last) {
     const double fraction = std::clamp(static_cast<double>(done_.load()) / static_cast<double>(total_), 0.0, 1.0);

@@ -16,6 +16,7 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     void advance(long long units = 1);  // thread-safe
+    void clear();                       // takes the bar off the terminal, so that a line can be printed in its place
 
 private:
     void print(double elapsed_s, bool last);

@@ -1,9 +1,12 @@
 // nullscope capture: a picture of a scene in a file.
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -17,6 +20,7 @@
 #include "cli/film.h"
 #include "cli/frame_store.h"
 #include "cli/stereo_capture.h"
+#include "cli/workers.h"
 #include "command/arguments.h"
 #include "image/image_file.h"
 #include "observer/path.h"
@@ -71,6 +75,8 @@ Status check_options(const CaptureOptions& options) {
     if (!options.to_exr() && !options.to_film() && !options.to_jpeg() && !options.output.ends_with(".png"))
         return bad_input(fmt::format("-o {}: unknown kind of file", options.output),
                          fmt::format("names that end in .png, .jpg, .exr or {}", film_endings()));
+    if (options.workers > 1 && !options.to_film() && options.frames.empty())
+        return bad_input("--workers: one picture is drawn by one process; give --frames A:B or a film");
     if (!options.ffmpeg.empty() && (!options.to_film() || !options.ffmpeg.front().starts_with('-')))
         return bad_input(
             fmt::format("{}: not expected here; after -- are ffmpeg's options for a film", options.ffmpeg.front()));
@@ -225,45 +231,77 @@ bool worth_tiles(const Job& job) {
     return rays * (job.frames.end - job.frames.first) >= kWorth_px;
 }
 
-// Draws a frame unless the store has it. False: another run is drawing it.
-Result<bool> draw_frame(const Job& job, Session* session, const CaptureOptions& options, FrameStore* store, int frame,
-                        bool wait) {
+// Draws a frame unless the store has it. False: another run, or worker, is drawing it.
+Result<bool> draw_frame(const Job& job, Session* session, const CaptureOptions& options, FrameStore* store,
+                        const FrameWatch& watch, int frame, bool wait) {
     const std::string file = store != nullptr ? store->file(frame) : options.output;
-    const bool keeps = store != nullptr && (options.resume || options.to_film());
-    if (keeps && store->has(frame)) return true;
-    if (keeps) {
+    const bool keeps = store != nullptr && (options.resume || options.to_film() || options.workers > 1);
+    if (keeps && !store->has(frame)) {
         TRY(reserved, store->reserve(frame, wait));
         if (!*reserved) return false;
     }
+    std::string line;
     if (!keeps || !store->has(frame)) {  // another run may have drawn it until now
+        watch.begun(frame);
         TRY(made_by, draw(job, session, scene_at(job, options.time_step, frame), options, file,
                           store != nullptr ? std::optional(frame) : std::nullopt));
-        if (store != nullptr) store->drew_one();
         const auto [width, height] = stereo_size(job.scene.camera);
-        if (!options.to_film()) fmt::print("{}: {}x{}, {}\n", file, width, height, *made_by);
+        if (!options.to_film()) line = fmt::format("{}: {}x{}, {}\n", file, width, height, *made_by);
     }
     if (keeps) store->release(frame);
+    watch.done(frame, line);
     return true;
 }
 
 // Those that the store has not. What other runs are drawing comes last: it is drawn here if they end before.
-Status draw_frames(const Job& job, Session* session, const CaptureOptions& options, FrameStore* store) {
+Status draw_frames(const Job& job, Session* session, const CaptureOptions& options, FrameStore* store,
+                   const FrameWatch& watch) {
+    std::vector<int> left;
+    for (int frame = job.frames.first; frame < job.frames.end; ++frame) {
+        TRY(done, draw_frame(job, session, options, store, watch, frame, false));
+        if (!*done) left.push_back(frame);
+    }
+    for (const int frame : left) {
+        TRY(done, draw_frame(job, session, options, store, watch, frame, true));
+    }
+    return Done{};
+}
+
+Status draw_here(const Job& job, const CaptureOptions& options, FrameStore* store, const FrameWatch& watch) {
+    std::optional<Session> session;
+    if (options.renderer == "gl") {
+        TRY(opened, open_session(options.context));
+        session = std::move(*opened);
+        session->renderer->set_method(job.method);
+        session->renderer->limit_tiles(worth_tiles(job) ? Tiles::kTraced : Tiles::kBodies);
+    }
+    return draw_frames(job, session ? &*session : nullptr, options, store, watch);
+}
+
+// By this process, or by workers.
+Status draw_all(const Job& job, const CaptureOptions& options, FrameStore* store) {
     const int count = job.frames.end - job.frames.first;
     std::optional<Progress> progress;
     if (count > 1) progress.emplace("frames", count);
-    std::vector<int> left;
-    for (int frame = job.frames.first; frame < job.frames.end; ++frame) {
-        TRY(done, draw_frame(job, session, options, store, frame, false));
-        if (!*done)
-            left.push_back(frame);
-        else if (progress)
-            progress->advance();
-    }
-    for (const int frame : left) {
-        TRY(done, draw_frame(job, session, options, store, frame, true));
-        if (progress) progress->advance();
-    }
-    return Done{};
+    std::set<int> there;
+    const FrameWatch watch{
+        [](int) {},
+        [&](int frame, const std::string& line) {
+            if (store != nullptr) store->drew_one();
+            if (progress && !line.empty() && ::isatty(STDOUT_FILENO) == 1) progress->clear();
+            fmt::print("{}", line);
+            if (there.insert(frame).second && progress) progress->advance();
+        },
+    };
+    const int workers = std::min(options.workers, count);
+    if (workers == 1) return draw_here(job, options, store, watch);
+    return draw_in_workers(
+        workers,
+        [&](const FrameWatch& told) -> Status {
+            TRY(own, store->reopen());
+            return draw_here(job, options, store, told);
+        },
+        watch, progress ? &*progress : nullptr, [&] { return static_cast<int>(there.size()) < count; });
 }
 
 Status finish_film(const Job& job, const CaptureOptions& options) {
@@ -289,14 +327,7 @@ Status run(const CaptureOptions& options) {
     if (options.dump_shader) return dump_shader(*scene);
     TRY(job, job_of(options, std::move(*scene)));
     TRY(store, store_of(*job, options));
-    std::optional<Session> session;
-    if (options.renderer == "gl") {
-        TRY(opened, open_session(options.context));
-        session = std::move(*opened);
-        session->renderer->set_method(job->method);
-        session->renderer->limit_tiles(worth_tiles(*job) ? Tiles::kTraced : Tiles::kBodies);
-    }
-    TRY(drawn, draw_frames(*job, session ? &*session : nullptr, options, store->get()));
+    TRY(drawn, draw_all(*job, options, store->get()));
     return options.to_film() ? finish_film(*job, options) : Status(Done{});
 }
 
@@ -353,6 +384,8 @@ void add_capture_to(Command& parent, const std::function<Status(const CaptureOpt
     command.add_option("--frames", &options.frames,
                        "A:B draws frames A to B-1 of the scene's [path], or in steps of --time-step; -o then needs a "
                        "place for the frame number (%05d, %d or #####) or is a film");
+    number_option(command, "--workers", options.workers, 1, 64,
+                  "Processes that draw the frames of a sequence or film together");
     command.add_flag(
         "--resume", &options.resume,
         "Skip frames whose files exist: resumes an interrupted sequence of the same scene and options; several "

@@ -151,6 +151,8 @@ Result<std::unique_ptr<FrameStore>> FrameStore::open_sequence(const FrameNames& 
         TRY(none, (*store)->check_no_picture(*before, stamp));
     }
     if (!resume || *before != stamp) {
+        // What is there must be older than the stamp by the file system's clock, which goes in steps of up to 10 ms.
+        if (!names.on_disk().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
         TRY(written, (*store)->write(stamp));
     }
     if (!resume) return store;
@@ -163,6 +165,13 @@ Result<bool> FrameStore::reserve(int frame, bool wait) const {
     const int error = set_lock(descriptor_, F_WRLCK, byte_of(frame), wait);
     if (error != 0 && error != EAGAIN) return system_error(stamp_file_, error);
     return error == 0;
+}
+
+Status FrameStore::reopen() {
+    const int own = ::open(stamp_file_.c_str(), O_RDWR | O_CLOEXEC);
+    if (own < 0) return system_error(stamp_file_, errno);
+    descriptor_ = own;  // the one before stays open, and with it the run's lock
+    return Done{};
 }
 
 void FrameStore::release(int frame) const { set_lock(descriptor_, F_UNLCK, byte_of(frame)); }

@@ -41,7 +41,8 @@ struct CaptureOptions {
     std::optional<int> time_frame;  // that has the scene's time
     std::optional<double> max_error;
     std::optional<int> largest_texture, quality;  // quality: of a JPEG
-    std::vector<std::string> ffmpeg;              // options for the film
+    int workers = 1;
+    std::vector<std::string> ffmpeg;  // options for the film
     bool raydata = false, layers = false, half = false, dump_shader = false, resume = false, plain = false;
 
     bool to_exr() const { return output.ends_with(".exr"); }  // linear light
@@ -91,6 +92,9 @@ public:
     // until that run has ended or released it. Errors: what the system says.
     Result<bool> reserve(int frame, bool wait) const;
     void release(int frame) const;
+    // In a process that was forked from the one which opened the store: reserves frames as a run of its own would. That
+    // run's lock is held until the last of these processes has ended. Errors: what the system says.
+    Status reopen();
     void drew_one() { new_ = false; }
 
 private:

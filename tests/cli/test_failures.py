@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What happens when something fails that is not the input's fault: no driver, no memory, no room, an end by force."""
 import resource
+import shutil
 import signal
 import subprocess
 import time
@@ -113,6 +114,75 @@ class Room(support.CliTest):
         self.assertEqual(done.returncode, 1, done)
         self.assertEqual(done.stderr, "nullscope: cannot write 'small/new.csv': No space left on device\n")
         self.assertEqual(done.stdout, "", "something was left behind")
+
+
+class Sequences(support.CliTest):
+    """What ends a sequence in the middle: one line, status 1, finished pictures stay, nothing else is left."""
+    PICTURE = ("capture", "flat", "--size", "64x36", "--time-step", "1")
+
+    def pictures(self):
+        return {p.name: p.read_bytes() for p in self.folder.glob("**/f*.png") if not p.is_symlink()}
+
+    def check_pictures(self):
+        pictures = self.pictures()
+        for picture in pictures.values():
+            self.assertEqual(png_size(picture), (64, 36))
+            self.assertTrue(picture.endswith(b"IEND\xaeB`\x82"))
+        self.assertFalse([p for p in self.folder.glob("**/.*")], "left behind")
+        return pictures
+
+    def ends_in_one_line(self, *words, says, before=None):
+        ran = self.run_nullscope(*self.PICTURE, *words, status=1, before=before)
+        said = [line for line in ran.err.splitlines() if not line.startswith("frames: ")]   # of a slow machine
+        self.assertEqual(len(said), 1, ran)
+        self.assertTrue(said[0].startswith("nullscope: ") and says in said[0], ran)
+
+    def test_a_full_device(self):
+        for workers in ((), ("--workers", "2")):
+            (self.folder / "f003.png").symlink_to("/dev/full")
+            self.ends_in_one_line("--frames", "0:300", "-o", "f%03d.png", *workers, says="No space left on device")
+            there = self.check_pictures()
+            self.assertTrue(0 < len(there) < 250, there.keys())
+            self.assertTrue(workers or sorted(there) == ["f000.png", "f001.png", "f002.png"])
+            for picture in self.folder.glob("f*"):
+                picture.unlink()
+
+    def test_a_limit_of_size(self):
+        """As a quota: writing fails, and the signal that goes with it ends nothing."""
+        def no_room():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+
+        words = ("-o", "f%03d.png", "--resume")
+        self.run_nullscope(*self.PICTURE, "--frames", "0:3", *words)
+        before = self.pictures()
+        for workers in ((), ("--workers", "2")):
+            self.ends_in_one_line("--frames", "0:9", *words, *workers, says="File too large", before=no_room)
+            self.assertEqual(self.check_pictures(), before)
+        self.run_nullscope(*self.PICTURE, "--frames", "0:9", *words, "--workers", "2")
+        self.assertEqual(len(self.check_pictures()), 9)
+
+    def test_a_folder_where_nobody_may_write(self):
+        self.ends_in_one_line("--frames", "0:3", "-o", "/sys/f%d.png", says="/sys/f.png.stamp: ")
+
+    def test_a_full_file_system(self):
+        (self.folder / "small").mkdir()
+        script = ('mount -t tmpfs -o size=64k none small || exit 77; "$@" --frames 0:300 -o small/f%03d.png; status=$?; '
+                  'cp -a small/. kept; ls -A small | grep ^[.]; mount -o remount,ro small; '
+                  '"$@" --frames 0:300 -o small/f%03d.png --resume && exit 0; exit $status')
+        for workers in ((), ("--workers", "2")):
+            (self.folder / "kept").mkdir()
+            done = subprocess.run(["unshare", "--mount", "--map-root-user", "sh", "-c", script, "sh", support.BINARY, *self.PICTURE,
+                                   *workers], cwd=self.folder, capture_output=True, text=True, timeout=support.LONGEST_S)
+            if done.returncode == 77 or "unshare" in done.stderr:
+                self.skipTest(f"no mount of our own here: {done.stderr.strip()}")
+            self.assertEqual(done.returncode, 1, done)
+            said = [line for line in done.stderr.splitlines() if not line.startswith("frames: ")]
+            self.assertEqual(len(said), 2, done)
+            self.assertRegex(said[0], "^nullscope: cannot write 'small/f[0-9]*.png': No space left on device$")
+            self.assertRegex(said[1], "^nullscope: small/f.png.stamp: Read-only file system$")
+            self.assertNotIn(".tmp", done.stdout)
+            self.assertGreater(len(self.check_pictures()), 2)
+            shutil.rmtree(self.folder / "kept")
 
 
 class Ends(support.CliTest):

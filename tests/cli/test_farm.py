@@ -10,7 +10,7 @@ from pathlib import Path
 
 import support
 
-PATH = {"PATH": str(Path(support.BINARY).parent) + os.pathsep + os.environ["PATH"]}
+ENVIRONMENT = {**os.environ, "PATH": str(Path(support.BINARY).parent) + os.pathsep + os.environ["PATH"]}
 SCRIPTS = Path(support.__file__).resolve().parents[2] / "scripts" / "farm"
 FRAMES = 48
 SCENE = """[sky]
@@ -20,27 +20,31 @@ r = 9
 [path]
 kind = "keys"
 [[path.key]]
-yaw = 0
+phi = 0
 [[path.key]]
 frame = %d
-yaw = 90
-""" % (FRAMES - 1)
-SIZE = ("--", "--size", "32x18")
+phi = 90
+"""
+SIZE = ("--size", "32x18")
 
 
 class FarmTest(support.CliTest):
+    FRAMES, SIZE = FRAMES, SIZE
+
     def setUp(self):
         super().setUp()
-        self.write("scene.toml", SCENE)
-        self.write("other.toml", SCENE.replace("grid", "checker"))
+        scene = SCENE % (self.FRAMES - 1)
+        self.write("scene.toml", scene)
+        self.write("other.toml", scene.replace("grid", "checker"))
 
-    def lines(self, *words, scene="scene.toml", chunk=FRAMES // 2, output="f%03d.png"):
-        printed = self.run_nullscope("frames", scene, *words, "--chunk", chunk, "-o", output, "--commands", *SIZE).out
+    def lines(self, *words, scene="scene.toml", chunk=None, output="f%03d.png"):
+        printed = self.run_nullscope("frames", scene, *words, "--chunk", chunk or self.FRAMES // 2, "-o", output, "--commands", "--",
+                                     *self.SIZE).out
         return printed.splitlines()
 
     def begin(self, line):
         """A worker: a shell that runs the line."""
-        process = subprocess.Popen(["sh", "-c", "exec " + line], cwd=self.folder, env={**os.environ, **PATH},
+        process = subprocess.Popen(["sh", "-c", "exec " + line], cwd=self.folder, env=ENVIRONMENT,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.stderr.close)
@@ -63,8 +67,8 @@ class FarmTest(support.CliTest):
 
     def check_whole(self, begins="f"):
         """Every picture is the one that a single run draws."""
-        self.run_nullscope("capture", "scene.toml", "--size", "32x18", "--frames", f"0:{FRAMES}", "-o", "whole%03d.png")
-        self.assertEqual(len(self.pictures("whole")), FRAMES)
+        self.run_nullscope("capture", "scene.toml", *self.SIZE, "--frames", f"0:{self.FRAMES}", "-o", "whole%03d.png")
+        self.assertEqual(len(self.pictures("whole")), self.FRAMES)
         self.assertEqual(self.pictures("whole").keys(), self.pictures(begins).keys())
         for name in self.pictures("whole"):
             self.assertEqual((self.folder / f"{begins}{name}").read_bytes(), (self.folder / f"whole{name}").read_bytes(), name)
@@ -90,7 +94,7 @@ class Lines(FarmTest):
         self.assertEqual(len(drawn), 6)
 
     def test_table(self):
-        words = ("frames", "scene.toml", "--chunk", "20", "-o", "f%03d.png", *SIZE)
+        words = ("frames", "scene.toml", "--chunk", "20", "-o", "f%03d.png", "--", *SIZE)
         self.assertEqual(self.run_nullscope(*words).out.split(), f"frames {FRAMES} 0:{FRAMES} chunks 3 of 20 there 0".split())
         self.run_lines(self.lines("3:9"))
         (self.folder / "f005.png").unlink()
@@ -207,7 +211,7 @@ sh -e
 class Scripts(FarmTest):
     def run_script(self, name, *words, lines="", path="bin", status=0):
         done = subprocess.run([SCRIPTS / name, *words], cwd=self.folder, input="\n".join(lines), text=True, capture_output=True,
-                              env={**os.environ, "PATH": f"{self.folder / path}:{PATH['PATH']}"}, timeout=support.LONGEST_S)
+                              env={**ENVIRONMENT, "PATH": f"{self.folder / path}:{ENVIRONMENT['PATH']}"}, timeout=support.LONGEST_S)
         self.assertEqual(done.returncode, status, done.stderr)
         return done.stdout if status == 0 else done.stderr
 

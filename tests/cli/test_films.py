@@ -197,7 +197,7 @@ class RealFfmpeg(support.CliTest):
         for ending, codec, kind in ((".mp4", "h264", "yuv420p"), (".mov", "prores", "yuv422p10le"), (".mkv", "ffv1", "bgr0"),
                                     (".webm", "vp9", "yuv420p")):
             name = "film" + ending
-            self.run_nullscope("capture", "scene.toml", *self.MOVING, "-o", name)
+            self.run_nullscope("capture", "scene.toml", *self.MOVING, "-o", name, "--workers", "2")
             film = self.probe(name)
             self.assertEqual((film["codec_name"], film["pix_fmt"], film["width"], film["height"], film["nb_read_frames"]),
                              (codec, kind, 64, 36, "5"), film)
