@@ -13,6 +13,7 @@
 #include "annotate/marks.h"
 #include "base/assets.h"
 #include "base/progress.h"
+#include "base/stopwatch.h"
 #include "cli/capture.h"
 #include "cli/capture_picture.h"
 #include "cli/command.h"
@@ -24,6 +25,7 @@
 #include "command/arguments.h"
 #include "image/image_file.h"
 #include "observer/path.h"
+#include "plan/shutter.h"
 #include "render/frontier.h"
 #include "render/picture_bands.h"
 #include "scene/split.h"
@@ -120,11 +122,12 @@ struct Job {
     Method method{};                    // of the shader
 };
 
-Scene scene_at(const Job& job, double time_step, int frame) {
+Scene scene_at(const Job& job, double time_step, double frame) {
     Scene now = job.scene;
     now.time += (frame - job.time_frame) * time_step;
     if (!job.path) return now;
     now.camera = job.path->at(frame);
+    now.path.reset();  // its camera is where the path has led it
     now.time += job.path->clock(frame);
     now.camera.width = job.scene.camera.width, now.camera.height = job.scene.camera.height;
     return now;
@@ -136,6 +139,19 @@ std::optional<Scene> next_scene(const Job& job, double time_step, int frame) {
     return scene_at(job, time_step, frame + 1);
 }
 
+// Says once that bright points leave dots.
+Exposure exposure_in(const Job& job, double time_step, int frame) {
+    static bool said = false;
+    Exposure shown = exposure_of([&](double at) { return scene_at(job, time_step, at); }, frame);
+    if (const int smooth = smooth_sub_frames(shown);
+        smooth > shown.scene.picture.sub_frames && !std::exchange(said, true))
+        fmt::print(stderr,
+                   "picture.sub_frames: in frame {} the camera turns by {:.1f} px from one to the next, bright points "
+                   "leave dots; {} would leave none\n",
+                   frame, kSmoothStep_px * smooth / shown.scene.picture.sub_frames, smooth);
+    return shown;
+}
+
 // Says once why there are no letters.
 void annotate(const Scene& scene, const std::optional<Halves>& split, Image<unsigned char>& picture) {
     static bool said = false;
@@ -145,29 +161,34 @@ void annotate(const Scene& scene, const std::optional<Halves>& split, Image<unsi
 }
 
 // One picture, or two side by side, into a file. Returns what it was made by.
-Result<std::string> draw(const Job& job, Session* session, const Scene& scene, const CaptureOptions& options,
+Result<std::string> draw(const Job& job, Session* session, const Exposure& shown, const CaptureOptions& options,
                          const std::string& file, std::optional<int> frame) {
+    const Scene &scene = shown.scene, &told = shown.sub_frames.empty() ? scene : job.scene;  // in the file's words
     const bool all_round = scene.camera.stereo == Stereo::kAllRound;
     if (session != nullptr && options.to_exr() && !options.raydata && !options.layers && options.st_map.empty() &&
         !job.split && !scene.split && !all_round && !names_faces(options) &&
         (options.half || is_drawn_in_bands(scene))) {
-        TRY(shown, side_by_side_scenes(scene));
-        return capture_large_exr(*session, scene, *shown, options, file, frame);
+        TRY(beside, side_by_side_pictures(shown));
+        return capture_large_exr(*session, told, *beside, options, file, frame);
     }
-    const std::optional<Halves> split = job.split ? halves(scene, *job.split) : halves(scene);
+    const auto split_of = [&](const Scene& s) { return job.split ? halves(s, *job.split) : halves(s); };
+    const std::optional<Halves> split = split_of(scene);
+    const auto half = [&](Scene Halves::*side) {
+        return changed(shown, [&](const Scene& s) { return *split_of(s).*side; });
+    };
     const std::optional<Scene> next =
         options.layers && frame ? next_scene(job, options.time_step, *frame) : std::nullopt;
-    TRY(captured, scene.camera.stereo != Stereo::kOff
-                      ? capture_stereo(session, scene, options)
-                      : capture_picture(session, split ? split->left : scene, options, next ? &*next : nullptr));
+    TRY(captured, scene.camera.stereo != Stereo::kOff ? capture_stereo(session, shown, options)
+                                                      : capture_picture(session, split ? half(&Halves::left) : shown,
+                                                                        options, next ? &*next : nullptr));
     if (split) {
-        TRY(right, capture_picture(session, split->right, options));
+        TRY(right, capture_picture(session, half(&Halves::right), options));
         captured->linear = side_by_side(captured->linear, right->linear);
         captured->display = side_by_side(captured->display, right->display);
     }
     if (!options.plain && !options.to_exr()) annotate(scene, split, captured->display);
     TRY(written, names_faces(options) ? write_faces(scene, *captured, options)
-                                      : write_picture(file, scene, *captured, options, frame));
+                                      : write_picture(file, told, *captured, options, frame));
     return captured->made_by;
 }
 
@@ -181,6 +202,9 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
         return bad_input("--raydata is of one spacetime; leave out --split, or [split] of the scene");
     if ((options.layers || !options.st_map.empty()) && job.scene.split)
         return bad_input("--layers and --st-map are of one spacetime; leave out [split] of the scene");
+    if ((options.raydata || options.layers || !options.st_map.empty()) && job.scene.picture.shutter > 0.0)
+        return bad_input("--raydata, --layers and --st-map are of one moment, but picture.shutter gathers many",
+                         "scenes without it");
     if (options.half && job.scene.split) return bad_input("--half is of one picture; leave out [split] of the scene");
     if (!options.split.empty()) {
         TRY(other, load_scene(options.split));
@@ -227,7 +251,9 @@ Result<std::unique_ptr<FrameStore>> store_of(const Job& job, const CaptureOption
 bool worth_tiles(const Job& job) {
     constexpr double kWorth_px = 2.0e7;  // with a disc some 25 ns a pixel are saved on two cores
     const CameraSpec& camera = job.scene.camera;
-    const double rays = 1.0 * camera.width * camera.height * job.scene.picture.samples * job.scene.picture.samples;
+    const PictureSpec& picture = job.scene.picture;
+    const double pictures = picture.shutter > 0.0 ? picture.sub_frames : 1.0;
+    const double rays = pictures * camera.width * camera.height * picture.samples * picture.samples;
     return rays * (job.frames.end - job.frames.first) >= kWorth_px;
 }
 
@@ -243,10 +269,14 @@ Result<bool> draw_frame(const Job& job, Session* session, const CaptureOptions& 
     std::string line;
     if (!keeps || !store->has(frame)) {  // another run may have drawn it until now
         watch.begun(frame);
-        TRY(made_by, draw(job, session, scene_at(job, options.time_step, frame), options, file,
-                          store != nullptr ? std::optional(frame) : std::nullopt));
+        const Stopwatch clock;
+        const Exposure shown = exposure_in(job, options.time_step, frame);
+        TRY(made_by, draw(job, session, shown, options, file, store != nullptr ? std::optional(frame) : std::nullopt));
+        const std::string blur = shown.sub_frames.empty() ? ""
+                                                          : fmt::format(", {} sub-frames in {:.1f} s",
+                                                                        shown.sub_frames.size(), clock.seconds());
         const auto [width, height] = stereo_size(job.scene.camera);
-        if (!options.to_film()) line = fmt::format("{}: {}x{}, {}\n", file, width, height, *made_by);
+        if (!options.to_film()) line = fmt::format("{}: {}x{}, {}{}\n", file, width, height, *made_by, blur);
     }
     if (keeps) store->release(frame);
     watch.done(frame, line);
@@ -326,6 +356,8 @@ Status run(const CaptureOptions& options) {
     TRY(scene, scene_of(options));
     if (options.dump_shader) return dump_shader(*scene);
     TRY(job, job_of(options, std::move(*scene)));
+    if (job->scene.picture.shutter > 0.0 && !job->path && options.time_step == 0)
+        fmt::print(stderr, "picture.shutter: all is at rest without a [path] or --time-step\n");
     TRY(store, store_of(*job, options));
     TRY(drawn, draw_all(*job, options, store->get()));
     return options.to_film() ? finish_film(*job, options) : Status(Done{});

@@ -39,8 +39,8 @@ void print_notes(Session& session) {
 }
 
 // 8 bits a colour: a picture of 16384x16384 px is held.
-Result<Image<unsigned char>> large_picture8(Session& session, const Scene& scene) {
-    const CameraSpec& camera = scene.camera;
+Result<Image<unsigned char>> large_picture8(Session& session, const Exposure& shown) {
+    const CameraSpec& camera = shown.scene.camera;
     constexpr long long kMostBytes = std::numeric_limits<int>::max();  // of the packages that write it
     if (3LL * camera.width * camera.height > kMostBytes)
         return bad_input(
@@ -49,7 +49,7 @@ Result<Image<unsigned char>> large_picture8(Session& session, const Scene& scene
     Image<unsigned char> picture(camera.width, camera.height, 3);
     Progress progress("large picture", camera.height);
     for (const PictureBand& band : picture_bands(camera)) {
-        TRY(rows, draw_band8(*session.renderer, scene, band));
+        TRY(rows, draw_band8(*session.renderer, shown, band));
         print_notes(session);
         std::ranges::copy(rows->data, picture.at(0, band.top));
         progress.advance(band.rows);
@@ -57,30 +57,26 @@ Result<Image<unsigned char>> large_picture8(Session& session, const Scene& scene
     return picture;
 }
 
-Result<Captured> capture_gl(Session& session, const Scene& scene, const CaptureOptions& options, const Scene* next) {
+Result<Captured> capture_gl(Session& session, const Exposure& shown, const CaptureOptions& options, const Scene* next) {
     begin(session, options);
     Captured captured;
     captured.made_by = made_by(session);
     if (options.layers) {
-        TRY(layers, capture_layers(session, scene, next));
-        print_notes(session);
+        TRY(layers, capture_layers(session, shown.scene, next));
         captured.linear = std::move(layers->layers.all);
         captured.layers = std::move(*layers);
-        return captured;
-    }
-    if (is_drawn_in_bands(scene) && !options.to_exr()) {
-        TRY(picture, large_picture8(session, scene));
+    } else if (!options.st_map.empty()) {
+        TRY(ready, session.renderer->prepare(shown.scene));
+        captured.linear = st_map_of(session.renderer->ray_data(), shown.scene, options.st_map);
+    } else if (options.to_exr()) {
+        TRY(light, draw_picture(*session.renderer, shown));
+        captured.linear = std::move(*light);
+    } else {
+        TRY(picture,
+            is_drawn_in_bands(shown.scene) ? large_picture8(session, shown) : draw_picture8(*session.renderer, shown));
         captured.display = std::move(*picture);
-        return captured;
     }
-    TRY(ready, session.renderer->prepare(scene));
     print_notes(session);
-    if (!options.st_map.empty())
-        captured.linear = st_map_of(session.renderer->ray_data(), scene, options.st_map);
-    else if (options.to_exr())
-        captured.linear = session.renderer->picture();
-    else
-        captured.display = session.renderer->picture8();
     if (options.raydata) captured.rays = session.renderer->ray_data();
     return captured;
 }
@@ -91,7 +87,8 @@ struct Inputs {
     std::vector<PointStar> stars;
 };
 
-Result<Captured> capture_reference(const Inputs& inputs, const Scene& scene, const CaptureOptions& options) {
+Result<Captured> capture_reference(const Inputs& inputs, const Exposure& shown, const CaptureOptions& options) {
+    const Scene& scene = shown.scene;
     const long long pixels = static_cast<long long>(scene.camera.width) * scene.camera.height;
     Captured captured;
     if (!options.st_map.empty()) {
@@ -102,10 +99,12 @@ Result<Captured> capture_reference(const Inputs& inputs, const Scene& scene, con
         return captured;
     }
     {
-        Progress progress("reference picture", pixels);
-        TRY(image, reference::render_frame(
-                       scene, inputs.loaded->sky, inputs.loaded->pictures(scene), options.samples.value_or(kSamples),
-                       [&](long long n) { progress.advance(n); }, inputs.loaded->far(), inputs.stars));
+        Progress progress("reference picture", pixels * std::max(std::ssize(shown.sub_frames), std::ptrdiff_t{1}));
+        TRY(image, mean_light(shown, [&](const Scene& each) {
+                return reference::render_frame(
+                    each, inputs.loaded->sky, inputs.loaded->pictures(each), options.samples.value_or(kSamples),
+                    [&](long long n) { progress.advance(n); }, inputs.loaded->far(), inputs.stars);
+            }));
         captured.linear = std::move(*image);
     }
     if (options.raydata) {
@@ -119,9 +118,7 @@ Result<Captured> capture_reference(const Inputs& inputs, const Scene& scene, con
 }
 
 std::map<std::string, std::string> words_of(const Scene& scene, const std::string& made_by, std::optional<int> frame) {
-    Scene still = scene;
-    still.path.reset();  // its camera is where the path has led it
-    const std::string text = scene_file_text(still, {});
+    const std::string text = scene_file_text(scene, {});
     std::map<std::string, std::string> words = {{"nullscope.scene", scene.name},
                                                 {"nullscope.scene_text", text},
                                                 {"nullscope.scene_hash", fmt::format("{:016x}", fnv1a(text))},
@@ -136,32 +133,34 @@ std::map<std::string, std::string> words_of(const Scene& scene, const std::strin
 Result<PictureDrawer> picture_drawer(Session* session, const Scene& scene, const CaptureOptions& options) {
     if (session != nullptr)
         return PictureDrawer(
-            [session, options](const Scene& shown) { return capture_gl(*session, shown, options, nullptr); });
+            [session, options](const Exposure& shown) { return capture_gl(*session, shown, options, nullptr); });
     TRY(loaded, load_reference_inputs(scene));
     TRY(stars, point_stars(scene.sky, assets_directory()));
     const auto inputs = std::make_shared<const Inputs>(Inputs{std::move(*loaded), std::move(*stars)});
-    return PictureDrawer([inputs, options](const Scene& shown) { return capture_reference(*inputs, shown, options); });
+    return PictureDrawer(
+        [inputs, options](const Exposure& shown) { return capture_reference(*inputs, shown, options); });
 }
 
-Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options,
+Result<Captured> capture_picture(Session* session, const Exposure& shown, const CaptureOptions& options,
                                  const Scene* next) {
-    if (session != nullptr) return capture_gl(*session, scene, options, next);
-    TRY(draw, picture_drawer(nullptr, scene, options));
-    return (*draw)(scene);
+    if (session != nullptr) return capture_gl(*session, shown, options, next);
+    TRY(draw, picture_drawer(nullptr, shown.scene, options));
+    return (*draw)(shown);
 }
 
-Result<std::string> capture_large_exr(Session& session, const Scene& scene, const std::vector<Scene>& shown,
+Result<std::string> capture_large_exr(Session& session, const Scene& told, const std::vector<Exposure>& shown,
                                       const CaptureOptions& options, const std::string& file_name,
                                       std::optional<int> frame) {
+    const CameraSpec& camera = shown.front().scene.camera;
     begin(session, options);
-    const std::vector<PictureBand> bands = picture_bands(scene.camera);
-    Progress progress("large picture", scene.camera.height);
-    const BandedImage image{scene.camera.width * static_cast<int>(shown.size()), scene.camera.height, options.half,
-                            words_of(scene, made_by(session), frame)};
+    const std::vector<PictureBand> bands = picture_bands(camera);
+    Progress progress("large picture", camera.height);
+    const BandedImage image{camera.width * static_cast<int>(shown.size()), camera.height, options.half,
+                            words_of(told, made_by(session), frame)};
     TRY(saved, save_exr_bands(file_name, image, [&](int y) -> Result<Image<float>> {
             const PictureBand band = *std::ranges::find(bands, y, &PictureBand::top);
             Image<float> all;
-            for (const Scene& one : shown) {
+            for (const Exposure& one : shown) {
                 TRY(rows, draw_band(*session.renderer, one, band));
                 all = all.empty() ? std::move(*rows) : side_by_side(all, *rows);
             }

@@ -10,8 +10,8 @@
 #include "cli/frame_store.h"
 #include "command/session.h"
 #include "image/image.h"
+#include "scene/exposure.h"
 #include "scene/ray.h"
-#include "scene/scene.h"
 
 namespace nullscope::cli {
 
@@ -24,16 +24,16 @@ struct Captured {
 };
 
 // session: what the shader draws on; null: the reference draws. next: the next frame's scene, for motion vectors; null: there is none.
-Result<Captured> capture_picture(Session* session, const Scene& scene, const CaptureOptions& options,
+Result<Captured> capture_picture(Session* session, const Exposure& shown, const CaptureOptions& options,
                                  const Scene* next = nullptr);
 
 // The same for many pictures of what this scene shows: of it by other cameras, or at other times.
-using PictureDrawer = std::function<Result<Captured>(const Scene&)>;
+using PictureDrawer = std::function<Result<Captured>(const Exposure&)>;
 Result<PictureDrawer> picture_drawer(Session* session, const Scene& scene, const CaptureOptions& options);
 
 // The same of pictures that are too large to be held whole, which go straight into an .exr. Returns what it was made by.
-// shown: what stands side by side in it; scene: what the file says of itself. frame: of a sequence or film.
-Result<std::string> capture_large_exr(Session& session, const Scene& scene, const std::vector<Scene>& shown,
+// shown: what stands side by side in it; told: the scene that the file says it is of. frame: of a sequence or film.
+Result<std::string> capture_large_exr(Session& session, const Scene& told, const std::vector<Exposure>& shown,
                                       const CaptureOptions& options, const std::string& file_name,
                                       std::optional<int> frame);
 

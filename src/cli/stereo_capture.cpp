@@ -23,6 +23,11 @@ Result<Scene> scene_of_eye(const Scene& scene, const Spacetime& spacetime, const
     return seen;
 }
 
+// What the eye of part i sees.
+Result<Exposure> seen_by_eye(const Exposure& shown, const Spacetime& spacetime, std::size_t i) {
+    return tried(shown, [&](const Scene& scene) { return scene_of_eye(scene, spacetime, eye_parts(scene.camera)[i]); });
+}
+
 template <class T>
 void paste(const Image<T>& from, const EyePart& part, Image<T>& to) {
     if (from.empty() || to.empty()) return;
@@ -72,18 +77,20 @@ Status check_stereo_frames(const CameraPath& path, const Scene& scene, int first
     return Done{};
 }
 
-Result<std::vector<Scene>> side_by_side_scenes(const Scene& scene) {
-    if (scene.camera.stereo != Stereo::kPair) return std::vector{scene};
+Result<std::vector<Exposure>> side_by_side_pictures(const Exposure& shown) {
+    const Scene& scene = shown.scene;
+    if (scene.camera.stereo != Stereo::kPair) return std::vector{shown};
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
-    std::vector<Scene> scenes;
-    for (const EyePart& part : eye_parts(scene.camera)) {
-        TRY(seen, scene_of_eye(scene, **spacetime, part));
-        scenes.push_back(std::move(*seen));
+    std::vector<Exposure> eyes;
+    for (std::size_t i = 0; i < eye_parts(scene.camera).size(); ++i) {
+        TRY(seen, seen_by_eye(shown, **spacetime, i));
+        eyes.push_back(std::move(*seen));
     }
-    return scenes;
+    return eyes;
 }
 
-Result<Captured> capture_stereo(Session* session, const Scene& scene, const CaptureOptions& options) {
+Result<Captured> capture_stereo(Session* session, const Exposure& shown, const CaptureOptions& options) {
+    const Scene& scene = shown.scene;
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     TRY(draw, picture_drawer(session, scene, options));
     const auto [width, height] = stereo_size(scene.camera);
@@ -100,11 +107,11 @@ Result<Captured> capture_stereo(Session* session, const Scene& scene, const Capt
             TRY(ready, begin_strips(*session->renderer, scene, parts.front()));
         }
     }
-    for (const EyePart& part : parts) {
-        TRY(seen, scene_of_eye(scene, **spacetime, part));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        TRY(seen, seen_by_eye(shown, **spacetime, i));
         TRY(captured, (*draw)(*seen));
-        paste(captured->linear, part, both.linear);
-        paste(captured->display, part, both.display);
+        paste(captured->linear, parts[i], both.linear);
+        paste(captured->display, parts[i], both.display);
         both.made_by = captured->made_by;
         if (progress) progress->advance();
     }

@@ -13,10 +13,10 @@ Status check_stereo(const Scene& scene, const CaptureOptions& options);
 // Whether there is a place for the eyes of all frames. A millisecond a frame.
 Status check_stereo_frames(const CameraPath& path, const Scene& scene, int first, int end);
 
-// The scenes whose pictures stand side by side: those of a pair's eyes, left eye first; of other scenes the scene itself.
-Result<std::vector<Scene>> side_by_side_scenes(const Scene& scene);
+// The pictures that stand side by side: those of a pair's eyes, left eye first; of other scenes the one picture.
+Result<std::vector<Exposure>> side_by_side_pictures(const Exposure& shown);
 
-// scene.camera.stereo is not kOff.
-Result<Captured> capture_stereo(Session* session, const Scene& scene, const CaptureOptions& options);
+// Its camera's stereo is not kOff.
+Result<Captured> capture_stereo(Session* session, const Exposure& shown, const CaptureOptions& options);
 
 }  // namespace nullscope::cli

@@ -23,7 +23,10 @@ inline Result<Scene> load_scene_sized(const std::string& name, const std::string
     auto scene = load_scene(name);
     if (!scene || size_text.empty()) return scene;
     TRY(size, parse_size(size_text));
-    scene->camera.width = size->width, scene->camera.height = size->height;
+    const auto set = [&](CameraSpec& camera) { camera.width = size->width, camera.height = size->height; };
+    set(scene->camera);
+    if (scene->path)
+        for (PathKey& key : scene->path->keys) set(key.camera);
     return scene;
 }
 

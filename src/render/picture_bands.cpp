@@ -10,21 +10,21 @@ namespace {
 constexpr int kGrid_px = 8;
 
 template <class T, class Draw>
-Result<Image<T>> drawn_in_parts(Renderer& renderer, const Scene& scene, PictureBand band, int widest, Draw draw) {
-    const CameraSpec& whole = scene.camera;
+Result<Image<T>> drawn_in_parts(Renderer& renderer, const Exposure& shown, PictureBand band, int widest, Draw draw) {
+    const CameraSpec& whole = shown.scene.camera;
     Image<T> image(whole.width, band.rows, 3);
     const int step = std::max(widest / kGrid_px, 1) * kGrid_px;
     for (int left = 0; left < whole.width; left += step) {
         const int right = std::min(left + step, whole.width), bottom = band.top + band.rows;
         const int from = std::max(left - kGrid_px, 0), to = std::min(right + kGrid_px, whole.width),
                   above = std::max(band.top - kGrid_px, 0), below = std::min(bottom + kGrid_px, whole.height);
-        Scene shown = scene;
-        shown.camera.part = PicturePart{from, above, whole.width, whole.height};
-        shown.camera.width = to - from, shown.camera.height = below - above;
-        if (Status ready = renderer.prepare(shown); !ready) return ready.error();
-        const Image<T> part = draw(renderer);
+        TRY(part, draw(renderer, changed(shown, [&](Scene scene) {
+                           scene.camera.part = PicturePart{from, above, whole.width, whole.height};
+                           scene.camera.width = to - from, scene.camera.height = below - above;
+                           return scene;
+                       })));
         for (int y = 0; y < band.rows; ++y)
-            std::copy_n(part.at(left - from, band.top - above + y), 3 * (right - left), image.at(left, y));
+            std::copy_n(part->at(left - from, band.top - above + y), 3 * (right - left), image.at(left, y));
     }
     return image;
 }
@@ -48,12 +48,28 @@ std::vector<PictureBand> picture_bands(const CameraSpec& camera, long long most_
     return bands;
 }
 
-Result<Image<unsigned char>> draw_band8(Renderer& renderer, const Scene& scene, PictureBand band, int widest) {
-    return drawn_in_parts<unsigned char>(renderer, scene, band, widest, [](Renderer& r) { return r.picture8(); });
+Result<Image<unsigned char>> draw_band8(Renderer& renderer, const Exposure& shown, PictureBand band, int widest) {
+    return drawn_in_parts<unsigned char>(renderer, shown, band, widest, draw_picture8);
 }
 
-Result<Image<float>> draw_band(Renderer& renderer, const Scene& scene, PictureBand band, int widest) {
-    return drawn_in_parts<float>(renderer, scene, band, widest, [](Renderer& r) { return r.picture(); });
+Result<Image<float>> draw_band(Renderer& renderer, const Exposure& shown, PictureBand band, int widest) {
+    return drawn_in_parts<float>(renderer, shown, band, widest, draw_picture);
+}
+
+Result<Image<unsigned char>> draw_picture8(Renderer& renderer, const Exposure& shown) {
+    if (shown.sub_frames.empty()) {
+        if (Status ready = renderer.prepare(shown.scene); !ready) return ready.error();
+        return renderer.picture8();
+    }
+    TRY(light, draw_picture(renderer, shown));
+    return renderer.displayed(*light);  // by the last sub-frame's exposure, which is the scene's
+}
+
+Result<Image<float>> draw_picture(Renderer& renderer, const Exposure& shown) {
+    return mean_light(shown, [&](const Scene& scene) -> Result<Image<float>> {
+        if (Status ready = renderer.prepare(scene); !ready) return ready.error();
+        return renderer.picture();
+    });
 }
 
 }  // namespace nullscope

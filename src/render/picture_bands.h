@@ -5,6 +5,7 @@
 #include "base/result.h"
 #include "image/image.h"
 #include "render/renderer.h"
+#include "scene/exposure.h"
 #include "scene/scene.h"
 
 namespace nullscope {
@@ -22,8 +23,13 @@ std::vector<PictureBand> picture_bands(const CameraSpec& camera, long long most_
 
 // Display-encoded, and in linear light; RGB. widest: of a part, px. Errors: Renderer::prepare()'s.
 inline constexpr int kWidestPart_px = 8192;
-Result<Image<unsigned char>> draw_band8(Renderer& renderer, const Scene& scene, PictureBand band,
+Result<Image<unsigned char>> draw_band8(Renderer& renderer, const Exposure& shown, PictureBand band,
                                         int widest = kWidestPart_px);
-Result<Image<float>> draw_band(Renderer& renderer, const Scene& scene, PictureBand band, int widest = kWidestPart_px);
+Result<Image<float>> draw_band(Renderer& renderer, const Exposure& shown, PictureBand band,
+                               int widest = kWidestPart_px);
+
+// The same of a whole picture that is drawn at once.
+Result<Image<unsigned char>> draw_picture8(Renderer& renderer, const Exposure& shown);
+Result<Image<float>> draw_picture(Renderer& renderer, const Exposure& shown);
 
 }  // namespace nullscope

@@ -250,11 +250,14 @@ void Renderer::keep_light(const std::vector<Pass>& list, int width, int height, 
         edges_ = {};
     }
     edges_.resize(list, linear_);
-    if (keeps_light(list) &&
-        (tables_.effects().contains(Effect::kBloom) || tables_.effects().contains(Effect::kAutoExposure)))
+    if (keeps_light(list) && scatters_or_meters())
         bloom_.resize(width, height);
     else
         bloom_.clear();
+}
+
+bool Renderer::scatters_or_meters() const {
+    return tables_.effects().contains(Effect::kBloom) || tables_.effects().contains(Effect::kAutoExposure);
 }
 
 // The passes that follow the picture's need all of it: they run with its last rows.
@@ -396,12 +399,10 @@ void Renderer::draw_bare_fetch(unsigned framebuffer, int width, int height) {
     gl::draw_fullscreen(built, empty_, framebuffer, width, height);
 }
 
-// The picture in a target of its own, read back by `read`.
+// The target's colours, read by `read`; rows from the top.
 template <class T, class Read>
-Image<T> Renderer::drawn(gl::Format format, Output output, Read read) {
-    const int w = tables_.plan().scene.camera.width, h = tables_.plan().scene.camera.height;
-    const gl::Target target = gl::make_target(w, h, format);
-    draw(target.framebuffer.id(), w, h, output);
+Image<T> Renderer::read_back(const gl::Target& target, Read read) {
+    const int w = target.width, h = target.height;
     std::vector<T> rgba(static_cast<std::size_t>(w) * h * 4);
     read(target, rgba.data());
     Image<T> image(w, h, 3);
@@ -411,19 +412,50 @@ Image<T> Renderer::drawn(gl::Format format, Output output, Read read) {
     return image;
 }
 
-Image<unsigned char> Renderer::picture8() {
-    return drawn<unsigned char>(gl::Format::kRgba8, Output::kDisplay, gl::read_rgba8);
+gl::Target Renderer::picture_target(gl::Format format) const {
+    return gl::make_target(tables_.plan().scene.camera.width, tables_.plan().scene.camera.height, format);
 }
 
-Image<float> Renderer::picture() {
-    return drawn<float>(gl::Format::kRgba32F, Output::kLinear,
-                        [](const gl::Target& target, float* out) { gl::read_rgba32f(target, 0, out); });
+Image<unsigned char> Renderer::picture8() {
+    const gl::Target target = picture_target(gl::Format::kRgba8);
+    draw(target.framebuffer.id(), target.width, target.height, Output::kDisplay);
+    return read_back<unsigned char>(target, gl::read_rgba8);
+}
+
+Image<float> Renderer::picture() { return drawn(Output::kLinear); }
+
+Image<float> Renderer::drawn(Output output) {
+    const gl::Target target = picture_target(gl::Format::kRgba32F);
+    draw(target.framebuffer.id(), target.width, target.height, output);
+    return read_back<float>(target, [](const gl::Target& from, float* out) { gl::read_rgba32f(from, 0, out); });
+}
+
+Image<unsigned char> Renderer::displayed(const Image<float>& light) {
+    const gl::Target target = picture_target(gl::Format::kRgba8);
+    const int w = target.width, h = target.height;
+    std::vector<float> rgba(static_cast<std::size_t>(w) * h * 4, 1.0f);
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x)
+            std::copy_n(light.at(x, h - 1 - y), 3, rgba.data() + 4 * (static_cast<std::size_t>(y) * w + x));
+    gl::Target given{w, h, {}, {}};
+    given.colours.push_back(gl::make_number_texture(w, h, 4, rgba.data(), true));
+    std::swap(linear_, given);
+    bind_inputs();
+    if (scatters_or_meters()) bloom_.resize(w, h);
+    for (const Stage stage : {Stage::kBloomDown, Stage::kBloomUp, Stage::kMeter, Stage::kDevelop}) {
+        const bool wanted = stage == Stage::kBloomUp     ? tables_.effects().contains(Effect::kBloom)
+                            : stage == Stage::kMeter     ? tables_.effects().contains(Effect::kAutoExposure)
+                            : stage == Stage::kBloomDown ? scatters_or_meters()
+                                                         : true;
+        if (wanted) draw_pass({stage, Output::kDisplay, {}, {}}, target.framebuffer.id(), w, h);
+    }
+    std::swap(linear_, given);
+    return read_back<unsigned char>(target, gl::read_rgba8);
 }
 
 Image<float> Renderer::layer(PictureLayer shown) {
     layer_ = shown;
-    Image<float> image = drawn<float>(gl::Format::kRgba32F, Output::kLayers,
-                                      [](const gl::Target& target, float* out) { gl::read_rgba32f(target, 0, out); });
+    const Image<float> image = drawn(Output::kLayers);
     layer_ = PictureLayer::kAll;
     return image;
 }

@@ -91,6 +91,8 @@ public:
     // The prepared scene, read back; rows from the top.
     Image<unsigned char> picture8();  // RGB, display-encoded
     Image<float> picture();           // RGB, linear light
+    // What picture8() makes of this light, of the prepared scene's size, in the place of the scene's.
+    Image<unsigned char> displayed(const Image<float>& light);
     // One layer of it, or shares. kAll comes first: which pixels have more rays is found in it (draw_layers()).
     Image<float> layer(PictureLayer shown);
     // Where rays are interpolated: the sky's direction, and 1 (escapes) or 2 (captured); elsewhere 0. Rows from the top, four channels.
@@ -129,10 +131,13 @@ private:
     std::vector<Pass> passes_with(Tiles most, Output output) const;
     std::vector<Pass> picture_passes(Output output) const;
     template <class T, class Read>
-    Image<T> drawn(gl::Format format, Output output, Read read);
+    static Image<T> read_back(const gl::Target& target, Read read);
+    gl::Target picture_target(gl::Format format) const;
+    Image<float> drawn(Output output);
     void bind_inputs();
     void draw_pass(const Pass& pass, unsigned framebuffer, int width, int height);
     void keep_light(const std::vector<Pass>& list, int width, int height, Output output);
+    bool scatters_or_meters() const;
     void draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last,
                       const gl::Layer& layer);
     template <class Draw>

@@ -351,6 +351,13 @@ constexpr SceneKey kKeys[] = {
     {"picture", "tone", KeyType::kChoice, "", "shoulder", kNoRange, "shoulder film neutral",
      "Tone curve: 1 - exp(-x), a fit of the ACES film curve, or Khronos' neutral curve.",
      [](auto& s) { return &s.picture.tone; }},
+    {"picture", "shutter", KeyType::kNumber, "", "0", closed(0.0, 1.0), "",
+     "Motion blur of films: for which part of the time from frame to frame light is gathered, half of it before the "
+     "frame's own time. 0.5 is a film camera's usual 180 degrees.",
+     [](auto& s) { return &s.picture.shutter; }},
+    {"picture", "sub_frames", KeyType::kWhole, "", "16", closed(1.0, 256.0), "",
+     "Pictures of which a frame's light is then the mean, if anything moves.",
+     [](auto& s) { return &s.picture.sub_frames; }},
     {"picture", "scale_bar", KeyType::kChoice, "", "off", kNoRange, "off M r_s uas",
      "A bar of a round length over the displayed picture: in M = GM/c^2, in r_s, or in microarcseconds at the "
      "distance of [object]. For cameras at rest that look at the centre from at least 20 r_s.",

@@ -36,6 +36,7 @@ Run full_run() {
     run.scene.spots.emplace_back();
     for (const BodyKind* kind : body_kinds()) run.scene.bodies.push_back(kind->make());
     run.scene.path.emplace();
+    run.scene.camera.zoom.emplace();
     run.scene.split.emplace();
     return run;
 }
