@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "spacetime/registry.h"
 
@@ -40,6 +41,12 @@ Result<CameraPath> CameraPath::make(const Scene& scene) {
     return path;
 }
 
+void unwrap_angles(const CameraSpec& before, CameraSpec& camera) {
+    constexpr double kTurn = 2.0 * std::numbers::pi;
+    for (const auto angle : {&CameraSpec::phi, &CameraSpec::yaw, &CameraSpec::roll})
+        camera.*angle += kTurn * std::round((before.*angle - camera.*angle) / kTurn);
+}
+
 double eased(const PathSpec& path, double frame) {
     return between_ends(path, frame, [](double u) { return u * u * (3 - 2 * u); });
 }
@@ -74,8 +81,8 @@ double CameraPath::between_keys(double frame, const Of& of) const {
         return (beyond * secant(low, k) + before * secant(k, high)) / (before + beyond);
     };
     const double h = keys[i + 1].frame - keys[i].frame, x = (t - keys[i].frame) / h, y = 1 - x;
-    return y * y * (1 + 2 * x) * of(keys[i]) + x * x * (1 + 2 * y) * of(keys[i + 1]) +
-           h * x * y * (y * slope(i) - x * slope(i + 1));
+    return std::lerp(of(keys[i]), of(keys[i + 1]), x * x * (1 + 2 * y)) +
+           h * x * y * (y * slope(i) - x * slope(i + 1));  // equal numbers stay as they are
 }
 
 std::size_t CameraPath::key_before(double frame) const {

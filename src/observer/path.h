@@ -15,6 +15,9 @@ inline constexpr double CameraSpec::*kCameraNumbers[] = {
     &CameraSpec::exposure_ev, &CameraSpec::fall_from, &CameraSpec::energy,      &CameraSpec::shift_x,
     &CameraSpec::shift_y};
 
+// Turns phi, yaw and roll by whole turns, so that none is more than half a turn from what it is before.
+void unwrap_angles(const CameraSpec& before, CameraSpec& camera);
+
 // Where among the keys' frames the path is in a frame, by its easing: u, of the way from the first key to the last, becomes 3u^2 - 2u^3.
 // And the frame in which it is there. Of a fall, and beyond the keys, the same.
 double eased(const PathSpec& path, double frame);

@@ -3,23 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "observer/path.h"
 #include "observer/pose.h"
 #include "plan/moving.h"
 
 namespace nullscope {
 namespace {
-
-// To rounding: what is interpolated between equal numbers.
-bool same(double a, double b) { return std::fabs(a - b) <= 1e-14 * (std::fabs(a) + std::fabs(b)); }
-
-bool same_view(const CameraSpec& a, const CameraSpec& b) {
-    for (const auto number : kCameraNumbers)
-        if (!same(a.*number, b.*number)) return false;
-    if (!same(a.velocity.x, b.velocity.x) || !same(a.velocity.y, b.velocity.y) || !same(a.velocity.z, b.velocity.z))
-        return false;
-    return !a.zoom || (same(a.zoom->depth, b.zoom->depth) && same(a.zoom->angle, b.zoom->angle));
-}
 
 // The angle of the rotation from one camera's axes to the other's.
 double turn_between(const CameraSpec& a, const CameraSpec& b) {
@@ -42,7 +30,7 @@ Exposure exposure_of(const std::function<Scene(double)>& at, int frame) {
         scene.camera.exposure_ev = shown.scene.camera.exposure_ev;  // of the mean
         if (!shown.sub_frames.empty()) {
             SubFrame& before = shown.sub_frames.back();
-            if (same_view(before.scene.camera, scene.camera) && (!moves || same(before.scene.time, scene.time))) {
+            if (before.scene.camera == scene.camera && (!moves || before.scene.time == scene.time)) {
                 before.share += part;
                 continue;
             }

@@ -7,9 +7,11 @@
 #include <map>
 #include <optional>
 
+#include "base/atomic_file.h"
 #include "base/text.h"
 #include "plan/body_kind.h"
 #include "scene/bodies.h"
+#include "scenefile/path_csv.h"
 #include "scenefile/scene_check.h"
 #include "scenefile/scene_keys.h"
 #include "scenefile/scene_value.h"
@@ -78,6 +80,7 @@ private:
     // label: the section's, as messages call it: "ball[2]".
     void read_key(std::string_view section, const toml::key& name, const toml::node& node, std::string_view label);
     void read_path_keys(const toml::node& node);
+    void read_path_file();
     void report_unknown(std::string_view section, const toml::key& name);
     void report(int line, std::string_view name, std::string_view what, std::string_view allowed);
     void report(const SceneFault& fault);
@@ -85,6 +88,7 @@ private:
     std::string label_;
     fs::path base_;
     Scene scene_;
+    fs::path path_file_;  // of path.file
     // The sections that name a metric, and which: null while the file names none that is known.
     std::map<std::string, const MetricEntry*, std::less<>> metrics_ = {
         {"spacetime", find_metric(SpacetimeSpec{}.metric)}, {"split", find_metric(SpacetimeSpec{}.metric)}};
@@ -153,6 +157,8 @@ void SceneReader::read_key(std::string_view section, const toml::key& name, cons
     const Result<KeyValue> value = check_value(*key, node, base_);
     if (!value)
         report(line_of(name), full, value.error().what, allowed_text(*key));
+    else if (full == "path.file")
+        path_file_ = value->path;
     else if (!of_metric)
         key->member.set(scene_, *value);
     else if (key->type == KeyType::kFormula)
@@ -250,6 +256,19 @@ void SceneReader::read_path_keys(const toml::node& node) {
     lines_ = lines;
 }
 
+// An error is of that file.
+void SceneReader::read_path_file() {
+    const int line = lines_["path.file"];
+    if (!scene_.path->keys.empty()) return report(line, "path.file", "there are [[path.key]] too", "one of both");
+    const auto text = read_text(path_file_);
+    if (!text) return report(line, "path.file", text.error().what, "a table of keys");
+    auto keys = read_path_csv(*text, path_file_.string(), scene_);
+    if (keys)
+        scene_.path->keys = std::move(*keys);
+    else
+        reports_.emplace(line, keys.error());
+}
+
 Result<Scene> SceneReader::read(const toml::table& root) {
     const std::vector<std::string> words = words_of("", nullptr);
     for (const auto& [name, node] : root) {
@@ -273,9 +292,11 @@ Result<Scene> SceneReader::read(const toml::table& root) {
         for (const SceneFault& fault : check_camera(scene_, given_)) report(fault);
         if (const toml::node* keys = root.at_path("path.key").node(); keys != nullptr && scene_.path)
             read_path_keys(*keys);
+        if (!path_file_.empty() && scene_.path->kind == PathKind::kKeys) read_path_file();
         settle_defaults(scene_, given_);
         if (scene_.name.empty()) scene_.name = fs::path(label_).stem().string();
-        for (const SceneFault& fault : check_parts(scene_, given_)) report(fault);
+        if (reports_.empty() || path_file_.empty())  // else there are no keys, which is not what is wrong
+            for (const SceneFault& fault : check_parts(scene_, given_)) report(fault);
     }
     if (reports_.empty()) return scene_;
     return without_controls(reports_.begin()->second);

@@ -35,6 +35,9 @@ constexpr KeyMember kPictureSize = {
     [](const Scene& s) { return KeyValue{.width = s.camera.width, .height = s.camera.height}; },
     [](Scene& s, const KeyValue& v) { s.camera.width = v.width, s.camera.height = v.height; }};
 
+// Read by the scene's reader, once it knows [camera]; what is read are keys of the path.
+constexpr KeyMember kPathFile = {nullptr, [](Scene&, const KeyValue&) {}};
+
 // Two keys that are there together.
 template <double AccretionSpec::*Part>
 constexpr KeyMember accretion() {
@@ -184,6 +187,9 @@ constexpr SceneKey kKeys[] = {
     {"path", "duration", KeyType::kNumber, "r_s/c", "0", closed(0.0, 1e7), "",
      "For kind = \"fall\": proper time from the first frame to the last; 0: to the worldline's end.",
      [](auto& s) { return &s.path->duration; }, path_is<PathKind::kFall>, "kind = \"fall\""},
+    {"path", "file", KeyType::kImage, "", "", kNoRange, "CSV",
+     "For kind = \"keys\": a table of the keys, instead of [[path.key]].", kPathFile, path_is<PathKind::kKeys>,
+     "kind = \"keys\""},
     {"path", "easing", KeyType::kChoice, "", "none", kNoRange, "none smooth",
      "For kind = \"keys\": frames pass at an even rate, or slowly at both ends, so that the camera starts and ends at "
      "rest.",

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "plan/body_kind.h"
 #include "scene/bodies.h"
+#include "scene/projection.h"
 #include "scenefile/scene_check.h"
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_keys.h"
@@ -49,16 +50,9 @@ std::optional<std::string> shortest(double value, double guess, Read read) {
     return std::nullopt;
 }
 
-std::string degrees(double radians) {
-    const auto read = [](double d) { return d * std::numbers::pi / 180.0; };
-    const double guess = radians * 180.0 / std::numbers::pi;
-    if (const auto text = shortest(radians, guess, read)) return *text;
-    return shortest(read(guess), guess, read).value_or(fmt::format("{}", guess));
-}
-
 // A pinhole's: if a number of degrees gives it.
 std::optional<std::string> fov_text(const CameraSpec& camera) {
-    if (camera.projection != Projection::kPinhole) return degrees(camera.plane_width);
+    if (camera.projection != Projection::kPinhole) return degrees_text(camera.plane_width);
     return shortest(camera.plane_width, 2.0 * std::atan(0.5 * camera.plane_width) * 180.0 / std::numbers::pi,
                     [](double d) { return 2.0 * std::tan(0.5 * (d * std::numbers::pi / 180.0)); });
 }
@@ -72,7 +66,7 @@ std::string path_text(const fs::path& path, const fs::path& base) {
 
 std::string value_text(const SceneKey& key, const KeyValue& value, const fs::path& base) {
     switch (key.type) {
-        case KeyType::kNumber: return key.unit == "deg" ? degrees(value.number) : fmt::format("{}", value.number);
+        case KeyType::kNumber: return key.unit == "deg" ? degrees_text(value.number) : fmt::format("{}", value.number);
         case KeyType::kVelocity:
         case KeyType::kPoint:
         case KeyType::kColour: return fmt::format("[{}, {}, {}]", value.vector.x, value.vector.y, value.vector.z);
@@ -231,6 +225,18 @@ Scene section_defaults(const Scene& holder, std::string_view section) {
             key.member.set(blank, key.member.get(holder));
     settle_defaults(blank, [](const std::string&) { return false; });
     return blank;
+}
+
+std::string degrees_text(double radians) {
+    const auto read = [](double d) { return d * std::numbers::pi / 180.0; };
+    const double guess = radians * 180.0 / std::numbers::pi;
+    if (const auto text = shortest(radians, guess, read)) return *text;
+    return shortest(read(guess), guess, read).value_or(fmt::format("{}", guess));
+}
+
+std::string field_of_view_text(const CameraSpec& camera) {
+    const auto exact = fov_text(camera);
+    return exact ? *exact : degrees_text(field_of_view(camera));
 }
 
 std::string scene_file_text(const Scene& scene, const fs::path& base_directory) {

@@ -16,6 +16,10 @@ std::string scene_file_text(const Scene& scene, const std::filesystem::path& bas
 // named by their absolute paths.
 std::string scene_line(const Scene& scene);
 
+// A number of degrees, and a camera's field of view in degrees, as they are written.
+std::string degrees_text(double radians);
+std::string field_of_view_text(const CameraSpec& camera);
+
 // A camera as one line of a scene file, "camera = { r = 15, fov = 60 }", with what differs from the defaults. The picture's size is not in it.
 std::string view_line(const CameraSpec& camera);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace nullscope::viewer {
@@ -11,13 +10,6 @@ namespace {
 constexpr double kRecordRate = 24.0;  // frames a second
 constexpr int kKeyEvery = 4;          // frames: six keys a second, which smooth a hand's trembling
 constexpr double kLeastRecord_s = 0.2;
-
-// Angles that go on where they would begin anew: between two samples none turns by more than half a turn.
-constexpr double CameraSpec::*kAngles[] = {&CameraSpec::phi, &CameraSpec::yaw, &CameraSpec::roll};
-void unwrap(const CameraSpec& before, CameraSpec& camera) {
-    constexpr double kTurn = 2.0 * std::numbers::pi;
-    for (const auto angle : kAngles) camera.*angle += kTurn * std::round((before.*angle - camera.*angle) / kTurn);
-}
 
 CameraSpec between(const CameraSpec& a, const CameraSpec& b, double t) {
     CameraSpec camera = a;
@@ -88,7 +80,7 @@ bool Timeline::sample(const Scene& scene, double dt_s) {
         return false;
     }
     Sample next{samples_.back().at_s + dt_s, scene.camera, scene.time};
-    unwrap(samples_.back().camera, next.camera);
+    unwrap_angles(samples_.back().camera, next.camera);
     samples_.push_back(next);
     return true;
 }
@@ -128,7 +120,7 @@ bool Timeline::set_key(Scene& scene) {
     if (scene.path->kind != PathKind::kKeys || keys.front().camera.observer != key.camera.observer) return false;
     key.frame = eased(*scene.path, key.frame);
     const auto at = std::ranges::lower_bound(keys, key.frame, {}, &PathKey::frame);
-    if (at != keys.begin()) unwrap((at - 1)->camera, key.camera);
+    if (at != keys.begin()) unwrap_angles((at - 1)->camera, key.camera);
     if (at != keys.end() && at->frame == key.frame)
         *at = key;
     else

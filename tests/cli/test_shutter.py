@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Frames with motion blur in every kind of file."""
+"""Frames with motion blur in every kind of file, and cameras that go to a table and come back."""
 import re
 import sys
 from pathlib import Path
@@ -79,6 +79,20 @@ class Shutter(support.CliTest):
         self.assertIn("16 sub-frames", ran.out)
         self.assertNotEqual((self.folder / "one.png").read_bytes(), (self.folder / "blurred.png").read_bytes())
         self.refused("capture", scene, "--raydata", "-o", "rays.exr", says=["picture.shutter"])
+
+    def test_a_path_comes_back_from_its_table(self):
+        scene = self.write("flight.toml", FLIGHT)
+        ran = self.run_nullscope("path", scene, "-o", "camera.csv")
+        self.assertEqual(ran.out, "camera.csv: 11 frames\n")
+        again = self.write("again.toml", FLIGHT.split("[[path.key]]")[0] + 'file = "camera.csv"\n')
+        for name, file in (("a", scene), ("b", again)):
+            self.capture(file, "--frames", "4:5", "-o", name + "%d.exr")
+        said = self.run_nullscope("compare", "a4.exr", "b4.exr").out
+        self.assertLess(float(re.search(r"max[a-z]* +([0-9.e-]+)", said).group(1)), 1e-4, said)
+        self.refused("path", scene, "3:12", "-o", "no.csv", says=["frames 3:12 of a path of 11"])
+        self.refused("path", "flat", says=["no [path]"])
+        self.write("camera.csv", "r\n9\nfar\n")
+        self.refused("capture", again, says=['camera.csv:3: r: "far" is no number; allowed: [-1000000000, 1000000000]'])
 
 
 if __name__ == "__main__":
