@@ -79,9 +79,6 @@ Status check_options(const CaptureOptions& options) {
                          fmt::format("names that end in .png, .jpg, .exr or {}", film_endings()));
     if (options.workers > 1 && !options.to_film() && options.frames.empty())
         return bad_input("--workers: one picture is drawn by one process; give --frames A:B or a film");
-    if (!options.ffmpeg.empty() && (!options.to_film() || !options.ffmpeg.front().starts_with('-')))
-        return bad_input(
-            fmt::format("{}: not expected here; after -- are ffmpeg's options for a film", options.ffmpeg.front()));
     if (options.quality && !options.to_jpeg()) return bad_input("--quality is of a JPEG; give -o FILE.jpg");
     if (options.layers && (!options.to_exr() || !options.split.empty() || options.renderer != "gl"))
         return bad_input("--layers are of an .exr that the shader draws",
@@ -346,6 +343,9 @@ Status finish_film(const Job& job, const CaptureOptions& options) {
 }
 
 Result<Scene> scene_of(const CaptureOptions& options) {
+    if (!options.ffmpeg.empty() && (!options.to_film() || !options.ffmpeg.front().starts_with('-')))
+        return bad_input(
+            fmt::format("{}: not expected here; after -- are ffmpeg's options for a film", options.ffmpeg.front()));
     TRY(scene, load_scene_sized(options.scene, options.size));
     if (options.time) scene->time = *options.time;
     if (options.samples && options.renderer == "gl") scene->picture.samples = *options.samples;
