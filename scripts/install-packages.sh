@@ -9,8 +9,8 @@ build=(g++ cmake ninja-build pkg-config python3 python3-glad libglfw3-dev libglm
        libpng-dev libjpeg-dev libfreetype-dev doctest-dev)
 run=(libegl1 libgl1 libgl1-mesa-dri fonts-dejavu-core)
 test=(xvfb xauth xdotool)
-# scripts/test.sh --all: films, and sequences on many machines
-all_tests=(ffmpeg munge parallel slurm-client slurmctld slurmd)
+# scripts/test.sh --all: films, man pages, and sequences on many machines
+all_tests=(ffmpeg man-db munge parallel slurm-client slurmctld slurmd)
 checks=(clang libclang-rt-dev clang-format clang-tidy)   # scripts/check.sh
 # Used where they exist: a faster second build; a second way to render without a window system (it left Mesa in 25.1).
 optional=(ccache libosmesa6)
@@ -20,7 +20,7 @@ usage() {
 Usage: install-packages.sh [--quiet] [--all] [--checks]
 Installs the packages that nullscope needs by apt, if any are missing. Needs root or sudo for that.
   --quiet    say nothing unless something is missing or goes wrong
-  --all      also what scripts/test.sh --all needs: ffmpeg, GNU parallel and Slurm
+  --all      also what scripts/test.sh --all needs: ffmpeg, man, GNU parallel and Slurm
   --checks   also what scripts/check.sh needs: clang, clang-format and clang-tidy
 END
 }

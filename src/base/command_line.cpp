@@ -27,17 +27,6 @@ bool is_list(const Option& option) {
     return std::holds_alternative<Words*>(option.target) || std::holds_alternative<std::vector<int>*>(option.target);
 }
 
-std::string default_of(const Option& option) {
-    return std::visit(Overloaded{[](const bool*) { return std::string(); },
-                                 [](const Words* v) { return fmt::format("[{}]", fmt::join(*v, ",")); },
-                                 [](const std::vector<int>* v) { return fmt::format("[{}]", fmt::join(*v, ",")); },
-                                 [](const std::optional<int>* v) { return *v ? fmt::format("{}", **v) : ""; },
-                                 [](const std::optional<double>* v) { return *v ? fmt::format("{:g}", **v) : ""; },
-                                 [](const double* v) { return fmt::format("{:g}", *v); },
-                                 [](const auto* v) { return fmt::format("{}", *v); }},
-                      option.target);
-}
-
 enum class Kind { kFlag, kText, kWhole, kReal };
 
 Kind kind_of(const Option& option) {
@@ -59,16 +48,6 @@ std::pair<double, double> range_of(const Option& option) {
 
 std::string number_text(const Option& option, double number) {
     return kind_of(option) == Kind::kReal ? fmt::format("{:g}", number) : fmt::format("{:.0f}", number);
-}
-
-// The kind of value, as help shows it.
-std::string type_text(const Option& option) {
-    if (!option.words.empty()) return fmt::format("TEXT:{{{}}}", fmt::join(option.words, ","));
-    if (kind_of(option) == Kind::kText) return "TEXT";
-    std::string type = kind_of(option) == Kind::kReal ? "FLOAT" : "INT";
-    if (!option.range) return type;
-    return fmt::format("{} in [{} - {}]", type, number_text(option, option.range->first),
-                       number_text(option, option.range->second));
 }
 
 std::string allowed_text(const Option& option) {
@@ -127,12 +106,12 @@ CLI::Option* add_to(CLI::App& app, const Option& option) {
     if (kind_of(option) == Kind::kFlag) return app.add_flag(option.names, help);
     const auto take = [](const CLI::results_t&) { return true; };
     CLI::Option* added = app.add_option(option.names, take, help);
-    added->type_name(type_text(option))->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    added->type_name(option_value(option))->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     if (is_list(option) && option.values == 1)
         added->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args();
     else
         added->expected(option.values);
-    if (option.shows_default) added->default_str(default_of(option));
+    if (option.shows_default) added->default_str(option_default(option));
     return added->required(option.is_required);
 }
 
@@ -235,6 +214,27 @@ Result<Asked> help_of(const Node& root, const Words& words) {
 }
 
 }  // namespace
+
+std::string option_value(const Option& option) {
+    if (kind_of(option) == Kind::kFlag) return "";
+    if (!option.words.empty()) return fmt::format("TEXT:{{{}}}", fmt::join(option.words, ","));
+    if (kind_of(option) == Kind::kText) return "TEXT";
+    std::string type = kind_of(option) == Kind::kReal ? "FLOAT" : "INT";
+    if (!option.range) return type;
+    return fmt::format("{} in [{} - {}]", type, number_text(option, option.range->first),
+                       number_text(option, option.range->second));
+}
+
+std::string option_default(const Option& option) {
+    return std::visit(Overloaded{[](const bool*) { return std::string(); },
+                                 [](const Words* v) { return fmt::format("[{}]", fmt::join(*v, ",")); },
+                                 [](const std::vector<int>* v) { return fmt::format("[{}]", fmt::join(*v, ",")); },
+                                 [](const std::optional<int>* v) { return *v ? fmt::format("{}", **v) : ""; },
+                                 [](const std::optional<double>* v) { return *v ? fmt::format("{:g}", **v) : ""; },
+                                 [](const double* v) { return fmt::format("{:g}", *v); },
+                                 [](const auto* v) { return fmt::format("{}", *v); }},
+                      option.target);
+}
 
 Command& Command::add_command(std::string name, std::string help) {
     return *commands_.emplace_back(std::make_unique<Command>(std::move(name), std::move(help)));

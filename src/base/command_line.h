@@ -53,6 +53,10 @@ struct Option {
     }
 };
 
+// What its value may be, as help shows it: "INT in [1 - 64]", "TEXT:{gl,reference}"; of a flag nothing. And what its target holds.
+std::string option_value(const Option& option);
+std::string option_default(const Option& option);
+
 // A program, or a command of one. Options are parsed into their targets, which must outlive the parsing.
 class Command {
 public:

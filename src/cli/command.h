@@ -9,6 +9,7 @@ namespace nullscope::cli {
 void add_capture(Command& parent);
 void add_frames(Command& parent);
 void add_path(Command& parent);
+void add_manual(Command& parent);
 void add_trace(Command& parent);
 void add_compare(Command& parent);
 void add_plan(Command& parent);

@@ -1,0 +1,43 @@
+// nullscope manual: man pages and the completion of a shell, as packages install them.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include "base/atomic_file.h"
+#include "base/manual.h"
+#include "cli/command.h"
+
+namespace nullscope::cli {
+namespace {
+
+struct ManualOptions {
+    std::string folder;
+};
+
+Status write_manual(const Command& program, const std::filesystem::path& folder) {
+    std::error_code reason;
+    std::filesystem::create_directories(folder / "man1", reason);
+    if (reason)
+        return failed(fmt::format("cannot make the folder '{}': {}", (folder / "man1").string(), reason.message()));
+    for (const ManualPage& page : manual_pages(program)) {
+        TRY(written, write_text_atomically(folder / "man1" / (page.name + ".1"), page.text));
+    }
+    TRY(written, write_text_atomically(folder / "nullscope.bash",
+                                       bash_completion(program, "nullscope scenes | cut -d\" \" -f1")));
+    fmt::print("{0}: man pages (man -l {0}/man1/nullscope.1), and for bash: source {0}/nullscope.bash\n",
+               folder.string());
+    return Done{};
+}
+
+}  // namespace
+
+void add_manual(Command& parent) {
+    auto [command, options] = add_command<ManualOptions>(
+        parent, "manual", "Write man pages of all commands, and the completion of bash, into a folder",
+        [&parent](const ManualOptions& given) { return write_manual(parent, given.folder); });
+    required_option(command, "folder", options.folder, "Folder to write to");
+}
+
+}  // namespace nullscope::cli
