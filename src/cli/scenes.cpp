@@ -2,23 +2,42 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
 #include "cli/command.h"
+#include "command/options.h"
 #include "command/session.h"
 #include "scenefile/scene_file.h"
+#include "scenefile/scene_writer.h"
 
 namespace nullscope::cli {
+namespace {
+
+struct ScenesOptions {
+    std::string name;
+};
+
+Status run(const ScenesOptions& options) {
+    if (!options.name.empty()) {
+        TRY(scene, load_scene(options.name));
+        fmt::print("{}", scene_file_text(*scene, {}));
+        return Done{};
+    }
+    const auto scenes = shipped_scenes();
+    if (scenes.empty()) return failed("no scenes found; set NULLSCOPE_ASSETS to the folder assets/");
+    std::size_t widest = 0;
+    for (const SceneInfo& scene : scenes) widest = std::max(widest, scene.name.size());
+    for (const SceneInfo& scene : scenes) fmt::print("{:<{}}  {}\n", scene.name, widest, scene.description);
+    return Done{};
+}
+
+}  // namespace
 
 void add_scenes(Command& parent) {
-    Command& command = parent.add_command("scenes", "List the built-in scenes, with one sentence each");
-    command.on_run([]() -> Result<int> {
-        const auto scenes = shipped_scenes();
-        if (scenes.empty()) return failed("no scenes found; set NULLSCOPE_ASSETS to the folder assets/");
-        std::size_t widest = 0;
-        for (const SceneInfo& scene : scenes) widest = std::max(widest, scene.name.size());
-        for (const SceneInfo& scene : scenes) fmt::print("{:<{}}  {}\n", scene.name, widest, scene.description);
-        return 0;
-    });
+    auto [command, options] = add_command<ScenesOptions>(
+        parent, "scenes", "List the built-in scenes, with one sentence each, or print one", run);
+    command.add_option("name", &options.name,
+                       "Print this scene's file, with paths that hold anywhere: scenes kerr > mine.toml");
 }
 
 void add_info(Command& parent) {
