@@ -64,7 +64,11 @@ Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) 
                          "-o names that end in .png, .jpg or .exr");
     if (options.to_film() && !have_ffmpeg())
         return failed("ffmpeg is not installed, it makes the film; without it: -o NAME%05d.png and --frames");
-    if (options.frames.empty()) return options.to_film() ? Frames{0, path->frames()} : Frames{};
+    const bool sequence = !options.to_film() && names_frames(options.output);
+    if (options.frames.empty() && sequence && path == nullptr)
+        return bad_input(fmt::format("-o {}: a place for the frame's number, but which frames?", options.output),
+                         "--frames A:B");
+    if (options.frames.empty()) return options.to_film() || sequence ? Frames{0, path->frames()} : Frames{};
     auto frames = parse_frames(options.frames);
     if (frames && path != nullptr && frames->end > path->frames())
         return bad_input(fmt::format("--frames {}: the path has {} frames", options.frames, path->frames()),
@@ -74,10 +78,13 @@ Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) 
 
 // Files of an unknown kind, and options that would change nothing.
 Status check_options(const CaptureOptions& options) {
+    const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
+    if (std::error_code none; !folder.empty() && !names_frames(folder) && !std::filesystem::is_directory(folder, none))
+        return failed(fmt::format("-o {}: there is no folder '{}'", options.output, folder.string()));
     if (!options.to_exr() && !options.to_film() && !options.to_jpeg() && !options.output.ends_with(".png"))
         return bad_input(fmt::format("-o {}: unknown kind of file", options.output),
                          fmt::format("names that end in .png, .jpg, .exr or {}", film_endings()));
-    if (options.workers > 1 && !options.to_film() && options.frames.empty())
+    if (options.workers > 1 && !options.to_film() && options.frames.empty() && !names_frames(options.output))
         return bad_input("--workers: one picture is drawn by one process; give --frames A:B or a film");
     if (options.quality && !options.to_jpeg()) return bad_input("--quality is of a JPEG; give -o FILE.jpg");
     if (options.layers && (!options.to_exr() || !options.split.empty() || options.renderer != "gl"))
@@ -136,17 +143,35 @@ std::optional<Scene> next_scene(const Job& job, double time_step, int frame) {
     return scene_at(job, time_step, frame + 1);
 }
 
-// Says once that bright points leave dots.
 Exposure exposure_in(const Job& job, double time_step, int frame) {
-    static bool said = false;
-    Exposure shown = exposure_of([&](double at) { return scene_at(job, time_step, at); }, frame);
-    if (const int smooth = smooth_sub_frames(shown);
-        smooth > shown.scene.picture.sub_frames && !std::exchange(said, true))
+    return exposure_of([&](double at) { return scene_at(job, time_step, at); }, frame);
+}
+
+// Says once that bright points leave dots.
+void say_dots(const Job& job, double time_step) {
+    int worst = 0, most = 0;
+    for (int frame = job.frames.first; frame < job.frames.end; ++frame)
+        if (const int smooth = smooth_sub_frames(exposure_in(job, time_step, frame)); smooth > most)
+            worst = frame, most = smooth;
+    const int given = job.scene.picture.sub_frames;
+    if (most > given)
         fmt::print(stderr,
                    "picture.sub_frames: in frame {} the camera turns by {:.1f} px from one to the next, bright points "
-                   "leave dots; {} would leave none\n",
-                   frame, kSmoothStep_px * smooth / shown.scene.picture.sub_frames, smooth);
-    return shown;
+                   "leave dots; {} would leave none in any frame\n",
+                   worst, kSmoothStep_px * most / given, most);
+}
+
+// Says once where time runs backwards between keys that do not: a key without a time has that of the one before.
+void say_backwards(const Job& job) {
+    if (!job.path || job.path->falls() ||
+        !std::ranges::is_sorted(job.scene.path->keys, {}, [](const PathKey& key) { return key.time; }))
+        return;
+    for (int frame = job.frames.first; frame + 1 < job.frames.end; ++frame)
+        if (job.path->clock(frame + 1) < job.path->clock(frame)) {
+            fmt::print(stderr, "path.key: time runs backwards from frame {} on; give each key its time, evenly\n",
+                       frame);
+            return;
+        }
 }
 
 // Says once why there are no letters.
@@ -223,7 +248,7 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
     if (job.path && options.time_frame)
         return bad_input("--time-frame: a path begins in frame 0", "scenes without a [path]");
     if (!job.path) job.time_frame = options.time_frame.value_or(job.frames.first);
-    if (!options.to_film() && !options.frames.empty()) {
+    if (!options.to_film() && (!options.frames.empty() || names_frames(options.output))) {
         TRY(names, FrameNames::parse(options.output));
         job.names = std::move(*names);
     }
@@ -311,9 +336,11 @@ Status draw_all(const Job& job, const CaptureOptions& options, FrameStore* store
     std::optional<Progress> progress;
     if (count > 1) progress.emplace("frames", count);
     std::set<int> there;
+    int drawn = 0;
     const FrameWatch watch{
         [](int) {},
         [&](int frame, const std::string& line) {
+            drawn += line.empty() ? 0 : 1;
             if (store != nullptr) store->drew_one();
             if (progress && !line.empty() && ::isatty(STDOUT_FILENO) == 1) progress->clear();
             fmt::print("{}", line);
@@ -321,14 +348,19 @@ Status draw_all(const Job& job, const CaptureOptions& options, FrameStore* store
         },
     };
     const int workers = std::min(options.workers, count);
-    if (workers == 1) return draw_here(job, options, store, watch);
-    return draw_in_workers(
-        workers,
-        [&](const FrameWatch& told) -> Status {
-            TRY(own, store->reopen());
-            return draw_here(job, options, store, told);
-        },
-        watch, progress ? &*progress : nullptr, [&] { return static_cast<int>(there.size()) < count; });
+    const auto draw_by = [&]() -> Status {
+        if (workers == 1) return draw_here(job, options, store, watch);
+        return draw_in_workers(
+            workers,
+            [&](const FrameWatch& told) -> Status {
+                TRY(own, store->reopen());
+                return draw_here(job, options, store, told);
+            },
+            watch, progress ? &*progress : nullptr, [&] { return static_cast<int>(there.size()) < count; });
+    };
+    TRY(done, draw_by());
+    if (options.resume && drawn == 0) fmt::print(stderr, "{}: all {} frames were there\n", options.output, count);
+    return Done{};
 }
 
 Status finish_film(const Job& job, const CaptureOptions& options) {
@@ -358,6 +390,8 @@ Status run(const CaptureOptions& options) {
     TRY(job, job_of(options, std::move(*scene)));
     if (job->scene.picture.shutter > 0.0 && !job->path && options.time_step == 0)
         fmt::print(stderr, "picture.shutter: all is at rest without a [path] or --time-step\n");
+    if (job->scene.picture.shutter > 0.0) say_dots(*job, options.time_step);
+    say_backwards(*job);
     TRY(store, store_of(*job, options));
     TRY(drawn, draw_all(*job, options, store->get()));
     return options.to_film() ? finish_film(*job, options) : Status(Done{});

@@ -29,6 +29,11 @@ Place next_place(const std::string& text, std::size_t from) {
 
 }  // namespace
 
+bool names_frames(const std::string& output) {
+    const Place place = next_place(output, 0);
+    return place.length > 0 && (output[place.at] == '%' || place.length > 1);
+}
+
 Result<FrameNames> FrameNames::parse(const std::string& pattern) {
     const Place place = next_place(pattern, 0);
     const bool single = place.length > 0 && next_place(pattern, place.at + place.length).length == 0 &&

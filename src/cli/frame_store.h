@@ -31,6 +31,9 @@ private:
     int digits_;
 };
 
+// Is there a place for a frame's number in a name? (One # alone may be part of any name.)
+bool names_frames(const std::string& output);
+
 // What nullscope capture was asked for.
 struct CaptureOptions {
     std::string scene, split, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames,

@@ -26,7 +26,10 @@ Status run(const PathOptions& options) {
     const int count = frames->end - frames->first;
     if (frames->end > path->frames() || count < 2 || count > static_cast<int>(kMostPathRows))
         return bad_input(fmt::format("frames {}:{} of a path of {}", frames->first, frames->end, path->frames()),
-                         fmt::format("A:B, 2 to {} of the path's frames", kMostPathRows));
+                         fmt::format("two or more of 0:{}{}", path->frames(),
+                                     path->frames() > static_cast<int>(kMostPathRows)
+                                         ? fmt::format(", at most {} at once", kMostPathRows)
+                                         : ""));
     std::vector<PathKey> keys;
     for (int frame = frames->first; frame < frames->end; ++frame)
         keys.push_back({static_cast<double>(frame), path->at(frame), path->clock(frame)});

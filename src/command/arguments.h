@@ -23,6 +23,9 @@ inline Result<Scene> load_scene_sized(const std::string& name, const std::string
     auto scene = load_scene(name);
     if (!scene || size_text.empty()) return scene;
     TRY(size, parse_size(size_text));
+    if (scene->camera.projection == Projection::kCube && (size->width % 3 != 0 || size->width * 2 != size->height * 3))
+        return bad_input(fmt::format("--size {}: a cube's faces are squares", size_text),
+                         "three columns and two rows of them, as 1536x1024");
     const auto set = [&](CameraSpec& camera) { camera.width = size->width, camera.height = size->height; };
     set(scene->camera);
     if (scene->path)

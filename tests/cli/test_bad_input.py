@@ -62,7 +62,7 @@ class Usage(support.CliTest):
         small = ("--size", "16x9")
         self.refused("capture", "flat", *small, "-o", "a.bmp", says=["a.bmp", ".png", ".exr"])
         self.refused("capture", "flat", *small, "-o", "a.png", "--raydata", says=["--raydata", ".exr"])
-        self.refused("capture", "flat", *small, "-o", "nowhere/a.png", status=1, says=["nowhere/a.png", "No such file"])
+        self.refused("capture", "flat", *small, "-o", "nowhere/a.png", status=1, says=["nowhere/a.png", "there is no folder"])
         self.refused("capture", "flat", *small, "-o", "file/a.png", status=1, says=["file/a.png"])
         self.refused("capture", "flat", *small, "-o", "folder.png", status=1, says=["folder.png", "directory"])
         self.refused("capture", "flat", *small, "-o", "nowhere/a.exr", status=1, says=["nowhere/a.exr"])
