@@ -258,12 +258,16 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
     return job;
 }
 
+std::string stamp_of(const Job& job, const CaptureOptions& options) {
+    const double first_time = job.scene.time - job.time_frame * options.time_step;
+    return frame_stamp({job.scene, job.split ? &*job.split : nullptr, options, method_name(job.method), first_time,
+                        NULLSCOPE_VERSION});
+}
+
 // Where the pictures of a film or a sequence go, and which of them are there. Nothing: one picture.
 Result<std::unique_ptr<FrameStore>> store_of(const Job& job, const CaptureOptions& options) {
     if (!options.to_film() && !job.names) return std::unique_ptr<FrameStore>();
-    const double first_time = job.scene.time - job.time_frame * options.time_step;
-    const std::string stamp = frame_stamp({job.scene, job.split ? &*job.split : nullptr, options,
-                                           method_name(job.method), first_time, NULLSCOPE_VERSION});
+    const std::string stamp = stamp_of(job, options);
     return options.to_film() ? FrameStore::open_film(film_folder(options), stamp)
                              : FrameStore::open_sequence(*job.names, stamp, options.resume);
 }
@@ -399,13 +403,13 @@ Status run(const CaptureOptions& options) {
 
 }  // namespace
 
-Status check_sequence(const CaptureOptions& options) {
+Result<std::string> sequence_stamp(const CaptureOptions& options) {
     if (options.to_film())
         return bad_input(fmt::format("-o {}: a film is made by one run", options.output),
                          "names that end in .png, .jpg or .exr");
     TRY(scene, scene_of(options));
     TRY(job, job_of(options, std::move(*scene)));
-    return Done{};
+    return stamp_of(*job, options);
 }
 
 void add_capture(Command& parent) { add_capture_to(parent, run); }

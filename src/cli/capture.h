@@ -1,6 +1,7 @@
 // nullscope capture, as the command that plans its runs needs it.
 #pragma once
 #include <functional>
+#include <string>
 
 #include "base/result.h"
 #include "cli/command.h"
@@ -11,7 +12,8 @@ namespace nullscope::cli {
 // Adds the command with another function to run.
 void add_capture_to(Command& parent, const std::function<Status(const CaptureOptions&)>& run_it);
 
-// Everything that capture checks of a sequence before it opens OpenGL and files. Errors: bad input.
-Status check_sequence(const CaptureOptions& options);
+// The stamp that a sequence's pictures have (frame_store.h), after everything that capture checks before it opens OpenGL and files.
+// Errors: bad input.
+Result<std::string> sequence_stamp(const CaptureOptions& options);
 
 }  // namespace nullscope::cli

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/atomic_file.h"
 #include "cli/capture.h"
 #include "observer/path.h"
 #include "scenefile/scene_file.h"
@@ -37,16 +39,21 @@ Words capture_words(const FramesOptions& options, const Frames& frames, const Wo
     return words;
 }
 
-// By capture itself.
-Status check(const Words& words) {
+// By capture itself. Returns the stamp of such a sequence.
+Result<std::string> checked(const Words& words) {
     Command program("nullscope", "");
-    add_capture_to(program, check_sequence);
+    std::string stamp;
+    add_capture_to(program, [&](const CaptureOptions& options) -> Status {
+        TRY(text, sequence_stamp(options));
+        stamp = std::move(*text);
+        return Done{};
+    });
     std::vector<const char*> argv;
     for (const std::string& word : words) argv.push_back(word.c_str());
     TRY(asked, parse_command_line(program, static_cast<int>(argv.size()), argv.data()));
     if (!asked->run) return bad_input("after --: options of capture that draw");
     TRY(ran, asked->run());
-    return Done{};
+    return stamp;
 }
 
 // "0:10 15:18"; numbers: ascending.
@@ -78,7 +85,7 @@ Status run(const FramesOptions& options) {
     if (std::ranges::any_of(all,
                             [](const std::string& word) { return word.find_first_of("\n\r") != std::string::npos; }))
         return bad_input("a line break in a word: each chunk is one line");
-    TRY(good, check(all));
+    TRY(stamp, checked(all));
     const int count = frames->end - frames->first;
     if (!options.commands) {
         TRY(names, FrameNames::parse(options.output));
@@ -86,7 +93,12 @@ Status run(const FramesOptions& options) {
         std::erase_if(there, [&](int frame) { return frame < frames->first || frame >= frames->end; });
         fmt::print("frames  {:>8}  {}\n", count, range);
         fmt::print("chunks  {:>8}  of {}\n", (count - 1) / options.chunk + 1, options.chunk);
-        fmt::print("there   {:>8}{}\n", there.size(), ranges_text(there));
+        const auto before = read_text(names->stamp_file());
+        const bool other = !there.empty() && !(before && *before == *stamp);
+        fmt::print("there   {:>8}{}\n", other ? 0 : there.size(), other ? "" : ranges_text(there));
+        if (other)
+            fmt::print("other   {:>8}{}  {}\n", there.size(), ranges_text(there),
+                       stamp_difference(before ? *before : "", *stamp));
         return Done{};
     }
     for (int first = frames->first; first < frames->end; first += std::min(options.chunk, frames->end - first)) {

@@ -100,6 +100,8 @@ class Lines(FarmTest):
         (self.folder / "f005.png").unlink()
         self.write("f1.png", "another name")
         self.assertEqual(self.run_nullscope(*words).out.split()[-4:], "there 5 3:5 6:9".split())
+        other = self.run_nullscope(*words[:-1], "32x16").out
+        self.assertRegex(other, r"there +0\nother +5  3:5 6:9  different camera\.size")
 
     def test_bad_input(self):
         for words, says in ((("flat",), "no [path] in the scene"), (("scene.toml", "0:99"), f"allowed: 0:{FRAMES}"),
