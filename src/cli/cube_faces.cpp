@@ -41,8 +41,8 @@ Status check_faces(const Scene& scene, const CaptureOptions& options) {
 
 // Across a face directions are linear.
 CameraSpec face_camera(const CameraSpec& camera, int face) {
-    const int side = camera.width / 3;
-    const double x = (face % 3 + 0.5) * side, y = (face / 3 + 0.5) * side, step = 0.25 * side;
+    const int side = camera.width / 3, column = face % 3, row = face / 3;
+    const double x = (column + 0.5) * side, y = (row + 0.5) * side, step = 0.25 * side;
     const Vec3 ahead = pixel_direction(camera, x, y);
     const Mat3 axes{normalized(pixel_direction(camera, x + step, y) - ahead),
                     normalized(pixel_direction(camera, x, y - step) - ahead), -ahead};

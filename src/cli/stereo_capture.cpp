@@ -41,7 +41,7 @@ Status begin_strips(Renderer& renderer, const Scene& scene, const EyePart& first
     Scene middle = scene;
     middle.camera = first.camera;
     renderer.follow_camera(false);
-    const Status ready = renderer.prepare(middle);
+    Status ready = renderer.prepare(middle);
     renderer.follow_camera();
     return ready;
 }

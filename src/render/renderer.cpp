@@ -455,7 +455,7 @@ Image<unsigned char> Renderer::displayed(const Image<float>& light) {
 
 Image<float> Renderer::layer(PictureLayer shown) {
     layer_ = shown;
-    const Image<float> image = drawn(Output::kLayers);
+    Image<float> image = drawn(Output::kLayers);
     layer_ = PictureLayer::kAll;
     return image;
 }
