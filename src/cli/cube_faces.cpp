@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "observer/pose.h"
 #include "scene/projection.h"
 
@@ -16,7 +14,7 @@ template <class T>
 Image<T> cut(const Image<T>& all, int left, int top, int side) {
     if (all.empty()) return {};
     Image<T> face(side, side, all.channels);
-    for (int y = 0; y < side; ++y) std::copy_n(all.at(left, top + y), all.channels * side, face.at(0, y));
+    copy_part(all, left, top, side, side, face, 0, 0);
     return face;
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -31,8 +30,7 @@ Result<Exposure> seen_by_eye(const Exposure& shown, const Spacetime& spacetime, 
 template <class T>
 void paste(const Image<T>& from, const EyePart& part, Image<T>& to) {
     if (from.empty() || to.empty()) return;
-    for (int y = 0; y < from.height; ++y)
-        std::copy_n(from.at(part.skip, y), from.channels * part.columns, to.at(part.left, part.top + y));
+    copy_part(from, part.skip, 0, part.columns, from.height, to, part.left, part.top);
 }
 
 // Tables of the strips, whose radii differ little, are made from each other's: not from those of a picture before, so that a frame does

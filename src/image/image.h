@@ -29,14 +29,19 @@ inline bool plausible_size(long long samples, unsigned long long file_bytes) {
            static_cast<unsigned long long>(samples) / kMostPerByte <= file_bytes;
 }
 
+// Copies columns x rows px from (left, top) on to (to_left, to_top) of an image with as many channels, which has room for them.
+template <class T>
+void copy_part(const Image<T>& from, int left, int top, int columns, int rows, Image<T>& to, int to_left, int to_top) {
+    for (int y = 0; y < rows; ++y)
+        std::copy_n(from.at(left, top + y), columns * from.channels, to.at(to_left, to_top + y));
+}
+
 // Of one height and kind.
 template <class T>
 Image<T> side_by_side(const Image<T>& left, const Image<T>& right) {
     Image<T> both(left.width + right.width, left.height, left.channels);
-    for (int y = 0; y < left.height; ++y) {
-        std::copy_n(left.at(0, y), left.width * left.channels, both.at(0, y));
-        std::copy_n(right.at(0, y), right.width * right.channels, both.at(left.width, y));
-    }
+    copy_part(left, 0, 0, left.width, left.height, both, 0, 0);
+    copy_part(right, 0, 0, right.width, left.height, both, left.width, 0);
     return both;
 }
 

@@ -23,8 +23,7 @@ Result<Image<T>> drawn_in_parts(Renderer& renderer, const Exposure& shown, Pictu
                            scene.camera.width = to - from, scene.camera.height = below - above;
                            return scene;
                        })));
-        for (int y = 0; y < band.rows; ++y)
-            std::copy_n(part->at(left - from, band.top - above + y), 3 * (right - left), image.at(left, y));
+        copy_part(*part, left - from, band.top - above, right - left, band.rows, image, left, 0);
     }
     return image;
 }
