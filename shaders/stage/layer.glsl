@@ -1,4 +1,4 @@
-// Of a picture in layers (render/layers.h): the part of what a ray meets that the layer shows.
+// Of a picture in layers (render/picture_layers.h): the part of what a ray meets that the layer shows.
 #define LAYER_DISC 1      // first image order, the third has all higher ones
 #define LAYER_BODIES 4
 #define LAYER_SKY 5

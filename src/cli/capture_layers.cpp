@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
 #include <variant>
@@ -15,7 +14,6 @@
 #include "scene/bodies.h"
 #include "sky/sky.h"
 #include "spacetime/circular_orbit.h"
-#include "spacetime/registry.h"
 
 namespace nullscope::cli {
 namespace {
@@ -27,11 +25,12 @@ void add_colours(const std::string& prefix, const Image<float>& image, ChannelIm
 // What the scene's things do between two pictures. Balls do not turn about themselves.
 class Motions {
 public:
-    explicit Motions(const Scene& scene) : scene_(scene), spacetime_(spacetime_of(scene)) {
+    // spacetime: of the scene's matter. Both outlive this.
+    Motions(const Scene& scene, const Spacetime& spacetime) : scene_(scene), spacetime_(spacetime) {
         for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
             const auto* ball = std::get_if<BallSpec>(&scene.bodies[i].shape);
             if (ball == nullptr || !ball->moves()) continue;
-            if (auto motion = ball_motion(*spacetime_, *ball))
+            if (auto motion = ball_motion(spacetime_, *ball))
                 balls_.emplace(object_number(scene, i), std::move(*motion));
         }
     }
@@ -48,18 +47,13 @@ public:
 private:
     Vec3 on_disc(Vec3 place, double time) const {
         if (scene_.disc->flow == DiscFlowKind::kStill) return place;
-        const auto orbit = circular_orbit(*spacetime_, std::hypot(place.x, place.y));
+        const auto orbit = circular_orbit(spacetime_, std::hypot(place.x, place.y));
         const double turned = orbit ? orbit->omega * time : 0.0, c = std::cos(turned), s = std::sin(turned);
         return {c * place.x - s * place.y, s * place.x + c * place.y, 0.0};
     }
 
-    static std::shared_ptr<const Spacetime> spacetime_of(const Scene& scene) {
-        return *make_spacetime(scene.spacetime.metric,
-                               scene.spacetime.parameters);  // there is one: the picture is drawn
-    }
-
     const Scene& scene_;
-    std::shared_ptr<const Spacetime> spacetime_;
+    const Spacetime& spacetime_;
     std::map<int, BallMotionAt> balls_;
 };
 
@@ -74,11 +68,11 @@ Result<LayeredPicture> capture_layers(Session& session, const Scene& scene, cons
         later = renderer.ray_data();
     }
     if (Status ready = renderer.prepare(scene); !ready) return ready.error();
-    picture.layers = draw_layers(renderer, scene);
+    picture.layers = draw_layers(renderer);
     picture.rays = renderer.ray_data();
     picture.depths = renderer.ray_depths();
     if (next != nullptr) {
-        const Motions motions(scene);
+        const Motions motions(scene, renderer.tables().matter());
         picture.motion = ray_motion(picture.rays, later, next->time - scene.time,
                                     [&](const RayPixel& pixel, double time) { return motions.moved(pixel, time); });
     }

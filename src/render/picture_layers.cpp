@@ -7,8 +7,9 @@
 #include "render/renderer.h"
 
 namespace nullscope {
-PictureLayers draw_layers(Renderer& renderer, const Scene& scene) {
-    const EffectSet effects = effect_set(required_effects(scene));
+
+PictureLayers draw_layers(Renderer& renderer) {
+    const EffectSet& effects = renderer.tables().effects();
     const bool bodies = has_solids(effects) || effects.contains(Effect::kStar);
     PictureLayers layers;
     layers.all = renderer.layer(PictureLayer::kAll);

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "image/image.h"
-#include "scene/scene.h"
 
 namespace nullscope {
 
@@ -29,6 +28,6 @@ struct PictureLayers {
 // Of the scene that the renderer has prepared; rows from the top. Bloom and tone mapping are not in it, as in every picture of linear light.
 // Cost: the picture drawn once for each layer, and twice for the shares. A layer is seen where the picture has it: with all that it is
 // lit, covered and refined by.
-PictureLayers draw_layers(Renderer& renderer, const Scene& scene);
+PictureLayers draw_layers(Renderer& renderer);
 
 }  // namespace nullscope

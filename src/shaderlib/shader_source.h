@@ -48,7 +48,7 @@ int rays_a_tile(
 constexpr bool knows_scene(Stage stage) {
     return stage != Stage::kBloomDown && stage != Stage::kBloomUp && stage != Stage::kMeter;
 }
-// kDisplay: exposure and sRGB encoding in the shader (8-bit targets). kLayers: linear light of one layer (render/layers.h).
+// kDisplay: exposure and sRGB encoding in the shader (8-bit targets). kLayers: linear light of one layer (render/picture_layers.h).
 enum class Output { kLinear, kDisplay, kLayers };
 
 // Does a stage draw the picture, whole or in part?

@@ -34,7 +34,7 @@ TEST_CASE("picture layers: they add up to the picture, shares to one") {
             REQUIRE_MESSAGE(scene, name);
             scene->camera.width = 250, scene->camera.height = 163;  // no multiples of a tile
             REQUIRE(session.renderer->prepare(*scene));
-            const PictureLayers layers = draw_layers(*session.renderer, *scene);
+            const PictureLayers layers = draw_layers(*session.renderer);
             Image<float> sum(layers.all.width, layers.all.height, 3);
             std::vector<double> shares(layers.covered.size());
             double least = 1, lit = 0;
