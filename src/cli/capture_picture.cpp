@@ -81,6 +81,13 @@ Result<Captured> capture_gl(Session& session, const Exposure& shown, const Captu
     return captured;
 }
 
+constexpr const char* kReference = "reference tracer";
+
+Result<RayFrame> reference_rays(const Scene& scene) {
+    Progress progress("reference ray data", static_cast<long long>(scene.camera.width) * scene.camera.height);
+    return reference::trace_frame(scene, [&](long long n) { progress.advance(n); });
+}
+
 // What the reference has of a scene's files.
 struct Inputs {
     std::unique_ptr<const ReferenceInputs> loaded;
@@ -91,13 +98,6 @@ Result<Captured> capture_reference(const Inputs& inputs, const Exposure& shown, 
     const Scene& scene = shown.scene;
     const long long pixels = static_cast<long long>(scene.camera.width) * scene.camera.height;
     Captured captured;
-    if (!options.st_map.empty()) {
-        Progress progress("reference rays", pixels);
-        TRY(rays, reference::trace_frame(scene, [&](long long n) { progress.advance(n); }));
-        captured.linear = st_map_of(*rays, scene, options.st_map);
-        captured.made_by = "reference tracer";
-        return captured;
-    }
     {
         Progress progress("reference picture", pixels * std::max(std::ssize(shown.sub_frames), std::ptrdiff_t{1}));
         TRY(image, mean_light(shown, [&](const Scene& each) {
@@ -108,12 +108,20 @@ Result<Captured> capture_reference(const Inputs& inputs, const Exposure& shown, 
         captured.linear = std::move(*image);
     }
     if (options.raydata) {
-        Progress progress("reference ray data", pixels);
-        TRY(rays, reference::trace_frame(scene, [&](long long n) { progress.advance(n); }));
+        TRY(rays, reference_rays(scene));
         captured.rays = std::move(*rays);
     }
     if (!options.to_exr()) captured.display = display_encoded(captured.linear, scene.camera.exposure_ev, scene.picture);
-    captured.made_by = "reference tracer";
+    captured.made_by = kReference;
+    return captured;
+}
+
+// No picture of the sky is loaded for it.
+Result<Captured> reference_st_map(const Scene& scene, const std::string& of) {
+    TRY(rays, reference_rays(scene));
+    Captured captured;
+    captured.linear = st_map_of(*rays, scene, of);
+    captured.made_by = kReference;
     return captured;
 }
 
@@ -144,6 +152,7 @@ Result<PictureDrawer> picture_drawer(Session* session, const Scene& scene, const
 Result<Captured> capture_picture(Session* session, const Exposure& shown, const CaptureOptions& options,
                                  const Scene* next) {
     if (session != nullptr) return capture_gl(*session, shown, options, next);
+    if (!options.st_map.empty()) return reference_st_map(shown.scene, options.st_map);
     TRY(draw, picture_drawer(nullptr, shown.scene, options));
     return (*draw)(shown);
 }
