@@ -41,11 +41,7 @@ void print_notes(Session& session) {
 // 8 bits a colour: a picture of 16384x16384 px is held.
 Result<Image<unsigned char>> large_picture8(Session& session, const Exposure& shown) {
     const CameraSpec& camera = shown.scene.camera;
-    constexpr long long kMostBytes = std::numeric_limits<int>::max();  // of the packages that write it
-    if (3LL * camera.width * camera.height > kMostBytes)
-        return bad_input(
-            fmt::format("a picture of {}x{} px is too large for .png and .jpg", camera.width, camera.height),
-            fmt::format("{} million pixels, or -o FILE.exr", kMostBytes / 3'000'000));
+    if (Status fits = check_size8(camera.width, camera.height); !fits) return fits.error();
     Image<unsigned char> picture(camera.width, camera.height, 3);
     Progress progress("large picture", camera.height);
     for (const PictureBand& band : picture_bands(camera)) {
@@ -137,6 +133,13 @@ std::map<std::string, std::string> words_of(const Scene& scene, const std::strin
 }
 
 }  // namespace
+
+Status check_size8(int width, int height) {
+    constexpr long long kMostBytes = std::numeric_limits<int>::max();  // of the packages that write it
+    if (3LL * width * height <= kMostBytes) return Done{};
+    return bad_input(fmt::format("a picture of {}x{} px is too large for .png and .jpg", width, height),
+                     fmt::format("{} million pixels, or -o FILE.exr", kMostBytes / 3'000'000));
+}
 
 Result<PictureDrawer> picture_drawer(Session* session, const Scene& scene, const CaptureOptions& options) {
     if (session != nullptr)

@@ -23,6 +23,9 @@ struct Captured {
     std::string made_by;
 };
 
+// Of .png and .jpg. Errors: bad input.
+Status check_size8(int width, int height);
+
 // session: what the shader draws on; null: the reference draws. next: the next frame's scene, for motion vectors; null: there is none.
 Result<Captured> capture_picture(Session* session, const Exposure& shown, const CaptureOptions& options,
                                  const Scene* next = nullptr);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -55,12 +54,8 @@ Status check_stereo(const Scene& scene, const CaptureOptions& options) {
         if (given)
             return bad_input(fmt::format("{} is of one picture, and the scene has camera.stereo", option),
                              fmt::format("stereo = \"off\", or no {}", option));
-    constexpr long long kMostBytes = std::numeric_limits<int>::max();
     const auto [width, height] = stereo_size(scene.camera);
-    if (!options.to_exr() && 3LL * width * height > kMostBytes)
-        return bad_input(fmt::format("a picture of {}x{} px is too large for .png and .jpg", width, height),
-                         fmt::format("{} million pixels, or -o FILE.exr", kMostBytes / 3'000'000));
-    return Done{};
+    return options.to_exr() ? Done{} : check_size8(width, height);
 }
 
 Status check_stereo_frames(const CameraPath& path, const Scene& scene, int first, int end) {
