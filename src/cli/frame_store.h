@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "cli/film.h"
+#include "cli/capture_options.h"
 #include "command/arguments.h"
 #include "scene/scene.h"
 
@@ -33,26 +33,6 @@ private:
 
 // Is there a place for a frame's number in a name? (One # alone may be part of any name.)
 bool names_frames(const std::string& output);
-
-// What nullscope capture was asked for.
-struct CaptureOptions {
-    std::string scene, split, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames,
-                              st_map;
-    std::optional<int> samples;  // reference: a side of a pixel; else kSamples
-    std::optional<double> time;
-    double time_step = 0;
-    std::optional<int> time_frame;  // that has the scene's time
-    std::optional<double> max_error;
-    std::optional<int> largest_texture, quality;  // quality: of a JPEG
-    int workers = 1;
-    std::vector<std::string> ffmpeg;  // options for the film
-    bool raydata = false, layers = false, half = false, dump_shader = false, resume = false, plain = false;
-
-    bool to_exr() const { return output.ends_with(".exr"); }  // linear light
-    bool to_jpeg() const { return output.ends_with(".jpg") || output.ends_with(".jpeg"); }
-    bool to_film() const { return is_film(output); }
-};
-inline constexpr int kSamples = 3;
 
 // What the pictures depend on, as text: pictures of two runs may stand in one film only if it is equal.
 struct StampInput {

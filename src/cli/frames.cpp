@@ -8,6 +8,8 @@
 
 #include "base/atomic_file.h"
 #include "cli/capture.h"
+#include "cli/frame_store.h"
+#include "command/arguments.h"
 #include "observer/path.h"
 #include "scenefile/scene_file.h"
 
