@@ -11,6 +11,7 @@
 #include "scene/projection.h"
 #include "sky/point_stars.h"
 #include "support/gpu_session.h"
+#include "support/large_picture.h"
 
 namespace {
 
@@ -54,7 +55,7 @@ std::array<long double, 3> closed_form(const CameraSpec& camera, double x, doubl
 
 TEST_CASE("projections: directions in pictures of 8192 px are those of closed forms to 0.01 px") {
     constexpr double kMost_px = 0.01;
-    constexpr int kSide = 8192, kPart = 64;
+    constexpr int kSide = 8192;
     on_every_context([&](GpuSession& session) {
         for (const Projection projection : kWide) {
             Scene scene;
@@ -70,26 +71,18 @@ TEST_CASE("projections: directions in pictures of 8192 px are those of closed fo
             const Mat3 axes = world_from_static(whole.theta, whole.phi) * static_from_camera(whole);
             double most = 0.0;
             int rays = 0, dark = 0;
-            for (int top = 0; top < whole.height; top += 1016)
-                for (int left = 0; left < whole.width; left += 1016) {
-                    scene.camera = whole;
-                    scene.camera.part = PicturePart{left, top, whole.width, whole.height};
-                    scene.camera.width = scene.camera.height = kPart;
-                    const RayFrame frame = gl_ray_data(session, scene);
-                    for (int y = 0; y < kPart; ++y)
-                        for (int x = 0; x < kPart; ++x) {
-                            const RayPixel& ray = frame.at(x, y);
-                            if (ray.fate != Fate::kEscaped) {
-                                ++dark;
-                                continue;
-                            }
-                            const auto d = closed_form(whole, left + x + 0.5, top + y + 0.5);
-                            const Vec3 exact = axes * Vec3{static_cast<double>(d[0]), static_cast<double>(d[1]),
-                                                           static_cast<double>(d[2])};
-                            most = std::max(most, length(ray.sky - exact) / whole.pixel());
-                            ++rays;
-                        }
+            scene.camera = whole;
+            each_ray_of_squares(session, scene, [&](const RayPixel& ray, int column, int row) {
+                if (ray.fate != Fate::kEscaped) {
+                    ++dark;
+                    return;
                 }
+                const auto d = closed_form(whole, column + 0.5, row + 0.5);
+                const Vec3 exact =
+                    axes * Vec3{static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2])};
+                most = std::max(most, length(ray.sky - exact) / whole.pixel());
+                ++rays;
+            });
             fmt::print("{}, 8192x8192: {} rays off by {:.2g} px at most, {} pixels show nothing\n",
                        projection_name(projection), rays, most, dark);
             CHECK(most < kMost_px);

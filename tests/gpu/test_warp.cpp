@@ -13,6 +13,7 @@
 #include "sky/point_stars.h"
 #include "sky/sky.h"
 #include "support/gpu_session.h"
+#include "support/large_picture.h"
 #include "support/warp_files.h"
 
 namespace {
@@ -36,7 +37,7 @@ std::string bent_text(int nodes, bool moved) {
 
 TEST_CASE("warp: directions in a picture of 8192 px are those of the mesh's closed form to 0.1 px") {
     constexpr double kMost_px = 0.1;
-    constexpr int kSide = 8192, kPart = 64, kNodes = 257;
+    constexpr int kSide = 8192, kNodes = 257;
     const TrialFolder folder;
     on_every_context([&](GpuSession& session) {
         for (const bool moved : {false, true}) {
@@ -53,34 +54,24 @@ TEST_CASE("warp: directions in a picture of 8192 px are those of the mesh's clos
             const Mat3 axes = world_from_static(whole.theta, whole.phi) * static_from_camera(whole);
             double most = 0.0, most_of_triangles = 0.0;
             int rays = 0, dark = 0, wrongly_dark = 0;
-            for (int top = 0; top < whole.height; top += 1016)
-                for (int left = 0; left < whole.width; left += 1016) {
-                    scene.camera = whole;
-                    scene.camera.part = PicturePart{left, top, whole.width, whole.height};
-                    scene.camera.width = scene.camera.height = kPart;
-                    const RayFrame frame = gl_ray_data(session, scene);
-                    for (int y = 0; y < kPart; ++y)
-                        for (int x = 0; x < kPart; ++x) {
-                            const RayPixel& ray = frame.at(x, y);
-                            const long double half = 0.5L * kSide;
-                            const auto at = bent((left + x + 0.5L - half) / half, (half - top - y - 0.5L) / half);
-                            const long double angle = std::hypot(at[0], at[1]) * (M_PIl / 2),
-                                              bearing = std::atan2(at[1], at[0]);
-                            if (ray.fate != Fate::kEscaped) {
-                                ++dark;
-                                wrongly_dark += shows(scene.camera, x + 0.5, y + 0.5);
-                                continue;
-                            }
-                            const Vec3 exact = axes * Vec3{static_cast<double>(std::sin(angle) * std::cos(bearing)),
-                                                           static_cast<double>(std::sin(angle) * std::sin(bearing)),
-                                                           static_cast<double>(-std::cos(angle))};
-                            const Vec3 of_triangles = axes * pixel_direction(scene.camera, x + 0.5, y + 0.5);
-                            most = std::max(most, length(ray.sky - exact) / whole.pixel());
-                            most_of_triangles =
-                                std::max(most_of_triangles, length(ray.sky - of_triangles) / whole.pixel());
-                            ++rays;
-                        }
+            scene.camera = whole;
+            each_ray_of_squares(session, scene, [&](const RayPixel& ray, int column, int row) {
+                const long double half = 0.5L * kSide;
+                const auto at = bent((column + 0.5L - half) / half, (half - row - 0.5L) / half);
+                const long double angle = std::hypot(at[0], at[1]) * (M_PIl / 2), bearing = std::atan2(at[1], at[0]);
+                if (ray.fate != Fate::kEscaped) {
+                    ++dark;
+                    wrongly_dark += shows(whole, column + 0.5, row + 0.5);
+                    return;
                 }
+                const Vec3 exact = axes * Vec3{static_cast<double>(std::sin(angle) * std::cos(bearing)),
+                                               static_cast<double>(std::sin(angle) * std::sin(bearing)),
+                                               static_cast<double>(-std::cos(angle))};
+                const Vec3 of_triangles = axes * pixel_direction(whole, column + 0.5, row + 0.5);
+                most = std::max(most, length(ray.sky - exact) / whole.pixel());
+                most_of_triangles = std::max(most_of_triangles, length(ray.sky - of_triangles) / whole.pixel());
+                ++rays;
+            });
             fmt::print(
                 "{}, 8192x8192, {}x{} nodes: {} rays off by {:.2g} px at most, from the mesh's triangles by {:.2g} "
                 "px\n",
