@@ -93,9 +93,10 @@ TEST_CASE("path csv: what is written reads back as the same cameras") {
         REQUIRE(scene);
         scenes.emplace_back(name, std::move(*scene));
     }
-    for (const auto& [name, scene] : scenes)
+    for (const auto& named : scenes)
         for (const PathPlaces places : {PathPlaces::kSpherical, PathPlaces::kCartesian}) {
-            CAPTURE(name);
+            CAPTURE(named.first);
+            const Scene& scene = named.second;
             const auto path = CameraPath::make(scene);
             REQUIRE(path);
             const auto keys = frames_of(*path);
