@@ -4,23 +4,26 @@
 # The package lists live here and nowhere else; third_party/versions.md says what each is for.
 set -euo pipefail
 
-build=(g++ cmake ninja-build pkg-config python3 python3-glad libglfw3-dev libglm-dev libimgui-dev libegl-dev
+build=(g++ cmake ninja-build pkg-config python3 python3-glad libfast-float-dev libglfw3-dev libglm-dev libimgui-dev libegl-dev
        libgl-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libtbb-dev libboost-dev libopenexr-dev
        libpng-dev libjpeg-dev libfreetype-dev doctest-dev)
 run=(libegl1 libgl1 libgl1-mesa-dri fonts-dejavu-core)
 test=(xvfb xauth xdotool)
 # scripts/test.sh --all: films, man pages, and sequences on many machines
 all_tests=(ffmpeg man-db munge parallel slurm-client slurmctld slurmd)
+# scripts/web.sh: the browser's build; and the browser that tests it
+web=(clang-19 lld-19 libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc libgles-dev chromium-headless-shell)
 checks=(clang libclang-rt-dev clang-format clang-tidy)   # scripts/check.sh
 # Used where they exist: a faster second build; a second way to render without a window system (it left Mesa in 25.1).
 optional=(ccache libosmesa6)
 
 usage() {
     cat <<'END'
-Usage: install-packages.sh [--quiet] [--all] [--checks]
+Usage: install-packages.sh [--quiet] [--all] [--checks] [--web]
 Installs the packages that nullscope needs by apt, if any are missing. Needs root or sudo for that.
   --quiet    say nothing unless something is missing or goes wrong
   --all      also what scripts/test.sh --all needs: ffmpeg, man, GNU parallel and Slurm
+  --web      also what scripts/web.sh and its tests need: clang for WebAssembly, Chromium without a window
   --checks   also what scripts/check.sh needs: clang, clang-format and clang-tidy
 END
 }
@@ -30,6 +33,7 @@ for argument in "$@"; do
     case $argument in
         --quiet) quiet=yes ;;
         --all) test+=("${all_tests[@]}") ;;
+        --web) test+=("${web[@]}") ;;
         --checks) test+=("${checks[@]}") ;;
         -h | --help) usage; exit 0 ;;
         *) usage >&2; exit 2 ;;

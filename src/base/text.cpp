@@ -1,7 +1,8 @@
 #include "base/text.h"
 
+#include <fast_float/fast_float.h>
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 
@@ -63,7 +64,7 @@ std::optional<double> parse_number(std::string_view text) {
     const char* const end = begin + trimmed.size();
     if (begin != end && *begin == '+' && begin + 1 != end && begin[1] != '-') ++begin;  // from_chars knows no plus
     double value = 0.0;
-    const auto [stop, error] = std::from_chars(begin, end, value);
+    const auto [stop, error] = fast_float::from_chars(begin, end, value);
     if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
     return value;
 }

@@ -1,10 +1,10 @@
 // Recursive descent, one function a level of precedence:
 //   sum = product {(+|-) product}     product = sign {(*|/) sign}     sign = - sign | power
 //   power = atom [^ sign]             atom = number | name | name(sum, ...) | (sum)
+#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -108,7 +108,7 @@ private:
     }
     int number() {
         double value = 0;
-        const auto [end, fault] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
+        const auto [end, fault] = fast_float::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
         if (fault != std::errc{} || !(std::abs(value) <= kLargest)) return refuse("not a number up to 1e30");
         at_ = static_cast<std::size_t>(end - text_.data());
         return node({Op::kNumber, {}, value, 0});
