@@ -3,13 +3,12 @@
 
 #include <algorithm>
 
-#include <toml++/toml.h>
 #include "base/assets.h"
-
 #include "base/atomic_file.h"
 #include "base/text.h"
 #include "scenefile/scene_file.h"
 #include "scenefile/scene_value.h"
+#include "scenefile/toml_text.h"
 
 namespace nullscope {
 
@@ -35,18 +34,14 @@ std::vector<std::pair<std::string, std::vector<std::string>>> gallery_groups() {
     std::vector<std::pair<std::string, std::vector<std::string>>> groups;
     const Result<std::string> text = read_text(assets_directory() / "gallery" / "groups.toml", kLargestSceneFile);
     if (!text) return groups;
-    try {
-        const toml::table root = toml::parse(*text);
-        const toml::array* tables = root["group"].as_array();
-        for (std::size_t i = 0; tables != nullptr && i < tables->size(); ++i) {
-            const toml::table* table = (*tables)[i].as_table();
-            if (table == nullptr) continue;
-            groups.emplace_back((*table)["title"].value_or(std::string()), std::vector<std::string>());
-            if (const toml::array* names = (*table)["scenes"].as_array())
-                for (const toml::node& name : *names) groups.back().second.push_back(name.value_or(std::string()));
-        }
-    } catch (const toml::parse_error&) {
-        groups.clear();
+    const Result<toml::table> root = toml_of(*text, "groups.toml");
+    const toml::array* tables = root ? (*root)["group"].as_array() : nullptr;
+    for (std::size_t i = 0; tables != nullptr && i < tables->size(); ++i) {
+        const toml::table* table = (*tables)[i].as_table();
+        if (table == nullptr) continue;
+        groups.emplace_back((*table)["title"].value_or(std::string()), std::vector<std::string>());
+        if (const toml::array* names = (*table)["scenes"].as_array())
+            for (const toml::node& name : *names) groups.back().second.push_back(name.value_or(std::string()));
     }
     return groups;
 }

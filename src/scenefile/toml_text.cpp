@@ -23,11 +23,20 @@ Result<toml::table> toml_of(std::string_view text, const std::string& file_label
     if (text.size() > kLargestSceneFile) return refuse(fmt::format("larger than {} bytes", kLargestSceneFile), 0);
     if (std::ranges::count(text, '.') > kMostDots)
         return refuse(fmt::format("more than {} dots: keys could nest too deeply", kMostDots), 1);
+    const auto fault = [&](const toml::parse_error& error) {
+        return refuse(std::string(error.description()), static_cast<int>(error.source().begin.line));
+    };
+#if TOML_EXCEPTIONS
     try {
         return toml::table(toml::parse(text));
     } catch (const toml::parse_error& error) {
-        return refuse(std::string(error.description()), static_cast<int>(error.source().begin.line));
+        return fault(error);
     }
+#else
+    toml::parse_result parsed = toml::parse(text);
+    if (!parsed) return fault(parsed.error());
+    return std::move(parsed).table();
+#endif
 }
 
 Error without_controls(Error error) {
