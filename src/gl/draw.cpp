@@ -94,9 +94,11 @@ PointList make_point_list(const std::vector<unsigned>& numbers) {
     unsigned id = 0;
     glGenBuffers(1, &id);
     PointList list{Buffer(id), static_cast<int>(numbers.size())};
-    glBindVertexArray(0);
-    glBindBuffer(GL_ARRAY_BUFFER, id);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(numbers.size() * sizeof(unsigned)), numbers.data(),
+    const VertexArray holder =
+        make_vertex_array();  // of the binding: WebGL asks that a list of indices is never anything else
+    glBindVertexArray(holder.id());
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, id);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(numbers.size() * sizeof(unsigned)), numbers.data(),
                  GL_STREAM_DRAW);
     check("point list");
     return list;
@@ -141,7 +143,7 @@ Marks make_marks(const Target& target) {
     }
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, marks.seen.id(), 0);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw GlError("the driver cannot mark the pixels of a target of this size");
+        fail("the driver cannot mark the pixels of a target of this size");
     check("marks");
     return marks;
 }

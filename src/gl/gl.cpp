@@ -14,16 +14,6 @@ namespace {
 
 constexpr GLenum kPacked = GL_UNSIGNED_INT_10F_11F_11F_REV;  // of a sky's texels
 
-struct Loader {
-    void (*(*get_proc_address)(const char*, void*))();
-    void* user;
-};
-
-GLADapiproc load_one(void* userptr, const char* name) {
-    const auto* loader = static_cast<const Loader*>(userptr);
-    return reinterpret_cast<GLADapiproc>(loader->get_proc_address(name, loader->user));
-}
-
 std::string text_of(GLenum name) {
     const GLubyte* text = glGetString(name);
     return text == nullptr ? "" : reinterpret_cast<const char*>(text);
@@ -49,7 +39,7 @@ GLuint compile(GLenum kind, const std::string& source) {
     if (ok == GL_TRUE) return shader;
     const std::string log = log_of(shader, glGetShaderiv, glGetShaderInfoLog);
     glDeleteShader(shader);
-    throw GlError("the driver refuses a shader: " + explained_log(log, source));
+    fail("the driver refuses a shader: " + explained_log(log, source));
 }
 
 void set_sampling(GLenum target, GLint minify, GLint magnify) {
@@ -112,21 +102,6 @@ void read_rows(const Target& target, int attachment, int first, int rows, GLenum
 
 }  // namespace
 
-void load_functions(void (*(*get_proc_address)(const char*, void*))(), void* user) {
-    Loader loader{get_proc_address, user};
-    const int version = gladLoadGLUserPtr(load_one, &loader);
-    if (version == 0) throw GlError("the OpenGL functions cannot be loaded");
-    if (version < GLAD_MAKE_VERSION(3, 3))
-        throw GlError(fmt::format("OpenGL 3.3 is needed; this driver has {}.{} ({})", GLAD_VERSION_MAJOR(version),
-                                  GLAD_VERSION_MINOR(version), text_of(GL_RENDERER)));
-    prepare_context();
-}
-
-void prepare_context() {
-    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-    glDisable(GL_DITHER);
-}
-
 Info info() {
     Info i{
         text_of(GL_VERSION), text_of(GL_RENDERER), text_of(GL_VENDOR), text_of(GL_SHADING_LANGUAGE_VERSION), 0, 0, 0};
@@ -139,11 +114,11 @@ Info info() {
 void check(const char* where) {
     const GLenum error = glGetError();
     if (error == GL_NO_ERROR) return;
-    if (error == GL_OUT_OF_MEMORY) throw GlError(fmt::format("{}: the GPU is out of memory", where));
+    if (error == GL_OUT_OF_MEMORY) fail(fmt::format("{}: the GPU is out of memory", where));
     constexpr GLenum kContextLost = 0x0507;  // OpenGL 4.5, KHR_robustness
     if (error == kContextLost)
-        throw GlError(fmt::format("{}: the driver was reset and has lost its context; start again", where));
-    throw GlError(fmt::format("{}: OpenGL error 0x{:04x}", where, error));
+        fail(fmt::format("{}: the driver was reset and has lost its context; start again", where));
+    fail(fmt::format("{}: OpenGL error 0x{:04x}", where, error));
 }
 
 std::string explained_log(const std::string& log, const std::string& source) {
@@ -194,7 +169,7 @@ Program make_program(const std::string& vertex, const std::string& fragment) {
     GLint ok = 0;
     glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
     if (ok == GL_TRUE) return program;
-    throw GlError("the driver cannot link a program: " + log_of(program.id(), glGetProgramiv, glGetProgramInfoLog));
+    fail("the driver cannot link a program: " + log_of(program.id(), glGetProgramiv, glGetProgramInfoLog));
 }
 
 void bind_uniform_block(const Program& program, const char* block, unsigned binding) {
@@ -301,18 +276,19 @@ VertexList make_vertex_list(const std::vector<float>& values, const std::vector<
 Target make_target(int width, int height, Format format, int count) {
     constexpr GLint kStored[] = {GL_RGBA8, GL_RGBA16F, GL_RGBA32F};  // by Format
     const auto stored = kStored[static_cast<int>(format)];
+    const GLenum type = format == Format::kRgba8 ? GL_UNSIGNED_BYTE : GL_FLOAT;
     Target target{width, height, {}, Framebuffer(one(glGenFramebuffers))};
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
     std::vector<GLenum> buffers;
     for (int i = 0; i < count; ++i) {
-        target.colours.push_back(plain_texture(width, height, stored, GL_RGBA, GL_FLOAT, nullptr, GL_NEAREST));
+        target.colours.push_back(plain_texture(width, height, stored, GL_RGBA, type, nullptr, GL_NEAREST));
         buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
         glFramebufferTexture2D(GL_FRAMEBUFFER, buffers.back(), GL_TEXTURE_2D, target.colours.back().id(), 0);
     }
     glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
     check("framebuffer");
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw GlError(fmt::format("the driver cannot draw to a {}x{} target of this format", width, height));
+        fail(fmt::format("the driver cannot draw to a {}x{} target of this format", width, height));
     return target;
 }
 
@@ -369,21 +345,5 @@ void blit(unsigned texture, int width, int height, unsigned framebuffer, int to_
 }
 
 void finish() { glFinish(); }
-
-Query timestamp() {
-    unsigned id = 0;
-    glGenQueries(1, &id);
-    Query query(id);
-    glQueryCounter(id, GL_TIMESTAMP);
-    glFlush();  // drivers that draw tile by tile would do both ends of a picture in each tile
-    return query;
-}
-
-double milliseconds(const Query& from, const Query& to) {
-    GLuint64 began = 0, ended = 0;
-    glGetQueryObjectui64v(from.id(), GL_QUERY_RESULT, &began);
-    glGetQueryObjectui64v(to.id(), GL_QUERY_RESULT, &ended);
-    return 1e-6 * static_cast<double>(ended - began);
-}
 
 }  // namespace nullscope::gl

@@ -14,6 +14,9 @@ struct GlError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// throws GlError. In a page, where there are no exceptions, it ends the view.
+[[noreturn]] void fail(const std::string& what);
+
 // Loads the functions of the current context. throws GlError if it is older than 3.3.
 void load_functions(void (*(*get_proc_address)(const char*, void*))(), void* user);
 
