@@ -16,7 +16,11 @@
 namespace nullscope {
 namespace {
 
-constexpr const char* kHead = "#version 330 core\nprecision highp float;\nprecision highp int;\n";
+#ifdef __wasm__
+constexpr Glsl kGlsl = Glsl::kEs300;
+#else
+constexpr Glsl kGlsl = Glsl::k330;
+#endif
 
 // What stands for "generated/method" (sweep_to_sky, or how a rotating hole's rays are traced): constants, and a file.
 std::string method_text(const Method& method, std::string_view metric) {
@@ -123,6 +127,14 @@ const EmbeddedShader* find_file(std::string_view path) {
 
 }  // namespace
 
+std::string_view shader_head(Glsl language) {
+    constexpr std::string_view kDesktop = "#version 330 core\nprecision highp float;\nprecision highp int;\n";
+    constexpr std::string_view kEs =
+        "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+        "precision highp samplerCube;\nprecision highp sampler2DArray;\n";
+    return language == Glsl::kEs300 ? kEs : kDesktop;
+}
+
 int rays_a_tile(const EffectSet& effects) { return interpolates(effects) ? 2 : 1; }
 
 bool has_shader(std::string_view folder, std::string_view metric) {
@@ -200,7 +212,8 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
                    path_line(path, interpolated && name == "path/trace" ? "path/interpolated" : name);
     };
     const StageFiles& files = kStageFiles[static_cast<std::size_t>(stage)];
-    return {kHead + resolved_text(files.vertex, defines, read), kHead + resolved_text(files.fragment, defines, read)};
+    const std::string head(shader_head(kGlsl));
+    return {head + resolved_text(files.vertex, defines, read), head + resolved_text(files.fragment, defines, read)};
 }
 
 }  // namespace nullscope

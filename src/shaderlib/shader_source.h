@@ -67,6 +67,10 @@ constexpr bool is_in_tiles(Stage stage) {
     return stage == Stage::kRays || finds_tiles(stage) || (draws_picture(stage) && stage != Stage::kPicture);
 }
 
+// What every text begins with: the language, and that all is exact; GLSL ES (of browsers) gives samplers few digits unless it is asked.
+enum class Glsl { k330, kEs300 };
+std::string_view shader_head(Glsl language);
+
 // What automatic exposure makes of the picture's mean luminance.
 inline constexpr double kMeterKey = 0.12;
 
