@@ -150,7 +150,7 @@ ThroatShape::Force ThroatShape::force(double angle) const {
     const double d1 = 2.0 * c / (s2 * s) + mu_ * (c * log_s + 3.0 * c + c * c * c / s2);
     const double d2 = -2.0 / s2 - 6.0 * c * c / (s2 * s2) -
                       mu_ * (s * log_s + 3.0 * s + 2.0 * c * c / s + 2.0 * c * c * c * c / (s2 * s));
-    const double l = throat_ * length(w);
+    const double l = throat_ * (c * (1.0 / s - (mu_ > 0.0 ? mu_ * log_s : 0.0)));  // length(w)
     const double r = spacetime_.areal_radius(l) / throat_, r1 = spacetime_.radius_slope(l),
                  r2 = throat_ * spacetime_.radius_curvature(l);
     const double turn = d1 / d, bend = d2 / d;
