@@ -28,7 +28,7 @@ const std::vector<GoldenCase>& golden_cases() {
     return *cases;
 }
 
-const int kRowStep = by_depth(12, 3, 1);  // rows of which every pixel's ray is traced again
+const int kRowStep = by_depth(12, 6, 1);  // rows of which every pixel's ray is traced again
 
 // What was drawn on a context and what it should be.
 struct Outcome {
