@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "render/frame_tables.h"
+#include "support/depth.h"
 
 using namespace nullscope;
 
@@ -53,8 +54,10 @@ void compare(const CoreInput& between, const CoreInput& built, const CameraSpec&
 }
 
 TEST_CASE("camera tables: a camera that moves along the radius sees what one sees that was always there") {
+    test::Selection selection(5);  // prime to the six radii
     for (const char* metric : {"schwarzschild", "reissner-nordstrom"})
         for (const double r : {2.1, 3.0, 6.0, 12.0, 40.0, 1000.0}) {
+            if (!selection.takes_next()) continue;
             Scene scene;
             scene.spacetime.metric = metric;
             if (scene.spacetime.metric == "reissner-nordstrom") scene.spacetime.parameters["charge"] = 0.9;

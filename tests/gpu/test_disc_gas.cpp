@@ -89,7 +89,7 @@ void measure(GpuSession& session, Scene scene, std::mt19937& random, Worst& wors
 TEST_CASE("disc gas: the shader's is the reference's, at rest and moving, with and without delay and rotation") {
     const SpacetimeSpec metrics[] = {
         {"schwarzschild", {}}, {"kerr", {{"spin", 0.9}}}, {"reissner-nordstrom", {{"charge", 0.7}}}};
-    on_every_context([&](GpuSession& session) {
+    on_one_context([&](GpuSession& session) {
         std::mt19937 random(23);
         Worst worst;
         for (int view = 0; view < by_depth(24, 96, 96); ++view) {
@@ -133,7 +133,7 @@ TEST_CASE("disc gas: a coarse picture is the mean of a fine one") {
     constexpr double kMean = 0.03;   // 32 px: rims and clumps a few pixels wide
     constexpr double kPixel = 0.35;  // rms of a pixel over the mean, of octaves that are half seen
     constexpr double kSmooth = 0.1;  // of this disc at this time
-    on_every_context([&](GpuSession& session) {
+    on_one_context([&](GpuSession& session) {
         const Image<float> picture = whole_disc(session, kFine, 0.6);
         const Means fine = means_of(picture, 0, 0, kFine);
         for (const int width : {512, 128, 32, 16}) {

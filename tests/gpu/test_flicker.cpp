@@ -1,16 +1,10 @@
 // A camera that turns slowly: no pixel of a ring or an edge flickers more than the sampling of the reference makes it.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
-#include "base/assets.h"
-#include "reference/reference.h"
-#include "render/display.h"
-#include "render/renderer.h"
 #include "scenefile/scene_file.h"
-#include "sky/sky.h"
-#include "support/depth.h"
+#include "support/exact_pixels.h"
 #include "support/gpu_session.h"
 
 using namespace nullscope;
@@ -44,12 +38,9 @@ TEST_CASE("flicker: edges and rings of a slow pan flicker at most twice as much 
     scene->camera.width = kWidth, scene->camera.height = kHeight;
     scene->picture.dither = false;
     scene->sky.kind = SkyKind::kBlack;
-    const int frames = test::by_depth(24, 120, 120);
-    const auto sky = build_sky(scene->sky, assets_directory(), 256);
-    const auto disc = load_disc_image(*scene->disc);
-    REQUIRE((sky && disc));
-    const reference::Pictures pictures(&disc->image);
-    test::on_every_context([&](test::GpuSession& session) {
+    const int frames = test::by_depth(16, 120, 120);
+    const test::ExactPixels reference(*scene, 256);
+    test::on_one_context([&](test::GpuSession& session) {
         std::vector<Flicker> all(static_cast<std::size_t>(kWidth) * kHeight);
         for (int i = 0; i < frames; ++i) {
             REQUIRE(session.renderer->prepare(frame(*scene, i)));
@@ -63,22 +54,12 @@ TEST_CASE("flicker: edges and rings of a slow pan flicker at most twice as much 
         std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return all[a].most > all[b].most; });
         REQUIRE(!order.empty());
         order.resize(std::min<std::size_t>(order.size(), 1000));
-        std::vector<std::array<int, 2>> places;
+        test::Places places;
         for (const std::size_t k : order)
             places.push_back({static_cast<int>(k % kWidth), static_cast<int>(k / kWidth)});
         std::vector<Flicker> exact(order.size());
         for (int i = 0; i < frames; ++i) {
-            const Scene now = frame(*scene, i);
-            const auto lights = reference::render_pixels(now, *sky, pictures, 16, places, nullptr);
-            REQUIRE(lights);
-            Image<float> row(static_cast<int>(places.size()), 1, 3);
-            for (std::size_t k = 0; k < places.size(); ++k) {
-                const Vec3 light = (*lights)[k].light;
-                float* pixel = row.at(static_cast<int>(k), 0);
-                pixel[0] = static_cast<float>(light.x), pixel[1] = static_cast<float>(light.y),
-                pixel[2] = static_cast<float>(light.z);
-            }
-            const auto shown = display_encoded(row, now.camera.exposure_ev, now.picture);
+            const auto shown = reference.shown(frame(*scene, i), 16, places);
             for (std::size_t k = 0; k < places.size(); ++k) exact[k].add(&shown.data[3 * k]);
         }
         std::vector<double> over;

@@ -35,34 +35,6 @@ bool whole(const RayFrame& frame) {     // every channel finite, every fate one 
 
 constexpr double kRefineAbove_px = 1e-5;  // below every bound of the list but those of frames of a pixel or two
 
-// The reference's frame of a case.
-RayFrame exact_frame(const HardCase& c) {
-    auto traced = reference::trace_frame(c.scene);
-    REQUIRE(traced);
-    return std::move(*traced);
-}
-
-// Pixels' middles from the frame, others traced.
-ExactTrace traced_once(const Scene& scene, const RayFrame& frame) {
-    return [&frame, others = reference_trace(scene)](const std::vector<std::array<double, 2>>& positions) {
-        std::vector<RayPixel> pixels(positions.size());
-        std::vector<std::array<double, 2>> rest;
-        std::vector<std::size_t> places;
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            const double x = positions[i][0] - 0.5, y = positions[i][1] - 0.5;
-            if (x == std::floor(x) && y == std::floor(y) && x >= 0 && y >= 0 && x < frame.width && y < frame.height) {
-                pixels[i] = frame.at(static_cast<int>(x), static_cast<int>(y));
-            } else {
-                rest.push_back(positions[i]), places.push_back(i);
-            }
-        }
-        if (rest.empty()) return pixels;
-        const std::vector<RayPixel> traced = others(rest);
-        for (std::size_t i = 0; i < rest.size(); ++i) pixels[places[i]] = traced[i];
-        return pixels;
-    };
-}
-
 // At any depth: images of high order, one after the other from one place, for which nothing but the view narrows.
 bool shows_a_breach(const HardCase& c) { return c.name == "image order 3" || c.name == "image order 6"; }
 
@@ -78,9 +50,9 @@ TEST_CASE("hard cases: every one within its bound") {
             const RayFrame frame = gl_ray_data(session, c.scene);
             CHECK(whole(frame));
             if (measured.known(c.name, frame) || (!chosen && !everything_asked())) continue;
-            const RayFrame exact = exact_frame(c);
-            const HardBound bound = hard_bound(c.scene, exact);
-            const RayMeasures m = measure_rays(frame, c.scene.camera, traced_once(c.scene, exact), 1, kRefineAbove_px);
+            const ExactTrace trace = remembered(reference_trace(c.scene));
+            const HardBound bound = hard_bound(c.scene, exact_frame(c.scene.camera, trace));
+            const RayMeasures m = measure_rays(frame, c.scene.camera, trace, 1, kRefineAbove_px);
             fmt::print(
                 "{:<7} {:<55} sky {:.1e} of {:.1e}, place {:.1e} of {:.1e}, swept {:.1e} of {:.1e}, g {:.1e} of {:.1e} "
                 "px; fate errors {}, "

@@ -11,7 +11,8 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr double kOf1080 = 1080.0 / 55;   // a pixel of these frames in those of 1080p
+const int kWidth = by_depth(65, 97, 97), kHeight = by_depth(37, 55, 55);
+const double kOf1080 = 1080.0 / kHeight;  // a pixel of these frames in those of 1080p
 constexpr double kScreenError_px = 0.05;  // the project's promise, px of 1080p
 
 struct Case {
@@ -106,8 +107,8 @@ TEST_CASE("kerr bodies: hits, places and fates are the reference's at every pixe
             Scene scene;
             scene.spacetime = {"kerr", {{"spin", 0.9}}};
             scene.sky.kind = SkyKind::kBlack;
-            scene.camera.width = 97;
-            scene.camera.height = 55;
+            scene.camera.width = kWidth;
+            scene.camera.height = kHeight;
             looks(scene, 10, 1.3);
             c.set(scene);
             const RayFrame frame = gl_ray_data(session, scene);

@@ -57,8 +57,7 @@ Scene plunging(bool disc) {
 
 TEST_CASE(
     "kerr plunge: round and through the horizon no ray jumps by more than the reference's, and none has another fate") {
-    on_every_context([](GpuSession& session) {
-        if (session.context->kind() == std::string("osmesa")) return;  // the same driver
+    on_one_context([](GpuSession& session) {
         Scene scene = plunging(false);
         const auto path = CameraPath::make(scene);
         REQUIRE(path);
@@ -86,12 +85,13 @@ TEST_CASE(
             return jumps;
         };
         const double last = path->frames() - 1;
-        const Jumps seam = run(across - 0.05, across + 0.05, 100, false);
+        const int fewer = by_depth(2, 1, 1);
+        const Jumps seam = run(across - 0.05 / fewer, across + 0.05 / fewer, 100 / fewer, false);
         CHECK(seam.most < kJump);
-        CHECK(seam.judged > 2000);
-        CHECK(run(across - 10, last, 200, false).most < kJump);
-        CHECK(run(0, across, 60, false).most < kJump);
-        CHECK(run(across - 1, across + 1, 20, true).most < kJump);
+        CHECK(seam.judged > 2000 / fewer);
+        CHECK(run(across - 10, last, 200 / fewer, false).most < kJump);
+        CHECK(run(0, across, 60 / fewer, false).most < kJump);
+        CHECK(run(across - 1, across + 1, 20 / fewer, true).most < kJump);
         // That it can fail: the frame of another time.
         Jumps planted;
         Scene here = scene, there = scene;
@@ -103,15 +103,16 @@ TEST_CASE(
 }
 
 TEST_CASE("kerr plunge: stations outside, on and inside the horizon are the reference's, disc and all") {
-    on_every_context([](GpuSession& session) {
-        if (session.context->kind() == std::string("osmesa")) return;  // the same driver
+    on_one_context([](GpuSession& session) {
         const auto path = CameraPath::make(*load_scene(plunge_file()));
         REQUIRE(path);
+        Selection selection(3);  // of 0 to 357: sky, disc, sky, disc, sky
         for (const double frame : {0.0, 120.0, 300.0, 339.0, 341.0, 350.0, 357.0})
             for (const bool disc : {false, true}) {
+                if (!selection.takes_next()) continue;
                 Scene scene = plunging(disc);
                 scene.camera = path->at(frame);
-                scene.camera.width = 96, scene.camera.height = 54;
+                scene.camera.width = by_depth(64, 96, 96), scene.camera.height = by_depth(36, 54, 54);
                 const double finer = 1920.0 / scene.camera.width;
                 const RayMeasures m = measure_rays(gl_ray_data(session, scene), scene.camera, reference_trace(scene));
                 fmt::print(

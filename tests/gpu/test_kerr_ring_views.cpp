@@ -57,13 +57,11 @@ Off off_of(const Scene& scene, const RayFrame& frame, int row_step) {
             double by = 0;
             Vec3 left;
             for (int k = 0; k < 2; ++k) {
-                const auto exact = trace({moved(by), moved(by + step), moved(by - step)});
+                const auto exact = trace({moved(by), moved(by + step)});
                 if (k == 0) off.fates += got.fate != exact[0].fate;
-                if (got.fate != Fate::kEscaped || exact[0].fate != got.fate || exact[1].fate != got.fate ||
-                    exact[2].fate != got.fate)
-                    break;
+                if (got.fate != Fate::kEscaped || exact[0].fate != got.fate || exact[1].fate != got.fate) break;
                 left = got.sky - exact[0].sky;
-                const Vec3 moves = (exact[1].sky - exact[2].sky) / (2 * step);
+                const Vec3 moves = (exact[1].sky - exact[0].sky) / step;
                 const double more = dot(left, moves) / std::max(dot(moves, moves), 1e-300);
                 by += more, left = left - more * moves;
                 ++off.rays;
@@ -156,7 +154,7 @@ TEST_CASE("kerr ring: zooms are the reference's as deep as its digits go") {
     auto session = open_gpu("egl");
     REQUIRE(session);
     Most most;
-    for (int i = 0; i < by_depth(6, 20, 40); ++i) {
+    for (int i = 0; i < by_depth(3, 20, 40); ++i) {
         auto [scene, light] = next_aimed(random);
         scene.camera.plane_width = 0.1;
         scene.camera.zoom.emplace().angle = std::uniform_real_distribution(0.0, 2 * M_PI)(random);
@@ -168,7 +166,7 @@ TEST_CASE("kerr ring: zooms are the reference's as deep as its digits go") {
         }
     }
     most.check();
-    CHECK(most.views > by_depth(12, 60, 120));
+    CHECK(most.views > by_depth(6, 60, 120));
 }
 
 }  // namespace

@@ -213,7 +213,7 @@ TEST_CASE(
     // Of its star's light: beside dimmer ones, at the shadow, there are others that no witness has found.
     constexpr double kShown = 0.1;
     const std::vector<View> all = views();
-    on_every_context([&](GpuSession& session) {
+    on_one_context([&](GpuSession& session) {
         int found = 0;
         double light = 0, place = 0, whole = 0;
         const std::size_t measured = by_depth(std::size_t{1}, all.size(), all.size());
@@ -264,7 +264,7 @@ TEST_CASE(
 TEST_CASE("kerr point stars: next to no spin they are those of a hole without, which a lens in one dimension places") {
     // Of the light, pixel by pixel: images within a tenth of a pixel of the ring, and beside the shadow.
     constexpr double kMean = 0.01;
-    on_every_context([&](GpuSession& session) {
+    on_one_context([&](GpuSession& session) {
         Scene scene = star_scene(0, 12, 1.2, 2000);
         scene.camera.observer = ObserverKind::kStatic;
         scene.camera.width = 320, scene.camera.height = 200;

@@ -63,7 +63,7 @@ TEST_CASE("limb darkening: the shader's law is the reference's at every angle") 
     LightSpec at_rest;
     at_rest.doppler = false;
     const reference::DiscLight with(**metric, darkened, at_rest), without(**metric, plain, at_rest);
-    on_every_context([&](GpuSession&) {
+    on_one_context([&](GpuSession&) {
         const DrawnLaw law;
         CHECK(law.grows());
         double worst = 0;
@@ -184,7 +184,7 @@ TEST_CASE("limb darkening: cosine and light are the reference's, at rest and mov
     views.push_back({schwarzschild, 70.0, rest, {}, 0.6});
     for (const double theta : {30.0, 75.0, 100.0})
         for (const Vec3 velocity : {moving, rest}) views.push_back({kerr, theta, velocity, {}, 1.0});
-    on_every_context([&](GpuSession& session) {
+    on_one_context([&](GpuSession& session) {
         const DrawnLaw law;
         Worst worst;
         Selection selection(3);  // of each kind one at least
@@ -205,7 +205,7 @@ TEST_CASE("limb darkening: all light of a far ring is the printed table's at eac
         double cosine, law;
     };
     constexpr double kPrinted = 1e-4;  // the fit, the table's digits, and the ring's width over its distance
-    on_every_context([&](GpuSession& session) {
+    on_one_context([&](GpuSession& session) {
         const auto all_light = [&](double cosine, bool darkened) {
             Scene scene;
             scene.picture.refine = false;

@@ -1,7 +1,6 @@
 // Scenes of many bodies: sixty-four balls of every motion, and lists of every kind with their names, against the reference.
 #include <fmt/format.h>
 
-#include <array>
 #include <map>
 #include <set>
 #include <vector>
@@ -24,7 +23,8 @@ std::set<int> check_frame(GpuSession& session, MeasuredOnce& measured, const Sce
     std::set<int> seen;
     for (const RayPixel& pixel : frame.pixels) seen.insert(pixel.hit);
     if (measured.known(scene.name, frame)) return seen;
-    const RayMeasures m = measure_rays(frame, scene.camera, reference_trace(scene));
+    const ExactTrace trace = remembered(reference_trace(scene));
+    const RayMeasures m = measure_rays(frame, scene.camera, trace);
     const double scale = kWidth_px / scene.camera.width;
     fmt::print("{:<7} {:<28} of 1080p: screen {:.1e}, place {:.1e}, swept {:.1e} px; fate errors {}, forgiven {}\n",
                session.context->kind(), scene.name, scale * m.sky_px.max, scale * m.place_px.max,
@@ -36,12 +36,9 @@ std::set<int> check_frame(GpuSession& session, MeasuredOnce& measured, const Sce
     CHECK(scale * m.place_px.max <= kScreenError_px);
     CHECK(scale * m.angle_px.max <= kScreenError_px);
     // Which of the bodies, too: but for the pixels at edges that are forgiven.
-    std::vector<std::array<double, 2>> middles;
-    for (int y = 0; y < frame.height; ++y)
-        for (int x = 0; x < frame.width; ++x) middles.push_back({x + 0.5, y + 0.5});
-    const auto exact = reference_trace(scene)(middles);
+    const RayFrame exact = exact_frame(scene.camera, trace);
     long long others = 0;
-    for (std::size_t i = 0; i < exact.size(); ++i) others += exact[i].hit != frame.pixels[i].hit;
+    for (std::size_t i = 0; i < exact.pixels.size(); ++i) others += exact.pixels[i].hit != frame.pixels[i].hit;
     CHECK(others <= m.forgiven);
     return seen;
 }

@@ -103,6 +103,9 @@ std::vector<Scene> full_scenes() {
         camera.projection = projection;
         set_field_of_view(camera, usual_field_of_view(projection));
     }
+    // A sky of stars is some texels per pixel and star: two of them say what one of its kind has.
+    scenes[2].sky.kind = scenes[5].sky.kind = SkyKind::kBlack;
+    scenes[3].sky.magnitude_limit = scenes[6].sky.magnitude_limit = 1.0;
     scenes[5].camera.warp = assets_directory() / "warp" / "mirror.data";
     scenes[1].picture = {ToneCurve::kFilm, 0.1, false, true};
     scenes[2].picture = {ToneCurve::kNeutral, 0.0, true, false, 2};
@@ -110,7 +113,7 @@ std::vector<Scene> full_scenes() {
 }
 
 TEST_CASE("an effect that is off has no texture, and gives it back when it goes off") {
-    on_every_context([](GpuSession& session) {
+    on_one_context([](GpuSession& session) {
         EffectSet seen;
         for (const Scene& full : full_scenes()) {
             const EffectSet all = effect_set(required_effects(full));
@@ -134,7 +137,7 @@ TEST_CASE("an effect that is off has no texture, and gives it back when it goes 
 double ratio_to_lone_sky(GpuSession& session, Scene scene, bool& same) {
     scene.picture.refine = false;
     constexpr int kWidth = 960, kHeight = 540;
-    const int pairs = by_depth(31, 201, 201);
+    const int pairs = by_depth(31, 61, 201);
     scene.camera.width = kWidth, scene.camera.height = kHeight;
     Renderer& renderer = *session.renderer;
     REQUIRE(renderer.prepare(scene));
@@ -166,7 +169,7 @@ double ratio_to_lone_sky(GpuSession& session, Scene scene, bool& same) {
 // Where the sky's own code changes it is written anew (nullscope capture sky-only --dump-shader, with a look at what came in).
 TEST_CASE("a sky alone costs what it costs where there is nothing else") {
     static constexpr double kMost = 1.03;  // issue: "ratio at most 1.03 in one run"
-    on_every_context([](GpuSession& first) {
+    on_one_context([](GpuSession& first) {
         Scene sky;
         bool same = false;
         const std::string kind = first.context->kind();

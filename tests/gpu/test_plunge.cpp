@@ -56,8 +56,8 @@ void judge(const RayFrame& gl_before, const RayFrame& gl, const RayFrame& exact_
 constexpr double kJump = 4e-5;  // measured 1e-5
 
 TEST_CASE("plunge: from 3 r_s to 0.01 r_s no ray jumps by more than the reference's, and none has another fate") {
-    on_every_context([](GpuSession& session) {
-        const int steps = session.context->kind() == "egl" ? by_depth(400, 2000, 2000) : 200;
+    on_one_context([](GpuSession& session) {
+        const int steps = by_depth(400, 2000, 2000);
         for (const bool disc : {false, true}) {
             Jumps jumps;
             RayFrame gl_before, exact_before;

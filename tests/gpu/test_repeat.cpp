@@ -52,7 +52,7 @@ bool same_bits(const Image<float>& a, const Image<float>& b) {
            std::memcmp(a.data.data(), b.data.data(), a.data.size() * sizeof(float)) == 0;
 }
 
-const std::string kScenes[] = {"first-light", "sky-only", "flat", "fast-flyby", "translucent-disc"};
+const std::string kScenes[] = {"first-light", "sky-only", "flat", "fast-flyby", "translucent-disc", "kerr-planet"};
 
 void check_same(const Drawn& a, const Drawn& b) {
     CHECK(same_bits(a.linear, b.linear));

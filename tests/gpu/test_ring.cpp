@@ -40,7 +40,7 @@ double light_of(const Image<float>& picture) { return std::accumulate(picture.da
 
 TEST_CASE("ring: images of the disc of first and of second order have their light") {
     constexpr double kLight = 0.01;  // of all of it
-    test::on_every_context([&](test::GpuSession& session) {
+    test::on_one_context([&](test::GpuSession& session) {
         test::Selection selection(5);  // the first image at rest, the second at the largest spin
         for (const double spin : {0.0, 0.9, 0.998})
             for (const int order : {1, 2}) {
@@ -99,7 +99,7 @@ double least_along(const std::vector<double>& light) {
 TEST_CASE("ring: no gap along the second image") {
     constexpr double kLeast = 0.5;  // of the median of the neighbours: less is seen as a gap
     constexpr int kPlaces = 240;    // some 4 px of the ring each
-    test::on_every_context([&](test::GpuSession& session) {
+    test::on_one_context([&](test::GpuSession& session) {
         for (const double spin : {0.0, 0.9, 0.998}) {
             CAPTURE(spin);
             const Scene scene = ring(spin, 2, 1280, 720);

@@ -54,7 +54,7 @@ TEST_CASE("ring view: rays on the GPU are those of the shader core, at rest and 
 }
 
 TEST_CASE("ring view: every pixel of a picture is a number, however deep") {
-    on_every_context([](GpuSession& session) {
+    on_one_context([](GpuSession& session) {
         for (double depth = 4; depth < by_depth(8.0, 30.0, 60.0); depth += by_depth(3.0, 2.0, 0.1)) {
             Scene scene = zoom_of("accretion", depth, 0.0);
             // Few rays are so close to the curve that something overflows: edges have many.

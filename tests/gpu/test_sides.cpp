@@ -103,8 +103,8 @@ TEST_CASE("sides: hits, places and fates are the reference's at every pixel") {
             scene.camera.height = 55;
             c.set(scene);
             if (scene.spacetime.metric != "ellis")
-                scene.camera.width = by_depth(43, 65, 65),
-                scene.camera.height = by_depth(25, 37, 37);  // the reference takes milliseconds a ray
+                scene.camera.width = by_depth(27, 43, 65),
+                scene.camera.height = by_depth(17, 25, 37);  // the reference takes milliseconds a ray
             const RayFrame frame = gl_ray_data(session, scene);
             if (measured.known(name, frame)) continue;
             const RayMeasures m = measure_rays(frame, scene.camera, reference_trace(scene));

@@ -100,8 +100,7 @@ Scene scene_of(const char* name, Projection projection, int width, int height) {
 
 TEST_CASE("warp: a mesh of identity is no mesh, bit by bit; with half the light half of it is left") {
     const TrialFolder folder;
-    on_every_context([&](GpuSession& session) {
-        if (session.context->kind() == std::string("osmesa")) return;  // the same driver
+    on_one_context([&](GpuSession& session) {
         Selection selection(2);
         struct Case {
             const char* scene;
@@ -151,8 +150,7 @@ TEST_CASE("warp: rays are the reference's about every kind of hole, and pictures
     const TrialFolder folder;
     const auto file = folder.path() / "bent.data";
     write_warp(file, bent_text(33, true));
-    on_every_context([&](GpuSession& session) {
-        if (session.context->kind() == std::string("osmesa")) return;  // the same driver
+    on_one_context([&](GpuSession& session) {
         Selection selection(2);
         struct Case {
             const char* metric;
@@ -228,8 +226,7 @@ TEST_CASE("warp: point stars are where the mesh has them, and as bright as their
                    n.light = 1.0 - 0.3 * n.x;
                    n.u = static_cast<double>(0.5L * at[0] + 0.5L), n.v = static_cast<double>(0.5L * at[1] + 0.5L);
                }));
-    on_every_context([&](GpuSession& session) {
-        if (session.context->kind() == std::string("osmesa")) return;  // the same driver
+    on_one_context([&](GpuSession& session) {
         for (const bool rotating : {false, true}) {
             scene.spacetime = {rotating ? "kerr" : "schwarzschild", {}};
             camera.warp.clear();

@@ -2,7 +2,8 @@
 //
 // The environment variable NULLSCOPE_TESTS says it:
 //   quick        what every change must pass: each promise on the cases that show its breach. scripts/test.sh
-//   all          the same promises on every case and context. scripts/test.sh --all, continuous integration
+//   all          the same promises on every case, and on both contexts what a context may change. scripts/test.sh --all,
+//                continuous integration
 //   everything   every pixel of every frame, too: hours
 // Unset or another word: quick. (NULLSCOPE_EVERYTHING, set to anything, means everything.)
 #pragma once

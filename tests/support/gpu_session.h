@@ -3,11 +3,13 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -54,6 +56,10 @@ inline void on_all_contexts(const std::function<void(GpuSession&)>& test, int mo
 inline void on_every_context(const std::function<void(GpuSession&)>& test) {
     on_all_contexts(test, depth() == Depth::kQuick ? 1 : 2);
 }
+
+// On the first kind at any depth, where the second can say nothing new: both are one rasteriser, and the reference, or
+// another picture by the same driver, is all that a frame is held against.
+inline void on_one_context(const std::function<void(GpuSession&)>& test) { on_all_contexts(test, 1); }
 
 inline RayFrame gl_ray_data(GpuSession& session, const Scene& scene, int row_step = 1) {
     const Status ready = session.renderer->prepare(scene);
@@ -115,16 +121,35 @@ inline ExactTrace reference_trace(const Scene& scene) {
     };
 }
 
-// The same of every pixel.
-inline RayFrame reference_frame(const Scene& scene) {
+// The same, each ray traced once however often it is asked for: for several frames of one camera. Not for several
+// threads.
+inline ExactTrace remembered(ExactTrace trace) {
+    using Place = std::array<double, 2>;
+    const auto known = std::make_shared<std::map<Place, RayPixel>>();
+    return [trace = std::move(trace), known](const std::vector<Place>& positions) {
+        std::vector<Place> others;
+        std::ranges::copy_if(positions, std::back_inserter(others),
+                             [&](const Place& place) { return !known->contains(place); });
+        const std::vector<RayPixel> traced = others.empty() ? std::vector<RayPixel>() : trace(others);
+        for (std::size_t i = 0; i < others.size(); ++i) known->emplace(others[i], traced[i]);
+        std::vector<RayPixel> pixels;
+        pixels.reserve(positions.size());
+        for (const Place& place : positions) pixels.push_back(known->at(place));
+        return pixels;
+    };
+}
+
+// Every pixel's.
+inline RayFrame exact_frame(const CameraSpec& camera, const ExactTrace& trace) {
     std::vector<std::array<double, 2>> middles;
-    for (int y = 0; y < scene.camera.height; ++y)
-        for (int x = 0; x < scene.camera.width; ++x) middles.push_back({x + 0.5, y + 0.5});
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x) middles.push_back({x + 0.5, y + 0.5});
     RayFrame frame;
-    frame.width = scene.camera.width, frame.height = scene.camera.height;
-    frame.pixels = reference_trace(scene)(middles);
+    frame.width = camera.width, frame.height = camera.height;
+    frame.pixels = trace(middles);
     return frame;
 }
+inline RayFrame reference_frame(const Scene& scene) { return exact_frame(scene.camera, reference_trace(scene)); }
 
 inline Witnesses witnesses_of(const Scene& scene, const CoreInput& input, const RayFrame& gl, int x, int y) {
     const double right = x + 0.5 - 0.5 * scene.camera.width, up = 0.5 * scene.camera.height - (y + 0.5);
