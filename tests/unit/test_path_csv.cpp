@@ -114,7 +114,7 @@ TEST_CASE("path csv: what is written reads back as the same cameras") {
                 late = std::max(late, std::fabs(there->clock(key.frame) - key.time));
                 CHECK(there->at(key.frame).observer == key.camera.observer);
             }
-            fmt::print("{:<12} {} frames: cameras within {:.1e}, times {:.1e}\n", name, keys.size(), most, late);
+            fmt::print("{:<12} {} frames: cameras within {:.1e}, times {:.1e}\n", named.first, keys.size(), most, late);
             CHECK(most < 1e-9);
             CHECK(late == 0);
             CHECK(again->path->rate == scene.path->rate);
