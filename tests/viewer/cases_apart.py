@@ -12,7 +12,7 @@ from x_screen import Picture, read_png, wait_until
 
 # of the processor time that a whole picture costs the window's thread where it draws it: it must stay far below
 WINDOWS_SHARE = 0.5
-PICTURES = 12   # in flight: 1.5 s
+PICTURES = 8   # in flight: a second
 
 
 def run(program, *arguments, **changes):
@@ -58,20 +58,20 @@ def test_the_gallery_finds_and_opens(screen, program, folder):
         cards = v.settle()
         saturated = sum(max(cards.data[i:i + 3]) > 120 for i in range(0, len(cards.data), 3))
         assert saturated > 2000, "no pictures of scenes"
-        v.hands("type", "--delay", 100, "kerr planet")
+        v.hands("type", "--delay", 100, "sky grid")
         found = v.settle()
         assert found.changed(cards, CHANGED), "the words that are typed find nothing"
         v.settle("key", "Return")
-        planet = v.settle()
-        assert v.title() == "Kerr planet - nullscope", v.title()
+        grid = v.settle()
+        assert v.title() == "Sky grid - nullscope", v.title()
         v.settle("key", "ctrl+o")
         same(cards, v.settle(), "the gallery, opened again")
-        same(planet, v.settle("key", "Escape"), "the picture after the gallery was left")
+        same(grid, v.settle("key", "Escape"), "the picture after the gallery was left")
         v.settle("key", "ctrl+o")
         v.click(*FIRST_CARD)
         assert v.title() == "First light - nullscope", v.title()
         v.settle("key", "ctrl+z")
-        assert v.title() == "Kerr planet - nullscope", "undo does not bring the scene before back"
+        assert v.title() == "Sky grid - nullscope", "undo does not bring the scene before back"
 
 
 def test_undo_in_a_search_that_was_left_does_not_touch_the_next(screen, program, folder):
@@ -251,7 +251,7 @@ def test_a_file_is_known_as_a_tour(screen, program, folder):
 def test_a_killed_viewer_leaves_its_scene(screen, program, folder):
     """kill -9 at random moments: a whole file is left, and nothing but the last 5 s is lost."""
     chance = random.Random(int(os.environ.get("NULLSCOPE_SEED", "1")))
-    start = lambda: Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", home=folder)
+    start = lambda: Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--coarse", "4", home=folder)
     left = folder / "nullscope"
     for run in range(20 if "NULLSCOPE_EVERYTHING" in os.environ else 6 if EVERYTHING else 1):
         v = start()
@@ -311,20 +311,22 @@ def test_a_flight_is_recorded_played_saved_and_filmed(screen, program, folder):
         v.click(*v.layout().place("Film...", "##timeline"))
         if not v.layout().place("A film needs ffmpeg", ""):
             v.click(*v.layout().place("Frames (.png)", ""))
-        v.click(*v.layout().place("Draw", ""))
+        for words in ["1280 x 720", "640 x 360", "Draw"]:
+            v.click(*v.layout().place(words, ""))
         pictures = lambda: list(Path(v.folder).glob("*.png"))
         wait_until("a file of this viewer's own has the film's scene", (v.settings.parent / f"film-{v.process.pid}.toml").exists, HUNG_S)
         wait_until("the film's frames are drawn", lambda: len(pictures()) == frames, HUNG_S)
         wait_until("the film's scene file is removed", lambda: not list(v.settings.parent.glob("film*")), HUNG_S)
         picture = read_png(pictures()[0])
-        assert (picture.width, picture.height) == (1280, 720), f"frames of {picture.width}x{picture.height}"
+        assert (picture.width, picture.height) == (640, 360), f"frames of {picture.width}x{picture.height}"
 
 
 class Effects:
     """A viewer whose effects panel is open."""
 
     def __init__(self, screen, program, *arguments):
-        self.viewer = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", *arguments, scene=SCENE + BODIES)
+        scene = UNDER_STARS + BODIES + '[sky]\nkind = "black"\n'     # whose coarse pictures are hardly others
+        self.viewer = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", *arguments, scene=scene, environment=COMPILING)
 
     def __enter__(self):
         self.viewer.start()
@@ -381,8 +383,8 @@ def test_an_effect_is_switched_without_a_hitch(screen, program, folder):
 
 
 def test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely(screen, program, folder):
-    """A scene whose picture takes about a second, and its program longer than that."""
-    v = Viewer(screen, program, "--size", "640x300", scene="swarm")
+    """A scene whose program takes a second and more to compile, and whose picture is slower than 30 a second."""
+    v = Viewer(screen, program, "--size", "640x300", scene="torus", environment=COMPILING)
     try:
         # no panel lies in the first, in the second none of the letters that are whole pixels of their colour but F1's
         area, keys = (290, 20, 630, 260), (250, 40, 350, 260)
@@ -407,9 +409,9 @@ def test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely
 
 
 def test_a_flight_about_a_rotating_hole_goes_on_among_point_stars(screen, program, folder):
-    """The search for the stars' images takes half a second a view: in flight there is a quick one."""
-    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}",
-               scene='[spacetime]\nmetric = "kerr"\nspin = 0.9\n[camera]\nr = 15\n[sky]\nkind = "points"\n')
+    """The search for the stars' images takes long: in flight there is a quick one."""
+    v = Viewer(screen, program, "--size", "420x300",
+               scene='[spacetime]\nmetric = "kerr"\nspin = 0.9\n[camera]\nr = 40\n[sky]\nkind = "points"\n')
     try:
         v.start()
         v.settle("mousemove", *BESIDE)
@@ -472,7 +474,7 @@ def test_a_warp_mesh_is_looked_through_and_dragged(screen, program, folder):
 
 def test_exposure_follows_like_an_eye(screen, program, folder):
     """Towards the dark sky: the picture is there, and goes on growing brighter without a hand."""
-    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=SCENE + '[picture]\nauto_exposure = "on"\n')
+    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=UNDER_STARS + '[picture]\nauto_exposure = "on"\n')
     try:
         v.start()
         v.settle("mousemove", 800, 300)
@@ -497,7 +499,7 @@ def test_exposure_follows_like_an_eye(screen, program, folder):
 def test_the_clock_runs_and_stops(screen, program, folder):
     """A ball goes on while the clock runs, stays where it is when it stops, and jumps when its light takes no time."""
     ball = '[ball]\nposition = [6, 0, 0]\nmotion = "orbit"\n'
-    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=SCENE.replace("[disc]", "") + ball)
+    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--coarse", "2", scene=SCENE.replace("[disc]", "") + ball)
     try:
         v.start()
         for header in [*HEADERS, CLOCK]:
@@ -664,7 +666,7 @@ def test_the_cameras_clock_is_shown_and_follows(screen, program, folder):
         x, y = at[name]
         return float(min((place, words) for words, place in at.items() if abs(place[1] - y) < 6 and place[0] > x)[1].split()[0])
     at_rest, shift = "dtau/dt at rest", "g from far away, at rest"
-    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--layout", "layout.txt") as v:
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--coarse", "4", "--layout", "layout.txt") as v:
         v.settle()
         assert shift not in v.layout().words(), "shown before it was asked for"
         v.click(*MENUS["View"])
@@ -1162,7 +1164,7 @@ def test_recent_files_are_told_apart_and_are_there(screen, program, folder):
 
 
 def test_a_scene_that_is_not_there_yet_is_named(screen, program, folder):
-    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}") as v:
+    with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", environment=COMPILING) as v:
         area = (320, 310, 820, 490)     # below the words
         before = v.picture(area)
         dimmed = Picture(before.width, before.height, bytes(round(byte * 55 / 255) for byte in before.data))

@@ -13,9 +13,10 @@ import itertools
 import os
 import re
 import sys
+import tempfile
 from pathlib import Path
 
-from viewer_process import EVERYTHING, Viewer
+from viewer_process import EVERYTHING, Viewer, keep_programs
 from x_screen import Screen, missing_tools
 
 SIZES, SCALES = ["1280x720", "1920x1080", "3840x2160"], ["1", "1.5", "2"]
@@ -69,8 +70,7 @@ class Reader:
 
     def click(self, what, words, window):
         x, y = self.find(what, words, window)
-        for step in [["mousemove", x, y], ["mousedown", 1]]:
-            self.viewer.settle(*step, at_once=True)
+        self.viewer.settle("mousemove", x, y, "mousedown", 1, at_once=True)
         return self.look(what, "mouseup", 1)
 
     def tooltips(self, window):
@@ -147,7 +147,8 @@ def main():
     options = parser.parse_args()
     if missing_tools():
         return 77
-    os.environ.update(LIBGL_ALWAYS_SOFTWARE="1")
+    programs = tempfile.TemporaryDirectory(prefix="nullscope-layout.")
+    keep_programs(Path(programs.name))
     sizes, scales = options.sizes.split(","), options.scales.split(",")
     wrong = 0
     for size, scale in itertools.product(sizes, scales):

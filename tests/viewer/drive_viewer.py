@@ -21,7 +21,7 @@ from pathlib import Path
 import cases_apart
 import cases_overlays
 import cases_window
-from viewer_process import HEIGHT, WIDTH, Viewer
+from viewer_process import HEIGHT, UNDER_STARS, WIDTH, Viewer, keep_programs
 from x_screen import Screen, missing_tools
 
 
@@ -48,13 +48,13 @@ def main():
     if set(words) - known:
         sys.exit(f"no such case (without test_; some need NULLSCOPE_EVERYTHING=1): {' '.join(sorted(set(words) - known))}")
     chosen = lambda group: [t for t in groups[group] if group in words or t.__name__.removeprefix("test_") in words]
-    os.environ.update(LIBGL_ALWAYS_SOFTWARE="1", MESA_SHADER_CACHE_DISABLE="true")
     screen, folder, good = Screen(WIDTH + 100, HEIGHT + 100), Path(tempfile.mkdtemp(prefix="nullscope-drive.")), True
+    keep_programs(folder)
     viewers = []
     try:
         if chosen("window"):
             def test_start():
-                viewers.append(Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}"))
+                viewers.append(Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", scene=UNDER_STARS))
                 viewers[0].start()
             good = attempt(test_start)
         for test in chosen("window") if good else []:

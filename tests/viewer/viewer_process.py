@@ -13,13 +13,15 @@ from x_screen import wait_until
 # else a few cases are shorter
 EVERYTHING = "NULLSCOPE_EVERYTHING" in os.environ or os.environ.get("NULLSCOPE_TESTS", "quick") != "quick"
 WIDTH, HEIGHT = 840, 600
-SCENE = """[camera]
+COMPILING = {"MESA_SHADER_CACHE_DISABLE": "true"}   # a viewer's environment: no program that was compiled before
+UNDER_STARS = """[camera]
 r = 22.0
 theta = 80.0
 roll = -6.0
 fov = 62.0
 [disc]
 """
+SCENE = UNDER_STARS + '[sky]\nkind = "checker"\n'     # a sky that needs no time to be computed
 BODIES = """[sphere]
 radius = 1.8
 texture = "checker"
@@ -71,6 +73,14 @@ CHANGED = 0.02
 MARKS = [("Pause", 284), ("Scroll_Lock", 281)]
 HUNG_S = 60.0                      # no bound on how long anything takes: a test that hangs shall end
 MEASURED_S = 900.0                 # the same for all of a frame's errors
+
+
+def keep_programs(folder):
+    """What one viewer has compiled serves the next, but those with COMPILING: kept where the caller keeps it, else in this folder."""
+    caller_keeps = os.environ.get("MESA_SHADER_CACHE_DISABLE") != "true" and "MESA_SHADER_CACHE_DIR" in os.environ
+    os.environ.update(LIBGL_ALWAYS_SOFTWARE="1", MESA_SHADER_CACHE_DISABLE="false")
+    if not caller_keeps:
+        os.environ["MESA_SHADER_CACHE_DIR"] = str(folder / "shaders")
 
 
 def same(one, other, what, allowed=NOISE):
@@ -191,7 +201,7 @@ class Viewer:
 
     def click(self, x, y):
         """On a panel; Dear ImGui 1.86 sees the pointer where it is during a frame, not where it was at the click."""
-        for step in [["mousemove", x, y], ["mousedown", 1], ["mouseup", 1], ["mousemove", *BESIDE]]:
+        for step in [["mousemove", x, y, "mousedown", 1], ["mouseup", 1], ["mousemove", *BESIDE]]:
             self.settle(*step)
 
     def choose(self, menu, entry):
