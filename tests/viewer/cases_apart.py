@@ -498,8 +498,8 @@ def test_exposure_follows_like_an_eye(screen, program, folder):
 
 def test_the_clock_runs_and_stops(screen, program, folder):
     """A ball goes on while the clock runs, stays where it is when it stops, and jumps when its light takes no time."""
-    ball = '[ball]\nposition = [6, 0, 0]\nmotion = "orbit"\n'
-    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--coarse", "2", scene=SCENE.replace("[disc]", "") + ball)
+    dark, ball = '[sky]\nkind = "black"\n', '[ball]\nposition = [6, 0, 0]\nmotion = "orbit"\n'
+    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--coarse", "2", scene=UNDER_STARS.replace("[disc]", "") + dark + ball)
     try:
         v.start()
         for header in [*HEADERS, CLOCK]:
@@ -564,6 +564,7 @@ def test_bookmarks_are_kept_opened_renamed_and_deleted(screen, program, folder):
         v.changes("the camera flies", before)
         v.hands("keyup", "w")
         elsewhere = v.settle()
+        assert elsewhere.changed(before, CHANGED), "the camera is where it was"
         v.settle("key", "b")
         assert v.picture(BOOKMARK).mean() > 40, "no card with a picture"
         v.click(*BOOKMARK_PICTURE)
