@@ -1,0 +1,14 @@
+// What the page shows: a scene, and what hands have changed of it.
+#pragma once
+#include "scene/scene.h"
+#include "viewer/fall.h"
+
+namespace nullscope::web {
+
+struct Session {
+    Scene scene;
+    viewer::Fall fall;  // of the camera, once it was let go
+};
+Session& session();
+
+}  // namespace nullscope::web

@@ -1,0 +1,293 @@
+// The engine: core.wasm, a WebGL2 context and the loop that draws when there is something to draw. It runs in a worker where the browser lets
+// one draw (worker.js), else in the page; it knows nothing of the page's controls.
+
+import { Failure, Module } from "./module.js";
+import { deviceString, glFunctions } from "./webgl.js";
+
+const LEAST_SCALE = 0.25;      // of the canvas's pixels in each direction, in motion
+const SLOW_MS = 28, FAST_MS = 11; // a frame in motion: longer makes pixels larger, shorter smaller
+const REST_MS = 250;           // without a hand: then the picture is drawn with all its pixels
+const ADAPTATION_S = 0.3;      // of automatic exposure
+const SHIPPED = "/assets/";    // paths of files that ship, as core.wasm names them
+
+export class Engine {
+  // say(event, values): "drawn", "scene", "note", "lost", "restored", "failed"
+  constructor(say) {
+    this.say = say;
+    this.hand = { right: 0, up: 0, backward: 0, roll: 0 };
+    this.clock = 0;
+    this.scale = 1;
+    this.size = { width: 0, height: 0 };
+    this.fixed = false;
+    this.due = false;
+    this.touched = -Infinity;
+    this.fetching = new Map();
+    this.absent = new Set();
+    this.waiting = [];
+  }
+
+  // canvas: HTMLCanvasElement or OffscreenCanvas. base: URL of the folder that has core.wasm and assets/.
+  async start(canvas, base, width, height) {
+    this.canvas = canvas;
+    this.base = base;
+    this.resize(width, height);
+    canvas.width = width;
+    canvas.height = height;
+    const gl = canvas.getContext("webgl2", {
+      alpha: false, antialias: false, depth: false, stencil: false, preserveDrawingBuffer: true,
+      powerPreference: "high-performance",
+    });
+    if (!gl) throw new Failure("this browser has no WebGL2");
+    this.gl = gl;
+    this.limits = this.#extensions();
+    canvas.addEventListener("webglcontextlost", (event) => this.#lost(event));
+    canvas.addEventListener("webglcontextrestored", () => this.#restored());
+    const imports = { env: glFunctions(gl, () => this.core) };
+    const [core, scenes] = await Promise.all([
+      Module.load(new URL("core.wasm", base), imports),
+      fetch(new URL("assets/scenes.json", base)).then((response) => response.json()),
+    ]);
+    this.core = core;
+    for (const [path, text] of Object.entries(scenes)) core.call("put_file", SHIPPED + path, text);
+    core.exports.start_view();
+    return { device: deviceString(gl), ...this.limits };
+  }
+
+  #extensions() {
+    const gl = this.gl;
+    const floats = Boolean(gl.getExtension("EXT_color_buffer_float"));
+    const halves = floats || Boolean(gl.getExtension("EXT_color_buffer_half_float"));
+    gl.getExtension("EXT_float_blend");
+    const linear = Boolean(gl.getExtension("OES_texture_float_linear"));
+    return { floats, halves, linear, largest: gl.getParameter(gl.MAX_TEXTURE_SIZE) };
+  }
+
+  // ---- scenes
+
+  // what: the name of a scene that ships, the text of a scene file, or a line "scene = {...}".
+  async open(what) {
+    const core = this.core;
+    const line = what.startsWith("scene =");
+    const name = !line && /^[\w-]+$/.test(what) ? what : null;
+    const text = name === null ? what : this.#sceneFile(name);
+    await this.#withFiles(() =>
+      line ? core.call("open_line", text) : core.call("open_scene", text, name === null ? "scene" : `${name}.toml`));
+    this.name = name;
+    this.started = true;
+    return this.touch();
+  }
+  #sceneFile(name) {
+    const size = this.core.call("read_file", `${SHIPPED}scenes/${name}.toml`);
+    if (!size) throw new Failure(`"${name}": no scene of this name ships`);
+    return this.core.answer();
+  }
+  // Runs a call that may need files which the page has not fetched. Throws why it fails by another reason.
+  async #withFiles(call) {
+    while (!call()) {
+      const why = this.core.answer();
+      const missed = this.core.json("missed_files").filter((path) => path.startsWith(SHIPPED) && !this.absent.has(path));
+      if (missed.length === 0) throw new Failure(why);
+      await Promise.all(missed.map((path) => this.#fetchFile(path)));
+    }
+  }
+  #fetchFile(path) {
+    if (!this.fetching.has(path)) this.fetching.set(path, this.#fetchOnce(path));
+    return this.fetching.get(path);
+  }
+  async #fetchOnce(path) {
+    const response = await fetch(new URL(path.slice(1), this.base));
+    if (response.ok) this.core.call("put_file", path, await fileBytes(path, await response.blob()));
+    else this.absent.add(path);
+    this.fetching.delete(path);
+  }
+  // A file of the visitor's own, for scenes that name it.
+  async putFile(path, blob) {
+    this.core.call("put_file", path, await fileBytes(path, blob));
+  }
+
+  async set(key, value) {
+    await this.#withFiles(() => this.core.call("set_key", key, value));
+    return this.touch();
+  }
+  keys() { return this.core.json("keys"); }
+  metrics() { return this.core.json("metrics"); }
+  plan() { return this.core.json("plan"); }
+  gallery() { return this.core.json("gallery"); }
+  sceneText() { return this.#text("scene_as_text"); }
+  sceneLine() { return this.#text("scene_as_line"); }
+  #text(name) {
+    if (!this.core.call(name)) throw new Failure(this.core.answer());
+    return this.core.answer();
+  }
+
+  // ---- hands
+
+  grab(x, y) { this.core.exports.grab(...this.#scaled(x, y)); }
+  look(x, y) { this.core.exports.look(...this.#scaled(x, y)); this.touch(); }
+  orbit(x, y) { this.core.exports.orbit(...this.#scaled(x, y)); this.touch(); }
+  roll(angle) { this.core.exports.roll(angle); this.touch(); }
+  zoom(factor) { this.core.exports.zoom(factor); this.touch(); }
+  approach(change) { this.core.exports.approach(change); this.touch(); }
+  // Directions of flight, each -1 to 1, until they change.
+  fly(hand) { Object.assign(this.hand, hand); this.touch(); }
+  letGo() {
+    if (!this.core.exports.let_go()) throw new Failure(this.core.answer());
+    return this.touch();
+  }
+  setClock(rate) { this.clock = rate; return this.touch(); }
+  // px of the canvas to those of the scene's camera, which were set by the last picture
+  #scaled(x, y) {
+    const drawn = this.drawn ?? this.size;
+    return [x * drawn.width / this.size.width, y * drawn.height / this.size.height];
+  }
+
+  // ---- pictures
+
+  resize(width, height) {
+    this.size = { width: Math.max(1, Math.round(width)), height: Math.max(1, Math.round(height)) };
+    this.touch();
+  }
+  // Every picture has all its pixels, in motion too.
+  fix(fixed) { this.fixed = fixed; this.touch(); }
+  touch() {
+    this.touched = performance.now();
+    this.due = true;
+    this.#wake();
+    return true;
+  }
+  #wake() {
+    if (this.turning || !this.started) return;
+    this.turning = true;
+    this.turned = performance.now();
+    const next = globalThis.requestAnimationFrame ?? ((turn) => setTimeout(() => turn(performance.now()), 16));
+    const turn = async () => {
+      try {
+        await this.#turn();
+      } catch (error) {
+        this.turning = false;
+        this.due = false;
+        this.say("failed", { message: error.message });
+        return;
+      }
+      if (this.turning) next(turn);
+    };
+    next(turn);
+  }
+
+  async #turn() {
+    const now = performance.now(), seconds = Math.min((now - this.turned) / 1000, 0.25);
+    this.turned = now;
+    const { right, up, backward, roll } = this.hand;
+    const flies = right !== 0 || up !== 0 || backward !== 0;
+    if (flies) this.core.exports.fly(right, up, backward, seconds);
+    if (roll !== 0) this.core.exports.roll(roll * seconds);
+    const moves = flies || roll !== 0 || Boolean(this.core.exports.step(seconds, this.clock));
+    if (moves) this.touched = now;
+    const rests = now - this.touched > REST_MS;
+    const scale = this.fixed || rests || !this.everDrawn ? 1 : this.scale;
+    const whole = this.drawn && this.drawn.width === this.size.width && this.drawn.height === this.size.height;
+    if (this.due || moves || (rests && !whole)) {
+      await this.#draw(scale, seconds);
+    } else if (rests && !this.core.exports.build_next()) {
+      this.turning = false;
+    }
+  }
+
+  async #draw(scale, seconds) {
+    const width = Math.max(1, Math.round(this.size.width * scale)), height = Math.max(1, Math.round(this.size.height * scale));
+    const began = performance.now();
+    const adaptation = this.everDrawn ? 1 - Math.exp(-seconds / ADAPTATION_S) : 1;
+    this.due = false;
+    if (this.canvas.width !== width) this.canvas.width = width;
+    if (this.canvas.height !== height) this.canvas.height = height;
+    try {
+      await this.#withFiles(() => this.core.call("draw", width, height, adaptation));
+    } catch (error) {
+      if (this.gl.isContextLost()) return;
+      throw error;
+    }
+    this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, new Uint8Array(4));  // waits until it is drawn
+    const ms = performance.now() - began;
+    this.drawn = { width, height };
+    if (this.everDrawn && scale === this.scale && ms > SLOW_MS) this.scale = Math.max(LEAST_SCALE, this.scale / Math.SQRT2);
+    if (this.everDrawn && scale === this.scale && ms < FAST_MS) this.scale = Math.min(1, this.scale * Math.SQRT2);
+    this.everDrawn = true;
+    const place = [0, 1, 2, 3, 4].map((which) => this.core.exports.place(which));
+    this.say("drawn", { width, height, ms, place, falls: Boolean(this.core.exports.falls()) });
+    for (const done of this.waiting.splice(0)) done();
+  }
+  // The next picture with all its pixels, as RGBA from the top.
+  async picture() {
+    await this.whole();
+    const { width, height } = this.drawn, gl = this.gl;
+    const rows = new Uint8ClampedArray(4 * width * height), pixels = new Uint8ClampedArray(rows.length);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, rows);
+    for (let y = 0; y < height; ++y) pixels.set(rows.subarray(4 * width * y, 4 * width * (y + 1)), 4 * width * (height - 1 - y));
+    return { width, height, pixels };
+  }
+  async whole() {
+    const { width, height } = this.size;
+    while (this.due || !this.drawn || this.drawn.width !== width || this.drawn.height !== height) {
+      const drawn = new Promise((done) => this.waiting.push(done));
+      this.#wake();
+      await drawn;
+    }
+  }
+  // Where the GPU sent each pixel's ray, for reference.wasm: bytes of RayPixel, and the scene's line.
+  async rays(width, height, rowStep = 1) {
+    if (!this.limits.floats) throw new Failure("this GPU cannot draw to float textures: its rays cannot be read");
+    let frame;
+    await this.#withFiles(() => this.core.call("trace_rays", width, height, rowStep));
+    frame = JSON.parse(this.core.answer());
+    const [w, h, place, bytes] = frame;
+    const pixels = this.core.bytes.slice(place, place + bytes);
+    const line = this.sceneLine();
+    this.drawn = null;
+    this.touch();
+    return { width: w, height: h, rowStep, pixels, line, device: deviceString(this.gl) };
+  }
+
+  // ---- a context that is lost
+
+  loseContext() { (this.loser ??= this.gl.getExtension("WEBGL_lose_context")).loseContext(); }
+  restoreContext() { this.loser.restoreContext(); }
+  #lost(event) {
+    event.preventDefault();
+    this.started = false;
+    this.turning = false;
+    this.say("lost", {});
+  }
+  #restored() {
+    this.limits = this.#extensions();
+    this.core.exports.start_view();
+    this.started = true;
+    this.drawn = null;
+    this.say("restored", {});
+    this.touch();
+  }
+}
+
+// Pictures are decoded by the browser; core.wasm reads what web/platform/images.cpp says.
+async function fileBytes(path, blob) {
+  if (!/\.(png|jpe?g)$/i.test(path)) return new Uint8Array(await blob.arrayBuffer());
+  const bitmap = await createImageBitmap(blob, { colorSpaceConversion: "none", premultiplyAlpha: "none" });
+  const { width, height } = bitmap;
+  const canvas = typeof OffscreenCanvas === "undefined" ? document.createElement("canvas") : new OffscreenCanvas(width, height);
+  const gl = canvas.getContext("webgl2");
+  const bytes = new Uint8Array(13 + 4 * width * height), head = new DataView(bytes.buffer);
+  bytes.set([0x89, 0x52, 0x47, 0x42, 0x41]);
+  head.setUint32(5, width, true);
+  head.setUint32(9, height, true);
+  // By a texture: a 2D canvas would multiply colours by their alpha and back.
+  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+  gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+  gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, gl.getParameter(gl.TEXTURE_BINDING_2D), 0);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes.subarray(13));
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  bitmap.close();
+  return bytes;
+}
