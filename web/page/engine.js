@@ -5,6 +5,7 @@ import { Failure, Module } from "./module.js";
 import { deviceString, glFunctions } from "./webgl.js";
 
 const LEAST_SCALE = 0.25;      // of the canvas's pixels in each direction, in motion
+const FIRST_SCALE = 0.5;       // of the first picture: its sky has a quarter of the texels to be painted
 const SLOW_MS = 28, FAST_MS = 11; // a frame in motion: longer makes pixels larger, shorter smaller
 const REST_MS = 250;           // without a hand: then the picture is drawn with all its pixels
 const ADAPTATION_S = 0.3;      // of automatic exposure
@@ -184,19 +185,19 @@ export class Engine {
     const moves = flies || roll !== 0 || Boolean(this.core.exports.step(seconds, this.clock));
     if (moves) this.touched = now;
     const rests = now - this.touched > REST_MS;
-    const scale = this.fixed || rests || !this.everDrawn ? 1 : this.scale;
+    const scale = this.fixed ? 1 : !this.everDrawn ? FIRST_SCALE : rests ? 1 : this.scale;
     const whole = this.drawn && this.drawn.width === this.size.width && this.drawn.height === this.size.height;
     if (this.due || moves || (rests && !whole)) {
-      await this.#draw(scale, seconds);
+      await this.#draw(scale, rests || !this.everDrawn ? 1 : 1 - Math.exp(-seconds / ADAPTATION_S));
     } else if (rests && !this.core.exports.build_next()) {
       this.turning = false;
     }
   }
 
-  async #draw(scale, seconds) {
+  // adaptation: of automatic exposure; a picture that rests has its own.
+  async #draw(scale, adaptation) {
     const width = Math.max(1, Math.round(this.size.width * scale)), height = Math.max(1, Math.round(this.size.height * scale));
     const began = performance.now();
-    const adaptation = this.everDrawn ? 1 - Math.exp(-seconds / ADAPTATION_S) : 1;
     this.due = false;
     if (this.canvas.width !== width) this.canvas.width = width;
     if (this.canvas.height !== height) this.canvas.height = height;
@@ -211,6 +212,7 @@ export class Engine {
     this.drawn = { width, height };
     if (this.everDrawn && scale === this.scale && ms > SLOW_MS) this.scale = Math.max(LEAST_SCALE, this.scale / Math.SQRT2);
     if (this.everDrawn && scale === this.scale && ms < FAST_MS) this.scale = Math.min(1, this.scale * Math.SQRT2);
+    if (!this.everDrawn) this.touched = -Infinity;  // the whole picture follows at once
     this.everDrawn = true;
     const place = [0, 1, 2, 3, 4].map((which) => this.core.exports.place(which));
     this.say("drawn", { width, height, ms, place, falls: Boolean(this.core.exports.falls()) });
