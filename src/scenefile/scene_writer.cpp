@@ -1,13 +1,14 @@
 #include "scenefile/scene_writer.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <string_view>
+#include <vector>
 
 #include "base/text.h"
 #include "plan/body_kind.h"
@@ -200,13 +201,20 @@ private:
     std::string text_;
 };
 
-void make_inline(toml::node& node) {
-    if (toml::table* table = node.as_table()) {
-        table->is_inline(true);
-        for (auto&& [key, value] : *table) make_inline(value);
+// As inline tables have it; numbers in the fewest digits that read back as the same, on every platform.
+std::string inline_text(const toml::node& node) {
+    std::vector<std::string> parts;
+    if (const toml::table* table = node.as_table()) {
+        for (const auto& [key, value] : *table) parts.push_back(fmt::format("{} = {}", key.str(), inline_text(value)));
+        return fmt::format("{{ {} }}", fmt::join(parts, ", "));
     }
-    if (toml::array* array = node.as_array())
-        for (toml::node& value : *array) make_inline(value);
+    if (const toml::array* array = node.as_array()) {
+        for (const toml::node& value : *array) parts.push_back(inline_text(value));
+        return fmt::format("[{}]", fmt::join(parts, ", "));
+    }
+    if (const auto text = node.value_exact<std::string>()) return toml_string(*text);
+    if (const auto whole = node.value_exact<std::int64_t>()) return fmt::format("{}", *whole);
+    return fmt::format("{}", node.value_or(0.0));
 }
 
 }  // namespace
@@ -246,14 +254,7 @@ std::string scene_file_text(const Scene& scene, const fs::path& base_directory) 
 std::string scene_line(const Scene& scene) {
     auto text = toml_of(scene_file_text(scene, {}), "scene");
     if (!text) return "";  // larger than a scene file may be
-    make_inline(*text);
-    toml::table line;
-    line.insert("scene", std::move(*text));
-    std::ostringstream out;
-    out << line;
-    std::string words = out.str();
-    std::ranges::replace(words, '\n', ' ');  // within arrays
-    return words;
+    return "scene = " + inline_text(*text);
 }
 
 std::string view_line(const CameraSpec& camera) {
