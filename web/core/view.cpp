@@ -8,13 +8,11 @@
 #include "core/session.h"
 #include "gl/gl.h"
 #include "render/renderer.h"
-#include "viewer/fly_camera.h"
 
 namespace nullscope::web {
 namespace {
 
 std::unique_ptr<Renderer> renderer;
-gl::Target target;  // what the picture is drawn to; the page copies it to its canvas
 RayFrame rays;
 
 bool prepare(int width, int height) {
@@ -27,10 +25,11 @@ bool prepare(int width, int height) {
 
 }  // namespace
 
-// For a new context, also after one was lost: nothing of an old one is freed in the new.
-NULLSCOPE_EXPORT(start_view) void start_view() {
+// For a new context, also after one was lost. floats: it draws to textures of floats; without that nothing is drawn in tiles.
+NULLSCOPE_EXPORT(start_view) void start_view(bool floats) {
     gl::prepare_context();
     renderer = std::make_unique<Renderer>();
+    if (!floats) renderer->limit_tiles(Tiles::kNone);
     renderer->keep_finer_sky();
     renderer->follow_camera();
 }
@@ -56,7 +55,7 @@ NULLSCOPE_EXPORT(trace_rays) bool trace_rays(int width, int height, int row_step
                               rays.pixels.size() * sizeof(RayPixel)));
 }
 
-// The numbers of the uniform block that the next picture has, as bytes.
+// What was done to images, for people: ["...", ...], since the last call.
 NULLSCOPE_EXPORT(notes) bool notes() {
     std::vector<std::string> list;
     for (const std::string& note : renderer->take_notes()) list.push_back(in_json(note));

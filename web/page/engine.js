@@ -50,7 +50,7 @@ export class Engine {
     ]);
     this.core = core;
     for (const [path, text] of Object.entries(scenes)) core.call("put_file", SHIPPED + path, text);
-    core.exports.start_view();
+    core.exports.start_view(this.limits.floats);
     return { device: deviceString(gl), ...this.limits };
   }
 
@@ -262,7 +262,7 @@ export class Engine {
   }
   #restored() {
     this.limits = this.#extensions();
-    this.core.exports.start_view();
+    this.core.exports.start_view(this.limits.floats);
     this.started = true;
     this.drawn = null;
     this.say("restored", {});
