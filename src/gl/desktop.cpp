@@ -1,4 +1,4 @@
-// What only OpenGL on a desktop has: functions that are looked up, failures that are thrown, a clock of the driver's.
+// What OpenGL on a desktop has and a browser has otherwise: functions that are looked up, failures that are thrown, a clock of the driver's.
 #include <fmt/format.h>
 #include <glad/gl.h>
 
@@ -33,6 +33,8 @@ void prepare_context() {
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     glDisable(GL_DITHER);
 }
+
+bool is_compiled(const Program&) { return true; }
 
 void fail(const std::string& what) { throw GlError(what); }
 

@@ -29,17 +29,22 @@ std::string log_of(GLuint id, Length get, Log get_log) {
     return log.c_str();
 }
 
-GLuint compile(GLenum kind, const std::string& source) {
+GLuint begin_shader(GLenum kind, const std::string& source) {
     const GLuint shader = glCreateShader(kind);
     const char* text = source.c_str();
     glShaderSource(shader, 1, &text, nullptr);
     glCompileShader(shader);
+    return shader;
+}
+
+// fails if the driver refuses it.
+void check_shader(GLenum kind, const std::string& source) {
+    const GLuint shader = begin_shader(kind, source);
     GLint ok = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-    if (ok == GL_TRUE) return shader;
-    const std::string log = log_of(shader, glGetShaderiv, glGetShaderInfoLog);
+    const std::string log = ok == GL_TRUE ? "" : log_of(shader, glGetShaderiv, glGetShaderInfoLog);
     glDeleteShader(shader);
-    fail("the driver refuses a shader: " + explained_log(log, source));
+    if (ok != GL_TRUE) fail("the driver refuses a shader: " + explained_log(log, source));
 }
 
 void set_sampling(GLenum target, GLint minify, GLint magnify) {
@@ -157,19 +162,30 @@ void delete_vertex_array(unsigned id) { glDeleteVertexArrays(1, &id); }
 void delete_renderbuffer(unsigned id) { glDeleteRenderbuffers(1, &id); }
 void delete_query(unsigned id) { glDeleteQueries(1, &id); }
 
-Program make_program(const std::string& vertex, const std::string& fragment) {
-    const GLuint v = compile(GL_VERTEX_SHADER, vertex);
-    const GLuint f = compile(GL_FRAGMENT_SHADER, fragment);
+Program begin_program(const std::string& vertex, const std::string& fragment) {
     Program program(glCreateProgram());
-    glAttachShader(program.id(), v);
-    glAttachShader(program.id(), f);
+    for (const auto& [kind, source] : {std::pair{GL_VERTEX_SHADER, &vertex}, {GL_FRAGMENT_SHADER, &fragment}}) {
+        const GLuint shader = begin_shader(static_cast<GLenum>(kind), *source);
+        glAttachShader(program.id(), shader);
+        glDeleteShader(shader);  // with the program
+    }
     glLinkProgram(program.id());
-    glDeleteShader(v);
-    glDeleteShader(f);
+    return program;
+}
+
+void finish_program(const Program& program, const std::string& vertex, const std::string& fragment) {
     GLint ok = 0;
     glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
-    if (ok == GL_TRUE) return program;
+    if (ok == GL_TRUE) return;
+    check_shader(GL_VERTEX_SHADER, vertex);
+    check_shader(GL_FRAGMENT_SHADER, fragment);
     fail("the driver cannot link a program: " + log_of(program.id(), glGetProgramiv, glGetProgramInfoLog));
+}
+
+Program make_program(const std::string& vertex, const std::string& fragment) {
+    Program program = begin_program(vertex, fragment);
+    finish_program(program, vertex, fragment);
+    return program;
 }
 
 void bind_uniform_block(const Program& program, const char* block, unsigned binding) {

@@ -69,6 +69,11 @@ using Query = Name<delete_query>;
 
 // throws GlError with the driver's log, explained.
 Program make_program(const std::string& vertex, const std::string& fragment);
+// The same in two steps, for drivers that compile beside other work: begun, and finished once it is_compiled (where the driver cannot tell:
+// at once; finishing waits).
+Program begin_program(const std::string& vertex, const std::string& fragment);
+bool is_compiled(const Program& program);
+void finish_program(const Program& program, const std::string& vertex, const std::string& fragment);
 // A driver's log of a shader with files and lines as they are written ("0:70012(3): error" becomes "core/trig.glsl:12(3):
 // error"), and behind each line the line of the source that it is about. The source has lines from 10000 F on for its file
 // F, and a comment "// NAME" before the first "#line" of each.

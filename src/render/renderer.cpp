@@ -197,13 +197,25 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     if (found != programs_.end()) return found->second;
     const ShaderSource source =
         shader_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
-    gl::Program made = gl::make_program(source.vertex, source.fragment);
+    gl::Program made = coming_ && coming_->first == key ? std::move(std::exchange(coming_, {})->second)
+                                                        : gl::begin_program(source.vertex, source.fragment);
+    gl::finish_program(made, source.vertex, source.fragment);
     UniformBlocks::name(made);
     for (const char* sampler : kSamplers) gl::set_integer(made, sampler, unit_of(sampler));
     for (const auto& [sampler, unit] : kPassSamplers) gl::set_integer(made, sampler, unit);
     for (int i = 0; const char* sampler : PictureTiles::kSamplers) gl::set_integer(made, sampler, kTileUnit + i++);
     for (int i = 0; i < kMostBodyImages; ++i) gl::set_integer(made, body_image_sampler(i).c_str(), kBodyUnit + i);
     return programs_.emplace(key, std::move(made)).first->second;
+}
+
+bool Renderer::is_compiled(Stage stage, Output output) {
+    const ProgramKey key = program_key(stage, output);
+    if (!coming_ || coming_->first != key) {
+        const ShaderSource source =
+            shader_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
+        coming_.emplace(key, gl::begin_program(source.vertex, source.fragment));
+    }
+    return gl::is_compiled(coming_->second);
 }
 
 int Renderer::picture_programs() const {
@@ -357,7 +369,8 @@ bool Renderer::build_next() {
     const std::vector<Pass> list = passes_with(most_built_tiles_, Output::kDisplay);
     for (const Pass& pass : list) {
         if (!is_in_tiles(pass.stage) || programs_.contains(program_key(pass.stage, pass.output))) continue;
-        // Drivers compile when something is drawn.
+        if (!is_compiled(pass.stage, pass.output)) return true;
+        // Many drivers compile once more when something is drawn.
         const gl::Target target =
             gl::make_target(kSide, kSide, keeps_light(list) ? gl::Format::kRgba16F : gl::Format::kRgba8);
         picture_tiles_.resize(list, kSide, kSide, tables_.effects());

@@ -61,7 +61,8 @@ public:
     void limit_tiles(Tiles most) { most_tiles_ = most; }
     // The same, once build_next() has made all of the programs; until then Tiles::kBodies.
     void limit_tiles_once_built(Tiles most) { most_built_tiles_ = most; }
-    // One program of those that are not there, some 0.1 s on software drivers; of a prepared scene. Returns whether one was left.
+    // One program of those that are not there, some 0.1 s on software drivers; of a prepared scene. Returns whether one was left. Where the
+    // driver compiles beside other work it returns at once, to be called again.
     bool build_next();
 
     // Whether pixels on edges get more rays, where the scene calls for it; the programs are the same.
@@ -128,6 +129,7 @@ private:
     using ProgramKey = std::tuple<Stage, Output, EffectSet, Method, std::string, BodyText>;
     ProgramKey program_key(Stage stage, Output output) const;
     const gl::Program& program(Stage stage, Output output);
+    bool is_compiled(Stage stage, Output output);  // begins it if it was not
     std::vector<Pass> passes_with(Tiles most, Output output) const;
     std::vector<Pass> picture_passes(Output output) const;
     template <class T, class Read>
@@ -157,6 +159,7 @@ private:
     gl::VertexArray empty_;
     UniformBlocks blocks_;
     std::map<ProgramKey, gl::Program> programs_;
+    std::optional<std::pair<ProgramKey, gl::Program>> coming_;  // begun by build_next()
     Method method_;
     FrameTables tables_;
     int rows_revision_ = -1, clearances_revision_ = 0;

@@ -1,8 +1,12 @@
 // The functions of OpenGL ES 3.0 that src/gl calls, by WebGL2. Objects have numbers, as there; 0 is none.
 
+// What OpenGL has and WebGL2 names otherwise or not at all.
+const INFO_LOG_LENGTH = 0x8b84, COMPLETION_STATUS = 0x91b1, PROGRAM_POINT_SIZE = 0x8642, CONTEXT_LOST = 0x0507;
+
 // gl: a WebGL2 context. module(): the module that calls, for its memory and for strings.
 export function glFunctions(gl, module) {
   const objects = new Map(), uniforms = [];
+  const parallel = gl.getExtension("KHR_parallel_shader_compile");
   let last = 0;
   const strings = new Map();
 
@@ -72,8 +76,8 @@ export function glFunctions(gl, module) {
     glDeleteTextures: remove((texture) => gl.deleteTexture(texture)),
     glDeleteVertexArrays: remove((vertices) => gl.deleteVertexArray(vertices)),
     // Points always have a size of their own here.
-    glDisable: (what) => what !== 0x8642 && gl.disable(what),
-    glEnable: (what) => what !== 0x8642 && gl.enable(what),
+    glDisable: (what) => what !== PROGRAM_POINT_SIZE && gl.disable(what),
+    glEnable: (what) => what !== PROGRAM_POINT_SIZE && gl.enable(what),
     glDrawArrays: (mode, first, count) => gl.drawArrays(mode, first, count),
     glDrawArraysInstanced: (mode, first, count, copies) => gl.drawArraysInstanced(mode, first, count, copies),
     glDrawBuffers: (count, list) => gl.drawBuffers([...ints(list, count)]),
@@ -91,16 +95,20 @@ export function glFunctions(gl, module) {
     glGenTextures: make(() => gl.createTexture()),
     glGenVertexArrays: make(() => gl.createVertexArray()),
     glGenerateMipmap: (target) => gl.generateMipmap(target),
-    glGetError: () => (gl.isContextLost() ? 0x0507 : gl.getError()),
+    glGetError: () => (gl.isContextLost() ? CONTEXT_LOST : gl.getError()),
     glGetIntegerv: (name, place) => (ints(place, 1)[0] = gl.getParameter(name)),
     glGetProgramInfoLog: (id, most, length, place) => copyText(gl.getProgramInfoLog(at(id)) ?? "", most, length, place),
-    glGetProgramiv: (id, name, place) =>
-      (ints(place, 1)[0] =
-        name === 0x8b84 ? size(gl.getProgramInfoLog(at(id))) : Number(gl.getProgramParameter(at(id), name))),
+    glGetProgramiv: (id, name, place) => {
+      let value;
+      if (name === INFO_LOG_LENGTH) value = size(gl.getProgramInfoLog(at(id)));
+      else if (name === COMPLETION_STATUS && !parallel) value = true;
+      else value = gl.getProgramParameter(at(id), name);
+      ints(place, 1)[0] = Number(value);
+    },
     glGetShaderInfoLog: (id, most, length, place) => copyText(gl.getShaderInfoLog(at(id)) ?? "", most, length, place),
     glGetShaderiv: (id, name, place) =>
       (ints(place, 1)[0] =
-        name === 0x8b84 ? size(gl.getShaderInfoLog(at(id))) : Number(gl.getShaderParameter(at(id), name))),
+        name === INFO_LOG_LENGTH ? size(gl.getShaderInfoLog(at(id))) : Number(gl.getShaderParameter(at(id), name))),
     glGetString: (name) => {
       if (!strings.has(name)) {
         const bytes = new TextEncoder().encode(`${deviceString(gl, name)}\0`);

@@ -1,6 +1,8 @@
 // WebGL2 for src/gl: its functions are those of OpenGL ES 3.0, which page/webgl.js gives. It has no clock.
 #include "gl/gl.h"
 
+#include <glad/gl.h>
+
 extern "C" [[noreturn]] __attribute__((import_module("page"), import_name("fail"))) void page_fail(const char* text,
                                                                                                    std::size_t size);
 
@@ -9,6 +11,14 @@ namespace nullscope::gl {
 void prepare_context() {}
 
 void fail(const std::string& what) { page_fail(what.data(), what.size()); }
+
+// page/webgl.js says yes where the browser cannot tell (KHR_parallel_shader_compile).
+bool is_compiled(const Program& program) {
+    constexpr GLenum kCompletionStatus = 0x91b1;
+    GLint done = 0;
+    glGetProgramiv(program.id(), kCompletionStatus, &done);
+    return done != 0;
+}
 
 Query timestamp() { return {}; }
 
