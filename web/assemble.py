@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Puts a page's folder together: assemble.py BUILD OUT. BUILD has core.wasm and reference.wasm; OUT is made anew."""
 import gzip
+import hashlib
 import json
 import pathlib
 import shutil
@@ -27,6 +28,23 @@ def main():
     texts = {str(file.relative_to(ASSETS)): file.read_text()
              for pattern in TEXTS for file in sorted(ASSETS.glob(pattern))}
     (out / "assets/scenes.json").write_text(json.dumps(texts, separators=(",", ":")))
+    shutil.copyfile(ASSETS / "icon.png", out / "icon.png")
+    write_service_worker(out)
+
+
+def write_service_worker(out):
+    """sw.js names every file, and is another one whenever a file is another one."""
+    names = sorted(str(file.relative_to(out)) for file in out.rglob("*") if file.is_file() and file.name != "sw.js")
+    version = hashlib.sha256()
+    for name in names:
+        version.update(name.encode() + b"\0" + hashlib.sha256((out / name).read_bytes()).digest())
+    script = (out / "sw.js").read_text()
+    for before, now in (('VERSION = ""', f'VERSION = "{version.hexdigest()[:16]}"'),
+                        ("FILES = []", f"FILES = {json.dumps(['./', *names])}")):
+        if before not in script:
+            sys.exit(f"sw.js: no {before}")
+        script = script.replace(before, now)
+    (out / "sw.js").write_text(script)
 
 
 main()

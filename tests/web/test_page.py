@@ -1,0 +1,371 @@
+#!/usr/bin/env python3
+"""The page, by real mouse, touch and key events, on SwiftShader: test_page.py PAGE [CASE...], PAGE: build/web/page."""
+import functools
+import http.server
+import json
+import sys
+import threading
+import unittest
+
+from browser import Browser, PageError, Quiet, Server
+
+PAGE = None
+GRID = "#sky-grid"  # needs no sky from the network
+VIEW = "document.querySelector('nullscope-view')"
+WIDE, PHONE = (800, 320), (360, 640)
+# WebGL in the page itself, where a script of the test can change it.
+IN_PAGE = "delete HTMLCanvasElement.prototype.transferControlToOffscreen;"
+NO_WEBGL = IN_PAGE + "HTMLCanvasElement.prototype.getContext = () => null;"
+NO_FLOATS = IN_PAGE + """
+  const real = WebGL2RenderingContext.prototype.getExtension;
+  WebGL2RenderingContext.prototype.getExtension = function (name) { return /float/.test(name) ? null : real.call(this, name); };"""
+DIGEST = """.then(async ({ width, height, pixels }) => [width, height,
+  ...new Uint8Array(await crypto.subtle.digest("SHA-256", pixels))])"""
+
+
+class Page(Browser):
+    """A browser with the page open and its first picture drawn."""
+
+    def __init__(self, url, size=WIDE, script="", drawn=True):
+        super().__init__("swiftshader", *size)
+        if size == PHONE:
+            self.resize(*PHONE, phone=True)
+        if script:
+            self.page("Page.addScriptToEvaluateOnNewDocument", source=script)
+        self.open(url)
+        if drawn:
+            self.until_drawn()
+
+    def until_drawn(self):
+        self.wait(f"Boolean({VIEW}?.drawn) && document.querySelectorAll('#scenes a').length > 0")
+
+    def ask(self, call, *values):
+        return self.run(f"{VIEW}.ask({', '.join(map(json.dumps, (call, *values)))})")
+
+    def values(self):
+        return {key["name"]: key["value"] for key in self.ask("keys")}
+
+    def camera(self):
+        known = self.values()
+        return {name: float(known[f"camera.{name}"]) for name in ("r", "theta", "phi", "yaw", "pitch", "roll", "fov")}
+
+    def centre(self, selector=None):
+        """Of an element, in px of the window; scrolled to."""
+        box = self.run(f"""(() => {{ const e = document.querySelector({json.dumps(selector or 'nullscope-view')});
+            e.scrollIntoView({{ block: "center" }}); const b = e.getBoundingClientRect();
+            return [b.x + b.width / 2, b.y + b.height / 2, b.width, b.height]; }})()""")
+        if box[2] == 0:
+            raise PageError(f"{selector} is not to be seen")
+        return box[0], box[1]
+
+    def click(self, selector):
+        x, y = self.centre(selector)
+        self.drag([(x, y), (x, y)])
+
+    def tap(self, selector):
+        at = self.centre(selector)
+        self.touch("touchStart", [at])
+        self.touch("touchEnd", [])
+
+    def press(self, code, **more):
+        self.key(code, **more)
+        self.key(code, down=False, **more)
+
+    def shown(self, selector):
+        return self.run(f"document.querySelector({json.dumps(selector)})?.checkVisibility() ?? false")
+
+    def text(self, selector):
+        return self.run(f"document.querySelector({json.dumps(selector)})?.textContent ?? ''")
+
+    def picture(self):
+        return self.run(f"{VIEW}.ask('picture'){DIGEST}")
+
+    def fresh(self):
+        """The grid scene again, as it ships; and no element has the focus."""
+        self.run(f"document.activeElement.blur(); history.pushState(null, '', '{GRID}'); dispatchEvent(new PopStateEvent('popstate'))")
+        self.wait("document.querySelector('h1').textContent === 'Sky grid'")
+        self.run(f"{VIEW}.open('sky-grid')")
+
+
+class Wide(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.page = Page(SERVER.url + GRID)
+
+    @classmethod
+    def tearDownClass(cls):
+        console = [line for line in cls.page.console if "GPU stall" not in line]
+        cls.page.close()
+        assert not console, console
+
+    def setUp(self):
+        self.page.fresh()
+        self.before = self.page.camera()
+
+    def changed(self):
+        now = self.page.camera()
+        return {name for name, value in now.items() if abs(value - self.before[name]) > 1e-6}
+
+    def test_mouse_drag_looks(self):
+        page, (x, y) = self.page, self.page.centre()
+        page.drag([(x, y), (x + 30, y), (x + 60, y)])
+        self.assertEqual(self.changed() & {"yaw", "r", "theta", "phi"}, {"yaw"})
+        # What was grabbed is seen where the mouse let it go: the view turned left.
+        self.assertLess(page.camera()["yaw"], self.before["yaw"])
+
+    def test_mouse_orbits_and_rolls(self):
+        page, (x, y) = self.page, self.page.centre()
+        page.drag([(x, y), (x + 40, y)], button="middle")
+        self.assertIn("phi", self.changed())
+        self.before = page.camera()
+        page.drag([(x + 60, y), (x, y - 60)], button="right")
+        self.assertEqual(self.changed(), {"roll"})
+
+    def test_wheel(self):
+        page, (x, y) = self.page, self.page.centre()
+        page.mouse("mouseWheel", x, y, deltaX=0, deltaY=-100)
+        page.wait(f"{VIEW}.left !== 0 || true")
+        page.wait(f"{VIEW}.left === 0 && {VIEW}.gliding === undefined")
+        distance = (page.camera()["r"] - 1) / (self.before["r"] - 1)
+        self.assertAlmostEqual(distance, 2.718281828 ** -0.15, delta=1e-6)
+        page.mouse("mouseWheel", x, y, deltaX=0, deltaY=-100, modifiers=8)
+        page.wait(f"{VIEW}.ask('sceneLine').then((line) => !line.includes('fov = 75'))")
+        self.assertLess(page.camera()["fov"], 75)
+
+    def test_keys_fly(self):
+        page = self.page
+        page.key("KeyW")
+        page.wait(f"{VIEW}.drawn.place[0] < {self.before['r'] - 0.5}")
+        page.key("KeyW", down=False)
+        self.assertLess(page.camera()["r"], self.before["r"] - 0.5)
+        page.press("ArrowLeft")
+        self.assertIn("yaw", self.changed())
+        page.press("KeyR")
+        page.wait(f"{VIEW}.ask('sceneLine').then((line) => line.includes('r = 12,'))")
+        self.assertEqual(self.changed(), set())
+
+    def test_keys_of_a_field_do_not_fly(self):
+        page = self.page
+        page.click("[data-key='camera.exposure'] input[type=number]")
+        page.press("KeyW")
+        page.press("KeyF")
+        self.assertEqual(self.changed(), set())
+
+    def test_let_go(self):
+        page = self.page
+        page.press("KeyF")
+        page.wait("document.querySelector('#fall b').textContent === 'Stop'")
+        page.wait(f"{VIEW}.drawn.place[4] > 0.2")
+        page.click("#fall")
+        page.wait("document.querySelector('#fall b').textContent === 'Let go'")
+        self.assertLess(page.camera()["r"], self.before["r"])
+
+    def test_clock_runs(self):
+        self.page.click("#clock")
+        self.page.wait(f"{VIEW}.drawn.place[3] > 1")
+        self.page.click("#clock")
+        self.assertEqual(self.page.run("document.querySelector('#clock').ariaPressed"), "false")
+
+    def test_every_control_is_of_the_table(self):
+        page = self.page
+        page.wait("document.querySelectorAll('#settings .row').length > 60")
+        keys = {key["name"]: key for key in page.ask("keys")}
+        rows = page.run("""[...document.querySelectorAll('#settings .row')].map((row) =>
+            [row.dataset.key, row.querySelector('.name').title, row.querySelector('.value i')?.textContent ?? '', row.hidden])""")
+        for name, help_, unit, hidden in rows:
+            if name not in ("spacetime.metric", "split.metric"):
+                self.assertEqual((help_, unit, hidden), (keys[name]["help"], keys[name]["unit"], not keys[name]["meant"]), name)
+
+    def test_metric_and_its_parameter(self):
+        page = self.page
+        page.run("""(() => { const list = document.querySelector("[data-key='spacetime.metric'] select");
+            list.value = "kerr"; list.dispatchEvent(new Event("change")); })()""")
+        page.wait("Boolean(document.querySelector(\"[data-key='spacetime.spin'] input[type=range]\"))")
+        page.click("[data-key='spacetime.spin'] input[type=range]")
+        page.press("ArrowLeft")
+        page.wait(f"{VIEW}.ask('sceneLine').then((line) => /spin = 0.4/.test(line))")
+        self.assertEqual(self.changed(), set())
+        self.assertEqual(page.text("[data-section=spacetime] .note"), "A rotating black hole.")
+
+    def test_number_that_is_refused(self):
+        page = self.page
+        page.run("document.querySelector('[data-section=disc] summary').click()")
+        page.click("[data-section=disc] .has")
+        page.wait(f"{VIEW}.ask('sceneLine').then((line) => line.includes('disc = '))")
+        page.wait("document.querySelector(\"[data-key='disc.inner']\").checkVisibility()")
+        page.click("[data-key='disc.inner'] input[type=number]")
+        page.run("document.activeElement.select()")
+        page.page("Input.insertText", text="99")
+        page.press("Enter", key="Enter", text="\r")
+        page.wait("document.querySelector('#toast').textContent !== ''")
+        self.assertIn("disc", page.text("#toast"))
+        self.assertEqual(page.values()["disc.inner"], "3")
+        page.click("[data-section=disc] .has")
+        page.wait(f"{VIEW}.ask('sceneLine').then((line) => !line.includes('disc = '))")
+
+    def test_split_view(self):
+        page = self.page
+        page.click("#split")
+        page.wait("document.querySelector('#divider').checkVisibility()")
+        self.assertEqual(page.text("#divider span:last-child"), "Flat")
+        self.assertIn("minkowski", page.ask("sceneLine"))
+        page.wait("location.hash.includes('split')")
+        page.click("#split")
+        page.wait("!document.querySelector('#divider').checkVisibility()")
+
+    def test_a_view_is_a_link(self):
+        page, (x, y) = self.page, self.page.centre()
+        page.drag([(x, y), (x + 33, y + 21)])
+        page.mouse("mouseWheel", x, y, deltaX=0, deltaY=-130)
+        page.wait("location.hash.includes('camera') && !location.hash.includes('size')")
+        page.wait(f"{VIEW}.gliding === undefined")
+        page.wait("new Promise((done) => setTimeout(() => done(true), 600))")
+        link, picture = page.run("location.href"), page.picture()
+        with Page(link) as other:
+            self.assertEqual(other.picture(), picture)
+            self.assertEqual(other.run("location.href"), link)
+
+    def test_gallery_and_back(self):
+        page = self.page
+        page.click("#tab-scenes")
+        groups = len(page.ask("gallery"))
+        self.assertEqual(page.run("document.querySelectorAll('#scenes a').length"), groups)
+        page.click("#scenes a[data-name=flat]")
+        page.wait("location.hash === '#flat' && document.querySelector('h1').textContent === 'Flat spacetime'")
+        page.run("history.back()")
+        page.wait(f"location.hash === '{GRID}' && document.querySelector('h1').textContent === 'Sky grid'")
+        page.click("#tab-settings")
+
+    def test_png(self):
+        size = self.page.run(f"{VIEW}.png().then((png) => createImageBitmap(png)).then((image) => [image.width, image.height])")
+        self.assertEqual(size, self.page.run(f"[{VIEW}.clientWidth, {VIEW}.clientHeight]"))
+
+    def test_proof(self):
+        page = self.page
+        page.click("#tab-proof")
+        self.assertIn("spacetime.metric", page.text(".plan"))
+        page.click("#measure")
+        page.wait("document.querySelector('#certificate').checkVisibility()", 240)
+        text = page.text("#certificate")
+        self.assertRegex(text, r"largest error   0?\.?\d.* px")
+        self.assertRegex(text, r"wrong fates     0\b")
+        for part in ("SwiftShader", "Sky grid", "480 x 320", "every one", GRID):
+            self.assertIn(part, text)
+        self.assertTrue(page.shown("#heat"))
+        x, y = page.centre()
+        page.drag([(x, y), (x + 5, y)])
+        self.assertFalse(page.shown("#heat"))
+        page.click("#tab-settings")
+
+    def test_lost_context(self):
+        page = self.page
+        picture = page.picture()
+        page.ask("loseContext")
+        page.wait(f"/gone/.test({VIEW}.message.textContent) && !{VIEW}.message.hidden")
+        page.ask("restoreContext")
+        page.wait(f"{VIEW}.message.hidden")
+        self.assertEqual(page.picture(), picture)
+
+    def test_everything_has_a_name(self):
+        page = self.page
+        page.run("for (const section of document.querySelectorAll('#settings details')) section.open = true")
+        for tab in ("scenes", "proof", "settings"):
+            page.click(f"#tab-{tab}")
+            for node in page.page("Accessibility.getFullAXTree")["nodes"]:
+                role, name = node.get("role", {}).get("value"), node.get("name", {}).get("value", "")
+                if role in ("button", "slider", "spinbutton", "switch", "combobox", "textbox", "link", "tab", "ColorWell"):
+                    self.assertNotEqual(name.strip(), "", node)
+
+
+class Phone(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.page = Page(SERVER.url + GRID, PHONE)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.page.close()
+
+    def test_fingers(self):
+        page = self.page
+        before = page.camera()
+        page.touch("touchStart", [(150, 250)])
+        for x in (160, 175, 190):
+            page.touch("touchMove", [(x, 250)])
+        page.touch("touchEnd", [])
+        looked = page.camera()
+        self.assertLess(looked["yaw"], before["yaw"])
+        self.assertEqual(looked["r"], before["r"])
+        page.touch("touchStart", [(150, 250)])
+        page.touch("touchStart", [(150, 250), (210, 250)])
+        page.touch("touchMove", [(140, 250), (220, 250)])
+        page.touch("touchMove", [(120, 250), (240, 250)])
+        page.touch("touchEnd", [])
+        self.assertAlmostEqual((page.camera()["r"] - 1) / (looked["r"] - 1), 0.5, delta=1e-6)
+
+    def test_sheet(self):
+        page = self.page
+        self.assertFalse(page.shown("#settings"))
+        for tab in ("scenes", "settings", "proof"):
+            page.tap(f"#tab-{tab}")
+            page.wait(f"document.querySelector('#{tab}').checkVisibility()")
+            self.assertEqual(page.run("[document.documentElement.scrollWidth, document.body.scrollWidth]"), [360, 360])
+            wide = page.run(f"""[...document.querySelectorAll('#{tab} *')].filter((e) => e.checkVisibility()
+                && e.getBoundingClientRect().right > 360.5).map((e) => e.outerHTML.slice(0, 80))""")
+            self.assertEqual(wide, [])
+            small = page.run("""[...document.querySelectorAll('button, summary, select, input')].filter((e) => e.checkVisibility()
+                && !e.matches('.switch, .name') && Math.max(e.clientHeight, e.offsetHeight) < 36).map((e) => e.outerHTML.slice(0, 80))""")
+            self.assertEqual(small, [])
+        page.tap("#tab-proof")
+        page.wait("!document.querySelector('#proof').checkVisibility()")
+
+
+class Elsewhere(unittest.TestCase):
+    def test_offline(self):
+        server = Server(PAGE)
+        with Page(server.url + GRID) as page:
+            page.wait("navigator.serviceWorker.ready.then((there) => there.active?.state === 'activated')")
+            page.wait("Boolean(navigator.serviceWorker.controller)")
+            server.close()
+            server.http.server_close()
+            page.page("Network.setCacheDisabled", cacheDisabled=True)
+            page.page("Page.reload")
+            page.until_drawn()
+            page.wait("document.querySelector('h1').textContent === 'Sky grid'")
+
+    def test_one_script_and_one_element_on_another_site(self):
+        class Open(Quiet):
+            def end_headers(self):
+                self.send_header("Access-Control-Allow-Origin", "*")
+                super().end_headers()
+
+        http_server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Open, directory=str(PAGE)))
+        threading.Thread(target=http_server.serve_forever, daemon=True).start()
+        with Page(SERVER.url + "icon.png", drawn=False) as page:
+            page.wait("document.readyState === 'complete'")
+            page.run(f"""document.body.innerHTML = '<nullscope-view scene="sky-grid"></nullscope-view>';
+                const script = document.createElement("script");
+                script.type = "module", script.src = "http://127.0.0.1:{http_server.server_port}/view.js";
+                document.body.append(script);""")
+            page.wait(f"Boolean({VIEW}?.drawn)")
+            page.run(f"{VIEW}.setAttribute('scene', 'flat')")
+            page.wait(f"{VIEW}.ask('sceneLine').then((line) => line.includes('minkowski'))")
+            self.assertIn("no scene of this name", page.run(f"{VIEW}.open('nosuch').catch((error) => error.message)"))
+        http_server.shutdown()
+
+    def test_without_float_targets(self):
+        with Page(SERVER.url + GRID, script=NO_FLOATS) as page:
+            page.click("#tab-proof")
+            page.click("#measure")
+            page.wait("/cannot draw to textures of floats/.test(document.querySelector('#proof [role=status]').textContent)")
+
+    def test_without_webgl(self):
+        with Page(SERVER.url, script=NO_WEBGL, drawn=False) as page:
+            page.wait(f"/no WebGL2/.test({VIEW}?.message?.textContent)")
+            self.assertTrue(page.run(f"!{VIEW}.message.hidden"))
+
+
+if __name__ == "__main__":
+    PAGE = sys.argv.pop(1)
+    SERVER = Server(PAGE)
+    unittest.main(verbosity=2)
