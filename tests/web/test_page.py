@@ -82,6 +82,7 @@ class Page(Browser):
 
     def fresh(self):
         """The grid scene again, as it ships; and no element has the focus."""
+        self.run("if (!document.querySelector('#settings').checkVisibility()) document.querySelector('#tab-settings').click()")
         self.run(f"document.activeElement.blur(); history.pushState(null, '', '{GRID}'); dispatchEvent(new PopStateEvent('popstate'))")
         self.wait("document.querySelector('h1').textContent === 'Sky grid'")
         self.run(f"{VIEW}.open('sky-grid')")
@@ -100,6 +101,7 @@ class Wide(unittest.TestCase):
 
     def setUp(self):
         self.page.fresh()
+        self.page.wait("document.querySelectorAll('#settings .row').length > 60")
         self.before = self.page.camera()
 
     def changed(self):
@@ -124,7 +126,7 @@ class Wide(unittest.TestCase):
     def test_wheel(self):
         page, (x, y) = self.page, self.page.centre()
         page.mouse("mouseWheel", x, y, deltaX=0, deltaY=-100)
-        page.wait(f"{VIEW}.left !== 0 || true")
+        page.wait(f"{VIEW}.left !== 0 || {VIEW}.drawn.place[0] < 12")
         page.wait(f"{VIEW}.left === 0 && {VIEW}.gliding === undefined")
         distance = (page.camera()["r"] - 1) / (self.before["r"] - 1)
         self.assertAlmostEqual(distance, 2.718281828 ** -0.15, delta=1e-6)
@@ -219,7 +221,7 @@ class Wide(unittest.TestCase):
         page.mouse("mouseWheel", x, y, deltaX=0, deltaY=-130)
         page.wait("location.hash.includes('camera') && !location.hash.includes('size')")
         page.wait(f"{VIEW}.gliding === undefined")
-        page.wait("new Promise((done) => setTimeout(() => done(true), 600))")
+        page.wait(f"import('./line.js').then(({{ linkOf }}) => {VIEW}.ask('sceneLine').then(linkOf)).then((link) => location.hash === `#${{link}}`)")
         link, picture = page.run("location.href"), page.picture()
         with Page(link) as other:
             self.assertEqual(other.picture(), picture)
@@ -231,7 +233,7 @@ class Wide(unittest.TestCase):
         groups = len(page.ask("gallery"))
         self.assertEqual(page.run("document.querySelectorAll('#scenes a').length"), groups)
         page.click("#scenes a[data-name=flat]")
-        page.wait("location.hash === '#flat' && document.querySelector('h1').textContent === 'Flat spacetime'")
+        page.wait("location.hash === '#flat' && document.querySelector('h1').textContent === 'Flat'")
         page.run("history.back()")
         page.wait(f"location.hash === '{GRID}' && document.querySelector('h1').textContent === 'Sky grid'")
         page.click("#tab-settings")

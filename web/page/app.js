@@ -102,7 +102,7 @@ async function open(what) {
   setClock(0);
   await view.open(what);
   opened.name = /^[\w-]+$/.test(what) ? what : null;
-  opened.link = opened.name === null ? null : linkOf(await view.ask("sceneLine"));
+  opened.link = opened.name === null ? null : linkOf(view.line);
   markScene();
   await news();
   get("title").classList.remove("gone");

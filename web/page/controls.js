@@ -23,7 +23,7 @@ const SPANS = {
 };
 const WORDS = {
   fov: "Field of view", r: "Distance r", yaw: "Turn", pitch: "Tilt up", "sky.yaw": "Turn", "far_sky.yaw": "Turn", u: "u", v: "v",
-  far_sky: "Far sky", light: "Light, switched off to teach", spot: "Hot spot", picture: "Picture", cylinder: "Thick disc", sphere: "Sphere",
+  far_sky: "Far sky", zamo: "ZAMO", spot: "Hot spot", picture: "Picture", cylinder: "Thick disc", sphere: "Sphere",
   "light.gravity": "Gravitational shift", "light.doppler": "Doppler shift", "light.delay": "Light-travel time", "sky.kind": "Shows",
   "reissner-nordstrom": "Reissner\u2013Nordstr\u00f6m (charged)", kerr: "Kerr (rotating)", "kerr-newman": "Kerr\u2013Newman",
   ellis: "Ellis wormhole", "dneg-wormhole": "Wormhole of \u201cInterstellar\u201d", minkowski: "Flat", schwarzschild: "Schwarzschild",
@@ -214,7 +214,8 @@ export class Controls {
     for (const [title, section] of this.sections) {
       const has = [...section.querySelectorAll(".row")].some((one) => !one.hidden);
       const several = parts.get(title)?.startsWith("[");
-      section.hidden = several || (!has && !OPTIONAL.includes(title));
+      const elsewhere = title === "far_sky" && !this.spacetime.parameters.some(({ name }) => name === "throat");
+      section.hidden = several || elsewhere || (!has && !OPTIONAL.includes(title));
       const box = section.querySelector(".has");
       if (box) box.checked = parts.has(title);
       const more = section.querySelector(".more");

@@ -43,7 +43,8 @@ export class Engine {
     this.limits = this.#extensions();
     canvas.addEventListener("webglcontextlost", (event) => this.#lost(event));
     canvas.addEventListener("webglcontextrestored", () => this.#restored());
-    const imports = { env: glFunctions(gl, () => this.core) };
+    this.functions = glFunctions(gl, () => this.core);
+    const imports = { env: this.functions };
     const [core, scenes] = await Promise.all([
       Module.load(new URL("core.wasm", base), imports),
       fetch(new URL("assets/scenes.json", base)).then((response) => response.json()),
@@ -262,6 +263,7 @@ export class Engine {
   }
   #restored() {
     this.limits = this.#extensions();
+    this.functions.forget();
     this.core.exports.start_view(this.limits.floats);
     this.started = true;
     this.drawn = null;

@@ -115,7 +115,7 @@ export class NullscopeView extends HTMLElement {
     await this.ready;
     return this.engine.ask(call, values);
   }
-  // Shows another scene. Throws what is wrong with it, and says so over the picture if there is none yet.
+  // Shows another scene, whose line is then in `line`. Throws what is wrong with it, and says so over the picture if there is none yet.
   async open(what) {
     this.opened = what;
     try {
@@ -124,7 +124,7 @@ export class NullscopeView extends HTMLElement {
       if (!this.drawn) this.#say(plain(error.message));
       throw error;
     }
-    this.camera = partsOf(await this.ask("sceneLine")).get("camera");
+    this.line = await this.ask("sceneLine");
     this.#event("scene", { what });
   }
   // A key of a scene file gets another value, both as text.
@@ -141,7 +141,8 @@ export class NullscopeView extends HTMLElement {
   }
   // Back to the camera that the scene had when it was opened.
   async home() {
-    await this.change((parts) => (this.camera ? parts.set("camera", this.camera) : parts.delete("camera")));
+    const camera = partsOf(this.line).get("camera");
+    await this.change((parts) => (camera ? parts.set("camera", camera) : parts.delete("camera")));
     this.#event("hand", {});
   }
   async letGo() {

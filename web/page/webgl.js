@@ -44,6 +44,8 @@ export function glFunctions(gl, module) {
   const size = (log) => new TextEncoder().encode(log ?? "").length + 1;
 
   return {
+    // After a lost context: what is deleted later was of the old one.
+    forget: () => objects.clear(),
     glActiveTexture: (unit) => gl.activeTexture(unit),
     glAttachShader: (program, shader) => gl.attachShader(at(program), at(shader)),
     glBindBuffer: (target, id) => gl.bindBuffer(target, at(id)),
