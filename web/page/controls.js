@@ -190,10 +190,10 @@ const held = (element) => element.querySelector(":active, input[type=number]:foc
 
 // Fills `place` with the controls of a <nullscope-view>. refresh(): shows what the scene has now.
 export class Controls {
-  constructor(view, place, refuse) {
+  constructor(view, place, say) {
     this.view = view;
     this.place = place;
-    this.refuse = (error) => refuse(plain(error.message));
+    this.say = say;
     this.controls = new Map();
     this.refresh = latest(() => this.#refresh());
   }
@@ -227,18 +227,18 @@ export class Controls {
     return latest(async (value) => {
       try {
         await this.view.set(name, value);
-        this.refuse({ message: "" });
+        this.say("");
       } catch (error) {
-        this.refuse(error);
+        this.say(plain(error.message));
       }
     });
   }
   async change(edit) {
     try {
       await this.view.change(edit);
-      this.refuse({ message: "" });
+      this.say("");
     } catch (error) {
-      this.refuse(error);
+      this.say(plain(error.message));
     }
     await this.refresh();
   }
@@ -298,7 +298,7 @@ export class Controls {
       body.replaceChildren(list.element, note);
       if (had) list.element.querySelector("select").focus();
       body.parameters = known.parameters.map((parameter) => {
-        const key = { name: `${title}.${parameter.name}`, type: "number", ...parameter };
+        const key = { ...parameter, name: `${title}.${parameter.name}`, type: "number" };
         const made = number(words(parameter.name), key, this.#set(key.name));
         made.element.dataset.key = key.name;
         body.append(made.element);

@@ -177,6 +177,7 @@ export class NullscopeView extends HTMLElement {
         this.engine?.end();
         this.device = await start(new InPage(say), this.#canvas(true), []);
       }
+      if (!this.device.halves) throw new Error("this device cannot draw to textures of floats, which brightness needs");
     } catch (error) {
       this.#fail(error);
     }
@@ -343,7 +344,7 @@ export class NullscopeView extends HTMLElement {
 
 // A message of the engine for people: without the place in a file that they never saw.
 export function plain(message) {
-  const text = message.replace(/^scene(\.toml)?(:\d+)*: /, "").replace(/^\w/, (letter) => letter.toUpperCase());
+  const text = message.replace(/^scene(\.toml)?(:\d+)*: /, "").replace(/^[a-z]+(?![\w.])/, (word) => word[0].toUpperCase() + word.slice(1));
   return /[.!?]$/.test(text) ? text : `${text}.`;
 }
 
