@@ -250,7 +250,7 @@ class Wide(unittest.TestCase):
     def test_proof(self):
         page = self.page
         page.click("#tab-proof")
-        self.assertIn("spacetime.metric", page.text(".plan"))
+        page.wait("document.querySelector('.plan').textContent.includes('spacetime.metric')")
         page.click("#measure")
         page.wait("document.querySelector('#certificate').checkVisibility()", 240)
         text = page.text("#certificate")

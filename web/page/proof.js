@@ -33,12 +33,14 @@ export class Proof {
     this.show.setAttribute("aria-label", "Errors over the picture");
     this.show.addEventListener("change", () => (heat.hidden = !this.show.checked));
     this.toggle = make("label", { className: "row", hidden: true }, make("span", { className: "name", textContent: "Errors over the picture" }), this.show);
+    this.legend = make("p", { className: "note", hidden: true, textContent: "Black: 0.0001 px and less; then blue, green, yellow, red; white: a whole pixel. A dark "
+      + "picture is an exact one." });
     this.list = make("dl", { className: "plan" });
     place.append(
       make("h2", { textContent: "How exact is this picture?" }),
       make("p", { className: "note", textContent: "Your graphics device finds where the light of each pixel comes from. A second program, which shares no "
         + "code with the first, then computes the same rays in double precision. The difference is measured in pixels of the picture." }),
-      this.button, this.progress, this.status, this.figures, this.toggle, this.text, this.copy,
+      this.button, this.progress, this.status, this.figures, this.toggle, this.legend, this.text, this.copy,
       make("h2", { textContent: "What is simulated here, and why" }), this.list);
     view.addEventListener("hand", () => (this.show.checked = false));
     view.addEventListener("scene", () => this.#stale());
@@ -85,7 +87,7 @@ export class Proof {
       this.shown = true;
       this.show.checked = true;
       this.heat.hidden = false;
-      for (const part of [this.figures, this.toggle]) part.hidden = false;
+      for (const part of [this.figures, this.toggle, this.legend]) part.hidden = false;
     }
     this.#figures(certificate);
     if (whole) {
@@ -133,7 +135,7 @@ export class Proof {
     if (this.judge) this.#end("Stopped: the scene has changed.");
     this.shown = false;
     this.heat.hidden = true;
-    for (const part of [this.figures, this.toggle, this.text, this.copy]) part.hidden = true;
+    for (const part of [this.figures, this.toggle, this.legend, this.text, this.copy]) part.hidden = true;
   }
 }
 
