@@ -2,25 +2,55 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "core/exports.h"
 #include "core/session.h"
 #include "gl/gl.h"
 #include "render/renderer.h"
+#include "scene/split.h"
 
 namespace nullscope::web {
 namespace {
 
-std::unique_ptr<Renderer> renderer;
+std::unique_ptr<Renderer> renderer, right;  // of a split screen's right half, where there is one
+std::optional<Halves> split;                // that is prepared
+std::array<gl::Target, 2> drawn;            // of its halves
 RayFrame rays;
 
-bool prepare(int width, int height) {
+bool float_targets = true;
+
+std::unique_ptr<Renderer> make_renderer() {
+    auto made = std::make_unique<Renderer>();
+    if (!float_targets) made->limit_tiles(Tiles::kNone);
+    made->keep_finer_sky();
+    made->follow_camera();
+    return made;
+}
+
+Scene shown(int width, int height) {
     session().scene.camera.width = width, session().scene.camera.height = height;
     Scene scene = session().scene;
     scene.path.reset();
-    const Status prepared = renderer->prepare(scene);
-    return prepared ? true : answer(prepared.error());
+    return scene;
+}
+
+Status prepare(const Scene& scene) {
+    split = halves(scene);
+    if (!split) right.reset();
+    if (Status ready = renderer->prepare(split ? split->left : scene); !ready || !split) return ready;
+    if (right == nullptr) right = make_renderer();
+    return right->prepare(split->right);
+}
+
+void draw_half(Renderer& by, gl::Target& target, const CameraSpec& camera, int x) {
+    if (target.width != camera.width || target.height != camera.height)
+        target = gl::make_target(camera.width, camera.height, gl::Format::kRgba8);
+    by.draw(target.framebuffer.id(), camera.width, camera.height, Output::kDisplay);
+    gl::blit(target.colours.front().id(), camera.width, camera.height, 0, camera.width, camera.height, x);
 }
 
 }  // namespace
@@ -28,34 +58,44 @@ bool prepare(int width, int height) {
 // For a new context, also after one was lost. floats: it draws to textures of floats; without that nothing is drawn in tiles.
 NULLSCOPE_EXPORT(start_view) void start_view(bool floats) {
     gl::prepare_context();
-    renderer = std::make_unique<Renderer>();
-    if (!floats) renderer->limit_tiles(Tiles::kNone);
-    renderer->keep_finer_sky();
-    renderer->follow_camera();
+    float_targets = floats;
+    renderer = make_renderer();
+    right.reset();
+    drawn = {};
 }
 
 // Draws to the canvas, adaptation: of automatic exposure (Renderer::set_adaptation). false: the answer says why not; files that are missing
 // are named by missed_files().
 NULLSCOPE_EXPORT(draw) bool draw(int width, int height, double adaptation) {
-    if (!prepare(width, height)) return false;
+    if (const Status ready = prepare(shown(width, height)); !ready) return answer(ready.error());
     renderer->set_adaptation(adaptation);
-    renderer->draw(0, width, height, Output::kDisplay);
+    if (split) {
+        right->set_adaptation(adaptation);
+        draw_half(*renderer, drawn[0], split->left.camera, 0);
+        draw_half(*right, drawn[1], split->right.camera, split->left.camera.width);
+    } else {
+        renderer->draw(0, width, height, Output::kDisplay);
+    }
     gl::check("picture");
     return answer(std::string());
 }
 // Compiles one program of those that make the next picture faster; whether one was left.
-NULLSCOPE_EXPORT(build_next) bool build_next() { return renderer->build_next(); }
+NULLSCOPE_EXPORT(build_next) bool build_next() {
+    return renderer->build_next() || (right != nullptr && right->build_next());
+}
 
 // Ray data of the picture: [width, height, place of the pixels, bytes of all] as the answer. Every row_step-th row.
 NULLSCOPE_EXPORT(trace_rays) bool trace_rays(int width, int height, int row_step) {
-    if (!prepare(width, height)) return false;
+    const Scene scene = shown(width, height);
+    if (scene.split) return answer(bad_input("ray data are of one spacetime", "scenes without [split]"));
+    if (const Status ready = prepare(scene); !ready) return answer(ready.error());
     rays = renderer->ray_data(row_step);
     return answer(fmt::format("[{}, {}, {}, {}]", rays.width, rays.height,
                               reinterpret_cast<std::size_t>(rays.pixels.data()),
                               rays.pixels.size() * sizeof(RayPixel)));
 }
 
-// What was done to images, for people: ["...", ...], since the last call.
+// What was done to images since the last call, for people.
 NULLSCOPE_EXPORT(notes) bool notes() {
     std::vector<std::string> list;
     for (const std::string& note : renderer->take_notes()) list.push_back(in_json(note));
