@@ -3,12 +3,15 @@
 
 #include <cstdio>
 #include <map>
+#include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "plan/effects.h"
 #include "scene/bodies.h"
+#include "shaderlib/embedded.h"
 #include "shaderlib/preprocess.h"
 #include "shaderlib/shader_source.h"
 #include "support/depth.h"
@@ -269,4 +272,21 @@ TEST_CASE("shader source: linear output has no display encoding") {
     const EffectSet set = {Effect::kSky};
     CHECK(shader_source(Stage::kPicture, set, Output::kLinear).fragment.find("display_encode") == std::string::npos);
     CHECK(shader_source(Stage::kPicture, set, Output::kDisplay).fragment.find("display_encode") != std::string::npos);
+}
+
+TEST_CASE("shader source: for browsers everything is exact: GLSL ES takes samplers as lowp unless they are asked for") {
+    const std::string head(shader_head(Glsl::kEs300));
+    CHECK(head.starts_with("#version 300 es\n"));
+    std::set<std::string> types = {"float", "int"};
+    const std::regex sampler("\\b[iu]?sampler[A-Za-z0-9]+");
+    for (const EmbeddedShader& file : embedded_shaders()) {
+        const std::string text(file.text);
+        for (std::sregex_iterator found(text.begin(), text.end(), sampler), end; found != end; ++found)
+            types.insert(found->str());
+        CHECK_MESSAGE(text.find("mediump") == std::string::npos, file.path);
+        CHECK_MESSAGE(text.find("lowp") == std::string::npos, file.path);
+    }
+    CHECK(types.size() >= 5);
+    for (const std::string& type : types)
+        CHECK_MESSAGE(head.find("precision highp " + type + ";\n") != std::string::npos, type);
 }
