@@ -68,10 +68,11 @@ Result<BallPaths> ball_paths(const Spacetime& spacetime, const Scene& scene) {
         if (!motion) return within(body_section(scene, i), motion.error());
         paths.rows.texels.resize(paths.rows.texels.size() + kBallFloats, 0.0f);
         float* row = paths.rows.texels.data() + paths.rows.texels.size() - kBallFloats;
-        constexpr int kTries = 4;  // a ball that goes farther than was thought is seen for longer
+        constexpr int kTries = 4;              // a ball that goes farther than was thought is seen for longer
+        constexpr double kFarther = 1 + 1e-9;  // rounding puts a circle's points on either side of its radius
         double reach = length((*motion)(scene.time).place) + ball->radius;
         BallPath path = sampled(*motion, scene, ball->radius, reach, row);
-        for (int k = 0; k < kTries && path.reach > reach; ++k)
+        for (int k = 0; k < kTries && path.reach > kFarther * reach; ++k)
             path = sampled(*motion, scene, ball->radius, reach = 1.05 * path.reach, row);
         paths.balls.emplace(i, path);
     }
