@@ -7,7 +7,7 @@
 #                tests, replay of the fuzz corpora
 #     headless   without a window system: nullscope is built and draws a picture
 #     format     scripts/format.sh --check
-#     tidy       clang-tidy on src/, by the commands of the sanitizers' build
+#     tidy       clang-tidy on src/ and what of web/ this machine compiles too, by the commands of the sanitizers' build
 #
 # NULLSCOPE_TIMES=FILE adds what each took to FILE (tests/measured.py).
 set -euo pipefail
@@ -33,7 +33,7 @@ tidy() {
     cd "$root"
     [[ -e build/sanitize/compile_commands.json ]] || cmake --preset sanitize >/dev/null
     cmake --build build/sanitize --target nullscope_shaderlib nullscope_core_texts >&2   # makes the embedded shaders and the core's text
-    run-clang-tidy -quiet -p build/sanitize "$root/src/.*" 2>/dev/null | sed 's/\x1b\[[0-9;]*m//g' >build/tidy.log || true
+    run-clang-tidy -quiet -p build/sanitize "$root/(src|web)/.*" 2>/dev/null | sed 's/\x1b\[[0-9;]*m//g' >build/tidy.log || true
     [[ -s build/tidy.log ]] || { echo "check: clang-tidy said nothing at all" >&2; return 1; }   # not even what it looks at
     ! grep -E '(warning|error):' build/tidy.log | sort -u >&2
 }

@@ -17,7 +17,7 @@ fi
 if [[ $# -gt 0 ]]; then
     files=("$@")
 else
-    mapfile -t files < <(find "$root/src" "$root/tests" -name '*.h' -o -name '*.cpp' | sort)
+    mapfile -t files < <(find "$root/src" "$root/tests" "$root/web" -name '*.h' -o -name '*.cpp' | sort)
 fi
 
 if [[ $check == no ]]; then

@@ -4,7 +4,7 @@
 #   scripts/test.sh                  what every change must pass: each promise on the cases that show its breach
 #   scripts/test.sh --all            the same promises on every case and driver, then scripts/check.sh: what CI runs
 #   scripts/test.sh CTEST OPTION...  single tests of the quick depth:
-#       -L unit          those of one label (unit, contract, layering, recipes, gpu, golden, proof, cli, fuzz, viewer)
+#       -L unit          those of one label (unit, contract, layering, recipes, gpu, golden, proof, cli, fuzz, viewer, web)
 #       -R photon -V     those whose name matches, with all their output
 #
 # The first two end with a table of what was built and tested, in processor seconds, and fail when a sum is over its
@@ -24,6 +24,7 @@ targets_of() {
         proof) echo proof_tests nullscope ;;
         cli) echo nullscope ;;
         viewer) echo viewer_tests nullscope-viewer ;;
+        web) echo nullscope native_answers ;;   # and the page: scripts/web.sh
         fuzz) echo fuzz_scene fuzz_tour fuzz_picture fuzz_exr fuzz_rays fuzz_words fuzz_formula fuzz_warp ;;
         layering | recipes) echo nullscope ;;   # so that the build folder exists
         *) echo all ;;
@@ -47,15 +48,18 @@ if [[ $# -gt 0 && $1 != --all ]]; then
     exit
 fi
 
-tier=quick packages=()
-[[ $# -eq 0 ]] || tier=all packages=(--all)
+tier=quick packages=() web=()
+[[ $# -eq 0 ]] || tier=all packages=(--all --web) web=(web)
 rm -f "$times" "$build/reports/cases.tsv"
 "$root/scripts/install-packages.sh" --quiet ${packages[@]+"${packages[@]}"}
 measured "programs: both" "$root/scripts/build.sh" nullscope nullscope-viewer
-targets=$(for label in unit contract gpu golden proof fuzz viewer; do targets_of "$label"; done)
+targets=$(for label in unit contract gpu golden proof fuzz viewer ${web[@]+"${web[@]}"}; do targets_of "$label"; done)
 # shellcheck disable=SC2086
 measured "build: tests" "$root/scripts/build.sh" $targets
-[[ $tier == quick ]] || export MESA_SHADER_CACHE_DISABLE=true
+if [[ $tier == all ]]; then
+    measured "web: page" "$root/scripts/web.sh"
+    export MESA_SHADER_CACHE_DISABLE=true
+fi
 status=0
 NULLSCOPE_TESTS=$tier run_ctest -L '^tier$' || status=$?
 if [[ $tier == all && $status -eq 0 ]]; then

@@ -7,10 +7,9 @@
 #include <string>
 
 #include "scenefile/scene_file.h"
-#include "scenefile/scene_keys.h"
 #include "scenefile/scene_text.h"
 #include "scenefile/scene_writer.h"
-#include "support/depth.h"
+#include "support/random_scene.h"
 
 using namespace nullscope;
 
@@ -40,24 +39,6 @@ void check_round_trip(const Scene& scene, const std::filesystem::path& base) {
     CHECK(difference(scene, *again) == "");
 }
 
-// Another value of some number keys, among those that have a meaning here.
-Scene changed(Scene scene, std::mt19937& random) {
-    if (random() % 8 == 0) scene.camera.zoom = ZoomSpec{1.0, 0.0};
-    for (const SceneKey& key : scene_keys()) {
-        const bool there = key.section.empty() || key.section == "camera" || key.section == "sky" ||
-                           key.section == "picture" || (key.section == "disc" && scene.disc) ||
-                           (key.section == "path" && scene.path) || (key.section == "zoom" && scene.camera.zoom);
-        if (!there || key.type != KeyType::kNumber || !key.member.readable() || random() % 3 != 0) continue;
-        if (key.meant != nullptr && !key.meant(scene)) continue;
-        KeyValue value = key.member.get(scene);
-        if (!value.there) continue;
-        const double share = std::uniform_real_distribution<double>(0.7, 1.3)(random);
-        value.number = value.number == 0.0 ? 0.1 * share : value.number * share;
-        key.member.set(scene, value);
-    }
-    return scene;
-}
-
 }  // namespace
 
 TEST_CASE("scene writer: scenes that ship are the same when they are read again") {
@@ -78,7 +59,7 @@ TEST_CASE("scene writer: random scenes are the same when they are read again") {
         const SceneInfo& info = infos[random() % infos.size()];
         const auto scene = load_scene(info.path.string());
         REQUIRE(scene);
-        const Scene other = changed(*scene, random);
+        const Scene other = test::changed_scene(*scene, random);
         const std::string text = scene_file_text(other, info.path.parent_path());
         const auto again = parse_scene(text, "again.toml", info.path.parent_path());
         if (!again) {  // values that do not go together, or out of range

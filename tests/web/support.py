@@ -1,0 +1,92 @@
+"""What the tests of the page share: how they are called, when they run, and the engine without the page's controls.
+
+Usage: test_X.py PAGE PROGRAMS       PAGE: the page's folder (scripts/web.sh), PROGRAMS: that of nullscope and native_answers
+
+They run at depth all (tests/support/depth.h), for which scripts/test.sh installs a browser and builds the page; else they are skipped.
+"""
+import base64
+import json
+import os
+import pathlib
+import sys
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCENES = sorted(file.stem for file in (ROOT / "assets/scenes").glob("*.toml"))
+SKIPPED = 77
+sys.path.insert(0, str(ROOT / "tests"))
+
+BEGIN = """
+(async () => {
+  document.body.replaceChildren(document.createElement("canvas"));
+  const { Engine } = await import("./engine.js");
+  window.events = [];
+  window.engine = new Engine((event, values) => events.push([event, values]));
+  const base64 = (bytes) => {
+    let text = "";
+    for (let at = 0; at < bytes.length; at += 32768) text += String.fromCharCode(...bytes.subarray(at, at + 32768));
+    return btoa(text);
+  };
+  const failed = () => new Promise((_, fail) => {
+    const looks = setInterval(() => {
+      const found = events.find(([event]) => event === "failed");
+      if (found) clearInterval(looks), fail(new Error(found[1].message));
+    }, 20);
+  });
+  window.picture = async () => {
+    const { width, height, pixels } = await Promise.race([engine.picture(), failed()]);
+    return [width, height, base64(pixels)];
+  };
+  window.rays = async (...how) => {
+    const { line, pixels } = await engine.rays(...how);
+    return [line, base64(pixels)];
+  };
+  window.began = performance.now();
+  const info = await engine.start(document.querySelector("canvas"), new URL("./", location.href), WIDTH, HEIGHT);
+  engine.fix(true);
+  return info;
+})()
+"""
+
+
+def open_folder(browser, url):
+    """A page of the folder's that runs nothing: one of its files."""
+    browser.open(url + "engine.js")
+    browser.wait(f"location.href.startsWith({json.dumps(url)}) && document.readyState === 'complete'")
+
+
+class Engine:
+    """The page's engine, begun anew: nothing is left of what was drawn before."""
+
+    def __init__(self, browser, url, width, height):
+        self.browser = browser
+        open_folder(browser, url)
+        self.info = browser.run(BEGIN.replace("WIDTH", str(width)).replace("HEIGHT", str(height)))
+
+    def open(self, what):
+        self.browser.run(f"engine.open({json.dumps(what)})")
+
+    def picture(self, timeout_s=120):
+        """Width, height and RGBA, top row first."""
+        width, height, data = self.browser.run("picture()", timeout_s)
+        return width, height, base64.b64decode(data)
+
+    def rays(self, width, height, row_step, timeout_s=120):
+        """The scene's line, and RayPixel of every row_step-th row as bytes."""
+        line, data = self.browser.run(f"rays({width}, {height}, {row_step})", timeout_s)
+        return line, base64.b64decode(data)
+
+    def line(self):
+        return self.browser.run("engine.sceneLine()")
+
+
+class WebTest(unittest.TestCase):
+    page = programs = None   # paths
+
+
+def main():
+    if os.environ.get("NULLSCOPE_TESTS", "quick") != "all" and "NULLSCOPE_EVERYTHING" not in os.environ:
+        print("skipped: the page is built and tested by scripts/test.sh --all")
+        sys.exit(SKIPPED)
+    WebTest.page, WebTest.programs = map(pathlib.Path, sys.argv[1:3])
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
