@@ -5,7 +5,7 @@ import subprocess
 import tempfile
 
 from browser import Browser, PageError, Server
-from support import SCENES, Engine, WebTest, main
+from support import ROOT, SCENES, Engine, WebTest, main
 
 SIZE, ROW_STEP = (1920, 1080), 270
 BOUND_PX = 0.05
@@ -15,7 +15,7 @@ REFUSED = {"charged-hole": "one spacetime"}
 
 class Rays(WebTest):
     def judged(self, line, pixels, folder):
-        for name, content in (("line", line.encode()), ("pixels", pixels)):
+        for name, content in (("line", line.replace("/assets/", f"{ROOT}/assets/").encode()), ("pixels", pixels)):
             with open(f"{folder}/{name}", "wb") as file:
                 file.write(content)
         done = subprocess.run([self.programs / "native_answers", "rays", f"{folder}/line", f"{folder}/pixels", *map(str, SIZE), str(ROW_STEP)],
