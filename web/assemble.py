@@ -10,7 +10,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ASSETS = ROOT / "assets"
 COPIED = ["gallery/*.jpg", "images/*.png", "images/*.jpg", "sky/*", "warp/*.data"]  # fetched when a scene asks for them
-TEXTS = ["scenes/*.toml", "gallery/groups.toml"]  # all at once
+TEXTS = ["scenes/*.toml", "gallery/groups.toml", "frontier.csv"]  # all at once
 
 
 def main():

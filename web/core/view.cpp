@@ -7,9 +7,11 @@
 #include <optional>
 #include <utility>
 
+#include "base/assets.h"
 #include "core/exports.h"
 #include "core/session.h"
 #include "gl/gl.h"
+#include "render/frontier.h"
 #include "render/renderer.h"
 #include "scene/split.h"
 
@@ -38,12 +40,20 @@ Scene shown(int width, int height) {
     return scene;
 }
 
+// With the method that capture and the window choose where nothing is asked for.
+Status prepare_by(Renderer& by, const Scene& scene) {
+    static const auto measured = load_frontier(assets_directory() / "frontier.csv");
+    if (!measured) return measured.error();
+    by.set_method(default_method(*measured, scene).method);
+    return by.prepare(scene);
+}
+
 Status prepare(const Scene& scene) {
     split = halves(scene);
     if (!split) right.reset();
-    if (Status ready = renderer->prepare(split ? split->left : scene); !ready || !split) return ready;
+    if (Status ready = prepare_by(*renderer, split ? split->left : scene); !ready || !split) return ready;
     if (right == nullptr) right = make_renderer();
-    return right->prepare(split->right);
+    return prepare_by(*right, split->right);
 }
 
 void draw_half(Renderer& by, gl::Target& target, const CameraSpec& camera, int x) {
