@@ -21,7 +21,7 @@ BEGIN = """
   document.body.replaceChildren(document.createElement("canvas"));
   const { Engine } = await import("./engine.js");
   window.events = [];
-  window.engine = new Engine((event, values) => events.push([event, values]));
+  window.engine = new Engine((event, values) => events.push([event, values, performance.now()]));
   const base64 = (bytes) => {
     let text = "";
     for (let at = 0; at < bytes.length; at += 32768) text += String.fromCharCode(...bytes.subarray(at, at + 32768));
@@ -75,6 +75,15 @@ class Engine:
         """The scene's line, and RayPixel of every row_step-th row as bytes."""
         line, data = self.browser.run(f"rays({width}, {height}, {row_step})", timeout_s)
         return line, base64.b64decode(data)
+
+    def as_a_visitor(self):
+        """Edges get their rays in the second picture, not in the first."""
+        self.browser.run("engine.fix(false)")
+
+    def first_drawn(self):
+        """Of the first picture since the events were cleared: ms after `began`, width."""
+        self.browser.wait("events.some(([event]) => event === 'drawn')")
+        return self.browser.run("""(([, { width }, at]) => [at - began, width])(events.find(([event]) => event === "drawn"))""")
 
     def line(self):
         return self.browser.run("engine.sceneLine()")

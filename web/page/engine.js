@@ -5,7 +5,7 @@ import { Failure, Module } from "./module.js";
 import { deviceString, glFunctions } from "./webgl.js";
 
 const LEAST_SCALE = 0.25;      // of the canvas's pixels in each direction, in motion
-const FIRST_SCALE = 0.5;       // of the first picture: its sky has a quarter of the texels to be painted
+const FIRST_PIXELS = 640 * 360; // of the first picture at most: a slow GPU shows it soon, too
 const SLOW_MS = 28, FAST_MS = 11; // a frame in motion: longer makes pixels larger, shorter smaller
 const REST_MS = 250;           // without a hand: then the picture is drawn with all its pixels
 const ADAPTATION_S = 0.3;      // of automatic exposure
@@ -186,31 +186,37 @@ export class Engine {
     const moves = flies || roll !== 0 || Boolean(this.core.exports.step(seconds, this.clock));
     if (moves) this.touched = now;
     const rests = now - this.touched > REST_MS;
-    const scale = this.fixed ? 1 : !this.everDrawn ? FIRST_SCALE : rests ? 1 : this.scale;
-    const whole = this.drawn && this.drawn.width === this.size.width && this.drawn.height === this.size.height;
-    if (this.due || moves || (rests && !whole)) {
-      await this.#draw(scale, rests || !this.everDrawn ? 1 : 1 - Math.exp(-seconds / ADAPTATION_S));
+    const quick = !this.fixed && (!this.everDrawn || !rests);
+    const first = Math.min(1, Math.sqrt(FIRST_PIXELS / (this.size.width * this.size.height)));
+    const scale = !quick ? 1 : this.everDrawn ? this.scale : first;
+    if (this.due || moves || (rests && !this.#isWhole())) {
+      await this.#draw(scale, quick, rests || !this.everDrawn ? 1 : 1 - Math.exp(-seconds / ADAPTATION_S));
     } else if (rests && !this.core.exports.build_next()) {
       this.turning = false;
     }
   }
 
-  // adaptation: of automatic exposure; a picture that rests has its own.
-  async #draw(scale, adaptation) {
+  // Whether what is shown has all its pixels and all its rays.
+  #isWhole() {
+    const { width, height } = this.size;
+    return Boolean(this.drawn) && !this.drawn.quick && this.drawn.width === width && this.drawn.height === height;
+  }
+  // quick: see draw() of core.wasm. adaptation: of automatic exposure; a picture that rests has its own.
+  async #draw(scale, quick, adaptation) {
     const width = Math.max(1, Math.round(this.size.width * scale)), height = Math.max(1, Math.round(this.size.height * scale));
     const began = performance.now();
     this.due = false;
     if (this.canvas.width !== width) this.canvas.width = width;
     if (this.canvas.height !== height) this.canvas.height = height;
     try {
-      await this.#withFiles(() => this.core.call("draw", width, height, adaptation));
+      await this.#withFiles(() => this.core.call("draw", width, height, adaptation, Number(quick)));
     } catch (error) {
       if (this.gl.isContextLost()) return;
       throw error;
     }
     this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, new Uint8Array(4));  // waits until it is drawn
     const ms = performance.now() - began;
-    this.drawn = { width, height };
+    this.drawn = { width, height, quick };
     if (this.everDrawn && scale === this.scale && ms > SLOW_MS) this.scale = Math.max(LEAST_SCALE, this.scale / Math.SQRT2);
     if (this.everDrawn && scale === this.scale && ms < FAST_MS) this.scale = Math.min(1, this.scale * Math.SQRT2);
     if (!this.everDrawn) this.touched = -Infinity;  // the whole picture follows at once
@@ -230,8 +236,7 @@ export class Engine {
     return { width, height, pixels };
   }
   async whole() {
-    const { width, height } = this.size;
-    while (this.due || !this.drawn || this.drawn.width !== width || this.drawn.height !== height) {
+    while (this.due || !this.#isWhole()) {
       const drawn = new Promise((done) => this.waiting.push(done));
       this.#wake();
       await drawn;
