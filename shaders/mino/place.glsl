@@ -1,5 +1,6 @@
 // Where a ray about a rotating hole is within a step (mino/segment.glsl), in flat coordinates about the centre: for solid bodies. In place of
 // place.glsl, for rays that stay in planes.
+#include "core/trig.glsl"
 #include "mino/segment.glsl"
 #include "shared/frame.glsl"
 
@@ -21,8 +22,9 @@ RayPlace segment_place(SpinRay ray, SpinSegment segment, float s) {
     vec4 slope = spin_slope_at(segment.arc, s);
     float zeta = max(y.w, 1.0e-10);
     float psi = segment_turned(ray, segment, s, y);
-    float c = cos(psi);
-    float t = sin(psi);
+    vec2 turn = sine_cosine(psi);
+    float c = turn.y;
+    float t = turn.x;
     RayPlace place;
     place.r = 1.0 / zeta;
     place.outward = place_turned(vec3(y.x, y.y, y.z), c, t);

@@ -1,4 +1,5 @@
 // Where a ray about a rotating hole (mino/kerr.glsl) is within a step, by the fraction s of it.
+#include "core/trig.glsl"
 #include "mino/kerr.glsl"
 #include "shared/frame.glsl"
 
@@ -186,8 +187,9 @@ DiscCrossing spin_crossing(SpinRay ray, SpinState from, SpinState to, float h, f
     vec4 at = spin_at(segment.arc, s);
     float psi = segment_turned(ray, segment, s, at);
     float inverse = inversesqrt(max(at.x * at.x + at.y * at.y, 1.0e-30));
-    float c = cos(psi) * inverse;
-    float t = sin(psi) * inverse;
+    vec2 turn = sine_cosine(psi) * inverse;
+    float c = turn.y;
+    float t = turn.x;
     DiscCrossing crossing = no_crossing();
     crossing.phi = tau + s * h;
     crossing.r = 1.0 / max(at.w, 1.0e-12);

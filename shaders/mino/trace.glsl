@@ -3,6 +3,7 @@
 //
 // Inside the horizon every ray is traced outward, and none whose energy is not above 0 has come from our sky. Of the others those with
 // E (r_+^2 + a^2) <= a L have crossed another horizon than the one that the camera fell through: they meet nothing of ours.
+#include "core/trig.glsl"
 #ifdef NEEDS_FOOTPRINT
 #include "core/pixel_sides.glsl"
 #include "effect/sampling.glsl"
@@ -279,9 +280,9 @@ Trace trace_pixel(vec2 pixel) {
 #ifdef EFFECT_DELAY
     trace.travel_time = sky.travel_time;
 #endif
-    float c = cos(sky.psi);
-    float s = sin(sky.psi);
-    trace.sky = trace.escapes ? vec3(c * sky.y.x - s * sky.y.y, s * sky.y.x + c * sky.y.y, sky.y.z) : -n;
+    vec2 turn = sine_cosine(sky.psi);
+    trace.sky =
+        trace.escapes ? vec3(turn.y * sky.y.x - turn.x * sky.y.y, turn.x * sky.y.x + turn.y * sky.y.y, sky.y.z) : -n;
 #endif
 #ifdef NEEDS_FOOTPRINT
     trace.sky_sides.along = dFdx(trace.sky) * sampling_share();

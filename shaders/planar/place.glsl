@@ -1,4 +1,5 @@
 // Where a ray is after a swept angle, in flat coordinates about the centre: for solid bodies. Of a wormhole, those of one side.
+#include "core/trig.glsl"
 #ifdef EFFECT_DELAY
 #include "planar/delay.glsl"
 #endif
@@ -38,14 +39,16 @@ vec3 place_tangent(Trace trace) { return sideways(trace.side) / max(trace.s, 1.0
 
 // 0 <= phi <= trace.phi_end. tangent: place_tangent.
 RayPlace place_of(Trace trace, vec3 tangent, float phi) {
-    float cos_phi = cos(phi);
-    float sin_phi = sin(phi);
+    vec2 swept = sine_cosine(phi);
+    float cos_phi = swept.y;
+    float sin_phi = swept.x;
 #ifdef EFFECT_SIDES
     // The map holds W (table/throat_orbit.h), which gives l towards the sky where the ray ends.
     OrbitPoint point = orbit_point(trace.escapes, trace.ray.u, trace.ray.slope, phi, trace.phi_end, trace.phi_end_slope);
     float w = clamp(point.zeta, 1.0e-9, 3.1415925);
-    float sine = max(sin(w), 1.0e-9);
-    float cosine = cos(w);
+    vec2 turn = sine_cosine(w);
+    float sine = max(turn.x, 1.0e-9);
+    float cosine = turn.y;
     float logarithm = frame.throat.y * log(sine);
     float l = frame.throat.x * cosine * (1.0 / sine - logarithm);
     float l_slope = -frame.throat.x * (1.0 / (sine * sine) - sine * logarithm + frame.throat.y * cosine * cosine / sine);

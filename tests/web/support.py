@@ -93,9 +93,14 @@ class WebTest(unittest.TestCase):
     page = programs = None   # paths
 
 
-def main():
+def begin():
+    """The page's and the programs' folders; ends where the tests are not asked for."""
     if os.environ.get("NULLSCOPE_TESTS", "quick") != "all" and "NULLSCOPE_EVERYTHING" not in os.environ:
         print("skipped: the page is built and tested by scripts/test.sh --all")
         sys.exit(SKIPPED)
-    WebTest.page, WebTest.programs = map(pathlib.Path, sys.argv[1:3])
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+    return [pathlib.Path(sys.argv.pop(1)).resolve() for _ in range(2)]
+
+
+def main():
+    WebTest.page, WebTest.programs = begin()
+    unittest.main()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The page, by real mouse, touch and key events, on SwiftShader: test_page.py PAGE [CASE...], PAGE: build/web/page."""
+"""The page, by real mouse, touch and key events, on SwiftShader: test_page.py PAGE PROGRAMS [CASE...] (support.py)."""
 import functools
 import http.server
 import json
@@ -8,6 +8,7 @@ import threading
 import unittest
 
 from browser import Browser, PageError, Quiet, Server
+from support import begin
 
 PAGE = None
 GRID = "#sky-grid"  # needs no sky from the network
@@ -378,6 +379,6 @@ class Elsewhere(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PAGE = sys.argv.pop(1)
+    PAGE = begin()[0]
     SERVER = Server(PAGE)
     unittest.main(verbosity=2)
