@@ -29,7 +29,6 @@ std::unique_ptr<Renderer> make_renderer() {
     auto made = std::make_unique<Renderer>();
     if (!float_targets) made->limit_tiles(Tiles::kNone);
     made->keep_finer_sky();
-    made->follow_camera();
     return made;
 }
 
