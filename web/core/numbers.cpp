@@ -58,6 +58,7 @@ NULLSCOPE_EXPORT(numbers) bool numbers(int texels_each) {
     const FrameVectors all = vectors_of(frame_numbers(tables.plan(), tables.path(), facts, tables.ball_paths()));
     const std::vector<int> members = block_members(tables.effects());
     std::vector<FrameVector> frame;
+    frame.reserve(members.size());
     for (const int member : members) frame.push_back(all[static_cast<std::size_t>(member)]);
     const std::vector<FrameVector> objects =
         object_numbers(tables.plan(), tables.path().family(), tables.ball_paths(), tables.clearances());
