@@ -25,7 +25,7 @@ void load_functions(void (*(*get_proc_address)(const char*, void*))(), void* use
     if (version == 0) fail("the OpenGL functions cannot be loaded");
     if (version < GLAD_MAKE_VERSION(3, 3))
         fail(fmt::format("OpenGL 3.3 is needed; this driver has {}.{} ({})", GLAD_VERSION_MAJOR(version),
-                         GLAD_VERSION_MINOR(version), reinterpret_cast<const char*>(glGetString(GL_RENDERER))));
+                         GLAD_VERSION_MINOR(version), info().renderer));
     prepare_context();
 }
 
