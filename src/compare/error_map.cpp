@@ -46,18 +46,21 @@ void ErrorMap::paint(PixelRect cell, const PixelErrors& errors) {
         }
 }
 
-ErrorSummary ErrorMap::summary() const {
-    std::vector<float> sky, place;
-    sky.reserve(static_cast<std::size_t>(counts_.measured));
+ErrorMap::Found ErrorMap::found() const {
+    Found found{counts_, {}, {}};
+    found.sky_px.reserve(static_cast<std::size_t>(counts_.measured));
     for (const PixelErrors& pixel : pixels_) {
         if (pixel.end != RayEnd::kSame) continue;
-        if (pixel.escaped) sky.push_back(pixel.sky_px);
-        if (pixel.hit) place.push_back(pixel.place_px);
+        if (pixel.escaped) found.sky_px.push_back(pixel.sky_px);
+        if (pixel.hit) found.place_px.push_back(pixel.place_px);
     }
-    ErrorSummary all = counts_;
-    all.sky_px = spread_of(std::move(sky));
-    all.place_px = spread_of(std::move(place));
-    return all;
+    return found;
+}
+
+ErrorSummary ErrorMap::Found::summary() && {
+    counts.sky_px = spread_of(std::move(sky_px));
+    counts.place_px = spread_of(std::move(place_px));
+    return counts;
 }
 
 std::vector<ErrorTask> error_tasks(int width, int height) {
@@ -78,8 +81,14 @@ std::vector<ErrorTask> error_tasks(int width, int height) {
     return tasks;
 }
 
-std::vector<TileErrors> measure_task(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace,
-                                     const ErrorTask& task) {
+std::vector<TileErrors> measure_task(const RayFrame& tested, const CameraSpec& camera,
+                                     const std::function<RayPixel(double x, double y)>& exact, const ErrorTask& task) {
+    const ExactTrace trace = [&exact](const std::vector<std::array<double, 2>>& positions) {
+        std::vector<RayPixel> rays;
+        rays.reserve(positions.size());
+        for (const auto& [x, y] : positions) rays.push_back(exact(x, y));
+        return rays;
+    };
     if (task.step == 0) return {measure_tile(tested, camera, trace, task.rect)};
     std::vector<TileErrors> found;
     for (int y = task.rect.top + task.step / 2; y < task.rect.bottom; y += task.step)

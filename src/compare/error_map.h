@@ -1,5 +1,6 @@
 // The errors of a frame, pixel by pixel as they are measured: in which order, what they come to, and a heat map for the screen.
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "compare/ray_metrics.h"
@@ -22,6 +23,12 @@ struct ErrorSummary {
 // What is known of a frame's true error: each measured pixel, the sums over them, and a heat map for the screen.
 class ErrorMap {
 public:
+    // What the sums are formed from: cheap to take where others wait, the rest is some 10 ms of a whole frame.
+    struct Found {
+        ErrorSummary counts;  // without the spreads
+        std::vector<float> sky_px, place_px;
+        ErrorSummary summary() &&;  // with them
+    };
     ErrorMap() = default;
     ErrorMap(int width, int height);  // px
 
@@ -33,7 +40,7 @@ public:
     const std::vector<PixelErrors>& pixels() const { return pixels_; }  // top row first; kNotCompared: not measured yet
     // RGBA: the colours of screen_px(), transparent where nothing is known.
     const Image<unsigned char>& heat() const { return heat_; }
-    ErrorSummary summary() const;  // with the spreads: some 10 ms for a whole frame
+    Found found() const;
 
 private:
     PixelErrors& at(int x, int y) { return pixels_[static_cast<std::size_t>(y) * heat_.width + x]; }
@@ -51,8 +58,8 @@ struct ErrorTask {
 };
 // Coarse grids over the whole frame, then every pixel, from the middle outward: there is the hole. A task is some 10 ms of work.
 std::vector<ErrorTask> error_tasks(int width, int height);
-// On the calling thread.
-std::vector<TileErrors> measure_task(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace,
-                                     const ErrorTask& task);
+// exact: the ray through a column and a row. On the calling thread.
+std::vector<TileErrors> measure_task(const RayFrame& tested, const CameraSpec& camera,
+                                     const std::function<RayPixel(double x, double y)>& exact, const ErrorTask& task);
 
 }  // namespace nullscope

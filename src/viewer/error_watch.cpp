@@ -95,22 +95,17 @@ void ErrorWatch::work(const std::stop_token& stop) {
 }
 
 std::vector<TileErrors> ErrorWatch::Job::measure(const ErrorTask& task) const {
-    const ExactTrace trace = [this](const std::vector<std::array<double, 2>>& positions) {
-        std::vector<RayPixel> rays;
-        rays.reserve(positions.size());
-        for (const auto& position : positions) rays.push_back(tracer.pixel(position[0], position[1]));
-        return rays;
-    };
-    return measure_task(tested, camera, trace, task);
+    return measure_task(
+        tested, camera, [this](double x, double y) { return tracer.pixel(x, y); }, task);
 }
 
 // Percentiles of a whole frame take some 10 ms: outside of the lock.
 void ErrorWatch::tell(std::unique_lock<std::mutex>& lock, bool last) {
     telling_ = true;
     const int generation = generation_;
-    const ErrorMap map = map_;
+    ErrorMap::Found found = map_.found();
     lock.unlock();
-    const ErrorSummary summary = map.summary();
+    const ErrorSummary summary = std::move(found).summary();
     lock.lock();
     telling_ = false;
     told_ = {};

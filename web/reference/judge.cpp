@@ -54,20 +54,15 @@ bool judge(const char* line, std::size_t line_size, int width, int height, const
 NULLSCOPE_EXPORT(judge_next) bool judge_next() {
     Judgement& j = *judgement;
     if (j.next == j.tasks.size()) return false;
-    const ExactTrace trace = [&j](const std::vector<std::array<double, 2>>& positions) {
-        std::vector<RayPixel> rays;
-        rays.reserve(positions.size());
-        for (const auto& position : positions) rays.push_back(j.tracer.pixel(position[0], position[1]));
-        return rays;
-    };
     const ErrorTask task = j.tasks[j.next++];
-    for (const TileErrors& tile : measure_task(j.tested, j.camera, trace, task)) j.errors.take(tile, task.step);
+    const auto exact = [&j](double x, double y) { return j.tracer.pixel(x, y); };
+    for (const TileErrors& tile : measure_task(j.tested, j.camera, exact, task)) j.errors.take(tile, task.step);
     return j.next < j.tasks.size();
 }
 
 // What is known by now.
 NULLSCOPE_EXPORT(certificate) bool certificate() {
-    const ErrorSummary all = judgement->errors.summary();
+    const ErrorSummary all = judgement->errors.found().summary();
     return answer(fmt::format(
         R"({{"pixels": {}, "measured": {}, "fate_errors": {}, "forgiven": {}, "sky_px": {}, "place_px": {}}})",
         all.pixels, all.measured, all.fate_errors, all.forgiven, spread_json(all.sky_px), spread_json(all.place_px)));
