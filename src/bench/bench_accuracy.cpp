@@ -11,6 +11,7 @@
 #include "command/exact_trace.h"
 #include "command/json.h"
 #include "compare/ray_metrics.h"
+#include "compare/remembered_trace.h"
 #include "reference/reference.h"
 #include "render/frontier.h"
 #include "scenefile/scene_file.h"
@@ -103,7 +104,7 @@ Status measure_errors(Renderer& renderer, const std::vector<Scene>& scenes, doub
     for (const Scene& scene : scenes) {
         // A non-rotating hole's exact ray costs less than to look it up.
         const bool spins = light_path_kind(effect_set(required_effects(scene))) == LightPathKind::kMino;
-        const ExactTrace trace = spins ? remembered_trace(scene) : exact_trace(scene);
+        const ExactTrace trace = spins ? remembered(exact_trace(scene)) : exact_trace(scene);
         const bool near = scene.camera.r < near_radius;
         const auto to_4k = static_cast<float>(k4kWidth / scene.camera.width);
         for (Row& row : rows) {

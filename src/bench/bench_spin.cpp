@@ -10,6 +10,7 @@
 #include "command/exact_trace.h"
 #include "command/json.h"
 #include "compare/ray_metrics.h"
+#include "compare/remembered_trace.h"
 #include "render/frame_tables.h"
 #include "shadercore/core_trace.h"
 
@@ -75,7 +76,7 @@ Result<Json> measure(const Bench& bench, const View& view, int frames) {
     const Scene scene = scene_of(view, width, height),
                 small = scene_of(view, kErrorWidth, kErrorWidth * height / width);
     const double finer = static_cast<double>(width) / kErrorWidth;
-    const ExactTrace exact = remembered_trace(small);
+    const ExactTrace exact = remembered(exact_trace(small));
     TRY(ours, errors_of(bench.renderer(), Method{}, small, exact));
     fmt::print("{}: ours {} of {}x{}; fate errors {}\n", scene.name, words_of(ours->sky_px, finer), width, height,
                ours->fate_errors);

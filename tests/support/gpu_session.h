@@ -17,6 +17,7 @@
 
 #include "command/session.h"
 #include "compare/ray_metrics.h"
+#include "compare/remembered_trace.h"
 #include "reference/reference.h"
 #include "render/renderer.h"
 #include "scenefile/scene_text.h"
@@ -118,24 +119,6 @@ inline ExactTrace reference_trace(const Scene& scene) {
             }
             return std::move(*pixels);
         });
-    };
-}
-
-// The same, each ray traced once however often it is asked for: for several frames of one camera. Not for several
-// threads.
-inline ExactTrace remembered(ExactTrace trace) {
-    using Place = std::array<double, 2>;
-    const auto known = std::make_shared<std::map<Place, RayPixel>>();
-    return [trace = std::move(trace), known](const std::vector<Place>& positions) {
-        std::vector<Place> others;
-        std::ranges::copy_if(positions, std::back_inserter(others),
-                             [&](const Place& place) { return !known->contains(place); });
-        const std::vector<RayPixel> traced = others.empty() ? std::vector<RayPixel>() : trace(others);
-        for (std::size_t i = 0; i < others.size(); ++i) known->emplace(others[i], traced[i]);
-        std::vector<RayPixel> pixels;
-        pixels.reserve(positions.size());
-        for (const Place& place : positions) pixels.push_back(known->at(place));
-        return pixels;
     };
 }
 
