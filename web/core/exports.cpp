@@ -12,7 +12,10 @@ std::string& answer() {
     return text;
 }
 bool answer(std::string text) { return answer() = std::move(text), true; }
-bool answer(const Error& error) { return answer() = error.message(), false; }
+bool answer(const Status& status) {
+    answer() = status ? "" : status.error().message();
+    return static_cast<bool>(status);
+}
 
 std::string in_json(std::string_view text) {
     std::string json = "\"";

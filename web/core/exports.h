@@ -16,7 +16,7 @@ namespace nullscope::web {
 
 std::string& answer();
 bool answer(std::string text);               // true
-bool answer(const Error& error);             // its one line; false
+bool answer(const Status& status);           // nothing; true, or its error's line; false
 std::string in_json(std::string_view text);  // as JSON has it
 
 }  // namespace nullscope::web

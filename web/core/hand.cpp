@@ -76,8 +76,7 @@ NULLSCOPE_EXPORT(zoom) void zoom(double factor) {
 // Lets the camera go, or stops its fall. false: the answer says why not.
 NULLSCOPE_EXPORT(let_go) bool let_go() {
     if (session().fall.active()) return session().fall.stop(), answer(std::string());
-    const Status status = session().fall.let_go(session().scene);
-    return status ? answer(std::string()) : answer(status.error());
+    return answer(session().fall.let_go(session().scene));
 }
 NULLSCOPE_EXPORT(falls) bool falls() { return session().fall.active() && session().fall.runs(); }
 // Whether something moved. clock: r_s/c a second of the scene's own clock while nobody falls.

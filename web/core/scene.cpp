@@ -8,6 +8,7 @@
 #include <toml++/toml.h>
 
 #include "base/assets.h"
+#include "base/text.h"
 #include "core/exports.h"
 #include "core/session.h"
 #include "plan/effects.h"
@@ -33,8 +34,8 @@ std::string range_json(const KeyRange& range) { return fmt::format("[{:.17g}, {:
 
 std::string words_json(std::string_view words) {
     std::vector<std::string> list;
-    std::istringstream in{std::string(words)};
-    for (std::string word; in >> word;) list.push_back(in_json(word));
+    for (const std::string& word : split(words, ' '))
+        if (!word.empty()) list.push_back(in_json(word));
     return fmt::format("[{}]", fmt::join(list, ", "));
 }
 

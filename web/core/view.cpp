@@ -1,6 +1,5 @@
 // The picture, by the renderer that window and files have. Needs the page's WebGL2 context.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <array>
 #include <memory>
@@ -104,13 +103,6 @@ NULLSCOPE_EXPORT(trace_rays) bool trace_rays(int width, int height, int row_step
     return answer(fmt::format("[{}, {}, {}, {}]", rays.width, rays.height,
                               reinterpret_cast<std::size_t>(rays.pixels.data()),
                               rays.pixels.size() * sizeof(RayPixel)));
-}
-
-// What was done to images since the last call, for people.
-NULLSCOPE_EXPORT(notes) bool notes() {
-    std::vector<std::string> list;
-    for (const std::string& note : renderer->take_notes()) list.push_back(in_json(note));
-    return answer(fmt::format("[{}]", fmt::join(list, ", ")));
 }
 
 }  // namespace nullscope::web

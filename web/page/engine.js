@@ -12,7 +12,7 @@ const ADAPTATION_S = 0.3;      // of automatic exposure
 const SHIPPED = "/assets/";    // paths of files that ship, as core.wasm names them
 
 export class Engine {
-  // say(event, values): "drawn", "scene", "note", "lost", "restored", "failed"
+  // say(event, values): "drawn", "lost", "restored", "failed"
   constructor(say) {
     this.say = say;
     this.hand = { right: 0, up: 0, backward: 0, roll: 0 };
@@ -102,11 +102,6 @@ export class Engine {
     else this.absent.add(path);
     this.fetching.delete(path);
   }
-  // A file of the visitor's own, for scenes that name it.
-  async putFile(path, blob) {
-    this.core.call("put_file", path, await fileBytes(path, blob));
-  }
-
   async set(key, value) {
     await this.#withFiles(() => this.core.call("set_key", key, value));
     return this.touch();
@@ -245,10 +240,8 @@ export class Engine {
   // Where the GPU sent each pixel's ray, for reference.wasm: bytes of RayPixel, and the scene's line.
   async rays(width, height, rowStep = 1) {
     if (!this.limits.floats) throw new Failure("this GPU cannot draw to float textures: its rays cannot be read");
-    let frame;
     await this.#withFiles(() => this.core.call("trace_rays", width, height, rowStep));
-    frame = JSON.parse(this.core.answer());
-    const [w, h, place, bytes] = frame;
+    const [w, h, place, bytes] = JSON.parse(this.core.answer());
     const pixels = this.core.bytes.slice(place, place + bytes);
     const line = this.sceneLine();
     this.drawn = null;
