@@ -129,10 +129,12 @@ TEST_CASE("tiles: thin, small and edge-on discs are not missed") {
         {1.6, 1.4, 1.9, 3, 12},    {22, 2.9, 0.2, 3, 3000},          {4, 0.3, 1.9, 3, 3.2}};
     auto session = test::open_gpu("egl");
     REQUIRE(session);
+    test::Selection selection(5);  // no divisor of the views: other ones of each kind
     for (const char* metric : {"schwarzschild", "kerr"})
         for (const double opacity : {1.0, 0.5}) {
             Difference sum;
             for (const View& view : views) {
+                if (!selection.takes_next()) continue;
                 Scene scene;
                 scene.picture.refine = false;
                 scene.spacetime.metric = metric;
