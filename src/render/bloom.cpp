@@ -6,7 +6,8 @@ namespace nullscope {
 
 void Bloom::resize(int width, int height) {
     if (width == width_ && height == height_) return;
-    clear();
+    down_.clear();
+    up_.clear();
     width_ = width;
     height_ = height;
     constexpr int kCoarsest = 8;

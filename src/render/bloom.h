@@ -10,7 +10,8 @@ namespace nullscope {
 
 class Bloom {
 public:
-    // Levels of half the size each until both sides are at most 8 px. Memory: two thirds of the picture's.
+    // Levels of half the size each until both sides are at most 8 px. Memory: two thirds of the picture's. What was
+    // metered stays: exposure goes on from there when a coarse picture follows a whole one.
     void resize(int width, int height);
     void clear() { *this = {}; }
     std::size_t bytes() const;

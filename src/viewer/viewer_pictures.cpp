@@ -57,9 +57,7 @@ void Viewer::ask() {
         return;
     }
     const Scene scene = drawn_scene(view_);
-    // Exposure that follows is metered from picture to picture: all but the first are whole.
-    const bool metered = scene.picture.auto_exposure && picture_.texture != 0;
-    const bool coarse = coarse_wanted_ && !patient() && !save_due_ && !metered;
+    const bool coarse = coarse_wanted_ && !patient() && !save_due_;
     if (busy && !(coarse && painter_->gives_up())) return;
     picture_due_ = coarse_wanted_ = false;
     if (view_.scene.split) view_.side_b.reset();

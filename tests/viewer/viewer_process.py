@@ -1,4 +1,5 @@
 """A running viewer, its hands and eyes: what the cases of drive_viewer.py are made of."""
+import contextlib
 import os
 import re
 import shutil
@@ -179,25 +180,33 @@ class Viewer:
     def picture(self, area=PICTURE):
         return self.screen.picture(*area)
 
-    def settle(self, *words, measured=False, at_once=False):
-        """Does what the words say; the picture once all of it was answered and the viewer rests. measured: the
+    def send(self, *words, measured=False, at_once=False):
+        """Does what the words say; a question: was all of it answered, and does the viewer rest? measured: the
         errors and the effects' times too. at_once: all of it in one frame, which saves one."""
         at, (name, number) = self.log.size(), MARKS[self.marks % len(MARKS)]
         self.marks += 1
-        if at_once:
-            self.process.send_signal(signal.SIGSTOP)
-        try:
+        with self.stopped() if at_once else contextlib.nullcontext():
             self.hands(*words, "key", name)
-        finally:
-            if at_once:
-                self.process.send_signal(signal.SIGCONT)
 
         def rests():
             assert self.process.poll() is None, f"the viewer ended: {self.process.stderr.read()}"
             word, values = (self.log.since(at) or [("", {})])[-1]
             return word == "rest" and int(values["key"]) == number and not (measured and values["measuring"] == "1")
-        wait_until("the viewer comes to rest", rests, MEASURED_S if measured else HUNG_S, every_s=0.01)
+        return rests
+
+    def settle(self, *words, measured=False, at_once=False):
+        """As send(); the picture once the viewer rests."""
+        wait_until("the viewer comes to rest", self.send(*words, measured=measured, at_once=at_once),
+                   MEASURED_S if measured else HUNG_S, every_s=0.01)
         return self.picture()
+
+    @contextlib.contextmanager
+    def stopped(self):
+        self.process.send_signal(signal.SIGSTOP)
+        try:
+            yield
+        finally:
+            self.process.send_signal(signal.SIGCONT)
 
     def click(self, x, y):
         """On a panel; Dear ImGui 1.86 sees the pointer where it is during a frame, not where it was at the click."""
