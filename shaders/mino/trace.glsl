@@ -88,6 +88,7 @@ float path_way(Trace trace) { return trace.way; }
 float g_of(Trace trace) { return trace.doppler / max(trace.energy, 1.0e-6); }
 
 #ifdef EFFECT_DISC
+bool within_disc(float r) { return r >= frame.disc_x.w && r <= frame.disc_y.w; }
 bool spin_disc_more(Trace trace, int k) { return k < min(trace.crossings, SPIN_CROSSINGS); }
 
 #ifdef NEEDS_FOOTPRINT
@@ -250,14 +251,18 @@ Trace trace_pixel(vec2 pixel) {
         bool counts = crossed && !covered && number > frame.disc_surface.w;
         within += counts && crossing.r < frame.disc_x.w ? 1.0 : 0.0;
         beyond += counts && crossing.r > frame.disc_y.w ? 1.0 : 0.0;
-        covered = covered || (counts && crossing.r >= frame.disc_x.w && crossing.r <= frame.disc_y.w && frame.disc_surface.x >= 1.0 &&
-                              frame.disc_surface.y == 0.0);
+        covered = covered || (counts && within_disc(crossing.r) && frame.disc_surface.x >= 1.0 && frame.disc_surface.y == 0.0);
 #endif
         if (crossed && number > frame.disc_surface.w && crossing.r > max(ray.outer, frame.disc_x.w - rim) && crossing.r < min(SPIN_FARTHEST, frame.disc_y.w + rim)) {
-            if (trace.crossings == 0) trace.crossing_0 = crossing;
-            if (trace.crossings == 1) trace.crossing_1 = crossing;
-            if (trace.crossings == 2) trace.crossing_2 = crossing;
-            if (trace.crossings == 3) trace.crossing_3 = crossing;
+            int slot = trace.crossings;
+#ifndef EVERY_CROSSING
+            // Light that winds close to a rim may cross the plane beside the disc more often than there are places.
+            if (slot >= SPIN_CROSSINGS && !within_disc(trace.crossing_3.r) && within_disc(crossing.r)) slot = 3;
+#endif
+            if (slot == 0) trace.crossing_0 = crossing;
+            if (slot == 1) trace.crossing_1 = crossing;
+            if (slot == 2) trace.crossing_2 = crossing;
+            if (slot == 3) trace.crossing_3 = crossing;
             ++trace.crossings;
         }
 #endif

@@ -6,6 +6,7 @@
 
 #include "reference/frame_tracer.h"
 #include "render/frame_tables.h"
+#include "scenefile/scene_file.h"
 #include "shadercore/core_trace.h"
 #include "support/depth.h"
 
@@ -65,6 +66,31 @@ TEST_CASE("kerr images: of any order") {
     CHECK(late > by_depth(12, 50, 50));
     CHECK(latest >= 5);
     CHECK(worst <= kMoves);
+}
+
+// The light rings about this hole lie just inside of the disc: light that winds there crosses the plane beside the rim, more often
+// than a shader keeps crossings, before it meets the disc on its way out.
+TEST_CASE("kerr images: behind crossings beside the rim") {
+    Scene scene = *load_scene("kerr-newman");
+    CameraSpec& camera = scene.camera;
+    camera.width = 1920, camera.height = 1080;
+    FrameTables tables;
+    REQUIRE(tables.update(scene));
+    const auto tracer = *reference::FrameTracer::make(scene);
+    int late = 0;
+    for (int i = -6; i <= 80; ++i) {  // next to the shadow's edge
+        const double x = 1133.5 + 1e-3 * i, y = 810.5;
+        int beside = 0;
+        for (const auto& c : tracer.ray(x, y)->crossings(16)) {
+            if (c.r >= scene.disc->inner && c.r <= scene.disc->outer) break;
+            ++beside;
+        }
+        late += beside >= 4;
+        CAPTURE(i);
+        CHECK(trace_core64(tables.core_input(), x - 0.5 * camera.width, 0.5 * camera.height - y).hit ==
+              tracer.pixel(x, y, false).hit);
+    }
+    CHECK(late > 10);
 }
 
 }  // namespace
