@@ -157,8 +157,11 @@ float travel_time_jump(SpinRay ray, bool keeps, vec2 from, vec2 to) {
     bool outward = from.y < 0.0;
     float low = max(from.x, 1.0e-12);
     float high = max(to.x, 1.0e-12);
-    float radii = keeps && outward ? 0.0 : spin_tortoise(ray, low) - spin_tortoise(ray, high);
+    float radii = spin_tortoise(ray, low) - spin_tortoise(ray, high);
+    float twice = 2.0 * radii;
+    float level = outward ? 0.0 : twice;
     float energy = max(-ray.energy, LAG_LEAST_ENERGY);
-    return keeps ? 2.0 * radii : radii + (from.y / low - to.y / high) / energy;
+    float turning = radii + (from.y / low - to.y / high) / energy;
+    return keeps ? level : turning;
 }
 #endif

@@ -84,7 +84,9 @@ struct SpinSegment {
 };
 
 float segment_turning(SpinRay ray, SpinState from, bool inward, vec4 y, float slope) {
-    return inward ? spin_regular_drag(ray, y.w, slope) : spin_turning(ray, from, y.w);
+    float regular = spin_regular_drag(ray, y.w, slope);
+    float turning = spin_turning(ray, from, y.w);
+    return inward ? regular : turning;
 }
 
 SpinSegment spin_segment(SpinRay ray, SpinState from, SpinState to, float h) {
@@ -99,7 +101,8 @@ SpinSegment spin_segment(SpinRay ray, SpinState from, SpinState to, float h) {
                         h * segment_turning(ray, from, inward, y2, spin_slope_at(segment.arc, 0.5).w / h),
                         h * segment_turning(ray, from, inward, y3, spin_slope_at(segment.arc, 1.0 - LOBATTO_POINT).w / h), h * segment_turning(ray, from, inward, to.y, to.v.w));
     segment.winding = inward ? -1.0 : 0.0;
-    segment.psi = from.psi + (inward ? spin_winding(ray, from.y.w) : 0.0);
+    float wound = spin_winding(ray, from.y.w);
+    segment.psi = from.psi + (inward ? wound : 0.0);
 #ifdef EFFECT_SPIN_FALL
     segment.winding = from.ingoing ? 1.0 : segment.winding;
 #endif
@@ -115,7 +118,7 @@ SpinSegment spin_segment(SpinRay ray, SpinState from, SpinState to, float h) {
 
 // Azimuth of Boyer and Lindquist less that of n. y: spin_at(segment.arc, s)
 float segment_turned(SpinRay ray, SpinSegment segment, float s, vec4 y) {
-    return segment.psi + spin_sum_to(segment.turn, s) + (segment.winding == 0.0 ? 0.0 : segment.winding * spin_winding(ray, y.w));
+    return segment.psi + spin_sum_to(segment.turn, s) + segment.winding * spin_winding(ray, y.w);
 }
 
 // psi at its end: where phi winds up better than the step itself has it, for places next to the horizon.

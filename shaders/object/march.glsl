@@ -188,7 +188,7 @@ MarchContact march_contact(MarchWay way, MarchSpan span, float blur) {
     float slope = 0.5 * (value_before - value_behind);
     float bend = value_before + value_behind - 2.0 * value_there;
     float depth = bend > 1.0e-4 * abs(slope) ? 0.5 * slope * slope / bend : 1.0e30;
-    if (!contact.enters) depth = -way_value(way, place);
+    if (!contact.enters) depth = -value_there;
     float pixel = max(way_pixel(way, place, contact.at), 1.0e-20);
     float cover = march_cover(depth / (march_slope(place) * pixel), MARCH_THINNEST * frame.march.y / pixel);
     if (contact.enters) contact.covered = blur > 0.0 ? cover : 1.0;

@@ -74,7 +74,8 @@ float moving_ball_room(int i, RayPlace place) {
     float most = PASSING_SLOWER * slowness;
     float bend = passing_bend(place) * (1.0 + form.z * most * most) + path.bend * most * most;
     float passing = passing_room(place, offset, form.w, passing_course(place) - steps * step, bend, room);
-    float known = place.delay >= form.x ? (float(BALL_PATH_AHEAD) - f) / (form.y * most) : 0.0;
+    float known = (float(BALL_PATH_AHEAD) - f) / (form.y * most);
+    known = place.delay >= form.x ? known : 0.0;
     return max(room, min(passing, known));
 }
 #else

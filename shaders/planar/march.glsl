@@ -70,7 +70,11 @@ bool search_goes(Search search) {
 Search search_list(Search search) {
     RayPlace place = search.place;
     bool few = without_first(without_first(without_first(bodies_shown))) == uvec2(0u, 0u);
-    search.listed = few ? 1.0e30 : place.r > 2.0 * search.reach ? march_outside(place, search.reach) : march_farthest(place);
+    float outside = march_outside(place, search.reach);
+    float farthest = march_farthest(place);
+    bool far = place.r > 2.0 * search.reach;
+    search.listed = far ? outside : farthest;
+    search.listed = few ? 1.0e30 : search.listed;
     if (few) bodies_near = bodies_shown;
     else march_list(place, MARCH_LIST * search.listed);
     search.length = march_step(place, march_ask(place).y, search.reach);
