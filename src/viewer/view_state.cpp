@@ -121,12 +121,6 @@ Status load_step(ViewState& view, const TourStep& step) {
     return Done{};
 }
 
-void set_size(Scene& scene, int width, int height) {
-    scene.camera.width = width, scene.camera.height = height;
-    if (scene.path)
-        for (PathKey& key : scene.path->keys) key.camera.width = width, key.camera.height = height;
-}
-
 void reset_camera(ViewState& view) {
     const CameraSpec now = std::exchange(view.scene.camera, view.loaded.camera);
     view.scene.camera.width = now.width, view.scene.camera.height = now.height;

@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "plan/effects.h"
 #include "render/frontier.h"
+#include "scene/picture_size.h"
 #include "scene/scene.h"
 #include "scenefile/scene_file.h"
 #include "scenefile/tour_file.h"
@@ -85,8 +86,7 @@ Status paste_view(ViewState& view, const std::string& line);
 // What a step of a tour shows, its camera as if the file had it (R returns to it). Errors: as load_into's.
 Status load_step(ViewState& view, const TourStep& step);
 
-void set_size(Scene& scene, int width, int height);  // of its camera and of its path's keys, px
-void reset_camera(ViewState& view);                  // to the file's, pixels apart
+void reset_camera(ViewState& view);  // to the file's, pixels apart
 
 // The scene's spacetime; nullptr while the metric or its parameters are not valid. Cheap.
 std::shared_ptr<const Spacetime> spacetime_of(const Scene& scene);

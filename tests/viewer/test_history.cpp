@@ -15,7 +15,6 @@ using viewer::History;
 using viewer::is_as_shipped;
 using viewer::is_view;
 using viewer::scene_of_view;
-using viewer::set_size;
 using viewer::SideB;
 using viewer::swap_sides;
 using viewer::ViewState;

@@ -12,6 +12,7 @@
 #include "gl/gl.h"
 #include "render/frontier.h"
 #include "render/renderer.h"
+#include "scene/picture_size.h"
 #include "scene/split.h"
 
 namespace nullscope::web {
@@ -32,7 +33,7 @@ std::unique_ptr<Renderer> make_renderer() {
 }
 
 Scene shown(int width, int height) {
-    session().scene.camera.width = width, session().scene.camera.height = height;
+    set_size(session().scene, width, height);
     Scene scene = session().scene;
     scene.path.reset();
     return scene;
