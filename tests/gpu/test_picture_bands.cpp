@@ -33,7 +33,7 @@ TEST_CASE("picture bands: a picture in parts is the picture at once, bit by bit"
                                {"gargantua", Projection::kPinhole},   {"zoom", Projection::kPinhole}};
     constexpr int kWidth = 250, kHeight = 163;  // no multiples of a tile
     on_one_context([&](GpuSession& session) {
-        Selection selection(3);
+        Selection selection(5);
         for (const Case& one : kCases) {
             if (!selection.takes_next()) continue;
             auto scene = load_scene(one.scene);
