@@ -78,9 +78,10 @@ int judge_rays(const char* line_file, const char* pixel_file, int width, int hei
         },
         row_step);
     fmt::print(
-        R"({{"pixels": {}, "sky_px": {:.6g}, "place_px": {:.6g}, "fate_errors": {}, "forgiven": {}, "not_finite": {}}})"
+        R"({{"pixels": {}, "pixel_rad": {:.6g}, "sky_px": {:.6g}, "place_px": {:.6g}, "fate_errors": {}, "forgiven": {}, "not_finite": {}}})"
         "\n",
-        m.pixels.size(), m.sky_px.max, m.place_px.max, m.fate_errors, m.forgiven, m.not_finite);
+        m.pixels.size(), smallest_pixel_angle(scene->camera), m.sky_px.max, m.place_px.max, m.fate_errors, m.forgiven,
+        m.not_finite);
     return 0;
 }
 

@@ -241,6 +241,7 @@ export class Engine {
   async rays(width, height, rowStep = 1) {
     if (!this.limits.floats) throw new Failure("this GPU cannot draw to float textures: its rays cannot be read");
     await this.#withFiles(() => this.core.call("trace_rays", width, height, rowStep));
+    if (this.gl.isContextLost()) throw new Failure("the GPU's context was lost while it traced");
     const [w, h, place, bytes] = JSON.parse(this.core.answer());
     const pixels = this.core.bytes.slice(place, place + bytes);
     const line = this.sceneLine();
