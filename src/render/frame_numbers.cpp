@@ -34,6 +34,14 @@ Vec3 sky_light(const LightSpec& light, double temperature_K, double g, bool move
     return {factor(seen.x, own.x), factor(seen.y, own.y), factor(seen.z, own.z)};
 }
 
+// Of a direction: a component that is what rounding left of a 0 is 0. The sines of two machines differ there in all of their digits.
+Vec3 without_rounding(Vec3 v) {
+    constexpr double kRounding = 1e-15;
+    const double least = kRounding * length(v);
+    const auto kept = [least](double x) { return std::fabs(x) > least ? x : 0.0; };
+    return {kept(v.x), kept(v.y), kept(v.z)};
+}
+
 Fate inner_fate(InnerEnd end) {
     switch (end) {
         case InnerEnd::kOtherSky: return Fate::kOtherSide;
@@ -60,9 +68,9 @@ void put_view(FrameData& frame, const FramePlan& plan, const Mat3& shown, const 
                         0};
     frame.warp = {0.5 * camera.whole_height(), camera.shift_x * camera.whole_width() * camera.pixel_aspect,
                   camera.shift_y * camera.whole_height(), 0};
-    frame.ray_0 = {shown * ahead, 0};
-    frame.ray_x = {shown * right, 0};
-    frame.ray_y = {shown * up, 0};
+    frame.ray_0 = {without_rounding(shown * ahead), 0};
+    frame.ray_x = {without_rounding(shown * right), 0};
+    frame.ray_y = {without_rounding(shown * up), 0};
     // A zoom's directions as the observer at rest sees them: not yet of unit length, and linear in the unit vector before that.
     const bool aberrates = plan.ring && plan.scene.light.aberration;
     const Vec3 motion = aberrates ? observer.velocity : Vec3{};
@@ -81,10 +89,11 @@ void put_view(FrameData& frame, const FramePlan& plan, const Mat3& shown, const 
         return {dot(v, meridian), dot(v, transverse), v.x, critical_sine * v.x - critical_cosine * dot(v, meridian)};
     };
     frame.polar_0 = polar(middle);
+    frame.polar_0.y = 0.0;  // the middle is in the meridian
     frame.polar_x = polar(at_rest(right, 0.0));
     frame.polar_y = polar(at_rest(up, 0.0));
     if (plan.ring) {
-        frame.polar_0.y = frame.polar_0.w = 0.0;  // the middle is in the meridian and on the critical curve
+        frame.polar_0.w = 0.0;  // the middle is on the critical curve
         frame.polar_length = polar(at_rest({}, 1.0));
         frame.polar_weight = {weight(ahead, 1.0), weight(right, 0.0), weight(up, 0.0), weight({}, 1.0)};
         frame.ring = {2.0 * M_PI * plan.ring->turns, plan.ring->lag, plan.ring->half_way, 0};

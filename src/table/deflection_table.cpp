@@ -81,6 +81,8 @@ DeflectionTable::DeflectionTable(const SphericalMetric& spacetime, int size) : s
     const bool graded = spacetime.chi()->logarithm_at_sky();
     if (graded) size_ = size *= 2;
     series_ = series_about_photon_sphere(spacetime);
+    const bool symmetric = same_on_both_sides(spacetime);
+    if (symmetric) series_.a1 = series_.a3 = 0.0;
     for (Branch* branch : {&outer_, &inner_, &through_}) {
         branch->size = size;
         branch->graded_x = graded && branch != &through_;
@@ -89,7 +91,7 @@ DeflectionTable::DeflectionTable(const SphericalMetric& spacetime, int size) : s
     }
     const DensityFit density(spacetime);
     build_turning(density, false, outer_);
-    if (same_on_both_sides(spacetime))
+    if (symmetric)
         inner_.values = outer_.values;
     else
         build_turning(density, true, inner_);

@@ -13,10 +13,10 @@ TEXTS, TEXELS = 1000, 200   # random texts; values of each table
 TABLE = 1e-12               # rad, of the deflection table
 AT_ONCE = 50                # texts a call of the page
 
-# Sines, exponentials and the like of the two C libraries differ in the last digit of a double. A float made of such numbers is the same, a
-# neighbour where the number lies next to the middle between two, or, where terms cancel, differs by what is left: in a uniform at most
-# CANCELLED, in a table one digit of a float of the table's largest value. OTHER: so many of all are not the same.
-CANCELLED, FLOAT_DIGIT, OTHER = 1e-12, 2.0 ** -23, 0.01
+# Sines, exponentials and the like of the two C libraries differ in the last digit of a double. A float of a table is the same, a
+# neighbour where the number lies next to the middle between two, or, where terms cancel, differs by at most one digit of a float of the
+# table's largest value. OTHER: so many of all are not the same. Uniforms are the same bit by bit.
+FLOAT_DIGIT, OTHER = 2.0 ** -23, 0.01
 # A picture's width is written as a field of view where one of at most 17 digits gives it exactly: that depends on the last digit of tan.
 LENS = re.compile(r"\b(?:fov|plane_width) = [^,}]*, ")
 
@@ -146,8 +146,9 @@ class Answers(WebTest):
         for text, native, page in self.numbers():
             self.assertEqual(native["members"], page["members"], text)
             for name in ("frame", "objects"):
-                uniforms.compare(name, floats(native[name]), floats(page[name]), text, CANCELLED)
+                uniforms.compare(name, floats(native[name]), floats(page[name]), text, 0.0)
         uniforms.check(self, "uniforms")
+        self.assertEqual(uniforms.neighbours, 0)
 
     def test_same_tables(self):
         tables, sweeps, worst = Floats(), 0, 0.0
