@@ -48,7 +48,8 @@ OrbitCell orbit_cell(bool escapes, float u, float phi, float phi_end) {
     int row = int(min(position, float(ORBIT_ROWS) - 0.5));
     OrbitCell cell;
     cell.column = octave.cell + octave.cell / ORBIT_CELLS_PER_OCTAVE;
-    cell.row = escapes ? row : row + (ORBIT_ROWS + 1);
+    int row_inward = row + (ORBIT_ROWS + 1);
+    cell.row = escapes ? row : row_inward;
     cell.across = octave.place;
     cell.along = position - float(row);
     cell.start = octave.start;
@@ -82,14 +83,16 @@ OrbitPoint orbit_point(bool escapes, float u, float u_slope, float phi, float ph
 #ifdef EFFECT_SIDES
     float rest = 1.0 - v;
 #else
-    float rest = escapes ? 1.0 - v : 1.0;
+    float rest_to_sky = 1.0 - v;
+    float rest = escapes ? rest_to_sky : 1.0;
 #endif
     OrbitPoint point;
     point.zeta = value * rest;
 #ifdef EFFECT_SIDES
     float zeta_v = slope_v * rest - value;
 #else
-    float zeta_v = slope_v * rest - (escapes ? value : 0.0);
+    float less = escapes ? value : 0.0;
+    float zeta_v = slope_v * rest - less;
 #endif
     point.along = zeta_v / phi_end;
     point.across = slope_delta * rest - zeta_v * v * phi_end_slope / phi_end;

@@ -21,8 +21,10 @@ float arc_tangent2(float y, float x) {
     float ax = abs(x);
     float high = max(max(ax, y), 1.0e-37);
     float a = arc_tangent_unit(min(ax, y) / high);
-    a = y > ax ? 1.57079632679489661923 - a : a;
-    return x < 0.0 ? 3.14159265358979323846 - a : a;
+    float steep = 1.57079632679489661923 - a;
+    a = y > ax ? steep : a;
+    float back = 3.14159265358979323846 - a;
+    return x < 0.0 ? back : a;
 }
 
 // sin(x) for |x| <= pi/2: the series, whose next term is below 6e-8.
@@ -40,6 +42,9 @@ float sine_quarter(float x) {
 vec2 sine_cosine(float angle) {
     float turn = angle - 6.28318530717958647692 * floor(angle * 0.15915494309189533577 + 0.5);   // [-pi, pi]
     float to_side = 1.57079632679489661923 - abs(turn);
-    float sine = sine_quarter(to_side < 0.0 ? (1.57079632679489661923 + to_side) : abs(turn));   // pi - |turn| beyond a quarter
-    return vec2(turn < 0.0 ? -sine : sine, sine_quarter(to_side));
+    float within = abs(turn);
+    float beyond = 1.57079632679489661923 + to_side;   // pi - |turn|
+    float sine = sine_quarter(to_side < 0.0 ? beyond : within);
+    float minus = -sine;
+    return vec2(turn < 0.0 ? minus : sine, sine_quarter(to_side));
 }

@@ -15,7 +15,9 @@ float passing_room(RayPlace place, vec3 offset, float radius, vec3 course, float
     float ahead = min(dot(offset, course), 0.0);
     float beside = sqrt(max(dot(offset, offset) - ahead * ahead / course2, 0.0));
     float clear = beside - radius - PASSING_PIXELS * place.pixel;
-    return clear > 0.0 && place.r > PASSING_LEAST ? max(room, sqrt(2.0 * PASSING_LEFT * clear / bend)) : room;
+    float way = max(room, sqrt(2.0 * PASSING_LEFT * max(clear, 0.0) / bend));
+    float passing = clear > 0.0 ? way : room;
+    return place.r > PASSING_LEAST ? passing : room;
 }
 
 vec3 passing_course(RayPlace place) { return place_velocity(place) / max(place_speed(place), 1.0e-20); }

@@ -37,7 +37,9 @@ float inner_horizon_time(float zeta) {
 vec2 delay_at_camera(Trace trace) {
     float more = 1.0 + abs(trace.c);
     float less = trace.s * trace.s / more;
-    return vec2((frame.shift.x + frame.shift.z) * (trace.c < 0.0 ? less : more), (frame.shift.x - frame.shift.z) * (trace.c < 0.0 ? more : less));
+    float minus = trace.c < 0.0 ? less : more;
+    float plus = trace.c < 0.0 ? more : less;
+    return vec2((frame.shift.x + frame.shift.z) * minus, (frame.shift.x - frame.shift.z) * plus);
 }
 
 // Of the place at r after the swept angle phi; zeta_along: d zeta/d phi there.
@@ -54,16 +56,26 @@ float light_time(Trace trace, float phi, float r, float zeta_along) {
     fall *= max(1.0 - frame.delay.y * zeta, 0.0);
 #endif
     float root = sqrt(max(1.0 - fall, 0.0));
-    float w = fall < 0.97 ? (slope < 0.0 ? -root : root) : clamp(slope, -1.0, 1.0);
+    float downward = -root;
+    float by_root = slope < 0.0 ? downward : root;
+    float by_slope = clamp(slope, -1.0, 1.0);
+    float w = fall < 0.97 ? by_root : by_slope;
     float larger = 1.0 + abs(w);
-    float one_minus = sigma * w > 0.0 ? fall / larger : larger;
-    float ratio = max(one_minus, 1.0e-30) * near * energy * r / max(trace.escapes ? sides.x : sides.y, 1.0e-30);   // both roots add up to 1
+    float smaller = fall / larger;
+    float one_minus = sigma * w > 0.0 ? smaller : larger;
+    float side_out = sides.x;
+    float side_in = sides.y;
+    float side = trace.escapes ? side_out : side_in;
+    float ratio = max(one_minus, 1.0e-30) * near * energy * r / max(side, 1.0e-30);   // both roots add up to 1
     float start = -(frame.shift.z + frame.shift.x * trace.c) / (energy * frame.shift.y);   // W/zeta
     float logarithm = log(ratio);
 #ifdef EFFECT_INNER_HORIZON
     logarithm -= inner_horizon_time(zeta);
 #endif
-    float time = start - w * r + sigma * logarithm - (trace.escapes ? frame.delay.z : frame.delay.w) +
+    float rest_out = frame.delay.z;
+    float rest_in = frame.delay.w;
+    float rest = trace.escapes ? rest_out : rest_in;
+    float time = start - w * r + sigma * logarithm - rest +
                  delay_rest(trace.escapes, trace.ray.u, phi, trace.phi_end);
 #ifdef EFFECT_ZOOM
     time += ring_part(phi, frame.ring.y);
