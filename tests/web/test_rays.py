@@ -14,6 +14,7 @@ BOUND_PX = 0.05
 FLOAT_RAD = 2.0 ** -22   # half a digit of a swept angle of 4 to 8: more than a pixel's twentieth where the lens is long (photon-ring)
 # Rays that pass a corner of a surface which is thinner than a march step may miss it (docs/scenes.md, surface.steps), on every driver.
 THIN = {"saturn": 8, "wormhole-saturn": 8}
+REFUSED = {"zoom": "zoom.depth"}   # deeper than the reference traces (tests/proof judges such views)
 SLOW = ["swarm", "wormhole-saturn"]  # 64 bodies, and a surface through a wormhole, take the reference minutes
 
 
@@ -24,8 +25,7 @@ class Rays(WebTest):
                 file.write(content)
         done = subprocess.run([self.programs / "native_answers", "rays", f"{folder}/line", f"{folder}/pixels", *map(str, SIZE), str(ROW_STEP)],
                               capture_output=True, text=True)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return json.loads(done.stdout)
+        return json.loads(done.stdout) if done.returncode == 0 else done.stderr
 
     def test_every_scene(self):
         server = Server(self.page)
@@ -47,6 +47,9 @@ class Rays(WebTest):
                         self.assertIn("[split", (ROOT / f"assets/scenes/{scene}.toml").read_text())
                         continue
                     errors = self.judged(line, pixels, folder)
+                    if isinstance(errors, str):
+                        self.assertIn(REFUSED.get(scene, "what a reference of every other scene says"), errors)
+                        continue
                     px = max(errors["sky_px"], errors["place_px"])
                     print(f"{scene}: {px:.4f} px, {errors['fate_errors']} wrong fates, {errors['forgiven']} next to an edge", flush=True)
                     worst = max(worst, (px, scene))
