@@ -185,7 +185,7 @@ export class Engine {
     const first = Math.min(1, Math.sqrt(FIRST_PIXELS / (this.size.width * this.size.height)));
     const scale = !quick ? 1 : this.everDrawn ? this.scale : first;
     if (this.due || moves || (rests && !this.#isWhole())) {
-      await this.#draw(scale, quick, rests || !this.everDrawn ? 1 : 1 - Math.exp(-seconds / ADAPTATION_S));
+      await this.#draw(scale, quick, quick && this.everDrawn ? 1 - Math.exp(-seconds / ADAPTATION_S) : 1);
     } else if (rests && !this.core.exports.build_next()) {
       this.turning = false;
     }
@@ -196,7 +196,7 @@ export class Engine {
     const { width, height } = this.size;
     return Boolean(this.drawn) && !this.drawn.quick && this.drawn.width === width && this.drawn.height === height;
   }
-  // quick: see draw() of core.wasm. adaptation: of automatic exposure; a picture that rests has its own.
+  // quick: see draw() of core.wasm. adaptation: of automatic exposure; a picture that is not quick has its own.
   async #draw(scale, quick, adaptation) {
     const width = Math.max(1, Math.round(this.size.width * scale)), height = Math.max(1, Math.round(this.size.height * scale));
     const began = performance.now();
