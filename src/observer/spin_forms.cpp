@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-namespace nullscope {
+#include "base/rounding.h"
 
-constexpr double kRounding = 1e-15;  // of a sum of two terms of which the larger is 1
+namespace nullscope {
 
 // The photon has (1, -n) along the camera's frame and (gamma (1 - v n_phi), -n_r, -n_theta, gamma (v - n_phi)) = (k0, k1, k2, k3) along the one
 // that it moves in. There E = energy k0 - infall k1 + (a sin/root) k3, L/sin - a E sin = root k3, p_theta = root k2 and
@@ -17,9 +17,8 @@ SpinForms spin_forms(const SpinPlace& p, const SpinFrame& frame) {
     const double scale = p.sigma / (p.r * p.r);
     SpinForms forms;
     forms.energy = {-gamma * (energy + drag / root * v), -infall, gamma * (energy * v + drag / root)};
-    const double turning = drag * energy + girth * v;  // 0 for an observer without angular momentum, but for rounding
-    forms.across = {std::fabs(turning) > kRounding * girth ? -gamma * turning : 0.0, -drag * infall,
-                    gamma * (drag * energy * v + girth)};
+    const double turning = without_rounding(drag * energy + girth * v, girth);  // 0 without angular momentum
+    forms.across = {-gamma * turning, -drag * infall, gamma * (drag * energy * v + girth)};
     forms.climb = {-scale * gamma * infall, -scale * energy, scale * gamma * infall * v};
     forms.carter = -gamma * root * v;
     forms.carter_slope = gamma * root;

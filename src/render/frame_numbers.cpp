@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/rounding.h"
 #include "light/black_body.h"
 #include "observer/pose.h"
 #include "render/body_numbers.h"
@@ -34,12 +35,9 @@ Vec3 sky_light(const LightSpec& light, double temperature_K, double g, bool move
     return {factor(seen.x, own.x), factor(seen.y, own.y), factor(seen.z, own.z)};
 }
 
-// Of a direction: a component that is what rounding left of a 0 is 0. The sines of two machines differ there in all of their digits.
-Vec3 without_rounding(Vec3 v) {
-    constexpr double kRounding = 1e-15;
-    const double least = kRounding * length(v);
-    const auto kept = [least](double x) { return std::fabs(x) > least ? x : 0.0; };
-    return {kept(v.x), kept(v.y), kept(v.z)};
+Vec3 direction_without_rounding(Vec3 v) {
+    const double scale = length(v);
+    return {without_rounding(v.x, scale), without_rounding(v.y, scale), without_rounding(v.z, scale)};
 }
 
 Fate inner_fate(InnerEnd end) {
@@ -68,9 +66,9 @@ void put_view(FrameData& frame, const FramePlan& plan, const Mat3& shown, const 
                         0};
     frame.warp = {0.5 * camera.whole_height(), camera.shift_x * camera.whole_width() * camera.pixel_aspect,
                   camera.shift_y * camera.whole_height(), 0};
-    frame.ray_0 = {without_rounding(shown * ahead), 0};
-    frame.ray_x = {without_rounding(shown * right), 0};
-    frame.ray_y = {without_rounding(shown * up), 0};
+    frame.ray_0 = {direction_without_rounding(shown * ahead), 0};
+    frame.ray_x = {direction_without_rounding(shown * right), 0};
+    frame.ray_y = {direction_without_rounding(shown * up), 0};
     // A zoom's directions as the observer at rest sees them: not yet of unit length, and linear in the unit vector before that.
     const bool aberrates = plan.ring && plan.scene.light.aberration;
     const Vec3 motion = aberrates ? observer.velocity : Vec3{};
