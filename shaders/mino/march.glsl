@@ -7,20 +7,11 @@
 
 #define MARCH_LONGEST 0.5    // of a step; a dip between two steps is looked for on the second's polynomials, as far before its start
 
-// The part of a step that is `length` more along the ray, taken as straight.
-float march_part(RayPlace place, float length) {
-    float speed = max(place_speed(place), 1.0e-20);
-    float outward = dot(place.velocity, place.outward) / speed;
-    vec3 across = place.velocity - (outward * speed) * place.outward;
-    float round = max(sqrt(dot(across, across)) / speed, 1.0e-7);
-    return arc_tangent2(length * round, max(place.r + length * outward, 1.0e-6)) * place.r / (speed * round);
-}
-
 // How far to the next sample, as a part of the step: within the least radius of a body only the way out counts, not how light winds.
 float march_step_length(RayPlace place, float length) {
     float outward = abs(dot(place.velocity, place.outward));
     float below = 0.9 * (frame.march_shell.y - place.r) / max(outward, 1.0e-20);
-    return min(max(march_part(place, length), below), MARCH_LONGEST);
+    return min(max(place_part(place, length), below), MARCH_LONGEST);
 }
 
 // What a search has come to.

@@ -46,6 +46,15 @@ RayPlace segment_place(SpinRay ray, SpinSegment segment, float s) {
 float place_speed(RayPlace place) { return sqrt(dot(place.velocity, place.velocity)); }
 vec3 place_velocity(RayPlace place) { return place.velocity; }
 
+// The part of a step that is `length` more along the ray, taken as straight.
+float place_part(RayPlace place, float length) {
+    float speed = max(place_speed(place), 1.0e-20);
+    float outward = dot(place.velocity, place.outward) / speed;
+    vec3 across = place.velocity - (outward * speed) * place.outward;
+    float round = max(sqrt(dot(across, across)) / speed, 1.0e-7);
+    return arc_tangent2(length * round, max(place.r + length * outward, 1.0e-6)) * place.r / (speed * round);
+}
+
 #ifdef NEEDS_PLACE_LATE
 // The most that light needs for a length there: (r^2 + a^2)/Delta.
 #define PLACE_SLOWEST 1.0e6

@@ -78,7 +78,7 @@ uvec2 tile_bodies(vec2 middle) {
             bool away = place.r - look.spread > frame.march.x && now[0].v.w < 0.0;   // from all bodies, for good
             below = captured && place.r + TILE_DEEPER * farther < frame.march_shell.y;
             more = look.free < TILE_NONE && !(outward ? away : below);
-            s += max(march_part(place, min(TILE_STEP * look.free, 0.4 * place.r)), 1.0e-3);
+            s += max(place_part(place, min(TILE_STEP * look.free, 0.4 * place.r)), 1.0e-3);
             --looks;
         }
         more = more && spin_goes(now[0].y.w, end, left, true);

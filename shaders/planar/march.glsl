@@ -7,19 +7,6 @@
 
 #define MARCH_DOUBT 8.0   // a moving body may be off by an eighth of its distance where the time is not exact: steps are 0.8 of that
 
-// Swept angle after `length` more along the ray, taken as straight.
-float march_angle(RayPlace place, float length) {
-#ifdef EFFECT_SIDES
-    // dphi = q/R^2 along a way on which R grows by no more than the way itself.
-    return length * place.radius / (place.speed * (place.radius + length));
-#else
-    float speed = inversesqrt(place.r_along * place.r_along + place.r * place.r);
-    float y = length * place.r * speed;
-    float x = place.r + length * place.r_along * speed;
-    return arc_tangent2(max(y, 1.0e-30), x);
-#endif
-}
-
 // How far to the next sample.
 float march_step(RayPlace place, float room, float reach) {
 #ifdef EFFECT_SIDES
@@ -96,7 +83,7 @@ Search search_samples(Search search) {
         search.length = min(search.length, max(search.listed, 0.8 * (frame.march_shell.y - search.place.r)));
         search.listed -= search.length;
 #endif
-        float next = min(search.phi + march_angle(search.place, search.length), search.phi_stop);
+        float next = min(search.phi + place_part(search.place, search.length), search.phi_stop);
 #ifdef WAY_BETWEEN
         search.place = place_beside(search.way.trace, search.way.tangent, next, search.place, search.phi);
         float slack = MARCH_DOUBT * frame.march.w * search.place.doubt;   // bodies move meanwhile
@@ -194,7 +181,7 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
 #endif
     // From one place that may be on a body to the next: what is done there is outside of the loop of samples, for all rays at once.
 #ifdef WAY_BETWEEN
-    if (search.place.r > 2.0 * search.reach) search.phi = min(march_angle(search.place, march_outside(search.place, search.reach)), phi_stop);
+    if (search.place.r > 2.0 * search.reach) search.phi = min(place_part(search.place, march_outside(search.place, search.reach)), phi_stop);
     search.before_phi = search.phi;
     search.span = march_span(search.phi, 1.0e30);
     do {

@@ -161,6 +161,19 @@ float place_speed(RayPlace place) { return sqrt(place.r_along * place.r_along + 
 // d(place)/d(phi)
 vec3 place_velocity(RayPlace place) { return place.r_along * place.outward + place.r * place.onward; }
 
+// Swept angle after `length` more along the ray, taken as straight.
+float place_part(RayPlace place, float length) {
+#ifdef EFFECT_SIDES
+    // dphi = q/R^2 along a way on which R grows by no more than the way itself.
+    return length * place.radius / (place.speed * (place.radius + length));
+#else
+    float speed = inversesqrt(place.r_along * place.r_along + place.r * place.r);
+    float y = length * place.r * speed;
+    float x = place.r + length * place.r_along * speed;
+    return arc_tangent2(max(y, 1.0e-30), x);
+#endif
+}
+
 // How wide a pixel is there, r_s: the mean of its side along the ray's plane and of its side across it, seen across the ray.
 float place_pixel(Trace trace, RayPlace place, float phi) {
     float speed = place_speed(place);

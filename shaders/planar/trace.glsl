@@ -127,6 +127,9 @@ Trace trace_pixel(vec2 pixel) {
 #endif
 #endif
 #endif
+#ifdef SLOT_MEDIUM
+    trace.side.x += dot(trace.side, trace.side) < 1.0e-14 ? 1.0e-7 : 0.0;   // matter is followed by the swept angle
+#endif
     trace.s = sqrt(dot(trace.side, trace.side));
 #ifdef EFFECT_LENSING
     StripRay ray = strip_locate(trace.side, trace.s, trace.c, tangent, frame.strip, frame.series.w);

@@ -111,6 +111,15 @@ struct FrameData {
     vec4 ring_peak_2;  //   + x xy + y y^2 + z x^3 + w x^2 y
     vec4 ring_peak_3;  //   + x x y^2 + y y^3; 1 where that is so, else 0; -1e30
 #endif
+#ifdef SLOT_MEDIUM
+    vec4 medium_hole;    // a, radii of the outer and of the inner horizon; the radius within which no matter is looked for
+    vec4 medium_bound;   // radius beyond which there is none; of its march: least step, steps over what is enough, 0
+    vec4 medium_colour;  // light of the densest matter for each r_s, without shift
+#endif
+#ifdef BLOCK_MEDIUM_FLOW
+    vec4 medium_flow;    // 1/radius, flattening, momentum (of M), absorption of the densest matter for each r_s, without shift
+    vec4 medium_powers;  // of g in the emission, and in the absorption, for each unit of the affine parameter; 0, 0
+#endif
 #ifdef BLOCK_SIDES
     vec4 throat;       // radius of a wormhole's throat, mu of table/throat_orbit.h, 0, 0
 #endif

@@ -22,6 +22,9 @@
 #include "object/star.glsl"
 #endif
 #include "effect/sampling.glsl"
+#ifdef SLOT_MEDIUM
+#include "path/medium"
+#endif
 #include "path/trace"
 #include "shared/frame.glsl"
 #include "stage/layer.glsl"
@@ -43,10 +46,22 @@ vec4 ray_light(vec2 pixel) {
     SolidHit solid = solid_hit(trace, 1.0);
     vec4 body = solid.object == 0 ? vec4(0.0) : vec4(solid_light(trace, solid), 1.0) * solid.covered;
 #endif
+#ifdef SLOT_MEDIUM
+    MediumWalk medium = medium_walk(trace, pixel);
+#endif
 #ifdef EFFECT_DISC
     DiscWalk walk = disc_walk(trace);
     do {   // tested at the end, see disc_cover
         DiscCrossing crossing = disc_walk_crossing(trace, walk);
+#ifdef SLOT_MEDIUM
+        float until = walk.more ? crossing.phi : 0.0;
+#ifdef NEEDS_PLACE
+        until = min(until, solid.phi);
+#endif
+        medium = medium_to(trace, medium, until);
+        light += layer_light(through * medium.sum.light, through - through * medium.sum.through, LAYER_BODIES);
+        through *= medium.sum.through;
+#endif
 #ifdef NEEDS_PLACE
         if (crossing.phi > solid.phi) {
             light += layer_light(through * body.rgb, through * body.a, LAYER_BODIES);
@@ -62,8 +77,20 @@ vec4 ray_light(vec2 pixel) {
     } while (walk.more && through > 0.002);
 #endif
 #ifdef NEEDS_PLACE
+#ifdef SLOT_MEDIUM
+    medium = medium_to(trace, medium, solid.phi);
+    light += layer_light(through * medium.sum.light, through - through * medium.sum.through, LAYER_BODIES);
+    through *= medium.sum.through;
+#endif
     light += layer_light(through * body.rgb, through * body.a, LAYER_BODIES);
     through -= through * body.a;
+#endif
+#ifdef SLOT_MEDIUM
+    if (through > 0.002) {
+        medium = medium_to(trace, medium, 1.0e30);
+        light += layer_light(through * medium.sum.light, through - through * medium.sum.through, LAYER_BODIES);
+        through *= medium.sum.through;
+    }
 #endif
 #ifdef EFFECT_SKY
 #ifdef NEEDS_SKY_OF_EVERY_RAY

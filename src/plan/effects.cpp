@@ -15,7 +15,7 @@ namespace {
 const std::array<const Feature*, kEffectCount>& features() {
     static const auto all = [] {
         std::array<const Feature*, kEffectCount> list{};
-        for (const auto group : {light_features(), disc_features(), bodies_features(), picture_features()})
+        for (const auto group : {light_features(), disc_features(), bodies_features(), medium_features(), picture_features()})
             for (const Feature& feature : group) list[static_cast<std::size_t>(feature.effect)] = &feature;
         for (const Feature* feature : list)
             if (feature == nullptr) std::abort();  // an enumerator without a Feature
@@ -26,6 +26,7 @@ const std::array<const Feature*, kEffectCount>& features() {
 
 // Rays outside of the horizon, to one sky, that turn smoothly with the pixel: at a cube's and a mesh's edges they do not.
 bool ends_are_plain(const EffectSet& effects) {
+    if (has_medium(effects)) return false;
     for (const Effect effect : {Effect::kCubeFaces, Effect::kWarp, Effect::kSpinFall, Effect::kSides, Effect::kInner,
                                 Effect::kBounce, Effect::kFarSky, Effect::kStar})
         if (effects.contains(effect)) return false;
@@ -63,7 +64,9 @@ bool has_marched(const EffectSet& effects) {
             return true;
     return false;
 }
+bool has_medium(const EffectSet& effects) { return effects.contains(Effect::kMediumFlow); }
 bool has_tiles(const EffectSet& effects) {
+    if (has_medium(effects)) return false;  // nor do they of matter
     // Rays of tiles know nothing of the swings that a zoom leaves out.
     if (effects.contains(Effect::kSpinRing) && effects.contains(Effect::kZoom)) return false;
     if (effects.contains(Effect::kCubeFaces) || effects.contains(Effect::kWarp)) return false;
@@ -88,7 +91,9 @@ bool shades_heat(const EffectSet& effects) {
 bool takes_samples(const EffectSet& effects) {
     return effects.contains(Effect::kSamples) || effects.contains(Effect::kRefine);
 }
-bool meets_objects(const EffectSet& effects) { return effects.contains(Effect::kDisc) || has_solids(effects); }
+bool meets_objects(const EffectSet& effects) {
+    return effects.contains(Effect::kDisc) || has_solids(effects) || has_medium(effects);
+}
 
 bool moves(const EffectSet& effects) { return effects.contains(Effect::kBallPath) || effects.contains(Effect::kPulse); }
 

@@ -69,6 +69,7 @@ enum class Effect {
     kCylindrical,
     kCubeFaces,
     kWarp,
+    kMediumFlow,
     kEnd  // no effect: how many there are
 };
 inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);
@@ -76,7 +77,8 @@ inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);
 // Where any number of effects stand side by side in a shader, each by one function of its own file (shaderlib/slots.h).
 // kDiscGlow: vec3 NAME(Trace, DiscCrossing, float delay), light of the disc's place whatever covers it. These add up.
 // kDiscLight: float NAME(float cosine), factor on the disc's heat by the angle to the normal at which the light leaves its matter.
-enum class Slot { kNone, kDiscGlow, kDiscLight };
+// kMedium: MediumLight NAME(MediumPlace), of matter along the ray (medium/place.glsl); one at a time.
+enum class Slot { kNone, kDiscGlow, kDiscLight, kMedium };
 struct SlotPart {
     Slot slot = Slot::kNone;
     std::string_view file, function;  // of shaders/
@@ -133,6 +135,7 @@ bool has_marched(
     const EffectSet& effects);  // bodies that are found by steps: all but the sphere, and that about a rotating hole
 bool has_projection(const EffectSet& effects);  // other than the pinhole
 bool has_solids(const EffectSet& effects);      // any solid body
+bool has_medium(const EffectSet& effects);      // matter along rays
 bool shades_heat(const EffectSet& effects);     // black bodies in the picture's shader: the table of their light
 bool takes_samples(const EffectSet& effects);   // pixels with several rays each
 bool meets_objects(const EffectSet& effects);   // anything that needs positions along rays: ray ends, orbit table

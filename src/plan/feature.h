@@ -55,6 +55,7 @@ struct Feature : EffectRow {
 std::span<const Feature> light_features();
 std::span<const Feature> disc_features();
 std::span<const Feature> bodies_features();
+std::span<const Feature> medium_features();
 std::span<const Feature> picture_features();
 const Feature& feature_of(Effect effect);
 

@@ -9,6 +9,7 @@
 #include "observer/observer.h"
 #include "observer/pose.h"
 #include "observer/ring_view.h"
+#include "plan/medium.h"
 #include "plan/moving.h"
 #include "plan/sides.h"
 #include "reference/reference.h"
@@ -57,11 +58,13 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
     if (scene.disc && !(*spacetime)->can_have_disc())
         return bad_input(fmt::format("metric \"{}\" has no discs", scene.spacetime.metric), "a scene without [disc]");
     tracer.matter_ = std::move(*metric);
+    if (Status medium = check_medium(**spacetime, scene); !medium) return medium.error();
+    if (scene.medium) tracer.medium_ = std::make_shared<Medium>(scene, *tracer.matter_);
     tracer.bodies_ = std::make_shared<Bodies>(scene, *tracer.matter_);
     const bool late = scene.light.delay && !moving_parts(scene).empty(),
                disc_moves = scene.disc && (!scene.spots.empty() || scene.disc->flow != DiscFlowKind::kStill);
     TRY(rays, tracer.matter_->rays(scene, **spacetime,
-                                   {tracer.bodies_.get(), late, late && disc_moves, scene.disc ? kMostCrossings : 0}));
+                                   {tracer.bodies_.get(), late, late && disc_moves, scene.disc ? kMostCrossings : 0, tracer.medium_.get()}));
     tracer.rays_ = std::move(*rays);
     return tracer;
 }

@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "reference/bodies.h"
+#include "reference/medium.h"
 #include "reference/metric.h"
 #include "reference/plane_ray.h"
 #include "reference/traced_ray.h"
@@ -33,6 +34,7 @@ public:
     std::vector<DiscHit> disc_hits(const TracedRay& ray, int max_hits) const;
     // The delay may cost several times the rest.
     RayPixel pixel(double x, double y, bool with_delay = true) const;
+    const Medium* medium() const { return medium_.get(); }  // null where there is none
     const Metric& matter() const { return *matter_; }  // of what rays meet: they run straight without lensing
     const PlaneRays* plane_rays() const { return rays_->in_plane(); }  // null where rays stay in no plane
 
@@ -42,6 +44,7 @@ private:
     std::optional<DiscSpec> disc_;
     std::shared_ptr<const Metric> matter_;
     std::shared_ptr<const Bodies> bodies_;
+    std::shared_ptr<const Medium> medium_;
     std::shared_ptr<const RayFamily> rays_;
 };
 

@@ -7,6 +7,7 @@
 #include "reference/kerr_bodies.h"
 #include "reference/kerr_chart.h"
 #include "reference/kerr_ray.h"
+#include "reference/medium.h"
 #include "reference/metric.h"
 #include "reference/plane_metrics.h"
 
@@ -15,8 +16,12 @@ namespace {
 
 class TracedKerrRay final : public TracedRay {
 public:
-    TracedKerrRay(KerrRay ray, const std::optional<BodyHit>& hit, bool delay)
-        : TracedRay({1, 1 / ray.energy}, 1 / ray.energy, ray.l_z), ray_(std::move(ray)), hit_(hit), delays_(delay) {}
+    TracedKerrRay(KerrRay ray, const std::optional<BodyHit>& hit, std::vector<MediumNode> nodes, bool delay)
+        : TracedRay({1, 1 / ray.energy}, 1 / ray.energy, ray.l_z),
+          ray_(std::move(ray)),
+          hit_(hit),
+          nodes_(std::move(nodes)),
+          delays_(delay) {}
     Fate fate() const override { return ray_.fate; }
     double end() const override { return kNotANumber; }
     Vec3 end_direction() const override { return ray_.sky; }
@@ -31,6 +36,7 @@ public:
         return list;
     }
     std::optional<BodyHit> first_hit() const override { return hit_; }
+    std::vector<MediumNode> medium_nodes() const override { return nodes_; }
     double delay(double along) const override {
         if (hit_ && hit_->along == along) return hit_->delay;
         for (const PlaneCrossing& c : ray_.crossings)
@@ -41,15 +47,30 @@ public:
 private:
     KerrRay ray_;
     std::optional<BodyHit> hit_;
+    std::vector<MediumNode> nodes_;
     bool delays_;  // of crossings
 };
 
 // trace(watch): a KerrRay, its steps shown to `watch`.
 template <class Trace>
 RayPtr meeting_bodies(const RayTask& task, const Trace& trace) {
-    BodyWatch watch(*task.bodies, task.delays_bodies);
-    KerrRay ray = trace(watch.watch());
-    return std::make_unique<TracedKerrRay>(std::move(ray), watch.hit(), task.delays_disc);
+    BodyWatch bodies(*task.bodies, task.delays_bodies);
+    KerrWatch watch = bodies.watch();
+    std::vector<MediumNode> nodes;
+    if (task.medium != nullptr)
+        watch = [&task, &nodes, meets = std::move(watch)](const KerrStep& step) {
+            if (meets) meets(step);
+            if (std::min(step.begin.r, step.end.r) > 2 * task.medium->farthest()) return;  // of half its radius at most
+            task.medium->add_nodes(
+                step.from, step.to,
+                [&](double along) {
+                    const KerrPlace place = along == step.from ? step.begin : along == step.to ? step.end : step.at(along);
+                    return Medium::Place{place.r, place.theta};
+                },
+                [](const Medium::Place&, double width) { return width; }, nodes);
+        };
+    KerrRay ray = trace(watch);
+    return std::make_unique<TracedKerrRay>(std::move(ray), bodies.hit(), std::move(nodes), task.delays_disc);
 }
 
 class KerrRays final : public RayFamily {
@@ -81,6 +102,11 @@ public:
     EquatorialMetric equator(double r) const override {
         const double a = hole_.a, mass = hole_.twice_mass(r);
         return {-(1 - mass / r), -a * mass / r, hole_.g_phiphi(r), r * r / (r * r - mass * r + a * a)};
+    }
+    PlaceMetric place(double r, double theta) const override {
+        const double a = hole_.a, sine2 = std::pow(std::sin(theta), 2), cosine2 = std::pow(std::cos(theta), 2),
+                     pull = hole_.twice_mass(r) * r / (r * r + a * a * cosine2);
+        return {pull - 1, -a * pull * sine2, (r * r + a * a + a * a * pull * sine2) * sine2};
     }
     double within_last_circle() const override { return 1.001 * *horizon_radius(); }
     double rest_lapse(double) const override { return 1; }

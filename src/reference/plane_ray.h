@@ -55,6 +55,7 @@ public:
     std::vector<PlaneCrossing> crossings(int most, double inner, double outer) const override;
     std::optional<BodyHit> first_hit() const override;
     double delay(double along) const override;
+    std::vector<MediumNode> medium_nodes() const override;
     const PlaneRay* in_plane() const override { return this; }
 
 private:

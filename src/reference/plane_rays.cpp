@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "observer/observer.h"
+#include "reference/medium.h"
 #include "reference/plane_metrics.h"
 #include "reference/plane_ray.h"
 #include "scene/projection.h"
@@ -111,6 +112,39 @@ std::optional<BodyHit> PlaneRay::first_hit() const {
                         part.middle ? part.middle(t) : Vec3{0, 0, 0}};
     }
     return first;
+}
+
+// By the swept angle, of which the affine parameter is r^2/L; along the radius it is r/E.
+std::vector<MediumNode> PlaneRay::medium_nodes() const {
+    constexpr double kRadial = 1e-10;  // of L/E, r_s, below which the angle is of no use
+    constexpr double kBeforeEnd = 1e-12;
+    std::vector<MediumNode> nodes;
+    if (task_.medium == nullptr) return nodes;
+    const Medium& medium = *task_.medium;
+    const double energy = 1 / (photon_.shift.gravity * photon_.shift.doppler), r0 = std::abs(photon_.r);
+    if (photon_.l < kRadial) {
+        const bool inward = fate() == Fate::kCaptured || !(end() < 1);
+        const double least = metric_.horizon_radius().value_or(-medium.farthest()), most = std::max(medium.farthest(), r0);
+        const auto r_of = [&](double along) { return inward ? r0 - along : r0 + along; };
+        medium.add_nodes(
+            0, inward ? r0 - least : most - r0,
+            [&](double along) {
+                const double r = r_of(along);
+                const Vec3 place = plane_.direction(0) * r;
+                return Medium::Place{std::abs(r), std::atan2(std::hypot(place.x, place.y), place.z)};
+            },
+            [&](const Medium::Place&, double width) { return width / energy; }, nodes);
+        for (MediumNode& node : nodes) node.along = r_of(node.along) < 0 ? M_PI : 0;  // as an angle
+        return nodes;
+    }
+    medium.add_nodes(
+        0, end() * (1 - kBeforeEnd),
+        [&](double along) {
+            const Vec3 place = plane_.direction(along);
+            return Medium::Place{radius_at(along), std::atan2(std::hypot(place.x, place.y), place.z)};
+        },
+        [&](const Medium::Place& place, double width) { return place.r * place.r * width / (photon_.l * energy); }, nodes);
+    return nodes;
 }
 
 double PlaneRay::delay(double along) const { return metric_.by_proper_length() ? kNotANumber : clock().delay(along); }

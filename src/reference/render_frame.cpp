@@ -136,6 +136,31 @@ Vec3 spot_colour(const Metric& matter, const Scene& scene, const SpotSpec& spot,
            std::exp(-0.5 * least * least / (spot.size * spot.size)) * light;
 }
 
+// Light and transmission of the matter along a ray, from the camera on, piece by piece.
+class MatterAhead {
+public:
+    MatterAhead(const Looks& looks, const TracedRay& ray) : medium_(looks.tracer.medium()) {
+        if (medium_ == nullptr) return;
+        nodes_ = ray.medium_nodes();
+        energy_ = 1 / (ray.shift.gravity * ray.shift.doppler);
+        momentum_ = ray.l_z * energy_;
+    }
+    // Up to a place on the ray: adds to what is seen, and dims what lies behind.
+    void pass(double until, Vec3& colour, double& through) {
+        for (; next_ < nodes_.size() && nodes_[next_].along < until; ++next_) {
+            const Medium::Light found = medium_->at(nodes_[next_], energy_, momentum_);
+            colour = colour + through * found.light;
+            through *= found.through;
+        }
+    }
+
+private:
+    const Medium* medium_;
+    std::vector<MediumNode> nodes_;
+    std::size_t next_ = 0;
+    double energy_ = 1, momentum_ = 0;
+};
+
 Vec3 ray_colour(const Looks& looks, double x, double y) {
     const double through_mesh = shows(looks.scene.camera, x, y) ? warp_light(looks.scene.camera, x, y) : 0.0;
     if (through_mesh == 0.0) return {};
@@ -145,8 +170,10 @@ Vec3 ray_colour(const Looks& looks, double x, double y) {
     Vec3 colour{0, 0, 0};
     double through = 1;
     const std::optional<BodyHit> body = ray.first_hit();
+    MatterAhead matter(looks, ray);
     for (const DiscHit& hit : looks.tracer.disc_hits(ray, kMostHits)) {
         if (body && body->along < hit.along) break;
+        matter.pass(hit.along, colour, through);
         Paint paint = pattern_at(looks, hit);
         if (looks.heat != nullptr) {
             const PhotonAtDisc photon{std::hypot(hit.x, hit.y), ray.l_z, hit.climb};
@@ -158,6 +185,7 @@ Vec3 ray_colour(const Looks& looks, double x, double y) {
             colour = colour + through * spot_colour(looks.tracer.matter(), scene, spot, ray, hit);
         through *= 1 - paint.alpha;
     }
+    matter.pass(body ? body->along : INFINITY, colour, through);
     if (body) return through_mesh * (colour + through * body_light(scene, *body, looks.pictures.of(body->body)));
     if (ray.fate() == Fate::kEscaped && through > 0) {
         const Vec3 at = ray.end_direction();
@@ -174,7 +202,9 @@ Vec3 ray_colour(const Looks& looks, double x, double y) {
 double transmission(const Looks& looks, double x, double y) {
     const RayPtr ray = looks.tracer.ray(x, y);
     if (ray->first_hit()) return 0;
+    Vec3 light;
     double through = 1;
+    MatterAhead(looks, *ray).pass(INFINITY, light, through);
     for (const DiscHit& hit : looks.tracer.disc_hits(*ray, kMostHits)) through *= 1 - pattern_at(looks, hit).alpha;
     return through;
 }

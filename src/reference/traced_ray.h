@@ -19,6 +19,7 @@
 namespace nullscope::reference {
 
 class Bodies;
+class Medium;
 class PlaneRay;
 class PlaneRays;
 
@@ -43,12 +44,20 @@ struct BodyHit {
     double delay = kNotANumber;  // of a ray that is integrated: how long ago, by the camera's clock, the light left
 };
 
+// A part of a ray in matter (medium.h).
+struct MediumNode {
+    double along;     // in its middle
+    double r, theta;  // Boyer and Lindquist's; r_s, rad
+    double way;       // how much of the affine parameter of a photon of unit frequency in the camera, r_s
+};
+
 // What rays may be asked, said before they are traced: one that is integrated is looked along meanwhile.
 struct RayTask {
     const Bodies* bodies = nullptr;  // that end rays; outlives them
     bool delays_bodies = false;      // those that move are seen where they were when the light left
     bool delays_disc = false;        // crossings have their `delay`
     int crossings = 0;               // of the plane, most of one ray
+    const Medium* medium = nullptr;  // that lights and dims rays; outlives them
 };
 
 class TracedRay {
@@ -75,6 +84,7 @@ public:
     virtual std::optional<BodyHit> first_hit() const = 0;
     // How long ago, by the camera's clock, light left a crossing or first_hit(), r_s/c; NaN in wormholes.
     virtual double delay(double along) const = 0;
+    virtual std::vector<MediumNode> medium_nodes() const { return {}; }  // of the task's medium, in order
     virtual const PlaneRay* in_plane() const { return nullptr; }  // the ray, if it stays in a plane
 };
 using RayPtr = std::unique_ptr<const TracedRay>;

@@ -228,6 +228,25 @@ struct SpotSpec {
     friend bool operator==(const SpotSpec&, const SpotSpec&) = default;
 };
 
+// Matter that emits and absorbs light along rays (docs/matter.md).
+// kFlow: a hot flow about the hole that shines by a power law (Gold et al. 2020), seen at one frequency.
+enum class MediumKind { kFlow };
+struct MediumSpec {
+    MediumKind kind = MediumKind::kFlow;
+    // kFlow: density exp(-((r/radius)^2 + (flattening cos theta)^2)/2), angular momentum per energy momentum R^1.5/(1 + R), R = r sin theta,
+    // in M. Emissivity and absorptivity at 230 GHz in the matter's frame, where the density is 1; nu^-spectral_index and
+    // nu^-(2.5 + spectral_index) times that.
+    double radius = 5.0, flattening = 0.0, momentum = 1.0, spectral_index = 0.0;
+    double emissivity = 3e-18;     // erg/(s cm^3 Hz sr)
+    double absorption = 0.0;       // absorptivity over emissivity
+    double frequency_GHz = 230.0;  // at which the camera looks
+    Vec3 colour{1, 1, 1};          // linear light; 1 is a brightness temperature of kMediumLight_K
+    double brightness = 1.0;
+    double step = 1.0;  // of the march, of the length that is enough for 0.1 % of the flux
+    friend bool operator==(const MediumSpec&, const MediumSpec&) = default;
+};
+inline constexpr double kMediumLight_K = 1e9;
+
 // Solid bodies: opaque, a ray ends on the first one it meets. Lengths in r_s, in flat coordinates: (r, theta, phi) as spherical ones; in
 // wormholes (|l|, theta, phi) on one side of the throat, which is the centre; Body::far: l < 0. See plan/body_kind.h.
 struct SphereSpec {  // about the centre
@@ -365,6 +384,7 @@ struct Scene {
     SkySpec far_sky = default_far_sky();  // of wormholes: at l = -infinity
     std::optional<DiscSpec> disc;
     std::vector<SpotSpec> spots;  // in the disc
+    std::optional<MediumSpec> medium;
     std::vector<Body> bodies;
     LightSpec light;
     PictureSpec picture;

@@ -53,7 +53,7 @@ std::vector<std::string> all_columns() {
 class PathReader {
 public:
     PathReader(const std::string& label, const Scene& scene) : label_(label), scene_(scene), warp_(scene.camera.warp) {
-        scene_.bodies.clear(), scene_.spots.clear(), scene_.disc.reset(),
+        scene_.bodies.clear(), scene_.spots.clear(), scene_.disc.reset(), scene_.medium.reset(),
             scene_.path.reset();  // of the camera's check they are none
     }
     Result<std::vector<PathKey>> read(const std::string& text);

@@ -11,6 +11,7 @@
 #include "observer/picture_scale.h"
 #include "plan/body_kind.h"
 #include "plan/moving.h"
+#include "plan/medium.h"
 #include "plan/sides.h"
 #include "scene/bodies.h"
 #include "scene/projection.h"
@@ -250,6 +251,7 @@ void for_each_section(
     if (scene.camera.zoom) f("zoom", "zoom", scene);
     if (scene.split) f("split", "split", scene);
     if (scene.disc) f("disc", "disc", scene);
+    if (scene.medium) f("medium", "medium", scene);
     if (scene.path) f("path", "path", scene);
     for (std::size_t i = 0; i < scene.spots.size(); ++i) {
         Scene holder;
@@ -299,7 +301,7 @@ std::vector<SceneFault> check_parts(const Scene& scene, const GivenKeys& given) 
     append(faults, check_patterns(scene));
     append(faults, check_bodies(scene, world ? world->horizon_radius().value_or(0.0) : 0.0));
     for (const World& each : {world, other})
-        if (each) append(faults, side_faults(*each, scene));
+        if (each) append(faults, side_faults(*each, scene)), append(faults, medium_faults(*each, scene));
     append(faults, check_keys(scene, given, false));
     append(faults, check_spots(scene));
     if (!faults.empty()) return faults;

@@ -91,7 +91,7 @@ Result<CameraSpec> camera_of_view(const std::string& line, const Scene& scene) {
 }
 
 std::vector<std::string> optional_sections() {
-    std::vector<std::string> sections = {"disc", "spot", "split", "path", "zoom"};
+    std::vector<std::string> sections = {"disc", "spot", "medium", "split", "path", "zoom"};
     for (const BodyKind* kind : body_kinds()) sections.emplace_back(kind->key);
     return sections;
 }
@@ -101,6 +101,7 @@ bool is_of_several(std::string_view section) { return section == "spot" || body_
 Result<Scene> with_section(const Scene& scene, std::string_view section) {
     Scene edited = scene;
     if (section == "disc" && !edited.disc) edited.disc.emplace();
+    if (section == "medium" && !edited.medium) edited.medium.emplace();
     if (section == "split" && !edited.split) edited.split = SpacetimeSpec{"minkowski", {}};
     if (section == "path" && !edited.path) edited.path.emplace();
     if (section == "zoom" && !edited.camera.zoom) edited.camera.zoom.emplace();
@@ -123,6 +124,7 @@ Result<Scene> with_copy(const Scene& scene, const SectionRef& at) {
 Result<Scene> without_section(const Scene& scene, const SectionRef& at) {
     Scene edited = scene;
     if (at.section == "disc") edited.disc.reset();
+    if (at.section == "medium") edited.medium.reset();
     if (at.section == "split") edited.split.reset();
     if (at.section == "path") edited.path.reset();
     if (at.section == "zoom") edited.camera.zoom.reset();

@@ -184,6 +184,7 @@ void SceneReader::read_section(std::string_view section, const toml::table& tabl
     if (section == "split") scene_.split.emplace();
     if (section == "disc") scene_.disc.emplace();
     if (section == "spot") scene_.spots.emplace_back();
+    if (section == "medium") scene_.medium.emplace();
     for (const BodyKind* kind : body_kinds())
         if (section == kind->key) scene_.bodies.push_back(kind->make());
     if (section == "path") scene_.path.emplace();

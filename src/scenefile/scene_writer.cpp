@@ -164,7 +164,8 @@ private:
             return;
         }
         const bool is_there =
-            section == "split" || section == "disc" || section == "path" || section == "zoom" || is_of_several(section);
+            section == "split" || section == "disc" || section == "medium" || section == "path" || section == "zoom" ||
+            is_of_several(section);
         if (found.empty() && !is_there) return;
         add(of_several(section) ? fmt::format("[[{}]]", section) : fmt::format("[{}]", section), found);
     }
@@ -227,6 +228,7 @@ Scene section_defaults(const Scene& holder, std::string_view section) {
     if (holder.camera.zoom) blank.camera.zoom.emplace();
     if (holder.path) blank.path.emplace().keys = holder.path->keys;
     blank.spots.resize(holder.spots.size());
+    if (holder.medium) blank.medium.emplace();
     for (const Body& body : holder.bodies) blank.bodies.push_back(kind_of(body).make());
     for (const SceneKey& key : scene_keys())
         if (key.section == section && key.type == KeyType::kChoice && key.member.readable())

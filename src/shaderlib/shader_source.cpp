@@ -167,7 +167,8 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
                sky_alone = interpolated || stage == Stage::kSkyTiles,
                no_bodies =
                    sky_alone || stage == Stage::kFullDisc || stage == Stage::kDiscTiles || stage == Stage::kRays;
-    const bool objects = (!no_bodies && has_solids(effects)) || (!sky_alone && effects.contains(Effect::kDisc));
+    const bool objects = (!no_bodies && has_solids(effects)) || (!sky_alone && effects.contains(Effect::kDisc)) ||
+                         has_medium(effects);
     const bool data = stage == Stage::kRayData || stage == Stage::kRayDepth;
     if (data || objects || effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PHI_END");
     if (data && effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PLACE_LATE");

@@ -18,6 +18,7 @@ constexpr SlotRow kSlots[] = {
      "Trace trace, DiscCrossing crossing, float delay", "trace, crossing, delay", " + "},
     {Slot::kDiscLight, "generated/disc_light", "SLOT_DISC_LIGHT", "float", "disc_light", "float cosine", "cosine",
      " * "},
+    {Slot::kMedium, "generated/medium", "SLOT_MEDIUM", "MediumLight", "medium_light", "MediumPlace place", "place", ""},
 };
 
 }  // namespace

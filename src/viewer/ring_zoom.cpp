@@ -85,7 +85,7 @@ std::string zoom_words(const Scene& scene) {
     if (!view) return words;
     Scene plain = scene;
     plain.camera = view->camera;
-    plain.disc.reset(), plain.spots.clear(), plain.bodies.clear();
+    plain.disc.reset(), plain.spots.clear(), plain.bodies.clear(), plain.medium.reset();
     if (spacetime->axial() != nullptr) plain.disc.emplace();  // image_order(): the reference then counts crossings
     const auto tracer = reference::FrameTracer::make(plain);
     if (!tracer) return words;

@@ -220,6 +220,7 @@ std::string help_of_section(std::string_view section) {
         if (kind->key == section) return std::string(kind->effect.help);
     if (section == "disc") return "A flat disc about the hole.";
     if (section == "spot") return "A hot spot that orbits in the disc.";
+    if (section == "medium") return "Matter that emits and absorbs light along rays.";
     if (section == "split") return "The right half of the picture in another spacetime.";
     return "Where the camera goes, frame by frame.";
 }
@@ -276,7 +277,7 @@ bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
         const bool adds = choice("##add", "Add...", escape, [&] {
             for (const std::string& section : optional_sections()) {
                 const bool there = (section == "disc" && view.scene.disc) || (section == "split" && view.scene.split) ||
-                                   (section == "path" && view.scene.path);
+                                   (section == "medium" && view.scene.medium) || (section == "path" && view.scene.path);
                 if (!there && choice_item(section, false, help_of_section(section)))
                     changed |= take(view, with_addition(view.scene, section, free_part(top, bottom)));
             }

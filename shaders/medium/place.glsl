@@ -1,0 +1,39 @@
+// A place on a ray in matter, and what matter there does to its light; how matter moves that goes round about the axis, in metrics of
+// Kerr's form and in those with A = Delta/r^2 (a = 0). Reads the global `frame` (FrameData).
+//
+// The camera's photon of unit frequency has the affine parameter dlambda. In matter that sees it with the frequency 1/g the ray is
+// dlambda/g long, and I/nu^3 is the same for all observers: of an emissivity j(nu) the camera gets g^3 j(nu/g) dlambda/g, and the optical
+// depth is alpha(nu/g) dlambda/g.
+#include "shared/frame.glsl"
+
+struct MediumPlace {
+    vec3 at;          // r_s, world axes
+    float r;
+    float cosine;     // of the polar angle
+    float energy;     // of the photon, at infinity, and its angular momentum about the axis (r_s): both over its frequency in the camera
+    float momentum;
+};
+
+struct MediumLight {
+    vec3 emission;    // light for each r_s of the affine parameter
+    float absorption; // optical depth for the same
+    float step;       // length of the march that is short enough here, r_s
+};
+
+// Camera frequency over that in matter with u_mu = u_t (-1, 0, 0, l): of angular momentum l for its energy, r_s.
+float medium_g(MediumPlace place, float l) {
+    float a = frame.medium_hole.x;
+    float r2 = place.r * place.r;
+    float a2 = a * a;
+    float cosine2 = place.cosine * place.cosine;
+    float sine2 = max(1.0 - cosine2, 1.0e-12);
+    float delta = max((place.r - frame.medium_hole.y) * (place.r - frame.medium_hole.z), 1.0e-12);
+    float sigma = r2 + a2 * cosine2;
+    float area = (r2 + a2) * (r2 + a2) - a2 * delta * sine2;
+    float drag = a * (r2 + a2 - delta);               // 2 m(r) r a
+    float around = delta / sine2 - a2;
+    float norm = max(area - l * (2.0 * drag + l * around), 1.0e-12);
+    // -k.u = (E (area - drag l) - L (drag + l around))/sqrt(sigma delta norm)
+    float photon = place.energy * (area - drag * l) - place.momentum * (drag + l * around);
+    return sqrt(sigma * delta * norm) / max(photon, 1.0e-12 * area);
+}

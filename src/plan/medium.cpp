@@ -1,0 +1,69 @@
+#include "plan/medium.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "spacetime/axial_metric.h"
+#include "spacetime/spherical_metric.h"
+
+namespace nullscope {
+
+std::optional<MediumHole> medium_hole(const Spacetime& spacetime) {
+    if (const AxialMetric* axial = spacetime.axial())
+        return MediumHole{axial->a(), axial->outer_horizon(), axial->inner_horizon()};
+    const SphericalMetric* spherical = spacetime.spherical();
+    if (spherical == nullptr) return std::nullopt;
+    if (!spacetime.bends_light()) return MediumHole{0, 0, 0};
+    const auto roots = spherical->lapse_roots();
+    if (!roots) return std::nullopt;
+    return MediumHole{0, roots->outer, roots->inner};
+}
+
+std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& scene) {
+    std::vector<SceneFault> faults;
+    if (!scene.medium) return faults;
+    if (!medium_hole(spacetime))
+        faults.push_back({"medium", fmt::format("metric \"{}\" has no matter along rays", spacetime.name()),
+                          "minkowski, schwarzschild, reissner-nordstrom, kerr or kerr-newman"});
+    if (scene.camera.zoom)
+        faults.push_back({"zoom", "a zoom leaves out a part of the rays' way through matter", "no [zoom]"});
+    for (const auto& [key, on] : {std::pair{"light.lensing", scene.light.lensing},
+                                  {"light.doppler", scene.light.doppler},
+                                  {"light.gravity", scene.light.gravity},
+                                  {"light.aberration", scene.light.aberration}})
+        if (!on) faults.push_back({key, "off, which matter along rays does not have", "on with a [medium]"});
+    if (!scene.object.mass_suns)
+        faults.push_back({"object.mass_suns", "missing, but there is a [medium] of kind \"flow\"",
+                          "the mass that gives lengths their centimetres", "medium.kind"});
+    return faults;
+}
+
+Status check_medium(const Spacetime& spacetime, const Scene& scene) {
+    const std::vector<SceneFault> faults = medium_faults(spacetime, scene);
+    if (faults.empty()) return Done{};
+    return bad_key(faults.front().key, faults.front().what, faults.front().allowed);
+}
+
+namespace {
+
+constexpr double kSunGravity = 1.3271244e26;      // G M_sun, cm^3/s^2 (IAU 2015 B3)
+constexpr double kLightSpeed = 2.99792458e10;     // cm/s
+constexpr double kBoltzmann = 1.380649e-16;       // erg/K
+constexpr double kReference_GHz = 230.0;          // at which emissivities are given (Gold et al. 2020)
+
+}  // namespace
+
+double medium_light_cgs(double frequency_GHz) {
+    const double by_c = 1e9 * frequency_GHz / kLightSpeed;
+    return 2.0 * kBoltzmann * by_c * by_c * kMediumLight_K;
+}
+
+FlowNumbers flow_numbers(const MediumSpec& medium, double mass_suns) {
+    const double r_s_cm = 2.0 * mass_suns * kSunGravity / (kLightSpeed * kLightSpeed);
+    const double x = medium.frequency_GHz / kReference_GHz, along = medium.emissivity * r_s_cm;
+    return {along * std::pow(x, -medium.spectral_index) / medium_light_cgs(medium.frequency_GHz),
+            medium.absorption * along * std::pow(x, -2.5 - medium.spectral_index)};
+}
+
+}  // namespace nullscope

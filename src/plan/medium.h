@@ -1,0 +1,37 @@
+// Matter along rays: where it may be, and what its numbers are in the units of light and r_s.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "scene/scene.h"
+#include "scene/scene_fault.h"
+
+namespace nullscope {
+
+class Spacetime;
+
+// Where a metric has A = Delta/r^2 or is of Kerr's form: what matter that goes round needs of it. r_s.
+struct MediumHole {
+    double a, outer, inner;
+};
+std::optional<MediumHole> medium_hole(const Spacetime& spacetime);
+
+// Of a scene with a medium: metrics, views and parts of light in which it is not followed, a missing mass.
+std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& scene);
+Status check_medium(const Spacetime& spacetime, const Scene& scene);  // the first of them
+
+// Of a flow (MediumKind::kFlow): Light of the densest matter for each r_s where g = 1, and its optical depth.
+struct FlowNumbers {
+    double emission, absorption;
+};
+FlowNumbers flow_numbers(const MediumSpec& medium, double mass_suns);
+// Of light 1 at a frequency: erg/(s cm^2 Hz sr), of the brightness temperature kMediumLight_K (Rayleigh and Jeans).
+double medium_light_cgs(double frequency_GHz);
+
+// Beyond and within these there is none, r_s. The inner one is 5e-5 r_s above the horizon.
+inline constexpr double kMediumAboveHorizon = 5e-5;
+inline constexpr double kFlowScales = 6.0;  // of density: exp(-18) of the densest
+inline double medium_farthest(const MediumSpec& medium) { return kFlowScales * medium.radius; }
+
+}  // namespace nullscope

@@ -1,0 +1,46 @@
+// Matter along rays for the reference: where a ray is looked at, and what matter there emits and absorbs. Frequencies by the metric's own
+// components and their inverse, ways by the tracer's affine parameter or r^2 dphi/L.
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "base/vec.h"
+#include "reference/metric.h"
+#include "scene/scene.h"
+
+namespace nullscope::reference {
+
+class Medium {
+public:
+    // Of a scene that has one. matter: outlives this.
+    Medium(const Scene& scene, const Metric& matter);
+    // Nodes of midpoint rules, in order, of a part of a ray between two values of `along`, with places at both ends; `at` gives others.
+    // way(node, width): of the affine parameter of a photon of unit frequency in the camera, for a width in `along`.
+    struct Place {
+        double r, theta;
+    };
+    using At = std::function<Place(double along)>;
+    void add_nodes(double from, double to, const At& at, const std::function<double(const Place&, double)>& way,
+                   std::vector<MediumNode>& nodes) const;
+    double farthest() const { return farthest_; }
+    double nearest() const { return nearest_; }
+
+    // What the camera gets of light and what is lost of what is behind, along one node. energy, momentum: of that photon; r_s.
+    struct Light {
+        Vec3 light;
+        double through;
+    };
+    Light at(const MediumNode& node, double energy, double momentum) const;
+
+private:
+    double panel(const Place& place) const;
+    void split(double from, const Place& begin, double to, const Place& end, int depth, const At& at,
+               const std::function<double(const Place&, double)>& way, std::vector<MediumNode>& nodes) const;
+    const Metric& matter_;
+    MediumSpec spec_;
+    LightSpec light_;
+    double farthest_, nearest_, horizon_;
+    double emission_, absorption_;  // for each r_s, of unit density without shift
+};
+
+}  // namespace nullscope::reference
