@@ -27,7 +27,7 @@ Medium::Medium(const Scene& scene, const Metric& matter)
 }
 
 double Medium::panel(const Place& place) const {
-    double scale = std::min({spec_.radius, place.r, std::max(place.r - horizon_, 0.02 * nearest_)});
+    double scale = std::min({spec_.radius, place.r, std::max(place.r - horizon_, kMediumAboveHorizon)});
     if (place.r > farthest_) scale = std::max(scale, (place.r - farthest_) / kPanel);
     if (spec_.flattening > 0) {
         const double thick = 1 / std::max(spec_.flattening, 1.0), off = std::abs(std::cos(place.theta));
