@@ -123,6 +123,7 @@ DiscLine line_of(const Source& source, const Options& options) {
     line.emissivity = [&source](const std::vector<double>& radii) {
         if (!source.power) return disc_flux(*source.spacetime, radii);
         std::vector<double> values;
+        values.reserve(radii.size());
         for (const double r : radii) values.push_back(std::pow(r, -*source.power));
         return values;
     };

@@ -49,15 +49,16 @@ double node_weight(int m, int k, int n) { return (m == 0 ? 1.0 : 2.0) / n * std:
 // sum of the values times sin(n t/2)/(n tan(t/2)), t the distance to each.
 std::vector<double> coefficients_of(const std::vector<double>& values, const DiscImage::Size& size) {
     const auto at = [](int row, int width, int column) {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+        return static_cast<std::size_t>(static_cast<long long>(row) * width + column);
     };
-    std::vector<double> kernel(static_cast<std::size_t>(size.columns), 1.0);
+    std::vector<double> kernel(2 * static_cast<std::size_t>(size.columns), 1.0);  // twice round, from minus one turn
     for (int d = 1; d < size.columns; ++d) {
-        const double half = M_PI * d / size.columns;
-        kernel[static_cast<std::size_t>(d)] = std::sin(size.angles * half) / (size.angles * std::tan(half));
+        const double half = M_PI * d / size.columns,
+                     value = std::sin(size.angles * half) / (size.angles * std::tan(half));
+        kernel[at(0, 0, d)] = kernel[at(1, size.columns, d)] = value;
     }
     const int ratio = size.columns / size.angles;
-    std::vector<double> rows(values.size(), 0.0), all(kernel.size() * static_cast<std::size_t>(size.radii), 0.0);
+    std::vector<double> rows(values.size(), 0.0), all(at(size.radii, size.columns, 0), 0.0);
     for (int m = 0; m < size.radii; ++m)
         for (int k = 0; k < size.radii; ++k)
             for (int n = 0; n < size.angles; ++n)
@@ -65,9 +66,9 @@ std::vector<double> coefficients_of(const std::vector<double>& values, const Dis
     for (int m = 0; m < size.radii; ++m)
         for (int n = 0; n < size.angles; ++n) {
             const double value = rows[at(m, size.angles, n)];
-            for (int j = 0; j < size.columns; ++j)
-                all[at(m, size.columns, j)] +=
-                    value * kernel[static_cast<std::size_t>((j - n * ratio + size.columns) % size.columns)];
+            const double* of = &kernel[at(1, size.columns, -n * ratio)];
+            double* row = &all[at(m, size.columns, 0)];
+            for (int j = 0; j < size.columns; ++j) row[j] += value * of[j];
         }
     return all;
 }
@@ -80,6 +81,10 @@ DiscImage::DiscImage(const DistantLight& light, double inner, double outer, Size
       high_(std::log(outer - light.horizon())),
       squash_(std::sqrt(light.cosine())),
       size_(size) {
+    for (int j = 0; j < size.columns; ++j) {
+        const double chi = 2.0 * M_PI * j / size.columns;
+        cosine_.push_back(std::cos(chi)), sine_.push_back(squash_ * std::sin(chi));
+    }
     const std::size_t angles = static_cast<std::size_t>(size.angles);
     std::vector<double> rho(angles * static_cast<std::size_t>(size.radii)), slope(rho.size());
     for (std::size_t n = 0; n < angles; ++n) {
@@ -120,9 +125,8 @@ std::vector<DiscImage::Point> DiscImage::ring(double r) const {
     std::vector<Point> points(columns);
     const double by_r = 2.0 / ((high_ - low_) * height);  // dx/dr
     for (std::size_t j = 0; j < columns; ++j) {
-        const double chi = 2.0 * M_PI * static_cast<double>(j) / size_.columns, far = std::exp(rho[j]);
-        points[j] = {far * std::cos(chi), squash_ * far * std::sin(chi), squash_ * far * far * rise[j] * by_r,
-                     slope[j]};
+        const double far = std::exp(rho[j]);
+        points[j] = {far * cosine_[j], far * sine_[j], squash_ * far * far * rise[j] * by_r, slope[j]};
     }
     return points;
 }

@@ -35,6 +35,7 @@ private:
     const DistantLight* light_;
     double low_, high_, squash_;  // y of both ends; what beta is smaller by
     Size size_;
+    std::vector<double> cosine_, sine_;  // of alpha and beta at every column
     std::vector<double> rho_,
         slope_;  // of ln rho and the slope: coefficients of Chebyshev's polynomials, in rows of columns
 };

@@ -33,7 +33,7 @@ struct DiscLine {
 };
 
 // Cells (rows times columns) and nodes of the image of each part of the disc, within and beyond the innermost stable orbit. A level has twice
-// as many of all four as the one before. Level 0 takes some 0.02 core-seconds, 1 0.07, 2 0.4, 3 2; of a metric by formulas ten times that.
+// as many of all four as the one before. Level 0 takes some 0.01 core-seconds, 1 0.05, 2 0.2, 3 1.5; of a metric by formulas ten times that.
 struct LineCells {
     explicit LineCells(int level)
         : radii(12 << level), angles(48 << level), rows(256 << level), columns(480 << level) {}
