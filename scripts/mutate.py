@@ -29,6 +29,7 @@ GOLDEN = ("golden_tests", "every case is*")
 LIMB = ("gpu_tests", "limb darkening*")
 GAS = ("gpu_tests", "disc gas*")
 GAS_LAW = ("unit_tests", "disc gas*")
+LINE = ("unit_tests", "line profile*")
 
 
 class Mutant(NamedTuple):
@@ -125,6 +126,16 @@ MUTANTS = [Mutant(*row) for row in [
      "0.25 * b * b + scale.x * scale.x);", "0.25 * b * b + 1.01 * scale.x * scale.x);", ("gpu_tests", "far star*")),
     ("past-a-mass", "a term of second order lost in the light time past a mass", "src/reference/light_time.cpp",
      "((2 - 1 / at) / at + a * a", "(2 / at + a * a", ("unit_tests", "light time: past*")),
+    ("line-carter", "the hole's sense of rotation in Carter's constant of a distant ray", "src/spectrum/distant_light.cpp",
+     "of.eta + (of.lambda - a_) * (of.lambda - a_);", "of.eta + (of.lambda + a_) * (of.lambda + a_);", LINE),
+    ("line-area", "the image's area by ln r for that by r - r_horizon", "src/spectrum/disc_image.cpp",
+     "2.0 / ((high_ - low_) * height);", "2.0 / ((high_ - low_) * r);", LINE),
+    ("line-power", "photons by the square of g", "src/spectrum/line_profile.cpp",
+     "g * g * g * emissivity", "g * g * emissivity", LINE),
+    ("line-fall", "the fall inside the innermost stable orbit turned over", "src/spectrum/line_profile.cpp",
+     "- p.slope * r * r / across2 * u.u_r", "+ p.slope * r * r / across2 * u.u_r", LINE),
+    ("line-mean", "a cell's mean by its corners alone", "src/spectrum/line_profile.cpp",
+     "(round + outward) / 12.0", "0.0 * (round + outward)", LINE),
     ("limb-motion", "the matter's motion left out of the light's angle to the disc", "shaders/planar/disc.glsl",
      "1.0e-20) * (g / g_of(trace));", "1.0e-20);", LIMB),
     ("limb-camera", "the camera's motion in the light's angle to a rotating hole's disc", "shaders/mino/disc.glsl",

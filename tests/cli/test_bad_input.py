@@ -39,6 +39,28 @@ class Usage(support.CliTest):
             self.refused("capture", "flat", "--size", "16x9", "--renderer", "reference", option, value, says=[option, "--renderer gl"])
         self.refused("lightcurve", "hot-spot", "--size", "16x9", "--samples", "2", says=["--samples", "--renderer reference"])
 
+    def test_spectra(self):
+        for words, says in ((("no-such-scene",), ["no-such-scene"]),
+                            (("flat",), ["minkowski", "no disc", "a black hole's metric"]),
+                            (("kottler",), ["not flat far out", "A = 1"]),
+                            (("s-stars",), ["90 degrees", "0 to 89 degrees"]),
+                            (("kerr", "--spin", "0.5"), ["--spin", "a scene or --spin"]),
+                            (("--spin", "1"), ["--spin", "0 to 0.9999"]),
+                            (("--inclination", "181"), ["--inclination", "0 to 180"]),
+                            (("--inclination", "89.5"), ["89.5 degrees", "0 to 89 degrees"]),
+                            (("--inner", "near"), ["--inner near", "isco"]),
+                            (("--inner", "0.5"), ["0.5 r_s", "from 1.001"]),
+                            (("--outer", "2"), ["2 r_s", "--outer above 3"]),
+                            (("--ring", "1"), ["--ring 1", "from 1.001"]),
+                            (("--ring", "5", "--outer", "9"), ["--ring", "--outer"]),
+                            (("--emissivity", "hot"), ["--emissivity hot", "-20 to 20", "thermal"]),
+                            (("--emissivity", "thermal", "--ring", "2"), ["dark", "3 r_s"]),
+                            (("--limb", "none"), ["--limb none", "isotropic, laor, haardt"]),
+                            (("--bins", "0"), ["--bins 0", "1 to 100000"]),
+                            (("--line", "0"), ["--line 0", "1e-09"]),
+                            (("--from", "2"), ["2 to 1.05", "--to is not above --from"])):
+            self.refused("spectrum", *words, says=says)
+
     def test_photon_rings(self):
         self.refused("figure", "photon-ring", "flat", says=["minkowski: there is no photon sphere"])
         self.refused("figure", "photon-ring", "neutron-star", says=["r = 1.5, is not outside of the surface, r = 1.6"])

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import support
 
-COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench metrics", "bench pictures", "bench soak", "plan", "scenes", "info", "figure", "path", "manual"]
+COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench metrics", "bench pictures", "bench soak", "plan", "scenes", "info", "figure", "lightcurve", "light-time", "spectrum", "path", "manual"]
 
 
 def png_size(data):
@@ -192,6 +192,53 @@ class Commands(support.CliTest):
             text = (self.folder / (name + ".svg")).read_text()
             self.assertGreater(text.count("<polyline") + text.count("<polygon"), 3)
             self.assertTrue(text.rstrip().endswith("</svg>"))
+
+    def spectrum(self, *words):
+        """What it printed, the comments of its table and the table."""
+        out = self.run_nullscope("spectrum", *words, "-o", "line").out
+        lines = (self.folder / "line.csv").read_text().splitlines()
+        comments = [line for line in lines if line.startswith("# ")]
+        return out, comments, [{key: float(value) for key, value in row.items()} for row in csv.DictReader(lines[len(comments):])]
+
+    def test_spectrum_of_a_disc(self):
+        before = os.times()
+        out, comments, rows = self.spectrum("--spin", "0.998", "--inclination", "30", "--line", "6.4")
+        after = os.times()
+        most_core_s = 1.0    # of 1000 bins; 0.1 on the machine where it was written
+        self.assertLess(after.children_user + after.children_system - before.children_user - before.children_system, most_core_s)
+        self.assertEqual(len(rows), 1000)
+        self.assertIn("disc from 0.6184853276 to 200 r_s", comments[1])
+        change = float(re.search(r"no bin by more than (\S+) %", out).group(1))
+        self.assertLess(change, 0.5)
+        for column in "photons", "energy":
+            self.assertAlmostEqual(sum(row[column] for row in rows), 1, delta=1e-6)
+        for row, after in zip(rows, rows[1:]):
+            self.assertEqual(row["g_to"], after["g_from"])
+            self.assertAlmostEqual(row["energy_kev"], 6.4 * row["g"], delta=1e-6)
+        # Laor 1991: a broad red wing, a peak at the blue edge, nothing beyond it.
+        peak = max(rows, key=lambda row: row["photons"])
+        self.assertAlmostEqual(peak["energy_kev"], 6.70, delta=0.01)
+        self.assertGreater(sum(row["photons"] for row in rows if row["energy_kev"] < 4), 0.1)
+        self.assertTrue((self.folder / "line.svg").read_text().rstrip().endswith("</svg>"))
+
+    def test_spectrum_of_a_ring(self):
+        for words, least, most in ((("--spin", "0.9", "--inclination", "60", "--ring", "1.1604415208809435"), 0.20257396, 1.00124795),
+                                   (("--spin", "0.9", "--inclination", "150", "--ring", "3"), 0.60441306, 0.95583071),
+                                   (("--inclination", "60", "--ring", "3"), 0.49707695, 1.22449057)):
+            out, comments, rows = self.spectrum(*words, "--bins", "50")
+            for text in out, comments[2]:
+                found = re.search(r"from (\S+) to ([0-9.]+)", text[text.index("g ="if text is comments[2] else "g from"):])
+                self.assertAlmostEqual(float(found.group(1)), least, delta=1e-6)
+                self.assertAlmostEqual(float(found.group(2)), most, delta=1e-6)
+            self.assertEqual(sorted(rows[0]), ["energy", "g", "g_from", "g_to", "photons"])
+
+    def test_spectrum_of_a_scene(self):
+        out, _, rows = self.spectrum("kerr", "--from", "0.5", "--to", "1", "--bins", "10", "--limb", "laor")
+        self.assertIn("spin 0.9\ndisc from 1.161 to 7 r_s, inclination 80 degrees, emissivity r^-3, limb laor", out)
+        self.assertLess(sum(row["photons"] for row in rows), 0.9)
+        self.assertEqual((rows[0]["g_from"], rows[-1]["g_to"]), (0.5, 1))
+        out, _, _ = self.spectrum("accretion", "--emissivity", "thermal", "--inclination", "20")
+        self.assertIn("disc from 3 to 11 r_s, inclination 20 degrees, emissivity thermal", out)
 
     def test_figure_of_a_photon_ring(self):
         def rows(*words):

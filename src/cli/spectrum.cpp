@@ -1,0 +1,232 @@
+// nullscope spectrum: the profile of a line that a disc emits, as an observer at infinity sees it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/atomic_file.h"
+#include "base/text.h"
+#include "cli/command.h"
+#include "cli/spectrum_plot.h"
+#include "command/options.h"
+#include "scenefile/scene_file.h"
+#include "spacetime/circular_orbit.h"
+#include "spacetime/registry.h"
+#include "spectrum/line_profile.h"
+#include "table/disc_light.h"
+
+namespace nullscope::cli {
+namespace {
+
+constexpr double kOuter = 200.0;         // r_s, without a scene's disc: 400 GM/c^2, Laor's
+constexpr double kInclination_deg = 30;  // without a scene
+constexpr double kAboveHorizon = 1.001;  // of its radius: innermost rim
+constexpr double kLargestRadius = 1e6;   // r_s
+constexpr double kSteepest = 20.0;       // of the emissivity's power
+constexpr double kDegree = M_PI / 180.0;
+
+struct Options {
+    std::string scene, output = "spectrum", inner, emissivity = "3", limb = "isotropic";
+    std::optional<double> spin, inclination_deg, outer, line_kev, ring, from, to;
+    int bins = 1000;
+};
+
+// What is seen, from the scene and the options.
+struct Source {
+    std::string name;  // the scene's, and the metric with its parameters
+    std::shared_ptr<const Spacetime> spacetime;
+    double inclination = 0, inner = 0, outer = 0, isco = 0;
+    std::optional<double> power{};  // q; nothing: thermal
+};
+
+// A number in [least, most], or nothing.
+std::optional<double> number_in(const std::string& text, double least, double most) {
+    const auto value = parse_number(text);
+    return value && *value >= least && *value <= most ? value : std::nullopt;
+}
+
+std::string name_of(const Scene& scene) {
+    std::string name = scene.name.empty() ? "" : without_controls(scene.name) + ": ";
+    name += scene.spacetime.metric;
+    for (const auto& [key, value] : scene.spacetime.parameters) name += fmt::format(", {} {:g}", key, value);
+    for (const auto& [key, text] : scene.spacetime.parameters.formulas)
+        name += fmt::format(", {} = {}", key, without_controls(text));
+    return name;
+}
+
+// The rims, from where light comes to the observer.
+Status set_rims(Source& source, const Options& options, const std::optional<DiscSpec>& disc) {
+    if (options.ring && (!options.inner.empty() || options.outer))
+        return bad_input("--ring with --inner or --outer", "a ring or a disc");
+    source.inner = disc && options.inner.empty() ? disc->inner : source.isco;
+    if (!options.inner.empty() && options.inner != "isco") {
+        const auto inner = number_in(options.inner, 0.0, kLargestRadius);
+        if (!inner)
+            return bad_input(fmt::format("--inner {}: not a radius", options.inner),
+                             fmt::format("isco, or r_s from 0 to {:g}", kLargestRadius));
+        source.inner = *inner;
+    }
+    source.outer = options.outer.value_or(disc ? disc->outer : kOuter);
+    if (options.ring) source.inner = source.outer = *options.ring;
+    const double least = kAboveHorizon * *source.spacetime->horizon_radius();
+    if (!(source.inner >= least))
+        return bad_input(options.ring
+                             ? fmt::format("--ring {:g} is not outside of the horizon", *options.ring)
+                             : fmt::format("an inner rim of {:g} r_s is not outside of the horizon", source.inner),
+                         fmt::format("r_s from {:.6g} on", least));
+    if (!options.ring && !(source.outer > source.inner))
+        return bad_input(fmt::format("an outer rim of {:g} r_s is not outside of the inner one", source.outer),
+                         fmt::format("--outer above {:.10g}", source.inner));
+    if (source.power) return Done{};
+    if (!(source.outer > source.isco))
+        return bad_input(
+            fmt::format("a thermal disc is dark within the innermost stable orbit, {:.10g} r_s", source.isco),
+            "radii outside of it, or another --emissivity");
+    source.inner = std::max(source.inner, source.isco);
+    return Done{};
+}
+
+Result<Source> source_of(const Options& options) {
+    Scene scene;
+    if (!options.scene.empty()) {
+        if (options.spin) return bad_input("--spin with a scene, which has its own spacetime", "a scene or --spin");
+        TRY(loaded, load_scene(options.scene));
+        scene = std::move(*loaded);
+    } else if (options.spin) {
+        scene.spacetime = {"kerr", MetricParameters{{"spin", *options.spin}}};
+    }
+    TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
+    Source source{name_of(scene), *spacetime};
+    const double theta_deg = options.scene.empty() ? kInclination_deg : scene.camera.theta / kDegree,
+                 from_axis_deg = options.inclination_deg.value_or(theta_deg);
+    source.inclination = std::min(from_axis_deg, 180.0 - from_axis_deg) * kDegree;  // from below it is the same
+    if (options.emissivity != "thermal") {
+        source.power = number_in(options.emissivity, -kSteepest, kSteepest);
+        if (!source.power)
+            return bad_input(fmt::format("--emissivity {}: not a power of the radius", options.emissivity),
+                             fmt::format("q of r^-q from {:g} to {:g}, or thermal", -kSteepest, kSteepest));
+    }
+    TRY(light, DistantLight::make(*spacetime, source.inclination));  // which has an innermost stable orbit then
+    source.isco = *innermost_stable_orbit(**spacetime);
+    TRY(rims, set_rims(source, options, scene.disc));
+    return source;
+}
+
+DiscLine line_of(const Source& source, const Options& options) {
+    DiscLine line{source.inner, source.outer, {}};
+    line.limb = options.limb == "laor" ? Limb::kLaor : options.limb == "haardt" ? Limb::kHaardt : Limb::kIsotropic;
+    line.emissivity = [&source](const std::vector<double>& radii) {
+        if (!source.power) return disc_flux(*source.spacetime, radii);
+        std::vector<double> values;
+        values.reserve(radii.size());
+        for (const double r : radii) values.push_back(std::pow(r, -*source.power));
+        return values;
+    };
+    return line;
+}
+
+std::string words_of(const Source& source, const Options& options) {
+    const std::string place = options.ring
+                                  ? fmt::format("ring at {:.10g} r_s", source.inner)
+                                  : fmt::format("disc from {:.10g} to {:.10g} r_s", source.inner, source.outer);
+    return fmt::format("{}, inclination {:g} degrees, emissivity {}, limb {}", place, source.inclination / kDegree,
+                       source.power ? fmt::format("r^{:g}", -*source.power + 0.0) : "thermal", options.limb);
+}
+
+std::string csv_of(const Source& source, const Options& options, const ConvergedProfile& found) {
+    const LineProfile& p = found.profile;
+    std::string text = fmt::format(
+        "# Line profile. {}\n# {}; r_s = 2 GM/c^2\n"
+        "# g = observed over emitted frequency, from {:.9g} to {:.9g}; photons, energy: share of the line's photon "
+        "flux (g^3) and energy flux (g^4) in the bin\n"
+        "# half of the resolution changes no bin by more than {:.2g} of the largest\n"
+        "g_from,g_to,g,{}photons,energy\n",
+        source.name, words_of(source, options), p.least_g, p.most_g, found.change,
+        options.line_kev ? "energy_kev," : "");
+    for (std::size_t i = 0; i < p.photons.size(); ++i) {
+        const double low = p.edge(i), high = p.edge(i + 1), middle = 0.5 * (low + high);
+        text += fmt::format("{:.9g},{:.9g},{:.9g},", low, high, middle);
+        if (options.line_kev) text += fmt::format("{:.9g},", middle * *options.line_kev);
+        text += fmt::format("{:.9g},{:.9g}\n", p.share(i), p.energy[i] / p.all_energy);
+    }
+    return text;
+}
+
+LineBins bins_of(const Options& options) {
+    LineBins bins{options.bins, options.from, options.to};
+    if (options.line_kev)
+        for (std::optional<double>* end : {&bins.from, &bins.to})
+            if (*end) **end /= *options.line_kev;
+    return bins;
+}
+
+void print(const Source& source, const Options& options, const ConvergedProfile& found) {
+    const LineProfile& p = found.profile;
+    const auto peak = static_cast<std::size_t>(std::ranges::max_element(p.photons) - p.photons.begin());
+    fmt::print("{}\n{}\n", source.name, words_of(source, options));
+    fmt::print("g from {:.8f} to {:.8f}, mean {:.6f}; brightest bin at {:.6f}\n", p.least_g, p.most_g,
+               p.all_energy / p.all_photons, 0.5 * (p.edge(peak) + p.edge(peak + 1)));
+    fmt::print("{0}.csv, {0}.svg: {1} bins of g from {2:g} to {3:g}", options.output, options.bins, p.from, p.to);
+    if (options.line_kev) fmt::print(", {:g} to {:g} keV", p.from * *options.line_kev, p.to * *options.line_kev);
+    fmt::print("\nhalf of the resolution changes no bin by more than {:.2g} % of the largest\n", 100.0 * found.change);
+}
+
+Result<int> run(const Options& options) {
+    TRY(source, source_of(options));
+    TRY(light, DistantLight::make(source->spacetime, source->inclination));
+    const ConvergedProfile found = converged_profile(*light, line_of(*source, options), bins_of(options));
+    const double unit = options.line_kev.value_or(1.0);
+    if (!(found.profile.to > found.profile.from))
+        return bad_input(fmt::format("bins from {:g} to {:g}: --to is not above --from", found.profile.from * unit,
+                                     found.profile.to * unit));
+    TRY(table, write_text_atomically(options.output + ".csv", csv_of(*source, options, found)));
+    TRY(plot, write_text_atomically(options.output + ".svg", spectrum_plot(source->name, words_of(*source, options),
+                                                                           found.profile, options.line_kev)));
+    print(*source, options, found);
+    return 0;
+}
+
+}  // namespace
+
+void add_spectrum(Command& parent) {
+    auto [command, options] = add_command<Options>(
+        parent, "spectrum",
+        "Profile of a line that a thin disc emits (the broad iron line), for a distant observer: FILE.csv and FILE.svg",
+        run);
+    command.add_option(
+        "scene,--scene", &options.scene,
+        "Scene file, or the name of a built-in scene, whose spacetime, disc radii and camera inclination "
+        "are taken (default: a Schwarzschild hole)");
+    text_option(command, "-o,--output", options.output, "Name of the files to write, without .csv and .svg");
+    number_option(command, "--spin", options.spin, 0, 0.9999, "Without a scene: a rotating hole, a/M");
+    number_option(command, "--inclination", options.inclination_deg, 0, 180,
+                  "Between the line of sight and the axis, degrees (default: the scene's camera.theta, or 30)");
+    command.add_option(
+        "--inner", &options.inner,
+        "Inner rim, r_s = 2 GM/c^2, or isco, the innermost stable orbit (default: the scene's, or isco); within "
+        "isco matter falls");
+    number_option(command, "--outer", options.outer, 0, kLargestRadius,
+                  "Outer rim, r_s (default: the scene's, or 200)");
+    number_option(command, "--ring", options.ring, 0, kLargestRadius,
+                  "One ring of this radius, r_s, instead of the disc: its profile and the extremes of its g");
+    text_option(command, "--emissivity", options.emissivity,
+                "q of an emissivity r^-q, or thermal, the flux of an accreting disc (Page and Thorne)");
+    text_option(
+        command, "--limb", options.limb,
+        "Emission by the cosine mu to the disc's normal: isotropic (1), laor (1 + 2.06 mu), haardt (ln(1 + 1/mu))",
+        {"isotropic", "laor", "haardt"});
+    number_option(command, "--line", options.line_kev, 1e-9, 1e9,
+                  "Energy of the line where it is emitted, keV (iron: 6.4); the axis then shows energies");
+    number_option(command, "--bins", options.bins, 1, 100000, "Number of bins, of equal width");
+    number_option(command, "--from", options.from, 0, 1e10,
+                  "First bin's lower end, g = observed over emitted frequency, or keV with --line (default: where the "
+                  "profile begins)");
+    number_option(command, "--to", options.to, 0, 1e10, "Last bin's upper end (default: where the profile ends)");
+}
+
+}  // namespace nullscope::cli
