@@ -1,9 +1,11 @@
 // Labels of split screens and scale bars: what they say, how long they are, and where they are drawn.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +16,9 @@
 #include "annotate/metric_words.h"
 #include "observer/picture_scale.h"
 #include "reference/reference.h"
+#include "scenefile/scene_file.h"
+#include "scenefile/scene_keys.h"
+#include "scenefile/scene_writer.h"
 #include "spacetime/registry.h"
 
 using namespace nullscope;
@@ -124,6 +129,41 @@ TEST_CASE("annotations: microarcseconds of M87* and Sgr A*") {
     // GM/(c^2 D), computed apart with G M_sun = 1.3271244e20 m^3/s^2.
     CHECK(0.5 / length_of_microarcsecond(6.5e9, 16.8e6) == doctest::Approx(3.8190).epsilon(1e-5));
     CHECK(0.5 / length_of_microarcsecond(4.297e6, 8277.0) == doctest::Approx(5.12433).epsilon(1e-5));
+}
+
+TEST_CASE("annotations: an object's name gives mass and distance, which the scene's own replace") {
+    // GM/(c^2 D) of docs/scenes.md in microarcseconds, computed apart.
+    const std::map<std::string, double> angles = {
+        {"m87", 3.818993252}, {"sgr-a", 5.124331471}, {"cygnus-x-1", 9.426005799e-5}, {"gargantua", 3.290209571e-4}};
+    CHECK(angles.size() == kKnownObjects.size());
+    std::string words = "other";
+    for (const KnownObject& known : kKnownObjects) {
+        CAPTURE(known.key);
+        words += fmt::format(" {}", known.key);
+        const auto scene = parse_scene(
+            fmt::format("[camera]\nr = 1e3\nfov = 2\n[object]\nname = \"{}\"\n[picture]\nscale_bar = \"uas\"\n",
+                        known.key),
+            "scene.toml", {});
+        REQUIRE_MESSAGE(scene, scene.error().message());
+        CHECK(known_object(scene->object.name) == &known);
+        const auto length = length_of_microarcsecond(scene->object);
+        REQUIRE(length);
+        CHECK(0.5 / *length == doctest::Approx(angles.at(std::string(known.key))).epsilon(1e-9));
+        const std::string text = scene_file_text(*scene, {});
+        CHECK(text.find(fmt::format("name = \"{}\"", known.key)) != std::string::npos);
+        CHECK(text.find("mass_suns") == std::string::npos);
+        const auto again = parse_scene(text, "scene.toml", {});
+        REQUIRE(again);
+        CHECK(again->object == scene->object);
+    }
+    const auto key = std::ranges::find_if(scene_keys(), [](const auto& k) { return full_name(k) == "object.name"; });
+    CHECK(key->choices == words);
+
+    const ObjectSpec heavier{7e9, std::nullopt, ObjectName::kM87}, nearer{std::nullopt, 16e6, ObjectName::kM87};
+    CHECK((heavier.mass() == 7e9 && heavier.distance() == 16.8e6));
+    CHECK((nearer.mass() == 6.5e9 && nearer.distance() == 16e6));
+    CHECK_FALSE(length_of_microarcsecond(ObjectSpec{4e6, std::nullopt}));
+    CHECK_FALSE(length_of_microarcsecond(ObjectSpec{}));
 }
 
 TEST_CASE("annotations: far away the bar is length/(r times a pixel), of a round number that fits") {
