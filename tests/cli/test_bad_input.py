@@ -60,12 +60,15 @@ class Usage(support.CliTest):
         (self.folder / "folder.png").mkdir()
         self.write("file", "")
         small = ("--size", "16x9")
-        self.refused("capture", "flat", *small, "-o", "a.bmp", says=["a.bmp", ".png", ".exr"])
+        self.refused("capture", "flat", *small, "-o", "a.bmp", says=["a.bmp", ".png", ".exr", ".fits"])
         self.refused("capture", "flat", *small, "-o", "a.png", "--raydata", says=["--raydata", ".exr"])
         self.refused("capture", "flat", *small, "-o", "nowhere/a.png", status=1, says=["nowhere/a.png", "there is no folder"])
         self.refused("capture", "flat", *small, "-o", "file/a.png", status=1, says=["file/a.png"])
         self.refused("capture", "flat", *small, "-o", "folder.png", status=1, says=["folder.png", "directory"])
-        self.refused("capture", "flat", *small, "-o", "nowhere/a.exr", status=1, says=["nowhere/a.exr"])
+        for name in ("nowhere/a.exr", "nowhere/a.fits"):
+            self.refused("capture", "flat", *small, "-o", name, status=1, says=[name])
+        for option in ("--raydata", "--layers", "--half"):
+            self.refused("capture", "flat", *small, "-o", "a.fits", option, says=[option, ".exr"])
         rays = self.write("rays.csv", RAYS + GOOD)
         self.refused("trace", "flat", "--rays", rays, "-o", "nowhere/a.csv", status=1, says=["nowhere/a.csv"])
         self.refused("trace", "flat", "--rays", rays, "-o", "folder.png", status=1, says=["folder.png", "directory"])

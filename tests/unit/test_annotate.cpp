@@ -15,7 +15,9 @@
 #include "annotate/marks.h"
 #include "annotate/metric_words.h"
 #include "observer/picture_scale.h"
+#include "observer/pose.h"
 #include "reference/reference.h"
+#include "scene/projection.h"
 #include "scenefile/scene_file.h"
 #include "scenefile/scene_keys.h"
 #include "scenefile/scene_writer.h"
@@ -216,6 +218,32 @@ TEST_CASE(
         // Either edge by itself: the shadow is not in the middle.
         const double width_px = 0.5 * (rotating->px(impact(-1.0)) + rotating->px(impact(1.0)));
         CHECK(std::abs(width_px - shadow_px(scene)) < 1.0);
+    }
+}
+
+TEST_CASE("annotations: off the centre a place's impact parameter is its ray's") {
+    for (const double r : {20.0, 400.0}) {
+        Scene scene = far_scene("schwarzschild", r, 600.0 / r);
+        scene.camera.yaw = 0.02, scene.camera.pitch = -0.03, scene.camera.roll = 0.6;
+        scene.camera.shift_x = 0.1, scene.camera.shift_y = -0.2;
+        const auto spacetime = spacetime_of(scene);
+        const auto scale = picture_scale(*spacetime, scene.camera);
+        const auto centre = centre_px(*spacetime, scene.camera);
+        REQUIRE((scale && centre));
+        const Vec3 ahead =
+            normalized(static_from_camera(scene.camera) * pixel_direction(scene.camera, (*centre)[0], (*centre)[1]));
+        CHECK(angle_between(ahead, {-1, 0, 0}) < 1e-14);
+        for (const double length : {1.0, 5.0, 10.0})
+            CHECK(scale->impact(0.5 * scale->px(length)) == doctest::Approx(0.5 * length));
+        CHECK(scale->length_per_px() == doctest::Approx(scale->impact(1e-3) / 1e-3).epsilon(1e-9));
+        // L = b E, of a ray that is drawn: no formula of the scale's.
+        scene.camera.yaw = scene.camera.pitch = 0.0;
+        const auto middle = *centre_px(*spacetime, scene.camera);
+        for (const double off : {40.0, 200.0}) {
+            const double sine = std::sin(
+                angle_between(pixel_direction(scene.camera, middle[0] + 0.6 * off, middle[1] + 0.8 * off), {0, 0, -1}));
+            CHECK(scale->impact(off) == doctest::Approx(sine * r / std::sqrt(1.0 - 1.0 / r)).epsilon(1e-12));
+        }
     }
 }
 
