@@ -111,5 +111,57 @@ class Fits(support.CliTest):
         self.assertEqual((cards["FRAME"], cards["SCENE"]), (4, "Kerr plunge"))
 
 
+class Profiles(support.CliTest):
+    def test_a_cut_through_the_shadow_is_as_long_as_theory_says(self):
+        scene = self.write("ring.toml", RING % "sgr-a")
+        said = self.run_nullscope("profile", scene, "-o", "cut", "--samples", "4").out
+        self.assertIn("320 points along 320 px", said)
+        rows = table(self.folder / "cut.csv")
+        self.assertEqual(list(rows[0]), ["x", "y", "px", "M", "uas", "luminance", "red", "green", "blue"])
+        step = rows[1]["M"] - rows[0]["M"]
+        dark = sum(1 - row["luminance"] for row in rows) * step
+        self.assertLess(abs(dark - SHADOW_M), 0.5 * step)     # either edge to a quarter of a px
+        for row in rows[::37]:
+            self.assertLess(abs(row["uas"] - KNOWN["sgr-a"][1] * row["M"]), 1e-6)
+        self.assertIn("along the line, µas", (self.folder / "cut.svg").read_text(encoding="utf-8"))
+
+    def test_values_are_the_picture_s(self):
+        size = ("--size", "64x36")
+        self.run_nullscope("capture", "first-light", *size, "-o", "a.exr")
+        exr = read_floats((self.folder / "a.exr").read_bytes())
+        self.run_nullscope("profile", "first-light", *size, "--through", "3.5,10.5", "-o", "row")
+        rows = table(self.folder / "row.csv")
+        self.assertEqual([row["x"] for row in rows], [x + 0.5 for x in range(64)])
+        for row, (red, blue) in zip(rows, zip(exr["R"][10], exr["B"][10])):
+            self.assertAlmostEqual(row["red"], red, delta=1e-6 * (1 + red))
+            self.assertAlmostEqual(row["blue"], blue, delta=1e-6 * (1 + blue))
+        self.run_nullscope("profile", "first-light", *size, "--angle", "90", "--through", "20.5,3.5", "-o", "column")
+        rows = table(self.folder / "column.csv")
+        self.assertEqual([round(row["y"], 9) for row in rows], [y + 0.5 for y in reversed(range(36))])   # upward
+        for row, green in zip(rows, [line[20] for line in reversed(exr["G"])]):
+            self.assertAlmostEqual(row["green"], green, delta=1e-6 * (1 + green))
+        # Between four pixels: their mean.
+        self.run_nullscope("profile", "first-light", *size, "--angle", "45", "--through", "32,18", "--steps", "3", "-o", "slant")
+        middle = table(self.folder / "slant.csv")[1]
+        mean = sum(exr["R"][y][x] for x in (31, 32) for y in (17, 18)) / 4
+        self.assertAlmostEqual(middle["red"], mean, delta=1e-6 * (1 + mean))
+
+    def test_the_reference_draws_the_same_line(self):
+        scene = self.write("ring.toml", RING % "m87")
+        lines = ["--size", "80x80", "--angle", "30", "--through", "41.5,33.5", "--samples", "4"]
+        self.run_nullscope("profile", scene, *lines, "-o", "gl")
+        self.run_nullscope("profile", scene, *lines, "-o", "exact", "--renderer", "reference")
+        one, other = table(self.folder / "gl.csv"), table(self.folder / "exact.csv")
+        self.assertEqual([(row["x"], row["M"]) for row in one], [(row["x"], row["M"]) for row in other])
+        self.assertGreater(max(row["red"] for row in one) - min(row["red"] for row in one), 0.9)
+        for a, b in zip(one, other):
+            self.assertLess(abs(a["red"] - b["red"]), 1.5 / 16)     # a ray of 4 x 4 next to the edge
+
+    def test_a_picture_without_a_scale_has_px_alone(self):
+        self.run_nullscope("profile", "wormhole", "--size", "32x18", "-o", "cut")
+        self.assertEqual(list(table(self.folder / "cut.csv")[0]), ["x", "y", "px", "luminance", "red", "green", "blue"])
+        self.assertIn("along the line, px", (self.folder / "cut.svg").read_text(encoding="utf-8"))
+
+
 if __name__ == "__main__":
     support.main()

@@ -39,6 +39,19 @@ class Usage(support.CliTest):
             self.refused("capture", "flat", "--size", "16x9", "--renderer", "reference", option, value, says=[option, "--renderer gl"])
         self.refused("lightcurve", "hot-spot", "--size", "16x9", "--samples", "2", says=["--samples", "--renderer reference"])
 
+    def test_profiles(self):
+        small = ("profile", "flat", "--size", "16x9")
+        for place in ("0,3", "17,3", "3,9", "3", "1,2,3", "a,b", "nan,1", ""):
+            if place:
+                self.refused(*small, "--through", place, says=["--through", "0 < X < 16 and 0 < Y < 9"])
+        self.refused(*small, "--angle", "361", says=["--angle", "-360 to 360"])
+        self.refused(*small, "--steps", "1", says=["--steps", "2 to 100000"])
+        self.refused(*small, "--samples", "17", says=["--samples", "1 to 16"])
+        self.refused(*small, "-o", "nowhere/a", status=1, says=["nowhere/a.csv"])
+        self.refused(*small, "--renderer", "reference", "--context", "egl", says=["--context", "--renderer gl"])
+        self.refused("profile", "two-spacetimes", says=["one picture", "[split]"])
+        self.refused("profile", self.write("pair.toml", '[camera]\nstereo = "pair"\n'), says=["one picture", "camera.stereo"])
+
     def test_photon_rings(self):
         self.refused("figure", "photon-ring", "flat", says=["minkowski: there is no photon sphere"])
         self.refused("figure", "photon-ring", "neutron-star", says=["r = 1.5, is not outside of the surface, r = 1.6"])
