@@ -135,6 +135,8 @@ MUTANTS = [Mutant(*row) for row in [
      "std::sqrt(spacetime.lapse_squared(camera.r)) /", "1.0 /", ("unit_tests", "annotations*")),
     ("scale-parsec", "a scale bar in light years", "src/annotate/annotations.cpp",
      "3.0856775814913673e16", "9.4607304725808e15", ("unit_tests", "annotations*")),
+    ("object-words", "the names of two objects exchanged", "src/scenefile/scene_keys.cpp",
+     "other m87 sgr-a", "other sgr-a m87", ("unit_tests", "annotations*")),
     ("scale-impact", "angles for their sines in impact parameters", "src/observer/picture_scale.cpp",
      "std::sin(std::atan(off_centre_px * per_px))", "std::atan(off_centre_px * per_px)", ("unit_tests", "annotations*")),
     ("scale-centre", "the centre a little aside", "src/observer/picture_scale.cpp",
