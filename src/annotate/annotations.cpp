@@ -76,8 +76,8 @@ std::optional<BarUnit> bar_unit(const Scene& scene) {
         case ScaleBar::kMass: return BarUnit{0.5, [](double n) { return fmt::format("{:g} M", n); }};
         case ScaleBar::kRadius: return BarUnit{1.0, [](double n) { return fmt::format("{:g} rₛ", n); }};
         case ScaleBar::kAngle:
-            if (!scene.object.mass_suns || !scene.object.distance_pc) break;
-            return BarUnit{length_of_microarcsecond(*scene.object.mass_suns, *scene.object.distance_pc), angle_words};
+            if (const auto length = length_of_microarcsecond(scene.object)) return BarUnit{*length, angle_words};
+            break;
     }
     return std::nullopt;
 }
@@ -107,6 +107,12 @@ double length_of_microarcsecond(double mass_suns, double distance_pc) {
     constexpr double kParsec = 3.0856775814913673e16;                                 // m
     const double r_s = 2.0 * mass_suns * kSunsGravity / (kLightSpeed * kLightSpeed);  // m
     return kMicroarcsecond * distance_pc * kParsec / r_s;
+}
+
+std::optional<double> length_of_microarcsecond(const ObjectSpec& object) {
+    const auto mass = object.mass(), distance = object.distance();
+    if (!mass || !distance) return std::nullopt;
+    return length_of_microarcsecond(*mass, *distance);
 }
 
 Annotations annotations_of(const Scene& scene, const std::optional<Halves>& halves) {

@@ -32,5 +32,6 @@ Annotations annotations_of(const Scene& scene, const std::optional<Halves>& halv
 
 // How many r_s one microarcsecond is at the object's distance: (1e-6"/1 rad) D c^2/(2 G M).
 double length_of_microarcsecond(double mass_suns, double distance_pc);
+std::optional<double> length_of_microarcsecond(const ObjectSpec& object);  // nothing: a mass or a distance is not known
 
 }  // namespace nullscope

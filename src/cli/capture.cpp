@@ -59,7 +59,7 @@ std::string film_folder(const CaptureOptions& options) { return options.output +
 Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) {
     if (options.to_film() && path == nullptr && (options.time_step == 0 || options.frames.empty()))
         return bad_input("a film needs a scene with a [path], or --time-step and --frames",
-                         "-o names that end in .png, .jpg or .exr");
+                         "-o names that end in .png, .jpg, .exr or .fits");
     if (options.to_film() && !have_ffmpeg())
         return failed("ffmpeg is not installed, it makes the film; without it: -o NAME%05d.png and --frames");
     const bool sequence = !options.to_film() && names_frames(options.output);
@@ -174,7 +174,7 @@ Result<std::string> draw(const Job& job, Session* session, const Exposure& shown
         captured->linear = side_by_side(captured->linear, right->linear);
         captured->display = side_by_side(captured->display, right->display);
     }
-    if (!options.plain && !options.to_exr()) annotate(scene, split, captured->display);
+    if (!options.plain && !options.to_linear_light()) annotate(scene, split, captured->display);
     TRY(written, names_faces(options) ? write_faces(scene, *captured, options)
                                       : write_picture(file, told, *captured, options, frame));
     return captured->made_by;
@@ -372,7 +372,7 @@ Status run(const CaptureOptions& options) {
 Result<std::string> sequence_stamp(const CaptureOptions& options) {
     if (options.to_film())
         return bad_input(fmt::format("-o {}: a film is made by one run", options.output),
-                         "names that end in .png, .jpg or .exr");
+                         "names that end in .png, .jpg, .exr or .fits");
     TRY(scene, scene_of(options));
     TRY(job, job_of(options, std::move(*scene)));
     return stamp_of(*job, options);

@@ -18,9 +18,9 @@ Status check_options(const CaptureOptions& options) {
     const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
     if (std::error_code none; !folder.empty() && !names_frames(folder) && !std::filesystem::is_directory(folder, none))
         return failed(fmt::format("-o {}: there is no folder '{}'", options.output, folder.string()));
-    if (!options.to_exr() && !options.to_film() && !options.to_jpeg() && !options.output.ends_with(".png"))
+    if (!options.to_linear_light() && !options.to_film() && !options.to_jpeg() && !options.output.ends_with(".png"))
         return bad_input(fmt::format("-o {}: unknown kind of file", options.output),
-                         fmt::format("names that end in .png, .jpg, .exr or {}", film_endings()));
+                         fmt::format("names that end in .png, .jpg, .exr, .fits or {}", film_endings()));
     if (options.workers > 1 && !options.to_film() && options.frames.empty() && !names_frames(options.output))
         return bad_input("--workers: one picture is drawn by one process; give --frames A:B or a film");
     if (options.quality && !options.to_jpeg()) return bad_input("--quality is of a JPEG; give -o FILE.jpg");
@@ -46,18 +46,19 @@ Status check_options(const CaptureOptions& options) {
 }
 
 void add_capture_to(Command& parent, const std::function<Status(const CaptureOptions&)>& run_it) {
-    auto [command, options] = add_command<CaptureOptions>(
-        parent, "capture", "Draw a scene to a PNG or JPEG (display-ready) or an EXR (linear light, optional ray data)",
-        run_it);
+    auto [command, options] = add_command<CaptureOptions>(parent, "capture",
+                                                          "Draw a scene to a PNG or JPEG (display-ready), an EXR "
+                                                          "(linear light, optional ray data) or a FITS (linear light, "
+                                                          "sky coordinates)",
+                                                          run_it);
     const KeyRange times = key_range("time");
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene (see: nullscope scenes)");
-    text_option(
-        command, "-o,--output", options.output,
-        fmt::format(
-            "File to write, .png, .jpg or .exr, or a film: {}, which needs ffmpeg and resumes an interrupted run "
-            "of the same scene and options; NAME-%s.png writes the six faces of a cube",
-            film_endings()));
+    text_option(command, "-o,--output", options.output,
+                fmt::format("File to write, .png, .jpg, .exr or .fits, or a film: {}, which needs ffmpeg and resumes "
+                            "an interrupted run "
+                            "of the same scene and options; NAME-%s.png writes the six faces of a cube",
+                            film_endings()));
     command.add_option("ffmpeg", &options.ffmpeg, "After --: options of ffmpeg for a film, as in -- -crf 12");
     command.add_option("--size", &options.size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
     command.add_option(
@@ -101,7 +102,7 @@ void add_capture_to(Command& parent, const std::function<Status(const CaptureOpt
     number_option(command, "--quality", options.quality, 1, 100,
                   fmt::format("Quality of a .jpg: less makes smaller files (default {})", kJpegQuality));
     command.add_flag("--plain", &options.plain,
-                     "No dividing line, labels or scale bar over a .png, .jpg or film (an .exr has none)");
+                     "No dividing line, labels or scale bar over a .png, .jpg or film (.exr and .fits have none)");
     command.add_flag(
         "--half", &options.half,
         "Write an EXR's colours as half floats: half the size, three digits; without --raydata and --split");

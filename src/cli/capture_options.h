@@ -25,7 +25,9 @@ struct CaptureOptions {
     std::vector<std::string> ffmpeg;  // options for the film
     bool raydata = false, layers = false, half = false, dump_shader = false, resume = false, plain = false;
 
-    bool to_exr() const { return output.ends_with(".exr"); }  // linear light
+    bool to_exr() const { return output.ends_with(".exr"); }
+    bool to_fits() const { return output.ends_with(".fits"); }
+    bool to_linear_light() const { return to_exr() || to_fits(); }
     bool to_jpeg() const { return output.ends_with(".jpg") || output.ends_with(".jpeg"); }
     bool to_film() const { return is_film(output); }
 };

@@ -13,6 +13,7 @@
 #include "base/progress.h"
 #include "base/text.h"
 #include "cli/capture_layers.h"
+#include "cli/fits_header.h"
 #include "command/reference_inputs.h"
 #include "compare/ray_channels.h"
 #include "image/channels.h"
@@ -38,19 +39,34 @@ void print_notes(Session& session) {
     for (const std::string& note : session.renderer->take_notes()) fmt::print(stderr, "{}\n", note);
 }
 
-// 8 bits a colour: a picture of 16384x16384 px is held.
-Result<Image<unsigned char>> large_picture8(Session& session, const Exposure& shown) {
-    const CameraSpec& camera = shown.scene.camera;
-    if (Status fits = check_size8(camera.width, camera.height); !fits) return fits.error();
-    Image<unsigned char> picture(camera.width, camera.height, 3);
+// Of bands that draw(band) gives.
+template <class T, class Draw>
+Result<Image<T>> large_picture(Session& session, const CameraSpec& camera, Draw draw) {
+    Image<T> picture(camera.width, camera.height, 3);
     Progress progress("large picture", camera.height);
     for (const PictureBand& band : picture_bands(camera)) {
-        TRY(rows, draw_band8(*session.renderer, shown, band));
+        TRY(rows, draw(band));
         print_notes(session);
         std::ranges::copy(rows->data, picture.at(0, band.top));
         progress.advance(band.rows);
     }
     return picture;
+}
+
+// 8 bits a colour: a picture of 16384x16384 px is held.
+Result<Image<unsigned char>> picture8(Session& session, const Exposure& shown) {
+    if (!is_drawn_in_bands(shown.scene)) return draw_picture8(*session.renderer, shown);
+    const CameraSpec& camera = shown.scene.camera;
+    if (Status fits = check_size8(camera.width, camera.height); !fits) return fits.error();
+    return large_picture<unsigned char>(
+        session, camera, [&](const PictureBand& band) { return draw_band8(*session.renderer, shown, band); });
+}
+
+// EXR files of large pictures are written band by band (capture_large_exr).
+Result<Image<float>> linear_picture(Session& session, const Exposure& shown, const CaptureOptions& options) {
+    if (!options.to_fits() || !is_drawn_in_bands(shown.scene)) return draw_picture(*session.renderer, shown);
+    return large_picture<float>(session, shown.scene.camera,
+                                [&](const PictureBand& band) { return draw_band(*session.renderer, shown, band); });
 }
 
 Result<Captured> capture_gl(Session& session, const Exposure& shown, const CaptureOptions& options, const Scene* next) {
@@ -64,12 +80,11 @@ Result<Captured> capture_gl(Session& session, const Exposure& shown, const Captu
     } else if (!options.st_map.empty()) {
         TRY(ready, session.renderer->prepare(shown.scene));
         captured.linear = st_map_of(session.renderer->ray_data(), shown.scene, options.st_map);
-    } else if (options.to_exr()) {
-        TRY(light, draw_picture(*session.renderer, shown));
+    } else if (options.to_linear_light()) {
+        TRY(light, linear_picture(session, shown, options));
         captured.linear = std::move(*light);
     } else {
-        TRY(picture,
-            is_drawn_in_bands(shown.scene) ? large_picture8(session, shown) : draw_picture8(*session.renderer, shown));
+        TRY(picture, picture8(session, shown));
         captured.display = std::move(*picture);
     }
     print_notes(session);
@@ -107,7 +122,8 @@ Result<Captured> capture_reference(const Inputs& inputs, const Exposure& shown, 
         TRY(rays, reference_rays(scene));
         captured.rays = std::move(*rays);
     }
-    if (!options.to_exr()) captured.display = display_encoded(captured.linear, scene.camera.exposure_ev, scene.picture);
+    if (!options.to_linear_light())
+        captured.display = display_encoded(captured.linear, scene.camera.exposure_ev, scene.picture);
     captured.made_by = kReference;
     return captured;
 }
@@ -130,6 +146,22 @@ std::map<std::string, std::string> words_of(const Scene& scene, const std::strin
                                                 {"nullscope.version", NULLSCOPE_VERSION}};
     if (frame) words["nullscope.frame"] = fmt::format("{}", *frame);
     return words;
+}
+
+FitsHeader header_of(const Scene& scene, const Captured& captured, const CaptureOptions& options,
+                     std::optional<int> frame) {
+    const bool several = !options.split.empty() || scene.split || scene.camera.stereo != Stereo::kOff;
+    FitsHeader header{.unit_comment = "relative luminance: linear light, 1 is white"};
+    add_coordinates(scene, several, header);
+    add_scene(scene, header);
+    for (const char* key : {"TELESCOP", "ORIGIN"}) header.cards.push_back({key, "nullscope", ""});
+    header.cards.push_back({"CREATOR", "nullscope " NULLSCOPE_VERSION, "program and version"});
+    header.cards.push_back({"RENDERER", captured.made_by, ""});
+    header.cards.push_back({"SCENE", scene.name, ""});
+    header.cards.push_back(
+        {"SCENHASH", words_of(scene, {}, {})["nullscope.scene_hash"], "FNV-1a of its canonical text"});
+    if (frame) header.cards.push_back({"FRAME", static_cast<long long>(*frame), "of a sequence"});
+    return header;
 }
 
 }  // namespace
@@ -188,6 +220,8 @@ Status write_picture(const std::string& file_name, const Scene& scene, const Cap
     if (file_name.ends_with(".jpg") || file_name.ends_with(".jpeg"))
         return save_jpeg(file_name, captured.display, scene.name + "\nnullscope " NULLSCOPE_VERSION,
                          options.quality.value_or(kJpegQuality));
+    if (file_name.ends_with(".fits"))
+        return save_fits(file_name, captured.linear, header_of(scene, captured, options, frame));
     std::map<std::string, std::string> words = words_of(scene, captured.made_by, frame);
     if (!file_name.ends_with(".exr")) {
         words.erase("nullscope.renderer");  // the same picture is the same file

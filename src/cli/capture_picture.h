@@ -16,7 +16,7 @@
 namespace nullscope::cli {
 
 struct Captured {
-    Image<float> linear;                   // for .exr
+    Image<float> linear;                   // for .exr and .fits
     Image<unsigned char> display;          // for .png and .jpg
     std::optional<RayFrame> rays;          // with options.raydata
     std::optional<LayeredPicture> layers;  // with options.layers
@@ -40,7 +40,7 @@ Result<std::string> capture_large_exr(Session& session, const Scene& told, const
                                       const CaptureOptions& options, const std::string& file_name,
                                       std::optional<int> frame);
 
-// In the format that the name says: .exr, .jpg (.jpeg) or .png. What a file says of itself: docs/command-line.md.
+// In the format that the name says: .exr, .fits, .jpg (.jpeg) or .png. What a file says of itself: docs/command-line.md.
 Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured,
                      const CaptureOptions& options, std::optional<int> frame);
 

@@ -18,6 +18,7 @@ void add_info(Command& parent);
 void add_figure(Command& parent);
 void add_lightcurve(Command& parent);
 void add_light_time(Command& parent);
+void add_profile(Command& parent);
 void add_spectrum(Command& parent);
 
 // One line on standard error; the exit status that goes with it (1 or 2).

@@ -12,8 +12,8 @@
 #include "base/progress.h"
 #include "cli/command.h"
 #include "command/arguments.h"
+#include "command/curve_plot.h"
 #include "command/session.h"
-#include "command/svg.h"
 #include "plan/moving.h"
 #include "reference/reference.h"
 #include "scene/bodies.h"
@@ -74,31 +74,10 @@ std::string csv_of(const Scene& scene, const std::vector<Sample>& curve) {
 }
 
 std::string svg_of(const Scene& scene, const std::vector<Sample>& curve) {
-    constexpr double kWidth = 760, kHeight = 340, kLeft = 84, kBottom = 52, kTop = 40, kRight = 20;
-    std::string title;  // no markup of a scene's
-    for (const char c : scene.name) title += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-    const auto [least, most] = std::ranges::minmax_element(curve, dimmer);
-    const double low = std::min(least->flux[0], 0.0), high = most->flux[0] > low ? most->flux[0] : low + 1;
-    const double span = curve.back().time - curve.front().time;
-    const auto x_of = [&](double t) { return kLeft + (t - curve.front().time) / span * (kWidth - kLeft - kRight); };
-    const auto y_of = [&](double f) {
-        return kHeight - kBottom - (f - low) / (high - low) * (kHeight - kBottom - kTop);
-    };
-    std::string svg(kSvgWhite);
-    svg += svg_text(kLeft, 24, title, 15);
-    for (int i = 0; i <= 4; ++i) {
-        const double t = curve.front().time + i * span / 4, f = low + i * (high - low) / 4;
-        svg += svg_line(x_of(t), y_of(low), x_of(t), y_of(high));
-        svg += svg_text(x_of(t), kHeight - kBottom + 20, fmt::format("{:.4g}", t), 13, "middle");
-        svg += svg_line(kLeft, y_of(f), kWidth - kRight, y_of(f));
-        svg += svg_text(kLeft - 8, y_of(f) + 4, fmt::format("{:.3g}", f), 13, "end");
-    }
     std::vector<std::array<double, 2>> points;
     points.reserve(curve.size());
-    for (const Sample& s : curve) points.push_back({x_of(s.time), y_of(s.flux[0])});
-    svg += svg_curve("polyline", points, 1.8, "#c2410c");
-    svg += svg_text(0.5 * (kLeft + kWidth - kRight), kHeight - 10, "time, r_s/c", 13, "middle");
-    return svg_document(kWidth, kHeight, svg);
+    for (const Sample& s : curve) points.push_back({s.time, s.flux[0]});
+    return curve_plot(scene.name, "time, r_s/c", points);
 }
 
 // The scene at options.steps times, the last included.

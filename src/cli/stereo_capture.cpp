@@ -55,7 +55,7 @@ Status check_stereo(const Scene& scene, const CaptureOptions& options) {
             return bad_input(fmt::format("{} is of one picture, and the scene has camera.stereo", option),
                              fmt::format("stereo = \"off\", or no {}", option));
     const auto [width, height] = stereo_size(scene.camera);
-    return options.to_exr() ? Done{} : check_size8(width, height);
+    return options.to_linear_light() ? Done{} : check_size8(width, height);
 }
 
 Status check_stereo_frames(const CameraPath& path, const Scene& scene, int first, int end) {
@@ -88,7 +88,7 @@ Result<Captured> capture_stereo(Session* session, const Exposure& shown, const C
     TRY(draw, picture_drawer(session, scene, options));
     const auto [width, height] = stereo_size(scene.camera);
     Captured both;
-    if (options.to_exr())
+    if (options.to_linear_light())
         both.linear = Image<float>(width, height, 3);
     else
         both.display = Image<unsigned char>(width, height, 3);

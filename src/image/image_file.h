@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "base/result.h"
@@ -55,6 +56,24 @@ Status save_exr_bands(const std::filesystem::path& path, const BandedImage& imag
 Result<ChannelImage> load_exr(const std::filesystem::path& path, long long max_pixels = 500'000'000);
 // The same for a file in memory; name: what errors call it.
 Result<ChannelImage> decode_exr(std::string_view bytes, const std::string& name, long long max_pixels);
+
+// What a FITS file (FITS Standard 4.0, Pence et al. 2010; written by CFITSIO) says before its numbers. Keywords: at most 8 of A-Z, 0-9, - and
+// _. Text is written in ASCII, other characters as "?".
+struct FitsCard {
+    std::string keyword;
+    std::variant<double, long long, std::string> value;
+    std::string comment;
+};
+struct FitsHeader {
+    std::string unit{};          // BUNIT: "Jy/pixel"; empty: a number without a unit
+    std::string unit_comment{};  // what the numbers are
+    std::vector<FitsCard> cards{};
+    std::vector<std::string> comments{};  // lines of at most 72 characters
+};
+// Floats of 32 bits, bottom row first, as FITS has them: red, green and blue as three planes, or one channel as one plane. The file has no
+// date: the same picture is the same file. Holds it twice more in memory. Errors: other numbers of channels, other
+// keywords, numbers that are not finite, what CFITSIO and the system say.
+Status save_fits(const std::filesystem::path& path, const Image<float>& image, const FitsHeader& header);
 
 // Display encoding of one linear component (IEC 61966-2-1), clamped to [0, 1].
 float srgb_from_linear(float linear);

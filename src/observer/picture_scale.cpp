@@ -2,6 +2,10 @@
 
 #include <cmath>
 
+#include "observer/pose.h"
+#include "observer/ring_view.h"
+#include "scene/projection.h"
+
 namespace nullscope {
 namespace {
 
@@ -17,6 +21,14 @@ bool at_rest(const CameraSpec& camera) {
 bool has_scale(const Spacetime& spacetime) { return !spacetime.by_proper_length(); }
 
 double PictureScale::px(double length) const { return 2.0 * std::tan(std::asin(0.5 * length * sine)) / per_px; }
+
+double PictureScale::impact(double off_centre_px) const { return std::sin(std::atan(off_centre_px * per_px)) / sine; }
+
+std::optional<std::array<double, 2>> centre_px(const Spacetime& spacetime, const CameraSpec& camera) {
+    const auto seen = without_zoom(spacetime, camera, {});
+    if (!seen) return std::nullopt;
+    return pixel_of(*seen, transposed(static_from_camera(*seen)) * Vec3{-1.0, 0.0, 0.0});
+}
 
 std::optional<PictureScale> picture_scale(const Spacetime& spacetime, const CameraSpec& camera) {
     if (camera.projection != Projection::kPinhole || camera.pixel_aspect != 1.0) return std::nullopt;

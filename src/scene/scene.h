@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "scene/known_object.h"
 #include "spacetime/metric_parameters.h"
 
 namespace nullscope {
@@ -359,9 +360,18 @@ struct PathSpec {
     friend bool operator==(const PathSpec&, const PathSpec&) = default;
 };
 
-// The object in the sky that the scene stands for.
+// The object in the sky that the scene stands for: one that is known by its name, whose numbers these replace, or another.
 struct ObjectSpec {
     std::optional<double> mass_suns, distance_pc;
+    ObjectName name = ObjectName::kOther;
+    std::optional<double> mass() const {  // suns
+        const KnownObject* known = known_object(name);
+        return mass_suns || known == nullptr ? mass_suns : known->mass_suns;
+    }
+    std::optional<double> distance() const {  // pc
+        const KnownObject* known = known_object(name);
+        return distance_pc || known == nullptr ? distance_pc : known->distance_pc;
+    }
     friend bool operator==(const ObjectSpec&, const ObjectSpec&) = default;
 };
 

@@ -201,13 +201,14 @@ Faults check_spots(const Scene& scene) {
 }
 
 // Films may leave the places where there is a scale.
-Faults check_scale_bar(const Scene& scene, const World& world, const GivenKeys& given) {
+Faults check_scale_bar(const Scene& scene, const World& world) {
     const std::string key = "picture.scale_bar";
     if (scene.picture.scale_bar == ScaleBar::kOff || !world) return {};
     if (scene.picture.scale_bar == ScaleBar::kAngle)
-        for (const char* needed : {"object.mass_suns", "object.distance_pc"})
-            if (!given(needed))
-                return {{needed, "missing, but scale_bar = \"uas\"", "both mass_suns and distance_pc", key}};
+        for (const auto& [needed, there] : {std::pair{"object.mass_suns", scene.object.mass().has_value()},
+                                            {"object.distance_pc", scene.object.distance().has_value()}})
+            if (!there)
+                return {{needed, "missing, but scale_bar = \"uas\"", "both mass_suns and distance_pc, or a name", key}};
     if (!has_scale(*world))
         return {{key, fmt::format("metric \"{}\" has no r_s", scene.spacetime.metric), "off, or another metric"}};
     if (!scene.path && !picture_scale(*world, scene.camera))
@@ -305,7 +306,7 @@ std::vector<SceneFault> check_parts(const Scene& scene, const GivenKeys& given) 
     append(faults, check_keys(scene, given, false));
     append(faults, check_spots(scene));
     if (!faults.empty()) return faults;
-    append(faults, check_scale_bar(scene, world, given));
+    append(faults, check_scale_bar(scene, world));
     if (!faults.empty()) return faults;
     faults = check_motion(scene, world, scene.spacetime.metric, scene.light.delay);
     if (scene.split)

@@ -90,8 +90,11 @@ constexpr SceneKey kKeys[] = {
     {"split", "right_label", KeyType::kText, "", "", kNoRange, "", "Label of the right half; likewise.",
      [](auto& s) { return &s.split_labels.right; }},
 
+    {"object", "name", KeyType::kChoice, "", "other", kNoRange, "other m87 sgr-a cygnus-x-1 gargantua",
+     "What the scene stands for: an object that gives mass and distance, or another, of its own.",
+     [](auto& s) { return &s.object.name; }},
     {"object", "mass_suns", KeyType::kNumber, "M_sun", "", closed(1e-6, 1e12), "",
-     "Mass of the object that the scene stands for; needed by scale_bar = \"uas\".",
+     "Mass of the object, by default that of name; needed by scale_bar = \"uas\".",
      [](auto& s) { return &s.object.mass_suns; }},
     {"object", "distance_pc", KeyType::kNumber, "pc", "", closed(1e-6, 1e11), "", "Its distance from Earth; likewise.",
      [](auto& s) { return &s.object.distance_pc; }},

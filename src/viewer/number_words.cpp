@@ -22,7 +22,7 @@ std::string with_unit(const std::string& number, const char* unit) { return numb
 }  // namespace
 
 NumberStyle style_in(const Scene& scene, const Spacetime& spacetime, NumberStyle wish) {
-    if (scene.object.mass_suns) wish.mass_suns = *scene.object.mass_suns;
+    if (const auto mass = scene.object.mass()) wish.mass_suns = *mass;
     if (spacetime.by_proper_length()) wish.unit = LengthUnit::kOwn;
     return wish;
 }

@@ -33,11 +33,11 @@ void style_rows(NumberStyle& wish, const Scene& scene, const Spacetime& spacetim
     }
     ImGui::EndDisabled();
     if (wish.unit == LengthUnit::kKilometre && !own) {
-        double suns = scene.object.mass_suns.value_or(wish.mass_suns);
-        ImGui::BeginDisabled(scene.object.mass_suns.has_value());
-        if (type_number("Mass", suns, kLeastMass_suns, kMostMass_suns, "%.6g suns",
-                        scene.object.mass_suns ? "The scene says it: object.mass_suns."
-                                               : "Mass of the hole for km and seconds."))
+        double suns = scene.object.mass().value_or(wish.mass_suns);
+        ImGui::BeginDisabled(scene.object.mass().has_value());
+        if (type_number(
+                "Mass", suns, kLeastMass_suns, kMostMass_suns, "%.6g suns",
+                scene.object.mass() ? "The scene says it, in [object]." : "Mass of the hole for km and seconds."))
             wish.mass_suns = suns;
         ImGui::EndDisabled();
     }

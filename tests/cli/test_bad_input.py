@@ -61,6 +61,19 @@ class Usage(support.CliTest):
                             (("--from", "2"), ["2 to 1.05", "--to is not above --from"])):
             self.refused("spectrum", *words, says=says)
 
+    def test_profiles(self):
+        small = ("profile", "flat", "--size", "16x9")
+        for place in ("0,3", "17,3", "3,9", "3", "1,2,3", "a,b", "nan,1", ""):
+            if place:
+                self.refused(*small, "--through", place, says=["--through", "0 < X < 16 and 0 < Y < 9"])
+        self.refused(*small, "--angle", "361", says=["--angle", "-360 to 360"])
+        self.refused(*small, "--steps", "1", says=["--steps", "2 to 100000"])
+        self.refused(*small, "--samples", "17", says=["--samples", "1 to 16"])
+        self.refused(*small, "-o", "nowhere/a", status=1, says=["nowhere/a.csv"])
+        self.refused(*small, "--renderer", "reference", "--context", "egl", says=["--context", "--renderer gl"])
+        self.refused("profile", "two-spacetimes", says=["one picture", "[split]"])
+        self.refused("profile", self.write("pair.toml", '[camera]\nstereo = "pair"\n'), says=["one picture", "camera.stereo"])
+
     def test_photon_rings(self):
         self.refused("figure", "photon-ring", "flat", says=["minkowski: there is no photon sphere"])
         self.refused("figure", "photon-ring", "neutron-star", says=["r = 1.5, is not outside of the surface, r = 1.6"])
@@ -82,12 +95,15 @@ class Usage(support.CliTest):
         (self.folder / "folder.png").mkdir()
         self.write("file", "")
         small = ("--size", "16x9")
-        self.refused("capture", "flat", *small, "-o", "a.bmp", says=["a.bmp", ".png", ".exr"])
+        self.refused("capture", "flat", *small, "-o", "a.bmp", says=["a.bmp", ".png", ".exr", ".fits"])
         self.refused("capture", "flat", *small, "-o", "a.png", "--raydata", says=["--raydata", ".exr"])
         self.refused("capture", "flat", *small, "-o", "nowhere/a.png", status=1, says=["nowhere/a.png", "there is no folder"])
         self.refused("capture", "flat", *small, "-o", "file/a.png", status=1, says=["file/a.png"])
         self.refused("capture", "flat", *small, "-o", "folder.png", status=1, says=["folder.png", "directory"])
-        self.refused("capture", "flat", *small, "-o", "nowhere/a.exr", status=1, says=["nowhere/a.exr"])
+        for name in ("nowhere/a.exr", "nowhere/a.fits"):
+            self.refused("capture", "flat", *small, "-o", name, status=1, says=[name])
+        for option in ("--raydata", "--layers", "--half"):
+            self.refused("capture", "flat", *small, "-o", "a.fits", option, says=[option, ".exr"])
         rays = self.write("rays.csv", RAYS + GOOD)
         self.refused("trace", "flat", "--rays", rays, "-o", "nowhere/a.csv", status=1, says=["nowhere/a.csv"])
         self.refused("trace", "flat", "--rays", rays, "-o", "folder.png", status=1, says=["folder.png", "directory"])

@@ -82,7 +82,7 @@ class Room(support.CliTest):
         def no_room():
             resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))   # SIGXFSZ at its default: it ends a process
 
-        for output in ("new.png", "new.exr"):
+        for output in ("new.png", "new.exr", "new.fits"):
             self.refused("capture", "sky-only", "--size", "64x36", "-o", output, status=1,
                          says=[f"cannot write '{output}'", "File too large"], before=no_room)
 

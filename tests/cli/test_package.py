@@ -26,7 +26,7 @@ class Package(support.CliTest):
         self.ran("dpkg-deb", "-x", package, self.folder / "root")
         usr = self.folder / "root" / "usr"
         fields = self.ran("dpkg-deb", "-f", package)
-        for name in ("libc6", "libegl1", "libfmt", "libtbb", "libopenexr"):
+        for name in ("libc6", "libegl1", "libfmt", "libtbb", "libopenexr", "libcfitsio"):
             self.assertIn(name, fields)
         version = self.ran(usr / "bin" / "nullscope", "--version").strip()
         self.assertIn(f"Version: {version}", fields)

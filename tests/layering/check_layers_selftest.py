@@ -31,6 +31,7 @@ FORBIDDEN = [
     ("src/sky/planted.h", "#include <jpeglib.h>", "libjpeg is included in"),
     ("src/sky/planted.h", "#include <OpenEXR/ImfRgbaFile.h>", "OpenEXR is included in"),
     ("src/cli/planted.h", "#include <ImfHeader.h>", "OpenEXR is included in"),
+    ("src/cli/planted.h", "#include <fitsio.h>", "CFITSIO is included in"),
     ("src/render/planted.h", '#include "imgui.h"', "Dear ImGui is included in"),
     ("src/cli/planted.h", "#include <imgui/imgui_impl_glfw.h>", "Dear ImGui is included in"),
     ("src/context/planted.h", "#include <GLFW/glfw3.h>", "GLFW is included in"),

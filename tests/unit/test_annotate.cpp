@@ -1,9 +1,11 @@
 // Labels of split screens and scale bars: what they say, how long they are, and where they are drawn.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,7 +15,12 @@
 #include "annotate/marks.h"
 #include "annotate/metric_words.h"
 #include "observer/picture_scale.h"
+#include "observer/pose.h"
 #include "reference/reference.h"
+#include "scene/projection.h"
+#include "scenefile/scene_file.h"
+#include "scenefile/scene_keys.h"
+#include "scenefile/scene_writer.h"
 #include "spacetime/registry.h"
 
 using namespace nullscope;
@@ -126,6 +133,41 @@ TEST_CASE("annotations: microarcseconds of M87* and Sgr A*") {
     CHECK(0.5 / length_of_microarcsecond(4.297e6, 8277.0) == doctest::Approx(5.12433).epsilon(1e-5));
 }
 
+TEST_CASE("annotations: an object's name gives mass and distance, which the scene's own replace") {
+    // GM/(c^2 D) of docs/scenes.md in microarcseconds, computed apart.
+    const std::map<std::string, double> angles = {
+        {"m87", 3.818993252}, {"sgr-a", 5.124331471}, {"cygnus-x-1", 9.426005799e-5}, {"gargantua", 3.290209571e-4}};
+    CHECK(angles.size() == kKnownObjects.size());
+    std::string words = "other";
+    for (const KnownObject& known : kKnownObjects) {
+        CAPTURE(known.key);
+        words += fmt::format(" {}", known.key);
+        const auto scene = parse_scene(
+            fmt::format("[camera]\nr = 1e3\nfov = 2\n[object]\nname = \"{}\"\n[picture]\nscale_bar = \"uas\"\n",
+                        known.key),
+            "scene.toml", {});
+        REQUIRE_MESSAGE(scene, scene.error().message());
+        CHECK(known_object(scene->object.name) == &known);
+        const auto length = length_of_microarcsecond(scene->object);
+        REQUIRE(length);
+        CHECK(0.5 / *length == doctest::Approx(angles.at(std::string(known.key))).epsilon(1e-9));
+        const std::string text = scene_file_text(*scene, {});
+        CHECK(text.find(fmt::format("name = \"{}\"", known.key)) != std::string::npos);
+        CHECK(text.find("mass_suns") == std::string::npos);
+        const auto again = parse_scene(text, "scene.toml", {});
+        REQUIRE(again);
+        CHECK(again->object == scene->object);
+    }
+    const auto key = std::ranges::find_if(scene_keys(), [](const auto& k) { return full_name(k) == "object.name"; });
+    CHECK(key->choices == words);
+
+    const ObjectSpec heavier{7e9, std::nullopt, ObjectName::kM87}, nearer{std::nullopt, 16e6, ObjectName::kM87};
+    CHECK((heavier.mass() == 7e9 && heavier.distance() == 16.8e6));
+    CHECK((nearer.mass() == 6.5e9 && nearer.distance() == 16e6));
+    CHECK_FALSE(length_of_microarcsecond(ObjectSpec{4e6, std::nullopt}));
+    CHECK_FALSE(length_of_microarcsecond(ObjectSpec{}));
+}
+
 TEST_CASE("annotations: far away the bar is length/(r times a pixel), of a round number that fits") {
     for (const double r : {1e4, 1e6, 1e9}) {
         Scene scene = far_scene("kerr", r, 2000.0 / r);
@@ -176,6 +218,32 @@ TEST_CASE(
         // Either edge by itself: the shadow is not in the middle.
         const double width_px = 0.5 * (rotating->px(impact(-1.0)) + rotating->px(impact(1.0)));
         CHECK(std::abs(width_px - shadow_px(scene)) < 1.0);
+    }
+}
+
+TEST_CASE("annotations: off the centre a place's impact parameter is its ray's") {
+    for (const double r : {20.0, 400.0}) {
+        Scene scene = far_scene("schwarzschild", r, 600.0 / r);
+        scene.camera.yaw = 0.02, scene.camera.pitch = -0.03, scene.camera.roll = 0.6;
+        scene.camera.shift_x = 0.1, scene.camera.shift_y = -0.2;
+        const auto spacetime = spacetime_of(scene);
+        const auto scale = picture_scale(*spacetime, scene.camera);
+        const auto centre = centre_px(*spacetime, scene.camera);
+        REQUIRE((scale && centre));
+        const Vec3 ahead =
+            normalized(static_from_camera(scene.camera) * pixel_direction(scene.camera, (*centre)[0], (*centre)[1]));
+        CHECK(angle_between(ahead, {-1, 0, 0}) < 1e-14);
+        for (const double length : {1.0, 5.0, 10.0})
+            CHECK(scale->impact(0.5 * scale->px(length)) == doctest::Approx(0.5 * length));
+        CHECK(scale->length_per_px() == doctest::Approx(scale->impact(1e-3) / 1e-3).epsilon(1e-9));
+        // L = b E, of a ray that is drawn: no formula of the scale's.
+        scene.camera.yaw = scene.camera.pitch = 0.0;
+        const auto middle = *centre_px(*spacetime, scene.camera);
+        for (const double off : {40.0, 200.0}) {
+            const double sine = std::sin(
+                angle_between(pixel_direction(scene.camera, middle[0] + 0.6 * off, middle[1] + 0.8 * off), {0, 0, -1}));
+            CHECK(scale->impact(off) == doctest::Approx(sine * r / std::sqrt(1.0 - 1.0 / r)).epsilon(1e-12));
+        }
     }
 }
 

@@ -1,0 +1,45 @@
+// A diagram of one curve over a grid, as SVG.
+#pragma once
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "command/svg.h"
+
+namespace nullscope::cli {
+
+// points: two or more, by ascending x; the vertical axis includes 0. title: as it stands in a scene file, no markup.
+inline std::string curve_plot(const std::string& title, const std::string& x_words,
+                              const std::vector<std::array<double, 2>>& points) {
+    constexpr double kWidth = 760, kHeight = 340, kLeft = 84, kBottom = 52, kTop = 40, kRight = 20;
+    std::string plain;
+    for (const char c : title) plain += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+    const auto by_value = [](const auto& a, const auto& b) { return a[1] < b[1]; };
+    const auto [least, most] = std::ranges::minmax_element(points, by_value);
+    const double low = std::min((*least)[1], 0.0), high = (*most)[1] > low ? (*most)[1] : low + 1;
+    const double first = points.front()[0], span = points.back()[0] - first;
+    const auto x_of = [&](double x) { return kLeft + (x - first) / span * (kWidth - kLeft - kRight); };
+    const auto y_of = [&](double y) {
+        return kHeight - kBottom - (y - low) / (high - low) * (kHeight - kBottom - kTop);
+    };
+    std::string svg(kSvgWhite);
+    svg += svg_text(kLeft, 24, plain, 15);
+    for (int i = 0; i <= 4; ++i) {
+        const double x = first + i * span / 4, y = low + i * (high - low) / 4;
+        svg += svg_line(x_of(x), y_of(low), x_of(x), y_of(high));
+        svg += svg_text(x_of(x), kHeight - kBottom + 20, fmt::format("{:.4g}", x), 13, "middle");
+        svg += svg_line(kLeft, y_of(y), kWidth - kRight, y_of(y));
+        svg += svg_text(kLeft - 8, y_of(y) + 4, fmt::format("{:.3g}", y), 13, "end");
+    }
+    std::vector<std::array<double, 2>> places;
+    places.reserve(points.size());
+    for (const auto& [x, y] : points) places.push_back({x_of(x), y_of(y)});
+    svg += svg_curve("polyline", places, 1.8, "#c2410c");
+    svg += svg_text(0.5 * (kLeft + kWidth - kRight), kHeight - 10, x_words, 13, "middle");
+    return svg_document(kWidth, kHeight, svg);
+}
+
+}  // namespace nullscope::cli

@@ -1,0 +1,137 @@
+#include <fitsio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "base/atomic_file.h"
+#include "image/image_file.h"
+
+namespace nullscope {
+namespace {
+
+constexpr std::size_t kBlock = 2880;  // bytes; a file is blocks
+
+std::string ascii(std::string_view text) {
+    std::string plain;
+    for (const char c : text) {
+        if ((static_cast<unsigned char>(c) & 0xc0) == 0x80) continue;  // of a character that has its mark
+        plain += c >= 0x20 && c < 0x7f ? c : '?';
+    }
+    return plain;
+}
+
+// A file in memory, which CFITSIO makes larger as it needs.
+class MemoryFile {
+public:
+    explicit MemoryFile(std::size_t size) : size_(size), bytes_(std::malloc(size)) {
+        if (bytes_ == nullptr) throw std::bad_alloc();
+        fits_create_memfile(&file_, &bytes_, &size_, kBlock, std::realloc, &status_);
+    }
+    ~MemoryFile() {
+        int ignored = 0;
+        if (file_ != nullptr) fits_close_file(file_, &ignored);
+        std::free(bytes_);
+    }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+
+    fitsfile* file() { return file_; }
+    int* status() { return &status_; }  // once it is not 0 CFITSIO's functions do nothing
+    std::string_view finish() {
+        LONGLONG header = 0, data = 0, end = 0;
+        fits_flush_file(file_, &status_);
+        fits_get_hduaddrll(file_, &header, &data, &end, &status_);
+        return status_ == 0 ? std::string_view(static_cast<const char*>(bytes_), static_cast<std::size_t>(end)) : "";
+    }
+    std::string reason() const {
+        std::array<char, FLEN_STATUS> words{};
+        fits_get_errstatus(status_, words.data());
+        return words.data();
+    }
+
+private:
+    std::size_t size_;
+    void* bytes_;
+    fitsfile* file_ = nullptr;
+    int status_ = 0;
+};
+
+// CFITSIO would write others by a convention of its own, and numbers that are none.
+bool is_standard(const FitsCard& card) {
+    constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
+    constexpr std::size_t kLongest = 8;
+    const auto* number = std::get_if<double>(&card.value);
+    return !card.keyword.empty() && card.keyword.size() <= kLongest &&
+           card.keyword.find_first_not_of(kLetters) == std::string::npos &&
+           (number == nullptr || std::isfinite(*number));
+}
+
+void write_card(MemoryFile& to, const FitsCard& card) {
+    const std::string comment = ascii(card.comment);
+    const char *key = card.keyword.c_str(), *words = comment.c_str();
+    constexpr int kDigits = -15;  // significant ones
+    if (const auto* number = std::get_if<double>(&card.value))
+        fits_write_key_dbl(to.file(), key, *number, kDigits, words, to.status());
+    else if (const auto* whole = std::get_if<long long>(&card.value))
+        fits_write_key_lng(to.file(), key, *whole, words, to.status());
+    else
+        fits_write_key_longstr(to.file(), key, ascii(std::get<std::string>(card.value)).c_str(), words, to.status());
+}
+
+void write_header(MemoryFile& to, const Image<float>& image, const FitsHeader& header) {
+    std::array<long, 3> sides = {image.width, image.height, image.channels};
+    fits_create_img(to.file(), FLOAT_IMG, image.channels == 1 ? 2 : 3, sides.data(), to.status());
+    write_card(to, {"BUNIT", header.unit, header.unit_comment});
+    if (image.channels == 3) {
+        write_card(to, {"CTYPE3", "RGB", "red, green, blue: Rec. 709"});
+        for (const char* key : {"CRPIX3", "CRVAL3", "CDELT3"}) write_card(to, {key, 1.0, ""});
+    }
+    for (const FitsCard& card : header.cards) write_card(to, card);
+    for (const std::string& comment : header.comments)
+        fits_write_comment(to.file(), ascii(comment).c_str(), to.status());
+}
+
+void write_planes(MemoryFile& to, const Image<float>& image) {
+    std::vector<float> plane(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    for (int channel = 0; channel < image.channels; ++channel) {
+        auto at = plane.begin();
+        for (int y = image.height - 1; y >= 0; --y)
+            for (int x = 0; x < image.width; ++x) *at++ = image.at(x, y)[channel];
+        const auto count = static_cast<LONGLONG>(plane.size());
+        fits_write_img_flt(to.file(), 1, channel * count + 1, count, plane.data(), to.status());
+    }
+}
+
+}  // namespace
+
+Status save_fits(const std::filesystem::path& path, const Image<float>& image, const FitsHeader& header) {
+    const auto invalid = [&](const std::string& reason) {
+        return failed(fmt::format("cannot write '{}': {}", path.string(), reason));
+    };
+    const std::size_t values = static_cast<std::size_t>(std::max(image.width, 0)) *
+                               static_cast<std::size_t>(std::max(image.height, 0)) *
+                               static_cast<std::size_t>(std::max(image.channels, 0));
+    if (values == 0 || (image.channels != 1 && image.channels != 3) || image.data.size() != values)
+        return invalid(
+            fmt::format("{} x {} pixels of {} channels are no FITS image", image.width, image.height, image.channels));
+    for (const FitsCard& card : header.cards)
+        if (!is_standard(card)) return invalid(fmt::format("'{}' is no keyword with a value", card.keyword));
+    constexpr std::size_t kUsualHeader = 4 * kBlock;
+    MemoryFile file(kUsualHeader + values * sizeof(float) + kBlock);
+    write_header(file, image, header);
+    write_planes(file, image);
+    const std::string_view bytes = file.finish();
+    if (*file.status() != 0) return invalid("CFITSIO: " + file.reason());
+    return write_text_atomically(path, bytes);
+}
+
+}  // namespace nullscope
