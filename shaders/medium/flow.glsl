@@ -4,9 +4,10 @@
 #include "shared/frame.glsl"
 
 #define FLOW_FARTHEST 6.0   // scales of density: exp(-18)
-#define FLOW_STEP 0.5       // of such a scale
+#define FLOW_STEP 0.25      // of such a scale
+#define FLOW_INWARD 0.1     // of the distance to the hole
 
-MediumLight flow_light(MediumPlace place) {
+MediumLight medium_light(MediumPlace place) {
     float flattening = frame.medium_flow.y;
     float around = 2.0 * place.r * sqrt(max(1.0 - place.cosine * place.cosine, 0.0));   // R, M = r_s/2
     float l = 0.5 * frame.medium_flow.z * around * sqrt(around) / (1.0 + around);
@@ -17,10 +18,14 @@ MediumLight flow_light(MediumPlace place) {
     MediumLight light;
     light.emission = density * exp2(frame.medium_powers.x * log_g) * frame.medium_colour.rgb;
     light.absorption = density * exp2(frame.medium_powers.y * log_g) * frame.medium_flow.w;
-    // Across the plane, or up to where there is matter again.
     float thick = place.r / max(flattening, 1.0);
-    float across = max(FLOW_STEP * thick, place.r * abs(place.cosine) - FLOW_FARTHEST * thick);
-    across = flattening > 0.0 ? across : 1.0e6;
-    light.step = min(min(FLOW_STEP / frame.medium_flow.x, FLOW_STEP * place.r), min(across, FLOW_STEP * (place.r - frame.medium_hole.y)));
+    float across = flattening > 0.0 ? FLOW_STEP * thick : 1.0e6;
+    light.step = min(min(FLOW_STEP / frame.medium_flow.x, FLOW_INWARD * place.r), min(across, FLOW_INWARD * (place.r - frame.medium_hole.y)));
     return light;
+}
+
+float medium_free(float r, float cosine) {
+    float flattening = frame.medium_flow.y;
+    float above = flattening > FLOW_FARTHEST ? r * (abs(cosine) - FLOW_FARTHEST / flattening) : 0.0;
+    return max(r - frame.medium_bound.x, above);
 }

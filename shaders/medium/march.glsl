@@ -1,26 +1,86 @@
-// The march through matter, as every kind of path has it: what is summed up, and how long samples may be.
+// The march through matter, as every kind of path has it: spans of a ray between two of its places, with samples on the cubic between them.
+#include "generated/medium"
 #include "medium/place.glsl"
+#include "shared/frame.glsl"
 
-#define MEDIUM_MOST_SAMPLES 4096
+#define MEDIUM_MOST_SPANS 1024
+#define MEDIUM_SAMPLES 4      // of a span
 #define MEDIUM_LEAST 1.0e-3   // what of the light behind comes through where nothing more is looked for
 #define MEDIUM_LONGEST 0.5    // of a ray's step, or rad
 
 struct MediumSum {
     vec3 light;
-    float through;   // what of the light behind comes through
+    float through;   // what of the light behind comes through it
+    float step;      // length of the next sample, r_s
 };
 
-// A sample more, `way` of the affine parameter long, along which source and absorption are taken as even.
+struct MediumSpan {
+    vec3 from;           // places at its ends, r_s, world axes
+    vec3 to;
+    vec3 from_slope;     // and how they change, by the span
+    vec3 to_slope;
+    float way;           // of the affine parameter over Sigma = r^2 + a^2 cos^2(theta)
+    float energy;        // MediumPlace's
+    float momentum;
+    float pixel_angle;
+    vec3 camera;         // its place
+#ifdef NEEDS_PLACE_LATE
+    vec2 delays;         // of light from both ends
+#endif
+};
+
+// A sample more, `way` of the affine parameter long, along which source and absorption are taken as even. Where way is 0 nothing that was
+// found is used: far out it is no number.
 MediumSum medium_add(MediumSum sum, MediumLight found, float way) {
     float depth = found.absorption * way;
+    vec3 light = found.emission * way;
+    depth = way > 0.0 ? depth : 0.0;
+    light = way > 0.0 ? light : vec3(0.0);
     float dims = exp(-depth);
     float thick = (1.0 - dims) / max(depth, 1.0e-2);
     float thin = 1.0 - depth * (0.5 - depth * (1.0 / 6.0));   // of (1 - exp(-x))/x
     float share = depth < 1.0e-2 ? thin : thick;
-    sum.light += (sum.through * share * way) * found.emission;
+    sum.light += (sum.through * share) * light;
     sum.through *= dims;
     return sum;
 }
 
-// How long the next sample may be: `step` is what is short enough in the middle of the last one.
-float medium_step(float step, float last, float least) { return max(max(step - 0.5 * last, 0.5 * step), least); }
+// How far to go on where matter is `free` away at least, and was `before` a jump of `length` ago: rays that run beside matter are straight
+// enough over a quarter of r.
+float medium_jump(float free, float before, float length, float r) {
+    float closer = (before - free) / max(length, 1.0e-20);
+    return max(free, min(0.9 * free / max(closer, 0.2), 0.25 * r));
+}
+
+// empty: nothing is there.
+MediumSum medium_along(MediumSpan span, MediumSum sum, bool empty) {
+    vec3 c1 = span.from_slope;
+    vec3 d = span.to - span.from;
+    vec3 c2 = 3.0 * d - 2.0 * c1 - span.to_slope;
+    vec3 c3 = c1 + span.to_slope - 2.0 * d;
+    int i = empty ? MEDIUM_SAMPLES - 1 : 0;
+    do {
+        float s = (float(i) + 0.5) * (1.0 / float(MEDIUM_SAMPLES));
+        MediumPlace at;
+        at.at = span.from + s * (c1 + s * (c2 + s * c3));
+        vec3 slope = c1 + s * (2.0 * c2 + 3.0 * s * c3);
+        at.r = sqrt(max(dot(at.at, at.at), 1.0e-12));
+        at.cosine = at.at.z / at.r;
+        at.energy = span.energy;
+        at.momentum = span.momentum;
+        at.way = slope * (1.0 / float(MEDIUM_SAMPLES));
+        vec3 away = at.at - span.camera;
+        at.pixel = span.pixel_angle * sqrt(dot(away, away));
+#ifdef NEEDS_PLACE_LATE
+        at.delay = mix(span.delays.x, span.delays.y, s);
+#endif
+        MediumLight found = medium_light(at);
+        float az = frame.medium_hole.x * at.cosine;
+        float way = (at.r * at.r + az * az) * span.way * (1.0 / float(MEDIUM_SAMPLES));
+        bool there = !empty && at.r > frame.medium_hole.w && at.r < frame.medium_bound.x;
+        sum = medium_add(sum, found, there ? way : 0.0);
+        sum.step = there ? found.step * frame.medium_bound.z : sum.step;
+        i += 1;
+    } while (i < MEDIUM_SAMPLES);
+    return sum;
+}

@@ -1,6 +1,10 @@
 // A place on a ray in matter, and what matter there does to its light; how matter moves that goes round about the axis, in metrics of
 // Kerr's form and in those with A = Delta/r^2 (a = 0). Reads the global `frame` (FrameData).
 //
+// Each kind of matter has a file that defines
+//     MediumLight medium_light(MediumPlace place)
+//     float medium_free(float r, float cosine)      how far matter is at least, r_s; not above 0 within it
+//
 // The camera's photon of unit frequency has the affine parameter dlambda. In matter that sees it with the frequency 1/g the ray is
 // dlambda/g long, and I/nu^3 is the same for all observers: of an emissivity j(nu) the camera gets g^3 j(nu/g) dlambda/g, and the optical
 // depth is alpha(nu/g) dlambda/g.
@@ -12,6 +16,11 @@ struct MediumPlace {
     float cosine;     // of the polar angle
     float energy;     // of the photon, at infinity, and its angular momentum about the axis (r_s): both over its frequency in the camera
     float momentum;
+    vec3 way;         // from the sample's beginning to its end, r_s
+    float pixel;      // how wide a pixel is there, as if light went straight, r_s
+#ifdef NEEDS_PLACE_LATE
+    float delay;      // how long ago, by the camera's clock, the light left
+#endif
 };
 
 struct MediumLight {
@@ -36,4 +45,17 @@ float medium_g(MediumPlace place, float l) {
     // -k.u = (E (area - drag l) - L (drag + l around))/sqrt(sigma delta norm)
     float photon = place.energy * (area - drag * l) - place.momentum * (drag + l * around);
     return sqrt(sigma * delta * norm) / max(photon, 1.0e-12 * area);
+}
+
+// The same of matter that goes round at a rate, c/r_s.
+float medium_g_at_rate(MediumPlace place, float rate) {
+    float a = frame.medium_hole.x;
+    float r2a2 = place.r * place.r + a * a;
+    float cosine2 = place.cosine * place.cosine;
+    float sine2 = 1.0 - cosine2;
+    float delta = (place.r - frame.medium_hole.y) * (place.r - frame.medium_hole.z);
+    float pull = (r2a2 - delta) / (place.r * place.r + a * a * cosine2);   // 2 m(r) r/Sigma
+    float static_part = 1.0 - a * rate * sine2;
+    float norm = 1.0 - pull * static_part * static_part - rate * rate * sine2 * r2a2;   // (dtau/dt)^2
+    return sqrt(max(norm, 1.0e-6)) / max(place.energy - place.momentum * rate, 1.0e-6);
 }

@@ -1,5 +1,4 @@
 // Matter along a ray about a rotating hole: the ray's steps once more (mino/trace.glsl), and samples within those that come near it.
-#include "generated/medium"
 #include "medium/march.glsl"
 #include "mino/place.glsl"
 #include "mino/ray.glsl"
@@ -15,9 +14,8 @@ struct MediumWalk {
     float begun;          // Mino's time where it begins, and where it ends
     float ended;
     float part;           // of the step that is done
-    float step;           // length of the next sample, r_s
     int left;             // steps of the ray
-    int samples;
+    int spans;
     bool outside;         // of the horizon
     bool ends;            // the step is the ray's last
     bool going;
@@ -34,9 +32,8 @@ MediumWalk medium_walk(Trace trace, vec2 pixel) {
     walk.begun = 0.0;
     walk.ended = 0.0;
     walk.part = 1.0;
-    walk.step = frame.medium_bound.y;
     walk.left = SPIN_MOST_STEPS;
-    walk.samples = MEDIUM_MOST_SAMPLES;
+    walk.spans = MEDIUM_MOST_SPANS;
     walk.outside = true;
     walk.ends = false;
     walk.going = true;
@@ -45,7 +42,7 @@ MediumWalk medium_walk(Trace trace, vec2 pixel) {
     walk.going = walk.outside || walk.ray.a * walk.ray.momentum > walk.ray.energy * (walk.ray.outer - frame.spin_turn.z);   // mino/trace.glsl
 #endif
     walk.doppler = view.doppler;
-    walk.sum = MediumSum(vec3(0.0), 1.0);
+    walk.sum = MediumSum(vec3(0.0), 1.0, frame.medium_bound.y);
     return walk;
 }
 
@@ -71,37 +68,59 @@ MediumWalk medium_next(MediumWalk walk) {
     } while (!walk.ends && !near);
     walk.segment = spin_segment(walk.ray, from, walk.now, h);
     walk.part = near ? 0.0 : 1.0;
-    walk.step = max(walk.step, 1.0 / from.y.w - frame.medium_bound.x);
     return walk;
 }
 
 // Along the ray from where the walk has come to, up to Mino's time `until`.
 MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
-    walk.sum = MediumSum(vec3(0.0), 1.0);
+    walk.sum.light = vec3(0.0);
+    walk.sum.through = 1.0;
     float inverse = 1.0 / walk.doppler;
+    vec3 camera = vec3(frame.spin_place.x * frame.spin_place.z, frame.spin_place.x * frame.spin_place.w, frame.spin_place.y) / frame.shift.y;
     do {
         if (walk.part >= 1.0) walk = medium_next(walk);
-        float h = walk.segment.h;
-        float last = min((until - walk.begun) / max(h, 1.0e-20), 1.0);
+        float last = min((until - walk.begun) / max(walk.segment.h, 1.0e-20), 1.0);
         if (walk.part < last) {
             RayPlace place = segment_place(walk.ray, walk.segment, walk.part);
             do {
-                float more = min(min(place_part(place, walk.step), MEDIUM_LONGEST), last - walk.part);
-                place = segment_place(walk.ray, walk.segment, walk.part + 0.5 * more);
-                MediumPlace at = MediumPlace(place.at, place.r, place.outward.z, trace.energy * inverse, trace.momentum * inverse);
-                MediumLight found = medium_light(at);
-                float az = walk.ray.a * place.outward.z;
-                float way = (place.r * place.r + az * az) * h * more * walk.doppler;
-                bool there = place.r > frame.medium_hole.w && place.r < frame.medium_bound.x;
-                walk.sum = medium_add(walk.sum, found, there ? way : 0.0);
-                walk.part = more < last - walk.part ? walk.part + more : last;
-                walk.step = medium_step(found.step * frame.medium_bound.z, more * place_speed(place), frame.medium_bound.y);
-                walk.samples -= 1;
+                bool empty = false;
+                float before = 1.0e6;
+                float length = 1.0e6;   // from there
+                do {   // to where there may be matter
+                    float free = medium_free(place.r, place.outward.z);
+                    length = medium_jump(free, before, length, place.r);
+                    before = free;
+                    float jump = min(place_part(place, max(length, frame.medium_bound.y)), MEDIUM_LONGEST);
+                    empty = free > walk.sum.step;   // a span is longer
+                    jump = empty ? jump : 0.0;
+                    walk.part = jump < last - walk.part ? walk.part + jump : last;
+                    place = segment_place(walk.ray, walk.segment, walk.part);
+                    walk.spans -= 1;
+                } while (empty && walk.part < last && walk.spans > 0);
+                length = max(walk.sum.step, frame.medium_bound.y) * float(MEDIUM_SAMPLES);
+                float more = min(min(place_part(place, length), MEDIUM_LONGEST), last - walk.part);
+                RayPlace next = segment_place(walk.ray, walk.segment, walk.part + more);
+                MediumSpan span;
+                span.from = place.at;
+                span.to = next.at;
+                span.from_slope = more * place.velocity;
+                span.to_slope = more * next.velocity;
+                span.way = walk.segment.h * more * walk.doppler;
+                span.energy = trace.energy * inverse;
+                span.momentum = trace.momentum * inverse;
+                span.pixel_angle = trace.pixel_angle;
+                span.camera = camera;
+#ifdef NEEDS_PLACE_LATE
+                span.delays = vec2(place.delay, next.delay);
+#endif
+                walk.sum = medium_along(span, walk.sum, empty);
+                walk.part = empty ? walk.part : more < last - walk.part ? walk.part + more : last;
+                place = next;
                 // On its way in nothing follows the innermost matter.
                 walk.going = walk.going && (place.r > frame.medium_hole.w || dot(place.velocity, place.outward) > 0.0);
-            } while (walk.part < last && walk.going && walk.sum.through > MEDIUM_LEAST && walk.samples > 0);
+            } while (walk.part < last && walk.going && walk.sum.through > MEDIUM_LEAST && walk.spans > 0);
         }
-        walk.going = walk.going && walk.samples > 0 && !(walk.ends && walk.part >= 1.0);
+        walk.going = walk.going && walk.spans > 0 && !(walk.ends && walk.part >= 1.0);
     } while (walk.going && walk.sum.through > MEDIUM_LEAST && walk.begun + walk.part * walk.segment.h < until * (1.0 - 1.0e-6));
     return walk;
 }

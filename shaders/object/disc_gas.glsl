@@ -1,10 +1,9 @@
-// Turbulent gas: octaves of noise in rings of equal ln r, each of which goes round at its own speed. A ring has so many cells, sheared
-// along trailing spirals, whose values are a permutation of equal steps from -1 to 1: their mean and their square's are a ring's own.
-// Between cells and between rings squares of weights add up to 1, so that the noise n of an octave has the same spread everywhere and at
-// all times. Every octave moves the next one's rings in and out, which curls its filaments.
+// Turbulent gas: octaves of noise in rings of equal ln r (core/ring_noise.glsl), each of which goes round at its own speed, sheared along
+// trailing spirals. Every octave moves the next one's rings in and out, which curls its filaments.
 //
 // Light is multiplied by (1 + c n)^2 over its mean 1 + c^2/3 for each octave, what shines through by (1 - c n)^2 over the same. An
 // octave finer than the pixel's footprint is at that mean.
+#include "core/ring_noise.glsl"
 #include "core/trig.glsl"
 #ifdef EFFECT_DISC_FLOW
 #include "object/disc_orbit.glsl"
@@ -13,8 +12,7 @@
 #include "shared/frame.glsl"
 
 #define GAS_OCTAVES 9
-#define GAS_CELLS 8.0     // around the axis, of the coarsest octave; each next one has twice as many
-#define GAS_CELL_BITS 3
+#define GAS_CELLS 8.0     // around the axis, of the coarsest octave (core/ring_noise.glsl)
 #define GAS_RING 0.3      // its rings' distance in ln r
 #define GAS_CURL 0.4      // by how much of that distance an octave moves the next ones
 #define GAS_SHIFT 0.37    // of the rings from octave to octave
@@ -24,44 +22,6 @@ struct DiscGas {
     float light;   // factors of mean 1, on light
     float gaps;    // ... and on what shines through
 };
-
-// A ring's number, well mixed.
-uint gas_ring_key(int ring, int level) {
-    uint h = uint(ring) * 0x85157AF5u ^ (uint(level) * 0xC3D2E1F1u + 0x9E3779B1u);
-    h ^= h >> 16u;
-    h *= 0x7FEB352Du;
-    h ^= h >> 15u;
-    h *= 0x6C8E9CF5u;
-    return h ^ (h >> 16u);
-}
-
-// Of cell number `cell` of a ring with 2^bits: a permutation, by steps that lose no bit.
-float gas_cell(int cell, uint key, int bits) {
-    uint mask = (1u << uint(bits)) - 1u;
-    uint shift = uint((bits + 1) / 2);
-    uint h = (uint(cell) ^ key) & mask;
-    h = (h * 0x9E3779B1u) & mask;
-    h ^= h >> shift;
-    h = (h * ((key >> 9u) | 1u) + (key >> 20u)) & mask;
-    h ^= h >> shift;
-    h = (h * 0x85157AF5u) & mask;
-    return (2.0 * float(h) + 1.0) / float(mask + 1u) - 1.0;
-}
-
-// Weights of two neighbours.
-vec2 gas_weights(float t) {
-    float s = t * t * (3.0 - 2.0 * t);
-    return vec2(1.0 - s, s) * inversesqrt(s * s + (1.0 - s) * (1.0 - s));
-}
-
-float gas_ring_noise(int ring, int level, float turns) {
-    int bits = GAS_CELL_BITS + level;
-    float at = turns * float(1 << bits);
-    float cell = floor(at);
-    vec2 weights = gas_weights(at - cell);
-    uint key = gas_ring_key(ring, level);
-    return weights.x * gas_cell(int(cell), key, bits) + weights.y * gas_cell(int(cell) + 1, key, bits);
-}
 
 // Turns that a ring has made until the light left.
 float gas_turned(float x, float delay) {
@@ -89,11 +49,11 @@ DiscGas disc_gas_at(float x, float turns, float wide, float delay, float whole) 
         float shift = GAS_SHIFT * float(level);
         float at = moved / step + shift;
         float ring = floor(at);
-        vec2 weights = gas_weights(at - ring);
+        vec2 weights = ring_weights(at - ring);
         float middle = (ring - shift) * step;
         float inner = turns + frame.disc_gas.y * (x - middle) - gas_turned(middle, delay);
         float outer = turns + frame.disc_gas.y * (x - middle - step) - gas_turned(middle + step, delay);
-        float noise = weights.x * gas_ring_noise(int(ring), level, inner) + weights.y * gas_ring_noise(int(ring) + 1, level, outer);
+        float noise = weights.x * ring_noise(int(ring), level, inner) + weights.y * ring_noise(int(ring) + 1, level, outer);
         float share = mix(1.0, min(0.35 + 0.25 * float(level), 1.0), whole);
         float c = frame.disc_gas.x * fall * share;
         float seen = clamp(GAS_WIDEST - wide, 0.0, 1.0);

@@ -120,6 +120,13 @@ struct FrameData {
     vec4 medium_flow;    // 1/radius, flattening, momentum (of M), absorption of the densest matter for each r_s, without shift
     vec4 medium_powers;  // of g in the emission, and in the absorption, for each unit of the affine parameter; 0, 0
 #endif
+#ifdef BLOCK_MEDIUM_GAS
+    vec4 medium_gas;       // inner and outer radius, scale height over the radius, optical depth for each radius in the plane
+    vec4 medium_gas_heat;  // log2 of the temperature (K) at the inner radius and of its luminance; 1/width of the rims in ln r; cosine of the angle
+                           //   between the plane and where the gas ends
+    vec4 medium_gas_noise; // contrast, turns by which filaments trail for each unit of ln r, time (r_s/c), 0
+    vec4 medium_gas_orbit; // Omega^2 = zeta^3 (x - y zeta); 0, 0
+#endif
 #ifdef BLOCK_SIDES
     vec4 throat;       // radius of a wormhole's throat, mu of table/throat_orbit.h, 0, 0
 #endif

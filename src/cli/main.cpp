@@ -42,8 +42,7 @@ int main(int argc, char** argv) {
     program.set_version(NULLSCOPE_VERSION);
     program.set_credits(nullscope::kCredits);
     for (const auto add : {add_capture, add_frames, add_path, add_trace, add_compare, add_bench, add_plan, add_scenes,
-                           add_info, add_figure, add_lightcurve, add_light_time, add_profile, add_spectrum,
-                           add_manual})
+                           add_info, add_figure, add_lightcurve, add_light_time, add_profile, add_spectrum, add_manual})
         add(program);
     program.set_footer("\nnullscope help COMMAND lists the options of a command. For a window, run nullscope-viewer.");
     const auto asked = nullscope::parse_command_line(program, argc, argv);

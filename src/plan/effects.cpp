@@ -15,7 +15,8 @@ namespace {
 const std::array<const Feature*, kEffectCount>& features() {
     static const auto all = [] {
         std::array<const Feature*, kEffectCount> list{};
-        for (const auto group : {light_features(), disc_features(), bodies_features(), medium_features(), picture_features()})
+        for (const auto group :
+             {light_features(), disc_features(), bodies_features(), medium_features(), picture_features()})
             for (const Feature& feature : group) list[static_cast<std::size_t>(feature.effect)] = &feature;
         for (const Feature* feature : list)
             if (feature == nullptr) std::abort();  // an enumerator without a Feature
@@ -64,7 +65,9 @@ bool has_marched(const EffectSet& effects) {
             return true;
     return false;
 }
-bool has_medium(const EffectSet& effects) { return effects.contains(Effect::kMediumFlow); }
+bool has_medium(const EffectSet& effects) {
+    return effects.contains(Effect::kMediumFlow) || effects.contains(Effect::kMediumGas);
+}
 bool has_tiles(const EffectSet& effects) {
     if (has_medium(effects)) return false;  // nor do they of matter
     // Rays of tiles know nothing of the swings that a zoom leaves out.
@@ -86,6 +89,7 @@ bool has_projection(const EffectSet& effects) {
 bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
 bool shades_heat(const EffectSet& effects) {
     return effects.contains(Effect::kThermalDisc) || effects.contains(Effect::kSpot) ||
+           effects.contains(Effect::kMediumGas) ||
            (effects.contains(Effect::kSkyShift) && effects.contains(Effect::kAberration));
 }
 bool takes_samples(const EffectSet& effects) {
@@ -126,6 +130,7 @@ FrameFacts facts_of(const Scene& scene, const Spacetime* spacetime, const Observ
     f.heat = f.spot()      ? "[spot]"
              : f.points()  ? "sky.kind = \"points\""
              : f.thermal() ? "disc.emission = \"thermal\""
+             : f.gas()     ? "medium.kind = \"gas\""
              : f.sky_shift ? "sky.temperature"
                            : nullptr;
     return f;

@@ -70,6 +70,8 @@ enum class Effect {
     kCubeFaces,
     kWarp,
     kMediumFlow,
+    kMediumGas,
+    kMediumMotion,
     kEnd  // no effect: how many there are
 };
 inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);
@@ -77,7 +79,7 @@ inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);
 // Where any number of effects stand side by side in a shader, each by one function of its own file (shaderlib/slots.h).
 // kDiscGlow: vec3 NAME(Trace, DiscCrossing, float delay), light of the disc's place whatever covers it. These add up.
 // kDiscLight: float NAME(float cosine), factor on the disc's heat by the angle to the normal at which the light leaves its matter.
-// kMedium: MediumLight NAME(MediumPlace), of matter along the ray (medium/place.glsl); one at a time.
+// kMedium: matter along the ray; one at a time, whose file defines medium_light() and medium_free() (medium/place.glsl).
 enum class Slot { kNone, kDiscGlow, kDiscLight, kMedium };
 struct SlotPart {
     Slot slot = Slot::kNone;

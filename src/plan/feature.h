@@ -32,6 +32,7 @@ struct FrameFacts {
     bool bends() const { return planar && spacetime->bends_light() && scene.light.lensing; }
     bool thermal() const { return scene.disc && scene.disc->emission == DiscEmission::kThermal; }
     bool spot() const { return scene.disc && !scene.spots.empty(); }
+    bool gas() const { return scene.medium && scene.medium->kind == MediumKind::kGas; }
     bool points() const { return scene.sky.kind == SkyKind::kPoints; }
     bool has_g() const { return scene.light.doppler || scene.light.gravity; }
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "spacetime/axial_metric.h"
+#include "spacetime/circular_orbit.h"
 #include "spacetime/spherical_metric.h"
 
 namespace nullscope {
@@ -33,9 +34,16 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
                                   {"light.gravity", scene.light.gravity},
                                   {"light.aberration", scene.light.aberration}})
         if (!on) faults.push_back({key, "off, which matter along rays does not have", "on with a [medium]"});
-    if (!scene.object.mass_suns)
+    const MediumSpec& medium = *scene.medium;
+    if (medium.kind == MediumKind::kGas && !(medium.inner < medium.outer))
+        faults.push_back(
+            {"medium.outer", fmt::format("{} is not above inner = {}", medium.outer, medium.inner), "inner < outer"});
+    if (medium.kind == MediumKind::kGas && spacetime.bends_light() && !circular_orbit(spacetime, medium.inner))
+        faults.push_back({"medium.inner", fmt::format("no circular orbit at {}", medium.inner),
+                          "a radius outside the photon sphere"});
+    if (medium.kind == MediumKind::kFlow && !scene.object.mass())
         faults.push_back({"object.mass_suns", "missing, but there is a [medium] of kind \"flow\"",
-                          "the mass that gives lengths their centimetres", "medium.kind"});
+                          "the mass that gives lengths their centimetres, or object.name", "medium.kind"});
     return faults;
 }
 
@@ -47,12 +55,17 @@ Status check_medium(const Spacetime& spacetime, const Scene& scene) {
 
 namespace {
 
-constexpr double kSunGravity = 1.3271244e26;      // G M_sun, cm^3/s^2 (IAU 2015 B3)
-constexpr double kLightSpeed = 2.99792458e10;     // cm/s
-constexpr double kBoltzmann = 1.380649e-16;       // erg/K
-constexpr double kReference_GHz = 230.0;          // at which emissivities are given (Gold et al. 2020)
+constexpr double kSunGravity = 1.3271244e26;   // G M_sun, cm^3/s^2 (IAU 2015 B3)
+constexpr double kLightSpeed = 2.99792458e10;  // cm/s
+constexpr double kBoltzmann = 1.380649e-16;    // erg/K
+constexpr double kReference_GHz = 230.0;       // at which emissivities are given (Gold et al. 2020)
 
 }  // namespace
+
+double medium_farthest(const MediumSpec& medium) {
+    return medium.kind == MediumKind::kFlow ? kFlowScales * medium.radius
+                                            : medium.outer * std::hypot(1.0, kGasHeights * medium.thickness);
+}
 
 double medium_light_cgs(double frequency_GHz) {
     const double by_c = 1e9 * frequency_GHz / kLightSpeed;

@@ -32,6 +32,7 @@ double medium_light_cgs(double frequency_GHz);
 // Beyond and within these there is none, r_s. The inner one is 5e-5 r_s above the horizon.
 inline constexpr double kMediumAboveHorizon = 5e-5;
 inline constexpr double kFlowScales = 6.0;  // of density: exp(-18) of the densest
-inline double medium_farthest(const MediumSpec& medium) { return kFlowScales * medium.radius; }
+inline constexpr double kGasHeights = 3.5;  // scale heights: exp(-6)
+double medium_farthest(const MediumSpec& medium);
 
 }  // namespace nullscope

@@ -64,7 +64,8 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
     const bool late = scene.light.delay && !moving_parts(scene).empty(),
                disc_moves = scene.disc && (!scene.spots.empty() || scene.disc->flow != DiscFlowKind::kStill);
     TRY(rays, tracer.matter_->rays(scene, **spacetime,
-                                   {tracer.bodies_.get(), late, late && disc_moves, scene.disc ? kMostCrossings : 0, tracer.medium_.get()}));
+                                   {tracer.bodies_.get(), late, late && disc_moves, scene.disc ? kMostCrossings : 0,
+                                    tracer.medium_.get()}));
     tracer.rays_ = std::move(*rays);
     return tracer;
 }

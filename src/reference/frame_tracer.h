@@ -35,7 +35,7 @@ public:
     // The delay may cost several times the rest.
     RayPixel pixel(double x, double y, bool with_delay = true) const;
     const Medium* medium() const { return medium_.get(); }  // null where there is none
-    const Metric& matter() const { return *matter_; }  // of what rays meet: they run straight without lensing
+    const Metric& matter() const { return *matter_; }       // of what rays meet: they run straight without lensing
     const PlaneRays* plane_rays() const { return rays_->in_plane(); }  // null where rays stay in no plane
 
 private:

@@ -64,8 +64,10 @@ RayPtr meeting_bodies(const RayTask& task, const Trace& trace) {
             task.medium->add_nodes(
                 step.from, step.to,
                 [&](double along) {
-                    const KerrPlace place = along == step.from ? step.begin : along == step.to ? step.end : step.at(along);
-                    return Medium::Place{place.r, place.theta};
+                    const KerrPlace place = along == step.from ? step.begin
+                                            : along == step.to ? step.end
+                                                               : step.at(along);
+                    return Medium::Place{place.r, place.theta, place.phi, place.delay};
                 },
                 [](const Medium::Place&, double width) { return width; }, nodes);
         };

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "light/black_body.h"
 #include "plan/medium.h"
+#include "reference/noise_ring.h"
+#include "reference/seen_light.h"
 
 namespace nullscope::reference {
 namespace {
@@ -11,22 +14,61 @@ namespace {
 constexpr double kPanel = 0.08;  // of the length over which matter changes: 1e-4 of the flux
 constexpr int kDeepest = 24;     // halvings
 
+// Clumps in the gas: a factor on its density, of mean 1. Octaves of rings of equal ln(rho), which are cones, turned with the height.
+double clumps(const MediumSpec& spec, double rho, double heights, double azimuth, double age,
+              const std::function<double(double)>& rate) {
+    constexpr int kOctaves = 4;
+    const double x = std::log(rho);
+    double moved = x, density = 1;
+    for (int octave = 0; octave < kOctaves; ++octave) {
+        const double sign = octave % 2 == 0 ? 1 : -1, ring_step = 0.3 / (1 << octave), first = 0.37 * octave,
+                     tilt = sign * 0.7 * std::pow(1.6, octave) * heights, row = moved / ring_step + first + tilt,
+                     ring = std::floor(row), lean = sign * 0.35 / 8 * std::pow(0.8, octave) * heights;
+        const auto noise_of = [&](double number) {
+            const double middle = (number - first) * ring_step,
+                         turns =
+                             (azimuth + spec.gas.winding * (x - middle) - rate(std::exp(middle)) * age) / (2 * M_PI);
+            return NoiseRing(static_cast<long long>(number), static_cast<unsigned>(octave)).noise(turns + lean);
+        };
+        const double n = NoiseRing::blend(noise_of(ring), noise_of(ring + 1), row - ring),
+                     c = spec.gas.contrast * std::pow(0.82, octave);
+        density *= (1 + c * n) * (1 + c * n) / (1 + c * c / 3);
+        moved += 0.4 * ring_step * n;
+    }
+    return density;
+}
+
 double apart(const Medium::Place& a, const Medium::Place& b) {
-    const double x = a.r * std::sin(a.theta) - b.r * std::sin(b.theta), z = a.r * std::cos(a.theta) - b.r * std::cos(b.theta);
-    return std::max(std::hypot(x, z), std::abs(a.r - b.r));
+    const double across_a = a.r * std::sin(a.theta), across_b = b.r * std::sin(b.theta);
+    const double x = across_a * std::cos(a.phi) - across_b * std::cos(b.phi),
+                 y = across_a * std::sin(a.phi) - across_b * std::sin(b.phi),
+                 z = a.r * std::cos(a.theta) - b.r * std::cos(b.theta);
+    return std::max(std::hypot(x, y, z), std::abs(a.r - b.r));
 }
 
 }  // namespace
 
 Medium::Medium(const Scene& scene, const Metric& matter)
-    : matter_(matter), spec_(*scene.medium), light_(scene.light), farthest_(medium_farthest(spec_)) {
+    : matter_(matter), spec_(*scene.medium), light_(scene.light), time_(scene.time), farthest_(medium_farthest(spec_)) {
     horizon_ = matter.horizon_radius().value_or(0.0);
     nearest_ = horizon_ + kMediumAboveHorizon;
-    const FlowNumbers flow = flow_numbers(spec_, scene.object.mass_suns.value_or(0.0));
+    if (spec_.kind == MediumKind::kGas) {
+        rate_ = [&matter](double r) { return matter.kepler_rate(r); };
+        return;
+    }
+    const FlowNumbers flow = flow_numbers(spec_, scene.object.mass().value_or(0.0));
     emission_ = flow.emission, absorption_ = flow.absorption;
 }
 
 double Medium::panel(const Place& place) const {
+    if (spec_.kind == MediumKind::kGas) {
+        constexpr double kGasPanel = 0.05;  // of the scale height, where clumps are
+        const double rho = place.r * std::sin(place.theta), z = std::abs(place.r * std::cos(place.theta)),
+                     height = spec_.thickness * rho;
+        const double off = (z - kGasHeights * height) / std::hypot(1.0, kGasHeights * spec_.thickness);
+        return std::max(
+            {kGasPanel * spec_.thickness * std::max(rho, spec_.inner), spec_.inner - rho, rho - spec_.outer, off});
+    }
     double scale = std::min({spec_.radius, place.r, std::max(place.r - horizon_, kMediumAboveHorizon)});
     if (place.r > farthest_) scale = std::max(scale, (place.r - farthest_) / kPanel);
     if (spec_.flattening > 0) {
@@ -46,7 +88,7 @@ void Medium::split(double from, const Place& begin, double to, const Place& end,
         split(from, begin, middle, between, depth + 1, at, way, nodes);
         split(middle, between, to, end, depth + 1, at, way, nodes);
     } else if (between.r > nearest_ && between.r < farthest_) {
-        nodes.push_back({middle, between.r, between.theta, way(between, to - from)});
+        nodes.push_back({middle, between.r, between.theta, between.phi, between.delay, way(between, to - from)});
     }
 }
 
@@ -56,9 +98,35 @@ void Medium::add_nodes(double from, double to, const At& at, const std::function
 }
 
 Medium::Light Medium::at(const MediumNode& node, double energy, double momentum) const {
+    return spec_.kind == MediumKind::kGas ? gas(node, energy, momentum) : flow(node, energy, momentum);
+}
+
+// Of matter on circles: u = u^t (1, 0, 0, Omega).
+Medium::Light Medium::gas(const MediumNode& node, double energy, double momentum) const {
+    const double rho = node.r * std::sin(node.theta), heights = node.r * std::cos(node.theta) / (spec_.thickness * rho);
+    const double in = std::min(std::log(rho / spec_.inner), std::log(spec_.outer / rho)) / spec_.edge,
+                 rim = std::clamp(in, 0.0, 1.0);
+    if (rim == 0 || std::abs(heights) > kGasHeights) return {{0, 0, 0}, 1};
+    const double age = spec_.flow == DiscFlowKind::kKepler ? time_ - node.delay : 0.0;
+    const double density = rim * rim * (3 - 2 * rim) * std::exp(-0.5 * heights * heights) *
+                           clumps(spec_, rho, heights, node.phi, age, [&](double r) { return rate_(r); });
+    const PlaceMetric g = matter_.place(node.r, node.theta);
+    const double omega = rate_(rho), u_t = 1 / std::sqrt(-(g.g_tt + omega * (2 * g.g_tphi + omega * g.g_phiphi))),
+                 ratio = 1 / (u_t * (energy - momentum * omega));
+    const double depth =
+        density * spec_.optical_depth / (std::sqrt(2 * M_PI) * spec_.thickness * rho) * node.way / ratio;
+    const double temperature = spec_.temperature_K * std::pow(spec_.inner / rho, 0.75);
+    const Vec3 source = seen_black_body(temperature, ratio, light_) /
+                        std::exp2(log2_brightness(spec_.temperature_K, light_.bolometric));
+    const Vec3 light{source.x * spec_.colour.x, source.y * spec_.colour.y, source.z * spec_.colour.z};
+    return {-std::expm1(-depth) * spec_.brightness * light, std::exp(-depth)};
+}
+
+Medium::Light Medium::flow(const MediumNode& node, double energy, double momentum) const {
     const PlaceMetric g = matter_.place(node.r, node.theta);
     // u_mu = u_t (-1, 0, 0, l), l = l0 R^1.5/(1 + R) in M; from u.u = -1.
-    const double around = node.r * std::sin(node.theta) / 0.5, l = spec_.momentum * std::pow(around, 1.5) / (1 + around) * 0.5;
+    const double around = node.r * std::sin(node.theta) / 0.5,
+                 l = spec_.momentum * std::pow(around, 1.5) / (1 + around) * 0.5;
     const double det = g.g_tt * g.g_phiphi - g.g_tphi * g.g_tphi;
     const double up_tt = g.g_phiphi / det, up_tphi = -g.g_tphi / det, up_phiphi = g.g_tt / det;
     const double scale = 1 / std::sqrt(-(up_tt - 2 * up_tphi * l + up_phiphi * l * l));

@@ -17,11 +17,13 @@ public:
     // Nodes of midpoint rules, in order, of a part of a ray between two values of `along`, with places at both ends; `at` gives others.
     // way(node, width): of the affine parameter of a photon of unit frequency in the camera, for a width in `along`.
     struct Place {
-        double r, theta;
+        double r, theta, phi = 0,
+                         delay = 0;  // Boyer and Lindquist's; how long ago the light left, where the medium moves
     };
     using At = std::function<Place(double along)>;
     void add_nodes(double from, double to, const At& at, const std::function<double(const Place&, double)>& way,
                    std::vector<MediumNode>& nodes) const;
+    bool moves() const { return spec_.kind == MediumKind::kGas && spec_.flow != DiscFlowKind::kStill && light_.delay; }
     double farthest() const { return farthest_; }
     double nearest() const { return nearest_; }
 
@@ -33,14 +35,17 @@ public:
     Light at(const MediumNode& node, double energy, double momentum) const;
 
 private:
+    Light gas(const MediumNode& node, double energy, double momentum) const;
+    Light flow(const MediumNode& node, double energy, double momentum) const;
     double panel(const Place& place) const;
     void split(double from, const Place& begin, double to, const Place& end, int depth, const At& at,
                const std::function<double(const Place&, double)>& way, std::vector<MediumNode>& nodes) const;
     const Metric& matter_;
     MediumSpec spec_;
     LightSpec light_;
-    double farthest_, nearest_, horizon_;
-    double emission_, absorption_;  // for each r_s, of unit density without shift
+    std::function<double(double r)> rate_;  // of kGas: Omega of circular orbits
+    double time_, farthest_, nearest_, horizon_;
+    double emission_ = 0, absorption_ = 0;  // for each r_s, of unit density without shift
 };
 
 }  // namespace nullscope::reference

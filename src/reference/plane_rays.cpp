@@ -124,14 +124,16 @@ std::vector<MediumNode> PlaneRay::medium_nodes() const {
     const double energy = 1 / (photon_.shift.gravity * photon_.shift.doppler), r0 = std::abs(photon_.r);
     if (photon_.l < kRadial) {
         const bool inward = fate() == Fate::kCaptured || !(end() < 1);
-        const double least = metric_.horizon_radius().value_or(-medium.farthest()), most = std::max(medium.farthest(), r0);
+        const double least = metric_.horizon_radius().value_or(-medium.farthest()),
+                     most = std::max(medium.farthest(), r0);
         const auto r_of = [&](double along) { return inward ? r0 - along : r0 + along; };
         medium.add_nodes(
             0, inward ? r0 - least : most - r0,
             [&](double along) {
                 const double r = r_of(along);
                 const Vec3 place = plane_.direction(0) * r;
-                return Medium::Place{std::abs(r), std::atan2(std::hypot(place.x, place.y), place.z)};
+                return Medium::Place{std::abs(r), std::atan2(std::hypot(place.x, place.y), place.z),
+                                     std::atan2(place.y, place.x)};
             },
             [&](const Medium::Place&, double width) { return width / energy; }, nodes);
         for (MediumNode& node : nodes) node.along = r_of(node.along) < 0 ? M_PI : 0;  // as an angle
@@ -141,9 +143,13 @@ std::vector<MediumNode> PlaneRay::medium_nodes() const {
         0, end() * (1 - kBeforeEnd),
         [&](double along) {
             const Vec3 place = plane_.direction(along);
-            return Medium::Place{radius_at(along), std::atan2(std::hypot(place.x, place.y), place.z)};
+            return Medium::Place{radius_at(along), std::atan2(std::hypot(place.x, place.y), place.z),
+                                 std::atan2(place.y, place.x)};
         },
-        [&](const Medium::Place& place, double width) { return place.r * place.r * width / (photon_.l * energy); }, nodes);
+        [&](const Medium::Place& place, double width) { return place.r * place.r * width / (photon_.l * energy); },
+        nodes);
+    if (medium.moves())
+        for (MediumNode& node : nodes) node.delay = delay(node.along);
     return nodes;
 }
 

@@ -46,9 +46,10 @@ struct BodyHit {
 
 // A part of a ray in matter (medium.h).
 struct MediumNode {
-    double along;     // in its middle
-    double r, theta;  // Boyer and Lindquist's; r_s, rad
-    double way;       // how much of the affine parameter of a photon of unit frequency in the camera, r_s
+    double along;          // in its middle
+    double r, theta, phi;  // Boyer and Lindquist's; r_s, rad
+    double delay;          // how long ago, by the camera's clock, the light left; where the medium moves
+    double way;            // how much of the affine parameter of a photon of unit frequency in the camera, r_s
 };
 
 // What rays may be asked, said before they are traced: one that is integrated is looked along meanwhile.
@@ -85,7 +86,7 @@ public:
     // How long ago, by the camera's clock, light left a crossing or first_hit(), r_s/c; NaN in wormholes.
     virtual double delay(double along) const = 0;
     virtual std::vector<MediumNode> medium_nodes() const { return {}; }  // of the task's medium, in order
-    virtual const PlaneRay* in_plane() const { return nullptr; }  // the ray, if it stays in a plane
+    virtual const PlaneRay* in_plane() const { return nullptr; }         // the ray, if it stays in a plane
 };
 using RayPtr = std::unique_ptr<const TracedRay>;
 

@@ -76,14 +76,6 @@ struct FormOf {
 
 constexpr double kCopies = 4096.0;  // DISC_COPIES of shaders/object/disc_flow.glsl
 
-// Of A = (1 - x zeta)(1 - y zeta), by which matter goes round with w^2 = A'/(2 r) = zeta^3 ((x + y)/2 - x y zeta);
-// about a rotating hole A = 1 - zeta + charge2 zeta^2 takes its place. In flat space matter rests.
-std::array<double, 2> winding(const Spacetime& matter) {
-    if (const AxialMetric* axial = matter.axial()) return {0.5, axial->charge2()};
-    const LapseRoots roots = matter.spherical()->lapse_roots().value_or(LapseRoots{0, 0});
-    return {0.5 * (roots.outer + roots.inner), roots.outer * roots.inner};
-}
-
 // shaders/object/spot.glsl
 std::array<FrameVector, 3> spot_numbers(const SpotSpec& spot, const FramePlan& plan) {
     const LightSpec& light = plan.scene.light;
@@ -101,6 +93,12 @@ std::array<FrameVector, 3> spot_numbers(const SpotSpec& spot, const FramePlan& p
 }
 
 }  // namespace
+
+std::array<double, 2> circular_rate_numbers(const Spacetime& matter) {
+    if (const AxialMetric* axial = matter.axial()) return {0.5, axial->charge2()};
+    const LapseRoots roots = matter.spherical()->lapse_roots().value_or(LapseRoots{0, 0});
+    return {0.5 * (roots.outer + roots.inner), roots.outer * roots.inner};
+}
 
 SolidFormula solid_of(const SurfaceSpec& surface) { return {surface_shape(surface), surface.bound}; }
 
@@ -172,7 +170,7 @@ void put_patterns(FrameData& frame, const Scene& scene) {
 void put_moving(FrameData& frame, const FramePlan& plan) {
     const auto& disc = plan.scene.disc;
     if (!disc || disc->flow != DiscFlowKind::kKepler) return;
-    const auto [first, second] = winding(*plan.matter);
+    const auto [first, second] = circular_rate_numbers(*plan.matter);
     const double lives = plan.scene.time / disc->flow_life;
     frame.disc_winding = {lives - kCopies * std::floor(lives / kCopies), 1.0 / disc->flow_life, first, second};
 }

@@ -6,8 +6,8 @@
 #include "base/rounding.h"
 #include "light/black_body.h"
 #include "observer/pose.h"
-#include "plan/medium.h"
 #include "render/body_numbers.h"
+#include "render/medium_numbers.h"
 #include "scene/projection.h"
 #include "scene/ray.h"
 #include "sky/packed_sky.h"
@@ -137,23 +137,6 @@ void put_disc(FrameData& frame, const Scene& scene, const TextureFacts& textures
     if (disc.emission == DiscEmission::kThermal)
         frame.disc_heat = {1.0 / disc.inner, kDiscFlowCells / std::log(disc.outer / disc.inner), std::log2(hottest_K),
                            log2_brightness(hottest_K, scene.light.bolometric)};
-}
-
-void put_medium(FrameData& frame, const FramePlan& plan) {
-    constexpr double kLeastStep = 1e-4;  // of the farthest matter
-    const auto& medium = plan.scene.medium;
-    const auto hole = medium ? medium_hole(*plan.matter) : std::nullopt;
-    if (!hole) return;
-    const double farthest = medium_farthest(*medium);
-    frame.medium_hole = {hole->a, hole->outer, hole->inner, hole->outer + kMediumAboveHorizon};
-    frame.medium_bound = {farthest, kLeastStep * farthest, medium->step, 0};
-    const FlowNumbers flow = flow_numbers(*medium, plan.scene.object.mass_suns.value_or(0.0));
-    frame.medium_colour = {medium->brightness * flow.emission * medium->colour, 0};
-    frame.medium_flow = {1.0 / medium->radius, medium->flattening, medium->momentum, flow.absorption};
-    // Light is seen as the shader has I/nu^3: g^3 j(nu/g) dlambda/g, alpha(nu/g) dlambda/g.
-    const bool shift = plan.scene.light.shift, beaming = plan.scene.light.beaming;
-    const double alpha = medium->spectral_index;
-    frame.medium_powers = {(beaming ? 3.0 : 0.0) + (shift ? alpha : 0.0) - 1.0, (shift ? 2.5 + alpha : 0.0) - 1.0, 0, 0};
 }
 
 }  // namespace

@@ -231,9 +231,18 @@ struct SpotSpec {
 
 // Matter that emits and absorbs light along rays (docs/matter.md).
 // kFlow: a hot flow about the hole that shines by a power law (Gold et al. 2020), seen at one frequency.
-enum class MediumKind { kFlow };
+// kGas: a soft disc of gas in circular orbits, that emits as a black body.
+enum class MediumKind { kGas, kFlow };
 struct MediumSpec {
-    MediumKind kind = MediumKind::kFlow;
+    MediumKind kind = MediumKind::kGas;
+    // kGas: from inner to outer, Gaussian across the plane; temperature (r/inner)^(-3/4).
+    double inner = 3.0, outer = 12.0;
+    double thickness = 0.1;         // scale height over the radius
+    double optical_depth = 4.0;     // along the normal
+    double edge = 0.25;             // of both rims, in ln r
+    double temperature_K = 8000.0;  // at the inner radius
+    GasSpec gas{};                  // its density's clumps, with the same words as a disc's
+    DiscFlowKind flow = DiscFlowKind::kStill;
     // kFlow: density exp(-((r/radius)^2 + (flattening cos theta)^2)/2), angular momentum per energy momentum R^1.5/(1 + R), R = r sin theta,
     // in M. Emissivity and absorptivity at 230 GHz in the matter's frame, where the density is 1; nu^-spectral_index and
     // nu^-(2.5 + spectral_index) times that.
@@ -241,7 +250,8 @@ struct MediumSpec {
     double emissivity = 3e-18;     // erg/(s cm^3 Hz sr)
     double absorption = 0.0;       // absorptivity over emissivity
     double frequency_GHz = 230.0;  // at which the camera looks
-    Vec3 colour{1, 1, 1};          // linear light; 1 is a brightness temperature of kMediumLight_K
+    // Linear light; 1 is a brightness temperature of kMediumLight_K, of kGas a black body of temperature_K.
+    Vec3 colour{1, 1, 1};
     double brightness = 1.0;
     double step = 1.0;  // of the march, of the length that is enough for 0.1 % of the flux
     friend bool operator==(const MediumSpec&, const MediumSpec&) = default;

@@ -75,7 +75,8 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
     const bool delay = effects.contains(Effect::kDelay);
     if (effects.contains(Effect::kThermalDisc) || (effects.contains(Effect::kDisc) && delay))
         defines.emplace_back("NEEDS_ZETA_SLOPE");
-    if (moves(effects) || (delay && effects.contains(Effect::kSurface))) defines.emplace_back("NEEDS_PLACE_LATE");
+    if (moves(effects) || (delay && (effects.contains(Effect::kSurface) || effects.contains(Effect::kMediumMotion))))
+        defines.emplace_back("NEEDS_PLACE_LATE");
     const bool sky = effects.contains(Effect::kSky), far_sky = effects.contains(Effect::kFarSky);
     if (far_sky && !sky) defines.emplace_back("BLOCK_SKY");
     if (sky && (far_sky || effects.contains(Effect::kBounce))) defines.emplace_back("NEEDS_SKY_OF_EVERY_RAY");
@@ -167,8 +168,8 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
                sky_alone = interpolated || stage == Stage::kSkyTiles,
                no_bodies =
                    sky_alone || stage == Stage::kFullDisc || stage == Stage::kDiscTiles || stage == Stage::kRays;
-    const bool objects = (!no_bodies && has_solids(effects)) || (!sky_alone && effects.contains(Effect::kDisc)) ||
-                         has_medium(effects);
+    const bool objects =
+        (!no_bodies && has_solids(effects)) || (!sky_alone && effects.contains(Effect::kDisc)) || has_medium(effects);
     const bool data = stage == Stage::kRayData || stage == Stage::kRayDepth;
     if (data || objects || effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PHI_END");
     if (data && effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PLACE_LATE");

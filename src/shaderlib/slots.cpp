@@ -11,6 +11,7 @@ struct SlotRow {
     Slot slot;
     std::string_view name, define, type, function, parameters, arguments;
     std::string_view join;  // of the functions' values
+    // No function: the file of the one effect that may be in the slot has the functions under their own names.
 };
 
 constexpr SlotRow kSlots[] = {
@@ -18,7 +19,7 @@ constexpr SlotRow kSlots[] = {
      "Trace trace, DiscCrossing crossing, float delay", "trace, crossing, delay", " + "},
     {Slot::kDiscLight, "generated/disc_light", "SLOT_DISC_LIGHT", "float", "disc_light", "float cosine", "cosine",
      " * "},
-    {Slot::kMedium, "generated/medium", "SLOT_MEDIUM", "MediumLight", "medium_light", "MediumPlace place", "place", ""},
+    {Slot::kMedium, "generated/medium", "SLOT_MEDIUM", "", "", "", "", ""},
 };
 
 }  // namespace
@@ -32,7 +33,9 @@ std::vector<SlotText> slot_texts(const EffectSet& effects) {
                 includes += include_line(part.file);
                 value += fmt::format("{}{}({})", value.empty() ? "" : row.join, part.function, row.arguments);
             }
-        if (!value.empty())
+        if (row.function.empty() && !value.empty())
+            texts.push_back({row.slot, row.name, row.define, includes});
+        else if (!value.empty())
             texts.push_back({row.slot, row.name, row.define,
                              fmt::format("{}{} {}({}) {{ return {}; }}\n", includes, row.type, row.function,
                                          row.parameters, value)});

@@ -1,0 +1,108 @@
+// A soft disc: gas in circular orbits, Gaussian across the plane, with noise in rings (core/ring_noise.glsl) that go round at their own
+// rates. It emits as a black body does whose temperature falls as r^(-3/4).
+#include "core/ring_noise.glsl"
+#include "core/trig.glsl"
+#include "effect/black_body.glsl"
+#include "medium/place.glsl"
+#include "shared/frame.glsl"
+
+#define SOFT_OCTAVES 4
+#define SOFT_RING 0.3      // distance of the coarsest octave's rings in ln(rho)
+#define SOFT_TILT 0.7      // rings by which one height is off the one below, outward and inward in turn, in each octave 1.6 times as many:
+#define SOFT_LEAN 0.35     //   they are cones. And cells, likewise
+#define SOFT_CURL 0.4      // by how much of the rings' distance an octave moves the next ones
+#define SOFT_SHIFT 0.37    // of rings from octave to octave
+#define SOFT_CELLS_A_RADIAN 1.2732395447351628
+#define SOFT_WIDEST 1.75   // rings: an octave is not seen where pixel and sample are wider, and all of it where they are narrower by 1
+#define SOFT_HIGHEST 3.5   // scale heights
+#define SOFT_STEP 0.5      // scale heights, across the plane
+#define SOFT_FLATTEST 0.5 // rays that go across the plane less than this have no longer steps
+#define SOFT_THIN 0.7      // by how much steps are longer for each scale height more
+#define SOFT_DEEPEST 0.7   // optical depth of a step
+
+// Omega of circular orbits, as object/disc_orbit.glsl.
+float gas_rate(float rho) {
+    float zeta = 1.0 / rho;
+    float w = sqrt(max(zeta * zeta * zeta * (frame.medium_gas_orbit.x - frame.medium_gas_orbit.y * zeta), 0.0));
+    return w / (1.0 + frame.medium_hole.x * w);
+}
+
+// Turns from where a ring's first cell was when the light left, trailing with ln(rho).
+float gas_turns(float x, float middle, float turns, float age) {
+    float trailing = turns + frame.medium_gas_noise.y * (x - middle);
+#ifdef EFFECT_MEDIUM_MOTION
+    trailing -= fract(gas_rate(exp(middle)) * age * 0.15915494309189533577);
+#endif
+    return trailing;
+}
+
+// The density's factor, of mean 1. x: ln(rho); y: scale heights. wide: rings of the coarsest octave that pixel and sample cover; up: and scale
+// heights. An octave that they are too wide for is at its mean.
+float gas_clumps(float x, float y, float turns, float wide, float up, float age) {
+    float step = SOFT_RING;
+    float moved = x;
+    float lean = SOFT_LEAN * 0.125;
+    float tilt = SOFT_TILT;
+    float contrast = frame.medium_gas_noise.x;
+    float density = 1.0;
+    float seen = 1.0;
+    int level = 0;
+    do {   // tested at the end, see disc_cover
+        float shift = SOFT_SHIFT * float(level);
+        float at = moved / step + shift + tilt * y;
+        float ring = floor(at);
+        vec2 weights = ring_weights(at - ring);
+        float middle = (ring - shift) * step;
+        float noise = weights.x * ring_noise(int(ring), level, lean * y + gas_turns(x, middle, turns, age)) +
+                      weights.y * ring_noise(int(ring) + 1, level, lean * y + gas_turns(x, middle + step, turns, age));
+        seen = clamp(SOFT_WIDEST - wide - abs(tilt) * up, 0.0, 1.0);
+        float c = contrast * seen;
+        density *= (1.0 + c * noise) * (1.0 + c * noise) / (1.0 + c * c * (1.0 / 3.0));
+        moved += SOFT_CURL * step * noise;
+        step *= 0.5;
+        lean *= -0.8;
+        tilt *= -1.6;
+        wide *= 2.0;
+        contrast *= 0.82;
+        level += 1;
+    } while (level < SOFT_OCTAVES && seen > 0.0);
+    return density;
+}
+
+MediumLight medium_light(MediumPlace place) {
+    float rho = max(place.r * sqrt(max(1.0 - place.cosine * place.cosine, 0.0)), 1.0e-6);
+    float inner = frame.medium_gas.x;
+    float outer = frame.medium_gas.y;
+    float height = frame.medium_gas.z * rho;
+    float y = place.r * place.cosine / height;
+    float x = log(rho);
+    float rim = clamp(min(x - log(inner), log(outer) - x) * frame.medium_gas_heat.z, 0.0, 1.0);
+    float age = frame.medium_gas_noise.z;
+#ifdef NEEDS_PLACE_LATE
+    age -= place.delay;
+#endif
+    float azimuth = arc_tangent2(abs(place.at.y), place.at.x) * (place.at.y < 0.0 ? -1.0 : 1.0);
+    vec2 outward = vec2(place.at.x, place.at.y) / rho;
+    float out_way = dot(outward, vec2(place.way.x, place.way.y)) / rho;   // of ln(rho)
+    float round_way = (outward.x * place.way.y - outward.y * place.way.x) / rho;
+    float up_way = abs(place.way.z / height - y * out_way);
+    float wide = (place.pixel / rho + abs(out_way)) / SOFT_RING + abs(round_way) * SOFT_CELLS_A_RADIAN;
+    float clumps = gas_clumps(x, y, azimuth * 0.15915494309189533577, wide, up_way, age);
+    float density = abs(y) < SOFT_HIGHEST ? rim * rim * (3.0 - 2.0 * rim) * exp(-0.5 * y * y) * clumps : 0.0;
+    float g = medium_g_at_rate(place, gas_rate(rho));
+    float heat = frame.medium_gas_heat.x - 0.75 * log2(max(rho, inner) / inner);
+    MediumLight light;
+    light.absorption = density * frame.medium_gas.w / (rho * g);
+    light.emission = light.absorption * frame.medium_colour.rgb * seen_black_body(heat, g, frame.medium_gas_heat.y);
+    float steep = abs(place.way.z) * inversesqrt(max(dot(place.way, place.way), 1.0e-20));
+    float thin = 1.0 + SOFT_THIN * max(abs(y) - 1.0, 0.0);
+    light.step = min(SOFT_STEP * thin * frame.medium_gas.z * max(rho, inner) / max(steep, SOFT_FLATTEST),
+                     SOFT_DEEPEST / max(light.absorption * g, 1.0e-6));
+    return light;
+}
+
+float medium_free(float r, float cosine) {
+    float rho = r * sqrt(max(1.0 - cosine * cosine, 0.0));
+    float above = (abs(r * cosine) - SOFT_HIGHEST * frame.medium_gas.z * rho) * frame.medium_gas_heat.w;
+    return max(max(frame.medium_gas.x - rho, rho - frame.medium_gas.y), above);
+}
