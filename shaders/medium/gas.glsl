@@ -27,11 +27,16 @@ float gas_rate(float rho) {
     return w / (1.0 + frame.medium_hole.x * w);
 }
 
+#ifdef EFFECT_MEDIUM_MOTION
+// Turns that the ring has made.
+float gas_moved(float middle, float age) { return fract(gas_rate(exp(middle)) * age * 0.15915494309189533577); }
+#endif
+
 // Turns from where a ring's first cell was when the light left, trailing with ln(rho).
 float gas_turns(float x, float middle, float turns, float age) {
     float trailing = turns + frame.medium_gas_noise.y * (x - middle);
 #ifdef EFFECT_MEDIUM_MOTION
-    trailing -= fract(gas_rate(exp(middle)) * age * 0.15915494309189533577);
+    trailing -= gas_moved(middle, age);
 #endif
     return trailing;
 }
@@ -95,7 +100,7 @@ MediumLight medium_light(MediumPlace place) {
     light.absorption = density * frame.medium_gas.w / (rho * g);
     light.emission = light.absorption * frame.medium_colour.rgb * seen_black_body(heat, g, frame.medium_gas_heat.y);
     float steep = abs(place.way.z) * inversesqrt(max(dot(place.way, place.way), 1.0e-20));
-    float thin = 1.0 + SOFT_THIN * max(abs(y) - 1.0, 0.0);
+    float thin = 1.0 + SOFT_THIN * clamp(abs(y) - 1.0, 0.0, SOFT_HIGHEST - 1.0);
     light.step = min(SOFT_STEP * thin * frame.medium_gas.z * max(rho, inner) / max(steep, SOFT_FLATTEST),
                      SOFT_DEEPEST / max(light.absorption * g, 1.0e-6));
     return light;

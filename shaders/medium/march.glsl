@@ -49,7 +49,7 @@ MediumSum medium_add(MediumSum sum, MediumLight found, float way) {
 // enough over a quarter of r.
 float medium_jump(float free, float before, float length, float r) {
     float closer = (before - free) / max(length, 1.0e-20);
-    return max(free, min(0.9 * free / max(closer, 0.2), 0.25 * r));
+    return max(free, min(0.9 * free / max(closer, 0.5), 0.15 * r));
 }
 
 // empty: nothing is there.

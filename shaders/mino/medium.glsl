@@ -23,6 +23,26 @@ struct MediumWalk {
     MediumSum sum;        // of what medium_to() went along
 };
 
+// In place of segment_place() where matter is the same all round: without the azimuth that the hole's rotation adds, which winds up next to
+// the horizon.
+RayPlace medium_place(SpinRay ray, SpinSegment segment, float s) {
+#ifdef EFFECT_MEDIUM_FLOW
+    vec4 y = spin_at(segment.arc, s);
+    vec4 slope = spin_slope_at(segment.arc, s);
+    RayPlace place;
+    place.r = 1.0 / max(y.w, 1.0e-10);
+    place.outward = vec3(y.x, y.y, y.z);
+    place.at = place.r * place.outward;
+    place.velocity = place.r * (vec3(slope.x, slope.y, slope.z) - (slope.w * place.r) * place.outward);
+#ifdef NEEDS_PLACE_LATE
+    place.delay = 0.0;
+#endif
+    return place;
+#else
+    return segment_place(ray, segment, s);
+#endif
+}
+
 MediumWalk medium_walk(Trace trace, vec2 pixel) {
     SpinView view = spin_view(pixel);
     MediumWalk walk;
@@ -46,28 +66,40 @@ MediumWalk medium_walk(Trace trace, vec2 pixel) {
     return walk;
 }
 
+bool medium_near(SpinState from, SpinState to, float h) {
+    float more = 0.25 * h * max(abs(from.v.w), abs(to.v.w));   // where zeta turns within it
+    return (max(from.y.w, to.y.w) + more) * frame.medium_bound.x >= 1.0;
+}
+
 // The next step of the ray that comes near matter, or its last.
 MediumWalk medium_next(MediumWalk walk) {
     SpinState from = walk.now;
-    float h = 0.0;
+    SpinState to = walk.now;
+    float taken = 0.0;
     float end = 1.0 / walk.ray.outer;
     bool near = false;
+    bool going = true;
     do {
-        from = walk.now;
-        walk.begun = walk.ended;
-        h = spin_step_length(walk.ray, from, walk.left);
-        walk.now = spin_step(walk.ray, from, h);
+        SpinState before = walk.now;
+        float h = spin_step_length(walk.ray, before, walk.left);
+        walk.now = spin_step(walk.ray, before, h);
         walk.ended += h;
         walk.left -= 1;
 #ifdef EFFECT_SPIN_FALL
         walk.outside = walk.outside || walk.now.y.w < end;
 #endif
-        walk.ends = !spin_goes(walk.now.y.w, end, walk.left, walk.outside);
-        float more = 0.25 * h * max(abs(from.v.w), abs(walk.now.v.w));   // where zeta turns within it
-        near = (max(from.y.w, walk.now.y.w) + more) * frame.medium_bound.x >= 1.0;
-    } while (!walk.ends && !near);
-    walk.segment = spin_segment(walk.ray, from, walk.now, h);
-    walk.part = near ? 0.0 : 1.0;
+        near = medium_near(before, walk.now, h);
+        going = spin_goes(walk.now.y.w, end, walk.left, walk.outside);
+        if (near || !going) {   // in a branch: see mino/trace.glsl
+            from = before;
+            to = walk.now;
+            taken = h;
+        }
+    } while (going && !near);
+    walk.begun = walk.ended - taken;
+    walk.ends = !spin_goes(walk.now.y.w, end, walk.left, walk.outside);
+    walk.segment = spin_segment(walk.ray, from, to, taken);
+    walk.part = medium_near(from, to, taken) ? 0.0 : 1.0;
     return walk;
 }
 
@@ -81,7 +113,7 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
         if (walk.part >= 1.0) walk = medium_next(walk);
         float last = min((until - walk.begun) / max(walk.segment.h, 1.0e-20), 1.0);
         if (walk.part < last) {
-            RayPlace place = segment_place(walk.ray, walk.segment, walk.part);
+            RayPlace place = medium_place(walk.ray, walk.segment, walk.part);
             do {
                 bool empty = false;
                 float before = 1.0e6;
@@ -91,15 +123,17 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
                     length = medium_jump(free, before, length, place.r);
                     before = free;
                     float jump = min(place_part(place, max(length, frame.medium_bound.y)), MEDIUM_LONGEST);
-                    empty = free > walk.sum.step;   // a span is longer
+                    // On its way out beyond the outermost matter nothing more follows.
+                    bool over = place.r > frame.medium_bound.x && dot(place.velocity, place.outward) > 0.0;
+                    empty = over || free > walk.sum.step;   // a span is longer
                     jump = empty ? jump : 0.0;
-                    walk.part = jump < last - walk.part ? walk.part + jump : last;
-                    place = segment_place(walk.ray, walk.segment, walk.part);
+                    walk.part = !over && jump < last - walk.part ? walk.part + jump : last;
+                    place = medium_place(walk.ray, walk.segment, walk.part);
                     walk.spans -= 1;
                 } while (empty && walk.part < last && walk.spans > 0);
                 length = max(walk.sum.step, frame.medium_bound.y) * float(MEDIUM_SAMPLES);
                 float more = min(min(place_part(place, length), MEDIUM_LONGEST), last - walk.part);
-                RayPlace next = segment_place(walk.ray, walk.segment, walk.part + more);
+                RayPlace next = medium_place(walk.ray, walk.segment, walk.part + more);
                 MediumSpan span;
                 span.from = place.at;
                 span.to = next.at;
@@ -116,8 +150,9 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
                 walk.sum = medium_along(span, walk.sum, empty);
                 walk.part = empty ? walk.part : more < last - walk.part ? walk.part + more : last;
                 place = next;
-                // On its way in nothing follows the innermost matter.
-                walk.going = walk.going && (place.r > frame.medium_hole.w || dot(place.velocity, place.outward) > 0.0);
+                // Nor on its way in within the innermost.
+                bool outward = dot(place.velocity, place.outward) > 0.0;
+                walk.going = walk.going && (outward ? place.r < frame.medium_bound.x || walk.part < last : place.r > frame.medium_hole.w);
             } while (walk.part < last && walk.going && walk.sum.through > MEDIUM_LEAST && walk.spans > 0);
         }
         walk.going = walk.going && walk.spans > 0 && !(walk.ends && walk.part >= 1.0);

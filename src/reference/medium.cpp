@@ -38,11 +38,11 @@ double clumps(const MediumSpec& spec, double rho, double heights, double azimuth
     return density;
 }
 
-double apart(const Medium::Place& a, const Medium::Place& b) {
+// all_round: matter is the same at every azimuth, of which light has many next to a rotating horizon.
+double apart(const Medium::Place& a, const Medium::Place& b, bool all_round) {
     const double across_a = a.r * std::sin(a.theta), across_b = b.r * std::sin(b.theta);
-    const double x = across_a * std::cos(a.phi) - across_b * std::cos(b.phi),
-                 y = across_a * std::sin(a.phi) - across_b * std::sin(b.phi),
-                 z = a.r * std::cos(a.theta) - b.r * std::cos(b.theta);
+    const double turn = all_round ? 0 : b.phi - a.phi, x = across_a - across_b * std::cos(turn),
+                 y = across_b * std::sin(turn), z = a.r * std::cos(a.theta) - b.r * std::cos(b.theta);
     return std::max(std::hypot(x, y, z), std::abs(a.r - b.r));
 }
 
@@ -82,7 +82,8 @@ void Medium::split(double from, const Place& begin, double to, const Place& end,
                    const std::function<double(const Place&, double)>& way, std::vector<MediumNode>& nodes) const {
     const double middle = 0.5 * (from + to);
     const Place between = at(middle);
-    const double length = apart(begin, between) + apart(between, end);
+    const bool all_round = spec_.kind == MediumKind::kFlow;
+    const double length = apart(begin, between, all_round) + apart(between, end, all_round);
     if (std::min({begin.r, between.r, end.r}) > farthest_ && length < 2 * (between.r - farthest_)) return;
     if (depth < kDeepest && length > std::min({panel(begin), panel(between), panel(end)})) {
         split(from, begin, middle, between, depth + 1, at, way, nodes);

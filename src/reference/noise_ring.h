@@ -8,8 +8,7 @@ namespace nullscope::reference {
 // A permutation of the cells of one ring of one octave: the law of docs/light.md, in 32 bits.
 class NoiseRing {
 public:
-    NoiseRing(long long number, unsigned octave)
-        : cells_(8u << octave), half_bits_((4 + octave) / 2) {
+    NoiseRing(long long number, unsigned octave) : cells_(8u << octave), half_bits_((4 + octave) / 2) {
         std::uint32_t key = (static_cast<std::uint32_t>(number) * 0x85157AF5u) ^ (octave * 0xC3D2E1F1u + 0x9E3779B1u);
         key = (key ^ (key >> 16)) * 0x7FEB352Du;
         key = (key ^ (key >> 15)) * 0x6C8E9CF5u;

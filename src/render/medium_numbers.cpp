@@ -10,7 +10,7 @@ namespace nullscope {
 namespace {
 
 // Steps of the march, at least: of a flow's farthest matter, and of a disc's scale height at its inner rim.
-constexpr double kLeastStep = 1e-4, kLeastOfHeight = 0.1;
+constexpr double kLeastStep = 1e-6, kLeastOfHeight = 0.1;
 
 void put_flow(FrameData& frame, const FramePlan& plan, const MediumSpec& medium) {
     const FlowNumbers flow = flow_numbers(medium, plan.scene.object.mass().value_or(0.0));

@@ -379,7 +379,8 @@ std::span<const SceneKey> scene_keys() {
     static const std::vector<SceneKey> keys = [] {
         std::vector<SceneKey> all(std::begin(kKeys), std::end(kKeys));
         append_body_keys(all);
-        for (const auto group : {light_features(), disc_features(), bodies_features(), medium_features(), picture_features()})
+        for (const auto group :
+             {light_features(), disc_features(), bodies_features(), medium_features(), picture_features()})
             for (const Feature& feature : group) all.insert(all.end(), feature.keys.begin(), feature.keys.end());
         return all;
     }();

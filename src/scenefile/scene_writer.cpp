@@ -163,9 +163,8 @@ private:
             text_ = found;
             return;
         }
-        const bool is_there =
-            section == "split" || section == "disc" || section == "medium" || section == "path" || section == "zoom" ||
-            is_of_several(section);
+        const bool is_there = section == "split" || section == "disc" || section == "medium" || section == "path" ||
+                              section == "zoom" || is_of_several(section);
         if (found.empty() && !is_there) return;
         add(of_several(section) ? fmt::format("[[{}]]", section) : fmt::format("[{}]", section), found);
     }

@@ -141,7 +141,7 @@ class Commands(support.CliTest):
                           "body-image", "point-stars", "sky", "sky-shift", "sky-pattern", "inner", "bounce", "far-sky", "star",
                           "bloom", "auto-exposure", "tone-film", "tone-neutral", "dither", "sides", "delay", "disc-flow", "spot", "ball-path", "pulse", "inner-horizon",
                           "limb-darkening", "samples", "disc-gas", "zoom", "spin-ring", "fisheye",
-                          "equirectangular", "cylindrical", "cube-faces", "warp"])
+                          "equirectangular", "cylindrical", "cube-faces", "warp", "medium-flow", "medium-gas", "medium-motion"])
         self.assertTrue(all(e["cost"] for e in found["effects"]))
         tables = {t["name"] for t in found["tables"]}
         self.assertLessEqual({"deflection table", "strip", "orbit table", "disc image"}, tables)

@@ -62,7 +62,10 @@ WORDS = {
     "inner-horizon": [r"inner_horizon\w*"],
     "sides": [r"\w+_by_side", r"throat", r"end_side"],
     "limb-darkening": [r"limb_darkening", r"disc_cosine", r"disc_light"],
-    "disc-gas": [r"disc_gas\w*", r"gas_\w+"],
+    "disc-gas": [r"disc_gas\w*"],
+    "medium-flow": [r"medium_(?:flow|powers)"],
+    "medium-gas": [r"medium_gas\w*", r"gas_(?:clumps|turns|rate)"],
+    "medium-motion": [r"gas_moved"],
 }
 SCENES = {
     "nothing": '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "black"\n',
@@ -121,6 +124,9 @@ SCENES = {
     "inner horizon": '[spacetime]\nmetric = "reissner-nordstrom"\ncharge = 0.8\n[sky]\nkind = "black"\n[disc]\nflow = "kepler"\n',
     "disc-gas": '[sky]\nkind = "black"\n[disc]\ntexture = "gas"\n',
     "gas that flows": '[disc]\ntexture = "gas"\nemission = "thermal"\nflow = "kepler"\nedge = 0.2\n',
+    "medium-flow": '[sky]\nkind = "black"\n[object]\nname = "sgr-a"\n[medium]\nkind = "flow"\n',
+    "spin, medium-gas": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "black"\n[medium]\n',
+    "medium-motion": '[sky]\nkind = "black"\n[medium]\nflow = "kepler"\n',
     "flow without delay": '[disc]\nflow = "kepler"\n[light]\ndelay = "off"\n',
     "delay, ball, sphere, surface": '[sky]\nkind = "black"\n[ball]\nmotion = "orbit"\n[sphere]\nswing = 0.1\n[surface]\nshape = "x^2 + y^2 + z^2 - 9 - sin(t)"\n',
     "flat and moving": '[spacetime]\nmetric = "minkowski"\n[ball]\nmotion = "path"\nx = "5"\ny = "t"\nz = "0"\n[disc]\n[spot]\n',

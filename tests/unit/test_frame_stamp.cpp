@@ -34,6 +34,7 @@ Run full_run() {
     run.options.output = "film.mp4";
     run.scene.disc.emplace();
     run.scene.spots.emplace_back();
+    run.scene.medium.emplace();
     for (const BodyKind* kind : body_kinds()) run.scene.bodies.push_back(kind->make());
     run.scene.path.emplace();
     run.scene.camera.zoom.emplace();

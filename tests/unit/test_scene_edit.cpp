@@ -100,8 +100,8 @@ TEST_CASE("scene edit: sections come and go") {
         auto without = without_section(*with, at);
         REQUIRE(without);
         CHECK(canonical(*without) == canonical(scene));
-        CHECK(is_of_several(section) ==
-              (section != "disc" && section != "split" && section != "path" && section != "zoom"));
+        CHECK(is_of_several(section) == (section != "disc" && section != "medium" && section != "split" &&
+                                         section != "path" && section != "zoom"));
     }
 }
 

@@ -24,6 +24,7 @@ Scene full_scene() {
     scene.camera.zoom.emplace();
     scene.disc.emplace().accretion.emplace();
     scene.spots.emplace_back();
+    scene.medium.emplace();
     for (const BodyKind* kind : body_kinds()) scene.bodies.push_back(kind->make());
     scene.path.emplace().keys = {{0.0, {}}, {1.0, {}}};
     return scene;

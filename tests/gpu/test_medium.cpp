@@ -1,0 +1,203 @@
+// Matter along rays as the GPU draws it, against the reference's own sum, against published fluxes and against itself in finer steps.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "plan/medium.h"
+#include "support/gpu_session.h"
+
+namespace {
+
+using namespace nullscope;
+using namespace nullscope::test;
+
+// One ray a pixel, at whose middle the reference looks too.
+Scene bare_scene(const char* metric, double spin) {
+    Scene scene;
+    scene.picture.refine = false;
+    scene.sky.kind = SkyKind::kPlain, scene.sky.material.colour = {0, 0, 0};
+    scene.spacetime = {metric, {}};
+    if (spin != 0) scene.spacetime.parameters["spin"] = spin;
+    return scene;
+}
+
+// The analytic tests of Gold et al. 2020 (ApJ 897, 148), table 1, seen from 1000 M: a square of 30 M has 15 M = 7.5 r_s on each side of the
+// centre at the distance of the camera. Pixels are squares of that plane.
+struct FluxCase {
+    double absorption, index, flattening, momentum, spin, published_Jy;
+};
+constexpr FluxCase kFluxes[] = {{0, -3, 0, 0, 0.9, 1.6465},
+                                {0, -2, 0, 1, 0, 1.4360},
+                                {0, 0, 10.0 / 3, 1, 0.9, 0.4418},
+                                {1e5, 0, 10.0 / 3, 1, 0.9, 0.2710},
+                                {1e6, 0, 100.0 / 3, 1, 0.9, 0.0255}};
+constexpr double kGravity_cm = 6e11, kDistance_cm = 2.4e22;  // GM/c^2 and the distance of these tests
+
+Scene flux_scene(const FluxCase& test, int size) {
+    constexpr double kSun_cm = 147662.50385;  // GM/c^2 of the sun
+    Scene scene = bare_scene(test.spin != 0 ? "kerr" : "schwarzschild", test.spin);
+    scene.object.mass_suns = kGravity_cm / kSun_cm;
+    scene.camera.r = 500, scene.camera.theta = M_PI / 3;
+    scene.camera.plane_width = 15.0 / 500;
+    scene.camera.width = scene.camera.height = size;
+    MediumSpec& medium = scene.medium.emplace();
+    medium.kind = MediumKind::kFlow;
+    medium.flattening = test.flattening, medium.momentum = test.momentum, medium.spectral_index = test.index;
+    medium.absorption = test.absorption;
+    return scene;
+}
+
+double sum_of(const Image<float>& picture) {
+    double sum = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) sum += picture.at(x, y)[0];
+    return sum;
+}
+
+double flux_Jy(const Image<float>& picture) {
+    const double pixel = 30 * kGravity_cm / picture.width / kDistance_cm;
+    return 1e23 * sum_of(picture) * medium_light_cgs(230) * pixel * pixel;
+}
+
+Image<float> drawn(GpuSession& session, const Scene& scene) {
+    REQUIRE(session.renderer->prepare(scene));
+    return session.renderer->picture();
+}
+
+Image<float> reference_picture(const Scene& scene) {
+    auto picture = reference::render_frame(scene, SkyCube(), reference::Pictures(), 1);
+    REQUIRE(picture);
+    return std::move(*picture);
+}
+
+// Over the brightest of the reference's colours: the largest difference, and how many pixels differ by more than a part.
+struct Difference {
+    double flux, largest;
+    int above;
+};
+Difference difference(const Image<float>& a, const Image<float>& reference, double part) {
+    double brightest = 0, largest = 0;
+    int above = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x)
+            for (int c = 0; c < 3; ++c) brightest = std::max<double>(brightest, reference.at(x, y)[c]);
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) {
+            double off = 0;
+            for (int c = 0; c < 3; ++c) {
+                const double one = std::abs(a.at(x, y)[c] - reference.at(x, y)[c]) / brightest;
+                off = std::isfinite(one) ? std::max(off, one) : INFINITY;
+            }
+            largest = std::max(largest, off);
+            above += off > part;
+        }
+    return {sum_of(a) / sum_of(reference) - 1, largest, above};
+}
+
+}  // namespace
+
+TEST_CASE("medium: the five test fluxes of the Event Horizon Telescope's comparison of codes") {
+    constexpr double kPublished = 0.02;  // codes differ by -0.5 to 2.4 %
+    constexpr double kFlux = 1e-3, kPixel = 5e-3;
+    on_every_context([&](GpuSession& session) {
+        for (const FluxCase& test : kFluxes) {
+            CAPTURE(test.published_Jy);
+            const double flux = flux_Jy(drawn(session, flux_scene(test, 128)));
+            CHECK(std::abs(flux / test.published_Jy - 1) < kPublished);
+            const Scene judged = flux_scene(test, by_depth(24, 128, 128));
+            const Image<float> reference = reference_picture(judged);
+            const Difference off = difference(drawn(session, judged), reference, kPixel);
+            CHECK(std::abs(off.flux) < kFlux);
+            CHECK(off.largest < kPixel);
+            const double known = flux_Jy(reference);
+            if (judged.camera.width == 128) CHECK(std::abs(known / test.published_Jy - 1) < kPublished);
+            Scene finer = flux_scene(test, 128);
+            finer.medium->step = 0.5;
+            const double fine = flux_Jy(drawn(session, finer));
+            CHECK(std::abs(flux / fine - 1) < kFlux);
+            fmt::print(
+                "medium, {}: {}\n", fmt::format("{} Jy", test.published_Jy),
+                fmt::format("flux {:.5f} Jy, over the reference's {:+.1e}, pixels {:.1e}, by half the step {:+.1e}",
+                            flux, off.flux, off.largest, flux / fine - 1));
+        }
+    });
+}
+
+TEST_CASE("medium: a smooth soft disc is the reference's") {
+    // Steps of half a scale height along the plane; most in flat space, where light runs within the plane. A fifth of the step: 1/25 of it,
+    // and what the reference's own steps leave.
+    constexpr double kFlux = 0.02, kPixel = 0.1, kFineFlux = 1.5e-3, kFinePixel = 3e-3;
+    on_every_context([&](GpuSession& session) {
+        for (const char* metric : {"schwarzschild", "kerr", "minkowski"}) {
+            CAPTURE(metric);
+            Scene scene = bare_scene(metric, metric[0] == 'k' ? 0.9 : 0);
+            scene.camera.r = 24, scene.camera.theta = 1.4;
+            scene.camera.width = 64, scene.camera.height = 36;
+            MediumSpec& medium = scene.medium.emplace();
+            medium.inner = 2.6, medium.outer = 10, medium.gas.contrast = 0, medium.optical_depth = 2;
+            const Image<float> reference = reference_picture(scene);
+            const Difference off = difference(drawn(session, scene), reference, kPixel);
+            CHECK(std::abs(off.flux) < kFlux);
+            CHECK(off.largest < kPixel);
+            scene.medium->step = 0.2;
+            const Difference fine = difference(drawn(session, scene), reference, kPixel);
+            CHECK(std::abs(fine.flux) < kFineFlux);
+            CHECK(fine.largest < kFinePixel);
+            fmt::print("medium, {}: {}\n", fmt::format("smooth disc, {}", metric),
+                       fmt::format("flux {:+.1e}, pixels {:.1e}; by a fifth of the step {:+.1e}, {:.1e}", off.flux,
+                                   off.largest, fine.flux, fine.largest));
+        }
+    });
+}
+
+TEST_CASE("medium: clumps go round with the gas, seen where they were when their light left") {
+    constexpr double kPixel = 0.05, kMost = 0.02;  // of the brightest, for all but this part of the pixels
+    on_every_context([&](GpuSession& session) {
+        for (const char* metric : {"schwarzschild", "kerr"})
+            for (const DiscFlowKind flow : {DiscFlowKind::kStill, DiscFlowKind::kKepler}) {
+                CAPTURE(metric);
+                Scene scene = bare_scene(metric, metric[0] == 'k' ? 0.7 : 0);
+                scene.camera.r = 24, scene.camera.theta = 0.8, scene.camera.plane_width = 0.02;
+                scene.camera.yaw = -0.16;  // a window in the disc: pixels finer than the finest clumps
+                scene.camera.width = 48, scene.camera.height = 27;
+                scene.time = 70;
+                MediumSpec& medium = scene.medium.emplace();
+                medium.inner = 2.6, medium.outer = 10, medium.flow = flow, medium.step = 0.1;
+                const Difference off = difference(drawn(session, scene), reference_picture(scene), kPixel);
+                CHECK(off.above <= kMost * 48 * 27);
+                CHECK(std::abs(off.flux) < 0.02);
+                fmt::print(
+                    "medium, {}: {}\n",
+                    fmt::format("clumps, {}, {}", metric, flow == DiscFlowKind::kStill ? "still" : "moving"),
+                    fmt::format("flux {:+.1e}, pixels {:.1e}, {} above {}", off.flux, off.largest, off.above, kPixel));
+            }
+    });
+}
+
+TEST_CASE("medium: before and behind a translucent disc and a ball") {
+    constexpr double kPixel = 0.02, kMost = 0.06;  // edges are covered in part here, and not in the reference
+    on_every_context([&](GpuSession& session) {
+        for (const char* metric : {"schwarzschild", "kerr"}) {
+            CAPTURE(metric);
+            Scene scene = bare_scene(metric, metric[0] == 'k' ? 0.9 : 0);
+            scene.camera.r = 30, scene.camera.theta = 1.2;
+            const int size = metric[0] == 'k' ? 4 : 6;
+            scene.camera.width = 16 * size, scene.camera.height = 9 * size;
+            scene.object.mass_suns = 4.3e6;
+            DiscSpec& disc = scene.disc.emplace();
+            disc.inner = 1.6, disc.outer = 90;  // no rim in the picture
+            disc.opacity = 0.5, disc.material.texture = TextureKind::kPlain;
+            Body& ball = scene.bodies.emplace_back(Body{BallSpec{{6, 9, 4}, 3}});
+            ball.material.colour = {0.2, 0.5, 1};
+            MediumSpec& medium = scene.medium.emplace();
+            medium.kind = MediumKind::kFlow, medium.absorption = 3e4, medium.flattening = 2;
+            const Difference off = difference(drawn(session, scene), reference_picture(scene), kPixel);
+            CHECK(off.above <= kMost * 144 * size * size);
+            CHECK(std::abs(off.flux) < 0.01);
+            fmt::print("medium, {}: {}\n", fmt::format("with disc and ball, {}", metric),
+                       fmt::format("flux {:+.1e}, {} pixels above {}", off.flux, off.above, kPixel));
+        }
+    });
+}
