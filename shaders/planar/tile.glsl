@@ -43,7 +43,7 @@ uvec2 tile_bodies(vec2 middle) {
         bool below = !ray.escapes && place.r + look.spread < frame.march_shell.y;
 #endif
         more = phi < ray.phi_end && look.free < TILE_NONE && (place.r_along < 0.0 ? !below : place.r - look.spread < frame.march.x);
-        phi = min(phi + march_angle(place, min(TILE_STEP * look.free, 0.4 * place.r)), ray.phi_end);
+        phi = min(phi + place_part(place, min(TILE_STEP * look.free, 0.4 * place.r)), ray.phi_end);
         --left;
     } while (bundle && more && left > 0);
     return bundle && left > 0 ? bodies : TILE_ALL;
