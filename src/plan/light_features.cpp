@@ -45,8 +45,8 @@ std::span<const Feature> light_features() {
          [](Scene& s) {
              const auto metric = make_spacetime(s.spacetime.metric, s.spacetime.parameters);
              if (metric && (*metric)->by_proper_length()) forget_sides(s);
-             // Straight light is that of an observer at rest: what falls is put into flat space.
-             s.light.lensing = falls(s.camera);
+             // Straight light is that of an observer at rest, and not among matter: else all is put into flat space.
+             s.light.lensing = falls(s.camera) || s.medium;
              if (s.light.lensing) s.spacetime = {"minkowski", {}};
              s.camera.zoom.reset();
          },

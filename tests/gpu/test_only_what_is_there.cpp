@@ -74,6 +74,9 @@ std::vector<Scene> full_scenes() {
     ball.texture = TextureKind::kFormula, ball.formula = "u"s;
     Material& surface = add_body<SurfaceSpec>(holes).material;
     surface.texture = TextureKind::kImage, surface.image = assets_directory() / "sky" / "milky-way.jpg";
+    holes.medium.emplace().flow = DiscFlowKind::kKepler;
+    scenes[4].medium.emplace().kind = MediumKind::kFlow;
+    scenes[4].object.mass_suns = 4e6;
     scenes[1].spacetime.metric = "ellis";
     add_body<BallSpec>(scenes[1]).far = true;
     scenes[2].spacetime.metric = "neutron-star";
