@@ -11,14 +11,6 @@ struct MediumWalk {
     MediumSum sum;    // of what medium_to() went along
 };
 
-RayPlace medium_place(Trace trace, vec3 tangent, float phi) {
-#ifdef NEEDS_PLACE_LATE
-    return place_seen(trace, tangent, phi);
-#else
-    return place_of(trace, tangent, phi);
-#endif
-}
-
 MediumWalk medium_walk(Trace trace, vec2 pixel) {
     MediumWalk walk;
     walk.tangent = place_tangent(trace);
@@ -38,7 +30,7 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
     float momentum = crossed_direction(trace).z / frame.shift.y * inverse;
     float rate = trace.doppler * frame.shift.y / max(trace.s, 1.0e-9);   // of the affine parameter by the angle, over r^2
     vec3 camera = radial_direction() / frame.shift.y;
-    RayPlace place = medium_place(trace, walk.tangent, walk.phi);
+    RayPlace place = place_of(trace, walk.tangent, walk.phi);
     do {
         bool empty = false;
         float before = 1.0e6;
@@ -53,12 +45,23 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
             empty = over || free > walk.sum.step;   // a span is longer
             jump = empty ? jump : 0.0;
             walk.phi = over || jump >= last - walk.phi ? last : walk.phi + jump;
-            place = medium_place(trace, walk.tangent, walk.phi);
+            place = place_of(trace, walk.tangent, walk.phi);
             walk.spans -= 1;
         } while (empty && walk.phi < last && walk.spans > 0);
         length = max(walk.sum.step, frame.medium_bound.y) * float(MEDIUM_SAMPLES);
         float more = min(min(place_part(place, length), MEDIUM_LONGEST), last - walk.phi);
-        RayPlace next = medium_place(trace, walk.tangent, walk.phi + more);
+#ifdef EFFECT_DELAY
+#ifdef NEEDS_PLACE_LATE
+        // The light-time table once a span.
+        place.delay = light_time(trace, walk.phi, place.r, -place.r_along / (place.r * place.r));
+        place.time_slope = place_time_slope(trace, place);
+        RayPlace next = place_beside(trace, walk.tangent, walk.phi + more, place, walk.phi);
+#else
+        RayPlace next = place_of(trace, walk.tangent, walk.phi + more);
+#endif
+#else
+        RayPlace next = place_of(trace, walk.tangent, walk.phi + more);
+#endif
         MediumSpan span;
         span.from = place.at;
         span.to = next.at;
