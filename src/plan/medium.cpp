@@ -67,8 +67,8 @@ double medium_farthest(const MediumSpec& medium) {
                                             : medium.outer * std::hypot(1.0, kGasHeights * medium.thickness);
 }
 
-double medium_light_cgs(double frequency_GHz) {
-    const double by_c = 1e9 * frequency_GHz / kLightSpeed;
+double medium_light_cgs(double frequency_ghz) {
+    const double by_c = 1e9 * frequency_ghz / kLightSpeed;
     return 2.0 * kBoltzmann * by_c * by_c * kMediumLight_K;
 }
 

@@ -27,7 +27,7 @@ struct FlowNumbers {
 };
 FlowNumbers flow_numbers(const MediumSpec& medium, double mass_suns);
 // Of light 1 at a frequency: erg/(s cm^2 Hz sr), of the brightness temperature kMediumLight_K (Rayleigh and Jeans).
-double medium_light_cgs(double frequency_GHz);
+double medium_light_cgs(double frequency_ghz);
 
 // Beyond and within these there is none, r_s. The inner one is 5e-5 r_s above the horizon.
 inline constexpr double kMediumAboveHorizon = 5e-5;
