@@ -181,7 +181,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("gas-weights", "noise fades between the rings of gas", "src/reference/noise_ring.h",
      "((1 - s) * a + s * b) / std::hypot(s, 1 - s)", "(1 - s) * a + s * b", GAS_LAW),
     ("gas-seam", "the last cell of a ring of gas does not meet the first", "src/reference/noise_ring.h",
-     "value((first + 1) % cells_)", "value(first + 1 < cells_ ? first + 1 : first)", GAS_LAW),
+     "value((first + 1) % cells_)", "value(first + 1 < cells_ ? first + 1 : first)", GAS),
 ]]
 
 
