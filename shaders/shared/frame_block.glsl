@@ -111,7 +111,10 @@ struct FrameData {
     vec4 ring_peak_2;  //   + x xy + y y^2 + z x^3 + w x^2 y
     vec4 ring_peak_3;  //   + x x y^2 + y y^3; 1 where that is so, else 0; -1e30
 #endif
-#ifdef SLOT_MEDIUM
+#ifdef BLOCK_SIDES
+    vec4 throat;       // radius of a wormhole's throat, mu of table/throat_orbit.h, 0, 0
+#endif
+#ifdef BLOCK_MEDIUM
     vec4 medium_hole;    // a, radii of the outer and of the inner horizon; the radius within which no matter is looked for
     vec4 medium_bound;   // radius beyond which there is none; of its march: least step, steps over what is enough, 0
     vec4 medium_colour;  // light of the densest matter for each r_s, without shift
@@ -126,8 +129,5 @@ struct FrameData {
                            //   between the plane and where the gas ends
     vec4 medium_gas_noise; // contrast, turns by which filaments trail for each unit of ln r, time (r_s/c), 0
     vec4 medium_gas_orbit; // Omega^2 = zeta^3 (x - y zeta); 0, 0
-#endif
-#ifdef BLOCK_SIDES
-    vec4 throat;       // radius of a wormhole's throat, mu of table/throat_orbit.h, 0, 0
 #endif
 };
