@@ -16,7 +16,7 @@
 #define SOFT_WIDEST 1.75   // rings: an octave is not seen where pixel and sample are wider, and all of it where they are narrower by 1
 #define SOFT_HIGHEST 3.5   // scale heights
 #define SOFT_STEP 0.5      // scale heights, across the plane
-#define SOFT_FLATTEST 0.5 // rays that go across the plane less than this have no longer steps
+#define SOFT_FLATTEST 0.5  // rays that go across the plane less than this have no longer steps
 #define SOFT_THIN 0.7      // by how much steps are longer for each scale height more
 #define SOFT_DEEPEST 0.7   // optical depth of a step
 

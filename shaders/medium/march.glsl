@@ -45,8 +45,8 @@ MediumSum medium_add(MediumSum sum, MediumLight found, float way) {
     return sum;
 }
 
-// How far to go on where matter is `free` away at least, and was `before` a jump of `length` ago: rays that run beside matter are straight
-// enough over a quarter of r.
+// How far to go on where matter is `free` away at least, and was `before` a jump of `length` ago: along rays that run beside it farther than
+// `free`, as long as they are nearly straight.
 float medium_jump(float free, float before, float length, float r) {
     float closer = (before - free) / max(length, 1.0e-20);
     return max(free, min(0.9 * free / max(closer, 0.5), 0.15 * r));

@@ -102,11 +102,8 @@ std::optional<ScaleBarMark> bar_of(const Scene& scene, double most_px) {
 
 double length_of_microarcsecond(double mass_suns, double distance_pc) {
     constexpr double kMicroarcsecond = 3.14159265358979323846 / 180.0 / 3600.0 * 1e-6;  // rad
-    constexpr double kSunsGravity = 1.3271244e20;                                     // G M_sun, m^3/s^2 (IAU 2015 B3)
-    constexpr double kLightSpeed = 299792458.0;                                       // m/s
-    constexpr double kParsec = 3.0856775814913673e16;                                 // m
-    const double r_s = 2.0 * mass_suns * kSunsGravity / (kLightSpeed * kLightSpeed);  // m
-    return kMicroarcsecond * distance_pc * kParsec / r_s;
+    constexpr double kParsec = 3.0856775814913673e16;                                   // m
+    return kMicroarcsecond * distance_pc * kParsec / schwarzschild_radius_m(mass_suns);
 }
 
 std::optional<double> length_of_microarcsecond(const ObjectSpec& object) {

@@ -83,7 +83,7 @@ inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);
 enum class Slot { kNone, kDiscGlow, kDiscLight, kMedium };
 struct SlotPart {
     Slot slot = Slot::kNone;
-    std::string_view file, function;  // of shaders/
+    std::string_view file, function = {};  // of shaders/
 };
 
 struct EffectRow {

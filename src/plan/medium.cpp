@@ -55,10 +55,9 @@ Status check_medium(const Spacetime& spacetime, const Scene& scene) {
 
 namespace {
 
-constexpr double kSunGravity = 1.3271244e26;   // G M_sun, cm^3/s^2 (IAU 2015 B3)
-constexpr double kLightSpeed = 2.99792458e10;  // cm/s
-constexpr double kBoltzmann = 1.380649e-16;    // erg/K
-constexpr double kReference_GHz = 230.0;       // at which emissivities are given (Gold et al. 2020)
+constexpr double kLight_cm_s = 100.0 * kLight_m_s;
+constexpr double kBoltzmann = 1.380649e-16;  // erg/K
+constexpr double kReference_GHz = 230.0;     // at which emissivities are given (Gold et al. 2020)
 
 }  // namespace
 
@@ -68,12 +67,12 @@ double medium_farthest(const MediumSpec& medium) {
 }
 
 double medium_light_cgs(double frequency_ghz) {
-    const double by_c = 1e9 * frequency_ghz / kLightSpeed;
+    const double by_c = 1e9 * frequency_ghz / kLight_cm_s;
     return 2.0 * kBoltzmann * by_c * by_c * kMediumLight_K;
 }
 
 FlowNumbers flow_numbers(const MediumSpec& medium, double mass_suns) {
-    const double r_s_cm = 2.0 * mass_suns * kSunGravity / (kLightSpeed * kLightSpeed);
+    const double r_s_cm = 100.0 * schwarzschild_radius_m(mass_suns);
     const double x = medium.frequency_GHz / kReference_GHz, along = medium.emissivity * r_s_cm;
     return {along * std::pow(x, -medium.spectral_index) / medium_light_cgs(medium.frequency_GHz),
             medium.absorption * along * std::pow(x, -2.5 - medium.spectral_index)};

@@ -52,7 +52,8 @@ std::vector<SceneKey> gas_keys() {
          "Multiplies its light; of gas 1 is a black body of its temperature.",
          [](auto& s) { return &s.medium->brightness; }},
         {"medium", "step", KeyType::kNumber, "", "1", closed(0.05, 4.0), "",
-         "Length of the march's steps over what keeps the flux to 0.1 %.", [](auto& s) { return &s.medium->step; }},
+         "Length of the march's steps over the usual one: less is more exact, and slower.",
+         [](auto& s) { return &s.medium->step; }},
         {"medium", "inner", KeyType::kNumber, "r_s", "3", kPositive, "",
          "Radius where gas begins; outside the photon sphere. Needs kind = \"gas\".",
          [](auto& s) { return &s.medium->inner; }, is_gas, kGas},
@@ -92,7 +93,7 @@ std::span<const Feature> medium_features() {
           "Light is emitted and absorbed along its way by a hot flow about the hole.",
           "there is a [medium] of kind \"flow\"",
           "ray ends, orbit table; the ray's way once more, in samples of two exponentials",
-          {Slot::kMedium, "medium/flow.glsl", "medium_light"}},
+          {Slot::kMedium, "medium/flow.glsl"}},
          [](const FrameFacts& f) -> Reason {
              if (!f.scene.medium || f.scene.medium->kind != MediumKind::kFlow) return kNot;
              return fmt::format("[medium] of radius {}", f.scene.medium->radius);
@@ -110,8 +111,8 @@ std::span<const Feature> medium_features() {
           "EFFECT_MEDIUM_GAS",
           "Light is emitted and absorbed along its way by a soft disc of gas.",
           "there is a [medium] of kind \"gas\"",
-          "ray ends, orbit table, black body; the ray's way once more, in samples of up to 32 hashes",
-          {Slot::kMedium, "medium/gas.glsl", "medium_light"}},
+          "ray ends, orbit table, black body; the ray's way once more, in samples of up to 16 hashes",
+          {Slot::kMedium, "medium/gas.glsl"}},
          [](const FrameFacts& f) -> Reason {
              if (!f.gas()) return kNot;
              return fmt::format("[medium] from {} to {}", f.scene.medium->inner, f.scene.medium->outer);

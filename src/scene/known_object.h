@@ -8,6 +8,13 @@
 
 namespace nullscope {
 
+inline constexpr double kLight_m_s = 299792458.0;
+// r_s = 2 G M/c^2, m; G M_sun by IAU 2015 B3.
+constexpr double schwarzschild_radius_m(double mass_suns) {
+    constexpr double kSun_m3_s2 = 1.3271244e20;
+    return 2.0 * mass_suns * kSun_m3_s2 / (kLight_m_s * kLight_m_s);
+}
+
 enum class ObjectName { kOther, kM87, kSgrA, kCygnusX1, kGargantua };  // kOther: of the scene's own numbers
 
 struct SkyPlace {

@@ -253,7 +253,7 @@ struct MediumSpec {
     // Linear light; 1 is a brightness temperature of kMediumLight_K, of kGas a black body of temperature_K.
     Vec3 colour{1, 1, 1};
     double brightness = 1.0;
-    double step = 1.0;  // of the march, of the length that is enough for 0.1 % of the flux
+    double step = 1.0;  // of the march, over the usual one (docs/matter.md says how exact that is)
     friend bool operator==(const MediumSpec&, const MediumSpec&) = default;
 };
 inline constexpr double kMediumLight_K = 1e9;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "shaderlib/shader_source.h"
 
 namespace nullscope {
@@ -9,9 +11,10 @@ namespace {
 
 struct SlotRow {
     Slot slot;
-    std::string_view name, define, type, function, parameters, arguments;
-    std::string_view join;  // of the functions' values
-    // No function: the file of the one effect that may be in the slot has the functions under their own names.
+    std::string_view name, define;
+    // Without a function the slot is the file of the one effect that may be in it.
+    std::string_view type = {}, function = {}, parameters = {}, arguments = {};
+    std::string_view join = {};  // of the functions' values
 };
 
 constexpr SlotRow kSlots[] = {
@@ -19,7 +22,7 @@ constexpr SlotRow kSlots[] = {
      "Trace trace, DiscCrossing crossing, float delay", "trace, crossing, delay", " + "},
     {Slot::kDiscLight, "generated/disc_light", "SLOT_DISC_LIGHT", "float", "disc_light", "float cosine", "cosine",
      " * "},
-    {Slot::kMedium, "generated/medium", "SLOT_MEDIUM", "", "", "", "", ""},
+    {Slot::kMedium, "generated/medium", "SLOT_MEDIUM"},
 };
 
 }  // namespace
@@ -27,18 +30,16 @@ constexpr SlotRow kSlots[] = {
 std::vector<SlotText> slot_texts(const EffectSet& effects) {
     std::vector<SlotText> texts;
     for (const SlotRow& row : kSlots) {
-        std::string includes, value;
+        std::string text, value;
         for (const Effect effect : effects.list())
             if (const SlotPart& part = effect_row(effect).part; part.slot == row.slot) {
-                includes += include_line(part.file);
+                text += include_line(part.file);
                 value += fmt::format("{}{}({})", value.empty() ? "" : row.join, part.function, row.arguments);
             }
-        if (row.function.empty() && !value.empty())
-            texts.push_back({row.slot, row.name, row.define, includes});
-        else if (!value.empty())
-            texts.push_back({row.slot, row.name, row.define,
-                             fmt::format("{}{} {}({}) {{ return {}; }}\n", includes, row.type, row.function,
-                                         row.parameters, value)});
+        if (text.empty()) continue;
+        if (!row.function.empty())
+            text += fmt::format("{} {}({}) {{ return {}; }}\n", row.type, row.function, row.parameters, value);
+        texts.push_back({row.slot, row.name, row.define, std::move(text)});
     }
     return texts;
 }
