@@ -20,26 +20,19 @@
 #define SOFT_THIN 0.7      // by how much steps are longer for each scale height more
 #define SOFT_DEEPEST 0.7   // optical depth of a step
 
-// Omega of circular orbits, as object/disc_orbit.glsl.
-float gas_rate(float rho) {
-    float zeta = 1.0 / rho;
+// Omega of circular orbits at 1/zeta, as object/disc_orbit.glsl.
+float gas_rate(float zeta) {
     float w = sqrt(max(zeta * zeta * zeta * (frame.medium_gas_orbit.x - frame.medium_gas_orbit.y * zeta), 0.0));
-    return w / (1.0 + frame.medium_hole.x * w);
+#ifdef EFFECT_SPIN
+    w /= 1.0 + frame.medium_hole.x * w;
+#endif
+    return w;
 }
 
 #ifdef EFFECT_MEDIUM_MOTION
-// Turns that the ring has made.
-float gas_moved(float middle, float age) { return fract(gas_rate(exp(middle)) * age * 0.15915494309189533577); }
+// Turns that a ring at 1/zeta has made.
+float gas_moved(float zeta, float age) { return fract(gas_rate(zeta) * age * 0.15915494309189533577); }
 #endif
-
-// Turns from where a ring's first cell was when the light left, trailing with ln(rho).
-float gas_turns(float x, float middle, float turns, float age) {
-    float trailing = turns + frame.medium_gas_noise.y * (x - middle);
-#ifdef EFFECT_MEDIUM_MOTION
-    trailing -= gas_moved(middle, age);
-#endif
-    return trailing;
-}
 
 // The density's factor, of mean 1. x: ln(rho); y: scale heights. wide: rings of the coarsest octave that pixel and sample cover; up: and scale
 // heights. An octave that they are too wide for is at its mean.
@@ -52,14 +45,25 @@ float gas_clumps(float x, float y, float turns, float wide, float up, float age)
     float density = 1.0;
     float seen = 1.0;
     int level = 0;
+#ifdef EFFECT_MEDIUM_MOTION
+    float apart = exp(-SOFT_RING);   // of zeta, of two rings
+#endif
     do {   // tested at the end, see disc_cover
         float shift = SOFT_SHIFT * float(level);
         float at = moved / step + shift + tilt * y;
         float ring = floor(at);
         vec2 weights = ring_weights(at - ring);
         float middle = (ring - shift) * step;
-        float noise = weights.x * ring_noise(int(ring), level, lean * y + gas_turns(x, middle, turns, age)) +
-                      weights.y * ring_noise(int(ring) + 1, level, lean * y + gas_turns(x, middle + step, turns, age));
+        // Turns from where the rings' first cells were when the light left, trailing with ln(rho).
+        float from = lean * y + turns + frame.medium_gas_noise.y * (x - middle);
+        float next = from - frame.medium_gas_noise.y * step;
+#ifdef EFFECT_MEDIUM_MOTION
+        float zeta = exp(-middle);
+        from -= gas_moved(zeta, age);
+        next -= gas_moved(zeta * apart, age);
+        apart = sqrt(apart);
+#endif
+        float noise = weights.x * ring_noise(int(ring), level, from) + weights.y * ring_noise(int(ring) + 1, level, next);
         seen = clamp(SOFT_WIDEST - wide - abs(tilt) * up, 0.0, 1.0);
         float c = contrast * seen;
         density *= (1.0 + c * noise) * (1.0 + c * noise) / (1.0 + c * c * (1.0 / 3.0));
@@ -94,7 +98,7 @@ MediumLight medium_light(MediumPlace place) {
     float wide = (place.pixel / rho + abs(out_way)) / SOFT_RING + abs(round_way) * SOFT_CELLS_A_RADIAN;
     float clumps = gas_clumps(x, y, azimuth * 0.15915494309189533577, wide, up_way, age);
     float density = abs(y) < SOFT_HIGHEST ? rim * rim * (3.0 - 2.0 * rim) * exp(-0.5 * y * y) * clumps : 0.0;
-    float g = medium_g_at_rate(place, gas_rate(rho));
+    float g = medium_g_at_rate(place, gas_rate(1.0 / rho));
     float heat = frame.medium_gas_heat.x - 0.75 * log2(max(rho, inner) / inner);
     MediumLight light;
     light.absorption = density * frame.medium_gas.w / (rho * g);

@@ -5,7 +5,7 @@
 
 #define MEDIUM_MOST_SPANS 1024
 #define MEDIUM_SAMPLES 4      // of a span
-#define MEDIUM_LEAST 1.0e-3   // what of the light behind comes through where nothing more is looked for
+#define MEDIUM_LEAST 1.0e-4   // what of the light behind comes through where nothing more is looked for
 #define MEDIUM_LONGEST 0.5    // of a ray's step, or rad
 
 struct MediumSum {
@@ -19,7 +19,8 @@ struct MediumSpan {
     vec3 to;
     vec3 from_slope;     // and how they change, by the span
     vec3 to_slope;
-    float way;           // of the affine parameter over Sigma = r^2 + a^2 cos^2(theta)
+    float way;           // of the affine parameter; over Sigma = r^2 + a^2 cos^2(theta) unless by_length
+    bool by_length;      // straight rays are followed by their length
     float energy;        // MediumPlace's
     float momentum;
     float pixel_angle;
@@ -59,27 +60,32 @@ MediumSum medium_along(MediumSpan span, MediumSum sum, bool empty) {
     vec3 c2 = 3.0 * d - 2.0 * c1 - span.to_slope;
     vec3 c3 = c1 + span.to_slope - 2.0 * d;
     int i = empty ? MEDIUM_SAMPLES - 1 : 0;
+    vec3 begin = span.from;
     do {
         float s = (float(i) + 0.5) * (1.0 / float(MEDIUM_SAMPLES));
+        float last = (float(i) + 1.0) * (1.0 / float(MEDIUM_SAMPLES));
+        vec3 end = span.from + last * (c1 + last * (c2 + last * c3));
         MediumPlace at;
         at.at = span.from + s * (c1 + s * (c2 + s * c3));
-        vec3 slope = c1 + s * (2.0 * c2 + 3.0 * s * c3);
         at.r = sqrt(max(dot(at.at, at.at), 1.0e-12));
         at.cosine = at.at.z / at.r;
         at.energy = span.energy;
         at.momentum = span.momentum;
-        at.way = slope * (1.0 / float(MEDIUM_SAMPLES));
+        at.begin = begin;
+        at.way = end - begin;
         vec3 away = at.at - span.camera;
         at.pixel = span.pixel_angle * sqrt(dot(away, away));
 #ifdef NEEDS_PLACE_LATE
         at.delay = mix(span.delays.x, span.delays.y, s);
 #endif
-        MediumLight found = medium_light(at);
         float az = frame.medium_hole.x * at.cosine;
-        float way = (at.r * at.r + az * az) * span.way * (1.0 / float(MEDIUM_SAMPLES));
+        float sigma = span.by_length ? 1.0 : at.r * at.r + az * az;
+        float way = sigma * span.way * (1.0 / float(MEDIUM_SAMPLES));
+        begin = end;
+        MediumLight found = medium_light(at);
         bool there = !empty && at.r > frame.medium_hole.w && at.r < frame.medium_bound.x;
         sum = medium_add(sum, found, there ? way : 0.0);
-        sum.step = there ? found.step * frame.medium_bound.z : sum.step;
+        sum.step = there ? found.step * frame.medium_bound.z * (2.0 - sum.through) : sum.step;
         i += 1;
     } while (i < MEDIUM_SAMPLES);
     return sum;

@@ -16,7 +16,8 @@ struct MediumPlace {
     float cosine;     // of the polar angle
     float energy;     // of the photon, at infinity, and its angular momentum about the axis (r_s): both over its frequency in the camera
     float momentum;
-    vec3 way;         // from the sample's beginning to its end, r_s
+    vec3 begin;       // of the sample, r_s
+    vec3 way;         // from there to its end
     float pixel;      // how wide a pixel is there, as if light went straight, r_s
 #ifdef NEEDS_PLACE_LATE
     float delay;      // how long ago, by the camera's clock, the light left

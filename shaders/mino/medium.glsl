@@ -140,6 +140,7 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
                 span.from_slope = more * place.velocity;
                 span.to_slope = more * next.velocity;
                 span.way = walk.segment.h * more * walk.doppler;
+                span.by_length = false;
                 span.energy = trace.energy * inverse;
                 span.momentum = trace.momentum * inverse;
                 span.pixel_angle = trace.pixel_angle;

@@ -1,4 +1,9 @@
-// Matter along an orbit, as mino/medium.glsl: by the swept angle.
+// Matter along an orbit, as mino/medium.glsl.
+#ifdef EFFECT_LENSING
+#include "planar/medium_bent.glsl"
+#else
+#include "planar/medium_straight.glsl"
+#endif
 #include "medium/march.glsl"
 #include "planar/place.glsl"
 #include "planar/trace.glsl"
@@ -6,7 +11,7 @@
 
 struct MediumWalk {
     vec3 tangent;     // place_tangent
-    float phi;        // where it has come to
+    float along;      // where it has come to: medium_at
     int spans;        // that are left
     MediumSum sum;    // of what medium_to() went along
 };
@@ -14,7 +19,7 @@ struct MediumWalk {
 MediumWalk medium_walk(Trace trace, vec2 pixel) {
     MediumWalk walk;
     walk.tangent = place_tangent(trace);
-    walk.phi = 0.0;
+    walk.along = 0.0;
     walk.spans = MEDIUM_MOST_SPANS;
     walk.sum = MediumSum(vec3(0.0), 1.0, frame.medium_bound.y);
     return walk;
@@ -23,14 +28,14 @@ MediumWalk medium_walk(Trace trace, vec2 pixel) {
 MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
     walk.sum.light = vec3(0.0);
     walk.sum.through = 1.0;
-    float last = min(until, trace.phi_end);
-    if (walk.phi >= last || walk.spans <= 0) return walk;
+    float last = medium_end(trace, until);
+    if (walk.along >= last || walk.spans <= 0) return walk;
     float inverse = 1.0 / (trace.doppler * frame.radial.w);
     float energy = energy_at(trace.c) * inverse;
     float momentum = crossed_direction(trace).z / frame.shift.y * inverse;
-    float rate = trace.doppler * frame.shift.y / max(trace.s, 1.0e-9);   // of the affine parameter by the angle, over r^2
+    float rate = medium_rate(trace);
     vec3 camera = radial_direction() / frame.shift.y;
-    RayPlace place = place_of(trace, walk.tangent, walk.phi);
+    RayPlace place = medium_at(trace, walk.tangent, walk.along);
     do {
         bool empty = false;
         float before = 1.0e6;
@@ -39,28 +44,22 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
             float free = medium_free(place.r, place.outward.z);
             length = medium_jump(free, before, length, place.r);
             before = free;
-            float jump = min(place_part(place, max(length, frame.medium_bound.y)), MEDIUM_LONGEST);
+            float jump = medium_part(place, max(length, frame.medium_bound.y));
             // Within the innermost matter and on the way out beyond the outermost there is nothing more.
             bool over = place.r_along < 0.0 ? place.r < frame.medium_hole.w : place.r > frame.medium_bound.x;
             empty = over || free > walk.sum.step;   // a span is longer
             jump = empty ? jump : 0.0;
-            walk.phi = over || jump >= last - walk.phi ? last : walk.phi + jump;
-            place = place_of(trace, walk.tangent, walk.phi);
+            walk.along = over || jump >= last - walk.along ? last : walk.along + jump;
+            place = medium_at(trace, walk.tangent, walk.along);
             walk.spans -= 1;
-        } while (empty && walk.phi < last && walk.spans > 0);
+        } while (empty && walk.along < last && walk.spans > 0);
         length = max(walk.sum.step, frame.medium_bound.y) * float(MEDIUM_SAMPLES);
-        float more = min(min(place_part(place, length), MEDIUM_LONGEST), last - walk.phi);
-#ifdef EFFECT_DELAY
+        float more = min(medium_part(place, length), last - walk.along);
 #ifdef NEEDS_PLACE_LATE
-        // The light-time table once a span.
-        place.delay = light_time(trace, walk.phi, place.r, -place.r_along / (place.r * place.r));
-        place.time_slope = place_time_slope(trace, place);
-        RayPlace next = place_beside(trace, walk.tangent, walk.phi + more, place, walk.phi);
+        place = medium_late(trace, place, walk.along);
+        RayPlace next = medium_next(trace, walk.tangent, walk.along + more, place, walk.along);
 #else
-        RayPlace next = place_of(trace, walk.tangent, walk.phi + more);
-#endif
-#else
-        RayPlace next = place_of(trace, walk.tangent, walk.phi + more);
+        RayPlace next = medium_at(trace, walk.tangent, walk.along + more);
 #endif
         MediumSpan span;
         span.from = place.at;
@@ -68,6 +67,7 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
         span.from_slope = more * place_velocity(place);
         span.to_slope = more * place_velocity(next);
         span.way = rate * more;
+        span.by_length = MEDIUM_BY_LENGTH;
         span.energy = energy;
         span.momentum = momentum;
         span.pixel_angle = trace.pixel_angle;
@@ -76,8 +76,8 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
         span.delays = vec2(place.delay, next.delay);
 #endif
         walk.sum = medium_along(span, walk.sum, empty);
-        walk.phi = empty ? walk.phi : more < last - walk.phi ? walk.phi + more : last;
+        walk.along = empty ? walk.along : more < last - walk.along ? walk.along + more : last;
         place = next;
-    } while (walk.phi < last && walk.sum.through > MEDIUM_LEAST && walk.spans > 0);
+    } while (walk.along < last && walk.sum.through > MEDIUM_LEAST && walk.spans > 0);
     return walk;
 }

@@ -66,8 +66,9 @@ bool has_marched(const EffectSet& effects) {
     return false;
 }
 bool has_medium(const EffectSet& effects) {
-    return effects.contains(Effect::kMediumFlow) || effects.contains(Effect::kMediumGas);
+    return effects.contains(Effect::kMediumFlow) || effects.contains(Effect::kMediumGas) || has_emission(effects);
 }
+bool has_emission(const EffectSet& effects) { return effects.contains(Effect::kMediumFormula); }
 bool has_tiles(const EffectSet& effects) {
     if (has_medium(effects)) return false;  // nor do they of matter
     // Rays of tiles know nothing of the swings that a zoom leaves out.
@@ -89,7 +90,7 @@ bool has_projection(const EffectSet& effects) {
 bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
 bool shades_heat(const EffectSet& effects) {
     return effects.contains(Effect::kThermalDisc) || effects.contains(Effect::kSpot) ||
-           effects.contains(Effect::kMediumGas) ||
+           effects.contains(Effect::kMediumGas) || effects.contains(Effect::kMediumBlackBody) ||
            (effects.contains(Effect::kSkyShift) && effects.contains(Effect::kAberration));
 }
 bool takes_samples(const EffectSet& effects) {
@@ -127,12 +128,13 @@ FrameFacts facts_of(const Scene& scene, const Spacetime* spacetime, const Observ
     const bool other_g = (f.moves && light.doppler) ||
                          (light.gravity && spacetime != nullptr && spacetime->lapse_squared(scene.camera.r) != 1.0);
     f.sky_shift = f.sky_light && scene.sky.temperature_K && other_g && (light.shift || light.beaming);
-    f.heat = f.spot()      ? "[spot]"
-             : f.points()  ? "sky.kind = \"points\""
-             : f.thermal() ? "disc.emission = \"thermal\""
-             : f.gas()     ? "medium.kind = \"gas\""
-             : f.sky_shift ? "sky.temperature"
-                           : nullptr;
+    f.heat = f.spot()                                     ? "[spot]"
+             : f.points()                                 ? "sky.kind = \"points\""
+             : f.thermal()                                ? "disc.emission = \"thermal\""
+             : f.gas()                                    ? "medium.kind = \"gas\""
+             : f.has_emission(MediumEmission::kBlackBody) ? "medium.emission = \"black-body\""
+             : f.sky_shift                                ? "sky.temperature"
+                                                          : nullptr;
     return f;
 }
 

@@ -72,6 +72,9 @@ enum class Effect {
     kMediumFlow,
     kMediumGas,
     kMediumMotion,
+    kMediumFormula,
+    kMediumBlackBody,
+    kMediumSynchrotron,
     kEnd  // no effect: how many there are
 };
 inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);
@@ -138,6 +141,7 @@ bool has_marched(
 bool has_projection(const EffectSet& effects);  // other than the pinhole
 bool has_solids(const EffectSet& effects);      // any solid body
 bool has_medium(const EffectSet& effects);      // matter along rays
+bool has_emission(const EffectSet& effects);    // matter whose light follows from its density, temperature and field
 bool shades_heat(const EffectSet& effects);     // black bodies in the picture's shader: the table of their light
 bool takes_samples(const EffectSet& effects);   // pixels with several rays each
 bool meets_objects(const EffectSet& effects);   // anything that needs positions along rays: ray ends, orbit table

@@ -33,6 +33,10 @@ struct FrameFacts {
     bool thermal() const { return scene.disc && scene.disc->emission == DiscEmission::kThermal; }
     bool spot() const { return scene.disc && !scene.spots.empty(); }
     bool gas() const { return scene.medium && scene.medium->kind == MediumKind::kGas; }
+    bool has_emission(MediumEmission kind) const {
+        return scene.medium && scene.medium->by_place() && scene.medium->emission == kind;
+    }
+    double frequency() const { return scene.medium ? scene.medium->frequency_GHz : 0.0; }
     bool points() const { return scene.sky.kind == SkyKind::kPoints; }
     bool has_g() const { return scene.light.doppler || scene.light.gravity; }
 };

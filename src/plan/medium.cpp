@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "expr/formula.h"
 #include "spacetime/axial_metric.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/spherical_metric.h"
@@ -41,8 +42,8 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
     if (medium.kind == MediumKind::kGas && spacetime.bends_light() && !circular_orbit(spacetime, medium.inner))
         faults.push_back({"medium.inner", fmt::format("no circular orbit at {}", medium.inner),
                           "a radius outside the photon sphere"});
-    if (medium.kind == MediumKind::kFlow && !scene.object.mass())
-        faults.push_back({"object.mass_suns", "missing, but there is a [medium] of kind \"flow\"",
+    if (medium.by_frequency() && !scene.object.mass())
+        faults.push_back({"object.mass_suns", "missing, but there is a [medium] that shines at one frequency",
                           "the mass that gives lengths their centimetres, or object.name", "medium.kind"});
     return faults;
 }
@@ -61,7 +62,31 @@ constexpr double kReference_GHz = 230.0;     // at which emissivities are given 
 
 }  // namespace
 
+const std::vector<std::string>& medium_variables() {
+    static const std::vector<std::string> names = {"x", "y", "z", "r", "t"};
+    return names;
+}
+
+const char* medium_moves(const MediumSpec& medium) {
+    if (medium.kind == MediumKind::kGas) return medium.flow != DiscFlowKind::kStill ? "medium.flow" : nullptr;
+    if (medium.kind != MediumKind::kFormula) return nullptr;
+    const MediumFormulas& f = medium.formulas;
+    const auto asks = [](const std::string& text) {
+        constexpr std::size_t kTime = 4;
+        const auto formula = expr::Formula::parse(text, medium_variables());
+        return formula && formula->uses(kTime);
+    };
+    const bool thermal = medium.emission != MediumEmission::kPowerLaw;
+    if (asks(f.density)) return "medium.density";
+    if (thermal && asks(f.temperature)) return "medium.local_temperature";
+    if (medium.emission == MediumEmission::kSynchrotron && asks(f.field)) return "medium.field";
+    if (asks(f.outward)) return "medium.velocity_out";
+    if (asks(f.south)) return "medium.velocity_south";
+    return asks(f.east) ? "medium.velocity_east" : nullptr;
+}
+
 double medium_farthest(const MediumSpec& medium) {
+    if (medium.by_place()) return medium.outer;
     return medium.kind == MediumKind::kFlow ? kFlowScales * medium.radius
                                             : medium.outer * std::hypot(1.0, kGasHeights * medium.thickness);
 }

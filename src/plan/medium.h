@@ -1,6 +1,7 @@
 // Matter along rays: where it may be, and what its numbers are in the units of light and r_s.
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/result.h"
@@ -21,11 +22,20 @@ std::optional<MediumHole> medium_hole(const Spacetime& spacetime);
 std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& scene);
 Status check_medium(const Spacetime& spacetime, const Scene& scene);  // the first of them
 
-// Of a flow (MediumKind::kFlow): Light of the densest matter for each r_s where g = 1, and its optical depth.
+// What formulas of matter may ask for: x, y, z, r (r_s), t (r_s/c).
+const std::vector<std::string>& medium_variables();
+
+// The key by which matter changes with time; nullptr: it does not.
+const char* medium_moves(const MediumSpec& medium);
+
+// Of a power law: Light of the densest matter for each r_s where g = 1, and its optical depth.
 struct FlowNumbers {
     double emission, absorption;
 };
 FlowNumbers flow_numbers(const MediumSpec& medium, double mass_suns);
+
+inline constexpr double kColdest_K =
+    5e8;  // colder electrons have no synchrotron radiation: its formula is of relativistic ones
 // Of light 1 at a frequency: erg/(s cm^2 Hz sr), of the brightness temperature kMediumLight_K (Rayleigh and Jeans).
 double medium_light_cgs(double frequency_ghz);
 

@@ -4,6 +4,7 @@
 
 #include "expr/formula.h"
 #include "plan/body_kind.h"
+#include "plan/medium.h"
 #include "scene/bodies.h"
 
 namespace nullscope {
@@ -19,8 +20,7 @@ std::vector<std::string> moving_parts(const Scene& scene) {
     std::vector<std::string> parts;
     if (scene.disc && scene.disc->flow != DiscFlowKind::kStill) parts.emplace_back("disc.flow");
     if (scene.disc && !scene.spots.empty()) parts.emplace_back("spot.r");
-    if (scene.medium && scene.medium->kind == MediumKind::kGas && scene.medium->flow != DiscFlowKind::kStill)
-        parts.emplace_back("medium.flow");
+    if (const char* key = scene.medium ? medium_moves(*scene.medium) : nullptr) parts.emplace_back(key);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
         if (const char* key = kind_of(scene.bodies[i]).moves(scene.bodies[i]))
             parts.push_back(fmt::format("{}.{}", body_section(scene, i), key));

@@ -107,8 +107,9 @@ public:
     }
     PlaceMetric place(double r, double theta) const override {
         const double a = hole_.a, sine2 = std::pow(std::sin(theta), 2), cosine2 = std::pow(std::cos(theta), 2),
-                     pull = hole_.twice_mass(r) * r / (r * r + a * a * cosine2);
-        return {pull - 1, -a * pull * sine2, (r * r + a * a + a * a * pull * sine2) * sine2};
+                     sigma = r * r + a * a * cosine2, pull = hole_.twice_mass(r) * r / sigma;
+        return {pull - 1, -a * pull * sine2, (r * r + a * a + a * a * pull * sine2) * sine2,
+                sigma / (r * r - hole_.twice_mass(r) * r + a * a), sigma};
     }
     double within_last_circle() const override { return 1.001 * *horizon_radius(); }
     double rest_lapse(double) const override { return 1; }

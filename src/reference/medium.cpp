@@ -52,6 +52,18 @@ Medium::Medium(const Scene& scene, const Metric& matter)
     : matter_(matter), spec_(*scene.medium), light_(scene.light), time_(scene.time), farthest_(medium_farthest(spec_)) {
     horizon_ = matter.horizon_radius().value_or(0.0);
     nearest_ = horizon_ + kMediumAboveHorizon;
+    moves_ = medium_moves(spec_) != nullptr && light_.delay;
+    if (spec_.by_place()) {
+        const MediumFormulas& f = spec_.formulas;
+        const auto parsed = [](const std::string& text) {
+            auto formula = expr::Formula::parse(text, medium_variables());
+            return formula ? std::move(*formula) : *expr::Formula::parse("0", {});  // scene files are checked
+        };
+        formulas_ = Formulas{parsed(f.density), parsed(f.temperature), parsed(f.field),
+                             parsed(f.outward), parsed(f.south),       parsed(f.east)};
+        emission_law_.emplace(scene);
+        return;
+    }
     if (spec_.kind == MediumKind::kGas) {
         rate_ = [&matter](double r) { return matter.kepler_rate(r); };
         return;
@@ -61,6 +73,18 @@ Medium::Medium(const Scene& scene, const Metric& matter)
 }
 
 double Medium::panel(const Place& place) const {
+    if (spec_.by_place()) {
+        constexpr double kInner = 0.5, kEdge = 1e-7,
+                         kNearCentre = 0.02;  // of a sample of the shader, of the sphere at its edges, of r
+        const double z = std::abs(place.r * std::cos(place.theta)),
+                     off = std::min(std::abs(place.r - spec_.outer), std::abs(z - spec_.height)),
+                     outside = std::max(place.r - spec_.outer, z - spec_.height);
+        double inner = kInner * spec_.outer / spec_.steps;
+        // About the centre of flat space the swept angle is of little use.
+        inner = std::min(inner, horizon_ > 0 ? kPanel * (place.r - horizon_) : kNearCentre * place.r);
+        return outside > 0 ? std::max(outside, kEdge * spec_.outer)
+                           : std::min(inner, std::max(off, kEdge * spec_.outer));
+    }
     if (spec_.kind == MediumKind::kGas) {
         constexpr double kGasPanel = 0.05;  // of the scale height, where clumps are
         const double rho = place.r * std::sin(place.theta), z = std::abs(place.r * std::cos(place.theta)),
@@ -89,7 +113,14 @@ void Medium::split(double from, const Place& begin, double to, const Place& end,
         split(from, begin, middle, between, depth + 1, at, way, nodes);
         split(middle, between, to, end, depth + 1, at, way, nodes);
     } else if (between.r > nearest_ && between.r < farthest_) {
-        nodes.push_back({middle, between.r, between.theta, between.phi, between.delay, way(between, to - from)});
+        MediumNode node{middle, between.r, between.theta, between.phi, between.delay, way(between, to - from)};
+        if (spec_.by_place()) {  // central differences
+            const double beside = 1e-3 * (to - from), length_beside = way(between, 2 * beside);
+            const Place before = at(middle - beside), after = at(middle + beside);
+            node.r_slope = (after.r - before.r) / length_beside;
+            node.theta_slope = (after.theta - before.theta) / length_beside;
+        }
+        nodes.push_back(node);
     }
 }
 
@@ -99,7 +130,23 @@ void Medium::add_nodes(double from, double to, const At& at, const std::function
 }
 
 Medium::Light Medium::at(const MediumNode& node, double energy, double momentum) const {
+    if (spec_.by_place()) return formula(node, energy, momentum);
     return spec_.kind == MediumKind::kGas ? gas(node, energy, momentum) : flow(node, energy, momentum);
+}
+
+Medium::Light Medium::formula(const MediumNode& node, double energy, double momentum) const {
+    constexpr double kFastest = 1e3;  // gamma v
+    const double across = node.r * std::sin(node.theta), z = node.r * std::cos(node.theta);
+    if (node.r > spec_.outer || std::abs(z) > spec_.height) return {{0, 0, 0}, 1};
+    const double at[] = {across * std::cos(node.phi), across * std::sin(node.phi), z, node.r, time_ - node.delay};
+    const auto speed = [&](const expr::Formula& f) { return std::clamp(f.value(at), -kFastest, kFastest); };
+    const MatterState matter{std::max(formulas_->density.value(at), 0.0),
+                             formulas_->temperature.value(at),
+                             formulas_->field.value(at),
+                             {speed(formulas_->outward), speed(formulas_->south), speed(formulas_->east)}};
+    constexpr double kAxis = 1e-9;  // rad, where there is no azimuth
+    const PlaceMetric g = matter_.place(node.r, std::clamp(node.theta, kAxis, M_PI - kAxis));
+    return emission_law_->at(matter, g, node, energy, momentum);
 }
 
 // Of matter on circles: u = u^t (1, 0, 0, Omega).

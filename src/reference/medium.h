@@ -2,9 +2,12 @@
 // components and their inverse, ways by the tracer's affine parameter or r^2 dphi/L.
 #pragma once
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/vec.h"
+#include "expr/formula.h"
+#include "reference/emission.h"
 #include "reference/metric.h"
 #include "scene/scene.h"
 
@@ -23,24 +26,28 @@ public:
     using At = std::function<Place(double along)>;
     void add_nodes(double from, double to, const At& at, const std::function<double(const Place&, double)>& way,
                    std::vector<MediumNode>& nodes) const;
-    bool moves() const { return spec_.kind == MediumKind::kGas && spec_.flow != DiscFlowKind::kStill && light_.delay; }
+    bool moves() const { return moves_; }
     double farthest() const { return farthest_; }
     double nearest() const { return nearest_; }
 
-    // What the camera gets of light and what is lost of what is behind, along one node. energy, momentum: of that photon; r_s.
-    struct Light {
-        Vec3 light;
-        double through;
-    };
+    // Along one node. energy, momentum: of a photon of unit frequency in the camera; r_s.
+    using Light = MatterLight;
     Light at(const MediumNode& node, double energy, double momentum) const;
 
 private:
     Light gas(const MediumNode& node, double energy, double momentum) const;
     Light flow(const MediumNode& node, double energy, double momentum) const;
+    Light formula(const MediumNode& node, double energy, double momentum) const;
     double panel(const Place& place) const;
     void split(double from, const Place& begin, double to, const Place& end, int depth, const At& at,
                const std::function<double(const Place&, double)>& way, std::vector<MediumNode>& nodes) const;
+    struct Formulas {
+        expr::Formula density, temperature, field, outward, south, east;
+    };
     const Metric& matter_;
+    std::optional<Formulas> formulas_;  // of kFormula
+    std::optional<Emission> emission_law_;
+    bool moves_ = false;
     MediumSpec spec_;
     LightSpec light_;
     std::function<double(double r)> rate_;  // of kGas: Omega of circular orbits

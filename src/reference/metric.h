@@ -23,9 +23,9 @@ struct EquatorialMetric {
     double lapse2() const { return g_tphi * g_tphi / g_phiphi - g_tt; }  // -1/g^tt, of who has no angular momentum
 };
 
-// In (t, phi) anywhere outside the horizon.
+// Anywhere outside the horizon.
 struct PlaceMetric {
-    double g_tt, g_tphi, g_phiphi;
+    double g_tt, g_tphi, g_phiphi, g_rr, g_thetatheta;
 };
 
 class Metric {
@@ -34,7 +34,7 @@ public:
     virtual EquatorialMetric equator(double r) const = 0;
     virtual PlaceMetric place(double r, double theta) const {  // here of what is spherical
         const EquatorialMetric g = equator(r);
-        return {g.g_tt, 0, g.g_phiphi * std::sin(theta) * std::sin(theta)};
+        return {g.g_tt, 0, g.g_phiphi * std::sin(theta) * std::sin(theta), g.g_rr, r * r};
     }
     virtual std::optional<double> horizon_radius() const { return {}; }  // of the outer horizon, r_s
     // Omega of the circular geodesic at r, with the rotation: g_tt' + 2 g_tphi' Omega + g_phiphi' Omega^2 = 0.

@@ -50,6 +50,7 @@ struct MediumNode {
     double r, theta, phi;  // Boyer and Lindquist's; r_s, rad
     double delay;          // how long ago, by the camera's clock, the light left; where the medium moves
     double way;            // how much of the affine parameter of a photon of unit frequency in the camera, r_s
+    double r_slope = 0, theta_slope = 0;  // by that parameter, away from the camera; where the medium moves along them
 };
 
 // What rays may be asked, said before they are traced: one that is integrated is looked along meanwhile.

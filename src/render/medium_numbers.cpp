@@ -1,10 +1,12 @@
 #include "render/medium_numbers.h"
 
+#include <array>
 #include <cmath>
 
 #include "light/black_body.h"
 #include "plan/medium.h"
 #include "render/body_numbers.h"
+#include "scene/known_object.h"
 
 namespace nullscope {
 namespace {
@@ -12,14 +14,24 @@ namespace {
 // Steps of the march, at least: of a flow's farthest matter, and of a disc's scale height at its inner rim.
 constexpr double kLeastStep = 1e-6, kLeastOfHeight = 0.1;
 
+// Powers of the frequency by which light that is seen with its frequency times g differs, and by which its intensity does.
+struct Seen {
+    double shift, beaming;
+};
+Seen seen_light(const LightSpec& light) { return {light.shift ? 1.0 : 0.0, light.beaming ? 3.0 : 0.0}; }
+
+// Powers of g in g^3 j(nu/g) dlambda/g and alpha(nu/g) dlambda/g of a power law.
+std::array<double, 2> powers_of_g(const LightSpec& light, double spectral_index) {
+    const auto [shift, beaming] = seen_light(light);
+    return {beaming + shift * spectral_index - 1.0, shift * (2.5 + spectral_index) - 1.0};
+}
+
 void put_flow(FrameData& frame, const FramePlan& plan, const MediumSpec& medium) {
     const FlowNumbers flow = flow_numbers(medium, plan.scene.object.mass().value_or(0.0));
     frame.medium_colour = {medium.brightness * flow.emission * medium.colour, 0};
     frame.medium_flow = {1.0 / medium.radius, medium.flattening, medium.momentum, flow.absorption};
-    // g^3 j(nu/g) dlambda/g and alpha(nu/g) dlambda/g.
-    const double spectrum = plan.scene.light.shift ? 1.0 : 0.0, beaming = plan.scene.light.beaming ? 3.0 : 0.0;
-    frame.medium_powers = {beaming + spectrum * medium.spectral_index - 1.0,
-                           spectrum * (2.5 + medium.spectral_index) - 1.0, 0, 0};
+    const auto [emission, absorption] = powers_of_g(plan.scene.light, medium.spectral_index);
+    frame.medium_powers = {emission, absorption, 0, 0};
 }
 
 void put_gas(FrameData& frame, const FramePlan& plan, const MediumSpec& medium) {
@@ -35,6 +47,32 @@ void put_gas(FrameData& frame, const FramePlan& plan, const MediumSpec& medium) 
     frame.medium_gas_orbit = {first, second, 0, 0};
 }
 
+void put_emission(FrameData& frame, const FramePlan& plan, const MediumSpec& medium) {
+    const LightSpec& light = plan.scene.light;
+    const double mass = plan.scene.object.mass().value_or(0.0);
+    const auto [shift, beaming] = seen_light(light);
+    frame.medium_extent = {medium.outer, medium.height, 2.0 * medium.outer / medium.steps, plan.scene.time};
+    frame.medium_colour = {medium.brightness * medium.colour, 0};
+    frame.medium_seen = {shift, beaming, 0, 0};
+    switch (medium.emission) {
+        case MediumEmission::kPowerLaw: {
+            const FlowNumbers flow = flow_numbers(medium, mass);
+            frame.medium_colour = {medium.brightness * flow.emission * medium.colour, 0};
+            const auto [emission, absorption] = powers_of_g(light, medium.spectral_index);
+            frame.medium_law = {emission, absorption, flow.absorption, 0};
+            break;
+        }
+        case MediumEmission::kBlackBody:
+            frame.medium_law = {log2_brightness(medium.temperature_K, light.bolometric), medium.opacity, 0, 0};
+            break;
+        case MediumEmission::kSynchrotron:
+            frame.medium_law = {medium.frequency_GHz,
+                                1e-20 * 100.0 * schwarzschild_radius_m(mass) / medium_light_cgs(medium.frequency_GHz),
+                                1.0 / kMediumLight_K, 0};
+            break;
+    }
+}
+
 }  // namespace
 
 void put_medium(FrameData& frame, const FramePlan& plan) {
@@ -44,8 +82,12 @@ void put_medium(FrameData& frame, const FramePlan& plan) {
     const double farthest = medium_farthest(*medium);
     const double least =
         medium->kind == MediumKind::kGas ? kLeastOfHeight * medium->thickness * medium->inner : kLeastStep * farthest;
-    frame.medium_hole = {hole->a, hole->outer, hole->inner, hole->outer + kMediumAboveHorizon};
-    frame.medium_bound = {farthest, least, medium->step, 0};
+    frame.medium_hole = {hole->a, hole->outer, hole->inner,
+                         hole->outer > 0.0 ? hole->outer + kMediumAboveHorizon : -1.0};
+    // Samples that begin or end beyond a sphere have a part within it.
+    const double beyond = medium->by_place() ? 2.0 * medium->step * medium->outer / medium->steps : 0.0;
+    frame.medium_bound = {farthest + beyond, least, medium->step, 0};
+    if (medium->by_place()) put_emission(frame, plan, *medium);
     if (medium->kind == MediumKind::kFlow) put_flow(frame, plan, *medium);
     if (medium->kind == MediumKind::kGas) put_gas(frame, plan, *medium);
 }

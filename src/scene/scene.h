@@ -232,7 +232,21 @@ struct SpotSpec {
 // Matter that emits and absorbs light along rays (docs/matter.md).
 // kFlow: a hot flow about the hole that shines by a power law (Gold et al. 2020), seen at one frequency.
 // kGas: a soft disc of gas in circular orbits, that emits as a black body.
-enum class MediumKind { kGas, kFlow };
+// kFormula: density, temperature, magnetic field and motion are formulas of the place; `emission` says how it shines.
+enum class MediumKind { kGas, kFlow, kFormula };
+enum class MediumEmission { kPowerLaw, kBlackBody, kSynchrotron };
+// Of the magnetic field in the frame of the matter; kIsotropic: the mean over all directions.
+enum class FieldDirection { kIsotropic, kOutward, kSouth, kEast };
+// Formulas (docs/expressions.md) of x, y, z, r in r_s and of t in r_s/c.
+struct MediumFormulas {
+    std::string density =
+        "exp(-r^2/18)";               // of kPowerLaw and kBlackBody: over that of emissivity, opacity; electrons a cm^3
+    std::string temperature = "1e4";  // K; of kSynchrotron: of the electrons
+    std::string field = "10";         // kSynchrotron: magnetic field, G
+    // Four-velocity along (e_r, e_theta, e_phi) of the observer of no angular momentum at the place: gamma v, c.
+    std::string outward = "0", south = "0", east = "0";
+    friend bool operator==(const MediumFormulas&, const MediumFormulas&) = default;
+};
 struct MediumSpec {
     MediumKind kind = MediumKind::kGas;
     // kGas: from inner to outer, Gaussian across the plane; temperature (r/inner)^(-3/4).
@@ -250,7 +264,18 @@ struct MediumSpec {
     double emissivity = 3e-18;     // erg/(s cm^3 Hz sr)
     double absorption = 0.0;       // absorptivity over emissivity
     double frequency_GHz = 230.0;  // at which the camera looks
-    // Linear light; 1 is a brightness temperature of kMediumLight_K, of kGas a black body of temperature_K.
+    // kFormula: within the sphere of radius `outer` and |z| < height.
+    MediumFormulas formulas{};
+    MediumEmission emission = MediumEmission::kPowerLaw;
+    FieldDirection field_direction = FieldDirection::kIsotropic;
+    double height = 1e6;
+    double opacity = 1.0;  // kBlackBody: optical depth for each r_s where the density is 1
+    int steps = 64;        // across the sphere
+    bool by_frequency() const {
+        return kind == MediumKind::kFlow || (by_place() && emission != MediumEmission::kBlackBody);
+    }
+    bool by_place() const { return kind == MediumKind::kFormula; }  // it has MediumEmission
+    // Linear light; 1 is a brightness temperature of kMediumLight_K where by_frequency(), else a black body of temperature_K.
     Vec3 colour{1, 1, 1};
     double brightness = 1.0;
     double step = 1.0;  // of the march, over the usual one (docs/matter.md says how exact that is)

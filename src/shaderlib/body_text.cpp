@@ -9,6 +9,7 @@
 #include "plan/body_kind.h"
 #include "plan/moving.h"
 #include "scene/named_surface.h"
+#include "shaderlib/medium_text.h"
 #include "shaderlib/preprocess.h"
 #include "shaderlib/shader_source.h"
 
@@ -384,6 +385,7 @@ BodyText body_text(const Scene& scene, const EffectSet& effects) {
     const std::vector<Group> groups = groups_of(scene, mino);
     BodyText text;
     text.materials = materials_of(scene);
+    text.medium = medium_text(scene);
     text.objects = objects_text(groups, scene);
     if (groups.empty()) return text;
     text.surfaces = surfaces_text(groups);

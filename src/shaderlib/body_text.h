@@ -1,4 +1,4 @@
-// The shader's text for what a scene has several of: solid bodies and hot spots; and for what bodies, disc and sky are painted with. It
+// The shader's text for what a scene has several of: solid bodies and hot spots; for what bodies, disc and sky are painted with; and for matter by formula. It
 // depends on more than which effects are on: kinds of texture, formulas, how many there are.
 #pragma once
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace nullscope {
 
 inline constexpr int kBallPathAhead = 64;  // cells of a ball's path, for which a node knows the largest acceleration
 
-// What generated/objects, surfaces, bodies_march, bodies_hit, bodies_light and materials stand for where a shader includes them.
+// What generated/objects, surfaces, bodies_march, bodies_hit, bodies_light, materials and medium_matter stand for where a shader includes them.
 // Compared as a whole: two scenes with equal texts and equal effects have one program.
 struct BodyText {
     std::string objects;    // OBJECT_VECTORS and where in them what begins
@@ -21,6 +21,7 @@ struct BodyText {
     std::string hit;        // solid_hit: the first body on the ray; about a rotating hole the tracer finds it
     std::string light;      // solid_light: and its light
     std::string materials;  // disc_material_pattern, sky_pattern: what a disc and a sky without images are painted with
+    std::string medium;     // medium_matter: density, temperature, field and motion by formula
     friend auto operator<=>(const BodyText&, const BodyText&) = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 

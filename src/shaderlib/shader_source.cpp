@@ -63,6 +63,7 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
     if (takes_samples(effects)) defines.emplace_back("NEEDS_SAMPLING");
     if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE");
     if (has_medium(effects)) defines.emplace_back("BLOCK_MEDIUM");
+    if (has_emission(effects)) defines.emplace_back("BLOCK_MEDIUM_EMISSION");
     if (has_projection(effects)) defines.emplace_back("BLOCK_PROJECTION");
     if (has_marched(effects)) defines.emplace_back("BLOCK_MARCH");
     if (has_marched(effects) && light_path_kind(effects) == LightPathKind::kPlanar && !effects.contains(Effect::kSides))
@@ -204,7 +205,8 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
         {"generated/bodies_march", bodies.march},
         {"generated/bodies_hit", bodies.hit},
         {"generated/bodies_light", bodies.light},
-        {"generated/materials", bodies.materials}};
+        {"generated/materials", bodies.materials},
+        {"generated/medium_matter", bodies.medium}};
     for (SlotText& filled : slot_texts(effects)) generated[filled.name] = std::move(filled.text);
     const char* path = light_path_kind(effects) == LightPathKind::kMino ? "mino" : "planar";
     std::map<std::string, std::string, std::less<>> chosen;  // "path/trace": the file of the kind of path

@@ -141,7 +141,8 @@ class Commands(support.CliTest):
                           "body-image", "point-stars", "sky", "sky-shift", "sky-pattern", "inner", "bounce", "far-sky", "star",
                           "bloom", "auto-exposure", "tone-film", "tone-neutral", "dither", "sides", "delay", "disc-flow", "spot", "ball-path", "pulse", "inner-horizon",
                           "limb-darkening", "samples", "disc-gas", "zoom", "spin-ring", "fisheye",
-                          "equirectangular", "cylindrical", "cube-faces", "warp", "medium-flow", "medium-gas", "medium-motion"])
+                          "equirectangular", "cylindrical", "cube-faces", "warp", "medium-flow", "medium-gas", "medium-motion",
+                          "medium-formula", "medium-black-body", "medium-synchrotron"])
         self.assertTrue(all(e["cost"] for e in found["effects"]))
         tables = {t["name"] for t in found["tables"]}
         self.assertLessEqual({"deflection table", "strip", "orbit table", "disc image"}, tables)

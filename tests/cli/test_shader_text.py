@@ -66,6 +66,9 @@ WORDS = {
     "medium-flow": [r"medium_(?:flow|powers)"],
     "medium-gas": [r"medium_gas\w*", r"gas_(?:clumps|turns|rate)"],
     "medium-motion": [r"gas_moved"],
+    "medium-formula": [r"medium_(?:matter|extent|law|seen|photon|emission|inside)"],
+    "medium-black-body": [r"medium_glow"],
+    "medium-synchrotron": [r"synchrotron", r"planck_temperature"],
 }
 SCENES = {
     "nothing": '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "black"\n',
@@ -127,6 +130,9 @@ SCENES = {
     "medium-flow": '[sky]\nkind = "black"\n[object]\nname = "sgr-a"\n[medium]\nkind = "flow"\n',
     "spin, medium-gas": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "black"\n[medium]\n',
     "medium-motion": '[sky]\nkind = "black"\n[medium]\nflow = "kepler"\n',
+    "medium-formula": '[sky]\nkind = "black"\n[object]\nname = "sgr-a"\n[medium]\nkind = "formula"\ndensity = "1/r"\n',
+    "medium-black-body": '[sky]\nkind = "black"\n[medium]\nkind = "formula"\nemission = "black-body"\n',
+    "spin, medium-synchrotron": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "formula"\nemission = "synchrotron"\nfield_direction = "south"\n',
     "flow without delay": '[disc]\nflow = "kepler"\n[light]\ndelay = "off"\n',
     "delay, ball, sphere, surface": '[sky]\nkind = "black"\n[ball]\nmotion = "orbit"\n[sphere]\nswing = 0.1\n[surface]\nshape = "x^2 + y^2 + z^2 - 9 - sin(t)"\n',
     "flat and moving": '[spacetime]\nmetric = "minkowski"\n[ball]\nmotion = "path"\nx = "5"\ny = "t"\nz = "0"\n[disc]\n[spot]\n',

@@ -6,22 +6,12 @@
 #include <cmath>
 
 #include "plan/medium.h"
-#include "support/gpu_session.h"
+#include "support/medium_pictures.h"
 
 namespace {
 
 using namespace nullscope;
 using namespace nullscope::test;
-
-// One ray a pixel, at whose middle the reference looks too.
-Scene bare_scene(const char* metric, double spin) {
-    Scene scene;
-    scene.picture.refine = false;
-    scene.sky.kind = SkyKind::kPlain, scene.sky.material.colour = {0, 0, 0};
-    scene.spacetime = {metric, {}};
-    if (spin != 0) scene.spacetime.parameters["spin"] = spin;
-    return scene;
-}
 
 // The analytic tests of Gold et al. 2020 (ApJ 897, 148), table 1, seen from 1000 M: a square of 30 M has 15 M = 7.5 r_s on each side of the
 // centre at the distance of the camera. Pixels are squares of that plane.
@@ -49,51 +39,9 @@ Scene flux_scene(const FluxCase& test, int size) {
     return scene;
 }
 
-double sum_of(const Image<float>& picture) {
-    double sum = 0;
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x) sum += picture.at(x, y)[0];
-    return sum;
-}
-
 double flux_Jy(const Image<float>& picture) {
     const double pixel = 30 * kGravity_cm / picture.width / kDistance_cm;
     return 1e23 * sum_of(picture) * medium_light_cgs(230) * pixel * pixel;
-}
-
-Image<float> drawn(GpuSession& session, const Scene& scene) {
-    REQUIRE(session.renderer->prepare(scene));
-    return session.renderer->picture();
-}
-
-Image<float> reference_picture(const Scene& scene) {
-    auto picture = reference::render_frame(scene, SkyCube(), reference::Pictures(), 1);
-    REQUIRE(picture);
-    return std::move(*picture);
-}
-
-// Over the brightest of the reference's colours: the largest difference, and how many pixels differ by more than a part.
-struct Difference {
-    double flux, largest;
-    int above;
-};
-Difference difference(const Image<float>& a, const Image<float>& reference, double part) {
-    double brightest = 0, largest = 0;
-    int above = 0;
-    for (int y = 0; y < a.height; ++y)
-        for (int x = 0; x < a.width; ++x)
-            for (int c = 0; c < 3; ++c) brightest = std::max<double>(brightest, reference.at(x, y)[c]);
-    for (int y = 0; y < a.height; ++y)
-        for (int x = 0; x < a.width; ++x) {
-            double off = 0;
-            for (int c = 0; c < 3; ++c) {
-                const double one = std::abs(a.at(x, y)[c] - reference.at(x, y)[c]) / brightest;
-                off = std::isfinite(one) ? std::max(off, one) : INFINITY;
-            }
-            largest = std::max(largest, off);
-            above += off > part;
-        }
-    return {sum_of(a) / sum_of(reference) - 1, largest, above};
 }
 
 }  // namespace

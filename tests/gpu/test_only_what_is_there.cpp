@@ -59,7 +59,7 @@ std::string joined(const Names& names) {
 
 // Between them they call for every effect.
 std::vector<Scene> full_scenes() {
-    std::vector<Scene> scenes(7);
+    std::vector<Scene> scenes(9);
     for (Scene& scene : scenes) scene.camera.width = 64, scene.camera.height = 36, scene.camera.r = 20;
     Scene& holes = scenes[0];
     holes.camera.velocity = {0, 0, 0.2};
@@ -77,6 +77,10 @@ std::vector<Scene> full_scenes() {
     holes.medium.emplace().flow = DiscFlowKind::kKepler;
     scenes[4].medium.emplace().kind = MediumKind::kFlow;
     scenes[4].object.mass_suns = 4e6;
+    scenes[7].medium.emplace().kind = scenes[8].medium.emplace().kind = MediumKind::kFormula;
+    scenes[7].medium->emission = MediumEmission::kBlackBody;
+    scenes[8].medium->emission = MediumEmission::kSynchrotron;
+    scenes[7].object.mass_suns = scenes[8].object.mass_suns = 4e6;
     scenes[1].spacetime.metric = "ellis";
     add_body<BallSpec>(scenes[1]).far = true;
     scenes[2].spacetime.metric = "neutron-star";

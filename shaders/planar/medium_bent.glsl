@@ -1,0 +1,35 @@
+// A ray through matter by its swept angle, where light is bent.
+#include "medium/march.glsl"
+#include "planar/place.glsl"
+#include "planar/trace.glsl"
+#include "shared/frame.glsl"
+
+#define MEDIUM_BY_LENGTH false
+
+float medium_end(Trace trace, float until) { return min(until, trace.phi_end); }
+
+RayPlace medium_at(Trace trace, vec3 tangent, float along) { return place_of(trace, tangent, along); }
+
+#ifdef NEEDS_PLACE_LATE
+// When light left, of a place; and of the next one, from this: the light-time table is asked once a span.
+RayPlace medium_late(Trace trace, RayPlace place, float along) {
+#ifdef EFFECT_DELAY
+    place.delay = light_time(trace, along, place.r, -place.r_along / (place.r * place.r));
+    place.time_slope = place_time_slope(trace, place);
+#endif
+    return place;
+}
+
+RayPlace medium_next(Trace trace, vec3 tangent, float along, RayPlace from, float from_along) {
+#ifdef EFFECT_DELAY
+    return place_beside(trace, tangent, along, from, from_along);
+#else
+    return medium_at(trace, tangent, along);
+#endif
+}
+#endif
+
+float medium_part(RayPlace place, float length) { return min(place_part(place, length), MEDIUM_LONGEST); }
+
+// Of the affine parameter by the angle, over r^2.
+float medium_rate(Trace trace) { return trace.doppler * frame.shift.y / max(trace.s, 1.0e-9); }

@@ -1,0 +1,108 @@
+#include "reference/emission.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "light/black_body.h"
+#include "plan/medium.h"
+#include "reference/seen_light.h"
+#include "scene/known_object.h"
+
+namespace nullscope::reference {
+namespace {
+
+// cgs
+constexpr double kCharge = 4.80320471e-10, kLight = 2.99792458e10, kElectron = 9.1093837e-28, kBoltzmann = 1.380649e-16,
+                 kPlanck = 6.62607015e-27;
+
+double gyro_frequency(double field) { return kCharge * field / (2 * M_PI * kElectron * kLight); }
+double theta_of(double temperature) { return kBoltzmann * temperature / (kElectron * kLight * kLight); }
+bool is_dark(double temperature, double field) { return temperature < kColdest_K || !(field > 0); }
+
+}  // namespace
+
+// The integral of cosh(2t) exp(-x cosh t): the trapezoidal rule converges faster than any power.
+double bessel_k2(double x) {
+    constexpr double kStep = 1.0 / 8;  // exp(-79) of it
+    double sum = 0.5 * std::exp(-x);
+    for (double t = kStep;; t += kStep) {
+        const double term = std::cosh(2 * t) * std::exp(-x * std::cosh(t));
+        sum += term;
+        if (x * std::cosh(t) > 2 && term < 1e-17 * sum) return kStep * sum;
+    }
+}
+
+double synchrotron_at(double electrons, double temperature, double field, double sine, double nu) {
+    if (is_dark(temperature, field)) return 0;
+    const double theta = theta_of(temperature),
+                 nu_s = 2.0 / 9 * gyro_frequency(field) * theta * theta * std::max(sine, 1e-3), x = nu / nu_s;
+    return electrons * std::sqrt(2.0) * M_PI * kCharge * kCharge * nu_s / (3 * bessel_k2(1 / theta) * kLight) *
+           std::pow(std::sqrt(x) + std::pow(2.0, 11.0 / 12) * std::pow(x, 1.0 / 6), 2) * std::exp(-std::cbrt(x));
+}
+
+double synchrotron_mean(double electrons, double temperature, double field, double nu) {
+    if (is_dark(temperature, field)) return 0;
+    const double theta = theta_of(temperature), x = 2 * nu / (3 * gyro_frequency(field) * theta * theta);
+    return kCharge * kCharge / (kLight * std::sqrt(3.0)) * electrons * nu / bessel_k2(1 / theta) * 4.0505 /
+           std::pow(x, 1.0 / 6) * (1 + 0.4 / std::pow(x, 0.25) + 0.5316 / std::sqrt(x)) *
+           std::exp(-1.8896 * std::cbrt(x));
+}
+
+double planck(double temperature, double nu) {
+    return 2 * kPlanck * nu * nu * nu / (kLight * kLight) / std::expm1(kPlanck * nu / (kBoltzmann * temperature));
+}
+
+Emission::Emission(const Scene& scene) : spec_(*scene.medium), light_(scene.light) {
+    length_cm_ = 100 * schwarzschild_radius_m(scene.object.mass().value_or(0.0));
+}
+
+Emission::Seen Emission::seen(const MatterState& matter, const PlaceMetric& g, const MediumNode& node, double energy,
+                              double momentum) const {
+    // The photon's covariant components; the ray is followed backward.
+    const std::array<double, 4> k = {-energy, -g.g_rr * node.r_slope, -g.g_thetatheta * node.theta_slope, momentum};
+    // The observer of no angular momentum: e_t = (d_t + omega d_phi)/lapse.
+    const double omega = -g.g_tphi / g.g_phiphi, lapse = std::sqrt(g.g_tphi * g.g_tphi / g.g_phiphi - g.g_tt);
+    const std::array<double, 4> along = {(k[0] + omega * k[3]) / lapse, k[1] / std::sqrt(g.g_rr),
+                                         k[2] / std::sqrt(g.g_thetatheta), k[3] / std::sqrt(g.g_phiphi)};
+    const std::array<double, 3> u = {matter.velocity.x, matter.velocity.y, matter.velocity.z};
+    const double gamma = std::sqrt(1 + u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    const double out = u[0] * along[1] + u[1] * along[2] + u[2] * along[3];
+    const double frequency = -(gamma * along[0] + out);
+    if (spec_.field_direction == FieldDirection::kIsotropic) return {frequency, 0};
+    // The field's unit vector, boosted with the matter.
+    const auto axis = static_cast<std::size_t>(spec_.field_direction) - 1;
+    return {frequency, (u[axis] * along[0] + along[axis + 1] + u[axis] / (1 + gamma) * out) / frequency};
+}
+
+MatterLight Emission::at(const MatterState& matter, const PlaceMetric& g, const MediumNode& node, double energy,
+                         double momentum) const {
+    const auto [frequency, cosine] = seen(matter, g, node, energy, momentum);
+    const double ratio = 1 / frequency, length = node.way * frequency;
+    if (spec_.emission == MediumEmission::kBlackBody) {
+        const double depth = matter.density * spec_.opacity * length;
+        const Vec3 source = seen_black_body(matter.temperature_K, ratio, light_) /
+                            std::exp2(log2_brightness(spec_.temperature_K, light_.bolometric));
+        const Vec3 light{source.x * spec_.colour.x, source.y * spec_.colour.y, source.z * spec_.colour.z};
+        return {-std::expm1(-depth) * spec_.brightness * light, std::exp(-depth)};
+    }
+    const double shift = light_.shift ? frequency : 1, bright = light_.beaming ? std::pow(ratio, 3) : 1,
+                 unit = medium_light_cgs(spec_.frequency_GHz), nu = 1e9 * spec_.frequency_GHz * shift;
+    double emitted = 0, absorbed = 0;  // a cm
+    if (spec_.emission == MediumEmission::kPowerLaw) {
+        constexpr double kReference = 230e9;
+        emitted = spec_.emissivity * matter.density * std::pow(nu / kReference, -spec_.spectral_index);
+        absorbed = spec_.absorption * spec_.emissivity * matter.density *
+                   std::pow(nu / kReference, -2.5 - spec_.spectral_index);
+    } else {
+        emitted = spec_.field_direction == FieldDirection::kIsotropic
+                      ? synchrotron_mean(matter.density, matter.temperature_K, matter.field_G, nu)
+                      : synchrotron_at(matter.density, matter.temperature_K, matter.field_G,
+                                       std::sqrt(std::max(1 - cosine * cosine, 0.0)), nu);
+        if (emitted > 0) absorbed = emitted / planck(matter.temperature_K, nu);
+    }
+    const double depth = absorbed * length * length_cm_;
+    const double share = depth > 1e-8 ? -std::expm1(-depth) / depth : 1 - 0.5 * depth;
+    return {bright * emitted * length * length_cm_ / unit * share * spec_.brightness * spec_.colour, std::exp(-depth)};
+}
+
+}  // namespace nullscope::reference

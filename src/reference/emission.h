@@ -1,0 +1,50 @@
+// What matter emits and absorbs that is known by its density, temperature, magnetic field and motion, for the reference: four-vectors in
+// the metric's own components, synchrotron radiation in cgs units.
+#pragma once
+#include <array>
+
+#include "base/vec.h"
+#include "reference/metric.h"
+#include "scene/scene.h"
+
+namespace nullscope::reference {
+
+// What the camera gets of light and what is lost of what is behind.
+struct MatterLight {
+    Vec3 light;
+    double through;
+};
+
+struct MatterState {
+    double density, temperature_K, field_G;
+    Vec3 velocity;  // four-velocity's along e_r, e_theta, e_phi of the observer of no angular momentum
+};
+
+class Emission {
+public:
+    explicit Emission(const Scene& scene);  // of a scene with a medium by place
+    // Along one node. energy, momentum: of a photon of unit frequency in the camera; r_s.
+    MatterLight at(const MatterState& matter, const PlaceMetric& g, const MediumNode& node, double energy,
+                   double momentum) const;
+
+private:
+    // Frequency of that photon where the matter rests, and the cosine of its angle to the field.
+    struct Seen {
+        double frequency, cosine;
+    };
+    Seen seen(const MatterState& matter, const PlaceMetric& g, const MediumNode& node, double energy,
+              double momentum) const;
+    MediumSpec spec_;
+    LightSpec light_;
+    double length_cm_ = 0;  // r_s
+};
+
+// K_2(x), x above 0; to 1e-12.
+double bessel_k2(double x);
+// Thermal synchrotron emissivity of electrons, erg/(s cm^3 Hz sr): in a field at an angle to the light (Leung, Gammie and Noble 2011,
+// eq. 72), and the mean over all angles (Mahadevan, Narayan and Yi 1996, eq. 33). nu in Hz.
+double synchrotron_at(double electrons, double temperature_K, double field_G, double sine, double nu);
+double synchrotron_mean(double electrons, double temperature_K, double field_G, double nu);
+double planck(double temperature_K, double nu);  // erg/(s cm^2 Hz sr)
+
+}  // namespace nullscope::reference

@@ -1,0 +1,178 @@
+// Matter by formula: closed forms of radiative transfer, and pictures about holes against the reference's.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "light/black_body.h"
+#include "plan/medium.h"
+#include "reference/emission.h"
+#include "reference/seen_light.h"
+#include "scene/known_object.h"
+#include "support/medium_pictures.h"
+
+namespace {
+
+using namespace nullscope;
+using namespace nullscope::test;
+
+constexpr double kClosed = 1e-4;  // of the brightest, and of the flux: what is promised
+
+Scene formula_scene(const char* metric, double spin, MediumEmission emission) {
+    Scene scene = bare_scene(metric, spin);
+    scene.object.mass_suns = 4.3e6;
+    scene.camera.r = 10, scene.camera.theta = 1.2, scene.camera.plane_width = 0.21;
+    scene.camera.width = scene.camera.height = by_depth(25, 65, 65);
+    MediumSpec& medium = scene.medium.emplace();
+    medium.kind = MediumKind::kFormula, medium.emission = emission;
+    medium.formulas.density = "1", medium.outer = 1;
+    return scene;
+}
+
+double length_cm(const Scene& scene) { return 100 * schwarzschild_radius_m(*scene.object.mass_suns); }
+
+// Where the line of sight of a pixel's middle passes the centre, over the sphere's radius.
+double impact(const Scene& scene, int x, int y) {
+    const double side = scene.camera.plane_width / scene.camera.width, u = side * (x + 0.5 - 0.5 * scene.camera.width),
+                 v = side * (y + 0.5 - 0.5 * scene.camera.height);
+    return scene.camera.r * std::hypot(u, v) / std::hypot(u, v, 1);
+}
+
+// light(impact): the closed form. Largest difference over the brightest, and that of the flux.
+template <class Light>
+std::array<double, 2> off(const Image<float>& picture, const Scene& scene, const Light& light) {
+    double worst = 0, brightest = 0, flux = 0, known = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            const double expected = light(impact(scene, x, y)), one = picture.at(x, y)[0];
+            worst = std::isfinite(one) ? std::max(worst, std::abs(one - expected)) : INFINITY;
+            brightest = std::max(brightest, expected);
+            flux += one, known += expected;
+        }
+    return {worst / brightest, flux / known - 1};
+}
+
+template <class Light>
+void check_closed(GpuSession& session, const char* name, const Scene& scene, const Light& light) {
+    CAPTURE(name);
+    const auto [gl, gl_flux] = off(drawn(session, scene), scene, light);
+    const auto [witness, witness_flux] = off(reference_picture(scene), scene, light);
+    CHECK(gl < kClosed);
+    CHECK(std::abs(gl_flux) < kClosed);
+    CHECK(witness < kClosed);
+    CHECK(std::abs(witness_flux) < kClosed);
+    fmt::print(
+        "medium, {}: {}\n", name,
+        fmt::format("gl {:.1e}, flux {:+.1e}; reference {:.1e}, flux {:+.1e}", gl, gl_flux, witness, witness_flux));
+}
+
+}  // namespace
+
+TEST_CASE("medium: closed forms of a thin sphere, a thick one and a slab") {
+    on_every_context([&](GpuSession& session) {
+        Scene thin = formula_scene("minkowski", 0, MediumEmission::kPowerLaw);
+        thin.medium->emissivity = 1e-16;
+        const double each = 1e-16 * length_cm(thin) / medium_light_cgs(230);
+        check_closed(session, "thin sphere", thin,
+                     [&](double b) { return b < 1 ? each * 2 * std::sqrt(1 - b * b) : 0.0; });
+
+        Scene thick = formula_scene("minkowski", 0, MediumEmission::kSynchrotron);
+        thick.medium->formulas.density = "1e14", thick.medium->formulas.temperature = "3e9";
+        thick.medium->formulas.field = "1000";
+        const double black = reference::planck(3e9, 230e9) / medium_light_cgs(230);
+        check_closed(session, "thick sphere, synchrotron", thick, [&](double b) { return b < 1 ? black : 0.0; });
+
+        Scene warm = formula_scene("minkowski", 0, MediumEmission::kBlackBody);
+        warm.medium->formulas.temperature = "5000", warm.medium->temperature_K = 6000, warm.medium->opacity = 1e6;
+        const double red = reference::seen_black_body(5000, 1, warm.light).x / std::exp2(log2_brightness(6000, false));
+        check_closed(session, "thick sphere, black body", warm, [&](double b) { return b < 1 ? red : 0.0; });
+
+        // A slab that fills the picture, seen from above.
+        Scene slab = formula_scene("minkowski", 0, MediumEmission::kPowerLaw);
+        slab.camera.theta = 0, slab.camera.plane_width = 0.8;
+        slab.medium->outer = 9, slab.medium->height = 0.5, slab.medium->steps = 256;
+        slab.medium->emissivity = 1e-16, slab.medium->absorption = 6e3;
+        const double depth = 6e3 * 1e-16 * length_cm(slab), source = each / depth;
+        check_closed(session, "slab", slab, [&](double b) {
+            const double cosine = std::sqrt(1 - b * b / (slab.camera.r * slab.camera.r));
+            return source * -std::expm1(-depth / cosine);
+        });
+    });
+}
+
+TEST_CASE("medium: matter by formula about holes is the reference's") {
+    constexpr double kFlux = 1e-3, kPixel = 5e-3;
+    struct Case {
+        const char *name, *metric;
+        double spin;
+        MediumEmission emission;
+        FieldDirection direction;
+        MediumFormulas formulas;
+    };
+    // Infall, circular orbits and a spiral; a clump that moves with time; cones of temperature.
+    const Case cases[] = {
+        {"infall",
+         "schwarzschild",
+         0,
+         MediumEmission::kPowerLaw,
+         FieldDirection::kIsotropic,
+         {.density = "exp(-r^2/8)", .outward = "-1/sqrt(max(r - 1, 0.01))"}},
+        {"circles, synchrotron",
+         "schwarzschild",
+         0,
+         MediumEmission::kSynchrotron,
+         FieldDirection::kSouth,
+         {.density = "2e6*exp(-(r/4)^2 - (3*z/r)^2)",
+          .temperature = "6e10/r",
+          .field = "60/r",
+          .east = "sqrt(0.5/max(r - 1.5, 0.5))"}},
+        {"spiral, synchrotron",
+         "kerr",
+         0.9,
+         MediumEmission::kSynchrotron,
+         FieldDirection::kEast,
+         {.density = "3e7*exp(-(r/4)^2)*(1.2 + sin(2*atan(y, x) + 3*log(r)))",
+          .temperature = "8e10/r",
+          .field = "100/r",
+          .outward = "-0.4/r",
+          .south = "0.2*z/r",
+          .east = "0.5/sqrt(r)"}},
+        {"isotropic, thick",
+         "kerr",
+         0.7,
+         MediumEmission::kSynchrotron,
+         FieldDirection::kIsotropic,
+         {.density = "1e8*exp(-(r/3)^2)", .temperature = "5e10/r", .field = "100/r", .outward = "-0.3"}},
+        {"moving clump, black body",
+         "schwarzschild",
+         0,
+         MediumEmission::kBlackBody,
+         FieldDirection::kIsotropic,
+         {.density = "exp(-((x - 4*cos(0.1*t))^2 + (y - 4*sin(0.1*t))^2 + z^2)/2)",
+          .temperature = "5000 + 1000*z/r",
+          .east = "0.4"}}};
+    on_every_context([&](GpuSession& session) {
+        for (const Case& one : cases) {
+            CAPTURE(one.name);
+            Scene scene = formula_scene(one.metric, one.spin, one.emission);
+            scene.camera.r = 30, scene.camera.plane_width = 0.45, scene.time = 40;
+            scene.camera.width = scene.camera.height = by_depth(20, 32, 64);
+            scene.medium->formulas = one.formulas, scene.medium->field_direction = one.direction;
+            scene.medium->outer = 8, scene.medium->steps = 128;
+            scene.medium->emissivity = 1e-18, scene.medium->temperature_K = 6000;
+            const Image<float> reference = reference_picture(scene);
+            const Difference off = difference(drawn(session, scene), reference, kPixel);
+            CHECK(std::abs(off.flux) < kFlux);
+            CHECK(off.largest < kPixel);
+            scene.medium->step = 0.5;
+            const Difference fine = difference(drawn(session, scene), reference, kPixel);
+            CHECK(std::abs((1 + off.flux) / (1 + fine.flux) - 1) < kFlux);
+            fmt::print(
+                "medium, {}: {}\n", one.name,
+                fmt::format("flux {:.3e}, over the reference's {:+.1e}, pixels {:.1e}; by half the step {:+.1e}, "
+                            "{:.1e}",
+                            sum_of(reference), off.flux, off.largest, fine.flux, fine.largest));
+        }
+    });
+}

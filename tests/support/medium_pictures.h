@@ -1,0 +1,62 @@
+// Pictures of matter along rays, drawn and by the reference, one ray a pixel; and how they differ.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "support/gpu_session.h"
+
+namespace nullscope::test {
+
+// One ray a pixel, at whose middle the reference looks too.
+inline Scene bare_scene(const char* metric, double spin) {
+    Scene scene;
+    scene.picture.refine = false;
+    scene.sky.kind = SkyKind::kPlain, scene.sky.material.colour = {0, 0, 0};
+    scene.spacetime = {metric, {}};
+    if (spin != 0) scene.spacetime.parameters["spin"] = spin;
+    return scene;
+}
+
+inline double sum_of(const Image<float>& picture) {
+    double sum = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) sum += picture.at(x, y)[0];
+    return sum;
+}
+
+inline Image<float> drawn(GpuSession& session, const Scene& scene) {
+    REQUIRE(session.renderer->prepare(scene));
+    return session.renderer->picture();
+}
+
+inline Image<float> reference_picture(const Scene& scene) {
+    auto picture = reference::render_frame(scene, SkyCube(), reference::Pictures(), 1);
+    REQUIRE(picture);
+    return std::move(*picture);
+}
+
+// Over the brightest of the reference's colours: the largest difference, and how many pixels differ by more than a part.
+struct Difference {
+    double flux, largest;
+    int above;
+};
+inline Difference difference(const Image<float>& a, const Image<float>& reference, double part) {
+    double brightest = 0, largest = 0;
+    int above = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x)
+            for (int c = 0; c < 3; ++c) brightest = std::max<double>(brightest, reference.at(x, y)[c]);
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) {
+            double off = 0;
+            for (int c = 0; c < 3; ++c) {
+                const double one = std::abs(a.at(x, y)[c] - reference.at(x, y)[c]) / brightest;
+                off = std::isfinite(one) ? std::max(off, one) : INFINITY;
+            }
+            largest = std::max(largest, off);
+            above += off > part;
+        }
+    return {sum_of(a) / sum_of(reference) - 1, largest, above};
+}
+
+}  // namespace nullscope::test
