@@ -19,6 +19,7 @@
 #include "cli/command.h"
 #include "cli/cube_faces.h"
 #include "cli/film.h"
+#include "cli/flux.h"
 #include "cli/frame_store.h"
 #include "cli/stereo_capture.h"
 #include "cli/workers.h"
@@ -148,7 +149,7 @@ void annotate(const Scene& scene, const std::optional<Halves>& split, Image<unsi
     lay_over(marks.marks, picture);
 }
 
-// One picture, or two side by side, into a file. Returns what it was made by.
+// One picture, or two side by side, into a file. Returns what it was made by, and its flux where that is known.
 Result<std::string> draw(const Job& job, Session* session, const Exposure& shown, const CaptureOptions& options,
                          const std::string& file, std::optional<int> frame) {
     const Scene &scene = shown.scene, &told = shown.sub_frames.empty() ? scene : job.scene;  // in the file's words
@@ -177,7 +178,9 @@ Result<std::string> draw(const Job& job, Session* session, const Exposure& shown
     if (!options.plain && !options.to_linear_light()) annotate(scene, split, captured->display);
     TRY(written, names_faces(options) ? write_faces(scene, *captured, options)
                                       : write_picture(file, told, *captured, options, frame));
-    return captured->made_by;
+    const auto flux = flux_unit(scene, split.has_value() || scene.camera.stereo != Stereo::kOff);
+    return flux && options.to_linear_light() ? captured->made_by + ", " + flux_words(captured->linear, *flux)
+                                             : captured->made_by;
 }
 
 Result<Job> job_of(const CaptureOptions& options, Scene scene) {

@@ -14,6 +14,7 @@
 #include "base/text.h"
 #include "cli/capture_layers.h"
 #include "cli/fits_header.h"
+#include "cli/flux.h"
 #include "command/reference_inputs.h"
 #include "compare/ray_channels.h"
 #include "image/channels.h"
@@ -148,10 +149,18 @@ std::map<std::string, std::string> words_of(const Scene& scene, const std::strin
     return words;
 }
 
+bool is_several(const Scene& scene, const CaptureOptions& options) {
+    return !options.split.empty() || scene.split || scene.camera.stereo != Stereo::kOff;
+}
+
 FitsHeader header_of(const Scene& scene, const Captured& captured, const CaptureOptions& options,
                      std::optional<int> frame) {
-    const bool several = !options.split.empty() || scene.split || scene.camera.stereo != Stereo::kOff;
+    const bool several = is_several(scene, options);
     FitsHeader header{.unit_comment = "relative luminance: linear light, 1 is white"};
+    if (const auto flux = flux_unit(scene, several)) {
+        header.unit = "Jy/pixel", header.unit_comment = "flux density of a pixel";
+        header.cards.push_back({"FREQ", 1e9 * flux->frequency_GHz, "[Hz] as the camera sees it"});
+    }
     add_coordinates(scene, several, header);
     add_scene(scene, header);
     for (const char* key : {"TELESCOP", "ORIGIN"}) header.cards.push_back({key, "nullscope", ""});
@@ -220,8 +229,11 @@ Status write_picture(const std::string& file_name, const Scene& scene, const Cap
     if (file_name.ends_with(".jpg") || file_name.ends_with(".jpeg"))
         return save_jpeg(file_name, captured.display, scene.name + "\nnullscope " NULLSCOPE_VERSION,
                          options.quality.value_or(kJpegQuality));
-    if (file_name.ends_with(".fits"))
-        return save_fits(file_name, captured.linear, header_of(scene, captured, options, frame));
+    if (file_name.ends_with(".fits")) {
+        const auto flux = flux_unit(scene, is_several(scene, options));
+        return save_fits(file_name, flux ? in_jansky(captured.linear, *flux) : captured.linear,
+                         header_of(scene, captured, options, frame));
+    }
     std::map<std::string, std::string> words = words_of(scene, captured.made_by, frame);
     if (!file_name.ends_with(".exr")) {
         words.erase("nullscope.renderer");  // the same picture is the same file

@@ -9,6 +9,23 @@ import support
 from test_layers import read_floats
 
 RING = '[camera]\nr = 1e4\ntheta = 90\nfov = 0.06\nsize = [320, 320]\n[sky]\nkind = "plain"\ncolour = [1, 1, 1]\n[object]\nname = "%s"\n'
+FLOW = """[spacetime]
+metric = "kerr"
+spin = 0.9
+[camera]
+r = 500
+theta = 60
+fov = 1.71873
+size = [64, 64]
+[sky]
+kind = "black"
+[object]
+mass_suns = 4063320
+distance_pc = 7777.8
+[medium]
+kind = "flow"
+flattening = 3.3333333333333335
+"""
 # GM/(c^2 D) in microarcseconds: the numbers of docs/scenes.md, computed apart with G M_sun = 1.3271244e20 m^3/s^2.
 KNOWN = {"m87": ("M87*", 3.818993252351, 6.5e9, 16.8e6), "sgr-a": ("Sgr A*", 5.124331470710, 4.297e6, 8277.0)}
 SHADOW_M = 2 * math.sqrt(27)     # its diameter, in GM/c^2
@@ -53,6 +70,19 @@ class Fits(support.CliTest):
             self.assertGreater(meant, 0)
             self.assertLess(abs(flux / meant - 1), 1e-6)
             self.assertEqual([tuple(row) for row in plane], [tuple(row) for row in exr[channel]], "rows in their order")
+
+    def test_flux_of_a_known_flow(self):
+        # Test 3 of docs/matter.md: 30 M by 30 M at 1000 M, GM/c^2 = 6e11 cm, 2.4e22 cm away.
+        scene = self.write("flow.toml", FLOW)
+        cards, planes = self.fits(scene)
+        self.assertEqual((cards["NAXIS"], cards["BUNIT"], cards["FREQ"], len(planes)), (2, "Jy/pixel", 230e9, 1))
+        flux = sum(map(math.fsum, planes[0]))
+        self.assertLess(abs(flux / 0.4418 - 1), 0.02)
+        said = self.run_nullscope("capture", scene, "-o", "a.exr").out
+        self.assertAlmostEqual(float(re.search(r"([\d.]+) Jy at 230 GHz", said).group(1)), flux, delta=1e-4 * flux)
+        # Other light has other units.
+        cards, planes = self.fits(self.write("lit.toml", FLOW.replace('"black"', '"plain"')))
+        self.assertEqual((cards["BUNIT"], len(planes)), ("", 3))
 
     def test_scale_and_shadow_of_what_is_known(self):
         for key, (name, m_uas, mass, distance) in KNOWN.items():

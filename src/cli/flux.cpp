@@ -1,0 +1,48 @@
+#include "cli/flux.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "annotate/annotations.h"
+#include "observer/picture_scale.h"
+#include "plan/medium.h"
+#include "spacetime/registry.h"
+
+namespace nullscope::cli {
+
+std::optional<FluxUnit> flux_unit(const Scene& scene, bool several) {
+    if (several || !scene.medium || !scene.medium->by_frequency()) return std::nullopt;
+    if (scene.sky.kind != SkyKind::kBlack || scene.disc || !scene.bodies.empty()) return std::nullopt;
+    const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+    const auto scale = spacetime ? picture_scale(**spacetime, scene.camera) : std::nullopt;
+    const auto microarcsecond = length_of_microarcsecond(scene.object);
+    if (!scale || !microarcsecond) return std::nullopt;
+    const MediumSpec& medium = *scene.medium;
+    const double colours[] = {medium.colour.x, medium.colour.y, medium.colour.z};
+    const auto brightest = std::ranges::max_element(colours);
+    if (!(*brightest * medium.brightness > 0)) return std::nullopt;
+    constexpr double kMicroarcsecond = M_PI / 180.0 / 3600.0 * 1e-6, kJansky = 1e-23;  // rad; erg/(s cm^2 Hz)
+    const double pixel = scale->length_per_px() / *microarcsecond * kMicroarcsecond,
+                 light = medium_light_cgs(medium.frequency_GHz) / (*brightest * medium.brightness);
+    return FluxUnit{light * pixel * pixel / kJansky, static_cast<int>(brightest - colours), medium.frequency_GHz};
+}
+
+Image<float> in_jansky(const Image<float>& linear, const FluxUnit& unit) {
+    Image<float> flux(linear.width, linear.height, 1);
+    for (int y = 0; y < linear.height; ++y)
+        for (int x = 0; x < linear.width; ++x)
+            flux.at(x, y)[0] = static_cast<float>(unit.jansky * linear.at(x, y)[unit.channel]);
+    return flux;
+}
+
+std::string flux_words(const Image<float>& linear, const FluxUnit& unit) {
+    double sum = 0;
+    for (int y = 0; y < linear.height; ++y)
+        for (int x = 0; x < linear.width; ++x) sum += linear.at(x, y)[unit.channel];
+    return fmt::format("{:.4g} Jy at {} GHz", unit.jansky * sum, unit.frequency_GHz);
+}
+
+}  // namespace nullscope::cli

@@ -1,0 +1,23 @@
+// The flux of a picture whose only light is matter seen at one frequency, about an object of known mass and distance.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "image/image.h"
+#include "scene/scene.h"
+
+namespace nullscope::cli {
+
+struct FluxUnit {
+    double jansky;  // of a pixel whose light in `channel` is 1
+    int channel;    // of the picture's three
+    double frequency_GHz;
+};
+// Nothing where a picture has other light (sky, disc, bodies), no scale (observer/picture_scale.h) or no distance; several: where two
+// pictures are side by side.
+std::optional<FluxUnit> flux_unit(const Scene& scene, bool several);
+
+Image<float> in_jansky(const Image<float>& linear, const FluxUnit& unit);  // Jy a pixel, one channel
+std::string flux_words(const Image<float>& linear, const FluxUnit& unit);  // "0.4467 Jy at 230 GHz"
+
+}  // namespace nullscope::cli
