@@ -10,6 +10,7 @@ import tomllib
 from viewer_process import *
 from x_screen import Picture, read_png, wait_until
 
+ANSWER_MS = 50.0   # of processor time: what an answer may take
 # of the processor time that a whole picture costs the window's thread where it draws it: it must stay far below
 WINDOWS_SHARE = 0.5
 PICTURES = 8   # in flight: a second
@@ -404,6 +405,26 @@ def test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely
         assert v.picture(area).changed(home, CHANGED), "E does not roll the camera"
         v.settle("key", "r")
         same(home, v.picture(area), "R after E")
+    finally:
+        v.kill()
+
+
+def test_matter_along_rays_holds_no_input(screen, program, folder):
+    """A soft disc: the window's thread answers while others draw, and what follows a key is coarse and younger than a whole picture."""
+    v = Viewer(screen, program, "--size", "1280x720", scene="soft-disc")
+    try:
+        v.start()
+        at = v.log.size()
+        v.hands("keydown", "e")
+        wait_until("three coarse pictures on the way", lambda: sum(turn["picture"] == "coarse" for turn in v.log.turns(at)) >= 3, HUNG_S)
+        v.settle("keyup", "e")
+        turns = v.log.turns(at)
+        assert len({turn["here"] for turn in turns}) == 1, "the window's thread drew a picture"
+        ages = {kind: [float(turn["age_ms"]) for turn in turns if turn["picture"] == kind and float(turn["age_ms"]) > 0.0] for kind in ("coarse", "whole")}
+        print(f"    of {len(turns)} turns the longest {dearest(turns):.0f} ms; coarse pictures {max(ages['coarse']):.0f} ms old, whole ones {max(ages['whole']):.0f}",
+              flush=True)
+        assert dearest(turns) < ANSWER_MS, "a turn of the window's thread took longer than an answer may"
+        assert max(ages["coarse"]) < max(ages["whole"]), "what follows a key is as old as a whole picture"
     finally:
         v.kill()
 
@@ -1184,7 +1205,7 @@ def test_a_scene_that_is_not_there_yet_is_named(screen, program, folder):
 
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
-         test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
+         test_matter_along_rays_holds_no_input, test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
          test_the_clock_runs_and_stops, test_screenshot, test_the_gallery_finds_and_opens,
          test_a_file_is_chosen_in_the_desktops_dialog,
          test_the_first_visit_has_hints_and_the_next_has_none, test_menus_do_what_they_say,
