@@ -75,6 +75,7 @@ public:
     Result<Scene> read(const toml::table& root);
 
 private:
+    bool read_format(const toml::table& root);
     bool read_list(std::string_view section, const toml::node& node);
     void read_section(std::string_view section, const toml::table& table, const std::string& label);
     // label: the section's, as messages call it: "ball[2]".
@@ -270,7 +271,20 @@ void SceneReader::read_path_file() {
         reports_.emplace(line, keys.error());
 }
 
+// A file of a newer format is told so before anything else is said about it.
+bool SceneReader::read_format(const toml::table& root) {
+    const auto format = root.find("format");
+    if (format == root.end()) return true;
+    const auto number = format->second.value_exact<std::int64_t>();
+    if (!number || *number <= kSceneFormat) return true;  // read_key
+    report(line_of(format->first), "format",
+           fmt::format("the file is of scene format {}, newer than this program; install a newer nullscope", *number),
+           fmt::format("{}", kSceneFormat));
+    return false;
+}
+
 Result<Scene> SceneReader::read(const toml::table& root) {
+    if (!read_format(root)) return reports_.begin()->second;
     const std::vector<std::string> words = words_of("", nullptr);
     for (const auto& [name, node] : root) {
         const std::string word(name_now("", name.str()));

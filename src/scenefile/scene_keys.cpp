@@ -35,6 +35,9 @@ constexpr KeyMember kPictureSize = {
     [](const Scene& s) { return KeyValue{.width = s.camera.width, .height = s.camera.height}; },
     [](Scene& s, const KeyValue& v) { s.camera.width = v.width, s.camera.height = v.height; }};
 
+// Of the file, not of the scene.
+constexpr KeyMember kFormat = {nullptr, [](Scene&, const KeyValue&) {}};
+
 // Read by the scene's reader, once it knows [camera]; what is read are keys of the path.
 constexpr KeyMember kPathFile = {nullptr, [](Scene&, const KeyValue&) {}};
 
@@ -67,6 +70,8 @@ bool path_is(const Scene& s) {
 bool disc_is_thermal(const Scene& s) { return s.disc->emission == DiscEmission::kThermal; }
 
 constexpr SceneKey kKeys[] = {
+    {"", "format", KeyType::kWhole, "", "1", closed(1, kSceneFormat), "",
+     "Version of the scene format that the file is written in; newer ones are refused.", kFormat},
     {"", "name", KeyType::kText, "", "", kNoRange, "", "Title; by default the file's name without extension.",
      [](auto& s) { return &s.name; }},
     {"", "description", KeyType::kText, "", "", kNoRange, "", "One sentence that says what the picture shows.",

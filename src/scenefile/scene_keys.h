@@ -10,6 +10,10 @@
 
 namespace nullscope {
 
+// What this program reads and writes. A file that does not say is of format 1; a format is new where an old file would mean something else
+// by the new rules, not where keys are added.
+inline constexpr int kSceneFormat = 1;
+
 std::span<const SceneKey> scene_keys();
 KeyRange key_range(std::string_view full_name);  // of a key that the program names
 

@@ -46,7 +46,8 @@ Run full_run() {
 void change_key(Scene& scene, std::mt19937& random) {
     const auto keys = scene_keys();
     const SceneKey& key = keys[random() % keys.size()];
-    if (full_name(key) == "path.file") return change_key(scene, random);  // what it names is in other keys
+    if (full_name(key) == "path.file" || full_name(key) == "format")  // what it names is in other keys; of the file
+        return change_key(scene, random);
     KeyValue value;
     value.number =
         key.range.low + (key.range.high - key.range.low) * std::uniform_real_distribution<double>(0.01, 0.99)(random);

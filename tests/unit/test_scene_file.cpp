@@ -198,6 +198,17 @@ TEST_CASE("docs/scenes.md has every key, every metric's parameter and every allo
     }
 }
 
+TEST_CASE("a file may name the scene format; a newer one is refused before its unknown keys are") {
+    CHECK(parse("format = 1\n"));
+    const Result<Scene> told = parse("halo = 3\nformat = 2\n[camera]\nr = \"far\"\n");
+    REQUIRE(!told);
+    CHECK(told.error().key == "format");
+    CHECK(told.error().line == 2);
+    CHECK(told.error().what.find("scene format 2") != std::string::npos);
+    CHECK(!parse("format = 0\n"));
+    CHECK(!parse("format = 1.0\n"));
+}
+
 TEST_CASE("names of older files still work, but not beside those of now") {
     const Result<Scene> old = parse(
         "[beside]\nmetric = \"minkowski\"\n[sphere]\nswing = 0.2\n[path]\nlook = \"centre\"\n"
