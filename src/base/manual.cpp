@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <system_error>
 
+#include "base/atomic_file.h"
 #include "base/text.h"
 
 namespace nullscope {
@@ -75,9 +77,13 @@ void add_pages(const Command& command, const std::string& path, const Command& p
         fmt::format(".TH {} 1 \"\" \"nullscope {}\" \"User Commands\"\n", roff(title), program.version());
     text += fmt::format(".SH NAME\n{} \\- {}\n", roff(name), roff(first));
     text += fmt::format(".SH SYNOPSIS\n{}", synopsis(command, path));
-    if (lines.size() > 1) {
+    if (lines.size() > 1 || !command.footer().empty()) {
         text += ".SH DESCRIPTION\n";
-        for (std::size_t i = 1; i < lines.size(); ++i) text += fmt::format("{}\n.br\n", roff(lines[i]));
+        text += ".nf\n";
+        for (std::size_t i = 1; i < lines.size(); ++i) text += fmt::format("{}\n", roff(lines[i]));
+        text += ".fi\n";
+        for (const std::string& line : split(command.footer(), '\n'))
+            text += line.empty() ? ".PP\n" : fmt::format("{}\n", roff(line));
     }
     if (!command.commands().empty()) {
         text += ".SH COMMANDS\n";
@@ -153,9 +159,10 @@ std::string bash_completion(const Command& program, const std::string& scene_nam
     add_cases(program, program.name(), scene_names, cases);
     std::vector<std::string> paths;
     add_paths(program, program.name(), paths);
-    const std::string& name = program.name();
-    return fmt::format(R"(# bash completion of {0}, written by: {0} manual
-_{0}() {{
+    std::string function = program.name();
+    std::ranges::replace(function, '-', '_');
+    return fmt::format(R"(# bash completion of {0}
+_{3}() {{
     local now=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD - 1]}} path={0} words= files=yes i
     for ((i = 1; i < COMP_CWORD; ++i)); do
         case "$path ${{COMP_WORDS[i]}}" in
@@ -167,9 +174,20 @@ _{0}() {{
     COMPREPLY=($(compgen -W "$words" -- "$now"))
     if [[ $files == yes && $now != -* ]]; then COMPREPLY+=($(compgen -f -- "$now")); fi
 }}
-complete -o filenames -F _{0} {0}
+complete -o filenames -F _{3} {0}
 )",
-                       name, fmt::format("'{}'", fmt::join(paths, "' | '")), cases);
+                       program.name(), fmt::format("'{}'", fmt::join(paths, "' | '")), cases, function);
+}
+
+Status write_manual(const Command& program, const std::string& scene_names, const std::filesystem::path& folder) {
+    std::error_code reason;
+    std::filesystem::create_directories(folder / "man1", reason);
+    if (reason)
+        return failed(fmt::format("cannot make the folder '{}': {}", (folder / "man1").string(), reason.message()));
+    for (const ManualPage& page : manual_pages(program)) {
+        TRY(written, write_text_atomically(folder / "man1" / (page.name + ".1"), page.text));
+    }
+    return write_text_atomically(folder / (program.name() + ".bash"), bash_completion(program, scene_names));
 }
 
 }  // namespace nullscope

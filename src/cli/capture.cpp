@@ -32,6 +32,7 @@
 #include "scene/stereo.h"
 #include "scenefile/scene_file.h"
 #include "shaderlib/passes.h"
+#include "version/version.h"
 
 namespace nullscope::cli {
 namespace {
@@ -229,8 +230,8 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
 
 std::string stamp_of(const Job& job, const CaptureOptions& options) {
     const double first_time = job.scene.time - job.time_frame * options.time_step;
-    return frame_stamp({job.scene, job.split ? &*job.split : nullptr, options, method_name(job.method), first_time,
-                        NULLSCOPE_VERSION});
+    return frame_stamp(
+        {job.scene, job.split ? &*job.split : nullptr, options, method_name(job.method), first_time, kVersionText});
 }
 
 // Where the pictures of a film or a sequence go, and which of them are there. Nothing: one picture.

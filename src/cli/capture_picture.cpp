@@ -23,6 +23,7 @@
 #include "render/display.h"
 #include "render/picture_bands.h"
 #include "scenefile/scene_writer.h"
+#include "version/version.h"
 
 namespace nullscope::cli {
 namespace {
@@ -144,7 +145,7 @@ std::map<std::string, std::string> words_of(const Scene& scene, const std::strin
                                                 {"nullscope.scene_text", text},
                                                 {"nullscope.scene_hash", fmt::format("{:016x}", fnv1a(text))},
                                                 {"nullscope.renderer", made_by},
-                                                {"nullscope.version", NULLSCOPE_VERSION}};
+                                                {"nullscope.version", kVersionText}};
     if (frame) words["nullscope.frame"] = fmt::format("{}", *frame);
     return words;
 }
@@ -164,7 +165,7 @@ FitsHeader header_of(const Scene& scene, const Captured& captured, const Capture
     add_coordinates(scene, several, header);
     add_scene(scene, header);
     for (const char* key : {"TELESCOP", "ORIGIN"}) header.cards.push_back({key, "nullscope", ""});
-    header.cards.push_back({"CREATOR", "nullscope " NULLSCOPE_VERSION, "program and version"});
+    header.cards.push_back({"CREATOR", fmt::format("nullscope {}", kVersionText), "program and version"});
     header.cards.push_back({"RENDERER", captured.made_by, ""});
     header.cards.push_back({"SCENE", scene.name, ""});
     header.cards.push_back(
@@ -227,7 +228,7 @@ Result<std::string> capture_large_exr(Session& session, const Scene& told, const
 Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured,
                      const CaptureOptions& options, std::optional<int> frame) {
     if (file_name.ends_with(".jpg") || file_name.ends_with(".jpeg"))
-        return save_jpeg(file_name, captured.display, scene.name + "\nnullscope " NULLSCOPE_VERSION,
+        return save_jpeg(file_name, captured.display, fmt::format("{}\nnullscope {}", scene.name, kVersion),
                          options.quality.value_or(kJpegQuality));
     if (file_name.ends_with(".fits")) {
         const auto flux = flux_unit(scene, is_several(scene, options));
@@ -237,7 +238,7 @@ Status write_picture(const std::string& file_name, const Scene& scene, const Cap
     std::map<std::string, std::string> words = words_of(scene, captured.made_by, frame);
     if (!file_name.ends_with(".exr")) {
         words.erase("nullscope.renderer");  // the same picture is the same file
-        words.insert({{"Title", scene.name}, {"Software", "nullscope " NULLSCOPE_VERSION}});
+        words.insert({{"Title", scene.name}, {"Software", fmt::format("nullscope {}", kVersion)}});
         return save_png(file_name, captured.display, words);
     }
     if (options.half)

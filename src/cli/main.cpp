@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "bench/bench.h"
 #include "cli/command.h"
+#include "version/version.h"
 
 namespace nullscope::cli {
 
@@ -39,7 +40,7 @@ int main(int argc, char** argv) {
         "nullscope",
         "nullscope: draw, trace and measure black holes and other curved spacetimes, without a window.\n"
         "Try: nullscope capture first-light -o first-light.png");
-    program.set_version(NULLSCOPE_VERSION);
+    program.set_version(nullscope::kVersionText);
     program.set_credits(nullscope::kCredits);
     for (const auto add : {add_capture, add_frames, add_path, add_trace, add_compare, add_bench, add_plan, add_scenes,
                            add_info, add_figure, add_lightcurve, add_light_time, add_profile, add_spectrum, add_manual})

@@ -3,9 +3,7 @@
 
 #include <filesystem>
 #include <string>
-#include <system_error>
 
-#include "base/atomic_file.h"
 #include "base/manual.h"
 #include "cli/command.h"
 
@@ -17,15 +15,7 @@ struct ManualOptions {
 };
 
 Status write_manual(const Command& program, const std::filesystem::path& folder) {
-    std::error_code reason;
-    std::filesystem::create_directories(folder / "man1", reason);
-    if (reason)
-        return failed(fmt::format("cannot make the folder '{}': {}", (folder / "man1").string(), reason.message()));
-    for (const ManualPage& page : manual_pages(program)) {
-        TRY(written, write_text_atomically(folder / "man1" / (page.name + ".1"), page.text));
-    }
-    TRY(written, write_text_atomically(folder / "nullscope.bash",
-                                       bash_completion(program, "nullscope scenes | cut -d\" \" -f1")));
+    TRY(written, nullscope::write_manual(program, "nullscope scenes | cut -d\" \" -f1", folder));
     fmt::print("{0}: man pages (man -l {0}/man1/nullscope.1), and for bash: source {0}/nullscope.bash\n",
                folder.string());
     return Done{};

@@ -7,7 +7,9 @@
 
 #include "base/atomic_file.h"
 #include "base/command_line.h"
+#include "base/manual.h"
 #include "base/text.h"
+#include "version/version.h"
 #include "viewer/viewer.h"
 
 namespace {
@@ -28,6 +30,8 @@ constexpr const char* kAbout =
     "scenes)\n  nullscope-viewer my-scene.toml --size 1920x1080   a scene of your own\n  nullscope-viewer --screenshot "
     "window.png          save what the window shows, with panels, then quit\n";
 
+constexpr const char* kSceneNames = "nullscope scenes | cut -d\" \" -f1";  // for completion
+
 constexpr const char* kHands =
     "\nIn the window: drag to look around, wheel for the distance, Z and wheel\nto zoom into the photon ring, W A S D "
     "Space C to fly, Q E to roll, R returns to "
@@ -37,10 +41,10 @@ constexpr const char* kHands =
     "nullscope capture SCENE -o FILE.png, or xvfb-run nullscope-viewer "
     "...\nFor pictures, films, rays and measurements in files, use nullscope (see: nullscope help).";
 
-Command program_of(viewer::ViewerOptions& options, std::string& size) {
+Command program_of(viewer::ViewerOptions& options, std::string& size, std::string& manual) {
     Command program("nullscope-viewer", kAbout);
     program.set_footer(kHands);
-    program.set_version(NULLSCOPE_VERSION);
+    program.set_version(kVersionText);
     program.add_option("scene", &options.scene, "Scene file, or the name of a built-in scene (default: the gallery)");
     program.add_flag("--gallery", &options.gallery, "Start with the gallery, before the scene");
     program.add_option(
@@ -65,6 +69,8 @@ Command program_of(viewer::ViewerOptions& options, std::string& size) {
     program.add_option("--layout", &options.layout,
                        "Write where the words of the panels are to this file whenever the window is idle, with those "
                        "that are cut off or overlap");
+    program.add_option("--manual", &manual,
+                       "Write the man page and the completion of bash into this folder, then quit");
     return program;
 }
 
@@ -74,10 +80,15 @@ int main(int argc, char** argv) {
     nullscope::clean_up_on_signals();
     constexpr int kFramesOfScreenshot = 4;  // panels have found their size by then
     viewer::ViewerOptions options;
-    std::string size;
-    const auto asked = nullscope::parse_command_line(program_of(options, size), argc, argv);
+    std::string size, manual;
+    const Command program = program_of(options, size, manual);
+    const auto asked = nullscope::parse_command_line(program, argc, argv);
     if (!asked) return report(asked.error());
     if (!asked->text.empty()) return fmt::print("{}", asked->text), 0;
+    if (!manual.empty()) {
+        const Status written = write_manual(program, kSceneNames, manual);
+        return written ? 0 : report(written.error());
+    }
     if (!size.empty()) {
         const auto sides = two_whole_numbers(size, 'x', 1, kLargest);
         if (!sides)

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/credits.h"
+#include "version/version.h"
 #include "viewer/menu.h"
 #include "viewer/panel_system.h"
 #include "viewer/widgets.h"
@@ -236,7 +237,7 @@ void draw_about(bool& shown, const gl::Info& info) {
     ImGui::SetNextWindowPos({0.5f * screen.x, 0.5f * screen.y}, ImGuiCond_Appearing, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(40.0f * em(), 0.9f * screen.x), 0.0f});
     if (ImGui::Begin("About nullscope", &shown, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
-        const std::string text = fmt::format("nullscope {}\nOpenGL {}\n{}\n{}\n\n{}", NULLSCOPE_VERSION, info.version,
+        const std::string text = fmt::format("nullscope {}\nOpenGL {}\n{}\n{}\n\n{}", kVersionText, info.version,
                                              info.vendor, info.renderer, kCredits);
         ImGui::TextWrapped("%s", text.c_str());
         if (ImGui::Button("Copy")) ImGui::SetClipboardText(text.c_str());

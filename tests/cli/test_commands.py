@@ -66,7 +66,7 @@ class Commands(support.CliTest):
             self.assertTrue((self.folder / name).exists(), pattern)
 
     def test_version(self):
-        self.assertRegex(self.run_nullscope("--version").out, r"^\d+\.\d+")
+        self.assertRegex(self.run_nullscope("--version").out, r"^\d+\.\d+\.\d+( \([0-9a-f]{12}(, changed)?\))?$")
 
     def test_credits(self):
         for name in ("Axel Mellinger", "proper credit", "Hipparcos", "d3-celestial"):

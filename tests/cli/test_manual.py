@@ -3,14 +3,20 @@
 import re
 import shutil
 import subprocess
+import unittest
 
 import support
+
+
+VIEWER = support.Path(support.BINARY).parent / "nullscope-viewer"
 
 
 class Manual(support.CliTest):
     def setUp(self):
         super().setUp()
         self.run_nullscope("manual", "m")
+        if VIEWER.exists():
+            subprocess.run([VIEWER, "--manual", "m"], cwd=self.folder, check=True)
         self.pages = {path.stem: path for path in (self.folder / "m" / "man1").glob("*.1")}
 
     def commands(self, path=()):
@@ -23,11 +29,20 @@ class Manual(support.CliTest):
     def test_every_command_has_a_page_with_its_options(self):
         commands = list(self.commands())
         self.assertGreater(len(commands), 15)
-        self.assertEqual(set(self.pages), {"-".join(("nullscope", *path)) for path in commands})
+        self.assertEqual(set(self.pages) - {"nullscope-viewer"}, {"-".join(("nullscope", *path)) for path in commands})
         for path in commands:
             page = self.pages["-".join(("nullscope", *path))].read_text().replace("\\-", "-")
             for option in re.findall(r"^  (?:-\w,)?(--[\w-]+)", self.run_nullscope(*path, "--help").out, re.M):
                 self.assertIn(option, page, path)
+
+    @unittest.skipUnless(VIEWER.exists(), "built without the viewer")
+    def test_the_viewer_has_a_page_with_its_options_and_what_hands_do(self):
+        page = self.pages["nullscope-viewer"].read_text().replace("\\-", "-")
+        said = subprocess.run([VIEWER, "--help"], capture_output=True, text=True, check=True).stdout
+        options = re.findall(r"^  (?:-\w,)?(--[\w-]+)", said, re.M)
+        self.assertGreater(len(options), 8)
+        for word in [*options, "Ctrl+S saves"]:
+            self.assertIn(word, page)
 
     def test_pages_are_without_a_warning(self):
         if shutil.which("man") is None:
@@ -40,7 +55,8 @@ class Manual(support.CliTest):
             self.assertEqual((ran.returncode, ran.stderr), (0, ""), page)
 
     def completed(self, *words):
-        script = f"source m/nullscope.bash; COMP_WORDS=({' '.join(map(repr, words))}); COMP_CWORD={len(words) - 1}; _nullscope; printf '%s\\n' \"${{COMPREPLY[@]}}\""
+        function = "_" + words[0].replace("-", "_")
+        script = f"source m/{words[0]}.bash; COMP_WORDS=({' '.join(map(repr, words))}); COMP_CWORD={len(words) - 1}; {function}; printf '%s\\n' \"${{COMPREPLY[@]}}\""
         ran = subprocess.run(["bash", "-c", script], cwd=self.folder, capture_output=True, text=True,
                              env={"PATH": f"{support.Path(support.BINARY).parent}:/usr/bin:/bin"})
         self.assertEqual(ran.stderr, "")
@@ -53,6 +69,9 @@ class Manual(support.CliTest):
         self.assertEqual(self.completed("nullscope", "bench", "fr"), ["frames"])
         self.write("first.toml", "")
         self.assertEqual(self.completed("nullscope", "plan", "fir"), ["first-light", "first.toml"])
+        if VIEWER.exists():
+            self.assertEqual(self.completed("nullscope-viewer", "--scr"), ["--screenshot"])
+            self.assertEqual(self.completed("nullscope-viewer", "fir"), ["first-light", "first.toml"])
 
     def test_bad_input(self):
         self.write("file", "")
