@@ -9,8 +9,12 @@ build=(g++ cmake ninja-build pkg-config python3 python3-glad libfast-float-dev l
        libpng-dev libjpeg-dev libcfitsio-dev libfreetype-dev doctest-dev)
 run=(libegl1 libgl1 libgl1-mesa-dri fonts-dejavu-core)
 test=(xvfb xauth xdotool)
-# scripts/test.sh --all: films, packages, man pages, and sequences on many machines
-all_tests=(ffmpeg lintian man-db munge parallel slurm-client slurmctld slurmd)
+# scripts/release.sh: packages
+package=(dpkg-dev file lintian patchelf)
+# scripts/docs.sh: the documentation as a site
+docs=(mkdocs)
+# scripts/test.sh --all: films, man pages, and sequences on many machines
+all_tests=(ffmpeg man-db munge parallel slurm-client slurmctld slurmd)
 # scripts/web.sh: the browser's build; and the browser that tests it
 web=(clang-19 lld-19 libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc libgles-dev chromium-headless-shell)
 checks=(clang libclang-rt-dev clang-format clang-tidy)   # scripts/check.sh
@@ -19,11 +23,14 @@ optional=(ccache libosmesa6)
 
 usage() {
     cat <<'END'
-Usage: install-packages.sh [--quiet] [--all] [--checks] [--web]
+Usage: install-packages.sh [--quiet] [--all] [--checks] [--docs] [--package] [--web]
 Installs the packages that nullscope needs by apt, if any are missing. Needs root or sudo for that.
   --quiet    say nothing unless something is missing or goes wrong
-  --all      also what scripts/test.sh --all needs: ffmpeg, lintian, man, GNU parallel and Slurm
+  --all      also what scripts/test.sh --all needs: ffmpeg, man, GNU parallel and Slurm,
+             and the sets of --docs and --package
   --web      also what scripts/web.sh and its tests need: clang for WebAssembly, Chromium without a window
+  --docs     also what scripts/docs.sh needs: mkdocs
+  --package  also what packages are made with: dpkg-dev, file, lintian, patchelf
   --checks   also what scripts/check.sh needs: clang, clang-format and clang-tidy
 END
 }
@@ -32,7 +39,9 @@ quiet=no
 for argument in "$@"; do
     case $argument in
         --quiet) quiet=yes ;;
-        --all) test+=("${all_tests[@]}") ;;
+        --all) test+=("${all_tests[@]}" "${docs[@]}" "${package[@]}") ;;
+        --docs) test+=("${docs[@]}") ;;
+        --package) test+=("${package[@]}") ;;
         --web) test+=("${web[@]}") ;;
         --checks) test+=("${checks[@]}") ;;
         -h | --help) usage; exit 0 ;;
