@@ -294,18 +294,6 @@ class Commands(support.CliTest):
         if len(kinds) < 2:
             self.skipTest(f"only {kinds} here")
 
-    def test_examples_of_the_document(self):
-        document = Path(support.__file__).resolve().parents[2] / "docs" / "command-line.md"
-        examples = re.findall(r"```sh\n(.*?)```", document.read_text(), re.S)
-        self.assertGreaterEqual(len(examples), 6)
-        path = {**os.environ, "PATH": str(Path(support.BINARY).parent) + os.pathsep + os.environ["PATH"]}
-        for example in examples:
-            done = subprocess.run(["sh", "-ec", example], cwd=self.folder, env=path, capture_output=True,
-                                  timeout=support.LONGEST_S)
-            self.assertEqual(done.returncode, 0, f"{example}\n{done.stderr.decode()}")
-        json.loads((self.folder / "bench.json").read_text())
-        self.assertEqual(png_size((self.folder / "first-light.png").read_bytes())[0], 1280)
-
     def test_two_spacetimes_beside_each_other(self):
         pictures = {}
         for name, other in (("same", "flat"), ("again", "flat"), ("other", "wormhole")):
