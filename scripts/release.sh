@@ -35,7 +35,8 @@ done
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
 version=$(sed -n 's/^project(nullscope VERSION \([0-9.]*\).*/\1/p' "$repository/CMakeLists.txt")
-epoch=$(git -C "$repository" log -1 --format=%ct)   # of every date in a package
+commit=$(git -C "$repository" rev-parse HEAD)   # of all packages, whatever is committed meanwhile
+epoch=$(git -C "$repository" log -1 --format=%ct "$commit")   # of every date in a package
 rm -f "$out"/nullscope*"$version"* "$out/SHA256SUMS"
 say "nullscope $version ($(git -C "$repository" rev-parse --short=12 HEAD))"
 
@@ -50,8 +51,10 @@ rm -r out/_CPack_Packages
 lintian --allow-root -I --suppress-tags unused-override --fail-on error,warning,info out/*.deb   # one list of overrides for all suites
 [ "$1" = no ] || cmake -DBUILD=build/release -DOUT=out -P packaging/archive.cmake'
 
+clone_into() { git clone --quiet --no-hardlinks "$repository" "$1" && git -C "$1" checkout --quiet --detach "$commit"; }
+
 build_suite() { # SUITE ARCHIVE(yes|no)
-    git clone --quiet --no-hardlinks "$repository" "$fresh/nullscope"
+    clone_into "$fresh/nullscope"
     if [[ -n ${RELEASE_CCACHE-} && -d $RELEASE_CCACHE/$1 ]]; then cp -a "$RELEASE_CCACHE/$1" "$fresh/ccache"; fi
     local result=0
     inside env CCACHE_DIR=/ccache CCACHE_BASEDIR=/nullscope CCACHE_NOHASHDIR=1 SOURCE_DATE_EPOCH="$epoch" sh -c "$build" build "$2" \
@@ -76,8 +79,8 @@ done
 
 source_tree=$(mktemp -d "${TMPDIR:-/tmp}/nullscope-release.XXXXXX")
 trap 'rm -rf "$source_tree"' EXIT
-git clone --quiet --no-hardlinks "$repository" "$source_tree/nullscope"
-git -C "$repository" archive --prefix="nullscope-$version/" -o "$out/nullscope-$version-source.tar.gz" HEAD
+clone_into "$source_tree/nullscope"
+git -C "$repository" archive --prefix="nullscope-$version/" -o "$out/nullscope-$version-source.tar.gz" "$commit"
 
 # of_folder NAME FOLDER: as an archive
 of_folder() { tar --sort=name --mtime="@$epoch" --owner=0 --group=0 --numeric-owner -czf "$out/nullscope-$version-$1.tar.gz" -C "$2" --transform "s,^\.,nullscope-$version-$1," .; }
