@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 
 namespace nullscope {
 namespace {
@@ -55,6 +56,10 @@ void Progress::print(double elapsed_s, bool last) {
     std::fflush(stderr);
     last_print_s_ = elapsed_s;
     printed_ = true;
+}
+
+Advance progress_on_terminal(const std::string& label, long long total) {
+    return [progress = std::make_shared<Progress>(label, total)](long long units) { progress->advance(units); };
 }
 
 }  // namespace nullscope

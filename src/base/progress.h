@@ -1,6 +1,7 @@
 // Progress of long work on standard error: a bar on a terminal, one plain line every few seconds elsewhere.
 #pragma once
 #include <atomic>
+#include <functional>
 #include <mutex>
 #include <string>
 
@@ -29,5 +30,10 @@ private:
     bool terminal_ = false;
     bool printed_ = false;
 };
+
+// What long work tells of itself: begun with what it is and its units, told of each done, from any thread; over when the function is gone.
+using Advance = std::function<void(long long units)>;
+using BeginProgress = std::function<Advance(const std::string& label, long long total)>;
+Advance progress_on_terminal(const std::string& label, long long total);  // a Progress
 
 }  // namespace nullscope

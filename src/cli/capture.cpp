@@ -10,23 +10,21 @@
 #include <utility>
 #include <vector>
 
-#include "annotate/marks.h"
-#include "base/assets.h"
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "cli/capture.h"
-#include "cli/capture_picture.h"
 #include "cli/command.h"
 #include "cli/cube_faces.h"
 #include "cli/film.h"
 #include "cli/flux.h"
 #include "cli/frame_store.h"
-#include "cli/stereo_capture.h"
+#include "cli/picture_file.h"
 #include "cli/workers.h"
 #include "command/arguments.h"
+#include "command/shot.h"
+#include "command/stereo_capture.h"
 #include "observer/path.h"
 #include "plan/shutter.h"
-#include "render/frontier.h"
 #include "render/picture_bands.h"
 #include "scene/split.h"
 #include "scene/stereo.h"
@@ -36,25 +34,6 @@
 
 namespace nullscope::cli {
 namespace {
-
-// auto: the cheapest that was measured to keep --max-error; said on standard error.
-Result<Method> chosen_method(const CaptureOptions& options, const Scene& scene) {
-    if (options.method != "auto") {
-        auto method = parse_method(options.method);
-        // The renderer takes the default for auto.
-        if (method && *method == Method{} &&
-            light_path_kind(effect_set(required_effects(scene))) == LightPathKind::kMino)
-            return bad_input("method strip does not work for a rotating hole",
-                             "auto, mino[:ORDER[:STEP]], kerr-schild:STEP");
-        return method;
-    }
-    TRY(measured, load_frontier(assets_directory() / "frontier.csv"));
-    TRY(choice,
-        options.max_error ? choose_method(*measured, scene, *options.max_error) : default_method(*measured, scene));
-    if (options.max_error || choice->says || choice->error_px > kDefaultMaxError_px)
-        fmt::print(stderr, "method {}\n", choice->reason);
-    return choice->method;
-}
 
 std::string film_folder(const CaptureOptions& options) { return options.output + ".frames"; }
 
@@ -84,35 +63,15 @@ Status dump_shader(const Scene& scene) {
 }
 
 // What is to be drawn, checked.
-struct Job {
-    Scene scene;
-    std::optional<Scene> split{};  // of --split
-    std::optional<CameraPath> path{};
+struct Job : Shot {
     Frames frames{};
-    int time_frame = 0;                 // that has the scene's time
     std::optional<FrameNames> names{};  // of a sequence's files; a film's pictures have a folder of their own
-    Method method{};                    // of the shader
 };
-
-Scene scene_at(const Job& job, double time_step, double frame) {
-    Scene now = job.scene;
-    now.time += (frame - job.time_frame) * time_step;
-    if (!job.path) return now;
-    now.camera = job.path->at(frame);
-    now.path.reset();  // its camera is where the path has led it
-    now.time += job.path->clock(frame);
-    now.camera.width = job.scene.camera.width, now.camera.height = job.scene.camera.height;
-    return now;
-}
 
 // Of the frame after this one; nothing after a path's last.
 std::optional<Scene> next_scene(const Job& job, double time_step, int frame) {
     if (job.path ? frame + 1 >= job.path->frames() : time_step == 0) return {};
     return scene_at(job, time_step, frame + 1);
-}
-
-Exposure exposure_in(const Job& job, double time_step, int frame) {
-    return exposure_of([&](double at) { return scene_at(job, time_step, at); }, frame);
 }
 
 // Says once that bright points leave dots.
@@ -142,14 +101,6 @@ void say_backwards(const Job& job) {
         }
 }
 
-// Says once why there are no letters.
-void annotate(const Scene& scene, const std::optional<Halves>& split, Image<unsigned char>& picture) {
-    static bool said = false;
-    const Marks marks = make_marks(annotations_of(scene, split), picture.width, picture.height);
-    if (!marks.note.empty() && !std::exchange(said, true)) fmt::print(stderr, "{}\n", marks.note);
-    lay_over(marks.marks, picture);
-}
-
 // One picture, or two side by side, into a file. Returns what it was made by, and its flux where that is known.
 Result<std::string> draw(const Job& job, Session* session, const Exposure& shown, const CaptureOptions& options,
                          const std::string& file, std::optional<int> frame) {
@@ -161,31 +112,18 @@ Result<std::string> draw(const Job& job, Session* session, const Exposure& shown
         TRY(beside, side_by_side_pictures(shown));
         return capture_large_exr(*session, told, *beside, options, file, frame);
     }
-    const auto split_of = [&](const Scene& s) { return job.split ? halves(s, *job.split) : halves(s); };
-    const std::optional<Halves> split = split_of(scene);
-    const auto half = [&](Scene Halves::*side) {
-        return changed(shown, [&](const Scene& s) { return *split_of(s).*side; });
-    };
     const std::optional<Scene> next =
         options.layers && frame ? next_scene(job, options.time_step, *frame) : std::nullopt;
-    TRY(captured, scene.camera.stereo != Stereo::kOff ? capture_stereo(session, shown, options)
-                                                      : capture_picture(session, split ? half(&Halves::left) : shown,
-                                                                        options, next ? &*next : nullptr));
-    if (split) {
-        TRY(right, capture_picture(session, half(&Halves::right), options));
-        captured->linear = side_by_side(captured->linear, right->linear);
-        captured->display = side_by_side(captured->display, right->display);
-    }
-    if (!options.plain && !options.to_linear_light()) annotate(scene, split, captured->display);
+    TRY(captured, draw_shot(job, session, shown, options.drawing(), !options.plain, next ? &*next : nullptr));
     TRY(written, names_faces(options) ? write_faces(scene, *captured, options)
                                       : write_picture(file, told, *captured, options, frame));
-    const auto flux = flux_unit(scene, split.has_value() || scene.camera.stereo != Stereo::kOff);
+    const auto flux = flux_unit(scene, job.split || scene.split || scene.camera.stereo != Stereo::kOff);
     return flux && options.to_linear_light() ? captured->made_by + ", " + flux_words(captured->linear, *flux)
                                              : captured->made_by;
 }
 
 Result<Job> job_of(const CaptureOptions& options, Scene scene) {
-    Job job{std::move(scene)};
+    Job job{{std::move(scene)}};
     if (job.scene.path) {
         TRY(made, CameraPath::make(job.scene));
         job.path = std::move(*made);
@@ -205,7 +143,7 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
         if (options.samples) job.split->picture.samples = job.scene.picture.samples;
     }
     TRY(good, check_options(options));
-    TRY(seen, check_stereo(job.scene, options));
+    TRY(seen, check_stereo(job.scene, options.drawing(), !options.split.empty()));
     TRY(faces, check_faces(job.scene, options));
     if (job.path && job.path->falls() && options.time_step != 0)
         return bad_input("--time-step: the scene's time goes with the camera that falls",
@@ -223,7 +161,7 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
         job.names = std::move(*names);
     }
     if (options.renderer != "gl") return job;
-    TRY(method, chosen_method(options, job.scene));
+    TRY(method, chosen_method(options.method, options.max_error, job.scene, options.listener));
     job.method = *method;
     return job;
 }
@@ -240,17 +178,6 @@ Result<std::unique_ptr<FrameStore>> store_of(const Job& job, const CaptureOption
     const std::string stamp = stamp_of(job, options);
     return options.to_film() ? FrameStore::open_film(film_folder(options), stamp)
                              : FrameStore::open_sequence(*job.names, stamp, options.resume);
-}
-
-// Do the programs of a picture in tiles, a few tenths of a second to compile, save more than that? By what there is to draw, whether it
-// is drawn now or was before: pictures do not depend on it but for rounding.
-bool worth_tiles(const Job& job) {
-    constexpr double kWorth_px = 2.0e7;  // with a disc some 25 ns a pixel are saved on two cores
-    const CameraSpec& camera = job.scene.camera;
-    const PictureSpec& picture = job.scene.picture;
-    const double pictures = picture.shutter > 0.0 ? picture.sub_frames : 1.0;
-    const double rays = pictures * camera.width * camera.height * picture.samples * picture.samples;
-    return rays * (job.frames.end - job.frames.first) >= kWorth_px;
 }
 
 // Draws a frame unless the store has it. False: another run, or worker, is drawing it.
@@ -299,7 +226,8 @@ Status draw_here(const Job& job, const CaptureOptions& options, FrameStore* stor
         TRY(opened, open_session(options.context));
         session = std::move(*opened);
         session->renderer->set_method(job.method);
-        session->renderer->limit_tiles(worth_tiles(job) ? Tiles::kTraced : Tiles::kBodies);
+        session->renderer->limit_tiles(worth_tiles(job, job.frames.end - job.frames.first) ? Tiles::kTraced
+                                                                                           : Tiles::kBodies);
     }
     return draw_frames(job, session ? &*session : nullptr, options, store, watch);
 }

@@ -8,30 +8,34 @@
 #include "base/result.h"
 #include "cli/command.h"
 #include "cli/film.h"
+#include "command/draw_options.h"
 
 namespace nullscope::cli {
 
 // What nullscope capture was asked for.
-struct CaptureOptions {
-    std::string scene, split, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames,
-                              st_map;
-    std::optional<int> samples;  // reference: a side of a pixel; else kSamples
+struct CaptureOptions : DrawOptions {
+    std::string scene, split, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
     std::optional<double> time;
     double time_step = 0;
     std::optional<int> time_frame;  // that has the scene's time
     std::optional<double> max_error;
-    std::optional<int> largest_texture, quality;  // quality: of a JPEG
+    std::optional<int> quality;  // of a JPEG
     int workers = 1;
     std::vector<std::string> ffmpeg;  // options for the film
-    bool raydata = false, layers = false, half = false, dump_shader = false, resume = false, plain = false;
+    bool half = false, dump_shader = false, resume = false, plain = false;
 
     bool to_exr() const { return output.ends_with(".exr"); }
     bool to_fits() const { return output.ends_with(".fits"); }
     bool to_linear_light() const { return to_exr() || to_fits(); }
     bool to_jpeg() const { return output.ends_with(".jpg") || output.ends_with(".jpeg"); }
     bool to_film() const { return is_film(output); }
+    // What drawing needs to know of the file.
+    DrawOptions drawing() const {
+        DrawOptions options = *this;
+        options.linear = to_linear_light(), options.in_bands = to_fits();
+        return options;
+    }
 };
-inline constexpr int kSamples = 3;
 
 // Adds the command, with the function that it runs.
 void add_capture_to(Command& parent, const std::function<Status(const CaptureOptions&)>& run_it);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/result.h"
-#include "cli/capture_picture.h"
+#include "cli/picture_file.h"
 
 namespace nullscope::cli {
 

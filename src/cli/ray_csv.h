@@ -18,13 +18,13 @@ inline constexpr std::size_t kLargestRayFile = std::size_t{1} << 30;  // bytes
 struct RayRow {
     int line = 0;      // in the file, from 1
     std::string text;  // as it stands there: the output repeats it
-    RayQuery query;    // view direction normalised
 };
 
 struct RayTable {
     std::string file;
     std::string header;
     std::vector<RayRow> rows;
+    std::vector<RayQuery> queries;  // of the rows
 };
 
 using RayRecords = std::vector<std::optional<RayRecord>>;  // of the rows; nothing: it could not be traced
@@ -35,8 +35,8 @@ using RayRecords = std::vector<std::optional<RayRecord>>;  // of the rows; nothi
 Result<RayTable> read_rays(const std::string& path, const Spacetime& spacetime);
 Result<RayTable> parse_rays(std::string_view text, const std::string& file, const Spacetime& spacetime);
 
-// "FILE:LINE: what", safe to print.
-Error ray_error(const RayTable& table, const RayRow& row, const std::string& what);
+// Of a row's ray: "FILE:LINE: what".
+Error ray_error(const RayTable& table, std::size_t row, Error error);
 
 // The rays' own columns, then what was found: fate, ..., r_1, phi_1, ..., with shifts g_1 after these. A row without a record gets
 // empty fields.

@@ -16,8 +16,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
             fuzz::must(table.error().message().starts_with("rays.csv:"), "the file is named");
             continue;
         }
-        for (const cli::RayRow& row : table->rows) {
-            const RayQuery& query = row.query;
+        for (const RayQuery& query : table->queries) {
             if (query.orbit)
                 fuzz::must(query.orbit->q > 0 && query.orbit->zeta0 > 0, "an orbit within its ranges");
             else

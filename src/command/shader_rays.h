@@ -1,12 +1,10 @@
 // Rays through the shader's own text: each is the middle pixel of a small camera that looks along it.
 #pragma once
-#include <functional>
-#include <optional>
+#include <span>
 #include <string>
-#include <vector>
 
 #include "base/result.h"
-#include "cli/ray_csv.h"
+#include "command/ray_trace.h"
 #include "scene/scene.h"
 #include "shaderlib/method.h"
 
@@ -19,11 +17,11 @@ struct ShaderRun {
     int crossings = 0;             // of the equatorial plane, to find
 };
 
-// In the order of the table's rows; nothing for a ray whose camera cannot stand in a static frame outside the horizon
-// (or lies beyond kFarthestCamera). Of a record these stay empty: delay and turn; g unless escaped; `at` beyond half a
-// turn; crossings from the 13th on, and about a rotating hole their windings. done(n): n more rows are traced.
-Result<RayRecords> trace_with_shader(const Scene& scene, const Spacetime& spacetime, const RayTable& table,
-                                     const ShaderRun& run, const std::function<void(long long)>& done);
+// A ray is left out whose camera cannot stand in a static frame outside the horizon (or lies beyond kFarthestCamera). Of a record these
+// stay empty: delay and turn; g unless escaped; `at` beyond half a turn; crossings from the 13th on, and about a rotating hole their
+// windings.
+Status trace_with_shader(const Scene& scene, const Spacetime& spacetime, std::span<const RayQuery> rays,
+                         const ShaderRun& run, const TraceOutput& output);
 
 inline constexpr double kFarthestCamera = 1e9;  // r_s, as in scene files: the shader's floats hold 1/r and its square
 

@@ -3,13 +3,13 @@
 #include <vector>
 
 #include "base/result.h"
-#include "cli/capture_picture.h"
+#include "command/capture_picture.h"
 #include "observer/path.h"
 
 namespace nullscope::cli {
 
-// What stereo pictures cannot be asked for. Errors: bad input.
-Status check_stereo(const Scene& scene, const CaptureOptions& options);
+// What stereo pictures cannot be asked for. split: for another scene beside it. Errors: bad input.
+Status check_stereo(const Scene& scene, const DrawOptions& options, bool split);
 // Whether there is a place for the eyes of all frames. A millisecond a frame.
 Status check_stereo_frames(const CameraPath& path, const Scene& scene, int first, int end);
 
@@ -17,6 +17,6 @@ Status check_stereo_frames(const CameraPath& path, const Scene& scene, int first
 Result<std::vector<Exposure>> side_by_side_pictures(const Exposure& shown);
 
 // Its camera's stereo is not kOff.
-Result<Captured> capture_stereo(Session* session, const Exposure& shown, const CaptureOptions& options);
+Result<Captured> capture_stereo(Session* session, const Exposure& shown, const DrawOptions& options);
 
 }  // namespace nullscope::cli

@@ -1,4 +1,4 @@
-#include "cli/capture_layers.h"
+#include "command/capture_layers.h"
 
 #include <cmath>
 #include <map>

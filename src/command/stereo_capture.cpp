@@ -1,11 +1,9 @@
-#include "cli/stereo_capture.h"
+#include "command/stereo_capture.h"
 
 #include <fmt/format.h>
 
-#include <optional>
 #include <utility>
 
-#include "base/progress.h"
 #include "observer/eye.h"
 #include "scene/stereo.h"
 #include "spacetime/registry.h"
@@ -45,9 +43,9 @@ Status begin_strips(Renderer& renderer, const Scene& scene, const EyePart& first
 
 }  // namespace
 
-Status check_stereo(const Scene& scene, const CaptureOptions& options) {
+Status check_stereo(const Scene& scene, const DrawOptions& options, bool split) {
     if (scene.camera.stereo == Stereo::kOff) return Done{};
-    for (const auto& [option, given] : {std::pair{"--split", !options.split.empty()},
+    for (const auto& [option, given] : {std::pair{"--split", split},
                                         {"--raydata", options.raydata},
                                         {"--layers", options.layers},
                                         {"--st-map", !options.st_map.empty()}})
@@ -55,7 +53,7 @@ Status check_stereo(const Scene& scene, const CaptureOptions& options) {
             return bad_input(fmt::format("{} is of one picture, and the scene has camera.stereo", option),
                              fmt::format("stereo = \"off\", or no {}", option));
     const auto [width, height] = stereo_size(scene.camera);
-    return options.to_linear_light() ? Done{} : check_size8(width, height);
+    return options.linear ? Done{} : check_size8(width, height);
 }
 
 Status check_stereo_frames(const CameraPath& path, const Scene& scene, int first, int end) {
@@ -82,20 +80,20 @@ Result<std::vector<Exposure>> side_by_side_pictures(const Exposure& shown) {
     return eyes;
 }
 
-Result<Captured> capture_stereo(Session* session, const Exposure& shown, const CaptureOptions& options) {
+Result<Captured> capture_stereo(Session* session, const Exposure& shown, const DrawOptions& options) {
     const Scene& scene = shown.scene;
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     TRY(draw, picture_drawer(session, scene, options));
     const auto [width, height] = stereo_size(scene.camera);
     Captured both;
-    if (options.to_linear_light())
+    if (options.linear)
         both.linear = Image<float>(width, height, 3);
     else
         both.display = Image<unsigned char>(width, height, 3);
     const std::vector<EyePart> parts = eye_parts(scene.camera);
-    std::optional<Progress> progress;
+    Advance advance = [](long long) {};
     if (scene.camera.stereo == Stereo::kAllRound) {
-        progress.emplace("strips", static_cast<long long>(parts.size()));
+        advance = options.listener.progress("strips", std::ssize(parts));
         if (session != nullptr) {
             TRY(ready, begin_strips(*session->renderer, scene, parts.front()));
         }
@@ -106,7 +104,7 @@ Result<Captured> capture_stereo(Session* session, const Exposure& shown, const C
         paste(captured->linear, parts[i], both.linear);
         paste(captured->display, parts[i], both.display);
         both.made_by = captured->made_by;
-        if (progress) progress->advance();
+        advance(1);
     }
     return both;
 }

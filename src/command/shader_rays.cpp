@@ -1,8 +1,9 @@
-#include "cli/shader_rays.h"
+#include "command/shader_rays.h"
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <optional>
+#include <vector>
 
 #include "command/session.h"
 #include "observer/observer.h"
@@ -144,7 +145,7 @@ public:
     }
 
     // The views' pixels, in their order.
-    void write(std::span<const Job> jobs, const std::vector<RayPixel>& pixels, RayRecords& records) const {
+    void write(std::span<const Job> jobs, const std::vector<RayPixel>& pixels, const TraceOutput& output) const {
         auto next = pixels.begin();
         for (const Job& job : jobs) {
             RayRecord record = record_of(job.start, *next++, delays_);
@@ -161,7 +162,7 @@ public:
             } else if (job.at_angle && *job.at_angle == 0.0) {
                 record.at = 1.0 / job.start.r;
             }
-            records[job.row] = std::move(record);
+            output.take(job.row, std::move(record));
         }
     }
 
@@ -173,8 +174,8 @@ private:
 
 }  // namespace
 
-Result<RayRecords> trace_with_shader(const Scene& scene, const Spacetime& spacetime, const RayTable& table,
-                                     const ShaderRun& run, const std::function<void(long long)>& done) {
+Status trace_with_shader(const Scene& scene, const Spacetime& spacetime, std::span<const RayQuery> rays,
+                         const ShaderRun& run, const TraceOutput& output) {
     if (run.tracer != "gl" && has_solids(effect_set(required_effects(scene))))
         return bad_input("--with core64 and core32 know no solid bodies", "reference or gl, or a scene without bodies");
     std::optional<Session> session;  // of gl
@@ -201,8 +202,8 @@ Result<RayRecords> trace_with_shader(const Scene& scene, const Spacetime& spacet
     const bool plane = spacetime.can_have_disc();          // the plane is found by a disc in it
     const bool angles = plane && spacetime.planar_rays();  // of orbits that stay in a plane
     bool places = false;
-    for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        const RayQuery& query = table.rows[row].query;
+    for (std::size_t row = 0; row < rays.size(); ++row) {
+        const RayQuery& query = rays[row];
         if (const auto start = start_of(query, spacetime))
             jobs.push_back({row, *start, angles ? query.at_angle : std::nullopt});
         places = places || (angles && query.at_angle);
@@ -212,15 +213,14 @@ Result<RayRecords> trace_with_shader(const Scene& scene, const Spacetime& spacet
     constexpr int kMostCrossings = 12;  // that the shader looks for (DISC_MOST_CROSSINGS)
     const int crossings = plane ? std::min(run.crossings, kMostCrossings) : 0;
     const Batch batch(scene, spacetime, crossings, crossings > 0 || places);
-    RayRecords records(table.rows.size());
     for (std::span<const Job> rest = jobs; !rest.empty();) {
         const auto now = rest.first(std::min(kBatch, rest.size()));
         TRY(pixels, trace(batch.views(now)));
-        batch.write(now, *pixels, records);
-        done(static_cast<long long>(now.size()));
+        batch.write(now, *pixels, output);
+        output.done(static_cast<long long>(now.size()));
         rest = rest.subspan(now.size());
     }
-    return records;
+    return Done{};
 }
 
 }  // namespace nullscope::cli

@@ -1,0 +1,109 @@
+#include "cli/picture_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "base/text.h"
+#include "cli/fits_header.h"
+#include "cli/flux.h"
+#include "compare/ray_channels.h"
+#include "image/channels.h"
+#include "image/image_file.h"
+#include "render/picture_bands.h"
+#include "scenefile/scene_writer.h"
+#include "version/version.h"
+
+namespace nullscope::cli {
+namespace {
+
+std::map<std::string, std::string> words_of(const Scene& scene, const std::string& made_by, std::optional<int> frame) {
+    const std::string text = scene_file_text(scene, {});
+    std::map<std::string, std::string> words = {{"nullscope.scene", scene.name},
+                                                {"nullscope.scene_text", text},
+                                                {"nullscope.scene_hash", fmt::format("{:016x}", fnv1a(text))},
+                                                {"nullscope.renderer", made_by},
+                                                {"nullscope.version", kVersionText}};
+    if (frame) words["nullscope.frame"] = fmt::format("{}", *frame);
+    return words;
+}
+
+bool is_several(const Scene& scene, const CaptureOptions& options) {
+    return !options.split.empty() || scene.split || scene.camera.stereo != Stereo::kOff;
+}
+
+FitsHeader header_of(const Scene& scene, const Captured& captured, const CaptureOptions& options,
+                     std::optional<int> frame) {
+    const bool several = is_several(scene, options);
+    FitsHeader header{.unit_comment = "relative luminance: linear light, 1 is white"};
+    if (const auto flux = flux_unit(scene, several)) {
+        header.unit = "Jy/pixel", header.unit_comment = "flux density of a pixel";
+        header.cards.push_back({"FREQ", 1e9 * flux->frequency_GHz, "[Hz] as the camera sees it"});
+    }
+    add_coordinates(scene, several, header);
+    add_scene(scene, header);
+    for (const char* key : {"TELESCOP", "ORIGIN"}) header.cards.push_back({key, "nullscope", ""});
+    header.cards.push_back({"CREATOR", fmt::format("nullscope {}", kVersionText), "program and version"});
+    header.cards.push_back({"RENDERER", captured.made_by, ""});
+    header.cards.push_back({"SCENE", scene.name, ""});
+    header.cards.push_back(
+        {"SCENHASH", words_of(scene, {}, {})["nullscope.scene_hash"], "FNV-1a of its canonical text"});
+    if (frame) header.cards.push_back({"FRAME", static_cast<long long>(*frame), "of a sequence"});
+    return header;
+}
+
+}  // namespace
+
+Result<std::string> capture_large_exr(Session& session, const Scene& told, const std::vector<Exposure>& shown,
+                                      const CaptureOptions& options, const std::string& file_name,
+                                      std::optional<int> frame) {
+    const CameraSpec& camera = shown.front().scene.camera;
+    begin_drawing(session, options.drawing());
+    const std::vector<PictureBand> bands = picture_bands(camera);
+    const Advance advance = options.listener.progress("large picture", camera.height);
+    const BandedImage image{camera.width * static_cast<int>(shown.size()), camera.height, options.half,
+                            words_of(told, made_by(session), frame)};
+    TRY(saved, save_exr_bands(file_name, image, [&](int y) -> Result<Image<float>> {
+            const PictureBand band = *std::ranges::find(bands, y, &PictureBand::top);
+            Image<float> all;
+            for (const Exposure& one : shown) {
+                TRY(rows, draw_band(*session.renderer, one, band));
+                all = all.empty() ? std::move(*rows) : side_by_side(all, *rows);
+            }
+            tell_notes(session, options.listener);
+            advance(band.rows);
+            return all;
+        }));
+    return made_by(session);
+}
+
+Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured,
+                     const CaptureOptions& options, std::optional<int> frame) {
+    if (file_name.ends_with(".jpg") || file_name.ends_with(".jpeg"))
+        return save_jpeg(file_name, captured.display, fmt::format("{}\nnullscope {}", scene.name, kVersion),
+                         options.quality.value_or(kJpegQuality));
+    if (file_name.ends_with(".fits")) {
+        const auto flux = flux_unit(scene, is_several(scene, options));
+        return save_fits(file_name, flux ? in_jansky(captured.linear, *flux) : captured.linear,
+                         header_of(scene, captured, options, frame));
+    }
+    std::map<std::string, std::string> words = words_of(scene, captured.made_by, frame);
+    if (!file_name.ends_with(".exr")) {
+        words.erase("nullscope.renderer");  // the same picture is the same file
+        words.insert({{"Title", scene.name}, {"Software", fmt::format("nullscope {}", kVersion)}});
+        return save_png(file_name, captured.display, words);
+    }
+    if (options.half)
+        return save_exr_bands(file_name, {captured.linear.width, captured.linear.height, true, std::move(words)},
+                              [&](int) -> Result<Image<float>> { return captured.linear; });
+    ChannelImage file{captured.linear.width, captured.linear.height, {}, {}};
+    for (int c = 0; c < 3; ++c) file.channels[std::string(1, "RGB"[c])] = channel_of(captured.linear, c);
+    if (captured.rays) add_ray_channels(*captured.rays, file);
+    if (captured.layers) add_layer_channels(*captured.layers, scene, file);
+    file.attributes = std::move(words);
+    return save_exr(file_name, file);
+}
+
+}  // namespace nullscope::cli

@@ -1,0 +1,159 @@
+#include "command/capture_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "base/assets.h"
+#include "command/capture_layers.h"
+#include "command/reference_inputs.h"
+#include "reference/reference.h"
+#include "render/display.h"
+#include "render/picture_bands.h"
+
+namespace nullscope::cli {
+namespace {
+
+// Of bands that draw(band) gives.
+template <class T, class Draw>
+Result<Image<T>> large_picture(Session& session, const CameraSpec& camera, const Listener& listener, Draw draw) {
+    Image<T> picture(camera.width, camera.height, 3);
+    const Advance advance = listener.progress("large picture", camera.height);
+    for (const PictureBand& band : picture_bands(camera)) {
+        TRY(rows, draw(band));
+        tell_notes(session, listener);
+        std::ranges::copy(rows->data, picture.at(0, band.top));
+        advance(band.rows);
+    }
+    return picture;
+}
+
+// 8 bits a colour: a picture of 16384x16384 px is held.
+Result<Image<unsigned char>> picture8(Session& session, const Exposure& shown, const Listener& listener) {
+    if (!is_drawn_in_bands(shown.scene)) return draw_picture8(*session.renderer, shown);
+    const CameraSpec& camera = shown.scene.camera;
+    if (Status fits = check_size8(camera.width, camera.height); !fits) return fits.error();
+    return large_picture<unsigned char>(
+        session, camera, listener, [&](const PictureBand& band) { return draw_band8(*session.renderer, shown, band); });
+}
+
+Result<Image<float>> linear_picture(Session& session, const Exposure& shown, const DrawOptions& options) {
+    if (!options.in_bands || !is_drawn_in_bands(shown.scene)) return draw_picture(*session.renderer, shown);
+    return large_picture<float>(session, shown.scene.camera, options.listener,
+                                [&](const PictureBand& band) { return draw_band(*session.renderer, shown, band); });
+}
+
+Result<Captured> capture_gl(Session& session, const Exposure& shown, const DrawOptions& options, const Scene* next) {
+    begin_drawing(session, options);
+    Captured captured;
+    captured.made_by = made_by(session);
+    if (options.layers) {
+        TRY(layers, capture_layers(session, shown.scene, next));
+        captured.linear = std::move(layers->layers.all);
+        captured.layers = std::move(*layers);
+    } else if (!options.st_map.empty()) {
+        TRY(ready, session.renderer->prepare(shown.scene));
+        captured.linear = st_map_of(session.renderer->ray_data(), shown.scene, options.st_map);
+    } else if (options.linear) {
+        TRY(light, linear_picture(session, shown, options));
+        captured.linear = std::move(*light);
+    } else {
+        TRY(picture, picture8(session, shown, options.listener));
+        captured.display = std::move(*picture);
+    }
+    tell_notes(session, options.listener);
+    if (options.raydata) captured.rays = session.renderer->ray_data();
+    return captured;
+}
+
+long long pixels_of(const Scene& scene) { return static_cast<long long>(scene.camera.width) * scene.camera.height; }
+
+constexpr const char* kReference = "reference tracer";
+
+Result<RayFrame> reference_rays(const Scene& scene, const Listener& listener) {
+    return reference::trace_frame(scene, listener.progress("reference ray data", pixels_of(scene)));
+}
+
+// What the reference has of a scene's files.
+struct Inputs {
+    std::unique_ptr<const ReferenceInputs> loaded;
+    std::vector<PointStar> stars;
+};
+
+Result<Captured> capture_reference(const Inputs& inputs, const Exposure& shown, const DrawOptions& options) {
+    const Scene& scene = shown.scene;
+    Captured captured;
+    {
+        const auto pictures = std::max(std::ssize(shown.sub_frames), std::ptrdiff_t{1});
+        const Advance advance = options.listener.progress("reference picture", pixels_of(scene) * pictures);
+        TRY(image, mean_light(shown, [&](const Scene& each) {
+                return reference::render_frame(each, inputs.loaded->sky, inputs.loaded->pictures(each),
+                                               options.samples.value_or(kSamples), advance, inputs.loaded->far(),
+                                               inputs.stars);
+            }));
+        captured.linear = std::move(*image);
+    }
+    if (options.raydata) {
+        TRY(rays, reference_rays(scene, options.listener));
+        captured.rays = std::move(*rays);
+    }
+    if (!options.linear) captured.display = display_encoded(captured.linear, scene.camera.exposure_ev, scene.picture);
+    captured.made_by = kReference;
+    return captured;
+}
+
+// No picture of the sky is loaded for it.
+Result<Captured> reference_st_map(const Scene& scene, const DrawOptions& options) {
+    TRY(rays, reference_rays(scene, options.listener));
+    Captured captured;
+    captured.linear = st_map_of(*rays, scene, options.st_map);
+    captured.made_by = kReference;
+    return captured;
+}
+
+}  // namespace
+
+void begin_drawing(Session& session, const DrawOptions& options) {
+    session.renderer->want_delays(options.raydata || options.layers);
+    if (options.largest_texture) session.renderer->limit_pictures(*options.largest_texture);
+}
+
+std::string made_by(const Session& session) {
+    return session.context->kind() + ", " + session.renderer->info().renderer;
+}
+
+void tell_notes(Session& session, const Listener& listener) {
+    for (const std::string& note : session.renderer->take_notes()) listener.note(note);
+}
+
+Status check_size8(int width, int height) {
+    constexpr long long kMostBytes = std::numeric_limits<int>::max();  // of the packages that write it
+    if (3LL * width * height <= kMostBytes) return Done{};
+    return bad_input(fmt::format("a picture of {}x{} px is too large for .png and .jpg", width, height),
+                     fmt::format("{} million pixels, or -o FILE.exr", kMostBytes / 3'000'000));
+}
+
+Result<PictureDrawer> picture_drawer(Session* session, const Scene& scene, const DrawOptions& options) {
+    if (session != nullptr)
+        return PictureDrawer(
+            [session, options](const Exposure& shown) { return capture_gl(*session, shown, options, nullptr); });
+    TRY(loaded, load_reference_inputs(scene));
+    TRY(stars, point_stars(scene.sky, assets_directory()));
+    const auto inputs = std::make_shared<const Inputs>(Inputs{std::move(*loaded), std::move(*stars)});
+    return PictureDrawer(
+        [inputs, options](const Exposure& shown) { return capture_reference(*inputs, shown, options); });
+}
+
+Result<Captured> capture_picture(Session* session, const Exposure& shown, const DrawOptions& options,
+                                 const Scene* next) {
+    if (session != nullptr) return capture_gl(*session, shown, options, next);
+    if (!options.st_map.empty()) return reference_st_map(shown.scene, options);
+    TRY(draw, picture_drawer(nullptr, shown.scene, options));
+    return (*draw)(shown);
+}
+
+}  // namespace nullscope::cli

@@ -1,0 +1,33 @@
+// How a picture is drawn, whatever becomes of it.
+#pragma once
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "base/progress.h"
+
+namespace nullscope::cli {
+
+// Who is told of long work and of what people should know; without another: the terminal.
+struct Listener {
+    BeginProgress progress = progress_on_terminal;
+    std::function<void(const std::string& line)> note = [](const std::string& line) {
+        fmt::print(stderr, "{}\n", line);
+    };
+};
+
+struct DrawOptions {
+    std::optional<int> samples;  // reference: a side of a pixel; else kSamples
+    std::optional<int> largest_texture;
+    bool raydata = false, layers = false;
+    std::string st_map;     // sky or plate: instead of colours
+    bool linear = true;     // linear light; else display-encoded
+    bool in_bands = false;  // linear light of large pictures is drawn in bands
+    Listener listener;
+};
+inline constexpr int kSamples = 3;
+
+}  // namespace nullscope::cli

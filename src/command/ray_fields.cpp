@@ -1,0 +1,136 @@
+#include "command/ray_fields.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "spacetime/spherical_metric.h"
+
+namespace nullscope::cli {
+namespace {
+
+constexpr double kLargestRadius = 1e30;  // r_s; squares of r and 1/r stay within a double
+constexpr double kLeastQ = 1e-30, kLargestQ = 1e30;
+// q^2 may lie this far (relative) below V(zeta0): rounding of a ray that starts at its turning point.
+constexpr double kTurningSlack = 1e-14;
+
+// Words of others, made safe for a one-line message.
+std::string shown(std::string_view text) {
+    constexpr std::size_t kMost = 40;
+    std::string out(text.substr(0, kMost));
+    std::replace_if(
+        out.begin(), out.end(), [](unsigned char c) { return c < 0x20 || c > 0x7e; }, '?');
+    return "\"" + out + (text.size() > kMost ? "\"..." : "\"");
+}
+
+std::string missing(const std::array<bool, kRayColumns>& there, RayColumn first, RayColumn last) {
+    std::string list;
+    for (std::size_t c = first; c <= static_cast<std::size_t>(last); ++c)
+        if (!there[c]) list += (list.empty() ? "" : ", ") + std::string(kRayColumnNames[c]);
+    return list;
+}
+
+// One ray's fields, checked; the first fault is kept.
+struct RowReader {
+    const RayFields& fields;
+    std::optional<Error> error{};
+
+    // Empty fields are faults like any other.
+    double number(RayColumn column, double low, double high, std::string_view allowed) {
+        const auto value = fields.number(column);
+        if (value && *value >= low && *value <= high) return *value;
+        report(column, fmt::format("{} {}", shown_field(column), value ? "is out of range" : "is not a finite number"),
+               allowed);
+        return low;
+    }
+    std::string shown_field(RayColumn column) const { return shown(fields.text(column)); }
+    void report(RayColumn column, const std::string& what, std::string_view allowed) {
+        if (!error) error = bad_key(std::string(kRayColumnNames[column]), what, std::string(allowed));
+    }
+};
+
+void read_reduced(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
+    ReducedRay ray;
+    ray.q = row.number(kQ, kLeastQ, kLargestQ, "q from 1e-30 to 1e30");
+    const SphericalMetric* planar = spacetime.spherical();
+    if (planar == nullptr)
+        row.report(kQ, "a ray about a rotating hole needs more than these", "r, theta, phi, n_r, n_theta, n_phi");
+    const bool by_length = spacetime.by_proper_length();  // wormholes: l0 instead
+    ray.zeta0 = by_length ? row.number(kZeta0, -kLargestRadius, kLargestRadius, "l0 from -1e30 to 1e30")
+                          : row.number(kZeta0, 1 / kLargestRadius, kLargestRadius, "zeta0 from 1e-30 to 1e30");
+    constexpr std::string_view kEitherWay = "1 (towards the hole) or -1 (away)";
+    const double s = row.number(kS, -1, 1, kEitherWay);
+    if (std::fabs(s) != 1.0) row.report(kS, row.shown_field(kS) + " is no direction", kEitherWay);
+    ray.s = s > 0.0 ? 1 : -1;
+    const double given_q = ray.q;
+    if (by_length) ray.zeta0 *= spacetime.length_unit(), ray.q /= spacetime.length_unit();
+    const double least = std::pow(planar == nullptr ? 0.0 : planar->root_v(by_length ? ray.zeta0 : 1.0 / ray.zeta0), 2);
+    if (ray.q * ray.q < least * (1 - kTurningSlack))
+        row.report(
+            kQ, fmt::format("{} is too small: no such ray passes through zeta0 = {}", row.shown_field(kQ), ray.zeta0),
+            fmt::format("q >= {:.17g}", std::sqrt(least) * (given_q / ray.q)));
+    query.orbit = ray;
+}
+
+void read_general(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
+    query.r = !spacetime.by_proper_length() ? row.number(kR, 1 / kLargestRadius, kLargestRadius, "r from 1e-30 to 1e30")
+                                            : row.number(kR, -kLargestRadius, kLargestRadius, "r from -1e30 to 1e30");
+    query.r *= spacetime.length_unit();
+    query.theta = row.number(kTheta, 0, M_PI, "theta in [0, pi]");
+    query.phi = row.number(kPhi, -1e6, 1e6, "phi in [-1e6, 1e6] rad");
+    const auto component = [&](RayColumn c) {
+        return row.number(c, -1e300, 1e300, "a component of the view direction, [-1e300, 1e300]");
+    };
+    const Vec3 n{component(kNr), component(kNtheta), component(kNphi)};
+    const double largest = std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)});
+    if (largest > 0.0)
+        query.n = normalized(n / largest);
+    else
+        row.report(kNr, "the view direction is zero", "n_r, n_theta, n_phi not all zero");
+    if (row.fields.given(kFrame)) {
+        const std::string frame = row.fields.text(kFrame);
+        query.frame = frame == "rain" ? LocalFrame::kRain : LocalFrame::kStatic;
+        if (frame != "rain" && frame != "static")
+            row.report(kFrame, shown(frame) + " is no frame", "static, rain or nothing");
+    }
+    if (query.frame == LocalFrame::kRain && !spacetime.planar_rays())
+        row.report(kFrame, "rain: not about a rotating hole", "static or nothing");
+    if (query.frame == LocalFrame::kStatic && !camera_can_rest(spacetime, query.r))
+        row.report(kR, fmt::format("{} is not outside the horizon, where the static frame is", row.shown_field(kR)),
+                   fmt::format("{}, or frame = rain", allowed_radii(spacetime)));
+}
+
+}  // namespace
+
+std::optional<RayColumn> ray_column(std::string_view name, const Spacetime& spacetime) {
+    const auto known =
+        std::ranges::find(kRayColumnNames, spacetime.by_proper_length() && name == "l0" ? "zeta0" : name);
+    if (known == kRayColumnNames.end()) return std::nullopt;
+    return static_cast<RayColumn>(known - kRayColumnNames.begin());
+}
+
+Result<bool> is_reduced_form(const std::array<bool, kRayColumns>& there) {
+    const std::string general = missing(there, kR, kNphi), reduced = missing(there, kQ, kS);
+    const std::string forms(kRayForms);
+    if (general.empty() && reduced.empty()) return bad_key("header", "columns of both forms of a ray", forms);
+    if (!general.empty() && !reduced.empty()) {
+        const bool meant_reduced = reduced.size() < std::string("q, zeta0, s").size();
+        return bad_key("header", "missing: " + (meant_reduced ? reduced : general), forms);
+    }
+    return reduced.empty();
+}
+
+Result<RayQuery> ray_query(const RayFields& fields, bool reduced, const Spacetime& spacetime) {
+    RowReader row{fields};
+    RayQuery query;
+    if (reduced)
+        read_reduced(row, spacetime, query);
+    else
+        read_general(row, spacetime, query);
+    if (fields.given(kAtAngle)) query.at_angle = row.number(kAtAngle, 0, 1e6, "an angle in [0, 1e6] rad, or nothing");
+    if (row.error) return *row.error;
+    return query;
+}
+
+}  // namespace nullscope::cli

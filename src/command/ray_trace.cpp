@@ -1,0 +1,93 @@
+#include "command/ray_trace.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "command/shader_rays.h"
+#include "reference/disc_light.h"
+#include "reference/ray_plane.h"
+#include "reference/reference.h"
+
+namespace nullscope::cli {
+namespace {
+
+// Windings before double precision cannot tell the ray from the critical one: about 12 half turns.
+constexpr int kAllCrossings = 40;
+
+// Ends the ray on the scene's disc if that is opaque; everything along the light ray itself stays.
+void stop_at_disc(const DiscSpec& disc, const RayQuery& query, RayRecord& record) {
+    const Vec3 n = query.orbit ? Vec3{0, 0, 1} : query.n;  // the reduced form lies in the equatorial plane
+    const reference::RayPlane plane(query.orbit ? M_PI / 2 : query.theta, query.orbit ? 0.0 : query.phi, n);
+    for (std::size_t k = 0; k < record.crossings.size(); ++k) {
+        const double r = record.crossings[k].r;
+        if (!(r >= disc.inner && r <= disc.outer)) continue;
+        record.fate = Fate::kHit;
+        record.hit = kDiscHit;
+        if (std::isfinite(record.angle))
+            record.angle = plane.crossing(static_cast<int>(k) + 1);  // of a ray that stays in a plane
+        record.theta_inf = record.phi_inf = record.delay = kNotANumber;
+        return;
+    }
+}
+
+Status trace_with_reference(const Scene& scene, const Spacetime& spacetime, std::span<const RayQuery> rays,
+                            int crossings, const TraceOutput& output) {
+    const bool opaque = scene.disc && scene.disc->opacity >= 1.0;
+    TRY(metric, reference::make_metric(scene.spacetime));
+    std::optional<reference::DiscLight> matter;
+    if (crossings > 0 && has_matter(scene, spacetime)) matter.emplace(**metric, *scene.disc, scene.light);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const int listed = opaque ? std::max(crossings, kAllCrossings) : crossings;
+        auto record = reference::trace_ray(scene, rays[i], listed, matter ? &*matter : nullptr);
+        if (!record) return output.error(i, record.error());
+        if (opaque) stop_at_disc(*scene.disc, rays[i], *record);
+        output.take(i, std::move(*record));
+        output.done(1);
+    }
+    return Done{};
+}
+
+Result<Method> method_of(const TraceOptions& options) {
+    if (options.method == "auto") return Method{};
+    auto method = parse_method(options.method);
+    if (!method) return bad_input("--method: " + method.error().message());
+    if (options.with == "gl" || method->kind == MethodKind::kStrip || options.method == "table") return method;
+    return bad_input(fmt::format("--method {}: not with --with {}", options.method, options.with),
+                     "auto, strip and table, or --with gl");
+}
+
+}  // namespace
+
+bool has_matter(const Scene& scene, const Spacetime& spacetime) {
+    return scene.disc && scene.disc->emission == DiscEmission::kThermal && spacetime.can_have_disc();
+}
+
+Status trace_rays(const Scene& scene, const Spacetime& spacetime, std::span<const RayQuery> rays,
+                  const TraceOptions& options, const TraceOutput& output) {
+    TRY(method, method_of(options));
+    if (options.with == "reference") return trace_with_reference(scene, spacetime, rays, options.crossings, output);
+    return trace_with_shader(scene, spacetime, rays, {options.with, *method, options.context, options.crossings},
+                             output);
+}
+
+std::string left_out_note(std::size_t left_out, std::size_t of, const TraceOptions& options) {
+    if (left_out == 0) return {};
+    return fmt::format("{} of {} rays left empty: --with {} needs rays of a static or rain observer with r up to {:g}",
+                       left_out, of, options.with, kFarthestCamera);
+}
+
+std::string no_places_note(const Scene& scene, const Spacetime& spacetime, std::span<const RayQuery> rays,
+                           const TraceOptions& options) {
+    const auto asks_place = [](const RayQuery& ray) { return ray.at_angle.has_value(); };
+    if (options.with == "reference" || spacetime.can_have_disc() ||
+        !(options.crossings > 0 || std::ranges::any_of(rays, asks_place)))
+        return {};
+    return fmt::format(
+        "crossings and at left empty: --with {} does not compute them in metric {}; allowed: --with reference",
+        options.with, scene.spacetime.metric);
+}
+
+}  // namespace nullscope::cli

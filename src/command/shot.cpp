@@ -1,0 +1,87 @@
+#include "command/shot.h"
+
+#include <utility>
+
+#include "annotate/marks.h"
+#include "base/assets.h"
+#include "command/stereo_capture.h"
+#include "plan/shutter.h"
+#include "render/frontier.h"
+#include "scene/split.h"
+
+namespace nullscope::cli {
+namespace {
+
+// Says once why there are no letters.
+void annotate(const Scene& scene, const std::optional<Halves>& split, const Listener& listener,
+              Image<unsigned char>& picture) {
+    static bool said = false;
+    const Marks marks = make_marks(annotations_of(scene, split), picture.width, picture.height);
+    if (!marks.note.empty() && !std::exchange(said, true)) listener.note(marks.note);
+    lay_over(marks.marks, picture);
+}
+
+}  // namespace
+
+Scene scene_at(const Shot& shot, double time_step, double frame) {
+    Scene now = shot.scene;
+    now.time += (frame - shot.time_frame) * time_step;
+    if (!shot.path) return now;
+    now.camera = shot.path->at(frame);
+    now.path.reset();  // its camera is where the path has led it
+    now.time += shot.path->clock(frame);
+    now.camera.width = shot.scene.camera.width, now.camera.height = shot.scene.camera.height;
+    return now;
+}
+
+Exposure exposure_in(const Shot& shot, double time_step, int frame) {
+    return exposure_of([&](double at) { return scene_at(shot, time_step, at); }, frame);
+}
+
+Result<Method> chosen_method(const std::string& name, std::optional<double> max_error, const Scene& scene,
+                             const Listener& listener) {
+    if (name != "auto") {
+        auto method = parse_method(name);
+        // The renderer takes the default for auto.
+        if (method && *method == Method{} &&
+            light_path_kind(effect_set(required_effects(scene))) == LightPathKind::kMino)
+            return bad_input("method strip does not work for a rotating hole",
+                             "auto, mino[:ORDER[:STEP]], kerr-schild:STEP");
+        return method;
+    }
+    TRY(measured, load_frontier(assets_directory() / "frontier.csv"));
+    TRY(choice, max_error ? choose_method(*measured, scene, *max_error) : default_method(*measured, scene));
+    if (max_error || choice->says || choice->error_px > kDefaultMaxError_px) listener.note("method " + choice->reason);
+    return choice->method;
+}
+
+bool worth_tiles(const Shot& shot, int frames) {
+    constexpr double kWorth_px = 2.0e7;  // with a disc some 25 ns a pixel are saved on two cores
+    const CameraSpec& camera = shot.scene.camera;
+    const PictureSpec& picture = shot.scene.picture;
+    const double pictures = picture.shutter > 0.0 ? picture.sub_frames : 1.0;
+    const double rays = pictures * camera.width * camera.height * picture.samples * picture.samples;
+    return rays * frames >= kWorth_px;
+}
+
+Result<Captured> draw_shot(const Shot& shot, Session* session, const Exposure& shown, const DrawOptions& options,
+                           bool lettered, const Scene* next) {
+    const Scene& scene = shown.scene;
+    const auto split_of = [&](const Scene& s) { return shot.split ? halves(s, *shot.split) : halves(s); };
+    const std::optional<Halves> split = split_of(scene);
+    const auto half = [&](Scene Halves::*side) {
+        return changed(shown, [&](const Scene& s) { return *split_of(s).*side; });
+    };
+    TRY(captured, scene.camera.stereo != Stereo::kOff
+                      ? capture_stereo(session, shown, options)
+                      : capture_picture(session, split ? half(&Halves::left) : shown, options, next));
+    if (split) {
+        TRY(right, capture_picture(session, half(&Halves::right), options));
+        captured->linear = side_by_side(captured->linear, right->linear);
+        captured->display = side_by_side(captured->display, right->display);
+    }
+    if (lettered && !options.linear) annotate(scene, split, options.listener, captured->display);
+    return captured;
+}
+
+}  // namespace nullscope::cli
