@@ -4,10 +4,21 @@
 #include <system_error>
 
 namespace nullscope {
+namespace {
+
+std::filesystem::path& shipped() {
+    static std::filesystem::path directory;
+    return directory;
+}
+
+}  // namespace
+
+void ship_assets(const std::filesystem::path& directory) { shipped() = directory; }
 
 std::filesystem::path assets_directory() {
     namespace fs = std::filesystem;
     if (const char* set = std::getenv("NULLSCOPE_ASSETS"); set && *set) return set;
+    if (!shipped().empty()) return shipped();
     std::error_code error;
     const fs::path executable = fs::read_symlink("/proc/self/exe", error);
     if (!error) {

@@ -1,9 +1,12 @@
-// Where the files that ship are: $NULLSCOPE_ASSETS, else beside the executable (../share/nullscope), else the source tree.
+// Where the files that ship are: $NULLSCOPE_ASSETS, else what ship_assets() says, else beside the executable (../share/nullscope), else the
+// source tree.
 #pragma once
 #include <filesystem>
 
 namespace nullscope {
 
 std::filesystem::path assets_directory();
+// Of a library, whose executable is another's; before anything is loaded.
+void ship_assets(const std::filesystem::path& directory);
 
 }  // namespace nullscope

@@ -18,19 +18,23 @@ inline Result<Size> parse_size(const std::string& text) {
     if (const auto size = two_whole_numbers(text, 'x', 1, 65536)) return Size{size->first, size->second};
     return bad_input(fmt::format("--size {}: not a size", text), "WIDTHxHEIGHT, whole numbers from 1x1 to 65536x65536");
 }
-// A scene by its file or name; of this picture size where one is given.
-inline Result<Scene> load_scene_sized(const std::string& name, const std::string& size_text) {
-    auto scene = load_scene(name);
-    if (!scene || size_text.empty()) return scene;
+// The scene, of this picture size where one is given.
+inline Result<Scene> sized(Scene scene, const std::string& size_text) {
+    if (size_text.empty()) return scene;
     TRY(size, parse_size(size_text));
-    if (scene->camera.projection == Projection::kCube && (size->width % 3 != 0 || size->width * 2 != size->height * 3))
+    if (scene.camera.projection == Projection::kCube && (size->width % 3 != 0 || size->width * 2 != size->height * 3))
         return bad_input(fmt::format("--size {}: a cube's faces are squares", size_text),
                          "three columns and two rows of them, as 1536x1024");
     const auto set = [&](CameraSpec& camera) { camera.width = size->width, camera.height = size->height; };
-    set(scene->camera);
-    if (scene->path)
-        for (PathKey& key : scene->path->keys) set(key.camera);
+    set(scene.camera);
+    if (scene.path)
+        for (PathKey& key : scene.path->keys) set(key.camera);
     return scene;
+}
+// By its file or name.
+inline Result<Scene> load_scene_sized(const std::string& name, const std::string& size_text) {
+    TRY(scene, load_scene(name));
+    return sized(std::move(*scene), size_text);
 }
 
 // "A:B", the half-open range of frame numbers; 0 <= A < B.

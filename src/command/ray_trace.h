@@ -20,7 +20,7 @@ struct TraceOptions {
 // What becomes of the rays, in any order. Lengths are in r_s: Spacetime::length_unit divides them out again.
 struct TraceOutput {
     std::function<void(std::size_t ray, RayRecord&& record)> take;  // a ray that the shader cannot trace is not taken
-    std::function<void(long long rays)> done;                       // so many more are traced
+    std::function<void(long long rays)> done;                       // so many more are traced; may throw
     std::function<Error(std::size_t ray, Error)> error;             // the error of a ray, with what says which
 };
 

@@ -195,6 +195,7 @@ Status trace_with_shader(const Scene& scene, const Spacetime& spacetime, std::sp
             TRY(ready, tables.update(view));
             const CoreInput input = tables.core_input();
             pixels.push_back((run.tracer == "core64" ? trace_core64 : trace_core32)(input, 0, 0));
+            output.done(0);  // a chance to stop: a view with a new strip takes milliseconds
         }
         return pixels;
     };

@@ -1,0 +1,218 @@
+// Pictures and ray data of frames.
+#include <fmt/format.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+
+#include <optional>
+
+#include "base/assets.h"
+#include "command/arguments.h"
+#include "command/session.h"
+#include "command/shot.h"
+#include "command/stereo_capture.h"
+#include "image/image_formats.h"
+#include "module/arrays.h"
+#include "module/call.h"
+#include "module/module.h"
+#include "reference/reference.h"
+#include "render/display.h"
+
+namespace nullscope::python {
+namespace {
+
+struct Asked {
+    std::string size, renderer, method, context;
+    std::optional<double> max_error, time;
+    std::optional<int> samples, frame;
+};
+
+Status check(const Asked& asked) {
+    if (asked.renderer != "gl" && asked.renderer != "reference")
+        return bad_key("renderer", fmt::format("'{}' is none of them", asked.renderer), "gl, reference");
+    if (asked.context != "auto" && asked.context != "egl" && asked.context != "osmesa")
+        return bad_key("context", fmt::format("'{}' is none of them", asked.context), "auto, egl, osmesa");
+    if (asked.samples && (*asked.samples < 1 || *asked.samples > 16))
+        return bad_key("samples", fmt::format("{} is out of range", *asked.samples), "[1, 16]");
+    if (asked.max_error && !(*asked.max_error >= 1e-12 && *asked.max_error <= 1e6))
+        return bad_key("max_error", fmt::format("{} is out of range", *asked.max_error), "[1e-12, 1e6]");
+    if (asked.time && !(*asked.time >= -1e9 && *asked.time <= 1e9))
+        return bad_key("time", fmt::format("{} is out of range", *asked.time), "[-1e9, 1e9]");
+    if (asked.renderer == "reference" && (asked.method != "auto" || asked.max_error || asked.context != "auto"))
+        return bad_input("method, max_error and context: the reference has no shader and no GL",
+                         "with renderer=\"gl\"");
+    return Done{};
+}
+
+// The scene as asked for, with its path; and the frame of it.
+Result<cli::Shot> shot_of(const Scene& scene, const Asked& asked, const cli::Listener& listener) {
+    if (Status good = check(asked); !good) return good.error();
+    TRY(sized, cli::sized(scene, asked.size));
+    cli::Shot shot{std::move(*sized)};
+    if (asked.time) shot.scene.time = *asked.time;
+    if (asked.samples && asked.renderer == "gl") shot.scene.picture.samples = *asked.samples;
+    if (shot.scene.path) {
+        TRY(path, CameraPath::make(shot.scene));
+        shot.path = std::move(*path);
+    }
+    const int frames = shot.path ? shot.path->frames() : 1, frame = asked.frame.value_or(0);
+    if (frame < 0 || frame >= frames)
+        return bad_key("frame", fmt::format("{}: the path has {} frames", frame, shot.path ? frames : 0),
+                       fmt::format("[0, {}]", frames - 1));
+    if (asked.renderer == "gl") {
+        TRY(method, cli::chosen_method(asked.method, asked.max_error, shot.scene, listener));
+        shot.method = *method;
+    }
+    return shot;
+}
+
+// Kept in its thread, where its context is current: the next picture finds the programs and the sky.
+struct Kept {
+    std::string context;
+    cli::Session session;
+};
+std::optional<Kept>& kept() {
+    thread_local std::optional<Kept> session;
+    return session;
+}
+
+Result<cli::Session*> session_of(const std::string& context) {
+    if (kept() && kept()->context == context) return &kept()->session;
+    kept().reset();
+    TRY(opened, cli::open_session(context));
+    kept().emplace(context, std::move(*opened));
+    return &kept()->session;
+}
+
+// draw(session or null, shot, frame) with the method set; what goes wrong in between leaves no session.
+template <class Draw>
+auto with_session(const cli::Shot& shot, const Asked& asked, const Draw& draw) -> decltype(draw(nullptr)) {
+    if (asked.renderer != "gl") return draw(nullptr);
+    TRY(session, session_of(asked.context));
+    (*session)->renderer->set_method(shot.method);
+    (*session)->renderer->limit_tiles(cli::worth_tiles(shot, 1) ? Tiles::kTraced : Tiles::kBodies);
+    try {
+        return draw(*session);
+    } catch (...) {
+        forget_session();
+        throw;
+    }
+}
+
+auto capture(const Scene& scene, const Asked& asked, const nb::object& progress) {
+    auto captured = run(progress, [&](Watch& watch) -> Result<cli::Captured> {
+        cli::DrawOptions options;
+        options.listener = watch.listener();
+        options.in_bands = true;
+        if (asked.renderer == "reference") options.samples = asked.samples;
+        TRY(shot, shot_of(scene, asked, options.listener));
+        TRY(stereo, cli::check_stereo(shot->scene, options, false));
+        if (shot->path) {
+            const int frame = asked.frame.value_or(0);
+            TRY(eyes, cli::check_stereo_frames(*shot->path, shot->scene, frame, frame + 1));
+        }
+        return with_session(*shot, asked, [&](cli::Session* session) {
+            const Exposure shown = cli::exposure_in(*shot, 0.0, asked.frame.value_or(0));
+            return cli::draw_shot(*shot, session, shown, options, false);
+        });
+    });
+    Image<float>& image = captured.linear;
+    const auto height = static_cast<std::size_t>(image.height), width = static_cast<std::size_t>(image.width);
+    return array_of(std::move(image.data), {height, width, static_cast<std::size_t>(image.channels)});
+}
+
+// Twelve doubles a pixel, in the order of the channels.
+auto raydata(const Scene& scene, const Asked& asked, const nb::object& progress) {
+    auto frame = run(progress, [&](Watch& watch) -> Result<RayFrame> {
+        cli::DrawOptions options;
+        options.listener = watch.listener();
+        options.raydata = true;
+        TRY(shot, shot_of(scene, asked, options.listener));
+        if (shot->scene.split) return bad_input("--raydata is of one spacetime; leave out [split] of the scene");
+        TRY(stereo, cli::check_stereo(shot->scene, options, false));
+        const Scene now = cli::scene_at(*shot, 0.0, asked.frame.value_or(0));
+        return with_session(*shot, asked, [&](cli::Session* session) -> Result<RayFrame> {
+            if (session == nullptr) {
+                const long long pixels = static_cast<long long>(now.camera.width) * now.camera.height;
+                return reference::trace_frame(now, options.listener.progress("reference ray data", pixels));
+            }
+            cli::begin_drawing(*session, options);
+            if (Status ready = session->renderer->prepare(now); !ready) return ready.error();
+            cli::tell_notes(*session, options.listener);
+            return session->renderer->ray_data();
+        });
+    });
+    std::vector<double> values;
+    values.reserve(frame.pixels.size() * 12);
+    for (const RayPixel& p : frame.pixels)
+        values.insert(values.end(), {static_cast<double>(p.fate), p.sky.x, p.sky.y, p.sky.z, p.g, p.delay, p.angle,
+                                     static_cast<double>(p.order), static_cast<double>(p.hit), p.u, p.v, p.w});
+    return array_of(std::move(values),
+                    {static_cast<std::size_t>(frame.height), static_cast<std::size_t>(frame.width), 12});
+}
+
+using Linear = nb::ndarray<const float, nb::shape<-1, -1, 3>, nb::c_contig, nb::device::cpu>;
+
+// As the command line shows the reference's pictures, without letters.
+Image<unsigned char> displayed(const Scene& scene, const Linear& light) {
+    Image<float> image(static_cast<int>(light.shape(1)), static_cast<int>(light.shape(0)), 3);
+    if (image.empty()) throw Refused(bad_input("a picture without pixels"));
+    std::copy_n(light.data(), image.data.size(), image.data.begin());
+    return display_encoded(image, scene.camera.exposure_ev, scene.picture);
+}
+
+Asked asked_of(const nb::dict& options) {
+    const auto take = [&]<class T>(const char* name, T& to) {
+        if (!options.contains(name) || nb::handle(options[name]).is_none()) return;
+        if (!nb::try_cast(nb::handle(options[name]), to))
+            throw Refused(bad_key(name, fmt::format("{} is of another kind", nb::repr(options[name]).c_str()),
+                                  std::is_same_v<T, std::string>          ? "text"
+                                  : std::is_same_v<T, std::optional<int>> ? "a whole number"
+                                                                          : "a number"));
+    };
+    Asked asked{{}, "gl", "auto", "auto", {}, {}, {}, {}};
+    take("size", asked.size), take("renderer", asked.renderer), take("method", asked.method);
+    take("context", asked.context), take("max_error", asked.max_error), take("time", asked.time);
+    take("samples", asked.samples), take("frame", asked.frame);
+    return asked;
+}
+
+}  // namespace
+
+void forget_session() { kept().reset(); }
+
+void add_picture(nb::module_& m) {
+    m.def(
+        "capture",
+        [](const Scene& scene, const nb::dict& options, const nb::object& progress) {
+            return capture(scene, asked_of(options), progress);
+        },
+        nb::arg("scene"), nb::arg("options"), nb::arg("progress").none());
+    m.def(
+        "raydata",
+        [](const Scene& scene, const nb::dict& options, const nb::object& progress) {
+            return raydata(scene, asked_of(options), progress);
+        },
+        nb::arg("scene"), nb::arg("options"), nb::arg("progress").none());
+    m.def(
+        "displayed",
+        [](const Scene& scene, const Linear& light) {
+            Image<unsigned char> image = displayed(scene, light);
+            const auto height = static_cast<std::size_t>(image.height), width = static_cast<std::size_t>(image.width);
+            return array_of(std::move(image.data), {height, width, 3});
+        },
+        nb::arg("scene"), nb::arg("light"),
+        "8 bits a colour, shape (height, width, 3): bloom, exposure, tone curve, sRGB.");
+    m.def(
+        "png",
+        [](const Scene& scene, const Linear& light) {
+            const std::string bytes = value_of(encode_png(
+                displayed(scene, light), {{"Title", scene.name}, {"Software", "nullscope " NULLSCOPE_VERSION}}));
+            return nb::bytes(bytes.data(), bytes.size());
+        },
+        nb::arg("scene"), nb::arg("light"), "The same as the bytes of a PNG file.");
+    m.def("forget_session", forget_session,
+          "Closes the OpenGL context that pictures of this thread keep, and frees what is in it.");
+}
+
+}  // namespace nullscope::python

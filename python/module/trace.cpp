@@ -1,0 +1,202 @@
+// Lists of rays: columns of NumPy arrays in, rows of a structured array out, both where they are.
+#include <fmt/format.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/string.h>
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include "command/ray_fields.h"
+#include "command/ray_trace.h"
+#include "module/call.h"
+#include "module/module.h"
+#include "scene/bodies.h"
+
+namespace nullscope::python {
+namespace {
+
+// A column of another's array: doubles, or for `frame` bytes. It stays as it is for as long as this is.
+class Column {
+public:
+    explicit Column(const nb::handle& array) {
+        if (PyObject_GetBuffer(array.ptr(), &view_, PyBUF_STRIDES) != 0) throw nb::python_error();
+    }
+    ~Column() { PyBuffer_Release(&view_); }
+    Column(const Column&) = delete;
+    Column& operator=(const Column&) = delete;
+    std::size_t rows() const { return static_cast<std::size_t>(view_.shape[0]); }
+    double number(std::size_t row) const {
+        double value = 0;
+        std::memcpy(&value, at(row), sizeof value);
+        return value;
+    }
+    std::string word(std::size_t row) const {
+        const auto most = static_cast<std::size_t>(view_.itemsize);
+        return {at(row), strnlen(at(row), most)};
+    }
+
+private:
+    const char* at(std::size_t row) const {
+        return static_cast<const char*>(view_.buf) + static_cast<Py_ssize_t>(row) * view_.strides[0];
+    }
+    Py_buffer view_{};
+};
+
+using Columns = std::array<std::unique_ptr<Column>, cli::kRayColumns>;
+
+class ArrayFields final : public cli::RayFields {
+public:
+    explicit ArrayFields(const Columns& columns) : columns_(columns) {}
+    std::size_t row = 0;
+    bool given(cli::RayColumn column) const override {
+        if (!columns_[column]) return false;
+        return column == cli::kFrame ? !columns_[column]->word(row).empty()
+                                     : !std::isnan(columns_[column]->number(row));
+    }
+    std::optional<double> number(cli::RayColumn column) const override {
+        const double value = columns_[column]->number(row);
+        return std::isfinite(value) ? std::optional(value) : std::nullopt;
+    }
+    std::string text(cli::RayColumn column) const override {
+        return column == cli::kFrame ? columns_[column]->word(row) : fmt::format("{}", columns_[column]->number(row));
+    }
+
+private:
+    const Columns& columns_;
+};
+
+Error of_ray(std::size_t ray, Error error) {
+    error.file = fmt::format("rays[{}]", ray);
+    return error;
+}
+
+// The columns that rays have, by name; others are left alone.
+Columns columns_of(const nb::dict& given, const Spacetime& spacetime) {
+    Columns columns;
+    std::array<bool, cli::kRayColumns> there{};
+    for (const auto& [name, array] : given)
+        if (const auto column = cli::ray_column(nb::cast<std::string>(name), spacetime)) {
+            columns[*column] = std::make_unique<Column>(array);
+            there[*column] = true;
+        }
+    if (const auto reduced = cli::is_reduced_form(there); !reduced) {
+        Error error = reduced.error();
+        error.file = "rays", error.key.clear();
+        throw Refused(error);
+    }
+    return columns;
+}
+
+Result<std::vector<RayQuery>> queries_of(const Columns& columns, std::size_t count, const Spacetime& spacetime) {
+    std::vector<RayQuery> queries;
+    queries.reserve(count);
+    const bool reduced = !columns[cli::kR];
+    for (ArrayFields fields(columns); fields.row < count; ++fields.row) {
+        auto query = cli::ray_query(fields, reduced, spacetime);
+        if (!query) return of_ray(fields.row, query.error());
+        queries.push_back(*query);
+    }
+    return queries;
+}
+
+// A row of the answer: fate and hit, 32 bits each, then doubles.
+class Rows {
+public:
+    Rows(std::uint8_t* data, int crossings, bool shifts, double unit)
+        : data_(data), crossings_(crossings), shifts_(shifts), unit_(unit) {}
+    static std::size_t doubles(int crossings, bool shifts) {
+        return 7 + static_cast<std::size_t>(crossings) * (shifts ? 3 : 2);
+    }
+    std::size_t bytes() const { return 8 * (1 + doubles(crossings_, shifts_)); }
+    void write(std::size_t row, const RayRecord& ray) const {
+        const Fate fate = ray.fate == Fate::kHit && ray.hit == 0 ? Fate::kNoSky : ray.fate;
+        const std::int32_t ends[] = {static_cast<std::int32_t>(fate), ray.hit};
+        std::uint8_t* to = data_ + row * bytes();
+        std::memcpy(to, ends, sizeof ends);
+        to += sizeof ends;
+        const auto put = [&](double value) { std::memcpy(to, &value, sizeof value), to += sizeof value; };
+        for (const double value :
+             {ray.theta_inf, ray.phi_inf, ray.angle, ray.delay / unit_, ray.g, ray.turn / unit_, ray.at / unit_})
+            put(value);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(crossings_); ++k) {
+            const bool there = k < ray.crossings.size();
+            put(there ? ray.crossings[k].r / unit_ : kNotANumber);
+            put(there ? ray.crossings[k].phi : kNotANumber);
+            if (shifts_) put(there ? ray.crossings[k].g : kNotANumber);
+        }
+    }
+    void write_empty(std::size_t row) const {
+        RayRecord none;
+        none.fate = static_cast<Fate>(-1);
+        write(row, none);
+    }
+
+private:
+    std::uint8_t* data_;
+    int crossings_;
+    bool shifts_;
+    double unit_;
+};
+
+using Bytes = nb::ndarray<std::uint8_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+
+void trace(const Scene& scene, const nb::dict& rays, const Bytes& out, const cli::TraceOptions& options,
+           const nb::object& progress) {
+    const auto spacetime = space_of(scene.spacetime).metric;
+    const Columns columns = columns_of(rays, *spacetime);
+    const Rows rows(out.data(), options.crossings, cli::has_matter(scene, *spacetime), spacetime->length_unit());
+    const std::size_t count = out.shape(0) / rows.bytes();
+    for (const auto& column : columns)
+        if (column && column->rows() != count) throw Refused(bad_input("rays: columns of different lengths"));
+    run(progress, [&](Watch& watch) -> Status {
+        const cli::Listener listener = watch.listener();
+        TRY(queries, queries_of(columns, count, *spacetime));
+        for (std::size_t i = 0; i < count; ++i) rows.write_empty(i);
+        std::size_t traced = 0;
+        const cli::TraceOutput output{[&](std::size_t i, RayRecord&& record) { rows.write(i, record), ++traced; },
+                                      listener.progress("rays", static_cast<long long>(count)), of_ray};
+        if (options.with == "gl") forget_session();  // tracing opens one of its own
+        TRY(done, cli::trace_rays(scene, *spacetime, *queries, options, output));
+        for (const std::string& note : {cli::left_out_note(count - traced, count, options),
+                                        cli::no_places_note(scene, *spacetime, *queries, options)})
+            if (!note.empty()) listener.note(note);
+        return Done{};
+    });
+}
+
+Error unknown_word(const std::string& option, const std::string& word, const std::string& allowed) {
+    return bad_key(option, fmt::format("'{}' is none of them", word), allowed);
+}
+
+cli::TraceOptions options_of(const std::string& with, const std::string& method, const std::string& context,
+                             int crossings) {
+    if (with != "reference" && with != "core64" && with != "core32" && with != "gl")
+        throw Refused(unknown_word("with_", with, "reference, core64, core32, gl"));
+    if (context != "auto" && context != "egl" && context != "osmesa")
+        throw Refused(unknown_word("context", context, "auto, egl, osmesa"));
+    if (crossings < 0 || crossings > 1000)
+        throw Refused(bad_key("crossings", fmt::format("{} is out of range", crossings), "[0, 1000]"));
+    return {with, method, context, crossings};
+}
+
+}  // namespace
+
+void add_trace(nb::module_& m) {
+    m.def(
+        "trace",
+        [](const Scene& scene, const nb::dict& rays, const Bytes& out, const std::string& with,
+           const std::string& method, const std::string& context, int crossings, const nb::object& progress) {
+            trace(scene, rays, out, options_of(with, method, context, crossings), progress);
+        },
+        nb::arg("scene"), nb::arg("rays"), nb::arg("out"), nb::arg("with_"), nb::arg("method"), nb::arg("context"),
+        nb::arg("crossings"), nb::arg("progress").none());
+    m.def(
+        "has_shifts", [](const Scene& scene) { return cli::has_matter(scene, *space_of(scene.spacetime).metric); },
+        nb::arg("scene"), "Whether crossings have g_k.");
+    m.def(
+        "object_name", [](const Scene& scene, int hit) { return object_name(scene, hit); }, nb::arg("scene"),
+        nb::arg("hit"), "What the number `hit` of ray data stands for: \"disc\", \"star\", a body's name.");
+}
+
+}  // namespace nullscope::python

@@ -1,0 +1,21 @@
+"""Black holes and other curved spacetimes: pictures and light rays of measured accuracy.
+
+Units are those of scene files' results: lengths in Schwarzschild radii r_s, times in r_s/c, angles in rad, c = 1. A scene is given
+as the name of one that ships (scenes()), the path of a file, the text of one, or a dict of its sections. Bad input raises Error, a
+ValueError, with the one line that the command line would print. Long calls release the interpreter's lock, can be interrupted, and
+call progress(done, total) some 20 times a second if it is given. A tutorial: docs/python.md.
+"""
+from pathlib import Path as _Path
+
+from . import _core
+from ._core import Error, Observer, Scene, Spacetime, Worldline, __version__, forget_session, scenes
+from ._pictures import RAYDATA, Picture, capture, raydata
+from ._rays import Fate, deflection, fate_name, trace, worldline
+from ._scenes import scene
+
+__all__ = ["RAYDATA", "Error", "Fate", "Observer", "Picture", "Scene", "Spacetime", "Worldline", "__version__", "capture",
+           "deflection", "fate_name", "forget_session", "raydata", "scene", "scenes", "trace", "worldline"]
+
+_assets = _Path(__file__).resolve().parent / "assets"
+if _assets.is_dir():
+    _core.ship_assets(str(_assets))

@@ -1,0 +1,71 @@
+"""Pictures and the ray data of frames."""
+import numpy as np
+
+from . import _core
+from ._scenes import scene as _scene
+
+RAYDATA = np.dtype([("fate", "f8"), ("sky.x", "f8"), ("sky.y", "f8"), ("sky.z", "f8"), ("g", "f8"), ("delay", "f8"), ("angle", "f8"),
+                    ("order", "f8"), ("hit", "f8"), ("u", "f8"), ("v", "f8"), ("w", "f8")])   # docs/ray-data.md, "Channels of a frame"
+
+
+class Picture(np.ndarray):
+    """Linear light, Rec. 709, float32, shape (height, width, 3), top row first; notebooks show it as a display would.
+
+    An array like any other; what is computed from it is one too, with the same scene.
+    """
+    scene = None   # that it is of: its exposure, bloom and tone curve
+
+    def __array_finalize__(self, source):
+        self.scene = getattr(source, "scene", None)
+
+    def display(self):
+        """Display-encoded (bloom, exposure, tone curve, sRGB): uint8, shape (height, width, 3)."""
+        return _core.displayed(*self._shown())
+
+    def png(self):
+        """The bytes of a PNG file of display()."""
+        return _core.png(*self._shown())
+
+    def _shown(self):
+        if self.scene is None or self.ndim != 3 or self.shape[2] != 3 or not self.size:
+            raise _core.Error(f"an array of shape {self.shape} is no picture; allowed: (height, width, 3), of capture()")
+        return self.scene, np.ascontiguousarray(self, dtype=np.float32).view(np.ndarray)
+
+    def _repr_png_(self):
+        return self.png() if self.ndim == 3 and self.shape[2] == 3 and self.size and self.scene is not None else None
+
+
+def _options(size, **options):
+    if size is not None and not isinstance(size, str):
+        try:
+            width, height = size
+        except (TypeError, ValueError):
+            raise _core.Error(f"size: {size!r} is no size; allowed: (width, height), px") from None
+        size = f"{width}x{height}"
+    return {"size": size, **options}
+
+
+def capture(scene, size=None, *, renderer="gl", method="auto", max_error=None, samples=None, time=None, frame=None, context="auto",
+            progress=None):
+    """Draws a scene's picture: the numbers of the EXR that `nullscope capture` writes, bit for bit. Needs no display.
+
+    size: (width, height), px; None: the scene's. renderer: "gl", the shader, or "reference", in double precision and slow. method,
+    max_error (px), samples (a side of a pixel), time (r_s/c), context: as of the command. frame: of the scene's [path], from 0.
+    Returns a Picture: float32, shape (height, width, 3), linear light.
+    The first picture of a thread opens an OpenGL context, which the next ones find; forget_session() closes it.
+    """
+    given = _scene(scene)
+    picture = _core.capture(given, _options(size, renderer=renderer, method=method, max_error=max_error, samples=samples, time=time,
+                                            frame=frame, context=context), progress).view(Picture)
+    picture.scene = given
+    return picture
+
+
+def raydata(scene, size=None, *, renderer="gl", method="auto", max_error=None, time=None, frame=None, context="auto", progress=None):
+    """Where the ray of each pixel ends: the channels of `nullscope capture --raydata` (docs/ray-data.md).
+
+    Options as of capture(). Returns a structured array RAYDATA, shape (height, width), of float64.
+    """
+    values = _core.raydata(_scene(scene), _options(size, renderer=renderer, method=method, max_error=max_error, time=time, frame=frame,
+                                                   context=context), progress)
+    return values.view(RAYDATA)[:, :, 0]

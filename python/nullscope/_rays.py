@@ -1,0 +1,107 @@
+"""Lists of rays, worldlines: arrays in, arrays out."""
+import enum
+from collections.abc import Mapping
+
+import numpy as np
+
+from . import _core
+from ._scenes import scene as _scene
+
+_COLUMNS = ("r", "theta", "phi", "n_r", "n_theta", "n_phi", "frame", "q", "zeta0", "l0", "s", "at_angle")
+_NUMBERS = ("theta_inf", "phi_inf", "angle", "delay", "g", "turn", "at")
+
+
+class Fate(enum.IntEnum):
+    """Where a ray ends, traced backward in time from the camera."""
+    LEFT_OUT = -1     # the shader cannot trace it
+    ESCAPED = 0       # the sky
+    CAPTURED = 1      # the horizon
+    OTHER_SIDE = 2    # through a wormhole, the sky there
+    NO_SKY = 3        # it never came from a sky
+    HIT = 4           # an opaque object: field hit says which
+
+
+def fate_name(scene, ray):
+    """The word of `nullscope trace` for one row of what trace() gives: "escaped", "captured", ..., "hit:disc"."""
+    fate = Fate(int(ray["fate"]))
+    return f"hit:{_core.object_name(_scene(scene), int(ray['hit']))}" if fate is Fate.HIT else fate.name.lower()
+
+
+def _array(name, values):
+    try:
+        if name == "frame":
+            return np.char.encode(np.asarray(values, dtype=np.str_), "ascii", "replace")
+        return np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise _core.Error(f"{name}: no numbers; allowed: an array of numbers") from error
+
+
+def _columns(rays):
+    names = rays.dtype.names if isinstance(rays, np.ndarray) else list(rays) if isinstance(rays, Mapping) else None
+    if not names:
+        raise _core.Error("rays: no columns; allowed: a structured array, or a dict of arrays")
+    found = {str(name): _array(name, rays[name]) for name in names if name in _COLUMNS}
+    try:
+        shape = np.broadcast_shapes(*(column.shape for column in found.values()))
+    except ValueError as error:
+        raise _core.Error("rays: columns of different lengths") from error
+    if len(shape) > 1:
+        raise _core.Error(f"rays: columns of {len(shape)} dimensions; allowed: one")
+    count = shape[0] if shape else 1
+    return {name: np.broadcast_to(column, (count,)) for name, column in found.items()}, count
+
+
+def trace(scene, rays, with_="reference", *, crossings=0, method="auto", context="auto", progress=None):
+    """Traces light rays backward in time from where cameras are, as `nullscope trace` does (docs/ray-data.md).
+
+    rays: a structured array, shape (n,), or a dict of arrays, shape (n,) or scalars. Columns r (r_s), theta, phi (rad) of the camera and
+    n_r, n_theta, n_phi, the view direction in its local frame, optionally frame ("static" or "rain"); or, without rotation, q, zeta0 (l0
+    in wormholes) and s; optionally at_angle (rad; NaN where nothing is asked). Arrays of float64 are read where they are.
+    with_: "reference" (double precision, closed forms), "core64" or "core32" (the shader's code as C++), "gl" (the shader itself).
+    crossings: how many crossings of the equatorial plane to list.
+    Returns a structured array, shape (n,): fate (see Fate), hit (see fate_name), theta_inf, phi_inf, angle (rad), delay (r_s/c), g, turn,
+    at, then r_1, phi_1, ... (with a thermal disc g_1, ...). NaN where a value does not exist.
+    """
+    given = _scene(scene)
+    columns, count = _columns(rays)
+    if not isinstance(crossings, int) or not 0 <= crossings <= 1000:
+        raise _core.Error(f"crossings: {crossings} is out of range; allowed: [0, 1000]")
+    words = {"with_": with_, "method": method, "context": context}
+    for name, word in words.items():
+        if not isinstance(word, str):
+            raise _core.Error(f"{name}: {word!r} is of another kind; allowed: text")
+    each = ("r", "phi", "g") if _core.has_shifts(given) else ("r", "phi")
+    fields = [("fate", "i4"), ("hit", "i4")] + [(name, "f8") for name in _NUMBERS]
+    fields += [(f"{name}_{k}", "f8") for k in range(1, crossings + 1) for name in each]
+    out = np.empty(count, dtype=fields)
+    _core.trace(given, columns, out.view(np.uint8), with_, method, context, crossings, progress)
+    return out
+
+
+def deflection(spacetime, impact, *, progress=None):
+    """The angle by which light from infinity is bent, rad, by the reference; NaN where it is captured.
+
+    spacetime: a Spacetime without rotation, or a scene. impact: impact parameter, r_s (of wormholes: the throat's radius), shape (n,) or a
+    number. Returns the same shape. Through a wormhole: the angle swept, less pi.
+    """
+    if not isinstance(spacetime, _core.Spacetime):
+        spacetime = _core.spacetime_of(_scene(spacetime))
+    given = _array("impact", impact)
+    if given.ndim > 1:
+        raise _core.Error(f"impact: {given.ndim} dimensions; allowed: a number, or one")
+    found = _core.deflection(spacetime, np.atleast_1d(given), progress)
+    return found if given.ndim else float(found[0])
+
+
+def worldline(scene, duration, steps=200):
+    """A scene's camera in free fall, at `steps` + 1 equal proper times from 0 to `duration` (r_s/c) or its end.
+
+    Returns a structured array, shape (steps + 1,): tau, time (r_s/c), r (r_s), theta, phi (rad). Observer.fall() has more.
+    """
+    if not isinstance(steps, int) or not 1 <= steps <= 10_000_000:
+        raise _core.Error(f"steps: {steps} is out of range; allowed: [1, 10000000]")
+    if isinstance(duration, bool) or not isinstance(duration, (int, float)):
+        raise _core.Error(f"duration: {duration!r} is of another kind; allowed: a number")
+    line = _core.Observer(_scene(scene)).fall(duration)
+    places = line.places(np.linspace(0.0, min(float(duration), line.last), steps + 1))
+    return places.view([(name, "f8") for name in ("tau", "time", "r", "theta", "phi")])[:, 0]
