@@ -4,7 +4,7 @@
 #   scripts/test.sh                  what every change must pass: each promise on the cases that show its breach
 #   scripts/test.sh --all            the same promises on every case and driver, then scripts/check.sh: what CI runs
 #   scripts/test.sh CTEST OPTION...  single tests of the quick depth:
-#       -L unit          those of one label (unit, contract, layering, recipes, gpu, golden, proof, cli, fuzz, viewer, web)
+#       -L unit          those of one label (unit, contract, layering, recipes, gpu, golden, proof, cli, fuzz, viewer, web, python)
 #       -R photon -V     those whose name matches, with all their output
 #
 # The first two end with a table of what was built and tested, in processor seconds, and fail when a sum is over its
@@ -26,7 +26,7 @@ targets_of() {
         viewer) echo viewer_tests nullscope-viewer ;;
         web) echo nullscope native_answers ;;   # and the page: scripts/web.sh
         fuzz) echo fuzz_scene fuzz_tour fuzz_picture fuzz_exr fuzz_rays fuzz_words fuzz_formula fuzz_warp ;;
-        layering | recipes) echo nullscope ;;   # so that the build folder exists
+        layering | recipes | python) echo nullscope ;;   # so that the build folder exists
         *) echo all ;;
     esac
 }

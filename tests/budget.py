@@ -15,13 +15,13 @@ from pathlib import Path
 
 
 def read_times(file):
-    """{kind: {label: seconds}}, the costliest single entries, the median slowness; kind is programs, build, test, check or web."""
+    """{kind: {label: seconds}}, the costliest single entries, the median slowness; kind is programs, build, test, check, web or python."""
     sums, entries, slow = defaultdict(lambda: defaultdict(float)), [], []
     for line in Path(file).read_text(encoding="utf-8").splitlines():
         name, processor, wall, slowness = line.split("\t")
         used = float(processor) / float(slowness)
         first, _, rest = name.partition(": ")
-        kind, label = (first, rest) if first in ("programs", "build", "check", "web") else ("test", rest.split(",")[0] if first == "whole" else first)
+        kind, label = (first, rest) if first in ("programs", "build", "check", "web", "python") else ("test", rest.split(",")[0] if first == "whole" else first)
         sums[kind][label] += used
         entries.append((used, float(wall), name))
         slow.append(float(slowness))

@@ -1,5 +1,7 @@
 #include "module/call.h"
 
+#include <nanobind/stl/string.h>
+
 #include <algorithm>
 
 #include "base/text.h"
@@ -16,6 +18,18 @@ struct Stopped : std::exception {};  // of another thread than the caller's
 Refused::Refused(const Error& error) : std::runtime_error(without_controls(error.message())) {}
 
 Error error_of(const std::exception& exception) { return failed(exception.what()); }
+
+double number_of(const char* name, const nb::object& argument) {
+    double number = 0;
+    if (nb::try_cast(argument, number)) return number;
+    throw Refused(bad_key(name, std::string(Py_TYPE(argument.ptr())->tp_name) + " is of another kind", "a number"));
+}
+
+std::string text_of(const char* name, const nb::object& argument) {
+    std::string text;
+    if (nb::try_cast(argument, text)) return text;
+    throw Refused(bad_key(name, std::string(Py_TYPE(argument.ptr())->tp_name) + " is of another kind", "text"));
+}
 
 Watch::Watch(nb::object callback) : callback_(std::move(callback)) {
     if (!callback_.is_none() && PyCallable_Check(callback_.ptr()) == 0)
@@ -60,7 +74,7 @@ void Watch::finish() {
     done_ = total_.load();
     tell();
     for (const std::string& note : notes_)
-        if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw nb::python_error();
+        if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 2) != 0) throw nb::python_error();
 }
 
 }  // namespace nullscope::python

@@ -30,6 +30,10 @@ T value_of(Result<T> result) {
     return std::move(*result);
 }
 
+// What an argument is; else Refused, by its name.
+double number_of(const char* name, const nb::object& argument);
+std::string text_of(const char* name, const nb::object& argument);
+
 // Of one call: hears of progress from any thread, tells the callback and looks for signals in the caller's.
 class Watch {
 public:

@@ -27,5 +27,6 @@ struct Space {
     std::shared_ptr<const Spacetime> metric;
 };
 Space space_of(const SpacetimeSpec& spec);  // throws Refused
+Scene scene_of(const nb::object& given);    // what nullscope.scene() makes of it; throws as that does
 
 }  // namespace nullscope::python

@@ -40,7 +40,8 @@ auto tetrad(const Someone& one) {
     return array_of(sum);
 }
 
-Worldline fall(const Someone& one, double duration) {
+Worldline fall(const Someone& one, const nb::object& given) {
+    const double duration = number_of("duration", given);
     if (!(duration > 0.0 && duration <= 1e9))
         throw Refused(bad_key("duration", fmt::format("{} is out of range", duration), "(0, 1e9]"));
     return value_of(Worldline::make(one.space.metric, one.camera, duration));
@@ -49,7 +50,9 @@ Worldline fall(const Someone& one, double duration) {
 constexpr std::size_t kPlaceColumns = 5;
 
 // Columns tau, time, r, theta, phi.
-auto places(const Worldline& line, const nb::ndarray<const double, nb::ndim<1>, nb::device::cpu>& times) {
+auto places(const Worldline& line, const nb::object& given) {
+    nb::ndarray<const double, nb::ndim<1>, nb::device::cpu> times;
+    if (!nb::try_cast(given, times)) throw Refused(bad_key("tau", "no such array", "float64, shape (n,)"));
     std::vector<double> values;
     values.reserve(times.shape(0) * kPlaceColumns);
     for (std::size_t i = 0; i < times.shape(0); ++i) {
@@ -97,12 +100,13 @@ void add_observer(nb::module_& m) {
         .def_prop_ro("end_time", &Worldline::end_time, "Proper time of the end itself, r_s/c.")
         .def_prop_ro("horizon_time", &Worldline::horizon_time, "Proper time at the outer horizon, r_s/c, or None.")
         .def_prop_ro("energy", &Worldline::energy, "Per rest mass.")
-        .def("places", places, nb::arg("tau"),
+        .def("places", places, nb::arg("tau").none(),
              "At proper times tau, shape (n,): shape (n, 5), columns tau, time (r_s/c), r (r_s), theta, phi (rad).");
     nb::class_<Someone>(m, "Observer",
                         "The observer who holds a scene's camera; nullscope.Observer(scene) makes it. Lengths in r_s, "
                         "times in r_s/c, angles in rad; None where there is no such thing.")
-        .def(nb::new_([](const Scene& scene) { return someone_of(scene); }), nb::arg("scene"))
+        .def(nb::new_([](const nb::object& scene) { return someone_of(scene_of(scene)); }), nb::arg("scene").none(),
+             "scene: whatever nullscope.scene() takes; its metric and camera are used.")
         .def_prop_ro(
             "kind", [](const Someone& o) { return observer_name(o.camera.observer); },
             "The word of scene files: \"static\", \"rain\", ...")
@@ -133,7 +137,7 @@ void add_observer(nb::module_& m) {
         .def("critical_curve", curve,
              "The critical curve in the camera's picture: list of lines, shape (n, 2), column and row, px from the "
              "upper left corner.")
-        .def("fall", fall, nb::arg("duration"),
+        .def("fall", fall, nb::arg("duration").none(),
              "The free fall from here for a proper time up to `duration`, r_s/c: a Worldline.")
         .def("__repr__", [](const Someone& o) {
             return fmt::format("<nullscope.Observer {} at r = {:g}>", observer_name(o.camera.observer), o.camera.r);

@@ -165,10 +165,11 @@ Asked asked_of(const nb::dict& options) {
     const auto take = [&]<class T>(const char* name, T& to) {
         if (!options.contains(name) || nb::handle(options[name]).is_none()) return;
         if (!nb::try_cast(nb::handle(options[name]), to))
-            throw Refused(bad_key(name, fmt::format("{} is of another kind", nb::repr(options[name]).c_str()),
-                                  std::is_same_v<T, std::string>          ? "text"
-                                  : std::is_same_v<T, std::optional<int>> ? "a whole number"
-                                                                          : "a number"));
+            throw Refused(
+                bad_key(name, std::string(Py_TYPE(nb::handle(options[name]).ptr())->tp_name) + " is of another kind",
+                        std::is_same_v<T, std::string>          ? "text"
+                        : std::is_same_v<T, std::optional<int>> ? "a whole number"
+                                                                : "a number"));
     };
     Asked asked{{}, "gl", "auto", "auto", {}, {}, {}, {}};
     take("size", asked.size), take("renderer", asked.renderer), take("method", asked.method);

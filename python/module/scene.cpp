@@ -21,6 +21,10 @@ Scene parsed(const std::string& text, bool lines) {
 
 }  // namespace
 
+Scene scene_of(const nb::object& given) {
+    return nb::cast<Scene>(nb::module_::import_("nullscope").attr("scene")(given));
+}
+
 void add_scene(nb::module_& m) {
     nb::class_<Scene>(m, "Scene", "A scene that was read and checked; nullscope.scene() makes it. Cannot be changed.")
         .def_ro("name", &Scene::name, "Its title.")

@@ -1,13 +1,10 @@
 #include <fmt/format.h>
-#include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
-#include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
 #include <cmath>
-#include <variant>
 
 #include "module/arrays.h"
 #include "module/call.h"
@@ -25,30 +22,32 @@ Space space_of(const SpacetimeSpec& spec) { return {spec, value_of(make_spacetim
 
 namespace {
 
-using Parameters = std::map<std::string, std::variant<double, std::string>>;
-
-Space make_space(const std::string& metric, const Parameters& parameters) {
-    SpacetimeSpec spec{metric, {}};
-    for (const auto& [name, value] : parameters) {
-        if (const double* number = std::get_if<double>(&value))
-            spec.parameters[name] = *number;
+Space make_space(const nb::object& metric, const nb::kwargs& parameters) {
+    SpacetimeSpec spec{text_of("metric", metric), {}};
+    for (const auto& [key, value] : parameters) {
+        const auto name = nb::cast<std::string>(key);
+        const auto given = nb::borrow(value);
+        if (nb::isinstance<nb::str>(given))
+            spec.parameters.formulas[name] = nb::cast<std::string>(given);
         else
-            spec.parameters.formulas[name] = std::get<std::string>(value);
+            spec.parameters[name] = number_of(name.c_str(), given);
     }
     return space_of(spec);
 }
 
-double checked_radius(const Spacetime& metric, double r) {
+double checked_radius(const Spacetime& metric, const nb::object& given) {
+    const double r = number_of("r", given);
     if (std::isfinite(r) && camera_can_be(metric, r)) return r;
     throw Refused(bad_key("r", fmt::format("{} is out of range", r), allowed_falling_radii(metric)));
 }
 
-double checked_theta(double theta) {
+double checked_theta(const nb::object& given) {
+    const double theta = number_of("theta", given);
     if (theta >= 0.0 && theta <= M_PI) return theta;
     throw Refused(bad_key("theta", fmt::format("{} is out of range", theta), "theta in [0, pi]"));
 }
 
-nb::object circular(const Space& space, double r, bool) {
+nb::object circular(const Space& space, const nb::object& r) {
     const auto orbit = circular_orbit(*space.metric, checked_radius(*space.metric, r));
     if (!orbit) return nb::none();
     nb::dict numbers;
@@ -57,8 +56,8 @@ nb::object circular(const Space& space, double r, bool) {
     return numbers;
 }
 
-nb::dict photon(const Space& space, double theta, double psi) {
-    checked_theta(theta);
+nb::dict photon(const Space& space, const nb::object& given_theta, const nb::object& given_psi) {
+    const double theta = checked_theta(given_theta), psi = number_of("psi", given_psi);
     if (!(psi >= 0.0 && psi <= M_PI))
         throw Refused(bad_key("psi", fmt::format("{} is out of range", psi), "psi in [0, pi]"));
     const PhotonOrbit orbit = value_of(photon_orbit(*space.metric, theta, psi));
@@ -69,7 +68,7 @@ nb::dict photon(const Space& space, double theta, double psi) {
     return numbers;
 }
 
-std::optional<double> shadow(const Space& space, double r) {
+std::optional<double> shadow(const Space& space, const nb::object& r) {
     CameraSpec camera;
     camera.r = checked_radius(*space.metric, r);
     return camera_numbers(*space.metric, camera).shadow;
@@ -124,14 +123,9 @@ void add_spacetime(nb::module_& m) {
     nb::class_<Space>(m, "Spacetime",
                       "A metric. Lengths in r_s, of wormholes in the scene's unit; None where a metric has no such "
                       "thing. About a rotating hole orbits are those in the equatorial plane.")
-        .def(nb::new_([](const std::string& metric, const nb::kwargs& parameters) {
-                 Parameters all;
-                 for (const auto& [name, value] : parameters)
-                     if (!nb::try_cast(value, all[nb::cast<std::string>(name)]))
-                         throw Refused(bad_key(nb::cast<std::string>(name), "no number and no formula", "a number"));
-                 return make_space(metric, all);
-             }),
-             nb::arg("metric") = "schwarzschild", nb::arg("parameters"),
+        .def(nb::new_(
+                 [](const nb::object& metric, const nb::kwargs& parameters) { return make_space(metric, parameters); }),
+             nb::arg("metric").none() = "schwarzschild", nb::arg("parameters"),
              "By its name in scene files and its parameters: Spacetime(\"kerr\", spin=0.9).")
         .def_prop_ro_static(
             "metrics", [](const nb::handle&) { return metrics(); }, "The names of all metrics.")
@@ -162,27 +156,26 @@ void add_spacetime(nb::module_& m) {
             "The open interval of radii at which a camera can be at rest, r_s.")
         .def(
             "metric",
-            [](const Space& s, double r, double theta) {
+            [](const Space& s, const nb::object& r, const nb::object& theta) {
                 return array_of(s.metric->metric(checked_radius(*s.metric, r), checked_theta(theta)));
             },
-            nb::arg("r"), nb::arg("theta") = M_PI / 2,
+            nb::arg("r").none(), nb::arg("theta").none() = M_PI / 2,
             "g_{mu nu}, shape (4, 4), in (t, r, theta, phi), signature (-, +, +, +), r_s = c = 1.")
         .def(
             "inverse_metric",
-            [](const Space& s, double r, double theta) {
+            [](const Space& s, const nb::object& r, const nb::object& theta) {
                 return array_of(s.metric->inverse_metric(checked_radius(*s.metric, r), checked_theta(theta)));
             },
-            nb::arg("r"), nb::arg("theta") = M_PI / 2, "g^{mu nu}, shape (4, 4).")
-        .def(
-            "circular_orbit", [](const Space& s, double r) { return circular(s, r, true); }, nb::arg("r"),
-            "The circular geodesic at r in the equatorial plane, towards growing phi: u_t = dt/dtau, omega = dphi/dt "
-            "in "
-            "c/r_s, energy and momentum (r_s c) per rest mass. None where there is none.")
-        .def("spherical_photon_orbit", photon, nb::arg("theta") = M_PI / 2, nb::arg("psi") = 0.0,
+            nb::arg("r").none(), nb::arg("theta").none() = M_PI / 2, "g^{mu nu}, shape (4, 4).")
+        .def("circular_orbit", circular, nb::arg("r").none(),
+             "The circular geodesic at r in the equatorial plane, towards growing phi: u_t = dt/dtau, omega = dphi/dt "
+             "in "
+             "c/r_s, energy and momentum (r_s c) per rest mass. None where there is none.")
+        .def("spherical_photon_orbit", photon, nb::arg("theta").none() = M_PI / 2, nb::arg("psi").none() = 0.0,
              "The orbit of light of constant r that crosses the polar angle theta at the angle psi from e_phi, rad, as "
              "Carter's observer sees it: r, lambda and eta (r_s), Lyapunov exponent gamma, drag and azimuth (rad) and "
              "delay (r_s/c) of a half orbit.")
-        .def("shadow", shadow, nb::arg("r"),
+        .def("shadow", shadow, nb::arg("r").none(),
              "Angular radius of the shadow seen at rest at r, rad; None about a rotating hole (Observer.shadow_size).")
         .def("__repr__", [](const Space& s) { return fmt::format("<nullscope.Spacetime {}>", s.metric->name()); });
     m.def(

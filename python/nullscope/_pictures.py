@@ -40,7 +40,7 @@ def _options(size, **options):
         try:
             width, height = size
         except (TypeError, ValueError):
-            raise _core.Error(f"size: {size!r} is no size; allowed: (width, height), px") from None
+            raise _core.Error(f"size: {type(size).__name__} is no size; allowed: (width, height), px") from None
         size = f"{width}x{height}"
     return {"size": size, **options}
 

@@ -23,8 +23,11 @@ class Fate(enum.IntEnum):
 
 def fate_name(scene, ray):
     """The word of `nullscope trace` for one row of what trace() gives: "escaped", "captured", ..., "hit:disc"."""
-    fate = Fate(int(ray["fate"]))
-    return f"hit:{_core.object_name(_scene(scene), int(ray['hit']))}" if fate is Fate.HIT else fate.name.lower()
+    try:
+        fate, hit = Fate(int(ray["fate"])), int(ray["hit"])
+    except (KeyError, IndexError, TypeError, ValueError):
+        raise _core.Error("ray: no row of what trace() gives; allowed: with fields fate and hit") from None
+    return f"hit:{_core.object_name(_scene(scene), hit)}" if fate is Fate.HIT else fate.name.lower()
 
 
 def _array(name, values):
@@ -64,17 +67,17 @@ def trace(scene, rays, with_="reference", *, crossings=0, method="auto", context
     """
     given = _scene(scene)
     columns, count = _columns(rays)
-    if not isinstance(crossings, int) or not 0 <= crossings <= 1000:
+    if not isinstance(crossings, (int, np.integer)) or not 0 <= crossings <= 1000:
         raise _core.Error(f"crossings: {crossings} is out of range; allowed: [0, 1000]")
     words = {"with_": with_, "method": method, "context": context}
     for name, word in words.items():
         if not isinstance(word, str):
-            raise _core.Error(f"{name}: {word!r} is of another kind; allowed: text")
+            raise _core.Error(f"{name}: {type(word).__name__} is of another kind; allowed: text")
     each = ("r", "phi", "g") if _core.has_shifts(given) else ("r", "phi")
     fields = [("fate", "i4"), ("hit", "i4")] + [(name, "f8") for name in _NUMBERS]
     fields += [(f"{name}_{k}", "f8") for k in range(1, crossings + 1) for name in each]
     out = np.empty(count, dtype=fields)
-    _core.trace(given, columns, out.view(np.uint8), with_, method, context, crossings, progress)
+    _core.trace(given, columns, out.view(np.uint8), with_, method, context, int(crossings), progress)
     return out
 
 
@@ -101,7 +104,7 @@ def worldline(scene, duration, steps=200):
     if not isinstance(steps, int) or not 1 <= steps <= 10_000_000:
         raise _core.Error(f"steps: {steps} is out of range; allowed: [1, 10000000]")
     if isinstance(duration, bool) or not isinstance(duration, (int, float)):
-        raise _core.Error(f"duration: {duration!r} is of another kind; allowed: a number")
+        raise _core.Error(f"duration: {type(duration).__name__} is of another kind; allowed: a number")
     line = _core.Observer(_scene(scene)).fall(duration)
     places = line.places(np.linspace(0.0, min(float(duration), line.last), steps + 1))
     return places.view([(name, "f8") for name in ("tau", "time", "r", "theta", "phi")])[:, 0]

@@ -1,0 +1,343 @@
+"""The package against the command line: the same numbers and words, what it costs, how it is stopped, what it leaves behind."""
+import csv
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+import warnings
+from pathlib import Path
+
+import numpy as np
+import nullscope as ns
+import OpenEXR
+
+import support
+
+KERR = ns.Spacetime("kerr", spin=0.5)
+
+
+def some_rays(count, r=None):
+    random = np.random.default_rng(7)
+    n = random.normal(size=(3, count))
+    return {"r": random.uniform(2, 30, count) if r is None else np.full(count, r), "theta": random.uniform(0.1, 3, count),
+            "phi": random.uniform(0, 6, count), "n_r": n[0], "n_theta": n[1], "n_phi": n[2]}
+
+
+def write_csv(path, rays):
+    with open(path, "w", newline="") as file:
+        out = csv.writer(file)
+        out.writerow(rays)
+        out.writerows(zip(*(map(repr, column.tolist()) for column in rays.values())))
+
+
+class Test(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="nullscope-python-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def exr(self, *options):
+        """The channels of the EXR that `nullscope capture` writes."""
+        support.command_line("capture", *options, "-o", self.folder / ("picture-%d.exr" if "--frames" in options else "picture.exr"))
+        path = next(self.folder.glob("*.exr"))
+        with OpenEXR.File(str(path), separate_channels=True) as file:
+            channels = {name: channel.pixels.copy() for name, channel in file.channels().items()}
+        path.unlink()
+        return channels
+
+
+class Pictures(Test):
+    def check(self, scene, *options, size=(96, 54), **asked):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            picture = ns.capture(scene, size, **asked)
+        channels = self.exr(scene, "--size", "%dx%d" % size, *options)
+        there = np.stack([channels[c] for c in "RGB"], axis=-1)
+        self.assertEqual(picture.dtype, np.float32)
+        self.assertTrue(np.array_equal(picture.view(np.uint32), there.view(np.uint32)), f"{scene} {options}")
+        return picture
+
+    def test_equal_to_the_command_line(self):
+        # One after another: what was drawn before must not matter.
+        for scene in ("accretion", "kerr", "first-light", "two-spacetimes", "swarm", "starlight", "wormhole", "accretion"):
+            self.check(scene)
+        self.check("accretion", "--renderer", "reference", "--samples", "2", size=(32, 18), renderer="reference", samples=2)
+        self.check("plunge", "--frames", "20:21", size=(48, 27), frame=20)
+        self.check("hot-spot", "--time", "30", time=30)
+        self.check("sky-only", "--method", "table:64", method="table:64")
+
+    def test_ray_data_equal_to_the_command_line(self):
+        for renderer in ("gl", "reference"):
+            rays = ns.raydata("kerr", (48, 27), renderer=renderer)
+            channels = self.exr("kerr", "--size", "48x27", "--raydata", "--renderer", renderer,
+                                *(["--samples", "1"] if renderer == "reference" else []))
+            for name in ns.RAYDATA.names:
+                self.assertTrue(np.array_equal(rays[name].astype(np.float32), channels[name]), f"{renderer} {name}")
+
+    def test_shown_as_png(self):
+        picture = ns.capture("accretion", (64, 36))
+        self.assertEqual(picture._repr_png_()[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(picture.display().shape, (36, 64, 3))
+        self.assertGreater(picture.display().max(), 100)
+        self.assertIsNone(picture[0]._repr_png_())
+        self.assertGreater((2 * picture).display().mean(), picture.display().mean())
+
+
+class Rays(Test):
+    def test_equal_to_the_command_line(self):
+        rays, path, out = some_rays(300, r=9.0), self.folder / "rays.csv", self.folder / "out.csv"
+        rays["at_angle"] = np.full(300, 0.5)
+        write_csv(path, rays)
+        structured = np.rec.fromarrays(list(rays.values()), names=list(rays))
+        for scene in ("accretion", "kerr"):
+            for tracer in ("reference", "core64", "core32", "gl"):
+                found = ns.trace(scene, structured, tracer, crossings=2)
+                support.command_line("trace", scene, "--rays", path, "--with", tracer, "--crossings", 2, "-o", out)
+                with open(out, newline="") as file:
+                    rows = list(csv.DictReader(file))
+                for name in found.dtype.names[2:]:
+                    there = np.array([float(row[name] or "nan") for row in rows])
+                    self.assertTrue(np.array_equal(found[name], there, equal_nan=True), f"{scene} {tracer} {name}")
+                self.assertEqual([ns.fate_name(scene, ray) for ray in found], [row["fate"] for row in rows])
+
+    def test_columns_are_read_where_they_are(self):
+        rays = some_rays(1000)
+        packed = np.zeros(1000, dtype=[("tag", "u1")] + [(name, "f8") for name in rays])   # unaligned
+        for name, column in rays.items():
+            packed[name] = column
+        self.assertTrue(np.array_equal(ns.trace("kerr", packed)["delay"], ns.trace("kerr", rays)["delay"], equal_nan=True))
+        reverse = {name: column[::-1] for name, column in rays.items()}
+        self.assertTrue(np.array_equal(ns.trace("kerr", reverse)["delay"][::-1], ns.trace("kerr", rays)["delay"], equal_nan=True))
+
+    def test_rays_that_the_shader_leaves_out(self):
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            found = ns.trace("sky-only", {**some_rays(2), "r": np.array([5.0, 2e9])}, "core64")
+        self.assertEqual(found["fate"].tolist()[1], ns.Fate.LEFT_OUT)
+        self.assertIn("1 of 2 rays left empty", str(said[0].message))
+
+    def test_deflection(self):
+        impact = np.array([2.5, 10.0, 1e6])
+        found = ns.deflection(ns.Spacetime(), impact)
+        self.assertTrue(np.isnan(found[0]))
+        first = 2.0 / impact
+        self.assertLess(abs(found[2] / first[2] - 1 - 15 * np.pi / 32 / impact[2]), 1e-9)   # 4M/b (1 + 15 pi M/(16 b)), M = 1/2
+        self.assertAlmostEqual(ns.deflection("sky-only", 10.0), found[1], places=15)
+
+
+class Numbers(Test):
+    def test_textbook_values(self):
+        hole = ns.Spacetime()
+        self.assertEqual(hole.horizon, 1.0)
+        self.assertAlmostEqual(hole.isco, 3.0, places=13)
+        self.assertAlmostEqual(hole.photon_orbit, 1.5, places=14)
+        self.assertAlmostEqual(hole.critical_impact, 1.5 * 3 ** 0.5, places=14)
+        self.assertAlmostEqual(hole.circular_orbit(3.0)["energy"], (8 / 9) ** 0.5, places=14)
+        self.assertAlmostEqual(hole.shadow(10.0), np.arcsin(1.5 * 3 ** 0.5 / 10 * 0.9 ** 0.5), places=14)
+        self.assertAlmostEqual(ns.Spacetime("kerr", spin=0.9).horizon, 0.5 + (0.25 - 0.45 ** 2) ** 0.5, places=14)
+        product = KERR.metric(3.0, 1.0) @ KERR.inverse_metric(3.0, 1.0)
+        self.assertLess(abs(product - np.eye(4)).max(), 1e-14)
+
+    def test_tetrad_is_orthonormal(self):
+        for kind in ("static", "rain", "orbit"):
+            one = ns.Observer({"camera": {"r": 6.0, "theta": 90.0, "observer": kind, "velocity": [0.1, 0.2, 0.3]}})
+            lapse2, r = 1 - 1 / 6, 6.0
+            g = np.array([[-lapse2, 1, 0, 0], [1, 0, 0, 0], [0, 0, r * r, 0], [0, 0, 0, r * r]])   # ingoing (v, r, theta, phi)
+            self.assertLess(abs(one.tetrad @ g @ one.tetrad.T - np.diag([-1, 1, 1, 1])).max(), 1e-12)
+
+    def test_worldline(self):
+        line = ns.Observer({"camera": {"r": 1.0 + 1e-9, "observer": "rain"}}).fall(10.0)
+        self.assertEqual(line.end, "singularity")
+        self.assertAlmostEqual(line.end_time, 2 / 3, places=7)   # 4M/3 from the horizon
+        places = ns.worldline({"camera": {"r": 6.0, "observer": "orbit", "theta": 90.0}}, 30.0, 3)
+        self.assertLess(abs(places["r"] - 6.0).max(), 1e-9)
+
+
+def errors():
+    """Calls with something wrong, of every function."""
+    hole, one = ns.Spacetime(), {"q": 1.0, "zeta0": 0.1, "s": 1}
+    capture, size = ns.capture, (8, 8)
+    general = {"r": 5.0, "theta": 1.0, "phi": 0.0, "n_r": 1.0, "n_theta": 0.0, "n_phi": 0.0}
+    for given in ("nope", 3, None, "a = [\n", "[camera]\nr = 0.5", {"camera": {"r": 0.5}}, {"camera": {"r": object()}},
+                  {"ca\nmera": 1}, {"camera": 3}, Path("/nowhere"), "x" * 300, "a\0b", "="):
+        yield lambda: ns.scene(given)
+        yield lambda: capture(given, size)
+        yield lambda: ns.raydata(given, size)
+        yield lambda: ns.trace(given, one)
+        yield lambda: ns.deflection(given, 1.0)
+        yield lambda: ns.Observer(given)
+        yield lambda: ns.worldline(given, 1.0)
+        yield lambda: ns.fate_name(given, {"fate": 4, "hit": 1})
+    yield lambda: ns.scene("kerr", camera=3)
+    yield lambda: ns.scene("kerr", nonsense={"a": 1})
+    for draw in (capture, ns.raydata):
+        for wrong in ({"size": (0, 3)}, {"size": 5}, {"size": "x"}, {"renderer": "x"}, {"renderer": 3}, {"method": "euler"},
+                      {"time": float("nan")}, {"time": "x"}, {"frame": 3}, {"frame": 0.5}, {"context": "x"}, {"progress": 3},
+                      {"max_error": -1.0}, {"renderer": "reference", "method": "strip"}):
+            yield lambda: draw("kerr", **{"size": size, **wrong})
+    yield lambda: capture("kerr", size, samples=99)
+    yield lambda: ns.raydata("two-spacetimes", size)
+    for rays in (3, None, {}, np.zeros(3), {"q": [1.0, 2.0], "zeta0": [1.0, 2.0, 3.0], "s": 1}, {"r": 3.0}, {**one, "q": "x"},
+                 {**one, "q": np.nan}, {**one, "q": 1e-3}, {**general, "r": 0.5}, {**general, "n_r": 0.0}, {**general, "frame": "räin\n"},
+                 {**general, "theta": 4.0}, {**one, "q": np.ones((2, 2))}, {**one, "at_angle": -1.0}, {**one, **general}):
+        yield lambda: ns.trace("sky-only", rays)
+    for wrong in ({"with_": "x"}, {"with_": 3}, {"crossings": -1}, {"crossings": 0.5}, {"with_": "core64", "method": "integrate"},
+                  {"progress": 5}, {"context": "x"}):
+        yield lambda: ns.trace("sky-only", one, **wrong)
+    yield lambda: ns.trace("kerr", one)
+    for arguments, wrong in ((("x",), {}), ((3,), {}), ((None,), {}), (("kerr",), {"spin": 3}), (("kerr",), {"spin": "a"}),
+                             (("kerr",), {"spin": None}), (("kerr",), {"x": 1}), (("formula",), {"A": "1-"})):
+        yield lambda: ns.Spacetime(*arguments, **wrong)
+    for wrong in ("x", None, -1, float("nan"), [1]):
+        for method in (hole.metric, hole.inverse_metric, hole.circular_orbit, hole.shadow):
+            yield lambda: method(wrong)
+        yield lambda: hole.metric(3.0, wrong)
+        yield lambda: hole.spherical_photon_orbit(wrong)
+        yield lambda: hole.spherical_photon_orbit(1.0, wrong)
+        yield lambda: ns.Observer("kerr").fall(wrong)
+        yield lambda: ns.Observer("kerr").fall(3.0).places(wrong if wrong == "x" or wrong is None else np.array([-1.0]))
+        yield lambda: ns.worldline("kerr", wrong)
+    yield lambda: ns.Spacetime("minkowski").spherical_photon_orbit()
+    for impact in ("x", None, [-1.0], [[1.0]], float("nan")):
+        yield lambda: ns.deflection(hole, impact)
+    yield lambda: ns.deflection(KERR, 3.0)
+    yield lambda: ns.deflection(hole, 3.0, progress=2)
+    yield lambda: ns.Observer({"camera": {"theta": 0.0}}).tetrad
+    yield lambda: ns.worldline("kerr", 3.0, 0)
+    for ray in (3, None, {"fate": 99, "hit": 0}):
+        yield lambda: ns.fate_name("kerr", ray)
+    yield lambda: ns.capture("sky-only", size)[0].display()
+    yield lambda: ns.capture("sky-only", size)[0].png()
+
+
+class Errors(Test):
+    def test_one_line_each(self):
+        count = 0
+        for call in errors():
+            with self.assertRaises(ns.Error) as caught:
+                call()
+            self.assertIsInstance(caught.exception, ValueError)
+            self.assertTrue(str(caught.exception).isprintable() and str(caught.exception), repr(caught.exception))
+            count += 1
+        self.assertGreater(count, 200)
+
+    def test_the_words_of_the_command_line(self):
+        scene = self.folder / "bad.toml"
+        scene.write_text("[camera]\nr = 0.5\n")
+        for file in (str(scene), "nope"):
+            done = subprocess.run([support.BINARY, "capture", file], capture_output=True, text=True)
+            with self.assertRaises(ns.Error) as caught:
+                ns.capture(file)
+            self.assertEqual(done.stderr, f"nullscope: {caught.exception}\n")
+
+
+class Long(Test):
+    def test_progress(self):
+        calls = []
+        ns.trace("kerr", some_rays(3000), progress=lambda done, total: calls.append((done, total)))
+        self.assertEqual(calls[-1], (3000, 3000))
+        self.assertEqual(calls, sorted(calls))
+        ns.capture("kerr", (64, 36), renderer="reference", samples=1, progress=lambda *told: calls.append(told))
+        self.assertEqual(calls[-1], (64 * 36, 64 * 36))
+
+    def test_what_the_callback_raises_ends_the_call(self):
+        def stop(done, total):
+            raise KeyError("enough")
+        with self.assertRaisesRegex(KeyError, "enough"):
+            ns.capture("kerr", (640, 360), renderer="reference", progress=stop)
+
+    def test_interrupted(self):
+        for call in ('ns.capture("kerr", (3840, 2160), renderer="reference")', 'ns.trace("kerr", rays)', 'ns.trace("sky-only", rays, "core64")'):
+            text = ("import numpy as np, nullscope as ns, sys\nrays = {'r': np.linspace(3, 30, 2000000), 'theta': 1., 'phi': 0., 'n_r': -1., "
+                    "'n_theta': .2, 'n_phi': .3}\nprint('go', flush=True)\ntry:\n    " + call + "\nexcept KeyboardInterrupt:\n    print('stopped')\n")
+            with subprocess.Popen([sys.executable, "-c", text], stdout=subprocess.PIPE, text=True) as child:
+                child.stdout.readline()
+                time.sleep(1.0)
+                child.send_signal(signal.SIGINT)
+                out, _ = child.communicate(timeout=60)
+            self.assertEqual((out, child.returncode), ("stopped\n", 0), call)
+
+    def test_other_threads_run(self):
+        counted, over = [0], threading.Event()
+
+        def count():
+            while not over.is_set():
+                counted[0] += 1
+                time.sleep(0.001)
+        thread = threading.Thread(target=count)
+        thread.start()
+        begun = time.perf_counter()
+        ns.capture("kerr", (320, 180), renderer="reference", samples=1)
+        seconds, ticks = time.perf_counter() - begun, counted[0]
+        over.set()
+        thread.join()
+        self.assertGreater(ticks, 20 * seconds)   # of 1000 a second on an idle machine
+
+    def test_two_threads_draw(self):
+        pictures = {}
+        threads = [threading.Thread(target=lambda i=i: pictures.update({i: ns.capture("accretion", (64, 36))})) for i in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertTrue(np.array_equal(pictures[0], pictures[1]))
+
+
+class Cost(Test):
+    def test_import(self):
+        """The processor time of an interpreter that imports the package, less one that does not; the least of five."""
+        def seconds(text):
+            before = support.core_seconds(support.resource.RUSAGE_CHILDREN)
+            subprocess.run([sys.executable, "-c", text], check=True, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
+            return support.core_seconds(support.resource.RUSAGE_CHILDREN) - before
+        least = min(seconds("import nullscope") for _ in range(5)) - min(seconds("") for _ in range(5))
+        print(f"import nullscope: {least:.3f} core-seconds")
+        self.assertLess(least, 0.3)
+
+    def test_a_million_rays(self):
+        rays, path = some_rays(1_000_000), self.folder / "rays.csv"
+        write_csv(path, rays)
+        before = support.core_seconds()
+        ns.trace("sky-only", rays)
+        here = support.core_seconds() - before
+        before = support.core_seconds(support.resource.RUSAGE_CHILDREN)
+        support.command_line("trace", "sky-only", "--rays", path, "-o", self.folder / "out.csv")
+        there = support.core_seconds(support.resource.RUSAGE_CHILDREN) - before
+        print(f"1e6 rays: {here:.2f} core-seconds, {there:.2f} by the command line")
+        self.assertLess(here, 1.5 * there)
+
+    def test_calls_leave_nothing_behind(self):
+        rays = some_rays(100)
+
+        def calls():
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                picture = ns.capture("accretion", (16, 9))
+                picture.png()
+                ns.raydata("kerr", (16, 9))
+                ns.trace("kerr", rays, crossings=2)
+                ns.trace("sky-only", {**rays, "r": 9.0}, "core64")
+                ns.deflection("sky-only", np.array([5.0]))
+                ns.worldline("kerr", 1.0, 10)
+                observer = ns.Observer(ns.scene("kerr", camera={"r": 8.0}))
+                observer.tetrad, observer.critical_curve(), ns.Spacetime("kerr", spin=0.3).metric(3.0)
+                try:
+                    ns.scene("nope")
+                except ns.Error:
+                    pass
+        for _ in range(20):
+            calls()
+        before = support.resident_bytes()
+        for _ in range(100):   # of ten calls each and more
+            calls()
+        grown = support.resident_bytes() / before - 1
+        print(f"1000 calls: {before / 1e6:.0f} MB grow by {100 * grown:.2f} %")
+        self.assertLess(grown, 0.01)
+
+
+if __name__ == "__main__":
+    support.main()
