@@ -36,7 +36,9 @@ void add_scene(nb::module_& m) {
             "text", [](const Scene& s) { return scene_file_text(s, {}); },
             "The text of a scene file that says the same (docs/scenes.md).")
         .def("__repr__", [](const Scene& s) { return "<nullscope.Scene " + s.name + ">"; })
-        .def("__eq__", [](const Scene& a, const Scene& b) { return scene_file_text(a, {}) == scene_file_text(b, {}); })
+        .def(
+            "__eq__", [](const Scene& a, const Scene& b) { return scene_file_text(a, {}) == scene_file_text(b, {}); },
+            nb::is_operator())
         .def("__hash__", [](const Scene& s) { return std::hash<std::string>()(scene_file_text(s, {})); });
     m.def(
         "load_scene", [](const std::string& name) { return value_of(load_scene(name)); }, nb::arg("file_or_name"),

@@ -2,7 +2,11 @@
 import numpy as np
 
 from . import _core
+from ._rays import Progress
+from ._scenes import SceneLike
 from ._scenes import scene as _scene
+
+Size = tuple[int, int] | str | None
 
 RAYDATA = np.dtype([("fate", "f8"), ("sky.x", "f8"), ("sky.y", "f8"), ("sky.z", "f8"), ("g", "f8"), ("delay", "f8"), ("angle", "f8"),
                     ("order", "f8"), ("hit", "f8"), ("u", "f8"), ("v", "f8"), ("w", "f8")])   # docs/ray-data.md, "Channels of a frame"
@@ -18,11 +22,11 @@ class Picture(np.ndarray):
     def __array_finalize__(self, source):
         self.scene = getattr(source, "scene", None)
 
-    def display(self):
+    def display(self) -> np.ndarray:
         """Display-encoded (bloom, exposure, tone curve, sRGB): uint8, shape (height, width, 3)."""
         return _core.displayed(*self._shown())
 
-    def png(self):
+    def png(self) -> bytes:
         """The bytes of a PNG file of display()."""
         return _core.png(*self._shown())
 
@@ -45,8 +49,9 @@ def _options(size, **options):
     return {"size": size, **options}
 
 
-def capture(scene, size=None, *, renderer="gl", method="auto", max_error=None, samples=None, time=None, frame=None, context="auto",
-            progress=None):
+def capture(scene: SceneLike, size: Size = None, *, renderer: str = "gl", method: str = "auto", max_error: float | None = None,
+            samples: int | None = None, time: float | None = None, frame: int | None = None, context: str = "auto",
+            progress: Progress = None) -> Picture:
     """Draws a scene's picture: the numbers of the EXR that `nullscope capture` writes, bit for bit. Needs no display.
 
     size: (width, height), px; None: the scene's. renderer: "gl", the shader, or "reference", in double precision and slow. method,
@@ -61,7 +66,8 @@ def capture(scene, size=None, *, renderer="gl", method="auto", max_error=None, s
     return picture
 
 
-def raydata(scene, size=None, *, renderer="gl", method="auto", max_error=None, time=None, frame=None, context="auto", progress=None):
+def raydata(scene: SceneLike, size: Size = None, *, renderer: str = "gl", method: str = "auto", max_error: float | None = None,
+            time: float | None = None, frame: int | None = None, context: str = "auto", progress: Progress = None) -> np.ndarray:
     """Where the ray of each pixel ends: the channels of `nullscope capture --raydata` (docs/ray-data.md).
 
     Options as of capture(). Returns a structured array RAYDATA, shape (height, width), of float64.

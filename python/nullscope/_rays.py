@@ -1,11 +1,14 @@
 """Lists of rays, worldlines: arrays in, arrays out."""
 import enum
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
 from . import _core
+from ._scenes import SceneLike
 from ._scenes import scene as _scene
+
+Progress = Callable[[int, int], object] | None   # called with what is done and what there is in all
 
 _COLUMNS = ("r", "theta", "phi", "n_r", "n_theta", "n_phi", "frame", "q", "zeta0", "l0", "s", "at_angle")
 _NUMBERS = ("theta_inf", "phi_inf", "angle", "delay", "g", "turn", "at")
@@ -21,7 +24,7 @@ class Fate(enum.IntEnum):
     HIT = 4           # an opaque object: field hit says which
 
 
-def fate_name(scene, ray):
+def fate_name(scene: SceneLike, ray: np.void) -> str:
     """The word of `nullscope trace` for one row of what trace() gives: "escaped", "captured", ..., "hit:disc"."""
     try:
         fate, hit = Fate(int(ray["fate"])), int(ray["hit"])
@@ -54,7 +57,8 @@ def _columns(rays):
     return {name: np.broadcast_to(column, (count,)) for name, column in found.items()}, count
 
 
-def trace(scene, rays, with_="reference", *, crossings=0, method="auto", context="auto", progress=None):
+def trace(scene: SceneLike, rays: np.ndarray | Mapping, with_: str = "reference", *, crossings: int = 0, method: str = "auto",
+          context: str = "auto", progress: Progress = None) -> np.ndarray:
     """Traces light rays backward in time from where cameras are, as `nullscope trace` does (docs/ray-data.md).
 
     rays: a structured array, shape (n,), or a dict of arrays, shape (n,) or scalars. Columns r (r_s), theta, phi (rad) of the camera and
@@ -81,7 +85,8 @@ def trace(scene, rays, with_="reference", *, crossings=0, method="auto", context
     return out
 
 
-def deflection(spacetime, impact, *, progress=None):
+def deflection(spacetime: "_core.Spacetime | SceneLike", impact: np.ndarray | float, *,
+               progress: Progress = None) -> np.ndarray | float:
     """The angle by which light from infinity is bent, rad, by the reference; NaN where it is captured.
 
     spacetime: a Spacetime without rotation, or a scene. impact: impact parameter, r_s (of wormholes: the throat's radius), shape (n,) or a
@@ -96,7 +101,7 @@ def deflection(spacetime, impact, *, progress=None):
     return found if given.ndim else float(found[0])
 
 
-def worldline(scene, duration, steps=200):
+def worldline(scene: SceneLike, duration: float, steps: int = 200) -> np.ndarray:
     """A scene's camera in free fall, at `steps` + 1 equal proper times from 0 to `duration` (r_s/c) or its end.
 
     Returns a structured array, shape (steps + 1,): tau, time (r_s/c), r (r_s), theta, phi (rad). Observer.fall() has more.

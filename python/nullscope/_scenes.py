@@ -7,6 +7,8 @@ from collections.abc import Mapping
 
 from . import _core
 
+SceneLike = _core.Scene | str | os.PathLike | Mapping   # what every function takes as a scene
+
 
 def _value(value):
     if isinstance(value, bool):
@@ -45,7 +47,7 @@ def _is_section(value):
                                           and all(isinstance(one, Mapping) for one in value))
 
 
-def scene(given, /, **changes):
+def scene(given: SceneLike, /, **changes: object) -> _core.Scene:
     """A Scene, by its name, path, text or a dict; with changes, section by section.
 
     given: the name of a scene that ships, the path of a scene file, the text of one (anything with a line end or "="), a dict as TOML

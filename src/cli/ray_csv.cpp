@@ -93,7 +93,7 @@ void append(std::string& line, double value) {
 
 }  // namespace
 
-Error ray_error(const RayTable& table, std::size_t row, Error error) {
+Error ray_error(const RayTable& table, std::size_t row, const Error& error) {
     return bad_input(fmt::format("{}:{}: {}", table.file, table.rows[row].line, error.message()));
 }
 

@@ -36,7 +36,7 @@ Result<RayTable> read_rays(const std::string& path, const Spacetime& spacetime);
 Result<RayTable> parse_rays(std::string_view text, const std::string& file, const Spacetime& spacetime);
 
 // Of a row's ray: "FILE:LINE: what".
-Error ray_error(const RayTable& table, std::size_t row, Error error);
+Error ray_error(const RayTable& table, std::size_t row, const Error& error);
 
 // The rays' own columns, then what was found: fate, ..., r_1, phi_1, ..., with shifts g_1 after these. A row without a record gets
 // empty fields.

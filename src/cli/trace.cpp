@@ -28,7 +28,7 @@ Status run(const Options& options) {
         Progress progress("rays", static_cast<long long>(records.size()));
         const TraceOutput output{[&](std::size_t i, RayRecord&& record) { records[i] = std::move(record); },
                                  [&](long long n) { progress.advance(n); },
-                                 [&](std::size_t i, Error error) { return ray_error(*table, i, std::move(error)); }};
+                                 [&](std::size_t i, const Error& error) { return ray_error(*table, i, error); }};
         TRY(traced, trace_rays(*scene, **spacetime, table->queries, options, output));
     }
     const auto left_out = std::ranges::count(records, false, &std::optional<RayRecord>::has_value);

@@ -252,13 +252,19 @@ class Long(Test):
 
     def test_interrupted(self):
         for call in ('ns.capture("kerr", (3840, 2160), renderer="reference")', 'ns.trace("kerr", rays)', 'ns.trace("sky-only", rays, "core64")'):
-            text = ("import numpy as np, nullscope as ns, sys\nrays = {'r': np.linspace(3, 30, 2000000), 'theta': 1., 'phi': 0., 'n_r': -1., "
-                    "'n_theta': .2, 'n_phi': .3}\nprint('go', flush=True)\ntry:\n    " + call + "\nexcept KeyboardInterrupt:\n    print('stopped')\n")
+            text = ("import numpy as np, nullscope as ns, signal\n"
+                    "signal.signal(signal.SIGINT, signal.default_int_handler)\n"   # which shells switch off in the background
+                    "rays = {'r': np.linspace(3, 30, 2000000), 'theta': 1., 'phi': 0., 'n_r': -1., 'n_theta': .2, 'n_phi': .3}\n"
+                    "print('go', flush=True)\ntry:\n    " + call + "\nexcept KeyboardInterrupt:\n    print('stopped')\n")
             with subprocess.Popen([sys.executable, "-c", text], stdout=subprocess.PIPE, text=True) as child:
                 child.stdout.readline()
                 time.sleep(1.0)
                 child.send_signal(signal.SIGINT)
-                out, _ = child.communicate(timeout=60)
+                try:
+                    out, _ = child.communicate(timeout=60)
+                except subprocess.TimeoutExpired:
+                    child.kill()
+                    self.fail(f"not stopped: {call}")
             self.assertEqual((out, child.returncode), ("stopped\n", 0), call)
 
     def test_other_threads_run(self):
@@ -329,7 +335,7 @@ class Cost(Test):
                     ns.scene("nope")
                 except ns.Error:
                     pass
-        for _ in range(20):
+        for _ in range(60):   # until programs and the heap have settled
             calls()
         before = support.resident_bytes()
         for _ in range(100):   # of ten calls each and more
