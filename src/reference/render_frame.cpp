@@ -263,8 +263,10 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
     const std::optional<DiscLight> heat = heat_of(*tracer, scene);
     const Looks looks{*tracer, scene, sky, far_sky, pictures, heat ? &*heat : nullptr};
     Image<float> image(scene.camera.width, scene.camera.height, 3);
+    constexpr int kTold = 64;  // pixels; rows of large pictures take seconds, and who is told can stop it
     tbb::parallel_for(0, image.height, [&](int y) {
         for (int x = 0; x < image.width; ++x) {
+            if (done && x % kTold == 0) done(std::min(kTold, image.width - x));
             Vec3 sum{0, 0, 0};
             for (int i = 0; i < samples * samples; ++i) {
                 const int row = i / samples;
@@ -277,7 +279,6 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
             pixel[1] = static_cast<float>(sum.y);
             pixel[2] = static_cast<float>(sum.z);
         }
-        if (done) done(image.width);
     });
     if (!stars.empty())
         add_point_stars(
