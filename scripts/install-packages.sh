@@ -27,8 +27,7 @@ Usage: install-packages.sh [--quiet] [--all] [--checks] [--docs] [--package] [--
 Installs the packages that nullscope needs by apt, if any are missing. Needs root or sudo for that.
   --quiet    say nothing unless something is missing or goes wrong
   --all      also what scripts/test.sh --all needs: Python's headers, ffmpeg, man, GNU parallel
-             and Slurm,
-             and the sets of --docs and --package
+             and Slurm, and the sets of --docs and --package
   --web      also what scripts/web.sh and its tests need: clang for WebAssembly, Chromium without a window
   --docs     also what scripts/docs.sh needs: mkdocs
   --package  also what packages are made with: dpkg-dev, file, lintian, patchelf

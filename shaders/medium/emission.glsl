@@ -9,7 +9,6 @@
 #include "medium/place.glsl"
 #include "shared/frame.glsl"
 
-#define EMISSION_INWARD 0.1     // of the distance to the horizon: a sample's longest
 #define EMISSION_DEEPEST 0.7    // optical depth of a sample ...
 #define EMISSION_LEAST 0.0625   // ... that is not shorter than this part of the longest
 #define EMISSION_MOST 1.0e30
@@ -77,7 +76,7 @@ MediumLight medium_emission(MediumPlace place, MediumMatter matter, float inside
     light.absorption = clamp(inside * light.absorption, 0.0, EMISSION_MOST);
     light.emission = clamp(inside * light.emission, vec3(0.0), vec3(EMISSION_MOST));
     float longest = frame.medium_extent.z;
-    longest = frame.medium_hole.y > 0.0 ? min(longest, EMISSION_INWARD * (place.r - frame.medium_hole.y)) : longest;
+    longest = frame.medium_hole.y > 0.0 ? min(longest, medium_to_horizon(place)) : longest;
     light.step = clamp(EMISSION_DEEPEST / max(light.absorption * g, 1.0e-6), EMISSION_LEAST * longest, longest);
     return light;
 }

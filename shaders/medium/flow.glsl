@@ -5,7 +5,7 @@
 
 #define FLOW_FARTHEST 6.0   // scales of density: exp(-18)
 #define FLOW_STEP 0.25      // of such a scale
-#define FLOW_INWARD 0.1     // of the distance to the hole
+#define FLOW_INWARD 0.1     // of r
 
 MediumLight medium_light(MediumPlace place) {
     float flattening = frame.medium_flow.y;
@@ -20,7 +20,7 @@ MediumLight medium_light(MediumPlace place) {
     light.absorption = density * exp2(frame.medium_powers.y * log_g) * frame.medium_flow.w;
     float thick = place.r / max(flattening, 1.0);
     float across = flattening > 0.0 ? FLOW_STEP * thick : 1.0e6;
-    light.step = min(min(FLOW_STEP / frame.medium_flow.x, FLOW_INWARD * place.r), min(across, FLOW_INWARD * (place.r - frame.medium_hole.y)));
+    light.step = min(min(FLOW_STEP / frame.medium_flow.x, FLOW_INWARD * place.r), min(across, medium_to_horizon(place)));
     return light;
 }
 

@@ -25,6 +25,9 @@ struct MediumSpan {
     float momentum;
     float pixel_angle;
     vec3 camera;         // its place
+#ifdef EFFECT_SPIN
+    vec2 turns;          // azimuth that both ends have more
+#endif
 #ifdef NEEDS_PLACE_LATE
     vec2 delays;         // of light from both ends
 #endif
@@ -74,6 +77,9 @@ MediumSum medium_along(MediumSpan span, MediumSum sum, bool empty) {
         at.begin = begin;
         at.way = end - begin;
         vec3 away = at.at - span.camera;
+#ifdef EFFECT_SPIN
+        at.turn = mix(span.turns.x, span.turns.y, s);
+#endif
         at.pixel = span.pixel_angle * sqrt(dot(away, away));
 #ifdef NEEDS_PLACE_LATE
         at.delay = mix(span.delays.x, span.delays.y, s);

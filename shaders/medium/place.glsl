@@ -11,7 +11,10 @@
 #include "shared/frame.glsl"
 
 struct MediumPlace {
-    vec3 at;          // r_s, world axes
+    vec3 at;          // r_s, world axes ...
+#ifdef EFFECT_SPIN
+    float turn;       // ... but for this azimuth
+#endif
     float r;
     float cosine;     // of the polar angle
     float energy;     // of the photon, at infinity, and its angular momentum about the axis (r_s): both over its frequency in the camera
@@ -29,6 +32,14 @@ struct MediumLight {
     float absorption; // optical depth for the same
     float step;       // length of the march that is short enough here, r_s
 };
+
+#define MEDIUM_INWARD 0.1   // of the distance to the horizon: what a sample may come nearer to it, or go away
+#define MEDIUM_ROUND 0.1    // rays that climb less than this have no longer samples
+
+float medium_to_horizon(MediumPlace place) {
+    float climb = abs(dot(place.way, place.at)) * inversesqrt(max(dot(place.way, place.way), 1.0e-24)) / place.r;
+    return MEDIUM_INWARD * (place.r - frame.medium_hole.y) / max(climb, MEDIUM_ROUND);
+}
 
 // Camera frequency over that in matter with u_mu = u_t (-1, 0, 0, l): of angular momentum l for its energy, r_s.
 float medium_g(MediumPlace place, float l) {

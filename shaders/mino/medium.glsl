@@ -23,10 +23,9 @@ struct MediumWalk {
     MediumSum sum;        // of what medium_to() went along
 };
 
-// In place of segment_place() where matter is the same all round: without the azimuth that the hole's rotation adds, which winds up next to
-// the horizon.
+// In place of segment_place(): without the azimuth that the hole's rotation adds, which winds up next to the horizon. Gas ends before that.
 RayPlace medium_place(SpinRay ray, SpinSegment segment, float s) {
-#ifdef EFFECT_MEDIUM_FLOW
+#ifndef EFFECT_MEDIUM_GAS
     vec4 y = spin_at(segment.arc, s);
     vec4 slope = spin_slope_at(segment.arc, s);
     RayPlace place;
@@ -36,10 +35,22 @@ RayPlace medium_place(SpinRay ray, SpinSegment segment, float s) {
     place.velocity = place.r * (vec3(slope.x, slope.y, slope.z) - (slope.w * place.r) * place.outward);
 #ifdef NEEDS_PLACE_LATE
     place.delay = 0.0;
+#ifdef EFFECT_DELAY
+    place.delay = segment_delay(ray, segment, s, y);
+#endif
 #endif
     return place;
 #else
     return segment_place(ray, segment, s);
+#endif
+}
+
+// That azimuth, where matter is not the same all round.
+float medium_turn(SpinRay ray, SpinSegment segment, float s) {
+#ifdef EFFECT_MEDIUM_FORMULA
+    return segment_turned(ray, segment, s, spin_at(segment.arc, s));
+#else
+    return 0.0;
 #endif
 }
 
@@ -141,6 +152,7 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
                 span.to_slope = more * next.velocity;
                 span.way = walk.segment.h * more * walk.doppler;
                 span.by_length = false;
+                span.turns = vec2(medium_turn(walk.ray, walk.segment, walk.part), medium_turn(walk.ray, walk.segment, walk.part + more));
                 span.energy = trace.energy * inverse;
                 span.momentum = trace.momentum * inverse;
                 span.pixel_angle = trace.pixel_angle;

@@ -106,10 +106,13 @@ void Medium::split(double from, const Place& begin, double to, const Place& end,
                    const std::function<double(const Place&, double)>& way, std::vector<MediumNode>& nodes) const {
     const double middle = 0.5 * (from + to);
     const Place between = at(middle);
-    const bool all_round = spec_.kind == MediumKind::kFlow;
+    const bool all_round = spec_.kind != MediumKind::kGas;
     const double length = apart(begin, between, all_round) + apart(between, end, all_round);
+    // The horizon and the ends of matter by place are the same all round: azimuth counts by its formulas' own steps.
+    const bool turns = spec_.by_place() && std::max({begin.r, between.r, end.r}) < 2 * spec_.outer &&
+                       apart(begin, between, false) + apart(between, end, false) > spec_.outer / spec_.steps;
     if (std::min({begin.r, between.r, end.r}) > farthest_ && length < 2 * (between.r - farthest_)) return;
-    if (depth < kDeepest && length > std::min({panel(begin), panel(between), panel(end)})) {
+    if (depth < kDeepest && (turns || length > std::min({panel(begin), panel(between), panel(end)}))) {
         split(from, begin, middle, between, depth + 1, at, way, nodes);
         split(middle, between, to, end, depth + 1, at, way, nodes);
     } else if (between.r > nearest_ && between.r < farthest_) {
