@@ -157,7 +157,7 @@ TEST_CASE("medium: matter by formula about holes is the reference's") {
             CAPTURE(one.name);
             Scene scene = formula_scene(one.metric, one.spin, one.emission);
             scene.camera.r = 30, scene.camera.plane_width = 0.45, scene.time = 40;
-            scene.camera.width = scene.camera.height = by_depth(14, 32, 64);
+            scene.camera.width = scene.camera.height = by_depth(20, 32, 64);
             scene.medium->formulas = one.formulas, scene.medium->field_direction = one.direction;
             scene.medium->outer = 8, scene.medium->steps = 128;
             scene.medium->emissivity = 1e-18, scene.medium->temperature_K = 6000;
