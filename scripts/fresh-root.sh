@@ -6,6 +6,20 @@
 #
 # Needs root and debootstrap, for Ubuntu suites also ubuntu-keyring.
 
+# read_arguments ARGUMENT...: sets $keep by --keep and $words by the others; --help prints the comment that the script begins with.
+read_arguments() {
+    local argument
+    keep=no words=()
+    for argument in "$@"; do
+        case $argument in
+            --keep) keep=yes ;;
+            -h | --help) sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "$0"; exit 0 ;;
+            -*) fail "unknown option $argument; see --help" ;;
+            *) words+=("$argument") ;;
+        esac
+    done
+}
+
 # make_root SUITE PACKAGES: sets $fresh, the root's folder, which is removed when the script ends unless $keep is yes. PACKAGES: comma-separated.
 make_root() {
     local suite=$1 packages=$2 mirror options=() scheme scripts=()

@@ -17,17 +17,8 @@ say() { echo "try-fresh-root: $*" >&2; }
 fail() { say "$@"; exit 1; }
 source "$repository/scripts/fresh-root.sh"
 
-keep=no
-suite=
-for argument in "$@"; do
-    case $argument in
-        --keep) keep=yes ;;
-        -h | --help) sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}"; exit 0 ;;
-        -*) fail "unknown option $argument; see --help" ;;
-        *) suite=$argument ;;
-    esac
-done
-suite=${suite:-bookworm}
+read_arguments "$@"
+suite=${words[0]:-bookworm}
 
 git -C "$repository" rev-parse --quiet --verify HEAD >/dev/null || fail "there is no commit yet that could be tried"
 if [[ -n $(git -C "$repository" status --porcelain) ]]; then

@@ -17,15 +17,7 @@ fail() { say "$@"; exit 1; }
 source "$(dirname "${BASH_SOURCE[0]}")/fresh-root.sh"
 
 longest=60   # s, from the start of the installation to both first pictures
-keep=no words=()
-for argument in "$@"; do
-    case $argument in
-        --keep) keep=yes ;;
-        -h | --help) sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}"; exit 0 ;;
-        -*) fail "unknown option $argument; see --help" ;;
-        *) words+=("$argument") ;;
-    esac
-done
+read_arguments "$@"
 [[ ${#words[@]} -eq 2 ]] || fail "a suite and a package are needed; see --help"
 suite=${words[0]} package=${words[1]}
 [[ -f $package ]] || fail "there is no file $package"

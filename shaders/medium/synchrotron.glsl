@@ -1,14 +1,12 @@
 // Thermal synchrotron radiation of relativistic electrons, in units of 1e-20 erg/(s Hz sr) an electron a cm^3.
 // In a field of one direction: Leung, Gammie and Noble 2011 (ApJ 737, 21), eq. 72; mean over all directions: Mahadevan, Narayan and Yi
-// 1996 (ApJ 465, 327), eq. 33 for relativistic electrons.
-#include "shared/frame.glsl"
+// 1996 (ApJ 465, 327), eq. 33 for relativistic electrons. COLDEST_K and FIELD_DIRECTION: generated/medium_matter.
 
 #define ELECTRON_K 5.92989658e9         // m c^2/k
 #define GYRO_GHZ 2.79924899e-3          // e/(2 pi m c), GHz a gauss
-#define COLDEST 5.0e8                   // K: colder electrons do not shine by it
 #define PLANCK_K 0.0479924307           // h/k, K a GHz
 
-// x K_2(x) exp(x) x/2 for x = 1/theta below 12, to 4e-6.
+// K_2(x) exp(x) x^2/2 for x = 1/theta below 12, to 4e-6.
 float bessel_part(float x) {
     float top = 1.0 + x * (3.11904059 + x * (3.7342093 + x * (2.04092927 + x * 0.43933163)));
     return sqrt(top / (1.0 + 1.11883164 * x));
@@ -25,7 +23,7 @@ float planck_temperature(float temperature, float frequency) {
 
 // way: of the light, where the matter rests; temperature in K, field in G, frequency in GHz.
 float synchrotron(float temperature, float field, vec3 way, float frequency) {
-    float theta = clamp(temperature, COLDEST, 1.0e14) / ELECTRON_K;
+    float theta = clamp(temperature, COLDEST_K, 1.0e14) / ELECTRON_K;
     float gyro = GYRO_GHZ * clamp(field, 1.0e-6, 1.0e9);
     float bessel = 2.0 * theta * theta * bessel_part(1.0 / theta);   // K_2(1/theta) exp(1/theta)
 #ifdef FIELD_DIRECTION
@@ -43,5 +41,5 @@ float synchrotron(float temperature, float field, vec3 way, float frequency) {
     float value = 0.444305 * frequency / bessel * 4.0505 / sixth * (1.0 + 0.4 / quarter + 0.5316 / (quarter * quarter)) *
                   exp(1.0 / theta - 1.8896 * third);
 #endif
-    return temperature < COLDEST || field <= 0.0 ? 0.0 : value;
+    return temperature < COLDEST_K || field <= 0.0 ? 0.0 : value;
 }

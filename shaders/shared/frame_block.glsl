@@ -134,8 +134,8 @@ struct FrameData {
     vec4 medium_extent;    // radius and |z| where matter ends, longest sample, r_s; time, r_s/c
     vec4 medium_law;       // power law: powers of g in the emission and in the absorption for each unit of the affine parameter, absorption where the
                            //   density is 1; black body: log2 of the luminance of light 1, optical depth for each r_s where the density is 1;
-                           //   synchrotron: frequency (GHz), light for each r_s over what synchrotron() gives, of a black body of 1 K and of
-                           //   low frequency, h/k times the frequency (K)
+                           //   synchrotron: frequency (GHz), light for each r_s of 1e-20 erg/(s cm^3 Hz sr), light of a black body of 1 K at
+                           //   low frequency
     vec4 medium_seen;      // 1 where light is shifted, 3 where it is beamed, 0, 0
 #endif
 };

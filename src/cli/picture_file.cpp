@@ -30,15 +30,10 @@ std::map<std::string, std::string> words_of(const Scene& scene, const std::strin
     return words;
 }
 
-bool is_several(const Scene& scene, const CaptureOptions& options) {
-    return !options.split.empty() || scene.split || scene.camera.stereo != Stereo::kOff;
-}
-
-FitsHeader header_of(const Scene& scene, const Captured& captured, const CaptureOptions& options,
+FitsHeader header_of(const Scene& scene, const Captured& captured, const std::optional<FluxUnit>& flux, bool several,
                      std::optional<int> frame) {
-    const bool several = is_several(scene, options);
     FitsHeader header{.unit_comment = "relative luminance: linear light, 1 is white"};
-    if (const auto flux = flux_unit(scene, several)) {
+    if (flux) {
         header.unit = "Jy/pixel", header.unit_comment = "flux density of a pixel";
         header.cards.push_back({"FREQ", 1e9 * flux->frequency_GHz, "[Hz] as the camera sees it"});
     }
@@ -85,9 +80,10 @@ Status write_picture(const std::string& file_name, const Scene& scene, const Cap
         return save_jpeg(file_name, captured.display, fmt::format("{}\nnullscope {}", scene.name, kVersion),
                          options.quality.value_or(kJpegQuality));
     if (file_name.ends_with(".fits")) {
-        const auto flux = flux_unit(scene, is_several(scene, options));
+        const bool several = !options.split.empty() || scene.split || scene.camera.stereo != Stereo::kOff;
+        const auto flux = flux_unit(scene, several);
         return save_fits(file_name, flux ? in_jansky(captured.linear, *flux) : captured.linear,
-                         header_of(scene, captured, options, frame));
+                         header_of(scene, captured, flux, several, frame));
     }
     std::map<std::string, std::string> words = words_of(scene, captured.made_by, frame);
     if (!file_name.ends_with(".exr")) {

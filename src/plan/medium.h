@@ -34,8 +34,10 @@ struct FlowNumbers {
 };
 FlowNumbers flow_numbers(const MediumSpec& medium, double mass_suns);
 
-inline constexpr double kColdest_K =
-    5e8;  // colder electrons have no synchrotron radiation: its formula is of relativistic ones
+// Limits of matter by formula, of the shader (shaderlib/medium_text.h) and of the reference. The formulas of synchrotron radiation are of
+// relativistic electrons: colder ones have none. Each component of gamma v, c.
+inline constexpr double kColdest_K = 5e8, kFastestMatter = 1e3;
+
 // Of light 1 at a frequency: erg/(s cm^2 Hz sr), of the brightness temperature kMediumLight_K (Rayleigh and Jeans).
 double medium_light_cgs(double frequency_ghz);
 

@@ -28,6 +28,16 @@ constexpr std::string_view kFlow = "kind = \"flow\"", kGas = "kind = \"gas\"", k
                            kSynchrotron = "emission = \"synchrotron\"", kBlackBody = "emission = \"black-body\"";
 constexpr std::string_view kVariables = "x y z r t";
 
+// Parts of examples.
+void massive_hole(Scene& s) {
+    s.spacetime.metric = "schwarzschild";
+    s.object.mass_suns = 4.3e6;
+}
+void medium_by_formula(Scene& s) {
+    massive_hole(s);
+    s.medium.emplace().kind = MediumKind::kFormula;
+}
+
 std::vector<SceneKey> flow_keys() {
     return {
         {"medium", "radius", KeyType::kNumber, "r_s", "5", kPositive, "",
@@ -185,10 +195,7 @@ std::span<const Feature> medium_features() {
              return fmt::format("[medium] of radius {} at {} GHz", f.scene.medium->radius, f.frequency());
          },
          [](Scene& s) { s.medium.reset(); },
-         [](Scene& s) {
-             s.spacetime.metric = "schwarzschild";
-             s.object.mass_suns = 4.3e6;
-         },
+         massive_hole,
          [](Scene& s) { s.medium.emplace().kind = MediumKind::kFlow; },
          nullptr,
          flow_keys()},
@@ -243,10 +250,7 @@ std::span<const Feature> medium_features() {
              return fmt::format("[medium] of density {}", f.scene.medium->formulas.density);
          },
          [](Scene& s) { s.medium.reset(); },
-         [](Scene& s) {
-             s.spacetime.metric = "schwarzschild";
-             s.object.mass_suns = 4.3e6;
-         },
+         massive_hole,
          [](Scene& s) { s.medium.emplace().kind = MediumKind::kFormula; },
          nullptr,
          formula_keys()},
@@ -260,10 +264,8 @@ std::span<const Feature> medium_features() {
              if (s.medium) s.medium->emission = MediumEmission::kPowerLaw;
          },
          [](Scene& s) {
-             s.spacetime.metric = "schwarzschild";
-             s.object.mass_suns = 4.3e6;
+             medium_by_formula(s);
              s.light.shift = s.light.beaming = false;
-             s.medium.emplace().kind = MediumKind::kFormula;
          },
          [](Scene& s) { s.medium->emission = MediumEmission::kBlackBody; }},
         {{Effect::kMediumSynchrotron, "medium-synchrotron", "EFFECT_MEDIUM_SYNCHROTRON",
@@ -276,11 +278,7 @@ std::span<const Feature> medium_features() {
          [](Scene& s) {
              if (s.medium) s.medium->emission = MediumEmission::kPowerLaw;
          },
-         [](Scene& s) {
-             s.spacetime.metric = "schwarzschild";
-             s.object.mass_suns = 4.3e6;
-             s.medium.emplace().kind = MediumKind::kFormula;
-         },
+         medium_by_formula,
          [](Scene& s) { s.medium->emission = MediumEmission::kSynchrotron; }},
     });
     return features;

@@ -52,6 +52,19 @@ double planck(double temperature, double nu) {
     return 2 * kPlanck * nu * nu * nu / (kLight * kLight) / std::expm1(kPlanck * nu / (kBoltzmann * temperature));
 }
 
+MatterLight even_light(const MediumSpec& spec, double emitted, double depth) {
+    const double share = depth > 1e-8 ? -std::expm1(-depth) / depth : 1 - 0.5 * depth;
+    return {emitted * share * spec.brightness * spec.colour, std::exp(-depth)};
+}
+
+MatterLight black_body_light(const MediumSpec& spec, const LightSpec& light, double temperature_K, double ratio,
+                             double depth) {
+    const Vec3 source =
+        seen_black_body(temperature_K, ratio, light) / std::exp2(log2_brightness(spec.temperature_K, light.bolometric));
+    const Vec3 coloured{source.x * spec.colour.x, source.y * spec.colour.y, source.z * spec.colour.z};
+    return {-std::expm1(-depth) * spec.brightness * coloured, std::exp(-depth)};
+}
+
 Emission::Emission(const Scene& scene) : spec_(*scene.medium), light_(scene.light) {
     length_cm_ = 100 * schwarzschild_radius_m(scene.object.mass().value_or(0.0));
 }
@@ -78,13 +91,8 @@ MatterLight Emission::at(const MatterState& matter, const PlaceMetric& g, const 
                          double momentum) const {
     const auto [frequency, cosine] = seen(matter, g, node, energy, momentum);
     const double ratio = 1 / frequency, length = node.way * frequency;
-    if (spec_.emission == MediumEmission::kBlackBody) {
-        const double depth = matter.density * spec_.opacity * length;
-        const Vec3 source = seen_black_body(matter.temperature_K, ratio, light_) /
-                            std::exp2(log2_brightness(spec_.temperature_K, light_.bolometric));
-        const Vec3 light{source.x * spec_.colour.x, source.y * spec_.colour.y, source.z * spec_.colour.z};
-        return {-std::expm1(-depth) * spec_.brightness * light, std::exp(-depth)};
-    }
+    if (spec_.emission == MediumEmission::kBlackBody)
+        return black_body_light(spec_, light_, matter.temperature_K, ratio, matter.density * spec_.opacity * length);
     const double shift = light_.shift ? frequency : 1, bright = light_.beaming ? std::pow(ratio, 3) : 1,
                  unit = medium_light_cgs(spec_.frequency_GHz), nu = 1e9 * spec_.frequency_GHz * shift;
     double emitted = 0, absorbed = 0;  // a cm
@@ -100,9 +108,7 @@ MatterLight Emission::at(const MatterState& matter, const PlaceMetric& g, const 
                                        std::sqrt(std::max(1 - cosine * cosine, 0.0)), nu);
         if (emitted > 0) absorbed = emitted / planck(matter.temperature_K, nu);
     }
-    const double depth = absorbed * length * length_cm_;
-    const double share = depth > 1e-8 ? -std::expm1(-depth) / depth : 1 - 0.5 * depth;
-    return {bright * emitted * length * length_cm_ / unit * share * spec_.brightness * spec_.colour, std::exp(-depth)};
+    return even_light(spec_, bright * emitted * length * length_cm_ / unit, absorbed * length * length_cm_);
 }
 
 }  // namespace nullscope::reference

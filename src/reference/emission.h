@@ -15,6 +15,12 @@ struct MatterLight {
     double through;
 };
 
+// Of a node along which source and absorption are even: of light `emitted` along it without absorption, and of a black body that is seen with
+// its frequencies times `ratio`, over one of spec.temperature_K. depth: optical depth.
+MatterLight even_light(const MediumSpec& spec, double emitted, double depth);
+MatterLight black_body_light(const MediumSpec& spec, const LightSpec& light, double temperature_K, double ratio,
+                             double depth);
+
 struct MatterState {
     double density, temperature_K, field_G;
     Vec3 velocity;  // four-velocity's along e_r, e_theta, e_phi of the observer of no angular momentum

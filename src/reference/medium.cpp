@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "light/black_body.h"
 #include "plan/medium.h"
 #include "reference/noise_ring.h"
-#include "reference/seen_light.h"
 
 namespace nullscope::reference {
 namespace {
@@ -138,11 +136,10 @@ Medium::Light Medium::at(const MediumNode& node, double energy, double momentum)
 }
 
 Medium::Light Medium::formula(const MediumNode& node, double energy, double momentum) const {
-    constexpr double kFastest = 1e3;  // gamma v
     const double across = node.r * std::sin(node.theta), z = node.r * std::cos(node.theta);
     if (node.r > spec_.outer || std::abs(z) > spec_.height) return {{0, 0, 0}, 1};
     const double at[] = {across * std::cos(node.phi), across * std::sin(node.phi), z, node.r, time_ - node.delay};
-    const auto speed = [&](const expr::Formula& f) { return std::clamp(f.value(at), -kFastest, kFastest); };
+    const auto speed = [&](const expr::Formula& f) { return std::clamp(f.value(at), -kFastestMatter, kFastestMatter); };
     const MatterState matter{std::max(formulas_->density.value(at), 0.0),
                              formulas_->temperature.value(at),
                              formulas_->field.value(at),
@@ -167,10 +164,7 @@ Medium::Light Medium::gas(const MediumNode& node, double energy, double momentum
     const double depth =
         density * spec_.optical_depth / (std::sqrt(2 * M_PI) * spec_.thickness * rho) * node.way / ratio;
     const double temperature = spec_.temperature_K * std::pow(spec_.inner / rho, 0.75);
-    const Vec3 source = seen_black_body(temperature, ratio, light_) /
-                        std::exp2(log2_brightness(spec_.temperature_K, light_.bolometric));
-    const Vec3 light{source.x * spec_.colour.x, source.y * spec_.colour.y, source.z * spec_.colour.z};
-    return {-std::expm1(-depth) * spec_.brightness * light, std::exp(-depth)};
+    return black_body_light(spec_, light_, temperature, ratio, depth);
 }
 
 Medium::Light Medium::flow(const MediumNode& node, double energy, double momentum) const {
@@ -189,8 +183,7 @@ Medium::Light Medium::flow(const MediumNode& node, double energy, double momentu
     const double bright = light_.beaming ? std::pow(ratio, 3) : 1.0;
     const double emitted = bright * emission_ * density * std::pow(nu, -spec_.spectral_index) * length;
     const double depth = absorption_ * density * std::pow(nu, -2.5 - spec_.spectral_index) * length;
-    const double share = depth > 1e-8 ? -std::expm1(-depth) / depth : 1 - 0.5 * depth;
-    return {emitted * share * spec_.brightness * spec_.colour, std::exp(-depth)};
+    return even_light(spec_, emitted, depth);
 }
 
 }  // namespace nullscope::reference

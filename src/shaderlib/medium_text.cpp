@@ -21,7 +21,7 @@ std::string medium_text(const Scene& scene) {
     if (!scene.medium || scene.medium->kind != MediumKind::kFormula) return "";
     const MediumSpec& medium = *scene.medium;
     constexpr const char* kDirections[] = {"", "vec3(1.0, 0.0, 0.0)", "vec3(0.0, 1.0, 0.0)", "vec3(0.0, 0.0, 1.0)"};
-    std::string text;
+    std::string text = fmt::format("#define COLDEST_K {:.1f}\n", kColdest_K);
     if (medium.emission == MediumEmission::kSynchrotron && medium.field_direction != FieldDirection::kIsotropic)
         text += fmt::format("#define FIELD_DIRECTION {}\n", kDirections[static_cast<int>(medium.field_direction)]);
     text += include_line("effect/expression.glsl") + include_line("medium/emission.glsl");
@@ -42,10 +42,10 @@ std::string medium_text(const Scene& scene) {
                       "    matter.density = max({}, 0.0);\n"
                       "    matter.temperature = {};\n"
                       "    matter.field = {};\n"
-                      "    matter.velocity = clamp(vec3({}, {}, {}), -1.0e3, 1.0e3);\n"
+                      "    matter.velocity = clamp(vec3({}, {}, {}), -{:.1f}, {:.1f});\n"
                       "    return matter;\n"
                       "}}\n",
-                      density, temperature, field, outward, south, east);
+                      density, temperature, field, outward, south, east, kFastestMatter, kFastestMatter);
 }
 
 }  // namespace nullscope
