@@ -22,7 +22,8 @@ ROOT = Path(__file__).resolve().parents[2]
 TEXT = ROOT / "CONTRIBUTING.md"
 QUICK = os.environ.get("NULLSCOPE_TESTS", "quick") == "quick" and "NULLSCOPE_EVERYTHING" not in os.environ   # as support/depth.h
 RECIPES = ["a metric", "an effect", "a body kind"]
-COPIED = ["CMakeLists.txt", "CMakePresets.json", ".clang-format", "src", "shaders", "assets", "third_party", "packaging", "scripts", "tests", "web"]
+COPIED = ["CMakeLists.txt", "CMakePresets.json", ".clang-format", "LICENSE", "CHANGELOG.md", "src", "shaders", "assets", "third_party", "packaging",
+          "scripts", "tests", "web"]
 SIZE = "160x90"
 
 NEW_FILE = re.compile(r"New file `([^`]+)`:")
