@@ -16,7 +16,7 @@ cd "$root"
 [[ -e build/sanitize/build.ninja ]] || cmake --preset sanitize >&2
 targets=()
 if [[ $# -eq 0 || $1 == --build-programs ]]; then
-    targets=(--target unit_tests contract_tests fuzz_scene fuzz_tour fuzz_picture fuzz_exr fuzz_rays fuzz_words fuzz_formula fuzz_warp)
+    targets=(--target unit_tests contract_tests fuzz_scene fuzz_tour fuzz_picture fuzz_exr fuzz_rays fuzz_words fuzz_formula fuzz_warp fuzz_medium)
     [[ $# -eq 0 ]] || targets+=(nullscope nullscope-viewer)
     set -- -R '^(whole: (unit|contract)$|fuzz:)'
 fi

@@ -3,9 +3,6 @@
 #ifdef EFFECT_MEDIUM_BLACK_BODY
 #include "effect/black_body.glsl"
 #endif
-#ifdef EFFECT_MEDIUM_SYNCHROTRON
-#include "medium/synchrotron.glsl"
-#endif
 #include "medium/place.glsl"
 #include "shared/frame.glsl"
 
@@ -17,8 +14,13 @@ struct MediumMatter {
     float density;
     float temperature;   // K
     float field;         // G
+    vec3 field_way;      // its direction where the matter rests
     vec3 velocity;       // four-velocity's along e_r, e_theta, e_phi of the observer of no angular momentum
 };
+
+#ifdef EFFECT_MEDIUM_SYNCHROTRON
+#include "medium/synchrotron.glsl"
+#endif
 
 // The light's direction of travel and frequency (over the camera's) for the observer of no angular momentum.
 vec4 medium_photon(MediumPlace place) {
@@ -58,7 +60,7 @@ MediumLight medium_emission(MediumPlace place, MediumMatter matter, float inside
     vec3 seen = (light_way + u * (dot(u, light_way) / (1.0 + gamma) - 1.0)) / doppler;   // by who goes with the matter
     float log_g = log2(g);
     float frequency = frame.medium_law.x * exp2(-frame.medium_seen.x * log_g);
-    float emitted = min(matter.density, 1.0e15) * frame.medium_law.y * synchrotron(matter.temperature, matter.field, seen, frequency) / g;
+    float emitted = min(matter.density, 1.0e15) * frame.medium_law.y * synchrotron(matter, seen, frequency) / g;
     float shifted = frequency / frame.medium_law.x;
     float black = frame.medium_law.z * shifted * shifted * planck_temperature(matter.temperature, frequency);
     light.emission = emitted * exp2(frame.medium_seen.y * log_g) * frame.medium_colour.rgb;

@@ -1,6 +1,6 @@
 // Thermal synchrotron radiation of relativistic electrons, in units of 1e-20 erg/(s Hz sr) an electron a cm^3.
 // In a field of one direction: Leung, Gammie and Noble 2011 (ApJ 737, 21), eq. 72; mean over all directions: Mahadevan, Narayan and Yi
-// 1996 (ApJ 465, 327), eq. 33 for relativistic electrons. COLDEST_K and FIELD_DIRECTION: generated/medium_matter.
+// 1996 (ApJ 465, 327), eq. 33 for relativistic electrons. COLDEST_K and FIELD_DIRECTED: generated/medium_matter.
 
 #define ELECTRON_K 5.92989658e9         // m c^2/k
 #define GYRO_GHZ 2.79924899e-3          // e/(2 pi m c), GHz a gauss
@@ -21,13 +21,13 @@ float planck_temperature(float temperature, float frequency) {
     return t * (x < 0.02 ? low : high);
 }
 
-// way: of the light, where the matter rests; temperature in K, field in G, frequency in GHz.
-float synchrotron(float temperature, float field, vec3 way, float frequency) {
-    float theta = clamp(temperature, COLDEST_K, 1.0e14) / ELECTRON_K;
-    float gyro = GYRO_GHZ * clamp(field, 1.0e-6, 1.0e9);
+// way: of the light, where the matter rests; frequency in GHz.
+float synchrotron(MediumMatter matter, vec3 way, float frequency) {
+    float theta = clamp(matter.temperature, COLDEST_K, 1.0e14) / ELECTRON_K;
+    float gyro = GYRO_GHZ * clamp(matter.field, 1.0e-6, 1.0e9);
     float bessel = 2.0 * theta * theta * bessel_part(1.0 / theta);   // K_2(1/theta) exp(1/theta)
-#ifdef FIELD_DIRECTION
-    float sine = clamp(length(cross(way, FIELD_DIRECTION)), 1.0e-3, 1.0);
+#ifdef FIELD_DIRECTED
+    float sine = clamp(length(cross(way, matter.field_way)), 1.0e-3, 1.0);
     float scale = (2.0 / 9.0) * gyro * theta * theta * sine;
     float x = frequency / scale;
     float third = exp2(log2(x) * (1.0 / 3.0));
@@ -41,5 +41,5 @@ float synchrotron(float temperature, float field, vec3 way, float frequency) {
     float value = 0.444305 * frequency / bessel * 4.0505 / sixth * (1.0 + 0.4 / quarter + 0.5316 / (quarter * quarter)) *
                   exp(1.0 / theta - 1.8896 * third);
 #endif
-    return temperature < COLDEST_K || field <= 0.0 ? 0.0 : value;
+    return matter.temperature < COLDEST_K || matter.field <= 0.0 ? 0.0 : value;
 }

@@ -47,7 +47,7 @@ RayPlace medium_place(SpinRay ray, SpinSegment segment, float s) {
 
 // That azimuth, where matter is not the same all round.
 float medium_turn(SpinRay ray, SpinSegment segment, float s) {
-#ifdef EFFECT_MEDIUM_FORMULA
+#ifdef MEDIUM_BY_PLACE
     return segment_turned(ray, segment, s, spin_at(segment.arc, s));
 #else
     return 0.0;

@@ -138,4 +138,9 @@ struct FrameData {
                            //   low frequency
     vec4 medium_seen;      // 1 where light is shifted, 3 where it is beamed, 0, 0
 #endif
+#ifdef BLOCK_MEDIUM_GRID
+    vec4 medium_grid;      // ln of the first node's r, nodes for each unit of ln r; theta of the first node, nodes a radian
+    vec4 medium_nodes;     // numbers of nodes along r, theta, phi; 1 where phi is Kerr and Schild's, else 0
+    vec4 medium_scale;     // turns of the first node's phi; factors on density and field; radius of the horizon
+#endif
 };

@@ -108,11 +108,11 @@ void read_rows(const Target& target, int attachment, int first, int rows, GLenum
 }  // namespace
 
 Info info() {
-    Info i{
-        text_of(GL_VERSION), text_of(GL_RENDERER), text_of(GL_VENDOR), text_of(GL_SHADING_LANGUAGE_VERSION), 0, 0, 0};
+    Info i{text_of(GL_VERSION), text_of(GL_RENDERER), text_of(GL_VENDOR), text_of(GL_SHADING_LANGUAGE_VERSION)};
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &i.max_texture_size);
     glGetIntegerv(GL_MAX_CUBE_MAP_TEXTURE_SIZE, &i.max_cube_size);
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &i.max_renderbuffer_size);
+    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &i.max_layers);
     return i;
 }
 
@@ -198,6 +198,14 @@ Texture make_number_texture(int width, int height, int channels, const float* va
     Texture texture = plain_texture(width, height, single ? GL_R32F : GL_RGBA32F, single ? GL_RED : GL_RGBA, GL_FLOAT,
                                     values, linear ? GL_LINEAR : GL_NEAREST);
     check("table texture");
+    return texture;
+}
+
+Texture make_number_layers(int width, int height, int layers, const float* values) {
+    Texture texture(new_texture(GL_TEXTURE_2D_ARRAY));
+    set_sampling(GL_TEXTURE_2D_ARRAY, GL_NEAREST, GL_NEAREST);
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, width, height, layers, 0, GL_RGBA, GL_FLOAT, values);
+    check("layers of numbers");
     return texture;
 }
 

@@ -25,7 +25,7 @@ void prepare_context();
 
 struct Info {
     std::string version, renderer, vendor, glsl;
-    int max_texture_size = 0, max_cube_size = 0, max_renderbuffer_size = 0;
+    int max_texture_size = 0, max_cube_size = 0, max_renderbuffer_size = 0, max_layers = 0;
 };
 Info info();
 void check(const char* where);  // throws GlError if glGetError has something to say
@@ -82,6 +82,8 @@ void bind_uniform_block(const Program& program, const char* block, unsigned bind
 
 // Numbers in 1 or 4 channels, float, one level; linear: the hardware's own filter (its weights may have 8 bits), else nearest.
 Texture make_number_texture(int width, int height, int channels, const float* values, bool linear);
+// Layers of numbers in 4 channels, float, that are fetched. throws GlError if they are more, or larger, than the driver takes.
+Texture make_number_layers(int width, int height, int layers, const float* values);
 // A picture with mip levels: RGB(A) float, linear light, stored as RGBA16F; clamped, trilinear.
 Texture make_picture_texture(int width, int height, int channels, const float* data);
 // Colours for the eye: RGBA8 as they are, nearest, one level, top row first.

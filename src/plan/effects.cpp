@@ -68,7 +68,9 @@ bool has_marched(const EffectSet& effects) {
 bool has_medium(const EffectSet& effects) {
     return effects.contains(Effect::kMediumFlow) || effects.contains(Effect::kMediumGas) || has_emission(effects);
 }
-bool has_emission(const EffectSet& effects) { return effects.contains(Effect::kMediumFormula); }
+bool has_emission(const EffectSet& effects) {
+    return effects.contains(Effect::kMediumFormula) || effects.contains(Effect::kMediumGrid);
+}
 bool has_tiles(const EffectSet& effects) {
     if (has_medium(effects)) return false;  // nor do they of matter
     // Rays of tiles know nothing of the swings that a zoom leaves out.

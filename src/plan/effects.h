@@ -75,6 +75,7 @@ enum class Effect {
     kMediumFormula,
     kMediumBlackBody,
     kMediumSynchrotron,
+    kMediumGrid,
     kEnd  // no effect: how many there are
 };
 inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);

@@ -59,7 +59,10 @@ std::span<const Feature> light_features() {
              if (!rotates(f)) return kNot;
              return fmt::format("spacetime.spin = {}", 2.0 * f.spacetime->axial()->a());
          },
-         [](Scene& s) { s.spacetime.parameters["spin"] = 0.0; },
+         [](Scene& s) {
+             s.spacetime.parameters["spin"] = 0.0;
+             if (s.medium && s.medium->kind == MediumKind::kGrid) s.medium.reset();  // its file is of one spin
+         },
          nothing,
          [](Scene& s) { s.spacetime.metric = "kerr"; }},
         {{Effect::kSpinFall, "spin-fall", "EFFECT_SPIN_FALL",

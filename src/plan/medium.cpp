@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "expr/formula.h"
+#include "scene/medium_grid.h"
 #include "spacetime/axial_metric.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/spherical_metric.h"
@@ -21,6 +22,27 @@ std::optional<MediumHole> medium_hole(const Spacetime& spacetime) {
     if (!roots) return std::nullopt;
     return MediumHole{0, roots->outer, roots->inner};
 }
+
+namespace {
+
+// Of a file: what is wrong with it, another hole's spin (flat space takes any), an end of the matter beyond its last nodes.
+std::optional<SceneFault> grid_fault(const Spacetime& spacetime, const MediumSpec& medium) {
+    constexpr double kSame = 1e-6;  // of spins and radii
+    const auto grid = load_medium_grid(medium.file);
+    if (!grid) return file_fault("medium.file", medium.file, grid.error(), "a grid of matter");
+    const auto hole = medium_hole(spacetime);
+    const double spin = (*grid)->spin(), a = hole ? 2.0 * hole->a : 0.0, farthest = (*grid)->farthest();
+    if (spacetime.bends_light() && std::abs(spin - a) > kSame)
+        return SceneFault{"medium.file",
+                          fmt::format("its matter is about a hole of spin {}, the scene's has {}", spin, a),
+                          fmt::format("a file with spin {}", a)};
+    if (medium.outer > (1.0 + kSame) * farthest)
+        return SceneFault{"medium.outer", fmt::format("{} is beyond the last node of medium.file", medium.outer),
+                          fmt::format("at most {:.9g}", farthest)};
+    return std::nullopt;
+}
+
+}  // namespace
 
 std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& scene) {
     std::vector<SceneFault> faults;
@@ -42,6 +64,10 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
     if (medium.kind == MediumKind::kGas && spacetime.bends_light() && !circular_orbit(spacetime, medium.inner))
         faults.push_back({"medium.inner", fmt::format("no circular orbit at {}", medium.inner),
                           "a radius outside the photon sphere"});
+    if (medium.kind != MediumKind::kGrid && medium.field_direction == FieldDirection::kFile)
+        faults.push_back({"medium.field_direction", "no file has this field", "file where kind = \"grid\""});
+    if (medium.kind == MediumKind::kGrid && !medium.file.empty())
+        if (auto fault = grid_fault(spacetime, medium)) faults.push_back(std::move(*fault));
     if (medium.by_frequency() && !scene.object.mass())
         faults.push_back({"object.mass_suns", "missing, but there is a [medium] that shines at one frequency",
                           "the mass that gives lengths their centimetres, or object.name", "medium.kind"});

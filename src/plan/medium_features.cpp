@@ -1,6 +1,7 @@
 // Features of matter along rays.
 #include <fmt/format.h>
 
+#include "base/assets.h"
 #include "plan/feature.h"
 #include "plan/medium.h"
 
@@ -10,6 +11,7 @@ namespace {
 bool is_flow(const Scene& s) { return s.medium->kind == MediumKind::kFlow; }
 bool is_gas(const Scene& s) { return s.medium->kind == MediumKind::kGas; }
 bool is_formula(const Scene& s) { return s.medium->kind == MediumKind::kFormula; }
+bool is_grid(const Scene& s) { return s.medium->kind == MediumKind::kGrid; }
 bool has_outer(const Scene& s) { return is_gas(s) || s.medium->by_place(); }
 bool is_black_body(const Scene& s) { return s.medium->by_place() && s.medium->emission == MediumEmission::kBlackBody; }
 bool is_synchrotron(const Scene& s) {
@@ -24,9 +26,12 @@ bool has_power(const Scene& s) {
 bool by_place(const Scene& s) { return s.medium->by_place(); }
 bool by_frequency(const Scene& s) { return s.medium->by_frequency(); }
 constexpr std::string_view kFlow = "kind = \"flow\"", kGas = "kind = \"gas\"", kFormula = "kind = \"formula\"",
+                           kGrid = "kind = \"grid\"", kByPlace = "kind = \"formula\" or \"grid\"",
                            kPower = "kind = \"flow\" or emission = \"power-law\"",
                            kSynchrotron = "emission = \"synchrotron\"", kBlackBody = "emission = \"black-body\"";
 constexpr std::string_view kVariables = "x y z r t";
+
+constexpr double kShippedGridSpin = 0.9;  // of assets/medium/torus.grid
 
 // Parts of examples.
 void massive_hole(Scene& s) {
@@ -84,8 +89,8 @@ std::vector<SceneKey> formula_keys() {
         {"medium", "emission", KeyType::kChoice, "", "power-law", kNoRange, "power-law black-body synchrotron",
          "How the matter shines: power-law, as a flow; black-body, by its temperature in all colours, with one "
          "opacity; "
-         "synchrotron, thermal electrons in a magnetic field. Needs kind = \"formula\".",
-         [](auto& s) { return &s.medium->emission; }, by_place, kFormula},
+         "synchrotron, thermal electrons in a magnetic field. Needs kind = \"formula\" or \"grid\".",
+         [](auto& s) { return &s.medium->emission; }, by_place, kByPlace},
         formula(
             "density", "", "exp(-r^2/18)",
             "Density at x, y, z (r_s), r from the centre, at time t: over that of emissivity or opacity; of "
@@ -113,27 +118,41 @@ std::vector<SceneKey> formula_keys() {
             "The same toward growing phi: sqrt(0.5/(r - 1.5)) of circular orbits about a hole that does not rotate. "
             "Needs kind = \"formula\".",
             [](auto& s) { return &s.medium->formulas.east; }, is_formula, kFormula),
-        {"medium", "field_direction", KeyType::kChoice, "", "isotropic", kNoRange, "isotropic out south east",
-         "Direction of the magnetic field in the frame of the matter; isotropic: the mean over all. Needs emission = "
-         "\"synchrotron\".",
+        {"medium", "field_direction", KeyType::kChoice, "", "isotropic", kNoRange, "isotropic out south east file",
+         "Direction of the magnetic field in the frame of the matter; isotropic: the mean over all; file: that of kind "
+         "= \"grid\". Needs emission = \"synchrotron\".",
          [](auto& s) { return &s.medium->field_direction; }, is_synchrotron, kSynchrotron},
         {"medium", "height", KeyType::kNumber, "r_s", "1e6", kPositive, "",
-         "Largest distance of the matter from the equatorial plane. Needs kind = \"formula\".",
-         [](auto& s) { return &s.medium->height; }, by_place, kFormula},
+         "Largest distance of the matter from the equatorial plane. Needs kind = \"formula\" or \"grid\".",
+         [](auto& s) { return &s.medium->height; }, by_place, kByPlace},
         {"medium", "opacity", KeyType::kNumber, "1/r_s", "1", closed(0.0, 1e6), "",
          "Optical depth for each r_s where the density is 1. Needs emission = \"black-body\".",
          [](auto& s) { return &s.medium->opacity; }, is_black_body, kBlackBody},
         {"medium", "steps", KeyType::kWhole, "", "64", closed(16.0, 1024.0), "",
-         "Samples across the sphere of radius outer; what is thinner may be missed. Needs kind = \"formula\".",
-         [](auto& s) { return &s.medium->steps; }, by_place, kFormula},
+         "Samples across the sphere of radius outer; what is thinner may be missed. Needs kind = \"formula\" or "
+         "\"grid\".",
+         [](auto& s) { return &s.medium->steps; }, by_place, kByPlace},
+    };
+}
+
+std::vector<SceneKey> grid_keys() {
+    return {
+        {"medium", "file", KeyType::kImage, "", "", kNoRange, "grid of matter",
+         "The file of the matter; docs/matter.md has its format. Needs kind = \"grid\".",
+         [](auto& s) { return &s.medium->file; }, is_grid, kGrid, true},
+        {"medium", "density_scale", KeyType::kNumber, "", "1", closed(1e-12, 1e12), "",
+         "Multiplies the densities of the file; the magnetic field is multiplied by the root of it. Needs kind = "
+         "\"grid\".",
+         [](auto& s) { return &s.medium->density_scale; }, is_grid, kGrid},
     };
 }
 
 std::vector<SceneKey> gas_keys() {
     return {
-        {"medium", "kind", KeyType::kChoice, "", "gas", kNoRange, "gas flow formula",
+        {"medium", "kind", KeyType::kChoice, "", "gas", kNoRange, "gas flow formula grid",
          "What the matter is: gas, a soft thick disc in circular orbits; flow, a hot flow about the hole that shines "
-         "by a power law, seen at one frequency; formula, what the formulas of density, temperature and motion say.",
+         "by a power law, seen at one frequency; formula, what the formulas of density, temperature and motion say; "
+         "grid, what a file has at the nodes of a grid.",
          [](auto& s) { return &s.medium->kind; }},
         {"medium", "colour", KeyType::kColour, "", "[1, 1, 1]", closed(0.0, 1e6), "",
          "Multiplies its light, by linear colour. Where that is of one frequency, 1 stands for a brightness "
@@ -150,8 +169,8 @@ std::vector<SceneKey> gas_keys() {
          "Radius where gas begins; outside the photon sphere. Needs kind = \"gas\".",
          [](auto& s) { return &s.medium->inner; }, is_gas, kGas},
         {"medium", "outer", KeyType::kNumber, "r_s", "12", kPositive, "",
-         "Radius where it ends. Needs kind = \"gas\" or \"formula\".", [](auto& s) { return &s.medium->outer; },
-         has_outer, "kind = \"gas\" or \"formula\""},
+         "Radius where it ends. Needs kind = \"gas\", \"formula\" or \"grid\".",
+         [](auto& s) { return &s.medium->outer; }, has_outer, "another kind than \"flow\""},
         {"medium", "thickness", KeyType::kNumber, "", "0.1", closed(0.01, 0.5), "",
          "Scale height over the radius: the density is Gaussian across the plane. Needs kind = \"gas\".",
          [](auto& s) { return &s.medium->thickness; }, is_gas, kGas},
@@ -280,6 +299,29 @@ std::span<const Feature> medium_features() {
          },
          medium_by_formula,
          [](Scene& s) { s.medium->emission = MediumEmission::kSynchrotron; }},
+        {{Effect::kMediumGrid,
+          "medium-grid",
+          "EFFECT_MEDIUM_GRID",
+          "Light is emitted and absorbed along its way by matter at the nodes of a file's grid.",
+          "there is a [medium] of kind \"grid\"",
+          "ray ends, orbit table; the ray's way once more, in samples of 16 fetches",
+          {Slot::kMedium, "medium/grid.glsl"}},
+         [](const FrameFacts& f) -> Reason {
+             if (!f.scene.medium || f.scene.medium->kind != MediumKind::kGrid) return kNot;
+             return fmt::format("[medium] of file \"{}\"", f.scene.medium->file.filename().string());
+         },
+         [](Scene& s) { s.medium.reset(); },
+         [](Scene& s) {
+             massive_hole(s);
+             s.spacetime = {"kerr", {{"spin", kShippedGridSpin}}};
+         },
+         [](Scene& s) {
+             MediumSpec& medium = s.medium.emplace();
+             medium.kind = MediumKind::kGrid, medium.outer = 8;
+             medium.file = assets_directory() / "medium" / "torus.grid";
+         },
+         nullptr,
+         grid_keys()},
     });
     return features;
 }

@@ -83,8 +83,14 @@ Emission::Seen Emission::seen(const MatterState& matter, const PlaceMetric& g, c
     const double frequency = -(gamma * along[0] + out);
     if (spec_.field_direction == FieldDirection::kIsotropic) return {frequency, 0};
     // The field's unit vector, boosted with the matter.
-    const auto axis = static_cast<std::size_t>(spec_.field_direction) - 1;
-    return {frequency, (u[axis] * along[0] + along[axis + 1] + u[axis] / (1 + gamma) * out) / frequency};
+    std::array<double, 3> b = {matter.field_way.x, matter.field_way.y, matter.field_way.z};
+    if (spec_.field_direction != FieldDirection::kFile) {
+        b = {};
+        b[static_cast<std::size_t>(spec_.field_direction) - 1] = 1;
+    }
+    const double moved = u[0] * b[0] + u[1] * b[1] + u[2] * b[2],
+                 straight = b[0] * along[1] + b[1] * along[2] + b[2] * along[3];
+    return {frequency, (moved * along[0] + straight + moved / (1 + gamma) * out) / frequency};
 }
 
 MatterLight Emission::at(const MatterState& matter, const PlaceMetric& g, const MediumNode& node, double energy,

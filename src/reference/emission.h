@@ -23,7 +23,8 @@ MatterLight black_body_light(const MediumSpec& spec, const LightSpec& light, dou
 
 struct MatterState {
     double density, temperature_K, field_G;
-    Vec3 velocity;  // four-velocity's along e_r, e_theta, e_phi of the observer of no angular momentum
+    Vec3 field_way;  // of kFile: the field's direction
+    Vec3 velocity;   // four-velocity's along e_r, e_theta, e_phi of the observer of no angular momentum
 };
 
 class Emission {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plan/medium.h"
+#include "reference/medium_grid.h"
 #include "reference/noise_ring.h"
 
 namespace nullscope::reference {
@@ -51,17 +52,19 @@ Medium::Medium(const Scene& scene, const Metric& matter)
     horizon_ = matter.horizon_radius().value_or(0.0);
     nearest_ = horizon_ + kMediumAboveHorizon;
     moves_ = medium_moves(spec_) != nullptr && light_.delay;
-    if (spec_.by_place()) {
+    if (spec_.by_place()) emission_law_.emplace(scene);
+    if (spec_.kind == MediumKind::kGrid)
+        if (const auto grid = load_medium_grid(spec_.file)) grid_ = *grid;  // scene files are checked
+    if (spec_.kind == MediumKind::kFormula) {
         const MediumFormulas& f = spec_.formulas;
         const auto parsed = [](const std::string& text) {
             auto formula = expr::Formula::parse(text, medium_variables());
-            return formula ? std::move(*formula) : *expr::Formula::parse("0", {});  // scene files are checked
+            return formula ? std::move(*formula) : *expr::Formula::parse("0", {});
         };
         formulas_ = Formulas{parsed(f.density), parsed(f.temperature), parsed(f.field),
                              parsed(f.outward), parsed(f.south),       parsed(f.east)};
-        emission_law_.emplace(scene);
-        return;
     }
+    if (spec_.by_place()) return;
     if (spec_.kind == MediumKind::kGas) {
         rate_ = [&matter](double r) { return matter.kepler_rate(r); };
         return;
@@ -131,19 +134,26 @@ void Medium::add_nodes(double from, double to, const At& at, const std::function
 }
 
 Medium::Light Medium::at(const MediumNode& node, double energy, double momentum) const {
-    if (spec_.by_place()) return formula(node, energy, momentum);
+    if (spec_.by_place()) return by_place(node, energy, momentum);
     return spec_.kind == MediumKind::kGas ? gas(node, energy, momentum) : flow(node, energy, momentum);
 }
 
-Medium::Light Medium::formula(const MediumNode& node, double energy, double momentum) const {
+MatterState Medium::formula(const MediumNode& node) const {
     const double across = node.r * std::sin(node.theta), z = node.r * std::cos(node.theta);
-    if (node.r > spec_.outer || std::abs(z) > spec_.height) return {{0, 0, 0}, 1};
     const double at[] = {across * std::cos(node.phi), across * std::sin(node.phi), z, node.r, time_ - node.delay};
     const auto speed = [&](const expr::Formula& f) { return std::clamp(f.value(at), -kFastestMatter, kFastestMatter); };
-    const MatterState matter{std::max(formulas_->density.value(at), 0.0),
-                             formulas_->temperature.value(at),
-                             formulas_->field.value(at),
-                             {speed(formulas_->outward), speed(formulas_->south), speed(formulas_->east)}};
+    return {std::max(formulas_->density.value(at), 0.0),
+            formulas_->temperature.value(at),
+            formulas_->field.value(at),
+            {},
+            {speed(formulas_->outward), speed(formulas_->south), speed(formulas_->east)}};
+}
+
+Medium::Light Medium::by_place(const MediumNode& node, double energy, double momentum) const {
+    const bool there = formulas_ || grid_;
+    if (!there || node.r > spec_.outer || std::abs(node.r * std::cos(node.theta)) > spec_.height) return {{0, 0, 0}, 1};
+    const MatterState matter =
+        grid_ ? grid_matter(*grid_, spec_.density_scale, horizon_, node.r, node.theta, node.phi) : formula(node);
     constexpr double kAxis = 1e-9;  // rad, where there is no azimuth
     const PlaceMetric g = matter_.place(node.r, std::clamp(node.theta, kAxis, M_PI - kAxis));
     return emission_law_->at(matter, g, node, energy, momentum);

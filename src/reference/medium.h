@@ -2,6 +2,7 @@
 // components and their inverse, ways by the tracer's affine parameter or r^2 dphi/L.
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "expr/formula.h"
 #include "reference/emission.h"
 #include "reference/metric.h"
+#include "scene/medium_grid.h"
 #include "scene/scene.h"
 
 namespace nullscope::reference {
@@ -37,7 +39,8 @@ public:
 private:
     Light gas(const MediumNode& node, double energy, double momentum) const;
     Light flow(const MediumNode& node, double energy, double momentum) const;
-    Light formula(const MediumNode& node, double energy, double momentum) const;
+    Light by_place(const MediumNode& node, double energy, double momentum) const;
+    MatterState formula(const MediumNode& node) const;
     double panel(const Place& place) const;
     void split(double from, const Place& begin, double to, const Place& end, int depth, const At& at,
                const std::function<double(const Place&, double)>& way, std::vector<MediumNode>& nodes) const;
@@ -45,7 +48,8 @@ private:
         expr::Formula density, temperature, field, outward, south, east;
     };
     const Metric& matter_;
-    std::optional<Formulas> formulas_;  // of kFormula
+    std::optional<Formulas> formulas_;        // of kFormula
+    std::shared_ptr<const MediumGrid> grid_;  // of kGrid
     std::optional<Emission> emission_law_;
     bool moves_ = false;
     MediumSpec spec_;

@@ -175,7 +175,7 @@ FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const Text
                            std::log2(*sky_K)};
     put_sky(frame, plan, textures);
     put_disc(frame, scene, textures);
-    put_medium(frame, plan);
+    put_medium(frame, plan, textures.grid);
     frame.bloom = {scene.picture.bloom, 0, 0, 0};
     if (const auto& part = camera.part)
         frame.dither = {static_cast<double>(part->left), static_cast<double>(part->height - part->top - camera.height),

@@ -5,6 +5,7 @@
 #include "plan/frame_plan.h"
 #include "render/ball_paths.h"
 #include "render/light_path.h"
+#include "scene/medium_grid.h"
 #include "shadercore/frame_data.h"
 
 namespace nullscope {
@@ -14,6 +15,7 @@ struct TextureFacts {
     int sky_size = 0, disc_width = 0;
     bool two_skies = false;                    // in one texture, with borders
     std::optional<double> disc_temperature_K;  // of the hottest ring; without one the scene's
+    const MediumGrid* grid = nullptr;          // of a medium that has one
 };
 
 FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,

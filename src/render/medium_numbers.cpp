@@ -73,9 +73,18 @@ void put_emission(FrameData& frame, const FramePlan& plan, const MediumSpec& med
     }
 }
 
+void put_grid(FrameData& frame, const MediumSpec& medium, const MediumGrid& grid) {
+    const auto &rings = grid.rings(), &polar = grid.polar(), &around = grid.around();
+    frame.medium_grid = {rings.first, 1.0 / rings.step, polar.first, 1.0 / polar.step};
+    frame.medium_nodes = {static_cast<double>(rings.count), static_cast<double>(polar.count),
+                          static_cast<double>(around.count), grid.kerr_schild() ? 1.0 : 0.0};
+    frame.medium_scale = {around.first / (2.0 * M_PI), medium.density_scale, std::sqrt(medium.density_scale),
+                          grid.horizon()};
+}
+
 }  // namespace
 
-void put_medium(FrameData& frame, const FramePlan& plan) {
+void put_medium(FrameData& frame, const FramePlan& plan, const MediumGrid* grid) {
     const auto& medium = plan.scene.medium;
     const auto hole = medium ? medium_hole(*plan.matter) : std::nullopt;
     if (!hole) return;
@@ -88,6 +97,7 @@ void put_medium(FrameData& frame, const FramePlan& plan) {
     const double beyond = medium->by_place() ? 2.0 * medium->step * medium->outer / medium->steps : 0.0;
     frame.medium_bound = {farthest + beyond, least, medium->step, 0};
     if (medium->by_place()) put_emission(frame, plan, *medium);
+    if (medium->kind == MediumKind::kGrid && grid != nullptr) put_grid(frame, *medium, *grid);
     if (medium->kind == MediumKind::kFlow) put_flow(frame, plan, *medium);
     if (medium->kind == MediumKind::kGas) put_gas(frame, plan, *medium);
 }

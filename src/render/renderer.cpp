@@ -25,7 +25,7 @@ namespace {
 constexpr const char* kSamplers[] = {
     "strip_texture",     "orbit_texture",      "sky_texture",         "disc_texture",       "table_texture",
     "ends_texture",      "other_side_texture", "disc_matter_texture", "black_body_texture", "star_lens_texture",
-    "clearance_texture", "ball_path_texture",  "warp_texture"};
+    "clearance_texture", "ball_path_texture",  "warp_texture",        "medium_texture"};
 constexpr int kRaysAtOnce = 16;  // that every pixel traces in one draw
 constexpr int kBodyUnit = static_cast<int>(std::size(kSamplers));
 constexpr int kTileUnit = kBodyUnit + kMostBodyImages;
@@ -85,6 +85,7 @@ Status Renderer::prepare(const Scene& scene) {
     body_text_ = body_text(scene, tables_.effects());
     if (Status status = body_images_.update(scene, largest_picture_, notes_); !status) return status;
     if (Status status = warp_.update(scene.camera, info_.max_texture_size); !status) return status;
+    if (Status status = medium_.update(scene.medium, info_); !status) return status;
     load_table();
     load_heat();
     load_black_body();
@@ -92,7 +93,7 @@ Status Renderer::prepare(const Scene& scene) {
     if (Status status = skies_.finish(notes_); !status) return status;
     upload_tables();
     blocks_.upload(tables_, {skies_.size(), disc_.width, skies_.both(),
-                             hottest_.by ? std::optional(hottest_.temperature_K) : std::nullopt});
+                             hottest_.by ? std::optional(hottest_.temperature_K) : std::nullopt, medium_.grid()});
     return Done{};
 }
 
@@ -239,6 +240,7 @@ void Renderer::bind_inputs() {
                                            {"ball_path_texture", &ball_paths_}})
         gl::bind_texture_2d(unit_of(sampler), *texture);
     gl::bind_texture_2d(unit_of("warp_texture"), warp_.texture());
+    gl::bind_texture_layers(unit_of("medium_texture"), medium_.texture());
     skies_.bind(kSkyUnit, kFarSkyUnit);
     body_images_.bind(kBodyUnit);
     picture_tiles_.bind(kTileUnit);
@@ -598,6 +600,9 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     if (flow_key_) add("disc flow", kDiscFlowCells + 1, kDiscFlowRows, kTexel);
     if (black_body_) add("black body", kBlackBodyCells + 1, 1, kTexel);
     if (warp_.rows() > 0) add("warp mesh", kWarpRow, warp_.rows(), kTexel);
+    if (const MediumGrid* grid = medium_.grid())
+        lines.push_back(
+            {"medium grid", grid->rings().count, grid->polar().count * grid->around().count, grid->bytes()});
     if (stars_.count() > 0) lines.push_back({"stars", stars_.count(), 1, stars_.bytes()});
     if (linear_.width > 0) add("linear picture", linear_.width, linear_.height, 24);
     if (bloom_.bytes() > 0)

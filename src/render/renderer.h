@@ -16,6 +16,7 @@
 #include "render/body_images.h"
 #include "render/frame_numbers.h"
 #include "render/frame_tables.h"
+#include "render/medium_texture.h"
 #include "render/picture_edges.h"
 #include "render/picture_layers.h"
 #include "render/picture_tiles.h"
@@ -165,6 +166,7 @@ private:
     int rows_revision_ = -1, clearances_revision_ = 0;
     gl::Texture strip_, ends_, orbit_table_, ball_paths_, clearances_, table_, disc_flow_, black_body_, star_lens_;
     WarpTexture warp_;
+    MediumTexture medium_;
     StarField stars_;
     StarField::Search star_search_;
     Bloom bloom_;

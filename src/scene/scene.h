@@ -233,10 +233,11 @@ struct SpotSpec {
 // kFlow: a hot flow about the hole that shines by a power law (Gold et al. 2020), seen at one frequency.
 // kGas: a soft disc of gas in circular orbits, that emits as a black body.
 // kFormula: density, temperature, magnetic field and motion are formulas of the place; `emission` says how it shines.
-enum class MediumKind { kGas, kFlow, kFormula };
+// kGrid: the same of a file (scene/medium_grid.h).
+enum class MediumKind { kGas, kFlow, kFormula, kGrid };
 enum class MediumEmission { kPowerLaw, kBlackBody, kSynchrotron };
-// Of the magnetic field in the frame of the matter; kIsotropic: the mean over all directions.
-enum class FieldDirection { kIsotropic, kOutward, kSouth, kEast };
+// Of the magnetic field in the frame of the matter; kIsotropic: the mean over all directions; kFile: the file's, of kGrid alone.
+enum class FieldDirection { kIsotropic, kOutward, kSouth, kEast, kFile };
 // Formulas (docs/expressions.md) of x, y, z, r in r_s and of t in r_s/c.
 struct MediumFormulas {
     std::string density =
@@ -264,7 +265,10 @@ struct MediumSpec {
     double emissivity = 3e-18;     // erg/(s cm^3 Hz sr)
     double absorption = 0.0;       // absorptivity over emissivity
     double frequency_GHz = 230.0;  // at which the camera looks
-    // kFormula: within the sphere of radius `outer` and |z| < height.
+    // kGrid: the file, and a factor on its densities; on its fields the root of that.
+    std::filesystem::path file{};
+    double density_scale = 1.0;
+    // kFormula and kGrid: within the sphere of radius `outer` and |z| < height.
     MediumFormulas formulas{};
     MediumEmission emission = MediumEmission::kPowerLaw;
     FieldDirection field_direction = FieldDirection::kIsotropic;
@@ -274,7 +278,9 @@ struct MediumSpec {
     bool by_frequency() const {
         return kind == MediumKind::kFlow || (by_place() && emission != MediumEmission::kBlackBody);
     }
-    bool by_place() const { return kind == MediumKind::kFormula; }  // it has MediumEmission
+    bool by_place() const {
+        return kind == MediumKind::kFormula || kind == MediumKind::kGrid;
+    }  // it has MediumEmission
     // Linear light; 1 is a brightness temperature of kMediumLight_K where by_frequency(), else a black body of temperature_K.
     Vec3 colour{1, 1, 1};
     double brightness = 1.0;

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <map>
-#include <mutex>
 
-#include "base/atomic_file.h"
 #include "base/csv.h"
+#include "base/file_cache.h"
 #include "base/text.h"
 
 namespace nullscope {
@@ -274,14 +272,8 @@ std::array<double, 2> input_half(const CameraSpec& camera) {
 
 namespace {
 
-struct Loaded {
-    std::shared_ptr<const WarpMesh> mesh;
-    std::filesystem::file_time_type time;
-    std::uintmax_t size = 0;
-};
-std::mutex loaded_mutex;
-std::map<std::string, Loaded> loaded;  // by the file's path
-std::atomic<int> loads = 0;            // grows when one is read
+FileCache<WarpMesh> loaded(16, kLargestFile);
+std::atomic<int> loads = 0;  // grows when one is read
 
 // For rays, of which there are many: the file is not looked at again.
 const WarpMesh* mesh_of(const CameraSpec& camera) {
@@ -289,11 +281,8 @@ const WarpMesh* mesh_of(const CameraSpec& camera) {
     thread_local std::shared_ptr<const WarpMesh> mesh;
     thread_local int known = -1;
     if (known == loads && path == camera.warp.native()) return mesh.get();
-    known = loads, path = camera.warp.native(), mesh = nullptr;
-    {
-        const std::lock_guard lock(loaded_mutex);
-        if (const auto found = loaded.find(path); found != loaded.end()) mesh = found->second.mesh;
-    }
+    known = loads, path = camera.warp.native();
+    mesh = loaded.known(camera.warp);
     if (!mesh)
         if (const auto read = load_warp_mesh(camera.warp)) mesh = *read, known = loads;
     return mesh.get();
@@ -309,18 +298,10 @@ Point on_screen(const CameraSpec& camera, double x, double y) {
 }  // namespace
 
 Result<std::shared_ptr<const WarpMesh>> load_warp_mesh(const std::filesystem::path& file) {
-    std::error_code none;
-    const auto time = std::filesystem::last_write_time(file, none);
-    const auto size = std::filesystem::file_size(file, none);
-    const std::lock_guard lock(loaded_mutex);
-    if (const auto found = loaded.find(file.native());
-        found != loaded.end() && found->second.time == time && found->second.size == size)
-        return found->second.mesh;
-    TRY(text, read_text(file, kLargestFile));
-    TRY(mesh, WarpMesh::parse(*text, file.string()));
-    Loaded& entry = loaded[file.native()] = {std::make_shared<const WarpMesh>(std::move(*mesh)), time, size};
-    ++loads;
-    return entry.mesh;
+    bool fresh = false;
+    auto mesh = loaded.get(file, WarpMesh::parse, &fresh);
+    if (fresh) ++loads;
+    return mesh;
 }
 
 std::optional<WarpedPlace> warped_place(const CameraSpec& camera, double x, double y) {

@@ -94,11 +94,7 @@ Faults check_warp(const Scene& scene) {
         if (there) return {{warp, fmt::format("does not go together with {}", what), "one of both", warp}};
     const auto mesh = load_warp_mesh(scene.camera.warp);
     if (mesh) return {};
-    const Error& error = mesh.error();
-    const std::string at =
-        error.line > 0 ? fmt::format("line {} of {}: ", error.line, in_quotes(scene.camera.warp.filename().string()))
-                       : "";
-    return {{warp, at + error.what, error.allowed.empty() ? "a warp mesh" : error.allowed, warp}};
+    return {file_fault(warp, scene.camera.warp, mesh.error(), "a warp mesh")};
 }
 
 // In one of the scene's spacetimes.

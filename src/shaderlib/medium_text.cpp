@@ -18,12 +18,16 @@ std::string function_text(const char* name, const std::string& formula) {
 }  // namespace
 
 std::string medium_text(const Scene& scene) {
-    if (!scene.medium || scene.medium->kind != MediumKind::kFormula) return "";
+    if (!scene.medium || !scene.medium->by_place()) return "";
     const MediumSpec& medium = *scene.medium;
-    constexpr const char* kDirections[] = {"", "vec3(1.0, 0.0, 0.0)", "vec3(0.0, 1.0, 0.0)", "vec3(0.0, 0.0, 1.0)"};
+    constexpr const char* kDirections[] = {"vec3(0.0)", "vec3(1.0, 0.0, 0.0)", "vec3(0.0, 1.0, 0.0)",
+                                           "vec3(0.0, 0.0, 1.0)"};
     std::string text = fmt::format("#define COLDEST_K {:.1f}\n", kColdest_K);
-    if (medium.emission == MediumEmission::kSynchrotron && medium.field_direction != FieldDirection::kIsotropic)
-        text += fmt::format("#define FIELD_DIRECTION {}\n", kDirections[static_cast<int>(medium.field_direction)]);
+    if (medium.field_direction != FieldDirection::kIsotropic) text += "#define FIELD_DIRECTED\n";
+    const bool of_file = medium.field_direction == FieldDirection::kFile;
+    const char* direction = of_file ? "" : kDirections[static_cast<int>(medium.field_direction)];
+    if (medium.kind == MediumKind::kGrid)
+        return of_file ? text : text + fmt::format("#define FIELD_DIRECTION {}\n", direction);
     text += include_line("effect/expression.glsl") + include_line("medium/emission.glsl");
     const auto value = [&](const char* name, const std::string& formula, bool used) {
         if (!used) return std::string("0.0");
@@ -42,10 +46,11 @@ std::string medium_text(const Scene& scene) {
                       "    matter.density = max({}, 0.0);\n"
                       "    matter.temperature = {};\n"
                       "    matter.field = {};\n"
+                      "    matter.field_way = {};\n"
                       "    matter.velocity = clamp(vec3({}, {}, {}), -{:.1f}, {:.1f});\n"
                       "    return matter;\n"
                       "}}\n",
-                      density, temperature, field, outward, south, east, kFastestMatter, kFastestMatter);
+                      density, temperature, field, direction, outward, south, east, kFastestMatter, kFastestMatter);
 }
 
 }  // namespace nullscope

@@ -63,7 +63,7 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
     if (takes_samples(effects)) defines.emplace_back("NEEDS_SAMPLING");
     if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE");
     if (has_medium(effects)) defines.emplace_back("BLOCK_MEDIUM");
-    if (has_emission(effects)) defines.emplace_back("BLOCK_MEDIUM_EMISSION");
+    if (has_emission(effects)) defines.insert(defines.end(), {"BLOCK_MEDIUM_EMISSION", "MEDIUM_BY_PLACE"});
     if (has_projection(effects)) defines.emplace_back("BLOCK_PROJECTION");
     if (has_marched(effects)) defines.emplace_back("BLOCK_MARCH");
     if (has_marched(effects) && light_path_kind(effects) == LightPathKind::kPlanar && !effects.contains(Effect::kSides))

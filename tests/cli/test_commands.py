@@ -142,12 +142,13 @@ class Commands(support.CliTest):
                           "bloom", "auto-exposure", "tone-film", "tone-neutral", "dither", "sides", "delay", "disc-flow", "spot", "ball-path", "pulse", "inner-horizon",
                           "limb-darkening", "samples", "disc-gas", "zoom", "spin-ring", "fisheye",
                           "equirectangular", "cylindrical", "cube-faces", "warp", "medium-flow", "medium-gas", "medium-motion",
-                          "medium-formula", "medium-black-body", "medium-synchrotron"])
+                          "medium-formula", "medium-black-body", "medium-synchrotron", "medium-grid"])
         self.assertTrue(all(e["cost"] for e in found["effects"]))
         tables = {t["name"] for t in found["tables"]}
         self.assertLessEqual({"deflection table", "strip", "orbit table", "disc image"}, tables)
         self.assertNotIn("sky", tables)
         self.assertNotIn("warp mesh", tables)
+        self.assertNotIn("medium grid", tables)
         text = self.run_nullscope("plan", plan).out
         for word in ("aberration", "camera.velocity = [0, 0, 0.5]", "orbit table", "Left out"):
             self.assertIn(word, text)

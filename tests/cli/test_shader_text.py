@@ -9,6 +9,7 @@ import support
 ASSETS = pathlib.Path(__file__).resolve().parents[2] / "assets"
 IMAGE = ASSETS / "images" / "accretion-disc.png"
 MESH = ASSETS / "warp" / "mirror.data"
+GRID = ASSETS / "medium" / "torus.grid"
 
 # Identifiers that belong to an effect, as regular expressions of whole words; members of the uniform block too.
 WORDS = {
@@ -66,10 +67,13 @@ WORDS = {
     "medium-flow": [r"medium_(?:flow|powers)"],
     "medium-gas": [r"medium_gas\w*", r"gas_(?:clumps|turns|rate)"],
     "medium-motion": [r"gas_moved"],
-    "medium-formula": [r"medium_(?:matter|extent|law|seen|photon|emission|inside)"],
+    "medium-formula": [r"medium_matter"],
+    "medium-grid": [r"grid_\w+", r"GridNumbers", r"medium_(?:texture|grid|nodes|scale)"],
     "medium-black-body": [r"medium_glow"],
     "medium-synchrotron": [r"synchrotron", r"planck_temperature"],
 }
+# Words of any of several effects.
+JOINT = {("medium-formula", "medium-grid"): [r"medium_(?:extent|law|seen|photon|emission|inside)"]}
 SCENES = {
     "nothing": '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "black"\n',
     "lensing": '[sky]\nkind = "black"\n',
@@ -131,6 +135,7 @@ SCENES = {
     "spin, medium-gas": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "black"\n[medium]\n',
     "medium-motion": '[sky]\nkind = "black"\n[medium]\nflow = "kepler"\n',
     "medium-formula": '[sky]\nkind = "black"\n[object]\nname = "sgr-a"\n[medium]\nkind = "formula"\ndensity = "1/r"\n',
+    "spin, medium-grid": '[spacetime]\nmetric = "kerr"\nspin = 0.9\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "grid"\nfile = "GRID"\n',
     "medium-black-body": '[sky]\nkind = "black"\n[medium]\nkind = "formula"\nemission = "black-body"\n',
     "spin, medium-synchrotron": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "formula"\nemission = "synchrotron"\nfield_direction = "south"\n',
     "flow without delay": '[disc]\nflow = "kepler"\n[light]\ndelay = "off"\n',
@@ -148,7 +153,7 @@ class ShaderText(support.CliTest):
     def test_nothing_of_an_effect_that_is_off(self):
         seen_on = set()
         for name, text in SCENES.items():
-            scene = self.write("scene.toml", text.replace("IMAGE", str(IMAGE)).replace("WARP", str(MESH)))
+            scene = self.write("scene.toml", text.replace("IMAGE", str(IMAGE)).replace("WARP", str(MESH)).replace("GRID", str(GRID)))
             plan = json.loads(self.run_nullscope("plan", scene, "--json").out)
             on = {e["effect"] for e in plan["effects"]}
             off = {e["effect"] for e in plan["left_out"]}
@@ -156,6 +161,9 @@ class ShaderText(support.CliTest):
             code = re.sub(r"^// .*", "", self.run_nullscope("capture", scene, "--dump-shader").out, flags=re.M)   # files' names
             for effect in sorted(off - ({"samples"} if "refine" in on else set())):   # that has several rays a pixel too
                 self.assertEqual(words_in(code, effect), [], f"{effect} is off in scene '{name}'")
+            for effects, patterns in JOINT.items():
+                found = [w for pattern in patterns for w in re.findall(rf"\b{pattern}\b", code)]
+                self.assertEqual(bool(found), not on.isdisjoint(effects), f"{effects} in scene '{name}': {found}")
             for effect in sorted(on):
                 self.assertTrue(words_in(code, effect), f"{effect} is on in scene '{name}', without its words")
             seen_on |= on

@@ -153,7 +153,8 @@ TEST_CASE("medium: matter by formula about holes is the reference's") {
          FieldDirection::kIsotropic,
          {.density = "exp(-((x - 4*cos(0.1*t))^2 + (y - 4*sin(0.1*t))^2 + z^2)/2)",
           .temperature = "5000 + 1000*z/r",
-          .east = "0.4"}}};
+          .east = "0.4"},
+         192}};
     on_every_context([&](GpuSession& session) {
         for (const Case& one : cases) {
             CAPTURE(one.name);

@@ -39,6 +39,7 @@ Names textures_for(const EffectSet& effects, const Scene& scene) {
     if (effects.contains(Effect::kSky)) names.insert("sky");
     if (effects.contains(Effect::kFarSky)) names.insert("far sky");
     if (effects.contains(Effect::kWarp)) names.insert("warp mesh");
+    if (effects.contains(Effect::kMediumGrid)) names.insert("medium grid");
     if (effects.contains(Effect::kBodyImage))
         for (std::size_t i = 0; i < body_images(scene).size(); ++i)
             names.insert(body_image_sampler(static_cast<int>(i)));
@@ -59,7 +60,7 @@ std::string joined(const Names& names) {
 
 // Between them they call for every effect.
 std::vector<Scene> full_scenes() {
-    std::vector<Scene> scenes(9);
+    std::vector<Scene> scenes(10);
     for (Scene& scene : scenes) scene.camera.width = 64, scene.camera.height = 36, scene.camera.r = 20;
     Scene& holes = scenes[0];
     holes.camera.velocity = {0, 0, 0.2};
@@ -81,6 +82,10 @@ std::vector<Scene> full_scenes() {
     scenes[7].medium->emission = MediumEmission::kBlackBody;
     scenes[8].medium->emission = MediumEmission::kSynchrotron;
     scenes[7].object.mass_suns = scenes[8].object.mass_suns = 4e6;
+    scenes[9].spacetime = {"kerr", {{"spin", 0.9}}};
+    scenes[9].medium.emplace().kind = MediumKind::kGrid;
+    scenes[9].medium->file = assets_directory() / "medium" / "torus.grid";
+    scenes[9].object.mass_suns = 4e6;
     scenes[1].spacetime.metric = "ellis";
     add_body<BallSpec>(scenes[1]).far = true;
     scenes[2].spacetime.metric = "neutron-star";

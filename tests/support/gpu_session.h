@@ -15,6 +15,8 @@
 #include <optional>
 #include <string>
 
+#include "base/atomic_file.h"
+#include "base/text.h"
 #include "command/session.h"
 #include "compare/ray_metrics.h"
 #include "compare/remembered_trace.h"
@@ -99,11 +101,16 @@ private:
     int count_ = 0;
 };
 
-// What is asked of the reference, word for word.
+// What is asked of the reference, word for word; of a grid of matter, which tests make anew, what is in the file.
 inline std::string question_of(const char* what, const Scene& scene) {
     std::string question = std::string(what) + "\n";
     for (const SceneLine& line : scene_lines(scene))
-        question += line.name + " = " + line.value + " " + line.file.string() + "\n";
+        if (line.name == "medium.file" && !line.file.empty()) {
+            const auto bytes = read_text(line.file, std::size_t{1} << 30);
+            question += fmt::format("{} = {:016x}\n", line.name, fnv1a(bytes ? *bytes : std::string()));
+        } else {
+            question += line.name + " = " + line.value + " " + line.file.string() + "\n";
+        }
     return question;
 }
 

@@ -10,25 +10,9 @@
 
 #include "base/atomic_file.h"
 #include "scene/warp_mesh.h"
+#include "support/trial_folder.h"
 
 namespace nullscope::test {
-
-// A folder of its own, for as long as it lives.
-class TrialFolder {
-public:
-    TrialFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "nullscope-warp-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) std::abort();
-        path_ = name;
-    }
-    TrialFolder(const TrialFolder&) = delete;
-    TrialFolder& operator=(const TrialFolder&) = delete;
-    ~TrialFolder() { std::filesystem::remove_all(path_); }
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 // Nodes on a grid of the screen, x from -aspect to aspect; move: changes x, y, u, v and light, which are those of a mesh of identity for a
 // picture as wide as the screen.

@@ -63,8 +63,8 @@ std::vector<Scene> all_scenes() {
                 if (material != nullptr && kind == TextureKind::kFormula) material->formula = "sin(u)";
             if (has(2) && has(4) && !has(9)) scene.disc->flow = DiscFlowKind::kKepler;
             if (has(2) && has(7) && has(9)) scene.spots.emplace_back();
-            if (has(3) && has(5) && !scene.camera.zoom) scene.medium.emplace().kind = static_cast<MediumKind>(bits % 3);
-            if (scene.medium) scene.medium->emission = static_cast<MediumEmission>(bits / 3 % 3);
+            if (has(3) && has(5) && !scene.camera.zoom) scene.medium.emplace().kind = static_cast<MediumKind>(bits % 4);
+            if (scene.medium) scene.medium->emission = static_cast<MediumEmission>(bits / 4 % 3);
             if (has(7) && has(4) && has(3)) first_shape<BallSpec>(scene)->motion = BallMotion::kOrbit;
             if (has(5) && has(8) && has(1)) first_shape<SphereSpec>(scene)->amplitude = 0.1;
             if (has(8) && has(6)) first_shape<SurfaceSpec>(scene)->shape = "x^2 + y^2 + z^2 - 9 - sin(t)";
@@ -138,7 +138,8 @@ const std::vector<Mark> kMarks = {
     {Effect::kMediumFlow, {"vec4 medium_flow;", "vec4 medium_powers;"}},
     {Effect::kMediumGas, {"gas_clumps(", "vec4 medium_gas;"}},
     {Effect::kMediumMotion, {"gas_moved("}},
-    {Effect::kMediumFormula, {"medium_matter(", "vec4 medium_extent;", "vec4 medium_law;"}},
+    {Effect::kMediumFormula, {"medium_matter("}},
+    {Effect::kMediumGrid, {"medium_texture", "grid_at(", "vec4 medium_grid;", "vec4 medium_nodes;"}},
     {Effect::kMediumBlackBody, {"medium_glow("}},
     {Effect::kMediumSynchrotron, {"synchrotron(", "planck_temperature("}},
     {Effect::kDiscGas, {"disc_gas(", "disc_gas_gaps(", "vec4 disc_gas;"}},
@@ -265,7 +266,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow* row : effect_rows()) all.insert(row->effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 74);
+    CHECK(members.size() == 77);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {

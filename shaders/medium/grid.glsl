@@ -1,0 +1,84 @@
+// Matter of a file (scene/medium_grid.h): eight numbers of each node in two texels, between nodes linear in ln r, theta and phi.
+#include "core/trig.glsl"
+#include "generated/medium_matter"
+#include "medium/emission.glsl"
+#include "medium/place.glsl"
+#include "shared/frame.glsl"
+
+uniform highp sampler2DArray medium_texture;
+
+#define GRID_LEAST_FALL 1.0e-3   // of 1 - horizon/r
+
+struct GridNumbers {
+    vec4 gas;      // log2 of the density; four-velocity along e_r (times sqrt(1 - horizon/r)), e_theta, e_phi
+    vec4 magnet;   // log2 of the temperature; magnetic field along the same, where the matter rests
+};
+
+GridNumbers grid_node(float ring, float polar, float around) {
+    ivec3 at = ivec3(2 * int(ring), int(polar), int(around));
+    return GridNumbers(texelFetch(medium_texture, at, 0), texelFetch(medium_texture, at + ivec3(1, 0, 0), 0));
+}
+
+GridNumbers grid_mix(GridNumbers a, GridNumbers b, float part) {
+    return GridNumbers(mix(a.gas, b.gas, part), mix(a.magnet, b.magnet, part));
+}
+
+// Numbers of nodes from the first one, at a circle of equal r and theta: those of the two azimuths beside it.
+GridNumbers grid_around(float ring, float polar, float left, float right, float part) {
+    return grid_mix(grid_node(ring, polar, left), grid_node(ring, polar, right), part);
+}
+
+// at: number of nodes of ln r and of theta from the first one, within the grid, and turns of phi from it.
+GridNumbers grid_at(vec3 at) {
+    vec4 count = frame.medium_nodes;
+    float around = (at.z - floor(at.z)) * count.z;
+    vec3 low = floor(vec3(at.x, at.y, around));
+    vec3 part = vec3(at.x, at.y, around) - low;
+    float ring = min(low.x + 1.0, count.x - 1.0);
+    float polar = min(low.y + 1.0, count.y - 1.0);
+    float left = low.z < count.z ? low.z : 0.0;
+    float right = left + 1.0 < count.z ? left + 1.0 : 0.0;
+    GridNumbers north = grid_mix(grid_around(low.x, low.y, left, right, part.z), grid_around(ring, low.y, left, right, part.z), part.x);
+    GridNumbers south = grid_mix(grid_around(low.x, polar, left, right, part.z), grid_around(ring, polar, left, right, part.z), part.x);
+    return grid_mix(north, south, part.y);
+}
+
+#ifdef EFFECT_SPIN
+// Azimuth of Kerr and Schild less that of Boyer and Lindquist: the integral of a/Delta from infinity.
+float grid_turn(float r) {
+    float outer = max(r - frame.medium_hole.y, 1.0e-7);
+    float inner = max(r - frame.medium_hole.z, 1.0e-7);
+    float apart = frame.medium_hole.y - frame.medium_hole.z;
+    float part = apart / inner;
+    float first_terms = (1.0 + part * (0.5 + part * (1.0 / 3.0 + part * 0.25))) / inner;   // -ln(1 - part)/apart
+    float whole = log(inner / outer) / max(apart, 1.0e-6);
+    return -frame.medium_hole.x * (part < 0.03 ? first_terms : whole);
+}
+#endif
+
+MediumLight medium_light(MediumPlace place) {
+    float across = sqrt(place.at.x * place.at.x + place.at.y * place.at.y);
+    float theta = arc_tangent2(across, place.at.z);
+    float phi = arc_tangent2(abs(place.at.y), place.at.x) * (place.at.y < 0.0 ? -1.0 : 1.0);
+#ifdef EFFECT_SPIN
+    phi += place.turn + frame.medium_nodes.w * grid_turn(place.r);
+#endif
+    vec4 grid = frame.medium_grid;
+    vec2 along = vec2((log(place.r) - grid.x) * grid.y, (theta - grid.z) * grid.w);
+    along = clamp(along, vec2(0.0), vec2(frame.medium_nodes.x - 1.0, frame.medium_nodes.y - 1.0));
+    GridNumbers found = grid_at(vec3(along, phi * 0.15915494309189533577 - frame.medium_scale.x));
+    vec3 field = vec3(found.magnet.y, found.magnet.z, found.magnet.w);
+    float strength = sqrt(dot(field, field));
+    MediumMatter matter;
+    matter.density = exp2(found.gas.x) * frame.medium_scale.y;
+    matter.temperature = exp2(found.magnet.x);
+    matter.field = strength * frame.medium_scale.z;
+#ifdef FIELD_DIRECTION
+    matter.field_way = FIELD_DIRECTION;
+#else
+    matter.field_way = field / max(strength, 1.0e-20);
+#endif
+    float fall = inversesqrt(max(1.0 - frame.medium_scale.w / place.r, GRID_LEAST_FALL));
+    matter.velocity = vec3(found.gas.y * fall, found.gas.z, found.gas.w);
+    return medium_emission(place, matter, medium_inside(place));
+}

@@ -1,0 +1,26 @@
+// Matter of a file as a texture (scene/medium_grid.h, shaders/medium/grid.glsl): a layer for each azimuth, a row for each polar angle, and
+// in it two texels for each node.
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "base/result.h"
+#include "gl/gl.h"
+#include "scene/medium_grid.h"
+#include "scene/scene.h"
+
+namespace nullscope {
+
+class MediumTexture {
+public:
+    // Empty where the scene has no such medium. Errors: load_medium_grid()'s, and a grid too large for the driver's textures.
+    Status update(const std::optional<MediumSpec>& medium, const gl::Info& info);
+    const gl::Texture& texture() const { return texture_; }
+    const MediumGrid* grid() const { return grid_.get(); }  // nullptr: empty
+
+private:
+    std::shared_ptr<const MediumGrid> grid_;
+    gl::Texture texture_;
+};
+
+}  // namespace nullscope

@@ -1,0 +1,165 @@
+#include "scene/medium_grid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "base/file_cache.h"
+#include "base/text.h"
+
+namespace nullscope {
+namespace {
+
+constexpr std::size_t kLongestLine = 200, kBytes = sizeof(float) * MediumGrid::kNumbers;
+constexpr std::size_t kLargestFile = MediumGrid::kMostNodes * kBytes + 8 * kLongestLine;
+constexpr double kFarthest = 1e6, kFastest = 1e3;  // r_s; gamma v
+
+class Head {
+public:
+    Head(std::string_view bytes, std::string_view name) : rest_(bytes), name_(name) {}
+
+    Error wrong(std::string what, std::string allowed) const {
+        Error error = bad_input(std::move(what), std::move(allowed));
+        error.file = name_, error.line = line_;
+        return error;
+    }
+    // The words of the next line after its first one, which must be `key`.
+    Result<std::vector<std::string>> words(std::string_view key, std::size_t count, const char* form) {
+        ++line_;
+        const std::size_t end = rest_.substr(0, kLongestLine).find('\n');
+        if (end == std::string_view::npos) return wrong(fmt::format("no line \"{}\"", key), form);
+        std::vector<std::string> words;
+        for (std::string& word : split(trim(rest_.substr(0, end)), ' '))
+            if (!word.empty()) words.push_back(std::move(word));
+        rest_.remove_prefix(end + 1);
+        if (words.empty() || words.front() != key || words.size() != count + 1)
+            return wrong(fmt::format("this is no line \"{}\"", key), form);
+        words.erase(words.begin());
+        return words;
+    }
+    Result<double> number(const std::string& word, const char* what, double least, double most) const {
+        const auto value = parse_number(word);
+        if (!value || !(*value >= least && *value <= most))
+            return wrong(fmt::format("{} = {} is out of range", what, without_controls(word.substr(0, 40))),
+                         fmt::format("[{}, {}]", least, most));
+        return *value;
+    }
+    Result<int> count(const std::string& word, const char* what, int least, int most) const {
+        TRY(value, number(word, what, least, most));
+        if (*value != std::floor(*value))
+            return wrong(fmt::format("{} = {} is not whole", what, word), fmt::format("[{}, {}]", least, most));
+        return static_cast<int>(*value);
+    }
+    std::string_view rest() const { return rest_; }
+
+private:
+    std::string_view rest_, name_;
+    int line_ = 0;
+};
+
+float number_at(const char* bytes) {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(little_endian({bytes, sizeof(float)})));
+}
+
+// What is wrong with a node's numbers; nullptr: nothing.
+struct NodeRange {
+    const char* name;
+    double least, most;
+};
+constexpr NodeRange kDensity{"density", 0, MediumGrid::kDensest},
+    kTemperature{"temperature", 0, MediumGrid::kHottest_K},
+    kField{"field", -MediumGrid::kStrongest_G, MediumGrid::kStrongest_G}, kSpeed{"velocity", -kFastest, kFastest};
+constexpr std::array<NodeRange, MediumGrid::kNumbers> kRanges = {kDensity, kTemperature, kField, kField,
+                                                                 kField,   kSpeed,       kSpeed, kSpeed};
+
+float logarithm(float value) {
+    return static_cast<float>(std::log2(std::max(static_cast<double>(value), MediumGrid::kThinnest)));
+}
+
+}  // namespace
+
+Result<MediumGrid> MediumGrid::parse(std::string_view bytes, const std::string& name) {
+    Head head(bytes, name);
+    MediumGrid grid;
+    TRY(version, head.words("nullscope-medium", 1, "nullscope-medium 1"));
+    if (version->front() != "1") return head.wrong("another version of the format", "nullscope-medium 1");
+    constexpr const char* kSystems = "coordinates kerr-schild, or coordinates boyer-lindquist";
+    TRY(system, head.words("coordinates", 1, kSystems));
+    grid.kerr_schild_ = system->front() == "kerr-schild";
+    if (!grid.kerr_schild_ && system->front() != "boyer-lindquist") return head.wrong("other coordinates", kSystems);
+    TRY(spin, head.words("spin", 1, "spin A"));
+    TRY(a, head.number(spin->front(), "spin", 0, 1));
+    grid.spin_ = *a;
+
+    TRY(rings, head.words("r", 3, "r FIRST LAST COUNT"));
+    TRY(nearest, head.number((*rings)[0], "first r", 1e-3, kFarthest));
+    TRY(farthest, head.number((*rings)[1], "last r", 1.001 * *nearest, kFarthest));
+    TRY(ring_count, head.count((*rings)[2], "nodes of r", 2, kMostRings));
+    grid.rings_ = {std::log(*nearest), std::log(*farthest / *nearest) / (*ring_count - 1), *ring_count};
+    TRY(polar, head.words("theta", 3, "theta FIRST LAST COUNT"));
+    TRY(north, head.number((*polar)[0], "first theta", 0, 3.1));
+    TRY(south, head.number((*polar)[1], "last theta", *north + 1e-3, std::numbers::pi + 1e-6));
+    TRY(polar_count, head.count((*polar)[2], "nodes of theta", 2, kMostSide));
+    grid.polar_ = {*north, (*south - *north) / (*polar_count - 1), *polar_count};
+    TRY(around, head.words("phi", 2, "phi FIRST COUNT"));
+    TRY(first, head.number((*around)[0], "first phi", -2 * std::numbers::pi, 2 * std::numbers::pi));
+    TRY(around_count, head.count((*around)[1], "nodes of phi", 1, kMostAround));
+    grid.around_ = {*first, 2 * std::numbers::pi / *around_count, *around_count};
+    TRY(data, head.words("data", 0, "data"));
+
+    const auto r = static_cast<std::size_t>(*ring_count), t = static_cast<std::size_t>(*polar_count),
+               p = static_cast<std::size_t>(*around_count), nodes = r * t * p;
+    if (nodes > kMostNodes) return head.wrong(fmt::format("{} nodes", nodes), fmt::format("at most {}", kMostNodes));
+    const std::string_view rest = head.rest();
+    if (rest.size() != nodes * kBytes)
+        return head.wrong(fmt::format("{} bytes follow", rest.size()),
+                          fmt::format("{} of {} nodes", nodes * kBytes, nodes));
+    grid.numbers_.resize(nodes * kNumbers);
+    const char* from = rest.data();
+    for (std::size_t i = 0; i < r; ++i) {
+        const auto fall =
+            static_cast<float>(grid.fall(std::exp(grid.rings_.first + grid.rings_.step * static_cast<double>(i))));
+        for (std::size_t j = 0; j < t; ++j)
+            for (std::size_t k = 0; k < p; ++k, from += kBytes) {
+                std::array<float, kNumbers> value{};
+                for (std::size_t n = 0; n < kNumbers; ++n) {
+                    value[n] = number_at(from + n * sizeof(float));
+                    if (!(value[n] >= kRanges[n].least && value[n] <= kRanges[n].most))
+                        return head.wrong(
+                            fmt::format("{} of node ({}, {}, {}) is {}", kRanges[n].name, i, j, k, value[n]),
+                            fmt::format("[{}, {}]", kRanges[n].least, kRanges[n].most));
+                }
+                const std::array<float, kNumbers> kept = {logarithm(value[0]), value[5] * fall, value[6], value[7],
+                                                          logarithm(value[1]), value[2],        value[3], value[4]};
+                std::ranges::copy(
+                    kept, grid.numbers_.begin() + static_cast<std::ptrdiff_t>(((k * t + j) * r + i) * kNumbers));
+            }
+    }
+    return grid;
+}
+
+double MediumGrid::horizon() const { return 0.5 + 0.5 * std::sqrt((1 - spin_) * (1 + spin_)); }
+
+double MediumGrid::fall(double r) const { return std::sqrt(std::max(1 - horizon() / r, kLeastFall)); }
+
+double MediumGrid::farthest() const { return std::exp(rings_.first + rings_.step * (rings_.count - 1)); }
+
+const float* MediumGrid::node(int ring, int polar, int around) const {
+    const auto at =
+        (static_cast<std::size_t>(around) * static_cast<std::size_t>(polar_.count) + static_cast<std::size_t>(polar)) *
+            static_cast<std::size_t>(rings_.count) +
+        static_cast<std::size_t>(ring);
+    return numbers_.data() + at * kNumbers;
+}
+
+Result<std::shared_ptr<const MediumGrid>> load_medium_grid(const std::filesystem::path& file) {
+    static FileCache<MediumGrid> loaded(1, kLargestFile);
+    return loaded.get(file, MediumGrid::parse);
+}
+
+}  // namespace nullscope

@@ -1,0 +1,70 @@
+// Matter of a file: density, temperature, magnetic field and motion at the nodes of a grid about a hole, as a simulation gives them.
+//
+// The file begins with these lines, in this order:
+//     nullscope-medium 1
+//     coordinates kerr-schild        or boyer-lindquist: whose azimuth phi is
+//     spin A                         of the hole, over its mass; [0, 1]
+//     r FIRST LAST COUNT             nodes at equal steps of ln r; r_s
+//     theta FIRST LAST COUNT         nodes at equal steps of the polar angle; rad
+//     phi FIRST COUNT                nodes all round, at equal steps of the azimuth; rad
+//     data
+// Then follow eight numbers of each node, 32-bit floats with the lowest byte first: phi changes fastest, then theta, then r, as of an array
+// of shape (r, theta, phi, 8).
+//   0     density: electrons a cm^3 for synchrotron radiation, else over that of emissivity or opacity; 0 counts as kThinnest
+//   1     temperature, K; of synchrotron radiation the electrons'; 0 counts as kThinnest
+//   2-4   magnetic field in the frame of the matter, along r, theta, phi, G
+//   5-7   four-velocity along e_r, e_theta, e_phi of the observer of no angular momentum: gamma v, c
+// The frame of the matter is that observer's, boosted without a rotation.
+//
+// Between nodes matter is linear in ln r, theta and phi: logarithms of density and temperature, the field's and the velocity's parts, of which
+// that along e_r is multiplied by fall(r), since that of matter that falls in grows as 1/sqrt(r - horizon).
+// Beyond the first and last nodes of r and theta it is as there.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace nullscope {
+
+class MediumGrid {
+public:
+    static constexpr int kNumbers = 8, kMostRings = 1024, kMostSide = 2048, kMostAround = 256, kMostNodes = 1 << 24;
+    static constexpr double kThinnest = 1e-30, kDensest = 1e30, kHottest_K = 1e14, kStrongest_G = 1e9,
+                            kLeastFall = 1e-3;
+
+    struct Axis {
+        double first = 0, step = 0;  // of ln r; rad
+        int count = 1;
+    };
+
+    // name: of the file, for messages. Errors: what is no such file, with its line or node.
+    static Result<MediumGrid> parse(std::string_view bytes, const std::string& name);
+
+    double spin() const { return spin_; }
+    bool kerr_schild() const { return kerr_schild_; }
+    double farthest() const;      // r of the last node, r_s
+    double horizon() const;       // of a hole of this spin, r_s
+    double fall(double r) const;  // sqrt(1 - horizon/r), but no less than that of kLeastFall
+    const Axis& rings() const { return rings_; }
+    const Axis& polar() const { return polar_; }
+    const Axis& around() const { return around_; }
+    // Eight numbers of each node, r changes fastest, then theta: log2 of the density, velocity as said above; log2 of the temperature, field.
+    const std::vector<float>& numbers() const { return numbers_; }
+    std::size_t bytes() const { return sizeof(float) * numbers_.size(); }
+    const float* node(int ring, int polar, int around) const;
+
+private:
+    bool kerr_schild_ = true;
+    double spin_ = 0;
+    Axis rings_, polar_, around_;
+    std::vector<float> numbers_;
+};
+
+// The grid of a file, read once, and again when the file has changed; the last one is kept. Thread-safe.
+Result<std::shared_ptr<const MediumGrid>> load_medium_grid(const std::filesystem::path& file);
+
+}  // namespace nullscope

@@ -1,0 +1,159 @@
+"""The converter of GRMHD dumps: a made dump of known matter becomes the grid that is known, and the program draws it."""
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CONVERTER = ROOT / "scripts" / "convert_grmhd.py"
+PROGRAM = sys.argv.pop(1) if len(sys.argv) > 1 else None
+UNIT = 1e-18   # g/cm^3
+SPIN = 0.9
+
+
+def kerr_schild(r, theta, a):
+    """Covariant metric of t, r, theta, phi, written out once more: flat part and null vector l = (1, 1, 0, -a sin^2 theta), g = eta + 2r/Sigma l l."""
+    s2, sigma = math.sin(theta) ** 2, r * r + a * a * math.cos(theta) ** 2
+    flat = np.array([[-1, 0, 0, 0], [0, 1, 0, -a * s2], [0, 0, sigma, 0], [0, -a * s2, 0, (r * r + a * a) * s2]])
+    null = np.array([1, 1, 0, -a * s2])
+    return flat + 2 * r / sigma * np.outer(null, null)
+
+
+def dump(path, metric="MKS", spin=SPIN, hslope=0.3, spoil=None):
+    """Matter that falls from rest far away: E = 1, L = 0, u_r = -sqrt(2r (r^2 + a^2))/Delta in Boyer and Lindquist's; density r^-1.5."""
+    n = (40, 24, 8)
+    x_in = math.log(1.2)
+    start, step = (x_in, 0.0, 0.0), (math.log(60) / n[0], 1 / n[1], 2 * math.pi / n[2])
+    prims = np.zeros(n + (8,))
+    squares = np.zeros(n)
+    xt, alpha, smooth = 0.82, 14.0, 0.5
+    def theta_of(x1, x2):
+        geometric = math.pi * x2 + 0.5 * (1 - hslope) * math.sin(2 * math.pi * x2)
+        if metric == "MKS":
+            return geometric
+        y = 2 * x2 - 1
+        norm = 0.5 * math.pi / (1 + xt ** -alpha / (1 + alpha))
+        return geometric + math.exp(smooth * (start[0] - x1)) * (norm * y * (1 + (y / xt) ** alpha / (1 + alpha)) + 0.5 * math.pi - geometric)
+    for i in range(n[0]):
+        for j in range(n[1]):
+            x1, x2 = start[0] + (i + 0.5) * step[0], start[1] + (j + 0.5) * step[1]
+            r, theta, small = math.exp(x1), theta_of(x1, x2), 1e-5
+            jacobian = np.diag([1.0, r, (theta_of(x1, x2 + small) - theta_of(x1, x2 - small)) / (2 * small), 1.0])
+            jacobian[2, 1] = (theta_of(x1 + small, x2) - theta_of(x1 - small, x2)) / (2 * small)
+            g = kerr_schild(r, theta, spin)
+            delta, sigma = r * r - 2 * r + spin ** 2, r * r + spin ** 2 * math.cos(theta) ** 2
+            u_r = -math.sqrt(2 * r * (r * r + spin ** 2)) / sigma
+            # u^t, u^phi of E = 1, L = 0 from u_t = -1, u_phi = 0.
+            rest = np.linalg.solve(g[np.ix_([0, 3], [0, 3])], np.array([-1, 0]) - g[np.ix_([0, 3], [1])][:, 0] * u_r)
+            u = np.linalg.solve(jacobian, np.array([rest[0], u_r, 0, rest[1]]))
+            native = jacobian.T @ g @ jacobian
+            up = np.linalg.inv(native)
+            lapse = 1 / math.sqrt(-up[0, 0])
+            prims[i, j, :, 0], prims[i, j, :, 1] = r ** -1.5, 0.1 * r ** -2.5
+            prims[i, j, 0, 0] *= 2   # the first azimuth
+            prims[i, j, :, 2:5] = u[1:] + u[0] * lapse * lapse * up[0, 1:]
+            field = np.array([0, 0.02 / r ** 2, 0.005 / r ** 2, 0.01 / r])
+            prims[i, j, :, 5:8] = field[1:]
+            b_t = field @ native @ u
+            b = (field + b_t * u) / u[0]
+            b[0] = b_t
+            squares[i, j] = b @ native @ b
+    if spoil:
+        spoil(prims)
+    with h5py.File(path, "w") as file:
+        file["prims"] = prims.astype(np.float32 if not spoil else np.float64)
+        head = file.create_group("header")
+        head["metric"], head["gam"] = np.bytes_(metric), 4 / 3
+        for axis in range(3):
+            head[f"geom/startx{axis + 1}"], head[f"geom/dx{axis + 1}"] = start[axis], step[axis]
+        folder = f"geom/{'mks' if metric == 'MKS' else 'mmks'}/"
+        head[folder + "a"], head[folder + "hslope"] = spin, hslope
+        if metric != "MKS":
+            head[folder + "poly_xt"], head[folder + "poly_alpha"], head[folder + "mks_smooth"] = xt, alpha, smooth
+    return squares
+
+
+def convert(*arguments):
+    return subprocess.run([sys.executable, "-B", CONVERTER, *map(str, arguments)], capture_output=True, text=True)
+
+
+def read(path):
+    head, data = path.read_bytes().split(b"data\n", 1)
+    lines = dict(line.split(" ", 1) for line in head.decode().splitlines())
+    r0, r1, nr = lines["r"].split()
+    t0, t1, nt = lines["theta"].split()
+    nodes = (int(nr), int(nt), int(lines["phi"].split()[1]))
+    return lines, np.geomspace(float(r0), float(r1), nodes[0]), np.linspace(float(t0), float(t1), nodes[1]), \
+        np.frombuffer(data, "<f4").reshape(nodes + (8,)).astype(float)
+
+
+class Converter(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory(prefix="nullscope-grmhd-")
+        self.addCleanup(holder.cleanup)
+        self.folder = pathlib.Path(holder.name)
+
+    def test_matter_is_what_the_dump_was_made_of(self):
+        for metric, name, spin in (("MKS", "MKS", SPIN), ("FMKS", "MMKS", SPIN), ("MKS", "MKS", -SPIN)):   # the last is mirrored
+            with self.subTest(metric=metric, spin=spin):
+                path, grid = self.folder / f"{metric}.h5", self.folder / f"{metric}.grid"
+                squares = dump(path, name, spin)
+                done = convert(path, "-o", grid, "--density-unit", UNIT, "--sigma-cut", 1e9, "--nodes", 60, 40, "--outer", 12)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                lines, r, theta, numbers = read(grid)
+                self.assertEqual((float(lines["spin"]), lines["coordinates"]), (SPIN, "kerr-schild"))
+                r, theta = 2 * r[:, None, None], theta[None, :, None]    # M
+                density = UNIT / 1.67262192e-24 * r ** -1.5 * np.ones_like(numbers[..., 0])
+                density[:, :, 0 if spin > 0 else -1] *= 2
+                np.testing.assert_allclose(numbers[..., 0], density, rtol=1e-4)
+                delta, sigma = r * r - 2 * r + SPIN ** 2, r * r + SPIN ** 2 * np.cos(theta) ** 2
+                area = (r * r + SPIN ** 2) ** 2 - SPIN ** 2 * delta * np.sin(theta) ** 2
+                lorentz = np.sqrt(area / (sigma * delta))     # E = 1, L = 0: 1/lapse
+                out = -np.sqrt(lorentz ** 2 - 1) * np.ones_like(numbers[..., 5])
+                np.testing.assert_allclose(numbers[..., 5], out, rtol=0.02)         # linear between cells
+                self.assertLess(np.abs(numbers[..., 6:8]).max(), 0.01 * np.abs(out).max())
+                # The field's square is the same for all observers: at a node that is a cell's middle.
+                cell = np.interp(np.log(r[0, 0, 0]), math.log(1.2) + (np.arange(40) + 0.5) * math.log(60) / 40, np.arange(40))
+                strength = math.sqrt(4 * math.pi * UNIT) * 2.99792458e10 * np.sqrt(squares[int(round(cell)), 0, 0])
+                np.testing.assert_allclose(np.linalg.norm(numbers[0, 0, 0, 2:5]), strength, rtol=1e-3)
+                self.draw(grid)
+
+    def draw(self, grid):
+        scene, picture = self.folder / "scene.toml", self.folder / "picture.png"
+        scene.write_text(f'[spacetime]\nmetric = "kerr"\nspin = {SPIN}\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "grid"\n'
+                         f'file = "{grid.name}"\nemission = "synchrotron"\nfield_direction = "file"\nouter = 11\n')
+        done = subprocess.run([PROGRAM, "capture", scene, "--size", "64x36", "-o", picture], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(picture.is_file())
+
+    def test_what_is_no_dump_gets_one_line(self):
+        good = self.folder / "good.h5"
+        dump(good)
+        text = self.folder / "text.h5"
+        text.write_text("no HDF5")
+        bare, other, broken = (self.folder / f"{name}.h5" for name in ("bare", "other", "broken"))
+        with h5py.File(bare, "w") as file:
+            file["prims"] = np.zeros((2, 2, 2, 8))
+        dump(other)
+        with h5py.File(other, "r+") as file:
+            del file["header/metric"]
+            file["header/metric"] = np.bytes_("EKS")
+        dump(broken, spoil=lambda prims: prims.__setitem__((3, 3, 3, 0), math.nan))
+        out = self.folder / "out.grid"
+        for arguments, words in (((self.folder / "none.h5",), "no dump"), ((text,), "no dump"), ((bare,), "no dump"), ((other,), "allowed: MKS"),
+                                 ((broken,), "not finite"), ((good, "--outer", 0.1), "allowed: more than"), ((good, "--nodes", 1, 5), "allowed: 2"),
+                                 ((good, "--r-high", -1), "allowed: above 0")):
+            done = convert(*arguments, "-o", out, "--density-unit", UNIT)
+            self.assertEqual(done.returncode, 1, arguments)
+            self.assertIn(words, done.stderr)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertFalse(out.exists())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
