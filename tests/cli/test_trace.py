@@ -258,7 +258,7 @@ class ShaderText(TraceTest):
     def random_rays(self, count):
         """Rays from some radii, each with tables of its own, in both frames, and the same turned by `step` in their plane."""
         dice = random.Random(20151127)
-        step, each = 1e-7, 10 if support.QUICK else 4     # rays a radius
+        step, each = 1e-7, 6 if support.QUICK else 4     # rays a radius
         rays, turned = [], []
         for i in range(count):
             r = r if i % each else 1.02 * 10 ** dice.uniform(0, 2.5)
