@@ -174,6 +174,7 @@ class Commands(support.CliTest):
         self.assertGreater(row["host_core_ms"], 2 * row["host_at_rest_core_ms"])
         self.assertGreater(row["frame_core_ms"], row["host_core_ms"])
 
+    @unittest.skipIf(support.QUICK, "six processor seconds: with --all")
     def test_figures_of_a_gpu(self):
         script = Path(__file__).resolve().parents[2] / "scripts/gpu_figures.py"
         words = ["trial", "--sizes", "48x27", "96x54", "--frames", "9", "--scenes", "sky-only", "--only", "horizon, inwards"]

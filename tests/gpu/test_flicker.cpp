@@ -38,7 +38,7 @@ TEST_CASE("flicker: edges and rings of a slow pan flicker at most twice as much 
     scene->camera.width = kWidth, scene->camera.height = kHeight;
     scene->picture.dither = false;
     scene->sky.kind = SkyKind::kBlack;
-    const int frames = test::by_depth(16, 120, 120);
+    const int frames = test::by_depth(12, 120, 120);
     const test::ExactPixels reference(*scene, 256);
     test::on_one_context([&](test::GpuSession& session) {
         std::vector<Flicker> all(static_cast<std::size_t>(kWidth) * kHeight);

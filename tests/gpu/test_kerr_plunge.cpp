@@ -85,7 +85,7 @@ TEST_CASE(
             return jumps;
         };
         const double last = path->frames() - 1;
-        const int fewer = by_depth(2, 1, 1);
+        const int fewer = by_depth(4, 1, 1);
         const Jumps seam = run(across - 0.05 / fewer, across + 0.05 / fewer, 100 / fewer, false);
         CHECK(seam.most < kJump);
         CHECK(seam.judged > 2000 / fewer);

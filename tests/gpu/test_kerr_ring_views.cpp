@@ -135,7 +135,7 @@ TEST_CASE("kerr ring: narrow views next to the shadow, by every observer, down t
     std::mt19937_64 random(24);
     auto session = open_gpu("egl");
     REQUIRE(session);
-    const int count = by_depth(8, 300, 300), row_step = by_depth(18, 27, 18);
+    const int count = by_depth(6, 300, 300), row_step = by_depth(18, 27, 18);
     Most most;
     for (int i = 0; i < count; ++i) {
         auto [scene, light] = next_aimed(random);
@@ -154,6 +154,7 @@ TEST_CASE("kerr ring: zooms are the reference's as deep as its digits go") {
     auto session = open_gpu("egl");
     REQUIRE(session);
     Most most;
+    Selection selection(2);
     for (int i = 0; i < by_depth(3, 20, 40); ++i) {
         auto [scene, light] = next_aimed(random);
         scene.camera.plane_width = 0.1;
@@ -161,6 +162,7 @@ TEST_CASE("kerr ring: zooms are the reference's as deep as its digits go") {
         const auto spacetime = *make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
         if (!ring_view(*spacetime, scene.camera, scene.light)) continue;  // images that shrink too little each
         for (const double depth : {0.0, 4.0, 9.0, 14.0, 18.0, 20.0}) {
+            if (!selection.takes_next()) continue;
             scene.camera.zoom->depth = depth;
             most.add(scene, off_of(scene, gl_ray_data(*session, scene), 18));
         }

@@ -108,7 +108,7 @@ TEST_CASE("many bodies: a ball before the hole and one far behind it, each on it
             if (scene.spacetime.metric == "kerr") scene.spacetime.parameters = {{"spin", 0.8}};
             scene.sky.kind = SkyKind::kBlack;
             scene.camera.r = 26.0, scene.camera.theta = 1.29, scene.camera.plane_width = 0.85, scene.time = 40;
-            scene.camera.width = by_depth(96, 192, 192), scene.camera.height = by_depth(54, 108, 108);
+            scene.camera.width = by_depth(64, 192, 192), scene.camera.height = by_depth(36, 108, 108);
             for (const Vec3 place : {Vec3{4.95, -4.95, 0}, Vec3{-24, 0, 0}})
                 add(scene, BallSpec{.position = place, .radius = 0.4, .motion = BallMotion::kOrbit});
             const std::set<int> seen = check_frame(session, measured, scene);

@@ -26,9 +26,9 @@ TEST_CASE("picture bands: a picture in parts is the picture at once, bit by bit"
         const char* scene;
         Projection projection;
     };
-    constexpr Case kCases[] = {{"kerr", Projection::kFisheye},        {"first-light", Projection::kEquirectangular},
+    constexpr Case kCases[] = {{"kerr", Projection::kFisheye},        {"swarm", Projection::kCylindrical},
                                {"kerr", Projection::kPinhole},        {"starlight", Projection::kEquirectangular},
-                               {"torus", Projection::kPinhole},       {"swarm", Projection::kCylindrical},
+                               {"torus", Projection::kPinhole},       {"first-light", Projection::kEquirectangular},
                                {"kerr-planet", Projection::kPinhole}, {"hot-spot", Projection::kFisheye},
                                {"gargantua", Projection::kPinhole},   {"zoom", Projection::kPinhole}};
     constexpr int kWidth = 250, kHeight = 163;  // no multiples of a tile

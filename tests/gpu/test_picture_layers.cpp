@@ -23,8 +23,8 @@ double worst_off(const Image<float>& a, const Image<float>& b) {
 }
 
 TEST_CASE("picture layers: they add up to the picture, shares to one") {
-    constexpr const char* kScenes[] = {"first-light", "gargantua", "kerr-planet", "starlight",
-                                       "swarm",       "hot-spot",  "zoom",        "neutron-star"};
+    constexpr const char* kScenes[] = {"first-light", "gargantua", "swarm", "starlight",
+                                       "kerr-planet", "hot-spot",  "zoom",  "neutron-star"};
     on_one_context([&](GpuSession& session) {
         Selection selection(4);
         for (const char* name : kScenes) {

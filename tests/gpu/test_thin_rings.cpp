@@ -55,8 +55,10 @@ TEST_CASE("thin rings: a line with the reference's light") {
     const auto disc = load_disc_image(DiscSpec{});
     REQUIRE(disc);
     on_one_context([&](GpuSession& session) {
-        for (const double r : {22.0, 8.0})
-            for (const double scale : {0.5, 1.0, 1.5, 0.5 * std::exp(-M_PI), std::exp(-M_PI), 1.5 * std::exp(-M_PI)}) {
+        Selection selection(4);  // the widest of the second ring first, where a lost line shows most
+        for (const double r : {8.0, 22.0})
+            for (const double scale : {1.5 * std::exp(-M_PI), std::exp(-M_PI), 0.5 * std::exp(-M_PI), 1.5, 1.0, 0.5}) {
+                if (!selection.takes_next()) continue;
                 const Scene scene = ring_scene(scale, r);
                 CAPTURE(scale);
                 CAPTURE(r);

@@ -109,8 +109,8 @@ TEST_CASE("warp: a mesh of identity is no mesh, bit by bit; with half the light 
         };
         for (const Case& one : {Case{"first-light", Projection::kFisheye, 96, 96},
                                 {"kerr", Projection::kPinhole, 128, 64},
-                                {"torus", Projection::kEquirectangular, 128, 64},
-                                {"hot-spot", Projection::kCylindrical, 128, 64}}) {
+                                {"hot-spot", Projection::kCylindrical, 128, 64},
+                                {"torus", Projection::kEquirectangular, 128, 64}}) {
             if (!selection.takes_next()) continue;
             Scene scene = scene_of(one.scene, one.projection, one.width, one.height);
             REQUIRE(session.renderer->prepare(scene));

@@ -5,6 +5,7 @@ Usage: check_layers.py [ROOT]    (ROOT: the source tree, by default the one this
 
 Prints one line per violation, FILE:LINE: what and why; exit status 0 (none), 1 (some), 2 (the list itself is unreadable).
 """
+import functools
 import re
 import sys
 from pathlib import Path
@@ -46,6 +47,7 @@ class ListError(Exception):
     """layers.txt or src/CMakeLists.txt cannot be understood."""
 
 
+@functools.cache   # the self-test asks for the same texts again and again
 def without_comments(text):
     """text with comments and raw strings blanked; line numbers stay."""
     def blank(match):

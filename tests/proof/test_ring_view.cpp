@@ -118,7 +118,7 @@ TEST_CASE("zoom: directions and disc places are those of exact arithmetic, to 1e
     const bool quick = test::by_depth(0, 1, 1) == 0;
     for (const double distance : {1e-3, 1e-8, 1e-15, 1e-30, 1e-100, 1e-300})
         for (const View& view : views) {
-            if (quick && (distance > 1e-10 || &view - views.data() > 1)) continue;
+            if (quick && ((distance != 1e-15 && distance != 1e-300) || &view - views.data() > 1)) continue;
             Scene scene = zoomed(distance);
             scene.camera.observer = view.observer;
             scene.camera.velocity = view.velocity;

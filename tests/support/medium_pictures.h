@@ -5,7 +5,6 @@
 #include <map>
 #include <string>
 
-#include "scenefile/scene_writer.h"
 #include "support/gpu_session.h"
 
 namespace nullscope::test {
@@ -34,11 +33,15 @@ inline Image<float> drawn(GpuSession& session, const Scene& scene) {
 
 inline Image<float> reference_picture(const Scene& scene) {
     static std::map<std::string, Image<float>> known;  // every context asks for the same
-    const std::string text = scene_file_text(scene, {});
-    if (const auto found = known.find(text); found != known.end()) return found->second;
-    auto picture = reference::render_frame(scene, SkyCube(), reference::Pictures(), 1);
-    REQUIRE(picture);
-    return known[text] = std::move(*picture);
+    const std::string question = question_of("render_frame", scene);
+    if (const auto found = known.find(question); found != known.end()) return found->second;
+    Image<float> picture(scene.camera.width, scene.camera.height, 3);
+    picture.data = ReferenceMemory::of_this_run().answer<float>(question, [&] {
+        auto light = reference::render_frame(scene, SkyCube(), reference::Pictures(), 1);
+        REQUIRE(light);
+        return std::move(light->data);
+    });
+    return known[question] = std::move(picture);
 }
 
 // Over the brightest of the reference's colours: the largest difference, and how many pixels differ by more than a part.

@@ -21,7 +21,7 @@ from pathlib import Path
 from viewer_process import EVERYTHING, HUNG_S, Log
 from x_screen import Screen, WindowCloser, missing_tools, wait_until
 
-MOMENTS = 30 if EVERYTHING else 3
+MOMENTS = 30 if EVERYTHING else 2
 # Processor time from the close to the end: what is promised, 0.3 s, on two cores. Before its first look at events the
 # window's thread makes its context and its first frame, some 0.2 s; the painter's threads go on beside it meanwhile.
 BOUND_S = 2 * 0.3
