@@ -3,24 +3,16 @@
 #ifdef EFFECT_MEDIUM_BLACK_BODY
 #include "effect/black_body.glsl"
 #endif
+#ifdef EFFECT_MEDIUM_SYNCHROTRON
+#include "medium/synchrotron.glsl"
+#endif
+#include "medium/matter.glsl"
 #include "medium/place.glsl"
 #include "shared/frame.glsl"
 
 #define EMISSION_DEEPEST 0.7    // optical depth of a sample ...
 #define EMISSION_LEAST 0.0625   // ... that is not shorter than this part of the longest
 #define EMISSION_MOST 1.0e30
-
-struct MediumMatter {
-    float density;
-    float temperature;   // K
-    float field;         // G
-    vec3 field_way;      // its direction where the matter rests
-    vec3 velocity;       // four-velocity's along e_r, e_theta, e_phi of the observer of no angular momentum
-};
-
-#ifdef EFFECT_MEDIUM_SYNCHROTRON
-#include "medium/synchrotron.glsl"
-#endif
 
 // The light's direction of travel and frequency (over the camera's) for the observer of no angular momentum.
 vec4 medium_photon(MediumPlace place) {

@@ -2,6 +2,7 @@
 #include "core/trig.glsl"
 #include "generated/medium_matter"
 #include "medium/emission.glsl"
+#include "medium/matter.glsl"
 #include "medium/place.glsl"
 #include "shared/frame.glsl"
 

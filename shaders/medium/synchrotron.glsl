@@ -2,6 +2,8 @@
 // In a field of one direction: Leung, Gammie and Noble 2011 (ApJ 737, 21), eq. 72; mean over all directions: Mahadevan, Narayan and Yi
 // 1996 (ApJ 465, 327), eq. 33 for relativistic electrons. COLDEST_K and FIELD_DIRECTED: generated/medium_matter.
 
+#include "medium/matter.glsl"
+
 #define ELECTRON_K 5.92989658e9         // m c^2/k
 #define GYRO_GHZ 2.79924899e-3          // e/(2 pi m c), GHz a gauss
 #define PLANCK_K 0.0479924307           // h/k, K a GHz

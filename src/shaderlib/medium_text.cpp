@@ -28,7 +28,7 @@ std::string medium_text(const Scene& scene) {
     const char* direction = of_file ? "" : kDirections[static_cast<int>(medium.field_direction)];
     if (medium.kind == MediumKind::kGrid)
         return of_file ? text : text + fmt::format("#define FIELD_DIRECTION {}\n", direction);
-    text += include_line("effect/expression.glsl") + include_line("medium/emission.glsl");
+    text += include_line("effect/expression.glsl") + include_line("medium/matter.glsl");
     const auto value = [&](const char* name, const std::string& formula, bool used) {
         if (!used) return std::string("0.0");
         text += function_text(name, formula);

@@ -1,6 +1,7 @@
 """The converter of GRMHD dumps: a made dump of known matter becomes the grid that is known, and the program draws it."""
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -121,12 +122,17 @@ class Converter(unittest.TestCase):
                 cell = np.interp(np.log(r[0, 0, 0]), math.log(1.2) + (np.arange(40) + 0.5) * math.log(60) / 40, np.arange(40))
                 strength = math.sqrt(4 * math.pi * UNIT) * 2.99792458e10 * np.sqrt(squares[int(round(cell)), 0, 0])
                 np.testing.assert_allclose(np.linalg.norm(numbers[0, 0, 0, 2:5]), strength, rtol=1e-3)
-                self.draw(grid)
+                self.draw(grid, SPIN, 11)
 
-    def draw(self, grid):
+    def test_the_grid_of_the_documentation_is_drawn(self):
+        block, = re.findall(r"^```python\n(.*?)^```$", (ROOT / "docs" / "matter.md").read_text(), re.M | re.S)
+        subprocess.run([sys.executable, "-c", block], cwd=self.folder, check=True)
+        self.draw(self.folder / "flow.grid", 0, 10)
+
+    def draw(self, grid, spin, outer):
         scene, picture = self.folder / "scene.toml", self.folder / "picture.png"
-        scene.write_text(f'[spacetime]\nmetric = "kerr"\nspin = {SPIN}\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "grid"\n'
-                         f'file = "{grid.name}"\nemission = "synchrotron"\nfield_direction = "file"\nouter = 11\n')
+        scene.write_text(f'[spacetime]\nmetric = "kerr"\nspin = {spin}\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "grid"\n'
+                         f'file = "{grid.name}"\nemission = "synchrotron"\nfield_direction = "file"\nouter = {outer}\n')
         done = subprocess.run([PROGRAM, "capture", scene, "--size", "64x36", "-o", picture], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue(picture.is_file())
