@@ -1,6 +1,6 @@
 // Thermal synchrotron radiation of relativistic electrons, in units of 1e-20 erg/(s Hz sr) an electron a cm^3.
-// In a field of one direction: Leung, Gammie and Noble 2011 (ApJ 737, 21), eq. 72; mean over all directions: Mahadevan, Narayan and Yi
-// 1996 (ApJ 465, 327), eq. 33 for relativistic electrons. COLDEST_K and FIELD_DIRECTION: generated/medium_matter.
+// In a field of one direction: Leung, Gammie and Noble 2011 (ApJ 737, 21); mean over all directions: Mahadevan, Narayan and Yi
+// 1996 (ApJ 465, 327), for relativistic electrons. COLDEST_K and FIELD_DIRECTION: generated/medium_matter.
 
 #define ELECTRON_K 5.92989658e9         // m c^2/k
 #define GYRO_GHZ 2.79924899e-3          // e/(2 pi m c), GHz a gauss
