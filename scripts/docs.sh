@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds the documentation as a site: build/site, a folder that any web server can serve and any browser opens from disk.
+# Builds the documentation as a site: build/site, a folder that any web server can serve and any browser opens from disk (but
+# for its search, which browsers allow from a server only).
 #
 #   scripts/docs.sh            builds it; installs mkdocs by apt if it is missing
 #   scripts/docs.sh --serve    and serves it to this machine, port 8001
@@ -25,5 +26,8 @@ cp -r "$root/assets/gallery" "$root/scripts/farm" "$root/python/examples" "$page
 find "$pages" -name '*.md' -exec sed -i -e 's,\(\](\|src="\)\.\./assets/,\1,' -e 's,](\.\./\(scripts\|python\)/,](,g' \
     -e 's,](\.\./\([A-Z][A-Z]*\.\),](\1,g' -e 's,](docs/,](,g' {} +
 (cd "$root" && mkdocs build --quiet --strict --clean)
-echo "the documentation: $root/build/site/index.html ($(du -sh "$root/build/site" | cut -f1))"
+# Debian 12's theme asks for a jQuery by another name than it brings, and without it has no menu on narrow screens.
+jquery=$root/build/site/$(sed -n 's,.*src="\(js/jquery[^"]*\)".*,\1,p' "$root/build/site/index.html")
+[[ -f $jquery ]] || cp "${jquery%/*}"/jquery*.js "$jquery"
+echo "the documentation: $root/build/site/index.html ($(du -sh "$root/build/site" | cut -f1)); its search needs a server: --serve"
 [[ ${1-} != --serve ]] || exec python3 -m http.server --bind 127.0.0.1 --directory "$root/build/site" 8001

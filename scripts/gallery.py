@@ -3,6 +3,7 @@
 
     scripts/gallery.py             every scene; 450 core-seconds with llvmpipe
     scripts/gallery.py NAME...     these scenes anew; the others stay as they are on the page
+    scripts/gallery.py --errors    the errors alone, of all scenes or of those named
     scripts/gallery.py --page      the page alone, from the figures of the last run
 
 Pictures: assets/gallery/NAME.jpg, which the viewer shows too. Figures: docs/gallery.json, of one driver. A scene belongs to a group of
@@ -138,11 +139,15 @@ def page(groups, scenes, figures):
     return text
 
 
-def update(binary, scenes, names, figures, pictures, kept):
+def update(binary, scenes, names, figures, pictures, kept, only_errors):
     """Scene by scene: what is done is kept if a later one fails."""
     with tempfile.TemporaryDirectory(prefix="nullscope-gallery-") as folder:
         for i, name in enumerate(names):
             print(f"gallery: {name} ({i + 1} of {len(names)})", file=sys.stderr)
+            if only_errors and name in figures["scenes"]:
+                figures["scenes"][name]["error"] = error(binary, name, scenes[name], Path(folder))
+                kept.write_text(json.dumps(figures, indent=1, sort_keys=True) + "\n")
+                continue
             core_s, driver = cost(binary, name, Path(folder))
             if figures["scenes"] and driver != figures["driver"]:
                 raise Refused(f"the page's other figures are of another driver, {figures['driver']}: make all of it anew")
@@ -156,6 +161,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("scenes", nargs="*", metavar="NAME", help="scenes to make anew (default: all)")
     parser.add_argument("--page", action="store_true", help="only the page, from the figures that are there")
+    parser.add_argument("--errors", action="store_true", help="only the errors anew, not costs and pictures")
     parser.add_argument("--into", type=Path, default=ROOT, metavar="FOLDER",
                         help="where docs/gallery.md and assets/gallery go (default: this tree)")
     parser.add_argument("--binary", default=str(ROOT / "build/release/bin/nullscope"), metavar="FILE", help="the program that draws")
@@ -169,10 +175,10 @@ def main():
     for folder in (pictures, docs):
         folder.mkdir(parents=True, exist_ok=True)
     kept = docs / "gallery.json"
-    figures = json.loads(kept.read_text()) if kept.exists() and (options.scenes or options.page) else {"driver": "", "scenes": {}}
+    figures = json.loads(kept.read_text()) if kept.exists() and (options.scenes or options.page or options.errors) else {"driver": "", "scenes": {}}
     figures["scenes"] = {name: row for name, row in figures["scenes"].items() if name in scenes}
     if not options.page:
-        update(options.binary, scenes, options.scenes or list(scenes), figures, pictures, kept)
+        update(options.binary, scenes, options.scenes or list(scenes), figures, pictures, kept, options.errors)
     for picture in pictures.glob("*.jpg"):
         if picture.stem not in scenes:
             picture.unlink()

@@ -1,6 +1,6 @@
 // Thermal synchrotron radiation of relativistic electrons, in units of 1e-20 erg/(s Hz sr) an electron a cm^3.
-// In a field of one direction: Leung, Gammie and Noble 2011 (ApJ 737, 21), eq. 72; mean over all directions: Mahadevan, Narayan and Yi
-// 1996 (ApJ 465, 327), eq. 33 for relativistic electrons. COLDEST_K and FIELD_DIRECTED: generated/medium_matter.
+// In a field of one direction: Leung, Gammie and Noble 2011 (ApJ 737, 21); mean over all directions: Mahadevan, Narayan and Yi
+// 1996 (ApJ 465, 327), for relativistic electrons. COLDEST_K and FIELD_DIRECTED: generated/medium_matter.
 
 #include "medium/matter.glsl"
 
@@ -41,7 +41,7 @@ float synchrotron(MediumMatter matter, vec3 way, float frequency) {
     float sixth = sqrt(third);
     float quarter = sqrt(sqrt(x));
     float value = 0.444305 * frequency / bessel * 4.0505 / sixth * (1.0 + 0.4 / quarter + 0.5316 / (quarter * quarter)) *
-                  exp(1.0 / theta - 1.8896 * third);
+                  exp(1.0 / theta - 1.8899 * third);
 #endif
     return matter.temperature < COLDEST_K || matter.field <= 0.0 ? 0.0 : value;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cli/command.h"
+#include "command/exact_trace.h"
 #include "compare/heat_map.h"
 #include "compare/image_metrics.h"
 #include "compare/ray_channels.h"
@@ -57,19 +58,21 @@ Status compare_rays(const Options& options, const RayFrame& a, const RayFrame& b
         scene->camera.height = a.height;
     }
     const double estimate = scene ? 0 : estimated_pixel_angle(b);
-    const auto angle_of = [&](int x, int y) { return scene ? pixel_angle(scene->camera, x + 0.5, y + 0.5) : estimate; };
-    const RayMeasures m = measure_ray_frames(a, b, angle_of, scene ? camera_place(scene->camera) : Vec3{});
+    const RayMeasures m = scene ? measure_ray_frames(a, b, scene->camera, exact_trace(*scene))
+                                : measure_ray_frames(
+                                      a, b, [&](int, int) { return estimate; }, Vec3{});
     if (!scene)
         fmt::print(
-            "pixel angle assumed {:.4g} rad, the median over the sky of {}; --scene SCENE gives the exact angle\n",
+            "pixel angle assumed {:.4g} rad, the median over the sky of {}; --scene SCENE gives the exact angle and "
+            "closer "
+            "bounds\n",
             estimate, options.b);
     print_spread("forward error", m.forward_rad, "rad");
     print_spread("screen error", m.sky_px, "px");
     print_spread("place on disc", m.place_px, "px");
     print_spread("swept angle", m.angle_px, "px");
     print_spread("g", m.g_px, "px");
-    fmt::print("{:<15} {} of {} pixels (all, also at edges: nothing is traced here)\n", "fate differs", m.fate_errors,
-               m.pixels.size());
+    fmt::print("{:<15} {} of {} pixels (all, also at edges)\n", "fate differs", m.fate_errors, m.pixels.size());
     fmt::print("{:<15} {} pixels of {}\n", "not finite", m.not_finite, options.a);
     Image<float> values(m.width, m.height, 1);
     std::ranges::transform(m.pixels, values.data.begin(), &PixelErrors::worst_px);
@@ -117,7 +120,8 @@ void add_compare(Command& parent) {
     command.add_option("--heatmap", &options.heat_map,
                        "PNG to write: the difference at each pixel as a colour, with a legend");
     command.add_option("--scene", &options.scene,
-                       "For ray data: the scene of both; its camera gives the angle of a pixel");
+                       "For ray data: the scene of both, whose camera gives the angle of a pixel; errors next to the "
+                       "photon ring become exact");
 }
 
 }  // namespace nullscope::cli

@@ -156,23 +156,23 @@ void print_text(const Plan& plan) {
     const CameraSpec& camera = plan.scene.camera;
     fmt::print("{}\n\nEffects\n", plan.scene.name);
     for (const EffectReason& effect : plan.effects) {
-        fmt::print("  {:<18}{}\n  {:<18}costs: {}\n", effect_row(effect.effect).key, effect.reason, "",
+        fmt::print("  {:<19}{}\n  {:<19}costs: {}\n", effect_row(effect.effect).key, effect.reason, "",
                    effect_row(effect.effect).cost);
         if (const EffectCost* cost = cost_of(plan, effect.effect))
-            fmt::print("  {:<18}measured: {:+.4f} of {:.4f} core-s ({:+.0f} %), {:+.2f} x the empty scene's {:.4f}{}\n",
+            fmt::print("  {:<19}measured: {:+.4f} of {:.4f} core-s ({:+.0f} %), {:+.2f} x the empty scene's {:.4f}{}\n",
                        "", cost->with_s - cost->without_s, cost->with_s,
                        100.0 * (cost->with_s - cost->without_s) / cost->with_s, cost->over_floor(), cost->floor_s,
                        effect.effect == Effect::kRefine ? fmt::format("; {:.1f} % of the pixels", 100.0 * cost->refined)
                                                         : std::string());
         else if (!plan.costs.empty())
-            fmt::print("  {:<18}measured: no, it cannot be removed by itself\n", "");
+            fmt::print("  {:<19}measured: no, it cannot be removed by itself\n", "");
     }
     if (plan.effects.empty()) fmt::print("  none\n");
     fmt::print("Left out: not compiled, not built, not run\n");
-    for (const EffectRow* row : left_out(plan)) fmt::print("  {:<18}needs: {}\n", row->key, row->needs);
+    for (const EffectRow* row : left_out(plan)) fmt::print("  {:<19}needs: {}\n", row->key, row->needs);
     fmt::print("Tables and textures\n");
     for (const Line& t : plan.tables)
-        fmt::print("  {:<18}{:>1} x {:>5} x {:<5} {:>10}  {:<4}  {}\n", t.name, t.layers, t.width, t.height,
+        fmt::print("  {:<19}{:>1} x {:>5} x {:<5} {:>10}  {:<4}  {}\n", t.name, t.layers, t.width, t.height,
                    size_text(t.bytes), t.place, t.reason);
     if (plan.tables.empty()) fmt::print("  none\n");
     fmt::print("Passes\n");
@@ -180,10 +180,10 @@ void print_text(const Plan& plan) {
     const std::vector<Pass> still = passes(effects, Output::kDisplay),
                             in_flight = passes(effects, Output::kDisplay, Tiles::kInterpolated);
     for (const Pass& pass : still)
-        fmt::print("  {:<18}{} x {} px; {}\n", pass.name, camera.width, camera.height, pass.what);
+        fmt::print("  {:<19}{} x {} px; {}\n", pass.name, camera.width, camera.height, pass.what);
     if (in_flight.front().stage != still.front().stage) {
         fmt::print("Passes in the viewer, once they are compiled, and in films (which interpolate nothing)\n");
-        for (const Pass& pass : in_flight) fmt::print("  {:<18}{}\n", pass.name, pass.what);
+        for (const Pass& pass : in_flight) fmt::print("  {:<19}{}\n", pass.name, pass.what);
     }
     fmt::print("Shaders\n  {} bytes, {} lines (nullscope capture SCENE --dump-shader prints it)\n", plan.shader_bytes,
                plan.shader_lines);

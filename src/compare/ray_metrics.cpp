@@ -249,8 +249,18 @@ TileErrors measure_tile(const RayFrame& tested, const CameraSpec& camera, const 
     return Judge(tested, camera, trace, refine_above_px).tile(rect, false);
 }
 
-RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact,
-                               const std::function<double(int, int)>& angle_of, Vec3 camera) {
+namespace {
+
+// As files hold them.
+bool same_in_float(const RayPixel& a, const RayPixel& b) {
+    const auto same = [](double x, double y) { return static_cast<float>(x) == static_cast<float>(y); };
+    return same_end(a, b) && same(a.sky.x, b.sky.x) && same(a.sky.y, b.sky.y) && same(a.sky.z, b.sky.z) &&
+           same(a.angle, b.angle) && same(a.u, b.u) && same(a.v, b.v) && same(a.w, b.w);
+}
+
+// measure_ray_frames but for the summary.
+RayMeasures errors_by_neighbours(const RayFrame& tested, const RayFrame& exact,
+                                 const std::function<double(int, int)>& angle_of, Vec3 camera) {
     RayMeasures measures = empty_measures(tested);
     const Band band{exact.pixels.data(), {0, 0, exact.width, exact.height}};
     tbb::parallel_for(0, exact.height, [&](int y) {
@@ -261,6 +271,41 @@ RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact,
             measures.pixels[static_cast<std::size_t>(y) * exact.width + x] = pixel_errors(tested.at(x, y), pixel);
         }
     });
+    return measures;
+}
+
+}  // namespace
+
+RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact,
+                               const std::function<double(int, int)>& angle_of, Vec3 camera) {
+    RayMeasures measures = errors_by_neighbours(tested, exact, angle_of, camera);
+    summarise(tested, measures);
+    return measures;
+}
+
+RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact, const CameraSpec& camera,
+                               const ExactTrace& trace, double refine_above_px) {
+    RayMeasures measures = errors_by_neighbours(
+        tested, exact, [&](int x, int y) { return pixel_angle(camera, x + 0.5, y + 0.5); }, camera_place(camera));
+    std::vector<PixelErrors*> doubts;
+    std::vector<std::array<double, 2>> positions;
+    for (int y = 0; y < exact.height; ++y)
+        for (int x = 0; x < exact.width; ++x) {
+            PixelErrors& errors = measures.pixels[static_cast<std::size_t>(y) * exact.width + x];
+            if (errors.end != RayEnd::kSame || !(errors.worst_px() > refine_above_px)) continue;
+            doubts.push_back(&errors);
+            positions.push_back({x + 0.5, y + 0.5});
+            for (const auto& position : displaced(x, y)) positions.push_back(position);
+        }
+    const std::vector<RayPixel> traced = trace(positions);
+    for (std::size_t i = 0; i < doubts.size(); ++i) {
+        const RayPixel* pixels = traced.data() + 5 * i;
+        const int x = static_cast<int>(positions[5 * i][0]), y = static_cast<int>(positions[5 * i][1]);
+        const ExactPixel pixel = with_displaced(camera, x, y, pixels[0], pixels + 1);
+        if (same_in_float(pixel.here, exact.at(x, y)) ||
+            pixel_errors(exact.at(x, y), pixel).worst_px() <= refine_above_px)
+            *doubts[i] = pixel_errors(tested.at(x, y), pixel);
+    }
     summarise(tested, measures);
     return measures;
 }

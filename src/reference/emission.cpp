@@ -45,7 +45,7 @@ double synchrotron_mean(double electrons, double temperature, double field, doub
     const double theta = theta_of(temperature), x = 2 * nu / (3 * gyro_frequency(field) * theta * theta);
     return kCharge * kCharge / (kLight * std::sqrt(3.0)) * electrons * nu / bessel_k2(1 / theta) * 4.0505 /
            std::pow(x, 1.0 / 6) * (1 + 0.4 / std::pow(x, 0.25) + 0.5316 / std::sqrt(x)) *
-           std::exp(-1.8896 * std::cbrt(x));
+           std::exp(-1.8899 * std::cbrt(x));
 }
 
 double planck(double temperature, double nu) {

@@ -5,7 +5,7 @@
 //
 // Without spin phi = -A ln d + B of a ray at the relative distance d, with A = h(pi/2) of spherical_metric.h or 1/sqrt(-V''/2):
 //     gamma = pi/A,   delay = pi b_c,   lambda^2 + eta = b_c^2,   b_c = 1/q_crit.
-// Rotating (Bardeen 1973; Teo, Gen. Relativ. Gravit. 35, 1909 (2003); Gralla and Lupsasca, Phys. Rev. D 101, 044032 (2020); with charge2 in
+// Rotating (Bardeen 1973; Teo, Gen. Relativ. Gravit. 35, 1909 (2003); Gralla and Lupsasca, Phys. Rev. D 101, 044031 (2020); with charge2 in
 // Delta), with x = r - r_+, gap = r_+ - r_-, Delta = x (x + gap), s = Delta' = 2 x + gap, Mino's time and energy 1:
 //     X = r^2 + a^2 - a lambda = 4 r Delta/s,   K = eta + (lambda - a)^2 = 16 r^2 Delta/s^2,   R''/2 = 2 r (s^3 + gap^2)/s^2.
 // Theta's motion is cos(theta) = sqrt(u) sin(psi), dpsi/dtau = W, with P = -a^2 u_-, u = u_+ of the zeros of its potential in cos^2(theta):

@@ -199,6 +199,35 @@ TEST_CASE("compare: a frame's errors land where they were put") {
     CHECK(estimated_pixel_angle(flat_frame(camera, sky)) == doctest::Approx(1e-3).epsilon(1e-3));
 }
 
+TEST_CASE("compare: where neighbours say too little, displaced rays are traced, but not of another camera") {
+    const CameraSpec camera = small_camera();
+    // The sky runs through 1.9 turns from pixel to pixel, which between neighbours look like 0.1 turns backward.
+    constexpr double kTurns = 1.9 * 2 * M_PI, kError_px = 0.02;
+    const ExactTrace fast = [](const std::vector<std::array<double, 2>>& positions) {
+        std::vector<RayPixel> pixels;
+        for (const auto& p : positions) pixels.push_back(escaped(direction(p[0] * kTurns, (p[1] - 5.5) * 1e-3)));
+        return pixels;
+    };
+    RayFrame exact{camera.width, camera.height, {}};
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x) exact.pixels.push_back(fast({{x + 0.5, y + 0.5}})[0]);
+    RayFrame tested = exact;
+    tested.pixels[5 * 16 + 3].sky = direction((3.5 + kError_px) * kTurns, 0);
+    const RayMeasures traced = measure_ray_frames(tested, exact, camera, fast);
+    CHECK(traced.sky_px.max == doctest::Approx(kError_px).epsilon(0.02));
+    CHECK(traced.sky_px.count == 16 * 12);
+    // A frame from a file has its floats, which in a narrow view may be off by more than the limit.
+    RayFrame stored = exact;
+    for (RayPixel& pixel : stored.pixels)
+        for (double* part : {&pixel.sky.x, &pixel.sky.y, &pixel.sky.z}) *part = static_cast<float>(*part);
+    CHECK(measure_ray_frames(tested, stored, camera, fast, 1e-10).sky_px.max ==
+          doctest::Approx(kError_px).epsilon(0.02));
+    const RayMeasures other = measure_ray_frames(tested, exact, camera, FlatSky{0, 1e-3});
+    const RayMeasures neighbours = measure_ray_frames(tested, exact, [](int, int) { return 1e-3; }, {});
+    CHECK(other.sky_px.max == doctest::Approx(neighbours.sky_px.max));
+    CHECK(neighbours.sky_px.max > 10 * kError_px);
+}
+
 TEST_CASE("compare: the angle of a pixel is the root of its solid angle") {
     CameraSpec camera;
     camera.width = 40;
