@@ -9,7 +9,7 @@ simulation does not know it, and it is found from the flux at one frequency; med
 temperature follows from the gas's by R = (R_high beta^2 + R_low)/(1 + beta^2), beta the ratio of the gas's pressure to the field's (Moscibrodzka, Falcke and
 Shiokawa 2016). Matter whose magnetization B^2/rho is above --sigma-cut has no density: simulations add gas there for their own stability.
 
-A dump whose spin is negative is mirrored, so that the hole turns eastward. Velocity and field are changed to the frames that the file wants: of the observer of no angular momentum, and of the matter.
+A dump whose spin is negative is mirrored, so that the hole turns eastward. Velocity and field are changed to the frames that the file wants: of the zero-angular-momentum observer (ZAMO), and of the matter.
 """
 import argparse
 import math
@@ -22,6 +22,8 @@ GRAM_A_PROTON, ELECTRON_K, LIGHT = 1.67262192e-24, 5.92989658e9, 2.99792458e10  
 PROTON_OVER_ELECTRON = 1836.15267
 ELECTRON_INDEX, PROTON_INDEX = 4 / 3, 5 / 3    # adiabatic
 NOTHING = 1e-30
+HOTTEST_K = 9.9e13                              # the file may have 1e14
+MOST_NODES, MOST_ROWS = 1 << 24, 256            # of a file; of theta, where --nodes does not say
 
 
 def fail(text):
@@ -46,22 +48,34 @@ class Dump:
             self.metric = "FMKS"
         if self.metric not in ("MKS", "FMKS"):
             fail(f"{path}: header/metric is {self.metric}; allowed: MKS, FMKS, MMKS")
+        if head.get("has_derefine_poles", 0):
+            fail(f"{path}: its cells near the poles are joined (header/has_derefine_poles), which is not read")
         folder = next((f"geom/{name}/" for name in (self.metric.lower(), "mmks", "mks") if f"geom/{name}/a" in head), None)
+        if folder is None:
+            fail(f"{path}: the header has no geom/mks/a or geom/mmks/a")
         try:
             self.a, self.hslope = float(head[folder + "a"]), float(head[folder + "hslope"])
             self.start = [float(head[f"geom/startx{i}"]) for i in (1, 2, 3)]
             self.step = [float(head[f"geom/dx{i}"]) for i in (1, 2, 3)]
             self.gamma = float(head["gam"])
+            self.electron_index, self.proton_index = (float(head.get(name, usual)) for name, usual in
+                                                      (("gam_e", ELECTRON_INDEX), ("gam_p", PROTON_INDEX)))
             if self.metric == "FMKS":
                 self.smooth, self.xt, self.alpha = (float(head[folder + name]) for name in ("mks_smooth", "poly_xt", "poly_alpha"))
         except (KeyError, TypeError) as error:
             fail(f"{path}: the header has no {error}")
         if self.prims.ndim != 4 or self.prims.shape[3] < 8 or min(self.prims.shape[:3]) < 1 or min(self.prims.shape[:2]) < 2:
             fail(f"{path}: prims has the shape {self.prims.shape}; allowed: (n1, n2, n3, 8 or more)")
+        if not abs(self.a) < 1:
+            fail(f"{path}: the spin is {self.a}; allowed: between -1 and 1")
+        times = round(2 * math.pi / (self.prims.shape[2] * self.step[2]))
+        if times < 1 or abs(times * self.prims.shape[2] * self.step[2] - 2 * math.pi) > 1e-3:
+            fail(f"{path}: the cells go through {self.prims.shape[2] * self.step[2]:.6g} rad of phi; allowed: a whole part of a turn")
+        self.prims = np.tile(self.prims[..., :8], (1, 1, times, 1))   # of a wedge: all round
         if self.a < 0:   # seen in a mirror, the hole turns eastward: the file knows no other
             self.a, self.prims = -self.a, self.prims[:, :, ::-1].copy()
             self.prims[..., [4, 7]] *= -1
-            self.start[2] = 2 * math.pi - self.start[2] - self.prims.shape[2] * self.step[2]
+            self.start[2] *= -1
         if not np.isfinite(self.prims[..., :8]).all():
             fail(f"{path}: prims has numbers that are not finite")
 
@@ -122,8 +136,8 @@ def fluid(dump):
     return r[..., None], theta[..., None], np.einsum("...ij,...j->...i", to, u), np.einsum("...ij,...j->...i", to, b)
 
 
-def still(r, theta, a, vector):
-    """A vector's parts along the observer of no angular momentum and its e_r, e_theta, e_phi, from Kerr and Schild's coordinates."""
+def zamo_components(r, theta, a, vector):
+    """Of a vector in Kerr and Schild's coordinates: along the zero-angular-momentum observer (ZAMO) and its e_r, e_theta, e_phi."""
     delta, sigma = r * r - 2 * r + a * a, r * r + a * a * np.cos(theta) ** 2
     area = (r * r + a * a) ** 2 - a * a * delta * np.sin(theta) ** 2
     t = vector[..., 0] - 2 * r / delta * vector[..., 1]            # Boyer and Lindquist's
@@ -133,22 +147,24 @@ def still(r, theta, a, vector):
 
 
 def matter(dump, wanted):
-    """The file's eight numbers at the middles of the cells outside the horizon; and the first of these along X1."""
+    """The file's eight numbers, and the magnetization, at the middles of the cells outside the horizon; and the first of these along X1."""
     horizon = 1 + math.sqrt(1 - dump.a ** 2)
     first = int(np.searchsorted(np.exp(dump.middles(0)), 1.01 * horizon))
     if dump.prims.shape[0] - first < 2:
         fail("the dump has no two cells outside the horizon")
     r, theta, u, b = (part[first:] for part in fluid(dump))
     rho, energy = np.maximum(dump.prims[first:, ..., 0], NOTHING), np.maximum(dump.prims[first:, ..., 1], NOTHING)
-    u, b = still(r, theta, dump.a, u), still(r, theta, dump.a, b)
+    u, b = zamo_components(r, theta, dump.a, u), zamo_components(r, theta, dump.a, b)
     rest = b[..., 1:] - u[..., 1:] * (b[..., :1] / (1 + u[..., :1]))       # boosted without a rotation
     field2 = np.maximum((rest * rest).sum(axis=-1), NOTHING)
     beta2 = ((dump.gamma - 1) * energy / (0.5 * field2)) ** 2
     ratio = (wanted.r_high * beta2 + wanted.r_low) / (1 + beta2)
-    heat = (ELECTRON_INDEX - 1) * (PROTON_INDEX - 1) / ((ELECTRON_INDEX - 1) * ratio + PROTON_INDEX - 1)
-    out = np.empty(rho.shape + (8,))
-    out[..., 0] = np.where(field2 / rho > wanted.sigma_cut, 0, rho * wanted.density_unit / GRAM_A_PROTON)
-    out[..., 1] = np.clip(PROTON_OVER_ELECTRON * heat * energy / rho * ELECTRON_K, 0, 1e14)
+    electron, proton = dump.electron_index - 1, dump.proton_index - 1
+    heat = electron * proton / (electron * ratio + proton)
+    out = np.empty(rho.shape + (9,))
+    out[..., 0] = rho * wanted.density_unit / GRAM_A_PROTON
+    out[..., 1] = np.clip(PROTON_OVER_ELECTRON * heat * energy / rho * ELECTRON_K, 0, HOTTEST_K)
+    out[..., 8] = field2 / rho
     out[..., 2:5] = math.sqrt(4 * math.pi * wanted.density_unit) * LIGHT * rest
     out[..., 5:8] = u[..., 1:]
     return out, first
@@ -167,15 +183,21 @@ def between(values, at, logarithm):
 
 
 def resampled(dump, numbers, first, wanted):
-    """On even steps of ln r and theta; azimuths stay."""
+    """On even steps of ln r and theta; azimuths stay. Matter of too large a magnetization goes last: between cells it is not known."""
     x1, x2 = dump.middles(0)[first:], dump.middles(1)
     last = min(math.log(2 * wanted.outer), x1[-1])
     if last <= x1[0]:
         fail(f"--outer {wanted.outer} r_s is within the first cell; allowed: more than {0.5 * math.exp(x1[0]):.6g}")
-    rings, rows = wanted.nodes
+    edges = dump.theta(x1[0], x2)
+    span, finest = edges[-1] - edges[0], np.diff(edges).min()
+    rings, rows = wanted.nodes or (160, int(min(MOST_ROWS, max(len(x2), math.ceil(span / finest) + 1))))
+    if rings * rows * numbers.shape[2] > MOST_NODES:
+        fail(f"{rings} x {rows} x {numbers.shape[2]} nodes; allowed: at most {MOST_NODES} (--nodes)")
+    if span / (rows - 1) > 1.5 * finest:
+        print(f"convert_grmhd: cells are up to {span / (rows - 1) / finest:.1f} times as fine in theta as the nodes (--nodes)", file=sys.stderr)
     places = np.linspace(x1[0], last, rings)
-    thetas = np.linspace(dump.theta(x1[0], x2[0]), dump.theta(x1[0], x2[-1]), rows)
-    logarithm = [0, 1]
+    thetas = np.linspace(edges[0], edges[-1], rows)
+    logarithm = [0, 1, 8]
     horizon = 1 + math.sqrt(1 - dump.a ** 2)
     fall = lambda x: np.sqrt(1 - horizon * np.exp(-x))[:, None, None]   # the velocity along e_r is as 1/fall next to the horizon
     numbers = numbers.copy()
@@ -185,7 +207,8 @@ def resampled(dump, numbers, first, wanted):
     out = np.empty((rings, rows) + numbers.shape[2:])
     for i, x in enumerate(places):
         out[i] = between(by_ring[i], np.interp(thetas, dump.theta(x, x2), np.arange(len(x2))), logarithm)
-    return 0.5 * np.exp(places), thetas, out
+    out[..., 0] = np.where(out[..., 8] > wanted.sigma_cut, 0, out[..., 0])
+    return 0.5 * np.exp(places), thetas, out[..., :8]
 
 
 def write(path, spin, r, theta, phi, numbers):
@@ -208,17 +231,17 @@ def main():
     parser.add_argument("--r-low", type=float, default=1, help="and where the field's does (1)")
     parser.add_argument("--sigma-cut", type=float, default=1, help="largest magnetization of matter that is kept (1)")
     parser.add_argument("--outer", type=float, default=25, metavar="R_S", help="last radius, r_s (25)")
-    parser.add_argument("--nodes", type=int, nargs=2, default=(160, 96), metavar=("R", "THETA"), help="along r and theta (160 96)")
+    parser.add_argument("--nodes", type=int, nargs=2, metavar=("R", "THETA"), help="along r and theta (160, and as fine as the cells, at most 256)")
     wanted = parser.parse_args()
     for name, least in (("density_unit", 0), ("r_high", 0), ("r_low", 0), ("sigma_cut", 0), ("outer", 0)):
         if not getattr(wanted, name) > least:
             fail(f"--{name.replace('_', '-')} {getattr(wanted, name)}; allowed: above {least}")
-    if not (2 <= wanted.nodes[0] <= 1024 and 2 <= wanted.nodes[1] <= 2048):
+    if wanted.nodes and not (2 <= wanted.nodes[0] <= 1024 and 2 <= wanted.nodes[1] <= 2048):
         fail("--nodes: allowed: 2 to 1024, 2 to 2048")
     dump = Dump(wanted.dump)
+    if dump.prims.shape[2] > 256:
+        fail(f"{dump.prims.shape[2]} cells around; allowed: at most 256")
     numbers, first = matter(dump, wanted)
-    if numbers.shape[2] > 256:
-        fail(f"{numbers.shape[2]} cells around; allowed: at most 256")
     r, theta, grid = resampled(dump, numbers, first, wanted)
     write(wanted.output, dump.a, r, theta, dump.middles(2)[0], grid)
     print(f"{wanted.output}: {len(r)} x {len(theta)} x {grid.shape[2]} nodes from {r[0]:.4g} to {r[-1]:.4g} r_s, spin {dump.a:g}")

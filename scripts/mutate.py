@@ -182,7 +182,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("grid-turn", "a file's azimuths are Boyer and Lindquist's", "shaders/medium/grid.glsl",
      "phi += place.turn + frame.medium_nodes.w * grid_turn(place.r);", "phi += place.turn;", ("gpu_tests", "medium grid*")),
     ("grid-fall", "matter of a file falls more slowly next to the horizon", "shaders/medium/grid.glsl",
-     "vec3(found.gas.y * fall,", "vec3(found.gas.y,", ("gpu_tests", "medium grid*")),
+     "clamp(found.first.y * fall,", "clamp(found.first.y,", ("gpu_tests", "medium grid*")),
     ("grid-seam", "no matter of a file between its last azimuth and its first", "shaders/medium/grid.glsl",
      "left + 1.0 < count.z ? left + 1.0 : 0.0", "min(left + 1.0, count.z - 1.0)", ("gpu_tests", "medium grid*")),
     ("medium-late", "clumps where they are now", "shaders/medium/gas.glsl",

@@ -9,10 +9,12 @@
 uniform highp sampler2DArray medium_texture;
 
 #define GRID_LEAST_FALL 1.0e-3   // of 1 - horizon/r
+#define GRID_DENSEST 1.0e30
+#define GRID_FASTEST 1.0e3       // gamma v
 
 struct GridNumbers {
-    vec4 gas;      // log2 of the density; four-velocity along e_r (times sqrt(1 - horizon/r)), e_theta, e_phi
-    vec4 magnet;   // log2 of the temperature; magnetic field along the same, where the matter rests
+    vec4 first;    // log2 of the density; four-velocity along e_r (times sqrt(1 - horizon/r)), e_theta, e_phi
+    vec4 second;   // log2 of the temperature; magnetic field along the same, where the matter rests
 };
 
 GridNumbers grid_node(float ring, float polar, float around) {
@@ -21,7 +23,7 @@ GridNumbers grid_node(float ring, float polar, float around) {
 }
 
 GridNumbers grid_mix(GridNumbers a, GridNumbers b, float part) {
-    return GridNumbers(mix(a.gas, b.gas, part), mix(a.magnet, b.magnet, part));
+    return GridNumbers(mix(a.first, b.first, part), mix(a.second, b.second, part));
 }
 
 // Numbers of nodes from the first one, at a circle of equal r and theta: those of the two azimuths beside it.
@@ -37,7 +39,7 @@ GridNumbers grid_at(vec3 at) {
     vec3 part = vec3(at.x, at.y, around) - low;
     float ring = min(low.x + 1.0, count.x - 1.0);
     float polar = min(low.y + 1.0, count.y - 1.0);
-    float left = low.z < count.z ? low.z : 0.0;
+    float left = low.z < count.z && low.z > 0.0 ? low.z : 0.0;
     float right = left + 1.0 < count.z ? left + 1.0 : 0.0;
     GridNumbers north = grid_mix(grid_around(low.x, low.y, left, right, part.z), grid_around(ring, low.y, left, right, part.z), part.x);
     GridNumbers south = grid_mix(grid_around(low.x, polar, left, right, part.z), grid_around(ring, polar, left, right, part.z), part.x);
@@ -66,13 +68,15 @@ MediumLight medium_light(MediumPlace place) {
 #endif
     vec4 grid = frame.medium_grid;
     vec2 along = vec2((log(place.r) - grid.x) * grid.y, (theta - grid.z) * grid.w);
-    along = clamp(along, vec2(0.0), vec2(frame.medium_nodes.x - 1.0, frame.medium_nodes.y - 1.0));
-    GridNumbers found = grid_at(vec3(along, phi * 0.15915494309189533577 - frame.medium_scale.x));
-    vec3 field = vec3(found.magnet.y, found.magnet.z, found.magnet.w);
+    // Far out a place is no number, and nothing that is found there is used.
+    float ring = along.x > 0.0 ? min(along.x, frame.medium_nodes.x - 1.0) : 0.0;
+    float polar = along.y > 0.0 ? min(along.y, frame.medium_nodes.y - 1.0) : 0.0;
+    GridNumbers found = grid_at(vec3(ring, polar, phi * 0.15915494309189533577 - frame.medium_scale.x));
+    vec3 field = vec3(found.second.y, found.second.z, found.second.w);
     float strength = sqrt(dot(field, field));
     MediumMatter matter;
-    matter.density = exp2(found.gas.x) * frame.medium_scale.y;
-    matter.temperature = exp2(found.magnet.x);
+    matter.density = min(exp2(found.first.x) * frame.medium_scale.y, GRID_DENSEST);
+    matter.temperature = exp2(found.second.x);
     matter.field = strength * frame.medium_scale.z;
 #ifdef FIELD_DIRECTION
     matter.field_way = FIELD_DIRECTION;
@@ -80,6 +84,6 @@ MediumLight medium_light(MediumPlace place) {
     matter.field_way = field / max(strength, 1.0e-20);
 #endif
     float fall = inversesqrt(max(1.0 - frame.medium_scale.w / place.r, GRID_LEAST_FALL));
-    matter.velocity = vec3(found.gas.y * fall, found.gas.z, found.gas.w);
+    matter.velocity = vec3(clamp(found.first.y * fall, -GRID_FASTEST, GRID_FASTEST), found.first.z, found.first.w);
     return medium_emission(place, matter, medium_inside(place));
 }

@@ -1,4 +1,4 @@
-// What was read from a file, kept for as long as the file does not change. Thread-safe.
+// What was read from a file, or why it could not be, kept for as long as the file does not change. Thread-safe.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -15,12 +15,14 @@ namespace nullscope {
 template <class T>
 class FileCache {
 public:
+    using Answer = Result<std::shared_ptr<const T>>;
+
     // most: files that are kept; one more, and all but that one are let go.
     FileCache(std::size_t most, std::size_t largest_file) : most_(most), largest_(largest_file) {}
 
     // parse(std::string_view bytes, const std::string& name): Result<T>. fresh: set where the file was read now.
     template <class Parse>
-    Result<std::shared_ptr<const T>> get(const std::filesystem::path& file, Parse parse, bool* fresh = nullptr) {
+    Answer get(const std::filesystem::path& file, Parse parse, bool* fresh = nullptr) {
         std::error_code none;
         const auto time = std::filesystem::last_write_time(file, none);
         const auto size = std::filesystem::file_size(file, none);
@@ -28,23 +30,29 @@ public:
         if (const auto found = kept_.find(file.native());
             found != kept_.end() && found->second.time == time && found->second.size == size)
             return found->second.value;
-        TRY(text, read_text(file, largest_));
-        TRY(value, parse(*text, file.string()));
         if (kept_.size() >= most_) kept_.clear();
-        if (fresh != nullptr) *fresh = true;
-        return (kept_[file.native()] = {std::make_shared<const T>(std::move(*value)), time, size}).value;
+        Answer value = read(file, parse);
+        if (fresh != nullptr) *fresh = static_cast<bool>(value);
+        kept_.insert_or_assign(file.native(), Kept{value, time, size});
+        return value;
     }
 
     // What was read last from the file, which is not looked at; nullptr: nothing.
     std::shared_ptr<const T> known(const std::filesystem::path& file) const {
         const std::lock_guard lock(mutex_);
         const auto found = kept_.find(file.native());
-        return found != kept_.end() ? found->second.value : nullptr;
+        return found != kept_.end() && found->second.value ? *found->second.value : nullptr;
     }
 
 private:
+    template <class Parse>
+    Answer read(const std::filesystem::path& file, Parse parse) const {
+        TRY(text, read_text(file, largest_));
+        TRY(value, parse(*text, file.string()));
+        return std::make_shared<const T>(std::move(*value));
+    }
     struct Kept {
-        std::shared_ptr<const T> value;
+        Answer value;
         std::filesystem::file_time_type time;
         std::uintmax_t size = 0;
     };

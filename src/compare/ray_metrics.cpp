@@ -288,15 +288,21 @@ RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact, co
     RayMeasures measures = errors_by_neighbours(
         tested, exact, [&](int x, int y) { return pixel_angle(camera, x + 0.5, y + 0.5); }, camera_place(camera));
     std::vector<PixelErrors*> doubts;
+    for (PixelErrors& errors : measures.pixels)
+        if (errors.end == RayEnd::kSame && errors.worst_px() > refine_above_px) doubts.push_back(&errors);
+    if (doubts.size() > kMostDisplaced) {
+        std::ranges::nth_element(
+            doubts, doubts.begin() + kMostDisplaced,
+            [](const PixelErrors* a, const PixelErrors* b) { return a->worst_px() > b->worst_px(); });
+        doubts.resize(kMostDisplaced);
+    }
     std::vector<std::array<double, 2>> positions;
-    for (int y = 0; y < exact.height; ++y)
-        for (int x = 0; x < exact.width; ++x) {
-            PixelErrors& errors = measures.pixels[static_cast<std::size_t>(y) * exact.width + x];
-            if (errors.end != RayEnd::kSame || !(errors.worst_px() > refine_above_px)) continue;
-            doubts.push_back(&errors);
-            positions.push_back({x + 0.5, y + 0.5});
-            for (const auto& position : displaced(x, y)) positions.push_back(position);
-        }
+    for (const PixelErrors* errors : doubts) {
+        const auto at = static_cast<int>(errors - measures.pixels.data());
+        const int x = at % exact.width, y = at / exact.width;
+        positions.push_back({x + 0.5, y + 0.5});
+        for (const auto& position : displaced(x, y)) positions.push_back(position);
+    }
     const std::vector<RayPixel> traced = trace(positions);
     for (std::size_t i = 0; i < doubts.size(); ++i) {
         const RayPixel* pixels = traced.data() + 5 * i;

@@ -60,7 +60,9 @@ RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact,
                                const std::function<double(int x, int y)>& angle_of, Vec3 camera);
 
 // The same where rays of the exact frame can be traced: beside pixels whose neighbours leave more than refine_above_px, if the trace finds in
-// their middle what `exact` has there, to a float or to refine_above_px. (It does not if the frame has another camera or time.) Five rays a pixel.
+// their middle what `exact` has there, to a float or to refine_above_px. (It does not if the frame has another camera or time.) Five rays a
+// pixel, of the kMostDisplaced worst at most: the others keep what their neighbours say.
+inline constexpr std::size_t kMostDisplaced = 20000;
 RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact, const CameraSpec& camera,
                                const ExactTrace& trace, double refine_above_px = kDisplaceAbove_px);
 

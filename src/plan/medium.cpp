@@ -38,7 +38,11 @@ std::optional<SceneFault> grid_fault(const Spacetime& spacetime, const MediumSpe
                           fmt::format("a file with spin {}", a)};
     if (medium.outer > (1.0 + kSame) * farthest)
         return SceneFault{"medium.outer", fmt::format("{} is beyond the last node of medium.file", medium.outer),
-                          fmt::format("at most {:.9g}", farthest)};
+                          fmt::format("at most {:.9g}", farthest), "medium.file"};
+    if (spacetime.bends_light() && hole && (*grid)->nearest() <= hole->outer)
+        return SceneFault{"medium.file",
+                          fmt::format("its first node, r = {:.9g}, is not outside the horizon", (*grid)->nearest()),
+                          fmt::format("a file whose first r is above {:.9g}", hole->outer)};
     return std::nullopt;
 }
 

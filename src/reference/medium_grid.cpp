@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "plan/medium.h"
+
 namespace nullscope::reference {
 namespace {
 
@@ -28,6 +30,7 @@ Beside all_round(const MediumGrid::Axis& axis, double at) {
 }  // namespace
 
 MatterState grid_matter(const MediumGrid& grid, double scale, double horizon, double r, double theta, double phi) {
+    r = std::max(r, horizon + 1e-9);
     if (grid.kerr_schild() && grid.spin() != 0 && horizon > 0) {  // d phi = d phi_BL + a/Delta dr, lengths in r_s = 2M
         const double a = 0.5 * grid.spin(), inner = 1 - horizon, apart = horizon - inner;
         phi += apart > 1e-9 ? a / apart * std::log1p(-apart / (r - inner)) : -a / (r - inner);
@@ -43,11 +46,11 @@ MatterState grid_matter(const MediumGrid& grid, double scale, double horizon, do
         for (std::size_t n = 0; n < mean.size(); ++n) mean[n] += weight * static_cast<double>(node[n]);
     }
     const double field = std::hypot(mean[5], mean[6], mean[7]), over = field > 0 ? 1 / field : 0;
-    return {scale * std::exp2(mean[0]),
+    return {std::min(scale * std::exp2(mean[0]), MediumGrid::kDensest),
             std::exp2(mean[4]),
             std::sqrt(scale) * field,
             {over * mean[5], over * mean[6], over * mean[7]},
-            {mean[1] / grid.fall(r), mean[2], mean[3]}};
+            {std::clamp(mean[1] / grid.fall(r), -kFastestMatter, kFastestMatter), mean[2], mean[3]}};
 }
 
 }  // namespace nullscope::reference

@@ -16,7 +16,7 @@ Status MediumTexture::update(const std::optional<MediumSpec>& medium, const gl::
         return bad_input(
             fmt::format("the grid of medium.file needs a texture of {}x{}, {} layers", width, height, layers),
             fmt::format("at most {} a side and {} layers here", info.max_texture_size, info.max_layers));
-    texture_ = {};  // before its successor is there too
+    *this = {};  // before its successor is there too
     texture_ = gl::make_number_layers(width, height, layers, (*grid)->numbers().data());
     grid_ = *grid;
     return Done{};

@@ -32,13 +32,13 @@ public:
     Result<std::vector<std::string>> words(std::string_view key, std::size_t count, const char* form) {
         ++line_;
         const std::size_t end = rest_.substr(0, kLongestLine).find('\n');
-        if (end == std::string_view::npos) return wrong(fmt::format("no line \"{}\"", key), form);
+        if (end == std::string_view::npos) return wrong(fmt::format("the line \"{}\" is missing", key), form);
         std::vector<std::string> words;
         for (std::string& word : split(trim(rest_.substr(0, end)), ' '))
             if (!word.empty()) words.push_back(std::move(word));
         rest_.remove_prefix(end + 1);
         if (words.empty() || words.front() != key || words.size() != count + 1)
-            return wrong(fmt::format("this is no line \"{}\"", key), form);
+            return wrong(fmt::format("the line \"{}\" is expected here", key), form);
         words.erase(words.begin());
         return words;
     }
@@ -78,7 +78,7 @@ constexpr std::array<NodeRange, MediumGrid::kNumbers> kRanges = {kDensity, kTemp
                                                                  kField,   kSpeed,       kSpeed, kSpeed};
 
 float logarithm(float value) {
-    return static_cast<float>(std::log2(std::max(static_cast<double>(value), MediumGrid::kThinnest)));
+    return static_cast<float>(std::log2(std::max(static_cast<double>(value), MediumGrid::kLeastDensity)));
 }
 
 }  // namespace
@@ -129,7 +129,9 @@ Result<MediumGrid> MediumGrid::parse(std::string_view bytes, const std::string& 
                 std::array<float, kNumbers> value{};
                 for (std::size_t n = 0; n < kNumbers; ++n) {
                     value[n] = number_at(from + n * sizeof(float));
-                    if (!(value[n] >= kRanges[n].least && value[n] <= kRanges[n].most))
+                    // As floats: the limits are some of these.
+                    if (!(value[n] >= static_cast<float>(kRanges[n].least) &&
+                          value[n] <= static_cast<float>(kRanges[n].most)))
                         return head.wrong(
                             fmt::format("{} of node ({}, {}, {}) is {}", kRanges[n].name, i, j, k, value[n]),
                             fmt::format("[{}, {}]", kRanges[n].least, kRanges[n].most));
@@ -147,6 +149,8 @@ double MediumGrid::horizon() const { return 0.5 + 0.5 * std::sqrt((1 - spin_) * 
 
 double MediumGrid::fall(double r) const { return std::sqrt(std::max(1 - horizon() / r, kLeastFall)); }
 
+double MediumGrid::nearest() const { return std::exp(rings_.first); }
+
 double MediumGrid::farthest() const { return std::exp(rings_.first + rings_.step * (rings_.count - 1)); }
 
 const float* MediumGrid::node(int ring, int polar, int around) const {
@@ -158,7 +162,7 @@ const float* MediumGrid::node(int ring, int polar, int around) const {
 }
 
 Result<std::shared_ptr<const MediumGrid>> load_medium_grid(const std::filesystem::path& file) {
-    static FileCache<MediumGrid> loaded(1, kLargestFile);
+    static FileCache<MediumGrid> loaded(2, kLargestFile);
     return loaded.get(file, MediumGrid::parse);
 }
 

@@ -10,15 +10,15 @@
 //     data
 // Then follow eight numbers of each node, 32-bit floats with the lowest byte first: phi changes fastest, then theta, then r, as of an array
 // of shape (r, theta, phi, 8).
-//   0     density: electrons a cm^3 for synchrotron radiation, else over that of emissivity or opacity; 0 counts as kThinnest
-//   1     temperature, K; of synchrotron radiation the electrons'; 0 counts as kThinnest
+//   0     density: electrons per cm^3 for synchrotron radiation, else over that of emissivity or opacity; 0 counts as kLeastDensity
+//   1     temperature, K; of synchrotron radiation the electrons'; 0 counts as kLeastDensity
 //   2-4   magnetic field in the frame of the matter, along r, theta, phi, G
-//   5-7   four-velocity along e_r, e_theta, e_phi of the observer of no angular momentum: gamma v, c
+//   5-7   four-velocity along e_r, e_theta, e_phi of the zero-angular-momentum observer (ZAMO): gamma v, c
 // The frame of the matter is that observer's, boosted without a rotation.
 //
 // Between nodes matter is linear in ln r, theta and phi: logarithms of density and temperature, the field's and the velocity's parts, of which
 // that along e_r is multiplied by fall(r), since that of matter that falls in grows as 1/sqrt(r - horizon).
-// Beyond the first and last nodes of r and theta it is as there.
+// Beyond the first and last nodes of r and theta it is as there, the velocity along e_r but for fall(r).
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -33,7 +33,7 @@ namespace nullscope {
 class MediumGrid {
 public:
     static constexpr int kNumbers = 8, kMostRings = 1024, kMostSide = 2048, kMostAround = 256, kMostNodes = 1 << 24;
-    static constexpr double kThinnest = 1e-30, kDensest = 1e30, kHottest_K = 1e14, kStrongest_G = 1e9,
+    static constexpr double kLeastDensity = 1e-30, kDensest = 1e30, kHottest_K = 1e14, kStrongest_G = 1e9,
                             kLeastFall = 1e-3;
 
     struct Axis {
@@ -46,9 +46,10 @@ public:
 
     double spin() const { return spin_; }
     bool kerr_schild() const { return kerr_schild_; }
-    double farthest() const;      // r of the last node, r_s
+    double nearest() const;  // r of the first node and of the last one, r_s
+    double farthest() const;
     double horizon() const;       // of a hole of this spin, r_s
-    double fall(double r) const;  // sqrt(1 - horizon/r), but no less than that of kLeastFall
+    double fall(double r) const;  // sqrt(1 - horizon/r), but no less than sqrt(kLeastFall)
     const Axis& rings() const { return rings_; }
     const Axis& polar() const { return polar_; }
     const Axis& around() const { return around_; }
@@ -64,7 +65,7 @@ private:
     std::vector<float> numbers_;
 };
 
-// The grid of a file, read once, and again when the file has changed; the last one is kept. Thread-safe.
+// The grid of a file, read once, and again when the file has changed; the last two are kept. Thread-safe.
 Result<std::shared_ptr<const MediumGrid>> load_medium_grid(const std::filesystem::path& file);
 
 }  // namespace nullscope

@@ -7,14 +7,14 @@
 #include "base/atomic_file.h"
 #include "support/medium_files.h"
 #include "support/medium_pictures.h"
-#include "support/trial_folder.h"
+#include "support/temporary_folder.h"
 
 namespace {
 
 using namespace nullscope;
 using namespace nullscope::test;
 
-Scene grid_scene(const TrialFolder& folder, const char* metric, const GridForm& form,
+Scene grid_scene(const TemporaryFolder& folder, const char* metric, const GridForm& form,
                  const std::function<GridNode(double, double, double)>& node) {
     Scene scene = bare_scene(metric, form.spin);
     scene.object.mass_suns = 4.3e6;
@@ -22,7 +22,7 @@ Scene grid_scene(const TrialFolder& folder, const char* metric, const GridForm& 
     scene.camera.width = scene.camera.height = by_depth(20, 32, 64);
     MediumSpec& medium = scene.medium.emplace();
     medium.kind = MediumKind::kGrid, medium.outer = 8, medium.steps = 128;
-    medium.file = folder.path() / fmt::format("{}-{}.grid", metric, form.coordinates);
+    medium.file = folder.path / fmt::format("{}-{}.grid", metric, form.coordinates);
     REQUIRE(write_text_atomically(medium.file, grid_bytes(form, node)));
     return scene;
 }
@@ -57,7 +57,7 @@ TEST_CASE("medium grid: matter of a file about holes is the reference's") {
         return GridNode{std::exp(-0.3 * ((x - 3) * (x - 3) + y * y + z * z)), 6000 + 500 * z / r, 0, 0, 0, 0, 0, 0.4};
     };
     on_every_context([&](GpuSession& session) {
-        const TrialFolder folder;
+        const TemporaryFolder folder("grid");
         Scene synchrotron = grid_scene(folder, "kerr", form_of("kerr-schild", 0.9), arms);
         synchrotron.medium->emission = MediumEmission::kSynchrotron;
         synchrotron.medium->field_direction = FieldDirection::kFile;
@@ -89,7 +89,7 @@ TEST_CASE("medium grid: a fine grid of formulas is matter by these formulas") {
     GridForm form = form_of("boyer-lindquist", 0.9);
     form.rings = 120, form.polar = 61, form.around = 64;
     on_every_context([&](GpuSession& session) {
-        const TrialFolder folder;
+        const TemporaryFolder folder("grid");
         Scene scene = grid_scene(folder, "kerr", form, [](double r, double theta, double phi) {
             const double x = r * std::sin(theta) * std::cos(phi), y = r * std::sin(theta) * std::sin(phi),
                          z = r * std::cos(theta);

@@ -38,7 +38,7 @@ std::string bent_text(int nodes, bool moved) {
 TEST_CASE("warp: directions in a picture of 8192 px are those of the mesh's closed form to 0.1 px") {
     constexpr double kMost_px = 0.1;
     constexpr int kSide = 8192, kNodes = 257;
-    const TrialFolder folder;
+    const TemporaryFolder folder("warp");
     on_every_context([&](GpuSession& session) {
         for (const bool moved : {false, true}) {
             Scene scene;
@@ -49,7 +49,7 @@ TEST_CASE("warp: directions in a picture of 8192 px are those of the mesh's clos
             set_field_of_view(whole, M_PI);
             whole.width = whole.height = kSide;
             whole.theta = 0.7, whole.phi = 0.3, whole.yaw = 0.4, whole.pitch = 0.2;
-            whole.warp = folder.path() / (moved ? "moved.data" : "grid.data");
+            whole.warp = folder.path / (moved ? "moved.data" : "grid.data");
             write_warp(whole.warp, bent_text(kNodes, moved));
             const Mat3 axes = world_from_static(whole.theta, whole.phi) * static_from_camera(whole);
             double most = 0.0, most_of_triangles = 0.0;
@@ -99,7 +99,7 @@ Scene scene_of(const char* name, Projection projection, int width, int height) {
 }
 
 TEST_CASE("warp: a mesh of identity is no mesh, bit by bit; with half the light half of it is left") {
-    const TrialFolder folder;
+    const TemporaryFolder folder("warp");
     on_one_context([&](GpuSession& session) {
         Selection selection(2);
         struct Case {
@@ -115,7 +115,7 @@ TEST_CASE("warp: a mesh of identity is no mesh, bit by bit; with half the light 
             Scene scene = scene_of(one.scene, one.projection, one.width, one.height);
             REQUIRE(session.renderer->prepare(scene));
             const Image<float> plain = session.renderer->picture();
-            scene.camera.warp = folder.path() / fmt::format("{}.data", one.scene);
+            scene.camera.warp = folder.path / fmt::format("{}.data", one.scene);
             const double aspect = static_cast<double>(one.width) / one.height;
             write_warp(scene.camera.warp, warp_text(9, 5, aspect, [](WarpNode&) {}));
             REQUIRE(session.renderer->prepare(scene));
@@ -147,8 +147,8 @@ TEST_CASE("warp: a mesh of identity is no mesh, bit by bit; with half the light 
 
 TEST_CASE("warp: rays are the reference's about every kind of hole, and pictures in parts are the picture at once") {
     constexpr double kMost_px = 0.05;  // of 2048 px across, as without a mesh (test_projections.cpp)
-    const TrialFolder folder;
-    const auto file = folder.path() / "bent.data";
+    const TemporaryFolder folder("warp");
+    const auto file = folder.path / "bent.data";
     write_warp(file, bent_text(33, true));
     on_one_context([&](GpuSession& session) {
         Selection selection(2);
@@ -210,7 +210,7 @@ TEST_CASE("warp: point stars are where the mesh has them, and as bright as their
     constexpr double kLight = 0.02;  // the driver's half floats and the cut tails of point spreads
     constexpr double kBeside =
         0.02;  // of the pixels: stars on two triangles, whose light the reference takes from the one
-    const TrialFolder folder;
+    const TemporaryFolder folder("warp");
     Scene scene;
     scene.sky.kind = SkyKind::kPoints, scene.sky.uniform_stars = 300, scene.sky.magnitude_limit = -2.0;
     scene.picture.refine = false;
@@ -219,7 +219,7 @@ TEST_CASE("warp: point stars are where the mesh has them, and as bright as their
     camera.projection = Projection::kFisheye;
     set_field_of_view(camera, M_PI);
     camera.width = camera.height = 96;
-    const auto identity = folder.path() / "identity.data", dimmed = folder.path() / "dimmed.data";
+    const auto identity = folder.path / "identity.data", dimmed = folder.path / "dimmed.data";
     write_warp(identity, warp_text(5, 5, 1.0, [](WarpNode&) {}));
     write_warp(dimmed, warp_text(33, 33, 1.0, [](WarpNode& n) {
                    const auto at = bent(n.x, n.y);

@@ -25,11 +25,11 @@ def kerr_schild(r, theta, a):
     return flat + 2 * r / sigma * np.outer(null, null)
 
 
-def dump(path, metric="MKS", spin=SPIN, hslope=0.3, spoil=None):
+def dump(path, metric="MKS", spin=SPIN, hslope=0.3, spoil=None, turns=1):
     """Matter that falls from rest far away: E = 1, L = 0, u_r = -sqrt(2r (r^2 + a^2))/Delta in Boyer and Lindquist's; density r^-1.5."""
     n = (40, 24, 8)
     x_in = math.log(1.2)
-    start, step = (x_in, 0.0, 0.0), (math.log(60) / n[0], 1 / n[1], 2 * math.pi / n[2])
+    start, step = (x_in, 0.0, 0.0), (math.log(60) / n[0], 1 / n[1], 2 * math.pi / n[2] / turns)
     prims = np.zeros(n + (8,))
     squares = np.zeros(n)
     xt, alpha, smooth = 0.82, 14.0, 0.5
@@ -122,7 +122,30 @@ class Converter(unittest.TestCase):
                 cell = np.interp(np.log(r[0, 0, 0]), math.log(1.2) + (np.arange(40) + 0.5) * math.log(60) / 40, np.arange(40))
                 strength = math.sqrt(4 * math.pi * UNIT) * 2.99792458e10 * np.sqrt(squares[int(round(cell)), 0, 0])
                 np.testing.assert_allclose(np.linalg.norm(numbers[0, 0, 0, 2:5]), strength, rtol=1e-3)
+                if metric == "MKS":    # the first node is a cell's middle
+                    rho, energy, square = r[0, 0, 0] ** -1.5, 0.1 * r[0, 0, 0] ** -2.5, squares[int(round(cell)), 0, 1]
+                    beta2 = ((4 / 3 - 1) * energy / (0.5 * square)) ** 2
+                    ratio = (40 * beta2 + 1) / (1 + beta2)
+                    kelvin = 1836.15267 * (2 / 3) / (ratio + 2) * energy / rho * 5.92989658e9     # indices 4/3 and 5/3
+                    np.testing.assert_allclose(numbers[0, 0, 1, 1], kelvin, rtol=1e-3)
                 self.draw(grid, SPIN, 11)
+
+    def test_magnetized_matter_is_left_out_and_a_wedge_goes_all_round(self):
+        path, grid = self.folder / "half.h5", self.folder / "half.grid"
+        squares = dump(path, turns=2)
+        r_cells = np.exp(math.log(1.2) + (np.arange(40) + 0.5) * math.log(60) / 40)
+        sigma = squares[:, 0, 1] * r_cells ** 1.5
+        first = int(np.searchsorted(r_cells, 1.01 * (1 + math.sqrt(1 - SPIN ** 2))))
+        cut = math.sqrt(sigma[first:].min() * sigma[first:].max())
+        done = convert(path, "-o", grid, "--density-unit", UNIT, "--sigma-cut", cut, "--outer", 12)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        lines, r, theta, numbers = read(grid)
+        self.assertEqual(numbers.shape[2], 16)
+        np.testing.assert_array_equal(numbers[:, :, :8], numbers[:, :, 8:])
+        known = np.interp(np.log(2 * r), np.log(r_cells), sigma)
+        clear = np.abs(known / cut - 1) > 0.1     # between cells by interpolation
+        np.testing.assert_array_equal((numbers[:, 0, 1, 0] == 0)[clear], (known > cut)[clear])
+        self.assertTrue(0 < (numbers[:, 0, 1, 0] == 0).sum() < len(r))
 
     def test_the_grid_of_the_documentation_is_drawn(self):
         block, = re.findall(r"^```python\n(.*?)^```$", (ROOT / "docs" / "matter.md").read_text(), re.M | re.S)
@@ -132,10 +155,15 @@ class Converter(unittest.TestCase):
     def draw(self, grid, spin, outer):
         scene, picture = self.folder / "scene.toml", self.folder / "picture.png"
         scene.write_text(f'[spacetime]\nmetric = "kerr"\nspin = {spin}\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "grid"\n'
-                         f'file = "{grid.name}"\nemission = "synchrotron"\nfield_direction = "file"\nouter = {outer}\n')
+                         f'file = "{grid.name}"\nemission = "synchrotron"\nfield_direction = "file"\nouter = {outer}\ndensity_scale = 1e4\n')
         done = subprocess.run([PROGRAM, "capture", scene, "--size", "64x36", "-o", picture], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertTrue(picture.is_file())
+        black = self.folder / "black.toml"
+        black.write_text('[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "black"\n')
+        dark = self.folder / "black.png"
+        subprocess.run([PROGRAM, "capture", black, "--size", "64x36", "-o", dark], check=True, capture_output=True)
+        said = subprocess.run([PROGRAM, "compare", picture, dark], capture_output=True, text=True).stdout
+        self.assertGreater(float(re.search(r"^mean\s+(\S+)", said, re.M)[1]), 1e-3)
 
     def test_what_is_no_dump_gets_one_line(self):
         good = self.folder / "good.h5"
@@ -149,10 +177,16 @@ class Converter(unittest.TestCase):
         with h5py.File(other, "r+") as file:
             del file["header/metric"]
             file["header/metric"] = np.bytes_("EKS")
+        bent, wide = self.folder / "bent.h5", self.folder / "wide.h5"
+        dump(wide, turns=2)
+        dump(bent)
+        with h5py.File(bent, "r+") as file:
+            del file["header/geom/dx3"]
+            file["header/geom/dx3"] = 0.3
         dump(broken, spoil=lambda prims: prims.__setitem__((3, 3, 3, 0), math.nan))
         out = self.folder / "out.grid"
         for arguments, words in (((self.folder / "none.h5",), "no dump"), ((text,), "no dump"), ((bare,), "no dump"), ((other,), "allowed: MKS"),
-                                 ((broken,), "not finite"), ((good, "--outer", 0.1), "allowed: more than"), ((good, "--nodes", 1, 5), "allowed: 2"),
+                                 ((broken,), "not finite"), ((bent,), "a whole part of a turn"), ((wide, "--nodes", 1024, 2048), "at most"), ((good, "--outer", 0.1), "allowed: more than"), ((good, "--nodes", 1, 5), "allowed: 2"),
                                  ((good, "--r-high", -1), "allowed: above 0")):
             done = convert(*arguments, "-o", out, "--density-unit", UNIT)
             self.assertEqual(done.returncode, 1, arguments)

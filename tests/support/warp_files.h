@@ -10,7 +10,7 @@
 
 #include "base/atomic_file.h"
 #include "scene/warp_mesh.h"
-#include "support/trial_folder.h"
+#include "support/temporary_folder.h"
 
 namespace nullscope::test {
 

@@ -1,4 +1,5 @@
 // The measures themselves, on frames whose answer is known.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -226,6 +227,30 @@ TEST_CASE("compare: where neighbours say too little, displaced rays are traced, 
     const RayMeasures neighbours = measure_ray_frames(tested, exact, [](int, int) { return 1e-3; }, {});
     CHECK(other.sky_px.max == doctest::Approx(neighbours.sky_px.max));
     CHECK(neighbours.sky_px.max > 10 * kError_px);
+}
+
+TEST_CASE("compare: where neighbours say too little of very many pixels, the worst are traced") {
+    CameraSpec camera = small_camera();
+    camera.width = 200, camera.height = 150, camera.plane_width = 0.2;
+    const FlatSky sky{0, 1e-3};
+    const RayFrame exact = flat_frame(camera, sky);
+    RayFrame tested = exact;
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x)
+            tested.pixels[static_cast<std::size_t>(y) * 200 + x].sky =
+                direction((x + 0.5 + (y == 7 ? 0.5 : 0.1)) * 1e-3, (y + 0.5) * 1e-3);
+    std::size_t rays = 0, of_the_worst = 0;
+    const RayMeasures m =
+        measure_ray_frames(tested, exact, camera, [&](const std::vector<std::array<double, 2>>& positions) {
+            rays += positions.size();
+            of_the_worst += static_cast<std::size_t>(std::ranges::count_if(
+                positions, [](const auto& p) { return p[0] == std::floor(p[0]) + 0.5 && p[1] == 7.5; }));
+            return sky(positions);
+        });
+    CHECK(rays == 5 * kMostDisplaced);
+    CHECK(of_the_worst == 200);
+    CHECK(m.sky_px.max == doctest::Approx(0.5).epsilon(0.02));
+    CHECK(m.sky_px.median == doctest::Approx(0.1).epsilon(0.02));
 }
 
 TEST_CASE("compare: the angle of a pixel is the root of its solid angle") {

@@ -3,9 +3,13 @@
 
 #include <cmath>
 
+#include "base/atomic_file.h"
+#include "plan/medium.h"
 #include "reference/medium_grid.h"
 #include "scene/medium_grid.h"
+#include "spacetime/registry.h"
 #include "support/medium_files.h"
+#include "support/temporary_folder.h"
 
 namespace {
 
@@ -35,20 +39,20 @@ TEST_CASE("medium grid: files that are none are refused with their line or node"
         return grid_bytes({}, [&](double r, double, double) { return r > 9 ? odd : kNode; });
     };
     const Bad kBad[] = {
-        {"", 1, "no line \"nullscope-medium\"", "nullscope-medium 1"},
-        {std::string(1000, 'x'), 1, "no line \"nullscope-medium\"", "nullscope-medium 1"},
+        {"", 1, "\"nullscope-medium\" is missing", "nullscope-medium 1"},
+        {std::string(1000, 'x'), 1, "\"nullscope-medium\" is missing", "nullscope-medium 1"},
         {changed(good, "medium 1", "medium 2"), 1, "another version", "nullscope-medium 1"},
         {changed(good, "kerr-schild", "cartesian"), 2, "other coordinates", "boyer-lindquist"},
         {changed(good, "spin 0", "spin 1.5"), 3, "spin = 1.5 is out of range", "[0, 1]"},
-        {changed(good, "spin 0", "charge 0"), 3, "no line \"spin\"", "spin A"},
+        {changed(good, "spin 0", "charge 0"), 3, "\"spin\" is expected", "spin A"},
         {changed(good, "r 1.1", "r 0"), 4, "first r = 0", "[0.001"},
         {changed(good, "1.1 10 5", "1.1 1 5"), 4, "last r = 1", "[1.1011, 1000000]"},
         {changed(good, "1.1 10 5", "1.1 10 4096"), 4, "nodes of r = 4096", "[2, 1024]"},
         {changed(good, "1.1 10 5", "1.1 10 4.5"), 4, "nodes of r = 4.5 is not whole", "[2, 1024]"},
-        {changed(good, "1.1 10 5", "1.1 10"), 4, "no line \"r\"", "r FIRST LAST COUNT"},
+        {changed(good, "1.1 10 5", "1.1 10"), 4, "\"r\" is expected", "r FIRST LAST COUNT"},
         {changed(good, "theta 0.05", "theta nan"), 5, "first theta = nan", "[0, 3.1]"},
         {changed(good, "phi 0 3", "phi 0 257"), 6, "nodes of phi = 257", "[1, 256]"},
-        {changed(good, "data", "date"), 7, "no line \"data\"", "data"},
+        {changed(good, "data", "date"), 7, "\"data\" is expected", "data"},
         {changed(changed(changed(good, "10 5\n", "10 1024\n"), " 4\nphi", " 2048\nphi"), "phi 0 3", "phi 0 256"), 7,
          "536870912 nodes", "at most 16777216"},
         {good.substr(0, good.size() - 1), 7, "1919 bytes follow", "1920 of 60 nodes"},
@@ -128,4 +132,32 @@ TEST_CASE("medium grid: Kerr and Schild's azimuth is Boyer and Lindquist's and t
         CHECK(std::remainder(std::atan2(at.field_way.y, at.field_way.x) - (0.7 + sum), 2 * M_PI) ==
               doctest::Approx(0).epsilon(2e-3));
     }
+}
+
+TEST_CASE("medium grid: a file of another hole, or one that ends before the matter, is refused") {
+    const TemporaryFolder folder("medium-faults");
+    int number = 0;
+    const auto fault_of = [&](const char* metric, double spin, double outer, const GridForm& form) {
+        Scene scene;
+        scene.spacetime = {metric, {}};
+        if (spin > 0) scene.spacetime.parameters["spin"] = spin;
+        scene.object.mass_suns = 1e6;
+        MediumSpec& medium = scene.medium.emplace();
+        medium.kind = MediumKind::kGrid, medium.outer = outer;
+        medium.file = folder.path / std::to_string(++number);
+        REQUIRE(write_text_atomically(medium.file, grid_bytes(form, even)));
+        const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+        REQUIRE(spacetime);
+        const auto faults = medium_faults(**spacetime, scene);
+        return faults.empty() ? std::string() : faults.front().key + ": " + faults.front().what;
+    };
+    GridForm still, turning, inside;
+    turning.spin = 0.9, turning.nearest = 0.8, inside.nearest = 0.5;
+    CHECK(fault_of("schwarzschild", 0, 10, still) == "");
+    CHECK(fault_of("kerr", 0.9, 10, turning) == "");
+    CHECK(fault_of("minkowski", 0, 10, turning) == "");
+    CHECK(fault_of("minkowski", 0, 10, inside) == "");
+    CHECK(fault_of("kerr", 0.9, 10, still).starts_with("medium.file: its matter is about a hole of spin 0,"));
+    CHECK(fault_of("schwarzschild", 0, 10.1, still).starts_with("medium.outer: 10.1 is beyond the last node"));
+    CHECK(fault_of("schwarzschild", 0, 10, inside).starts_with("medium.file: its first node, r = 0.5,"));
 }

@@ -102,7 +102,7 @@ const Broken kBroken[] = {
     {"[medium]\nkind = \"gas\"\nfile = \"broken/warp-short.data\"", 3, "medium.file", "has no meaning"},
     {"[spacetime]\nmetric = \"kerr\"\n[medium]\nkind = \"grid\"\nfile = \"broken/warp-short.data\"\n[object]\nname = "
      "\"m87\"",
-     5, "medium.file", "line 1 of \"warp-short.data\": this is no line \"nullscope-medium\""},
+     5, "medium.file", "line 1 of \"warp-short.data\": the line \"nullscope-medium\" is expected here"},
     {"[object]\nname = \"m87\"\n[medium]\nkind = \"formula\"\nemission = \"synchrotron\"\nfield_direction = \"file\"",
      6, "medium.field_direction", "file where kind = \"grid\""},
     {"[camera]\nwarp = \"none.data\"", 2, "camera.warp", "there is no file"},

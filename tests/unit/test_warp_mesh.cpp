@@ -129,7 +129,7 @@ TEST_CASE(
 }
 
 TEST_CASE("warp mesh: a mesh of identity leaves every camera as it is") {
-    const TrialFolder folder;
+    const TemporaryFolder folder("warp");
     for (const auto& [projection, width, height, wide] : {std::tuple{Projection::kPinhole, 320, 200, 1.2},
                                                           {Projection::kFisheye, 200, 200, M_PI},
                                                           {Projection::kEquirectangular, 400, 200, 2 * M_PI},
@@ -139,7 +139,7 @@ TEST_CASE("warp mesh: a mesh of identity leaves every camera as it is") {
         set_field_of_view(plain, wide);
         plain.shift_x = 0.1, plain.shift_y = -0.2;
         CameraSpec warped = plain;
-        warped.warp = folder.path() / fmt::format("{}.data", projection_name(projection));
+        warped.warp = folder.path / fmt::format("{}.data", projection_name(projection));
         write_warp(warped.warp, warp_text(17, 9, static_cast<double>(width) / height, [](WarpNode&) {}));
         double off = 0.0, again = 0.0, size = 0.0;
         for (double y = 0.5; y < height; y += 7.0)
@@ -163,11 +163,11 @@ TEST_CASE("warp mesh: a mesh of identity leaves every camera as it is") {
 TEST_CASE(
     "warp mesh: pixels are as large as their corners are apart, parts are those of the whole, beside the mesh nothing "
     "is shown") {
-    const TrialFolder folder;
+    const TemporaryFolder folder("warp");
     CameraSpec camera;
     camera.projection = Projection::kFisheye, camera.width = 320, camera.height = 180;
     set_field_of_view(camera, M_PI);
-    camera.warp = folder.path() / "bent.data";
+    camera.warp = folder.path / "bent.data";
     write_warp(camera.warp, warp_text(65, 33, 1.5, [](WarpNode& n) {
                    const double x = n.x, y = n.y;
                    n.u = 0.5 + 0.25 * x + 0.05 * y * y, n.v = 0.5 + 0.3 * y - 0.06 * x * y, n.light = 0.5;
@@ -197,16 +197,16 @@ TEST_CASE(
 }
 
 TEST_CASE("warp mesh: a file that has changed is read again") {
-    const TrialFolder folder;
+    const TemporaryFolder folder("warp");
     CameraSpec camera;
     camera.width = 200, camera.height = 200;
-    camera.warp = folder.path() / "mesh.data";
+    camera.warp = folder.path / "mesh.data";
     write_warp(camera.warp, warp_text(2, 2, 1.0, [](WarpNode&) {}));
     CHECK(warp_light(camera, 100.0, 100.0) == 1.0);
     write_warp(camera.warp, warp_text(2, 2, 1.0, [](WarpNode& n) { n.light = 0.25; }));
     REQUIRE(load_warp_mesh(camera.warp));
     CHECK(warp_light(camera, 100.0, 100.0) == 0.25);
-    CHECK_FALSE(load_warp_mesh(folder.path() / "none.data"));
+    CHECK_FALSE(load_warp_mesh(folder.path / "none.data"));
 }
 
 }  // namespace
