@@ -49,9 +49,9 @@ private:
 // K_2(x), x above 0; to 1e-12.
 double bessel_k2(double x);
 // Thermal synchrotron emissivity of electrons, erg/(s cm^3 Hz sr): in a field at an angle to the light (Leung, Gammie and Noble 2011,
-// ApJ 737, 21), and the mean over all angles (Mahadevan, Narayan and Yi 1996, ApJ 465, 327). nu in Hz.
-double synchrotron_at(double electrons, double temperature_K, double field_G, double sine, double nu);
-double synchrotron_mean(double electrons, double temperature_K, double field_G, double nu);
+// ApJ 737, 21), and the mean over all angles (Mahadevan, Narayan and Yi 1996, ApJ 465, 327). field: G; nu in Hz.
+double synchrotron_at(double electrons, double temperature_K, double field, double sine, double nu);
+double synchrotron_mean(double electrons, double temperature_K, double field, double nu);
 double planck(double temperature_K, double nu);  // erg/(s cm^2 Hz sr)
 
 }  // namespace nullscope::reference
