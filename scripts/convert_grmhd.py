@@ -6,10 +6,12 @@
 Dumps have density, internal energy, velocity and field in units of the hole's mass M (G = c = 1) at the middles of cells that are even in X1 =
 ln r, X2, X3 = phi of Kerr and Schild's coordinates, MKS or FMKS (header/metric). --density-unit, in g/cm^3, is what density 1 stands for: a
 simulation does not know it, and it is found from the flux at one frequency; medium.density_scale changes it later. The electrons'
-temperature follows from the gas's by R = (R_high beta^2 + R_low)/(1 + beta^2), beta the ratio of the gas's pressure to the field's (Moscibrodzka, Falcke and
-Shiokawa 2016). Matter whose magnetization B^2/rho is above --sigma-cut has no density: simulations add gas there for their own stability.
+temperature follows from the gas's by R = (R_high beta^2 + R_low)/(1 + beta^2), beta the ratio of the gas's pressure to the field's
+(Moscibrodzka, Falcke and Shiokawa 2016). Matter whose magnetization B^2/rho is above --sigma-cut has no density: simulations add gas there for
+their own stability.
 
-A dump whose spin is negative is mirrored, so that the hole turns eastward. Velocity and field are changed to the frames that the file wants: of the zero-angular-momentum observer (ZAMO), and of the matter.
+A dump whose spin is negative is mirrored, so that the hole turns eastward. Velocity and field are changed to the frames that the file wants: of
+the zero-angular-momentum observer (ZAMO), and of the matter.
 """
 import argparse
 import math
@@ -76,8 +78,11 @@ class Dump:
             self.a, self.prims = -self.a, self.prims[:, :, ::-1].copy()
             self.prims[..., [4, 7]] *= -1
             self.start[2] *= -1
-        if not np.isfinite(self.prims[..., :8]).all():
+        if not np.isfinite(self.prims).all():
             fail(f"{path}: prims has numbers that are not finite")
+
+    def horizon(self):
+        return 1 + math.sqrt(1 - self.a ** 2)
 
     def middles(self, axis):
         return self.start[axis] + (np.arange(self.prims.shape[axis]) + 0.5) * self.step[axis]
@@ -148,8 +153,7 @@ def zamo_components(r, theta, a, vector):
 
 def matter(dump, wanted):
     """The file's eight numbers, and the magnetization, at the middles of the cells outside the horizon; and the first of these along X1."""
-    horizon = 1 + math.sqrt(1 - dump.a ** 2)
-    first = int(np.searchsorted(np.exp(dump.middles(0)), 1.01 * horizon))
+    first = int(np.searchsorted(np.exp(dump.middles(0)), 1.01 * dump.horizon()))
     if dump.prims.shape[0] - first < 2:
         fail("the dump has no two cells outside the horizon")
     r, theta, u, b = (part[first:] for part in fluid(dump))
@@ -188,22 +192,21 @@ def resampled(dump, numbers, first, wanted):
     last = min(math.log(2 * wanted.outer), x1[-1])
     if last <= x1[0]:
         fail(f"--outer {wanted.outer} r_s is within the first cell; allowed: more than {0.5 * math.exp(x1[0]):.6g}")
-    edges = dump.theta(x1[0], x2)
-    span, finest = edges[-1] - edges[0], np.diff(edges).min()
+    innermost = dump.theta(x1[0], x2)
+    span, finest = innermost[-1] - innermost[0], np.diff(innermost).min()
     rings, rows = wanted.nodes or (160, int(min(MOST_ROWS, max(len(x2), math.ceil(span / finest) + 1))))
     if rings * rows * numbers.shape[2] > MOST_NODES:
         fail(f"{rings} x {rows} x {numbers.shape[2]} nodes; allowed: at most {MOST_NODES} (--nodes)")
     if span / (rows - 1) > 1.5 * finest:
         print(f"convert_grmhd: cells are up to {span / (rows - 1) / finest:.1f} times as fine in theta as the nodes (--nodes)", file=sys.stderr)
     places = np.linspace(x1[0], last, rings)
-    thetas = np.linspace(edges[0], edges[-1], rows)
+    thetas = np.linspace(innermost[0], innermost[-1], rows)
     logarithm = [0, 1, 8]
-    horizon = 1 + math.sqrt(1 - dump.a ** 2)
-    fall = lambda x: np.sqrt(1 - horizon * np.exp(-x))[:, None, None]   # the velocity along e_r is as 1/fall next to the horizon
+    # Next to the horizon the velocity along e_r is as 1/sqrt(1 - horizon/r).
     numbers = numbers.copy()
-    numbers[..., 5] *= fall(x1)
+    numbers[..., 5] *= np.sqrt(1 - dump.horizon() * np.exp(-x1))[:, None, None]
     by_ring = between(numbers, (places - x1[0]) / dump.step[0], logarithm)
-    by_ring[..., 5] /= fall(places)
+    by_ring[..., 5] /= np.sqrt(1 - dump.horizon() * np.exp(-places))[:, None, None]
     out = np.empty((rings, rows) + numbers.shape[2:])
     for i, x in enumerate(places):
         out[i] = between(by_ring[i], np.interp(thetas, dump.theta(x, x2), np.arange(len(x2))), logarithm)
@@ -233,9 +236,9 @@ def main():
     parser.add_argument("--outer", type=float, default=25, metavar="R_S", help="last radius, r_s (25)")
     parser.add_argument("--nodes", type=int, nargs=2, metavar=("R", "THETA"), help="along r and theta (160, and as fine as the cells, at most 256)")
     wanted = parser.parse_args()
-    for name, least in (("density_unit", 0), ("r_high", 0), ("r_low", 0), ("sigma_cut", 0), ("outer", 0)):
-        if not getattr(wanted, name) > least:
-            fail(f"--{name.replace('_', '-')} {getattr(wanted, name)}; allowed: above {least}")
+    for name in ("density_unit", "r_high", "r_low", "sigma_cut", "outer"):
+        if not getattr(wanted, name) > 0:
+            fail(f"--{name.replace('_', '-')} {getattr(wanted, name)}; allowed: above 0")
     if wanted.nodes and not (2 <= wanted.nodes[0] <= 1024 and 2 <= wanted.nodes[1] <= 2048):
         fail("--nodes: allowed: 2 to 1024, 2 to 2048")
     dump = Dump(wanted.dump)

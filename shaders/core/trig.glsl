@@ -27,6 +27,12 @@ float arc_tangent2(float y, float x) {
     return x < 0.0 ? back : a;
 }
 
+// Angle of (x, y) in (-pi, pi].
+float bearing(float y, float x) {
+    float angle = arc_tangent2(abs(y), x);
+    return y < 0.0 ? -angle : angle;
+}
+
 // sin(x) for |x| <= pi/2: the series, whose next term is below 6e-8.
 float sine_quarter(float x) {
     float z = x * x;

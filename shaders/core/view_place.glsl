@@ -11,14 +11,6 @@ struct ViewPlace {
     float pixels;    // solid angle of a pixel there, sr
 };
 
-#ifdef BLOCK_PROJECTION
-// Angle of (x, y) in (-pi, pi].
-float bearing(float y, float x) {
-    float angle = arc_tangent2(abs(y), x);
-    return y < 0.0 ? -angle : angle;
-}
-#endif
-
 // view: unit; to the right, upward, ahead.
 ViewPlace view_place(vec3 view) {
     float unit = frame.image.z;

@@ -18,10 +18,7 @@ float expression_whole_power(float base, int n) {
     return result;
 }
 
-float expression_atan(float y, float x) {
-    float angle = arc_tangent2(abs(y), x);
-    return y < 0.0 ? -angle : angle;
-}
+float expression_atan(float y, float x) { return bearing(y, x); }
 
 float expression_mix(float a, float b, float t) {
     return expression_bounded(a + expression_bounded(expression_bounded(b - a) * t));

@@ -90,7 +90,7 @@ MediumLight medium_light(MediumPlace place) {
 #ifdef NEEDS_PLACE_LATE
     age -= place.delay;
 #endif
-    float azimuth = arc_tangent2(abs(place.at.y), place.at.x) * (place.at.y < 0.0 ? -1.0 : 1.0);
+    float azimuth = bearing(place.at.y, place.at.x);
     vec2 outward = vec2(place.at.x, place.at.y) / rho;
     float out_way = dot(outward, vec2(place.way.x, place.way.y)) / rho;   // of ln(rho)
     float round_way = (outward.x * place.way.y - outward.y * place.way.x) / rho;

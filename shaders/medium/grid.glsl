@@ -8,10 +8,6 @@
 
 uniform highp sampler2DArray medium_texture;
 
-#define GRID_LEAST_FALL 1.0e-3   // of 1 - horizon/r
-#define GRID_DENSEST 1.0e30
-#define GRID_FASTEST 1.0e3       // gamma v
-
 struct GridNumbers {
     vec4 first;    // log2 of the density; four-velocity along e_r (times sqrt(1 - horizon/r)), e_theta, e_phi
     vec4 second;   // log2 of the temperature; magnetic field along the same, where the matter rests
@@ -46,25 +42,12 @@ GridNumbers grid_at(vec3 at) {
     return grid_mix(north, south, part.y);
 }
 
-#ifdef EFFECT_SPIN
-// Azimuth of Kerr and Schild less that of Boyer and Lindquist: the integral of a/Delta from infinity.
-float grid_turn(float r) {
-    float outer = max(r - frame.medium_hole.y, 1.0e-7);
-    float inner = max(r - frame.medium_hole.z, 1.0e-7);
-    float apart = frame.medium_hole.y - frame.medium_hole.z;
-    float part = apart / inner;
-    float first_terms = (1.0 + part * (0.5 + part * (1.0 / 3.0 + part * 0.25))) / inner;   // -ln(1 - part)/apart
-    float whole = log(inner / outer) / max(apart, 1.0e-6);
-    return -frame.medium_hole.x * (part < 0.03 ? first_terms : whole);
-}
-#endif
-
 MediumLight medium_light(MediumPlace place) {
     float across = sqrt(place.at.x * place.at.x + place.at.y * place.at.y);
     float theta = arc_tangent2(across, place.at.z);
-    float phi = arc_tangent2(abs(place.at.y), place.at.x) * (place.at.y < 0.0 ? -1.0 : 1.0);
+    float phi = bearing(place.at.y, place.at.x);
 #ifdef EFFECT_SPIN
-    phi += place.turn + frame.medium_nodes.w * grid_turn(place.r);
+    phi += place.turn;
 #endif
     vec4 grid = frame.medium_grid;
     vec2 along = vec2((log(place.r) - grid.x) * grid.y, (theta - grid.z) * grid.w);
@@ -75,7 +58,7 @@ MediumLight medium_light(MediumPlace place) {
     vec3 field = vec3(found.second.y, found.second.z, found.second.w);
     float strength = sqrt(dot(field, field));
     MediumMatter matter;
-    matter.density = min(exp2(found.first.x) * frame.medium_scale.y, GRID_DENSEST);
+    matter.density = min(exp2(found.first.x) * frame.medium_scale.y, DENSEST_MATTER);
     matter.temperature = exp2(found.second.x);
     matter.field = strength * frame.medium_scale.z;
 #ifdef FIELD_DIRECTION
@@ -83,7 +66,7 @@ MediumLight medium_light(MediumPlace place) {
 #else
     matter.field_way = field / max(strength, 1.0e-20);
 #endif
-    float fall = inversesqrt(max(1.0 - frame.medium_scale.w / place.r, GRID_LEAST_FALL));
-    matter.velocity = vec3(clamp(found.first.y * fall, -GRID_FASTEST, GRID_FASTEST), found.first.z, found.first.w);
+    float fall = inversesqrt(max(1.0 - frame.medium_scale.w / place.r, LEAST_FALL));
+    matter.velocity = vec3(clamp(found.first.y * fall, -FASTEST_MATTER, FASTEST_MATTER), found.first.z, found.first.w);
     return medium_emission(place, matter, medium_inside(place));
 }

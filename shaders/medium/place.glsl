@@ -13,7 +13,7 @@
 struct MediumPlace {
     vec3 at;          // r_s, world axes ...
 #ifdef EFFECT_SPIN
-    float turn;       // ... but for this azimuth
+    float turn;       // ... but for this azimuth, in the coordinates of the matter
 #endif
     float r;
     float cosine;     // of the polar angle

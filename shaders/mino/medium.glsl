@@ -45,10 +45,15 @@ RayPlace medium_place(SpinRay ray, SpinSegment segment, float s) {
 #endif
 }
 
-// That azimuth, where matter is not the same all round.
+// That azimuth, where matter is not the same all round: Boyer and Lindquist's, or Kerr and Schild's where a grid has it.
 float medium_turn(SpinRay ray, SpinSegment segment, float s) {
 #ifdef MEDIUM_BY_PLACE
-    return segment_turned(ray, segment, s, spin_at(segment.arc, s));
+    vec4 y = spin_at(segment.arc, s);
+    float turned = segment_turned(ray, segment, s, y);
+#ifdef EFFECT_MEDIUM_GRID
+    turned -= frame.medium_nodes.w * spin_winding(ray, y.w);
+#endif
+    return turned;
 #else
     return 0.0;
 #endif

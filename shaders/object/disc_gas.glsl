@@ -76,7 +76,7 @@ DiscGas disc_gas(DiscCrossing crossing, float delay, float whole) {
     float zeta = 1.0 / crossing.r;
     vec2 outward = crossing.place * zeta;
     vec2 around = vec2(-outward.y, outward.x) * 0.15915494309189533577;
-    float azimuth = arc_tangent2(abs(outward.y), outward.x) * (outward.y < 0.0 ? -1.0 : 1.0);
+    float azimuth = bearing(outward.y, outward.x);
     float turns = azimuth * 0.15915494309189533577 - frame.disc_gas.z;
     vec2 along = vec2(dot(crossing.along, outward), dot(crossing.along, around)) * zeta;
     vec2 across = vec2(dot(crossing.across, outward), dot(crossing.across, around)) * zeta;

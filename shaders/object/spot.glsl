@@ -23,7 +23,7 @@ vec3 spot_orbit_light(int k, Trace trace, DiscCrossing crossing, float delay) {
     float behind = ring.y - ring.z * delay;   // azimuth of the first, then
     vec2 outward = crossing.place / crossing.r;
     vec2 turned = vec2(outward.x * cos(behind) + outward.y * sin(behind), outward.y * cos(behind) - outward.x * sin(behind));
-    float angle = arc_tangent2(abs(turned.y), turned.x) * (turned.y < 0.0 ? -1.0 : 1.0);
+    float angle = bearing(turned.y, turned.x);
     angle -= ring.w * floor(angle / ring.w + 0.5);   // from the nearest
     vec2 middle = ring.x * vec2(outward.x * cos(angle) + outward.y * sin(angle), outward.y * cos(angle) - outward.x * sin(angle));
     float profile = spot_profile(glow.x, crossing.place - middle, crossing.along, crossing.across);

@@ -7,8 +7,12 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdint>
 #include <fstream>
 #include <system_error>
+#include <vector>
+
+#include "base/text.h"
 
 namespace nullscope {
 namespace {
@@ -138,6 +142,18 @@ Result<std::string> read_text(const fs::path& path, std::size_t max_bytes) {
     }
     if (file.bad()) return bad_input(fmt::format("cannot read '{}': read error", path.string()));
     return text;
+}
+
+std::string contents_of(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) return "unreadable";
+    std::uint64_t hash = fnv1a(""), size = 0;
+    std::vector<char> bytes(1u << 20);
+    while (in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())), in.gcount() > 0) {
+        hash = fnv1a({bytes.data(), static_cast<std::size_t>(in.gcount())}, hash);
+        size += static_cast<std::uint64_t>(in.gcount());
+    }
+    return fmt::format("{} bytes, {:016x}", size, hash);
 }
 
 }  // namespace nullscope

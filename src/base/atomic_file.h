@@ -29,4 +29,7 @@ Status write_text_atomically(const std::filesystem::path& target, std::string_vi
 // The whole file; error if it cannot be read or is larger than max_bytes.
 Result<std::string> read_text(const std::filesystem::path& path, std::size_t max_bytes = 64u << 20);
 
+// Size and FNV-1a hash of a file's bytes: what depends on what is in a file, not on where it lies.
+std::string contents_of(const std::filesystem::path& file);
+
 }  // namespace nullscope

@@ -1,5 +1,7 @@
 #include "base/text.h"
 
+#include <fmt/format.h>
+
 #include <fast_float/fast_float.h>
 
 #include <algorithm>
@@ -32,7 +34,16 @@ bool is_control(std::string_view text, std::size_t i) {
     return byte(i) < 0x20 || byte(i) == 0x7F || (byte(i) == 0xC2 && i + 1 < text.size() && byte(i + 1) < 0xA0);
 }
 
+constexpr std::size_t kLongestQuote = 60;  // bytes
+
 }  // namespace
+
+std::string in_quotes(std::string_view text) {
+    if (text.size() <= kLongestQuote) return fmt::format("\"{}\"", text);
+    std::size_t end = kLongestQuote;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+    return fmt::format("\"{}...\"", text.substr(0, end));
+}
 
 std::string without_controls(std::string text) {
     for (std::size_t i = 0; i < text.size(); ++i) {

@@ -20,6 +20,9 @@ std::optional<std::pair<int, int>> two_whole_numbers(std::string_view text, char
 // Control characters (C0, DEL, and C1 as UTF-8) become '?': a message is one line and moves no cursor.
 std::string without_controls(std::string text);
 
+// A file's own words in quotes, cut at 60 bytes (at a character's boundary).
+std::string in_quotes(std::string_view text);
+
 // FNV-1a, 64 bits. start: the hash of what stands before; another start makes another hash.
 inline std::uint64_t fnv1a(std::string_view bytes, std::uint64_t start = 0xcbf29ce484222325u) {
     for (const char c : bytes) start = (start ^ static_cast<unsigned char>(c)) * 0x100000001b3u;

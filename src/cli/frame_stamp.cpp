@@ -4,30 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <fstream>
 #include <set>
 #include <vector>
 
+#include "base/atomic_file.h"
 #include "base/text.h"
 #include "image/image_file.h"
 #include "scenefile/scene_text.h"
 
 namespace nullscope::cli {
 namespace {
-
-// Size and FNV-1a hash of a file's bytes: pictures depend on what is in an image, not on where it lies.
-std::string contents_of(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) return "unreadable";
-    std::uint64_t hash = fnv1a(""), size = 0;
-    std::vector<char> bytes(1u << 20);
-    while (in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())), in.gcount() > 0) {
-        hash = fnv1a({bytes.data(), static_cast<std::size_t>(in.gcount())}, hash);
-        size += static_cast<std::uint64_t>(in.gcount());
-    }
-    return fmt::format("{} bytes, {:016x}", size, hash);
-}
 
 void append_scene(std::string& text, const std::string& prefix, const Scene& scene) {
     for (const SceneLine& line : scene_lines(scene))

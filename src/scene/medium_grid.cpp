@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kLongestLine = 200, kBytes = sizeof(float) * MediumGrid::kNumbers;
 constexpr std::size_t kLargestFile = MediumGrid::kMostNodes * kBytes + 8 * kLongestLine;
-constexpr double kFarthest = 1e6, kFastest = 1e3;  // r_s; gamma v
+constexpr double kFarthest = 1e6;  // r_s
 
 class Head {
 public:
@@ -66,14 +66,15 @@ float number_at(const char* bytes) {
     return std::bit_cast<float>(static_cast<std::uint32_t>(little_endian({bytes, sizeof(float)})));
 }
 
-// What is wrong with a node's numbers; nullptr: nothing.
+// Of a node's numbers, in the order of the file.
 struct NodeRange {
     const char* name;
     double least, most;
 };
 constexpr NodeRange kDensity{"density", 0, MediumGrid::kDensest},
     kTemperature{"temperature", 0, MediumGrid::kHottest_K},
-    kField{"field", -MediumGrid::kStrongest_G, MediumGrid::kStrongest_G}, kSpeed{"velocity", -kFastest, kFastest};
+    kField{"field", -MediumGrid::kStrongest_G, MediumGrid::kStrongest_G},
+    kSpeed{"velocity", -MediumGrid::kFastest, MediumGrid::kFastest};
 constexpr std::array<NodeRange, MediumGrid::kNumbers> kRanges = {kDensity, kTemperature, kField, kField,
                                                                  kField,   kSpeed,       kSpeed, kSpeed};
 

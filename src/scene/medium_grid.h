@@ -34,7 +34,7 @@ class MediumGrid {
 public:
     static constexpr int kNumbers = 8, kMostRings = 1024, kMostSide = 2048, kMostAround = 256, kMostNodes = 1 << 24;
     static constexpr double kLeastDensity = 1e-30, kDensest = 1e30, kHottest_K = 1e14, kStrongest_G = 1e9,
-                            kLeastFall = 1e-3;
+                            kLeastFall = 1e-3, kFastest = 1e3;
 
     struct Axis {
         double first = 0, step = 0;  // of ln r; rad

@@ -278,9 +278,8 @@ struct MediumSpec {
     bool by_frequency() const {
         return kind == MediumKind::kFlow || (by_place() && emission != MediumEmission::kBlackBody);
     }
-    bool by_place() const {
-        return kind == MediumKind::kFormula || kind == MediumKind::kGrid;
-    }  // it has MediumEmission
+    // It has MediumEmission.
+    bool by_place() const { return kind == MediumKind::kFormula || kind == MediumKind::kGrid; }
     // Linear light; 1 is a brightness temperature of kMediumLight_K where by_frequency(), else a black body of temperature_K.
     Vec3 colour{1, 1, 1};
     double brightness = 1.0;

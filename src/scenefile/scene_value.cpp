@@ -18,8 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using Checked = Result<KeyValue>;
 
-constexpr std::size_t kLongestQuote = 60;  // bytes
-
 std::string_view type_name(const toml::node& node) {
     switch (node.type()) {
         case toml::node_type::table: return "a table";
@@ -138,13 +136,6 @@ Result<KeyValue> check_value(const SceneKey& key, const toml::node& node, const 
     const toml::value<std::string>* text = node.as_string();
     if (text == nullptr) return bad_input(fmt::format("must be a string, not {}", type_name(node)));
     return check_text(key, text->get(), base);
-}
-
-std::string in_quotes(std::string_view text) {
-    if (text.size() <= kLongestQuote) return fmt::format("\"{}\"", text);
-    std::size_t end = kLongestQuote;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-    return fmt::format("\"{}...\"", text.substr(0, end));
 }
 
 }  // namespace nullscope

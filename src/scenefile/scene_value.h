@@ -15,7 +15,4 @@ namespace nullscope {
 // Errors: what is wrong, without file, line, key and allowed range.
 Result<KeyValue> check_value(const SceneKey& key, const toml::node& node, const std::filesystem::path& base);
 
-// A file's own words in quotes, cut at 60 bytes (at a character's boundary).
-std::string in_quotes(std::string_view text);
-
 }  // namespace nullscope

@@ -4,6 +4,7 @@
 
 #include "expr/formula.h"
 #include "plan/medium.h"
+#include "scene/medium_grid.h"
 #include "shaderlib/shader_source.h"
 
 namespace nullscope {
@@ -26,8 +27,11 @@ std::string medium_text(const Scene& scene) {
     if (medium.field_direction != FieldDirection::kIsotropic) text += "#define FIELD_DIRECTED\n";
     const bool of_file = medium.field_direction == FieldDirection::kFile;
     const char* direction = of_file ? "" : kDirections[static_cast<int>(medium.field_direction)];
-    if (medium.kind == MediumKind::kGrid)
+    if (medium.kind == MediumKind::kGrid) {
+        text += fmt::format("#define DENSEST_MATTER {:e}\n#define FASTEST_MATTER {:.1f}\n#define LEAST_FALL {:e}\n",
+                            MediumGrid::kDensest, kFastestMatter, MediumGrid::kLeastFall);
         return of_file ? text : text + fmt::format("#define FIELD_DIRECTION {}\n", direction);
+    }
     text += include_line("effect/expression.glsl") + include_line("medium/matter.glsl");
     const auto value = [&](const char* name, const std::string& formula, bool used) {
         if (!used) return std::string("0.0");

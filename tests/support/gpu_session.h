@@ -16,7 +16,6 @@
 #include <string>
 
 #include "base/atomic_file.h"
-#include "base/text.h"
 #include "command/session.h"
 #include "compare/ray_metrics.h"
 #include "compare/remembered_trace.h"
@@ -101,16 +100,11 @@ private:
     int count_ = 0;
 };
 
-// What is asked of the reference, word for word; of a grid of matter, which tests make anew, what is in the file.
+// What is asked of the reference, word for word, and what is in the files that it reads.
 inline std::string question_of(const char* what, const Scene& scene) {
     std::string question = std::string(what) + "\n";
     for (const SceneLine& line : scene_lines(scene))
-        if (line.name == "medium.file" && !line.file.empty()) {
-            const auto bytes = read_text(line.file, std::size_t{1} << 30);
-            question += fmt::format("{} = {:016x}\n", line.name, fnv1a(bytes ? *bytes : std::string()));
-        } else {
-            question += line.name + " = " + line.value + " " + line.file.string() + "\n";
-        }
+        question += line.name + " = " + (line.file.empty() ? line.value : contents_of(line.file)) + "\n";
     return question;
 }
 
