@@ -7,7 +7,7 @@
 
 namespace {
 
-// Where NULLSCOPE_CASE_TIMES names a file, one line a test case is added to it: processor seconds of all threads, and the name.
+// Where NULLSCOPE_CASE_TIMES names a file, one line a test case is added to it: processor seconds of all threads, file and name.
 class CaseTimes : public doctest::IReporter {
 public:
     explicit CaseTimes(const doctest::ContextOptions&) {
@@ -19,11 +19,13 @@ public:
     }
     void test_case_start(const doctest::TestCaseData& data) override {
         name_ = data.m_name;
+        file_of_it_ = data.m_file.c_str();
         started_ = std::clock();
     }
     void test_case_end(const doctest::CurrentTestCaseStats&) override {
         if (file_ == nullptr) return;
-        std::fprintf(file_, "%.3f\t%s\n", static_cast<double>(std::clock() - started_) / CLOCKS_PER_SEC, name_);
+        std::fprintf(file_, "%.3f\t%s\t%s\n", static_cast<double>(std::clock() - started_) / CLOCKS_PER_SEC,
+                     file_of_it_, name_);
         std::fflush(file_);
     }
     void report_query(const doctest::QueryData&) override {}
@@ -39,7 +41,7 @@ public:
 
 private:
     std::FILE* file_ = nullptr;
-    const char* name_ = "";
+    const char *name_ = "", *file_of_it_ = "";
     std::clock_t started_ = 0;
 };
 

@@ -10,10 +10,14 @@ import tempfile
 import unittest
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+import depth
+
 BINARY = str(Path(sys.argv.pop(1)).resolve())
 VECTORS = Path(__file__).resolve().parent.parent / "vectors"
 SMALL = "48x27"      # px; large enough for a shadow, quick on a software driver
-QUICK = os.environ.get("NULLSCOPE_TESTS", "quick") == "quick" and "NULLSCOPE_EVERYTHING" not in os.environ   # as support/depth.h
+QUICK = not depth.deep()
 LONGEST_S = 300      # a run that takes longer hangs
 
 

@@ -20,7 +20,9 @@ inline int times_longer() {
     return n > 1 ? n : 1;
 }
 // Of so many random cases, how many are tried: a third at quick depth.
-inline int tries(int cases) { return cases * times_longer() / test::by_depth(3, 1, 1); }
+inline int tries(int cases, const char* file = __builtin_FILE()) {
+    return cases * times_longer() / test::by_depth(3, 1, 1, file);
+}
 
 // Random numbers that are the same with every standard library (its distributions are not).
 class Random {

@@ -10,7 +10,7 @@ tree in FOLDER, the program is built there, and what it draws is compared: with 
 reference. FOLDER stays, so that a second run compiles what has changed.
 """
 import csv
-import os
+import hashlib
 import re
 import shutil
 import subprocess
@@ -18,9 +18,13 @@ import sys
 import tempfile
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+import depth
+
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = ROOT / "CONTRIBUTING.md"
-QUICK = os.environ.get("NULLSCOPE_TESTS", "quick") == "quick" and "NULLSCOPE_EVERYTHING" not in os.environ   # as support/depth.h
+QUICK = not depth.deep()
 RECIPES = ["a metric", "an effect", "a body kind"]
 COPIED = ["CMakeLists.txt", "CMakePresets.json", ".clang-format", "LICENSE", "CHANGELOG.md", "src", "shaders", "assets", "third_party", "packaging",
           "scripts", "tests", "web"]
@@ -202,7 +206,8 @@ def run(*command, cwd=None):
 
 
 def build(folder):
-    run("cmake", "--preset", "release", "-DNULLSCOPE_VIEWER=OFF", "-DNULLSCOPE_TESTS=OFF", cwd=folder)
+    cache_of = hashlib.md5(str(ROOT).encode()).hexdigest()   # CMakeLists.txt: what this checkout has compiled is not compiled again
+    run("cmake", "--preset", "release", "-DNULLSCOPE_VIEWER=OFF", "-DNULLSCOPE_TESTS=OFF", f"-DNULLSCOPE_CACHE_OF={cache_of}", cwd=folder)
     run("cmake", "--build", folder / "build/release", "-j2", "--target", "nullscope")
     return folder / "build/release/bin/nullscope"
 

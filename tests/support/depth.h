@@ -1,11 +1,11 @@
-// How much a test measures.
+// How much a test measures. Depth belongs to a test's file.
 //
 // The environment variable NULLSCOPE_TESTS says it:
-//   quick        what every change must pass: each promise on the cases that show its breach. scripts/test.sh
-//   all          the same promises on every case, and on both contexts what a context may change. scripts/test.sh --all,
-//                continuous integration
-//   everything   every pixel of every frame, too: hours
-// Unset or another word: quick. (NULLSCOPE_EVERYTHING, set to anything, means everything.)
+//   quick             what every change must pass: each promise on the cases that show its breach. scripts/test.sh
+//   all               the same promises on every case. scripts/test.sh --all
+//   everything        every pixel of every frame, too: hours
+//   gpu/test_a.cpp,cli/test_b.py   these files as with all, the others quick. scripts/test.sh --turn (tests/turn.py)
+// Unset: quick. (NULLSCOPE_EVERYTHING, set to anything, means everything.) tests/depth.py is the same for Python.
 #pragma once
 #include <cstdlib>
 #include <string_view>
@@ -14,25 +14,41 @@ namespace nullscope::test {
 
 enum class Depth { kQuick, kAll, kEverything };
 
-inline Depth depth() {
-    const auto word = [](const char* name) {  // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody sets it meanwhile
-        const char* value = std::getenv(name);
-        return std::string_view(value != nullptr ? value : "");
-    };
-    if (!word("NULLSCOPE_EVERYTHING").empty() || word("NULLSCOPE_TESTS") == "everything") return Depth::kEverything;
-    return word("NULLSCOPE_TESTS") == "all" ? Depth::kAll : Depth::kQuick;
+inline std::string_view environment_word(const char* name) {
+    const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nobody sets it meanwhile
+    return value != nullptr ? value : "";
+}
+
+// Whether a list with commas names a file: by its folder and name, the end of the file's path.
+inline bool lists(std::string_view names, std::string_view file) {
+    while (!names.empty()) {
+        const std::string_view name = names.substr(0, names.find(','));
+        if (!name.empty() && file.ends_with(name) &&
+            (file.size() == name.size() || file[file.size() - name.size() - 1] == '/'))
+            return true;
+        names.remove_prefix(name.size() == names.size() ? name.size() : name.size() + 1);
+    }
+    return false;
+}
+
+// That of the file that asks. Helpers in headers take their caller's.
+inline Depth depth(const char* file = __builtin_FILE()) {
+    const std::string_view asked = environment_word("NULLSCOPE_TESTS");
+    if (!environment_word("NULLSCOPE_EVERYTHING").empty() || asked == "everything") return Depth::kEverything;
+    return asked == "all" || lists(asked, file) ? Depth::kAll : Depth::kQuick;
 }
 
 // One of three numbers, by depth.
 template <class T>
-T by_depth(T quick, T all, T everything) {
-    return depth() == Depth::kQuick ? quick : depth() == Depth::kAll ? all : everything;
+T by_depth(T quick, T all, T everything, const char* file = __builtin_FILE()) {
+    const Depth asked = depth(file);
+    return asked == Depth::kQuick ? quick : asked == Depth::kAll ? all : everything;
 }
 
 // Which cases of a list a test measures: all; at quick depth every step-th, the first among them.
 class Selection {
 public:
-    explicit Selection(int quick_step) : step_(by_depth(quick_step, 1, 1)) {}
+    explicit Selection(int quick_step, const char* file = __builtin_FILE()) : step_(by_depth(quick_step, 1, 1, file)) {}
     bool takes_next() { return number_++ % step_ == 0; }
 
 private:

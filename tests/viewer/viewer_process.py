@@ -5,14 +5,18 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+import depth
 from x_screen import wait_until
 
 # else a few cases are shorter
-EVERYTHING = "NULLSCOPE_EVERYTHING" in os.environ or os.environ.get("NULLSCOPE_TESTS", "quick") != "quick"
+EVERYTHING = depth.deep()
 WIDTH, HEIGHT = 840, 600
 COMPILING = {"MESA_SHADER_CACHE_DISABLE": "true"}   # a viewer's environment: no program that was compiled before
 UNDER_STARS = """[camera]

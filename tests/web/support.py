@@ -6,7 +6,6 @@ They run at depth all (tests/support/depth.h), for which scripts/test.sh install
 """
 import base64
 import json
-import os
 import pathlib
 import sys
 import unittest
@@ -15,6 +14,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENES = sorted(file.stem for file in (ROOT / "assets/scenes").glob("*.toml"))
 SKIPPED = 77
 sys.path.insert(0, str(ROOT / "tests"))
+
+import depth  # noqa: E402
 
 BEGIN = """
 (async () => {
@@ -95,7 +96,7 @@ class WebTest(unittest.TestCase):
 
 def begin():
     """The page's and the programs' folders; ends where the tests are not asked for."""
-    if os.environ.get("NULLSCOPE_TESTS", "quick") != "all" and "NULLSCOPE_EVERYTHING" not in os.environ:
+    if not depth.deep():
         print("skipped: the page is built and tested by scripts/test.sh --all")
         sys.exit(SKIPPED)
     return [pathlib.Path(sys.argv.pop(1)).resolve() for _ in range(2)]
