@@ -2,7 +2,6 @@
 # Builds with clang and the address, undefined-behaviour and leak sanitizers (preset sanitize) and runs tests under them.
 #
 #   scripts/sanitize.sh                  the short check: unit, contract and fuzz
-#   scripts/sanitize.sh --build-programs the same, and builds both programs too (scripts/check.sh)
 #   scripts/sanitize.sh CTEST OPTION...  a full build and other tests: scripts/sanitize.sh -L 'unit|cli|gpu'
 #
 # Leaks inside drivers are passed over by tests/leaks.supp, which says why.
@@ -15,9 +14,8 @@ case "${1-}" in -h | --help) sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "${BASH_SOU
 cd "$root"
 [[ -e build/sanitize/build.ninja ]] || cmake --preset sanitize >&2
 targets=()
-if [[ $# -eq 0 || $1 == --build-programs ]]; then
+if [[ $# -eq 0 ]]; then
     targets=(--target unit_tests contract_tests fuzz_scene fuzz_tour fuzz_picture fuzz_exr fuzz_rays fuzz_words fuzz_formula fuzz_warp fuzz_medium)
-    [[ $# -eq 0 ]] || targets+=(nullscope nullscope-viewer)
     set -- -R '^(whole: (unit|contract)$|fuzz:)'
 fi
 cmake --build build/sanitize ${targets[@]+"${targets[@]}"} >&2
