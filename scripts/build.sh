@@ -3,6 +3,7 @@
 #
 #   scripts/build.sh             builds everything
 #   scripts/build.sh TARGET...   only these: scripts/build.sh nullscope nullscope-viewer
+#   scripts/build.sh --configure builds nothing
 #
 # When nothing has changed it takes about a second. CMAKE_BUILD_PARALLEL_LEVEL limits the number of compilers.
 set -euo pipefail
@@ -24,6 +25,7 @@ if [[ ! -e $build/build.ninja ]] || ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$
     fi
 fi
 
+if [[ ${1-} == --configure ]]; then exec cmake --build "$build" --target build.ninja >&2; fi
 targets=()
 [[ $# -eq 0 ]] || targets=(--target "$@")
 cmake --build "$build" ${targets[@]+"${targets[@]}"} >&2 || fail "the build failed; the compiler's message is above"
