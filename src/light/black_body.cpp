@@ -1,6 +1,7 @@
 #include "light/black_body.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "light/cie_1931.h"
@@ -10,23 +11,32 @@ namespace {
 
 // CODATA 2018, exact by definition of the units.
 constexpr double kPlanck_Js = 6.62607015e-34, kLight_m_s = 299792458.0, kBoltzmann_J_K = 1.380649e-23;
+constexpr double kPlanckLight = kPlanck_Js * kLight_m_s;  // J m
 
-// Spectral radiance of a black body, W sr^-1 m^-2 per metre of wavelength.
-double spectral_radiance(double wavelength_m, double temperature_K) {
-    const double hc = kPlanck_Js * kLight_m_s;
-    const double x = hc / (wavelength_m * kBoltzmann_J_K * temperature_K);
-    return 2.0 * hc * kLight_m_s / std::pow(wavelength_m, 5) / std::expm1(x);
+// Planck's law at one wavelength, W sr^-1 m^-2 a metre of it: scale/(exp(hc/(heat temperature)) - 1). What does not depend on the temperature
+// is formed once: a power costs as much as the exponential.
+struct PlanckTerm {
+    double scale, heat;
+};
+std::array<PlanckTerm, kCie1931.size()> planck_terms() {
+    std::array<PlanckTerm, kCie1931.size()> terms{};
+    double wavelength_nm = kCieFirst_nm;
+    for (PlanckTerm& term : terms) {
+        const double wavelength_m = 1e-9 * wavelength_nm;
+        term = {2.0 * kPlanckLight * kLight_m_s / std::pow(wavelength_m, 5), wavelength_m * kBoltzmann_J_K};
+        wavelength_nm += kCieStep_nm;
+    }
+    return terms;
 }
 
 }  // namespace
 
 Vec3 black_body_xyz(double temperature_K) {
+    static const std::array<PlanckTerm, kCie1931.size()> terms = planck_terms();
     Vec3 sum{0, 0, 0};
-    double wavelength_nm = kCieFirst_nm;
-    for (const ColourMatch& match : kCie1931) {
-        const double radiance = spectral_radiance(1e-9 * wavelength_nm, temperature_K);
-        sum = sum + radiance * Vec3{match.x, match.y, match.z};
-        wavelength_nm += kCieStep_nm;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+        const double radiance = terms[i].scale / std::expm1(kPlanckLight / (terms[i].heat * temperature_K));
+        sum = sum + radiance * Vec3{kCie1931[i].x, kCie1931[i].y, kCie1931[i].z};
     }
     return 1e-9 * kCieStep_nm * sum;
 }

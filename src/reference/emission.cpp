@@ -57,15 +57,19 @@ MatterLight even_light(const MediumSpec& spec, double emitted, double depth) {
     return {emitted * share * spec.brightness * spec.colour, std::exp(-depth)};
 }
 
-MatterLight black_body_light(const MediumSpec& spec, const LightSpec& light, double temperature_K, double ratio,
-                             double depth) {
-    const Vec3 source =
-        seen_black_body(temperature_K, ratio, light) / std::exp2(log2_brightness(spec.temperature_K, light.bolometric));
+double unit_light_of(const MediumSpec& spec, const LightSpec& light) {
+    return std::exp2(log2_brightness(spec.temperature_K, light.bolometric));
+}
+
+MatterLight black_body_light(const MediumSpec& spec, const LightSpec& light, double unit_light, double temperature_K,
+                             double ratio, double depth) {
+    const Vec3 source = seen_black_body(temperature_K, ratio, light) / unit_light;
     const Vec3 coloured{source.x * spec.colour.x, source.y * spec.colour.y, source.z * spec.colour.z};
     return {-std::expm1(-depth) * spec.brightness * coloured, std::exp(-depth)};
 }
 
 Emission::Emission(const Scene& scene) : spec_(*scene.medium), light_(scene.light) {
+    unit_light_ = unit_light_of(spec_, light_);
     length_cm_ = 100 * schwarzschild_radius_m(scene.object.mass().value_or(0.0));
 }
 
@@ -98,7 +102,8 @@ MatterLight Emission::at(const MatterState& matter, const PlaceMetric& g, const 
     const auto [frequency, cosine] = seen(matter, g, node, energy, momentum);
     const double ratio = 1 / frequency, length = node.way * frequency;
     if (spec_.emission == MediumEmission::kBlackBody)
-        return black_body_light(spec_, light_, matter.temperature_K, ratio, matter.density * spec_.opacity * length);
+        return black_body_light(spec_, light_, unit_light_, matter.temperature_K, ratio,
+                                matter.density * spec_.opacity * length);
     const double shift = light_.shift ? frequency : 1, bright = light_.beaming ? std::pow(ratio, 3) : 1,
                  unit = medium_light_cgs(spec_.frequency_GHz), nu = 1e9 * spec_.frequency_GHz * shift;
     double emitted = 0, absorbed = 0;  // a cm

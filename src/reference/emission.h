@@ -16,10 +16,11 @@ struct MatterLight {
 };
 
 // Of a node along which source and absorption are even: of light `emitted` along it without absorption, and of a black body that is seen with
-// its frequencies times `ratio`, over one of spec.temperature_K. depth: optical depth.
+// its frequencies times `ratio`, over one of spec.temperature_K, whose brightness is unit_light. depth: optical depth.
+double unit_light_of(const MediumSpec& spec, const LightSpec& light);
 MatterLight even_light(const MediumSpec& spec, double emitted, double depth);
-MatterLight black_body_light(const MediumSpec& spec, const LightSpec& light, double temperature_K, double ratio,
-                             double depth);
+MatterLight black_body_light(const MediumSpec& spec, const LightSpec& light, double unit_light, double temperature_K,
+                             double ratio, double depth);
 
 struct MatterState {
     double density, temperature_K, field_G;
@@ -44,6 +45,7 @@ private:
     MediumSpec spec_;
     LightSpec light_;
     double length_cm_ = 0;  // r_s
+    double unit_light_ = 1;
 };
 
 // K_2(x), x above 0; to 1e-12.

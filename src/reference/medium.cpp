@@ -66,6 +66,7 @@ Medium::Medium(const Scene& scene, const Metric& matter)
     }
     if (spec_.by_place()) return;
     if (spec_.kind == MediumKind::kGas) {
+        unit_light_ = unit_light_of(spec_, light_);
         rate_ = [&matter](double r) { return matter.kepler_rate(r); };
         return;
     }
@@ -174,7 +175,7 @@ Medium::Light Medium::gas(const MediumNode& node, double energy, double momentum
     const double depth =
         density * spec_.optical_depth / (std::sqrt(2 * M_PI) * spec_.thickness * rho) * node.way / ratio;
     const double temperature = spec_.temperature_K * std::pow(spec_.inner / rho, 0.75);
-    return black_body_light(spec_, light_, temperature, ratio, depth);
+    return black_body_light(spec_, light_, unit_light_, temperature, ratio, depth);
 }
 
 Medium::Light Medium::flow(const MediumNode& node, double energy, double momentum) const {

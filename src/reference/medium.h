@@ -55,6 +55,7 @@ private:
     MediumSpec spec_;
     LightSpec light_;
     std::function<double(double r)> rate_;  // of kGas: Omega of circular orbits
+    double unit_light_ = 1;
     double time_, farthest_, nearest_, horizon_;
     double emission_ = 0, absorption_ = 0;  // for each r_s, of unit density without shift
 };
