@@ -3,6 +3,7 @@
 //
 // Nothing is clamped here, as Formula::value does: a value that does not exist is not finite.
 #pragma once
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -48,8 +49,13 @@ Value SmoothFormula::value(const Value& variable) const {
     using std::log;
     using std::sin;
     using std::sqrt;
-    std::vector<Value> at;
-    at.reserve(nodes_.size());
+    // Nearly all formulas are short, and millions of values are asked for: no memory from the heap for them.
+    constexpr std::size_t kShort = 32;
+    std::array<Value, kShort> few;
+    std::vector<Value> many;
+    Value* at = few.data();
+    if (nodes_.size() > kShort) many.resize(nodes_.size()), at = many.data();
+    Value* next = at;
     const auto constant = [](double x) { return Value(static_cast<Real>(x)); };
     for (const Formula::Node& n : nodes_) {
         const auto argument = [&](std::size_t i) -> const Value& {
@@ -63,30 +69,30 @@ Value SmoothFormula::value(const Value& variable) const {
             return power_of(argument(0), static_cast<Real>(exponent.number));
         };
         switch (n.op) {
-            case Op::kNumber: at.push_back(constant(n.number)); break;
-            case Op::kVariable: at.push_back(variable); break;
-            case Op::kAdd: at.push_back(argument(0) + argument(1)); break;
-            case Op::kSubtract: at.push_back(argument(0) - argument(1)); break;
-            case Op::kMultiply: at.push_back(argument(0) * argument(1)); break;
-            case Op::kDivide: at.push_back(argument(0) / argument(1)); break;
-            case Op::kPower: at.push_back(power()); break;
-            case Op::kNegate: at.push_back(-argument(0)); break;
-            case Op::kSin: at.push_back(sin(argument(0))); break;
-            case Op::kCos: at.push_back(cos(argument(0))); break;
-            case Op::kTan: at.push_back(sin(argument(0)) / cos(argument(0))); break;
-            case Op::kAtan: at.push_back(atan(argument(0))); break;
-            case Op::kSqrt: at.push_back(sqrt(argument(0))); break;
-            case Op::kExp: at.push_back(exp(argument(0))); break;
-            case Op::kLog: at.push_back(log(argument(0))); break;
-            case Op::kMix: at.push_back(argument(0) + (argument(1) - argument(0)) * argument(2)); break;
-            case Op::kLength2: at.push_back(sqrt(argument(0) * argument(0) + argument(1) * argument(1))); break;
+            case Op::kNumber: *next++ = constant(n.number); break;
+            case Op::kVariable: *next++ = variable; break;
+            case Op::kAdd: *next++ = argument(0) + argument(1); break;
+            case Op::kSubtract: *next++ = argument(0) - argument(1); break;
+            case Op::kMultiply: *next++ = argument(0) * argument(1); break;
+            case Op::kDivide: *next++ = argument(0) / argument(1); break;
+            case Op::kPower: *next++ = power(); break;
+            case Op::kNegate: *next++ = -argument(0); break;
+            case Op::kSin: *next++ = sin(argument(0)); break;
+            case Op::kCos: *next++ = cos(argument(0)); break;
+            case Op::kTan: *next++ = sin(argument(0)) / cos(argument(0)); break;
+            case Op::kAtan: *next++ = atan(argument(0)); break;
+            case Op::kSqrt: *next++ = sqrt(argument(0)); break;
+            case Op::kExp: *next++ = exp(argument(0)); break;
+            case Op::kLog: *next++ = log(argument(0)); break;
+            case Op::kMix: *next++ = argument(0) + (argument(1) - argument(0)) * argument(2); break;
+            case Op::kLength2: *next++ = sqrt(argument(0) * argument(0) + argument(1) * argument(1)); break;
             case Op::kLength3:
-                at.push_back(sqrt(argument(0) * argument(0) + argument(1) * argument(1) + argument(2) * argument(2)));
+                *next++ = sqrt(argument(0) * argument(0) + argument(1) * argument(1) + argument(2) * argument(2));
                 break;
-            default: at.push_back(constant(std::numeric_limits<double>::quiet_NaN())); break;
+            default: *next++ = constant(std::numeric_limits<double>::quiet_NaN()); break;
         }
     }
-    return at.back();
+    return next[-1];
 }
 
 }  // namespace nullscope::expr
