@@ -2,6 +2,7 @@
 // differences, Kepler's law g_phiphi' Omega^2 + 2 g_tphi' Omega + g_tt' = 0, the flux by adaptive quadrature, the shift
 // from conserved E and L_z alone.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "base/vec.h"
@@ -25,7 +26,7 @@ public:
     // Frequency at infinity over frequency in the matter, and its parts.
     double g_infinity(const PhotonAtDisc& photon) const;
     Shift shift(const PhotonAtDisc& photon) const;
-    // Flux per unit of accretion rate, 1/r_s^2; a tenth of a millisecond.
+    // Flux per unit of accretion rate, 1/r_s^2; some 30 microseconds.
     double flux(double r) const;
     double hottest_K() const { return disc_.temperature_K; }
     double innermost() const { return isco_; }   // stable circular orbit, r_s
@@ -39,7 +40,16 @@ private:
     struct Circle {
         double u_t, omega, energy, momentum;
     };
+    using Circles = std::array<Circle, 9>;        // at a radius and beside it, to differentiate
+    struct Ring {                                 // Page and Thorne's
+        double gained;                            // of (E - Omega L) dL/dr, what those within it have to shed
+        double gain, omega_slope;                 // E - Omega L; by r
+        double shed(double sum, double r) const;  // flux, by the integral of `gained` up to it
+    };
     Circle circle(double r) const;
+    Circles circles(double r) const;
+    Ring ring(double r) const;
+    void tabulate_heat(double outer, double peak);
     PhotonAtDisc met(const PhotonAtDisc& photon) const;  // as matter there meets it, with lensing or straight
     double heat(double r) const;                         // flux over the largest, from a table: 1e-9 of the largest
 

@@ -51,6 +51,28 @@ TEST_CASE_FIXTURE(Fixture,
     CHECK(disc_flux(*spacetime, {2.9, 3.0, 2.0}) == std::vector<double>{0, 0, 0});
 }
 
+// Bolometric light is T^4, and that the flux. The table adds rings up, the flux is quadrature from the innermost circle anew.
+TEST_CASE("disc light: the heat of every ring is the flux there over the largest, to 1e-9 of that") {
+    const SpacetimeSpec spaces[] = {{"schwarzschild", {}}, {"kerr", {{"spin", 0.98}}}};
+    for (const SpacetimeSpec& space : spaces) {
+        CAPTURE(space.metric);
+        const auto metric = *reference::make_metric(space);
+        DiscSpec disc;
+        disc.outer = 60.0;
+        LightSpec light;
+        light.bolometric = true;
+        const reference::DiscLight ring(*metric, disc, light);
+        const double peak = ring.flux(ring.hottest());
+        for (const double r : {1.0, 1.0003, 1.1, 1.6, 5.0, 17.0})  // innermost circles
+            if (const double at = r * ring.innermost(); at < disc.outer) {
+                CAPTURE(at);
+                const Vec3 seen = ring.colour({at, 0, 1}, 1.0);
+                const double heat = 0.2126390059 * seen.x + 0.7151686788 * seen.y + 0.0721923154 * seen.z;
+                CHECK(std::fabs(heat - ring.flux(at) / peak) < 1e-9);
+            }
+    }
+}
+
 TEST_CASE_FIXTURE(Fixture, "disc light: face on, g = sqrt(1 - 3M/r), by both") {
     for (const double r : {3.0, 5.0, 40.0}) {
         const double g = std::sqrt(1 - 1.5 / r);
