@@ -63,10 +63,14 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
     tracer.bodies_ = std::make_shared<Bodies>(scene, *tracer.matter_);
     const bool late = scene.light.delay && !moving_parts(scene).empty(),
                disc_moves = scene.disc && (!scene.spots.empty() || scene.disc->flow != DiscFlowKind::kStill);
-    TRY(rays, tracer.matter_->rays(scene, **spacetime,
-                                   {tracer.bodies_.get(), late, late && disc_moves, scene.disc ? kMostCrossings : 0,
-                                    tracer.medium_.get()}));
-    tracer.rays_ = std::move(*rays);
+    RayTask task{tracer.bodies_.get(), late, late && disc_moves, scene.disc ? kMostCrossings : 0, nullptr};
+    TRY(rays, tracer.matter_->rays(scene, **spacetime, task));
+    tracer.bare_rays_ = std::move(*rays);
+    tracer.rays_ = tracer.bare_rays_;
+    if (!scene.medium) return tracer;
+    task.medium = tracer.medium_.get();
+    TRY(through_matter, tracer.matter_->rays(scene, **spacetime, task));
+    tracer.rays_ = std::move(*through_matter);
     return tracer;
 }
 
@@ -83,7 +87,7 @@ std::vector<DiscHit> FrameTracer::disc_hits(const TracedRay& ray, int max_hits) 
 RayPixel FrameTracer::pixel(double x, double y, bool with_delay) const {
     RayPixel pixel;
     if (!shows(camera_, x, y)) return pixel;
-    const RayPtr traced = ray(x, y);
+    const RayPtr traced = bare_rays_->ray(pixel_direction(camera_, x, y));
     double end = traced->end();
     pixel.fate = traced->fate();
     pixel.g = traced->g > 0 && std::isfinite(traced->g)

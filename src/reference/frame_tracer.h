@@ -45,7 +45,8 @@ private:
     std::shared_ptr<const Metric> matter_;
     std::shared_ptr<const Bodies> bodies_;
     std::shared_ptr<const Medium> medium_;
-    std::shared_ptr<const RayFamily> rays_;
+    std::shared_ptr<const RayFamily> rays_,
+        bare_rays_;  // the latter ask nothing of matter along them, of which ray data has nothing
 };
 
 }  // namespace nullscope::reference
