@@ -195,7 +195,7 @@ MUTANTS = [Mutant(*row) for row in [
      "        wide *= 2.0;\n", "", GAS),
     ("gas-mean", "the gas's mean light is not 1", "src/reference/disc_gas.cpp", "mean = 1 + c * c / 3", "mean = 1", GAS_LAW),
     ("gas-weights", "noise fades between the rings of gas", "src/reference/noise_ring.h",
-     "((1 - s) * a + s * b) / std::hypot(s, 1 - s)", "(1 - s) * a + s * b", GAS_LAW),
+     "((1 - s) * a + s * b) / std::sqrt(s * s + (1 - s) * (1 - s))", "(1 - s) * a + s * b", GAS_LAW),
     ("gas-seam", "the last cell of a ring of gas does not meet the first", "src/reference/noise_ring.h",
      "value((first + 1) % cells_)", "value(first + 1 < cells_ ? first + 1 : first)", GAS),
 ]]

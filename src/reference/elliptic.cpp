@@ -20,7 +20,6 @@ using Quiet =
 constexpr double kSeriesSpread = 2e-3;
 // The arithmetic-geometric mean squares its relative gap at each step: 1e-9 before the last step is 1e-18 after it.
 constexpr double kMeanGap = 1e-9;
-constexpr int kMeanSteps = 16;
 
 }  // namespace
 
@@ -49,29 +48,30 @@ double rf_pair(double w, double re, double im) {
     }
 }
 
-JacobiValues jacobi(double z, double m1) {
-    std::array<double, kMeanSteps> upper{}, lower{};
-    double a = 1, square = m1, mean = 1;
-    int steps = 0;
-    while (steps < kMeanSteps) {
+Jacobi::Jacobi(double m1) {
+    double a = 1, square = m1;
+    while (steps_ < kMeanSteps) {
         const double b = std::sqrt(square);
-        upper[steps] = a;
-        lower[steps] = b;
-        ++steps;
-        mean = 0.5 * (a + b);
+        upper_[steps_] = a;
+        lower_[steps_] = b;
+        ++steps_;
+        mean_ = 0.5 * (a + b);
         if (std::abs(a - b) <= kMeanGap * a) break;
         square = a * b;
-        a = mean;
+        a = mean_;
     }
-    const double sine = std::sin(mean * z);
+}
+
+JacobiValues Jacobi::operator()(double z) const {
+    const double sine = std::sin(mean_ * z);
     if (sine == 0) return {0, 1, 1};
     // Back from the mean: Gauss' transformation for c = a cot(amplitude), which keeps cn relative near K.
-    double ratio = std::cos(mean * z) / sine, c = mean * ratio, dn = 1;
-    for (int i = steps - 1; i >= 0; --i) {
+    double ratio = std::cos(mean_ * z) / sine, c = mean_ * ratio, dn = 1;
+    for (int i = steps_ - 1; i >= 0; --i) {
         ratio *= c;
         c *= dn;
-        dn = (lower[i] + ratio) / (upper[i] + ratio);
-        ratio = c / upper[i];
+        dn = (lower_[i] + ratio) / (upper_[i] + ratio);
+        ratio = c / upper_[i];
     }
     const double sn = std::copysign(1 / std::hypot(c, 1.0), sine);
     return {sn, c * sn, dn};

@@ -1,6 +1,7 @@
 // Elliptic integrals and functions in the forms the orbits need: every argument is a quantity that the caller can form
 // without cancellation, so every result is good to a few units in the last place, also next to the critical ray.
 #pragma once
+#include <array>
 
 namespace nullscope::reference {
 
@@ -19,6 +20,17 @@ double rf_pair(double w, double re, double im);
 struct JacobiValues {
     double sn, cn, dn;
 };
-JacobiValues jacobi(double z, double m1);
+class Jacobi {  // of one parameter, for any number of arguments
+public:
+    explicit Jacobi(double m1);
+    JacobiValues operator()(double z) const;
+
+private:
+    static constexpr int kMeanSteps = 16;           // of Gauss' mean: some 5 of them, and more as m1 -> 0
+    std::array<double, kMeanSteps> upper_, lower_;  // as many as there are steps
+    double mean_ = 1;
+    int steps_ = 0;
+};
+inline JacobiValues jacobi(double z, double m1) { return Jacobi(m1)(z); }
 
 }  // namespace nullscope::reference

@@ -1,10 +1,12 @@
 #include "reference/emission.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "light/black_body.h"
 #include "plan/medium.h"
+#include "reference/chebyshev.h"
 #include "reference/seen_light.h"
 #include "scene/known_object.h"
 
@@ -21,31 +23,45 @@ bool is_dark(double temperature, double field) { return temperature < kColdest_K
 
 }  // namespace
 
-// The integral of cosh(2t) exp(-x cosh t): the trapezoidal rule converges faster than any power.
-double bessel_k2(double x) {
-    constexpr double kStep = 1.0 / 8;  // exp(-79) of it
-    double sum = 0.5 * std::exp(-x);
-    for (double t = kStep;; t += kStep) {
-        const double term = std::cosh(2 * t) * std::exp(-x * std::cosh(t));
+// e^x K_2, the integral of cosh(2t) exp(-2x sinh^2(t/2)): the trapezoidal rule converges faster than any power.
+double scaled_bessel_k2_by_sum(double x) {
+    const double step = std::min(1.0 / 8, 2.0 / 3 / std::sqrt(x));  // exp(-44) of it at most
+    double sum = 0.5;
+    for (double t = step;; t += step) {
+        const double half = std::sinh(0.5 * t), term = std::cosh(2 * t) * std::exp(-2 * x * half * half);
         sum += term;
-        if (x * std::cosh(t) > 2 && term < 1e-17 * sum) return kStep * sum;
+        if (x * half * half > 1 && term < 1e-17 * sum) return step * sum;
     }
+}
+
+// By its logarithm as a function of that of x, which is regular for arguments of x up to a quarter turn.
+double bessel_k2(double x) {
+    constexpr double kLeast = -16, kMost = 6;  // ln x
+    constexpr std::size_t kTerms = 13, kPieces = 2 * static_cast<std::size_t>(kMost - kLeast);
+    static const ChebyshevPieces<1, kTerms> pieces(
+        [](double log_x) { return std::array{std::log(scaled_bessel_k2_by_sum(std::exp(log_x)))}; }, kLeast, kMost,
+        kPieces);
+    const double log_x = std::log(x);
+    if (!pieces.holds(log_x)) return std::exp(-x) * scaled_bessel_k2_by_sum(x);
+    return std::exp(pieces(log_x)[0] - x);
 }
 
 double synchrotron_at(double electrons, double temperature, double field, double sine, double nu) {
     if (is_dark(temperature, field)) return 0;
     const double theta = theta_of(temperature),
                  nu_s = 2.0 / 9 * gyro_frequency(field) * theta * theta * std::max(sine, 1e-3), x = nu / nu_s;
-    return electrons * std::sqrt(2.0) * M_PI * kCharge * kCharge * nu_s / (3 * bessel_k2(1 / theta) * kLight) *
-           std::pow(std::sqrt(x) + std::pow(2.0, 11.0 / 12) * std::pow(x, 1.0 / 6), 2) * std::exp(-std::cbrt(x));
+    constexpr double kPower = 1.8877486253633868;  // 2^(11/12)
+    const double third = std::cbrt(x), shape = std::sqrt(x) + kPower * std::sqrt(third);
+    return electrons * std::sqrt(2.0) * M_PI * kCharge * kCharge * nu_s / (3 * bessel_k2(1 / theta) * kLight) * shape *
+           shape * std::exp(-third);
 }
 
 double synchrotron_mean(double electrons, double temperature, double field, double nu) {
     if (is_dark(temperature, field)) return 0;
     const double theta = theta_of(temperature), x = 2 * nu / (3 * gyro_frequency(field) * theta * theta);
+    const double third = std::cbrt(x), half = std::sqrt(x);
     return kCharge * kCharge / (kLight * std::sqrt(3.0)) * electrons * nu / bessel_k2(1 / theta) * 4.0505 /
-           std::pow(x, 1.0 / 6) * (1 + 0.4 / std::pow(x, 0.25) + 0.5316 / std::sqrt(x)) *
-           std::exp(-1.8899 * std::cbrt(x));
+           std::sqrt(third) * (1 + 0.4 / std::sqrt(half) + 0.5316 / half) * std::exp(-1.8899 * third);
 }
 
 double planck(double temperature, double nu) {
@@ -70,6 +86,7 @@ MatterLight black_body_light(const MediumSpec& spec, const LightSpec& light, dou
 
 Emission::Emission(const Scene& scene) : spec_(*scene.medium), light_(scene.light) {
     unit_light_ = unit_light_of(spec_, light_);
+    unit_cgs_ = medium_light_cgs(spec_.frequency_GHz);
     length_cm_ = 100 * schwarzschild_radius_m(scene.object.mass().value_or(0.0));
 }
 
@@ -104,8 +121,8 @@ MatterLight Emission::at(const MatterState& matter, const PlaceMetric& g, const 
     if (spec_.emission == MediumEmission::kBlackBody)
         return black_body_light(spec_, light_, unit_light_, matter.temperature_K, ratio,
                                 matter.density * spec_.opacity * length);
-    const double shift = light_.shift ? frequency : 1, bright = light_.beaming ? std::pow(ratio, 3) : 1,
-                 unit = medium_light_cgs(spec_.frequency_GHz), nu = 1e9 * spec_.frequency_GHz * shift;
+    const double shift = light_.shift ? frequency : 1, bright = light_.beaming ? ratio * ratio * ratio : 1,
+                 nu = 1e9 * spec_.frequency_GHz * shift;
     double emitted = 0, absorbed = 0;  // a cm
     if (spec_.emission == MediumEmission::kPowerLaw) {
         constexpr double kReference = 230e9;
@@ -119,7 +136,7 @@ MatterLight Emission::at(const MatterState& matter, const PlaceMetric& g, const 
                                        std::sqrt(std::max(1 - cosine * cosine, 0.0)), nu);
         if (emitted > 0) absorbed = emitted / planck(matter.temperature_K, nu);
     }
-    return even_light(spec_, bright * emitted * length * length_cm_ / unit, absorbed * length * length_cm_);
+    return even_light(spec_, bright * emitted * length * length_cm_ / unit_cgs_, absorbed * length * length_cm_);
 }
 
 }  // namespace nullscope::reference

@@ -45,7 +45,7 @@ private:
     MediumSpec spec_;
     LightSpec light_;
     double length_cm_ = 0;  // r_s
-    double unit_light_ = 1;
+    double unit_light_ = 1, unit_cgs_ = 1;
 };
 
 // K_2(x), x above 0; to 1e-12.

@@ -66,9 +66,10 @@ struct KerrChart : KerrHole {
 
     // What the azimuth of x + iy = (r + ia) sin(theta) e^{i phi~} is ahead of Boyer and Lindquist's, which it meets at
     // infinity.
-    double ahead(double r) const {
+    double ahead(double r) const { return std::atan2(a, r) + drag_ahead(r); }
+    double drag_ahead(double r) const {  // of phi~
         const double root = horizons_apart();
-        return std::atan2(a, r) + (root > 0 ? a / root * std::log1p(-root / (r - inner())) : -a / (r - inner()));
+        return root > 0 ? a / root * std::log1p(-root / (r - inner())) : -a / (r - inner());
     }
     double tortoise_ahead(double r) const {  // r_* - r
         const double in = inner(), out = outer();

@@ -1,5 +1,6 @@
 // A rotating hole: its rays are integrated (kerr_ray.h), and no camera and no matter is at rest by itself.
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -51,6 +52,26 @@ private:
     bool delays_;  // of crossings
 };
 
+// A step is looked along by its interpolant, but for the first look: far from matter there is no other.
+class StepWay final : public Medium::Way {
+public:
+    StepWay(const KerrStep& step, bool timed) : step_(step), timed_(timed) {}
+    Medium::Place at(double along) const override {
+        if (along == step_.from) return of(step_.begin);
+        if (along == step_.to) return of(step_.end);
+        if (std::exchange(first_, false)) return of(step_.at(along));
+        const KerrGlance there = step_.glance(along, timed_);
+        return {there.r, there.direction, there.delay, Medium::Slopes{there.r_slope, there.theta_slope}};
+    }
+    double affine(const Medium::Place&, double width) const override { return width; }
+
+private:
+    static Medium::Place of(const KerrPlace& place) { return {place.r, place.flat() / place.r, place.delay}; }
+    const KerrStep& step_;
+    bool timed_;
+    mutable bool first_ = true;
+};
+
 // trace(watch): a KerrRay, its steps shown to `watch`.
 template <class Trace>
 RayPtr meeting_bodies(const RayTask& task, const Trace& trace) {
@@ -61,15 +82,7 @@ RayPtr meeting_bodies(const RayTask& task, const Trace& trace) {
         watch = [&task, &nodes, meets = std::move(watch)](const KerrStep& step) {
             if (meets) meets(step);
             if (std::min(step.begin.r, step.end.r) > 2 * task.medium->farthest()) return;  // of half its radius at most
-            task.medium->add_nodes(
-                step.from, step.to,
-                [&](double along) {
-                    const KerrPlace place = along == step.from ? step.begin
-                                            : along == step.to ? step.end
-                                                               : step.at(along);
-                    return Medium::Place{place.r, place.theta, place.phi, place.delay};
-                },
-                [](const Medium::Place&, double width) { return width; }, nodes);
+            task.medium->add_nodes(step.from, step.to, StepWay(step, task.medium->moves()), nodes);
         };
     KerrRay ray = trace(watch);
     return std::make_unique<TracedKerrRay>(std::move(ray), bodies.hit(), std::move(nodes), task.delays_disc);
@@ -105,9 +118,9 @@ public:
         const double a = hole_.a, mass = hole_.twice_mass(r);
         return {-(1 - mass / r), -a * mass / r, hole_.g_phiphi(r), r * r / (r * r - mass * r + a * a)};
     }
-    PlaceMetric place(double r, double theta) const override {
-        const double a = hole_.a, sine2 = std::pow(std::sin(theta), 2), cosine2 = std::pow(std::cos(theta), 2),
-                     sigma = r * r + a * a * cosine2, pull = hole_.twice_mass(r) * r / sigma;
+    PlaceMetric place(double r, double sine, double cosine) const override {
+        const double a = hole_.a, sine2 = sine * sine, cosine2 = cosine * cosine, sigma = r * r + a * a * cosine2,
+                     pull = hole_.twice_mass(r) * r / sigma;
         return {pull - 1, -a * pull * sine2, (r * r + a * a + a * a * pull * sine2) * sine2,
                 sigma / (r * r - hole_.twice_mass(r) * r + a * a), sigma};
     }

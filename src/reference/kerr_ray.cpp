@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "reference/kerr_between.h"
 #include "reference/kerr_launch.h"
 #include "reference/kerr_step.h"
 
@@ -27,7 +28,8 @@ constexpr double kFarForTime = 1e4;
 constexpr int kMostSteps = 20000;  // near-critical rays take some hundred
 // of its radius: how near to it a ray is shown; nearer, rounding turns the azimuth by 1e-7 rad and more
 constexpr double kAboveHorizon = 1e-9;
-constexpr int kHalvings = 40;  // of a step through the horizon: beyond them is rounding
+constexpr double kAxis = 1e-9;  // of the sine of the polar angle, within which that does not change
+constexpr int kHalvings = 40;   // of a step through the horizon: beyond them is rounding
 // the root of Carter's constant over E, r_s, below which the ray of a camera in the plane stays in it
 constexpr double kStaysThere = 5e-11;
 
@@ -76,6 +78,9 @@ private:
     }
     KerrState stepped(const Here& from, double lambda) const { return step(from, lambda).end; }
     KerrPlace place_of(const Here& from, const KerrState& state, double lambda) const;
+    using Between = HermiteNinth<4>;  // place and s[6]
+    Between between(const KerrState& end, double taken) const;
+    KerrGlance glance(const Between& between, double lambda, double taken, bool timed) const;
     void add_crossing(double taken, KerrRay& ray) const;
     void show(const KerrState& state, double taken, const KerrWatch& watch) const;
     void begin_line(const KerrLine& line, const KerrPhase& phase, double r);
@@ -84,9 +89,12 @@ private:
         return phi_ - sense_ * (chart_azimuth - chart_.ahead(r));
     }
     // The chart's t is v - r of what is traced: of the mirror image -t + r_* - r.
-    double delay(const Here& from, const KerrState& s, double lambda, double r) const {
+    double delay(const Here& from, double clock, double lambda, double r) const {
         const long double passed = from.time + static_cast<long double>(energy_) * lambda;
-        return static_cast<double>(start_.base + passed) + sense_ * (s[6] / kClockUnit - chart_.tortoise_ahead(r));
+        return static_cast<double>(start_.base + passed) + sense_ * (clock / kClockUnit - chart_.tortoise_ahead(r));
+    }
+    double delay(const Here& from, const KerrState& s, double lambda, double r) const {
+        return delay(from, s[6], lambda, r);
     }
     bool is_far(double r) const;
     double delay_from(double r) const;
@@ -173,6 +181,36 @@ KerrPlace Path::place_of(const Here& from, const KerrState& state, double lambda
     return {r, std::atan2(flat, x.z / r), phi, delay(from, state, lambda, r)};
 }
 
+Path::Between Path::between(const KerrState& end, double taken) const {
+    std::array<Between::Known, Between::kPlaces> known{};
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        const double lambda = Between::kAt[i] * taken;
+        const KerrState state = i == 0 ? here_.state : i + 1 == known.size() ? end : stepped(here_, lambda);
+        const auto [x, p] = here_.line.at(state, lambda);
+        const KerrChart::Pull pull = chart_.pull(sense_ * energy_, x, p);
+        const Vec3 motion = p + pull.drift;
+        known[i] = {{x.x, x.y, x.z, state[6]},
+                    {taken * motion.x, taken * motion.y, taken * motion.z, taken * kClockUnit * pull.delay}};
+    }
+    return Between(known);
+}
+
+// sin(theta) e^{i(phi~ - ...)} by (x + iy)/(r + ia), without angles.
+KerrGlance Path::glance(const Between& between, double lambda, double taken, bool timed) const {
+    const auto [value, slope] = between(lambda / taken);
+    const Vec3 x{value[0], value[1], value[2]}, motion = Vec3{slope[0], slope[1], slope[2]} / taken;
+    const double r = chart_.radius(x), a = chart_.a, across = r * r + a * a, cosine = x.z / r;
+    const double co = (r * x.x + a * x.y) / across, si = (r * x.y - a * x.x) / across,
+                 sine = std::sqrt(co * co + si * si);
+    const double turn = phi_ + sense_ * chart_.drag_ahead(r), ct = std::cos(turn), st = std::sin(turn);
+    const double rising = chart_.rising(x, motion);
+    return {r,
+            {ct * co + sense_ * st * si, st * co - sense_ * ct * si, cosine},
+            timed ? delay(here_, value[3], lambda, r) : 0,
+            rising,
+            (cosine * rising - motion.z) / (r * std::max(sine, kAxis))};
+}
+
 // What of a step is outside the horizon.
 void Path::show(const KerrState& state, double taken, const KerrWatch& watch) const {
     const auto outside = [this](const KerrState& s, double lambda) {
@@ -184,7 +222,12 @@ void Path::show(const KerrState& state, double taken, const KerrWatch& watch) co
     const auto at = [this, here = here_, from](double along) {
         return place_of(here, stepped(here, along - from), along - from);
     };
-    KerrStep step{from, from + taken, {}, {}, at};
+    std::optional<Between> between_ends;
+    const auto glanced = [&](double along, bool timed) {
+        if (!between_ends) between_ends = between(state, taken);
+        return glance(*between_ends, along - from, taken, timed);
+    };
+    KerrStep step{from, from + taken, {}, {}, at, std::ref(glanced)};
     if (begins != ends) {
         double out = begins ? 0 : taken, in = taken - out;
         for (int i = 0; i < kHalvings; ++i) {

@@ -65,11 +65,21 @@ struct KerrPlace {
 // whatever winds between them.
 double way_between(const KerrPlace& from, const KerrPlace& to);
 
+// The same from an interpolant (kerr_between.h), as matter asks for it.
+struct KerrGlance {
+    double r;
+    Vec3 direction;               // of (theta, phi): unit, world axes
+    double delay;                 // 0 if it was not asked for
+    double r_slope, theta_slope;  // by `along`
+};
+
 // A step of the tracer, as far as it is outside the outer horizon: from one affine parameter to another.
 struct KerrStep {
     double from, to;
     KerrPlace begin, end;
     std::function<KerrPlace(double along)> at;  // as exact as the step; within trace_kerr only. Some microsecond
+    std::function<KerrGlance(double along, bool timed)>
+        glance;  // within the watch's call only: three times `at` for the first one, then 0.15 microseconds
 };
 // Is shown every step, in order.
 using KerrWatch = std::function<void(const KerrStep& step)>;

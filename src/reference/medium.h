@@ -19,15 +19,26 @@ class Medium {
 public:
     // Of a scene that has one. matter: outlives this.
     Medium(const Scene& scene, const Metric& matter);
-    // Nodes of midpoint rules, in order, of a part of a ray between two values of `along`, with places at both ends; `at` gives others.
-    // way(node, width): of the affine parameter of a photon of unit frequency in the camera, for a width in `along`.
-    struct Place {
-        double r, theta, phi = 0,
-                         delay = 0;  // Boyer and Lindquist's; how long ago the light left, where the medium moves
+    struct Slopes {
+        double r, theta;  // by the affine parameter of a photon of unit frequency in the camera
     };
-    using At = std::function<Place(double along)>;
-    void add_nodes(double from, double to, const At& at, const std::function<double(const Place&, double)>& way,
-                   std::vector<MediumNode>& nodes) const;
+    // A part of a ray, as matter asks for it.
+    struct Place {
+        double r;                        // Boyer and Lindquist's
+        Vec3 direction;                  // of its angles: unit, world axes
+        double delay = 0;                // how long ago the light left, where the medium moves
+        std::optional<Slopes> slopes{};  // where they are known without differences
+        Vec3 flat() const { return r * direction; }
+    };
+    class Way {
+    public:
+        virtual ~Way() = default;
+        virtual Place at(double along) const = 0;
+        // Of that parameter, for a width in `along`.
+        virtual double affine(const Place& place, double width) const = 0;
+    };
+    // Nodes of midpoint rules, in order, between two values of `along`.
+    void add_nodes(double from, double to, const Way& way, std::vector<MediumNode>& nodes) const;
     bool moves() const { return moves_; }
     double farthest() const { return farthest_; }
     double nearest() const { return nearest_; }
@@ -42,8 +53,13 @@ private:
     Light by_place(const MediumNode& node, double energy, double momentum) const;
     MatterState formula(const MediumNode& node) const;
     double panel(const Place& place) const;
-    void split(double from, const Place& begin, double to, const Place& end, int depth, const At& at,
-               const std::function<double(const Place&, double)>& way, std::vector<MediumNode>& nodes) const;
+    struct Look {
+        double along;
+        Place place;
+        double panel;  // how long one may be there
+    };
+    Look look(double along, const Way& way) const;
+    void split(const Look& begin, const Look& end, int depth, const Way& way, std::vector<MediumNode>& nodes) const;
     struct Formulas {
         expr::Formula density, temperature, field, outward, south, east;
     };

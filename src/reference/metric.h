@@ -32,9 +32,9 @@ class Metric {
 public:
     virtual ~Metric() = default;
     virtual EquatorialMetric equator(double r) const = 0;
-    virtual PlaceMetric place(double r, double theta) const {  // here of what is spherical
+    virtual PlaceMetric place(double r, double sine, double) const {  // of the polar angle; here of what is spherical
         const EquatorialMetric g = equator(r);
-        return {g.g_tt, 0, g.g_phiphi * std::sin(theta) * std::sin(theta), g.g_rr, r * r};
+        return {g.g_tt, 0, g.g_phiphi * sine * sine, g.g_rr, r * r};
     }
     virtual std::optional<double> horizon_radius() const { return {}; }  // of the outer horizon, r_s
     // Omega of the circular geodesic at r, with the rotation: g_tt' + 2 g_tphi' Omega + g_phiphi' Omega^2 = 0.

@@ -23,7 +23,7 @@ public:
     // Between neighbours; the squares of their shares add up to 1.
     static double blend(double a, double b, double part) {
         const double s = part * part * (3 - 2 * part);
-        return ((1 - s) * a + s * b) / std::hypot(s, 1 - s);
+        return ((1 - s) * a + s * b) / std::sqrt(s * s + (1 - s) * (1 - s));
     }
 
 private:

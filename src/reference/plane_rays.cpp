@@ -114,7 +114,38 @@ std::optional<BodyHit> PlaneRay::first_hit() const {
     return first;
 }
 
-// By the swept angle, of which the affine parameter is r^2/L; along the radius it is r/E.
+namespace {
+
+// By the swept angle, of which the affine parameter is r^2/L.
+class SweptWay final : public Medium::Way {
+public:
+    SweptWay(const PlaneRay& ray, double energy) : ray_(ray), unit_(1 / (ray.photon().l * energy)) {}
+    Medium::Place at(double along) const override { return {ray_.radius_at(along), ray_.plane().direction(along)}; }
+    double affine(const Medium::Place& place, double width) const override { return place.r * place.r * width * unit_; }
+
+private:
+    const PlaneRay& ray_;
+    double unit_;
+};
+
+// Along the radius it is r/E; `along` is how far that has changed.
+class RadialWay final : public Medium::Way {
+public:
+    RadialWay(const PlaneRay& ray, double energy, double sense)
+        : direction_(ray.plane().direction(0)), r0_(std::abs(ray.photon().r)), sense_(sense), energy_(energy) {}
+    double r(double along) const { return r0_ + sense_ * along; }
+    Medium::Place at(double along) const override {
+        return {std::abs(r(along)), r(along) < 0 ? -direction_ : direction_};
+    }
+    double affine(const Medium::Place&, double width) const override { return width / energy_; }
+
+private:
+    Vec3 direction_;
+    double r0_, sense_, energy_;
+};
+
+}  // namespace
+
 std::vector<MediumNode> PlaneRay::medium_nodes() const {
     constexpr double kRadial = 1e-10;  // of L/E, r_s, below which the angle is of no use
     constexpr double kBeforeEnd = 1e-12;
@@ -126,30 +157,15 @@ std::vector<MediumNode> PlaneRay::medium_nodes() const {
         const bool inward = fate() == Fate::kCaptured || !(end() < 1);
         const double least = metric_.horizon_radius().value_or(-medium.farthest()),
                      most = std::max(medium.farthest(), r0);
-        const auto r_of = [&](double along) { return inward ? r0 - along : r0 + along; };
-        medium.add_nodes(
-            0, inward ? r0 - least : most - r0,
-            [&](double along) {
-                const double r = r_of(along);
-                const Vec3 place = plane_.direction(0) * r;
-                return Medium::Place{std::abs(r), std::atan2(std::hypot(place.x, place.y), place.z),
-                                     std::atan2(place.y, place.x)};
-            },
-            [&](const Medium::Place&, double width) { return width / energy; }, nodes);
-        for (MediumNode& node : nodes) node.along = r_of(node.along) < 0 ? M_PI : 0;  // as an angle
+        const RadialWay way(*this, energy, inward ? -1 : 1);
+        medium.add_nodes(0, inward ? r0 - least : most - r0, way, nodes);
+        for (MediumNode& node : nodes) node.along = way.r(node.along) < 0 ? M_PI : 0;  // as an angle
         return nodes;
     }
-    medium.add_nodes(
-        0, end() * (1 - kBeforeEnd),
-        [&](double along) {
-            const Vec3 place = plane_.direction(along);
-            return Medium::Place{radius_at(along), std::atan2(std::hypot(place.x, place.y), place.z),
-                                 std::atan2(place.y, place.x)};
-        },
-        [&](const Medium::Place& place, double width) { return place.r * place.r * width / (photon_.l * energy); },
-        nodes);
-    if (medium.moves())
-        for (MediumNode& node : nodes) node.delay = delay(node.along);
+    medium.add_nodes(0, end() * (1 - kBeforeEnd), SweptWay(*this, energy), nodes);
+    if (!medium.moves()) return nodes;
+    LightClock light = clock();  // it goes on from node to node
+    for (MediumNode& node : nodes) node.delay = light.delay(node.along);
     return nodes;
 }
 

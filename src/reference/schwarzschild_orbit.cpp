@@ -8,6 +8,7 @@
 // monotone from infinity to the singularity or back) and radial (q infinite).
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "reference/elliptic.h"
 #include "reference/plane_metrics.h"
@@ -129,7 +130,8 @@ public:
     }
     double place_at(double angle) const override {
         const bool approaches = start_.s > 0 && angle <= segment_;
-        return zeta_from_infinity(approaches ? from_infinity() + angle : angle_ - angle);
+        if (approaches && !from_sky_) from_sky_ = from_infinity();
+        return zeta_from_infinity(approaches ? *from_sky_ + angle : angle_ - angle);
     }
     double delay() const override;
 
@@ -146,7 +148,8 @@ private:
     // every term is positive.
     double zeta_from_infinity(double x) const {
         const double omega = std::sqrt(roots_.e31);
-        const JacobiValues j = jacobi(0.5 * omega * x, roots_.e32 / roots_.e31);
+        if (!jacobi_) jacobi_.emplace(roots_.e32 / roots_.e31);
+        const JacobiValues j = (*jacobi_)(0.5 * omega * x);
         const double denominator = roots_.e3 * square(j.sn) + roots_.e31 * square(j.cn);
         const double numerator = omega * roots_.e31 * j.cn * j.dn * j.sn + start_.q * square(square(j.sn));
         return 2 * start_.q * numerator / square(denominator);
@@ -154,6 +157,8 @@ private:
     SchwarzschildStart start_;
     RealRoots roots_;
     double f1_, f2_, f3_, segment_ = 0;
+    mutable std::optional<Jacobi> jacobi_;  // once places are asked for
+    mutable std::optional<double> from_sky_;
 };
 
 // Inward part: 2 int_zeta0^e2 q dzeta / (zeta^2 (1 - zeta) sqrt P), from
@@ -202,13 +207,14 @@ public:
     // From the turning point: zeta = e3 + e32 sc^2(sqrt(e31) v / 2).
     // From the singularity:   zeta = e3 + e31 cs^2(sqrt(e31) y / 2).
     double place_at(double angle) const override {
-        const double v = std::abs(angle + start_.s * segment_), y = to_singularity() - start_.s * angle;
-        const double half = 0.5 * std::sqrt(roots_.e31), m1 = roots_.e32 / roots_.e31;
+        if (!jacobi_) jacobi_.emplace(roots_.e32 / roots_.e31), to_singularity_ = to_singularity();
+        const double v = std::abs(angle + start_.s * segment_), y = to_singularity_ - start_.s * angle;
+        const double half = 0.5 * std::sqrt(roots_.e31);
         if (y > 0 && y < v) {
-            const JacobiValues j = jacobi(half * y, m1);
+            const JacobiValues j = (*jacobi_)(half * y);
             return roots_.e3 + roots_.e31 * square(j.cn / j.sn);
         }
-        const JacobiValues j = jacobi(half * v, m1);
+        const JacobiValues j = (*jacobi_)(half * v);
         return roots_.e3 + roots_.e32 * square(j.sn / j.cn);
     }
     double delay() const override { return kNotANumber; }
@@ -221,6 +227,8 @@ private:
     SchwarzschildStart start_;
     RealRoots roots_;
     double f1_, f2_, f3_, segment_;
+    mutable std::optional<Jacobi> jacobi_;
+    mutable double to_singularity_ = 0;  // with it
 };
 
 // sinh(asinh(x) / 3). A logarithm turned back into a power would cost ln(x) roundings where x is large: a cube root does not.
@@ -256,9 +264,13 @@ public:
     // function), whichever is nearer: p(x) = (e1 - 1/3)/4 + (N/4) (1 + cn)/(1 - cn), cn of sqrt(N) x, N = |e1 - e2|.
     double place_at(double angle) const override {
         const bool out = start_.s < 0;
-        const double x = out ? angle_ - angle : between(camera_, sky_, start_.zeta0) + angle;
-        const double y = to_singularity(camera_) + (out ? angle : -angle);
-        const JacobiValues j = jacobi(std::sqrt(modulus_) * std::min(x, y), m1_);
+        if (!jacobi_) {
+            jacobi_.emplace(m1_), to_singularity_ = to_singularity(camera_);
+            if (!out) from_sky_ = between(camera_, sky_, start_.zeta0);
+        }
+        const double x = out ? angle_ - angle : from_sky_ + angle;
+        const double y = to_singularity_ + (out ? angle : -angle);
+        const JacobiValues j = (*jacobi_)(std::sqrt(modulus_) * std::min(x, y));
         const double up = square(1 + j.cn), sn2 = square(j.sn);
         if (y < x) return modulus_ * up / sn2 - minus_e1_;
         const double numerator = 2 * modulus_ * std::sqrt(modulus_) * j.sn * j.dn * up + start_.q * square(sn2);
@@ -293,6 +305,8 @@ private:
     SchwarzschildStart start_;
     double minus_e1_, re_, im_, modulus_, m1_;
     Point camera_, sky_;
+    mutable std::optional<Jacobi> jacobi_;  // once places are asked for, and with it
+    mutable double to_singularity_ = 0, from_sky_ = 0;
 };
 
 // L = 0, and the circular orbit on the photon sphere, which never ends, stand.
@@ -335,6 +349,7 @@ class Schwarzschild : public OrbitMetric {
 public:
     std::optional<double> horizon_radius() const override { return 1.0; }
     double lapse(double r) const override { return std::sqrt((r - 1) / r); }
+    double kepler_rate(double r) const override { return std::sqrt(0.5 / r) / r; }  // Kepler's third law, exactly
     Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay& ray) const override {
         const double q = std::max(ray.q, kLeastQ), zeta0 = ray.zeta0;
         double p = 0, delta2 = 0;

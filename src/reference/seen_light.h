@@ -13,7 +13,8 @@ struct Shift {
 };
 
 // Linear Rec. 709 of a black body of temperature_K whose frequencies arrive multiplied by g, as far as the switches of `light` let them;
-// its brightness in the unit of log2_brightness (light/black_body.h). Black where it is too cold to be seen. About 2 us.
+// its brightness in the unit of log2_brightness (light/black_body.h). Black where it is too cold to be seen. About 0.2 us, within 1e-12 of
+// what the sum over wavelengths gives.
 Vec3 seen_black_body(double temperature_K, double g, const LightSpec& light);
 
 }  // namespace nullscope::reference

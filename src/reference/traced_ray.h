@@ -46,11 +46,14 @@ struct BodyHit {
 
 // A part of a ray in matter (medium.h).
 struct MediumNode {
-    double along;          // in its middle
-    double r, theta, phi;  // Boyer and Lindquist's; r_s, rad
-    double delay;          // how long ago, by the camera's clock, the light left; where the medium moves
-    double way;            // how much of the affine parameter of a photon of unit frequency in the camera, r_s
-    double r_slope = 0, theta_slope = 0;  // by that parameter, away from the camera; where the medium moves along them
+    double along;    // in its middle
+    double r;        // Boyer and Lindquist's, r_s
+    Vec3 direction;  // of its angles: unit, world axes
+    double delay;    // how long ago, by the camera's clock, the light left; where the medium moves
+    double way;      // how much of the affine parameter of a photon of unit frequency in the camera, r_s
+    double r_slope = 0, theta_slope = 0;           // by that parameter, away from the camera; of matter by place
+    double cosine() const { return direction.z; }  // of the polar angle
+    double sine() const { return std::sqrt(direction.x * direction.x + direction.y * direction.y); }
 };
 
 // What rays may be asked, said before they are traced: one that is integrated is looked along meanwhile.
