@@ -51,7 +51,7 @@ private:
     Ring ring(double r) const;
     void tabulate_heat(double outer, double peak);
     PhotonAtDisc met(const PhotonAtDisc& photon) const;  // as matter there meets it, with lensing or straight
-    double heat(double r) const;                         // flux over the largest, from a table: 1e-9 of the largest
+    double heat(double r) const;                         // flux over the largest, from a table: 1e-8 of the largest
 
     const Metric& metric_;
     DiscSpec disc_;

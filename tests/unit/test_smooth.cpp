@@ -57,7 +57,7 @@ TEST_CASE("series: expansions about infinity, from below the power 0 on, and non
 
 TEST_CASE("smooth formulas: one that is too long for the values' place on the stack is as one that is not") {
     std::string many = "r";
-    for (int i = 2; i <= 40; ++i) many += " + r / " + std::to_string(i) + " - r / " + std::to_string(i);
+    for (int i = 2; i <= 20; ++i) many += " + r / " + std::to_string(i) + " - r / " + std::to_string(i);
     for (const double r : {0.25, 3.0}) CHECK(smooth(many).value<double>(r) == doctest::Approx(r).epsilon(1e-14));
     CHECK(same(at(many, 2), 0, {2, 1, 0}));
 }
