@@ -3,6 +3,8 @@
 Usage of every test here: test_NAME.py PATH-OF-NULLSCOPE [unittest options]
 """
 import os
+import random
+import signal
 import struct
 import subprocess
 import sys
@@ -19,6 +21,25 @@ VECTORS = Path(__file__).resolve().parent.parent / "vectors"
 SMALL = "48x27"      # px; large enough for a shadow, quick on a software driver
 QUICK = not depth.deep()
 LONGEST_S = 300      # a run that takes longer hangs
+
+# What runs in a shell's background ignores SIGINT, under nohup SIGHUP, and so would every child: here they are heard again.
+for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGHUP, signal.SIGTERM):
+    if signal.getsignal(number) == signal.SIG_IGN:
+        signal.signal(number, signal.SIG_DFL)
+signal.pthread_sigmask(signal.SIG_SETMASK, ())
+
+
+def dice(what):
+    """Random numbers, others in every run; NULLSCOPE_SEED=n repeats those of a run that has printed n."""
+    seed = int(os.environ.get("NULLSCOPE_SEED") or random.SystemRandom().randrange(10 ** 6))
+    print(f"{what}: NULLSCOPE_SEED={seed}", flush=True)
+    return random.Random(seed)
+
+
+def processor_s(process):
+    """What a process that runs has spent, in ticks of a hundredth of a second."""
+    fields = Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 class Ran:

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Sequences in chunks: the lines of `nullscope frames` draw one sequence together, whatever is killed and run again."""
 import os
-import random
 import shutil
 import signal
 import subprocess
@@ -130,7 +129,7 @@ class Workers(FarmTest):
         return worker
 
     def test_a_worker_is_killed_again_and_again(self):
-        chance = random.Random()
+        chance = support.dice("moments of killing")
         mine, others = self.lines()
         kept, killed = {}, 0
         other = self.begin(others)

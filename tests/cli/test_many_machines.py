@@ -2,7 +2,6 @@
 """One sequence on two workers, one of which is killed again and again: by lines that Slurm runs and that GNU parallel runs, and by
 `capture --workers`. Two workers are almost twice as fast as one. With --all; the packages: scripts/install-packages.sh --all."""
 import os
-import random
 import shutil
 import signal
 import subprocess
@@ -27,7 +26,7 @@ class ManyMachines(FarmTest):
 
     def setUp(self):
         super().setUp()
-        self.chance = random.Random()
+        self.chance = support.dice(self.id())
 
     def drawing(self, says=""):
         """The processes that draw here, and whose words hold `says`."""

@@ -9,14 +9,10 @@ counts: whoever else runs only adds. docs/command-line.md has measured times; me
 import os
 import resource
 import subprocess
-import sys
 import unittest
-from pathlib import Path
 
+from machine import slowness
 from support import BINARY, CliTest
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from machine import slowness  # noqa: E402
 
 SIZE = "1280x720"
 RUNS = 3
