@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 import support
-from machine import slowness
+from machine import slowness  # after support, which finds it
 from test_commands import png_size
 
 RAYS = "r,theta,phi,n_r,n_theta,n_phi\n" + "10,1.5,0,-1,0,0.1\n" * 5000
