@@ -286,7 +286,7 @@ Result<Scene> scene_of(const CaptureOptions& options) {
     return scene;
 }
 
-Status run(const CaptureOptions& options) {
+Status run_capture(const CaptureOptions& options) {
     TRY(scene, scene_of(options));
     if (options.dump_shader) return dump_shader(*scene);
     TRY(job, job_of(options, std::move(*scene)));
@@ -310,6 +310,6 @@ Result<std::string> sequence_stamp(const CaptureOptions& options) {
     return stamp_of(*job, options);
 }
 
-void add_capture(Command& parent) { add_capture_to(parent, run); }
+void add_capture(Command& parent) { add_capture_to(parent, run_capture); }
 
 }  // namespace nullscope::cli

@@ -16,7 +16,7 @@
 namespace nullscope::cli {
 namespace {
 
-struct Options {
+struct CompareOptions {
     std::string a, b, heat_map, scene;
 };
 
@@ -35,7 +35,7 @@ Result<std::optional<RayFrame>> load_rays(const std::string& name) {
     return std::optional<RayFrame>(std::move(*frame));
 }
 
-Status save_heat_map(const Options& options, const Image<float>& values, HeatScale scale) {
+Status save_heat_map(const CompareOptions& options, const Image<float>& values, HeatScale scale) {
     if (options.heat_map.empty()) return Done{};
     return save_png(options.heat_map, heat_map(values, scale));
 }
@@ -46,7 +46,7 @@ void print_spread(const char* name, const Spread& spread, const char* unit) {
                spread.median, unit, spread.count);
 }
 
-Status compare_rays(const Options& options, const RayFrame& a, const RayFrame& b) {
+Status compare_rays(const CompareOptions& options, const RayFrame& a, const RayFrame& b) {
     if (a.width != b.width || a.height != b.height)
         return bad_input(fmt::format("sizes differ: {} is {}x{}, {} is {}x{}", options.a, a.width, a.height, options.b,
                                      b.width, b.height));
@@ -79,7 +79,7 @@ Status compare_rays(const Options& options, const RayFrame& a, const RayFrame& b
     return save_heat_map(options, values, kPixelHeat);
 }
 
-Status compare_pictures(const Options& options) {
+Status compare_pictures(const CompareOptions& options) {
     TRY(a, load_image(options.a));
     TRY(b, load_image(options.b));
     const bool linear = is_exr(options.a) && is_exr(options.b);
@@ -96,7 +96,7 @@ Status compare_pictures(const Options& options) {
     return save_heat_map(options, m->difference, kPictureScale);
 }
 
-Status run(const Options& options) {
+Status run_compare(const CompareOptions& options) {
     if (!options.heat_map.empty() && !options.heat_map.ends_with(".png"))
         return bad_input(fmt::format("--heatmap {}: unknown kind of file", options.heat_map), "names that end in .png");
     TRY(a, load_rays(options.a));
@@ -112,8 +112,8 @@ Status run(const Options& options) {
 }  // namespace
 
 void add_compare(Command& parent) {
-    auto [command, options] = add_command<Options>(
-        parent, "compare", "Compare two pictures, or the ray data of two frames; B is taken as exact", run);
+    auto [command, options] = add_command<CompareOptions>(
+        parent, "compare", "Compare two pictures, or the ray data of two frames; B is taken as exact", run_compare);
     required_option(command, "a", options.a,
                     "PNG, JPEG, HDR or EXR; or an EXR with ray data (nullscope capture --raydata)");
     required_option(command, "b", options.b, "The exact picture or ray data, in the same kind of file");

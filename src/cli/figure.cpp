@@ -128,14 +128,14 @@ Result<std::string> isoradials(const std::string& name) {
     return svg_document(camera.width, camera.height, out);
 }
 
-struct Options {
+struct FigureOptions {
     std::string name, output, scene;
     int rings = 8;
     std::vector<int> angles;
 };
 
 // file and, beside it, the table as CSV.
-Result<int> photon_ring(const Options& options, const std::filesystem::path& file) {
+Result<int> photon_ring(const FigureOptions& options, const std::filesystem::path& file) {
     TRY(scene, load_scene(options.scene.empty() ? "photon-ring" : options.scene));
     TRY(figure, photon_ring_figure(*scene, options.rings, options.angles));
     const auto table = std::filesystem::path(file).replace_extension(".csv");
@@ -147,7 +147,7 @@ Result<int> photon_ring(const Options& options, const std::filesystem::path& fil
     return 0;
 }
 
-Result<int> run(const Options& options) {
+Result<int> run_figure(const FigureOptions& options) {
     const std::string file = options.output.empty() ? options.name + ".svg" : options.output;
     if (options.name == "photon-ring") return photon_ring(options, file);
     TRY(svg, options.name == "bending"     ? bending()
@@ -161,11 +161,11 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_figure(Command& parent) {
-    auto [command, options] = add_command<Options>(
+    auto [command, options] = add_command<FigureOptions>(
         parent, "figure",
         "Draw a figure as SVG: rays near the critical one, types of rays, isoradials (images of rings of the disc), or "
         "the widths of a photon ring's subrings",
-        run);
+        run_figure);
     command.add_option("name", &options.name, "bending, ray-types, isoradials or photon-ring")
         .required()
         .one_of({"bending", "ray-types", "isoradials", "photon-ring"});

@@ -17,18 +17,18 @@
 namespace nullscope::cli {
 namespace {
 
-using Words = std::vector<std::string>;
+using FilmWords = std::vector<std::string>;
 
 // What a name's ending stands for, as options of ffmpeg.
-struct Kind {
+struct FilmKind {
     const char *ending, *options;
     bool is_rgb = false;
 };
 constexpr std::array kKinds{
-    Kind{".mp4", "-c:v libx264 -crf 16 -pix_fmt yuv420p -movflags +faststart"},      // plays everywhere
-    Kind{".mov", "-c:v prores_ks -profile:v hq -vendor apl0 -pix_fmt yuv422p10le"},  // ProRes 422 HQ, to be edited
-    Kind{".mkv", "-c:v ffv1 -level 3 -slicecrc 1 -pix_fmt bgr0", true},              // without loss
-    Kind{".webm", "-c:v libvpx-vp9 -crf 18 -b:v 0 -row-mt 1 -pix_fmt yuv420p"},
+    FilmKind{".mp4", "-c:v libx264 -crf 16 -pix_fmt yuv420p -movflags +faststart"},      // plays everywhere
+    FilmKind{".mov", "-c:v prores_ks -profile:v hq -vendor apl0 -pix_fmt yuv422p10le"},  // ProRes 422 HQ, to be edited
+    FilmKind{".mkv", "-c:v ffv1 -level 3 -slicecrc 1 -pix_fmt bgr0", true},              // without loss
+    FilmKind{".webm", "-c:v libvpx-vp9 -crf 18 -b:v 0 -row-mt 1 -pix_fmt yuv420p"},
 };
 constexpr const char* kEvenSides = "crop=trunc(iw/2)*2:trunc(ih/2)*2";  // 4:2:0 halves them
 // Pictures are sRGB, and the film says so; where it does not, players guess by its size.
@@ -36,8 +36,8 @@ constexpr const char* kYuv =
     ",scale=out_color_matrix=bt709,"
     "setparams=colorspace=bt709:color_primaries=bt709:color_trc=iec61966-2-1:range=tv";
 
-const Kind* kind_of(const std::string& name) {
-    const auto* const kind = std::ranges::find_if(kKinds, [&](const Kind& k) { return name.ends_with(k.ending); });
+const FilmKind* kind_of(const std::string& name) {
+    const auto* const kind = std::ranges::find_if(kKinds, [&](const FilmKind& k) { return name.ends_with(k.ending); });
     return kind == kKinds.end() ? nullptr : kind;
 }
 
@@ -50,7 +50,7 @@ struct Ended {
 constexpr int kNotFound = 127;  // as a shell says it
 
 // No shell: words are passed as they are.
-Ended run_quietly(Words words) {
+Ended run_quietly(FilmWords words) {
     std::vector<char*> argv;
     argv.reserve(words.size() + 1);
     for (std::string& word : words) argv.push_back(word.data());
@@ -84,7 +84,7 @@ std::string percent_doubled(const std::string& name) {
     return doubled;
 }
 
-void append(Words& words, const std::string& blanks_between) {
+void add_words(FilmWords& words, const std::string& blanks_between) {
     for (std::string& word : split(blanks_between, ' ')) words.push_back(std::move(word));
 }
 
@@ -99,7 +99,7 @@ bool is_film(const std::string& name) { return kind_of(name) != nullptr; }
 
 std::string film_endings() {
     std::string text;
-    for (const Kind& kind : kKinds) text += (text.empty() ? "" : ", ") + std::string(kind.ending);
+    for (const FilmKind& kind : kKinds) text += (text.empty() ? "" : ", ") + std::string(kind.ending);
     return text;
 }
 
@@ -107,14 +107,14 @@ bool have_ffmpeg() { return run_quietly({"ffmpeg", "-loglevel", "quiet", "-versi
 
 Status encode_film(const Film& film) {
     return write_atomically(film.output, [&](const std::filesystem::path& part) -> Status {
-        Words words;
+        FilmWords words;
         // -xerror: without it the status is 0 also where the film's end could not be written.
-        append(words, fmt::format("ffmpeg -y -xerror -loglevel error -framerate {} -start_number {} -i", film.rate,
-                                  film.first));
+        add_words(words, fmt::format("ffmpeg -y -xerror -loglevel error -framerate {} -start_number {} -i", film.rate,
+                                     film.first));
         words.push_back(percent_doubled(film.folder) + "/%05d.png");
-        const Kind& kind = *kind_of(film.output);
-        append(words, fmt::format("-frames:v {} -vf {}{}", film.count, kEvenSides, kind.is_rgb ? "" : kYuv));
-        if (std::ranges::none_of(film.options, names_codec)) append(words, kind.options);
+        const FilmKind& kind = *kind_of(film.output);
+        add_words(words, fmt::format("-frames:v {} -vf {}{}", film.count, kEvenSides, kind.is_rgb ? "" : kYuv));
+        if (std::ranges::none_of(film.options, names_codec)) add_words(words, kind.options);
         words.insert(words.end(), film.options.begin(), film.options.end());
         words.push_back(part.string());
         const Ended ended = run_quietly(std::move(words));

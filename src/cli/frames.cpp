@@ -68,7 +68,7 @@ std::string ranges_text(const std::vector<int>& numbers) {
     return text;
 }
 
-Status run(const FramesOptions& options) {
+Status run_frames(const FramesOptions& options) {
     Words more = options.more;
     std::string range = options.range;
     if (range.starts_with('-')) {
@@ -117,7 +117,8 @@ Status run(const FramesOptions& options) {
 
 void add_frames(Command& parent) {
     auto [command, options] = add_command<FramesOptions>(
-        parent, "frames", "Divide a sequence into chunks that several machines draw at once (docs/farm.md)", run);
+        parent, "frames", "Divide a sequence into chunks that several machines draw at once (docs/farm.md)",
+        run_frames);
     required_option(command, "scene", options.scene, "Scene file, or the name of a built-in scene");
     command.add_option("frames", &options.range, "A:B, frames A to B-1 (default: all of the scene's [path])");
     command.add_option("options", &options.more, "After --: options of capture, as in -- --size 640x360");

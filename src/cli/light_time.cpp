@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSun_m = 2953.250077, kLight_m_s = 299792458.0;  // r_s of the Sun; c
 
-struct Options {
+struct LightTimeOptions {
     double from = 500, to = 500, impact = 5;
     std::optional<double> mass_suns;
 };
@@ -23,7 +23,7 @@ double chord(double a, double b, double angle) {
     return std::hypot(a - b, 2 * std::sqrt(a * b) * std::sin(0.5 * angle));
 }
 
-Result<int> run(const Options& options) {
+Result<int> run_light_time(const LightTimeOptions& options) {
     const double unit_m = options.mass_suns ? *options.mass_suns * kSun_m : 0;  // r_s in m
     const double scale = options.mass_suns ? 1000 / unit_m : 1;                 // of the lengths given, in r_s
     const double from = options.from * scale, to = options.to * scale, impact = options.impact * scale;
@@ -58,9 +58,10 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_light_time(Command& parent) {
-    auto [command, options] = add_command<Options>(
+    auto [command, options] = add_command<LightTimeOptions>(
         parent, "light-time",
-        "Light-travel time past a mass, and its Shapiro delay over the straight chord; by the reference tracer", run);
+        "Light-travel time past a mass, and its Shapiro delay over the straight chord; by the reference tracer",
+        run_light_time);
     number_option(command, "--from", options.from, 1.6, 1e15,
                   "Distance of the source from the mass, r_s (km with --mass-suns)");
     number_option(command, "--to", options.to, 1.6, 1e15,

@@ -25,7 +25,7 @@
 namespace nullscope::cli {
 namespace {
 
-struct Options {
+struct LightcurveOptions {
     std::string scene, output = "lightcurve", size, context = "auto", renderer = "gl";
     std::vector<int> region;  // x, y of the first pixel, x, y behind the last
     std::optional<double> from, to;
@@ -81,7 +81,7 @@ std::string svg_of(const Scene& scene, const std::vector<Sample>& curve) {
 }
 
 // The scene at options.steps times, the last included.
-Result<std::vector<Sample>> curve_of(const Options& options, Scene scene, double from, double to,
+Result<std::vector<Sample>> curve_of(const LightcurveOptions& options, Scene scene, double from, double to,
                                      const std::vector<int>& region) {
     std::optional<Session> session;
     std::optional<SkyCube> sky;
@@ -112,7 +112,7 @@ Result<std::vector<Sample>> curve_of(const Options& options, Scene scene, double
     return curve;
 }
 
-Result<std::vector<int>> region_of(const Options& options, const CameraSpec& camera) {
+Result<std::vector<int>> region_of(const LightcurveOptions& options, const CameraSpec& camera) {
     if (options.region.empty()) return std::vector<int>{0, 0, camera.width, camera.height};
     const auto& r = options.region;
     if (r[0] >= 0 && r[1] >= 0 && r[0] < r[2] && r[1] < r[3] && r[2] <= camera.width && r[3] <= camera.height) return r;
@@ -120,7 +120,7 @@ Result<std::vector<int>> region_of(const Options& options, const CameraSpec& cam
                      fmt::format("X0 < X1 <= {}, Y0 < Y1 <= {}", camera.width, camera.height));
 }
 
-Result<int> run(const Options& options) {
+Result<int> run_lightcurve(const LightcurveOptions& options) {
     TRY(scene, load_scene_sized(options.scene, options.size));
     if (moving_parts(*scene).empty())
         return bad_input(fmt::format("{}: nothing in it changes with time", options.scene),
@@ -142,8 +142,8 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_lightcurve(Command& parent) {
-    auto [command, options] = add_command<Options>(
-        parent, "lightcurve", "Light curve of a scene, brightness against time: FILE.csv and FILE.svg", run);
+    auto [command, options] = add_command<LightcurveOptions>(
+        parent, "lightcurve", "Light curve of a scene, brightness against time: FILE.csv and FILE.svg", run_lightcurve);
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene, in which something changes with time");
     text_option(command, "-o,--output", options.output, "Name of the files to write, without .csv and .svg");

@@ -19,7 +19,7 @@ struct PathOptions {
     bool cartesian = false;
 };
 
-Status run(const PathOptions& options) {
+Status run_path(const PathOptions& options) {
     TRY(scene, load_scene(options.scene));
     TRY(path, CameraPath::make(*scene));
     TRY(frames, parse_frames(options.range.empty() ? fmt::format("0:{}", path->frames()) : options.range));
@@ -43,7 +43,8 @@ Status run(const PathOptions& options) {
 
 void add_path(Command& parent) {
     auto [command, options] = add_command<PathOptions>(
-        parent, "path", "Write the camera of every frame of a [path] as a table (CSV), which path.file reads", run);
+        parent, "path", "Write the camera of every frame of a [path] as a table (CSV), which path.file reads",
+        run_path);
     required_option(command, "scene", options.scene, "Scene file, or the name of a built-in scene, with a [path]");
     command.add_option("frames", &options.range, "A:B, frames A to B-1 (default: all)");
     text_option(command, "-o,--output", options.output, "File to write");

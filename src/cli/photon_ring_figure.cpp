@@ -22,7 +22,7 @@ namespace {
 using reference::PhotonRing;
 
 constexpr double kTold = 1e-12;  // rad from the critical direction, what rays of the reference tell apart to some 1e-5
-constexpr double kInner = 3.0, kOuter = 10.0;  // r_s
+constexpr double kInner = 3.0, kFigureOuter = 10.0;  // r_s
 
 struct Rim {
     double delta = NAN, delay = NAN, azimuth = NAN;
@@ -120,7 +120,7 @@ std::string table_of(const Ring& ring) {
     return text;
 }
 
-std::string csv_of(const std::string& head, const std::vector<Ring>& rings) {
+std::string photon_ring_csv(const std::string& head, const std::vector<Ring>& rings) {
     std::string text =
         "# " + head +
         "\npsi_deg,n,inner_rad,outer_rad,width_rad,ratio,ratio_theory,ratio_off,ratio_off_limit,delay,delay_"
@@ -197,7 +197,7 @@ std::string drawn(const std::vector<Ring>& rings, int count, double left, const 
     return svg;
 }
 
-std::string svg_of(const std::string& head, const std::vector<Ring>& rings, int count) {
+std::string photon_ring_svg(const std::string& head, const std::vector<Ring>& rings, int count) {
     constexpr double kLeft = 70, kSecond = kLeft + Panel::kWidth + 80, kBottom = Panel::kTop + Panel::kHeight;
     std::string title;  // no markup of a scene's
     for (const char c : head) title += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
@@ -221,7 +221,7 @@ Result<RingFigure> photon_ring_figure(const Scene& scene, int rings, std::vector
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     if (angles.empty())
         angles = (*spacetime)->planar_rays() ? std::vector<int>{90} : std::vector<int>{30, 90, 150, 210, 270, 330};
-    const double inner = scene.disc ? scene.disc->inner : kInner, outer = scene.disc ? scene.disc->outer : kOuter;
+    const double inner = scene.disc ? scene.disc->inner : kInner, outer = scene.disc ? scene.disc->outer : kFigureOuter;
     const Rims rims(*ring, *spacetime);
     std::vector<Ring> measured;
     for (const int angle : angles) {
@@ -234,7 +234,7 @@ Result<RingFigure> photon_ring_figure(const Scene& scene, int rings, std::vector
     }
     const std::string head = fmt::format(
         "{}: images of the disc from {:g} to {:g} r_s by their crossing n of its plane", scene.name, inner, outer);
-    RingFigure figure{head + "\n", csv_of(head, measured), svg_of(head, measured, rings)};
+    RingFigure figure{head + "\n", photon_ring_csv(head, measured), photon_ring_svg(head, measured, rings)};
     for (const Ring& of : measured) figure.table += table_of(of);
     return figure;
 }

@@ -23,14 +23,14 @@ namespace {
 
 constexpr int kMostCubeFace = 16384;  // px; what drivers allow is said by `nullscope info`
 
-struct Options {
+struct PlanOptions {
     std::string scene;
     bool json = false, measure = false;
     int frames = 9;
 };
 
 // A table or texture: layers of width x height.
-struct Line {
+struct PlanLine {
     std::string name;
     long long layers, width, height, bytes;
     std::string place, reason;  // where it lives; what calls for it
@@ -39,7 +39,7 @@ struct Line {
 struct Plan {
     Scene scene;
     std::vector<EffectReason> effects;
-    std::vector<Line> tables;
+    std::vector<PlanLine> tables;
     long long shader_bytes = 0, shader_lines = 0;
     std::vector<EffectCost> costs;  // where they were measured
 };
@@ -55,7 +55,7 @@ std::string reason_of(std::string_view name, const Scene& scene) {
     return fmt::format("{}", fmt::join(objects, ", "));
 }
 
-void add_tables(const FrameTables& tables, const Scene& scene, std::vector<Line>& lines) {
+void add_tables(const FrameTables& tables, const Scene& scene, std::vector<PlanLine>& lines) {
     if (const DeflectionTable* table = tables.path().table())
         lines.push_back({"deflection table", 3, table->size() + 1, table->size() + 1,
                          static_cast<long long>(table->bytes()), "host",
@@ -73,7 +73,7 @@ void add_tables(const FrameTables& tables, const Scene& scene, std::vector<Line>
 }
 
 // As Renderer::textures() counts them, once made.
-Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Line>& lines) {
+Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<PlanLine>& lines) {
     if (effects.contains(Effect::kSky)) {
         const long long size = sky_face_size(scene, kMostCubeFace);
         lines.push_back({"sky", 6, size, size, 32 * size * size, "GPU",
@@ -171,7 +171,7 @@ void print_text(const Plan& plan) {
     fmt::print("Left out: not compiled, not built, not run\n");
     for (const EffectRow* row : left_out(plan)) fmt::print("  {:<19}needs: {}\n", row->key, row->needs);
     fmt::print("Tables and textures\n");
-    for (const Line& t : plan.tables)
+    for (const PlanLine& t : plan.tables)
         fmt::print("  {:<19}{:>1} x {:>5} x {:<5} {:>10}  {:<4}  {}\n", t.name, t.layers, t.width, t.height,
                    size_text(t.bytes), t.place, t.reason);
     if (plan.tables.empty()) fmt::print("  none\n");
@@ -203,7 +203,7 @@ Json json_of(const Plan& plan) {
     }
     for (const EffectRow* row : left_out(plan)) off.push_back({{"effect", row->key}, {"needs", row->needs}});
     long long total = 0;
-    for (const Line& t : plan.tables) {
+    for (const PlanLine& t : plan.tables) {
         tables.push_back({{"name", t.name},
                           {"layers", t.layers},
                           {"width", t.width},
@@ -222,7 +222,7 @@ Json json_of(const Plan& plan) {
                 {"passes", drawn},          {"shader", {{"bytes", plan.shader_bytes}, {"lines", plan.shader_lines}}}};
 }
 
-Result<int> run(const Options& options) {
+Result<int> run_plan(const PlanOptions& options) {
     TRY(scene, load_scene(options.scene));
     TRY(plan, make_plan(*scene));
     if (options.measure) {
@@ -239,8 +239,9 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_plan(Command& parent) {
-    auto [command, options] = add_command<Options>(
-        parent, "plan", "Show what drawing a scene needs, and why: effects, tables, textures, passes, shader", run);
+    auto [command, options] = add_command<PlanOptions>(
+        parent, "plan", "Show what drawing a scene needs, and why: effects, tables, textures, passes, shader",
+        run_plan);
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene (see: nullscope scenes)");
     command.add_flag("--json", &options.json, "Print one JSON object");

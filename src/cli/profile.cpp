@@ -30,7 +30,7 @@
 namespace nullscope::cli {
 namespace {
 
-struct Options {
+struct ProfileOptions {
     std::string scene, output = "profile", size, through, context = "auto", renderer = "gl";
     double angle = 0;
     std::optional<double> time;
@@ -38,7 +38,7 @@ struct Options {
 };
 
 // A part of a line in the picture: places are px from its upper left corner, distances from `through`.
-struct Line {
+struct ProfileLine {
     std::array<double, 2> through, along;  // along: of length 1, to the right and down
     double from = 0, to = 0;               // px
     std::array<double, 2> at(double distance) const {
@@ -54,9 +54,9 @@ struct Point {
     double luminance() const { return 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2]; }  // Rec. 709
 };
 
-Result<Line> line_of(const Options& options, const CameraSpec& camera) {
+Result<ProfileLine> profile_line(const ProfileOptions& options, const CameraSpec& camera) {
     const std::array<double, 2> sides = {static_cast<double>(camera.width), static_cast<double>(camera.height)};
-    Line line{{0.5 * sides[0], 0.5 * sides[1]}, {}, -HUGE_VAL, HUGE_VAL};
+    ProfileLine line{{0.5 * sides[0], 0.5 * sides[1]}, {}, -HUGE_VAL, HUGE_VAL};
     if (!options.through.empty()) {
         const auto words = split(options.through, ',');
         const auto x = parse_number(words.front()), y = parse_number(words.back());
@@ -100,7 +100,7 @@ struct Drawn {
     std::array<double, 2> corner{};
 };
 
-Result<Drawn> drawn_gl(const Options& options, Scene scene) {
+Result<Drawn> drawn_gl(const ProfileOptions& options, Scene scene) {
     if (options.samples) scene.picture.samples = *options.samples;
     TRY(session, open_session(options.context));
     TRY(ready, session->renderer->prepare(scene));
@@ -108,7 +108,7 @@ Result<Drawn> drawn_gl(const Options& options, Scene scene) {
 }
 
 // Only what the line passes.
-Result<Drawn> drawn_by_reference(const Options& options, Scene scene, const Line& line) {
+Result<Drawn> drawn_by_reference(const ProfileOptions& options, Scene scene, const ProfileLine& line) {
     CameraSpec& camera = scene.camera;
     std::array<int, 2> first{}, size{};
     const std::array<int, 2> sides = {camera.width, camera.height};
@@ -129,7 +129,7 @@ Result<Drawn> drawn_by_reference(const Options& options, Scene scene, const Line
 }
 
 // The component along the line of a ray's impact parameter, right and up in the picture; nothing where it has no scale.
-std::function<std::optional<double>(std::array<double, 2>)> impacts(const Scene& scene, const Line& line) {
+std::function<std::optional<double>(std::array<double, 2>)> impacts(const Scene& scene, const ProfileLine& line) {
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     const auto scale = spacetime && scene.camera.warp.empty() ? picture_scale(**spacetime, scene.camera) : std::nullopt;
     const auto centre = scale ? centre_px(**spacetime, scene.camera) : std::nullopt;
@@ -143,7 +143,8 @@ std::function<std::optional<double>(std::array<double, 2>)> impacts(const Scene&
 }
 
 // At the middles of equal parts of the line.
-std::vector<Point> points_of(const Scene& scene, const Line& line, const Drawn& drawn, std::optional<int> steps) {
+std::vector<Point> points_of(const Scene& scene, const ProfileLine& line, const Drawn& drawn,
+                             std::optional<int> steps) {
     const int count = steps.value_or(std::max(2, static_cast<int>(std::lround(line.to - line.from))));
     const auto impact = impacts(scene, line);
     std::vector<Point> points;
@@ -169,7 +170,7 @@ std::vector<Unit> units_of(const Scene& scene, const std::vector<Point>& points)
     return units;
 }
 
-std::string csv_of(const Scene& scene, const std::vector<Point>& points, const std::vector<Unit>& units) {
+std::string profile_csv(const Scene& scene, const std::vector<Point>& points, const std::vector<Unit>& units) {
     std::string text = fmt::format(
         "# {}: linear light along a line. x, y: place in the picture, px from its upper left corner; px: from the "
         "place that the line goes through{}\nx,y,px,",
@@ -184,7 +185,7 @@ std::string csv_of(const Scene& scene, const std::vector<Point>& points, const s
     return text;
 }
 
-std::string svg_of(const Scene& scene, const std::vector<Point>& points, const std::vector<Unit>& units) {
+std::string profile_svg(const Scene& scene, const std::vector<Point>& points, const std::vector<Unit>& units) {
     std::vector<std::array<double, 2>> curve;
     curve.reserve(points.size());
     for (const Point& p : points)
@@ -195,7 +196,7 @@ std::string svg_of(const Scene& scene, const std::vector<Point>& points, const s
 }
 
 // Of a [path] its first frame, as capture's.
-Result<Scene> scene_of(const Options& options) {
+Result<Scene> profile_scene(const ProfileOptions& options) {
     TRY(scene, load_scene_sized(options.scene, options.size));
     if (options.time) scene->time = *options.time;
     if (!scene->path) return scene;
@@ -207,19 +208,19 @@ Result<Scene> scene_of(const Options& options) {
     return scene;
 }
 
-Result<int> run(const Options& options) {
-    TRY(scene, scene_of(options));
+Result<int> run_profile(const ProfileOptions& options) {
+    TRY(scene, profile_scene(options));
     if (scene->split || scene->camera.stereo != Stereo::kOff)
         return bad_input(fmt::format("{}: a profile is of one picture", options.scene),
                          "no [split] and no camera.stereo");
     if (options.renderer == "reference" && options.context != "auto")
         return bad_input("--context: the reference has no GL", "with --renderer gl");
-    TRY(line, line_of(options, scene->camera));
+    TRY(line, profile_line(options, scene->camera));
     TRY(drawn, options.renderer == "gl" ? drawn_gl(options, *scene) : drawn_by_reference(options, *scene, *line));
     const auto points = points_of(*scene, *line, *drawn, options.steps);
     const auto units = units_of(*scene, points);
-    TRY(table, write_text_atomically(options.output + ".csv", csv_of(*scene, points, units)));
-    TRY(diagram, write_text_atomically(options.output + ".svg", svg_of(*scene, points, units)));
+    TRY(table, write_text_atomically(options.output + ".csv", profile_csv(*scene, points, units)));
+    TRY(diagram, write_text_atomically(options.output + ".svg", profile_svg(*scene, points, units)));
     const auto peak = std::ranges::max_element(points, {}, &Point::luminance);
     fmt::print("{0}.csv, {0}.svg: {1} points along {2:.4g} px; brightest at {3:.4g} px", options.output, points.size(),
                line->to - line->from, peak->px);
@@ -231,8 +232,8 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_profile(Command& parent) {
-    auto [command, options] = add_command<Options>(
-        parent, "profile", "Profile of a scene's picture, brightness along a line: FILE.csv and FILE.svg", run);
+    auto [command, options] = add_command<ProfileOptions>(
+        parent, "profile", "Profile of a scene's picture, brightness along a line: FILE.csv and FILE.svg", run_profile);
     const KeyRange times = key_range("time");
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene (see: nullscope scenes)");

@@ -17,7 +17,7 @@ struct ScenesOptions {
     std::string name;
 };
 
-Status run(const ScenesOptions& options) {
+Status run_scenes(const ScenesOptions& options) {
     if (!options.name.empty()) {
         TRY(scene, load_scene(options.name));
         fmt::print("{}", scene_file_text(*scene, {}));
@@ -35,7 +35,7 @@ Status run(const ScenesOptions& options) {
 
 void add_scenes(Command& parent) {
     auto [command, options] = add_command<ScenesOptions>(
-        parent, "scenes", "List the built-in scenes, with one sentence each, or print one", run);
+        parent, "scenes", "List the built-in scenes, with one sentence each, or print one", run_scenes);
     command.add_option("name", &options.name,
                        "Print this scene's file, with paths that hold anywhere: scenes kerr > mine.toml");
 }

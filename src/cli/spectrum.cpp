@@ -28,9 +28,9 @@ constexpr double kInclination_deg = 30;  // without a scene
 constexpr double kAboveHorizon = 1.001;  // of its radius: innermost rim
 constexpr double kLargestRadius = 1e6;   // r_s
 constexpr double kSteepest = 20.0;       // of the emissivity's power
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kOneDegree = M_PI / 180.0;
 
-struct Options {
+struct SpectrumOptions {
     std::string scene, output = "spectrum", inner, emissivity = "3", limb = "isotropic";
     std::optional<double> spin, inclination_deg, outer, line_kev, ring, from, to;
     int bins = 1000;
@@ -60,7 +60,7 @@ std::string name_of(const Scene& scene) {
 }
 
 // The rims, from where light comes to the observer.
-Status set_rims(Source& source, const Options& options, const std::optional<DiscSpec>& disc) {
+Status set_rims(Source& source, const SpectrumOptions& options, const std::optional<DiscSpec>& disc) {
     if (options.ring && (!options.inner.empty() || options.outer))
         return bad_input("--ring with --inner or --outer", "a ring or a disc");
     source.inner = disc && options.inner.empty() ? disc->inner : source.isco;
@@ -91,7 +91,7 @@ Status set_rims(Source& source, const Options& options, const std::optional<Disc
     return Done{};
 }
 
-Result<Source> source_of(const Options& options) {
+Result<Source> source_of(const SpectrumOptions& options) {
     Scene scene;
     if (!options.scene.empty()) {
         if (options.spin) return bad_input("--spin with a scene, which has its own spacetime", "a scene or --spin");
@@ -102,9 +102,9 @@ Result<Source> source_of(const Options& options) {
     }
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     Source source{name_of(scene), *spacetime};
-    const double theta_deg = options.scene.empty() ? kInclination_deg : scene.camera.theta / kDegree,
+    const double theta_deg = options.scene.empty() ? kInclination_deg : scene.camera.theta / kOneDegree,
                  from_axis_deg = options.inclination_deg.value_or(theta_deg);
-    source.inclination = std::min(from_axis_deg, 180.0 - from_axis_deg) * kDegree;  // from below it is the same
+    source.inclination = std::min(from_axis_deg, 180.0 - from_axis_deg) * kOneDegree;  // from below it is the same
     if (options.emissivity != "thermal") {
         source.power = number_in(options.emissivity, -kSteepest, kSteepest);
         if (!source.power)
@@ -117,7 +117,7 @@ Result<Source> source_of(const Options& options) {
     return source;
 }
 
-DiscLine line_of(const Source& source, const Options& options) {
+DiscLine line_profile_of(const Source& source, const SpectrumOptions& options) {
     DiscLine line{source.inner, source.outer, {}};
     line.limb = options.limb == "laor" ? Limb::kLaor : options.limb == "haardt" ? Limb::kHaardt : Limb::kIsotropic;
     line.emissivity = [&source](const std::vector<double>& radii) {
@@ -130,15 +130,15 @@ DiscLine line_of(const Source& source, const Options& options) {
     return line;
 }
 
-std::string words_of(const Source& source, const Options& options) {
+std::string bin_words(const Source& source, const SpectrumOptions& options) {
     const std::string place = options.ring
                                   ? fmt::format("ring at {:.10g} r_s", source.inner)
                                   : fmt::format("disc from {:.10g} to {:.10g} r_s", source.inner, source.outer);
-    return fmt::format("{}, inclination {:g} degrees, emissivity {}, limb {}", place, source.inclination / kDegree,
+    return fmt::format("{}, inclination {:g} degrees, emissivity {}, limb {}", place, source.inclination / kOneDegree,
                        source.power ? fmt::format("r^{:g}", -*source.power + 0.0) : "thermal", options.limb);
 }
 
-std::string csv_of(const Source& source, const Options& options, const ConvergedProfile& found) {
+std::string spectrum_csv(const Source& source, const SpectrumOptions& options, const ConvergedProfile& found) {
     const LineProfile& p = found.profile;
     std::string text = fmt::format(
         "# Line profile. {}\n# {}; r_s = 2 GM/c^2\n"
@@ -146,7 +146,7 @@ std::string csv_of(const Source& source, const Options& options, const Converged
         "flux (g^3) and energy flux (g^4) in the bin\n"
         "# half of the resolution changes no bin by more than {:.2g} of the largest\n"
         "g_from,g_to,g,{}photons,energy\n",
-        source.name, words_of(source, options), p.least_g, p.most_g, found.change,
+        source.name, bin_words(source, options), p.least_g, p.most_g, found.change,
         options.line_kev ? "energy_kev," : "");
     for (std::size_t i = 0; i < p.photons.size(); ++i) {
         const double low = p.edge(i), high = p.edge(i + 1), middle = 0.5 * (low + high);
@@ -157,7 +157,7 @@ std::string csv_of(const Source& source, const Options& options, const Converged
     return text;
 }
 
-LineBins bins_of(const Options& options) {
+LineBins bins_of(const SpectrumOptions& options) {
     LineBins bins{options.bins, options.from, options.to};
     if (options.line_kev)
         for (std::optional<double>* end : {&bins.from, &bins.to})
@@ -165,10 +165,10 @@ LineBins bins_of(const Options& options) {
     return bins;
 }
 
-void print(const Source& source, const Options& options, const ConvergedProfile& found) {
+void print(const Source& source, const SpectrumOptions& options, const ConvergedProfile& found) {
     const LineProfile& p = found.profile;
     const auto peak = static_cast<std::size_t>(std::ranges::max_element(p.photons) - p.photons.begin());
-    fmt::print("{}\n{}\n", source.name, words_of(source, options));
+    fmt::print("{}\n{}\n", source.name, bin_words(source, options));
     fmt::print("g from {:.8f} to {:.8f}, mean {:.6f}; brightest bin at {:.6f}\n", p.least_g, p.most_g,
                p.all_energy / p.all_photons, 0.5 * (p.edge(peak) + p.edge(peak + 1)));
     fmt::print("{0}.csv, {0}.svg: {1} bins of g from {2:g} to {3:g}", options.output, options.bins, p.from, p.to);
@@ -176,16 +176,16 @@ void print(const Source& source, const Options& options, const ConvergedProfile&
     fmt::print("\nhalf of the resolution changes no bin by more than {:.2g} % of the largest\n", 100.0 * found.change);
 }
 
-Result<int> run(const Options& options) {
+Result<int> run_spectrum(const SpectrumOptions& options) {
     TRY(source, source_of(options));
     TRY(light, DistantLight::make(source->spacetime, source->inclination));
-    const ConvergedProfile found = converged_profile(*light, line_of(*source, options), bins_of(options));
+    const ConvergedProfile found = converged_profile(*light, line_profile_of(*source, options), bins_of(options));
     const double unit = options.line_kev.value_or(1.0);
     if (!(found.profile.to > found.profile.from))
         return bad_input(fmt::format("bins from {:g} to {:g}: --to is not above --from", found.profile.from * unit,
                                      found.profile.to * unit));
-    TRY(table, write_text_atomically(options.output + ".csv", csv_of(*source, options, found)));
-    TRY(plot, write_text_atomically(options.output + ".svg", spectrum_plot(source->name, words_of(*source, options),
+    TRY(table, write_text_atomically(options.output + ".csv", spectrum_csv(*source, options, found)));
+    TRY(plot, write_text_atomically(options.output + ".svg", spectrum_plot(source->name, bin_words(*source, options),
                                                                            found.profile, options.line_kev)));
     print(*source, options, found);
     return 0;
@@ -194,10 +194,10 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_spectrum(Command& parent) {
-    auto [command, options] = add_command<Options>(
+    auto [command, options] = add_command<SpectrumOptions>(
         parent, "spectrum",
         "Profile of a line that a thin disc emits (the broad iron line), for a distant observer: FILE.csv and FILE.svg",
-        run);
+        run_spectrum);
     command.add_option(
         "scene,--scene", &options.scene,
         "Scene file, or the name of a built-in scene, whose spacetime, disc radii and camera inclination "

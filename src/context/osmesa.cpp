@@ -11,7 +11,7 @@ namespace {
 
 // The part of OSMesa that is used here (Mesa's GL/osmesa.h): names, values and signatures are Mesa's.
 constexpr int kFormat = 0x22, kRgba = 0x1908, kDepthBits = 0x30, kProfile = 0x33, kCoreProfile = 0x34;
-constexpr int kMajorVersion = 0x36, kMinorVersion = 0x37;
+constexpr int kOsmesaMajor = 0x36, kOsmesaMinor = 0x37;
 constexpr unsigned kUnsignedByte = 0x1401;
 
 struct Osmesa {
@@ -56,8 +56,8 @@ Result<std::unique_ptr<GlContext>> make_osmesa_context() {
         return failed(
             "OSMesa: libOSMesa is not installed (Debian 12, 13, Ubuntu 24.04: apt install libosmesa6; it left Mesa in "
             "25.1)");
-    const std::array<int, 12> attributes = {kFormat,       kRgba, kDepthBits,    0, kProfile, kCoreProfile,
-                                            kMajorVersion, 3,     kMinorVersion, 3, 0,        0};
+    const std::array<int, 12> attributes = {kFormat,      kRgba, kDepthBits,   0, kProfile, kCoreProfile,
+                                            kOsmesaMajor, 3,     kOsmesaMinor, 3, 0,        0};
     void* context = osmesa()->create(attributes.data(), nullptr);
     if (context == nullptr) return failed("OSMesa: it gives no OpenGL 3.3 core context");
     auto result = std::make_unique<OsmesaContext>(context);

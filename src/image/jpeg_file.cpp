@@ -13,24 +13,24 @@
 namespace nullscope {
 namespace {
 
-class Encoder {
+class JpegEncoder {
 public:
-    Encoder() {
+    JpegEncoder() {
         jpeg_.err = jpeg_std_error(&errors_);
         errors_.error_exit = [](j_common_ptr jpeg) {
-            Encoder& self = *static_cast<Encoder*>(jpeg->client_data);
+            JpegEncoder& self = *static_cast<JpegEncoder*>(jpeg->client_data);
             jpeg->err->format_message(jpeg, self.words_.data());
             longjmp(self.jump_, 1);  // NOLINT
         };
         errors_.emit_message = [](j_common_ptr, int) {};
         jpeg_.client_data = this;
     }
-    ~Encoder() {
+    ~JpegEncoder() {
         jpeg_destroy_compress(&jpeg_);  // knows what was never created
         std::free(bytes_);              // NOLINT: libjpeg allocates it by malloc
     }
-    Encoder(const Encoder&) = delete;
-    Encoder& operator=(const Encoder&) = delete;
+    JpegEncoder(const JpegEncoder&) = delete;
+    JpegEncoder& operator=(const JpegEncoder&) = delete;
 
     bool encode(const Image<unsigned char>& image, const std::string& comment, int quality) {
         if (setjmp(jump_) != 0) return false;  // NOLINT
@@ -72,7 +72,7 @@ private:
 }  // namespace
 
 Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::string& comment, int quality) {
-    Encoder encoder;
+    JpegEncoder encoder;
     if (!encoder.encode(image, comment, quality)) return failed(encoder.error());
     return encoder.bytes();
 }

@@ -18,8 +18,8 @@
 namespace nullscope {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = std::numeric_limits<int>::max();  // of a file that is held whole
-constexpr long long kMaxWhole = 500'000'000;                            // px of such a file
+constexpr std::size_t kMaxLargeFileBytes = std::numeric_limits<int>::max();  // of a file that is held whole
+constexpr long long kMaxWhole = 500'000'000;                                 // px of such a file
 
 // What reads a file that begins with this byte row by row; nullptr: nothing does. libpng and libjpeg look at the rest
 // of its signature.
@@ -107,7 +107,7 @@ Result<FittedImage> load_fitted_image(const std::filesystem::path& path, const I
         };
         return read_rows(open, source, file_bytes, path.string(), limits);
     }
-    TRY(bytes, read_text(path, kMaxFileBytes));
+    TRY(bytes, read_text(path, kMaxLargeFileBytes));
     return decode_fitted_image(*bytes, path.string(), limits);
 }
 

@@ -107,10 +107,10 @@ private:
 
 constexpr int kDeflateLevel = 2;  // of 9; the third takes half as long again for 4 % fewer bytes
 
-class Encoder {
+class PngEncoder {
 public:
     // texts: outlives the encoder; libpng changes none of it.
-    explicit Encoder(const std::map<std::string, std::string>& texts) {
+    explicit PngEncoder(const std::map<std::string, std::string>& texts) {
         png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, on_error, [](png_structp, png_const_charp) {});
         info_ = png_ != nullptr ? png_create_info_struct(png_) : nullptr;
         for (const auto& [keyword, text] : texts) {
@@ -120,9 +120,9 @@ public:
             chunk.text = const_cast<char*>(text.c_str());
         }
     }
-    ~Encoder() { png_destroy_write_struct(&png_, &info_); }
-    Encoder(const Encoder&) = delete;
-    Encoder& operator=(const Encoder&) = delete;
+    ~PngEncoder() { png_destroy_write_struct(&png_, &info_); }
+    PngEncoder(const PngEncoder&) = delete;
+    PngEncoder& operator=(const PngEncoder&) = delete;
 
     bool encode(const Image<unsigned char>& image) {
         if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;  // NOLINT
@@ -146,11 +146,11 @@ private:
     static constexpr std::size_t kChunk = 1u << 18;  // bytes of a file's piece
 
     [[noreturn]] static void on_error(png_structp png, png_const_charp words) {
-        static_cast<Encoder*>(png_get_error_ptr(png))->error_ = words;
+        static_cast<PngEncoder*>(png_get_error_ptr(png))->error_ = words;
         longjmp(png_jmpbuf(png), 1);  // NOLINT
     }
     static void on_write(png_structp png, png_bytep data, png_size_t size) {
-        auto& self = *static_cast<Encoder*>(png_get_io_ptr(png));
+        auto& self = *static_cast<PngEncoder*>(png_get_io_ptr(png));
         bool written = true;
         try {  // nothing may be thrown through libpng
             self.bytes_.append(reinterpret_cast<const char*>(data), size);
@@ -175,7 +175,7 @@ Result<std::unique_ptr<RowReader>> open_png_rows(ByteSource source) {
 }
 
 Result<std::string> encode_png(const Image<unsigned char>& image, const std::map<std::string, std::string>& texts) {
-    Encoder encoder(texts);
+    PngEncoder encoder(texts);
     if (!encoder.encode(image)) return failed(encoder.error());
     return std::move(encoder.bytes());
 }

@@ -17,10 +17,10 @@
 namespace nullscope {
 namespace {
 
-constexpr double kStill = 1e-10;      // c: rounding of a velocity that is 0
-constexpr double kDifference = 2e-3;  // of the scale, for slopes
-constexpr double kTolerance = 1e-13;  // of a step, of the scale
-constexpr double kShortest = 1e-4;    // of the way
+constexpr double kNoSpeed = 1e-10;       // c: rounding of a velocity that is 0
+constexpr double kDifference = 2e-3;     // of the scale, for slopes
+constexpr double kEyeTolerance = 1e-13;  // of a step, of the scale
+constexpr double kShortest = 1e-4;       // of the way
 
 using Four = std::array<double, 4>;
 using Rows = std::array<Four, 4>;
@@ -43,7 +43,7 @@ Rows inverse(Rows m) {
     return out;
 }
 
-struct Place {
+struct EyePlace {
     double r, theta, phi;
 };
 
@@ -62,12 +62,12 @@ public:
     }
 
     Vec3 start() const { return world_from_static(middle_.theta, middle_.phi).a; }
-    Place place(Vec3 y) const {
+    EyePlace place(Vec3 y) const {
         return {middle_.r + scale_ * std::log(length(y)), std::atan2(std::hypot(y.x, y.y), y.z), std::atan2(y.y, y.x)};
     }
 
     // e_0 and the three axes of a camera that is there, in these coordinates.
-    Result<Rows> rows_of(const CameraSpec& camera, const Place& at, Vec3 y) const {
+    Result<Rows> rows_of(const CameraSpec& camera, const EyePlace& at, Vec3 y) const {
         TRY(pair, ingoing_hat_pair(spacetime_, camera));
         const Mat3 world = world_from_static(at.theta, at.phi);
         Rows rows{};
@@ -79,7 +79,7 @@ public:
         return rows;
     }
     // Along e_r, e_theta, e_phi of an observer of this camera's kind.
-    Result<Rows> static_rows(CameraSpec camera, const Place& at, Vec3 y) const {
+    Result<Rows> static_rows(CameraSpec camera, const EyePlace& at, Vec3 y) const {
         camera.yaw = camera.pitch = camera.roll = 0;
         camera.velocity = {};
         TRY(rows, rows_of(camera, at, y));
@@ -89,7 +89,7 @@ public:
     }
     Result<Rows> at(Vec3 y) const {
         CameraSpec camera = base_;
-        const Place there = place(y);
+        const EyePlace there = place(y);
         camera.r = there.r, camera.theta = there.theta, camera.phi = there.phi;
         TRY(rows, static_rows(camera, there, y));
         const Mat3 local = transposed(world_from_static(there.theta, there.phi));  // columns: world axes
@@ -149,13 +149,13 @@ Result<Rows> turn_along(const FrameField& field, Vec3 y, const Four& along) {
 constexpr std::size_t kSize = 20;
 using State = std::array<double, kSize>;
 
-Four vector_of(const State& state, std::size_t i) {
+Four eye_vector(const State& state, std::size_t i) {
     return {state[4 + 4 * i], state[5 + 4 * i], state[6 + 4 * i], state[7 + 4 * i]};
 }
 
 Result<State> slope(const FrameField& field, const State& state, Vec3 offset) {
     const Vec3 y{state[1], state[2], state[3]};
-    const Four right = vector_of(state, 1), up = vector_of(state, 2), backward = vector_of(state, 3);
+    const Four right = eye_vector(state, 1), up = eye_vector(state, 2), backward = eye_vector(state, 3);
     Four along{};
     for (std::size_t a = 0; a < 4; ++a) along[a] = offset.x * right[a] + offset.y * up[a] + offset.z * backward[a];
     TRY(frame, field.at(y));
@@ -183,7 +183,7 @@ Result<State> carried(const FrameField& field, State state, Vec3 offset) {
         State wrong{};
         const State next = dormand_prince(state, h, slope_or_nothing, wrong);
         double error = status ? 0 : HUGE_VAL;
-        for (const double one : wrong) error = std::fmax(error, std::fabs(one) / kTolerance);
+        for (const double one : wrong) error = std::fmax(error, std::fabs(one) / kEyeTolerance);
         if (error <= 1 || h <= kShortest) {
             if (!status) return status.error();
             state = next, done += h;
@@ -222,7 +222,7 @@ Result<Eye> eye_beside(const Spacetime& spacetime, const CameraSpec& camera, Vec
     TRY(end, carried(field, state, offset));
 
     const Vec3 y{(*end)[1], (*end)[2], (*end)[3]};
-    const Place at = field.place(y);
+    const EyePlace at = field.place(y);
     Eye eye{camera};
     eye.camera.r = at.r, eye.camera.theta = at.theta;
     eye.camera.phi = camera.phi + std::remainder(at.phi - camera.phi, 2 * M_PI) -
@@ -239,7 +239,7 @@ Result<Eye> eye_beside(const Spacetime& spacetime, const CameraSpec& camera, Vec
                 for (std::size_t b = 0; b < 4; ++b)
                     tetrad[b][i] += (*end)[4 + 4 * i + a] * (*there)[a][m] * to_own[m][b];
     const BoostAndTurn parts = split(tetrad);
-    const bool still = camera.velocity == Vec3{} && length(parts.velocity) <= kStill;
+    const bool still = camera.velocity == Vec3{} && length(parts.velocity) <= kNoSpeed;
     eye.camera.velocity = still ? Vec3{} : parts.velocity;
     set_axes(eye.camera, parts.turn);
     return eye;

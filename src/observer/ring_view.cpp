@@ -20,7 +20,9 @@ constexpr double kLeastRate = 0.5, kMostRate = 50.0;
 constexpr double kMostRotatingRate = 12.0;  // SPIN_MOST_STEPS of shaders/mino/step.glsl then suffice
 constexpr double kLeastClimb = 1e-4;        // 1 - V/q_crit^2 of a camera outside of a barrier
 
-Error refused(std::string what, std::string allowed) { return bad_key("zoom", std::move(what), std::move(allowed)); }
+Error view_refused(std::string what, std::string allowed) {
+    return bad_key("zoom", std::move(what), std::move(allowed));
+}
 
 // A photon sphere's, or the spherical orbit of this point of the ring. Through a barrier's top light passes twice, and inside of it sweeps
 // twice as much.
@@ -29,12 +31,13 @@ Result<PhotonOrbit> similar_orbit(const Spacetime& spacetime, const CameraSpec& 
     const auto orbit =
         photon_orbit(spacetime, rotates ? camera.theta : 0.5 * std::numbers::pi,
                      rotates ? std::fabs(std::remainder(camera.zoom->angle, 2.0 * std::numbers::pi)) : 0.0);
-    if (!orbit) return refused(orbit.error().what, "a metric with a photon sphere that light can reach, and no tube");
+    if (!orbit)
+        return view_refused(orbit.error().what, "a metric with a photon sphere that light can reach, and no tube");
     if (const double rate = std::numbers::pi / orbit->gamma;
         rate > kLeastRate && rate < (rotates ? kMostRotatingRate : kMostRate))
         return *orbit;
-    return refused("the images of the photon ring shrink too little or too much each",
-                   "another parameter of the metric");
+    return view_refused("the images of the photon ring shrink too little or too much each",
+                        "another parameter of the metric");
 }
 
 CameraSpec towards(const CriticalLight& light, CameraSpec camera) {
@@ -56,7 +59,7 @@ Result<Found> find(const Spacetime& spacetime, const CameraSpec& camera, const L
     ahead.yaw = ahead.pitch = ahead.roll = 0.0;
     TRY(observer, observer_of(spacetime, ahead));
     const auto critical = CriticalLight::make(spacetime, ahead, light);
-    if (!critical) return refused("light runs straight", "light.lensing = \"on\"");
+    if (!critical) return view_refused("light runs straight", "light.lensing = \"on\"");
     const CameraSpec aimed = towards(*critical, camera);
     if (spacetime.axial() != nullptr) {
         const double per_pixel = ring_distance_per_pixel(*spacetime.axial(), aimed, *observer, light);
@@ -71,7 +74,8 @@ Result<Found> find(const Spacetime& spacetime, const CameraSpec& camera, const L
     if (spacetime.spherical()->barrier()) {  // some rays pass the photon sphere twice: there e grows as 1/climb
         const double root_v = spacetime.spherical()->root_v(camera.r) / open_photon_sphere(spacetime)->q_crit,
                      climb = (1.0 - root_v) * (1.0 + root_v);
-        if (climb < kLeastClimb) return refused("the camera is too close to the photon sphere", "camera.r further out");
+        if (climb < kLeastClimb)
+            return view_refused("the camera is too close to the photon sphere", "camera.r further out");
         scale *= climb;
     }
     const double speed = light.aberration ? length(observer->velocity) : 0.0;

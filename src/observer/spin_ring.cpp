@@ -96,7 +96,7 @@ double value_of(const std::array<double, 10>& c, double x, double y) {
 }
 
 // Of e a pixel, at most; by differences that are small beside the hole and far above rounding.
-double slope_of(const Peaks& peaks) {
+double ring_slope(const Peaks& peaks) {
     constexpr double kFirst = 1e-6, kMostChange = 1e-3;  // rad, e
     for (double step = kFirst / peaks.pixel();; step *= 0.1) {
         const double change = std::hypot(peaks.distance(step, 0) - peaks.distance(-step, 0),
@@ -109,13 +109,13 @@ double slope_of(const Peaks& peaks) {
 
 double ring_distance_per_pixel(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,
                                const LightSpec& light) {
-    return slope_of(Peaks(metric, camera, observer, light));
+    return ring_slope(Peaks(metric, camera, observer, light));
 }
 
 bool is_next_to_ring(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,
                      const LightSpec& light) {
     const Peaks peaks(metric, camera, observer, light);
-    const double slope = slope_of(peaks), corner = 2.0 * reach_px(camera);
+    const double slope = ring_slope(peaks), corner = 2.0 * reach_px(camera);
     return slope < kNarrow && std::fabs(peaks.distance(0, 0)) < slope * corner;
 }
 
@@ -129,7 +129,7 @@ std::optional<PeakForm> peak_form(const AxialMetric& metric, const CameraSpec& c
     const auto [half_width, half_height] = reach(camera);
     const double diagonal = reach_px(camera);
     if (!(diagonal * camera.pixel() < 0.5)) return std::nullopt;
-    const double fitted_px = kSmallestFitted / slope_of(peaks);
+    const double fitted_px = kSmallestFitted / ring_slope(peaks);
     PeakForm form{fitted(peaks, std::fmax(diagonal, fitted_px))};
     form.c[0] = peaks.at(0, 0);
     if (fitted_px > diagonal) return form;

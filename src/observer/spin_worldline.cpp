@@ -14,11 +14,11 @@ namespace nullscope {
 namespace {
 
 // Of a step, relative to what it acts on, at least 1: 1e-11 over the orbits of a film, but for rounding.
-constexpr double kTolerance = 5e-15;
+constexpr double kSpinTolerance = 5e-15;
 // Of the way between the horizons: who goes round fast enough nears one that v does not reach, its components without bound.
 constexpr double kShortOfInner = 0.05;
-constexpr double kStill = 1e-11;  // c: see worldline.cpp
-constexpr std::size_t kMostNodes = 1000000;
+constexpr double kNoSpin = 1e-11;  // c: see worldline.cpp
+constexpr std::size_t kMostSpinNodes = 1000000;
 
 using Vec4 = std::array<double, 4>;  // t, x, y, z
 
@@ -96,18 +96,18 @@ Vec4 cartesian(double a, const Place& p, const Vec4& hat) {
 }
 
 template <class State>
-Vec4 vector_of(const State& state, std::size_t i) {
+Vec4 state_vector(const State& state, std::size_t i) {
     return {state[3 + 4 * i], state[4 + 4 * i], state[5 + 4 * i], state[6 + 4 * i]};
 }
 
 template <class State>
-State slope_of(const AxialMetric& metric, const State& state) {
+State spin_slope(const AxialMetric& metric, const State& state) {
     const KerrSchildField field(metric, state[0], state[1], state[2]);
-    const Vec4 u = vector_of(state, 0);
+    const Vec4 u = state_vector(state, 0);
     State d{};
     d[0] = u[1], d[1] = u[2], d[2] = u[3], d.back() = u[0];
     for (std::size_t i = 0; 6 + 4 * i < state.size(); ++i) {
-        const Vec4 by = field.carried(u, vector_of(state, i));
+        const Vec4 by = field.carried(u, state_vector(state, i));
         std::copy(by.begin(), by.end(), d.begin() + 3 + 4 * static_cast<std::ptrdiff_t>(i));
     }
     return d;
@@ -140,18 +140,18 @@ void SpinWorldline::run(double duration) {
     const AxialMetric& metric = *spacetime_->axial();
     const double outer = metric.outer_horizon(), inner = metric.inner_horizon(),
                  low = inner + kShortOfInner * (outer - inner);
-    const auto slope = [&](const State& s) { return slope_of(metric, s); };
+    const auto slope = [&](const State& s) { return spin_slope(metric, s); };
     const auto azimuth_of = [&](const State& s) { return place_of(metric, s[0], s[1], s[2]).phi; };
     const auto radius_of = [&](const State& s) { return KerrSchildField(metric, s[0], s[1], s[2]).r; };
     double h = 1e-3 * std::min(duration, start_.r);
-    while (nodes_.size() < kMostNodes && nodes_.back().tau < duration && !ends_) {
+    while (nodes_.size() < kMostSpinNodes && nodes_.back().tau < duration && !ends_) {
         const Node now = nodes_.back();
         h = std::min(h, duration - now.tau);
         State wrong{};
         const State next = dormand_prince(now.state, h, slope, wrong);
         double error = 0;
         for (std::size_t n = 0; n < kSize; ++n)
-            error = std::max(error, std::fabs(wrong[n]) / std::max(std::fabs(now.state[n]), 1.0) / kTolerance);
+            error = std::max(error, std::fabs(wrong[n]) / std::max(std::fabs(now.state[n]), 1.0) / kSpinTolerance);
         for (const double x : next)
             if (!std::isfinite(x)) error = INFINITY;
         // The length of a step that ends at this radius, by halving it.
@@ -189,7 +189,7 @@ SpinWorldline::Node SpinWorldline::node_at(double tau) const {
     const AxialMetric& metric = *spacetime_->axial();
     State wrong{};
     const State there = dormand_prince(
-        before.state, when - before.tau, [&](const State& s) { return slope_of(metric, s); }, wrong);
+        before.state, when - before.tau, [&](const State& s) { return spin_slope(metric, s); }, wrong);
     const double turned = place_of(metric, there[0], there[1], there[2]).phi -
                           place_of(metric, before.state[0], before.state[1], before.state[2]).phi;
     return {when, there, before.azimuth + std::remainder(turned, 2 * M_PI)};
@@ -204,7 +204,7 @@ SpinWorldline::Constants SpinWorldline::constants(double tau) const {
     const AxialMetric& metric = *spacetime_->axial();
     const double a = metric.a();
     const KerrSchildField field(metric, s[0], s[1], s[2]);
-    const Vec4 u = vector_of(s, 0);
+    const Vec4 u = state_vector(s, 0);
     const Place place = place_of(metric, s[0], s[1], s[2]);
     const double st = std::sin(place.theta), energy = -field.product({1, 0, 0, 0}, u),
                  across = field.product(cartesian(a, place, {0, 0, 0, 1}), u);
@@ -230,13 +230,13 @@ CameraSpec SpinWorldline::at(double tau) const {
     for (std::size_t i = 0; i < 4; ++i) axes[i] = cartesian(a, place, frame->high[i]);
     Lorentz tetrad{};
     for (std::size_t i = 0; i < kVectors; ++i) {
-        const Vec4 v = vector_of(s, i);
+        const Vec4 v = state_vector(s, i);
         tetrad[0][i] = -field.product(axes[0], v);
         tetrad[1][i] = field.product(axes[3], v), tetrad[2][i] = -field.product(axes[2], v),
         tetrad[3][i] = field.product(axes[1], v);
     }
     const BoostAndTurn parts = split(tetrad);
-    camera.velocity = length(parts.velocity) > kStill ? parts.velocity : Vec3{};
+    camera.velocity = length(parts.velocity) > kNoSpin ? parts.velocity : Vec3{};
     set_axes(camera, parts.turn);
     return camera;
 }

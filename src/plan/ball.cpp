@@ -9,14 +9,14 @@
 namespace nullscope {
 namespace {
 
-const BallSpec& of(const Body& body) { return std::get<BallSpec>(body.shape); }
+const BallSpec& ball_of(const Body& body) { return std::get<BallSpec>(body.shape); }
 
 template <BallMotion motion>
 bool moves(const Scene& s) {
     return last_body<BallSpec>(s).motion == motion;
 }
 
-std::vector<SceneKey> keys() {
+std::vector<SceneKey> ball_keys() {
     return {
         {"ball", "position", KeyType::kPoint, "r_s", "[-12, 0, 0]", closed(-1e6, 1e6), "", "Its centre: x, y, z.",
          [](auto& s) { return &last_body<BallSpec>(s).position; }},
@@ -41,8 +41,8 @@ std::vector<SceneKey> keys() {
     };
 }
 
-void check(const Body& body, const BodyCheck& at) {
-    const BallSpec& ball = of(body);
+void check_ball(const Body& body, const BodyCheck& at) {
+    const BallSpec& ball = ball_of(body);
     if (ball.motion == BallMotion::kPath) return;
     if (!(length(ball.position) > ball.radius))
         at.report({"radius", "the centre lies within the ball",
@@ -58,21 +58,21 @@ const BodyKind kBallKind{
     .effect = {Effect::kBall, "ball", "EFFECT_BALL", "A solid sphere anywhere ends rays.", "there is a [ball]",
                "ray ends, orbit table; steps of four fetches, at most 128, shared with other bodies"},
     .make = [] { return Body{BallSpec{}}; },
-    .keys = keys,
-    .check = check,
+    .keys = ball_keys,
+    .check = check_ball,
     .words =
         [](const Body& body) {
-            const BallSpec& b = of(body);
+            const BallSpec& b = ball_of(body);
             return fmt::format("of radius {} at [{}, {}, {}]", b.radius, b.position.x, b.position.y, b.position.z);
         },
     .extent =
         [](const Body& body) {
-            const BallSpec& b = of(body);
+            const BallSpec& b = ball_of(body);
             return BodyExtent{length(b.position) - b.radius, length(b.position) + b.radius, b.radius,
                               std::fabs(b.position.z) + b.radius};
         },
-    .size = [](const Body& body) { return of(body).radius; },
-    .moves = [](const Body& body) { return of(body).moves() ? "motion" : nullptr; },
+    .size = [](const Body& body) { return ball_of(body).radius; },
+    .moves = [](const Body& body) { return ball_of(body).moves() ? "motion" : nullptr; },
 };
 
 }  // namespace nullscope

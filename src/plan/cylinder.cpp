@@ -9,9 +9,9 @@
 namespace nullscope {
 namespace {
 
-const CylinderSpec& of(const Body& body) { return std::get<CylinderSpec>(body.shape); }
+const CylinderSpec& cylinder_of(const Body& body) { return std::get<CylinderSpec>(body.shape); }
 
-std::vector<SceneKey> keys() {
+std::vector<SceneKey> cylinder_keys() {
     return {
         {"cylinder", "inner", KeyType::kNumber, "r_s", "3", kPositive, "", "Inner radius; below outer.",
          [](auto& s) { return &last_body<CylinderSpec>(s).inner; }},
@@ -22,8 +22,8 @@ std::vector<SceneKey> keys() {
     };
 }
 
-void check(const Body& body, const BodyCheck& at) {
-    const CylinderSpec& c = of(body);
+void check_cylinder(const Body& body, const BodyCheck& at) {
+    const CylinderSpec& c = cylinder_of(body);
     if (!(c.inner < c.outer)) {
         at.report({"inner", fmt::format("inner = {} is not below outer = {}", c.inner, c.outer), "inner < outer"});
         return;
@@ -41,20 +41,20 @@ const BodyKind kCylinderKind{
     .effect = {Effect::kCylinder, "cylinder", "EFFECT_CYLINDER", "A solid disc of finite thickness ends rays.",
                "there is a [cylinder]", "ray ends, orbit table; steps of four fetches, at most 128"},
     .make = [] { return Body{CylinderSpec{}}; },
-    .keys = keys,
-    .check = check,
+    .keys = cylinder_keys,
+    .check = check_cylinder,
     .words =
         [](const Body& body) {
-            const CylinderSpec& c = of(body);
+            const CylinderSpec& c = cylinder_of(body);
             return fmt::format("from {} to {}, |z| up to {}", c.inner, c.outer, c.height);
         },
     .extent =
         [](const Body& body) {
-            const CylinderSpec& c = of(body);
+            const CylinderSpec& c = cylinder_of(body);
             return BodyExtent{c.inner, std::hypot(c.outer, c.height), std::min(2 * c.height, c.outer - c.inner),
                               c.height};
         },
-    .size = [](const Body& body) { return of(body).outer; },
+    .size = [](const Body& body) { return cylinder_of(body).outer; },
     .moves = [](const Body&) -> const char* { return nullptr; },
     .has_mapping = false,
 };

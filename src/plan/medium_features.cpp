@@ -9,17 +9,17 @@ namespace nullscope {
 namespace {
 
 bool is_flow(const Scene& s) { return s.medium->kind == MediumKind::kFlow; }
-bool is_gas(const Scene& s) { return s.medium->kind == MediumKind::kGas; }
-bool is_formula(const Scene& s) { return s.medium->kind == MediumKind::kFormula; }
+bool medium_is_gas(const Scene& s) { return s.medium->kind == MediumKind::kGas; }
+bool medium_is_formula(const Scene& s) { return s.medium->kind == MediumKind::kFormula; }
 bool is_grid(const Scene& s) { return s.medium->kind == MediumKind::kGrid; }
-bool has_outer(const Scene& s) { return is_gas(s) || s.medium->by_place(); }
+bool has_outer(const Scene& s) { return medium_is_gas(s) || s.medium->by_place(); }
 bool is_black_body(const Scene& s) { return s.medium->by_place() && s.medium->emission == MediumEmission::kBlackBody; }
 bool is_synchrotron(const Scene& s) {
     return s.medium->by_place() && s.medium->emission == MediumEmission::kSynchrotron;
 }
-bool is_warm(const Scene& s) { return is_formula(s) && s.medium->emission != MediumEmission::kPowerLaw; }
-bool has_field(const Scene& s) { return is_formula(s) && is_synchrotron(s); }
-bool has_temperature(const Scene& s) { return is_gas(s) || is_black_body(s); }
+bool is_warm(const Scene& s) { return medium_is_formula(s) && s.medium->emission != MediumEmission::kPowerLaw; }
+bool has_field(const Scene& s) { return medium_is_formula(s) && is_synchrotron(s); }
+bool has_temperature(const Scene& s) { return medium_is_gas(s) || is_black_body(s); }
 bool has_power(const Scene& s) {
     return is_flow(s) || (s.medium->by_place() && s.medium->emission == MediumEmission::kPowerLaw);
 }
@@ -95,7 +95,7 @@ std::vector<SceneKey> formula_keys() {
             "density", "", "exp(-r^2/18)",
             "Density at x, y, z (r_s), r from the centre, at time t: over that of emissivity or opacity; of "
             "synchrotron radiation electrons a cm^3. Needs kind = \"formula\".",
-            [](auto& s) { return &s.medium->formulas.density; }, is_formula, kFormula),
+            [](auto& s) { return &s.medium->formulas.density; }, medium_is_formula, kFormula),
         formula(
             "local_temperature", "K", "1e4",
             "Temperature at a place; of synchrotron radiation the electrons', which must be above 5e8. Needs kind = "
@@ -109,15 +109,15 @@ std::vector<SceneKey> formula_keys() {
             "velocity_out", "c", "0",
             "Motion along the radius at a place, as gamma v, seen by the observer of no angular momentum there. Needs "
             "kind = \"formula\".",
-            [](auto& s) { return &s.medium->formulas.outward; }, is_formula, kFormula),
+            [](auto& s) { return &s.medium->formulas.outward; }, medium_is_formula, kFormula),
         formula(
             "velocity_south", "c", "0", "The same toward growing theta. Needs kind = \"formula\".",
-            [](auto& s) { return &s.medium->formulas.south; }, is_formula, kFormula),
+            [](auto& s) { return &s.medium->formulas.south; }, medium_is_formula, kFormula),
         formula(
             "velocity_east", "c", "0",
             "The same toward growing phi: sqrt(0.5/(r - 1.5)) of circular orbits about a hole that does not rotate. "
             "Needs kind = \"formula\".",
-            [](auto& s) { return &s.medium->formulas.east; }, is_formula, kFormula),
+            [](auto& s) { return &s.medium->formulas.east; }, medium_is_formula, kFormula),
         {"medium", "field_direction", KeyType::kChoice, "", "isotropic", kNoRange, "isotropic out south east file",
          "Direction of the magnetic field in the frame of the matter; isotropic: the mean over all; file: that of kind "
          "= \"grid\". Needs emission = \"synchrotron\".",
@@ -147,7 +147,7 @@ std::vector<SceneKey> grid_keys() {
     };
 }
 
-std::vector<SceneKey> gas_keys() {
+std::vector<SceneKey> medium_gas_keys() {
     return {
         {"medium", "kind", KeyType::kChoice, "", "gas", kNoRange, "gas flow formula grid",
          "What the matter is: gas, a soft thick disc in circular orbits; flow, a hot flow about the hole that shines "
@@ -167,19 +167,19 @@ std::vector<SceneKey> gas_keys() {
          [](auto& s) { return &s.medium->step; }},
         {"medium", "inner", KeyType::kNumber, "r_s", "3", kPositive, "",
          "Radius where gas begins; outside the photon sphere. Needs kind = \"gas\".",
-         [](auto& s) { return &s.medium->inner; }, is_gas, kGas},
+         [](auto& s) { return &s.medium->inner; }, medium_is_gas, kGas},
         {"medium", "outer", KeyType::kNumber, "r_s", "12", kPositive, "",
          "Radius where it ends. Needs kind = \"gas\", \"formula\" or \"grid\".",
          [](auto& s) { return &s.medium->outer; }, has_outer, "another kind than \"flow\""},
         {"medium", "thickness", KeyType::kNumber, "", "0.1", closed(0.01, 0.5), "",
          "Scale height over the radius: the density is Gaussian across the plane. Needs kind = \"gas\".",
-         [](auto& s) { return &s.medium->thickness; }, is_gas, kGas},
+         [](auto& s) { return &s.medium->thickness; }, medium_is_gas, kGas},
         {"medium", "optical_depth", KeyType::kNumber, "", "4", closed(0.0, 1000.0), "",
          "Optical depth through the gas along the plane's normal. Needs kind = \"gas\".",
-         [](auto& s) { return &s.medium->optical_depth; }, is_gas, kGas},
+         [](auto& s) { return &s.medium->optical_depth; }, medium_is_gas, kGas},
         {"medium", "edge", KeyType::kNumber, "", "0.25", closed(0.01, 2.0), "",
          "Width of both rims in ln r, within which the density fades. Needs kind = \"gas\".",
-         [](auto& s) { return &s.medium->edge; }, is_gas, kGas},
+         [](auto& s) { return &s.medium->edge; }, medium_is_gas, kGas},
         {"medium", "temperature", KeyType::kNumber, "K", "8000", closed(600.0, 1e9), "",
          "Temperature at the inner radius, from where it falls as r^(-3/4); of emission = \"black-body\" that of light "
          "1. "
@@ -188,13 +188,13 @@ std::vector<SceneKey> gas_keys() {
          "kind = \"gas\" or emission = \"black-body\""},
         {"medium", "gas_contrast", KeyType::kNumber, "", "0.7", closed(0.0, 1.0), "",
          "How much denser clumps of gas are than gaps; 0 is smooth. Needs kind = \"gas\".",
-         [](auto& s) { return &s.medium->gas.contrast; }, is_gas, kGas},
+         [](auto& s) { return &s.medium->gas.contrast; }, medium_is_gas, kGas},
         {"medium", "gas_winding", KeyType::kNumber, "rad", "4", closed(0.0, 30.0), "",
          "Azimuth by which filaments of gas trail for each factor of e in radius. Needs kind = \"gas\".",
-         [](auto& s) { return &s.medium->gas.winding; }, is_gas, kGas},
+         [](auto& s) { return &s.medium->gas.winding; }, medium_is_gas, kGas},
         {"medium", "flow", KeyType::kChoice, "", "still", kNoRange, "still kepler",
          "Motion of the clumps: none, or with the gas, each ring at its own orbital speed. Needs kind = \"gas\".",
-         [](auto& s) { return &s.medium->flow; }, is_gas, kGas},
+         [](auto& s) { return &s.medium->flow; }, medium_is_gas, kGas},
     };
 }
 
@@ -236,7 +236,7 @@ std::span<const Feature> medium_features() {
          },
          [](Scene& s) { s.medium.emplace(); },
          nullptr,
-         gas_keys()},
+         medium_gas_keys()},
         {{Effect::kMediumMotion, "medium-motion", "EFFECT_MEDIUM_MOTION",
           "Matter along rays is another at another time.",
           "medium.flow is \"kepler\", or a formula of matter asks for t",

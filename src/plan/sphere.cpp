@@ -6,9 +6,9 @@
 namespace nullscope {
 namespace {
 
-const SphereSpec& of(const Body& body) { return std::get<SphereSpec>(body.shape); }
+const SphereSpec& sphere_of(const Body& body) { return std::get<SphereSpec>(body.shape); }
 
-std::vector<SceneKey> keys() {
+std::vector<SceneKey> sphere_keys() {
     return {
         {"sphere", "radius", KeyType::kNumber, "r_s", "3", kPositive, "",
          "Radius, outside the horizon; below camera.r.", [](auto& s) { return &last_body<SphereSpec>(s).radius; }},
@@ -22,12 +22,12 @@ std::vector<SceneKey> keys() {
 }
 
 BodyExtent extent(const Body& body) {
-    const SphereSpec& s = of(body);
+    const SphereSpec& s = sphere_of(body);
     const double least = s.radius * (1.0 - s.amplitude);
     return {least, s.radius * (1.0 + s.amplitude), least};
 }
 
-void check(const Body& body, const BodyCheck& at) {
+void check_sphere(const Body& body, const BodyCheck& at) {
     const auto [least, most, thinnest, height] = extent(body);
     if (!(least > at.horizon))
         at.report({"radius", fmt::format("{} is not outside the horizon", least), fmt::format("r > {}", at.horizon)});
@@ -43,12 +43,12 @@ const BodyKind kSphereKind{
     .effect = {Effect::kSphere, "sphere", "EFFECT_SPHERE", "A solid sphere about the centre ends rays.",
                "there is a [sphere]", "ray ends, orbit table; some four steps of four fetches where it is seen"},
     .make = [] { return Body{SphereSpec{}}; },
-    .keys = keys,
-    .check = check,
-    .words = [](const Body& body) { return fmt::format("of radius {}", of(body).radius); },
+    .keys = sphere_keys,
+    .check = check_sphere,
+    .words = [](const Body& body) { return fmt::format("of radius {}", sphere_of(body).radius); },
     .extent = extent,
-    .size = [](const Body& body) { return of(body).radius; },
-    .moves = [](const Body& body) { return of(body).amplitude > 0.0 ? "amplitude" : nullptr; },
+    .size = [](const Body& body) { return sphere_of(body).radius; },
+    .moves = [](const Body& body) { return sphere_of(body).amplitude > 0.0 ? "amplitude" : nullptr; },
     .has_side = false,
 };
 

@@ -9,22 +9,22 @@
 namespace nullscope {
 namespace {
 
-const SurfaceSpec& of(const Body& body) { return std::get<SurfaceSpec>(body.shape); }
+const SurfaceSpec& surface_of(const Body& body) { return std::get<SurfaceSpec>(body.shape); }
 
-bool is_formula(const Scene& s) { return last_body<SurfaceSpec>(s).kind == SurfaceKind::kFormula; }
+bool has_formula_texture(const Scene& s) { return last_body<SurfaceSpec>(s).kind == SurfaceKind::kFormula; }
 
-std::vector<SceneKey> keys() {
+std::vector<SceneKey> surface_keys() {
     return {
         {"surface", "kind", KeyType::kChoice, "", "formula", kNoRange,
          "formula torus ellipsoid cube octahedron heart gyroid clebsch",
          "Which solid: given by the formula, or built in.", [](auto& s) { return &last_body<SurfaceSpec>(s).kind; }},
         {"surface", "size", KeyType::kNumber, "r_s", "6", kPositive, "",
          "Unit of length of a built-in surface; needs a kind other than \"formula\".",
-         [](auto& s) { return &last_body<SurfaceSpec>(s).size; }, [](const Scene& s) { return !is_formula(s); },
-         "a kind that has a name"},
+         [](auto& s) { return &last_body<SurfaceSpec>(s).size; },
+         [](const Scene& s) { return !has_formula_texture(s); }, "a kind that has a name"},
         {"surface", "shape", KeyType::kFormula, "", "(length(x, y) - 6)^2 + z^2 - 2", kNoRange, "x y z t",
          "f(x, y, z, t), negative inside the solid; t is time. The camera must be outside. Needs kind = \"formula\".",
-         [](auto& s) { return &last_body<SurfaceSpec>(s).shape; }, is_formula, "kind = \"formula\""},
+         [](auto& s) { return &last_body<SurfaceSpec>(s).shape; }, has_formula_texture, "kind = \"formula\""},
         {"surface", "bound", KeyType::kNumber, "r_s", "10", kPositive, "",
          "Bounding radius: the solid is cut off beyond it.", [](auto& s) { return &last_body<SurfaceSpec>(s).bound; }},
         {"surface", "steps", KeyType::kWhole, "", "64", closed(16.0, 256.0), "",
@@ -33,8 +33,8 @@ std::vector<SceneKey> keys() {
     };
 }
 
-void check(const Body& body, const BodyCheck& at) {
-    const SurfaceSpec& surface = of(body);
+void check_surface(const Body& body, const BodyCheck& at) {
+    const SurfaceSpec& surface = surface_of(body);
     const bool named = surface.kind != SurfaceKind::kFormula;
     const auto shape = expr::Formula::parse(surface_shape(surface), {"x", "y", "z", "t"});
     const Vec3 camera = at.camera();
@@ -51,11 +51,11 @@ const BodyKind kSurfaceKind{
     .effect = {Effect::kSurface, "surface", "EFFECT_SURFACE", "A solid given by a formula ends rays.",
                "there is a [surface]", "ray ends, orbit table; steps of five fetches and the formula"},
     .make = [] { return Body{SurfaceSpec{}}; },
-    .keys = keys,
-    .check = check,
+    .keys = surface_keys,
+    .check = check_surface,
     .words =
         [](const Body& body) {
-            const SurfaceSpec& s = of(body);
+            const SurfaceSpec& s = surface_of(body);
             return fmt::format("{} within {}",
                                s.kind == SurfaceKind::kFormula
                                    ? s.shape
@@ -64,10 +64,10 @@ const BodyKind kSurfaceKind{
         },
     .extent =
         [](const Body& body) {
-            return BodyExtent{0.0, of(body).bound, 2 * of(body).bound / of(body).steps};
+            return BodyExtent{0.0, surface_of(body).bound, 2 * surface_of(body).bound / surface_of(body).steps};
         },
-    .size = [](const Body& body) { return of(body).bound; },
-    .moves = [](const Body& body) { return surface_moves(of(body)) ? "shape" : nullptr; },
+    .size = [](const Body& body) { return surface_of(body).bound; },
+    .moves = [](const Body& body) { return surface_moves(surface_of(body)) ? "shape" : nullptr; },
 };
 
 }  // namespace nullscope

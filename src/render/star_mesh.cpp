@@ -22,7 +22,7 @@ constexpr double kPartPerOctave = 2.0;  // how fast StarGlow::part changes, at m
 // rad of sky in a cell above which it is divided: interpolation over it is off by more than 0.01 px.
 constexpr double kWide = 0.15;
 // The same, of how far a cell's middle may be from the mean of its corners, over its extent.
-constexpr double kBent = 0.05;
+constexpr double kBentMesh = 0.05;
 constexpr double kWidest = 0.5;        // rad from its middle up to which it is asked which stars are in it ...
 constexpr double kWidestFinest = 1.0;  // ... where it is not divided any more; what covers more holds no images
 // Triangles are taken so much larger (of their heights), lest a star falls between those of cells of two sizes: what is found twice
@@ -43,7 +43,7 @@ bool is_coarse(const Cell& cell, Vec3 middle) {
     const auto& c = cell.corners;
     const Vec3 mean = 0.25 * (c[0].sky + c[1].sky + c[2].sky + c[3].sky);
     const double across = extent(cell);
-    return across > kWide || length(middle - mean) > kBent * across;
+    return across > kWide || length(middle - mean) > kBentMesh * across;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace nullscope {
 namespace {
 
-constexpr std::size_t kLargestFile = 128u << 20;
+constexpr std::size_t kLargestMeshFile = 128u << 20;
 constexpr double kWidestShare = 1e3;                      // where no cell is drawn
 constexpr double kWidestScreen = 16.0;                    // half heights: places beyond it have no bins of their own
 constexpr int kMostCellsInBin = 4096, kMostEntries = 16;  // the second: of all bins, for each cell and bin
@@ -272,7 +272,7 @@ std::array<double, 2> input_half(const CameraSpec& camera) {
 
 namespace {
 
-FileCache<WarpMesh> loaded(16, kLargestFile);
+FileCache<WarpMesh> loaded(16, kLargestMeshFile);
 std::atomic<int> loads = 0;  // grows when one is read
 
 // For rays, of which there are many: the file is not looked at again.

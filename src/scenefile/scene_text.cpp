@@ -10,7 +10,7 @@
 namespace nullscope {
 namespace {
 
-std::string words_of(const SceneKey& key, const KeyValue& value) {
+std::string canonical_words(const SceneKey& key, const KeyValue& value) {
     if (!value.there) return "missing";
     switch (key.type) {
         case KeyType::kNumber: return fmt::format("{:.17g}", value.number);
@@ -38,7 +38,7 @@ std::vector<SceneLine> scene_lines(const Scene& scene) {
             if (key.section != section || !key.member.readable()) continue;
             const KeyValue value = key.member.get(holder);
             lines.push_back({label.empty() ? std::string(key.key) : fmt::format("{}.{}", label, key.key),
-                             words_of(key, value), value.path});
+                             canonical_words(key, value), value.path});
         }
     };
     const auto add_parameters = [&](const std::string& section, const SpacetimeSpec& spec) {

@@ -24,8 +24,8 @@ constexpr std::size_t kLongestLine = 200;  // bytes, of title and description
 constexpr std::string_view kSceneWords = "the name of a scene that ships, or a scene file relative to this one";
 constexpr std::string_view kStepsWords = "1 to 100 sections [[step]]";
 
-int line_of(const toml::key& key) { return static_cast<int>(key.source().begin.line); }
-int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+int tour_line_of(const toml::key& key) { return static_cast<int>(key.source().begin.line); }
+int tour_line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
 
 // Lines of a paragraph are joined; a blank line ends it.
 std::string paragraphs_of(std::string_view text) {
@@ -82,7 +82,7 @@ void TourReader::report_unknown(const toml::table& table, const std::string& pre
     for (const auto& [name, node] : table) {
         if (std::ranges::find(known, name.str()) != known.end()) continue;
         const std::string nearest = nearest_word(name.str(), known), quoted = in_quotes(name.str());
-        report(line_of(name), prefix + quoted.substr(1, quoted.size() - 2), "unknown key",
+        report(tour_line_of(name), prefix + quoted.substr(1, quoted.size() - 2), "unknown key",
                fmt::format("{}{}", fmt::join(known, ", "),
                            nearest.empty() ? "" : fmt::format(" (nearest known key: {})", nearest)));
     }
@@ -94,7 +94,7 @@ std::string TourReader::words(const toml::table& table, int line, const std::str
     const auto found = table.find(key);
     if (found == table.end()) return report(line, name, "missing", allowed), "";
     const toml::value<std::string>* text = found->second.as_string();
-    const int at = line_of(found->first);
+    const int at = tour_line_of(found->first);
     if (text == nullptr) return report(at, name, "must be a string", allowed), "";
     if (text->get().size() > most) return report(at, name, fmt::format("{} bytes", text->get().size()), allowed), "";
     if (trim(text->get()).empty()) return report(at, name, "is empty", allowed), "";
@@ -111,13 +111,13 @@ void TourReader::read_off(const toml::node& node, const std::string& name, const
     const std::string allowed =
         known.empty() ? "nothing: no effect of this scene can go alone" : fmt::format("{}", fmt::join(known, ", "));
     const toml::array* list = node.as_array();
-    if (list == nullptr) return report(line_of(node), name, "must be a list of effects", allowed);
+    if (list == nullptr) return report(tour_line_of(node), name, "must be a list of effects", allowed);
     for (const toml::node& entry : *list) {
         const auto* word = entry.as_string();
         if (word == nullptr || std::ranges::find(known, word->get()) == known.end()) {
             const std::string shown = word == nullptr ? "an entry that is not a string" : in_quotes(word->get());
-            return report(line_of(entry), name, shown + " is no effect that this step's scene has and can go without",
-                          allowed);
+            return report(tour_line_of(entry), name,
+                          shown + " is no effect that this step's scene has and can go without", allowed);
         }
         for (const EffectRow* row : effect_rows())
             if (row->key == word->get()) off.insert(row->effect);
@@ -130,7 +130,7 @@ void TourReader::read_place(const toml::table& table, const std::string& label, 
     const bool named = step.scene.find('/') == std::string::npos && !step.scene.ends_with(".toml");
     if (!named) step.scene = (base_ / step.scene).string();
     const Result<Scene>& loaded = scene_of(step.scene);
-    if (!loaded) return report(line_of(at->first), label + "scene", loaded.error().message(), kSceneWords);
+    if (!loaded) return report(tour_line_of(at->first), label + "scene", loaded.error().message(), kSceneWords);
     Scene scene = *loaded;
     if (const auto view = table.find("view"); view != table.end()) {
         const auto* line = view->second.as_string();
@@ -138,7 +138,7 @@ void TourReader::read_place(const toml::table& table, const std::string& label, 
         if (!camera) {
             const Error& error = camera.error();
             const std::string what = error.key.empty() ? error.what : fmt::format("{}: {}", error.key, error.what);
-            return report(line_of(view->first), label + "view", what, error.allowed);
+            return report(tour_line_of(view->first), label + "view", what, error.allowed);
         }
         step.view = scene.camera = *camera;
     }
@@ -147,7 +147,7 @@ void TourReader::read_place(const toml::table& table, const std::string& label, 
 
 void TourReader::read_step(const toml::table& table, const std::string& label) {
     constexpr std::size_t kLongestPath = 4096;
-    const int line = std::max(line_of(table), 1);
+    const int line = std::max(tour_line_of(table), 1);
     report_unknown(table, label, {"scene", "view", "off", "text"});
     TourStep step;
     step.text = paragraphs_of(words(table, line, label, "text", kLongestTourText));
@@ -170,7 +170,7 @@ Result<Tour> TourReader::read(const toml::table& root) {
     tour_.title = without_controls(words(root, 1, "", "title", kLongestLine));
     tour_.description = without_controls(words(root, 1, "", "description", kLongestLine));
     if (const auto steps = root.find("step"); steps != root.end())
-        read_steps(steps->second, std::max(line_of(steps->first), 1));
+        read_steps(steps->second, std::max(tour_line_of(steps->first), 1));
     else
         report(1, "step", "missing", kStepsWords);
     if (reports_.empty()) return tour_;

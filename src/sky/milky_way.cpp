@@ -15,21 +15,21 @@
 namespace nullscope {
 namespace {
 
-constexpr int kMostCells = 512;   // a side of a face: 0.11 to 0.22 degrees; the map's pixels are of 0.18
-constexpr std::size_t kRun = 64;  // places that are worked out together
+constexpr int kMostDustCells = 512;    // a side of a face: 0.11 to 0.22 degrees; the map's pixels are of 0.18
+constexpr std::size_t kPixelRun = 64;  // places that are worked out together
 
 // Red, green, blue and what follows: what a processor adds at once. (An extension that gcc and clang share; arrays are added one by one.)
-using Light = float __attribute__((vector_size(16)));
+using BandLight = float __attribute__((vector_size(16)));
 
-Light at(const float* pixel) {
-    Light light;
+BandLight at(const float* pixel) {
+    BandLight light;
     std::memcpy(&light, pixel, sizeof light);
     return light;
 }
 
 // Places in the map of directions, in single precision: 1e-3 pixels, at half the cost.
 struct Places {
-    std::array<float, kRun> x, y;
+    std::array<float, kPixelRun> x, y;
 
     void fill(const Image<float>& map, Vec3 first, Vec3 step, std::size_t count) {
         const auto fx = static_cast<float>(first.x), fy = static_cast<float>(first.y), fz = static_cast<float>(first.z),
@@ -55,8 +55,8 @@ void sample(const Image<float>& map, float place_x, float place_y, float scale, 
     const float tx = x - static_cast<float>(right), ty = y - static_cast<float>(y0);
     const float below = scale * ty, above = scale - below;
     const float wa = above - above * tx, wb = above * tx, wc = below - below * tx, wd = below * tx;
-    const Light a = at(map.at(x0, y0)), b = at(map.at(x1, y0)), c = at(map.at(x0, y1)), d = at(map.at(x1, y1));
-    const Light sum = wa * a + wb * b + wc * c + wd * d;
+    const BandLight a = at(map.at(x0, y0)), b = at(map.at(x1, y0)), c = at(map.at(x0, y1)), d = at(map.at(x1, y1));
+    const BandLight sum = wa * a + wb * b + wc * c + wd * d;
     red[0] = sum[0], red[plane] = sum[1], red[2 * plane] = sum[2];
 }
 
@@ -72,7 +72,7 @@ Result<MilkyWay> MilkyWay::load(const std::filesystem::path& path, const Mat3& w
     Result<Image<float>> map = load_image(path);
     if (!map) return failed(map.error().message());
     map->data.push_back(0.0f);  // at() reads a number beyond the last pixel
-    return MilkyWay(std::move(*map), FaceGrid(world_from_sky, size, border, kMostCells),
+    return MilkyWay(std::move(*map), FaceGrid(world_from_sky, size, border, kMostDustCells),
                     brightness * kMapWhite_S10 * radiance_of_s10());
 }
 
@@ -80,8 +80,8 @@ void MilkyWay::paint(SkyRows& rows) const {
     const auto scale = static_cast<float>(scale_);
     grid_.paint(rows, [&](Vec3 first, Vec3 step, std::size_t count, float* out) {
         Places places;
-        for (std::size_t begin = 0; begin < count; begin += kRun) {
-            const std::size_t run = std::min(kRun, count - begin);
+        for (std::size_t begin = 0; begin < count; begin += kPixelRun) {
+            const std::size_t run = std::min(kPixelRun, count - begin);
             places.fill(map_, first + static_cast<double>(begin) * step, step, run);
             for (std::size_t i = 0; i < run; ++i) sample(map_, places.x[i], places.y[i], scale, out + begin + i, count);
         }

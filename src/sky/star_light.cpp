@@ -16,7 +16,6 @@ namespace {
 using Light = StarPainter::Light;
 using Splat = StarPainter::Splat;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kTexelsPerSigma = 0.6;
 constexpr double kCoreReach = 4.0;      // sigmas; exp(-8) = 0.03 % of the flux would lie outside
 constexpr int kBandRows = 32;           // rows of a list of splats
@@ -131,7 +130,7 @@ bool can_be_kept(const Splat& splat) {
 }
 
 double halo_reach(double flux, double scale) {
-    const double centre = flux / (kPi * scale * scale);  // of the profile without a cut
+    const double centre = flux / (std::numbers::pi * scale * scale);  // of the profile without a cut
     const double ratio = std::sqrt(std::max(centre / kHaloFloor, 1.0)) - 1.0;
     return std::clamp(scale * std::sqrt(ratio), 2.0 * scale, std::max(2.0 * scale, kMaxReach));
 }
@@ -146,7 +145,7 @@ const std::array<FaceAxes, 6>& all_axes() {
 // scale apart, add up to that within 1e-5; those about an edge of the cube within 5e-4.
 double halo_integral(double scale, double reach) {
     const double a = 1.0 / (scale * scale), far = a * reach * reach, u = 1.0 + far;
-    return kPi * (far * (u + 1.0) - 2.0 * u * std::log(u)) / (a * far * far);
+    return std::numbers::pi * (far * (u + 1.0) - 2.0 * u * std::log(u)) / (a * far * far);
 }
 
 // Of a profile about a direction over all faces, texels weighted by their solid angles.
@@ -196,7 +195,8 @@ double core_sigma(int face_size) { return kTexelsPerSigma * 2.0 / std::min(face_
 
 double star_flux(double magnitude) {
     const double reference = core_sigma(kReferenceFace);
-    return kPeakOfMagnitude5 * 2.0 * kPi * reference * reference * std::pow(10.0, -0.4 * (magnitude - 5.0));
+    return kPeakOfMagnitude5 * 2.0 * std::numbers::pi * reference * reference *
+           std::pow(10.0, -0.4 * (magnitude - 5.0));
 }
 
 StarPainter::StarPainter(const std::vector<Star>& stars, const Mat3& world_from_sky, double brightness, int size,

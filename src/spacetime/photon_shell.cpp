@@ -57,7 +57,7 @@ PhotonOrbit orbit_of(const Shell& shell, double x, double sine, double cosine, d
 }
 
 // (r^2 + a^2 cos^2(theta)) Delta' - 4 r (Delta + a sin(theta) cos(psi) sqrt(Delta)) falls through 0 outside of the horizon.
-Result<PhotonOrbit> rotating(const AxialMetric& metric, double theta, double psi) {
+Result<PhotonOrbit> rotating_metric(const AxialMetric& metric, double theta, double psi) {
     const Shell shell{metric};
     const double sine = std::sin(theta), cosine = std::cos(theta), cos_psi = std::cos(psi), sin_psi = std::sin(psi);
     const double polar2 = shell.a * shell.a * cosine * cosine, around = shell.a * sine * cos_psi;
@@ -96,7 +96,7 @@ Result<Circle> circle_of(const SphericalMetric& metric) {
 }  // namespace
 
 Result<PhotonOrbit> photon_orbit(const Spacetime& spacetime, double theta, double psi) {
-    if (const AxialMetric* axial = spacetime.axial()) return rotating(*axial, theta, psi);
+    if (const AxialMetric* axial = spacetime.axial()) return rotating_metric(*axial, theta, psi);
     TRY(circle, circle_of(*spacetime.spherical()));
     const double b = 1.0 / circle->q_crit, lambda = b * std::sin(theta) * std::cos(psi),
                  polar = b * std::hypot(std::sin(psi), std::cos(theta) * std::cos(psi));

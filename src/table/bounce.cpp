@@ -11,7 +11,7 @@ namespace {
 constexpr double kTolerance = 1e-11;  // rad, of a panel
 constexpr int kDeepest = 40;
 
-struct Rate {
+struct BounceRate {
     double e, q0, q1, q2, q3;
     double operator()(double s) const {
         const double x = e - s * s;
@@ -50,7 +50,7 @@ double bounce_to_sky(const Barrier& barrier, double zeta0, double d, double inwa
         y = next;
         if (done) break;
     }
-    Rate rate{side * std::max(y, 1e-150), 0.0, 0.0, 0.0, c4};
+    BounceRate rate{side * std::max(y, 1e-150), 0.0, 0.0, 0.0, c4};
     rate.q2 = c3 + c4 * rate.e;
     rate.q0 = d / rate.e;
     rate.q1 = std::fabs(rate.e) < 0.1 ? c2 + rate.q2 * rate.e : (rate.q0 - c1) / rate.e;

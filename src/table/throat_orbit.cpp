@@ -10,7 +10,7 @@ namespace {
 
 // w below which the forces are their first terms: differences of large numbers lose 1e-16/W there, their slopes 1e-16/W^2.
 constexpr double kNearSky = 1e-6;
-constexpr double kLargestStep = 0.08;  // rad
+constexpr double kLargestThroatStep = 0.08;  // rad
 // Of the distance to the singularities of R's course, which lie flare() off the rim.
 constexpr double kPartOfFlare = 0.2;
 constexpr double kFlares = 8.0;                        // from the rim, beyond which steps are long again
@@ -37,7 +37,8 @@ State step(const Pull& pull, const State& s, double h) {
 double longest_step(const Pull& pull, const State& s) {
     const ThroatShape& shape = pull.shape;
     const ThroatShape::Force f = shape.force(s.at);
-    double longest = kLargestStep / std::sqrt(std::max(1.0, std::fabs(pull.q * pull.q * f.steep_slope - f.flat_slope)));
+    double longest =
+        kLargestThroatStep / std::sqrt(std::max(1.0, std::fabs(pull.q * pull.q * f.steep_slope - f.flat_slope)));
     const double off = std::fabs(std::fabs(shape.length(s.at)) - shape.rim());
     if (off < kFlares * shape.flare()) {
         const double speed = std::fabs(s.slope * shape.length_slope(s.at));

@@ -24,14 +24,16 @@ constexpr double kNextTurn = 2.39996;  // ... and from each to the next: the gol
 constexpr double kAside = 0.5;         // of half the free part
 constexpr double kSize = 0.05;         // radius over distance, of the first; others are smaller or larger
 constexpr double kMostSize = 0.4;      // likewise, of half the free part
-constexpr double kWidest = 1.0;  // tangent of half a field of view: planets of wider ones are nearer to the middle
+constexpr double kWidestAddition =
+    1.0;  // tangent of half a field of view: planets of wider ones are nearer to the middle
 
 Body planet(const Scene& scene, double share, const FreePart& free) {
     const auto count = static_cast<double>(std::ranges::count_if(scene.bodies, has_shape<BallSpec>));
     const FlyCamera camera = fly_camera(scene.camera);
     const double away = share * std::fabs(scene.camera.r), turn = kFirstTurn + kNextTurn * count;
     const CameraSpec& lens = scene.camera;
-    const double x = std::min(0.5 * lens.plane_width / lens.focal_distance, kWidest), y = x * lens.height / lens.width;
+    const double x = std::min(0.5 * lens.plane_width / lens.focal_distance, kWidestAddition),
+                 y = x * lens.height / lens.width;
     const double half_width = x * (free.right - free.left), half_height = y * (free.bottom - free.top);
     const Vec3 seen{x * (free.left + free.right - 1.0) + kAside * half_width * std::cos(turn),
                     y * (1.0 - free.top - free.bottom) + kAside * half_height * std::sin(turn), -1.0};

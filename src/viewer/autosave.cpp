@@ -20,22 +20,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kPrefix = "unsaved-";
+constexpr std::string_view kAutosavePrefix = "unsaved-";
 
 fs::path state_file(const std::string& name) {
     const fs::path folder = state_folder();
     return folder.empty() ? folder : folder / name;
 }
 
-fs::path own_file_of(pid_t process) { return state_file(fmt::format("{}{}.toml", kPrefix, process)); }
+fs::path own_file_of(pid_t process) { return state_file(fmt::format("{}{}.toml", kAutosavePrefix, process)); }
 
 // The process that a file belongs to, or 0.
 pid_t process_of(const fs::path& file) {
     const std::string stem = file.stem().string();
-    if (!stem.starts_with(kPrefix) || file.extension() != ".toml") return 0;
+    if (!stem.starts_with(kAutosavePrefix) || file.extension() != ".toml") return 0;
     pid_t process = 0;
     const char* end = stem.data() + stem.size();
-    const auto [last, error] = std::from_chars(stem.data() + kPrefix.size(), end, process);
+    const auto [last, error] = std::from_chars(stem.data() + kAutosavePrefix.size(), end, process);
     return error == std::errc() && last == end ? process : 0;
 }
 

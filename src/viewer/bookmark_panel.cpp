@@ -14,9 +14,9 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr float kCardWidth = 11.0f;  // of the font's size
-constexpr float kTallest = 0.25f;    // of the window's height: a card's picture
-constexpr float kEdge = 2.0f;        // px about a card, for its bright edge
+constexpr float kBookmarkWidth = 11.0f;  // of the font's size
+constexpr float kTallestPanel = 0.25f;   // of the window's height: a card's picture
+constexpr float kEdge = 2.0f;            // px about a card, for its bright edge
 
 void take(const Status& done, const std::string& words, std::string& message) {
     message = done ? words : done.error().message();
@@ -48,7 +48,7 @@ BookmarkPanel::Chosen BookmarkPanel::draw(ViewState& view, Bookmarks& bookmarks,
     read_one(bookmarks, all);
     const float margin = 0.6f * em();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float card = std::min(kCardWidth * em(), kTallest * screen.y / CardPicture::kShape);
+    const float card = std::min(kBookmarkWidth * em(), kTallestPanel * screen.y / CardPicture::kShape);
     if (right - left < card + 4.0f * margin) right = screen.x;
     if (right - left < card + 4.0f * margin) left = margin;
     ImGui::SetNextWindowPos({left, bottom - margin}, ImGuiCond_Always, {0.0f, 1.0f});

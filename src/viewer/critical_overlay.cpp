@@ -13,7 +13,7 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr float kWidth = 1.5f, kRim = 3.5f;  // of the line, and of what parts it from a bright disc
+constexpr float kCurveWidth = 1.5f, kRim = 3.5f;  // of the line, and of what parts it from a bright disc
 constexpr ImU32 kRimColour = IM_COL32(0, 0, 0, 130);
 
 // left, wide: where the scene's picture lies in the window, units of ImGui.
@@ -32,7 +32,7 @@ void draw_lines(const Scene& scene, float left, float wide) {
             points.emplace_back(left + static_cast<float>(unit * x), static_cast<float>(unit * y));
         const int count = static_cast<int>(points.size());
         draw.AddPolyline(points.data(), count, kRimColour, ImDrawFlags_None, kRim);
-        draw.AddPolyline(points.data(), count, kCriticalColour, ImDrawFlags_None, kWidth);
+        draw.AddPolyline(points.data(), count, kCriticalColour, ImDrawFlags_None, kCurveWidth);
     }
     draw.PopClipRect();
 }

@@ -15,12 +15,12 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr double kFarthest = 16.0, kWide = 1.25,
+constexpr double kFarthestShown = 16.0, kWideEmbedding = 1.25,
                  kAbout = 2.5;       // r_s shown at most; of the camera's radius; of the outermost circle's
 constexpr double kElevation = 0.45;  // rad, of the eye above the plane
-constexpr float kWidth = 17.0f, kLeastWidth = 9.0f;  // em
+constexpr float kEmbeddingWidth = 17.0f, kLeastEmbeddingWidth = 9.0f;  // em
 constexpr int kRings = 10, kMeridians = 24, kRingPoints = 72;
-constexpr ImU32 kGround = IM_COL32(6, 8, 14, 255), kGrid = IM_COL32(150, 165, 190, 80),
+constexpr ImU32 kEmbeddingGround = IM_COL32(6, 8, 14, 255), kGrid = IM_COL32(150, 165, 190, 80),
                 kRay = IM_COL32(120, 200, 255, 255);
 
 class Diagram {
@@ -48,7 +48,7 @@ public:
     }
 
     void ground() const {
-        draw_.AddRectFilled(corner_, {corner_.x + size_.x, corner_.y + size_.y}, kGround);
+        draw_.AddRectFilled(corner_, {corner_.x + size_.x, corner_.y + size_.y}, kEmbeddingGround);
         for (int i = 0; i < kMeridians; ++i) {
             const double phi = 2.0 * M_PI * i / kMeridians;
             std::vector<ImVec2> line;
@@ -101,12 +101,12 @@ std::string no_embedding(const Scene& scene) {
 
 float draw_embedding(const Scene& scene, const ProbeFacts* ray, float left, float right, float bottom) {
     const float margin = 0.6f * em(), padding = ImGui::GetStyle().WindowPadding.x;
-    const float width = std::min(kWidth * em(), right - left - 2.0f * (margin + padding));
+    const float width = std::min(kEmbeddingWidth * em(), right - left - 2.0f * (margin + padding));
     const auto spacetime = spacetime_of(scene);
-    if (spacetime == nullptr || spacetime->spherical() == nullptr || width < kLeastWidth * em()) return bottom;
+    if (spacetime == nullptr || spacetime->spherical() == nullptr || width < kLeastEmbeddingWidth * em()) return bottom;
     const auto circles = landmark_circles(*spacetime);
     const double camera = std::fabs(scene.camera.r);
-    double high = std::min(kFarthest, kWide * camera);
+    double high = std::min(kFarthestShown, kWideEmbedding * camera);
     if (!circles.empty()) high = std::max(high, kAbout * circles.back().r);
     const auto surface = embedding(*spacetime->spherical(), high);
     if (surface.size() < 2) return bottom;

@@ -8,10 +8,10 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr double kLongest = 1e5;    // r_s/c: of an orbit, which does not end
-constexpr double kFreeFalls = 4.0;  // of a worldline from afar: from rest at r it takes pi/2 r^(3/2) to the hole
-constexpr double kWhole_s = 20.0;   // of a fall
-constexpr double kSlowest = 0.25;   // r_s/c a second, where it ends
+constexpr double kLongest = 1e5;       // r_s/c: of an orbit, which does not end
+constexpr double kFreeFalls = 4.0;     // of a worldline from afar: from rest at r it takes pi/2 r^(3/2) to the hole
+constexpr double kWhole_s = 20.0;      // of a fall
+constexpr double kSlowestFall = 0.25;  // r_s/c a second, where it ends
 
 // A camera at another's place, moving and looking as that does; its own lens and size.
 CameraSpec at_place_of(CameraSpec there, const CameraSpec& own) {
@@ -41,7 +41,7 @@ Status Fall::let_go(const Scene& scene) {
     shown_ = scene.camera;
     start_time_ = shown_time_ = scene.time;
     const bool ends = line_->end() != WorldlineEnd::kOpen;
-    least_ = ends ? std::min(line_->last() / kWhole_s, kSlowest) : 1.0;
+    least_ = ends ? std::min(line_->last() / kWhole_s, kSlowestFall) : 1.0;
     slowing_ = ends ? slowing_of(line_->last(), least_) : 0.0;
     return Done{};
 }

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kNiceness = 10;  // the viewer goes first
+constexpr int kFilmNiceness = 10;  // the viewer goes first
 
 // Beside this program. Empty: it is not there.
 fs::path capture_program() {
@@ -63,7 +63,7 @@ Status FilmExport::start(const Scene& scene, const std::string& output) {
              {std::string("--frames"), fmt::format("0:{}", scene.path->frames), std::string("--resume")})
             words.push_back(word);
     TRY(started, process_.start(std::move(words)));
-    ::setpriority(PRIO_PROCESS, static_cast<id_t>(process_.id()), kNiceness);
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(process_.id()), kFilmNiceness);
     share_ = 0.0, left_s_.reset(), frames_ = scene.path->frames;
     output_ = output, said_.clear(), line_.clear(), message_.clear();
     return Done{};

@@ -7,7 +7,7 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr double kDeadZone = 0.15;
-enum Axis { kLeftX, kLeftY, kRightX, kRightY, kLeftTrigger, kRightTrigger };
+enum StickAxis { kLeftX, kLeftY, kRightX, kRightY, kLeftTrigger, kRightTrigger };
 enum PadButton { kA = 0, kB = 1, kLeftBumper = 4, kRightBumper = 5, kStart = 7 };
 
 // 0 in the dead zone, from there on evenly to 1.
@@ -15,7 +15,7 @@ double beyond_dead_zone(double deflection) {
     return std::clamp((deflection - kDeadZone) / (1.0 - kDeadZone), 0.0, 1.0);
 }
 
-double axis(const PadState& pad, Axis which) {
+double stick_axis(const PadState& pad, StickAxis which) {
     const double value = pad.axes[which];
     return std::isfinite(value) ? std::clamp(value, -1.0, 1.0) : which >= kLeftTrigger ? -1.0 : 0.0;
 }
@@ -25,15 +25,15 @@ struct Stick {
 };
 
 // The dead zone is round, so that a stick that goes round does not stick to its axes.
-Stick stick(const PadState& pad, Axis x, Axis y) {
-    const Stick raw{axis(pad, x), axis(pad, y)};
+Stick stick(const PadState& pad, StickAxis x, StickAxis y) {
+    const Stick raw{stick_axis(pad, x), stick_axis(pad, y)};
     const double deflection = std::hypot(raw.x, raw.y);
     if (deflection <= kDeadZone) return {0.0, 0.0};
     const double scale = beyond_dead_zone(deflection) / deflection;
     return {scale * raw.x, scale * raw.y};
 }
 
-double trigger(const PadState& pad, Axis which) { return beyond_dead_zone(0.5 * (axis(pad, which) + 1.0)); }
+double trigger(const PadState& pad, StickAxis which) { return beyond_dead_zone(0.5 * (stick_axis(pad, which) + 1.0)); }
 
 }  // namespace
 

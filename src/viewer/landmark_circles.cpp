@@ -16,7 +16,7 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr ImU32 kGround = IM_COL32(126, 134, 152, 255), kErgosphere = IM_COL32(255, 128, 150, 255),
+constexpr ImU32 kLabelGround = IM_COL32(126, 134, 152, 255), kErgosphere = IM_COL32(255, 128, 150, 255),
                 kIsco = IM_COL32(190, 150, 255, 255);
 
 float small() { return 0.85f * ImGui::GetFontSize(); }
@@ -45,9 +45,9 @@ std::vector<LandmarkCircle> landmark_circles(const Spacetime& spacetime) {
         if (r) found.push_back({name, *r, spacetime.areal_radius(*r), colour, filled});
     };
     const Landmarks marks = landmarks_of(spacetime);
-    add("surface", spacetime.surface_radius(), kGround, true);
+    add("surface", spacetime.surface_radius(), kLabelGround, true);
     const bool bare = marks.horizon && !(spacetime.areal_radius(*marks.horizon) > 0.0);
-    add(bare ? "singularity" : "horizon", marks.horizon, kGround, true);
+    add(bare ? "singularity" : "horizon", marks.horizon, kLabelGround, true);
     if (const AxialMetric* metric = spacetime.axial())
         add("ergosphere", static_limit(*metric, 0.5 * std::numbers::pi), kErgosphere, false);
     if (const auto sphere = open_photon_sphere(spacetime))

@@ -106,7 +106,7 @@ std::string utf8(unsigned code) {
     return bytes.data();
 }
 
-struct Words {
+struct LoggedWords {
     ImRect place;
     std::string text;
     bool cut = false, overlapped = false;
@@ -120,9 +120,9 @@ bool shares_much(const ImRect& a, const ImRect& b) {
            area(both) > kMostShared * std::min(area(a), area(b));
 }
 
-std::vector<Words> words_of(const std::vector<Letter>& letters, bool scrolled) {
+std::vector<LoggedWords> logged_words(const std::vector<Letter>& letters, bool scrolled) {
     const float em = ImGui::GetFontSize();
-    std::vector<Words> all;
+    std::vector<LoggedWords> all;
     const Letter* before = nullptr;
     for (const Letter& letter : letters) {
         if (out_of_sight(letter)) continue;
@@ -131,7 +131,7 @@ std::vector<Words> words_of(const std::vector<Letter>& letters, bool scrolled) {
                              std::fabs(letter.place.Max.y - before->place.Max.y) < em &&
                              letter.place.Min.x > before->place.Min.x;
         if (!goes_on) all.push_back({letter.place, "", false, false});
-        Words& words = all.back();
+        LoggedWords& words = all.back();
         if (goes_on && gap > kWordGap * em) words.text += ' ';
         words.text += utf8(letter.code);
         words.place.Add(letter.place);
@@ -142,9 +142,9 @@ std::vector<Words> words_of(const std::vector<Letter>& letters, bool scrolled) {
 }
 
 // Words whose letters lie on letters of other words. Windows hold some hundred words: all pairs.
-void find_overlaps(std::vector<Words>& all) {
-    for (Words& one : all)
-        for (const Words& other : all) one.overlapped |= &one != &other && shares_much(one.place, other.place);
+void find_overlaps(std::vector<LoggedWords>& all) {
+    for (LoggedWords& one : all)
+        for (const LoggedWords& other : all) one.overlapped |= &one != &other && shares_much(one.place, other.place);
 }
 
 std::string rectangle(const ImRect& r) {
@@ -179,9 +179,9 @@ std::string panel_layout() {
     for (int i = 0; i < drawn.CmdListsCount; ++i) {
         const ImDrawList& list = *drawn.CmdLists[i];
         const std::string name = name_of(list._OwnerName);
-        auto all = words_of(letters_in(list, font), scrolls(list._OwnerName != nullptr ? list._OwnerName : ""));
+        auto all = logged_words(letters_in(list, font), scrolls(list._OwnerName != nullptr ? list._OwnerName : ""));
         find_overlaps(all);
-        for (const Words& words : all) {
+        for (const LoggedWords& words : all) {
             text += fmt::format("text {} {} {}\n", name, rectangle(words.place), words.text);
             if (words.cut) text += fmt::format("fault {} cut: {}\n", name, words.text);
             if (words.overlapped) text += fmt::format("fault {} overlap: {}\n", name, words.text);

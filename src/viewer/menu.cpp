@@ -91,7 +91,7 @@ KeyPress usual(KeyPress press) {
     return press;
 }
 
-const char* help_of(Command command) {
+const char* menu_help(Command command) {
     switch (command) {
         case Command::kCriticalCurve: return kCriticalCurveHelp;
         case Command::kPotential: return kPotentialHelp;
@@ -139,7 +139,7 @@ std::optional<Command> draw_menu(const ViewState& view, bool escape) {
             const bool shown = compared || (entry.shown != nullptr && view.*entry.shown);
             if (ImGui::MenuItem(entry.name, entry.keys, shown && reason.empty(), reason.empty()))
                 chosen = entry.command;
-            tooltip(reason.empty() ? help_of(entry.command) : reason, TooltipPlace::kBesideWindow);
+            tooltip(reason.empty() ? menu_help(entry.command) : reason, TooltipPlace::kBesideWindow);
         }
         ImGui::EndMenu();
     }

@@ -22,7 +22,7 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                                     ImGuiWindowFlags_NoNav;
 constexpr float kPanelWidth = 19.0f;  // of the font's size
-constexpr float kMargin = 0.6f;
+constexpr float kPanelMargin = 0.6f;
 
 constexpr std::pair<const char*, const char*> kKeys[] = {
     {"Left drag", "look around"},
@@ -64,7 +64,7 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
 
 bool side_panel(ViewState& view, const FrameFacts& facts, bool escape) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float margin = kMargin * em(),
+    const float margin = kPanelMargin * em(),
                 tallest = std::max(screen.y - menu_height() - status_height() - 2.0f * margin, 4.0f * em());
     const float width = std::min(kPanelWidth * em(), std::max(screen.x - 2.0f * margin, 4.0f * em()));
     ImGui::SetNextWindowPos({margin, menu_height() + margin});
@@ -120,7 +120,7 @@ void status_line(const FrameFacts& facts) {
     ImGui::SetNextWindowSize({screen.x, status_height()});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kMargin * em(), 0.25f * em()});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPanelMargin * em(), 0.25f * em()});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
     if (ImGui::Begin("##status", nullptr, kFixed | ImGuiWindowFlags_NoInputs)) {
         const Painting& painting = facts.painting;
@@ -134,7 +134,7 @@ void status_line(const FrameFacts& facts) {
         const std::string tables =
             picture ? fmt::format("table {:.0f} ms, rows {:.1f} ms", painting.table_ms, painting.rows_ms) : "";
         std::string rest = fmt::format("{} x {}", facts.size.width, facts.size.height);
-        const float room = screen.x - (9.5f + kMargin) * em();
+        const float room = screen.x - (9.5f + kPanelMargin) * em();
         const std::string version = facts.info.version.substr(0, facts.info.version.find(' '));
         for (const std::string& part : {tables, "OpenGL " + version, facts.info.renderer})
             if (const std::string longer = fmt::format("{}     {}", rest, part);
@@ -143,7 +143,7 @@ void status_line(const FrameFacts& facts) {
         ImGui::SameLine(9.5f * em());
         ImGui::TextDisabled("%s", rest.c_str());
         const char* hint = "F1 keys   Tab panels";
-        const float left = screen.x - ImGui::CalcTextSize(hint).x - kMargin * em();
+        const float left = screen.x - ImGui::CalcTextSize(hint).x - kPanelMargin * em();
         if (9.5f * em() + ImGui::CalcTextSize(rest.c_str()).x + em() < left) {
             ImGui::SameLine(left);
             ImGui::TextDisabled("%s", hint);
@@ -158,7 +158,7 @@ void keys_window(float top) {
     constexpr float kOpacity = 0.95f;               // readable over the side panel in a small window
     constexpr float kColumn = 8.5f, kBoth = 24.0f;  // of the font's size: of the keys, of a whole column
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float margin = kMargin * em(), line = ImGui::GetTextLineHeightWithSpacing(),
+    const float margin = kPanelMargin * em(), line = ImGui::GetTextLineHeightWithSpacing(),
                 room = screen.y - top - 2.0f * margin;
     const auto whole = [](float number) { return static_cast<std::size_t>(std::max(number, 1.0f)); };
     const std::size_t most = whole((screen.x - 2.0f * em()) / (kBoth * em()));  // columns
@@ -187,14 +187,14 @@ void keys_window(float top) {
 
 }  // namespace
 
-float side_panel_right() { return (kPanelWidth + kMargin) * em(); }
+float side_panel_right() { return (kPanelWidth + kPanelMargin) * em(); }
 float status_height() { return ImGui::GetFrameHeight() + 0.2f * ImGui::GetFontSize(); }
 
 void draw_message(const std::string& message, float left, float right, float bottom) {
     constexpr float kLeastWidth = 10.0f;                                        // of the font's size
     const float lowest = std::max(bottom - em(), menu_height() + 3.0f * em());  // strips may leave no room
     if (right - left < kLeastWidth * em()) left = 0.0f, right = ImGui::GetIO().DisplaySize.x;
-    const float width = right - left - 2.0f * (kMargin * em() + ImGui::GetStyle().WindowPadding.x);
+    const float width = right - left - 2.0f * (kPanelMargin * em() + ImGui::GetStyle().WindowPadding.x);
     overlay(
         "##message", 0.5f * (left + right), lowest, 0.5f, 1.0f, 0.9f, [&] { wrapped_text(message, width); },
         OverlayLayer::kTop);
@@ -212,7 +212,7 @@ void draw_hints() {
 LeftScene draw_left_scene(const std::filesystem::path& file) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     LeftScene answer = LeftScene::kWaits;
-    ImGui::SetNextWindowPos({screen.x - kMargin * em(), 0.3f * screen.y}, ImGuiCond_Always, {1.0f, 0.0f});
+    ImGui::SetNextWindowPos({screen.x - kPanelMargin * em(), 0.3f * screen.y}, ImGuiCond_Always, {1.0f, 0.0f});
     ImGui::SetNextWindowBgAlpha(1.0f);
     if (ImGui::Begin("Changes that were not saved", nullptr,
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |

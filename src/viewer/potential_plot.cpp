@@ -21,13 +21,15 @@ constexpr ImU32 kGround = IM_COL32(6, 8, 14, 255), kBehindWords = IM_COL32(6, 8,
                 kRay = IM_COL32(120, 200, 255, 255), kAfter = IM_COL32(120, 200, 255, 120),
                 kLevel = IM_COL32(120, 200, 255, 60), kGrid = IM_COL32(255, 255, 255, 22);
 constexpr int kSamples = 200;
-constexpr double kNearest = 0.75, kBeyond = 1.5;      // of the innermost place that is marked; of the camera's radius
+constexpr double kNearestPlotted = 0.75,
+                 kBeyond = 1.5;                       // of the innermost place that is marked; of the camera's radius
 constexpr double kLeastWide = 6.0, kMostWide = 60.0;  // r_s that are shown
 constexpr double kHeadroom = 1.45;                    // above the peak
 
-class Plot {
+class PotentialAxes {
 public:
-    Plot(const PotentialRay& ray, const Spacetime& spacetime, const std::vector<LandmarkCircle>& circles, float side)
+    PotentialAxes(const PotentialRay& ray, const Spacetime& spacetime, const std::vector<LandmarkCircle>& circles,
+                  float side)
         : ray_(ray),
           spacetime_(spacetime),
           circles_(circles),
@@ -70,7 +72,7 @@ private:
         low_ = ray_.straight ? 0.1 * camera : camera;
         for (const LandmarkCircle& circle : circles_) low_ = std::min(low_, circle.r);
         if (circles_.empty()) low_ = std::min(0.1 * camera, ray_.turn.value_or(camera));
-        low_ *= kNearest;
+        low_ *= kNearestPlotted;
         high_ = std::clamp(kBeyond * camera, kLeastWide, kMostWide);
         high_ = std::max(high_, 4.0 * low_);
     }
@@ -201,7 +203,7 @@ private:
 
 void draw_potential(const PotentialRay& ray, const Spacetime& spacetime, const std::vector<LandmarkCircle>& circles,
                     float side) {
-    Plot(ray, spacetime, circles, side).draw();
+    PotentialAxes(ray, spacetime, circles, side).draw();
 }
 
 }  // namespace nullscope::viewer

@@ -14,16 +14,16 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr double kFarthest = 16.0;  // r_s that the inset shows at most
-constexpr double kAbout = 2.0;      // of the outermost circle's, where there is no ray to show
-constexpr double kWide = 1.25;      // of the camera's radius that it shows
+constexpr double kFarthestDrawn = 16.0;  // r_s that the inset shows at most
+constexpr double kAboutProbe = 2.0;      // of the outermost circle's, where there is no ray to show
+constexpr double kWide = 1.25;           // of the camera's radius that it shows
 // em: a chart's side, alone, beside another, and at least; names of numbers, in the first column and in the second; where that begins;
 // numbers beside a chart, and in two columns
 constexpr float kSide = 15.0f, kSideOfTwo = 12.0f, kLeastSide = 8.0f, kNames = 7.2f, kShortNames = 5.0f,
                 kFirstColumn = 15.0f, kBeside = 16.0f, kColumns = 27.0f;
 constexpr std::size_t kFewRows = 4;  // that are shown at least
 
-std::string words_of(const ProbeFacts& facts, const Scene& scene) {
+std::string probe_words(const ProbeFacts& facts, const Scene& scene) {
     if (facts.hit == kStarHit) return "the star's surface";
     if (facts.hit != 0) return object_name(scene, facts.hit);
     switch (facts.fate) {
@@ -40,8 +40,8 @@ void draw_path(const ProbeFacts& facts, const std::vector<LandmarkCircle>& circl
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const double camera = 1 / facts.zeta0;
-    double shown = std::min(kFarthest, kWide * camera);
-    if (facts.path.empty() && !circles.empty()) shown = std::min(shown, kAbout * circles.back().areal);
+    double shown = std::min(kFarthestDrawn, kWide * camera);
+    if (facts.path.empty() && !circles.empty()) shown = std::min(shown, kAboutProbe * circles.back().areal);
     const float scale = 0.5f * side / static_cast<float>(shown);
     const ImVec2 middle{corner.x + 0.5f * side, corner.y + 0.5f * side};
     const auto at = [&](double x, double y) {
@@ -81,7 +81,7 @@ using Rows = std::vector<std::pair<const char*, std::string>>;
 Rows rows_of(const ProbeFacts& f, const Scene& scene, const NumberStyle& style) {
     const reference::Shift g = f.shift.value_or(reference::Shift{kNotANumber, kNotANumber});
     const auto number = [&](double value) { return number_words(value, style); };
-    return {{"Seen", words_of(f, scene) + (std::isfinite(f.hit_r) ? " at " + length_words(f.hit_r, style, 4) : "")},
+    return {{"Seen", probe_words(f, scene) + (std::isfinite(f.hit_r) ? " at " + length_words(f.hit_r, style, 4) : "")},
             {"b = L/E", length_words(f.impact, style)},
             {"b / b_crit", number(f.of_critical)},
             {"Turning point", length_words(f.turn_r, style)},

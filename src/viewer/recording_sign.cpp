@@ -10,16 +10,16 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr float kRadius = 0.34f, kGap = 0.95f;  // of the font's size: of the dot; from its left to the words
-constexpr float kLeastRoom = 9.0f;              // likewise
+constexpr float kRadius = 0.34f, kSignGap = 0.95f;  // of the font's size: of the dot; from its left to the words
+constexpr float kLeastRoom = 9.0f;                  // likewise
 constexpr ImU32 kRed = IM_COL32(240, 60, 50, 255);
 
 void draw_words(const std::string& words) {
-    ImGui::Dummy({kGap * em(), ImGui::GetTextLineHeight()});
+    ImGui::Dummy({kSignGap * em(), ImGui::GetTextLineHeight()});
     ImGui::SameLine(0.0f, 0.0f);
     ImGui::TextUnformatted(words.c_str());
     const float middle = 0.5f * (ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y),
-                left = ImGui::GetItemRectMin().x - kGap * em();
+                left = ImGui::GetItemRectMin().x - kSignGap * em();
     ImGui::GetWindowDrawList()->AddCircleFilled({left + kRadius * em(), middle}, kRadius * em(), kRed);
 }
 
@@ -30,7 +30,7 @@ float draw_recording_sign(double recorded_s, float left, float right, float top)
     const std::string words = fmt::format("REC {}:{:02}", whole / 60, whole % 60);
     if (right - left < kLeastRoom * em()) {
         if (!ImGui::BeginMainMenuBar()) return 0.0f;  // the one that is there
-        ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ImGui::CalcTextSize(words.c_str()).x - 2.0f * kGap * em());
+        ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ImGui::CalcTextSize(words.c_str()).x - 2.0f * kSignGap * em());
         draw_words(words);
         ImGui::EndMainMenuBar();
         return 0.0f;

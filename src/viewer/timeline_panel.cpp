@@ -20,7 +20,7 @@ struct FilmSize {
 constexpr std::array kSizes = {FilmSize{"the window's", 0, 0}, FilmSize{"640 x 360", 640, 360},
                                FilmSize{"1280 x 720", 1280, 720}, FilmSize{"1920 x 1080", 1920, 1080},
                                FilmSize{"3840 x 2160", 3840, 2160}};
-constexpr double kSlowest = 0.1, kFastest = 10.0;
+constexpr double kSlowest = 0.1, kFastestPlayed = 10.0;
 
 }  // namespace
 
@@ -105,7 +105,7 @@ bool TimelinePanel::draw_buttons(ViewState& view, Timeline& timeline) {
         ImGui::Checkbox("Loop", &timeline.loops);
         next_to(3.8f * em());
         ImGui::SetNextItemWidth(3.8f * em());
-        ImGui::SliderScalar("##speed", ImGuiDataType_Double, &timeline.speed, &kSlowest, &kFastest, "%.2g x",
+        ImGui::SliderScalar("##speed", ImGuiDataType_Double, &timeline.speed, &kSlowest, &kFastestPlayed, "%.2g x",
                             ImGuiSliderFlags_Logarithmic);
         tooltip("Speed of playing; films have the path's own.");
     }

@@ -12,7 +12,7 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr float kMargin = 0.6f;      // of the font's size, as what follows
+constexpr float kTourMargin = 0.6f;  // of the font's size, as what follows
 constexpr float kWidest = 46.0f;     // lines that are easily read
 constexpr float kNarrowest = 18.0f;  // else it lies over the side panel, too
 constexpr float kListWidth = 34.0f;
@@ -51,7 +51,7 @@ void TourPanel::go(int ahead) { step_ = static_cast<std::size_t>(static_cast<std
 int TourPanel::draw(float left, float bottom) {
     if (!tour_) return 0;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float margin = kMargin * em();
+    const float margin = kTourMargin * em();
     if (screen.x - left - 2.0f * margin < kNarrowest * em()) left = 0.0f;
     const float width = std::min(screen.x - left - 2.0f * margin, kWidest * em());
     ImGui::SetNextWindowPos({0.5f * (left + screen.x), bottom - margin}, ImGuiCond_Always, {0.5f, 1.0f});

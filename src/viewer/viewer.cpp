@@ -24,22 +24,22 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr const char* kFirstScene = "first-light";
-constexpr int kNewsFrames = 2;            // a measured number may make its panel wider a frame later
-constexpr float kStripGap = 0.6f;         // of the font's size, between strips of panels
-constexpr double kIdleWait = 1.0;         // s
-constexpr double kCaretWait = 0.1;        // s, while a text field shows a blinking caret
-constexpr double kAdaptingWait = 0.03;    // s, while exposure follows
-constexpr double kBusyWait = 0.05;        // s between frames while a picture is awaited: the processor is the painter's
-constexpr double kProgressWait = 0.1;     // s between looks at how far a picture is
-constexpr double kGamepadWait = 0.016;    // s between looks at a gamepad
-constexpr double kProgressAfter = 0.3;    // s that a picture takes before its progress is shown
-constexpr double kFirstStep = 1.0 / 60;   // s of motion that a key's first frame stands for
-constexpr double kLongestStep = 0.1;      // s: a hitch is no leap
-constexpr double kMessageTime = 6.0;      // s
-constexpr double kRestBeforeTimes = 0.5;  // s without a change before effects are measured
-constexpr double kAdaptation = 0.4;       // s in which exposure goes all but 1/e of its way
-constexpr double kAdapted = 2e-3;         // of its way: what remains is not seen
-constexpr double kRateTime = 0.25;        // s between changes of the numbers in the status line
+constexpr int kNewsFrames = 2;           // a measured number may make its panel wider a frame later
+constexpr float kStripGap = 0.6f;        // of the font's size, between strips of panels
+constexpr double kIdleWait = 1.0;        // s
+constexpr double kCaretWait = 0.1;       // s, while a text field shows a blinking caret
+constexpr double kAdaptingWait = 0.03;   // s, while exposure follows
+constexpr double kBusyWait = 0.05;       // s between frames while a picture is awaited: the processor is the painter's
+constexpr double kProgressWait = 0.1;    // s between looks at how far a picture is
+constexpr double kGamepadWait = 0.016;   // s between looks at a gamepad
+constexpr double kProgressAfter = 0.3;   // s that a picture takes before its progress is shown
+constexpr double kFirstStep = 1.0 / 60;  // s of motion that a key's first frame stands for
+constexpr double kLongestFrameStep = 0.1;  // s: a hitch is no leap
+constexpr double kMessageTime = 6.0;       // s
+constexpr double kRestBeforeTimes = 0.5;   // s without a change before effects are measured
+constexpr double kAdaptation = 0.4;        // s in which exposure goes all but 1/e of its way
+constexpr double kAdapted = 2e-3;          // of its way: what remains is not seen
+constexpr double kRateTime = 0.25;         // s between changes of the numbers in the status line
 
 // Without the painter's thread: a driver that compiles, a sky that is built and an image that is read cannot be
 // interrupted. Files are written by this thread, so that none is left half done.
@@ -310,7 +310,7 @@ void Viewer::probe(const Input& input) {
 
 // Screenshots' runs do not depend on time.
 double Viewer::adaptation(const Scene& scene) {
-    const double now = seconds(), since = std::min(now - adapted_at_, kLongestStep);
+    const double now = seconds(), since = std::min(now - adapted_at_, kLongestFrameStep);
     adapted_at_ = now;
     const double share = patient() || !scene.picture.auto_exposure ? 1.0 : 1.0 - std::exp(-since / kAdaptation);
     exposure_left_ *= 1.0 - share;
@@ -355,7 +355,7 @@ double Viewer::wait_time() const {
 double Viewer::elapsed() {
     const double now = seconds(), since = now - stepped_at_;
     stepped_at_ = now;
-    return waited_ ? kFirstStep : std::min(since, kLongestStep);
+    return waited_ ? kFirstStep : std::min(since, kLongestFrameStep);
 }
 
 bool Viewer::fit_to_window() {

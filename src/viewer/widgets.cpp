@@ -12,7 +12,7 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kWidgetDegree = std::numbers::pi / 180.0;
 constexpr float kTooltipWidth = 22.0f;  // of the font's size
 constexpr float kTooltipGap = 0.25f;    // likewise, to the item
 constexpr float kNameColumn = 6.2f;     // of the font's size
@@ -179,9 +179,9 @@ bool drag_number(const char* name, double& value, double speed, double low, doub
 
 bool drag_degrees(const char* name, double& radians, double low_deg, double high_deg, const char* help) {
     constexpr double kShown = 0.005;  // less is shown as 0, not as -0
-    double degrees = std::fabs(radians) < kShown * kDegree ? 0.0 : radians / kDegree;
+    double degrees = std::fabs(radians) < kShown * kWidgetDegree ? 0.0 : radians / kWidgetDegree;
     if (!drag_number(name, degrees, 0.25, low_deg, high_deg, "%.2f\xc2\xb0", help)) return false;
-    radians = degrees * kDegree;
+    radians = degrees * kWidgetDegree;
     return true;
 }
 
@@ -197,9 +197,9 @@ bool slide(const char* name, double& value, double low, double high, const char*
 }
 
 bool slide_degrees(const char* name, double& radians, double low_deg, double high_deg, const char* help, When when) {
-    double degrees = radians / kDegree;
+    double degrees = radians / kWidgetDegree;
     if (!slide(name, degrees, low_deg, high_deg, "%.1f\xc2\xb0", help, Scale::kLinear, when)) return false;
-    radians = degrees * kDegree;
+    radians = degrees * kWidgetDegree;
     return true;
 }
 

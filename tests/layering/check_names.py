@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""Files of one module give different names to what is theirs alone, for several of them are compiled as one (NULLSCOPE_UNITY).
+
+Usage: check_names.py [--self-test] [FOLDER...]     folders of .cpp files; by default every module of src/
+
+Looks at what begins in the first column inside an anonymous namespace. Functions of one name may differ in their parameters.
+"""
+import re
+import sys
+import tempfile
+from collections import defaultdict
+from pathlib import Path
+
+SOURCES = Path(__file__).resolve().parents[2] / "src"
+TYPE = re.compile(r"(?:struct|class|enum class|enum|using) (\w+)\b(?!.*\);)")
+ALONE = {"core32.cpp", "core64.cpp"}   # compiled with options of their own: the same text in two precisions
+VALUE = re.compile(r"[A-Za-z][\w:<>,&*\[\] ]*[ &*](\w+)(\(.*|\{| =|\[|;)")
+ALIAS = re.compile(r"namespace \w+ =|using namespace|using \w+::")   # the same in each file
+
+
+def own_names(text):
+    """{name: its parameters, or nothing for what has none} of a file."""
+    names, inside = {}, False
+    for line in text.split("\n"):
+        if line == "namespace {":
+            inside = True
+        elif line.startswith("}  // namespace") and line.strip() == "}  // namespace":
+            inside = False
+        elif inside and line[:1].isalpha() and not ALIAS.match(line):
+            found = TYPE.match(line) or VALUE.match(line)
+            if found:
+                rest = found[2] if found.re is VALUE else ""
+                if line.startswith("const"):   # several in a line
+                    names.update(dict.fromkeys(re.findall(r", (\w+) = ", line), ""))
+                names[found[1]] = re.sub(r"\s*\w+\s*([,)])", r"\1", rest.split("{")[0]) if rest.startswith("(") else ""
+    return names
+
+
+def clashes(folder):
+    owners = defaultdict(list)
+    for file in sorted(file for file in folder.glob("*.cpp") if file.name not in ALONE):
+        for name, parameters in own_names(file.read_text(encoding="utf-8")).items():
+            owners[name, parameters].append(file.name)
+    return [f"{folder.name}: {name} is a name in {' and in '.join(files)}" for (name, _), files in sorted(owners.items()) if len(files) > 1]
+
+
+def self_test():
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "a.cpp").write_text("namespace {\nconstexpr int kA = 1, kC = 2;\nstruct Row {\n};\nint of(int a) { return a; }\ndouble f(double x) {\n}\n}  // namespace\nint g() {}\n")
+        (folder / "b.cpp").write_text("namespace {\nconstexpr int kB = kA, kC = 3;\nstruct Row;\nint of(int b) {\n}\ndouble f(float x) {\n}\nvoid g() {}\n}  // namespace\n")
+        found = [line.split()[1] for line in clashes(folder)]
+        assert found == ["Row", "kC", "of"], found
+    return 0
+
+
+def main():
+    words = sys.argv[1:]
+    if words == ["--self-test"]:
+        return self_test()
+    found = [line for folder in ([Path(word) for word in words] or sorted(SOURCES.iterdir())) if folder.is_dir() for line in clashes(folder)]
+    print("\n".join(found) or "check_names: no two files of a module share a name")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
