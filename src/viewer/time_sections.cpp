@@ -34,12 +34,13 @@ bool hold(ViewState& view, ObserverKind observer, const Spacetime& spacetime) {
     return true;
 }
 
-std::string events(const Worldline& line, const NumberStyle& style) {
-    std::string text =
-        line.horizon_time() ? fmt::format("Horizon crossed at {}. ", time_words(*line.horizon_time(), style)) : "";
-    if (line.end() != WorldlineEnd::kOpen)
-        text += fmt::format("The worldline ends at {}{}.", time_words(line.end_time(), style),
-                            line.end() == WorldlineEnd::kSingularity ? ", in the singularity" : "");
+std::string events(const Worldline& worldline, const NumberStyle& style) {
+    std::string text = worldline.horizon_time()
+                           ? fmt::format("Horizon crossed at {}. ", time_words(*worldline.horizon_time(), style))
+                           : "";
+    if (worldline.end() != WorldlineEnd::kOpen)
+        text += fmt::format("The worldline ends at {}{}.", time_words(worldline.end_time(), style),
+                            worldline.end() == WorldlineEnd::kSingularity ? ", in the singularity" : "");
     return text;
 }
 
