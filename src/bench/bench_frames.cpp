@@ -17,8 +17,8 @@
 namespace nullscope::cli {
 namespace {
 
-struct Options : BenchOptions {
-    Options() { scenes = {"flat", "sky-only", "first-light"}; }
+struct FramesBench : BenchOptions {
+    FramesBench() { scenes = {"flat", "sky-only", "first-light"}; }
     int poses = 0;
     bool effects = false, moving = false, refined = false;
 };
@@ -169,7 +169,7 @@ Result<Json> moving_cost(const Bench& bench, const Scene& scene, int frames) {
     return row;
 }
 
-Status run(const Options& options) {
+Status run_frames(const FramesBench& options) {
     if (options.effects) return bench_effects(options);
     TRY(bench, open_bench(options));
     for (Renderer* renderer : {&bench->renderer(), bench->other.get()})
@@ -197,8 +197,9 @@ Status run(const Options& options) {
 }  // namespace
 
 void add_bench_frames(Command& bench) {
-    auto [command, options] = add_command<Options>(
-        bench, "frames", "Time of a frame, relative to the same frame in flat space and to a bare texture fetch", run);
+    auto [command, options] = add_command<FramesBench>(
+        bench, "frames", "Time of a frame, relative to the same frame in flat space and to a bare texture fetch",
+        run_frames);
     command.add_option("scenes", &options.scenes, "Scenes to time").show_default();
     draw_options(command, options, 9);
     command.add_option("--poses", &options.poses, "Also time this many random camera poses of each scene")

@@ -20,11 +20,11 @@
 namespace nullscope::cli {
 namespace {
 
-struct Options {
+struct HardBench {
     std::string json, reference, only;
 };
 
-constexpr double kRefineAbove_px = 1e-5;  // below every bound of the list but those of frames of a pixel or two
+constexpr double kRefineHardAbove_px = 1e-5;  // below every bound of the list but those of frames of a pixel or two
 constexpr std::array<const char*, 4> kImplementations = {"core64", "core32", "egl", "osmesa"};
 
 struct Measured {
@@ -41,7 +41,7 @@ struct ReferenceRow {
     double error_px = 0, bound_px = 0;
 };
 
-struct Row {
+struct HardRow {
     const HardCase* hard = nullptr;
     RayFrame exact;
     std::optional<ReferenceRow> reference;
@@ -52,9 +52,9 @@ struct Row {
     }
 };
 
-Measured measured(const Row& row, const RayFrame& tested, double bit) {
+Measured measured(const HardRow& row, const RayFrame& tested, double bit) {
     const Scene& scene = row.hard->scene;
-    const RayMeasures m = measure_rays(tested, scene.camera, exact_trace(scene), 1, kRefineAbove_px);
+    const RayMeasures m = measure_rays(tested, scene.camera, exact_trace(scene), 1, kRefineHardAbove_px);
     return {hard_bound(scene, row.exact, bit),
             {m.sky_px.max, m.place_px.max, m.angle_px.max, m.g_px.max},
             m.fate_errors,
@@ -73,10 +73,10 @@ RayFrame core_frame(const Scene& scene, CoreInput input, Trace trace) {
     return frame;
 }
 
-Status measure_on_cpu(std::vector<Row>& rows) {
+Status measure_on_cpu(std::vector<HardRow>& rows) {
     FrameTables tables;
     Progress progress("hard cases, C++", static_cast<long long>(rows.size()));
-    for (Row& row : rows) {
+    for (HardRow& row : rows) {
         const Scene& scene = row.hard->scene;
         TRY(exact, reference::trace_frame(scene));
         row.exact = std::move(*exact);
@@ -89,14 +89,14 @@ Status measure_on_cpu(std::vector<Row>& rows) {
     return Done{};
 }
 
-Status measure_on_gpu(std::vector<Row>& rows, std::size_t at) {
+Status measure_on_gpu(std::vector<HardRow>& rows, std::size_t at) {
     auto session = open_session(kImplementations[at]);
     if (!session) {
         fmt::print(stderr, "nullscope: {}: column left empty\n", session.error().message());
         return Done{};
     }
     Progress progress(fmt::format("hard cases, {}", kImplementations[at]), static_cast<long long>(rows.size()));
-    for (Row& row : rows) {
+    for (HardRow& row : rows) {
         session->renderer->set_method(Method{.cubic = hard_cubic(row.hard->scene)});
         TRY(ready, session->renderer->prepare(row.hard->scene));
         row.by[at] = measured(row, session->renderer->ray_data(), kFloatBit);
@@ -106,7 +106,7 @@ Status measure_on_gpu(std::vector<Row>& rows, std::size_t at) {
 }
 
 // Lines "name TAB error TAB bound", px, as proof_tests writes them.
-Status read_reference(const std::string& path, std::vector<Row>& rows) {
+Status read_reference(const std::string& path, std::vector<HardRow>& rows) {
     if (path.empty()) return Done{};
     TRY(text, read_text(path));
     std::map<std::string, ReferenceRow> found;
@@ -119,7 +119,7 @@ Status read_reference(const std::string& path, std::vector<Row>& rows) {
                 fmt::format("{}:{}: expected a name, an error and a bound in px, tabs between them", path, csv.number));
         found[cells[0]] = {*error, *bound};
     }
-    for (Row& row : rows)
+    for (HardRow& row : rows)
         if (const auto at = found.find(row.hard->name); at != found.end()) row.reference = at->second;
     return Done{};
 }
@@ -134,11 +134,11 @@ std::string cell(const std::optional<Measured>& m, bool disc) {
     return m->over_bound() <= 1 ? text : fmt::format("**{}, {:.2g} x**", text, m->over_bound());
 }
 
-void print_table(const std::vector<Row>& rows) {
+void print_hard(const std::vector<HardRow>& rows) {
     fmt::print(
         "| case | why it is hard | bound px | reference | core64 | core32 | EGL | OSMesa "
         "|\n|---|---|---|---|---|---|---|---|\n");
-    for (const Row& row : rows) {
+    for (const HardRow& row : rows) {
         const bool disc = row.hard->scene.disc.has_value();
         const HardBound bound = hard_bound(row.hard->scene, row.exact);
         fmt::print(
@@ -147,29 +147,29 @@ void print_table(const std::vector<Row>& rows) {
         for (const auto& m : row.by) fmt::print(" {} |", cell(m, disc));
         fmt::print("\n");
     }
-    const auto within = std::ranges::count_if(rows, &Row::within);
+    const auto within = std::ranges::count_if(rows, &HardRow::within);
     fmt::print("\n{} of {} rows within their bounds; largest error over bound:", within, rows.size());
     for (std::size_t i = 0; i < kImplementations.size(); ++i) {
         double most = -1;
-        for (const Row& row : rows)
+        for (const HardRow& row : rows)
             if (row.by[i]) most = std::max(most, row.by[i]->over_bound());
         if (most >= 0) fmt::print(" {} {:.2f}", kImplementations[i], most);
     }
     fmt::print("\n");
 }
 
-Json json_of(const HardBound& b) {
+Json hard_json(const HardBound& b) {
     return {{"sky_px", b.sky}, {"place_px", b.place}, {"swept_px", b.swept}, {"g_px", b.g}};
 }
 
-Json json_of(const Row& row) {
+Json hard_json(const HardRow& row) {
     Json o{{"case", row.hard->name}, {"why", row.hard->why}};
     if (row.reference) o["reference"] = {{"sky_px", row.reference->error_px}, {"bound_px", row.reference->bound_px}};
     for (std::size_t i = 0; i < kImplementations.size(); ++i) {
         if (!row.by[i]) continue;
         const Measured& m = *row.by[i];
-        o[kImplementations[i]] = {{"bound", json_of(m.bound)},
-                                  {"error", json_of(m.error)},
+        o[kImplementations[i]] = {{"bound", hard_json(m.bound)},
+                                  {"error", hard_json(m.error)},
                                   {"fate_errors", m.fate_errors},
                                   {"not_finite", m.not_finite},
                                   {"error_over_bound", m.over_bound()}};
@@ -178,8 +178,8 @@ Json json_of(const Row& row) {
     return o;
 }
 
-Result<int> run(const Options& options) {
-    std::vector<Row> rows;
+Result<int> run_hard(const HardBench& options) {
+    std::vector<HardRow> rows;
     for (const HardCase& hard : hard_cases())
         if (hard.name.find(options.only) != std::string::npos) rows.emplace_back().hard = &hard;
     if (rows.empty()) return bad_input(fmt::format("no hard case has \"{}\" in its name", options.only));
@@ -188,19 +188,19 @@ Result<int> run(const Options& options) {
     for (const std::size_t at : {std::size_t{2}, std::size_t{3}}) {
         TRY(on_gpu, measure_on_gpu(rows, at));
     }
-    print_table(rows);
+    print_hard(rows);
     Json objects = Json::array();
-    for (const Row& row : rows) objects.push_back(json_of(row));
+    for (const HardRow& row : rows) objects.push_back(hard_json(row));
     TRY(written, write_json(options.json, objects));
-    return std::ranges::all_of(rows, &Row::within) ? 0 : 1;
+    return std::ranges::all_of(rows, &HardRow::within) ? 0 : 1;
 }
 
 }  // namespace
 
 void add_bench_hard(Command& bench) {
-    auto [command, options] = add_command<Options>(
+    auto [command, options] = add_command<HardBench>(
         bench, "hard", "Error of every implementation in each hard case, with its bound; status 1 if one exceeds it",
-        run);
+        run_hard);
     command.add_option("--json", &options.json, "Write the rows to this file");
     command.add_option("--reference", &options.reference,
                        "File with the errors of the reference, written by proof_tests (reports/hard-reference.tsv)");

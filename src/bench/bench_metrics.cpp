@@ -44,7 +44,7 @@ Result<Samples> time_tables(const Scene& scene) {
     return samples;
 }
 
-Result<Json> measure(const Bench& bench, Scene scene, const SpacetimeSpec& spec, int frames) {
+Result<Json> measure_metric(const Bench& bench, Scene scene, const SpacetimeSpec& spec, int frames) {
     TRY(spacetime, make_spacetime(spec.metric, spec.parameters));
     if (!(*spacetime)->can_have_disc()) scene.disc.reset();  // of both frames
     Scene other = scene;
@@ -65,7 +65,7 @@ Result<Json> measure(const Bench& bench, Scene scene, const SpacetimeSpec& spec,
         {"ratio", core / core_of_hole}, {"tables_ms", tables_ms},        {"tables_core_ms", tables_core_ms}};
 }
 
-Status run(const BenchOptions& options) {
+Status run_metrics(const BenchOptions& options) {
     TRY(bench, open_bench(options));
     Json rows = Json::array();
     const std::vector<SpacetimeSpec> list = spacetimes();
@@ -73,7 +73,7 @@ Status run(const BenchOptions& options) {
     for (const std::string& name : options.scenes) {
         TRY(scene, load_scene_sized(name, options.size));
         for (const SpacetimeSpec& spec : list) {
-            TRY(row, measure(*bench, *scene, spec, options.frames));
+            TRY(row, measure_metric(*bench, *scene, spec, options.frames));
             rows.push_back(std::move(*row));
             progress.advance();
         }
@@ -86,7 +86,8 @@ Status run(const BenchOptions& options) {
 void add_bench_metrics(Command& bench) {
     auto [command, options] = add_command<BenchOptions>(
         bench, "metrics",
-        "One scene in every spacetime: frame time relative to Schwarzschild, and the time to build its tables", run);
+        "One scene in every spacetime: frame time relative to Schwarzschild, and the time to build its tables",
+        run_metrics);
     options.scenes = {"sky-only", "first-light"};
     command.add_option("scenes", &options.scenes, "Scenes whose camera, sky and disc are used").show_default();
     draw_options(command, options, 9);

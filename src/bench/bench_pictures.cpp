@@ -19,8 +19,8 @@
 namespace nullscope::cli {
 namespace {
 
-struct Options : BenchOptions {
-    Options() { size = "960x540"; }
+struct PicturesBench : BenchOptions {
+    PicturesBench() { size = "960x540"; }
     int pixels = 4000, samples = 16, seconds = 120;
 };
 
@@ -59,7 +59,7 @@ struct Compared {
     bool within() const { return picture.mean <= kMostMean && picture.thousandth <= kMostThousandth; }
 };
 
-Result<Compared> compare(Session& session, Scene scene, const Options& options) {
+Result<Compared> compare(Session& session, Scene scene, const PicturesBench& options) {
     scene.picture.bloom = 0.0, scene.picture.auto_exposure = false;
     TRY(ready, session.renderer->prepare(scene));
     const Image<float> drawn = session.renderer->picture();
@@ -101,9 +101,9 @@ Result<Compared> compare(Session& session, Scene scene, const Options& options) 
                     off_between(displayed(even), displayed(odd), 0.5)};
 }
 
-Json json_of(const Off& off) { return {{"mean", off.mean}, {"p99", off.hundredth}, {"p99.9", off.thousandth}}; }
+Json picture_json(const Off& off) { return {{"mean", off.mean}, {"p99", off.hundredth}, {"p99.9", off.thousandth}}; }
 
-Result<int> run(const Options& options) {
+Result<int> run_pictures(const PicturesBench& options) {
     TRY(session, open_session(options.context));
     Json rows = Json::array();
     bool within = true;
@@ -127,8 +127,8 @@ Result<int> run(const Options& options) {
                         {"pixels", compared->pixels},
                         {"samples", options.samples},
                         {"renderer", session->renderer->info().renderer},
-                        {"difference", json_of(picture)},
-                        {"reference", json_of(reference)},
+                        {"difference", picture_json(picture)},
+                        {"reference", picture_json(reference)},
                         {"within", compared->within()}});
         within = within && compared->within();
     }
@@ -139,11 +139,12 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_bench_pictures(Command& bench) {
-    auto [command, options] = add_command<Options>(bench, "pictures",
-                                                   "Displayed pictures against the reference with many rays a pixel; "
-                                                   "status 1 if one is off by more than 2 of 255 on "
-                                                   "average, or by more than 24 in a thousandth of its pixels",
-                                                   run);
+    auto [command, options] =
+        add_command<PicturesBench>(bench, "pictures",
+                                   "Displayed pictures against the reference with many rays a pixel; "
+                                   "status 1 if one is off by more than 2 of 255 on "
+                                   "average, or by more than 24 in a thousandth of its pixels",
+                                   run_pictures);
     command.add_option("scenes", &options.scenes, "Scenes to compare").required();
     size_option(command, options);
     context_option(command, options.context);

@@ -21,8 +21,8 @@
 namespace nullscope::cli {
 namespace {
 
-struct Options : BenchOptions {
-    Options() { size = "96x54", frames = 20000; }
+struct SoakBench : BenchOptions {
+    SoakBench() { size = "96x54", frames = 20000; }
     unsigned seed = 1;
 };
 
@@ -81,7 +81,7 @@ struct Counts {
     double growth() const { return (later() - means.front()) / means.front(); }
 };
 
-Result<Counts> soak(Session& session, const Options& options, int width, int height) {
+Result<Counts> soak(Session& session, const SoakBench& options, int width, int height) {
     const Path path(options.seed);
     Counts counts;
     Progress progress("soak", options.frames);
@@ -105,7 +105,7 @@ Result<Counts> soak(Session& session, const Options& options, int width, int hei
     return counts;
 }
 
-Result<int> run(const Options& options) {
+Result<int> run_soak(const SoakBench& options) {
     TRY(size, parse_size(options.size));
     // One heap that gives back what is free: what is measured is what is held, not where a heap of several threads has its gaps.
     ::mallopt(M_ARENA_MAX, 1);
@@ -134,10 +134,10 @@ Result<int> run(const Options& options) {
 
 void add_bench_soak(Command& bench) {
     auto [command, options] =
-        add_command<Options>(bench, "soak",
-                             "Draw thousands of frames along a random path through changing scenes; status "
-                             "1 if memory grows or a value is not finite",
-                             run);
+        add_command<SoakBench>(bench, "soak",
+                               "Draw thousands of frames along a random path through changing scenes; status "
+                               "1 if memory grows or a value is not finite",
+                               run_soak);
     number_option(command, "--frames", options.frames, 2 * kSpan, 100000000, "Number of frames");
     size_option(command, options);
     number_option(command, "--seed", options.seed, 0, 4294967295.0, "Seed of the random path");

@@ -21,7 +21,7 @@ struct View {
     double spin, r, theta_deg, fov_deg;
 };
 constexpr View kViews[] = {{0.9, 8, 80, 60}, {0.998, 4, 85, 90}};
-constexpr int kErrorWidth = 160;  // columns of the frame that errors are taken on
+constexpr int kErrorWidthBySpin = 160;  // columns of the frame that errors are taken on
 constexpr double kLongest = 0.64, kShortest = 0.004,
                  kShorter = 0.7071067811865476;  // steps of the march that are tried
 constexpr int kCap = 64;                         // SPIN_MOST_STEPS
@@ -71,11 +71,11 @@ Result<Steps> steps_of(const Scene& scene) {
     return steps;
 }
 
-Result<Json> measure(const Bench& bench, const View& view, int frames) {
+Result<Json> measure_spin(const Bench& bench, const View& view, int frames) {
     const int width = bench.target.width, height = bench.target.height;
     const Scene scene = scene_of(view, width, height),
-                small = scene_of(view, kErrorWidth, kErrorWidth * height / width);
-    const double finer = static_cast<double>(width) / kErrorWidth;
+                small = scene_of(view, kErrorWidthBySpin, kSpinErrorWidth * height / width);
+    const double finer = static_cast<double>(width) / kErrorWidthBySpin;
     const ExactTrace exact = remembered(exact_trace(small));
     TRY(ours, errors_of(bench.renderer(), Method{}, small, exact));
     fmt::print("{}: ours {} of {}x{}; fate errors {}\n", scene.name, words_of(ours->sky_px, finer), width, height,
@@ -120,11 +120,11 @@ Result<Json> measure(const Bench& bench, const View& view, int frames) {
                 {"at_cap", steps->at_cap}};
 }
 
-Status run(const BenchOptions& options) {
+Status run_spin(const BenchOptions& options) {
     TRY(bench, open_bench(options));
     Json rows = Json::array();
     for (const View& view : kViews) {
-        TRY(row, measure(*bench, view, options.frames));
+        TRY(row, measure_spin(*bench, view, options.frames));
         rows.push_back(std::move(*row));
     }
     return write_json(options.json, rows);
@@ -135,7 +135,7 @@ Status run(const BenchOptions& options) {
 void add_bench_spin(Command& bench) {
     auto [command, options] = add_command<BenchOptions>(
         bench, "spin", "Rotating hole: errors and cost of our rays against a ray march in Kerr-Schild coordinates",
-        run);
+        run_spin);
     options.frames = 9;
     draw_options(command, options, 3);
     json_option(command, options);

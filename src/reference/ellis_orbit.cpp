@@ -75,9 +75,10 @@ private:
     bool inward_ = false;
 };
 
-class Passing : public EllisRay {  // b < 1
+class EllisPassing : public EllisRay {  // b < 1
 public:
-    Passing(const ThroatStart& start, double throat) : EllisRay(start, throat), m1_(static_cast<double>(-start.turn2)) {
+    EllisPassing(const ThroatStart& start, double throat)
+        : EllisRay(start, throat), m1_(static_cast<double>(-start.turn2)) {
         quarter_ = rf(0, m1_, 1);
         const Long r2 = Long(l_) * l_ + 1;
         const double f = static_cast<double>(1 / std::sqrt(r2)) *
@@ -130,7 +131,7 @@ private:
     std::unique_ptr<Orbit> orbit(const ThroatStart& at) const {
         return orbit_through_throat(at, 1, throat_, [this](const ThroatStart& start) -> std::unique_ptr<Orbit> {
             if (start.turn2 > 0) return std::make_unique<Turning>(start, throat_);
-            return std::make_unique<Passing>(start, throat_);
+            return std::make_unique<EllisPassing>(start, throat_);
         });
     }
     double throat_;

@@ -6,12 +6,12 @@
 namespace nullscope::reference {
 namespace {
 
-constexpr double kPartOfThinnest = 0.2;  // of a body's smallest extent between two looks, where it can be met
-constexpr double kPartOfWay = 0.5;       // of the way to where it can be met, elsewhere
-constexpr double kArc = 1.1;             // of way_between: no step's arc is longer
-constexpr double kAim = 0.9;             // of the longest step: what the last one says of the next is so good
-constexpr double kBack = 1e-4;           // of a radius: over which the ray's direction is taken, to second order
-constexpr int kMostSamples = 200'000;    // a ray
+constexpr double kPartOfThinnestBody = 0.2;  // of a body's smallest extent between two looks, where it can be met
+constexpr double kPartOfWay = 0.5;           // of the way to where it can be met, elsewhere
+constexpr double kArc = 1.1;                 // of way_between: no step's arc is longer
+constexpr double kAim = 0.9;                 // of the longest step: what the last one says of the next is so good
+constexpr double kBack = 1e-4;               // of a radius: over which the ray's direction is taken, to second order
+constexpr int kMostKerrSamples = 200'000;    // a ray
 
 }  // namespace
 
@@ -38,7 +38,7 @@ double BodyWatch::way(const BodyPart& part, const KerrPlace& from, const KerrPla
 
 void BodyWatch::follow(Track& track, const KerrStep& step) {
     const BodyPart& part = *track.part;
-    const double fine = kPartOfThinnest * part.thinnest,
+    const double fine = kPartOfThinnestBody * part.thinnest,
                  rim = part.reach * 1.001 + 3 * fine;  // a sample beyond every dip
     if (0.5 * (step.begin.r + step.end.r - kArc * way_between(step.begin, step.end)) > rim) {
         track.here.reset(), track.before.reset();
@@ -46,7 +46,7 @@ void BodyWatch::follow(Track& track, const KerrStep& step) {
     }
     if (!track.here) track.here = PlacedLook{{step.from, value_of(part, step.begin)}, step.begin};
     double turn = step.to - step.from, went = way(part, step.begin, step.end);  // what the next step is aimed by
-    while (track.here->along < step.to && track.looks < kMostSamples) {
+    while (track.here->along < step.to && track.looks < kMostKerrSamples) {
         if (hit_ && track.before && hit_->along < track.before->along) return;
         const PlacedLook& here = *track.here;
         const double clear = part.clear ? here.value : kPartOfWay * (here.place.r - part.reach),

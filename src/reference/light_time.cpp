@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kRadial = 1e7;               // q beyond which light is as good as radial: b^2/r^2 = 1e-14
 constexpr double kLongest = 0.3, kRatio = 2;  // of a panel, rad; of the radii in it: 15 nodes leave 1e-13
-constexpr int kDeepest = 12;
-constexpr double kTolerance = 1e-12;
-using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
+constexpr int kDeepestHalving = 12;
+constexpr double kTimeTolerance = 1e-12;
+using TimeRule = boost::math::quadrature::gauss_kronrod<double, 31>;
 
 }  // namespace
 
@@ -28,7 +28,7 @@ double tortoise_excess(const OrbitMetric& metric, double r) {
         return (1 / a - 1 - x) / (x * x);
     };
     if (metric.lapse(1e6) == 1) return 0;  // flat
-    return std::log(r) - Rule::integrate(rest, 0.0, 1 / r, kDeepest, kTolerance);
+    return std::log(r) - TimeRule::integrate(rest, 0.0, 1 / r, kDeepestHalving, kTimeTolerance);
 }
 
 LightClock::LightClock(const OrbitMetric& metric, const Orbit& orbit, double q, double camera_r, bool falls)

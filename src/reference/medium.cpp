@@ -10,8 +10,8 @@
 namespace nullscope::reference {
 namespace {
 
-constexpr double kPanel = 0.08;  // of the length over which matter changes: 1e-4 of the flux
-constexpr int kDeepest = 24;     // halvings
+constexpr double kPanel = 0.08;   // of the length over which matter changes: 1e-4 of the flux
+constexpr int kDeepestStep = 24;  // halvings
 
 // Clumps in the gas: a factor on its density, of mean 1. Octaves of rings of equal ln(rho), which are cones, turned with the height.
 double clumps(const MediumSpec& spec, double rho, double heights, double azimuth, double age,
@@ -131,7 +131,7 @@ void Medium::split(const Look& begin, const Look& end, int depth, const Way& way
     const bool turns =
         spec_.by_place() && std::max({begin.place.r, r, end.place.r}) < 2 * spec_.outer &&
         apart(begin.place, between.place, false) + apart(between.place, end.place, false) > spec_.outer / spec_.steps;
-    if (depth < kDeepest && (turns || length > std::min({begin.panel, between.panel, end.panel}))) {
+    if (depth < kDeepestStep && (turns || length > std::min({begin.panel, between.panel, end.panel}))) {
         split(begin, between, depth + 1, way, nodes);
         split(between, end, depth + 1, way, nodes);
     } else if (r > nearest_ && r < farthest_) {

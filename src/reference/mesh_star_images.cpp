@@ -13,13 +13,13 @@
 namespace nullscope::reference {
 namespace {
 
-constexpr double kWide = 0.3;         // rad of sky over a cell above which it is divided ...
-constexpr double kFinest_px = 0.125;  // ... down to this
-constexpr double kWidest = 1.0;       // rad; a cell that still covers more has no image to begin with
-constexpr double kOutside = 0.1;      // how far (of its size) beyond a triangle a star is still tried
-constexpr double kStep_px = 1e-3;     // of the Jacobian's differences
+constexpr double kWide = 0.3;          // rad of sky over a cell above which it is divided ...
+constexpr double kFinest_px = 0.125;   // ... down to this
+constexpr double kWidest = 1.0;        // rad; a cell that still covers more has no image to begin with
+constexpr double kOutside = 0.1;       // how far (of its size) beyond a triangle a star is still tried
+constexpr double kMeshStep_px = 1e-3;  // of the Jacobian's differences
 constexpr double kSettled_px = 1e-7, kStray_px = 2.0, kSame_px = 1e-3;
-constexpr int kMostSteps = 30;
+constexpr int kMostNewtonSteps = 30;
 
 // The star as a sum of three directions: their shares, which all are positive inside.
 std::array<double, 3> shares(Vec3 star, Vec3 a, Vec3 b, Vec3 c) {
@@ -116,13 +116,13 @@ private:
     }
     bool settle(Vec3 direction, StarImage& image) const {
         const double from_x = image.x, from_y = image.y;
-        for (int step = 0; step < kMostSteps; ++step) {
+        for (int step = 0; step < kMostNewtonSteps; ++step) {
             const double x = image.x, y = image.y;
             const RayPtr here = tracer_.ray(x, y);
-            const Ray w = ray(x - kStep_px, y), e = ray(x + kStep_px, y), n = ray(x, y - kStep_px),
-                      s = ray(x, y + kStep_px);
+            const Ray w = ray(x - kMeshStep_px, y), e = ray(x + kMeshStep_px, y), n = ray(x, y - kMeshStep_px),
+                      s = ray(x, y + kMeshStep_px);
             if (here->fate() != Fate::kEscaped || !w.escaped || !e.escaped || !n.escaped || !s.escaped) return false;
-            const Vec3 by_x = (e.sky - w.sky) / (2 * kStep_px), by_y = (s.sky - n.sky) / (2 * kStep_px),
+            const Vec3 by_x = (e.sky - w.sky) / (2 * kMeshStep_px), by_y = (s.sky - n.sky) / (2 * kMeshStep_px),
                        normal = cross(by_x, by_y);
             const double area2 = dot(normal, normal);
             if (!(area2 > 0)) return false;

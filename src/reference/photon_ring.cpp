@@ -11,7 +11,7 @@
 namespace nullscope::reference {
 namespace {
 
-constexpr int kMostCrossings = 16;
+constexpr int kMostOrders = 16;
 constexpr double kAside = 1e-4;        // rad along the ring, between which its tangent is taken
 constexpr double kEdge = 1e-8;         // rad about the critical direction in which the edge between fates is sought
 constexpr double kStep = 0.25;         // of ln(delta), between looks for an image
@@ -37,7 +37,7 @@ Result<PhotonRing> PhotonRing::make(const Scene& scene) {
     TRY(metric, make_metric(scene.spacetime));
     ring.metric_ = std::move(*metric);
     ring.none_ = std::make_shared<const Bodies>(ring.scene_, *ring.metric_);
-    TRY(rays, ring.metric_->rays(ring.scene_, **spacetime, {ring.none_.get(), false, false, kMostCrossings}));
+    TRY(rays, ring.metric_->rays(ring.scene_, **spacetime, {ring.none_.get(), false, false, kMostOrders}));
     ring.rays_ = std::move(*rays);
     ring.critical_ = CriticalLight::make(**spacetime, camera, scene.light);
     if (!ring.critical_) return bad_input("the camera moves at the speed of light");
@@ -105,8 +105,8 @@ std::optional<PhotonRing::HalfOrbit> PhotonRing::half_orbit(const Place& place, 
     std::vector<Image> images;
     double below = place.radius;
     for (int crossing = 2; below > kEnd * place.radius; ++crossing) {
-        const auto image = crossing <= kMostCrossings ? image_on(side, place, crossing, r, below) : std::nullopt;
-        if (!image && (!images.empty() || crossing > kMostCrossings)) return std::nullopt;
+        const auto image = crossing <= kMostOrders ? image_on(side, place, crossing, r, below) : std::nullopt;
+        if (!image && (!images.empty() || crossing > kMostOrders)) return std::nullopt;
         if (image) images.push_back(*image), below = std::fabs(image->delta);
     }
     if (images.size() < 4) return std::nullopt;

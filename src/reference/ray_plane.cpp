@@ -7,9 +7,9 @@ namespace nullscope::reference {
 namespace {
 
 // A camera this close to the equator is on it: cos(theta) of the double nearest to pi/2 is 6e-17, not 0.
-constexpr double kOnEquator = 1e-12;
+constexpr double kAlongEquator = 1e-12;
 // A motion this close to the plane stays in it: less than the rounding of a direction.
-constexpr double kInPlane = 1e-15;
+constexpr double kPlaneOfRay = 1e-15;
 
 }  // namespace
 
@@ -19,8 +19,8 @@ RayPlane::RayPlane(double theta, double phi, Vec3 n)
     across_theta_ = across > 0 ? n.y / across : -1.0;
     across_phi_ = across > 0 ? n.z / across : 0.0;
     // Height cos(theta) cos(a) - across_theta sin(theta) sin(a) = 0.
-    if (std::abs(cos_theta_) < kOnEquator) {
-        first_crossing_ = std::abs(across_theta_) < kInPlane ? std::numeric_limits<double>::infinity() : M_PI;
+    if (std::abs(cos_theta_) < kAlongEquator) {
+        first_crossing_ = std::abs(across_theta_) < kPlaneOfRay ? std::numeric_limits<double>::infinity() : M_PI;
     } else {
         first_crossing_ = std::atan2(cos_theta_, across_theta_ * sin_theta_);
         if (first_crossing_ <= 0) first_crossing_ += M_PI;

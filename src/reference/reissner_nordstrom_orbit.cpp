@@ -53,10 +53,10 @@ struct ChargedLeg : LegEnds {
 
 // q < q_crit, from the turning point e, outside of the photon sphere or inside it: zeta = e + sign t, t = gamma sinh^2(w),
 // P = t (c1 + c2 t + c3 t^2 + c4 t^3).
-struct TurningLeg : ChargedLeg {
+struct ChargedTurningLeg : ChargedLeg {
     double e, sign, gamma, log_zeta0;
     std::array<double, 4> c;
-    TurningLeg(const Charged& m, const PotentialStart& start)
+    ChargedTurningLeg(const Charged& m, const PotentialStart& start)
         : ChargedLeg(m, start, start.beyond < 0, 0), sign(to_sky ? -1 : 1) {
         const auto [turn_at, off] = turning_point(m, start);
         const int side = static_cast<int>(sign);
@@ -96,9 +96,9 @@ struct TurningLeg : ChargedLeg {
 };
 
 // q > q_crit: zeta = sphere + epsilon sinh(w), P = delta2 + (zeta - sphere)^2 hill(zeta).
-struct PassingLeg : ChargedLeg {
+struct ChargedPassingLeg : ChargedLeg {
     double sphere, epsilon, delta2, h0, h1, h2;
-    PassingLeg(const Charged& m, const PotentialStart& start)
+    ChargedPassingLeg(const Charged& m, const PotentialStart& start)
         : ChargedLeg(m, start, start.s < 0, m.sphere),
           sphere(static_cast<double>(m.sphere)),
           delta2(static_cast<double>(start.delta2)) {
@@ -122,8 +122,8 @@ struct PassingLeg : ChargedLeg {
 class ReissnerNordstrom : public PotentialMetric<Charged> {
     using PotentialMetric::PotentialMetric;
     std::unique_ptr<Orbit> swept(const PotentialStart& start) const override {
-        if (start.delta2 > 0) return std::make_unique<LeggedOrbit<PassingLeg>>(hole_, start);
-        return std::make_unique<LeggedOrbit<TurningLeg>>(hole_, start);
+        if (start.delta2 > 0) return std::make_unique<LeggedOrbit<ChargedPassingLeg>>(hole_, start);
+        return std::make_unique<LeggedOrbit<ChargedTurningLeg>>(hole_, start);
     }
 };
 
