@@ -18,6 +18,8 @@ all_tests=(python3-venv python3-dev ffmpeg man-db munge parallel slurm-client sl
 # scripts/web.sh: the browser's build; and the browser that tests it
 web=(clang-19 lld-19 libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc libgles-dev chromium-headless-shell)
 checks=(clang libclang-rt-dev clang-format clang-tidy)   # scripts/check.sh
+# Other programs that tests compare with, where they exist (tests/proof/test_gyoto.py)
+peers=(gyoto-bin)
 # Used where they exist: a faster second build; a second way to render without a window system (it left Mesa in 25.1).
 optional=(ccache libosmesa6)
 
@@ -27,7 +29,7 @@ Usage: install-packages.sh [--quiet] [--all] [--checks] [--docs] [--package] [--
 Installs the packages that nullscope needs by apt, if any are missing. Needs root or sudo for that.
   --quiet    say nothing unless something is missing or goes wrong
   --all      also what scripts/test.sh --all needs: Python's headers, ffmpeg, man, GNU parallel
-             and Slurm, and the sets of --docs and --package
+             and Slurm, the sets of --docs and --package, and gyoto where it is offered
   --web      also what scripts/web.sh and its tests need: clang for WebAssembly, Chromium without a window
   --docs     also what scripts/docs.sh needs: mkdocs
   --package  also what packages are made with: dpkg-dev, file, lintian, patchelf
@@ -39,7 +41,9 @@ quiet=no
 for argument in "$@"; do
     case $argument in
         --quiet) quiet=yes ;;
-        --all) test+=("${all_tests[@]}" "${docs[@]}" "${package[@]}") ;;
+        --all)
+            test+=("${all_tests[@]}" "${docs[@]}" "${package[@]}")
+            optional+=("${peers[@]}") ;;
         --docs) test+=("${docs[@]}") ;;
         --package) test+=("${package[@]}") ;;
         --web) test+=("${web[@]}") ;;
