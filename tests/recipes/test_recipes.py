@@ -26,8 +26,7 @@ ROOT = Path(__file__).resolve().parents[2]
 TEXT = ROOT / "CONTRIBUTING.md"
 QUICK = not depth.deep()
 RECIPES = ["a metric", "an effect", "a body kind"]
-COPIED = ["CMakeLists.txt", "CMakePresets.json", ".clang-format", "LICENSE", "CHANGELOG.md", "src", "shaders", "assets", "third_party", "packaging",
-          "scripts", "tests", "web"]
+BUILT = ("build", "out")   # folders that are no part of the tree
 SIZE = "160x90"
 
 NEW_FILE = re.compile(r"New file `([^`]+)`:")
@@ -170,23 +169,28 @@ def self_test(text):
 
 
 def tracked_files():
-    command = ["git", "-c", "safe.directory=*", "-C", str(ROOT), "ls-files", "-z", "-c", "-o", "--exclude-standard", "--", *COPIED]
+    """What git knows and what it would take; without git everything but hidden folders and what was built."""
+    command = ["git", "-c", "safe.directory=*", "-C", str(ROOT), "ls-files", "-z", "-c", "-o", "--exclude-standard"]
     try:
-        listed = subprocess.run(command, capture_output=True, check=True).stdout.decode()
-        return [name for name in listed.split("\0") if name and (ROOT / name).is_file()]
+        names = subprocess.run(command, capture_output=True, check=True).stdout.decode().split("\0")
     except (OSError, subprocess.CalledProcessError):
-        paths = [p for name in COPIED for p in ([ROOT / name] if (ROOT / name).is_file() else (ROOT / name).rglob("*"))]
-        return [str(p.relative_to(ROOT)) for p in paths if p.is_file() and "__pycache__" not in p.parts]
+        names = []
+        for folder, inside, files in os.walk(ROOT):
+            here = Path(folder).relative_to(ROOT)
+            inside[:] = [name for name in inside if name != "__pycache__" and not (here == Path() and (name in BUILT or name[0] == "."))]
+            names += [str(here / name) for name in files]
+    return [name for name in names if name and (ROOT / name).is_file()]
 
 
 def plant(folder, changed):
     """The tree with these changes, in folder. What is the same there keeps its time, so that little is compiled again."""
     wanted = set(changed) | set(tracked_files())
-    for name in COPIED:
-        if (folder / name).is_dir():
-            for old in (folder / name).rglob("*"):
-                if old.is_file() and str(old.relative_to(folder)) not in wanted:
-                    old.unlink()
+    for at, inside, files in os.walk(folder):
+        here = Path(at).relative_to(folder)
+        inside[:] = [name for name in inside if here != Path() or name not in BUILT]
+        for name in files:
+            if str(here / name) not in wanted:
+                (folder / here / name).unlink()
     for path in sorted(wanted):
         content = changed[path].encode() if path in changed else (ROOT / path).read_bytes()
         file = folder / path
