@@ -68,6 +68,7 @@ struct Both {
 
 constexpr double kQuickOff_px = 1.0;    // an image that is farther off is not found
 constexpr double kQuickPart = 1.0 / 4;  // of the whole search's time; measured 1/5.8
+constexpr double kQuickOverRays = 8.0;  // of what its rays alone take; measured 4, the whole search 25
 
 // By star.
 std::vector<std::vector<reference::StarImage>> exact_images(const reference::FrameTracer& tracer, const Scene& scene,
@@ -363,7 +364,17 @@ TEST_CASE(
         "quick search: {:.3f} core-s of {:.3f}; {:.4f} of the images, {:.5f} of the light, 99 % within {:.4f} px\n",
         quick_s, whole_s, share, found_light / light, off_px[off_px.size() * 99 / 100]);
     CHECK(quick_s < kQuickPart * whole_s);
-    CHECK(quick_s < 0.4);  // 0.16 on two cores at 2.5 GHz
+    // And little more than its rays cost where nothing is looked for among them.
+    const MeshArea area = mesh_area(scene.camera, kPointMargin_px);
+    const std::clock_t start = std::clock();
+    int seen = 0;
+    for (int i = 0; i < kQuickCells; ++i)
+        seen += trace_core64(input, (i % 200 - 99.5) * 0.01 * area.right, (i / 200 - 99.5) * 0.01 * area.top).fate ==
+                Fate::kEscaped;
+    const double rays_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    fmt::print("{} rays, of which {} escape: {:.3f} core-s\n", kQuickCells, seen, rays_s);
+    CHECK(quick_s < kQuickOverRays * rays_s);
+    CHECK(whole_s > kQuickOverRays * rays_s);  // that the check can fail
     CHECK(share > 0.92);
     CHECK(found_light > 0.99 * light);
     CHECK(quick.size() < whole.size());

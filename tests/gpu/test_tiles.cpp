@@ -252,14 +252,15 @@ TEST_CASE("tiles: interpolated rays are those that are traced") {
 
 // Core-seconds of the first over those of the second.
 template <class First, class Second>
-double cost_ratio(const char* what, int pairs, const First& first, const Second& second) {
+test::PairedCost cost_ratio(const char* what, int pairs, const First& first, const Second& second) {
     first(), second();  // compiles
     const test::PairedCost cost = test::paired_cost(pairs, first, second);
-    fmt::print("{}: {:.4f} and {:.4f} core-s, ratio {:.3f}\n", what, cost.first_s, cost.second_s, cost.ratio);
-    return cost.ratio;
+    fmt::print("{}: {:.4f} and {:.4f} core-s, ratio {:.3f} ({:.3f} to {:.3f})\n", what, cost.first_s, cost.second_s,
+               cost.ratio, cost.low, cost.high);
+    return cost;
 }
 
-double cost_of_tiles(int pairs) {
+test::PairedCost cost_of_tiles(int pairs) {
     auto session = test::open_gpu("egl");
     REQUIRE(session);
     constexpr int kWidth = 640, kHeight = 360;
@@ -277,7 +278,7 @@ double cost_of_tiles(int pairs) {
 TEST_CASE("tiles: a body in a part of the picture costs that part") {
     constexpr double kMost = 0.75;  // two images of a ball, in less than a quarter of the picture: 0.54 measured
     const int pairs = test::by_depth(9, 21, 21);
-    CHECK(test::least_cost(kMost, [&] { return cost_of_tiles(pairs); }) <= kMost);
+    CHECK(test::within(kMost, [&] { return cost_of_tiles(pairs); }).low <= kMost);
 }
 
 Scene balls_on_orbits(int balls) {
@@ -296,14 +297,15 @@ Scene balls_on_orbits(int balls) {
 }
 
 // Of one scene's picture over another's.
-double cost_over(const char* what, const Scene& first, const Scene& second, int pairs) {
+test::PairedCost cost_over(const char* what, const Scene& first, const Scene& second, int pairs,
+                           Tiles most = Tiles::kInterpolated) {
     auto session = test::open_gpu("egl");
     REQUIRE(session);
     Renderer& a = *session->renderer;
     Renderer b;
     REQUIRE(a.prepare(first));
     REQUIRE(b.prepare(second));
-    a.limit_tiles(Tiles::kInterpolated), b.limit_tiles(Tiles::kInterpolated);
+    a.limit_tiles(most), b.limit_tiles(Tiles::kInterpolated);
     const int width = first.camera.width, height = first.camera.height;
     const gl::Target target = gl::make_target(width, height, gl::Format::kRgba8);
     const auto draw = [&](Renderer& by) { by.draw(target.framebuffer.id(), width, height, Output::kDisplay); };
@@ -312,10 +314,13 @@ double cost_over(const char* what, const Scene& first, const Scene& second, int 
 }
 
 TEST_CASE("tiles: of many balls a pixel asks those of its tile") {
-    constexpr double kMost = 24;  // 17 measured; 43 where every pixel asks for all of them
-    CHECK(test::least_cost(kMost, [&] {
-              return cost_over("32 balls and one", balls_on_orbits(32), balls_on_orbits(1), test::by_depth(5, 9, 9));
-          }) <= kMost);
+    constexpr double kMost = 24;  // 14 to 17 measured; 43 to 68 where every pixel asks for all of them
+    const auto cost = [](Tiles most) {
+        const int pairs = most == Tiles::kNone ? 1 : test::by_depth(5, 9, 9);
+        return cost_over("32 balls and one", balls_on_orbits(32), balls_on_orbits(1), pairs, most);
+    };
+    CHECK(test::within(kMost, [&] { return cost(Tiles::kInterpolated); }).low <= kMost);
+    if (test::depth() != test::Depth::kQuick) CHECK(cost(Tiles::kNone).ratio > kMost);  // that the check can fail
 }
 
 Scene of_sky_alone(Scene scene) {
@@ -337,11 +342,15 @@ TEST_CASE("tiles: what a disc costs over the sky alone, and a rotating hole's sk
     pattern.disc->inner = image.disc->inner, pattern.disc->outer = image.disc->outer;
     pattern.disc->material.texture = TextureKind::kGrid;
     const auto check = [&](const char* what, const Scene& first, const Scene& second, double most) {
-        CHECK(test::least_cost(most, [&] { return cost_over(what, first, second, pairs); }) <= most);
+        CHECK(test::within(most, [&] { return cost_over(what, first, second, pairs); }).low <= most);
+        // Every ray traced: that the check can fail.
+        CHECK(cost_over(what, first, second, 5, Tiles::kBodies).ratio > most);
     };
-    check("sky and pattern disc over sky", pattern, of_sky_alone(image), 1.45);
-    check("sky and image disc over sky", image, of_sky_alone(image), 1.8);
-    check("sky of a rotating hole over flat space", kerr, in_flat_space(kerr), 4.0);
+    // Measured on several machines 1.36 to 1.40, 1.60 to 1.73, 3.33 to 3.56, and 2.0, 2.4, 5.2 where every ray is traced: bounds are
+    // less than half the way there.
+    check("sky and pattern disc over sky", pattern, of_sky_alone(image), 1.65);
+    check("sky and image disc over sky", image, of_sky_alone(image), 1.95);
+    check("sky of a rotating hole over flat space", kerr, in_flat_space(kerr), 4.2);
 }
 
 }  // namespace
