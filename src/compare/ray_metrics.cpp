@@ -9,10 +9,9 @@
 namespace nullscope {
 namespace {
 
-constexpr int kBandRows = 64;      // exact rows held at a time
-constexpr double kStep_px = 1e-4;  // of displaced rays: small against any feature, 1e7 roundings of a 4K position
-constexpr float kJump_px = 1.0f;   // a place on the disc this far off is another image of the disc, beyond a rim
-constexpr int kBearings = 16;      // of displaced rays round a pixel: 0.98 of the band is covered in every direction
+constexpr int kBandRows = 64;     // exact rows held at a time
+constexpr float kJump_px = 1.0f;  // a place on the disc this far off is another image of the disc, beyond a rim
+constexpr int kBearings = 16;     // of displaced rays round a pixel: 0.98 of the band is covered in every direction
 
 // Exact pixels of a rectangle.
 struct Band {
@@ -77,7 +76,36 @@ void set_camera(ExactPixel& exact, const CameraSpec& camera, int x, int y) {
 // Right, below, left, above.
 std::array<std::array<double, 2>, 4> displaced(int x, int y) {
     const double u = x + 0.5, v = y + 0.5;
-    return {{{u + kStep_px, v}, {u, v + kStep_px}, {u - kStep_px, v}, {u, v - kStep_px}}};
+    return {{{u + kDisplaced_px, v}, {u, v + kDisplaced_px}, {u - kDisplaced_px, v}, {u, v - kDisplaced_px}}};
+}
+
+// Rays at displaced(x, y) of pixel i, whose own is heres[i]: those to the left and above are traced only where one of the others ends
+// differently, and are else as the others.
+std::vector<std::array<RayPixel, 4>> trace_displaced(const ExactTrace& trace,
+                                                     const std::vector<std::array<int, 2>>& pixels,
+                                                     const std::vector<RayPixel>& heres) {
+    std::vector<std::array<double, 2>> positions;
+    for (const auto& [x, y] : pixels) {
+        const auto beside = displaced(x, y);
+        positions.insert(positions.end(), {beside[0], beside[1]});
+    }
+    const std::vector<RayPixel> first = trace(positions);
+    std::vector<std::array<RayPixel, 4>> moved(pixels.size());
+    std::vector<std::size_t> edges;
+    positions.clear();
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const RayPixel &right = first[2 * i], &below = first[2 * i + 1];
+        moved[i] = {right, below, right, below};
+        if (same_end(right, heres[i]) && same_end(below, heres[i])) continue;
+        const auto beside = displaced(pixels[i][0], pixels[i][1]);
+        positions.insert(positions.end(), {beside[2], beside[3]});
+        edges.push_back(i);
+    }
+    if (edges.empty()) return moved;
+    const std::vector<RayPixel> second = trace(positions);
+    for (std::size_t k = 0; k < edges.size(); ++k)
+        moved[edges[k]][2] = second[2 * k], moved[edges[k]][3] = second[2 * k + 1];
+    return moved;
 }
 
 // moved: rays at displaced(x, y). Those to the left and above serve where the others end differently.
@@ -88,7 +116,7 @@ ExactPixel with_displaced(const CameraSpec& camera, int x, int y, const RayPixel
     for (const int i : {2, 3, 0, 1}) {
         if (!same_end(moved[i], here)) continue;
         (i % 2 == 0 ? exact.right : exact.down) = moved[i];
-        (i % 2 == 0 ? exact.right_px : exact.down_px) = i < 2 ? kStep_px : -kStep_px;
+        (i % 2 == 0 ? exact.right_px : exact.down_px) = i < 2 ? kDisplaced_px : -kDisplaced_px;
     }
     return exact;
 }
@@ -122,7 +150,7 @@ public:
         for (int y = rect.top; y < rect.bottom; ++y)
             for (int x = rect.left; x < rect.right; ++x)
                 if (tile_.at(x, y).worst_px() > refine_above_px_) doubts.push_back({x, y});
-        if (!doubts.empty()) refine(band, doubts), judge_edges(band, doubts);
+        if (!doubts.empty()) refine(band, doubts, parallel), judge_edges(band, doubts);
         return std::move(tile_);
     }
 
@@ -130,17 +158,23 @@ private:
     struct Doubt {
         int x, y;
     };
-    void refine(const Band& band, const std::vector<Doubt>& doubts) {
-        std::vector<std::array<double, 2>> positions;
-        for (const Doubt d : doubts)
-            for (const auto& position : displaced(d.x, d.y)) positions.push_back(position);
-        const std::vector<RayPixel> moved = trace_(positions);
-        for (std::size_t i = 0; i < doubts.size(); ++i) {
-            const Doubt d = doubts[i];
+    void refine(const Band& band, const std::vector<Doubt>& doubts, bool parallel) {
+        std::vector<std::array<int, 2>> pixels;
+        std::vector<RayPixel> heres;
+        for (const Doubt d : doubts) {
             if (tile_.at(d.x, d.y).end == RayEnd::kDiffers) continue;
-            const ExactPixel exact = with_displaced(camera_, d.x, d.y, band.at(d.x, d.y), moved.data() + 4 * i);
-            tile_.at(d.x, d.y) = pixel_errors(tested_.at(d.x, d.y), exact);
+            pixels.push_back({d.x, d.y});
+            heres.push_back(band.at(d.x, d.y));
         }
+        const auto moved = trace_displaced(trace_, pixels, heres);
+        const auto judge = [&](std::size_t i) {
+            const auto [x, y] = pixels[i];
+            tile_.at(x, y) = pixel_errors(tested_.at(x, y), with_displaced(camera_, x, y, heres[i], moved[i].data()));
+        };
+        if (parallel)
+            tbb::parallel_for(std::size_t{0}, pixels.size(), judge);
+        else
+            for (std::size_t i = 0; i < pixels.size(); ++i) judge(i);
     }
 
     // Pixels that end elsewhere, or on another image of the disc: does the exact answer become the tested one close by?

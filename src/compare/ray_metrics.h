@@ -15,8 +15,9 @@ namespace nullscope {
 // resolve of a 4K frame's position, with a margin. Rims of objects have a wider band, by their extra interpolation.
 inline constexpr double kFateBand_px = 0.01, kSilhouetteBand_px = 0.05;
 
-// Where neighbours leave more than this, px, rays displaced by 1e-4 px say how the exact answer moves.
-inline constexpr double kDisplaceAbove_px = 1e-3;
+// Where neighbours leave more than this, px, displaced rays say how the exact answer moves: small against any feature, 1e7 roundings of a
+// 4K position.
+inline constexpr double kDisplaceAbove_px = 1e-3, kDisplaced_px = 1e-4;
 
 // Exact rays at any positions (column, row from the top, centres at +0.5): the reference, or a stand-in of a test.
 using ExactTrace = std::function<std::vector<RayPixel>(const std::vector<std::array<double, 2>>& positions)>;

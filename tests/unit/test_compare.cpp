@@ -14,6 +14,7 @@
 #include "compare/image_metrics.h"
 #include "compare/ray_channels.h"
 #include "compare/ray_metrics.h"
+#include "compare/remembered_trace.h"
 #include "support/report.h"
 #include "support/temporary_folder.h"
 
@@ -227,6 +228,45 @@ TEST_CASE("compare: where neighbours say too little, displaced rays are traced, 
     const RayMeasures neighbours = measure_ray_frames(tested, exact, [](int, int) { return 1e-3; }, {});
     CHECK(other.sky_px.max == doctest::Approx(neighbours.sky_px.max));
     CHECK(neighbours.sky_px.max > 10 * kError_px);
+}
+
+TEST_CASE("compare: a frame's exact rays are traced once, and its errors stay what they were") {
+    const CameraSpec camera = small_camera();
+    // An edge through the middle of a pixel, and a sky that moves differently in every pixel.
+    const ExactTrace sky = [](const std::vector<std::array<double, 2>>& positions) {
+        std::vector<RayPixel> pixels;
+        for (const auto& p : positions) {
+            pixels.push_back(escaped(direction(p[0] * (1.0 + 0.3 * std::sin(p[1])), 1e-3 * p[1] * p[0])));
+            if (p[0] + 0.2 * p[1] > 9.50004) pixels.back() = RayPixel{.fate = Fate::kCaptured};
+        }
+        return pixels;
+    };
+    std::size_t rays = 0;
+    const ExactTrace counted = [&](const std::vector<std::array<double, 2>>& positions) {
+        rays += positions.size();
+        return sky(positions);
+    };
+    const ExactTrace kept = remembered(counted, camera.width, camera.height);
+    for (const double error : {1e-3, 2e-2, 1e-3}) {
+        RayFrame tested{camera.width, camera.height, {}};
+        for (int y = 0; y < camera.height; ++y)
+            for (int x = 0; x < camera.width; ++x) tested.pixels.push_back(sky({{x + 0.5 + error, y + 0.5}})[0]);
+        const RayMeasures one = measure_rays(tested, camera, sky), other = measure_rays(tested, camera, kept);
+        CHECK(one.fate_errors == other.fate_errors);
+        CHECK(one.forgiven == other.forgiven);
+        CHECK(one.sky_px.count == other.sky_px.count);
+        CHECK(other.sky_px.max == doctest::Approx(one.sky_px.max).epsilon(1e-6));
+        CHECK(other.sky_px.median == doctest::Approx(one.sky_px.median).epsilon(1e-6));
+        CHECK(one.sky_px.median == doctest::Approx(error).epsilon(0.02));
+    }
+    const std::size_t before = rays;
+    RayFrame wrong{camera.width, camera.height, std::vector<RayPixel>(16 * 12)};
+    for (RayPixel& pixel : wrong.pixels) pixel = escaped({0, 0, 1});
+    measure_rays(wrong, camera, kept);
+    CHECK(rays <= before + 16 * 16 * 12);  // but for rays round the pixels that end elsewhere
+    const std::size_t after = rays;
+    measure_rays(wrong, camera, kept);
+    CHECK(rays == after);
 }
 
 TEST_CASE("compare: where neighbours say too little of very many pixels, the worst are traced") {
