@@ -155,6 +155,7 @@ Status run(const Options& options) {
         TRY(rows, accuracy_rows(**spacetime));
         const std::vector<ErrorView> views = error_views(scene->spacetime, **spacetime);
         Scene drawn = spins ? sky_alone(*scene) : *scene;
+        drawn.picture.refine = false;  // a ray a pixel, whatever the picture shows
         drawn.camera.width = kTimeWidth, drawn.camera.height = kTimeHeight;
         TRY(done, measure(*bench, views, drawn, spins, options.frames, *rows));
         std::vector<MeasuredMethod> all;
