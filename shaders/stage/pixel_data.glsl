@@ -25,6 +25,9 @@ struct PixelData {
     vec3 place;     // of that meeting: x, y, z in r_s; of methods that count their steps, where nothing is met, x is their number
     float along;    // where that is on the ray, by what tells the order of places; 0 for none
     float steps;    // that the tracer took; 0 of planar rays
+#ifdef NEEDS_PLACE
+    float until;    // by what tells the order of places, where a body ends the ray; none: beyond all
+#endif
 };
 
 // Of a pixel that shows nothing.
@@ -39,15 +42,14 @@ PixelData no_ray() {
     data.place = vec3(0.0, 0.0, 0.0);
     data.along = 0.0;
     data.steps = 0.0;
+#ifdef NEEDS_PLACE
+    data.until = 0.0;
+#endif
     return data;
 }
 
-PixelData pixel_data(vec2 pixel) {
-#ifdef BLOCK_PROJECTION
-    if (frame.projection.x > 0.0 && beyond_view(pixel) > 0.0) return no_ray();
-#endif
+PixelData ray_data(Trace trace) {
     PixelData data;
-    Trace trace = trace_pixel(pixel);
     data.fate = trace.escapes ? 0.0 : frame.shift.w;
     data.angle = path_angle(trace);
     data.steps = path_steps(trace);
@@ -57,6 +59,7 @@ PixelData pixel_data(vec2 pixel) {
     data.delay = 0.0;
 #ifdef NEEDS_PLACE
     SolidHit solid = solid_hit(trace, 0.0);
+    data.until = solid.phi;
     if (solid.object != 0) data.angle = swept_angle(solid.phi);
 #endif
 #ifdef EFFECT_DISC
@@ -114,4 +117,11 @@ PixelData pixel_data(vec2 pixel) {
     if (data.hit == 0.0) data.place.x = data.steps;
 #endif
     return data;
+}
+
+PixelData pixel_data(vec2 pixel) {
+#ifdef BLOCK_PROJECTION
+    if (frame.projection.x > 0.0 && beyond_view(pixel) > 0.0) return no_ray();
+#endif
+    return ray_data(trace_pixel(pixel));
 }

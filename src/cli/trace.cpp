@@ -59,7 +59,7 @@ void add_trace(Command& parent) {
         command, "--with", options.with,
         "reference: double precision, every column. core64, core32: the shader's code compiled as C++ in double "
         "and float; gl: the shader on the GPU. These three leave turn empty, delay where the shader does not "
-        "compute it, g of rays that do not escape, at beyond half a turn, and crossings from the 13th on",
+        "compute it, g of rays that do not escape, and crossings from the 13th on",
         {"reference", "core64", "core32", "gl"});
     text_option(command, "--method", options.method,
                 "How --with gl traces rays: auto (= strip), strip, table[:SIZE[:LOOKUP]], closed-form, "

@@ -7,9 +7,11 @@
 #include <optional>
 
 #include "command/shader_rays.h"
+#include "observer/pose.h"
 #include "reference/disc_light.h"
 #include "reference/ray_plane.h"
 #include "reference/reference.h"
+#include "scene/projection.h"
 
 namespace nullscope::cli {
 namespace {
@@ -61,6 +63,17 @@ Result<Method> method_of(const TraceOptions& options) {
 
 }  // namespace
 
+std::vector<RayQuery> rays_of(const CameraSpec& camera) {
+    const Mat3 axes = static_from_camera(camera);
+    std::vector<RayQuery> rays;
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x)
+            rays.push_back({camera.r, camera.theta, camera.phi,
+                            normalized(axes * pixel_direction(camera, x + 0.5, y + 0.5)), LocalFrame::kStatic,
+                            std::nullopt, std::nullopt});
+    return rays;
+}
+
 bool has_matter(const Scene& scene, const Spacetime& spacetime) {
     return scene.disc && scene.disc->emission == DiscEmission::kThermal && spacetime.can_have_disc();
 }
@@ -69,7 +82,8 @@ Status trace_rays(const Scene& scene, const Spacetime& spacetime, std::span<cons
                   const TraceOptions& options, const TraceOutput& output) {
     TRY(method, method_of(options));
     if (options.with == "reference") return trace_with_reference(scene, spacetime, rays, options.crossings, output);
-    return trace_with_shader(scene, spacetime, rays, {options.with, *method, options.context, options.crossings},
+    return trace_with_shader(scene, spacetime, rays,
+                             {options.with, *method, options.context, options.crossings, has_matter(scene, spacetime)},
                              output);
 }
 

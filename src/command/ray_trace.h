@@ -3,6 +3,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "scene/ray.h"
@@ -27,6 +28,9 @@ struct TraceOutput {
 // The scene's metric, disc and bodies are used. Errors: options that do not go together, a ray outside the metric's domain.
 Status trace_rays(const Scene& scene, const Spacetime& spacetime, std::span<const RayQuery> rays,
                   const TraceOptions& options, const TraceOutput& output);
+
+// Through the middles of a picture's pixels, row by row from the top, as an observer at rest sees them.
+std::vector<RayQuery> rays_of(const CameraSpec& camera);
 
 // Whether the disc's matter moves and shines by itself, so that crossings have a shift g_k.
 bool has_matter(const Scene& scene, const Spacetime& spacetime);

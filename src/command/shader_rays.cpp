@@ -3,20 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "command/session.h"
 #include "observer/observer.h"
+#include "observer/spin_ring.h"
 #include "reference/ray_plane.h"
-#include "render/frame_tables.h"
+#include "render/listed_start.h"
 #include "spacetime/spherical_metric.h"
 
 namespace nullscope::cli {
 namespace {
 
-constexpr std::size_t kBatch = 1024;  // rays traced between two reports of progress; bounds what is held of views
+constexpr std::size_t kBatch = 65536;  // rays traced between two reports of progress: a draw
+constexpr int kMostCrossings = 12;     // that the shader looks for (DISC_MOST_CROSSINGS)
 
-// A ray as the shader core takes it: an observer and a view direction.
+// A ray as the shader takes it: an observer and a view direction.
 struct Start {
     double r, theta, phi;
     Vec3 n;
@@ -33,30 +36,6 @@ Vec3 rain_direction(const Spacetime& spacetime, double r, double q) {
     return {(1.0 / t - t) * by, 0.0, 2.0 * by};
 }
 
-std::optional<Start> start_of(const RayQuery& query, const Spacetime& spacetime) {
-    const bool by_length = spacetime.by_proper_length();  // wormholes: zeta0 holds l0, and s = +1 is towards the throat
-    const double r = query.orbit ? (by_length ? query.orbit->zeta0 : 1.0 / query.orbit->zeta0) : query.r;
-    if (std::fabs(r) > kFarthestCamera) return std::nullopt;
-    const bool rests = camera_can_rest(spacetime, r), falls = query.orbit ? !rests : query.frame == LocalFrame::kRain;
-    // As the reference has it.
-    const ObserverKind rest = spacetime.planar_rays() ? ObserverKind::kStatic : ObserverKind::kZamo;
-    const ObserverKind observer = falls ? ObserverKind::kRain : rest;
-    CameraSpec there;
-    there.r = r, there.observer = observer;
-    if (!observer_of(spacetime, there)) return std::nullopt;
-    if (query.orbit && falls) {
-        if (query.orbit->s > 0)
-            return std::nullopt;  // no view direction of anybody inside: it would have come from the hole
-        return Start{r, M_PI / 2, 0.0, rain_direction(spacetime, r, query.orbit->q), observer};
-    }
-    if (query.orbit) {  // sin(alpha) = sqrt(V)/q; its cosine as a product
-        const double v = spacetime.spherical()->root_v(r), q = std::max(query.orbit->q, v),
-                     inward = by_length && r < 0 ? -query.orbit->s : query.orbit->s;
-        return Start{r, M_PI / 2, 0.0, {-inward * std::sqrt((q - v) / q * ((q + v) / q)), 0.0, v / q}};
-    }
-    return Start{r, query.theta, query.phi, query.n, observer};
-}
-
 // The camera at the start that looks along n; roll is free. Unrotated it looks along -e_r, up is -e_theta, right e_phi.
 Scene view_along(Scene scene, const Start& start) {
     CameraSpec& camera = scene.camera;
@@ -64,161 +43,282 @@ Scene view_along(Scene scene, const Start& start) {
     camera.yaw = std::atan2(start.n.z, -start.n.x);
     camera.pitch = std::atan2(-start.n.y, std::hypot(start.n.x, start.n.z));
     camera.width = camera.height = 1;
-    camera.plane_width = 1e-6;  // a narrow pixel: footprints, which nobody looks at here, stay finite far out
+    camera.plane_width = 1e-6;  // a narrow pixel: tables resolve what is next to the critical direction
     return scene;
 }
 
-// A disc from `inner` to 1e30 r_s. From kPlane it is the whole equatorial plane: a ray hits its first crossing. From
-// kOutOfReach no ray meets it: all views of a camera then share their effects, hence their tables.
-Scene with_disc_from(Scene scene, double inner) {
-    scene.disc = DiscSpec{};
-    scene.disc->inner = inner, scene.disc->outer = 1e30;
-    return scene;
-}
-constexpr double kPlane = 1e-30, kOutOfReach = 1e29;
+// Where rays start, as the shader takes it. What follows from a place alone is kept from ray to ray.
+class Starts {
+public:
+    Starts(const Scene& scene, const Spacetime& spacetime) : scene_(scene), spacetime_(spacetime) {}
 
-// By symmetry a ray is at `angle` where it meets the equator if it starts that far from it along a meridian: southward
-// from the northern side, or northward over the pole. angle in (0, pi].
-Start moved_to_meet_equator(Start start, double angle) {
-    const double across = std::hypot(start.n.y, start.n.z);
-    const bool over_pole = angle > M_PI / 2;
-    start.theta = std::fabs(M_PI / 2 - angle);
-    start.phi = 0.0;
-    start.n = {start.n.x, over_pole ? -across : across, 0.0};
-    return start;
-}
+    // Nothing: the camera cannot stand there.
+    std::optional<Start> of(const RayQuery& query) {
+        const bool by_length =
+            spacetime_.by_proper_length();  // wormholes: zeta0 holds l0, and s = +1 is towards the throat
+        const double r = query.orbit ? (by_length ? query.orbit->zeta0 : 1.0 / query.orbit->zeta0) : query.r;
+        if (std::fabs(r) > kFarthestCamera) return std::nullopt;
+        const bool rests = camera_can_rest(spacetime_, r),
+                   falls = query.orbit ? !rests : query.frame == LocalFrame::kRain;
+        // As the reference has it.
+        const ObserverKind rest = spacetime_.planar_rays() ? ObserverKind::kStatic : ObserverKind::kZamo;
+        const ObserverKind kind = falls ? ObserverKind::kRain : rest;
+        if (!observer(r, query.orbit ? M_PI / 2 : query.theta, kind)) return std::nullopt;
+        if (query.orbit && falls) {
+            if (query.orbit->s > 0)
+                return std::nullopt;  // no view direction of anybody inside: it would have come from the hole
+            return Start{r, M_PI / 2, 0.0, rain_direction(spacetime_, r, query.orbit->q), kind};
+        }
+        if (query.orbit) {  // sin(alpha) = sqrt(V)/q; its cosine as a product
+            const double v = spacetime_.spherical()->root_v(r), q = std::max(query.orbit->q, v),
+                         inward = by_length && r < 0 ? -query.orbit->s : query.orbit->s;
+            return Start{r, M_PI / 2, 0.0, {-inward * std::sqrt((q - v) / q * ((q + v) / q)), 0.0, v / q}};
+        }
+        return Start{r, query.theta, query.phi, query.n, kind};
+    }
 
-// The azimuth of `direction`, unwrapped: the value next to what the swept angle says (reference/ray_plane.h).
-double unwrapped_azimuth(const Start& start, double angle, double x, double y) {
-    const double expected = reference::RayPlane(start.theta, start.phi, start.n).azimuth(angle);
+    // About a rotating hole: does a narrow view along it need the peak from the host (observer/spin_ring.h)?
+    bool is_next_to_ring(const Start& start) {
+        const AxialMetric* axial = spacetime_.axial();
+        if (axial == nullptr || !scene_.light.lensing || !spacetime_.bends_light()) return false;
+        const Observer* seen = observer(start.r, start.theta, start.observer);
+        if (seen == nullptr) return false;
+        if (!ring_) ring_.emplace(*axial, camera_, *seen);
+        if (!(std::fabs(ring_->of(seen->turn * start.n).distance()) < kMaybeNext)) return false;
+        return nullscope::is_next_to_ring(*axial, view_along(scene_, start).camera, *seen, scene_.light);
+    }
+
+private:
+    static constexpr double kMaybeNext = 1e-2;  // e, far above that of pixels of 1e-6 rad
+    const Observer* observer(double r, double theta, ObserverKind kind) {
+        if (!has_camera_ || camera_.r != r || camera_.theta != theta || camera_.observer != kind) {
+            camera_ = {.r = r, .theta = theta, .observer = kind};
+            has_camera_ = true;
+            ring_.reset();
+            auto made = observer_of(spacetime_, camera_);
+            observer_ = made ? std::optional(*made) : std::nullopt;
+        }
+        return observer_ ? &*observer_ : nullptr;
+    }
+
+    const Scene& scene_;
+    const Spacetime& spacetime_;
+    bool has_camera_ = false;
+    CameraSpec camera_;
+    std::optional<Observer> observer_;
+    std::optional<RingOfRays> ring_;
+};
+
+// By its swept angle the azimuth of a place is known but for rounding: the value of (x, y)'s next to it.
+double unwrapped(double expected, double x, double y) {
     return expected + std::remainder(std::atan2(y, x) - expected, 2 * M_PI);
-}
-
-RayRecord record_of(const Start& start, const RayPixel& pixel, bool delays) {
-    RayRecord record;
-    record.fate = pixel.fate;
-    if (pixel.fate == Fate::kHit) record.hit = pixel.hit;
-    record.angle = pixel.angle;
-    if (pixel.fate != Fate::kEscaped && pixel.fate != Fate::kOtherSide) return record;
-    record.sky = pixel.sky;
-    record.g = pixel.g;
-    if (delays && pixel.fate == Fate::kEscaped) record.delay = pixel.delay;
-    record.theta_inf = std::atan2(std::hypot(pixel.sky.x, pixel.sky.y), pixel.sky.z);
-    record.phi_inf = unwrapped_azimuth(start, pixel.angle, pixel.sky.x, pixel.sky.y);
-    return record;
 }
 
 struct Job {
     std::size_t row;
     Start start;
     std::optional<double> at_angle;
-    bool asks_place() const { return at_angle && *at_angle > 0.0 && *at_angle <= M_PI; }
+    bool next_to_ring;  // of a rotating hole: a program of its own keeps its digits
+    bool reduced;
 };
 
-// The views of a ray: the scene, one for each crossing of the equatorial plane that is asked for, the place at at_angle.
-class Batch {
+// What the rays of one draw have in common besides tables.
+struct Common {
+    const ListedStart& start;
+    int crossings;
+    bool planes, delays;   // planes: rays keep to one, and sweep an angle in it; delays: the shader knows them
+    double shifts_beyond;  // r_s, the horizon's radius where crossings have a shift; else infinite
+};
+
+using Plane = std::optional<reference::RayPlane>;  // of rays that keep to one
+
+// Of one ray: everything but its crossings.
+RayRecord record_of(const Job& job, const ListedRay& ray, const Common& common, const Plane& plane) {
+    const RayPixel& end = ray.end;
+    RayRecord record;
+    record.fate = end.fate;
+    if (end.fate == Fate::kHit) record.hit = end.hit;
+    if (plane) record.angle = end.angle;
+    if (job.at_angle == 0.0)
+        record.at = 1.0 / job.start.r;
+    else if (job.at_angle && ray.at > 0.0)
+        record.at = ray.at;
+    if (end.fate != Fate::kEscaped && end.fate != Fate::kOtherSide) return record;
+    record.sky = end.sky;
+    record.g = end.g;
+    if (common.delays && end.fate == Fate::kEscaped) record.delay = end.delay;
+    record.theta_inf = std::atan2(std::hypot(end.sky.x, end.sky.y), end.sky.z);
+    record.phi_inf = unwrapped(plane ? plane->azimuth(end.angle) : job.start.phi, end.sky.x, end.sky.y);
+    return record;
+}
+
+void add_crossings(const Job& job, const RayNumbers& numbers, const ListedRay& ray, const Common& common,
+                   const Plane& plane, RayRecord& record) {
+    for (int k = 0; k < ray.count; ++k) {
+        const ListedRay::Crossing& met = ray.crossings[static_cast<std::size_t>(k)];
+        const int number = static_cast<int>(record.crossings.size()) + 1;
+        RayRecord::Crossing crossing{
+            std::hypot(met.x, met.y),
+            unwrapped(plane ? plane->azimuth(plane->crossing(number)) : job.start.phi, met.x, met.y)};
+        if (crossing.r > common.shifts_beyond && !job.reduced) crossing.g = common.start.g(numbers, met);
+        record.crossings.push_back(crossing);
+    }
+}
+
+// The shader's own text, by the driver or as C++.
+class Lister {
 public:
-    Batch(const Scene& scene, const Spacetime& spacetime, int crossings, bool probes)
-        : scene_(scene),
-          plane_(with_disc_from(scene, kPlane)),
-          bare_plane_(plane_),
-          crossings_(crossings),
-          planes_(spacetime.planar_rays()),
-          delays_(spacetime.knows_light_time()) {
-        bare_plane_.bodies.clear();
-        if (scene_.disc && scene_.disc->opacity < 1.0) scene_.disc.reset();  // it ends no ray
-        if (probes && !scene_.disc) scene_ = with_disc_from(scene, kOutOfReach);
+    static Result<Lister> make(const ShaderRun& run) {
+        Lister lister(run.tracer == "core64");
+        if (run.tracer != "gl") return lister;
+        TRY(opened, open_session(run.context));
+        lister.session_ = std::move(*opened);
+        lister.session_->renderer->set_method(run.method);
+        lister.session_->renderer->want_delays(true);
+        return lister;
+    }
+    const FrameTables& tables() const { return session_ ? session_->renderer->tables() : tables_; }
+    Status prepare(const Scene& scene, bool crossings) {
+        if (session_) return session_->renderer->prepare_list(scene, crossings);
+        tables_.want_crossings(crossings);
+        return tables_.update(scene);
+    }
+    void list(const ListedCrossings& asked, std::span<const RayNumbers> rays, ListedRay* found) {
+        if (session_)
+            session_->renderer->list_rays(asked, rays, found);
+        else
+            tables_.list_rays(in_double_, asked, rays, found);
     }
 
-    std::vector<Scene> views(std::span<const Job> jobs) const {
-        std::vector<Scene> views;
-        for (const Job& job : jobs) {
-            views.push_back(view_along(scene_, job.start));
-            for (int k = 0; k < crossings_; ++k) {
-                views.push_back(view_along(plane_, job.start));
-                views.back().disc->passed = k;
-            }
-            if (job.asks_place())
-                views.push_back(view_along(bare_plane_, moved_to_meet_equator(job.start, *job.at_angle)));
-        }
-        return views;
-    }
+private:
+    explicit Lister(bool in_double) : in_double_(in_double) { tables_.want_delays(true); }
+    bool in_double_;
+    std::optional<Session> session_;  // of gl
+    FrameTables tables_;
+};
 
-    // The views' pixels, in their order.
-    void write(std::span<const Job> jobs, const std::vector<RayPixel>& pixels, const TraceOutput& output) const {
-        auto next = pixels.begin();
-        for (const Job& job : jobs) {
-            RayRecord record = record_of(job.start, *next++, delays_);
-            if (!planes_) record.angle = kNotANumber;
-            for (int k = 0; k < crossings_; ++k) {
-                const RayPixel& met = *next++;
-                const double r = std::hypot(met.u, met.v);
-                if (met.hit == kDiscHit)
-                    record.crossings.push_back({r, unwrapped_azimuth(job.start, met.angle, met.u, met.v)});
-            }
-            if (job.asks_place()) {
-                const RayPixel& met = *next++;
-                if (met.hit == kDiscHit) record.at = 1.0 / std::hypot(met.u, met.v);
-            } else if (job.at_angle && *job.at_angle == 0.0) {
-                record.at = 1.0 / job.start.r;
-            }
-            output.take(job.row, std::move(record));
+// Rays that one preparation serves, in draws of kBatch.
+class Group {
+public:
+    Group(Lister& lister, const Common& common, bool hunts_disc, const TraceOutput& output)
+        : lister_(lister), common_(common), hunts_disc_(hunts_disc), output_(output) {}
+
+    void trace(std::span<const Job> jobs) {
+        for (std::span<const Job> rest = jobs; !rest.empty();) {
+            const auto now = rest.first(std::min(kBatch, rest.size()));
+            trace_batch(now);
+            output_.done(static_cast<long long>(now.size()));
+            rest = rest.subspan(now.size());
         }
     }
 
 private:
-    Scene scene_, plane_, bare_plane_;  // bare: without bodies, which end the ray but not the question where it is
-    int crossings_;
-    bool planes_, delays_;  // planes: rays keep to one, and sweep an angle in it; delays: the shader knows them
+    struct Open {  // a ray that is not done
+        const Job* job;
+        RayNumbers numbers;
+        RayRecord record;
+    };
+
+    void trace_batch(std::span<const Job> jobs) {
+        std::vector<Open> open;
+        open.reserve(jobs.size());
+        for (const Job& job : jobs)
+            open.push_back(
+                {&job,
+                 common_.start.numbers(job.start.theta, job.start.phi, job.start.n, job.at_angle.value_or(0.0)),
+                 {}});
+        for (int first = 0; !open.empty(); first += kListedCrossings) {
+            const int most = std::clamp(common_.crossings - first, 0, kListedCrossings);
+            numbers_.clear();
+            for (const Open& ray : open) numbers_.push_back(ray.numbers);
+            found_.resize(open.size());
+            lister_.list({first, most}, numbers_, found_.data());
+            std::vector<Open> left;
+            for (std::size_t i = 0; i < open.size(); ++i) {
+                take(open[i], found_[i], first == 0);
+                if (goes_on(open[i].record, found_[i], first + kListedCrossings))
+                    left.push_back(std::move(open[i]));
+                else
+                    output_.take(open[i].job->row, std::move(open[i].record));
+            }
+            open = std::move(left);
+        }
+    }
+
+    void take(Open& ray, const ListedRay& found, bool is_first) const {
+        const Start& start = ray.job->start;
+        Plane plane;
+        if (common_.planes) plane.emplace(start.theta, start.phi, start.n);
+        if (is_first || found.end.fate == Fate::kHit) {
+            auto crossings = std::move(ray.record.crossings);
+            ray.record = record_of(*ray.job, found, common_, plane);
+            ray.record.crossings = std::move(crossings);
+        }
+        add_crossings(*ray.job, ray.numbers, found, common_, plane, ray.record);
+    }
+
+    // Are there crossings that are asked for, or that may be of the disc that ends the ray?
+    bool goes_on(const RayRecord& record, const ListedRay& found, int next) const {
+        if (!found.more || next >= kMostSteps) return false;
+        return next < common_.crossings || (hunts_disc_ && record.fate != Fate::kHit);
+    }
+
+    static constexpr int kMostSteps = 512;  // of a ray about a rotating hole: so often it crosses at most
+    Lister& lister_;
+    const Common common_;
+    bool hunts_disc_;
+    const TraceOutput& output_;
+    std::vector<RayNumbers> numbers_;
+    std::vector<ListedRay> found_;
 };
+
+// What rays must have in common: tables and the frame's numbers.
+auto key_of(const Job& job, bool planes, bool bodies) {
+    const Start& start = job.start;
+    return std::tuple(start.r, static_cast<int>(start.observer), job.next_to_ring,
+                      planes && !bodies ? 0.0 : start.theta, bodies ? start.phi : 0.0);
+}
+
+std::vector<Job> jobs_of(const Scene& scene, const Spacetime& spacetime, std::span<const RayQuery> rays, bool angles) {
+    std::vector<Job> jobs;
+    jobs.reserve(rays.size());
+    Starts starts(scene, spacetime);
+    for (std::size_t row = 0; row < rays.size(); ++row) {
+        const RayQuery& query = rays[row];
+        if (const auto start = starts.of(query))
+            jobs.push_back({row, *start, angles ? query.at_angle : std::nullopt, starts.is_next_to_ring(*start),
+                            query.orbit.has_value()});
+    }
+    return jobs;
+}
 
 }  // namespace
 
 Status trace_with_shader(const Scene& scene, const Spacetime& spacetime, std::span<const RayQuery> rays,
                          const ShaderRun& run, const TraceOutput& output) {
-    if (run.tracer != "gl" && has_solids(effect_set(required_effects(scene))))
+    const bool bodies = has_solids(effect_set(required_effects(scene)));
+    if (run.tracer != "gl" && bodies)
         return bad_input("--with core64 and core32 know no solid bodies", "reference or gl, or a scene without bodies");
-    std::optional<Session> session;  // of gl
-    FrameTables tables;
-    tables.want_delays(true);
-    if (run.tracer == "gl") {
-        TRY(opened, open_session(run.context));
-        session = std::move(*opened);
-        session->renderer->set_method(run.method);
-        session->renderer->want_delays(true);
-    }
-    // The middle pixel of every view.
-    const auto trace = [&](const std::vector<Scene>& views) -> Result<std::vector<RayPixel>> {
-        if (session) return session->renderer->trace_middles(views);
-        std::vector<RayPixel> pixels;
-        for (const Scene& view : views) {
-            TRY(ready, tables.update(view));
-            const CoreInput input = tables.core_input();
-            pixels.push_back((run.tracer == "core64" ? trace_core64 : trace_core32)(input, 0, 0));
-            output.done(0);  // a chance to stop: a view with a new strip takes milliseconds
-        }
-        return pixels;
+    TRY(lister, Lister::make(run));
+    const bool planes = spacetime.planar_rays(), plane = spacetime.can_have_disc();  // the plane is where discs may be
+    std::vector<Job> jobs = jobs_of(scene, spacetime, rays, plane && planes);
+    const auto before = [&](const Job& a, const Job& b) {
+        return key_of(a, planes, bodies) < key_of(b, planes, bodies);
     };
-    std::vector<Job> jobs;
-    const bool plane = spacetime.can_have_disc();          // the plane is found by a disc in it
-    const bool angles = plane && spacetime.planar_rays();  // of orbits that stay in a plane
-    bool places = false;
-    for (std::size_t row = 0; row < rays.size(); ++row) {
-        const RayQuery& query = rays[row];
-        if (const auto start = start_of(query, spacetime))
-            jobs.push_back({row, *start, angles ? query.at_angle : std::nullopt});
-        places = places || (angles && query.at_angle);
-    }
-    // Rows of one radius share strip and orbit table.
-    std::ranges::stable_sort(jobs, {}, [](const Job& job) { return job.start.r; });
-    constexpr int kMostCrossings = 12;  // that the shader looks for (DISC_MOST_CROSSINGS)
+    if (!std::ranges::is_sorted(jobs, before)) std::ranges::stable_sort(jobs, before);
+    Scene drawn = scene;
+    const bool opaque = scene.disc && scene.disc->opacity >= 1.0;
+    if (!opaque) drawn.disc.reset();  // it ends no ray
     const int crossings = plane ? std::min(run.crossings, kMostCrossings) : 0;
-    const Batch batch(scene, spacetime, crossings, crossings > 0 || places);
+    const double shifts_beyond = run.shifts ? spacetime.horizon_radius().value_or(0.0) : INFINITY;
+    const bool places = std::ranges::any_of(jobs, [](const Job& job) { return job.at_angle.has_value(); });
     for (std::span<const Job> rest = jobs; !rest.empty();) {
-        const auto now = rest.first(std::min(kBatch, rest.size()));
-        TRY(pixels, trace(batch.views(now)));
-        batch.write(now, *pixels, output);
-        output.done(static_cast<long long>(now.size()));
+        const auto end = std::ranges::upper_bound(rest, rest.front(), before);
+        const auto now = rest.first(static_cast<std::size_t>(end - rest.begin()));
+        TRY(ready, lister->prepare(view_along(drawn, now.front().start), crossings > 0 || places));
+        const ListedStart start(lister->tables());
+        const Common common{start, crossings, planes, spacetime.knows_light_time(), shifts_beyond};
+        Group(*lister, common, opaque && !planes, output).trace(now);
         rest = rest.subspan(now.size());
     }
     return Done{};

@@ -1,4 +1,4 @@
-// Rays through the shader's own text: each is the middle pixel of a small camera that looks along it.
+// Rays through the shader's own text: those that start at one radius are traced together, in one draw (shaders/stage/ray_list.glsl).
 #pragma once
 #include <span>
 #include <string>
@@ -15,10 +15,11 @@ struct ShaderRun {
     Method method;                 // of gl; the C++ core has the strip only
     std::string context = "auto";  // of gl, as in open_session
     int crossings = 0;             // of the equatorial plane, to find
+    bool shifts = false;           // and what frequency light has in the disc's matter there
 };
 
 // A ray is left out whose camera cannot stand in a static frame outside the horizon (or lies beyond kFarthestCamera). Of a record these
-// stay empty: delay and turn; g unless escaped; `at` beyond half a turn; crossings from the 13th on, and about a rotating hole their
+// stay empty: turn; delay where the shader does not know it; g unless escaped; crossings from the 13th on, and about a rotating hole their
 // windings.
 Status trace_with_shader(const Scene& scene, const Spacetime& spacetime, std::span<const RayQuery> rays,
                          const ShaderRun& run, const TraceOutput& output);

@@ -1,4 +1,4 @@
-// Writes the shader core's text, C++: shaders/stage/pixel_data.glsl with all that it includes, once for each combination
+// Writes the shader core's text, C++: shaders/stage/ray_list.glsl with all that it includes, once for each combination
 // of effects, each in a namespace (src/shadercore/core_precision.inl). A program of the build alone.
 //
 //     nullscope_coretexts SHADERS OUTPUT
@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
         path = variant.path;
         const std::string method = variant.name.starts_with("cubic") ? "strip_cubic" : "strip";
         files["generated/method"] = "#include \"method/" + method + ".glsl\"\n";
-        const std::string text = resolved_text("stage/pixel_data.glsl", variant.defines, read);
+        const std::string text = resolved_text("stage/ray_list.glsl", variant.defines, read);
         all += "namespace " + variant.name + " {\n" + text + "#include \"shadercore/core_variant.inl\"\n}\n" +
                undefs(text);
     }

@@ -16,9 +16,7 @@ constexpr double kSmallestFitted = 1e-4;  // e: of smaller views as much is fitt
 class Peaks {
 public:
     Peaks(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer, const LightSpec& light)
-        : place_(spin_place(metric, camera.r, camera.theta)),
-          forms_(spin_forms(place_, {observer.frame, observer.azimuthal_velocity})),
-          charge2_(metric.charge2()),
+        : rays_(metric, camera, observer),
           pixel_(camera.pixel()),
           axes_(observer.turn * static_from_camera(camera)),
           seen_from_(boost(light.aberration ? observer.velocity : Vec3{})) {}
@@ -26,40 +24,21 @@ public:
     double at(double x, double y) const { return barrier(x, y).peak; }
 
     // e
-    double distance(double x, double y) const {
-        const Barrier b = barrier(x, y);
-        return b.peak / b.height;
-    }
+    double distance(double x, double y) const { return barrier(x, y).distance(); }
     double pixel() const { return pixel_; }
 
 private:
-    struct Barrier {
-        double peak, height;
-    };
-    Barrier barrier(double x, double y) const {
+    RingOfRays::Barrier barrier(double x, double y) const {
         const Vec3 seen = normalized(axes_ * Vec3{x * pixel_, y * pixel_, -1.0});
         const std::array<double, 4> photon{1.0, -seen.x, -seen.y, -seen.z};
         double k[4]{};
         for (std::size_t i = 0; i < 4; ++i)
             for (std::size_t j = 0; j < 4; ++j) k[i] += seen_from_[i][j] * photon[j];
-        return of(Vec3{-k[1], -k[2], -k[3]} / k[0]);
+        return rays_.of(Vec3{-k[1], -k[2], -k[3]} / k[0]);
     }
 
-    // As shaders/mino/ring.glsl has it in float.
-    Barrier of(Vec3 n) const {
-        const double a = place_.a, energy = forms_.energy.of(n.x, n.z), across = forms_.across.of(n.x, n.z),
-                     w = forms_.carter + forms_.carter_slope * n.z, p_theta = forms_.p_theta * n.y, ae = a * energy,
-                     k = p_theta * p_theta + w * w, cosine2 = place_.cosine * place_.cosine,
-                     pull = p_theta * p_theta + across * across - ae * ae * (1.0 + cosine2),
-                     quartic = a * a * (p_theta * p_theta + cosine2 * (across * across - ae * ae)) + charge2_ * k,
-                     root = std::sqrt(std::fmax(2.25 * k * k - 8.0 * quartic * pull, 0.0)),
-                     zeta = 2.0 * pull / (1.5 * k + root);
-        return {energy * energy - zeta * zeta * zeta * (0.5 * k - quartic * zeta), zeta * zeta * zeta * root};
-    }
-
-    SpinPlace place_;
-    SpinForms forms_;
-    double charge2_, pixel_;
+    RingOfRays rays_;
+    double pixel_;
     Mat3 axes_;
     Lorentz seen_from_;
 };
@@ -106,6 +85,23 @@ double ring_slope(const Peaks& peaks) {
 }
 
 }  // namespace
+
+RingOfRays::RingOfRays(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer)
+    : place_(spin_place(metric, camera.r, camera.theta)),
+      forms_(spin_forms(place_, {observer.frame, observer.azimuthal_velocity})),
+      charge2_(metric.charge2()) {}
+
+// As shaders/mino/ring.glsl has it in float.
+RingOfRays::Barrier RingOfRays::of(Vec3 n) const {
+    const double a = place_.a, energy = forms_.energy.of(n.x, n.z), across = forms_.across.of(n.x, n.z),
+                 w = forms_.carter + forms_.carter_slope * n.z, p_theta = forms_.p_theta * n.y, ae = a * energy,
+                 k = p_theta * p_theta + w * w, cosine2 = place_.cosine * place_.cosine,
+                 pull = p_theta * p_theta + across * across - ae * ae * (1.0 + cosine2),
+                 quartic = a * a * (p_theta * p_theta + cosine2 * (across * across - ae * ae)) + charge2_ * k,
+                 root = std::sqrt(std::fmax(2.25 * k * k - 8.0 * quartic * pull, 0.0)),
+                 zeta = 2.0 * pull / (1.5 * k + root);
+    return {energy * energy - zeta * zeta * zeta * (0.5 * k - quartic * zeta), zeta * zeta * zeta * root};
+}
 
 double ring_distance_per_pixel(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,
                                const LightSpec& light) {

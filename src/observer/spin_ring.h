@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "observer/observer.h"
+#include "observer/spin_forms.h"
 #include "scene/scene.h"
 #include "spacetime/axial_metric.h"
 
@@ -18,6 +19,23 @@ namespace nullscope {
 // the picture's middle, at most.
 double ring_distance_per_pixel(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,
                                const LightSpec& light);
+
+// Of single rays of one observer.
+class RingOfRays {
+public:
+    // camera: its place alone.
+    RingOfRays(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer);
+    struct Barrier {
+        double peak, height;
+        double distance() const { return peak / height; }  // e
+    };
+    Barrier of(Vec3 n) const;  // unit, in the observer's own frame
+
+private:
+    SpinPlace place_;
+    SpinForms forms_;
+    double charge2_;
+};
 
 // May the picture show the critical curve, with pixels of less than kNarrow of it?
 inline constexpr double kNarrow = 5e-4;

@@ -20,6 +20,7 @@ struct FramePlan {
     Observer observer;
     std::vector<EffectReason> reasons;  // what the scene calls for
     EffectSet effects;                  // what is compiled and built: those, and light times if they were wished for
+    int passed = 0;                     // crossings of the disc's plane that a ray makes before the disc counts
     bool straight() const { return matter != light; }  // light that a metric would bend runs straight
 };
 

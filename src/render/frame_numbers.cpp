@@ -36,11 +36,6 @@ Vec3 sky_light(const LightSpec& light, double temperature_K, double g, bool move
     return {factor(seen.x, own.x), factor(seen.y, own.y), factor(seen.z, own.z)};
 }
 
-Vec3 direction_without_rounding(Vec3 v) {
-    const double scale = length(v);
-    return {without_rounding(v.x, scale), without_rounding(v.y, scale), without_rounding(v.z, scale)};
-}
-
 Fate inner_fate(InnerEnd end) {
     switch (end) {
         case InnerEnd::kOtherSky: return Fate::kOtherSide;
@@ -121,15 +116,15 @@ void put_sky(FrameData& frame, const FramePlan& plan, const TextureFacts& textur
     frame.point_spread = {M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0};
 }
 
-void put_disc(FrameData& frame, const Scene& scene, const TextureFacts& textures) {
+void put_disc(FrameData& frame, const Scene& scene, int passed, const TextureFacts& textures) {
     const DiscSpec disc = scene.disc.value_or(DiscSpec{});
-    frame.disc_normal = {{0, 0, 1}, plane_height(scene.camera)};
+    frame.disc_normal = {{0, 0, 1}, plane_height(scene.camera.theta)};
     frame.disc_x = {{1, 0, 0}, scene.disc ? disc.inner : 1e30};  // no disc: no radius is on it
     frame.disc_y = {{0, 1, 0}, scene.disc ? disc.outer : 0.0};
     if (!scene.disc) return;
     frame.disc_map = {std::cos(disc.rotation) / (2 * disc.outer), std::sin(disc.rotation) / (2 * disc.outer),
                       textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1))};
-    frame.disc_surface = {disc.opacity, disc.edge, disc.brightness, static_cast<double>(disc.passed)};
+    frame.disc_surface = {disc.opacity, disc.edge, disc.brightness, static_cast<double>(passed)};
     if (disc.material.texture == TextureKind::kGas)
         frame.disc_gas = {disc.gas.contrast, disc.gas.winding / (2 * M_PI), disc.rotation / (2 * M_PI), scene.time};
     frame.disc_gas_colour = {disc.brightness * disc.material.colour, 0};
@@ -141,8 +136,13 @@ void put_disc(FrameData& frame, const Scene& scene, const TextureFacts& textures
 
 }  // namespace
 
-double plane_height(const CameraSpec& camera) {
-    const double height = std::cos(camera.theta);
+Vec3 direction_without_rounding(Vec3 v) {
+    const double scale = length(v);
+    return {without_rounding(v.x, scale), without_rounding(v.y, scale), without_rounding(v.z, scale)};
+}
+
+double plane_height(double theta) {
+    const double height = std::cos(theta);
     return std::fabs(height) < kInPlane ? 0.0 : height;
 }
 
@@ -174,7 +174,7 @@ FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const Text
         frame.sky_light = {sky_light(scene.light, *sky_K, g_gravity, motion_is_seen(matter, observer, scene)),
                            std::log2(*sky_K)};
     put_sky(frame, plan, textures);
-    put_disc(frame, scene, textures);
+    put_disc(frame, scene, plan.passed, textures);
     put_medium(frame, plan, textures.grid);
     frame.bloom = {scene.picture.bloom, 0, 0, 0};
     if (const auto& part = camera.part)

@@ -29,7 +29,9 @@ FrameData sample_numbers(const FramePlan& plan, const LightPath& path, const Tex
 // longer side of a pixel's footprint, at most; they are shared out among the rays.
 void put_samples(FrameData& frame, int samples, int first, int count, int fetches);
 
-// cos(theta) of the camera, exactly 0 in the equatorial plane.
-double plane_height(const CameraSpec& camera);
+// cos(theta), exactly 0 in the equatorial plane.
+double plane_height(double theta);
+// Components that are nothing but rounding of the others become 0.
+Vec3 direction_without_rounding(Vec3 v);
 
 }  // namespace nullscope

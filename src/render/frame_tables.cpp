@@ -1,5 +1,8 @@
 #include "render/frame_tables.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <utility>
 
 #include "render/body_numbers.h"
@@ -9,6 +12,8 @@ namespace nullscope {
 
 Status FrameTables::update(const Scene& scene) {
     TRY(planned, plan_frame(scene, delays_wanted_, path_ != nullptr ? &plan_ : nullptr));
+    if (crossings_wanted_ && planned->matter->can_have_disc()) planned->effects.insert(Effect::kDisc);
+    planned->passed = passed_;
     TRY(balls, nullscope::ball_paths(*planned->matter, scene));
     ball_paths_ = std::move(*balls);
     std::set<SolidFormula> solids;
@@ -38,6 +43,17 @@ CoreInput FrameTables::core_input() const {
     input.zoom = plan_.effects.contains(Effect::kZoom);
     path_->give(plan_, input);
     return input;
+}
+
+void FrameTables::list_rays(bool in_double, const ListedCrossings& asked, std::span<const RayNumbers> rays,
+                            ListedRay* found) const {
+    constexpr std::size_t kBlock = 256;  // rays: setting up the core costs as much as a fraction of one
+    const CoreInput input = core_input();
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), kBlock),
+                      [&](const tbb::blocked_range<std::size_t>& part) {
+                          (in_double ? list_core64 : list_core32)(input, asked, rays.subspan(part.begin(), part.size()),
+                                                                  found + part.begin());
+                      });
 }
 
 }  // namespace nullscope

@@ -27,21 +27,28 @@ public:
     const TexelGrid* texels(std::string_view name) const;        // of LightPath::tables(); nullptr if it is not there
     const BallPaths& ball_paths() const { return ball_paths_; }  // made anew by every update
     const SurfaceClearances& clearances() const { return clearances_; }
-    int clearances_revision() const { return clearances_revision_; }      // grows whenever they change
-    void want_delays(bool wanted) { delays_wanted_ = wanted; }            // for ray data, whatever the scene
+    int clearances_revision() const { return clearances_revision_; }  // grows whenever they change
+    void want_delays(bool wanted) { delays_wanted_ = wanted; }        // for ray data, whatever the scene
+    void want_crossings(bool wanted) {
+        crossings_wanted_ = wanted;
+    }                                                      // of the plane of discs, whether there is one or not
+    void pass_crossings(int number) { passed_ = number; }  // that a ray makes before the disc counts
     void follow_camera(bool wanted = true) { follows_camera_ = wanted; }  // LightPath::follows_camera
     int revision() const { return revision_; }                            // grows whenever a table changes
 
     // For the shader core as C++; views into this object.
     CoreInput core_input() const;
+    // Rays of a list through it, on all cores; as many answers as rays.
+    void list_rays(bool in_double, const ListedCrossings& asked, std::span<const RayNumbers> rays,
+                   ListedRay* found) const;
 
 private:
     FramePlan plan_;
     std::unique_ptr<LightPath> path_;
     BallPaths ball_paths_;
     SurfaceClearances clearances_;
-    bool delays_wanted_ = false, follows_camera_ = false;
-    int revision_ = 0, clearances_revision_ = 0;
+    bool delays_wanted_ = false, crossings_wanted_ = false, follows_camera_ = false;
+    int passed_ = 0, revision_ = 0, clearances_revision_ = 0;
 };
 
 }  // namespace nullscope

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "observer/pose.h"
+#include "render/frame_numbers.h"
 #include "render/mino_path.h"
 #include "render/planar_path.h"
 #include "shaderlib/shader_source.h"
@@ -10,6 +14,8 @@ namespace nullscope {
 namespace {
 
 // Every method draws straight light, as none is compiled in.
+constexpr double kLeastFrequency = 1e-6;  // as the shaders have it
+
 class StraightPath final : public LightPath {
 public:
     Start start(const FramePlan& plan, const Mat3& world) const override {
@@ -22,6 +28,33 @@ public:
 };
 
 }  // namespace
+
+// As frame_numbers() has the middle of a picture: in the ray's own meridian.
+RayNumbers LightPath::ray_numbers(const FramePlan& plan, double theta, double phi, Vec3 n) const {
+    const Mat3 world = world_from_static(theta, phi), shown = start(plan, world).axes;
+    const Vec3 ahead = plan.observer.turn * n, radial{1, 0, 0};
+    const double off_axis = std::hypot(ahead.y, ahead.z);
+    const Vec3 meridian = off_axis > 0.0 ? Vec3{0, ahead.y, ahead.z} / off_axis : Vec3{0, 1, 0};
+    const double critical_cosine = family() != nullptr ? family()->critical_cosine() : -1.0;
+    const double critical_sine = family() != nullptr ? family()->critical_sine() : 0.0;
+    return {{off_axis, 0, ahead.x, critical_sine * ahead.x - critical_cosine * off_axis},
+            {world * radial, plane_height(theta)},
+            {world * meridian, 0},
+            {direction_without_rounding(shown * ahead), 0}};
+}
+
+// shaders/planar/disc.glsl, disc_g
+double LightPath::ray_g(const FramePlan& plan, const FrameData& frame, const RayNumbers& ray,
+                        const ListedRay::Crossing& met, Vec3 u) const {
+    const double sine = ray.start.x, energy = frame.shift.x + frame.shift.z * ray.start.z,
+                 inverse_v = 1.0 / (frame.shift.y * energy);
+    const Vec3 e{ray.radial.x, ray.radial.y, ray.radial.z}, m{ray.meridian.x, ray.meridian.y, ray.meridian.z};
+    const double momentum = -sine * cross(e, m).z * inverse_v;
+    const double frequency = u.x - momentum * u.y - sine * inverse_v * met.climb * u.z;
+    // Straight light starts in a frame at rest where there is no gravity.
+    return 1.0 / (plan.straight() ? plan.observer.frame.energy() : 1.0) / energy /
+           std::fmax(frequency, kLeastFrequency);
+}
 
 std::unique_ptr<LightPath> make_light_path(const std::shared_ptr<const Spacetime>& light) {
     if (!light->bends_light()) return std::make_unique<StraightPath>();

@@ -36,6 +36,11 @@ public:
         RadialFrame radial;
     };
     virtual Start start(const FramePlan& plan, const Mat3& world) const { return {world, plan.observer.frame}; }
+    // A ray of a list (shadercore/listed_ray.h) from this polar angle and azimuth; n: unit, in the observer's frame.
+    virtual RayNumbers ray_numbers(const FramePlan& plan, double theta, double phi, Vec3 n) const;
+    // The camera's frequency over that in matter which such a ray meets in the equatorial plane. u: u^t, u^phi, g_rr u^r.
+    virtual double ray_g(const FramePlan& plan, const FrameData& frame, const RayNumbers& ray,
+                         const ListedRay::Crossing& met, Vec3 u) const;
     virtual void write(const FramePlan&, FrameData&) const {}              // its own part of the uniform block
     virtual void give(const FramePlan& plan, CoreInput& input) const = 0;  // tables and kind, to the shader core as C++
 

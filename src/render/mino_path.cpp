@@ -11,9 +11,32 @@
 #include "spacetime/tortoise.h"
 
 namespace nullscope {
+namespace {
+
+constexpr double kLeastFrequency = 1e-6;  // as the shaders have it
+
+}  // namespace
 
 // Along (e_r, e_theta, e_phi) of the observer's own frame.
 LightPath::Start MinoPath::start(const FramePlan&, const Mat3&) const { return {Mat3{}, RadialFrame{}}; }
+
+RayNumbers MinoPath::ray_numbers(const FramePlan& plan, double theta, double phi, Vec3 n) const {
+    const Vec3 ahead = plan.observer.turn * n;
+    RayNumbers ray;
+    ray.start = {std::sin(theta), plane_height(theta), std::cos(phi), std::sin(phi)};
+    ray.ray = {direction_without_rounding(ahead), 0};
+    if (plan.effects.contains(Effect::kSpinRing))
+        ray.radial.x = RingOfRays(*metric_, plan.scene.camera, plan.observer).of(ahead).peak;
+    return ray;
+}
+
+// shaders/mino/disc.glsl, disc_g: the photon has the ray's constants with the other sign.
+double MinoPath::ray_g(const FramePlan&, const FrameData& frame, const RayNumbers& ray, const ListedRay::Crossing& met,
+                       Vec3 u) const {
+    const auto of = [&](const FrameVector& form) { return form.x + form.y * ray.ray.x + form.z * ray.ray.z; };
+    const double energy = -of(frame.spin_energy), momentum = -of(frame.spin_across) * ray.start.x;
+    return 1.0 / std::fmax(energy * u.x - momentum * u.y - met.climb * u.z, kLeastFrequency);
+}
 
 void MinoPath::write(const FramePlan& plan, FrameData& frame) const {
     const CameraSpec& camera = plan.scene.camera;
@@ -24,7 +47,7 @@ void MinoPath::write(const FramePlan& plan, FrameData& frame) const {
     frame.spin_energy = {forms.energy.constant, forms.energy.radial, forms.energy.around, forms.p_theta};
     frame.spin_across = {forms.across.constant, forms.across.radial, forms.across.around, forms.carter};
     frame.spin_climb = {forms.climb.constant, forms.climb.radial, forms.climb.around, forms.carter_slope};
-    frame.spin_place = {std::sin(camera.theta), plane_height(camera), std::cos(camera.phi), std::sin(camera.phi)};
+    frame.spin_place = {std::sin(camera.theta), plane_height(camera.theta), std::cos(camera.phi), std::sin(camera.phi)};
     frame.spin_turn = {camera.r > outer ? azimuth_ahead(*metric_, camera.r) : 0.0, a / (outer - inner),
                        metric_->charge2(), 0};
     if (plan.effects.contains(Effect::kSpinRing)) write_ring(plan, frame);

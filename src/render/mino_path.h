@@ -10,6 +10,9 @@ class MinoPath final : public LightPath {
 public:
     explicit MinoPath(std::shared_ptr<const AxialMetric> metric) : metric_(std::move(metric)) {}
     Start start(const FramePlan& plan, const Mat3& world) const override;
+    RayNumbers ray_numbers(const FramePlan& plan, double theta, double phi, Vec3 n) const override;
+    double ray_g(const FramePlan& plan, const FrameData& frame, const RayNumbers& ray, const ListedRay::Crossing& met,
+                 Vec3 u) const override;
     void write(const FramePlan& plan, FrameData& frame) const override;
     void give(const FramePlan& plan, CoreInput& input) const override;
     bool finds_star_images() const override { return true; }

@@ -9,6 +9,7 @@
 #include "base/assets.h"
 #include "base/stopwatch.h"
 #include "image/large_image.h"
+#include "render/ray_list_target.h"
 #include "scene/bodies.h"
 #include "scene/projection.h"
 #include "shaderlib/passes.h"
@@ -35,11 +36,12 @@ constexpr int unit_of(std::string_view sampler) {
 constexpr int kSkyUnit = unit_of("sky_texture"), kFarSkyUnit = unit_of("other_side_texture");
 // Passes that work on the picture sample none of the scene's tables: they share their units.
 constexpr int kSourceUnit = unit_of("strip_texture"), kHaloUnit = unit_of("orbit_texture"), kMeterUnit = kSkyUnit,
-              kPictureUnit = unit_of("clearance_texture");
+              kPictureUnit = unit_of("clearance_texture"), kListUnit = kSkyUnit;  // ray data show no sky
 constexpr std::pair<const char*, int> kPassSamplers[] = {{"source_texture", kSourceUnit},
                                                          {"bloom_texture", kHaloUnit},
                                                          {"meter_texture", kMeterUnit},
-                                                         {"picture_texture", kPictureUnit}};
+                                                         {"picture_texture", kPictureUnit},
+                                                         {"listed_texture", kListUnit}};
 
 gl::Texture texture_of(const TexelGrid& grid) {
     return gl::make_number_texture(grid.width, grid.height, 4, grid.texels.data(), false);
@@ -514,21 +516,42 @@ RayFrame Renderer::ray_data(int row_step) {
         row_step);
 }
 
-Result<std::vector<RayPixel>> Renderer::trace_middles(const std::vector<Scene>& views) {
-    const gl::Target target = gl::make_target(1, 1, gl::Format::kRgba32F, 3);
-    std::vector<RayPixel> rays;
-    for (Scene view : views) {
-        view.camera.plane_width /= view.camera.width;
-        view.camera.width = view.camera.height = 1;
-        if (Status status = tables_.update(view); !status) return status.error();
-        if (Status able = tables_.path().check(method_, tables_.plan()); !able) return able.error();
-        load_table();
-        body_text_ = body_text(view, tables_.effects());
-        upload_tables();
-        blocks_.upload(tables_, {});
-        rays.push_back(draw_rays(target, 1).at(0, 0));
+Status Renderer::prepare_list(const Scene& scene, bool crossings) {
+    tables_.want_crossings(crossings);
+    const Status ready = tables_.update(scene);
+    tables_.want_crossings(false);
+    if (!ready) return ready;
+    if (Status able = tables_.path().check(method_, tables_.plan()); !able) return able;
+    load_table();
+    body_text_ = body_text(scene, tables_.effects());
+    upload_tables();
+    upload_ends();
+    blocks_.upload(tables_, {});
+    return Done{};
+}
+
+void Renderer::list_rays(const ListedCrossings& asked, std::span<const RayNumbers> rays, ListedRay* found) {
+    const gl::Program& built = program(Stage::kRayList, Output::kLinear);
+    gl::set_integer(built, "listed_first", asked.first);
+    gl::set_integer(built, "listed_most", asked.most);
+    RayListTarget target(asked, tables_.effects().contains(Effect::kDisc));
+    for (std::span<const RayNumbers> rest = rays; !rest.empty();) {
+        const auto now = rest.first(std::min(kRaysADraw, rest.size()));
+        const gl::Texture numbers = target.begin(now);
+        bind_inputs();
+        gl::bind_texture_2d(kListUnit, numbers);
+        gl::draw_rows(built, empty_, target.framebuffer(), target.width(), target.height(), 0, target.rows());
+        target.read(shader_numbers(), found);
+        rest = rest.subspan(now.size()), found += now.size();
     }
-    return rays;
+}
+
+// Of bodies, in the shader's order.
+std::vector<int> Renderer::shader_numbers() const {
+    std::vector<int> numbers;
+    for (const std::size_t i : shader_bodies(tables_.plan().scene))
+        numbers.push_back(object_number(tables_.plan().scene, i));
+    return numbers;
 }
 
 RayFrame Renderer::draw_rays(const gl::Target& target, int row_step) {
@@ -543,9 +566,7 @@ RayFrame Renderer::draw_rays(const gl::Target& target, int row_step) {
             gl::draw_rows(built, empty_, target.framebuffer.id(), w, h, h - 1 - y, h - y);
     RayFrame frame{w, h, std::vector<RayPixel>(static_cast<std::size_t>(w) * rows), row_step};
     const bool counted = counts_steps(method_);
-    std::vector<int> numbers;  // of bodies, in the shader's order
-    for (const std::size_t i : shader_bodies(tables_.plan().scene))
-        numbers.push_back(object_number(tables_.plan().scene, i));
+    const std::vector<int> numbers = shader_numbers();
     std::vector<float> values(static_cast<std::size_t>(w) * 4);
     for (int attachment = 0; attachment < 3; ++attachment) {
         for (int y = 0; y < h; y += row_step) {

@@ -3,6 +3,7 @@
 #pragma once
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -76,6 +77,8 @@ public:
 
     // From the next prepare() on: ray data say how long light takes, whether the scene asks for it or not, where the metric can tell.
     void want_delays(bool wanted) { tables_.want_delays(wanted); }
+    // From the next prepare() on the disc is drawn where a ray has crossed its plane so often before: without the direct image, 1.
+    void pass_crossings(int number) { tables_.pass_crossings(number); }
 
     // Automatic exposure: how far it moves to what a picture asks for, (0, 1]; 1 (at once) where pictures stand for themselves. In a
     // window 1 - exp(-dt/tau) a frame.
@@ -107,9 +110,11 @@ public:
     RayDepths ray_depths();               // want_delays(true) first
     RayFrame ray_data(int row_step = 1);  // row_step: draws and reads only rows 0, row_step, ...; the same bits there
 
-    // The ray through the middle of each view's picture, in order; no picture of sky or disc is loaded. Needs no prepare(),
-    // and a new one before the next picture. Views that follow each other with one camera.r share a strip and an orbit table.
-    Result<std::vector<RayPixel>> trace_middles(const std::vector<Scene>& views);
+    // Tables, numbers and program for lists of rays that start as this scene's camera; no picture of sky or disc is loaded. Needs a new
+    // prepare() before the next picture. crossings: of the equatorial plane, and places, may be asked for. Errors: as prepare().
+    Status prepare_list(const Scene& scene, bool crossings);
+    // One draw for each 65,536 of them; as many answers as rays.
+    void list_rays(const ListedCrossings& asked, std::span<const RayNumbers> rays, ListedRay* found);
 
     const FrameTables& tables() const { return tables_; }
     double gpu_table_ms() const { return gpu_table_ms_; }  // time of the last table of method kTable
@@ -149,6 +154,7 @@ private:
     void upload_tables();
     void upload_ends();
     RayFrame draw_rays(const gl::Target& target, int row_step);
+    std::vector<int> shader_numbers() const;
     void begin_skies();
     void load_table();
     void load_heat();

@@ -205,8 +205,6 @@ struct DiscSpec {
     double temperature_K = 8000.0;             // thermal: of the hottest ring, in its own frame; without `accretion`
     std::optional<AccretionSpec> accretion{};  // thermal: gives the temperature
     DiscFlowKind flow = DiscFlowKind::kStill;
-    // How many crossings of the plane a ray makes before the disc counts: ray files list crossings one by one.
-    int passed = 0;
     // kKepler, r_s/c: how long a copy of the pattern is sheared before it has faded into the next.
     double flow_life = 40.0;
     // Only colours, formula, columns and rows are used; with texture kImage the picture is `image`. u = 1/2 + azimuth/2 pi,

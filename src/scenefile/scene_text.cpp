@@ -50,7 +50,6 @@ std::vector<SceneLine> scene_lines(const Scene& scene) {
     for_each_section(scene, add_section);
     add_parameters("spacetime", scene.spacetime);
     if (scene.split) add_parameters("split", *scene.split);
-    if (scene.disc) lines.push_back({"disc.passed", fmt::format("{}", scene.disc->passed), {}});
     for (std::size_t i = 0; scene.path && i < scene.path->keys.size(); ++i) {
         const PathKey& key = scene.path->keys[i];
         const std::string label = fmt::format("path.key[{}]", i);

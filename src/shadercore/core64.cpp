@@ -7,6 +7,11 @@ using Real = double;
 #include "shadercore/core_precision.inl"
 }  // namespace
 
-RayPixel trace_core64(const CoreInput& input, double x, double y) { return dispatch(input, x, y); }
+RayPixel trace_core64(const CoreInput& input, double x, double y) { return dispatch(input).one(input, x, y); }
+
+void list_core64(const CoreInput& input, const ListedCrossings& asked, std::span<const RayNumbers> rays,
+                 ListedRay* found) {
+    dispatch(input).list(input, asked, rays, found);
+}
 
 }  // namespace nullscope

@@ -5,6 +5,7 @@ struct Texels {
     TexelView strip, ends, orbit, delay;
 };
 thread_local Texels texels;
+thread_local int listed_first = 0, listed_most = 0;   // ListedCrossings
 
 // Nothing where there is no texel: a captured ray fetches from the strip of the sky too, which near the hole has fewer
 // octaves than captured rays take, and does not use what it gets. (In GL such a fetch gives some value; 0 where access
@@ -23,22 +24,27 @@ vec4 delay_fetch(int x, int y) { return fetch(texels.delay, x, y); }
 #include "shadercore/core_texts.inl"
 #undef float
 
-RayPixel dispatch(const CoreInput& input, double x, double y) {
-    using TraceOne = RayPixel (*)(const CoreInput&, double, double);
-    static constexpr TraceOne kRotating[2][2][2][2] = {   // next to the ring, falling, delayed, moving
-        {{{rotating::trace_one, rotating_moving::trace_one},
-          {rotating_delayed::trace_one, rotating_delayed_moving::trace_one}},
-         {{rotating_falling::trace_one, rotating_falling_moving::trace_one},
-          {rotating_falling_delayed::trace_one, rotating_falling_delayed_moving::trace_one}}},
-        {{{rotating_ring::trace_one, rotating_ring_moving::trace_one},
-          {rotating_ring_delayed::trace_one, rotating_ring_delayed_moving::trace_one}},
-         {{rotating_ring_falling::trace_one, rotating_ring_falling_moving::trace_one},
-          {rotating_ring_falling_delayed::trace_one, rotating_ring_falling_delayed_moving::trace_one}}}};
-    static constexpr TraceOne kPlane[3][2] = {{flat::trace_one, flat_moving::trace_one},
-                                              {lensed::trace_one, lensed_moving::trace_one},
-                                              {cubic::trace_one, cubic_moving::trace_one}};
-    if (input.spin)
-        return kRotating[input.spin_ring][input.spin_fall][input.spin_delay][input.aberration](input, x, y);
-    if (input.zoom) return zoomed_moving::trace_one(input, x, y);
-    return kPlane[!input.lensing ? 0 : input.cubic ? 2 : 1][input.aberration](input, x, y);
+struct Variant {
+    RayPixel (*one)(const CoreInput&, double, double);
+    void (*list)(const CoreInput&, const ListedCrossings&, std::span<const RayNumbers>, ListedRay*);
+};
+#define VARIANT(name) Variant { name::trace_one, name::trace_list }   // NOLINT: of a namespace
+
+const Variant& dispatch(const CoreInput& input) {
+    static constexpr Variant kRotating[2][2][2][2] = {   // next to the ring, falling, delayed, moving
+        {{{VARIANT(rotating), VARIANT(rotating_moving)}, {VARIANT(rotating_delayed), VARIANT(rotating_delayed_moving)}},
+         {{VARIANT(rotating_falling), VARIANT(rotating_falling_moving)},
+          {VARIANT(rotating_falling_delayed), VARIANT(rotating_falling_delayed_moving)}}},
+        {{{VARIANT(rotating_ring), VARIANT(rotating_ring_moving)},
+          {VARIANT(rotating_ring_delayed), VARIANT(rotating_ring_delayed_moving)}},
+         {{VARIANT(rotating_ring_falling), VARIANT(rotating_ring_falling_moving)},
+          {VARIANT(rotating_ring_falling_delayed), VARIANT(rotating_ring_falling_delayed_moving)}}}};
+    static constexpr Variant kPlane[3][2] = {{VARIANT(flat), VARIANT(flat_moving)},
+                                             {VARIANT(lensed), VARIANT(lensed_moving)},
+                                             {VARIANT(cubic), VARIANT(cubic_moving)}};
+    static constexpr Variant kZoomed = VARIANT(zoomed_moving);
+    if (input.spin) return kRotating[input.spin_ring][input.spin_fall][input.spin_delay][input.aberration];
+    if (input.zoom) return kZoomed;
+    return kPlane[!input.lensing ? 0 : input.cubic ? 2 : 1][input.aberration];
 }
+#undef VARIANT

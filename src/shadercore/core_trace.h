@@ -2,8 +2,11 @@
 // table. Three witnesses tell where an error comes from: reference - core64 is table error, core64 - core32 float error,
 // core32 - GL driver error.
 #pragma once
+#include <span>
+
 #include "scene/ray.h"
 #include "shadercore/frame_data.h"
+#include "shadercore/listed_ray.h"
 
 namespace nullscope {
 
@@ -24,5 +27,11 @@ struct CoreInput {
 // Ray data of the pixel at (x, y) px from the image centre, y up. Same result for the same input; thread-safe.
 RayPixel trace_core64(const CoreInput& input, double x, double y);
 RayPixel trace_core32(const CoreInput& input, double x, double y);
+
+// Rays of a list that start as the input's camera, in one go on the calling thread; as many answers as rays. Thread-safe.
+void list_core64(const CoreInput& input, const ListedCrossings& asked, std::span<const RayNumbers> rays,
+                 ListedRay* found);
+void list_core32(const CoreInput& input, const ListedCrossings& asked, std::span<const RayNumbers> rays,
+                 ListedRay* found);
 
 }  // namespace nullscope

@@ -120,7 +120,8 @@ constexpr StageFiles kStageFiles[] = {  // by Stage
     {kTile, "stage/full_disc.frag"},
     {kTile, "stage/trace.frag"},
     {kTile, "stage/trace.frag"},
-    {kInterpolated, "stage/interpolated_rays.frag"}};
+    {kInterpolated, "stage/interpolated_rays.frag"},
+    {kFullscreen, "stage/ray_list.frag"}};
 
 const EmbeddedShader* find_file(std::string_view path) {
     const auto files = embedded_shaders();
@@ -172,9 +173,11 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
                    sky_alone || stage == Stage::kFullDisc || stage == Stage::kDiscTiles || stage == Stage::kRays;
     const bool objects =
         (!no_bodies && has_solids(effects)) || (!sky_alone && effects.contains(Effect::kDisc)) || has_medium(effects);
-    const bool data = stage == Stage::kRayData || stage == Stage::kRayDepth;
+    const bool list = stage == Stage::kRayList, data = list || stage == Stage::kRayData || stage == Stage::kRayDepth;
     if (data || objects || effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PHI_END");
     if (data && effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PLACE_LATE");
+    if (list) defines.emplace_back("RAYS_OF_A_LIST");
+    if (list && effects.contains(Effect::kDisc)) defines.emplace_back("NEEDS_ZETA_SLOPE");
     if (no_bodies) std::erase(defines, "NEEDS_PLACE");
     if (sky_alone) std::erase(defines, "EFFECT_DISC");
     if (stage == Stage::kSkyTiles) defines.emplace_back("TILES_OF_SKY");

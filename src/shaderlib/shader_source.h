@@ -16,6 +16,7 @@ namespace nullscope {
 // kTilesTraced: and whether the disc; kTilesInterpolated: and whether their rays may be interpolated. The picture in these: kInterpolated;
 // in the others kSkyTiles, where neither body nor disc is seen; kFullDisc, where nothing but the disc is; kDiscTiles, where no body is;
 // kBodyTiles, the rest. kInterpolatedRays: where interpolated rays go, for tests.
+// kRayList: ray data of a list, one ray a fragment.
 enum class Stage {
     kPicture,
     kEdges,
@@ -36,7 +37,8 @@ enum class Stage {
     kFullDisc,
     kDiscTiles,
     kBodyTiles,
-    kInterpolatedRays
+    kInterpolatedRays,
+    kRayList
 };
 inline constexpr int kTileSide = 8;   // px
 inline constexpr int kBlockSide = 4;  // px, of the blocks in which pixels are drawn again with more rays
@@ -79,7 +81,7 @@ struct ShaderSource {
 };
 
 // method counts only if the effects contain lensing; metric: the registry's key, for methods that need the metric's formula.
-// bodies: body_text of a scene with these effects. Stages kRayData and kRayDepth leave out the looks of sky, disc and bodies. Output concerns the picture only.
+// bodies: body_text of a scene with these effects. Stages kRayData, kRayDepth and kRayList leave out the looks of sky, disc and bodies. Output concerns the picture only.
 ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method = {},
                            std::string_view metric = "schwarzschild", const BodyText& bodies = {});
 

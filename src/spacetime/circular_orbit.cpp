@@ -81,18 +81,23 @@ std::optional<double> innermost_stable_orbit(const Spacetime& spacetime, Sense s
     return 2.0 / (outside + inside);
 }
 
-MatterVelocity disc_matter(const Spacetime& spacetime, double r) {
-    const auto isco = innermost_stable_orbit(spacetime);
-    if (!isco || r >= *isco) {
-        const auto orbit = circular_orbit(spacetime, r);
+DiscMatterFlow::DiscMatterFlow(const Spacetime& spacetime)
+    : spacetime_(spacetime), isco_(innermost_stable_orbit(spacetime)) {
+    if (isco_) last_ = *circular_orbit(spacetime, *isco_);
+}
+
+MatterVelocity DiscMatterFlow::at(double r) const {
+    if (!isco_ || r >= *isco_) {
+        const auto orbit = circular_orbit(spacetime_, r);
         return {orbit->u_t, 0.0, orbit->u_t * orbit->omega};
     }
-    const CircularOrbit last = *circular_orbit(spacetime, *isco);
-    const double energy = last.energy, momentum = last.momentum;
-    const Equator e = *spacetime.equator(r);
+    const double energy = last_.energy, momentum = last_.momentum;
+    const Equator e = *spacetime_.equator(r);
     const double n = energy * energy * e.g.phiphi + 2.0 * energy * momentum * e.g.tphi + momentum * momentum * e.g.tt;
     return {(energy * e.g.phiphi + momentum * e.g.tphi) / e.across2,
             -std::sqrt(std::max(n - e.across2, 0.0) / e.radial), -(energy * e.g.tphi + momentum * e.g.tt) / e.across2};
 }
+
+MatterVelocity disc_matter(const Spacetime& spacetime, double r) { return DiscMatterFlow(spacetime).at(r); }
 
 }  // namespace nullscope

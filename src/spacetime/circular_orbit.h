@@ -41,4 +41,16 @@ struct MatterVelocity {
 };
 MatterVelocity disc_matter(const Spacetime& spacetime, double r);
 
+// The same at many radii: the innermost stable orbit is found once. spacetime: outlives this.
+class DiscMatterFlow {
+public:
+    explicit DiscMatterFlow(const Spacetime& spacetime);
+    MatterVelocity at(double r) const;
+
+private:
+    const Spacetime& spacetime_;
+    std::optional<double> isco_;
+    CircularOrbit last_{1, 0, 1, 0};
+};
+
 }  // namespace nullscope

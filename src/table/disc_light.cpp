@@ -91,6 +91,14 @@ double disc_temperature_K(double flux, double mass_suns, double rate_eddington) 
     return std::pow(flux * power_W / (radius_m * radius_m * kStefan), 0.25);
 }
 
+Vec3 disc_velocity(const Spacetime& spacetime, const DiscMatterFlow& flow, double r, ShiftParts parts) {
+    const double lapse = std::sqrt(spacetime.lapse_squared(r)), scale = parts.gravity ? 1.0 : lapse;
+    const MatterVelocity u = parts.doppler ? flow.at(r) : MatterVelocity{1.0 / lapse, 0.0, 0.0};
+    const Equator equator = *spacetime.equator(r);
+    const double g_rr = equator.radial / equator.across2;
+    return {scale * u.u_t, scale * u.u_phi / (parts.straight ? lapse : 1.0), scale * u.u_r * g_rr};
+}
+
 TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts) {
     const double horizon = spacetime.horizon_radius().value_or(0.0);
     const double from = std::max(inner, (1.0 + 1e-6) * horizon);
@@ -99,18 +107,14 @@ TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, 
         radii.push_back(std::max(inner * std::pow(outer / inner, double(i) / kDiscFlowCells), from));
     const std::vector<double> flux = disc_flux(spacetime, radii);
     const double peak = disc_flux_peak(spacetime).flux;
+    const DiscMatterFlow matter(spacetime);
     TexelGrid row{kDiscFlowCells + 1, kDiscFlowRows, {}};
     std::vector<float> factors;
     for (std::size_t i = 0; i < radii.size(); ++i) {
-        const double a = spacetime.lapse_squared(radii[i]), lapse = std::sqrt(a), scale = parts.gravity ? 1.0 : lapse;
-        const MatterVelocity u =
-            parts.doppler ? disc_matter(spacetime, radii[i]) : MatterVelocity{1.0 / lapse, 0.0, 0.0};
-        const Equator equator = *spacetime.equator(radii[i]);
-        const double g_rr = equator.radial / equator.across2;
+        const double lapse = std::sqrt(spacetime.lapse_squared(radii[i])), scale = parts.gravity ? 1.0 : lapse;
+        const Vec3 u = disc_velocity(spacetime, matter, radii[i], parts);
         const double heat = flux[i] > 0.0 ? std::max(0.25 * std::log2(flux[i] / peak), kDark) : kDark;
-        for (const double value :
-             {heat, scale * u.u_t, scale * u.u_phi / (parts.straight ? lapse : 1.0), scale * u.u_r * g_rr})
-            row.texels.push_back(static_cast<float>(value));
+        for (const double value : {heat, u.x, u.y, u.z}) row.texels.push_back(static_cast<float>(value));
         const double factor = scale / (parts.straight ? lapse : 1.0);
         factors.insert(factors.end(), {static_cast<float>(factor), 0, 0, 0});
     }

@@ -7,6 +7,7 @@
 #pragma once
 #include <vector>
 
+#include "spacetime/circular_orbit.h"
 #include "spacetime/spacetime.h"
 #include "table/strip.h"
 
@@ -36,6 +37,9 @@ struct ShiftParts {
     bool doppler = true, gravity = true, straight = false;
 };
 TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts = {});
+
+// A texel's velocity of the first row: u^t, u^phi, g_rr u^r, by these parts. flow: of the spacetime.
+Vec3 disc_velocity(const Spacetime& spacetime, const DiscMatterFlow& flow, double r, ShiftParts parts);
 
 // Cells of equal log2 T from 2^kColdest to 2^kHottest K: (r, g, b of Rec. 709 of unit luminance, negative outside of its gamut, log2
 // of the luminance). Linear interpolation leaves 1e-5 of the colour and of the luminance's logarithm; below the range it is dark, above

@@ -20,6 +20,8 @@ SCREEN_RAD = {"core64": 8e-7, "core32": 1.2e-6, "gl": 1.2e-6}
 FRONTIER_RAD = {"core64": 5e-8, "core32": 3e-7, "gl": 3e-7}
 # Where a ray's plane meets the equator is geometry in floats; near the poles azimuths magnify it.
 AZIMUTH_RAD = 2e-6
+# Of g at a disc: u^t and the photon's constants are double, the crossing's radius and how fast the ray climbs there are floats.
+SHIFT = 5e-6
 # What is promised of T: relative, or in r_s/c, whichever is larger, and what the direction's last bit moves it.
 DELAY, DELAY_LEAST = 2e-6, 1e-5
 # The reference prints 17 digits and is good to 1e-14 (tests/unit/test_reference_vectors.cpp).
@@ -264,7 +266,7 @@ class ShaderText(TraceTest):
             r = r if i % each else 1.02 * 10 ** dice.uniform(0, 2.5)
             theta, phi = math.acos(dice.uniform(-1, 1)), dice.uniform(-7, 7)
             alpha, turn = math.acos(dice.uniform(-1, 1)), dice.uniform(0, 2 * math.pi)
-            rest = (("static", "rain", "")[i % 3], dice.uniform(0, 3.14), i)
+            rest = (("static", "rain", "")[i % 3], dice.uniform(0, 6.0), i)
             for angle, rows in ((alpha, rays), (alpha + step, turned)):
                 across = math.sin(angle)
                 n = (math.cos(angle), across * math.cos(turn), across * math.sin(turn))
@@ -314,6 +316,72 @@ class ShaderText(TraceTest):
                     if exact[phi]:
                         self.assertAlmostEqual(number(row[phi]), number(exact[phi]), delta=AZIMUTH_RAD, msg=name)
             self.report(f"{tracer}: random rays: " + ", ".join(f"{k} {v:.3g}" for k, v in worst.items()))
+
+    def test_a_rays_answer_is_its_own(self):
+        """Rays of one list share tables and draws: each is what it is alone, to the bit."""
+        dice = random.Random(64)
+        kerr = self.write("kerr.toml", '[spacetime]\nmetric = "kerr"\nspin = 0.9\n[disc]\ninner = 3\nouter = 12\nemission = "thermal"\n')
+        plane = self.write("plane.toml", '[disc]\ninner = 3\nouter = 12\nopacity = 0.5\n')
+        body = self.write("body.toml", '[sphere]\nradius = 1.7\n[ball]\nposition = [0, 8, 4]\nradius = 3\n[camera]\nr = 1000\n')
+        for scene, tracers in ((kerr, self.tracers()), (plane, self.tracers()), (body, ["gl"])):
+            rays = []
+            for i in range(300):    # of 12 places: three radii, polar angles and azimuths, in a wild order
+                place = dice.choice([(r, theta, phi) for r in (9, 30) for theta in (0.4, 1.3, 2.0) for phi in (0.1, 4.0)])
+                n = [-1 + dice.uniform(-0.2, 0.2)] + [dice.uniform(-0.5, 0.5) for _ in range(2)]
+                rays.append((*place, *n, i))
+            columns = ["r", "theta", "phi", "n_r", "n_theta", "n_phi", "i"]
+            for tracer in tracers:
+                ask = ("--with", tracer, "--crossings", "6")
+                together = self.trace(write_csv(rays, columns), *ask, scene=scene)
+                self.assertEqual([int(row["i"]) for row in together], list(range(300)))
+                for i in (0, 17, 150, 299):
+                    alone = self.trace(write_csv([rays[i]], columns), *ask, scene=scene)
+                    self.assertEqual(alone, [together[i]], (tracer, scene, i))
+
+    def test_shift_of_the_discs_matter(self):
+        """g_k of the shader's tracers: the photon's constants and the matter's velocity, in double but for how fast the ray climbs."""
+        dice = random.Random(9)
+        rays = []
+        for i in range(120):
+            n = (-1, dice.uniform(-0.35, 0.35), dice.uniform(-0.35, 0.35))
+            rays.append((dice.choice((12, 40)), dice.choice((0.5, 1.4)), dice.uniform(-3, 3), *n, i))
+        text = write_csv(rays, ["r", "theta", "phi", "n_r", "n_theta", "n_phi", "i"])
+        for space, light in (('', ''), ('metric = "kerr"\nspin = 0.9\n', ''), ('', 'doppler = "off"\n'),
+                             ('', 'gravity = "off"\n')):
+            scene = self.write("matter.toml", f'[spacetime]\n{space}[disc]\ninner = 3\nouter = 12\nopacity = 0.5\nemission = "thermal"\n[light]\n{light}')
+            reference = self.trace(text, "--crossings", "2", scene=scene)
+            self.assertGreater(sum(bool(row["g_1"]) for row in reference), 60)
+            self.assertTrue(light or any(number(row["r_1"]) < 2 for row in reference), "some within the last stable orbit")
+            for tracer in self.tracers():
+                for row, exact in zip(self.trace(text, "--crossings", "2", "--with", tracer, scene=scene), reference):
+                    for g, r in (("g_1", "r_1"), ("g_2", "r_2")):
+                        name = (tracer, space, light, exact["i"], g)
+                        self.assertEqual(row[g] == "", exact[g] == "", name)
+                        # The second crossing's place moves fast with the direction, and next to the horizon so does g.
+                        if exact[g] and g == "g_1" and number(exact["r_1"]) > 1.3:
+                            self.assertAlmostEqual(number(row[g]) / number(exact[g]), 1, delta=SHIFT, msg=name)
+
+    def test_rays_that_wind(self):
+        """More crossings than one draw lists, next to the critical direction."""
+        critical, step, rays, moved = math.asin(1.5 * math.sqrt(3) / 20 * math.sqrt(1 - 1 / 20)), 1e-9, [], []
+        for i, off in enumerate((1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7)):
+            for side in (1, -1):
+                for angle, rows in ((critical + side * off, rays), (critical + side * off + step, moved)):
+                    rows.append((20, 1.0, 0.3, -math.cos(angle), math.sin(angle) * 0.6, math.sin(angle) * 0.8, i))
+        columns = ["r", "theta", "phi", "n_r", "n_theta", "n_phi", "i"]
+        text = write_csv(rays, columns)
+        reference, beside = (self.trace(t, "--crossings", "8") for t in (text, write_csv(moved, columns)))
+        self.assertGreaterEqual(max(sum(bool(row[f"r_{k}"]) for k in range(1, 9)) for row in reference), 6)
+        for tracer in self.tracers():
+            for row, exact, next_to in zip(self.trace(text, "--crossings", "8", "--with", tracer), reference, beside):
+                self.assertEqual(row["fate"], exact["fate"])
+                for k in range(1, 9):
+                    name = (tracer, exact["i"], k)
+                    self.assertEqual(row[f"r_{k}"] == "", exact[f"r_{k}"] == "", name)
+                    if exact[f"r_{k}"]:
+                        place, there = 1 / number(exact[f"r_{k}"]), 1 / number(next_to[f"r_{k}"])
+                        slope = max(1.0, abs(there - place) / step)
+                        self.assertLessEqual(abs(1 / number(row[f"r_{k}"]) - place) / slope, SCREEN_RAD[tracer], name)
 
     def test_disc_stops_rays(self):
         text, _, _ = self.random_rays(100 if support.QUICK else 200)

@@ -277,6 +277,27 @@ TEST_CASE("shader source: every row of the effects table has marks here") {
     }
 }
 
+TEST_CASE("shader source: a list of rays has crossings where they are asked for, and nothing that is not a ray's") {
+    for (const char* metric : {"schwarzschild", "kerr"})
+        for (const bool crossings : {false, true}) {
+            Scene scene;
+            scene.spacetime.metric = metric;
+            if (scene.spacetime.metric == "kerr") scene.spacetime.parameters["spin"] = 0.9;
+            EffectSet set = effect_set(required_effects(scene));
+            if (crossings) set.insert(Effect::kDisc);
+            const std::string text = shader_source(Stage::kRayList, set, Output::kLinear, {}, metric).fragment;
+            CHECK((text.find("listed_crossing(") != std::string::npos) == crossings);
+            CHECK((text.find("disc_") != std::string::npos) == crossings);
+            for (const char* word : {"sky_texture", "dFdx", "disc_texture", "gl_FragCoord.xy"})
+                CHECK(text.find(word) == std::string::npos);
+            // Only here a ray has numbers of its own.
+            CHECK(text.find("FrameData every_ray;") != std::string::npos);
+            CHECK(shader_source(Stage::kRayData, set, Output::kLinear, {}, metric).fragment.find("every_ray") ==
+                  std::string::npos);
+            check_places(text);
+        }
+}
+
 TEST_CASE("shader source: linear output has no display encoding") {
     const EffectSet set = {Effect::kSky};
     CHECK(shader_source(Stage::kPicture, set, Output::kLinear).fragment.find("display_encode") == std::string::npos);

@@ -1,0 +1,28 @@
+// Rays of a list that start as the camera of a frame does: what each is told, and what its crossings tell of the disc's matter.
+#pragma once
+#include <optional>
+
+#include "render/frame_tables.h"
+#include "spacetime/circular_orbit.h"
+#include "table/disc_light.h"
+
+namespace nullscope {
+
+class ListedStart {
+public:
+    // Of the last update; tables: outlives this.
+    explicit ListedStart(const FrameTables& tables);
+    // theta, phi: where it starts, of a rotating hole at the camera's theta. n: unit, in the observer's frame. at_angle: a swept angle for which
+    // zeta is asked, 0 for none.
+    RayNumbers numbers(double theta, double phi, Vec3 n, double at_angle) const;
+    // The camera's frequency over that in a disc's matter where such a ray crosses the equatorial plane, whatever parts of it the scene's light
+    // leaves out. Outside of a horizon.
+    double g(const RayNumbers& ray, const ListedRay::Crossing& met) const;
+
+private:
+    const FrameTables& tables_;
+    FrameData frame_;
+    std::optional<DiscMatterFlow> flow_;  // where there may be discs
+};
+
+}  // namespace nullscope
