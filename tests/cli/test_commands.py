@@ -15,7 +15,7 @@ from pathlib import Path
 
 import support
 
-COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench metrics", "bench pictures", "bench soak", "plan", "scenes", "info", "figure", "path", "lightcurve", "light-time", "profile", "spectrum", "manual"]
+COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench metrics", "bench pictures", "bench rays", "bench soak", "plan", "scenes", "info", "figure", "path", "lightcurve", "light-time", "profile", "spectrum", "manual"]
 
 
 def png_size(data):
