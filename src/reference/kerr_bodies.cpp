@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kPartOfThinnestBody = 0.2;  // of a body's smallest extent between two looks, where it can be met
 constexpr double kPartOfWay = 0.5;           // of the way to where it can be met, elsewhere
-constexpr double kArc = 1.1;                 // of way_between: no step's arc is longer
 constexpr double kAim = 0.9;                 // of the longest step: what the last one says of the next is so good
 constexpr double kBack = 1e-4;               // of a radius: over which the ray's direction is taken, to second order
 constexpr int kMostKerrSamples = 200'000;    // a ray
@@ -40,7 +39,7 @@ void BodyWatch::follow(Track& track, const KerrStep& step) {
     const BodyPart& part = *track.part;
     const double fine = kPartOfThinnestBody * part.thinnest,
                  rim = part.reach * 1.001 + 3 * fine;  // a sample beyond every dip
-    if (0.5 * (step.begin.r + step.end.r - kArc * way_between(step.begin, step.end)) > rim) {
+    if (step.nearest > rim) {
         track.here.reset(), track.before.reset();
         return;
     }
@@ -58,7 +57,7 @@ void BodyWatch::follow(Track& track, const KerrStep& step) {
         const double next = here.along + turn < step.to ? here.along + turn : step.to;
         turn = next - here.along;
         if (!(turn > 0)) break;
-        const KerrPlace place = next == step.to ? step.end : step.at(next);
+        const KerrPlace place = next == step.to ? step.end : step.between(next);
         ++track.looks;
         went = way(part, here.place, place);
         if (went > longest && here.along + 0.5 * turn > here.along) continue;
@@ -80,9 +79,10 @@ std::optional<double> BodyWatch::entry(const Track& track, const PlacedLook& the
 
 void BodyWatch::meet(const BodyPart& part, double along, const KerrStep& step) {
     if (hit_ && hit_->along <= along) return;
-    const KerrPlace at = place_at(along, step);
-    const double whole = way_between(step.begin, step.end),
-                 h = whole > 0 ? kBack * at.r * (step.to - step.from) / whole : 0;
+    const KerrPlace at = along < step.from && previous_ ? previous_->at(along) : step.at(along);
+    const double whole = way_between(step.begin, step.end), first = kBack * (step.to - step.from),
+                 moves = way_between(place_at(along - first, step), at),
+                 h = whole > 0 && moves > 0 ? kBack * at.r * first / moves : 0;
     const Vec3 place = at.flat(),
                back = 4 * (place_at(along - h, step).flat() - place) - (place_at(along - 2 * h, step).flat() - place);
     const double t = time_at(part, at);

@@ -33,7 +33,7 @@ private:
     std::optional<double> entry(const Track& track, const PlacedLook& there, const KerrStep& step) const;
     void meet(const BodyPart& part, double along, const KerrStep& step);
     KerrPlace place_at(double along, const KerrStep& step) const {
-        return along < step.from && previous_ ? previous_->at(along) : step.at(along);
+        return along < step.from && previous_ ? previous_->between(along) : step.between(along);
     }
     double time_at(const BodyPart& part, const KerrPlace& place) const {
         return part.moves && delay_ ? bodies_.time() - place.delay : bodies_.time();

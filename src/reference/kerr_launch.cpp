@@ -65,12 +65,6 @@ KerrLaunch mirrored(const KerrChart& chart, const KerrPhase& phase, double energ
     return l;
 }
 
-double way_from_abreast(const KerrChart& chart, const KerrLaunch& l) {
-    const double a = chart.a, r = l.r, cosine = std::cos(l.theta), sigma = r * r + a * a * cosine * cosine;
-    const double w = l.l_over_sine - a * l.energy * std::sin(l.theta);
-    return r * l.climb / (l.climb * l.climb / sigma + l.p_theta * l.p_theta + w * w);  // x p/p^2
-}
-
 // The mirror image has the energy and L_z of the photon, and moves in r and theta towards where that came from. Traced
 // backward the photon has the opposite momentum.
 KerrBeginning beginning(const KerrChart& chart, const KerrLaunch& launch) {
@@ -83,16 +77,14 @@ KerrBeginning beginning(const KerrChart& chart, const KerrLaunch& launch) {
     const double around = launch.sense() * launch.l_over_sine + launch.p_r * a * sine;
     const Vec3 p{launch.p_r, (r * launch.p_theta - a * height * around) / sigma,
                  (r * around + a * height * launch.p_theta) / sigma};
-    // their cross product
     const Vec3 place{r, 0, a * sine}, momentum{-place.z * p.y, place.z * p.x - r * p.z, r * p.y};
-    const KerrLine line = KerrLine::along(p, momentum, place);
+    const double far = std::hypot(r, place.z);
     const auto flat = [&](const Vec3& v) {
         const double out = v.x * sine + v.y * height;
         return Vec3{c * out - s * v.z, s * out + c * v.z, v.x * height - v.y * sine};
     };
-    KerrBeginning start{{flat(place), flat(p)}, line, psi + std::atan2(a, r)};
-    start.line.foot = flat(line.foot), start.line.n = flat(line.n);
-    return start;
+    return {flat(place / far), flat(momentum), 1 / far, (r / far) * p.x + (place.z / far) * p.z,
+            psi + std::atan2(a, r)};
 }
 
 }  // namespace nullscope::reference

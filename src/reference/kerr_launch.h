@@ -1,10 +1,14 @@
 // What the tracer of kerr_ray.h begins with: a photon by its constants of motion, formed where it is seen as products,
 // so that far away they have their own rounding and not that of the camera's place.
 #pragma once
-#include "reference/kerr_line.h"
+#include "reference/kerr_chart.h"
 #include "reference/kerr_ray.h"
 
 namespace nullscope::reference {
+
+struct KerrPhase {  // place and momentum in the chart
+    Vec3 x, p;
+};
 
 // What is known of a photon where it is seen, or traced on from; `theta` and `climb` towards where it came from.
 struct KerrLaunch {
@@ -22,16 +26,12 @@ KerrLaunch kerr_launch(const KerrChart& chart, const KerrPhoton& photon);
 // begins with this.
 KerrLaunch mirrored(const KerrChart& chart, const KerrPhase& phase, double energy, double phi);
 
-// The affine parameter from where the photon's way is abreast of the hole, were the way straight: the same for a photon
-// and its mirror image.
-double way_from_abreast(const KerrChart& chart, const KerrLaunch& launch);
-
-// Where it begins in the chart: the azimuth psi of x + iy = (r + ia) sin(theta) e^{i psi} is 0 but for what the chart
-// is ahead.
+// Where it begins in the chart, in the variables of kerr_flow.h: the azimuth psi of x + iy = (r + ia) sin(theta) e^{i psi}
+// is 0 but for what the chart is ahead.
 struct KerrBeginning {
-    KerrPhase phase;
-    KerrLine line;
-    double azimuth;  // of the place
+    Vec3 n, momentum;  // the place over its length; the place cross p
+    double u, c;       // 1 over that length; n p
+    double azimuth;    // of the place
 };
 KerrBeginning beginning(const KerrChart& chart, const KerrLaunch& launch);
 

@@ -1,6 +1,5 @@
 // A rotating hole: its rays are integrated (kerr_ray.h), and no camera and no matter is at rest by itself.
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -52,41 +51,55 @@ private:
     bool delays_;  // of crossings
 };
 
-// A step is looked along by its interpolant, but for the first look: far from matter there is no other.
+// A step is looked along by its interpolant.
 class StepWay final : public Medium::Way {
 public:
-    StepWay(const KerrStep& step, bool timed) : step_(step), timed_(timed) {}
+    StepWay(const KerrHole& hole, const KerrStep& step, bool timed) : hole_(hole), step_(step), timed_(timed) {}
     Medium::Place at(double along) const override {
         if (along == step_.from) return of(step_.begin);
         if (along == step_.to) return of(step_.end);
-        if (std::exchange(first_, false)) return of(step_.at(along));
         const KerrGlance there = step_.glance(along, timed_);
-        return {there.r, there.direction, there.delay, Medium::Slopes{there.r_slope, there.theta_slope}};
+        Medium::Place place{there.r, there.direction, there.delay};
+        const double affine_rate = affine(place, 1);
+        place.slopes = Medium::Slopes{there.r_slope / affine_rate, there.theta_slope / affine_rate};
+        return place;
     }
-    double affine(const Medium::Place&, double width) const override { return width; }
+    double affine(const Medium::Place& place, double width) const override {
+        const double x = kerr_distance(hole_, place.r, std::hypot(place.direction.x, place.direction.y));
+        return width * x * x;
+    }
 
 private:
     static Medium::Place of(const KerrPlace& place) { return {place.r, place.flat() / place.r, place.delay}; }
+    const KerrHole& hole_;
     const KerrStep& step_;
     bool timed_;
-    mutable bool first_ = true;
 };
 
-// trace(watch): a KerrRay, its steps shown to `watch`.
-template <class Trace>
-RayPtr meeting_bodies(const RayTask& task, const Trace& trace) {
-    BodyWatch bodies(*task.bodies, task.delays_bodies);
-    KerrWatch watch = bodies.watch();
-    std::vector<MediumNode> nodes;
-    if (task.medium != nullptr)
-        watch = [&task, &nodes, meets = std::move(watch)](const KerrStep& step) {
+// What looks along the steps of one ray: for the bodies that end it, and for the matter on its way.
+class Watches {
+public:
+    Watches(const KerrHole& hole, const RayTask& task) : bodies_(*task.bodies, task.delays_bodies), task_(task) {
+        watch = bodies_.watch();
+        if (task.medium == nullptr) return;
+        watch = [this, hole, meets = std::move(watch)](const KerrStep& step) {
             if (meets) meets(step);
-            if (std::min(step.begin.r, step.end.r) > 2 * task.medium->farthest()) return;  // of half its radius at most
-            task.medium->add_nodes(step.from, step.to, StepWay(step, task.medium->moves()), nodes);
+            if (step.nearest > task_.medium->farthest()) return;
+            task_.medium->add_nodes(step.from, step.to, StepWay(hole, step, task_.medium->moves()), nodes_);
         };
-    KerrRay ray = trace(watch);
-    return std::make_unique<TracedKerrRay>(std::move(ray), bodies.hit(), std::move(nodes), task.delays_disc);
-}
+    }
+    Watches(const Watches&) = delete;
+    Watches& operator=(const Watches&) = delete;
+    KerrWatch watch;  // while this lives; empty where there is nothing to look for
+    RayPtr ray(KerrRay traced) {
+        return std::make_unique<TracedKerrRay>(std::move(traced), bodies_.hit(), std::move(nodes_), task_.delays_disc);
+    }
+
+private:
+    BodyWatch bodies_;
+    std::vector<MediumNode> nodes_;
+    const RayTask& task_;
+};
 
 class KerrRays final : public RayFamily {
 public:
@@ -98,11 +111,23 @@ public:
           task_(task) {}
 
 private:
+    KerrPhoton photon(const Photon& p) const { return {camera_.r, camera_.theta, azimuth_, p}; }
     RayPtr trace(const Photon& p) const override {
-        return meeting_bodies(task_, [&](const KerrWatch& watch) {
-            return trace_kerr(hole_, KerrPhoton{camera_.r, camera_.theta, azimuth_, p}, task_.crossings, falls(camera_),
-                              watch);
-        });
+        Watches watches(hole_, task_);
+        return watches.ray(trace_kerr(hole_, photon(p), task_.crossings, falls(camera_), watches.watch));
+    }
+    std::vector<RayPtr> trace_all(const std::vector<Photon>& all) const override {
+        std::vector<KerrPhoton> photons;
+        std::vector<KerrWatch> watches;
+        std::vector<std::unique_ptr<Watches>> rays;
+        for (const Photon& p : all) {
+            photons.push_back(photon(p));
+            watches.push_back(rays.emplace_back(std::make_unique<Watches>(hole_, task_))->watch);
+        }
+        std::vector<KerrRay> traced = trace_kerr(hole_, photons, task_.crossings, falls(camera_), watches);
+        std::vector<RayPtr> found;
+        for (std::size_t i = 0; i < traced.size(); ++i) found.push_back(rays[i]->ray(std::move(traced[i])));
+        return found;
     }
     KerrHole hole_;
     CameraSpec camera_;
@@ -145,9 +170,9 @@ public:
         if (!(query.theta >= 0 && query.theta <= M_PI && std::isfinite(query.phi)))
             return bad_input(
                 fmt::format("theta = {} must lie in [0, pi] and phi = {} be finite", query.theta, query.phi));
-        return meeting_bodies(task, [&](const KerrWatch& watch) {
-            return trace_kerr(hole_, KerrStart{query.r, query.theta, query.phi, query.n}, task.crossings, watch);
-        });
+        Watches watches(hole_, task);
+        return watches.ray(
+            trace_kerr(hole_, KerrStart{query.r, query.theta, query.phi, query.n}, task.crossings, watches.watch));
     }
 
 private:

@@ -1,19 +1,18 @@
-// Light in Kerr by Hamilton's equations in Cartesian Kerr-Schild coordinates, step by step at a tight tolerance: no
-// Mino time, no constant of Carter, no polynomial of 1/r, which is what the shader works with.
+// Light in Kerr by Hamilton's equations in Cartesian Kerr-Schild coordinates, step by step at a tight tolerance: nothing
+// is separated, no constant of Carter and no potential of 1/r or theta is known, which is what the shader works with.
 //
 // A ray that is traced backward and inward leaves the hole's past horizon, where the ingoing chart is singular. Its
 // mirror image under (t, phi) -> (-t, -phi) is a photon that falls in: that one is traced, forward, and its azimuths
 // are turned over. One that is traced outward has fallen in where the chart is regular, and is traced as it is, through
 // the horizon if the camera is inside.
 //
-// Place and momentum are kept as a straight line and what they are off it (kerr_line.h), and the line begins with
-// constants of motion that are products (kerr_launch.h). So a ray's answers are those of a ray whose impact parameter
-// differs by at most 4e-13 r_s, wherever the camera stands, up to 1e9 r_s: not by roundings of its place. Whether a ray
-// is captured is sure where the shadow's edge is farther than that from it. The condition number of a ray says the same
-// of the camera: it is the distance to the shadow's edge in roundings of the view direction, 1.1e-16 rad or 1.1e-16 r
-// of impact parameter; below 1 no direction in double precision says which side of the edge is meant. The reference
-// takes the direction that it is given as exact: from 3600 r_s on the view's own rounding is larger than the
-// reference's error.
+// What is integrated are angular momentum, direction and distance (kerr_flow.h), and they begin as constants of motion
+// that are products (kerr_launch.h). So a ray's answers are those of a ray whose impact parameter differs by at most
+// 4e-13 r_s, wherever the camera stands: not by roundings of its place. Whether a ray is captured is sure where the
+// shadow's edge is farther than that from it. The condition number of a ray says the same of the camera: it is the
+// distance to the shadow's edge in roundings of the view direction, 1.1e-16 rad or 1.1e-16 r of impact parameter; below 1
+// no direction in double precision says which side of the edge is meant. The reference takes the direction that it is
+// given as exact: from 3600 r_s on the view's own rounding is larger than the reference's error.
 #pragma once
 #include <array>
 #include <functional>
@@ -49,7 +48,7 @@ struct KerrRay {
     double phi_inf = kNotANumber;                     // its azimuth, windings kept
     double energy = 0;                                // of the photon, at infinity
     double l_z = 0;                                   // its angular momentum about the axis over its energy, r_s
-    // of the equatorial plane, before the end; along: 0 abreast of the hole, were the ray straight; delay as KerrPlace
+    // of the equatorial plane, before the end; along: 0 at the camera; delay as KerrPlace
     std::vector<PlaneCrossing> crossings;
     // T = v at the camera less v at the sky, v = t + r_*; escaped rays. To 1e-8 r_s/c and some roundings of r
     double delay = kNotANumber;
@@ -73,22 +72,32 @@ struct KerrGlance {
     double r_slope, theta_slope;  // by `along`
 };
 
-// A step of the tracer, as far as it is outside the outer horizon: from one affine parameter to another.
+// A step of the tracer, as far as it is outside the outer horizon: from one value of the tracer's own parameter to
+// another. That is the affine parameter but for a factor: it grows by 1/kerr_distance(place)^2 of it.
 struct KerrStep {
     double from, to;
     KerrPlace begin, end;
-    std::function<KerrPlace(double along)> at;  // as exact as the step; within trace_kerr only. Some microsecond
-    std::function<KerrGlance(double along, bool timed)>
-        glance;  // within the watch's call only: three times `at` for the first one, then 0.15 microseconds
+    double nearest;  // no place of it has a smaller r
+    // Within trace_kerr only. at: the step integrated anew, some microsecond. The others by an interpolant: some
+    // microseconds for the first look, then a fifth of one.
+    std::function<KerrPlace(double along)> at, between;
+    std::function<KerrGlance(double along, bool timed)> glance;
 };
+// |x| of Kerr and Schild's Cartesian coordinates.
+inline double kerr_distance(const KerrHole& hole, double r, double sine_theta) {
+    return std::hypot(r, hole.a * sine_theta);
+}
 // Is shown every step, in order.
 using KerrWatch = std::function<void(const KerrStep& step)>;
 
 // hole: a/M in [0, 1), or that and Q/M. Directions within 4e-13 rad and places within 4e-12 r, or what the ray makes of 4e-13 r_s of its
-// impact parameter. About 0.2 ms.
+// impact parameter.
 KerrRay trace_kerr(const KerrHole& hole, const KerrStart& start, int most_crossings, const KerrWatch& watch = {});
 // falls: the camera's clock is v - r.
 KerrRay trace_kerr(const KerrHole& hole, const KerrPhoton& photon, int most_crossings, bool falls = false,
                    const KerrWatch& watch = {});
+// The same of many rays in any number of lanes (kerr_lanes.h), the same bits. watches: one for each photon, or none.
+std::vector<KerrRay> trace_kerr(const KerrHole& hole, const std::vector<KerrPhoton>& photons, int most_crossings,
+                                bool falls = false, const std::vector<KerrWatch>& watches = {});
 
 }  // namespace nullscope::reference

@@ -1,5 +1,5 @@
 // Matter along rays for the reference: where a ray is looked at, and what matter there emits and absorbs. Frequencies by the metric's own
-// components and their inverse, ways by the tracer's affine parameter or r^2 dphi/L.
+// components and their inverse, ways by |x|^2 ds (kerr_flow.h) or r^2 dphi/L.
 #pragma once
 #include <functional>
 #include <memory>

@@ -1,4 +1,4 @@
-// Depths of layers against the reference: its own affine parameter, or the integral of r^2 dphi along its closed forms.
+// Depths of layers against the reference: the integral of r^2 dphi along its closed forms, or of |x|^2 along its steps.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 #include "observer/pose.h"
 #include "reference/frame_tracer.h"
-#include "reference/kerr_launch.h"
+#include "reference/kerr_ray.h"
 #include "reference/plane_ray.h"
 #include "scene/projection.h"
 #include "scenefile/scene_file.h"
@@ -20,29 +20,42 @@ using namespace nullscope::test;
 constexpr double kDepthError = 1e-4;  // r_s, and of the depth: floats, and quadrature between the table's places
 constexpr double kPlaceError_px = 0.01;
 
-// The reference's parameter where a ray about a rotating hole begins: it is 0 abreast of the hole.
-double at_camera(const Scene& scene, double x, double y) {
+// Simpson's rule; value(part) of [0, 1].
+template <class Value>
+double mean(int parts, const Value& value) {
+    double sum = 0;
+    for (int i = 0; i <= parts; ++i)
+        sum += value(static_cast<double>(i) / parts) * (i == 0 || i == parts ? 1 : i % 2 == 1 ? 4 : 2);
+    return sum / parts / 3;
+}
+
+// About a rotating hole: the ray once more, and the square of the distance along its own parameter.
+double integrated_depth(const Scene& scene, double x, double y, double along) {
     const CameraSpec& camera = scene.camera;
     REQUIRE(camera.observer == ObserverKind::kZamo);
     REQUIRE(length(camera.velocity) == 0.0);
-    const reference::KerrChart chart{
-        {scene.spacetime.parameters.at("spin"),
-         scene.spacetime.parameters.contains("charge") ? scene.spacetime.parameters.at("charge") : 0.0}};
+    const auto& parameters = scene.spacetime.parameters;
+    const reference::KerrHole hole(parameters.at("spin"),
+                                   parameters.contains("charge") ? parameters.at("charge") : 0.0);
     const Vec3 direction = normalized(static_from_camera(camera) * pixel_direction(camera, x, y));
-    return way_from_abreast(chart, kerr_launch(chart, {camera.r, camera.theta, camera.phi, direction}));
+    double depth = 0;
+    reference::trace_kerr(
+        hole, {camera.r, camera.theta, camera.phi, direction}, 0, [&](const reference::KerrStep& step) {
+            const double width = std::min(step.to, along) - step.from;
+            if (!(width > 0)) return;
+            depth += width * mean(20, [&](double part) {
+                         const reference::KerrPlace place = step.at(step.from + part * width);
+                         return std::pow(reference::kerr_distance(hole, place.r, std::sin(place.theta)), 2);
+                     });
+        });
+    return std::isfinite(along) ? depth : kNotANumber;
 }
 
-// Simpson's rule.
 double affine_depth(const Scene& scene, double x, double y, const reference::TracedRay& ray, double along) {
     const reference::PlaneRay* plane = ray.in_plane();
-    if (plane == nullptr) return along - at_camera(scene, x, y);
-    constexpr int kParts = 400;
-    double sum = 0;
-    for (int i = 0; i <= kParts; ++i) {
-        const double r = plane->radius_at(along * i / kParts);
-        sum += r * r * (i == 0 || i == kParts ? 1 : i % 2 == 1 ? 4 : 2);
-    }
-    return ray.shift.gravity * ray.shift.doppler / plane->photon().l * sum * along / kParts / 3;
+    if (plane == nullptr) return integrated_depth(scene, x, y, along);
+    return ray.shift.gravity * ray.shift.doppler / plane->photon().l * along *
+           mean(400, [&](double part) { return std::pow(plane->radius_at(along * part), 2); });
 }
 
 TEST_CASE("ray depth: the affine parameter to discs and bodies is the reference's") {

@@ -146,7 +146,8 @@ TEST_CASE("kerr bodies: no place on a ray is higher than Carter's potential lets
 }
 
 TEST_CASE("kerr bodies: a sphere that is just touched comes before what stands right behind") {
-    constexpr double kSpin = 0.9, kRadius = 6, kBehind = 0.15;  // of the affine parameter, which is nearly r_s here
+    constexpr double kSpin = 0.9, kRadius = 6,
+                     kBehind = 0.15 / (kRadius * kRadius);  // of the tracer's parameter: 0.15 r_s here
     Scene alone = spinning(kSpin);
     add<SphereSpec>(alone), first_shape<SphereSpec>(alone)->radius = kRadius;
     const auto metric = metric_of(alone);
