@@ -76,6 +76,17 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
 
 RayPtr FrameTracer::ray(double x, double y) const { return rays_->ray(pixel_direction(camera_, x, y)); }
 
+std::vector<Vec3> FrameTracer::directions(const std::vector<std::array<double, 2>>& positions) const {
+    std::vector<Vec3> found;
+    found.reserve(positions.size());
+    for (const auto& [x, y] : positions) found.push_back(pixel_direction(camera_, x, y));
+    return found;
+}
+
+std::vector<RayPtr> FrameTracer::rays(const std::vector<std::array<double, 2>>& positions) const {
+    return rays_->rays(directions(positions));
+}
+
 std::vector<DiscHit> FrameTracer::disc_hits(const TracedRay& ray, int max_hits) const {
     std::vector<DiscHit> hits;
     if (!disc_) return hits;
@@ -85,22 +96,36 @@ std::vector<DiscHit> FrameTracer::disc_hits(const TracedRay& ray, int max_hits) 
 }
 
 RayPixel FrameTracer::pixel(double x, double y, bool with_delay) const {
+    if (!shows(camera_, x, y)) return {};
+    return pixel_of(*bare_rays_->ray(pixel_direction(camera_, x, y)), with_delay);
+}
+
+std::vector<RayPixel> FrameTracer::pixels(const std::vector<std::array<double, 2>>& positions) const {
+    std::vector<std::array<double, 2>> shown;
+    for (const auto& [x, y] : positions)
+        if (shows(camera_, x, y)) shown.push_back({x, y});
+    const std::vector<RayPtr> traced = bare_rays_->rays(directions(shown));
+    std::vector<RayPixel> pixels(positions.size());
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        if (shows(camera_, positions[i][0], positions[i][1])) pixels[i] = pixel_of(*traced[next++], true);
+    return pixels;
+}
+
+RayPixel FrameTracer::pixel_of(const TracedRay& traced, bool with_delay) const {
     RayPixel pixel;
-    if (!shows(camera_, x, y)) return pixel;
-    const RayPtr traced = bare_rays_->ray(pixel_direction(camera_, x, y));
-    double end = traced->end();
-    pixel.fate = traced->fate();
-    pixel.g = traced->g > 0 && std::isfinite(traced->g)
-                  ? traced->g
-                  : 0;               // light of no positive energy has no frequency at infinity
-    if (pixel.fate == Fate::kHit) {  // a star
-        const Vec3 place = traced->end_direction();
+    double end = traced.end();
+    pixel.fate = traced.fate();
+    pixel.g = traced.g > 0 && std::isfinite(traced.g) ? traced.g
+                                                      : 0;  // light of no positive energy has no frequency at infinity
+    if (pixel.fate == Fate::kHit) {                         // a star
+        const Vec3 place = traced.end_direction();
         pixel.hit = kStarHit;
         pixel.u = std::atan2(place.y, place.x);
         pixel.v = std::atan2(place.z, std::hypot(place.x, place.y));
     }
-    const std::vector<DiscHit> hits = disc_hits(*traced, 1);
-    const std::optional<BodyHit> body = traced->first_hit();
+    const std::vector<DiscHit> hits = disc_hits(traced, 1);
+    const std::optional<BodyHit> body = traced.first_hit();
     if (body) {  // solid: it ends the ray, whatever a translucent disc before it
         pixel.fate = Fate::kHit;
         end = body->along;
@@ -117,13 +142,13 @@ RayPixel FrameTracer::pixel(double x, double y, bool with_delay) const {
             end = hits.front().along;
         }
     }
-    pixel.angle = finite_or_zero(traced->swept(end));
+    pixel.angle = finite_or_zero(traced.swept(end));
     if (pixel.fate == Fate::kEscaped || pixel.fate == Fate::kOtherSide) {
-        pixel.sky = traced->end_direction();
-        if (with_delay) pixel.delay = finite_or_zero(traced->delay());
+        pixel.sky = traced.end_direction();
+        if (with_delay) pixel.delay = finite_or_zero(traced.delay());
     }
     if (with_delay && pixel.fate == Fate::kHit && pixel.hit != kStarHit)
-        pixel.delay = finite_or_zero(traced->delay(end));
+        pixel.delay = finite_or_zero(traced.delay(end));
     // In a wormhole's tube rays wind without end.
     pixel.order = static_cast<int>(std::min(std::floor(pixel.angle / M_PI), 1e9));
     return pixel;
@@ -134,8 +159,12 @@ Result<RayFrame> trace_frame(const Scene& scene, const std::function<void(long l
     const int width = scene.camera.width, height = scene.camera.height;
     RayFrame frame{width, height, std::vector<RayPixel>(static_cast<std::size_t>(width) * height)};
     tbb::parallel_for(0, height, [&](int y) {
-        RayPixel* row = frame.pixels.data() + static_cast<std::size_t>(y) * width;
-        for (int x = 0; x < width; ++x) row[x] = tracer->pixel(x + 0.5, y + 0.5);
+        for (int from = 0; from < width; from += kRaysTogether) {
+            std::vector<std::array<double, 2>> positions;
+            for (int x = from; x < std::min(from + kRaysTogether, width); ++x) positions.push_back({x + 0.5, y + 0.5});
+            std::ranges::copy(tracer->pixels(positions),
+                              frame.pixels.data() + static_cast<std::size_t>(y) * width + from);
+        }
         if (done) done(width);
     });
     return frame;
@@ -145,9 +174,14 @@ Result<std::vector<RayPixel>> trace_pixels(const Scene& scene, const std::vector
     TRY(tracer, FrameTracer::make(scene));
     for (const auto& [x, y] : positions)
         if (!std::isfinite(x) || !std::isfinite(y)) return bad_input("pixel positions must be finite");
+    constexpr std::size_t kTogether = kRaysTogether;
     std::vector<RayPixel> pixels(positions.size());
-    tbb::parallel_for(std::size_t{0}, positions.size(),
-                      [&](std::size_t i) { pixels[i] = tracer->pixel(positions[i][0], positions[i][1]); });
+    tbb::parallel_for(std::size_t{0}, (positions.size() + kTogether - 1) / kTogether, [&](std::size_t part) {
+        const auto from = positions.begin() + static_cast<std::ptrdiff_t>(part * kTogether),
+                   to = positions.begin() +
+                        static_cast<std::ptrdiff_t>(std::min((part + 1) * kTogether, positions.size()));
+        std::ranges::copy(tracer->pixels({from, to}), pixels.data() + part * kTogether);
+    });
     return pixels;
 }
 

@@ -3,6 +3,7 @@
 // The direction is carried through the camera's tetrad as a photon momentum, p = e_0 - n^i e_i for the photon that
 // arrives from n with unit frequency (traced_ray.h). On purpose not the product form of observer/pose.h.
 #pragma once
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -22,24 +23,32 @@ struct DiscHit {
     double along, x, y, climb, delay;
 };
 
+// How many rays are asked for at once: enough for the lanes of any machine, and few enough to be kept.
+inline constexpr int kRaysTogether = 64;
+
 class FrameTracer {
 public:
     // Errors: unknown metric, no such observer at the camera, a camera or disc out of range, a zoom deeper than directions in double
     // resolve.
     static Result<FrameTracer> make(const Scene& scene);
-    // Pixel position: column, row from the top, centres at +0.5. In a plane about a microsecond, else 0.2 ms and its
+    // Pixel position: column, row from the top, centres at +0.5. In a plane about a microsecond, else 30 and its
     // looks at bodies. The tracer outlives it.
     RayPtr ray(double x, double y) const;
+    // The same of many positions, in their order: those that are integrated several at a time.
+    std::vector<RayPtr> rays(const std::vector<std::array<double, 2>>& positions) const;
     // Where the ray meets the disc, in its order; empty if the scene has none. At most max_hits.
     std::vector<DiscHit> disc_hits(const TracedRay& ray, int max_hits) const;
     // The delay may cost several times the rest.
     RayPixel pixel(double x, double y, bool with_delay = true) const;
+    std::vector<RayPixel> pixels(const std::vector<std::array<double, 2>>& positions) const;
     const Medium* medium() const { return medium_.get(); }  // null where there is none
     const Metric& matter() const { return *matter_; }       // of what rays meet: they run straight without lensing
     const PlaneRays* plane_rays() const { return rays_->in_plane(); }  // null where rays stay in no plane
 
 private:
     FrameTracer() = default;
+    std::vector<Vec3> directions(const std::vector<std::array<double, 2>>& positions) const;
+    RayPixel pixel_of(const TracedRay& traced, bool with_delay) const;
     CameraSpec camera_;
     std::optional<DiscSpec> disc_;
     std::shared_ptr<const Metric> matter_;

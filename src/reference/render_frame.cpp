@@ -161,12 +161,8 @@ private:
     double energy_ = 1, momentum_ = 0;
 };
 
-Vec3 ray_colour(const Looks& looks, double x, double y) {
-    const double through_mesh = shows(looks.scene.camera, x, y) ? warp_light(looks.scene.camera, x, y) : 0.0;
-    if (through_mesh == 0.0) return {};
+Vec3 ray_colour(const Looks& looks, const TracedRay& ray) {
     const Scene& scene = looks.scene;
-    const RayPtr traced = looks.tracer.ray(x, y);
-    const TracedRay& ray = *traced;
     Vec3 colour{0, 0, 0};
     double through = 1;
     const std::optional<BodyHit> body = ray.first_hit();
@@ -186,7 +182,7 @@ Vec3 ray_colour(const Looks& looks, double x, double y) {
         through *= 1 - paint.alpha;
     }
     matter.pass(body ? body->along : INFINITY, colour, through);
-    if (body) return through_mesh * (colour + through * body_light(scene, *body, looks.pictures.of(body->body)));
+    if (body) return colour + through * body_light(scene, *body, looks.pictures.of(body->body));
     if (ray.fate() == Fate::kEscaped && through > 0) {
         const Vec3 at = ray.end_direction();
         colour = colour + through * (is_procedural(scene.sky.kind) ? sky_material_of(scene.sky, at)
@@ -195,7 +191,26 @@ Vec3 ray_colour(const Looks& looks, double x, double y) {
     if (ray.fate() == Fate::kHit) colour = colour + through * star_colour(ray.end_direction());
     if (ray.fate() == Fate::kOtherSide && looks.far_sky != nullptr)
         colour = colour + through * sample_sky(*looks.far_sky, ray.end_direction());
-    return through_mesh * colour;
+    return colour;
+}
+
+// The light of rays through places of the picture, in their order.
+std::vector<Vec3> colours(const Looks& looks, const std::vector<std::array<double, 2>>& places) {
+    const CameraSpec& camera = looks.scene.camera;
+    std::vector<Vec3> found(places.size());
+    for (std::size_t from = 0; from < places.size(); from += kRaysTogether) {
+        std::vector<std::array<double, 2>> seen;
+        std::vector<std::pair<std::size_t, double>> lights;  // of which place, and how much the warp mesh lets through
+        for (std::size_t i = from; i < std::min(from + kRaysTogether, places.size()); ++i) {
+            const auto& [x, y] = places[i];
+            const double light = shows(camera, x, y) ? warp_light(camera, x, y) : 0.0;
+            if (light != 0.0) seen.push_back(places[i]), lights.push_back({i, light});
+        }
+        const std::vector<RayPtr> rays = looks.tracer.rays(seen);
+        for (std::size_t k = 0; k < rays.size(); ++k)
+            found[lights[k].first] = lights[k].second * ray_colour(looks, *rays[k]);
+    }
+    return found;
 }
 
 // What of a point behind shines through.
@@ -222,15 +237,23 @@ std::optional<DiscLight> heat_of(const FrameTracer& tracer, const Scene& scene) 
     return std::optional<DiscLight>(std::in_place, tracer.matter(), *scene.disc, scene.light);
 }
 
+// Of the rays of some pixels of a row, pixel by pixel.
+std::vector<std::array<double, 2>> places_of(int from, int to, int y, int samples) {
+    std::vector<std::array<double, 2>> places;
+    for (int x = from; x < to; ++x)
+        for (int i = 0; i < samples * samples; ++i)
+            places.push_back({x + (i % samples + 0.5) / samples, y + (i / samples + 0.5) / samples});
+    return places;
+}
+
 // Means over the rays of a pixel, those of even and of odd number as on a chessboard.
 std::array<Vec3, 2> pixel_halves(const Looks& looks, int x, int y, int samples) {
     std::array<Vec3, 2> sums{};
     std::array<int, 2> counts{};
+    const std::vector<Vec3> found = colours(looks, places_of(x, x + 1, y, samples));
     for (int i = 0; i < samples * samples; ++i) {
-        const int row = i / samples, column = i % samples;
-        const auto half = static_cast<std::size_t>((row + column) % 2);
-        const double dx = (column + 0.5) / samples, dy = (row + 0.5) / samples;
-        sums[half] = sums[half] + ray_colour(looks, x + dx, y + dy);
+        const auto half = static_cast<std::size_t>((i / samples + i % samples) % 2);
+        sums[half] = sums[half] + found[static_cast<std::size_t>(i)];
         ++counts[half];
     }
     for (const std::size_t half : {0, 1}) sums[half] = sums[half] / std::max(counts[half], 1);
@@ -265,14 +288,16 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
     Image<float> image(scene.camera.width, scene.camera.height, 3);
     constexpr int kTold = 64;  // pixels; rows of large pictures take seconds, and who is told can stop it
     tbb::parallel_for(0, image.height, [&](int y) {
+        std::vector<Vec3> found;
         for (int x = 0; x < image.width; ++x) {
-            if (done && x % kTold == 0) done(std::min(kTold, image.width - x));
-            Vec3 sum{0, 0, 0};
-            for (int i = 0; i < samples * samples; ++i) {
-                const int row = i / samples;
-                const double dx = (i % samples + 0.5) / samples, dy = (row + 0.5) / samples;
-                sum = sum + ray_colour(looks, x + dx, y + dy);
+            if (x % kTold == 0) {
+                const int some = std::min(kTold, image.width - x);
+                if (done) done(some);
+                found = colours(looks, places_of(x, x + some, y, samples));
             }
+            Vec3 sum{0, 0, 0};
+            for (int i = 0; i < samples * samples; ++i)
+                sum = sum + found[static_cast<std::size_t>((x % kTold) * samples * samples + i)];
             sum = sum / (static_cast<double>(samples) * samples);
             float* pixel = image.at(x, y);
             pixel[0] = static_cast<float>(sum.x);
