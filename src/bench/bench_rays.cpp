@@ -20,8 +20,8 @@ constexpr int kSide = 320;             // 102,400 rays of each scene
 constexpr std::size_t kJudged = 2000;  // of them that the reference traces
 constexpr double kFar = 500.0;         // r_s: 1000 M
 
-struct Options : BenchOptions {
-    Options() { scenes = {}, frames = 4; }
+struct RaysBench : BenchOptions {
+    RaysBench() { scenes = {}, frames = 4; }
     int crossings = 1;
 };
 
@@ -98,7 +98,7 @@ std::string words_of(const Spread& s) {
 }
 Json json_of(const Spread& s) { return {{"max", s.max}, {"p999", s.p999}, {"median", s.median}}; }
 
-Status measure(const Scene& scene, const Options& options, Json& rows) {
+Status measure(const Scene& scene, const RaysBench& options, Json& rows) {
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     CameraSpec camera = scene.camera;
     camera.width = camera.height = kSide;
@@ -148,7 +148,7 @@ Status measure(const Scene& scene, const Options& options, Json& rows) {
     return Done{};
 }
 
-Status run(const Options& options) {
+Status run_rays(const RaysBench& options) {
     Json rows = Json::array();
     if (options.scenes.empty()) {
         TRY(done, measure(far_hole(), options, rows));
@@ -163,11 +163,11 @@ Status run(const Options& options) {
 }  // namespace
 
 void add_bench_rays(Command& bench) {
-    auto [command, options] =
-        add_command<Options>(bench, "rays",
-                             "Rays of a list by each tracer: how many a core-second traces, and how far they are from "
-                             "the reference's",
-                             run);
+    auto [command, options] = add_command<RaysBench>(
+        bench, "rays",
+        "Rays of a list by each tracer: how many a core-second traces, and how far they are from "
+        "the reference's",
+        run_rays);
     command.add_option("scenes", &options.scenes,
                        "Scenes through whose pixels rays are traced (default: Kerr's hole of a = 0.9 from 1000 M)");
     context_option(command, options.context);

@@ -15,7 +15,7 @@ constexpr double kStandoff = 1 + 1e-5;  // least radius of a camera over that of
 constexpr double kAside = 2e-3;
 
 // A metric, and where rays divide in it, for the directions of cases.
-struct Place {
+struct HardPlace {
     std::string metric, label;
     std::map<std::string, double> parameters;
     double photon_r;  // of the photon sphere; wormholes: 0; a star outside of it: its surface
@@ -24,12 +24,12 @@ struct Place {
     double aside = 0;  // rad, of looks across
 };
 
-Scene frame_of(const Place& place, double r, double yaw, double fov) {
+Scene frame_of(const HardPlace& place, double r, double yaw, double fov) {
     return hard_view(hard_frame({place.metric, place.parameters}), r, yaw, fov);
 }
 
 // Half-angle of what rays from the sky do not reach, from the inward radial direction, seen at r outside: sin^2 = V(r)/V(dividing).
-double dividing_angle(const Place& p, double r) {
+double dividing_angle(const HardPlace& p, double r) {
     const auto root_v = [&](double x) {
         if (p.metric == "ellis") return 1 / std::hypot(x, 1.0);
         if (const auto spacetime = make_spacetime(p.metric, p.parameters); p.metric == "dneg-wormhole")
@@ -40,7 +40,7 @@ double dividing_angle(const Place& p, double r) {
     return std::asin(root_v(r) / root_v(p.photon_r));
 }
 
-void critical(std::vector<HardCase>& list, const Place& p) {
+void critical(std::vector<HardCase>& list, const HardPlace& p) {
     constexpr double r = 20;
     const double angle = dividing_angle(p, r);
     for (const int k : {1, 3, 5, 7})
@@ -52,7 +52,7 @@ void critical(std::vector<HardCase>& list, const Place& p) {
         }
 }
 
-void dividing_sphere(std::vector<HardCase>& list, const Place& p) {
+void dividing_sphere(std::vector<HardCase>& list, const HardPlace& p) {
     for (const auto& [where, off] : {std::pair{"on", 0.0},
                                      {"1e-9 above", 1e-9},
                                      {"1e-9 below", -1e-9},
@@ -67,7 +67,7 @@ void dividing_sphere(std::vector<HardCase>& list, const Place& p) {
     }
 }
 
-void extremes(std::vector<HardCase>& list, const Place& p) {
+void extremes(std::vector<HardCase>& list, const HardPlace& p) {
     for (const int k : {2, 4, 6})
         for (const auto& [view, yaw] : kViews) {
             if (p.least > 0)
@@ -104,7 +104,7 @@ std::vector<HardCase> hard_metric_cases() {
     const std::string charged = "reissner-nordstrom";
     const double s = std::sqrt(0.75), sphere = 0.25 * (3 + std::sqrt(1 + 8 * s * s)),  // of Q/M = 0.5
         naked_sphere = 0.25 * (3 + std::sqrt(1 - 8 * 0.002001));
-    const std::vector<Place> places = {
+    const std::vector<HardPlace> places = {
         {charged, "charge 0.5", {{"charge", 0.5}}, sphere, 0.5 * (1 + s), true},
         {charged, "extremal hole", {{"charge", 1.0}}, 1.0, 0.5, true},
         {charged, "charge just naked", {{"charge", 1.001}}, naked_sphere, naked_sphere, false},
@@ -123,7 +123,7 @@ std::vector<HardCase> hard_metric_cases() {
         {"dneg-wormhole", "long wormhole", {{"length", 2.0}, {"lensing_width", 0.5}}, 0.0, -1e300, false, kAside},
     };
     std::vector<HardCase> list;
-    for (const Place& place : places) {
+    for (const HardPlace& place : places) {
         critical(list, place);
         dividing_sphere(list, place);
         extremes(list, place);

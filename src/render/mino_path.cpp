@@ -13,7 +13,7 @@
 namespace nullscope {
 namespace {
 
-constexpr double kLeastFrequency = 1e-6;  // as the shaders have it
+constexpr double kLeastMinoFrequency = 1e-6;  // as the shaders have it
 
 }  // namespace
 
@@ -35,7 +35,7 @@ double MinoPath::ray_g(const FramePlan&, const FrameData& frame, const RayNumber
                        Vec3 u) const {
     const auto of = [&](const FrameVector& form) { return form.x + form.y * ray.ray.x + form.z * ray.ray.z; };
     const double energy = -of(frame.spin_energy), momentum = -of(frame.spin_across) * ray.start.x;
-    return 1.0 / std::fmax(energy * u.x - momentum * u.y - met.climb * u.z, kLeastFrequency);
+    return 1.0 / std::fmax(energy * u.x - momentum * u.y - met.climb * u.z, kLeastMinoFrequency);
 }
 
 void MinoPath::write(const FramePlan& plan, FrameData& frame) const {

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kWidth = 256;
 constexpr int kNumbers = 4;  // texels a ray
 
-void put(const FrameVector& v, float* to) {
+void put_vector(const FrameVector& v, float* to) {
     to[0] = static_cast<float>(v.x), to[1] = static_cast<float>(v.y), to[2] = static_cast<float>(v.z),
     to[3] = static_cast<float>(v.w);
 }
@@ -55,10 +55,10 @@ gl::Texture RayListTarget::begin(std::span<const RayNumbers> rays) {
     std::vector<float> numbers(width * height * kNumbers * 4);
     for (std::size_t i = 0; i < count_; ++i) {
         float* to = numbers.data() + ((i / width) * kNumbers * width + i % width) * 4;
-        put(rays[i].start, to);
-        put(rays[i].radial, to + 4 * width);
-        put(rays[i].meridian, to + 8 * width);
-        put(rays[i].ray, to + 12 * width);
+        put_vector(rays[i].start, to);
+        put_vector(rays[i].radial, to + 4 * width);
+        put_vector(rays[i].meridian, to + 8 * width);
+        put_vector(rays[i].ray, to + 12 * width);
     }
     return gl::make_number_texture(static_cast<int>(width), static_cast<int>(height) * kNumbers, 4, numbers.data(),
                                    false);
